@@ -1,0 +1,37 @@
+# How every part of Pomona is compiled, and the two functions its folders use.
+
+# The same bits from every compiler and processor: no fused operations, no reordering of floating point.
+set(POMONA_FLAGS -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(POMONA_WERROR)
+  list(APPEND POMONA_FLAGS -Werror)
+endif()
+if(POMONA_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+# pomona_library(base SOURCES a.cpp b.cpp DEPENDS pomona_x PRIVATE_DEPENDS heavy::package)
+# One static library a folder. DEPENDS is seen by users of the headers; a heavy package is PRIVATE.
+function(pomona_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  add_library(pomona_${name} STATIC ${ARG_SOURCES})
+  target_include_directories(pomona_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_compile_options(pomona_${name} PRIVATE ${POMONA_FLAGS})
+  target_link_libraries(pomona_${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
+endfunction()
+
+# pomona_test(sweep_test SOURCES sweep_test.cpp DEPENDS pomona_surface)
+# One GoogleTest program; its cases appear in ctest one by one.
+function(pomona_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_compile_options(${name} PRIVATE ${POMONA_FLAGS})
+  target_compile_definitions(${name} PRIVATE POMONA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+endfunction()

@@ -1,0 +1,43 @@
+#include "generator/base/error.h"
+
+#include <utility>
+
+namespace pomona {
+
+std::string to_string(const Diagnostic& diagnostic) {
+  std::string text;
+  const SourcePlace& place = diagnostic.place;
+  if (!place.file.empty()) {
+    text += place.file;
+    if (!place.element.empty()) {
+      text += ":" + place.element;
+    } else if (place.line > 0) {
+      text += ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+    }
+    text += ": ";
+  }
+  text += "error: " + diagnostic.message;
+  if (!diagnostic.hint.empty()) text += "\n  hint: " + diagnostic.hint;
+  return text;
+}
+
+namespace {
+
+std::string joined(const std::vector<Diagnostic>& diagnostics) {
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    if (!text.empty()) text += "\n";
+    text += to_string(diagnostic);
+  }
+  return text;
+}
+
+}  // namespace
+
+Error::Error(ExitStatus status, std::vector<Diagnostic> diagnostics)
+    : std::runtime_error(joined(diagnostics)), status_(status), diagnostics_(std::move(diagnostics)) {}
+
+Error::Error(ExitStatus status, std::string message, std::string hint)
+    : Error(status, std::vector<Diagnostic>{{{}, std::move(message), std::move(hint)}}) {}
+
+}  // namespace pomona

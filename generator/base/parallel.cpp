@@ -1,0 +1,47 @@
+#include "generator/base/parallel.h"
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace pomona {
+
+int resolved(Threads threads) {
+  if (threads.count > 0) return threads.count;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void parallel_for(std::size_t count, Threads threads, const std::function<void(std::size_t)>& body) {
+  const int width = resolved(threads);
+  if (width == 1 || count < 2) {
+    for (std::size_t i = 0; i < count; ++i) body(i);
+    return;
+  }
+
+  // Keep the failure of the smallest item, so that the message does not depend on the threads either.
+  std::mutex mutex;
+  std::size_t failed = std::numeric_limits<std::size_t>::max();
+  std::exception_ptr failure;
+  tbb::task_arena arena(width);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      try {
+        body(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (i < failed) {
+          failed = i;
+          failure = std::current_exception();
+        }
+      }
+    });
+  });
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace pomona

@@ -1,0 +1,20 @@
+// Work shared among threads so that the result cannot depend on their number: item i writes slot i.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace pomona {
+
+/// How many threads a step may use; 0 means as many as the machine has.
+struct Threads {
+  int count = 0;
+};
+
+int resolved(Threads threads);
+
+/// Calls body(i) for i in [0, count), each once, on up to `threads` threads. The body must write only
+/// to places that belong to i. The exception of the smallest failing i is rethrown.
+void parallel_for(std::size_t count, Threads threads, const std::function<void(std::size_t)>& body);
+
+}  // namespace pomona

@@ -1,0 +1,16 @@
+#include "generator/base/reproducible.h"
+
+#include <sleef.h>
+
+namespace pomona::reproducible {
+
+double sin(double radians) { return Sleef_cinz_sind1_u10purec(radians); }
+double cos(double radians) { return Sleef_cinz_cosd1_u10purec(radians); }
+double atan2(double y, double x) { return Sleef_cinz_atan2d1_u10purec(y, x); }
+double acos(double x) { return Sleef_cinz_acosd1_u10purec(x); }
+double exp(double x) { return Sleef_cinz_expd1_u10purec(x); }
+double log(double x) { return Sleef_cinz_logd1_u10purec(x); }
+double pow(double base, double exponent) { return Sleef_cinz_powd1_u10purec(base, exponent); }
+double cbrt(double x) { return Sleef_cinz_cbrtd1_u10purec(x); }
+
+}  // namespace pomona::reproducible

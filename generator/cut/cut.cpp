@@ -1,0 +1,1 @@
+#include "generator/cut/cut.h"

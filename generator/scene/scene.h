@@ -1,0 +1,47 @@
+// A scene: solids, each with any number of placed instances, and how it is looked at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "generator/scene/solid.h"
+
+namespace pomona {
+
+/// A rigid placement: p -> rotation * p + translation, metres.
+struct Pose {
+  glm::dquat rotation{1, 0, 0, 0};
+  glm::dvec3 translation{0};
+};
+
+struct Instance {
+  int solid = 0;  ///< index into Scene::solids
+  Pose pose;
+  std::string name;  ///< unique within the scene
+};
+
+/// A camera by what it sees; perspective.
+struct View {
+  glm::dvec3 eye{0.3, 0.35, 0.5};
+  glm::dvec3 target{0};
+  double vertical_field = 0.5;  ///< radians
+};
+
+struct Scene {
+  std::vector<Solid> solids;
+  std::vector<Instance> instances;
+  View view;
+  Color paper{0.93f, 0.90f, 0.83f};
+  bool ground = false;  ///< a ground plane at y = 0 that takes shadows
+};
+
+/// Every solid once, where it grew, seen as `view_name` says ("front", "top", "three-quarter").
+Scene gathered(std::vector<Solid> solids);
+
+/// A view that fits the scene: direction from the target to the eye, any length.
+View fitted_view(const Scene& scene, const glm::dvec3& direction);
+
+}  // namespace pomona

@@ -1,0 +1,47 @@
+// Solids: finished pieces and whole fruits, ready to be drawn, exported and piled.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/base/color.h"
+#include "generator/cut/cut.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// One piece as a triangle mesh that faces air. Vertices are split where colour or normal jumps; after welding
+/// equal positions the mesh is closed wherever the fruit's shells are.
+struct Solid {
+  std::string name;                 ///< "tomato-3.wedge-2": unique within a scene
+  std::vector<glm::vec3> position;  ///< metres, in the fruit's own frame: what noise is tied to
+  std::vector<glm::vec3> normal;
+  std::vector<Color> color;        ///< linear, before style
+  std::vector<std::int32_t> part;  ///< index into part_names
+  std::vector<glm::uvec3> triangle;
+  std::vector<std::int32_t> cut_face;  ///< per triangle: index of the cut face, -1 on skin and cavity walls
+  std::vector<std::int32_t> surface;   ///< per triangle: surface for skin, -1 on cut faces; for ink
+
+  /// Ink on cut faces: polylines' segments (positions), and whether they rim the face.
+  struct InkSegment {
+    glm::vec3 a{0}, b{0};
+    bool rim = false;
+  };
+  std::vector<InkSegment> ink_segments;
+
+  std::vector<std::string> part_names;
+  NoiseStyle noise;
+  InkStyle ink;
+  double volume = 0;
+  bool closed = true;
+  bool crumb = false;
+};
+
+/// The pieces of a cut whose section has been coloured. `name` becomes the prefix of theirs.
+std::vector<Solid> solids(const Cut& cut, const CrossSection& colored_section, const Template& fruit,
+                          const std::string& name);
+
+}  // namespace pomona

@@ -1,0 +1,74 @@
+#include "generator/surface/diffusion_surfaces.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+
+namespace pomona {
+
+bool DiffusionSurfaces::is_hidden(std::size_t triangle_index, SideOf side) const {
+  const std::vector<std::uint8_t>& hidden = side == SideOf::front ? front_hidden : back_hidden;
+  const glm::uvec3& t = triangle[triangle_index];
+  return hidden[t.x] != 0 && hidden[t.y] != 0 && hidden[t.z] != 0;
+}
+
+bool DiffusionSurfaces::is_boundary(std::size_t triangle_index) const {
+  return is_hidden(triangle_index, SideOf::front) != is_hidden(triangle_index, SideOf::back);
+}
+
+namespace {
+
+template <typename T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// The index of each of `names` in `known`, which grows by those it lacks.
+std::vector<std::int32_t> merge_names(std::vector<std::string>& known, const std::vector<std::string>& names) {
+  std::vector<std::int32_t> index;
+  for (const std::string& name : names) {
+    const auto found = std::find(known.begin(), known.end(), name);
+    index.push_back(static_cast<std::int32_t>(found - known.begin()));
+    if (found == known.end()) known.push_back(name);
+  }
+  return index;
+}
+
+}  // namespace
+
+DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces& second) {
+  DiffusionSurfaces all = first;
+  append(all.position, second.position);
+  append(all.front_color, second.front_color);
+  append(all.back_color, second.back_color);
+  append(all.blur, second.blur);
+  append(all.front_hidden, second.front_hidden);
+  append(all.back_hidden, second.back_hidden);
+
+  const auto first_vertex = static_cast<std::uint32_t>(first.vertex_count());
+  for (const glm::uvec3& t : second.triangle) all.triangle.push_back(t + glm::uvec3(first_vertex));
+  const auto first_surface = static_cast<std::int32_t>(first.surface_names.size());
+  for (const std::int32_t s : second.surface) all.surface.push_back(s + first_surface);
+  append(all.surface_names, second.surface_names);
+
+  const std::vector<std::int32_t> part = merge_names(all.part_names, second.part_names);
+  for (const std::int32_t p : second.front_part) all.front_part.push_back(part[static_cast<std::size_t>(p)]);
+  for (const std::int32_t p : second.back_part) all.back_part.push_back(part[static_cast<std::size_t>(p)]);
+  return all;
+}
+
+Bounds bounds_of(const DiffusionSurfaces& surfaces) {
+  Bounds bounds;
+  bool first = true;
+  for (const glm::uvec3& t : surfaces.triangle) {
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec3 p(surfaces.position[t[k]]);
+      bounds.low = first ? p : glm::min(bounds.low, p);
+      bounds.high = first ? p : glm::max(bounds.high, p);
+      first = false;
+    }
+  }
+  return bounds;
+}
+
+}  // namespace pomona

@@ -1,0 +1,58 @@
+// Diffusion surfaces: triangles with a colour on either side and a blur (paper, section 3.1).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/base/color.h"
+
+namespace pomona {
+
+enum class SideOf : std::uint8_t { front, back };
+
+/// All the diffusion surfaces of one fruit as one structure of arrays; the exchange value between sweep,
+/// cut and diffusion, and exactly what a surface file (.ply) holds. Metres, +Y along the axis.
+/// Front of a triangle = the side from which its vertices run counter-clockwise.
+struct DiffusionSurfaces {
+  // One entry per vertex.
+  std::vector<glm::vec3> position;
+  std::vector<Color> front_color;          ///< linear
+  std::vector<Color> back_color;           ///< linear
+  std::vector<float> blur;                 ///< metres; 0 after sheets()
+  std::vector<std::uint8_t> front_hidden;  ///< 1 where the side faces air
+  std::vector<std::uint8_t> back_hidden;
+
+  // One entry per triangle.
+  std::vector<glm::uvec3> triangle;
+  std::vector<std::int32_t> surface;     ///< index into surface_names
+  std::vector<std::int32_t> front_part;  ///< index into part_names
+  std::vector<std::int32_t> back_part;
+
+  std::vector<std::string> surface_names;
+  std::vector<std::string> part_names;
+
+  std::size_t vertex_count() const { return position.size(); }
+  std::size_t triangle_count() const { return triangle.size(); }
+
+  /// A triangle's side is hidden when all three of its vertices say so (docs/formats.md).
+  bool is_hidden(std::size_t triangle_index, SideOf side) const;
+
+  /// Exactly one hidden side: part of the boundary between the fruit and air.
+  bool is_boundary(std::size_t triangle_index) const;
+};
+
+/// Both, one after the other; names merged (equal part names become one part, surfaces stay apart).
+DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces& second);
+
+/// Axis-aligned bounds of all vertices that a triangle uses; zero for no triangles.
+struct Bounds {
+  glm::dvec3 low{0}, high{0};
+  glm::dvec3 size() const { return high - low; }
+  glm::dvec3 center() const { return 0.5 * (low + high); }
+};
+Bounds bounds_of(const DiffusionSurfaces& surfaces);
+
+}  // namespace pomona

@@ -1,0 +1,25 @@
+// Variation: from a template to a variant of it (paper, section 4.2, Figure 8). Only curves change; the
+// surfaces swept from template and variant share their connectivity (unless the number of folds differs).
+#pragma once
+
+#include <optional>
+
+#include "generator/base/random.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+struct VariationOptions {
+  double amount = 1.0;       ///< 0 = as drawn up to a turn, 1 = natural, 2 = wild
+  std::optional<int> folds;  ///< another number of folds than drawn, 1..64 (N-fold templates only)
+};
+
+/// The variant for `key`: De Bonet synthesis of all loops together for cylindrical symmetry, blending of fold
+/// samples by principal components for N-fold symmetry.
+/// \throws Error (usage) if folds are asked of a cylindrical template.
+Template vary(const Template& fruit, VariantKey key, const VariationOptions& options = {});
+
+/// The template as drawn, but with `folds` folds: the drawn folds repeated in turn.
+Template with_folds(const Template& fruit, int folds);
+
+}  // namespace pomona
