@@ -1,0 +1,31 @@
+// From a template and a seed to everything the diffuser sees: the first half of the road in one verb.
+#pragma once
+
+#include <optional>
+
+#include "generator/base/random.h"
+#include "generator/surface/diffusion_surfaces.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+struct GrowOptions {
+  bool as_drawn = false;     ///< keep the drawn curves, whatever the key; grains still follow the key
+  double variation = 1.0;    ///< 0..2, see VariationOptions::amount
+  std::optional<int> folds;  ///< another number of folds than drawn
+  double detail = 1.0;       ///< see SweepOptions
+};
+
+/// The template's variant for `key`; with as_drawn the template itself, or its folds repeated in turn.
+Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options = {});
+
+/// A grown fruit at two stages of the road.
+struct GrownFruit {
+  DiffusionSurfaces swept;   ///< as drawn or varied: blur not split, no grains
+  DiffusionSurfaces sheets;  ///< everything the diffuser sees: blur split, grains included
+};
+
+/// Sweeps a variant, splits its blur and scatters its grains.
+GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options = {});
+
+}  // namespace pomona
