@@ -29,6 +29,17 @@ function(pomona_library name)
   target_link_libraries(pomona_${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
 endfunction()
 
+# pomona_program(pomona SOURCES main.cpp DEPENDS pomona_export PRIVATE_DEPENDS CLI11::CLI11)
+# The program itself; it comes to lie at the top of the build folder.
+function(pomona_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_options(${name} PRIVATE ${POMONA_FLAGS})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} ${ARG_PRIVATE_DEPENDS})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+endfunction()
+
 # pomona_test(sweep_test SOURCES sweep_test.cpp DEPENDS pomona_surface)
 # One GoogleTest program; its cases appear in ctest one by one.
 function(pomona_test name)

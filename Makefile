@@ -1,0 +1,57 @@
+# What people and CI type. Every target first installs the Debian packages it needs that are missing.
+JOBS := $(shell nproc)
+.DEFAULT_GOAL := help
+.PHONY: help salad build test test-programs lint format sanitize clang bench clean
+
+help: ## this list
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
+
+salad: build ## out/salad.png, .glb and .pov
+	@scripts/salad.sh build/pomona
+
+build: ## the program, at build/pomona
+	@scripts/setup.sh build
+	@cmake --preset program >build.log 2>&1 || { cat build.log; exit 1; }; rm -f build.log
+	@cmake --build build --target pomona -j $(JOBS)
+
+test: ## all tests that need nothing but Debian's libraries
+	@scripts/setup.sh build test
+	cmake --preset test
+	cmake --build build -j $(JOBS)
+	ctest --test-dir build --output-on-failure -j $(JOBS)
+
+test-programs: ## tests that start real programs: the glTF validator, POV-Ray
+	@scripts/setup.sh build test programs
+	npm ci --no-audit --no-fund --loglevel=error
+	cmake --preset test-programs
+	cmake --build build -j $(JOBS)
+	ctest --test-dir build --output-on-failure -L programs
+
+lint: ## formatting, and the naming of our own headers
+	@scripts/setup.sh build test lint
+	scripts/format.sh --check
+	scripts/check_naming.sh
+
+format: ## formats the sources
+	@scripts/setup.sh lint
+	scripts/format.sh
+
+sanitize: ## the tests again, under AddressSanitizer and UndefinedBehaviorSanitizer
+	@scripts/setup.sh build test
+	cmake --preset sanitize
+	cmake --build build-sanitize -j $(JOBS)
+	ctest --preset sanitize -j $(JOBS)
+
+clang: ## the tests again, compiled by clang
+	@scripts/setup.sh build test clang
+	cmake --preset clang
+	cmake --build build-clang -j $(JOBS)
+	ctest --test-dir build-clang --output-on-failure -j $(JOBS)
+
+bench: ## Table 1 of the paper, on this machine
+	@scripts/setup.sh build test bench
+	cmake --preset bench
+	cmake --build build --target bench -j $(JOBS)
+
+clean: ## removes what was built, keeps out/
+	rm -rf build build-sanitize build-clang

@@ -1,0 +1,8 @@
+#!/bin/sh
+# Formats our C++ sources; with --check, only says which are not formatted, and fails.
+set -eu
+cd "$(dirname "$0")/.."
+mode=-i
+if [ "${1:-}" = --check ]; then mode="--dry-run --Werror"; fi
+# shellcheck disable=SC2086
+find generator render cli tests bench -name '*.h' -o -name '*.cpp' 2>/dev/null | sort | xargs clang-format $mode

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""Checks the rules of the house that a compiler does not: which folder may include which, where heavy
+packages stay, how files are named, and that nothing in the road rests on the C library's functions or on
+randomness that is not ours.
+
+    check_sources.py ROOT      prints "file:line: what is wrong", and exits with 1 if anything is
+"""
+
+import pathlib
+import re
+import sys
+
+# The road. A folder may include itself and what stands before it.
+ROAD = [
+    "generator/base",
+    "generator/template",
+    "generator/surface",
+    "generator/variation",
+    "generator/cut",
+    "generator/diffusion",
+    "generator/scene",
+    "render",
+    "cli",
+]
+
+# Each heavy package, the headers it is known by, and the only places that may know it. None may be a header.
+HEAVY = {
+    "CGAL": (r"CGAL/", r"generator/cut/\w+\.cpp"),
+    "OpenMesh": (r"OpenMesh/", r"generator/(surface|scene)/\w+\.cpp|render/(style|gl)/\w+\.cpp"),
+    "toml++": (r"toml(\+\+|plusplus)?(/|\.h)", r"generator/(template|scene)/\w+\.cpp"),
+    "lib2geom": (r"2geom/", r"generator/template/\w+\.cpp"),
+    "Bullet": (r"(bullet/)?(bt\w+\.h|Bullet\w*/|LinearMath/)", r"generator/scene/\w+\.cpp"),
+    "tinygltf": (r"tiny_gltf\.h", r"render/export/gltf\.cpp|tests/\w+/read_glb\.cpp"),
+    "libpng": (r"png\.h", r"render/picture/\w+\.cpp|tests/\w+/\w+\.cpp"),
+    "EGL": (r"EGL/", r"render/gl/\w+\.cpp"),
+    "OSMesa": (r"GL/osmesa\.h", r"render/gl/\w+\.cpp"),
+    "OpenGL": (r"GL/(?!osmesa)", r"render/gl/\w+\.(cpp|h)"),
+    "TBB": (r"(tbb|oneapi/tbb)/", r"generator/base/parallel\.cpp"),
+    "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),
+    "Random123": (r"Random123/", r"generator/base/random\.cpp"),
+    "CLI11": (r"CLI/", r"cli/\w+\.(cpp|h)"),
+}
+HEADERS_ALLOWED = {"OpenGL", "CLI11"}
+
+# Folders whose values end up in files that must be the same on every machine.
+REPRODUCIBLE = ("generator/", "render/style/", "render/picture/", "render/export/")
+
+LIBM = "a?(?:sin|cos|tan)h?|atan2|sincos|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erf|tgamma|lgamma|fma"
+FORBIDDEN = [
+    (re.compile(rf"(?:\bstd|\bglm|(?<![\w>])):: ?({LIBM})[fl]?\s*\("), "the C library's {0}() differs between processors: use reproducible::{0}()"),
+    (re.compile(rf"(?<![\w:.>])((?:{LIBM})[fl]?)\s*\("), "the C library's {0}() differs between processors: use generator/base/reproducible.h"),
+    (re.compile(r"\bglm::(rotate|angleAxis|slerp|mix_?slerp|eulerAngles|perspective\w*|polar|euclidean|axis|angle)\s*\("), "glm::{0}() calls the C library's sine and its kin"),
+    (re.compile(r"\bstd::(\w+_distribution)\b"), "std::{0} is defined by each library for itself: use RandomStream"),
+    (re.compile(r"\bstd::(shuffle|sample|random_shuffle|random_device|mt19937(?:_64)?|minstd_rand0?|default_random_engine)\b"), "std::{0}: all randomness comes from RandomStream"),
+    (re.compile(r"(?<![\w:.>])(?:std::)?(s?rand|drand48|random)\s*\(\s*\)"), "{0}(): all randomness comes from RandomStream"),
+    (re.compile(r"\bstd::(reduce|transform_reduce)\b"), "std::{0} sums in no fixed order"),
+    (re.compile(r"\bstd::chrono::(system_clock)\b"), "std::chrono::{0}: no time of day in what is made"),
+]
+
+FILE_NAME = re.compile(r"[a-z0-9_]+\.(h|cpp|h\.in|cpp\.in)")
+BANNED_WORDS = {"util", "utils", "utility", "utilities", "helper", "helpers", "misc", "common", "stuff"}
+
+
+def without_comments_and_strings(text):
+    """The same text, line for line, with comments and the insides of literals blanked."""
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+
+    def blank(match):
+        found = match.group(0)
+        kept = '""' if found[0] in "\"R" else " "
+        return kept + "\n" * found.count("\n")
+
+    return pattern.sub(blank, text)
+
+
+def place_on_road(path):
+    for index, folder in enumerate(ROAD):
+        if path.startswith(folder + "/"):
+            return index
+    return None
+
+
+def check_includes(root, name, text):
+    for number, line in enumerate(text.splitlines(), 1):
+        match = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
+        if not match:
+            continue
+        kind, target = match.groups()
+        if kind == '"':
+            yield from ((number, why) for why in wrong_with_own_include(root, name, target))
+        else:
+            if (root / target).is_file() and target.split("/")[0] in ("generator", "render", "cli", "tests"):
+                yield number, f'own header <{target}> is included with "..."'
+            yield from ((number, why) for why in wrong_with_package(name, target))
+
+
+def wrong_with_own_include(root, name, target):
+    if not (root / target).is_file() and not (root / (target + ".in")).is_file():
+        yield f'"{target}" is not a path from the repository root'
+        return
+    if name.startswith(("tests/", "bench/")):
+        return
+    here, there = place_on_road(name), place_on_road(target)
+    if there is None:
+        yield f'"{target}" is no part of the road'
+    elif here is not None and there > here:
+        yield f'"{target}" lies ahead on the road: {ROAD[here]} may not know {ROAD[there]}'
+
+
+def wrong_with_package(name, target):
+    for package, (headers, allowed) in HEAVY.items():
+        if not re.match(headers, target):
+            continue
+        if name.endswith(".h") and package not in HEADERS_ALLOWED:
+            yield f"{package} in a header: keep it behind one .cpp"
+        elif not re.fullmatch(allowed, name):
+            yield f"{package} may be included only by {allowed}"
+
+
+def check_words(name, text):
+    if not name.startswith(REPRODUCIBLE) or name.startswith("generator/base/reproducible"):
+        return
+    code = without_comments_and_strings(text)
+    own = set(re.findall(r"\busing\s+(?:pomona::)?reproducible::(\w+)", code))
+    for number, line in enumerate(code.splitlines(), 1):
+        for pattern, why in FORBIDDEN:
+            for match in pattern.finditer(line):
+                if match.group(1) not in own or "::" in match.group(0):
+                    yield number, why.format(match.group(1))
+
+
+def check_file(name, text):
+    file_name = name.rsplit("/", 1)[1]
+    if not FILE_NAME.fullmatch(file_name):
+        yield 1, "file names are snake_case with .h or .cpp"
+    banned = BANNED_WORDS.intersection(re.split(r"[_.]", file_name))
+    if banned:
+        yield 1, f'"{banned.pop()}" says nothing: name the file after the noun it serves'
+    if re.search(r"^\s*#\s*define\s+\w*TINYGLTF_IMPLEMENTATION", text, re.M):
+        yield 1, "tinygltf is a shared library here: never define TINYGLTF_IMPLEMENTATION"
+    if file_name.endswith((".h", ".h.in")):
+        if not text.startswith("//"):
+            yield 1, "a header begins with a comment that says what it is"
+        if not re.search(r"^#pragma once$", text, re.M):
+            yield 1, "a header says #pragma once"
+
+
+def check(root):
+    """All that is wrong below `root`, as "file:line: what"."""
+    root = pathlib.Path(root)
+    wrong = []
+    files = [p for top in ("generator", "render", "cli", "tests", "bench") for p in (root / top).rglob("*")]
+    for path in sorted(p for p in files if p.suffix in (".h", ".cpp", ".hpp", ".cc", ".cxx", ".in")):
+        name = path.relative_to(root).as_posix()
+        text = path.read_text(encoding="utf-8")
+        found = [*check_file(name, text), *check_includes(root, name, text), *check_words(name, text)]
+        wrong += [f"{name}:{number}: {why}" for number, why in sorted(found)]
+    return wrong
+
+
+def main():
+    wrong = check(sys.argv[1])
+    print("\n".join(wrong))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

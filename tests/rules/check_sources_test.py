@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Breaks each rule of check_sources.py once in a made-up tree, and keeps each once: a checker that finds
+nothing wrong must be one that could."""
+
+import pathlib
+import tempfile
+import unittest
+
+import check_sources
+
+HEADER = "// What it is.\n#pragma once\n"
+
+
+class Rules(unittest.TestCase):
+    def wrong_with(self, files):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                path = pathlib.Path(folder) / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text, encoding="utf-8")
+            return check_sources.check(folder)
+
+    def assert_wrong(self, files, place, words):
+        wrong = self.wrong_with(files)
+        self.assertEqual(len(wrong), 1, wrong)
+        self.assertTrue(wrong[0].startswith(place + ":"), wrong)
+        self.assertIn(words, wrong[0])
+
+    def assert_fine(self, files):
+        self.assertEqual(self.wrong_with(files), [])
+
+    def test_includes_point_backwards(self):
+        surface = {"generator/surface/sweep.h": HEADER}
+        self.assert_fine(surface | {"generator/cut/cut.cpp": '#include "generator/surface/sweep.h"\n'})
+        self.assert_wrong(
+            surface | {"generator/base/curve.cpp": '\n#include "generator/surface/sweep.h"\n'},
+            "generator/base/curve.cpp:2",
+            "ahead on the road",
+        )
+        self.assert_wrong(
+            {"render/gl/draw.h": HEADER, "generator/scene/scene.cpp": '#include "render/gl/draw.h"\n'},
+            "generator/scene/scene.cpp:1",
+            "ahead on the road",
+        )
+
+    def test_tests_may_see_everything_but_are_seen_by_none(self):
+        shapes = {"tests/shapes/box.h": HEADER}
+        self.assert_fine(shapes | {"tests/cut/cut_test.cpp": '#include "tests/shapes/box.h"\n'})
+        self.assert_wrong(
+            shapes | {"cli/main.cpp": '#include "tests/shapes/box.h"\n'}, "cli/main.cpp:1", "no part of the road"
+        )
+
+    def test_includes_are_written_from_the_root(self):
+        files = {"generator/cut/cut.h": HEADER, "generator/cut/cut.cpp": '#include "cut.h"\n'}
+        self.assert_wrong(files, "generator/cut/cut.cpp:1", "not a path from the repository root")
+        files["generator/cut/cut.cpp"] = "#include <generator/cut/cut.h>\n"
+        self.assert_wrong(files, "generator/cut/cut.cpp:1", "is included with")
+
+    def test_heavy_packages_stay_where_they_belong(self):
+        include = "#include <CGAL/Constrained_Delaunay_triangulation_2.h>\n"
+        self.assert_fine({"generator/cut/triangulate.cpp": include})
+        self.assert_wrong({"generator/surface/bodies.cpp": include}, "generator/surface/bodies.cpp:1", "CGAL")
+        self.assert_wrong({"generator/cut/triangulate.h": HEADER + include}, "generator/cut/triangulate.h:3", "header")
+
+    def test_no_libm(self):
+        for call in ("std::sin(x)", "glm::pow(x, y)", "::cosf(x)", "sin (x)", "std::hypot(x, y)"):
+            self.assert_wrong({"generator/base/a.cpp": f"double f = {call};\n"}, "generator/base/a.cpp:1", "C library")
+        for call in ("reproducible::sin(x)", "std::sqrt(x)", "point.sin(x)", "asinine(x)", "// std::sin(x)"):
+            self.assert_fine({"generator/base/a.cpp": f"double f = {call};\n"})
+        self.assert_fine({"generator/base/a.cpp": "using reproducible::cos;\nauto c = cos(x);\n"})
+        self.assert_fine({"render/gl/a.cpp": "auto c = std::cos(x);\n"})
+
+    def test_no_foreign_randomness(self):
+        for call in ("std::normal_distribution<double> d;", "std::mt19937 g;", "int i = rand();", "std::shuffle(a, b, g);"):
+            self.assert_wrong({"render/style/a.cpp": call + "\n"}, "render/style/a.cpp:1", "RandomStream" )
+
+    def test_files_are_named_after_something(self):
+        self.assert_wrong({"generator/base/curve_utils.h": HEADER}, "generator/base/curve_utils.h:1", "says nothing")
+        self.assert_wrong({"generator/base/Curve.h": HEADER}, "generator/base/Curve.h:1", "snake_case")
+        self.assert_wrong({"generator/base/curve.hpp": HEADER}, "generator/base/curve.hpp:1", "snake_case")
+
+    def test_headers_say_what_they_are_and_come_once(self):
+        self.assert_wrong({"cli/a.h": "#pragma once\n"}, "cli/a.h:1", "comment")
+        self.assert_wrong({"cli/a.h": "// What it is.\n"}, "cli/a.h:1", "#pragma once")
+
+
+if __name__ == "__main__":
+    unittest.main()
