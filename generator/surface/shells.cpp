@@ -1,0 +1,181 @@
+#include "generator/surface/shells.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/reproducible.h"
+#include "generator/surface/welded_edges.h"
+
+namespace pomona {
+
+namespace {
+
+/// Sets of triangles that grow together (union-find; the smallest member stands for its set).
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t ra = find(a), rb = find(b);
+    parent_[std::max(ra, rb)] = std::min(ra, rb);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// A triangle at a crowded edge: where it stands around the edge, seen against the edge's direction.
+struct Leaf {
+  double angle = 0;
+  bool forward = false;  ///< solid lies below its angle; else above
+  std::uint32_t triangle = 0;
+};
+
+class ShellFinder {
+ public:
+  explicit ShellFinder(const DiffusionSurfaces& surfaces)
+      : surfaces_(surfaces), sets_(surfaces.triangle_count()), open_(surfaces.triangle_count(), 0) {}
+
+  Shells find() {
+    shells_.air_facing = air_facing_triangles();
+    const std::vector<WeldedEdge> edges = sorted_edges(boundary_only());
+    for (std::size_t first = 0; first < edges.size();) {
+      const std::span<const WeldedEdge> group = equal_edges(edges, first);
+      join_across(group);
+      first += group.size();
+    }
+    number_shells();
+    adopt_collapsed_triangles();
+    return std::move(shells_);
+  }
+
+ private:
+  /// A triangle whose back is hidden faces air the other way round.
+  std::vector<glm::uvec3> air_facing_triangles() const {
+    std::vector<glm::uvec3> triangles = welded_triangles(surfaces_.position, surfaces_.triangle);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (surfaces_.is_hidden(i, SideOf::back)) std::swap(triangles[i].y, triangles[i].z);
+    }
+    return triangles;
+  }
+
+  /// Inner triangles collapsed, so that they have no edges.
+  std::vector<glm::uvec3> boundary_only() const {
+    std::vector<glm::uvec3> triangles = shells_.air_facing;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (!surfaces_.is_boundary(i)) triangles[i] = glm::uvec3(0);
+    }
+    return triangles;
+  }
+
+  void join_across(std::span<const WeldedEdge> group) {
+    const auto forward = std::count_if(group.begin(), group.end(), [](const WeldedEdge& e) { return e.forward; });
+    const bool matched = 2 * static_cast<std::size_t>(forward) == group.size();
+    if (!matched) {
+      for (const WeldedEdge& e : group) open_[e.triangle] = 1;
+    }
+    // So many triangles at one edge are no solid; keeping them together costs least.
+    constexpr std::size_t crowd = 64;
+    if (group.size() <= 2 || group.size() > crowd) {
+      for (const WeldedEdge& e : group) sets_.join(group.front().triangle, e.triangle);
+    } else {
+      join_wedges(leaves_around(group));
+    }
+  }
+
+  std::vector<Leaf> leaves_around(std::span<const WeldedEdge> group) const {
+    const glm::dvec3 low(surfaces_.position[group.front().low]);
+    const glm::dvec3 along = glm::normalize(glm::dvec3(surfaces_.position[group.front().high]) - low);
+    glm::dvec3 zero_angle(0);
+    std::vector<Leaf> leaves;
+    for (const WeldedEdge& e : group) {
+      const glm::uvec3& t = shells_.air_facing[e.triangle];
+      const std::uint32_t tip = t.x + t.y + t.z - e.low - e.high;
+      const glm::dvec3 to_tip = glm::dvec3(surfaces_.position[tip]) - low;
+      const glm::dvec3 across = to_tip - glm::dot(to_tip, along) * along;
+      if (leaves.empty()) zero_angle = across;
+      const double y = glm::dot(glm::cross(zero_angle, across), along);
+      leaves.push_back({reproducible::atan2(y, glm::dot(zero_angle, across)), e.forward, e.triangle});
+    }
+    // Solids that touch face to face end (forward) before the next one starts.
+    std::sort(leaves.begin(), leaves.end(), [](const Leaf& l, const Leaf& r) {
+      return std::tuple(l.angle, !l.forward, l.triangle) < std::tuple(r.angle, !r.forward, r.triangle);
+    });
+    return leaves;
+  }
+
+  /// Joins each leaf where solid starts with the one where it ends, like brackets, those of one surface first.
+  void join_wedges(std::vector<Leaf> leaves) {
+    const auto surface_of = [&](const Leaf& leaf) { return surfaces_.surface[leaf.triangle]; };
+    const auto join_one = [&](bool same_surface) {
+      for (std::size_t i = 0; i < leaves.size(); ++i) {
+        const std::size_t next = (i + 1) % leaves.size();
+        if (leaves[i].forward || !leaves[next].forward) continue;
+        if (same_surface && surface_of(leaves[i]) != surface_of(leaves[next])) continue;
+        sets_.join(leaves[i].triangle, leaves[next].triangle);
+        leaves.erase(leaves.begin() + static_cast<std::ptrdiff_t>(std::max(i, next)));
+        leaves.erase(leaves.begin() + static_cast<std::ptrdiff_t>(std::min(i, next)));
+        return true;
+      }
+      return false;
+    };
+    while (leaves.size() >= 2 && (join_one(true) || join_one(false))) continue;
+  }
+
+  void number_shells() {
+    const std::size_t triangles = surfaces_.triangle_count();
+    shells_.of_triangle.assign(triangles, Shells::none);
+    std::vector<std::int32_t> number(triangles, Shells::none);
+    std::vector<std::uint8_t> is_open(surfaces_.surface_names.size(), 0);
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+      if (!surfaces_.is_boundary(i) || is_collapsed(shells_.air_facing[i])) continue;
+      std::int32_t& shell = number[sets_.find(i)];
+      if (shell == Shells::none) {
+        shell = static_cast<std::int32_t>(shells_.count());
+        shells_.closed.push_back(1);
+      }
+      shells_.of_triangle[i] = shell;
+      if (open_[i] == 0) continue;
+      shells_.closed[static_cast<std::size_t>(shell)] = 0;
+      is_open[static_cast<std::size_t>(surfaces_.surface[i])] = 1;
+    }
+    for (std::size_t s = 0; s < is_open.size(); ++s) {
+      if (is_open[s] != 0) shells_.open_surfaces.push_back(static_cast<std::int32_t>(s));
+    }
+  }
+
+  /// A boundary triangle without extent goes with a shell it touches.
+  void adopt_collapsed_triangles() {
+    std::vector<std::int32_t> shell_at(surfaces_.vertex_count(), Shells::none);
+    for (std::size_t i = 0; i < surfaces_.triangle_count(); ++i) {
+      if (shells_.of_triangle[i] == Shells::none) continue;
+      for (int k = 0; k < 3; ++k) shell_at[shells_.air_facing[i][k]] = shells_.of_triangle[i];
+    }
+    for (std::size_t i = 0; i < surfaces_.triangle_count(); ++i) {
+      const glm::uvec3& t = shells_.air_facing[i];
+      if (!surfaces_.is_boundary(i) || !is_collapsed(t)) continue;
+      shells_.of_triangle[i] = std::max({shell_at[t.x], shell_at[t.y], shell_at[t.z]});
+    }
+  }
+
+  const DiffusionSurfaces& surfaces_;
+  Sets sets_;
+  std::vector<std::uint8_t> open_;  ///< per triangle: has an unmatched edge
+  Shells shells_;
+};
+
+}  // namespace
+
+Shells find_shells(const DiffusionSurfaces& surfaces) { return ShellFinder(surfaces).find(); }
+
+}  // namespace pomona

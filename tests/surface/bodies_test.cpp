@@ -1,0 +1,126 @@
+#include "generator/surface/bodies.h"
+
+#include <gmock/gmock.h>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/units.h"
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+using namespace shapes;
+
+TEST(Bodies, ASkinIsOneClosedBody) {
+  const DiffusionSurfaces ball = tilted(sphere(1, 16, skin_paint()));
+  const Bodies found = find_bodies(ball);
+  ASSERT_EQ(found.bodies.size(), 1u);
+  EXPECT_TRUE(found.bodies[0].closed);
+  EXPECT_NEAR(found.bodies[0].volume, signed_volume(ball), 1e-6);
+  EXPECT_THAT(found.of_triangle, testing::Each(0));
+  EXPECT_TRUE(found.warnings.empty());
+}
+
+TEST(Bodies, InnerSurfacesBoundNothing) {
+  const Bodies found = find_bodies(nested_spheres(1, 0.5, 4));
+  EXPECT_EQ(found.bodies.size(), 1u);
+  EXPECT_EQ(found.of_triangle.front(), 0);
+  EXPECT_EQ(found.of_triangle.back(), Bodies::none);
+}
+
+TEST(Bodies, ACavityWallBelongsToTheSkinAroundIt) {
+  const DiffusionSurfaces ball = hollow_ball(1, 0.5, 16);
+  const Bodies found = find_bodies(ball);
+  ASSERT_EQ(found.bodies.size(), 1u);
+  EXPECT_EQ(found.bodies[0].shells, 2);
+  EXPECT_NEAR(found.bodies[0].volume, signed_volume(sphere(1, 16)) - signed_volume(sphere(0.5, 16)), 1e-6);
+}
+
+TEST(Bodies, ASeedInAHollowIsItsOwnBodyAndKeepsItsOwnHollow) {
+  const DiffusionSurfaces fruit = joined(hollow_ball(1, 0.6, 8), moved(hollow_ball(0.2, 0.1, 4), {0.1, 0, 0}));
+  const Bodies found = find_bodies(fruit);
+  ASSERT_EQ(found.bodies.size(), 2u);
+  EXPECT_EQ(found.bodies[0].shells, 2);
+  EXPECT_EQ(found.bodies[1].shells, 2);
+  EXPECT_EQ(found.of_triangle.back(), 1);
+}
+
+TEST(Bodies, OverlappingAndTouchingBodiesStayTwo) {
+  EXPECT_EQ(find_bodies(joined(sphere(1, 8, skin_paint()), moved(sphere(1, 8, skin_paint()), {1, 0, 0}))).bodies.size(),
+            2u);
+  const DiffusionSurfaces left = box({-1, 0, 0}, {0, 1, 1}, 2, skin_paint());
+  for (const glm::dvec3 low : {glm::dvec3(0, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 1, 1)}) {
+    const DiffusionSurfaces right = box(low, low + 1.0, 2, skin_paint());
+    DiffusionSurfaces both = joined(left, right);
+    EXPECT_EQ(find_bodies(both).bodies.size(), 2u);
+    both.surface.assign(both.triangle_count(), 0);
+    const Bodies found = find_bodies(both);
+    ASSERT_EQ(found.bodies.size(), 2u);
+    EXPECT_TRUE(found.bodies[0].closed && found.bodies[1].closed);
+    EXPECT_NEAR(found.bodies[1].volume, 1, 1e-6);
+  }
+}
+
+TEST(Bodies, OpenBoundariesWarnByName) {
+  const Bodies found = find_bodies(open_sheet(1, 0, 2, skin_paint()));
+  ASSERT_EQ(found.bodies.size(), 1u);
+  EXPECT_FALSE(found.bodies[0].closed);
+  EXPECT_THAT(found.warnings, testing::ElementsAre("surface \"skin\" is open: pieces will be open there"));
+}
+
+TEST(Bodies, AShellInsideOutIsClosedButWarned) {
+  Paint paint;
+  paint.back_hidden = true;
+  const Bodies found = find_bodies(sphere(1, 4, paint));
+  EXPECT_EQ(found.bodies.size(), 1u);
+  EXPECT_EQ(found.bodies[0].volume, 0);
+  EXPECT_EQ(found.warnings.size(), 1u);
+}
+
+TEST(Bodies, SidesMayBeGivenEitherWay) {
+  const Bodies found = find_bodies(turned_inside_out(hollow_ball(1, 0.5, 8)));
+  ASSERT_EQ(found.bodies.size(), 1u);
+  EXPECT_GT(found.bodies[0].volume, 3);
+}
+
+TEST(Bodies, BothSidesHiddenIsAnError) {
+  Paint paint = skin_paint();
+  paint.back_hidden = true;
+  EXPECT_THROW(find_bodies(sphere(1, 2, paint)), Error);
+}
+
+TEST(Bodies, SeamsWeldAndDegenerateTrianglesAreHarmless) {
+  // Every triangle with vertices of its own, and three that have no area.
+  const DiffusionSurfaces ball = sphere(1, 4, skin_paint());
+  std::vector<glm::vec3> position;
+  std::vector<glm::uvec3> triangle;
+  for (const glm::uvec3& t : ball.triangle) {
+    const auto first = static_cast<std::uint32_t>(position.size());
+    for (int k = 0; k < 3; ++k) position.push_back(ball.position[t[k]]);
+    triangle.emplace_back(first, first + 1, first + 2);
+  }
+  triangle.emplace_back(0u, 0u, 1u);
+  triangle.emplace_back(2u, 2u, 2u);
+  const DiffusionSurfaces soup = painted(position, triangle, skin_paint());
+  const Bodies found = find_bodies(soup);
+  ASSERT_EQ(found.bodies.size(), 1u);
+  EXPECT_TRUE(found.bodies[0].closed);
+  EXPECT_THAT(found.of_triangle, testing::Each(0));
+  EXPECT_EQ(vertex_normals(soup)[0], vertex_normals(ball)[ball.triangle[0].x]);
+}
+
+TEST(Bodies, NothingHasNoBodies) { EXPECT_TRUE(find_bodies({}).bodies.empty()); }
+
+TEST(VertexNormals, PointOutOfASphere) {
+  const DiffusionSurfaces ball = sphere(2, 16);
+  const std::vector<glm::vec3> normals = vertex_normals(ball);
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    EXPECT_GT(glm::dot(normals[v], glm::normalize(ball.position[v])), 0.999f);
+    EXPECT_NEAR(glm::length(normals[v]), 1, 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace pomona
