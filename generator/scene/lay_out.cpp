@@ -1,0 +1,110 @@
+#include "generator/scene/lay_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+
+#include "generator/surface/diffusion_surfaces.h"
+
+namespace pomona {
+
+namespace {
+
+/// Where cut faces look: up and towards the eye, so that they are seen without much foreshortening.
+const glm::dvec3 shown_direction = glm::normalize(glm::dvec3(0.0, 1.0, 0.75));
+
+/// The direction in which a piece shows the most of its cut faces; zero for a whole fruit.
+glm::dvec3 cut_direction(const Solid& solid) {
+  std::map<std::int32_t, glm::dvec3> area;  // of each cut face, as a vector along its normal
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+    if (solid.cut_face[t] < 0) continue;
+    const glm::uvec3& v = solid.triangle[t];
+    const glm::dvec3 a(solid.position[v.x]), b(solid.position[v.y]), c(solid.position[v.z]);
+    area[solid.cut_face[t]] += glm::cross(b - a, c - a);
+  }
+  glm::dvec3 sum(0.0), largest(0.0);
+  double total = 0;
+  for (const auto& [face, vector] : area) {
+    sum += vector;
+    total += glm::length(vector);
+    if (glm::length(vector) > 1.001 * glm::length(largest)) largest = vector;
+  }
+  if (total == 0) return glm::dvec3(0.0);
+
+  // The faces of a wedge are shown together; those of a slice look away from each other, so one is shown.
+  return glm::normalize(glm::length(sum) > 0.2 * total ? sum : largest);
+}
+
+/// Right-handed frame with `forward` as its third axis and its second as near to `up` as can be.
+glm::dmat3 frame(const glm::dvec3& forward, const glm::dvec3& up) {
+  const glm::dvec3 helper = std::abs(glm::dot(forward, up)) > 0.95 ? glm::dvec3(0, 0, -1) : up;
+  const glm::dvec3 right = glm::normalize(glm::cross(helper, forward));
+  return {right, glm::cross(forward, right), forward};
+}
+
+glm::dquat shown(const Solid& solid) {
+  const glm::dvec3 direction = cut_direction(solid);
+  if (direction == glm::dvec3(0.0)) return {1, 0, 0, 0};
+  const glm::dvec3 up(0, 1, 0);
+  return glm::normalize(glm::quat_cast(frame(shown_direction, up) * glm::transpose(frame(direction, up))));
+}
+
+Bounds turned_bounds(const Solid& solid, const glm::dquat& rotation) {
+  Bounds bounds;
+  for (std::size_t v = 0; v < solid.position.size(); ++v) {
+    const glm::dvec3 p = rotation * glm::dvec3(solid.position[v]);
+    bounds.low = v == 0 ? p : glm::min(bounds.low, p);
+    bounds.high = v == 0 ? p : glm::max(bounds.high, p);
+  }
+  return bounds;
+}
+
+/// About as wide as deep: rows are filled up to this width, metres.
+double row_width(const std::vector<Bounds>& bounds, double gap) {
+  double area = 0, widest = 0;
+  for (const Bounds& b : bounds) {
+    area += (b.size().x + gap) * (b.size().z + gap);
+    widest = std::max(widest, b.size().x);
+  }
+  return std::max(widest, 1.3 * std::sqrt(area)) * 1.0001;
+}
+
+}  // namespace
+
+Scene laid_out(const Scene& scene) {
+  Scene table = scene;
+  std::vector<Bounds> bounds;
+  double largest = 0;
+  for (Instance& instance : table.instances) {
+    const Solid& solid = table.solids[static_cast<std::size_t>(instance.solid)];
+    instance.pose.rotation = shown(solid);
+    bounds.push_back(turned_bounds(solid, instance.pose.rotation));
+    largest = std::max({largest, bounds.back().size().x, bounds.back().size().z});
+  }
+
+  // Fill rows from the left, the first row farthest from the eye.
+  const double gap = 0.12 * largest;
+  const double width = row_width(bounds, gap);
+  double x = 0, z = 0, depth = 0;
+  for (std::size_t i = 0; i < table.instances.size(); ++i) {
+    const glm::dvec3 size = bounds[i].size();
+    if (x > 0 && x + size.x > width) {
+      x = 0;
+      z += depth + gap;
+      depth = 0;
+    }
+    table.instances[i].pose.translation = glm::dvec3(x, 0.0, z) - bounds[i].low;
+    x += size.x + gap;
+    depth = std::max(depth, size.z);
+  }
+  table.ground = true;
+  table.view = fitted_view(table, shown_direction);
+  return table;
+}
+
+}  // namespace pomona
