@@ -1,13 +1,16 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad build test test-programs lint format sanitize clang bench clean
+.PHONY: help salad gallery build test test-programs lint format sanitize clang bench clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
 
 salad: build ## out/salad.png, .glb and .pov
 	@scripts/salad.sh build/pomona
+
+gallery: build ## the pictures of the documents, in docs/pictures
+	@scripts/gallery.sh build/pomona docs/pictures
 
 build: ## the program, at build/pomona
 	@scripts/setup.sh build
