@@ -1,0 +1,50 @@
+// A horizontal curve as the spokes of a sweep around the axis.
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "generator/base/curve.h"
+
+namespace pomona {
+
+/// One spoke per vertex around: its direction seen from above (unit; x = +X, y = -Z), the loop's radius there
+/// over the reference radius, and where it lies around the loop, or around its fold, 0..1.
+struct SectionLoop {
+  std::vector<glm::dvec2> direction;
+  std::vector<double> radius;
+  std::vector<double> share;
+};
+
+/// Why a loop cannot be swept; the caller knows whose loop it is.
+struct BadLoop : std::runtime_error {
+  BadLoop(const std::string& what, std::string remedy) : std::runtime_error(what), hint(std::move(remedy)) {}
+  std::string hint;
+};
+
+/// The loop in `count` spokes, evenly spaced by arc length from where it meets angle 0.
+/// \throws BadLoop unless it surrounds the axis.
+SectionLoop sampled_loop(const Curve& loop, int count, double reference_radius);
+
+/// The loop in `count_per_fold` spokes a fold, the first on its fold line.
+/// \throws BadLoop unless it surrounds the axis and crosses every fold line once.
+SectionLoop sampled_folds(const Curve& loop, std::span<const double> fold_angles, int count_per_fold,
+                          double reference_radius);
+
+/// The distance from the axis at which the loop is met at an angle (the farthest, if several).
+double radius_at(const Curve& loop, double angle);
+
+/// The loop's radius averaged over the angle.
+double mean_radius_over_angle(const Curve& loop);
+
+/// (cos, sin), exact at quarter turns.
+glm::dvec2 direction_of(double angle);
+
+/// The angle of a plan position, -pi..pi.
+double angle_of(const glm::dvec2& point);
+
+}  // namespace pomona
