@@ -1,0 +1,109 @@
+#include "render/picture/png.h"
+
+#include <cstring>
+#include <string_view>
+
+#include <png.h>
+
+#include "generator/base/error.h"
+
+namespace pomona {
+
+namespace {
+
+// libpng's own way out of errors is longjmp; an exception thrown from its callback unwinds this side only, so the
+// structures are owned by destructors here.
+[[noreturn]] void fail(png_structp png, png_const_charp message) {
+  const auto* name = static_cast<const std::string*>(png_get_error_ptr(png));
+  SourcePlace place;
+  place.file = *name;
+  throw Error(ExitStatus::bad_data, {Diagnostic{place, std::string("not a readable PNG: ") + message, ""}});
+}
+
+void ignore(png_structp, png_const_charp) {}
+
+struct Writer {
+  std::string name = "picture";
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &name, fail, ignore);
+  png_infop info = png_create_info_struct(png);
+  Writer() = default;
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+struct Reader {
+  std::string name;
+  std::string_view rest;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  Reader(const std::string& bytes, std::string file) : name(std::move(file)), rest(bytes) {
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &name, fail, ignore);
+    info = png_create_info_struct(png);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+void append(png_structp png, png_bytep data, png_size_t size) {
+  static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+}
+
+void take(png_structp png, png_bytep data, png_size_t size) {
+  auto& rest = *static_cast<std::string_view*>(png_get_io_ptr(png));
+  if (rest.size() < size) png_error(png, "it ends too early");
+  std::memcpy(data, rest.data(), size);
+  rest.remove_prefix(size);
+}
+
+}  // namespace
+
+std::string write_png(const Image& image) {
+  std::string bytes;
+  Writer writer;
+  png_set_write_fn(writer.png, &bytes, append, nullptr);
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+               8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+
+  // Fixed, so that the bytes do not depend on libpng's defaults; 6 is within 2 % of 9 at a fifth of the time.
+  png_set_compression_level(writer.png, 6);
+  png_set_compression_strategy(writer.png, 0);
+  png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
+
+  png_write_info(writer.png, writer.info);
+  for (int y = 0; y < image.height; ++y) {
+    png_write_row(writer.png, reinterpret_cast<png_const_bytep>(&image.at(0, y)));
+  }
+  png_write_end(writer.png, nullptr);
+  return bytes;
+}
+
+Image read_png(const std::string& bytes, const std::string& name) {
+  Reader reader(bytes, name);
+  png_set_read_fn(reader.png, &reader.rest, take);
+  png_set_user_limits(reader.png, max_picture_side, max_picture_side);
+  png_read_info(reader.png, reader.info);
+
+  // Whatever the file holds becomes eight-bit RGB.
+  png_set_expand(reader.png);
+  png_set_strip_16(reader.png);
+  png_set_strip_alpha(reader.png);
+  png_set_gray_to_rgb(reader.png);
+  png_set_interlace_handling(reader.png);
+  png_read_update_info(reader.png, reader.info);
+
+  Image image{.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
+              .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
+              .pixels = {}};
+  image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
+  std::vector<png_bytep> rows;
+  for (int y = 0; y < image.height; ++y) {
+    rows.push_back(reinterpret_cast<png_bytep>(&image.pixels[static_cast<std::size_t>(y) * image.width]));
+  }
+  png_read_image(reader.png, rows.data());
+  return image;
+}
+
+}  // namespace pomona

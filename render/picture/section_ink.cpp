@@ -1,0 +1,154 @@
+#include "render/picture/section_ink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include <glm/geometric.hpp>
+
+#include "render/picture/chains.h"
+
+namespace pomona {
+
+namespace {
+
+/// Equal positions get one number, that of the first vertex there.
+std::vector<std::uint32_t> welded(const std::vector<glm::vec3>& position) {
+  std::vector<std::uint32_t> order(position.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](std::uint32_t v) { return std::tuple(position[v].x, position[v].y, position[v].z); };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::tuple(key(a), a) < std::tuple(key(b), b); });
+  std::vector<std::uint32_t> first(position.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+/// One triangle's share in an edge of a face, named by its welded ends (a < b).
+struct EdgeUse {
+  int face = 0;
+  std::uint32_t a = 0, b = 0;
+  std::uint32_t vertex_a = 0, vertex_b = 0, opposite = 0;
+  auto key() const { return std::tuple(face, a, b); }
+};
+
+std::vector<EdgeUse> edge_uses(const CrossSection& section, const std::vector<std::uint32_t>& weld) {
+  std::vector<EdgeUse> uses;
+  for (std::size_t t = 0; t < section.triangle.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t v = section.triangle[t][i];
+      const std::uint32_t w = section.triangle[t][(i + 1) % 3];
+      const std::uint32_t opposite = section.triangle[t][(i + 2) % 3];
+      if (weld[v] == weld[w]) continue;
+      const bool turned = weld[v] > weld[w];
+      uses.push_back(
+          {section.cut[t], weld[turned ? w : v], weld[turned ? v : w], turned ? w : v, turned ? v : w, opposite});
+    }
+  }
+  std::stable_sort(uses.begin(), uses.end(), [](const EdgeUse& x, const EdgeUse& y) { return x.key() < y.key(); });
+  return uses;
+}
+
+/// Lines of one kind, to be chained together: those of a face's rim, or of one surface on it.
+struct Bundle {
+  std::vector<ChainLink> links;
+  std::vector<double> opacity;          // per link
+  std::vector<std::uint32_t> opposite;  // per link: the inner vertex beside it
+};
+using BundleKey = std::tuple<int, int>;  // face; surface, or -1 for the rim
+
+double color_jump(const CrossSection& section, const EdgeUse& x, const EdgeUse& y) {
+  const auto apart = [&](std::uint32_t v, std::uint32_t w) {
+    return static_cast<double>(glm::distance(to_oklab(section.color[v]), to_oklab(section.color[w])));
+  };
+  return 0.5 * (apart(x.vertex_a, y.vertex_a) + apart(x.vertex_b, y.vertex_b));
+}
+
+/// Jumps that one hardly sees (OKLab) get no line, those nobody could miss a full one.
+double opacity_of(double jump) {
+  const double t = std::clamp((jump - 0.03) / (0.18 - 0.03), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::vector<std::uint32_t>& weld) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> surface_of;
+  for (const CutSegment& segment : section.segments) {
+    surface_of.emplace(std::minmax(weld[segment.vertex[0]], weld[segment.vertex[1]]), segment.surface);
+  }
+
+  // An edge with one triangle is the rim; with two, and on a cut segment, it is an inner line.
+  std::map<BundleKey, Bundle> bundles;
+  const std::vector<EdgeUse> uses = edge_uses(section, weld);
+  for (std::size_t i = 0; i < uses.size();) {
+    std::size_t j = i;
+    while (j < uses.size() && uses[j].key() == uses[i].key()) ++j;
+    const EdgeUse& use = uses[i];
+    const auto segment = surface_of.find({use.a, use.b});
+    const bool rim = j - i == 1;
+    const double opacity = rim ? 1.0 : j - i == 2 ? opacity_of(color_jump(section, use, uses[i + 1])) : 0.0;
+    if (opacity > 0 && (rim || segment != surface_of.end())) {
+      Bundle& bundle = bundles[{use.face, rim ? -1 : segment->second}];
+      bundle.links.push_back({use.a, use.b});
+      bundle.opacity.push_back(opacity);
+      bundle.opposite.push_back(use.opposite);
+    }
+    i = j;
+  }
+  return bundles;
+}
+
+/// Which side of the walk the face lies on, most of the way: +1 left, -1 right as seen with y down.
+double side_of_face(const Chain& chain, const Bundle& bundle, const std::vector<glm::dvec2>& places) {
+  double balance = 0;
+  for (std::size_t i = 0; i < chain.links.size(); ++i) {
+    const ChainLink& link = bundle.links[chain.links[i]];
+    const glm::dvec2 a = places[link.a];
+    const glm::dvec2 d = places[link.b] - a;
+    const glm::dvec2 c = places[bundle.opposite[chain.links[i]]] - a;
+    balance += (d.x * c.y - d.y * c.x) * (chain.forward[i] != 0 ? 1.0 : -1.0);
+  }
+  return balance > 0 ? -1.0 : 1.0;
+}
+
+PenLine pen_line(const Chain& chain, const Bundle& bundle, const std::vector<glm::dvec2>& nodes) {
+  PenLine line{.points = {}, .opacity = {}, .closed = chain.closed};
+  const std::vector<std::uint32_t> walk = nodes_of(chain, bundle.links);
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    line.points.push_back(nodes[walk[i]]);
+    line.opacity.push_back(bundle.opacity[chain.links[std::min(i, chain.links.size() - 1)]]);
+  }
+  return line;
+}
+
+}  // namespace
+
+std::vector<SectionLine> section_lines(const CrossSection& section, const std::vector<PlacedFace>& faces) {
+  const std::vector<std::uint32_t> weld = welded(section.position);
+  std::vector<SectionLine> lines;
+  std::vector<glm::dvec2> places(section.position.size(), glm::dvec2(0));
+  for (const auto& [key, bundle] : bundles_of(section, weld)) {
+    const auto [face, surface] = key;
+    if (!faces[face].shown) continue;
+
+    // Only this bundle's vertices need a place on this face.
+    for (std::size_t i = 0; i < bundle.links.size(); ++i) {
+      for (const std::uint32_t v : {bundle.links[i].a, bundle.links[i].b, bundle.opposite[i]}) {
+        places[v] = faces[face].to_paper(section.position[v]);
+      }
+    }
+    for (const Chain& chain : chained(bundle.links, places)) {
+      SectionLine line{.line = pen_line(chain, bundle, places), .face = face, .rim = surface < 0};
+      if (line.rim) line.line.weighted_side = side_of_face(chain, bundle, places);
+      line.line.key = static_cast<std::uint32_t>(lines.size());
+      lines.push_back(std::move(line));
+    }
+  }
+  return lines;
+}
+
+}  // namespace pomona

@@ -1,0 +1,87 @@
+#include "render/picture/section_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "render/picture/paper.h"
+#include "render/picture/section_ink.h"
+#include "render/picture/section_layout.h"
+#include "render/picture/section_raster.h"
+#include "render/style/noise.h"
+
+namespace pomona {
+
+namespace {
+
+struct InkLayers {
+  InkLayer rim, inner;
+};
+
+/// Small faces, as of many slices, get finer lines.
+double fineness(const PlacedFace& face, double side) {
+  const double size = std::sqrt(glm::dot(face.high - face.low, face.high - face.low)) * face.scale;
+  return std::clamp(std::sqrt(size / (0.7 * side)), 0.35, 1.0);
+}
+
+InkLayers inked(const CrossSection& section, const std::vector<PlacedFace>& faces, const Style& style, double ink_width,
+                const SectionPictureOptions& options) {
+  InkLayers layers{{options.width, options.height}, {options.width, options.height}};
+  const double side = std::min(options.width, options.height);
+  for (const SectionLine& line : section_lines(section, faces)) {
+    const double fine = fineness(faces[line.face], side);
+    const double width = side * fine * ink_width * (line.rim ? style.outline_width : style.inner_width);
+    const PenOptions pen{.width = width,
+                         .wander = line.rim ? 0.3 : 0.4,
+                         .wavelength = 0.11 * side * fine,
+                         .taper = 0.07 * side * fine,
+                         .sway = 0.12 * width};
+    (line.rim ? layers.rim : layers.inner).draw(drawn(line.line, pen));
+  }
+  return layers;
+}
+
+}  // namespace
+
+Image draw_section(const CrossSection& section, const NoiseStyle& noise, const InkStyle& ink, const Style& style,
+                   const SectionPictureOptions& options) {
+  const auto fits = [](int side) { return side >= 1 && side <= max_picture_side; };
+  if (!fits(options.width) || !fits(options.height)) {
+    throw Error(ExitStatus::usage, "a picture must be 1 to " + std::to_string(max_picture_side) + " pixels each way");
+  }
+
+  // Flat colours first.
+  const double side = std::min(options.width, options.height);
+  const std::vector<PlacedFace> faces = lay_out(section, {options.width, options.height}, options.margin * side);
+  const std::vector<SectionPixel> pixels = rasterised(section, faces, options.width, options.height, options.threads);
+
+  // Then, pixel by pixel: the colour's noise, the paper around it, the ink above it.
+  const Paper paper(style.paper, style.grain);
+  const Modulation modulation(style.noise ? noise : NoiseStyle{});
+  const InkLayers layers = style.ink ? inked(section, faces, style, ink.width, options) : InkLayers{{0, 0}, {0, 0}};
+  Image image{options.width, options.height, std::vector<glm::u8vec3>(pixels.size())};
+  parallel_for(static_cast<std::size_t>(options.height), options.threads, [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < options.width; ++x) {
+      const std::size_t i = row * options.width + x;
+      const SectionPixel& pixel = pixels[i];
+      Color color = paper.at(x, y);
+      if (pixel.samples > 0) {
+        const PlacedFace& face = faces[pixel.face];
+        const Color mean(pixel.color_sum / static_cast<double>(pixel.samples));
+        const Color fruit = modulation(mean, face.to_fruit({x + 0.5, y + 0.5}), 1.0 / face.scale);
+        color += (fruit - color) * (static_cast<float>(pixel.samples) / section_samples);
+      }
+      if (style.ink) {
+        color += (ink.color - color) * static_cast<float>(layers.inner.at(x, y) * style.inner_opacity);
+        color += (ink.color - color) * static_cast<float>(layers.rim.at(x, y));
+      }
+      image.pixels[i] = to_srgb8(color);
+    }
+  });
+  return image;
+}
+
+}  // namespace pomona

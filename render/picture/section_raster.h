@@ -1,0 +1,25 @@
+// Triangles to pixels, exactly: integer edge tests on a fixed grid of samples.
+#pragma once
+
+#include <vector>
+
+#include "generator/base/parallel.h"
+#include "generator/cut/cross_section.h"
+#include "render/picture/section_layout.h"
+
+namespace pomona {
+
+/// What of the section falls into one pixel.
+struct SectionPixel {
+  glm::dvec3 color_sum{0};  ///< linear, over the covered samples
+  int samples = 0;          ///< covered ones, of section_samples
+  int face = -1;            ///< the face they belong to
+};
+
+constexpr int section_samples = 16;  ///< 4 x 4 a pixel
+
+/// Row by row; a sample on a shared edge belongs to exactly one of the two triangles.
+std::vector<SectionPixel> rasterised(const CrossSection& section, const std::vector<PlacedFace>& faces, int width,
+                                     int height, Threads threads);
+
+}  // namespace pomona

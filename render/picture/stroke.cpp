@@ -1,0 +1,152 @@
+#include "render/picture/stroke.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "render/style/noise.h"
+
+namespace pomona {
+
+namespace {
+
+double size_of(const glm::dvec2& v) { return std::sqrt(glm::dot(v, v)); }
+
+double mix(double a, double b, double t) { return a + (b - a) * t; }
+
+/// Points about `spacing` apart along the line; a closed line comes back with its first point repeated at the end.
+std::vector<StrokePoint> evenly_spaced(const PenLine& line, double spacing) {
+  std::vector<StrokePoint> corners;
+  for (std::size_t i = 0; i < line.points.size(); ++i) corners.push_back({line.points[i], 0, line.opacity[i]});
+  if (line.closed) corners.push_back(corners.front());
+
+  double total = 0;
+  for (std::size_t i = 1; i < corners.size(); ++i) total += size_of(corners[i].at - corners[i - 1].at);
+  const int steps = std::max(2, static_cast<int>(std::ceil(total / spacing)));
+
+  std::vector<StrokePoint> even;
+  double walked = 0;
+  std::size_t i = 1;
+  for (int k = 0; k <= steps; ++k) {
+    const double wanted = total * k / steps;
+    double edge = size_of(corners[i].at - corners[i - 1].at);
+    while (i + 1 < corners.size() && walked + edge < wanted) {
+      walked += edge;
+      ++i;
+      edge = size_of(corners[i].at - corners[i - 1].at);
+    }
+    const double t = edge > 0 ? std::clamp((wanted - walked) / edge, 0.0, 1.0) : 0.0;
+    const StrokePoint &a = corners[i - 1], &b = corners[i];
+    even.push_back({a.at + (b.at - a.at) * t, 0, mix(a.opacity, b.opacity, t)});
+  }
+  return even;
+}
+
+/// One pass of (1 2 1) / 4. Open ends stay; a closed line (last point = first) goes on across its seam.
+void smooth(std::vector<StrokePoint>& points, bool closed) {
+  const std::vector<StrokePoint> old = points;
+  const std::size_t last = points.size() - 1;
+  const auto blend = [](const StrokePoint& a, const StrokePoint& b, const StrokePoint& c) {
+    return StrokePoint{(a.at + 2.0 * b.at + c.at) * 0.25, 0, (a.opacity + 2.0 * b.opacity + c.opacity) * 0.25};
+  };
+  for (std::size_t i = 1; i < last; ++i) points[i] = blend(old[i - 1], old[i], old[i + 1]);
+  if (closed) points.front() = points.back() = blend(old[last - 1], old[0], old[1]);
+}
+
+/// The pen sets down at the upper left of a loop and comes a little past where it began.
+void begin_upper_left(std::vector<StrokePoint>& loop, double overlap, double spacing) {
+  loop.pop_back();
+  const auto first = std::min_element(loop.begin(), loop.end(), [](const StrokePoint& a, const StrokePoint& b) {
+    return a.at.x + a.at.y < b.at.x + b.at.y;
+  });
+  std::rotate(loop.begin(), first, loop.end());
+  const auto more = std::min(loop.size(), static_cast<std::size_t>(overlap / spacing) + 1);
+  for (std::size_t i = 0; i < more; ++i) loop.push_back(StrokePoint(loop[i]));
+}
+
+glm::dvec2 normal_at(const std::vector<StrokePoint>& points, std::size_t i) {
+  const glm::dvec2 d = points[std::min(i + 1, points.size() - 1)].at - points[i > 0 ? i - 1 : 0].at;
+  const double size = size_of(d);
+  return size > 0 ? glm::dvec2(-d.y, d.x) / size : glm::dvec2(0);
+}
+
+constexpr double spacing = 1.5;  // pixels
+
+}  // namespace
+
+std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options) {
+  if (line.points.size() < 2) return {};
+  std::vector<StrokePoint> points = evenly_spaced(line, spacing);
+  for (int pass = 0; pass < 3; ++pass) smooth(points, line.closed);
+  const double loop = spacing * static_cast<double>(points.size() - 1);
+  const double taper = std::min(options.taper, loop / 3);
+  if (line.closed) begin_upper_left(points, 0.8 * taper, spacing);
+
+  // Width: the hand's tremble, a heavier line away from the light (which comes from the upper left), tapered ends.
+  const glm::dvec2 from_light(0.6, 0.8);
+  const double total = spacing * static_cast<double>(points.size() - 1);
+  std::vector<StrokePoint> result = points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double s = spacing * static_cast<double>(i);
+    const glm::dvec2 normal = normal_at(points, i);
+    const double row = 7.31 * line.key + 0.5;
+    const double tremble = 1.6 * gradient_noise({s / options.wavelength + 0.3, row, 0.5}, 101);
+    const double shade = line.weighted_side * glm::dot(normal, from_light);
+    const double end = taper > 0 ? std::min({1.0, s / taper, (total - s) / taper}) : 1.0;
+    const double width = options.width * (0.72 + options.wander * tremble + 0.28 * shade);
+    result[i].radius = 0.5 * std::max(width, 0.25 * options.width) * std::sqrt(std::max(end, 0.02));
+    result[i].at += normal * (options.sway * gradient_noise({s / (1.7 * options.wavelength), row, 0.25}, 102));
+  }
+  return result;
+}
+
+InkLayer::InkLayer(int width, int height)
+    : width_(width),
+      height_(height),
+      samples_(static_cast<std::size_t>(width) * height, 0),
+      opacity_(static_cast<std::size_t>(width) * height, 0.0f) {}
+
+void InkLayer::draw(const std::vector<StrokePoint>& stroke) {
+  for (std::size_t i = 1; i < stroke.size(); ++i) draw_piece(stroke[i - 1], stroke[i]);
+}
+
+void InkLayer::draw_piece(const StrokePoint& a, const StrokePoint& b) {
+  const double reach = std::max(a.radius, b.radius);
+  const auto pixel = [](double v, int limit) { return static_cast<int>(std::clamp(std::floor(v), 0.0, limit - 1.0)); };
+  const int x0 = pixel(std::min(a.at.x, b.at.x) - reach, width_), x1 = pixel(std::max(a.at.x, b.at.x) + reach, width_);
+  const int y0 = pixel(std::min(a.at.y, b.at.y) - reach, height_);
+  const int y1 = pixel(std::max(a.at.y, b.at.y) + reach, height_);
+  const glm::dvec2 along = b.at - a.at;
+  const double squared = glm::dot(along, along);
+
+  // A sample is inked when it lies within the radius that holds at its nearest place on the piece.
+  const auto inked = [&](const glm::dvec2& p) {
+    const double t = squared > 0 ? std::clamp(glm::dot(p - a.at, along) / squared, 0.0, 1.0) : 0.0;
+    const glm::dvec2 away = p - (a.at + along * t);
+    const double radius = mix(a.radius, b.radius, t);
+    return glm::dot(away, away) <= radius * radius;
+  };
+  const auto opacity = static_cast<float>(0.5 * (a.opacity + b.opacity));
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) {
+      std::uint16_t hits = 0;
+      for (int s = 0; s < 16; ++s) {
+        const glm::dvec2 sample(x + 0.25 * (s % 4) + 0.125, y + 0.25 * (s / 4) + 0.125);
+        if (inked(sample)) hits = static_cast<std::uint16_t>(hits | (1u << s));
+      }
+      if (hits == 0) continue;
+      const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
+      samples_[i] = static_cast<std::uint16_t>(samples_[i] | hits);
+      opacity_[i] = std::max(opacity_[i], opacity);
+    }
+  }
+}
+
+double InkLayer::at(int x, int y) const {
+  const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
+  return static_cast<double>(opacity_[i]) * std::popcount(samples_[i]) / 16.0;
+}
+
+}  // namespace pomona

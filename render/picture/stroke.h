@@ -1,0 +1,58 @@
+// Strokes: lines of varying width, as a pen or a brush leaves them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace pomona {
+
+/// A line to be drawn: places in pixels, y down. For a closed one the first point is not repeated.
+struct PenLine {
+  std::vector<glm::dvec2> points;
+  std::vector<double> opacity;  ///< one per point, 0..1
+  bool closed = false;
+  double weighted_side = 0;  ///< +1 or -1: the object lies to the left or right, and the line is thicker away
+                             ///< from the light; 0 = thickness knows no side
+  std::uint32_t key = 0;     ///< picks the hand's tremble
+};
+
+struct PenOptions {
+  double width = 3;        ///< pixels, at its usual widest
+  double wander = 0.35;    ///< share of the width the hand varies
+  double wavelength = 70;  ///< pixels, of that variation
+  double taper = 40;       ///< pixels over which an end runs out, at most a third of the line
+  double sway = 0.4;       ///< pixels the centre line leaves the true one by, at most
+};
+
+struct StrokePoint {
+  glm::dvec2 at{0};
+  double radius = 0;
+  double opacity = 1;
+};
+
+/// The line as a hand draws it: resampled, smoothed, tapered, its width trembling; closed lines overlap a little
+/// where the pen comes round. Strokes as in
+/// [Northrup & Markosian 2000].
+std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options);
+
+/// Ink on a picture: 16 fixed samples a pixel, so that what is drawn twice is as dark as what is drawn once.
+class InkLayer {
+ public:
+  InkLayer(int width, int height);
+
+  void draw(const std::vector<StrokePoint>& stroke);
+
+  /// Share of the pixel that the ink hides, 0..1.
+  double at(int x, int y) const;
+
+ private:
+  void draw_piece(const StrokePoint& a, const StrokePoint& b);
+
+  int width_, height_;
+  std::vector<std::uint16_t> samples_;
+  std::vector<float> opacity_;
+};
+
+}  // namespace pomona

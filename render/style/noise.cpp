@@ -1,0 +1,170 @@
+#include "render/style/noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+
+namespace pomona {
+
+namespace {
+
+/// Final mix of a 32-bit hash (Wellons' lowbias32).
+std::uint32_t mixed(std::uint32_t h) {
+  h ^= h >> 16;
+  h *= 0x7feb352du;
+  h ^= h >> 15;
+  h *= 0x846ca68bu;
+  return h ^ (h >> 16);
+}
+
+/// Lattice hash: odd multipliers part the axes (Teschner et al. 2003), the mix does the rest.
+std::uint32_t lattice_hash(std::int32_t x, std::int32_t y, std::int32_t z, std::uint32_t seed) {
+  return mixed((static_cast<std::uint32_t>(x) * 0x8da6b343u) ^ (static_cast<std::uint32_t>(y) * 0xd8163841u) ^
+               (static_cast<std::uint32_t>(z) * 0xcb1ab31fu) ^ (seed * 0x9e3779b9u));
+}
+
+/// Dot product with one of the twelve edge directions of a cube (four of them twice).
+double edge_gradient(std::uint32_t hash, double x, double y, double z) {
+  const std::uint32_t h = hash & 15u;
+  const double u = h < 8 ? x : y;
+  const double v = h < 4 ? y : (h == 12 || h == 14) ? x : z;
+  return ((h & 1u) != 0 ? -u : u) + ((h & 2u) != 0 ? -v : v);
+}
+
+double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
+
+double mix(double a, double b, double t) { return a + (b - a) * t; }
+
+double smoothstep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// A lattice index; positions beyond what 32 bits hold (hostile frequencies) all share the last cell.
+std::int32_t cell_of(double floored) { return static_cast<std::int32_t>(std::clamp(floored, -2.0e9, 2.0e9)); }
+
+/// `mask`: which bits of z count; all of them unless the lattice closes around an axis.
+double lattice_noise(const glm::dvec3& point, std::uint32_t seed, std::int32_t mask) {
+  const double fx = std::floor(point.x), fy = std::floor(point.y), fz = std::floor(point.z);
+  const std::int32_t ix = cell_of(fx), iy = cell_of(fy), iz = cell_of(fz);
+  const double x = point.x - fx, y = point.y - fy, z = point.z - fz;
+
+  // The eight corners' gradients, blended along x, then y, then z.
+  const auto corner = [&](std::int32_t dx, std::int32_t dy, std::int32_t dz) {
+    return edge_gradient(lattice_hash(ix + dx, iy + dy, (iz + dz) & mask, seed), x - dx, y - dy, z - dz);
+  };
+  const double u = fade(x), v = fade(y), w = fade(z);
+  const double near = mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v);
+  const double far = mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v);
+
+  // The largest value of this form is about 1.04.
+  return std::clamp(mix(near, far, w), -1.0, 1.0);
+}
+
+/// Moves the lattices of the bands apart, so that their zeros do not meet at the origin.
+constexpr double band_offset = 0.37;
+/// Rings use other lattices than the isotropic noise, one for each count of cells.
+constexpr std::uint32_t ring_seed = 64;
+
+/// One ring of 2^level cells around the axis; below level 2 the noise does not turn with the azimuth.
+double ring_noise(const glm::dvec2& radius_height, double turn, int level, int band) {
+  const auto seed = static_cast<std::uint32_t>(band) + ring_seed * static_cast<std::uint32_t>(std::max(level, 1));
+  if (level < 2) return gradient_noise({radius_height, band_offset}, seed);
+  const std::int32_t cells = 1 << level;
+  return gradient_noise_around({radius_height, turn * cells}, seed, cells);
+}
+
+/// More cells than this around an axis are never needed at any footprint we draw with.
+constexpr int finest_ring = 16;
+
+double cylinder_noise(const glm::dvec3& stretch, const glm::dvec3& position, double frequency, int band) {
+  const double radius = std::sqrt(position.x * position.x + position.z * position.z);
+  const double turn = reproducible::atan2(-position.z, position.x) / (2.0 * pi);
+  const glm::dvec2 radius_height(radius * frequency * stretch.x + band_offset,
+                                 position.y * frequency * stretch.y + band_offset);
+
+  // Between which two rings: level is log2 of the wanted number of cells, piecewise linear between powers of two.
+  const double cells = std::clamp(2.0 * pi * radius * frequency * stretch.z, 2.0, std::ldexp(1.0, finest_ring - 1));
+  int exponent = 0;
+  const double mantissa = std::frexp(cells, &exponent);  // cells = mantissa 2^exponent, mantissa in [1/2, 1)
+  const int level = exponent - 1;
+  const double share = smoothstep(0.0, 1.0, 2.0 * mantissa - 1.0);
+
+  // Two uncorrelated noises: keep the variance through the cross-fade.
+  const double inner = ring_noise(radius_height, turn, level, band);
+  const double outer = ring_noise(radius_height, turn, level + 1, band);
+  const double norm = std::sqrt(share * share + (1.0 - share) * (1.0 - share));
+  return std::clamp(mix(inner, outer, share) / norm, -1.0, 1.0);
+}
+
+bool is_isotropic(const glm::dvec3& stretch) { return stretch.x == 1 && stretch.y == 1 && stretch.z == 1; }
+
+double frequency_of(const NoiseStyle& style, int band) { return style.base_frequency * (1 << band); }
+
+}  // namespace
+
+double gradient_noise(const glm::dvec3& point, std::uint32_t seed) { return lattice_noise(point, seed, ~0); }
+
+double gradient_noise_around(const glm::dvec3& point, std::uint32_t seed, std::int32_t period) {
+  return lattice_noise(point, seed, period - 1);
+}
+
+double band_noise(const NoiseStyle& style, const glm::dvec3& position, int band) {
+  const double frequency = frequency_of(style, band);
+  if (!is_isotropic(style.stretch)) return cylinder_noise(style.stretch, position, frequency, band);
+  return gradient_noise(position * frequency + band_offset * (band + 1), static_cast<std::uint32_t>(band));
+}
+
+Modulation::Modulation(const NoiseStyle& style) : style_(style) {
+  for (const NoiseKey& key : style.keys) {
+    if (keys_.size() == static_cast<std::size_t>(max_noise_keys)) break;
+    Key ready{.lab = to_oklab(key.color), .axis = key.axis, .weights = {}};
+    for (std::size_t b = 0; b < std::min(key.weights.size(), ready.weights.size()); ++b) {
+      ready.weights[b] = key.weights[b];
+      if (key.weights[b] != 0) bands_ = std::max(bands_, static_cast<int>(b) + 1);
+    }
+    keys_.push_back(ready);
+  }
+  if (style.base_frequency <= 0) bands_ = 0;
+}
+
+Color Modulation::operator()(const Color& color, const glm::dvec3& position, double footprint) const {
+  if (bands_ == 0) return color;
+
+  // How much of each key this colour is.
+  const glm::dvec3 lab = to_oklab(color);
+  std::array<double, max_noise_keys> share{};
+  double total = 0;
+  for (std::size_t k = 0; k < keys_.size(); ++k) {
+    const glm::dvec3 d = lab - keys_[k].lab;
+    share[k] = reproducible::exp(-glm::dot(d, d) / (2.0 * style_.sigma * style_.sigma)) + 1e-6;
+    total += share[k];
+  }
+
+  // Sum the bands that the footprint can show, each with the weight this colour gives it.
+  const double steepest = std::max({style_.stretch.x, style_.stretch.y, style_.stretch.z});
+  double amount = 0;
+  for (int b = 0; b < bands_; ++b) {
+    double weight = 0;
+    for (std::size_t k = 0; k < keys_.size(); ++k) weight += share[k] * keys_[k].weights[b];
+    const double shown = 1.0 - smoothstep(0.25, 0.5, frequency_of(style_, b) * steepest * footprint);
+    if (weight == 0 || shown == 0) continue;
+    amount += weight / total * shown * band_noise(style_, position, b);
+  }
+  if (amount == 0) return color;
+
+  glm::dvec3 axis(0);
+  for (std::size_t k = 0; k < keys_.size(); ++k) axis += share[k] / total * keys_[k].axis;
+  const Color result = from_oklab(glm::vec3(lab + amount * axis));
+  return {std::clamp(result.r, 0.0f, 1.0f), std::clamp(result.g, 0.0f, 1.0f), std::clamp(result.b, 0.0f, 1.0f)};
+}
+
+Color modulated(const NoiseStyle& style, const Color& unmodulated, const glm::dvec3& fruit_position, double footprint) {
+  return Modulation(style)(unmodulated, fruit_position, footprint);
+}
+
+}  // namespace pomona

@@ -1,0 +1,70 @@
+// Perlin modulation of colours (paper, section 5): solid noise on several frequency bands, weighted by the
+// colour it modulates. The formula lives here and, mirrored, in shaders/noise.glsl; a test holds them together.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// More keys or bands than these are left out, on the CPU as on the GPU.
+constexpr int max_noise_keys = 16;
+constexpr int max_noise_bands = 8;
+
+/// Gradient noise [Perlin 2002] with hashed lattice gradients; in [-1, 1], zero at lattice points, twice
+/// continuously differentiable. Only + - * and floor: the same bits everywhere.
+double gradient_noise(const glm::dvec3& point, std::uint32_t seed);
+
+/// The same, repeating along z every `period` (a power of two).
+double gradient_noise_around(const glm::dvec3& point, std::uint32_t seed, std::int32_t period);
+
+/// Band `band` of a style at a fruit's position, in [-1, 1], before weights and band limit.
+///
+/// With stretch (1, 1, 1): gradient_noise(f p + offset), f = base_frequency 2^band. Otherwise the lattice lies
+/// along the cylinder's coordinates: radius r (distance from the axis) times f stretch.x, height y times
+/// f stretch.y, and rings of 2^k cells around the axis whose count doubles as r grows, so that cells stay about
+/// 1 / (f stretch.z) wide; neighbouring rings are cross-faded, and near the axis the noise no longer turns with
+/// the azimuth. Small stretch.y: streaks from pole to pole. Small stretch.x: rays, fibres to the skin.
+double band_noise(const NoiseStyle& style, const glm::dvec3& position, int band);
+
+/// A noise style made ready for many colours.
+class Modulation {
+ public:
+  explicit Modulation(const NoiseStyle& style);
+
+  /// The colour with noise on it. With L = OKLab(color):
+  ///   lambda_k = exp(-|L - L_k|^2 / 2 sigma^2) + 1e-6, normalised;
+  ///   a_b = sum lambda_k weights_kb; D = sum lambda_k axis_k;
+  ///   m = sum a_b fade_b n_b(position); result = clamp(RGB(L + m D)),
+  /// where fade_b = 1 - smoothstep(1/4, 1/2, f_b footprint) keeps bands out that pixels cannot show.
+  /// Where m is zero the colour returns as it came, bit for bit.
+  /// \param position in the fruit's own frame, metres: two cuts of a fruit agree where they meet.
+  /// \param footprint size of a pixel or texel there, metres; 0 for a point.
+  Color operator()(const Color& color, const glm::dvec3& position, double footprint) const;
+
+  /// One key as the formula and the GPU want it.
+  struct Key {
+    glm::dvec3 lab{0};
+    glm::dvec3 axis{0};
+    std::array<double, max_noise_bands> weights{};
+  };
+  const std::vector<Key>& keys() const { return keys_; }
+  const NoiseStyle& style() const { return style_; }
+  int bands() const { return bands_; }  ///< 0: nothing to do
+
+ private:
+  NoiseStyle style_;
+  std::vector<Key> keys_;
+  int bands_ = 0;
+};
+
+/// One-off form of Modulation.
+Color modulated(const NoiseStyle& style, const Color& unmodulated, const glm::dvec3& fruit_position,
+                double footprint = 0);
+
+}  // namespace pomona

@@ -1,0 +1,84 @@
+#include "render/picture/section_picture.h"
+
+#include <cmath>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "generator/base/error.h"
+#include "render/picture/png.h"
+#include "tests/render/painted_shapes.h"
+
+namespace pomona {
+namespace {
+
+Image drawn_disc(const std::string& style, int faces, int threads, int width = 320, int height = 240) {
+  return draw_section(testing::disc_section(faces), testing::some_noise({0.6f, 0.02f, 0.02f}), InkStyle{},
+                      style_named(style), {.width = width, .height = height, .threads = {threads}});
+}
+
+int brightness(const glm::u8vec3& c) { return c.r + c.g + c.b; }
+
+TEST(SectionPicture, ShowsWhatIsThere) {
+  const Image image = drawn_disc("plain", 1, 1);
+  EXPECT_EQ(image.at(2, 2), to_srgb8(style_named("plain").paper));
+  const glm::u8vec3 flesh = image.at(160, 29);
+  EXPECT_GT(flesh.r, 180);
+  EXPECT_LT(flesh.g, 60);
+}
+
+TEST(SectionPicture, InksTheRim) {
+  const Image image = drawn_disc("ink", 1, 1, 640, 480);
+  int darkest = 765;
+  for (int x = 0; x < 320; ++x) darkest = std::min(darkest, brightness(image.at(x, 240)));
+  EXPECT_LT(darkest, 150);
+  EXPECT_GT(brightness(image.at(1, 240)), 600);
+}
+
+TEST(SectionPicture, IsTheSameForAnyNumberOfThreads) {
+  EXPECT_EQ(drawn_disc("ink", 5, 1).pixels, drawn_disc("ink", 5, 2).pixels);
+  EXPECT_EQ(write_png(drawn_disc("ink", 5, 1)), write_png(drawn_disc("ink", 5, 3)));
+}
+
+TEST(SectionPicture, LaysSeveralFacesOutWithoutOverlap) {
+  // Equal discs: the red area grows with the square of the scale, and is the same number of times that of one.
+  const auto fruit_pixels = [](const Image& image) {
+    return std::count_if(image.pixels.begin(), image.pixels.end(), [](const glm::u8vec3& c) { return c.g < 120; });
+  };
+  const auto twelve = static_cast<double>(fruit_pixels(drawn_disc("plain", 12, 2, 800, 600)));
+  EXPECT_GT(twelve, 0.3 * 800 * 600);
+  EXPECT_LT(twelve, 0.8 * 800 * 600);
+}
+
+TEST(SectionPicture, LeavesNoCracksBetweenTriangles) {
+  // Along a row from the centre to the skin no pixel may show the paper.
+  const Image image = drawn_disc("plain", 1, 1);
+  for (int x = 160; x < 160 + 95; ++x) EXPECT_LT(brightness(image.at(x, 120)), 620) << x;
+}
+
+TEST(SectionPicture, KeepsPaperForAnEmptySection) {
+  const Image image = draw_section({}, {}, {}, style_named("plain"), {.width = 8, .height = 8});
+  for (const glm::u8vec3& pixel : image.pixels) EXPECT_EQ(pixel, to_srgb8(style_named("plain").paper));
+}
+
+TEST(SectionPicture, RefusesSizesThatCannotBe) {
+  EXPECT_THROW(draw_section({}, {}, {}, style_named("plain"), {.width = 0, .height = 8}), Error);
+  EXPECT_THROW(draw_section({}, {}, {}, style_named("plain"), {.width = 8, .height = 1 << 20}), Error);
+}
+
+TEST(Png, ComesBackAsItWas) {
+  const Image image = drawn_disc("ink", 2, 1);
+  const Image back = read_png(write_png(image), "x.png");
+  EXPECT_EQ(back.width, image.width);
+  EXPECT_EQ(back.pixels, image.pixels);
+}
+
+TEST(Png, RefusesWhatIsNotOne) {
+  std::string bytes = write_png(drawn_disc("plain", 1, 1, 64, 64));
+  EXPECT_THROW(read_png("no picture", "x.png"), Error);
+  EXPECT_THROW(read_png(bytes.substr(0, bytes.size() / 2), "x.png"), Error);
+  EXPECT_THROW(read_png("", "x.png"), Error);
+}
+
+}  // namespace
+}  // namespace pomona
