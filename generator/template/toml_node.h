@@ -1,0 +1,49 @@
+// A TOML text as a plain tree in which every key and value knows its line and column. What reads it with
+// types and messages is toml_document.h; this is the part that knows the parser.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pomona {
+
+/// Line and column, both from 1.
+struct TomlPlace {
+  int line = 0;
+  int column = 0;
+};
+
+struct TomlEntry;
+
+struct TomlNode {
+  enum class Kind { string, integer, number, boolean, date, array, table };
+
+  Kind kind = Kind::table;
+  TomlPlace place;
+  std::string text;   ///< of a string
+  double number = 0;  ///< of an integer or a number; may be infinite or not a number
+  std::int64_t integer = 0;
+  bool boolean = false;
+  std::vector<TomlNode> items;     ///< of an array
+  std::vector<TomlEntry> entries;  ///< of a table, in the order of the file
+
+  // Kept by toml_document.h to find keys that nobody asked for.
+  bool opened = false;
+  std::vector<std::string> asked;
+};
+
+struct TomlEntry {
+  std::string key;
+  TomlPlace place;
+  TomlNode value;
+};
+
+/// Parses within the limits that docs/formats.md states: 16 MiB, UTF-8, depth 64, 100 000 values in an array,
+/// 1 000 000 in all, 64 KiB in a string. They are checked before the parser sees the text, so that it can
+/// neither exhaust the stack nor the memory. Duplicate keys are errors.
+/// \throws Error (bad_data) at the first mistake: after one in the syntax nothing else can be trusted.
+TomlNode parse_toml(std::string_view text, const std::string& file);
+
+}  // namespace pomona
