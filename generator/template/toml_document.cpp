@@ -4,9 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "generator/base/nearest_name.h"
 #include "generator/base/units.h"
 
 namespace pomona {
@@ -66,33 +66,14 @@ const char* kind_name(TomlNode::Kind kind) {
   return "a table";
 }
 
-/// Insertions, deletions and replacements that turn one word into the other (Levenshtein).
-std::size_t edit_distance(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row[to.size()];
-}
-
 /// "did you mean ...?" where a known name is near, else all known names.
 std::string name_hint(const std::string& unknown, std::vector<std::string> known) {
   std::sort(known.begin(), known.end());
   known.erase(std::unique(known.begin(), known.end()), known.end());
   if (known.empty()) return {};
-  constexpr std::size_t longest_name = 64;  // beyond it is no misspelling, and the distance is quadratic
+  constexpr std::size_t longest_name = 64;  // beyond it is no misspelling, and the search is quadratic
   if (unknown.size() <= longest_name) {
-    std::vector<std::size_t> distance;
-    for (const std::string& name : known) distance.push_back(edit_distance(unknown, name));
-    const auto best = std::min_element(distance.begin(), distance.end());
-    const std::string& name = known[static_cast<std::size_t>(best - distance.begin())];
-    if (*best <= 1 + name.size() / 3) return "did you mean \"" + name + "\"?";
+    if (const auto near = nearest_name(unknown, known)) return "did you mean \"" + *near + "\"?";
   }
   std::string all;
   for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
