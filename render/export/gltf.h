@@ -1,0 +1,16 @@
+// glTF 2.0 in its binary form (.glb): for Blender, three.js, game engines (docs/formats.md).
+#pragma once
+
+#include <string>
+
+#include "render/export/styled_mesh.h"
+
+namespace pomona {
+
+/// The bytes of a .glb: a mesh per solid, a node per instance, the scene's camera. Metres, +Y up. Vertices are
+/// interleaved: POSITION, NORMAL (float), COLOR_0 (linear, 16-bit RGBA), _PART (16-bit, index into the mesh's
+/// extras.parts). Same scene and options, same bytes.
+/// \throws Error (bad_data) for a solid with more than 65 536 parts.
+std::string write_glb(const Scene& scene, const ExportOptions& options = {});
+
+}  // namespace pomona

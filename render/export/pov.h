@@ -1,0 +1,21 @@
+// POV-Ray 3.7 scenes (docs/formats.md).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/export/styled_mesh.h"
+
+namespace pomona {
+
+struct NamedFile {
+  std::string name;  ///< without folder
+  std::string bytes;
+};
+
+/// `stem`.pov and the include it names, `stem`_meshes.inc, to lie beside it. Every solid is declared once, as a
+/// mesh2 whose vertices have colours, and placed by exact matrices; camera, lights and ground are in the .pov, for
+/// people to edit. Renders with `povray stem.pov`; nothing in it is random.
+std::vector<NamedFile> write_pov(const Scene& scene, const std::string& stem, const ExportOptions& options = {});
+
+}  // namespace pomona

@@ -1,0 +1,130 @@
+#include "render/export/styled_mesh.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <unordered_map>
+
+#include <glm/geometric.hpp>
+
+#include "render/style/noise.h"
+
+namespace pomona {
+namespace {
+
+/// Everything a vertex is, bit by bit: position, normal, colour, part.
+using VertexBits = std::array<std::uint32_t, 10>;
+
+struct HashOfBits {
+  std::size_t operator()(const VertexBits& bits) const {
+    std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, a word at a time
+    for (const std::uint32_t word : bits) hash = (hash ^ word) * 0x100000001b3u;
+    return static_cast<std::size_t>(hash ^ (hash >> 32));
+  }
+};
+
+/// Normals as triangles see them, area-weighted, for vertices that came without one.
+std::vector<glm::vec3> normals_from_triangles(const Solid& solid) {
+  std::vector<glm::vec3> normals(solid.position.size(), glm::vec3(0));
+  for (const glm::uvec3& t : solid.triangle) {
+    const glm::vec3 a = solid.position[t.x];
+    const glm::vec3 area = glm::cross(solid.position[t.y] - a, solid.position[t.z] - a);
+    for (int k = 0; k < 3; ++k) normals[t[k]] += area;
+  }
+  return normals;
+}
+
+/// Of unit length, whatever came; where nothing is known, up.
+std::vector<glm::vec3> unit_normals(const Solid& solid) {
+  const std::vector<glm::vec3> fallback = normals_from_triangles(solid);
+  std::vector<glm::vec3> normals(solid.position.size());
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    normals[v] = {0, 1, 0};
+    for (const glm::vec3& candidate : {solid.normal[v], fallback[v]}) {
+      const double length = glm::length(glm::dvec3(candidate));
+      if (!(length > 1e-30) || !std::isfinite(length)) continue;
+      normals[v] = glm::vec3(glm::dvec3(candidate) / length);
+      break;
+    }
+  }
+  return normals;
+}
+
+/// Mean length of the edges at each vertex: what finer noise would only alias with.
+std::vector<double> footprints(const Solid& solid) {
+  std::vector<double> sum(solid.position.size(), 0.0);
+  std::vector<int> edges(solid.position.size(), 0);
+  for (const glm::uvec3& t : solid.triangle) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      const double length = glm::length(glm::dvec3(solid.position[a]) - glm::dvec3(solid.position[b]));
+      sum[a] += length, sum[b] += length;
+      ++edges[a], ++edges[b];
+    }
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] = edges[v] > 0 ? sum[v] / edges[v] : 0.0;
+  return sum;
+}
+
+std::vector<Color> styled_colors(const Solid& solid, bool noise) {
+  std::vector<Color> colors = solid.color;
+  if (noise && !solid.noise.keys.empty()) {
+    const Modulation modulation(solid.noise);
+    const std::vector<double> footprint = footprints(solid);
+    for (std::size_t v = 0; v < colors.size(); ++v)
+      colors[v] = modulation(colors[v], glm::dvec3(solid.position[v]), footprint[v]);
+  }
+  for (Color& color : colors) color = glm::clamp(color, Color(0), Color(1));
+  return colors;
+}
+
+VertexBits bits_of(const glm::vec3& position, const glm::vec3& normal, const Color& color, std::int32_t part) {
+  VertexBits bits{};
+  for (int k = 0; k < 3; ++k) {
+    // Adding zero makes -0 and 0 the same vertex.
+    bits[k] = std::bit_cast<std::uint32_t>(position[k] + 0.0f);
+    bits[3 + k] = std::bit_cast<std::uint32_t>(normal[k] + 0.0f);
+    bits[6 + k] = std::bit_cast<std::uint32_t>(color[k] + 0.0f);
+  }
+  bits[9] = static_cast<std::uint32_t>(part);
+  return bits;
+}
+
+StyledMesh styled_mesh(const Solid& solid, bool noise) {
+  const std::vector<glm::vec3> normals = unit_normals(solid);
+  const std::vector<Color> colors = styled_colors(solid, noise);
+
+  // Number the different vertices in the order in which triangles first use them.
+  StyledMesh mesh;
+  std::unordered_map<VertexBits, std::uint32_t, HashOfBits> known;
+  const auto welded = [&](std::uint32_t v) {
+    const VertexBits bits = bits_of(solid.position[v], normals[v], colors[v], solid.part[v]);
+    const auto [entry, is_new] = known.try_emplace(bits, static_cast<std::uint32_t>(mesh.position.size()));
+    if (is_new) {
+      mesh.position.push_back(solid.position[v]);
+      mesh.normal.push_back(normals[v]);
+      mesh.color.push_back(colors[v]);
+      mesh.part.push_back(solid.part[v]);
+    }
+    return entry->second;
+  };
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+    const glm::uvec3& old = solid.triangle[t];
+    const std::uint32_t a = welded(old.x), b = welded(old.y), c = welded(old.z);
+    if (a == b || b == c || c == a) continue;
+    mesh.triangle.push_back({a, b, c});
+    mesh.cut_face.push_back(solid.cut_face[t]);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& options) {
+  std::vector<StyledMesh> meshes(scene.solids.size());
+  parallel_for(meshes.size(), options.threads,
+               [&](std::size_t i) { meshes[i] = styled_mesh(scene.solids[i], options.noise); });
+  return meshes;
+}
+
+}  // namespace pomona

@@ -1,0 +1,33 @@
+// What every exporter writes: a solid's triangles with the style's noise on their colours.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generator/base/parallel.h"
+#include "generator/scene/scene.h"
+
+namespace pomona {
+
+struct ExportOptions {
+  bool noise = true;       ///< the style's Perlin modulation on the vertex colours
+  std::string provenance;  ///< what made it ("pomona scene scenes/salad.toml --seed 3"); no paths, no time
+  Threads threads;
+};
+
+/// One solid, welded: no two vertices are equal in everything, each is used, and no triangle uses one twice.
+struct StyledMesh {
+  std::vector<glm::vec3> position;  ///< metres, the fruit's own frame
+  std::vector<glm::vec3> normal;    ///< unit length
+  std::vector<Color> color;         ///< linear, 0..1, noise included as far as the mesh is fine enough to show it
+  std::vector<std::int32_t> part;   ///< index into Solid::part_names
+
+  std::vector<glm::uvec3> triangle;    ///< counter-clockwise seen from the air
+  std::vector<std::int32_t> cut_face;  ///< per triangle, as in Solid
+};
+
+/// One mesh per solid of the scene, in their order.
+std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& options);
+
+}  // namespace pomona
