@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(ExitStatus status, const fs::path& path, const std::string& what, int error) {
   const std::string why = std::error_code(error, std::generic_category()).message();
-  throw Error(status, {{{.file = path.string()}, what + ": " + why, {}}});
+  SourcePlace place;
+  place.file = path.string();
+  throw Error(status, {Diagnostic{place, what + ": " + why, {}}});
 }
 
 /// A file under way: a descriptor that closes itself.
