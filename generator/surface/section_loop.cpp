@@ -106,21 +106,6 @@ glm::dvec2 direction_of(double angle) {
 
 double angle_of(const glm::dvec2& point) { return reproducible::atan2(point.y, point.x); }
 
-double radius_at(const Curve& loop, double angle) {
-  const std::optional<Crossing> crossing = farthest_crossing(loop, direction_of(angle));
-  return crossing ? crossing->radius : 0;
-}
-
-double mean_radius_over_angle(const Curve& loop) {
-  const std::vector<glm::dvec2> p = resampled(counter_clockwise(loop), 1024).points;
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const glm::dvec2 &a = p[i], &b = p[(i + 1) % p.size()];
-    sum += 0.5 * (glm::length(a) + glm::length(b)) * reproducible::atan2(cross(a, b), glm::dot(a, b));
-  }
-  return sum / (2 * pi);
-}
-
 SectionLoop sampled_loop(const Curve& drawn, int count, double reference_radius) {
   check(drawn);
   const Curve loop = counter_clockwise(drawn);

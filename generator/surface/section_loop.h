@@ -35,12 +35,6 @@ SectionLoop sampled_loop(const Curve& loop, int count, double reference_radius);
 SectionLoop sampled_folds(const Curve& loop, std::span<const double> fold_angles, int count_per_fold,
                           double reference_radius);
 
-/// The distance from the axis at which the loop is met at an angle (the farthest, if several).
-double radius_at(const Curve& loop, double angle);
-
-/// The loop's radius averaged over the angle.
-double mean_radius_over_angle(const Curve& loop);
-
 /// (cos, sin), exact at quarter turns.
 glm::dvec2 direction_of(double angle);
 

@@ -30,8 +30,7 @@ SectionLoop checked_loop(const Template& fruit, const SurfaceSketch& sketch, int
     refuse(fruit, sketch, "a surface around the axis needs one horizontal curve", "draw one closed curve");
   }
   const Curve& loop = sketch.horizontal.front();
-  const double reference =
-      sketch.reference_azimuth ? radius_at(loop, *sketch.reference_azimuth) : mean_radius_over_angle(loop);
+  const double reference = reference_radii(sketch).outer;
   if (!(reference > 0)) {
     refuse(fruit, sketch, "the horizontal curve does not surround the axis", "draw one closed curve around the axis");
   }

@@ -1,6 +1,6 @@
 // Type II sweeps: a closed loop within one fold, swept along the two halves of the vertical loop (paper,
 // section 4.1, Figure 7c): P = (1 - xi) I(v) + xi O(v), Theta = theta_c + kappa(v) (theta - theta_c), with xi the
-// loop's place between its nearest and farthest distance from the axis and kappa the gap between the halves over
+// loop's place between the reference radii of the drawing and kappa the gap between the halves over
 // the widest gap, to the power of the taper.
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 struct FoldLoop {
   double center = 0;            ///< radians
   std::vector<double> turn;     ///< angle from the centre
-  std::vector<double> outness;  ///< 0 at the loop's nearest distance from the axis, 1 at its farthest
+  std::vector<double> outness;  ///< 0 at the inner reference radius, 1 at the outer one
 };
 
 struct FoldSpan {
@@ -55,7 +55,7 @@ std::string fault(const Curve& loop, const std::vector<double>& angles, const Fo
   return {};
 }
 
-FoldLoop sampled_fold_loop(const Curve& loop, const FoldSpan& span, int around) {
+FoldLoop sampled_fold_loop(const Curve& loop, const FoldSpan& span, const ReferenceRadii& reference, int around) {
   const std::vector<glm::dvec2> points = resampled(counter_clockwise(loop), around).points;
   FoldLoop sampled;
   sampled.turn = angles_near(points, 0.5 * (span.from + span.to));
@@ -63,10 +63,8 @@ FoldLoop sampled_fold_loop(const Curve& loop, const FoldSpan& span, int around) 
   sampled.center = 0.5 * (*least + *most);
   for (double& turn : sampled.turn) turn -= sampled.center;
 
-  for (const glm::dvec2& p : points) sampled.outness.push_back(glm::length(p));
-  const auto [near, far] = std::minmax_element(sampled.outness.begin(), sampled.outness.end());
-  const double nearest = *near, depth = *far - *near;
-  for (double& r : sampled.outness) r = depth > 0 ? (r - nearest) / depth : 0.5;
+  const double depth = reference.outer - reference.inner;
+  for (const glm::dvec2& p : points) sampled.outness.push_back((glm::length(p) - reference.inner) / depth);
   return sampled;
 }
 
@@ -91,7 +89,8 @@ SweptGrid swept_fold(const FoldLoop& loop, const ProfileArcs& arcs, double taper
     const double gap = glm::distance(arcs.inner[j], arcs.outer[j]);
     const double narrowing = gap > 0 ? reproducible::pow(gap / widest, taper) : 0;
     for (std::size_t i = 0; i < around; ++i) {
-      const glm::dvec2 at = arcs.inner[j] + (arcs.outer[j] - arcs.inner[j]) * loop.outness[i];
+      glm::dvec2 at = arcs.inner[j] + (arcs.outer[j] - arcs.inner[j]) * loop.outness[i];
+      at.x = std::max(at.x, 0.0);  // loops of a variant may reach further in than the drawing's
       const double share = static_cast<double>(i) / static_cast<double>(around);
       append(grid, at, loop.center + narrowing * loop.turn[i], arcs.share[j], share, false);
     }
@@ -115,6 +114,11 @@ std::vector<SweptGrid> swept_in_folds(const Template& fruit, const SurfaceSketch
     if (p.x < 0) refuse(fruit, sketch, "the vertical curve crosses the axis", "draw it on the right of the axis");
   }
 
+  const ReferenceRadii reference = reference_radii(sketch);
+  if (!(reference.outer > reference.inner)) {
+    refuse(fruit, sketch, "the horizontal curves have no depth", "draw closed loops");
+  }
+
   const ProfileArcs arcs = sampled_arcs(sketch.vertical, along);
   std::vector<SweptGrid> grids;
   for (std::size_t k = 0; k < sketch.horizontal.size(); ++k) {
@@ -126,7 +130,7 @@ std::vector<SweptGrid> swept_in_folds(const Template& fruit, const SurfaceSketch
       refuse(fruit, sketch, "the horizontal curve of fold " + std::to_string(k) + " " + why,
              "draw each loop between its two fold lines");
     }
-    grids.push_back(swept_fold(sampled_fold_loop(loop, span, around), arcs, sketch.taper));
+    grids.push_back(swept_fold(sampled_fold_loop(loop, span, reference, around), arcs, sketch.taper));
   }
   return grids;
 }

@@ -1,0 +1,80 @@
+// PLY as a format [Turk 1994]: its header, and its values one after another. What they mean is
+// surface_file.h's business.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/base/error.h"
+
+namespace pomona {
+
+enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
+enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct PlyProperty {
+  std::string name;
+  PlyType type = PlyType::float32;
+  std::optional<PlyType> count_type;  ///< lists alone
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+  std::size_t byte = 0;  ///< where the header declares it
+};
+
+struct PlyHeader {
+  PlyFormat format = PlyFormat::ascii;
+  std::vector<PlyElement> elements;
+  std::vector<std::string> comments;
+  std::size_t size = 0;  ///< bytes up to the first value
+};
+
+std::size_t size_of(PlyType type);
+
+/// The bytes of a PLY file and where one is in them.
+class PlyReader {
+ public:
+  /// Reads the header and checks its counts against the bytes that follow.
+  /// \throws Error (bad_data) with line and column.
+  PlyReader(std::string_view bytes, const std::string& file);
+
+  const PlyHeader& header() const { return header_; }
+
+  /// Names the item whose values come next, for messages.
+  void start_item(const PlyElement& element, std::uint64_t index);
+
+  /// The next value, exact. \throws Error where the file ends early or has no number.
+  double value(PlyType type);
+
+  /// The next list's length, no more than the bytes left can hold.
+  std::uint64_t list_length(const PlyProperty& list);
+
+  void skip(const PlyProperty& property);
+
+  /// Fails at the value read last: "vertex 12, byte 345" in binary files, line and column in ascii.
+  [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const;
+
+  /// Fails at a byte of the header.
+  [[noreturn]] void fail_at(std::size_t byte, const std::string& message, const std::string& hint = {}) const;
+
+ private:
+  void check_counts() const;
+  double binary_value(PlyType type);
+  double ascii_value();
+
+  std::string_view bytes_;
+  std::string file_;
+  PlyHeader header_;
+  std::size_t next_ = 0;
+  std::size_t last_ = 0;  ///< where the value read last starts
+  const PlyElement* element_ = nullptr;
+  std::uint64_t index_ = 0;
+};
+
+}  // namespace pomona
