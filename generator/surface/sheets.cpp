@@ -1,0 +1,112 @@
+#include "generator/surface/sheets.h"
+
+#include <array>
+#include <cstdint>
+
+#include <glm/geometric.hpp>
+
+#include "generator/surface/bodies.h"
+#include "generator/surface/sheet_distance.h"
+
+namespace pomona {
+
+namespace {
+
+/// What becomes of a triangle. A vertex that triangles use in several ways is doubled.
+enum class Role : std::uint8_t {
+  whole_inner,     ///< stays, with both colours
+  whole_boundary,  ///< stays, with both colours, one side hidden
+  front_sheet,     ///< moves along the normal, the front's colour on both faces
+  back_sheet,      ///< moves against the normal, the back's colour on both faces
+  front_air,       ///< stays, the hidden front's colour on both faces
+  back_air,        ///< stays, the hidden back's colour on both faces
+};
+constexpr std::size_t role_count = 6;
+
+class SheetMaker {
+ public:
+  explicit SheetMaker(const DiffusionSurfaces& surfaces)
+      : from_(surfaces), normals_(vertex_normals(surfaces)), distances_(sheet_distances(surfaces, normals_)) {
+    std::array<std::uint32_t, role_count> none{};
+    none.fill(no_vertex);
+    copies_.assign(surfaces.vertex_count(), none);
+    least_ = 1e-6 * glm::length(bounds_of(surfaces).size());
+  }
+
+  DiffusionSurfaces make() {
+    to_.surface_names = from_.surface_names;
+    to_.part_names = from_.part_names;
+    // Everything that is whole, and all first sheets, in the order of the triangles; then all second sheets.
+    for (std::size_t i = 0; i < from_.triangle_count(); ++i) append(i, first_role(i));
+    for (std::size_t i = 0; i < from_.triangle_count(); ++i) {
+      if (splits(i)) append(i, second_role(i));
+    }
+    return std::move(to_);
+  }
+
+ private:
+  static constexpr std::uint32_t no_vertex = UINT32_MAX;
+
+  bool splits(std::size_t i) const {
+    const glm::uvec3& t = from_.triangle[i];
+    const bool both_hidden = from_.is_hidden(i, SideOf::front) && from_.is_hidden(i, SideOf::back);
+    return !both_hidden && (moves(t.x) || moves(t.y) || moves(t.z));
+  }
+
+  bool moves(std::uint32_t vertex) const { return static_cast<double>(distances_[vertex]) >= least_ && least_ > 0; }
+
+  Role first_role(std::size_t i) const {
+    const bool front_hidden = from_.is_hidden(i, SideOf::front), back_hidden = from_.is_hidden(i, SideOf::back);
+    if (!splits(i)) return front_hidden || back_hidden ? Role::whole_boundary : Role::whole_inner;
+    return front_hidden ? Role::front_air : back_hidden ? Role::back_air : Role::front_sheet;
+  }
+
+  Role second_role(std::size_t i) const {
+    return from_.is_hidden(i, SideOf::back) ? Role::front_sheet : Role::back_sheet;
+  }
+
+  void append(std::size_t i, Role role) {
+    const glm::uvec3& t = from_.triangle[i];
+    to_.triangle.emplace_back(vertex(t.x, role), vertex(t.y, role), vertex(t.z, role));
+    to_.surface.push_back(from_.surface[i]);
+    to_.front_part.push_back(shows_back(role) ? from_.back_part[i] : from_.front_part[i]);
+    to_.back_part.push_back(shows_front(role) ? from_.front_part[i] : from_.back_part[i]);
+  }
+
+  static bool shows_front(Role role) { return role == Role::front_sheet || role == Role::front_air; }
+  static bool shows_back(Role role) { return role == Role::back_sheet || role == Role::back_air; }
+
+  std::uint32_t vertex(std::uint32_t v, Role role) {
+    std::uint32_t& copy = copies_[v][static_cast<std::size_t>(role)];
+    if (copy != no_vertex) return copy;
+    copy = static_cast<std::uint32_t>(to_.vertex_count());
+    to_.position.push_back(moved(v, role));
+    to_.front_color.push_back(shows_back(role) ? from_.back_color[v] : from_.front_color[v]);
+    to_.back_color.push_back(shows_front(role) ? from_.front_color[v] : from_.back_color[v]);
+    to_.blur.push_back(0);
+    const bool as_was = role == Role::whole_boundary;
+    to_.front_hidden.push_back(role == Role::front_air ? 1 : as_was ? from_.front_hidden[v] : 0);
+    to_.back_hidden.push_back(role == Role::back_air ? 1 : as_was ? from_.back_hidden[v] : 0);
+    return copy;
+  }
+
+  glm::vec3 moved(std::uint32_t v, Role role) const {
+    const double way = role == Role::front_sheet ? 1 : role == Role::back_sheet ? -1 : 0;
+    if (way == 0 || !moves(v)) return from_.position[v];
+    return glm::vec3(glm::dvec3(from_.position[v]) +
+                     way * static_cast<double>(distances_[v]) * glm::dvec3(normals_[v]));
+  }
+
+  const DiffusionSurfaces& from_;
+  std::vector<glm::vec3> normals_;
+  std::vector<float> distances_;
+  double least_ = 0;  ///< sheets nearer than this stay one surface
+  std::vector<std::array<std::uint32_t, role_count>> copies_;
+  DiffusionSurfaces to_;
+};
+
+}  // namespace
+
+DiffusionSurfaces sheets(const DiffusionSurfaces& surfaces) { return SheetMaker(surfaces).make(); }
+
+}  // namespace pomona
