@@ -1,0 +1,33 @@
+#include "generator/template/read_paint.h"
+
+namespace pomona {
+
+namespace {
+
+Ramp<Color> read_color_ramp(const TomlValue& value, const Color& fallback) {
+  return read_ramp<Color>(value, fallback, [](const TomlValue& stop) { return stop.color(); });
+}
+
+}  // namespace
+
+PaintedColor read_painted_color(const TomlValue& value) {
+  PaintedColor color;
+  if (value.is(TomlNode::Kind::table)) {
+    const TomlTable table = value.table();
+    color.along = read_color_ramp(table.need("along"), Color(0.5f));
+    color.around = read_color_ramp(table.get("around"), Color(1.0f));
+  } else {
+    color.along = read_color_ramp(value, Color(0.5f));
+  }
+  return color;
+}
+
+Side read_side(const TomlTable& table, const std::vector<std::string>& parts) {
+  Side side;
+  side.part = table.need("part").choice(parts);
+  side.color = read_painted_color(table.need("color"));
+  side.hidden = table.get("hidden").boolean(false);
+  return side;
+}
+
+}  // namespace pomona
