@@ -1,0 +1,229 @@
+#include "generator/variation/vary_loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+#include "generator/variation/layers.h"
+#include "generator/variation/polar_curve.h"
+#include "generator/variation/texture_synthesis.h"
+
+namespace pomona {
+
+namespace {
+
+/// Points per loop while it is varied; what is drawn with more detail is smoothed.
+constexpr int loop_points = 256;
+
+/// The element of the texture: radius, and angular difference to the next point, of every loop at a time. Loops that
+/// each ray meets once share their azimuths and so their angular differences; others have their own.
+struct LoopBundle {
+  double start = 0;                      ///< azimuth of the first point
+  std::vector<CyclicSignal> log_radius;  ///< one per loop
+  std::vector<CyclicSignal> step;        ///< one for all loops, or one per loop
+  bool star_shaped = true;
+};
+
+double mean(const CyclicSignal& signal) {
+  return std::accumulate(signal.begin(), signal.end(), 0.0) / static_cast<double>(signal.size());
+}
+
+/// Azimuths of the points, the first at `start`.
+std::vector<double> azimuths(double start, const CyclicSignal& step) {
+  std::vector<double> result{start};
+  for (std::size_t i = 0; i + 1 < step.size(); ++i) result.push_back(result.back() + step[i]);
+  return result;
+}
+
+/// Angular differences of a closed curve's points.
+CyclicSignal steps_of(const PolarCurve& loop) {
+  CyclicSignal step;
+  for (std::size_t i = 0; i + 1 < loop.size(); ++i) step.push_back(loop.azimuth[i + 1] - loop.azimuth[i]);
+  step.push_back(loop.azimuth.front() + 2 * pi - loop.azimuth.back());
+  return step;
+}
+
+CyclicSignal log_of(const std::vector<double>& radii) {
+  CyclicSignal result;
+  for (const double r : radii) result.push_back(reproducible::log(r));
+  return result;
+}
+
+/// The loop from its outermost point at an azimuth, evenly by arc length.
+PolarCurve evenly_from(const Curve& loop, double azimuth) {
+  const RayHit start = outermost_hit(loop, azimuth);
+  Curve turned{walk(loop, start, start), true};
+  turned.points.pop_back();
+  return to_polar(resampled(turned, loop_points).points);
+}
+
+LoopBundle bundle_of(const std::vector<Curve>& loops) {
+  LoopBundle bundle;
+  const glm::dvec2 first = loops.front().points.front();
+  bundle.start = reproducible::atan2(first.y, first.x);
+  bundle.star_shaped = std::all_of(loops.begin(), loops.end(), is_star_shaped);
+
+  // The first loop, the outermost, says at which azimuths the others are looked at.
+  if (bundle.star_shaped) {
+    const PolarCurve outermost = evenly_from(loops.front(), bundle.start);
+    bundle.step.push_back(steps_of(outermost));
+    for (const Curve& loop : loops) {
+      bundle.log_radius.push_back(log_shape(loop, 1, azimuths(bundle.start, bundle.step.front())));
+    }
+    return bundle;
+  }
+  for (const Curve& loop : loops) {
+    const PolarCurve even = evenly_from(loop, bundle.start);
+    bundle.step.push_back(steps_of(even));
+    bundle.log_radius.push_back(log_of(even.radius));
+  }
+  return bundle;
+}
+
+/// Makes the angular differences add up to one turn. Where each ray is to meet the loop once they stay
+/// positive: radii and differences above 0 that go around once make a star-shaped, hence simple, loop.
+CyclicSignal closed_up(CyclicSignal step, bool star_shaped) {
+  const auto n = static_cast<double>(step.size());
+  if (star_shaped) {
+    for (double& s : step) s = std::max(s, 0.05 * 2 * pi / n);
+    const double scale = 2 * pi / std::accumulate(step.begin(), step.end(), 0.0);
+    for (double& s : step) s *= scale;
+  } else {
+    const double missing = (2 * pi - std::accumulate(step.begin(), step.end(), 0.0)) / n;
+    for (double& s : step) s += missing;
+  }
+  return step;
+}
+
+LoopBundle copied(const LoopBundle& drawn, const SourceMap& map) {
+  LoopBundle variant = drawn;
+  for (CyclicSignal& channel : variant.log_radius) channel = copied(channel, map);
+  for (CyclicSignal& channel : variant.step) channel = closed_up(copied(channel, map), drawn.star_shaped);
+  return variant;
+}
+
+CyclicSignal blended(const CyclicSignal& a, const CyclicSignal& b, double share) {
+  CyclicSignal result(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] + share * (b[i] - a[i]);
+  return result;
+}
+
+/// Between the drawing, turned, and the full synthesis, so that a variant follows its amount continuously. Beyond
+/// 1 the swings about the mean radius grow instead: a higher threshold would only break the bands' phase.
+LoopBundle synthesised(const LoopBundle& drawn, VariantKey key, double amount) {
+  std::vector<CyclicSignal> channels = drawn.log_radius;
+  channels.insert(channels.end(), drawn.step.begin(), drawn.step.end());
+  const LoopBundle turned = copied(drawn, draw_source_map(channels, key, {.threshold = 0}));
+  LoopBundle variant = copied(drawn, draw_source_map(channels, key, {}));
+  const double share = std::min(amount, 1.0), gain = 1 + 0.5 * std::max(amount - 1, 0.0);
+  for (std::size_t i = 0; i < variant.log_radius.size(); ++i) {
+    CyclicSignal& channel = variant.log_radius[i];
+    channel = blended(turned.log_radius[i], channel, share);
+    channel = blended(CyclicSignal(channel.size(), mean(channel)), channel, gain);
+  }
+  for (std::size_t i = 0; i < variant.step.size(); ++i) {
+    variant.step[i] = blended(turned.step[i], variant.step[i], share);
+  }
+  return variant;
+}
+
+Curve loop_of(const LoopBundle& bundle, std::size_t index) {
+  PolarCurve curve;
+  curve.azimuth = azimuths(bundle.start, bundle.step[bundle.star_shaped ? 0 : index]);
+  for (const double value : bundle.log_radius[index]) curve.radius.push_back(reproducible::exp(value));
+  return from_polar(curve, true);
+}
+
+/// Which layers are synthesised: those that vary and go around the axis.
+std::vector<bool> fixed_layers(const Template& fruit, const Layers& layers) {
+  std::vector<bool> fixed;
+  for (const std::size_t s : layers.surface) {
+    const SurfaceSketch& surface = fruit.surfaces[s];
+    fixed.push_back(!surface.varies || !encloses(surface.horizontal.front(), {0, 0}));
+  }
+  return fixed;
+}
+
+/// Draws layers apart that would cross. Only for loops that share their azimuths.
+void keep_apart(LoopBundle& bundle, const Template& fruit, const Layers& layers, const std::vector<bool>& fixed) {
+  const std::vector<double> at = azimuths(bundle.start, bundle.step.front());
+  std::vector<std::vector<double>> shapes;
+  std::vector<double> log_reference;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    const SurfaceSketch& surface = fruit.surfaces[layers.surface[i]];
+    log_reference.push_back(reproducible::log(reference_radii(surface).outer));
+    shapes.push_back(fixed[i] ? log_shape(surface.horizontal.front(), reference_radii(surface).outer, at)
+                              : bundle.log_radius[next++]);
+    for (double& value : shapes.back()) value -= fixed[i] ? 0 : log_reference.back();
+  }
+  shapes = kept_apart(layers, std::move(shapes), fixed);
+  next = 0;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (fixed[i]) continue;
+    for (double& value : shapes[i]) value += log_reference[i];
+    bundle.log_radius[next++] = shapes[i];
+  }
+}
+
+Template with_loops(const Template& fruit, const Layers& layers, const std::vector<bool>& fixed,
+                    const LoopBundle& bundle) {
+  Template variant = fruit;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (fixed[i]) continue;
+    SurfaceSketch& surface = variant.surfaces[layers.surface[i]];
+    surface.reference = reference_radii(surface);
+    surface.horizontal = {loop_of(bundle, next++)};
+  }
+  return variant;
+}
+
+/// True if every loop is simple and no two layers differ more than they may.
+bool is_sound(const Template& variant, const Layers& layers) {
+  for (const std::size_t s : layers.surface) {
+    if (!is_simple(variant.surfaces[s].horizontal.front())) return false;
+  }
+  const Layers found = layers_of(variant);
+  for (std::size_t i = 0; i < layers.surface.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const LogRange& is = found.allowed[i][j];
+      const LogRange& may_be = layers.allowed[i][j];
+      if (is.low < may_be.low || is.high > may_be.high) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Template vary_loops(const Template& fruit, VariantKey key, double amount) {
+  // Take the loops that vary, outermost first.
+  const Layers layers = layers_of(fruit);
+  const std::vector<bool> fixed = fixed_layers(fruit, layers);
+  std::vector<Curve> loops;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (!fixed[i]) loops.push_back(counter_clockwise(fruit.surfaces[layers.surface[i]].horizontal.front()));
+  }
+  if (loops.empty()) return fruit;
+  const LoopBundle drawn = bundle_of(loops);
+
+  if (drawn.star_shaped) {
+    LoopBundle variant = synthesised(drawn, key, amount);
+    keep_apart(variant, fruit, layers, fixed);
+    return with_loops(fruit, layers, fixed, variant);
+  }
+
+  // Other loops may come out crossing themselves or each other: then stay nearer to the drawing.
+  for (int attempt = 0; attempt < 8; ++attempt, amount *= 0.7) {
+    const Template variant = with_loops(fruit, layers, fixed, synthesised(drawn, key, amount));
+    if (is_sound(variant, layers)) return variant;
+  }
+  return with_loops(fruit, layers, fixed, synthesised(drawn, key, 0));
+}
+
+}  // namespace pomona

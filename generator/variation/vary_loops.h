@@ -1,0 +1,13 @@
+// Variants of cylindrical templates: all loops synthesised together (paper, section 4.2, Figure 8 top).
+#pragma once
+
+#include "generator/variation/vary.h"
+
+namespace pomona {
+
+/// Every loop around the axis that varies is taken apart with the others and put together anew by one map
+/// [De Bonet 1997], so that layers keep following each other; then layers that would cross are drawn
+/// nearer to the next layer outside them. What lies in folds stays as drawn.
+Template vary_loops(const Template& fruit, VariantKey key, double amount);
+
+}  // namespace pomona
