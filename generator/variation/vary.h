@@ -10,8 +10,8 @@
 namespace pomona {
 
 struct VariationOptions {
-  double amount = 1.0;       ///< 0 = as drawn up to a turn, 1 = natural, 2 = wild
-  std::optional<int> folds;  ///< another number of folds than drawn, 1..64 (N-fold templates only)
+  double amount = 1.0;            ///< 0 = as drawn up to a turn, 1 = natural, 2 = wild
+  std::optional<int> folds = {};  ///< another number of folds than drawn, 1..64 (N-fold templates only)
 };
 
 /// The variant for `key`: De Bonet synthesis of all loops together for cylindrical symmetry, blending of fold

@@ -1,0 +1,213 @@
+#include "generator/variation/fold_room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/reproducible.h"
+#include "generator/variation/fold_samples.h"
+#include "generator/variation/polar_curve.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr int rings = 9;                       // of a chamber, its two poles included
+constexpr std::size_t azimuths_per_fold = 32;  // at which layers are compared
+
+/// A point of a swept chamber.
+struct SweptPoint {
+  double azimuth = 0, radius = 0, height = 0;
+};
+
+/// Points of a chamber as sweep() will place them, poles left out.
+std::vector<SweptPoint> swept(const ProfileArcs& arcs, const Curve& loop, const SurfaceSketch& sketch) {
+  PolarCurve polar = to_polar(loop.points);
+  const auto [least, most] = std::minmax_element(polar.azimuth.begin(), polar.azimuth.end());
+  const double center = 0.5 * (*least + *most);
+  const ReferenceRadii reference = reference_radii(sketch);
+  double widest = 0;
+  for (std::size_t j = 0; j < arcs.share.size(); ++j) {
+    widest = std::max(widest, glm::distance(arcs.inner[j], arcs.outer[j]));
+  }
+  std::vector<SweptPoint> points;
+  for (std::size_t j = 1; j + 1 < arcs.share.size(); ++j) {
+    const glm::dvec2 across = arcs.outer[j] - arcs.inner[j];
+    const double narrowing = reproducible::pow(glm::length(across) / widest, sketch.taper);
+    for (std::size_t i = 0; i < polar.size(); i += 2) {
+      const double outness = (polar.radius[i] - reference.inner) / (reference.outer - reference.inner);
+      const glm::dvec2 at = arcs.inner[j] + across * outness;
+      points.push_back({center + narrowing * (polar.azimuth[i] - center), std::max(at.x, 0.0), at.y});
+    }
+  }
+  return points;
+}
+
+/// A layer's vertical curve, to be looked at in the half-plane of any azimuth.
+class LayerInPlane {
+ public:
+  explicit LayerInPlane(const SurfaceSketch& sketch)
+      : points_(sketch.vertical.points),
+        radius_of_(sketch.horizontal.front()),
+        reference_(reference_radii(sketch).outer) {
+    const double whole = length(sketch.vertical);
+    double done = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (i > 0) done += glm::distance(points_[i - 1], points_[i]);
+      waviness_.push_back(1 - sketch.roundness(whole > 0 ? done / whole : 0));
+    }
+  }
+
+  /// True if the point lies between the layer and the axis: a ray away from the axis leaves through it.
+  bool encloses(const SweptPoint& p, double radius) const {
+    const double swell = radius_of_(p.azimuth) / reference_ - 1;
+    bool inside = false;
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+      const glm::dvec2& a = points_[i];
+      const glm::dvec2& b = points_[i + 1];
+      if ((a.y > p.height) == (b.y > p.height)) continue;
+      const double ax = a.x * (1 + swell * waviness_[i]), bx = b.x * (1 + swell * waviness_[i + 1]);
+      if (ax + (bx - ax) * ((p.height - a.y) / (b.y - a.y)) > radius) inside = !inside;
+    }
+    return inside;
+  }
+
+ private:
+  std::vector<glm::dvec2> points_;
+  std::vector<double> waviness_;  ///< 1 less roundness, at every point
+  RadiusOf radius_of_;
+  double reference_;
+};
+
+/// The side all points lie on with this margin; nothing if they are on both.
+std::optional<bool> common_side(const std::vector<SweptPoint>& points, const LayerInPlane& layer, double margin) {
+  std::optional<bool> side;
+  for (const SweptPoint& p : points) {
+    for (const double factor : {1 - margin, 1 + margin}) {
+      const bool inside = layer.encloses(p, p.radius * factor);
+      if (side && *side != inside) return std::nullopt;
+      side = inside;
+    }
+  }
+  return side;
+}
+
+bool cross_each_other(const Curve& a, const Curve& b) {
+  const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    const glm::dvec2 p = a.points[i], pq = a.points[(i + 1) % a.points.size()] - p;
+    for (std::size_t j = 0; j < b.points.size(); ++j) {
+      const glm::dvec2 r = b.points[j], rs = b.points[(j + 1) % b.points.size()] - r;
+      if (cross(pq, r - p) * cross(pq, r + rs - p) <= 0 && cross(rs, p - r) * cross(rs, p + pq - r) <= 0) return true;
+    }
+  }
+  return false;
+}
+
+/// 1 = the first within the second, 0 = apart, nothing if they cross or lie the other way.
+std::optional<bool> nested(const Curve& first, const Curve& second) {
+  if (cross_each_other(first, second) || encloses(first, second.points.front())) return std::nullopt;
+  return encloses(second, first.points.front());
+}
+
+/// The same answer for all folds that have both loops, or nothing.
+std::optional<bool> nested_everywhere(const SurfaceSketch& first, const SurfaceSketch& second) {
+  std::optional<bool> common;
+  for (std::size_t k = 0; k < std::min(first.horizontal.size(), second.horizontal.size()); ++k) {
+    if (first.horizontal[k].points.empty() || second.horizontal[k].points.empty()) continue;
+    const std::optional<bool> here = nested(first.horizontal[k], second.horizontal[k]);
+    if (!here || (common && *common != *here)) return std::nullopt;
+    common = here;
+  }
+  return common;
+}
+
+}  // namespace
+
+FoldRoom::FoldRoom(const Template& drawn) : layers_(layers_of(drawn)) {
+  for (std::size_t s = 0; s < drawn.surfaces.size(); ++s) {
+    const SurfaceSketch& sketch = drawn.surfaces[s];
+    if (sketch.type == SurfaceType::in_fold) chambers_.push_back({s, sampled_arcs(sketch.vertical, rings)});
+  }
+
+  // See on which side of each layer each chamber lies, with as much margin as the drawing leaves.
+  for (std::size_t c = 0; c < chambers_.size(); ++c) {
+    const SurfaceSketch& sketch = drawn.surfaces[chambers_[c].surface];
+    std::vector<SweptPoint> points;
+    for (const Curve& loop : sketch.horizontal) {
+      if (loop.points.empty()) continue;
+      const std::vector<SweptPoint> more = swept(chambers_[c].arcs, resampled(loop, 64), sketch);
+      points.insert(points.end(), more.begin(), more.end());
+    }
+    for (const std::size_t layer : layers_.surface) {
+      const LayerInPlane plane(drawn.surfaces[layer]);
+      for (const double margin : {0.03, 0.01, 0.0}) {
+        const std::optional<bool> inside = common_side(points, plane, margin);
+        if (!inside) continue;
+        sides_.push_back({c, layer, *inside, 0.5 * margin});
+        break;
+      }
+    }
+  }
+
+  // See how the loops of a fold lie to each other.
+  for (const Chamber& a : chambers_) {
+    for (const Chamber& b : chambers_) {
+      const std::optional<bool> lies = nested_everywhere(drawn.surfaces[a.surface], drawn.surfaces[b.surface]);
+      if (a.surface != b.surface && lies) neighbours_.push_back({a.surface, b.surface, *lies});
+    }
+  }
+}
+
+bool FoldRoom::layers_fit(const std::vector<std::vector<double>>& log_shapes) const {
+  for (std::size_t i = 0; i < log_shapes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const LogRange& allowed = layers_.allowed[i][j];
+      const double rounding = 1e-3;  // resampling changes the drawing itself by as much
+      for (std::size_t a = 0; a < log_shapes[i].size(); ++a) {
+        const double difference = log_shapes[i][a] - log_shapes[j][a];
+        if (difference < allowed.low - rounding || difference > allowed.high + rounding) return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool FoldRoom::sides_kept(const Template& variant, std::size_t fold, const ChamberSide& side) const {
+  const Chamber& chamber = chambers_[side.chamber];
+  const SurfaceSketch& sketch = variant.surfaces[chamber.surface];
+  if (sketch.horizontal[fold].points.empty()) return true;
+  const auto points = swept(chamber.arcs, sketch.horizontal[fold], sketch);
+  return common_side(points, LayerInPlane(variant.surfaces[side.layer]), side.margin) == side.inside;
+}
+
+std::vector<bool> FoldRoom::is_sound(const Template& variant) const {
+  const auto& symmetry = std::get<FoldSymmetry>(variant.symmetry);
+  const std::vector<double> widths = fold_widths(symmetry);
+  std::vector<bool> sound;
+  for (std::size_t k = 0; k < widths.size(); ++k) {
+    std::vector<double> azimuths;
+    for (std::size_t i = 0; i <= azimuths_per_fold; ++i) {
+      azimuths.push_back(symmetry.fold_angles[k] + widths[k] * static_cast<double>(i) / azimuths_per_fold);
+    }
+    std::vector<std::vector<double>> shapes;
+    for (const std::size_t s : layers_.surface) {
+      const SurfaceSketch& sketch = variant.surfaces[s];
+      shapes.push_back(log_shape(sketch.horizontal.front(), reference_radii(sketch).outer, azimuths));
+    }
+    bool fits = layers_fit(shapes);
+    for (const ChamberSide& side : sides_) fits = fits && sides_kept(variant, k, side);
+    for (const Neighbours& pair : neighbours_) {
+      const Curve& first = variant.surfaces[pair.first].horizontal[k];
+      const Curve& second = variant.surfaces[pair.second].horizontal[k];
+      if (first.points.empty() || second.points.empty()) continue;
+      fits = fits && nested(first, second) == pair.nested;
+    }
+    sound.push_back(fits);
+  }
+  return sound;
+}
+
+}  // namespace pomona

@@ -1,0 +1,227 @@
+#include "generator/variation/vary_folds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "generator/base/units.h"
+#include "generator/variation/fold_blend.h"
+#include "generator/variation/fold_form.h"
+#include "generator/variation/fold_room.h"
+#include "generator/variation/fold_samples.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr int mean_rung = 11;
+constexpr int drawn_rung = 12;
+
+/// One fold to be made.
+struct FoldDraw {
+  std::vector<double> z;   ///< a normal number for each drawn fold
+  std::size_t source = 0;  ///< the drawn fold it takes its turn after
+  double amount = 1;
+  int rung = 0;
+};
+
+std::vector<FoldDraw> drawn_folds(std::size_t samples, VariantKey key, double amount, int folds) {
+  std::vector<FoldDraw> draws;
+  for (int k = 0; k < folds; ++k) {
+    const RandomStream stream(key, "vary/fold/" + std::to_string(k));
+    FoldDraw draw{{}, static_cast<std::size_t>(k) % samples, amount, 0};
+    for (std::size_t i = 0; i < samples; ++i) draw.z.push_back(stream.normal(i));
+    draws.push_back(std::move(draw));
+  }
+  return draws;
+}
+
+/// What each sample counts for in this fold; they add up to 1. Samples that are absent count for nothing.
+std::vector<double> coefficients(const FoldDraw& draw, const std::vector<bool>& present) {
+  std::vector<double> z;
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    if (present[i]) z.push_back(draw.z[i]);
+  }
+  // Go as far from the mean as the rung allows.
+  const std::vector<double> weights = clipped(
+      principal_weights(z), {.gain = std::max(1.0, draw.amount), .extrapolation = 0.2 * std::max(1.0, draw.amount)});
+  double reach = draw.rung >= mean_rung ? 0 : 1;
+  for (int rung = 0; rung < std::min(draw.rung, mean_rung); ++rung) reach *= 0.75;
+
+  // Mix with the drawn fold.
+  const double share = draw.rung == drawn_rung ? 0 : std::min(1.0, draw.amount);
+  std::vector<double> result(present.size(), 0.0);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    if (!present[i]) continue;
+    result[i] = share * (1 / static_cast<double>(z.size()) + reach * weights[next++]);
+  }
+  if (present[draw.source]) result[draw.source] += 1 - share;
+  return result;
+}
+
+std::vector<bool> presence(const FoldSamples& samples) {
+  std::vector<bool> present;
+  for (const PolarCurve& fold : samples.fold) present.push_back(fold.size() > 0);
+  return present;
+}
+
+/// Widths blended like the rest, none less than half or more than one and a half times the drawn ones.
+std::vector<double> blended_widths(const std::vector<double>& drawn, const std::vector<FoldDraw>& draws) {
+  const auto [least, most] = std::minmax_element(drawn.begin(), drawn.end());
+  std::vector<double> widths;
+  double total = 0;
+  for (const FoldDraw& draw : draws) {
+    const std::vector<double> c = coefficients(draw, std::vector<bool>(drawn.size(), true));
+    double width = 0;
+    for (std::size_t i = 0; i < drawn.size(); ++i) width += c[i] * drawn[i];
+    widths.push_back(std::clamp(width, 0.5 * *least, 1.5 * *most));
+    total += widths.back();
+  }
+  for (double& width : widths) width *= 2 * pi / total;
+  return widths;
+}
+
+FoldSymmetry symmetry_of(double first, const std::vector<double>& widths) {
+  FoldSymmetry symmetry{{first}};
+  for (std::size_t k = 0; k + 1 < widths.size(); ++k) {
+    symmetry.fold_angles.push_back(symmetry.fold_angles.back() + widths[k]);
+  }
+  return symmetry;
+}
+
+/// From the pie-shaped space back to the fruit.
+PolarCurve placed(PolarCurve sample, double from, double width) {
+  for (double& azimuth : sample.azimuth) azimuth = from + azimuth * width;
+  return sample;
+}
+
+/// Blends the folds of one surface: samples for each fold to be made, empty where there is to be none.
+std::vector<PolarCurve> blended_folds(const FoldSamples& samples, const std::vector<FoldDraw>& draws) {
+  const std::vector<bool> present = presence(samples);
+  std::vector<PolarCurve> folds;
+  for (const FoldDraw& draw : draws) {
+    const bool here = present[draw.source];
+    folds.push_back(here ? blended(samples.fold, coefficients(draw, present)) : PolarCurve{});
+  }
+  if (!samples.closed) join(folds);
+  return folds;
+}
+
+/// One loop around the axis, or one in each fold.
+std::vector<Curve> loops_of(const std::vector<PolarCurve>& folds, const FoldSymmetry& symmetry,
+                            const std::vector<double>& widths, bool closed) {
+  std::vector<Curve> loops;
+  Curve around;
+  around.closed = true;
+  for (std::size_t k = 0; k < folds.size(); ++k) {
+    Curve fold = from_polar(placed(folds[k], symmetry.fold_angles[k], widths[k]), true);
+    if (!closed) around.points.insert(around.points.end(), fold.points.begin(), fold.points.end() - 1);
+    if (closed) loops.push_back(fold.points.empty() ? Curve{{}, true} : std::move(fold));
+  }
+  if (!closed) loops.push_back(std::move(around));
+  return loops;
+}
+
+/// A drawing as samples.
+struct Drawing {
+  const Template& fruit;
+  std::vector<double> widths;
+  std::vector<FoldSamples> samples;
+
+  explicit Drawing(const Template& drawn)
+      : fruit(drawn), widths(fold_widths(std::get<FoldSymmetry>(drawn.symmetry))), samples(fold_samples(drawn)) {}
+};
+
+/// What does not vary keeps to the drawn folds in turn.
+std::vector<FoldDraw> as_drawn(std::vector<FoldDraw> draws) {
+  for (FoldDraw& draw : draws) draw.rung = drawn_rung;
+  return draws;
+}
+
+struct Candidate {
+  Template fruit;
+  std::vector<std::vector<PolarCurve>> folds;  ///< for each of Drawing::samples, in the pie-shaped space
+};
+
+Candidate candidate(const Drawing& drawing, const std::vector<FoldDraw>& draws) {
+  Candidate result{drawing.fruit, {}};
+  const double first = std::get<FoldSymmetry>(drawing.fruit.symmetry).fold_angles.front();
+  const std::vector<double> widths = blended_widths(drawing.widths, draws);
+  const FoldSymmetry symmetry = symmetry_of(first, widths);
+  for (const FoldSamples& samples : drawing.samples) {
+    SurfaceSketch& surface = result.fruit.surfaces[samples.surface];
+    surface.reference = reference_radii(surface);
+    result.folds.push_back(blended_folds(samples, surface.varies ? draws : as_drawn(draws)));
+    surface.horizontal = loops_of(result.folds.back(), symmetry, widths, samples.closed);
+  }
+  result.fruit.symmetry = symmetry;
+  return result;
+}
+
+/// What a variant's folds are held to.
+struct Requirements {
+  FoldRoom room;
+  std::vector<FoldForm> forms;  ///< for each of Drawing::samples
+
+  explicit Requirements(const Drawing& drawing) : room(drawing.fruit) {
+    for (const FoldSamples& samples : drawing.samples) forms.emplace_back(samples);
+  }
+
+  std::vector<bool> are_met(const Candidate& candidate) const {
+    std::vector<bool> sound = room.is_sound(candidate.fruit);
+    for (std::size_t s = 0; s < forms.size(); ++s) {
+      for (std::size_t k = 0; k < sound.size(); ++k) sound[k] = sound[k] && forms[s].is_kept(candidate.folds[s][k]);
+    }
+    return sound;
+  }
+};
+
+/// Moves every unsound fold nearer to the drawing, or, where it can go no further, the folds it is joined to. False
+/// if there is nothing left to move.
+bool step_down(std::vector<FoldDraw>& draws, const std::vector<bool>& sound) {
+  const std::size_t n = draws.size();
+  std::vector<bool> steps(n, false);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (sound[k]) continue;
+    if (draws[k].rung < drawn_rung) {
+      steps[k] = true;
+    } else {
+      steps[(k + 1) % n] = steps[(k + n - 1) % n] = true;
+    }
+  }
+  bool moved = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!steps[k] || draws[k].rung == drawn_rung) continue;
+    ++draws[k].rung;
+    moved = true;
+  }
+  return moved;
+}
+
+}  // namespace
+
+FoldVariant vary_folds(const Template& fruit, VariantKey key, double amount, int folds) {
+  // Draw once; then only ever step towards the drawing, so that there is an end.
+  const Drawing drawing(fruit);
+  const Requirements requirements(drawing);
+  std::vector<FoldDraw> draws = drawn_folds(drawing.widths.size(), key, amount, folds);
+  Candidate result = candidate(drawing, draws);
+  std::vector<bool> sound = requirements.are_met(result);
+  while (std::find(sound.begin(), sound.end(), false) != sound.end() && step_down(draws, sound)) {
+    result = candidate(drawing, draws);
+    sound = requirements.are_met(result);
+  }
+
+  FoldVariant variant{std::move(result.fruit), {}};
+  for (std::size_t k = 0; k < draws.size(); ++k) variant.folds.push_back({draws[k].rung, sound[k]});
+  return variant;
+}
+
+Template repeat_folds(const Template& fruit, int folds) {
+  if (folds == fold_count(fruit)) return fruit;
+  const Drawing drawing(fruit);
+  return candidate(drawing, as_drawn(drawn_folds(drawing.widths.size(), {}, 0, folds))).fruit;
+}
+
+}  // namespace pomona

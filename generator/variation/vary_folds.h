@@ -1,0 +1,30 @@
+// Variants of N-fold templates: every fold a blend of the drawn ones (paper, section 4.2, Figure 8 bottom).
+#pragma once
+
+#include <vector>
+
+#include "generator/variation/vary.h"
+
+namespace pomona {
+
+/// How one fold of a variant came about.
+struct FoldReport {
+  /// How often its blend was moved nearer to the mean of the samples because something would have crossed: 0 as
+  /// drawn at random, up to 10 by a quarter each, 11 the mean itself, 12 a drawn fold.
+  int rung = 0;
+  bool sound = true;  ///< nothing crosses that does not in the drawing
+};
+
+struct FoldVariant {
+  Template fruit;
+  std::vector<FoldReport> folds;
+};
+
+/// One set of weights per fold serves everything in it, so that a chamber follows the wall around it. Below amount 1 a
+/// fold is a mixture of the drawn one (in turn, if there are more or fewer folds than drawn) and the blend.
+FoldVariant vary_folds(const Template& fruit, VariantKey key, double amount, int folds);
+
+/// The drawn folds in turn.
+Template repeat_folds(const Template& fruit, int folds);
+
+}  // namespace pomona

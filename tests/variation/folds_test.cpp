@@ -1,0 +1,217 @@
+// N-fold variation.
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <Eigen/Dense>
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/units.h"
+#include "generator/surface/sweep.h"
+#include "generator/variation/fold_blend.h"
+#include "generator/variation/fold_samples.h"
+#include "generator/variation/vary.h"
+#include "generator/variation/vary_folds.h"
+#include "tests/variation/crossings.h"
+#include "tests/variation/fruits.h"
+
+namespace pomona {
+namespace {
+
+const std::vector<double>& lines_of(const Template& fruit) {
+  return std::get<FoldSymmetry>(fruit.symmetry).fold_angles;
+}
+
+/// Every loop has points and every chamber keeps strictly between its fold lines.
+void expect_chambers_in_folds(const Template& fruit) {
+  const std::vector<double>& lines = lines_of(fruit);
+  const std::vector<double> widths = fold_widths(std::get<FoldSymmetry>(fruit.symmetry));
+  for (const SurfaceSketch& surface : fruit.surfaces) {
+    if (surface.type != SurfaceType::in_fold) continue;
+    ASSERT_EQ(surface.horizontal.size(), lines.size());
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const PolarCurve polar = to_polar(surface.horizontal[k].points);
+      for (const double azimuth : polar.azimuth) {
+        double share = (azimuth - lines[k]) / (2 * pi);
+        share = (share - std::floor(share)) * 2 * pi / widths[k];
+        EXPECT_GT(share, 0);
+        EXPECT_LT(share, 1);
+      }
+      EXPECT_TRUE(is_simple(surface.horizontal[k]));
+    }
+  }
+}
+
+TEST(PrincipalWeights, HaveTheCovarianceOfPrincipalComponents) {
+  // Four samples of three numbers, and their principal components found the long way.
+  constexpr int samples = 4, features = 3, draws = 20000;
+  Eigen::MatrixXd x(samples, features);
+  x << 1, 2, 0.5, 2, 0, 1, -1, 1, 3, 0.5, -2, 1;
+  const Eigen::RowVectorXd mean = x.colwise().mean();
+  const Eigen::MatrixXd centred = x.rowwise() - mean;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(centred, Eigen::ComputeThinV);
+  const Eigen::MatrixXd v = svd.matrixV();
+  const Eigen::VectorXd variances = svd.singularValues().array().square() / (samples - 1);
+  const Eigen::MatrixXd expected = v * variances.asDiagonal() * v.transpose();
+
+  Eigen::MatrixXd drawn(draws, features);
+  for (int d = 0; d < draws; ++d) {
+    const RandomStream stream({static_cast<std::uint64_t>(d), 0}, "test");
+    std::vector<double> z;
+    for (std::uint64_t i = 0; i < samples; ++i) z.push_back(stream.normal(i));
+    const std::vector<double> w = principal_weights(z);
+    drawn.row(d) = mean;
+    for (int i = 0; i < samples; ++i) drawn.row(d) += w[static_cast<std::size_t>(i)] * centred.row(i);
+  }
+  const Eigen::RowVectorXd drawn_mean = drawn.colwise().mean();
+  const Eigen::MatrixXd deviation = drawn.rowwise() - drawn_mean;
+  const Eigen::MatrixXd covariance = deviation.transpose() * deviation / (draws - 1);
+  EXPECT_LT((drawn_mean - mean).norm(), 0.03);
+  EXPECT_LT((covariance - expected).norm(), 0.03 * expected.norm());
+}
+
+TEST(PrincipalWeights, StayNearTheHullWhenClipped) {
+  for (const std::size_t n : {1u, 2u, 3u, 5u, 8u}) {
+    for (const double beta : {0.0, 0.2}) {
+      for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        std::vector<double> z;
+        for (std::uint64_t i = 0; i < n; ++i) z.push_back(RandomStream({seed, 1}, "test").normal(i));
+        double sum = 0;
+        for (const double w : clipped(principal_weights(z), {.gain = 2, .extrapolation = beta})) {
+          EXPECT_GE(1.0 / static_cast<double>(n) + w, -beta - 1e-12);
+          sum += w;
+        }
+        EXPECT_NEAR(sum, 0, 1e-12);
+      }
+    }
+  }
+}
+
+TEST(FoldSamples, FindAKnownRotation) {
+  std::vector<glm::dvec2> loop;
+  for (int i = 0; i < 64; ++i) {
+    const double t = 2 * pi * i / 64;
+    loop.push_back({std::cos(t) * (1 + 0.2 * std::cos(3 * t)), 0.7 * std::sin(t)});
+  }
+  for (const std::ptrdiff_t shift : {0, 1, 17, 63}) {
+    std::vector<glm::dvec2> turned = loop;
+    std::rotate(turned.begin(), turned.begin() + shift, turned.end());
+    EXPECT_EQ(best_shift(turned, loop), static_cast<std::size_t>(shift));
+  }
+}
+
+TEST(FoldSamples, RunFromLineToLine) {
+  for (const int folds : {1, 2, 3, 5}) {
+    for (const FoldSamples& samples : fold_samples(fruits::tomato(folds))) {
+      for (const PolarCurve& fold : samples.fold) {
+        if (samples.closed) continue;
+        EXPECT_EQ(fold.azimuth.front(), 0);
+        EXPECT_EQ(fold.azimuth.back(), 1);
+        EXPECT_TRUE(std::is_sorted(fold.azimuth.begin(), fold.azimuth.end()));
+      }
+    }
+  }
+}
+
+TEST(FoldVariation, MakesAnyNumberOfFolds) {
+  for (const int drawn : {1, 2, 3, 5}) {
+    const Template tomato = fruits::tomato(drawn);
+    for (const int folds : {1, 2, 7, 64}) {
+      for (const Template& variant : {vary(tomato, {3, 0}, {.amount = 1, .folds = folds}), with_folds(tomato, folds)}) {
+        EXPECT_EQ(fold_count(variant), folds);
+        expect_chambers_in_folds(variant);
+        for (const SurfaceSketch& surface : variant.surfaces) {
+          EXPECT_TRUE(surface.type == SurfaceType::in_fold || is_star_shaped(surface.horizontal.front()));
+        }
+        EXPECT_NO_THROW(sweep(variant, {.detail = 0.3})) << drawn << " to " << folds;
+      }
+    }
+  }
+}
+
+TEST(FoldVariation, IsAsDrawnAtAmountZero) {
+  const Template tomato = fruits::tomato();
+  const Template variant = vary(tomato, {9, 0}, {.amount = 0});
+  EXPECT_THAT(lines_of(variant), testing::Pointwise(testing::DoubleNear(1e-12), lines_of(tomato)));
+  for (std::size_t s = 0; s < 3; ++s) {
+    const RadiusOf drawn(tomato.surfaces[s].horizontal.front()), varied(variant.surfaces[s].horizontal.front());
+    for (int i = 0; i < 500; ++i) EXPECT_NEAR(varied(i * 0.0126), drawn(i * 0.0126), 2e-3 * drawn(i * 0.0126));
+  }
+}
+
+TEST(FoldVariation, JoinsAcrossFoldLines) {
+  const Template tomato = fruits::tomato();
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const Template variant = vary(tomato, {seed, 0});
+    for (const SurfaceSketch& surface : variant.surfaces) {
+      if (surface.type != SurfaceType::around_axis) continue;
+      const RadiusOf radius(surface.horizontal.front());
+      for (const double line : lines_of(variant)) {
+        EXPECT_NEAR(radius(line - 1e-9), radius(line + 1e-9), 1e-9);
+      }
+    }
+  }
+}
+
+TEST(FoldVariation, KeepsChambersInTheirFoldsAndNothingCrosses) {
+  const Template tomato = fruits::tomato();
+  ASSERT_EQ(crossing_triangles(sweep(tomato)), 0);
+  int stepped = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const double amount = seed % 3 == 0 ? 2 : 1;
+    const FoldVariant variant = vary_folds(tomato, {seed, 0}, amount, 5);
+    expect_chambers_in_folds(variant.fruit);
+    for (const FoldReport& fold : variant.folds) {
+      EXPECT_TRUE(fold.sound);
+      stepped += fold.rung > 0;
+    }
+    if (seed % 10 != 0) continue;
+    EXPECT_EQ(crossing_triangles(sweep(variant.fruit)), 0) << seed;
+  }
+  EXPECT_LT(stepped, 300 * 5 / 4);
+}
+
+TEST(FoldVariation, LeavesAMissingChamberMissing) {
+  Template tomato = fruits::tomato();
+  tomato.surfaces[3].horizontal[2].points.clear();
+  const Template variant = vary(tomato, {2, 2}, {.amount = 1, .folds = 10});
+  for (std::size_t k = 0; k < 10; ++k) {
+    EXPECT_EQ(variant.surfaces[3].horizontal[k].points.empty(), k % 5 == 2);
+  }
+}
+
+TEST(FoldVariation, KeepsTheConnectivityOfTheSweep) {
+  for (const Template& fruit : {fruits::tomato(), fruits::onion()}) {
+    const DiffusionSurfaces drawn = sweep(fruit);
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const DiffusionSurfaces variant = sweep(vary(fruit, {seed, 0}));
+      EXPECT_EQ(variant.triangle, drawn.triangle);
+      EXPECT_EQ(variant.surface, drawn.surface);
+      EXPECT_NE(variant.position, drawn.position);
+    }
+  }
+}
+
+TEST(FoldVariation, DependsOnTheKeyAlone) {
+  const Template tomato = fruits::tomato();
+  const Template first = vary(tomato, {5, 6}), again = vary(tomato, {5, 6}), other = vary(tomato, {5, 7});
+  EXPECT_EQ(lines_of(first), lines_of(again));
+  for (std::size_t s = 0; s < tomato.surfaces.size(); ++s) {
+    for (std::size_t k = 0; k < first.surfaces[s].horizontal.size(); ++k) {
+      EXPECT_EQ(first.surfaces[s].horizontal[k].points, again.surfaces[s].horizontal[k].points);
+      EXPECT_NE(first.surfaces[s].horizontal[k].points, other.surfaces[s].horizontal[k].points);
+    }
+  }
+}
+
+TEST(FoldVariation, RefusesWhatItCannotDo) {
+  EXPECT_THROW(with_folds(fruits::onion(), 5), Error);
+  EXPECT_THROW(vary(fruits::onion(), {1, 0}, {.amount = 1, .folds = 5}), Error);
+  EXPECT_THROW(with_folds(fruits::tomato(), 0), Error);
+  EXPECT_THROW(with_folds(fruits::tomato(), 65), Error);
+  EXPECT_THROW(vary(fruits::tomato(), {1, 0}, {.amount = 2.5}), Error);
+  EXPECT_THROW(vary(fruits::tomato(), {1, 0}, {.amount = std::nan("")}), Error);
+}
+
+}  // namespace
+}  // namespace pomona
