@@ -1,6 +1,7 @@
 // Knives: cutting surfaces by name.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,16 +30,28 @@ struct Knife {
 /// \throws Error (usage) that says what a knife looks like.
 Knife parse_knife(std::string_view text);
 
-/// A knife laid at a fruit: planes, and the rule that makes cells of the sides they see. All planes of wedges
-/// share the axis; the cut is then the half-plane of each on which two different cells meet.
+/// What a knife's cells depend on: the sides of its planes that a point has been seen to lie on.
+struct KnifeSides {
+  bool first = false;  ///< positive side of the first plane
+  int positive = 0;    ///< of how many planes, a pencil's taken in turn with one sense of rotation
+};
+
+/// A knife laid at a fruit: planes, and the rule that makes cells of the sides they see. The planes of wedges form
+/// a pencil, in the order of their angle about the axis; the cut is then only the half of a plane on which two
+/// different cells meet (all of it where N is even).
 struct PlacedKnife {
   std::vector<CuttingPlane> planes;
-  bool pencil = false;  ///< all planes contain the axis x = z = 0
+  std::vector<std::uint8_t> reversed;  ///< 1 where a pencil's plane looks against the sense of rotation
+  bool pencil = false;                 ///< all planes contain the axis x = z = 0
   Knife knife;
 
-  /// The cell of a point from its sides of the planes (1 = positive or on it), the same for all knives: two
-  /// points are parted by this knife exactly if their cells differ.
-  int cell(const std::vector<std::uint8_t>& sides) const;
+  /// `before`, and that the point lies on that side of planes[plane].
+  KnifeSides seen(KnifeSides before, std::size_t plane, bool positive_side) const;
+
+  /// The cell of a point of which all planes' sides have been seen, in [0, cell_count()). Two points are parted by
+  /// this knife exactly if their cells differ.
+  int cell(const KnifeSides& sides) const;
+  int cell_count() const;
 };
 
 /// \throws Error (usage) for more than 4096 slices, or slices thinner than 1/10 000 of the fruit.

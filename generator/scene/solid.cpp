@@ -1,1 +1,99 @@
 #include "generator/scene/solid.h"
+
+#include <utility>
+
+namespace pomona {
+
+namespace {
+
+/// Builds one solid: the skin first, then the cut faces.
+class SolidBuilder {
+ public:
+  SolidBuilder(const CutPiece& piece, const CrossSection& section, const Template& fruit)
+      : piece_(piece), section_(section) {
+    solid_.part_names = section.part_names;
+    solid_.noise = fruit.noise;
+    solid_.ink = fruit.ink;
+    solid_.volume = piece.volume;
+    solid_.closed = piece.closed;
+    solid_.crumb = piece.crumb;
+  }
+
+  Solid build(std::string name) {
+    solid_.name = std::move(name);
+    take_skin();
+    for (const CutPiece::CapTriangle& cap : piece_.caps) add_cap(cap);
+    add_ink();
+    return std::move(solid_);
+  }
+
+ private:
+  static constexpr std::uint32_t unset = 0xffffffffu;
+
+  void take_skin() {
+    solid_.position = piece_.position;
+    solid_.normal = piece_.normal;
+    solid_.color = piece_.color;
+    solid_.part = piece_.part;
+    solid_.triangle = piece_.triangle;
+    solid_.surface = piece_.surface;
+    solid_.cut_face.assign(piece_.triangle.size(), -1);
+  }
+
+  void add_cap(const CutPiece::CapTriangle& cap) {
+    const glm::uvec3& t = section_.triangle[cap.triangle];
+    const std::int32_t face = section_.cut[cap.triangle];
+    const std::uint32_t a = vertex(t.x, face, cap.reversed), b = vertex(t.y, face, cap.reversed),
+                        c = vertex(t.z, face, cap.reversed);
+    solid_.triangle.emplace_back(a, cap.reversed ? c : b, cap.reversed ? b : c);
+    solid_.cut_face.push_back(face);
+    solid_.surface.push_back(-1);
+  }
+
+  /// A vertex of the section as seen on one face: where faces meet, each has its own normal.
+  std::uint32_t vertex(std::uint32_t of_section, std::int32_t face, bool reversed) {
+    if (static_cast<std::size_t>(face) >= vertex_on_face_.size())
+      vertex_on_face_.resize(static_cast<std::size_t>(face) + 1);
+    std::vector<std::uint32_t>& known = vertex_on_face_[static_cast<std::size_t>(face)];
+    if (known.empty()) known.assign(section_.position.size(), unset);
+    if (known[of_section] == unset) {
+      known[of_section] = static_cast<std::uint32_t>(solid_.position.size());
+      const glm::vec3 normal(section_.faces[static_cast<std::size_t>(face)].normal);
+      solid_.position.push_back(section_.position[of_section]);
+      solid_.normal.push_back(reversed ? -normal : normal);
+      solid_.color.push_back(section_.color[of_section]);
+      solid_.part.push_back(section_.part[of_section]);
+    }
+    return known[of_section];
+  }
+
+  /// The cut segments whose face this piece has.
+  void add_ink() {
+    for (const CutSegment& s : section_.segments) {
+      for (const std::vector<std::uint32_t>& known : vertex_on_face_) {
+        if (known.empty() || known[s.vertex[0]] == unset || known[s.vertex[1]] == unset) continue;
+        solid_.ink_segments.push_back({section_.position[s.vertex[0]], section_.position[s.vertex[1]], s.boundary});
+        break;
+      }
+    }
+  }
+
+  const CutPiece& piece_;
+  const CrossSection& section_;
+  Solid solid_;
+  std::vector<std::vector<std::uint32_t>> vertex_on_face_;  // per face, per vertex of the section
+};
+
+}  // namespace
+
+std::vector<Solid> solids(const Cut& cut, const CrossSection& colored_section, const Template& fruit,
+                          const std::string& name) {
+  std::vector<Solid> all;
+  for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+    const std::string own = cut.pieces.size() == 1 ? name : name + ".piece-" + std::to_string(i + 1);
+    all.push_back(SolidBuilder(cut.pieces[i], colored_section, fruit).build(own));
+  }
+  return all;
+}
+
+}  // namespace pomona

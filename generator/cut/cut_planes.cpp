@@ -1,0 +1,113 @@
+#include "generator/cut/cut_planes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr double most_cells = 1e6;
+
+/// Float coordinates resolve about 1e-7 of the size, doubles 1e-16: this lies between, nearer to the doubles.
+constexpr double tolerance_share = 1e-10;
+
+bool coincide(const CuttingPlane& a, const CuttingPlane& b, double tolerance) {
+  const double sense = glm::dot(a.normal, b.normal) < 0 ? -1 : 1;
+  return glm::length(glm::cross(a.normal, b.normal)) < 1e-12 && std::fabs(a.offset - sense * b.offset) <= tolerance;
+}
+
+}  // namespace
+
+CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds) {
+  CutPlanes all;
+  all.tolerance = tolerance_share * glm::length(bounds.size());
+  double cells = 1;
+  for (const Knife& knife : knives) {
+    all.knives.push_back(placed(knife, bounds));
+    cells *= all.knives.back().cell_count();
+    if (cells > most_cells) throw Error(ExitStatus::usage, "the knives together make more than a million pieces");
+  }
+
+  for (std::size_t k = 0; k < all.knives.size(); ++k) {
+    for (std::size_t i = 0; i < all.knives[k].planes.size(); ++i) {
+      const CuttingPlane& plane = all.knives[k].planes[i];
+      CutPlanes::Plane entry{plane, static_cast<int>(k), i, all.count(), false, false};
+      entry.through_axis = plane.normal.y == 0 && plane.offset == 0;
+
+      // Find an earlier knife's plane that is the same.
+      const auto same = std::find_if(all.planes.begin(), all.planes.end(), [&](const CutPlanes::Plane& earlier) {
+        return earlier.knife != entry.knife && coincide(earlier.plane, plane, all.tolerance);
+      });
+      if (same != all.planes.end()) {
+        entry.same_as = same->same_as;
+        entry.turned = glm::dot(all[entry.same_as].plane.normal, plane.normal) < 0;
+      }
+      all.planes.push_back(entry);
+    }
+  }
+  return all;
+}
+
+double signed_distance(const CuttingPlane& plane, const glm::dvec3& point) {
+  return glm::dot(plane.normal, point) - plane.offset;
+}
+
+int side_of(const CuttingPlane& plane, const glm::dvec3& point, double tolerance) {
+  const double distance = signed_distance(plane, point);
+  if (std::fabs(distance) <= tolerance) return 0;
+  return distance > 0 ? 1 : -1;
+}
+
+PlaneSets::PlaneSets(const CutPlanes& planes) {
+  for (int k = 0; k < planes.count(); ++k) {
+    if (planes[k].through_axis && planes[k].same_as == k) axis_planes_.push_back(k);
+  }
+}
+
+std::uint32_t PlaneSets::number_of(std::vector<int> set) {
+  const auto [entry, is_new] = numbers_.try_emplace(set, static_cast<std::uint32_t>(sets_.size()));
+  if (is_new) sets_.push_back(std::move(set));
+  return entry->second;
+}
+
+std::uint32_t PlaneSets::with(std::uint32_t set, int plane) {
+  if (has(set, plane)) return set;
+  std::vector<int> larger = sets_[set];
+  larger.insert(std::upper_bound(larger.begin(), larger.end(), plane), plane);
+
+  // Two planes of the pencil: all of it.
+  std::vector<int> on_axis;
+  std::set_intersection(larger.begin(), larger.end(), axis_planes_.begin(), axis_planes_.end(),
+                        std::back_inserter(on_axis));
+  if (on_axis.size() >= 2) {
+    std::vector<int> all;
+    std::set_union(larger.begin(), larger.end(), axis_planes_.begin(), axis_planes_.end(), std::back_inserter(all));
+    larger = std::move(all);
+  }
+  return number_of(std::move(larger));
+}
+
+std::uint32_t PlaneSets::common(std::uint32_t first, std::uint32_t second) {
+  if (first == second) return first;
+  if (first == 0 || second == 0) return 0;
+  std::vector<int> both;
+  std::set_intersection(sets_[first].begin(), sets_[first].end(), sets_[second].begin(), sets_[second].end(),
+                        std::back_inserter(both));
+  return number_of(std::move(both));
+}
+
+bool PlaneSets::has(std::uint32_t set, int plane) const {
+  return set != 0 && std::binary_search(sets_[set].begin(), sets_[set].end(), plane);
+}
+
+bool PlaneSets::on_axis(std::uint32_t set) const {
+  if (axis_planes_.size() < 2 || set == 0) return false;
+  return has(set, axis_planes_[0]) && has(set, axis_planes_[1]);
+}
+
+}  // namespace pomona

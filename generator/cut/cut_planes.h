@@ -1,0 +1,61 @@
+// All planes that all knives bring, in cut order, and what lies on which of them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "generator/cut/knife.h"
+
+namespace pomona {
+
+/// The planes of all knives, one after another.
+struct CutPlanes {
+  struct Plane {
+    CuttingPlane plane;
+    int knife = 0;             ///< index into knives
+    std::size_t in_knife = 0;  ///< index into that knife's planes
+    int same_as = 0;           ///< the first plane that coincides with this one: itself, or an earlier knife's
+    bool turned = false;       ///< looks against that one
+    bool through_axis = false;
+  };
+  std::vector<Plane> planes;
+  std::vector<PlacedKnife> knives;
+  double tolerance = 0;  ///< metres; points no farther than this from a plane lie on it
+
+  int count() const { return static_cast<int>(planes.size()); }
+  const Plane& operator[](int plane) const { return planes[static_cast<std::size_t>(plane)]; }
+};
+
+/// \throws Error (usage) for slices the fruit cannot give, and where knives make more than a million cells.
+CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds);
+
+/// n.p - D in metres.
+double signed_distance(const CuttingPlane& plane, const glm::dvec3& point);
+
+/// -1, 0 or 1. Beyond the tolerance, which is far above the rounding of signed_distance(), the sign is that of the
+/// exact value; within it (a thousandth of what a float resolves, or less) the point lies on the plane.
+int side_of(const CuttingPlane& plane, const glm::dvec3& point, double tolerance);
+
+/// Sets of planes by number, each kept once: which planes a point lies on, or an edge is cut by. Set 0 is empty.
+/// Planes through the axis meet in one line, so a set with two of them has all of them.
+class PlaneSets {
+ public:
+  explicit PlaneSets(const CutPlanes& planes);
+
+  std::uint32_t with(std::uint32_t set, int plane);
+  std::uint32_t common(std::uint32_t first, std::uint32_t second);
+  bool has(std::uint32_t set, int plane) const;
+  bool on_axis(std::uint32_t set) const;
+  const std::vector<int>& planes_in(std::uint32_t set) const { return sets_[set]; }
+
+ private:
+  std::uint32_t number_of(std::vector<int> set);
+
+  std::vector<int> axis_planes_;
+  std::vector<std::vector<int>> sets_{{}};
+  std::map<std::vector<int>, std::uint32_t> numbers_{{{}, 0}};
+};
+
+}  // namespace pomona

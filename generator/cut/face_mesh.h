@@ -1,0 +1,59 @@
+// One cutting plane, triangulated: what its triangles and edges are in the split mesh.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "generator/cut/cross_section.h"
+#include "generator/cut/cut.h"
+#include "generator/cut/segments.h"
+#include "generator/cut/triangulate.h"
+#include "generator/surface/bodies.h"
+
+namespace pomona {
+
+/// u and v upright where the plane is; for level planes u = +X, v = -Z.
+CutFace frame_of(const CuttingPlane& plane);
+glm::dvec2 to_face(const CutFace& face, const glm::dvec3& point);
+glm::dvec3 from_face(const CutFace& face, const glm::dvec2& point);
+
+/// A cut segment, or a part of one, that an edge of the triangulation follows.
+struct EdgeUse {
+  std::uint32_t low = 0, high = 0;  ///< vertices of the triangulation
+  std::uint32_t segment = 0;        ///< index into FaceMesh::segment
+  bool forward = false;             ///< the segment runs from low to high
+};
+
+struct FaceMesh {
+  int plane = 0;  ///< index into CutPlanes
+  CutFace frame;
+  std::vector<Segment> segment;
+  TriangulatedPlane mesh;
+  std::vector<std::uint32_t> point;  ///< per vertex of the triangulation: the point of the split mesh
+  std::vector<EdgeUse> edges;        ///< sorted by (low, high, segment)
+
+  /// The segments that the edge from p to q follows.
+  std::span<const EdgeUse> uses(std::uint32_t p, std::uint32_t q) const;
+};
+
+/// A place on an edge of the split mesh that a triangulation put a point on.
+struct EdgePoint {
+  std::uint32_t low = 0, high = 0;  ///< the edge's ends: points, low < high
+  double share = 0;                 ///< 0 at low, 1 at high
+  std::uint32_t point = 0;
+  auto operator<=>(const EdgePoint&) const = default;
+};
+
+/// All planes' triangulations, and what they add to the split mesh.
+struct FaceMeshes {
+  std::vector<FaceMesh> faces;         ///< in cut order
+  std::vector<EdgePoint> edge_point;   ///< sorted, each once
+  std::vector<std::uint32_t> same_as;  ///< per point of the split mesh: the first point that shares its place
+};
+
+/// Triangulates every plane. New points are added to `mesh`.
+FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, std::vector<std::vector<Segment>> segments,
+                       const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options);
+
+}  // namespace pomona

@@ -1,0 +1,197 @@
+#include "generator/cut/knife.h"
+
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr int most_wedges = 360;
+constexpr int most_slices = 4096;
+constexpr double thinnest_slice = 1e-4;  // share of the fruit's diagonal
+
+[[noreturn]] void fail(std::string_view text, const std::string& why) {
+  throw Error(ExitStatus::usage, "knife \"" + std::string(text) + "\" " + why,
+              "a knife is one of: half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm, slices:8");
+}
+
+/// A whole number as users write counts: digits alone.
+std::optional<int> parse_count(std::string_view text) {
+  if (text.empty() || text.size() > 6) return std::nullopt;
+  int count = 0;
+  for (const char c : text) {
+    if (c < '0' || c > '9') return std::nullopt;
+    count = 10 * count + (c - '0');
+  }
+  return count;
+}
+
+std::vector<std::string_view> split_at_commas(std::string_view text) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    parts.push_back(text.substr(0, comma));
+    if (comma == std::string_view::npos) return parts;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+CuttingPlane parse_plane(std::string_view text, std::string_view values) {
+  const std::vector<std::string_view> parts = split_at_commas(values);
+  if (parts.size() != 4) fail(text, "needs four values: a normal NX,NY,NZ and a distance D");
+  glm::dvec3 normal(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::optional<double> value = parse_number(parts[static_cast<std::size_t>(axis)]);
+    if (!value || std::fabs(*value) > 1e100) fail(text, "has a normal that is not three numbers");
+    normal[axis] = *value;
+  }
+  const std::optional<double> offset = parse_length(parts[3]);
+  if (!offset) fail(text, "has a distance that is not a length such as 0.05 or 5cm");
+
+  // Scale before measuring the length, so that tiny and huge normals keep their direction.
+  const double largest = std::fmax(std::fabs(normal.x), std::fmax(std::fabs(normal.y), std::fabs(normal.z)));
+  if (!(largest > 0)) fail(text, "has a normal of length zero");
+  normal /= largest;
+  return {normal / std::sqrt(glm::dot(normal, normal)), *offset};
+}
+
+void parse_slices(Knife& knife, std::string_view text, std::string_view value) {
+  if (const std::optional<int> count = parse_count(value)) {
+    if (*count < 2) fail(text, "makes no cut: two slices are the fewest");
+    if (*count > most_slices) fail(text, "asks for more than " + std::to_string(most_slices) + " slices");
+    knife.count = *count;
+    return;
+  }
+  const std::optional<double> thickness = parse_length(value);
+  if (!thickness || !(*thickness > 0)) fail(text, "needs a thickness such as 4mm, or a count");
+  knife.thickness = *thickness;
+}
+
+}  // namespace
+
+Knife parse_knife(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view name = text.substr(0, colon);
+  const std::string_view value = colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
+  Knife knife;
+  knife.text = std::string(text);
+
+  if ((name == "half" || name == "across") && colon == std::string_view::npos) {
+    knife.kind = name == "half" ? Knife::Kind::half : Knife::Kind::across;
+  } else if (name == "plane") {
+    knife.kind = Knife::Kind::plane;
+    knife.plane = parse_plane(text, value);
+  } else if (name == "wedges") {
+    knife.kind = Knife::Kind::wedges;
+    knife.count = parse_count(value).value_or(0);
+    if (knife.count < 2 || knife.count > most_wedges) {
+      fail(text, "needs a number of wedges between 2 and " + std::to_string(most_wedges));
+    }
+  } else if (name == "slices") {
+    knife.kind = Knife::Kind::slices;
+    parse_slices(knife, text, value);
+  } else {
+    fail(text, "is not one this program has");
+  }
+  return knife;
+}
+
+namespace {
+
+/// Cosine and sine with the zeros and ones of quarter turns exact, so that such planes lie on the axes.
+glm::dvec2 direction(double angle) {
+  glm::dvec2 d(reproducible::cos(angle), reproducible::sin(angle));
+  for (int i = 0; i < 2; ++i) {
+    if (std::fabs(d[i]) < 1e-15) d[i] = 0;
+    if (std::fabs(std::fabs(d[i]) - 1) < 1e-15) d[i] = d[i] < 0 ? -1 : 1;
+  }
+  return d;
+}
+
+/// Half-planes at 2 pi k / N as whole planes in the order of their angle; where N is odd, every other plane serves the
+/// half-plane behind the axis and is turned so that its normal still points to growing angles there.
+void place_wedges(PlacedKnife& placed, int count) {
+  const int lines = count % 2 == 0 ? count / 2 : count;
+  placed.pencil = true;
+  for (int i = 0; i < lines; ++i) {
+    const glm::dvec2 d = direction(pi * i / lines);
+    const bool reversed = count % 2 == 1 && i % 2 == 1;
+    const glm::dvec3 normal(-d.y, 0, -d.x);
+    placed.planes.push_back({reversed ? -normal : normal, 0});
+    placed.reversed.push_back(reversed ? 1 : 0);
+  }
+}
+
+/// By count: equal slices. By thickness: as many whole slices as fit, centred, and the rest at both ends.
+void place_slices(PlacedKnife& placed, const Knife& knife, const Bounds& bounds) {
+  const double height = bounds.size().y;
+  double thickness = knife.thickness;
+  double whole = knife.count;
+  if (knife.count > 0) {
+    thickness = height / knife.count;
+  } else {
+    if (thickness < thinnest_slice * glm::length(bounds.size())) fail(knife.text, "is thinner than the fruit resolves");
+    whole = std::floor(height / thickness * (1 + 1e-6));
+    if (whole + 2 > most_slices) fail(knife.text, "makes more than " + std::to_string(most_slices) + " slices");
+  }
+
+  // Planes at the very ends cut nothing; bounds are floats, so ends are known to a millionth.
+  for (double i = 0; i <= whole; ++i) {
+    const double y = bounds.center().y + (i - 0.5 * whole) * thickness;
+    if (y > bounds.low.y + 1e-6 * height && y < bounds.high.y - 1e-6 * height) placed.planes.push_back({{0, 1, 0}, y});
+  }
+}
+
+}  // namespace
+
+PlacedKnife placed(const Knife& knife, const Bounds& bounds) {
+  PlacedKnife placed;
+  placed.knife = knife;
+  switch (knife.kind) {
+    case Knife::Kind::plane:
+      placed.planes.push_back(knife.plane);
+      break;
+    case Knife::Kind::half:
+      placed.planes.push_back({{0, 0, 1}, 0});
+      break;
+    case Knife::Kind::across:
+      placed.planes.push_back({{0, 1, 0}, bounds.center().y});
+      break;
+    case Knife::Kind::wedges:
+      place_wedges(placed, knife.count);
+      break;
+    case Knife::Kind::slices:
+      place_slices(placed, knife, bounds);
+      break;
+  }
+  placed.reversed.resize(placed.planes.size(), 0);
+  return placed;
+}
+
+KnifeSides PlacedKnife::seen(KnifeSides before, std::size_t plane, bool positive_side) const {
+  if (plane == 0) before.first = positive_side;
+  if (positive_side != (reversed[plane] != 0)) ++before.positive;
+  return before;
+}
+
+int PlacedKnife::cell(const KnifeSides& sides) const {
+  if (!pencil) return sides.positive;
+
+  // The planes, in the order of their angles, cut the turn into two sectors each. Going round, the first half turn
+  // enters their positive sides one by one, the second half leaves them.
+  const int lines = static_cast<int>(planes.size());
+  const int sector = sides.first ? sides.positive - 1 : 2 * lines - 1 - sides.positive;
+  return knife.count % 2 == 0 ? sector : sector / 2;
+}
+
+int PlacedKnife::cell_count() const { return pencil ? knife.count : static_cast<int>(planes.size()) + 1; }
+
+}  // namespace pomona

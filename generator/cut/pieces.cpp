@@ -1,0 +1,233 @@
+#include "generator/cut/pieces.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <unordered_map>
+
+#include <glm/geometric.hpp>
+
+#include "generator/cut/clipped_skin.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::uint32_t unset = 0xffffffffu;
+
+/// Six times the volume between a triangle and the origin.
+double volume_under(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  return glm::dot(glm::dvec3(a), glm::cross(glm::dvec3(b), glm::dvec3(c)));
+}
+
+std::uint64_t mixed(std::uint64_t x) {
+  x ^= x >> 30;
+  x *= 0xbf58476d1ce4e5b9u;
+  x ^= x >> 27;
+  x *= 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+std::uint64_t fingerprint(const glm::vec3& p) {
+  std::uint64_t h = 0;
+  for (int i = 0; i < 3; ++i) h = mixed(h + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint32_t>(p[i] + 0.0f));
+  return h;
+}
+
+/// Counts every edge of a mesh with its direction, by position, in one sum that is zero if all edges are matched by
+/// opposite ones (and, but for a chance of 2^-64, only then).
+class EdgeBalance {
+ public:
+  void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    const std::uint64_t ha = fingerprint(a), hb = fingerprint(b), hc = fingerprint(c);
+    add_edge(ha, hb);
+    add_edge(hb, hc);
+    add_edge(hc, ha);
+  }
+  bool closed() const { return sum_ == 0; }
+
+ private:
+  void add_edge(std::uint64_t a, std::uint64_t b) { sum_ += a < b ? mixed(a + 3 * b) : 0 - mixed(b + 3 * a); }
+  std::uint64_t sum_ = 0;
+};
+
+class PieceBuilder {
+ public:
+  PieceBuilder(SplitMesh& mesh, const FaceMeshes& faces, const Section& section, const DiffusionSurfaces& surfaces,
+               const Bodies& bodies, const CutOptions& options)
+      : mesh_(mesh), faces_(faces), section_(section), surfaces_(surfaces), bodies_(bodies), options_(options) {}
+
+  std::vector<CutPiece> build() {
+    skin_ = clipped_skin(mesh_, faces_, surfaces_);
+    connect();
+    number_components();
+    std::vector<CutPiece> pieces(component_.size());
+    fill_skins(pieces);
+    fill_caps(pieces);
+    for (CutPiece& piece : pieces) measure(piece);
+    return ordered(std::move(pieces));
+  }
+
+ private:
+  struct Component {
+    std::uint32_t cell = 0;
+  };
+
+  std::uint32_t place(std::uint32_t point) const { return faces_.same_as[point]; }
+  glm::vec3 position(std::uint32_t point) const { return glm::vec3(mesh_.point[place(point)]); }
+
+  /// A point on planes is one node per cell it touches; any other lies in one cell alone.
+  std::uint32_t node(std::uint32_t cell, std::uint32_t point) {
+    point = place(point);
+    if (mesh_.planes_of[point] == 0) return point;
+    const auto [entry, is_new] = nodes_.try_emplace((std::uint64_t{cell} << 32) | point, parent_.size());
+    if (is_new) parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+    return entry->second;
+  }
+
+  std::uint32_t root(std::uint32_t n) {
+    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
+    return n;
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = root(a);
+    b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+  void connect() {
+    parent_.resize(mesh_.point.size());
+    std::iota(parent_.begin(), parent_.end(), 0u);
+    for (const SkinTriangle& t : skin_) {
+      const std::uint32_t a = node(t.cell, mesh_.point_of[t.vertex[0]]);
+      join(a, node(t.cell, mesh_.point_of[t.vertex[1]]));
+      join(a, node(t.cell, mesh_.point_of[t.vertex[2]]));
+      node_of_skin_.push_back(a);
+    }
+    for (const Cap& cap : section_.cap) {
+      for (const std::uint32_t cell : cap.cell) {
+        const std::uint32_t a = node(cell, cap.point[0]);
+        join(a, node(cell, cap.point[1]));
+        join(a, node(cell, cap.point[2]));
+        node_of_cap_.push_back(a);
+      }
+    }
+  }
+
+  std::uint32_t component_at(std::uint32_t node, std::uint32_t cell) {
+    std::uint32_t& number = component_of_[root(node)];
+    if (number == unset) {
+      number = static_cast<std::uint32_t>(component_.size());
+      component_.push_back({cell});
+    }
+    return number;
+  }
+
+  void number_components() {
+    component_of_.assign(parent_.size(), unset);
+    for (std::size_t t = 0; t < skin_.size(); ++t) component_at(node_of_skin_[t], skin_[t].cell);
+    for (std::size_t c = 0; c < node_of_cap_.size(); ++c) {
+      component_at(node_of_cap_[c], section_.cap[c / 2].cell[c % 2]);
+    }
+  }
+
+  void fill_skins(std::vector<CutPiece>& pieces) {
+    std::unordered_map<std::uint64_t, std::uint32_t> vertex_of;  // (vertex, side, component) -> vertex of the piece
+    for (std::size_t t = 0; t < skin_.size(); ++t) {
+      const SkinTriangle& skin = skin_[t];
+      const std::uint32_t component = component_at(node_of_skin_[t], skin.cell);
+      CutPiece& piece = pieces[component];
+      const bool front = surfaces_.is_hidden(skin.source, SideOf::front);
+      const std::int32_t part = (front ? surfaces_.front_part : surfaces_.back_part)[skin.source];
+      glm::uvec3 triangle(0);
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t v = skin.vertex[static_cast<std::size_t>(i)];
+        const std::uint64_t key = (((std::uint64_t{component} << 32) | v) << 1) | (front ? 1u : 0u);
+        const auto [entry, is_new] = vertex_of.try_emplace(key, piece.position.size());
+        if (is_new) {
+          piece.position.push_back(position(mesh_.point_of[v]));
+          piece.normal.push_back(mesh_.normal[v]);
+          piece.color.push_back((front ? mesh_.front_color : mesh_.back_color)[v]);
+          piece.part.push_back(part);
+        }
+        triangle[i] = entry->second;
+      }
+      const auto& p = piece.position;
+      if (p[triangle.x] == p[triangle.y] || p[triangle.y] == p[triangle.z] || p[triangle.z] == p[triangle.x]) continue;
+      piece.triangle.push_back(triangle);
+      piece.surface.push_back(surfaces_.surface[skin.source]);
+    }
+  }
+
+  /// A face inside several bodies closes each of them.
+  void fill_caps(std::vector<CutPiece>& pieces) {
+    for (std::size_t c = 0; c < node_of_cap_.size(); ++c) {
+      const Cap& cap = section_.cap[c / 2];
+      CutPiece& piece = pieces[component_at(node_of_cap_[c], cap.cell[c % 2])];
+      for (const BodyWinding& inside : cap.inside) {
+        for (int i = 0; i < inside.winding; ++i) piece.caps.push_back({static_cast<std::uint32_t>(c / 2), c % 2 == 1});
+      }
+    }
+  }
+
+  void measure(CutPiece& piece) const {
+    double volume = 0;
+    EdgeBalance edges;
+    for (const glm::uvec3& t : piece.triangle) {
+      const glm::vec3 &a = piece.position[t.x], &b = piece.position[t.y], &c = piece.position[t.z];
+      volume += volume_under(a, b, c);
+      edges.add(a, b, c);
+    }
+    for (const CutPiece::CapTriangle& cap : piece.caps) {
+      const glm::uvec3& t = section_.mesh.triangle[cap.triangle];
+      const glm::vec3 &a = section_.mesh.position[t.x], &b = section_.mesh.position[cap.reversed ? t.z : t.y],
+                      &c = section_.mesh.position[cap.reversed ? t.y : t.z];
+      volume += volume_under(a, b, c);
+      edges.add(a, b, c);
+    }
+    piece.volume = volume / 6;
+    piece.closed = edges.closed();
+  }
+
+  std::vector<CutPiece> ordered(std::vector<CutPiece> pieces) const {
+    double whole = 0;
+    for (const CutPiece& piece : pieces) whole += piece.volume;
+    for (CutPiece& piece : pieces) piece.crumb = piece.volume < options_.crumb * whole;
+
+    std::vector<std::size_t> order(pieces.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      if (component_[a].cell != component_[b].cell) return component_[a].cell < component_[b].cell;
+      return pieces[a].volume > pieces[b].volume;
+    });
+    std::vector<CutPiece> sorted;
+    for (const std::size_t i : order) sorted.push_back(std::move(pieces[i]));
+    return sorted;
+  }
+
+  SplitMesh& mesh_;
+  const FaceMeshes& faces_;
+  const Section& section_;
+  const DiffusionSurfaces& surfaces_;
+  const Bodies& bodies_;
+  const CutOptions& options_;
+
+  std::vector<SkinTriangle> skin_;
+  std::unordered_map<std::uint64_t, std::uint32_t> nodes_;
+  std::vector<std::uint32_t> parent_;                      // union-find over nodes
+  std::vector<std::uint32_t> node_of_skin_, node_of_cap_;  // one of each triangle's; caps: two sides each
+  std::vector<std::uint32_t> component_of_;                // per root node
+  std::vector<Component> component_;
+};
+
+}  // namespace
+
+std::vector<CutPiece> pieces(SplitMesh& mesh, const FaceMeshes& faces, const Section& section,
+                             const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options) {
+  return PieceBuilder(mesh, faces, section, surfaces, bodies, options).build();
+}
+
+}  // namespace pomona

@@ -1,0 +1,37 @@
+// Which part of a cutting plane is section, inside which bodies, and between which cells.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "generator/cut/face_mesh.h"
+#include "generator/surface/bodies.h"
+
+namespace pomona {
+
+/// How often a body's boundary winds around a place: 1 inside, 0 outside, more where it overlaps itself.
+struct BodyWinding {
+  std::int32_t body = 0;
+  int winding = 0;
+  bool operator==(const BodyWinding&) const = default;
+};
+
+/// Triangles that hang together across edges that are no constraint lie in the same bodies and cells.
+struct Regions {
+  struct Patch {
+    std::vector<BodyWinding> inside;      ///< ascending by body, no zeros
+    std::array<std::uint32_t, 2> cell{};  ///< on the plane's negative and positive side
+    bool section = false;                 ///< inside a body, and between two different cells
+  };
+  std::vector<Patch> patch;
+  std::vector<std::uint32_t> patch_of;  ///< per triangle
+  bool open = false;                    ///< some body's boundary does not close in this plane
+
+  bool is_section(std::size_t triangle) const { return patch[patch_of[triangle]].section; }
+};
+
+Regions find_regions(const FaceMesh& face, const SplitMesh& mesh, const CutPlanes& planes,
+                     const DiffusionSurfaces& surfaces, const Bodies& bodies);
+
+}  // namespace pomona

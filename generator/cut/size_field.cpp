@@ -1,0 +1,180 @@
+#include "generator/cut/size_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace pomona {
+
+namespace {
+
+/// Cells along the longer side: the grid blurs the size by a third of the finest length, no more.
+constexpr int cells_across = 160;
+
+double distance_to_segment(const glm::dvec2& p, const SizeSource& s) {
+  const glm::dvec2 along = s.b - s.a;
+  const double square = glm::dot(along, along);
+  const double t = square > 0 ? glm::clamp(glm::dot(p - s.a, along) / square, 0.0, 1.0) : 0.0;
+  return glm::length(p - (s.a + t * along));
+}
+
+/// Calls visit(point) at steps of at most `step` along the segment, ends included.
+template <typename Visit>
+void walk(const SizeSource& s, double step, const Visit& visit) {
+  const int count = 1 + static_cast<int>(glm::length(s.b - s.a) / step);
+  for (int i = 0; i <= count; ++i) visit(glm::mix(s.a, s.b, double(i) / count));
+}
+
+}  // namespace
+
+SizeField::SizeField(std::span<const SizeSource> sources, const SizeLimits& limits)
+    : sources_(sources.begin(), sources.end()), limits_(limits) {
+  if (sources_.empty()) return;
+  glm::dvec2 high = low_ = sources_.front().a;
+  for (const SizeSource& s : sources_) {
+    low_ = glm::min(low_, glm::min(s.a, s.b));
+    high = glm::max(high, glm::max(s.a, s.b));
+  }
+  cell_ = std::max({high.x - low_.x, high.y - low_.y, limits_.finest}) / cells_across;
+  width_ = 1 + static_cast<int>((high.x - low_.x) / cell_);
+  height_ = 1 + static_cast<int>((high.y - low_.y) / cell_);
+  draw_sources();
+  spread();
+  bucket_sources();
+}
+
+int SizeField::column(double x) const {
+  return static_cast<int>(std::clamp((x - low_.x) / cell_, 0.0, static_cast<double>(width_ - 1)));
+}
+int SizeField::row(double y) const {
+  return static_cast<int>(std::clamp((y - low_.y) / cell_, 0.0, static_cast<double>(height_ - 1)));
+}
+
+double SizeField::at(const glm::dvec2& p) const {
+  return sources_.empty() ? limits_.coarsest : size_[index(column(p.x), row(p.y))];
+}
+
+void SizeField::draw_sources() {
+  const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  size_.assign(cells, limits_.coarsest);
+  distance_.assign(cells, limits_.coarsest);
+  for (const SizeSource& s : sources_) {
+    const double length = std::clamp(glm::length(s.b - s.a), limits_.finest, limits_.coarsest);
+    walk(s, 0.5 * cell_, [&](const glm::dvec2& p) {
+      const std::size_t i = index(column(p.x), row(p.y));
+      size_[i] = std::min(size_[i], length);
+      distance_[i] = 0;
+    });
+  }
+}
+
+/// Lets sizes and distances grow from cell to cell: two sweeps there and back reach every cell.
+void SizeField::spread() {
+  const auto pull = [&](int x, int y, int from_x, int from_y, double steps) {
+    if (from_x < 0 || from_x >= width_ || from_y < 0 || from_y >= height_) return;
+    const std::size_t to = index(x, y), from = index(from_x, from_y);
+    size_[to] = std::min(size_[to], size_[from] + limits_.grading * steps * cell_);
+    distance_[to] = std::min(distance_[to], distance_[from] + steps * cell_);
+  };
+  const double diagonal = std::sqrt(2.0);
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      pull(x, y, x - 1, y, 1);
+      pull(x, y, x - 1, y - 1, diagonal);
+      pull(x, y, x, y - 1, 1);
+      pull(x, y, x + 1, y - 1, diagonal);
+    }
+  }
+  for (int y = height_ - 1; y >= 0; --y) {
+    for (int x = width_ - 1; x >= 0; --x) {
+      pull(x, y, x + 1, y, 1);
+      pull(x, y, x + 1, y + 1, diagonal);
+      pull(x, y, x, y + 1, 1);
+      pull(x, y, x - 1, y + 1, diagonal);
+    }
+  }
+}
+
+void SizeField::bucket_sources() {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> passes;  // cell, source
+  for (std::uint32_t s = 0; s < sources_.size(); ++s) {
+    walk(sources_[s], 0.5 * cell_, [&](const glm::dvec2& p) {
+      passes.emplace_back(static_cast<std::uint32_t>(index(column(p.x), row(p.y))), s);
+    });
+  }
+  std::sort(passes.begin(), passes.end());
+  passes.erase(std::unique(passes.begin(), passes.end()), passes.end());
+
+  bucket_start_.assign(size_.size() + 1, 0);
+  for (const auto& [cell, source] : passes) {
+    ++bucket_start_[cell + 1];
+    bucket_.push_back(source);
+  }
+  for (std::size_t i = 1; i < bucket_start_.size(); ++i) bucket_start_[i] += bucket_start_[i - 1];
+}
+
+bool SizeField::is_clear_of_sources(const glm::dvec2& p, double size) const {
+  const double clearance = 0.55 * size;
+  if (distance_[index(column(p.x), row(p.y))] > 1.1 * clearance + 3 * cell_) return true;
+  const double reach = clearance + 0.5 * cell_;
+  for (int y = row(p.y - reach); y <= row(p.y + reach); ++y) {
+    for (int x = column(p.x - reach); x <= column(p.x + reach); ++x) {
+      const std::size_t i = index(x, y);
+      for (std::uint32_t k = bucket_start_[i]; k < bucket_start_[i + 1]; ++k) {
+        const SizeSource& s = sources_[bucket_[k]];
+        if (distance_to_segment(p, s) < clearance) return false;
+
+        // Inside the circle over the segment it would spoil the segment's being a Delaunay edge.
+        if (glm::dot(p - s.a, p - s.b) < 0) return false;
+      }
+    }
+  }
+  return true;
+}
+
+std::vector<glm::dvec2> SizeField::samples() const {
+  std::vector<glm::dvec2> accepted;
+  if (sources_.empty()) return accepted;
+  std::vector<std::uint32_t> last(size_.size(), 0);  // per cell: one more than its latest accepted point
+  std::vector<std::uint32_t> before;                 // per accepted point: the one before it in its cell, likewise
+
+  const auto is_clear_of_accepted = [&](const glm::dvec2& p, double size) {
+    const double clearance = 0.75 * size;
+    for (int y = row(p.y - clearance); y <= row(p.y + clearance); ++y) {
+      for (int x = column(p.x - clearance); x <= column(p.x + clearance); ++x) {
+        for (std::uint32_t k = last[index(x, y)]; k != 0; k = before[k - 1]) {
+          if (glm::distance(accepted[k - 1], p) < clearance) return false;
+        }
+      }
+    }
+    return true;
+  };
+
+  // In every cell, take the lattice of the spacing just below its size; spacings are powers of sqrt(1/2), so that
+  // wide areas share one lattice.
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const double size = size_[index(x, y)];
+      double spacing = limits_.coarsest;
+      while (spacing > 1.05 * size) spacing *= std::sqrt(0.5);
+      const double rise = spacing * std::sqrt(0.75);
+      const glm::dvec2 from = low_ + cell_ * glm::dvec2(x, y), to = from + glm::dvec2(cell_);
+      for (double r = std::ceil(from.y / rise); r * rise < to.y; ++r) {
+        const double shift = std::fmod(std::fabs(r), 2.0) == 0 ? 0.0 : 0.5;
+        for (double c = std::ceil(from.x / spacing - shift); (c + shift) * spacing < to.x; ++c) {
+          const glm::dvec2 p((c + shift) * spacing, r * rise);
+          if (!is_clear_of_accepted(p, spacing) || !is_clear_of_sources(p, size)) continue;
+          accepted.push_back(p);
+          before.push_back(last[index(x, y)]);
+          last[index(x, y)] = static_cast<std::uint32_t>(accepted.size());
+        }
+      }
+    }
+  }
+  return accepted;
+}
+
+}  // namespace pomona

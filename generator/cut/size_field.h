@@ -1,0 +1,58 @@
+// How fine the triangulation of a cut face should be where, and free points that are spread accordingly.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace pomona {
+
+/// Lengths in metres.
+struct SizeLimits {
+  double coarsest = 0;
+  double finest = 0;
+  double grading = 0;  ///< growth of the size per metre of distance
+};
+
+/// A segment near which triangles should have the segment's own length.
+struct SizeSource {
+  glm::dvec2 a{0}, b{0};
+};
+
+/// Size as a function of place: the smallest over all sources of their length and the distance from them times the
+/// grading, between the limits. Kept on a grid; a function of its input alone.
+class SizeField {
+ public:
+  SizeField(std::span<const SizeSource> sources, const SizeLimits& limits);
+
+  double at(const glm::dvec2& p) const;
+
+  /// Points about a size apart from each other, and half a size from the sources; on a hexagonal lattice wherever
+  /// the size is even. None outside the sources' bounds.
+  std::vector<glm::dvec2> samples() const;
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+  int column(double x) const;
+  int row(double y) const;
+  void draw_sources();
+  void spread();
+  void bucket_sources();
+  bool is_clear_of_sources(const glm::dvec2& p, double size) const;
+
+  std::vector<SizeSource> sources_;
+  SizeLimits limits_;
+  glm::dvec2 low_{0};
+  double cell_ = 1;
+  int width_ = 0, height_ = 0;
+  std::vector<double> size_;
+  std::vector<double> distance_;             // to the nearest source, roughly
+  std::vector<std::uint32_t> bucket_start_;  // per cell, into bucket_
+  std::vector<std::uint32_t> bucket_;        // sources that pass through the cell
+};
+
+}  // namespace pomona

@@ -1,0 +1,247 @@
+#include "generator/cut/split_mesh.h"
+
+#include <cmath>
+#include <unordered_map>
+
+#include <glm/geometric.hpp>
+
+#include "generator/surface/welded_edges.h"
+
+namespace pomona {
+
+namespace {
+
+/// Corner numbers one and two on.
+constexpr std::array<std::size_t, 3> next{1, 2, 0}, after_next{2, 0, 1};
+
+class Splitter {
+ public:
+  Splitter(const DiffusionSurfaces& surfaces, const CutPlanes& planes)
+      : surfaces_(surfaces), planes_(planes), mesh_(planes) {}
+
+  SplitMesh split() {
+    take_input();
+    int plane = 0;
+    for (const PlacedKnife& knife : planes_.knives) {
+      for (std::size_t i = 0; i < knife.planes.size(); ++i) split_by(plane++);
+      for (SplitMesh::Triangle& t : mesh_.triangle) {
+        t.cell =
+            t.cell * static_cast<std::uint32_t>(knife.cell_count()) + static_cast<std::uint32_t>(knife.cell(t.sides));
+        t.sides = {};
+      }
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  using Triangle = SplitMesh::Triangle;
+
+  void take_input() {
+    const std::vector<std::uint32_t> welded = weld(surfaces_.position);
+    mesh_.point_of = welded;
+    mesh_.front_color = surfaces_.front_color;
+    mesh_.back_color = surfaces_.back_color;
+    mesh_.point.reserve(surfaces_.vertex_count() * 5 / 4);
+    for (const glm::vec3& p : surfaces_.position) mesh_.point.emplace_back(p);
+    mesh_.planes_of.resize(mesh_.point.size(), 0);
+
+    mesh_.triangle.reserve(surfaces_.triangle_count() * 5 / 4);
+    for (std::size_t t = 0; t < surfaces_.triangle_count(); ++t) {
+      const glm::uvec3& corner = surfaces_.triangle[t];
+      if (is_collapsed({welded[corner.x], welded[corner.y], welded[corner.z]})) continue;
+      Triangle triangle;
+      triangle.vertex = {corner.x, corner.y, corner.z};
+      triangle.source = static_cast<std::uint32_t>(t);
+      mesh_.triangle.push_back(triangle);
+    }
+    find_normals();
+  }
+
+  /// Area-weighted, of the boundary triangles that meet at a point.
+  void find_normals() {
+    std::vector<glm::dvec3> sum(mesh_.point.size(), glm::dvec3(0));
+    for (const Triangle& t : mesh_.triangle) {
+      if (!surfaces_.is_boundary(t.source)) continue;
+      const double to_air = surfaces_.is_hidden(t.source, SideOf::front) ? 1 : -1;
+      const glm::dvec3 normal = to_air * area_vector(t);
+      for (const std::uint32_t v : t.vertex) sum[mesh_.point_of[v]] += normal;
+    }
+    mesh_.normal.resize(mesh_.point_of.size(), glm::vec3(0));
+    for (std::size_t v = 0; v < mesh_.normal.size(); ++v) mesh_.normal[v] = unit(sum[mesh_.point_of[v]]);
+  }
+
+  static glm::vec3 unit(const glm::dvec3& v) {
+    const double size = glm::length(v);
+    return size > 0 ? glm::vec3(v / size) : glm::vec3(0);
+  }
+
+  glm::dvec3 area_vector(const Triangle& t) const {
+    const glm::dvec3& a = point_at(t.vertex[0]);
+    return glm::cross(point_at(t.vertex[1]) - a, point_at(t.vertex[2]) - a);
+  }
+
+  const glm::dvec3& point_at(std::uint32_t vertex) const { return mesh_.point[mesh_.point_of[vertex]]; }
+
+  void split_by(int plane) {
+    plane_ = plane;
+    shared_ = planes_[plane].same_as;
+    find_sides();
+    new_points_.clear();
+    new_vertices_.clear();
+    const std::size_t count = mesh_.triangle.size();
+    for (std::size_t t = 0; t < count; ++t) {
+      const std::array<int, 3> side = sides_of(mesh_.triangle[t]);
+      const bool mixed = (side[0] < 0 || side[1] < 0 || side[2] < 0) && (side[0] > 0 || side[1] > 0 || side[2] > 0);
+      if (mixed) {
+        split_triangle(t, side);
+      } else {
+        see_side(mesh_.triangle[t], side[0] + side[1] + side[2]);
+      }
+    }
+  }
+
+  /// Points this plane has made, or found, before lie on it, wherever rounding may have put them.
+  void find_sides() {
+    const CuttingPlane& plane = planes_[plane_].plane;
+    distance_.resize(mesh_.point.size());
+    side_.resize(mesh_.point.size());
+    for (std::size_t p = 0; p < mesh_.point.size(); ++p) {
+      distance_[p] = signed_distance(plane, mesh_.point[p]);
+      side_[p] = static_cast<std::int8_t>(
+          mesh_.sets.has(mesh_.planes_of[p], shared_) ? 0 : side_of(plane, mesh_.point[p], planes_.tolerance));
+      if (side_[p] == 0) mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], shared_);
+    }
+  }
+
+  std::array<int, 3> sides_of(const Triangle& t) const {
+    const auto side = [&](std::size_t i) { return int{side_[mesh_.point_of[t.vertex[i]]]}; };
+    return {side(0), side(1), side(2)};
+  }
+
+  /// The triangle lies on one side. `side` < 0: the negative one; 0: in the plane.
+  void see_side(Triangle& t, int side) {
+    const bool positive = side > 0 || (side == 0 && lies_with_positive_side(t));
+    t.sides = planes_.knives[static_cast<std::size_t>(planes_[plane_].knife)].seen(t.sides, planes_[plane_].in_knife,
+                                                                                   positive);
+    if (positive || shared_ != plane_) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool on_plane = side_[mesh_.point_of[t.vertex[i]]] == 0 && side_[mesh_.point_of[t.vertex[next[i]]]] == 0;
+      if (on_plane) t.cut_by[i] = mesh_.sets.with(t.cut_by[i], plane_);
+    }
+  }
+
+  /// A triangle in the plane goes with the solid it bounds, so that no piece is a mere film; others are positive.
+  bool lies_with_positive_side(const Triangle& t) const {
+    if (!surfaces_.is_boundary(t.source)) return true;
+    const double front_up = glm::dot(area_vector(t), planes_[plane_].plane.normal);
+    return surfaces_.is_hidden(t.source, SideOf::front) ? front_up < 0 : front_up > 0;
+  }
+
+  void split_triangle(std::size_t index, const std::array<int, 3>& side) {
+    // Turn it so that the corner that is alone on its side comes first - or, where one lies on the plane, that one.
+    const Triangle whole = mesh_.triangle[index];
+    std::size_t first = 0;
+    while (!(side[first] == 0 || (side[next[first]] == side[after_next[first]]))) ++first;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (side[i] == 0) first = i;
+    }
+    const std::size_t second = next[first], third = after_next[first];
+    const std::uint32_t a = whole.vertex[first], b = whole.vertex[second], c = whole.vertex[third];
+    const std::uint32_t ab = whole.cut_by[first], bc = whole.cut_by[second], ca = whole.cut_by[third];
+
+    if (side[first] == 0) {
+      const std::uint32_t m = vertex_between(b, c);
+      replace(index, whole, {a, b, m}, {ab, bc, 0}, side[second]);
+      add(whole, {a, m, c}, {0, bc, ca}, side[third]);
+      return;
+    }
+
+    // The corner, and the four-sided rest in two along its shorter diagonal.
+    const std::uint32_t p = vertex_between(a, b), q = vertex_between(a, c);
+    replace(index, whole, {a, p, q}, {ab, 0, ca}, side[first]);
+    const glm::dvec3 from_p = point_at(c) - point_at(p), from_q = point_at(b) - point_at(q);
+    if (glm::dot(from_p, from_p) <= glm::dot(from_q, from_q)) {
+      add(whole, {p, b, c}, {ab, bc, 0}, side[second]);
+      add(whole, {p, c, q}, {0, ca, 0}, side[second]);
+    } else {
+      add(whole, {p, b, q}, {ab, 0, 0}, side[second]);
+      add(whole, {b, c, q}, {bc, ca, 0}, side[second]);
+    }
+  }
+
+  void replace(std::size_t index, const Triangle& whole, const std::array<std::uint32_t, 3>& vertex,
+               const std::array<std::uint32_t, 3>& cut_by, int side) {
+    Triangle part = whole;
+    part.vertex = vertex;
+    part.cut_by = cut_by;
+    see_side(part, side);
+    mesh_.triangle[index] = part;
+  }
+
+  void add(const Triangle& whole, const std::array<std::uint32_t, 3>& vertex,
+           const std::array<std::uint32_t, 3>& cut_by, int side) {
+    mesh_.triangle.emplace_back();
+    replace(mesh_.triangle.size() - 1, whole, vertex, cut_by, side);
+  }
+
+  static std::uint64_t edge_key(std::uint32_t low, std::uint32_t high) { return (std::uint64_t{low} << 32) | high; }
+
+  /// The vertex where the plane meets the edge, the same for all triangles at the edge.
+  std::uint32_t vertex_between(std::uint32_t a, std::uint32_t b) {
+    if (mesh_.point_of[a] > mesh_.point_of[b]) std::swap(a, b);
+    const auto [entry, is_new] = new_vertices_.try_emplace(edge_key(a, b), mesh_.point_of.size());
+    if (!is_new) return entry->second;
+
+    const std::uint32_t p = mesh_.point_of[a], q = mesh_.point_of[b];
+    const double t = distance_[p] / (distance_[p] - distance_[q]);
+    const auto share = static_cast<float>(t);
+    mesh_.point_of.push_back(point_between(p, q, t));
+    mesh_.front_color.push_back(glm::mix(mesh_.front_color[a], mesh_.front_color[b], share));
+    mesh_.back_color.push_back(glm::mix(mesh_.back_color[a], mesh_.back_color[b], share));
+    mesh_.normal.push_back(unit(glm::mix(glm::dvec3(mesh_.normal[a]), glm::dvec3(mesh_.normal[b]), t)));
+    return entry->second;
+  }
+
+  std::uint32_t point_between(std::uint32_t p, std::uint32_t q, double t) {
+    const auto [entry, is_new] = new_points_.try_emplace(edge_key(p, q), mesh_.point.size());
+    if (!is_new) return entry->second;
+
+    // The new point lies on this plane, and on those that both ends lie on.
+    const std::uint32_t set = mesh_.sets.with(mesh_.sets.common(mesh_.planes_of[p], mesh_.planes_of[q]), shared_);
+    mesh_.point.push_back(settled(glm::mix(mesh_.point[p], mesh_.point[q], t), set));
+    mesh_.planes_of.push_back(set);
+    distance_.push_back(0);
+    side_.push_back(0);
+    return entry->second;
+  }
+
+  /// Coordinates that a plane fixes are what it says, to the bit.
+  glm::dvec3 settled(glm::dvec3 p, std::uint32_t set) const {
+    if (mesh_.sets.on_axis(set)) p.x = p.z = 0;
+    for (const int k : mesh_.sets.planes_in(set)) {
+      const CuttingPlane& plane = planes_[k].plane;
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::fabs(plane.normal[axis]) == 1) p[axis] = plane.normal[axis] * plane.offset;
+      }
+    }
+    return p;
+  }
+
+  const DiffusionSurfaces& surfaces_;
+  const CutPlanes& planes_;
+  SplitMesh mesh_;
+
+  // The plane at work, the one it coincides with, and where points lie to it.
+  int plane_ = 0, shared_ = 0;
+  std::vector<double> distance_;
+  std::vector<std::int8_t> side_;
+  std::unordered_map<std::uint64_t, std::uint32_t> new_points_, new_vertices_;
+};
+
+}  // namespace
+
+SplitMesh split(const DiffusionSurfaces& surfaces, const CutPlanes& planes) {
+  return Splitter(surfaces, planes).split();
+}
+
+}  // namespace pomona
