@@ -69,7 +69,7 @@ class DartThrower {
   std::vector<Dart> throw_all() {
     // The first throw takes most places; the next ones aim at what is still free.
     throw_round(8);
-    for (int round = 0; round < 3 && !targets_.empty(); ++round) {
+    for (int round = 0; round < 6 && !targets_.empty(); ++round) {
       aim_at_free_places();
       throw_round(64);
     }
