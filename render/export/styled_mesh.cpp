@@ -51,28 +51,28 @@ std::vector<glm::vec3> unit_normals(const Solid& solid) {
 }
 
 /// Mean length of the edges at each vertex: what finer noise would only alias with.
-std::vector<double> footprints(const Solid& solid) {
-  std::vector<double> sum(solid.position.size(), 0.0);
-  std::vector<int> edges(solid.position.size(), 0);
-  for (const glm::uvec3& t : solid.triangle) {
+std::vector<double> footprints(const StyledMesh& mesh) {
+  std::vector<double> sum(mesh.position.size(), 0.0);
+  std::vector<int> edges(mesh.position.size(), 0);
+  for (const glm::uvec3& t : mesh.triangle) {
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      const double length = glm::length(glm::dvec3(solid.position[a]) - glm::dvec3(solid.position[b]));
+      const double length = glm::length(glm::dvec3(mesh.position[a]) - glm::dvec3(mesh.position[b]));
       sum[a] += length, sum[b] += length;
       ++edges[a], ++edges[b];
     }
   }
-  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] = edges[v] > 0 ? sum[v] / edges[v] : 0.0;
+  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] /= edges[v];
   return sum;
 }
 
-std::vector<Color> styled_colors(const Solid& solid, bool noise) {
-  std::vector<Color> colors = solid.color;
-  if (noise && !solid.noise.keys.empty()) {
-    const Modulation modulation(solid.noise);
-    const std::vector<double> footprint = footprints(solid);
+std::vector<Color> styled_colors(const StyledMesh& mesh, const NoiseStyle& noise) {
+  std::vector<Color> colors = mesh.color;
+  const Modulation modulation(noise);
+  if (modulation.bands() > 0) {
+    const std::vector<double> footprint = footprints(mesh);
     for (std::size_t v = 0; v < colors.size(); ++v)
-      colors[v] = modulation(colors[v], glm::dvec3(solid.position[v]), footprint[v]);
+      colors[v] = modulation(colors[v], glm::dvec3(mesh.position[v]), footprint[v]);
   }
   for (Color& color : colors) color = glm::clamp(color, Color(0), Color(1));
   return colors;
@@ -90,28 +90,27 @@ VertexBits bits_of(const glm::vec3& position, const glm::vec3& normal, const Col
   return bits;
 }
 
-StyledMesh styled_mesh(const Solid& solid, bool noise) {
+/// The solid's vertices, each once, numbered in the order in which triangles first use them.
+StyledMesh welded(const Solid& solid) {
   const std::vector<glm::vec3> normals = unit_normals(solid);
-  const std::vector<Color> colors = styled_colors(solid, noise);
-
-  // Number the different vertices in the order in which triangles first use them.
   StyledMesh mesh;
   std::unordered_map<VertexBits, std::uint32_t, HashOfBits> known;
-  const auto welded = [&](std::uint32_t v) {
-    const VertexBits bits = bits_of(solid.position[v], normals[v], colors[v], solid.part[v]);
+  const auto number_of = [&](std::uint32_t v) {
+    const VertexBits bits = bits_of(solid.position[v], normals[v], solid.color[v], solid.part[v]);
     const auto [entry, is_new] = known.try_emplace(bits, static_cast<std::uint32_t>(mesh.position.size()));
     if (is_new) {
       mesh.position.push_back(solid.position[v]);
       mesh.normal.push_back(normals[v]);
-      mesh.color.push_back(colors[v]);
+      mesh.color.push_back(solid.color[v]);
       mesh.part.push_back(solid.part[v]);
     }
     return entry->second;
   };
   for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
     const glm::uvec3& old = solid.triangle[t];
-    const std::uint32_t a = welded(old.x), b = welded(old.y), c = welded(old.z);
-    if (a == b || b == c || c == a) continue;
+    const glm::vec3 &p = solid.position[old.x], &q = solid.position[old.y], &r = solid.position[old.z];
+    if (p == q || q == r || r == p) continue;
+    const std::uint32_t a = number_of(old.x), b = number_of(old.y), c = number_of(old.z);
     mesh.triangle.push_back({a, b, c});
     mesh.cut_face.push_back(solid.cut_face[t]);
   }
@@ -122,8 +121,10 @@ StyledMesh styled_mesh(const Solid& solid, bool noise) {
 
 std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& options) {
   std::vector<StyledMesh> meshes(scene.solids.size());
-  parallel_for(meshes.size(), options.threads,
-               [&](std::size_t i) { meshes[i] = styled_mesh(scene.solids[i], options.noise); });
+  parallel_for(meshes.size(), options.threads, [&](std::size_t i) {
+    meshes[i] = welded(scene.solids[i]);
+    meshes[i].color = styled_colors(meshes[i], options.noise ? scene.solids[i].noise : NoiseStyle{});
+  });
   return meshes;
 }
 

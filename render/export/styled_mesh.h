@@ -11,12 +11,13 @@
 namespace pomona {
 
 struct ExportOptions {
-  bool noise = true;       ///< the style's Perlin modulation on the vertex colours
-  std::string provenance;  ///< what made it ("pomona scene scenes/salad.toml --seed 3"); no paths, no time
-  Threads threads;
+  bool noise = true;            ///< the style's Perlin modulation on the vertex colours
+  std::string provenance = {};  ///< what made it ("pomona scene scenes/salad.toml --seed 3"); no paths, no time
+  Threads threads = {};
 };
 
-/// One solid, welded: no two vertices are equal in everything, each is used, and no triangle uses one twice.
+/// One solid, welded: no two vertices are equal in everything, each is used, and no triangle has two corners at
+/// one place.
 struct StyledMesh {
   std::vector<glm::vec3> position;  ///< metres, the fruit's own frame
   std::vector<glm::vec3> normal;    ///< unit length

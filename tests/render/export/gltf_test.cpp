@@ -1,0 +1,99 @@
+#include "render/export/gltf.h"
+
+#include <gmock/gmock.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "tests/render/export/named_solids.h"
+#include "tests/render/export/read_glb.h"
+
+namespace pomona {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(Gltf, ReadsBackAsItWas) {
+  const Scene scene = named::mixed();
+  const named::Glb glb = named::read_glb(write_glb(scene, {.provenance = "pomona cut tomato"}));
+  ASSERT_EQ(glb.meshes.size(), 3u) << "the empty solid is no mesh";
+  EXPECT_EQ(glb.provenance, "pomona cut tomato");
+  EXPECT_DOUBLE_EQ(glb.vertical_field, scene.view.vertical_field);
+
+  // Corner by corner of every triangle: the welding may renumber, not change.
+  const Solid& box = scene.solids[0];
+  const named::GlbMesh& mesh = glb.meshes[0];
+  EXPECT_EQ(mesh.name, "box");
+  EXPECT_THAT(mesh.part_names, ElementsAre("skin", "flesh"));
+  EXPECT_DOUBLE_EQ(mesh.volume, box.volume);
+  ASSERT_EQ(mesh.triangle.size(), box.triangle.size());
+  for (std::size_t t = 0; t < box.triangle.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t ours = box.triangle[t][k], theirs = mesh.triangle[t][k];
+      EXPECT_EQ(mesh.position[theirs], box.position[ours]);
+      EXPECT_EQ(mesh.normal[theirs], box.normal[ours]);
+      EXPECT_EQ(mesh.part[theirs], box.part[ours]);
+      EXPECT_LT(glm::length(mesh.color[theirs] - box.color[ours]), 2e-5f);
+    }
+  }
+}
+
+TEST(Gltf, SharesAMeshBetweenInstancesAndKeepsTheirPoses) {
+  const Scene scene = named::mixed();
+  const named::Glb glb = named::read_glb(write_glb(scene));
+  ASSERT_EQ(glb.nodes.size(), 5u) << "box twice, leaf, see-through ball, camera";
+  EXPECT_EQ(glb.nodes[0].mesh, glb.nodes[1].mesh);
+  EXPECT_EQ(glb.nodes[1].name, "box there");
+  const glm::dvec3 corner(0.05, 0.03, 0.02);
+  const Pose& pose = scene.instances[1].pose;
+  const glm::dvec3 expected = pose.rotation * corner + pose.translation;
+  EXPECT_LT(glm::length(glm::dvec3(glb.nodes[1].matrix * glm::dvec4(corner, 1)) - expected), 1e-12);
+}
+
+TEST(Gltf, LooksWhereTheSceneLooks) {
+  const Scene scene = named::axes_of_balls();
+  const named::GlbNode camera = named::read_glb(write_glb(scene)).nodes.back();
+  ASSERT_EQ(camera.camera, 0);
+  // The target lies straight ahead (-Z of the camera), and +Y points up in the picture.
+  const glm::dmat4 to_camera = glm::inverse(camera.matrix);
+  const glm::dvec3 target(to_camera * glm::dvec4(scene.view.target, 1));
+  EXPECT_NEAR(target.x, 0, 1e-12);
+  EXPECT_NEAR(target.y, 0, 1e-12);
+  EXPECT_LT(target.z, -0.1);
+  EXPECT_GT((to_camera * glm::dvec4(0, 1, 0, 0)).y, 0.5);
+}
+
+TEST(Gltf, OpenAndSeeThroughMeshesShowBothSides) {
+  const named::Glb glb = named::read_glb(write_glb(named::mixed()));
+  EXPECT_FALSE(glb.meshes[0].double_sided);
+  EXPECT_TRUE(glb.meshes[1].double_sided);
+  EXPECT_TRUE(glb.meshes[2].double_sided);
+  EXPECT_DOUBLE_EQ(glb.meshes[2].alpha, 0.25);
+}
+
+TEST(Gltf, IndicesAreAsNarrowAsTheyCanBe) {
+  Scene scene;
+  scene.solids = {named::ball("small", 0.1f, 4, Color(0.5f)), named::ball("large", 0.1f, 100, Color(0.5f))};
+  scene.instances = {{0, {}, "small"}, {1, {}, "large"}};
+  const named::Glb glb = named::read_glb(write_glb(scene));
+  EXPECT_EQ(glb.meshes[0].index_bytes, 2);
+  // Eight octants of 101 * 102 / 2 vertices, welded where they meet on the axes' planes, need less than 65 536.
+  EXPECT_EQ(glb.meshes[1].position.size(), 4u * 100 * 100 + 2);
+  EXPECT_EQ(glb.meshes[1].index_bytes, 2);
+  scene.solids[1] = named::ball("larger", 0.1f, 140, Color(0.5f));
+  EXPECT_EQ(named::read_glb(write_glb(scene)).meshes[1].index_bytes, 4);
+}
+
+TEST(Gltf, IsTheSameForAnyNumberOfThreads) {
+  const Scene scene = named::mixed();
+  EXPECT_EQ(write_glb(scene, {.threads = {1}}), write_glb(scene, {.threads = {2}}));
+}
+
+TEST(Gltf, AnEmptySceneIsStillAFile) {
+  const named::Glb glb = named::read_glb(write_glb(Scene{}));
+  EXPECT_TRUE(glb.meshes.empty());
+  EXPECT_EQ(glb.nodes.size(), 1u);
+}
+
+}  // namespace
+}  // namespace pomona

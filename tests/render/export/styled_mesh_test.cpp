@@ -1,0 +1,77 @@
+#include "render/export/styled_mesh.h"
+
+#include <gmock/gmock.h>
+
+#include <glm/geometric.hpp>
+
+#include "tests/render/export/named_solids.h"
+
+namespace pomona {
+namespace {
+
+StyledMesh styled(const Solid& solid, bool noise = true) {
+  Scene scene;
+  scene.solids = {solid};
+  return styled_meshes(scene, {.noise = noise})[0];
+}
+
+Solid speckled_ball() {
+  Solid ball = named::ball("ball", 0.05f, 24, {0.5f, 0.4f, 0.1f});
+  ball.noise.base_frequency = 40;
+  ball.noise.keys = {{ball.color[0], {0.1, 0.1}, {1, 0, 0}}};
+  return ball;
+}
+
+TEST(StyledMesh, WeldsWhatIsEqualAndNothingElse) {
+  // A box has four vertices of its own on each face; all of them differ in position, normal or part.
+  const Solid box = named::box("box", {0, 0, 0}, {1, 1, 1}, Color(0.5f), Color(0.9f));
+  EXPECT_EQ(styled(box).position.size(), 24u);
+
+  Solid soup = box;
+  soup.position.clear(), soup.normal.clear(), soup.color.clear(), soup.part.clear();
+  for (glm::uvec3& t : soup.triangle) {
+    for (int k = 0; k < 3; ++k) {
+      soup.position.push_back(box.position[t[k]]);
+      soup.normal.push_back(box.normal[t[k]]);
+      soup.color.push_back(box.color[t[k]]);
+      soup.part.push_back(box.part[t[k]]);
+      t[k] = static_cast<std::uint32_t>(soup.position.size()) - 1;
+    }
+  }
+  EXPECT_EQ(styled(soup).position.size(), 24u);
+  EXPECT_EQ(styled(soup).triangle, styled(box).triangle);
+}
+
+TEST(StyledMesh, NoiseChangesColoursAndNothingElse) {
+  const Solid ball = speckled_ball();
+  const StyledMesh with = styled(ball), without = styled(ball, false);
+  ASSERT_EQ(with.position, without.position);
+  ASSERT_EQ(with.triangle, without.triangle);
+  float largest = 0;
+  for (std::size_t v = 0; v < with.color.size(); ++v) {
+    largest = std::max(largest, glm::length(with.color[v] - without.color[v]));
+    EXPECT_TRUE(glm::all(glm::greaterThanEqual(with.color[v], Color(0))));
+    EXPECT_TRUE(glm::all(glm::lessThanEqual(with.color[v], Color(1))));
+  }
+  EXPECT_GT(largest, 0.02f);
+}
+
+TEST(StyledMesh, NormalsAreOfUnitLengthWhateverCame) {
+  Solid ball = named::ball("ball", 0.05f, 4, Color(0.5f));
+  const std::vector<glm::vec3> true_normals = ball.normal;
+  ball.normal[0] = {0, 0, 0};
+  ball.normal[1] *= 7.0f;
+  ball.normal[2] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
+  for (const glm::vec3& normal : styled(ball).normal) EXPECT_NEAR(glm::length(normal), 1, 1e-6);
+}
+
+TEST(StyledMesh, TrianglesThatUseAVertexTwiceAreLeftOut) {
+  Solid ball = named::ball("ball", 0.05f, 2, Color(0.5f));
+  const std::size_t before = styled(ball).triangle.size();
+  ball.triangle.push_back({0, 0, 1});
+  ball.cut_face.push_back(-1);
+  EXPECT_EQ(styled(ball).triangle.size(), before);
+}
+
+}  // namespace
+}  // namespace pomona
