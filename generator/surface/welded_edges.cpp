@@ -1,24 +1,36 @@
 #include "generator/surface/welded_edges.h"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 
 namespace pomona {
 
+namespace {
+
+/// A vertex as it is sorted; keys beside each other sort several times faster than keys looked up.
+struct Place {
+  glm::vec3 position;
+  std::uint32_t vertex;
+
+  bool operator<(const Place& other) const {
+    if (position.x != other.position.x) return position.x < other.position.x;
+    if (position.y != other.position.y) return position.y < other.position.y;
+    if (position.z != other.position.z) return position.z < other.position.z;
+    return vertex < other.vertex;
+  }
+};
+
+}  // namespace
+
 std::vector<std::uint32_t> weld(std::span<const glm::vec3> positions) {
-  std::vector<std::uint32_t> order(positions.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t v) { return std::tuple(positions[v].x, positions[v].y, positions[v].z); };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) {
-    const auto a = key(l), b = key(r);
-    return a != b ? a < b : l < r;
-  });
+  std::vector<Place> places;
+  places.reserve(positions.size());
+  for (const glm::vec3& p : positions) places.push_back({p, static_cast<std::uint32_t>(places.size())});
+  std::sort(places.begin(), places.end());
 
   std::vector<std::uint32_t> first(positions.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool same = i > 0 && places[i].position == places[i - 1].position;
+    first[places[i].vertex] = same ? first[places[i - 1].vertex] : places[i].vertex;
   }
   return first;
 }
@@ -45,7 +57,8 @@ std::vector<WeldedEdge> sorted_edges(std::span<const glm::uvec3> welded_triangle
     }
   }
   std::sort(edges.begin(), edges.end(), [](const WeldedEdge& l, const WeldedEdge& r) {
-    return std::tie(l.low, l.high, l.triangle) < std::tie(r.low, r.high, r.triangle);
+    if (l.low != r.low) return l.low < r.low;
+    return l.high != r.high ? l.high < r.high : l.triangle < r.triangle;
   });
   return edges;
 }
