@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/picture/chains.h"
+#include "render/picture/inner_lines.h"
 
 namespace pomona {
 
@@ -69,12 +70,6 @@ double color_jump(const CrossSection& section, const EdgeUse& x, const EdgeUse& 
   return 0.5 * (apart(x.vertex_a, y.vertex_a) + apart(x.vertex_b, y.vertex_b));
 }
 
-/// Jumps that one hardly sees (OKLab) get no line, those nobody could miss a full one.
-double opacity_of(double jump) {
-  const double t = std::clamp((jump - 0.03) / (0.18 - 0.03), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::vector<std::uint32_t>& weld) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> surface_of;
   for (const CutSegment& segment : section.segments) {
@@ -90,7 +85,7 @@ std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::v
     const EdgeUse& use = uses[i];
     const auto segment = surface_of.find({use.a, use.b});
     const bool rim = j - i == 1;
-    const double opacity = rim ? 1.0 : j - i == 2 ? opacity_of(color_jump(section, use, uses[i + 1])) : 0.0;
+    const double opacity = rim ? 1.0 : j - i == 2 ? line_opacity(color_jump(section, use, uses[i + 1])) : 0.0;
     if (opacity > 0 && (rim || segment != surface_of.end())) {
       Bundle& bundle = bundles[{use.face, rim ? -1 : segment->second}];
       bundle.links.push_back({use.a, use.b});

@@ -1,0 +1,11 @@
+# cmake -DOUTPUT=x.cpp -DSHADERS="a.glsl;b.glsl" -P embed_shaders.cmake: shader files as string literals.
+set(text "// Made from the files under shaders/; do not edit.\n#include \"render/gl/embedded_shaders.h\"\n\n")
+string(APPEND text "namespace pomona {\nnamespace {\nconstexpr EmbeddedShader shaders[] = {\n")
+foreach(shader ${SHADERS})
+  get_filename_component(name ${shader} NAME)
+  file(READ ${shader} source)
+  string(APPEND text "    {\"${name}\", R\"glsl(${source})glsl\"},\n")
+endforeach()
+string(APPEND text "};\n}  // namespace\n\nstd::span<const EmbeddedShader> embedded_shaders() { return shaders; }\n")
+string(APPEND text "}  // namespace pomona\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,71 @@
+// An OpenGL context without a display: on a graphics card where there is one, in software where there is none.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/gl/functions.h"
+
+namespace pomona {
+
+class GlPlatform;
+
+/// The ways to a context, in the order in which they are tried.
+enum class GlRoute {
+  device,       ///< EGL on a graphics card (EGL_EXT_platform_device)
+  surfaceless,  ///< EGL by Mesa, in software (EGL_MESA_platform_surfaceless)
+  osmesa,       ///< Mesa's off-screen library, in software
+};
+
+/// One OpenGL context of version 4.5 core, or 3.3 where there is no more. Several may live at a time; a thread
+/// uses one at a time, within a CurrentGl.
+class GlContext {
+ public:
+  /// The first route that works. The libraries are looked for when this runs, not when the program starts.
+  /// \throws Error (helper_missing) that says what each route lacks.
+  GlContext();
+  /// \throws Error (helper_missing) if this one does not work.
+  explicit GlContext(GlRoute route);
+  ~GlContext();
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+
+  GlRoute route() const { return route_; }
+  const std::string& renderer() const { return renderer_; }  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
+  int version() const { return version_; }                   ///< 45 = OpenGL 4.5
+
+ private:
+  friend class CurrentGl;
+  void open(GlRoute route);
+
+  GlRoute route_ = GlRoute::osmesa;
+  std::unique_ptr<GlPlatform> platform_;
+  GlFunctions functions_;
+  std::string renderer_;
+  int version_ = 0;
+};
+
+/// Makes a context this thread's current one for as long as it lives; not to be nested. Its functions are called
+/// through it: `gl->Clear(...)`.
+class CurrentGl {
+ public:
+  explicit CurrentGl(GlContext& context);
+  ~CurrentGl();
+  CurrentGl(const CurrentGl&) = delete;
+  CurrentGl& operator=(const CurrentGl&) = delete;
+
+  const GlFunctions* operator->() const { return &context_.functions_; }
+  const GlFunctions& functions() const { return context_.functions_; }
+
+  /// \throws Error (bug) if OpenGL has noted an error since the last call; `step` says after what.
+  void check(const std::string& step) const;
+
+ private:
+  GlContext& context_;
+};
+
+/// For messages: "EGL device".
+std::string to_string(GlRoute route);
+
+}  // namespace pomona

@@ -1,0 +1,84 @@
+// OpenGL's objects as values with an owner. Destroy them while their context is current.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/gl/context.h"
+
+namespace pomona {
+
+/// A buffer object with data that does not change.
+class GlBuffer {
+ public:
+  GlBuffer(const CurrentGl& gl, GLenum target, const void* data, std::size_t bytes);
+  template <typename Value>
+  GlBuffer(const CurrentGl& gl, GLenum target, const std::vector<Value>& values)
+      : GlBuffer(gl, target, values.data(), values.size() * sizeof(Value)) {}
+  GlBuffer(GlBuffer&& other) noexcept;
+  GlBuffer(const GlBuffer&) = delete;
+  GlBuffer& operator=(const GlBuffer&) = delete;
+  ~GlBuffer();
+  GLuint id() const { return id_; }
+
+ private:
+  const GlFunctions& gl_;
+  GLuint id_ = 0;
+};
+
+/// A texture without mipmaps: a picture to draw into, or a window on a buffer.
+class GlTexture {
+ public:
+  /// Nearest sampling, clamped. `format` is sized (GL_RGBA16F ...).
+  GlTexture(const CurrentGl& gl, GLenum format, int width, int height);
+  /// A buffer texture.
+  GlTexture(const CurrentGl& gl, GLenum format, const GlBuffer& buffer);
+  GlTexture(GlTexture&& other) noexcept;
+  GlTexture(const GlTexture&) = delete;
+  GlTexture& operator=(const GlTexture&) = delete;
+  ~GlTexture();
+
+  void bind(int unit) const;
+  GLuint id() const { return id_; }
+
+ private:
+  const GlFunctions& gl_;
+  GLenum target_;
+  GLuint id_ = 0;
+};
+
+/// Where a pass draws: colour attachments in order, and a depth attachment or none.
+class GlFramebuffer {
+ public:
+  GlFramebuffer(const CurrentGl& gl, std::span<const GlTexture* const> colors, const GlTexture* depth);
+  GlFramebuffer(GlFramebuffer&& other) noexcept;
+  GlFramebuffer(const GlFramebuffer&) = delete;
+  GlFramebuffer& operator=(const GlFramebuffer&) = delete;
+  ~GlFramebuffer();
+
+  /// Makes it the target of drawing and reading.
+  void bind(int width, int height) const;
+
+ private:
+  const GlFunctions& gl_;
+  GLuint id_ = 0;
+};
+
+/// A vertex array object.
+class GlVertexArray {
+ public:
+  explicit GlVertexArray(const CurrentGl& gl);
+  GlVertexArray(GlVertexArray&& other) noexcept;
+  GlVertexArray(const GlVertexArray&) = delete;
+  GlVertexArray& operator=(const GlVertexArray&) = delete;
+  ~GlVertexArray();
+  void bind() const;
+  /// Floats of `buffer`, tightly packed, as attribute `index`.
+  void attach(unsigned index, int components, const GlBuffer& buffer) const;
+
+ private:
+  const GlFunctions& gl_;
+  GLuint id_ = 0;
+};
+
+}  // namespace pomona

@@ -1,0 +1,21 @@
+// The three routes to a context; each throws Error (helper_missing) with what it lacks.
+#pragma once
+
+#include <memory>
+
+namespace pomona {
+
+/// A context as its library knows it.
+class GlPlatform {
+ public:
+  virtual ~GlPlatform() = default;
+  virtual void make_current() = 0;
+  virtual void release() = 0;
+  virtual void (*find(const char* name))() = 0;  ///< an entry point, or null
+};
+
+std::unique_ptr<GlPlatform> open_egl_device();
+std::unique_ptr<GlPlatform> open_egl_surfaceless();
+std::unique_ptr<GlPlatform> open_osmesa();
+
+}  // namespace pomona

@@ -1,0 +1,138 @@
+#include "render/gl/program.h"
+
+#include <set>
+#include <utility>
+
+#include "generator/base/error.h"
+#include "render/gl/embedded_shaders.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::string_view version_line = "#version 330 core\n";
+
+std::string_view embedded_text(std::string_view name) {
+  for (const EmbeddedShader& shader : embedded_shaders()) {
+    if (shader.name == name) return shader.text;
+  }
+  throw Error(ExitStatus::bug, "there is no shader " + std::string(name));
+}
+
+/// Appends the text line by line; an include line becomes the file it names, unless that is there already.
+void append_resolved(std::string_view text, std::set<std::string, std::less<>>& seen, std::string& result) {
+  constexpr std::string_view include = "#include \"";
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end);
+    if (line.substr(0, include.size()) != include) {
+      result += line;
+      continue;
+    }
+    const std::string name(line.substr(include.size(), line.find('"', include.size()) - include.size()));
+    if (seen.insert(name).second) append_resolved(embedded_text(name), seen, result);
+  }
+}
+
+GLuint compiled(const GlFunctions& gl, GLenum stage, const std::string& source) {
+  const GLuint shader = gl.CreateShader(stage);
+  const char* text = source.c_str();
+  gl.ShaderSource(shader, 1, &text, nullptr);
+  gl.CompileShader(shader);
+  GLint good = GL_FALSE;
+  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  if (good == GL_TRUE) return shader;
+
+  std::string log(4096, '\0');
+  GLsizei length = 0;
+  gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  gl.DeleteShader(shader);
+  throw Error(ExitStatus::bug, "a shader does not compile: " + log);
+}
+
+}  // namespace
+
+std::vector<std::string> shader_names() {
+  std::vector<std::string> names;
+  for (const EmbeddedShader& shader : embedded_shaders()) names.emplace_back(shader.name);
+  return names;
+}
+
+std::string resolved_includes(std::string_view text) {
+  std::string result(version_line);
+  std::set<std::string, std::less<>> seen;
+  append_resolved(text, seen, result);
+  return result;
+}
+
+std::string shader_source(std::string_view name) { return resolved_includes(embedded_text(name)); }
+
+Program::Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file)
+    : gl_(gl.functions()) {
+  try {
+    link(shader_source(vertex_file), shader_source(fragment_file));
+  } catch (const Error& error) {
+    throw Error(error.status(), std::string(vertex_file) + " + " + std::string(fragment_file) + ": " +
+                                    error.diagnostics().front().message);
+  }
+}
+
+Program Program::from_sources(const CurrentGl& gl, const std::string& vertex, const std::string& fragment) {
+  Program program(gl.functions());
+  program.link(vertex, fragment);
+  return program;
+}
+
+Program::Program(Program&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
+
+Program::~Program() {
+  if (id_ != 0) gl_.DeleteProgram(id_);
+}
+
+void Program::link(const std::string& vertex, const std::string& fragment) {
+  id_ = gl_.CreateProgram();
+  for (const auto& [stage, source] : {std::pair(GL_VERTEX_SHADER, &vertex), std::pair(GL_FRAGMENT_SHADER, &fragment)}) {
+    const GLuint shader = compiled(gl_, static_cast<GLenum>(stage), *source);
+    gl_.AttachShader(id_, shader);
+    gl_.DeleteShader(shader);  // it goes with the program
+  }
+  gl_.LinkProgram(id_);
+  GLint good = GL_FALSE;
+  gl_.GetProgramiv(id_, GL_LINK_STATUS, &good);
+  if (good == GL_TRUE) return;
+
+  std::string log(4096, '\0');
+  GLsizei length = 0;
+  gl_.GetProgramInfoLog(id_, static_cast<GLsizei>(log.size()), &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  throw Error(ExitStatus::bug, "shaders do not link: " + log);
+}
+
+void Program::use() const { gl_.UseProgram(id_); }
+
+void Program::set(const char* name, int value) const { gl_.Uniform1i(gl_.GetUniformLocation(id_, name), value); }
+
+void Program::set(const char* name, unsigned value) const { gl_.Uniform1ui(gl_.GetUniformLocation(id_, name), value); }
+
+void Program::set(const char* name, float value) const { gl_.Uniform1f(gl_.GetUniformLocation(id_, name), value); }
+
+void Program::set(const char* name, const glm::vec2& value) const {
+  gl_.Uniform2f(gl_.GetUniformLocation(id_, name), value.x, value.y);
+}
+
+void Program::set(const char* name, const glm::vec3& value) const {
+  gl_.Uniform3f(gl_.GetUniformLocation(id_, name), value.x, value.y, value.z);
+}
+
+void Program::set(const char* name, const glm::mat4& value) const {
+  gl_.UniformMatrix4fv(gl_.GetUniformLocation(id_, name), 1, GL_FALSE, &value[0][0]);
+}
+
+void Program::bind_block(const char* name, unsigned binding) const {
+  const GLuint index = gl_.GetUniformBlockIndex(id_, name);
+  if (index != GL_INVALID_INDEX) gl_.UniformBlockBinding(id_, index, binding);
+}
+
+}  // namespace pomona

@@ -1,0 +1,56 @@
+// Shader programs. Sources are the files under shaders/, embedded when Pomona is built.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "render/gl/context.h"
+
+namespace pomona {
+
+/// Names of all embedded files.
+std::vector<std::string> shader_names();
+
+/// The embedded file with its `#include "name"` lines resolved, each file once, and with the version line in
+/// front. \throws Error (bug) for a name that is not there.
+std::string shader_source(std::string_view name);
+
+/// The same for a text that is no embedded file (tests).
+std::string resolved_includes(std::string_view text);
+
+/// A linked program. Destroy it while its context is current.
+class Program {
+ public:
+  /// From two embedded files. \throws Error (bug) with the compiler's message.
+  Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file);
+  static Program from_sources(const CurrentGl& gl, const std::string& vertex, const std::string& fragment);
+  Program(Program&& other) noexcept;
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program();
+
+  void use() const;
+
+  // Uniforms of the program in use; names the compiler has dropped are passed over.
+  void set(const char* name, int value) const;
+  void set(const char* name, unsigned value) const;
+  void set(const char* name, float value) const;
+  void set(const char* name, const glm::vec2& value) const;
+  void set(const char* name, const glm::vec3& value) const;
+  void set(const char* name, const glm::mat4& value) const;
+  void bind_block(const char* name, unsigned binding) const;
+
+ private:
+  explicit Program(const GlFunctions& gl) : gl_(gl) {}
+  void link(const std::string& vertex, const std::string& fragment);
+
+  const GlFunctions& gl_;
+  GLuint id_ = 0;
+};
+
+}  // namespace pomona

@@ -1,0 +1,74 @@
+#include "render/gl/scene_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace pomona {
+
+glm::mat4 matrix_of(const Pose& pose) {
+  glm::dmat4 matrix = glm::mat4_cast(pose.rotation);
+  matrix[3] = glm::dvec4(pose.translation, 1);
+  return glm::mat4(matrix);
+}
+
+SceneBall ball_around(const Scene& scene) {
+  // The box of each solid, placed; then the box of all.
+  std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
+  for (const Solid& solid : scene.solids) {
+    glm::vec3 low(1e30f), high(-1e30f);
+    for (const glm::vec3& p : solid.position) low = glm::min(low, p), high = glm::max(high, p);
+    boxes.emplace_back(low, high);
+  }
+  glm::vec3 low(1e30f), high(-1e30f);
+  for (const Instance& instance : scene.instances) {
+    const auto& [a, b] = boxes[instance.solid];
+    if (a.x > b.x) continue;
+    const glm::mat4 place = matrix_of(instance.pose);
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::vec4 at((corner & 1) != 0 ? b.x : a.x, (corner & 2) != 0 ? b.y : a.y, (corner & 4) != 0 ? b.z : a.z,
+                         1);
+      low = glm::min(low, glm::vec3(place * at));
+      high = glm::max(high, glm::vec3(place * at));
+    }
+  }
+  if (low.x > high.x) return {glm::vec3(0), 0.1f};
+  return {0.5f * (low + high), std::max(0.5f * glm::distance(low, high), 1e-4f)};
+}
+
+SceneCamera camera_of(const Scene& scene, const SceneBall& ball, double aspect) {
+  const glm::vec3 eye = scene.view.eye;
+  const glm::vec3 target = scene.view.target;
+  const glm::vec3 forward = glm::normalize(target - eye);
+  const glm::vec3 up = std::fabs(forward.y) > 0.999f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
+
+  SceneCamera camera;
+  camera.view = glm::lookAt(eye, target, up);
+  const float away = glm::dot(ball.center - eye, forward);
+  camera.near = std::max(away - 1.2f * ball.radius, 0.01f * (std::fabs(away) + ball.radius));
+  camera.far = std::max(away, 0.0f) + 6.0f * ball.radius;
+  camera.tangent.y = static_cast<float>(std::tan(0.5 * scene.view.vertical_field));
+  camera.tangent.x = static_cast<float>(camera.tangent.y * aspect);
+  const glm::vec2 half = camera.tangent * camera.near;
+  camera.projection = glm::frustum(-half.x, half.x, -half.y, half.y, camera.near, camera.far);
+  return camera;
+}
+
+SceneLight light_of(const SceneCamera& camera, const SceneBall& ball) {
+  const glm::mat3 to_scene = glm::transpose(glm::mat3(camera.view));
+  glm::vec3 side = to_scene * glm::vec3(-0.52f, 0.0f, 0.38f);
+  side.y = 0;
+  SceneLight light;
+  light.to_light = glm::normalize(side + glm::vec3(0, 0.80f, 0));
+
+  // The box must hold all that casts shadows; what only receives them may lie behind it.
+  const float r = 1.02f * ball.radius;
+  const glm::vec3 up = std::fabs(light.to_light.y) > 0.99f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::mat4 view = glm::lookAt(ball.center + 2.0f * r * light.to_light, ball.center, up);
+  light.to_clip = glm::ortho(-r, r, -r, r, 0.5f * r, 5.0f * r) * view;
+  return light;
+}
+
+}  // namespace pomona

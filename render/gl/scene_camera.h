@@ -1,0 +1,38 @@
+// Where the eye and the light of a scene are, as matrices.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include "generator/scene/scene.h"
+
+namespace pomona {
+
+/// A ball around all instances.
+struct SceneBall {
+  glm::vec3 center{0};
+  float radius = 0;
+};
+
+SceneBall ball_around(const Scene& scene);
+
+struct SceneCamera {
+  glm::mat4 view{1};        ///< scene to camera; it looks along -Z
+  glm::mat4 projection{1};  ///< camera to clip space
+  glm::vec2 tangent{1};     ///< of half the field of view
+  float near = 0, far = 1;  ///< metres
+};
+
+SceneCamera camera_of(const Scene& scene, const SceneBall& ball, double aspect);
+
+struct SceneLight {
+  glm::vec3 to_light{0, 1, 0};  ///< unit, scene
+  glm::mat4 to_clip{1};         ///< scene to the shadow map's clip space
+};
+
+/// From the upper left, behind the one who looks.
+SceneLight light_of(const SceneCamera& camera, const SceneBall& ball);
+
+/// A pose as a matrix.
+glm::mat4 matrix_of(const Pose& pose);
+
+}  // namespace pomona

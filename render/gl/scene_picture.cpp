@@ -1,0 +1,393 @@
+#include "render/gl/scene_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "render/gl/objects.h"
+#include "render/gl/program.h"
+#include "render/gl/scene_camera.h"
+#include "render/gl/scene_upload.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr int shadow_side = 2048;  // samples of the shadow map each way
+constexpr int widest_reach = 24;   // samples: no stroke reaches further from its line
+
+/// What shaders want to know of each instance: two texels (shaders/edges.frag.glsl).
+struct InstanceTexels {
+  glm::vec4 ink_and_width{0};  ///< width in samples
+  glm::vec4 pen{0};            ///< wavelength of the hand in metres; width of inner lines in samples
+};
+
+/// Half the diagonal of the solid's box, metres.
+std::vector<double> radii_of(const Scene& scene) {
+  std::vector<double> radii;
+  for (const Solid& solid : scene.solids) {
+    glm::vec3 low(1e30f), high(-1e30f);
+    for (const glm::vec3& p : solid.position) low = glm::min(low, p), high = glm::max(high, p);
+    radii.push_back(solid.position.empty() ? 0.0 : 0.5 * static_cast<double>(glm::distance(low, high)));
+  }
+  return radii;
+}
+
+/// Strokes by the size at which each instance is seen, as on sections: small pieces get finer lines.
+std::vector<InstanceTexels> instance_texels(const Scene& scene, const SceneCamera& camera, const Style& style,
+                                            const glm::dvec2& samples) {
+  const std::vector<double> radii = radii_of(scene);
+  const double side = std::min(samples.x, samples.y);
+  std::vector<InstanceTexels> texels;
+  for (const Instance& instance : scene.instances) {
+    const InkStyle& ink = scene.solids[instance.solid].ink;
+    const double radius = radii[instance.solid];
+    const glm::dvec3 center = instance.pose.translation;
+    const double away =
+        std::max(-(glm::dmat4(camera.view) * glm::dvec4(center, 1)).z, static_cast<double>(camera.near));
+    const double seen = 2 * radius / away / camera.tangent.y * 0.5 * samples.y;  // samples
+    const double fine = std::clamp(std::sqrt(seen / (0.7 * side)), 0.3, 1.0);
+    const double width = std::min(side * fine * ink.width * style.outline_width, 2.0 * widest_reach);
+    const double inner = side * fine * ink.width * style.inner_width;
+    texels.push_back({glm::vec4(ink.color, width), glm::vec4(0.3 * radius + 1e-6, inner, 0, 0)});
+  }
+  return texels;
+}
+
+/// The pictures that the passes hand on, at `samples` a pixel's side unless said otherwise.
+struct Targets {
+  Targets(const CurrentGl& gl, const PictureOptions& options, int side)
+      : samples(options.width * side, options.height * side),
+        albedo(gl, GL_RGBA16F, samples.x, samples.y),
+        normal_line(gl, GL_RGBA16F, samples.x, samples.y),
+        ids(gl, GL_R32UI, samples.x, samples.y),
+        depth(gl, GL_DEPTH_COMPONENT32F, samples.x, samples.y),
+        strokes{GlTexture(gl, GL_RG32I, samples.x, samples.y), GlTexture(gl, GL_RG32I, samples.x, samples.y)},
+        light{GlTexture(gl, GL_RGBA16F, options.width, options.height),
+              GlTexture(gl, GL_RGBA16F, options.width, options.height)},
+        shadow(gl, GL_DEPTH_COMPONENT32F, shadow_side, shadow_side),
+        picture(gl, GL_RGBA8, options.width, options.height) {}
+
+  glm::ivec2 samples;
+  GlTexture albedo, normal_line, ids, depth;
+  std::array<GlTexture, 2> strokes;  // to and fro
+  std::array<GlTexture, 2> light;    // one per pixel: sky, light, distance
+  GlTexture shadow;
+  GlTexture picture;  // one per pixel
+};
+
+/// Draws one scene; its passes in the order in which they run.
+class ScenePainter {
+ public:
+  ScenePainter(const CurrentGl& gl, const Scene& scene, const Style& style, const PictureOptions& options)
+      : gl_(gl),
+        scene_(scene),
+        style_(style),
+        options_(options),
+        side_(static_cast<int>(std::lround(std::sqrt(options.samples)))),
+        ball_(ball_around(scene)),
+        camera_(camera_of(scene, ball_, static_cast<double>(options.width) / options.height)),
+        light_(light_of(camera_, ball_)),
+        targets_(gl, options, side_),
+        solids_(uploaded(gl, scene, style)),
+        texels_(instance_texels(scene, camera_, style, targets_.samples)),
+        texel_buffer_(gl, GL_TEXTURE_BUFFER, texels_),
+        instances_(gl, GL_RGBA32F, texel_buffer_),
+        nothing_(gl) {}
+
+  Image painted() {
+    cast_shadows();
+    draw_solids();
+    look_for_light();
+    if (style_.ink) find_strokes();
+    compose();
+    return read_back();
+  }
+
+ private:
+  void cast_shadows();
+  void draw_solids();
+  void draw_ground();
+  void draw_inner_lines();
+  void look_for_light();
+  void find_strokes();
+  void compose();
+  Image read_back();
+
+  void draw_instances(const Program& program, bool with_noise);
+  std::vector<std::size_t> nearest_first() const;
+  void fill(const GlFramebuffer& target, const glm::ivec2& size);
+  void set_camera(const Program& program) const;
+
+  const CurrentGl& gl_;
+  const Scene& scene_;
+  const Style& style_;
+  const PictureOptions& options_;
+  int side_;
+  SceneBall ball_;
+  SceneCamera camera_;
+  SceneLight light_;
+  Targets targets_;
+  UploadedSolids solids_;
+  std::vector<InstanceTexels> texels_;
+  GlBuffer texel_buffer_;
+  GlTexture instances_;
+  GlVertexArray nothing_;  // for passes that fill the picture
+};
+
+/// From the eye outwards, so that what is hidden is not worked out in vain.
+std::vector<std::size_t> ScenePainter::nearest_first() const {
+  std::vector<double> away;
+  for (const Instance& instance : scene_.instances) {
+    const glm::dvec3 d = instance.pose.translation - scene_.view.eye;
+    away.push_back(glm::dot(d, d));
+  }
+  std::vector<std::size_t> order(scene_.instances.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return away[a] < away[b]; });
+  return order;
+}
+
+void ScenePainter::draw_instances(const Program& program, bool with_noise) {
+  solids_.solids.bind();
+  for (const std::size_t i : nearest_first()) {
+    const Instance& instance = scene_.instances[i];
+    const UploadedSolids::Part& part = solids_.parts[instance.solid];
+    const float opacity = scene_.solids[instance.solid].opacity;
+    const auto number = static_cast<unsigned>((i + 1) & 0x7ffff);
+    program.set("placement", matrix_of(instance.pose));
+    program.set("opacity", opacity);
+    program.set("instance_id", (number << 12) | (opacity < 1 ? 0x80000000u : 0u));
+    if (with_noise) {
+      program.set("first_triangle", part.first_triangle);
+      gl_->BindBufferRange(GL_UNIFORM_BUFFER, 0, solids_.noise_blocks.id(), part.noise_offset, noise_block_size);
+    }
+    gl_->DrawElementsBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_INT,
+                                reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t)),
+                                part.first_vertex);
+  }
+}
+
+void ScenePainter::cast_shadows() {
+  const GlFramebuffer target(gl_, {}, &targets_.shadow);
+  target.bind(shadow_side, shadow_side);
+  const float far = 1;
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthFunc(GL_LESS);
+  gl_->DepthMask(GL_TRUE);
+  gl_->Disable(GL_CULL_FACE);
+  gl_->Disable(GL_BLEND);
+  gl_->ClearBufferfv(GL_DEPTH, 0, &far);
+
+  const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl");
+  program.use();
+  program.set("projection", light_.to_clip);
+  draw_instances(program, false);
+  gl_.check("the shadow map");
+}
+
+void ScenePainter::draw_solids() {
+  const std::array<const GlTexture*, 3> colors{&targets_.albedo, &targets_.normal_line, &targets_.ids};
+  const GlFramebuffer target(gl_, colors, &targets_.depth);
+  target.bind(targets_.samples.x, targets_.samples.y);
+  const std::array<float, 4> empty{0, 0, 0, 0};
+  const std::array<unsigned, 4> no_id{0, 0, 0, 0};
+  const float far = 1;
+  gl_->ClearBufferfv(GL_COLOR, 0, empty.data());
+  gl_->ClearBufferfv(GL_COLOR, 1, empty.data());
+  gl_->ClearBufferuiv(GL_COLOR, 2, no_id.data());
+  gl_->ClearBufferfv(GL_DEPTH, 0, &far);
+
+  const Program program(gl_, "solid.vert.glsl", "solid.frag.glsl");
+  program.use();
+  program.set("projection", camera_.projection * camera_.view);
+  program.set("footprint_scale", static_cast<float>(side_));
+  program.set("triangle_tags", 0);
+  program.bind_block("NoiseBlock", 0);
+  solids_.triangle_tags.bind(0);
+  draw_instances(program, true);
+  if (scene_.ground) draw_ground();
+  if (style_.ink) draw_inner_lines();
+  gl_.check("the solids");
+}
+
+void ScenePainter::draw_ground() {
+  const Program program(gl_, "ground.vert.glsl", "ground.frag.glsl");
+  program.use();
+  program.set("projection", camera_.projection * camera_.view);
+  program.set("ground_center", ball_.center);
+  program.set("ground_reach", 12.0f * ball_.radius);
+  nothing_.bind();
+  gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void ScenePainter::draw_inner_lines() {
+  // Only the channel beside the normal is theirs.
+  for (const GLuint target : {0u, 1u, 2u}) gl_->ColorMaski(target, GL_FALSE, GL_FALSE, GL_FALSE, target == 1);
+  gl_->DepthMask(GL_FALSE);
+  gl_->DepthFunc(GL_LEQUAL);
+
+  const Program program(gl_, "inner_line.vert.glsl", "inner_line.frag.glsl");
+  program.use();
+  program.set("projection", camera_.projection * camera_.view);
+  solids_.lines.bind();
+  for (const Instance& instance : scene_.instances) {
+    const UploadedSolids::Part& part = solids_.parts[instance.solid];
+    if (part.line_vertices == 0) continue;
+    program.set("placement", matrix_of(instance.pose));
+    gl_->DrawArrays(GL_LINES, part.first_line_vertex, part.line_vertices);
+  }
+
+  for (const GLuint target : {0u, 1u, 2u}) gl_->ColorMaski(target, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_->DepthMask(GL_TRUE);
+  gl_->DepthFunc(GL_LESS);
+}
+
+/// Runs the program in use on every pixel of the target.
+void ScenePainter::fill(const GlFramebuffer& target, const glm::ivec2& size) {
+  target.bind(size.x, size.y);
+  gl_->Disable(GL_DEPTH_TEST);
+  nothing_.bind();
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void ScenePainter::set_camera(const Program& program) const {
+  program.set("depth_range", glm::vec2(camera_.near, camera_.far));
+  program.set("tangent", camera_.tangent);
+  program.set("view", camera_.view);
+  program.set("samples_per_side", side_);
+  program.set("ids", 0);
+  program.set("depth", 1);
+  program.set("normal_line", 2);
+  program.set("instances", 3);
+  targets_.ids.bind(0);
+  targets_.depth.bind(1);
+  targets_.normal_line.bind(2);
+  instances_.bind(3);
+}
+
+void ScenePainter::look_for_light() {
+  const glm::ivec2 size(options_.width, options_.height);
+  const Program program(gl_, "fullscreen.vert.glsl", "light.frag.glsl");
+  program.use();
+  set_camera(program);
+  const glm::mat4 to_unit(glm::vec4(0.5f, 0, 0, 0), glm::vec4(0, 0.5f, 0, 0), glm::vec4(0, 0, 0.5f, 0),
+                          glm::vec4(0.5f, 0.5f, 0.5f, 1));
+  program.set("camera_to_light", to_unit * light_.to_clip * glm::inverse(camera_.view));
+  program.set("reach", 0.16f * ball_.radius);
+  program.set("light_size", 0.35f);
+  program.set("shadow_bias", glm::vec2(0.004f * ball_.radius, 0.0012f));
+  program.set("shadow_map", 4);
+  targets_.shadow.bind(4);
+  const std::array<const GlTexture*, 1> raw{&targets_.light[0]}, soft{&targets_.light[1]};
+  const GlFramebuffer to_raw(gl_, raw, nullptr), to_soft(gl_, soft, nullptr);
+  fill(to_raw, size);
+
+  // Across and up.
+  const Program soften(gl_, "fullscreen.vert.glsl", "soften.frag.glsl");
+  soften.use();
+  soften.set("light_in", 0);
+  soften.set("direction", glm::vec2(1, 0));
+  targets_.light[0].bind(0);
+  fill(to_soft, size);
+  soften.set("direction", glm::vec2(0, 1));
+  targets_.light[1].bind(0);
+  fill(to_raw, size);
+  gl_.check("light and sky");
+}
+
+void ScenePainter::find_strokes() {
+  const std::array<const GlTexture*, 1> first{&targets_.strokes[0]}, second{&targets_.strokes[1]};
+  const GlFramebuffer to_first(gl_, first, nullptr), to_second(gl_, second, nullptr);
+  const Program edges(gl_, "fullscreen.vert.glsl", "edges.frag.glsl");
+  edges.use();
+  set_camera(edges);
+  edges.set("clip_to_scene", glm::inverse(camera_.projection * camera_.view));
+  edges.set("inner_opacity", static_cast<float>(style_.inner_opacity));
+  edges.set("from_light", glm::vec2(0.6f, -0.8f));
+  fill(to_first, targets_.samples);
+
+  // No further than the widest stroke can reach: 0.72 + 0.34 * 1.5 + 0.26 of half its width, and half a sample more.
+  float widest = 1;
+  for (const InstanceTexels& texels : texels_) widest = std::max(widest, texels.ink_and_width.w);
+  const int reach = std::min(widest_reach, static_cast<int>(std::ceil(0.5f * 1.5f * widest + 1.0f)));
+  const Program widen(gl_, "fullscreen.vert.glsl", "widen.frag.glsl");
+  widen.use();
+  widen.set("strokes", 0);
+  widen.set("reach", reach);
+  widen.set("across", 1);
+  targets_.strokes[0].bind(0);
+  fill(to_second, targets_.samples);
+  widen.set("across", 0);
+  targets_.strokes[1].bind(0);
+  fill(to_first, targets_.samples);
+  gl_.check("the strokes");
+}
+
+void ScenePainter::compose() {
+  const std::array<const GlTexture*, 1> colors{&targets_.picture};
+  const GlFramebuffer target(gl_, colors, nullptr);
+  const Program program(gl_, "fullscreen.vert.glsl", "compose.frag.glsl");
+  program.use();
+  set_camera(program);
+  program.set("albedo", 4);
+  program.set("light", 5);
+  program.set("strokes", 6);
+  targets_.albedo.bind(4);
+  targets_.light[0].bind(5);
+  targets_.strokes[0].bind(6);
+  program.set("inked", style_.ink ? 1 : 0);
+  program.set("paper", scene_.paper);
+  program.set("grain", static_cast<float>(style_.grain));
+  program.set("gloss", static_cast<float>(style_.gloss));
+  program.set("camera_to_scene", glm::inverse(camera_.view));
+  program.set("to_light", light_.to_light);
+  fill(target, {options_.width, options_.height});
+  gl_.check("the picture");
+}
+
+Image ScenePainter::read_back() {
+  const std::array<const GlTexture*, 1> colors{&targets_.picture};
+  const GlFramebuffer target(gl_, colors, nullptr);
+  target.bind(options_.width, options_.height);
+  Image image{options_.width, options_.height, {}};
+  image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
+  gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_->ReadPixels(0, 0, image.width, image.height, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
+  gl_.check("reading the picture");
+  return image;
+}
+
+void check_options(const CurrentGl& gl, const PictureOptions& options) {
+  const int side = static_cast<int>(std::lround(std::sqrt(std::max(options.samples, 0))));
+  if (side < 1 || side > 4 || side * side != options.samples) {
+    throw Error(ExitStatus::usage, "samples per pixel must be 1, 4, 9 or 16");
+  }
+  GLint most = 0;
+  gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  most = std::min(most, max_picture_side);
+  if (options.width < 1 || options.height < 1 || std::max(options.width, options.height) > most / side) {
+    throw Error(ExitStatus::usage, "a picture with " + std::to_string(options.samples) +
+                                       " samples per pixel must be 1 to " + std::to_string(most / side) +
+                                       " pixels each way");
+  }
+}
+
+}  // namespace
+
+Image draw_scene(GlContext& context, const Scene& scene, const Style& style, const PictureOptions& options) {
+  const CurrentGl gl(context);
+  check_options(gl, options);
+  return ScenePainter(gl, scene, style, options).painted();
+}
+
+Image draw_scene(const Scene& scene, const Style& style, const PictureOptions& options) {
+  GlContext context;
+  return draw_scene(context, scene, style, options);
+}
+
+}  // namespace pomona

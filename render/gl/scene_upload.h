@@ -1,0 +1,40 @@
+// A scene's solids in the graphics memory.
+#pragma once
+
+#include <vector>
+
+#include "generator/scene/scene.h"
+#include "render/gl/objects.h"
+#include "render/style/style.h"
+
+namespace pomona {
+
+/// All solids in one set of buffers, each drawn from its part of them.
+struct UploadedSolids {
+  struct Part {
+    GLsizei indices = 0;
+    std::size_t first_index = 0;
+    GLint first_vertex = 0;
+    GLint first_triangle = 0;  ///< in triangle_tags
+    GLint first_line_vertex = 0;
+    GLsizei line_vertices = 0;
+    GLintptr noise_offset = 0;
+  };
+  std::vector<Part> parts;
+  GlBuffer position, normal, color, index;
+  GlBuffer line_position, line_strength;
+  GlBuffer tag_buffer;
+  GlTexture triangle_tags;  ///< per triangle: the low 12 bits of its id (shaders/gbuffer.glsl)
+  GlBuffer noise_blocks;
+  GlVertexArray solids, lines;
+};
+
+/// \throws Error (bad_data) for more triangles than a buffer texture of this context holds.
+UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& style);
+
+constexpr GLsizeiptr noise_block_size = 1056;  ///< bytes of NoiseBlock in shaders/noise.glsl
+
+/// The bytes of NoiseBlock, std140.
+std::vector<float> noise_block(const NoiseStyle& style);
+
+}  // namespace pomona

@@ -1,0 +1,118 @@
+// The picture: every pixel the mean of its samples, each lit and inked.
+#include "gbuffer.glsl"
+#include "paper.glsl"
+#include "stroke_code.glsl"
+
+uniform usampler2D ids;
+uniform sampler2D depth;
+uniform sampler2D albedo;
+uniform sampler2D normal_line;
+uniform sampler2D light;
+uniform isampler2D strokes;
+uniform samplerBuffer instances;
+uniform int samples_per_side;
+uniform bool inked;
+uniform vec3 paper;
+uniform float grain;
+uniform float gloss;
+uniform vec2 tangent;
+uniform mat4 camera_to_scene;
+uniform vec3 to_light;  // unit, scene
+
+layout(location = 0) out vec4 picture;
+
+// The coarser light of the neighbour that lies at the sample's own distance.
+vec2 light_at(ivec2 pixel, float distance_to) {
+  ivec2 size = textureSize(light, 0);
+  vec4 best = texelFetch(light, pixel, 0);
+  float error = abs(best.z - distance_to);
+  if (error < 0.01 * distance_to) return best.xy;
+  for (int i = 0; i < 8; ++i) {
+    int k = i < 4 ? i : i + 1;
+    vec4 other = texelFetch(light, clamp(pixel + ivec2(k % 3 - 1, k / 3 - 1), ivec2(0), size - 1), 0);
+    if (abs(other.z - distance_to) < error) {
+      error = abs(other.z - distance_to);
+      best = other;
+    }
+  }
+  return best.xy;
+}
+
+const vec3 sun = vec3(0.74, 0.70, 0.62);
+const vec3 sky = vec3(0.47, 0.50, 0.54);
+const vec3 bounce = vec3(0.40, 0.36, 0.31);
+
+vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, vec2 seen, bool cut) {
+  // Soft, wrapped light; on cut faces flatter still, so that their colours are what one sees.
+  float key = clamp((dot(n, to_light) + 0.35) / 1.35, 0.0, 1.0);
+  if (cut) key = mix(key, 0.8, 0.45);
+  float lit = key * mix(0.12, 1.0, seen.y);
+  vec3 ambient = mix(bounce, sky, 0.5 + 0.5 * n.y) * mix(0.25, 1.0, seen.x);
+  vec3 received = ambient + sun * lit;
+
+  // In the shade colours grow deeper, not greyer.
+  float shade = clamp(1.0 - dot(received, vec3(0.33)), 0.0, 1.0);
+  vec3 shaded = pow(max(color, 1e-4), vec3(1.0 + 0.22 * shade)) * received;
+
+  // A skin shines a little; a cut face is just moist.
+  vec3 halfway = normalize(to_light + to_eye);
+  float spot = max(dot(n, halfway), 0.0);
+  float shine = cut ? 0.035 * pow(spot, 24.0) : 0.16 * pow(spot, 70.0) + 0.07 * pow(spot, 14.0);
+  return shaded + gloss * shine * seen.y * vec3(1.0, 0.98, 0.94);
+}
+
+vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground) {
+  float d = texelFetch(depth, at, 0).r;
+  if (d == 1.0) return ground;
+  float distance_to = distance_from_depth(d);
+  vec2 seen = light_at(pixel, distance_to);
+  uint id = texelFetch(ids, at, 0).r;
+  if (instance_of(id) == 0u) {
+    // The table is the paper, with a warm grey shadow on it.
+    vec3 shadow = mix(vec3(0.50, 0.45, 0.43), vec3(1.0), seen.y);
+    return ground * shadow * mix(vec3(0.42, 0.37, 0.34), vec3(1.0), seen.x);
+  }
+  vec2 ndc = 2.0 * (vec2(at) + 0.5) / size - 1.0;
+  vec3 to_eye = normalize(mat3(camera_to_scene) * -vec3(ndc * tangent, -1.0));
+  return fruit_color(texelFetch(albedo, at, 0).rgb, texelFetch(normal_line, at, 0).xyz, to_eye, seen, is_cut(id));
+}
+
+vec3 with_ink(vec3 color, ivec2 at) {
+  ivec2 stroke = texelFetch(strokes, at, 0).rg;
+  uint id = texelFetch(ids, at, 0).r;
+  if (stroke.y != no_stroke && instance_of(id) != 0u) {
+    int who = int(instance_of(id)) - 1;
+    float width = texelFetch(instances, 2 * who + 1).y;
+    float cover = clamp(0.5 + squared_reach(stroke.y) / max(width, 1.0), 0.0, 1.0);
+    color = mix(color, texelFetch(instances, 2 * who).rgb, cover * float(low_bits(stroke.y)) / 255.0);
+  }
+  if (stroke.x != no_stroke) {
+    vec4 ink = texelFetch(instances, 2 * (low_bits(stroke.x) - 1));
+    color = mix(color, ink.rgb, clamp(0.5 + squared_reach(stroke.x) / max(ink.w, 1.0), 0.0, 1.0));
+  }
+  return color;
+}
+
+void main() {
+  // The picture's rows run down.
+  vec2 size = vec2(textureSize(depth, 0));
+  ivec2 from_top = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = ivec2(from_top.x, textureSize(light, 0).y - 1 - from_top.y);
+  vec3 ground = paper;
+  if (grain > 0.0) {
+    vec3 lab = to_oklab(paper);
+    lab.x += grain * paper_grain(from_top);
+    ground = clamp(from_oklab(lab), 0.0, 1.0);
+  }
+
+  vec3 sum = vec3(0.0);
+  for (int y = 0; y < samples_per_side; ++y) {
+    for (int x = 0; x < samples_per_side; ++x) {
+      ivec2 at = pixel * samples_per_side + ivec2(x, y);
+      vec3 color = sample_color(at, size, pixel, ground);
+      if (inked) color = with_ink(color, at);
+      sum += clamp(color, 0.0, 1.0);
+    }
+  }
+  picture = vec4(srgb_from_linear(sum / float(samples_per_side * samples_per_side)), 1.0);
+}

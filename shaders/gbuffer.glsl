@@ -1,0 +1,16 @@
+// How the passes of a scene share what they know of a pixel.
+
+// An id: bits 0-10 tell surfaces and cut faces apart, bit 11 marks cut faces, bits 12-30 hold the instance's number
+// from 1 (0: ground or nothing), bit 31 marks what is see-through.
+uint instance_of(uint id) { return (id >> 12) & 0x7ffffu; }
+bool is_cut(uint id) { return (id & 0x800u) != 0u; }
+bool is_see_through(uint id) { return (id & 0x80000000u) != 0u; }
+
+uniform vec2 depth_range;  // near, far
+
+float distance_from_depth(float depth) {
+  return depth_range.x * depth_range.y / (depth_range.y - depth * (depth_range.y - depth_range.x));
+}
+
+// The same number for a pixel every time, spread evenly over its neighbours [Jimenez 2014].
+float interleaved(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }

@@ -1,0 +1,82 @@
+// How much of the sky and of the light a pixel sees: ambient obscurance [McGuire et al. 2011] from the depth of its
+// surroundings, and a shadow map looked up with a radius that grows with the distance of what casts the shadow
+// [Fernando 2005].
+#include "gbuffer.glsl"
+
+uniform sampler2D depth;
+uniform sampler2D normal_line;
+uniform sampler2D shadow_map;
+uniform int samples_per_side;
+uniform vec2 tangent;         // of half the field of view
+uniform mat4 view;            // scene to camera
+uniform mat4 camera_to_light; // camera to the shadow map's box, 0..1 each way
+uniform float reach;          // metres over which things take each other's sky
+uniform float light_size;     // share of the shadow map's side per unit of its depth
+uniform vec2 shadow_bias;     // metres along the normal; depth
+
+layout(location = 0) out vec4 light;  // sky, light, distance
+
+vec3 camera_point(ivec2 sample_at, vec2 size, out float distance_to) {
+  distance_to = distance_from_depth(texelFetch(depth, sample_at, 0).r);
+  vec2 ndc = 2.0 * (vec2(sample_at) + 0.5) / size - 1.0;
+  return vec3(ndc * tangent, -1.0) * distance_to;
+}
+
+vec2 spiral(int i, int count, float turn) {
+  // Vogel's: each step the golden angle further.
+  float angle = 2.3999632 * float(i) + 6.2831853 * turn;
+  return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
+}
+
+float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, float turn) {
+  const int count = 20;
+  float radius = reach / distance_to / tangent.y * 0.5 * size.y;  // in samples
+  float taken = 0.0;
+  for (int i = 0; i < count; ++i) {
+    vec2 step_away = spiral(i, count, turn);
+    step_away *= length(step_away);  // denser near the point: contacts count most
+    ivec2 there = clamp(at + ivec2(step_away * radius), ivec2(0), ivec2(size) - 1);
+    float unused;
+    vec3 v = camera_point(there, size, unused) - p;
+    float squared = dot(v, v);
+    float rise = dot(v, n) - 0.0015 * distance_to;
+    float fade = max(0.0, 1.0 - squared / (reach * reach));
+    taken += fade * fade * max(rise, 0.0) * inversesqrt(squared + 1e-4 * reach * reach);
+  }
+  return clamp(1.0 - 2.6 * taken / float(count), 0.0, 1.0);
+}
+
+float light_seen(vec3 p, vec3 n, float turn) {
+  vec3 q = (camera_to_light * vec4(p + n * shadow_bias.x, 1.0)).xyz;
+  if (any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0)))) return 1.0;
+  float here = q.z - shadow_bias.y;
+
+  // How far away is what is in the way?
+  float gap = 0.0, found = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    float there = texture(shadow_map, q.xy + 0.03 * spiral(i, 8, turn)).r;
+    if (there < here) {
+      gap += here - there;
+      found += 1.0;
+    }
+  }
+  if (found == 0.0) return 1.0;
+  float radius = clamp(light_size * gap / found, 0.002, 0.03);
+  float seen = 0.0;
+  for (int i = 0; i < 14; ++i) seen += step(here, texture(shadow_map, q.xy + radius * spiral(i, 14, turn)).r);
+  return seen / 14.0;
+}
+
+void main() {
+  vec2 size = vec2(textureSize(depth, 0));
+  ivec2 at = ivec2(gl_FragCoord.xy) * samples_per_side + samples_per_side / 2;
+  if (texelFetch(depth, at, 0).r == 1.0) {
+    light = vec4(1.0, 1.0, depth_range.y, 0.0);
+    return;
+  }
+  float distance_to;
+  vec3 p = camera_point(at, size, distance_to);
+  vec3 n = mat3(view) * texelFetch(normal_line, at, 0).xyz;
+  float turn = interleaved(gl_FragCoord.xy);
+  light = vec4(sky_seen(p, n, distance_to, at, size, turn), light_seen(p, n, turn), distance_to, 0.0);
+}

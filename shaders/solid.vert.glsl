@@ -1,0 +1,18 @@
+// A solid's vertices, placed.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 color;
+
+uniform mat4 placement;  // fruit to scene
+uniform mat4 projection; // scene to clip space
+
+out vec3 fruit_position;
+out vec3 scene_normal;
+out vec3 plain_color;
+
+void main() {
+  fruit_position = position;
+  scene_normal = mat3(placement) * normal;
+  plain_color = color;
+  gl_Position = projection * (placement * vec4(position, 1.0));
+}

@@ -1,0 +1,177 @@
+#include "render/gl/scene_picture.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "generator/base/error.h"
+#include "generator/base/random.h"
+#include "render/gl/objects.h"
+#include "render/gl/program.h"
+#include "render/gl/scene_upload.h"
+#include "render/style/noise.h"
+#include "tests/render/painted_shapes.h"
+
+namespace pomona {
+namespace {
+
+/// Pixels [red, green, blue, alpha] of a picture drawn by a fragment shader alone.
+std::vector<glm::u8vec4> drawn_by(const CurrentGl& gl, const std::string& fragment, const GlBuffer& noise, int width,
+                                  int height) {
+  const GlTexture picture(gl, GL_RGBA8, width, height);
+  const std::array<const GlTexture*, 1> colors{&picture};
+  const GlFramebuffer target(gl, colors, nullptr);
+  const GlVertexArray nothing(gl);
+  const Program program = Program::from_sources(gl, shader_source("fullscreen.vert.glsl"), resolved_includes(fragment));
+  program.use();
+  program.bind_block("NoiseBlock", 0);
+  gl->BindBufferRange(GL_UNIFORM_BUFFER, 0, noise.id(), 0, noise_block_size);
+  target.bind(width, height);
+  nothing.bind();
+  gl->DrawArrays(GL_TRIANGLES, 0, 3);
+  std::vector<glm::u8vec4> pixels(static_cast<std::size_t>(width) * height);
+  gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  gl.check("a test picture");
+  return pixels;
+}
+
+TEST(GlContext, OpensWithoutADisplay) {
+  GlContext context;
+  EXPECT_FALSE(context.renderer().empty());
+  EXPECT_GE(context.version(), 33);
+}
+
+TEST(GlContext, TwoLiveInOneProcess) {
+  GlContext first, second;
+  const Image a = draw_scene(first, testing::ball_scene(), style_named("ink"), {.width = 64, .height = 48});
+  const Image b = draw_scene(second, testing::ball_scene(), style_named("ink"), {.width = 64, .height = 48});
+  const Image again = draw_scene(first, testing::ball_scene(), style_named("ink"), {.width = 64, .height = 48});
+  EXPECT_EQ(a.pixels, b.pixels);
+  EXPECT_EQ(a.pixels, again.pixels);
+}
+
+TEST(GlContext, TurnsErrorsIntoExceptions) {
+  GlContext context;
+  const CurrentGl gl(context);
+  gl.check("nothing");
+  gl->BindTexture(GL_DEPTH_TEST, 0);
+  try {
+    gl.check("a bad texture target");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("GL_INVALID_ENUM"));
+  }
+  gl.check("the error has been taken");
+}
+
+TEST(GlContext, ReportsShadersThatDoNotCompile) {
+  GlContext context;
+  const CurrentGl gl(context);
+  const std::string vertex = shader_source("fullscreen.vert.glsl");
+  EXPECT_THROW(Program::from_sources(gl, vertex, resolved_includes("void main() { nonsense; }")), Error);
+  EXPECT_THROW(resolved_includes("#include \"not_there.glsl\"\n"), Error);
+}
+
+TEST(Shaders, AllCompile) {
+  const std::vector<std::pair<std::string, std::string>> passes{
+      {"solid.vert.glsl", "solid.frag.glsl"},       {"solid.vert.glsl", "shadow.frag.glsl"},
+      {"ground.vert.glsl", "ground.frag.glsl"},     {"inner_line.vert.glsl", "inner_line.frag.glsl"},
+      {"fullscreen.vert.glsl", "light.frag.glsl"},  {"fullscreen.vert.glsl", "soften.frag.glsl"},
+      {"fullscreen.vert.glsl", "edges.frag.glsl"},  {"fullscreen.vert.glsl", "widen.frag.glsl"},
+      {"fullscreen.vert.glsl", "compose.frag.glsl"}};
+  GlContext context;
+  const CurrentGl gl(context);
+  std::set<std::string> compiled;
+  for (const auto& [vertex, fragment] : passes) {
+    EXPECT_NO_THROW(Program(gl, vertex, fragment)) << fragment;
+    compiled.insert({vertex, fragment});
+  }
+  for (const std::string& name : shader_names()) {
+    const bool is_stage = name.find(".vert.") != std::string::npos || name.find(".frag.") != std::string::npos;
+    EXPECT_TRUE(!is_stage || compiled.contains(name)) << name << " belongs to no pass of this test";
+  }
+}
+
+TEST(Shaders, NoiseIsThatOfTheCpu) {
+  GlContext context;
+  const CurrentGl gl(context);
+  for (const glm::dvec3& stretch : {glm::dvec3(1), glm::dvec3(0.3, 1, 1), glm::dvec3(1, 0.2, 2)}) {
+    NoiseStyle style = testing::some_noise({0.6f, 0.02f, 0.02f});
+    style.stretch = stretch;
+    style.keys.push_back({Color(0.9f, 0.85f, 0.6f), {0.1, 0.1, 0.05}, {0.5, 0.2, -0.3}});
+    const GlBuffer block(gl, GL_UNIFORM_BUFFER, noise_block(style));
+    const std::vector<glm::u8vec4> pixels = drawn_by(gl, R"(
+#include "noise.glsl"
+out vec4 color;
+void main() {
+  vec3 p = vec3(gl_FragCoord.x * 0.0011 - 0.0347, 0.0123, gl_FragCoord.y * 0.0009 - 0.0291);
+  vec3 plain = mix(vec3(0.6, 0.02, 0.02), vec3(0.9, 0.85, 0.6), gl_FragCoord.x / 64.0);
+  color = vec4(srgb_from_linear(modulated(plain, p, 0.0004)), 1.0);
+})",
+                                                     block, 64, 64);
+
+    // Single precision may differ by a rounding or two.
+    const Modulation modulation(style);
+    int worst = 0;
+    for (int i = 0; i < 64 * 64; ++i) {
+      const double x = i % 64 + 0.5, y = i / 64 + 0.5;
+      const glm::dvec3 p(x * 0.0011 - 0.0347, 0.0123, y * 0.0009 - 0.0291);
+      const Color plain = glm::mix(Color(0.6f, 0.02f, 0.02f), Color(0.9f, 0.85f, 0.6f), static_cast<float>(x / 64));
+      const glm::u8vec3 expected = to_srgb8(modulation(plain, p, 0.0004));
+      for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(int{pixels[i][k]} - int{expected[k]}));
+    }
+    EXPECT_LE(worst, 2);
+  }
+}
+
+int brightness(const glm::u8vec3& c) { return c.r + c.g + c.b; }
+
+TEST(ScenePicture, ShowsARedBallInInkOnPaper) {
+  const Image image = draw_scene(testing::ball_scene(), style_named("ink"), {.width = 320, .height = 240});
+  const glm::u8vec3 center = image.at(160, 120);
+  EXPECT_GT(center.r, 120);
+  EXPECT_LT(center.g, 110);
+  EXPECT_GT(brightness(image.at(3, 3)), 600);
+  int darkest = 765;
+  for (int x = 0; x < 160; ++x) darkest = std::min(darkest, brightness(image.at(x, 120)));
+  EXPECT_LT(darkest, 220);
+}
+
+TEST(ScenePicture, PlainHasNoInk) {
+  const Image image = draw_scene(testing::ball_scene(), style_named("plain"), {.width = 160, .height = 120});
+  for (const glm::u8vec3& pixel : image.pixels) EXPECT_GT(brightness(pixel), 90);
+}
+
+TEST(ScenePicture, DrawsSceneWithNothingInIt) {
+  Scene scene;
+  const Image image = draw_scene(scene, style_named("plain"), {.width = 16, .height = 16});
+  EXPECT_EQ(image.at(8, 8), to_srgb8(scene.paper));
+}
+
+TEST(ScenePicture, CastsAShadowOnTheGround) {
+  Scene scene = testing::still_life();
+  const PictureOptions options{.width = 200, .height = 150};
+  const auto dark = [&](const Image& image) {
+    return std::count_if(image.pixels.begin(), image.pixels.end(), [](const glm::u8vec3& c) {
+      return brightness(c) < 640 && c.r - c.b < 60;  // grey, not red
+    });
+  };
+  const auto with = dark(draw_scene(scene, style_named("plain"), options));
+  scene.ground = false;
+  const auto without = dark(draw_scene(scene, style_named("plain"), options));
+  EXPECT_GT(with, without + 500);
+}
+
+TEST(ScenePicture, RefusesSizesAndSamplesThatCannotBe) {
+  GlContext context;
+  const Scene scene = testing::ball_scene();
+  const Style style = style_named("plain");
+  EXPECT_THROW(draw_scene(context, scene, style, {.width = 0, .height = 10}), Error);
+  EXPECT_THROW(draw_scene(context, scene, style, {.width = 10, .height = 1 << 20}), Error);
+  EXPECT_THROW(draw_scene(context, scene, style, {.width = 10, .height = 10, .samples = 5}), Error);
+}
+
+}  // namespace
+}  // namespace pomona
