@@ -29,7 +29,8 @@ glm::dvec2 point_at(const Curve& curve, double t);
 /// The same closed curve, counter-clockwise.
 Curve counter_clockwise(Curve curve);
 
-/// True if no two edges of the curve meet but at shared ends. Exact up to the orientation test's rounding.
+/// True if no two edges of the curve meet but at shared ends. Exact up to the orientation test's rounding. A curve
+/// so intricate that its edges overlap in x more than 2^24 times counts as not simple.
 bool is_simple(const Curve& curve);
 
 /// True if the closed curve winds around the point.

@@ -24,7 +24,8 @@ PaintedColor read_painted_color(const TomlValue& value) {
 
 Side read_side(const TomlTable& table, const std::vector<std::string>& parts) {
   Side side;
-  side.part = table.need("part").choice(parts);
+  const TomlValue part = table.need("part");
+  if (!parts.empty()) side.part = part.choice(parts);  // with none known, that is the one mistake to report
   side.color = read_painted_color(table.need("color"));
   side.hidden = table.get("hidden").boolean(false);
   return side;
