@@ -53,6 +53,19 @@ TEST(ReadTemplate, all_templates_of_the_project_are_good) {
   }
 }
 
+TEST(ReadTemplate, the_fruit_of_the_documentation_is_good) {
+  const std::string page = text_of(root / "docs/make_a_fruit.md");
+  int blocks = 0;
+  std::string fruit;
+  for (std::size_t at = page.find("```toml\n"); at != std::string::npos; at = page.find("```toml\n", at)) {
+    at += 8;
+    fruit += page.substr(at, page.find("```", at) - at);
+    ++blocks;
+  }
+  EXPECT_GE(blocks, 4);
+  EXPECT_NO_THROW(parse_template(fruit, "docs/make_a_fruit.md"));
+}
+
 TEST(ReadTemplate, reads_what_is_written) {
   const Template plum = read_template(root / "tests/template/good.toml");
   EXPECT_EQ(plum.name, "plum");
