@@ -1,8 +1,9 @@
 #include "render/export/gltf.h"
 
 #include <tiny_gltf.h>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <sstream>
 
@@ -10,6 +11,7 @@
 
 #include "generator/base/error.h"
 #include "render/export/view_frame.h"
+#include "render/picture/png.h"
 
 namespace pomona {
 namespace {
@@ -18,7 +20,7 @@ namespace {
 struct GlbVertex {
   glm::vec3 position;
   glm::vec3 normal;
-  std::array<std::uint16_t, 4> color;
+  std::array<std::uint16_t, 4> color_or_uv;  ///< 16-bit RGBA; or two floats, where there is a texture
   std::uint16_t part;
   std::uint16_t padding = 0;
 };
@@ -26,15 +28,16 @@ static_assert(sizeof(GlbVertex) == 36);
 
 std::uint16_t to_16_bits(float share) { return static_cast<std::uint16_t>(std::lround(share * 65535.0f)); }
 
+std::array<std::uint16_t, 4> color_or_uv(const StyledMesh& mesh, std::size_t v) {
+  if (!mesh.uv.empty()) return std::bit_cast<std::array<std::uint16_t, 4>>(mesh.uv[v]);
+  const Color& c = mesh.color[v];
+  return {to_16_bits(c.r), to_16_bits(c.g), to_16_bits(c.b), 65535};
+}
+
 std::vector<GlbVertex> vertices_of(const StyledMesh& mesh) {
   std::vector<GlbVertex> vertices(mesh.position.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const Color& c = mesh.color[v];
-    vertices[v] = {mesh.position[v],
-                   mesh.normal[v],
-                   {to_16_bits(c.r), to_16_bits(c.g), to_16_bits(c.b), 65535},
-                   static_cast<std::uint16_t>(mesh.part[v])};
-  }
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    vertices[v] = {mesh.position[v], mesh.normal[v], color_or_uv(mesh, v), static_cast<std::uint16_t>(mesh.part[v])};
   return vertices;
 }
 
@@ -49,7 +52,9 @@ class GlbModel {
     model_.defaultScene = 0;
   }
 
-  int add_mesh(const Solid& solid, const StyledMesh& styled);
+  int add_mesh(const Solid& solid, const StyledMesh& styled, int material);
+  int add_material(const Solid& solid);
+  int add_textured_material(const Solid& solid, const Image& texture);
   void add_instance(const Instance& instance, int mesh);
   void add_camera(const View& view);
   void set_provenance(const std::string& text);
@@ -59,7 +64,6 @@ class GlbModel {
   int add_view(const void* data, std::size_t size, std::size_t stride, int target);
   int add_attribute(int view, std::size_t offset, std::size_t count, int component, int type);
   int add_indices(const StyledMesh& styled);
-  int material_for(bool closed, float opacity);
   void add_root(tinygltf::Node node);
 
   tinygltf::Model model_;
@@ -107,21 +111,47 @@ int GlbModel::add_indices(const StyledMesh& styled) {
   return add_attribute(view, 0, count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
 }
 
-/// White, so that the vertex colours speak; dull like flesh. Open and see-through meshes show both sides.
-int GlbModel::material_for(bool closed, float opacity) {
-  const auto [entry, is_new] = materials_.try_emplace({closed, opacity}, static_cast<int>(model_.materials.size()));
-  if (!is_new) return entry->second;
+/// Dull like flesh. Open and see-through meshes show both sides.
+tinygltf::Material material_of(const Solid& solid) {
   tinygltf::Material material;
-  material.name = opacity < 1 ? "see-through" : closed ? "fruit" : "open fruit";
-  material.doubleSided = !closed || opacity < 1;
+  material.doubleSided = !solid.closed || solid.opacity < 1;
   material.pbrMetallicRoughness.metallicFactor = 0;
   material.pbrMetallicRoughness.roughnessFactor = 0.6;
-  if (opacity < 1) {
+  if (solid.opacity < 1) {
     material.alphaMode = "BLEND";
-    material.pbrMetallicRoughness.baseColorFactor = {1, 1, 1, static_cast<double>(opacity)};
+    material.pbrMetallicRoughness.baseColorFactor = {1, 1, 1, static_cast<double>(solid.opacity)};
   }
-  model_.materials.push_back(material);
+  return material;
+}
+
+/// White, so that the vertex colours speak; shared by all solids that look alike.
+int GlbModel::add_material(const Solid& solid) {
+  const auto [entry, is_new] =
+      materials_.try_emplace({solid.closed, solid.opacity}, static_cast<int>(model_.materials.size()));
+  if (is_new) {
+    model_.materials.push_back(material_of(solid));
+    model_.materials.back().name = solid.opacity < 1 ? "see-through" : solid.closed ? "fruit" : "open fruit";
+  }
   return entry->second;
+}
+
+int GlbModel::add_textured_material(const Solid& solid, const Image& texture) {
+  // The PNG goes into the buffer: handed over as pixels, tinygltf would write it as a data URI.
+  const std::string png = write_png(texture);
+  tinygltf::Image image;
+  image.name = solid.name;
+  image.mimeType = "image/png";
+  image.bufferView = add_view(png.data(), png.size(), 0, 0);
+  tinygltf::Texture source;
+  source.source = static_cast<int>(model_.images.size());
+  model_.images.push_back(image);
+
+  tinygltf::Material material = material_of(solid);
+  material.name = solid.name;
+  material.pbrMetallicRoughness.baseColorTexture.index = static_cast<int>(model_.textures.size());
+  model_.textures.push_back(source);
+  model_.materials.push_back(material);
+  return static_cast<int>(model_.materials.size()) - 1;
 }
 
 tinygltf::Value extras_of(const Solid& solid) {
@@ -135,7 +165,7 @@ tinygltf::Value extras_of(const Solid& solid) {
   return tinygltf::Value(extras);
 }
 
-int GlbModel::add_mesh(const Solid& solid, const StyledMesh& styled) {
+int GlbModel::add_mesh(const Solid& solid, const StyledMesh& styled, int material) {
   // Lay the vertices down once, and the attributes over them.
   const std::vector<GlbVertex> vertices = vertices_of(styled);
   const std::size_t count = vertices.size();
@@ -145,13 +175,16 @@ int GlbModel::add_mesh(const Solid& solid, const StyledMesh& styled) {
   const auto attribute = [&](const char* name, std::size_t offset, int component, int type) {
     return primitive.attributes[name] = add_attribute(view, offset, count, component, type);
   };
-  const int position =
-      attribute("POSITION", offsetof(GlbVertex, position), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
-  attribute("NORMAL", offsetof(GlbVertex, normal), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
-  const int color =
-      attribute("COLOR_0", offsetof(GlbVertex, color), TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4);
-  attribute("_PART", offsetof(GlbVertex, part), TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
-  model_.accessors[color].normalized = true;
+  constexpr int floats = TINYGLTF_COMPONENT_TYPE_FLOAT, shorts = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+  const int position = attribute("POSITION", offsetof(GlbVertex, position), floats, TINYGLTF_TYPE_VEC3);
+  attribute("NORMAL", offsetof(GlbVertex, normal), floats, TINYGLTF_TYPE_VEC3);
+  attribute("_PART", offsetof(GlbVertex, part), shorts, TINYGLTF_TYPE_SCALAR);
+  if (styled.uv.empty()) {
+    const int color = attribute("COLOR_0", offsetof(GlbVertex, color_or_uv), shorts, TINYGLTF_TYPE_VEC4);
+    model_.accessors[color].normalized = true;
+  } else {
+    attribute("TEXCOORD_0", offsetof(GlbVertex, color_or_uv), floats, TINYGLTF_TYPE_VEC2);
+  }
 
   // glTF wants the bounds of positions.
   glm::vec3 low = styled.position.front(), high = low;
@@ -161,7 +194,7 @@ int GlbModel::add_mesh(const Solid& solid, const StyledMesh& styled) {
 
   primitive.indices = add_indices(styled);
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.material = material_for(solid.closed, solid.opacity);
+  primitive.material = material;
   tinygltf::Mesh mesh;
   mesh.name = solid.name;
   mesh.primitives.push_back(primitive);
@@ -224,27 +257,47 @@ std::string GlbModel::bytes() {
   return std::move(stream).str();
 }
 
+/// Nodes, camera and what made it, around meshes that are there already (-1: a solid without triangles, which
+/// glTF cannot hold).
+std::string finished(GlbModel& model, const Scene& scene, const std::vector<int>& mesh_of, const std::string& text) {
+  for (const Instance& instance : scene.instances) {
+    const int mesh = mesh_of.at(instance.solid);
+    if (mesh >= 0) model.add_instance(instance, mesh);
+  }
+  model.add_camera(scene.view);
+  model.set_provenance(text);
+  return model.bytes();
+}
+
+void check_parts(const Solid& solid) {
+  if (solid.part_names.size() > 65536) throw Error(ExitStatus::bad_data, solid.name + ": too many parts for glTF");
+}
+
 }  // namespace
 
 std::string write_glb(const Scene& scene, const ExportOptions& options) {
   const std::vector<StyledMesh> styled = styled_meshes(scene, options);
   GlbModel model;
-
-  // Every solid that has triangles becomes a mesh; glTF knows no empty ones.
   std::vector<int> mesh_of(styled.size(), -1);
   for (std::size_t i = 0; i < styled.size(); ++i) {
     const Solid& solid = scene.solids[i];
-    if (solid.part_names.size() > 65536) throw Error(ExitStatus::bad_data, solid.name + ": too many parts for glTF");
-    if (!styled[i].triangle.empty()) mesh_of[i] = model.add_mesh(solid, styled[i]);
+    check_parts(solid);
+    if (!styled[i].triangle.empty()) mesh_of[i] = model.add_mesh(solid, styled[i], model.add_material(solid));
   }
-  for (const Instance& instance : scene.instances) {
-    const int mesh = mesh_of.at(instance.solid);
-    if (mesh >= 0) model.add_instance(instance, mesh);
-  }
+  return finished(model, scene, mesh_of, options.provenance);
+}
 
-  model.add_camera(scene.view);
-  model.set_provenance(options.provenance);
-  return model.bytes();
+std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, const ExportOptions& options) {
+  GlbModel model;
+  std::vector<int> mesh_of(baked.size(), -1);
+  for (std::size_t i = 0; i < baked.size(); ++i) {
+    const Solid& solid = baked[i].solid;
+    check_parts(solid);
+    const StyledMesh mesh = textured_mesh(baked[i]);
+    if (mesh.triangle.empty()) continue;
+    mesh_of[i] = model.add_mesh(solid, mesh, model.add_textured_material(solid, baked[i].texture));
+  }
+  return finished(model, scene, mesh_of, options.provenance);
 }
 
 }  // namespace pomona

@@ -1,6 +1,7 @@
 // glTF 2.0 in its binary form (.glb): for Blender, three.js, game engines (docs/formats.md).
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "render/export/styled_mesh.h"
@@ -12,5 +13,9 @@ namespace pomona {
 /// extras.parts). Same scene and options, same bytes.
 /// \throws Error (bad_data) for a solid with more than 65 536 parts.
 std::string write_glb(const Scene& scene, const ExportOptions& options = {});
+
+/// The same with the colours in textures: `baked` has one entry per solid of the scene. TEXCOORD_0 takes the place
+/// of COLOR_0, and every solid has a material of its own.
+std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, const ExportOptions& options = {});
 
 }  // namespace pomona

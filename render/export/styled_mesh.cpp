@@ -12,8 +12,8 @@
 namespace pomona {
 namespace {
 
-/// Everything a vertex is, bit by bit: position, normal, colour, part.
-using VertexBits = std::array<std::uint32_t, 10>;
+/// Everything a vertex is, bit by bit: position, normal, colour, texture coordinates, part.
+using VertexBits = std::array<std::uint32_t, 12>;
 
 struct HashOfBits {
   std::size_t operator()(const VertexBits& bits) const {
@@ -78,31 +78,36 @@ std::vector<Color> styled_colors(const StyledMesh& mesh, const NoiseStyle& noise
   return colors;
 }
 
-VertexBits bits_of(const glm::vec3& position, const glm::vec3& normal, const Color& color, std::int32_t part) {
+/// Adding zero makes -0 and 0 the same.
+std::uint32_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value + 0.0f); }
+
+VertexBits vertex_bits(const Solid& solid, const glm::vec3& normal, const glm::vec2& uv, std::uint32_t v) {
   VertexBits bits{};
   for (int k = 0; k < 3; ++k) {
-    // Adding zero makes -0 and 0 the same vertex.
-    bits[k] = std::bit_cast<std::uint32_t>(position[k] + 0.0f);
-    bits[3 + k] = std::bit_cast<std::uint32_t>(normal[k] + 0.0f);
-    bits[6 + k] = std::bit_cast<std::uint32_t>(color[k] + 0.0f);
+    bits[k] = bits_of(solid.position[v][k]);
+    bits[3 + k] = bits_of(normal[k]);
+    bits[6 + k] = bits_of(solid.color[v][k]);
   }
-  bits[9] = static_cast<std::uint32_t>(part);
+  bits[9] = bits_of(uv.x);
+  bits[10] = bits_of(uv.y);
+  bits[11] = static_cast<std::uint32_t>(solid.part[v]);
   return bits;
 }
 
-/// The solid's vertices, each once, numbered in the order in which triangles first use them.
-StyledMesh welded(const Solid& solid) {
+/// The solid's vertices, each once, numbered in the order in which triangles first use them. `uv` may be empty.
+StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
   const std::vector<glm::vec3> normals = unit_normals(solid);
   StyledMesh mesh;
   std::unordered_map<VertexBits, std::uint32_t, HashOfBits> known;
   const auto number_of = [&](std::uint32_t v) {
-    const VertexBits bits = bits_of(solid.position[v], normals[v], solid.color[v], solid.part[v]);
+    const VertexBits bits = vertex_bits(solid, normals[v], uv.empty() ? glm::vec2(0) : uv[v], v);
     const auto [entry, is_new] = known.try_emplace(bits, static_cast<std::uint32_t>(mesh.position.size()));
     if (is_new) {
       mesh.position.push_back(solid.position[v]);
       mesh.normal.push_back(normals[v]);
       mesh.color.push_back(solid.color[v]);
       mesh.part.push_back(solid.part[v]);
+      if (!uv.empty()) mesh.uv.push_back(uv[v]);
     }
     return entry->second;
   };
@@ -122,10 +127,12 @@ StyledMesh welded(const Solid& solid) {
 std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& options) {
   std::vector<StyledMesh> meshes(scene.solids.size());
   parallel_for(meshes.size(), options.threads, [&](std::size_t i) {
-    meshes[i] = welded(scene.solids[i]);
+    meshes[i] = welded(scene.solids[i], {});
     meshes[i].color = styled_colors(meshes[i], options.noise ? scene.solids[i].noise : NoiseStyle{});
   });
   return meshes;
 }
+
+StyledMesh textured_mesh(const BakedSolid& baked) { return welded(baked.solid, baked.uv); }
 
 }  // namespace pomona

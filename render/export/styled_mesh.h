@@ -7,6 +7,7 @@
 
 #include "generator/base/parallel.h"
 #include "generator/scene/scene.h"
+#include "render/texture/bake.h"
 
 namespace pomona {
 
@@ -23,6 +24,7 @@ struct StyledMesh {
   std::vector<glm::vec3> normal;    ///< unit length
   std::vector<Color> color;         ///< linear, 0..1, noise included as far as the mesh is fine enough to show it
   std::vector<std::int32_t> part;   ///< index into Solid::part_names
+  std::vector<glm::vec2> uv;        ///< into a baked texture, (0, 0) its upper left corner; else empty
 
   std::vector<glm::uvec3> triangle;    ///< counter-clockwise seen from the air
   std::vector<std::int32_t> cut_face;  ///< per triangle, as in Solid
@@ -30,5 +32,8 @@ struct StyledMesh {
 
 /// One mesh per solid of the scene, in their order.
 std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& options);
+
+/// A baked solid: the texture has the colours and their noise; `color` is left as it was.
+StyledMesh textured_mesh(const BakedSolid& baked);
 
 }  // namespace pomona

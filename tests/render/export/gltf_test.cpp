@@ -89,6 +89,27 @@ TEST(Gltf, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(write_glb(scene, {.threads = {1}}), write_glb(scene, {.threads = {2}}));
 }
 
+TEST(Gltf, TexturesTakeThePlaceOfVertexColours) {
+  Scene scene;
+  scene.solids = {named::box("box", {0, 0, 0}, {0.05f, 0.03f, 0.02f}, {0.8f, 0.05f, 0.05f}, {0.9f, 0.85f, 0.6f})};
+  scene.instances = {{0, {}, "box"}};
+  const std::vector<BakedSolid> baked_solids = {baked(scene.solids[0], style_named("plain"), {.texels = 64})};
+  const named::Glb glb = named::read_glb(write_glb(scene, baked_solids));
+  const named::GlbMesh& mesh = glb.meshes.at(0);
+  EXPECT_TRUE(mesh.color.empty());
+  ASSERT_EQ(mesh.uv.size(), mesh.position.size());
+
+  // The texel under the middle of each triangle has the box's colour there.
+  ASSERT_EQ(mesh.texture_side, 64);
+  for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+    const glm::uvec3& c = mesh.triangle[t];
+    const glm::vec2 uv = (mesh.uv[c.x] + mesh.uv[c.y] + mesh.uv[c.z]) / 3.0f;
+    const std::size_t texel = static_cast<std::size_t>(uv.y * 64) * 64 + static_cast<std::size_t>(uv.x * 64);
+    const bool on_top = mesh.normal[c.x].y > 0.5f;
+    EXPECT_EQ(mesh.texture[texel], to_srgb8(on_top ? Color(0.9f, 0.85f, 0.6f) : Color(0.8f, 0.05f, 0.05f)));
+  }
+}
+
 TEST(Gltf, AnEmptySceneIsStillAFile) {
   const named::Glb glb = named::read_glb(write_glb(Scene{}));
   EXPECT_TRUE(glb.meshes.empty());

@@ -28,12 +28,19 @@ glm::vec3 vec3_at(const tinygltf::Model& model, int accessor, std::size_t i) {
 
 void read_vertices(GlbMesh& mesh, const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
   const int position = primitive.attributes.at("POSITION"), normal = primitive.attributes.at("NORMAL");
-  const int color = primitive.attributes.at("COLOR_0"), part = primitive.attributes.at("_PART");
+  const int part = primitive.attributes.at("_PART");
+  const auto color = primitive.attributes.find("COLOR_0"), uv = primitive.attributes.find("TEXCOORD_0");
   for (std::size_t v = 0; v < model.accessors.at(position).count; ++v) {
     mesh.position.push_back(vec3_at(model, position, v));
     mesh.normal.push_back(vec3_at(model, normal, v));
-    const std::vector<std::uint16_t> c = element<std::uint16_t>(model, color, v, 4);
-    mesh.color.push_back(glm::vec3(c[0], c[1], c[2]) / 65535.0f);
+    if (color != primitive.attributes.end()) {
+      const std::vector<std::uint16_t> c = element<std::uint16_t>(model, color->second, v, 4);
+      mesh.color.push_back(glm::vec3(c[0], c[1], c[2]) / 65535.0f);
+    }
+    if (uv != primitive.attributes.end()) {
+      const std::vector<float> t = element<float>(model, uv->second, v, 2);
+      mesh.uv.emplace_back(t[0], t[1]);
+    }
     mesh.part.push_back(element<std::uint16_t>(model, part, v, 1)[0]);
   }
 }
@@ -50,6 +57,13 @@ void read_triangles(GlbMesh& mesh, const tinygltf::Model& model, int indices) {
   }
 }
 
+void read_texture(GlbMesh& mesh, const tinygltf::Model& model, int texture) {
+  const tinygltf::Image& image = model.images.at(model.textures.at(texture).source);
+  mesh.texture_side = image.width;
+  for (std::size_t i = 0; i < image.image.size(); i += image.component)
+    mesh.texture.emplace_back(image.image[i], image.image[i + 1], image.image[i + 2]);
+}
+
 GlbMesh mesh_from(const tinygltf::Model& model, const tinygltf::Mesh& source) {
   GlbMesh mesh;
   mesh.name = source.name;
@@ -59,6 +73,8 @@ GlbMesh mesh_from(const tinygltf::Model& model, const tinygltf::Mesh& source) {
   const tinygltf::Material& material = model.materials.at(primitive.material);
   mesh.double_sided = material.doubleSided;
   mesh.alpha = material.pbrMetallicRoughness.baseColorFactor.at(3);
+  if (material.pbrMetallicRoughness.baseColorTexture.index >= 0)
+    read_texture(mesh, model, material.pbrMetallicRoughness.baseColorTexture.index);
   mesh.volume = source.extras.Get("volume").GetNumberAsDouble();
   const tinygltf::Value& parts = source.extras.Get("parts");
   for (std::size_t i = 0; i < parts.ArrayLen(); ++i)

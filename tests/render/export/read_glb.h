@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace pomona::named {
@@ -13,7 +14,10 @@ namespace pomona::named {
 struct GlbMesh {
   std::string name;
   std::vector<glm::vec3> position, normal;
-  std::vector<glm::vec3> color;
+  std::vector<glm::vec3> color;  ///< of vertices, if there
+  std::vector<glm::vec2> uv;     ///< if there
+  std::vector<glm::u8vec3> texture;
+  int texture_side = 0;
   std::vector<int> part;
   std::vector<glm::uvec3> triangle;
   std::vector<std::string> part_names;
