@@ -1,0 +1,27 @@
+#!/bin/sh
+# Makes files with the program as users do, for other programs to read; checks their sizes.
+#   real_files.sh PROGRAM REPOSITORY FOLDER
+set -eu
+program=$1
+repository=$2
+folder=$3
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+
+for fruit in tomato onion pepper; do
+  "$program" grow "$fruit" --quiet -o "$fruit.glb"
+  "$program" cut "$fruit" --seed 1 --knife half --knife wedges:3 --quiet -o "$fruit-pieces.glb"
+done
+"$program" grow tomato --surfaces --quiet -o tomato-surfaces.glb
+"$program" cut tomato --knife across --texture 256 --quiet -o tomato-textured.glb
+"$program" scene "$repository/scenes/salad.toml" --quiet -o salad.glb -o salad.pov
+
+# Megabytes that docs and users count on.
+at_most() {
+  size=$(cat "$2" ${3:+"$3"} | wc -c)
+  echo "$2: $size bytes"
+  [ "$size" -le $(($1 * 1000000)) ] || { echo "$2 is larger than $1 MB" >&2; exit 1; }
+}
+at_most 40 salad.glb
+at_most 100 salad.pov salad_meshes.inc
