@@ -63,6 +63,19 @@ int side_of(const CuttingPlane& plane, const glm::dvec3& point, double tolerance
   return distance > 0 ? 1 : -1;
 }
 
+glm::dvec3 settled(glm::dvec3 point, const std::vector<int>& on, const CutPlanes& planes) {
+  int through_axis = 0;
+  for (const int k : on) {
+    const CuttingPlane& plane = planes[k].plane;
+    if (planes[k].through_axis) ++through_axis;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::fabs(plane.normal[axis]) == 1) point[axis] = plane.normal[axis] * plane.offset;
+    }
+  }
+  if (through_axis >= 2) point.x = point.z = 0;
+  return point;
+}
+
 PlaneSets::PlaneSets(const CutPlanes& planes) {
   for (int k = 0; k < planes.count(); ++k) {
     if (planes[k].through_axis && planes[k].same_as == k) axis_planes_.push_back(k);

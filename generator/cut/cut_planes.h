@@ -38,6 +38,9 @@ double signed_distance(const CuttingPlane& plane, const glm::dvec3& point);
 /// exact value; within it (a thousandth of what a float resolves, or less) the point lies on the plane.
 int side_of(const CuttingPlane& plane, const glm::dvec3& point, double tolerance);
 
+/// The point with the coordinates that axis-aligned planes, or two planes through the axis, fix set to the bit.
+glm::dvec3 settled(glm::dvec3 point, const std::vector<int>& on, const CutPlanes& planes);
+
 /// Sets of planes by number, each kept once: which planes a point lies on, or an edge is cut by. Set 0 is empty.
 /// Planes through the axis meet in one line, so a set with two of them has all of them.
 class PlaneSets {

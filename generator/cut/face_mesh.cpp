@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/cut/cut_lines.h"
 #include "generator/cut/regions.h"
 #include "generator/cut/size_field.h"
 
@@ -46,14 +47,25 @@ std::span<const EdgeUse> FaceMesh::uses(std::uint32_t p, std::uint32_t q) const 
 
 namespace {
 
+/// An edge of the split mesh as constraints of the triangulation: one, or several where it runs along a line in which
+/// planes meet.
+struct MeshEdge {
+  std::uint32_t low = 0, high = 0;  // points
+  std::vector<std::uint32_t> constraint;
+};
+
 /// Triangulates one plane step by step.
 class FaceBuilder {
  public:
-  FaceBuilder(SplitMesh& mesh, const CutPlanes& planes, int plane, std::vector<Segment> segments)
+  FaceBuilder(SplitMesh& mesh, const CutPlanes& planes, int plane, std::vector<Segment> segments,
+              const std::vector<CutLine>& lines)
       : mesh_(mesh), planes_(planes) {
     face_.plane = plane;
     face_.frame = frame_of(planes[plane].plane);
     face_.segment = std::move(segments);
+    for (const CutLine& line : lines) {
+      if (std::binary_search(line.planes.begin(), line.planes.end(), plane)) take_line(line);
+    }
     take_segments();
     surround();
     triangulation_ = std::make_unique<PlaneTriangulation>(uv_, constraint_);
@@ -64,68 +76,82 @@ class FaceBuilder {
   /// Points spread inside the section, finer near cut segments.
   void sample(const SizeLimits& limits, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
     update();
-    std::vector<SizeSource> sources;
-    for (const std::vector<std::uint32_t>& chain : face_.mesh.chain) {
-      for (std::size_t i = 1; i < chain.size(); ++i) {
-        sources.push_back({face_.mesh.point[chain[i - 1]], face_.mesh.point[chain[i]]});
-      }
-    }
-    const std::vector<glm::dvec2> candidates = SizeField(sources, limits).samples();
+    const std::vector<glm::dvec2> candidates = SizeField(sources(), limits).samples();
     const Regions regions = find_regions(face_, mesh_, planes_, surfaces, bodies);
     const std::vector<std::int32_t> triangle = triangulation_->locate(candidates);
     std::vector<glm::dvec2> chosen;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (triangle[i] >= 0 && regions.is_section(static_cast<std::size_t>(triangle[i])))
+      if (triangle[i] >= 0 && regions.is_section(static_cast<std::size_t>(triangle[i]))) {
         chosen.push_back(candidates[i]);
+      }
     }
     triangulation_->insert(chosen);
   }
 
-  /// Takes over the triangulation's present state; its new points become points of the split mesh.
-  void update() {
-    face_.mesh = triangulation_->state();
-    for (std::size_t v = face_.point.size(); v < face_.mesh.point.size(); ++v) {
-      face_.point.push_back(static_cast<std::uint32_t>(mesh_.point.size()));
-      mesh_.point.push_back(lifted(face_.mesh.point[v]));
-      mesh_.planes_of.push_back(mesh_.sets.with(0, face_.plane));
-    }
-    face_.edges.clear();
-    for (std::size_t c = 0; c < constraint_.size(); ++c) list_uses(c);
-    std::sort(face_.edges.begin(), face_.edges.end(), [](const EdgeUse& a, const EdgeUse& b) {
-      return std::tie(a.low, a.high, a.segment) < std::tie(b.low, b.high, b.segment);
-    });
-  }
-
-  FaceMesh finish(FaceMeshes& all) {
+  FaceMesh finish(std::vector<EdgePoint>& edge_points) {
     update();
-    for (std::size_t c = 0; c < constraint_.size(); ++c) list_edge_points(c, all.edge_point);
+    for (const MeshEdge& edge : edge_) list_edge_points(edge, edge_points);
     return std::move(face_);
   }
 
  private:
-  void take_segments() {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> constraint_of;
-    std::map<std::uint32_t, std::uint32_t> vertex_of;
-    const auto vertex = [&](std::uint32_t point) {
-      const auto [entry, is_new] = vertex_of.try_emplace(point, static_cast<std::uint32_t>(uv_.size()));
-      if (is_new) {
-        uv_.push_back(to_face(face_.frame, mesh_.point[point]));
-        face_.point.push_back(point);
-      }
-      return entry->second;
-    };
-    for (std::uint32_t s = 0; s < face_.segment.size(); ++s) {
-      const std::uint32_t low = std::min(face_.segment[s].from, face_.segment[s].to);
-      const std::uint32_t high = std::max(face_.segment[s].from, face_.segment[s].to);
-      const auto [entry, is_new] =
-          constraint_of.try_emplace({low, high}, static_cast<std::uint32_t>(constraint_.size()));
-      if (is_new) {
-        const std::uint32_t a = vertex(low), b = vertex(high);
-        constraint_.push_back({a, b, true});
-        segments_of_.emplace_back();
-      }
-      segments_of_[entry->second].push_back(s);
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  std::uint32_t vertex(std::uint32_t point) {
+    const auto [entry, is_new] = vertex_of_.try_emplace(point, static_cast<std::uint32_t>(uv_.size()));
+    if (is_new) {
+      uv_.push_back(to_face(face_.frame, mesh_.point[point]));
+      face_.point.push_back(point);
     }
+    return entry->second;
+  }
+
+  std::uint32_t constraint_between(std::uint32_t p, std::uint32_t q, bool divisible) {
+    const auto [entry, is_new] =
+        constraint_of_.try_emplace(std::minmax(p, q), static_cast<std::uint32_t>(constraint_.size()));
+    if (is_new) constraint_.push_back({vertex(p), vertex(q), divisible});
+    return entry->second;
+  }
+
+  void take_line(const CutLine& line) {
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      const std::uint32_t c = constraint_between(line.points[i - 1], line.points[i], false);
+      if (i == 1 || i + 1 == line.points.size()) outside_.push_back(c);
+    }
+    lines_.push_back(&line);
+  }
+
+  void take_segments() {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edge_of;
+    for (const Segment& s : face_.segment) {
+      const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(s.from, s.to);
+      const auto [entry, is_new] = edge_of.try_emplace(ends, static_cast<std::uint32_t>(edge_.size()));
+      if (is_new) take_edge(ends.first, ends.second);
+      edge_of_segment_.push_back(entry->second);
+    }
+  }
+
+  void take_edge(std::uint32_t low, std::uint32_t high) {
+    MeshEdge edge{low, high, {}};
+    const CutLine* line = line_with(low, high);
+    std::uint32_t last = low;
+    if (line) {
+      for (const std::uint32_t p : points_between(*line, low, high)) {
+        edge.constraint.push_back(constraint_between(last, p, false));
+        last = p;
+      }
+    }
+    edge.constraint.push_back(constraint_between(last, high, line == nullptr));
+    edge_.push_back(std::move(edge));
+  }
+
+  const CutLine* line_with(std::uint32_t p, std::uint32_t q) {
+    const std::uint32_t set = mesh_.sets.common(mesh_.planes_of[p], mesh_.planes_of[q]);
+    if (mesh_.sets.planes_in(set).size() < 2) return nullptr;
+    for (const CutLine* line : lines_) {
+      if (mesh_.sets.has(set, line->planes[0]) && mesh_.sets.has(set, line->planes[1])) return line;
+    }
+    return nullptr;
   }
 
   /// Four points far outside, so that no constraint lies on the hull.
@@ -145,44 +171,79 @@ class FaceBuilder {
     }
   }
 
-  glm::dvec3 lifted(const glm::dvec2& uv) const {
-    glm::dvec3 p = from_face(face_.frame, uv);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::fabs(face_.frame.normal[axis]) == 1) p[axis] = face_.frame.origin[axis];
-    }
-    return p;
-  }
-
-  void list_uses(std::size_t constraint) {
-    const std::vector<std::uint32_t>& chain = face_.mesh.chain[constraint];
-    for (const std::uint32_t s : segments_of_[constraint]) {
-      const bool forward = face_.segment[s].from < face_.segment[s].to;  // chains run from the low to the high point
+  std::vector<SizeSource> sources() const {
+    std::vector<SizeSource> sources;
+    for (std::size_t c = 0; c < constraint_.size(); ++c) {
+      if (std::find(outside_.begin(), outside_.end(), c) != outside_.end()) continue;
+      const std::vector<std::uint32_t>& chain = face_.mesh.chain[c];
       for (std::size_t i = 1; i < chain.size(); ++i) {
-        const std::uint32_t p = chain[i - 1], q = chain[i];
-        face_.edges.push_back({std::min(p, q), std::max(p, q), s, forward == (p < q)});
+        sources.push_back({face_.mesh.point[chain[i - 1]], face_.mesh.point[chain[i]]});
       }
     }
+    return sources;
   }
 
-  void list_edge_points(std::size_t constraint, std::vector<EdgePoint>& edge_points) const {
-    const std::vector<std::uint32_t>& chain = face_.mesh.chain[constraint];
-    const std::uint32_t low = face_.point[constraint_[constraint].a], high = face_.point[constraint_[constraint].b];
-    const double length = glm::distance(mesh_.point[low], mesh_.point[high]);
+  /// Takes over the triangulation's present state; its new points become points of the split mesh.
+  void update() {
+    face_.mesh = triangulation_->state();
+    for (std::size_t v = face_.point.size(); v < face_.mesh.point.size(); ++v) {
+      const std::uint32_t set = mesh_.sets.with(0, face_.plane);
+      face_.point.push_back(static_cast<std::uint32_t>(mesh_.point.size()));
+      mesh_.point.push_back(settled(from_face(face_.frame, face_.mesh.point[v]), mesh_.sets.planes_in(set), planes_));
+      mesh_.planes_of.push_back(set);
+    }
+    face_.edges.clear();
+    for (std::uint32_t s = 0; s < face_.segment.size(); ++s) list_uses(s);
+    std::sort(face_.edges.begin(), face_.edges.end(), [](const EdgeUse& a, const EdgeUse& b) {
+      return std::tie(a.low, a.high, a.segment) < std::tie(b.low, b.high, b.segment);
+    });
+  }
+
+  /// The vertices along an edge, from its low to its high end.
+  std::vector<std::uint32_t> chain_of(const MeshEdge& edge) const {
+    std::vector<std::uint32_t> all{face_.mesh.stand_in[vertex_of_.at(edge.low)]};
+    for (const std::uint32_t c : edge.constraint) {
+      std::vector<std::uint32_t> chain = face_.mesh.chain[c];
+      if (chain.empty()) continue;
+      if (chain.front() != all.back()) std::reverse(chain.begin(), chain.end());
+      all.insert(all.end(), chain.begin() + 1, chain.end());
+    }
+    return all;
+  }
+
+  void list_uses(std::uint32_t segment) {
+    const bool forward = face_.segment[segment].from < face_.segment[segment].to;
+    const std::vector<std::uint32_t> chain = chain_of(edge_[edge_of_segment_[segment]]);
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      const std::uint32_t p = chain[i - 1], q = chain[i];
+      face_.edges.push_back({std::min(p, q), std::max(p, q), segment, forward == (p < q)});
+    }
+  }
+
+  void list_edge_points(const MeshEdge& edge, std::vector<EdgePoint>& edge_points) const {
+    const std::vector<std::uint32_t> chain = chain_of(edge);
+    const glm::dvec3& start = mesh_.point[edge.low];
+    const double length = glm::distance(start, mesh_.point[edge.high]);
     double share = 0;
     for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
       const std::uint32_t point = face_.point[chain[i]];
-      const double measured = glm::distance(mesh_.point[low], mesh_.point[point]) / length;
+      const double measured = glm::distance(start, mesh_.point[point]) / length;
       share = std::max(measured, std::nextafter(share, 2.0));  // the order along the chain, whatever rounding says
-      edge_points.push_back({low, high, share, point});
+      edge_points.push_back({edge.low, edge.high, share, point});
     }
   }
 
   SplitMesh& mesh_;
   const CutPlanes& planes_;
   FaceMesh face_;
+  std::vector<const CutLine*> lines_;
   std::vector<glm::dvec2> uv_;
   std::vector<PlaneConstraint> constraint_;
-  std::vector<std::vector<std::uint32_t>> segments_of_;  // per constraint
+  std::vector<std::uint32_t> outside_;  // constraints that lead out of the fruit
+  std::vector<MeshEdge> edge_;
+  std::vector<std::uint32_t> edge_of_segment_;
+  std::map<std::uint32_t, std::uint32_t> vertex_of_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> constraint_of_;
   std::unique_ptr<PlaneTriangulation> triangulation_;
 };
 
@@ -211,26 +272,56 @@ std::vector<std::uint32_t> first_twins(std::size_t count, std::vector<std::pair<
   return parent;
 }
 
+/// Constraints are not halved below this share of the finest size.
+constexpr double shortest_share = 0.25;
+
+/// The lines in which planes meet, as fine as the finer of their planes wants them.
+std::vector<CutLine> laid_out_lines(SplitMesh& mesh, const CutPlanes& planes,
+                                    const std::vector<std::vector<Segment>>& segments, const Bounds& bounds,
+                                    const SizeLimits& limits) {
+  std::vector<CutLine> lines = cut_lines(mesh, planes, segments, bounds);
+  if (lines.empty()) return lines;
+  std::vector<CutFace> frames;
+  std::vector<SizeField> fields;
+  for (int k = 0; k < planes.count(); ++k) {
+    frames.push_back(frame_of(planes[k].plane));
+    std::vector<SizeSource> sources;
+    for (const Segment& s : segments[static_cast<std::size_t>(k)]) {
+      sources.push_back({to_face(frames.back(), mesh.point[s.from]), to_face(frames.back(), mesh.point[s.to])});
+    }
+    fields.emplace_back(sources, limits);
+  }
+  const auto size = [&](int plane, const glm::dvec3& p) {
+    const auto k = static_cast<std::size_t>(plane);
+    return fields[k].at(to_face(frames[k], p));
+  };
+  for (CutLine& line : lines) subdivide(line, mesh, planes, size);
+  return lines;
+}
+
 }  // namespace
 
 FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, std::vector<std::vector<Segment>> segments,
                        const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options) {
   FaceMeshes all;
-  const double size = glm::length(bounds_of(surfaces).size());
+  const Bounds bounds = bounds_of(surfaces);
+  const double size = glm::length(bounds.size());
   const SizeLimits limits{options.coarsest * size, options.finest * size, options.grading};
+  const std::vector<CutLine> lines = laid_out_lines(mesh, planes, segments, bounds, limits);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> twins;
   for (int plane = 0; plane < planes.count(); ++plane) {
     std::vector<Segment>& own = segments[static_cast<std::size_t>(plane)];
     if (own.empty()) continue;
-    FaceBuilder builder(mesh, planes, plane, std::move(own));
-    builder.conform(0.25 * limits.finest);
+    FaceBuilder builder(mesh, planes, plane, std::move(own), lines);
+    builder.conform(shortest_share * limits.finest);
     builder.sample(limits, surfaces, bodies);
-    builder.conform(0.25 * limits.finest);
-    all.faces.push_back(builder.finish(all));
+    builder.conform(shortest_share * limits.finest);
+    all.faces.push_back(builder.finish(all.edge_point));
     const auto more = twins_in(all.faces.back());
     twins.insert(twins.end(), more.begin(), more.end());
   }
   std::sort(all.edge_point.begin(), all.edge_point.end());
+  all.edge_point.erase(std::unique(all.edge_point.begin(), all.edge_point.end()), all.edge_point.end());
   all.same_as = first_twins(mesh.point.size(), std::move(twins));
   return all;
 }

@@ -208,23 +208,11 @@ class Splitter {
 
     // The new point lies on this plane, and on those that both ends lie on.
     const std::uint32_t set = mesh_.sets.with(mesh_.sets.common(mesh_.planes_of[p], mesh_.planes_of[q]), shared_);
-    mesh_.point.push_back(settled(glm::mix(mesh_.point[p], mesh_.point[q], t), set));
+    mesh_.point.push_back(settled(glm::mix(mesh_.point[p], mesh_.point[q], t), mesh_.sets.planes_in(set), planes_));
     mesh_.planes_of.push_back(set);
     distance_.push_back(0);
     side_.push_back(0);
     return entry->second;
-  }
-
-  /// Coordinates that a plane fixes are what it says, to the bit.
-  glm::dvec3 settled(glm::dvec3 p, std::uint32_t set) const {
-    if (mesh_.sets.on_axis(set)) p.x = p.z = 0;
-    for (const int k : mesh_.sets.planes_in(set)) {
-      const CuttingPlane& plane = planes_[k].plane;
-      for (int axis = 0; axis < 3; ++axis) {
-        if (std::fabs(plane.normal[axis]) == 1) p[axis] = plane.normal[axis] * plane.offset;
-      }
-    }
-    return p;
   }
 
   const DiffusionSurfaces& surfaces_;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <set>
+#include <utility>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
@@ -21,7 +22,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// Vertices know their number, -1 until they have one.
 struct VertexNumber {
   std::int64_t value = -1;
-  bool steiner = false;
+  bool steiner = false;  // made by conform()
 };
 struct FaceNumber {
   std::int32_t value = -1;
@@ -59,7 +60,7 @@ struct PlaneTriangulation::Data {
       if (!kept.id.vl_ptr()) continue;
       for (auto v = mesh.vertices_in_constraint_begin(kept.id); v != mesh.vertices_in_constraint_end(kept.id); ++v) {
         if ((*v)->info().value >= 0) continue;
-        (*v)->info() = {static_cast<std::int64_t>(vertex.size()), true};
+        (*v)->info().value = static_cast<std::int64_t>(vertex.size());
         vertex.push_back(*v);
       }
     }
@@ -155,6 +156,102 @@ std::vector<std::int32_t> PlaneTriangulation::locate(std::span<const glm::dvec2>
   return found;
 }
 
-void PlaneTriangulation::conform(double shortest) { (void)shortest; }
+namespace {
+
+/// Splits constraints that are no Delaunay edges.
+class Conformer {
+ public:
+  Conformer(Triangulation& mesh, double shortest) : mesh_(mesh), shortest_(shortest) {}
+
+  void keep_whole(Vertex a, Vertex b) { whole_.insert(key(a, b)); }
+  void queue(Vertex a, Vertex b) { waiting_.emplace_back(a, b); }
+
+  void run() {
+    while (!waiting_.empty()) {
+      const auto [a, b] = waiting_.back();
+      waiting_.pop_back();
+      Face face;
+      int edge = 0;
+      if (!mesh_.is_edge(a, b, face, edge) || !face->is_constrained(edge) || whole_.contains(key(a, b))) continue;
+      if (needs_split(face, edge)) split(a, b, face, edge);
+    }
+  }
+
+ private:
+  static std::pair<std::int64_t, std::int64_t> key(Vertex a, Vertex b) {
+    return std::minmax(a->info().value, b->info().value);
+  }
+
+  /// True if the corners across the edge see each other within one circle.
+  bool needs_split(Face face, int edge) const {
+    const Face other = face->neighbor(edge);
+    const Vertex across = other->vertex(mesh_.mirror_index(face, edge));
+    if (mesh_.is_infinite(face->vertex(edge)) || mesh_.is_infinite(across)) return false;
+    return mesh_.side_of_oriented_circle(face, across->point()) == CGAL::ON_POSITIVE_SIDE;
+  }
+
+  /// The middle; but at a power of two from an end where other constraints may meet, so that constraints at a small
+  /// angle do not split each other for ever (concentric shells: Ruppert 1995).
+  static glm::dvec2 split_point(Vertex a, Vertex b) {
+    glm::dvec2 from = to_vec(a->point()), to = to_vec(b->point());
+    if (a->info().steiner == b->info().steiner) return 0.5 * (from + to);
+    if (a->info().steiner) std::swap(from, to);
+    const double length = glm::distance(from, to);
+    int exponent = 0;
+    const double mantissa = std::frexp(length, &exponent);  // length = mantissa * 2^exponent, 0.5 <= mantissa < 1
+    const double distance = std::ldexp(mantissa < 0.75 ? 0.25 : 0.5, exponent);
+    return from + (to - from) * (distance / length);
+  }
+
+  void split(Vertex a, Vertex b, Face face, int edge) {
+    if (glm::distance(to_vec(a->point()), to_vec(b->point())) < 2 * shortest_) return;
+    const Point middle = to_point(split_point(a, b));
+
+    // Rounding may have put it beyond a very thin neighbour: then leave the edge alone.
+    const Point c = face->vertex(edge)->point(), d = mesh_.mirror_vertex(face, edge)->point();
+    const Point from = face->vertex(Triangulation::ccw(edge))->point(),
+                to = face->vertex(Triangulation::cw(edge))->point();
+    using CGAL::orientation;
+    if (orientation(from, middle, c) != CGAL::LEFT_TURN || orientation(middle, to, c) != CGAL::LEFT_TURN) return;
+    if (orientation(middle, from, d) != CGAL::LEFT_TURN || orientation(to, middle, d) != CGAL::LEFT_TURN) return;
+
+    const Vertex v = mesh_.insert(middle, Triangulation::EDGE, face, edge);
+    v->info().steiner = true;
+    queue(a, v);
+    queue(v, b);
+
+    // All that changed lies around the new vertex.
+    auto around = mesh_.incident_faces(v), first = around;
+    do {
+      const int opposite = around->index(v);
+      if (!mesh_.is_infinite(around) && around->is_constrained(opposite)) {
+        queue(around->vertex(Triangulation::ccw(opposite)), around->vertex(Triangulation::cw(opposite)));
+      }
+    } while (++around != first);
+  }
+
+  Triangulation& mesh_;
+  double shortest_;
+  std::vector<std::pair<Vertex, Vertex>> waiting_;
+  std::set<std::pair<std::int64_t, std::int64_t>> whole_;
+};
+
+}  // namespace
+
+void PlaneTriangulation::conform(double shortest) {
+  Conformer conformer(data_->mesh, shortest);
+  for (const Data::Kept& kept : data_->constraint) {
+    if (!kept.id.vl_ptr()) continue;
+    auto v = data_->mesh.vertices_in_constraint_begin(kept.id);
+    for (Vertex last = *v++; v != data_->mesh.vertices_in_constraint_end(kept.id); last = *v++) {
+      if (kept.divisible)
+        conformer.queue(last, *v);
+      else
+        conformer.keep_whole(last, *v);
+    }
+  }
+  conformer.run();
+  data_->number_new_vertices();
+}
 
 }  // namespace pomona

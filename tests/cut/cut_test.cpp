@@ -112,5 +112,26 @@ TEST(Cut, SphereThroughItsVertices) {
   }
 }
 
+TEST(Cut, KnivesThatCross) {
+  const DiffusionSurfaces ball = shapes::tilted(shapes::sphere(0.05, 8, shapes::skin_paint()));
+  const std::vector<std::pair<std::vector<std::string>, std::size_t>> cases = {
+      {{"half", "across"}, 4},
+      {{"wedges:2"}, 2},
+      {{"wedges:3"}, 3},
+      {{"wedges:5"}, 5},
+      {{"wedges:6"}, 6},
+      {{"wedges:4", "slices:3"}, 12},
+      {{"half", "wedges:6"}, 6},
+      {{"half", "across", "plane:1,0,0,0"}, 8},
+      {{"half", "across", "plane:1,2,3,0.013"}, 8},
+  };
+  for (const auto& [knives, count] : cases) {
+    SCOPED_TRACE(::testing::PrintToString(knives));
+    const Cut cut = cut_with(ball, knives);
+    EXPECT_EQ(cut.pieces.size(), count);
+    expect_sound(cut, signed_volume(ball));
+  }
+}
+
 }  // namespace
 }  // namespace pomona

@@ -1,0 +1,32 @@
+// Lines in which cutting planes meet. Both planes must have the very same points there: they are laid out once,
+// before either plane is triangulated.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "generator/cut/segments.h"
+
+namespace pomona {
+
+struct CutLine {
+  std::vector<int> planes;  ///< the two that meet, or all that contain the axis; ascending
+  glm::dvec3 origin{0}, direction{0, 1, 0};
+  std::vector<std::uint32_t> points;  ///< of the split mesh, in order; the first and the last lie outside the fruit
+};
+
+/// Where the planes that have segments meet within `bounds`: with all points that surfaces have there, and those
+/// where three planes meet. New points are added to `mesh`.
+std::vector<CutLine> cut_lines(SplitMesh& mesh, const CutPlanes& planes,
+                               const std::vector<std::vector<Segment>>& segments, const Bounds& bounds);
+
+/// Adds points until neighbours are no farther apart than `size` says, which is asked with one of the line's planes
+/// and a place.
+void subdivide(CutLine& line, SplitMesh& mesh, const CutPlanes& planes,
+               const std::function<double(int, const glm::dvec3&)>& size);
+
+/// The points of the line strictly between two of its points, on the way from the first to the second.
+std::vector<std::uint32_t> points_between(const CutLine& line, std::uint32_t from, std::uint32_t to);
+
+}  // namespace pomona
