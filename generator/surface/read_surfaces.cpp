@@ -28,6 +28,9 @@ constexpr double most_names = 65'536;
 constexpr double farthest = 1e6;   ///< metres
 constexpr double smallest = 1e-6;  ///< metres
 
+constexpr const char* both_hidden = "this face hides both its sides";
+constexpr const char* show_one = "hide only the side that faces air";
+
 const PlyElement* find_element(const PlyHeader& header, std::string_view name) {
   for (const PlyElement& element : header.elements) {
     if (element.name == name) return &element;
@@ -57,7 +60,7 @@ class SurfaceReader {
         skip(element);
       }
     }
-    check_size();
+    check_whole();
     name_surfaces_and_parts();
     return with_outer_skin(std::move(surfaces_));
   }
@@ -261,10 +264,20 @@ class SurfaceReader {
       surfaces_.surface.push_back(face.surface);
       surfaces_.front_part.push_back(face.front_part);
       surfaces_.back_part.push_back(face.back_part);
+      if (hides_both_sides(surfaces_.triangle_count() - 1)) ply_.fail(both_hidden, show_one);
     }
   }
 
-  void check_size() const {
+  /// False while the vertices are still to come.
+  bool hides_both_sides(std::size_t triangle) const {
+    return surfaces_.vertex_count() == vertices_->count && surfaces_.is_hidden(triangle, SideOf::front) &&
+           surfaces_.is_hidden(triangle, SideOf::back);
+  }
+
+  void check_whole() const {
+    for (std::size_t i = 0; i < surfaces_.triangle_count(); ++i) {
+      if (hides_both_sides(i)) ply_.fail_at(faces_->byte, both_hidden, show_one);
+    }
     if (glm::length(bounds_of(surfaces_).size()) < smallest) {
       ply_.fail_at(vertices_->byte, "the surfaces have no size", "positions are in metres");
     }

@@ -159,6 +159,7 @@ constexpr BadFile bad_files[] = {
     {"binary_negative_blur", ":vertex 1, byte 267: error: blur is below 0"},
     {"binary_surface_number", ":face 0, byte 302: error: surfaces and parts are numbered from 0 to 65535"},
     {"binary_truncated", ":3:1: error: the file is too short for 3 of \"vertex\""},
+    {"both_hidden", ":15:7: error: this face hides both its sides"},
     {"corner_out_of_range", ":13:7: error: there is no such vertex"},
     {"count_not_a_number", ":3:16: error: \"three\" is not a number of elements"},
     {"element_twice", ":7:9: error: element \"vertex\" is declared twice"},
