@@ -1,12 +1,14 @@
 #include "generator/variation/fold_room.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/reproducible.h"
+#include "generator/surface/profile.h"
 #include "generator/variation/fold_samples.h"
 #include "generator/variation/polar_curve.h"
 
@@ -49,27 +51,29 @@ std::vector<SweptPoint> swept(const ProfileArcs& arcs, const Curve& loop, const 
 class LayerInPlane {
  public:
   explicit LayerInPlane(const SurfaceSketch& sketch)
-      : points_(sketch.vertical.points),
-        radius_of_(sketch.horizontal.front()),
-        reference_(reference_radii(sketch).outer) {
-    const double whole = length(sketch.vertical);
-    double done = 0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (i > 0) done += glm::distance(points_[i - 1], points_[i]);
-      waviness_.push_back(1 - sketch.roundness(whole > 0 ? done / whole : 0));
+      : radius_of_(sketch.horizontal.front()), reference_(reference_radii(sketch).outer) {
+    const Profile profile = sampled_profile(sketch.vertical, sketch.along);
+    points_ = profile.points;
+    for (const double share : profile.share) waviness_.push_back(1 - sketch.roundness(share));
+    for (const glm::dvec2& p : points_) {
+      lowest_ = std::min(lowest_, p.y);
+      highest_ = std::max(highest_, p.y);
     }
   }
 
-  /// True if the point lies between the layer and the axis: a ray away from the axis leaves through it.
-  bool encloses(const SweptPoint& p, double radius) const {
+  /// Which of two points at the same azimuth and height lie between the layer and the axis: those from which a ray
+  /// away from the axis leaves through the layer an odd number of times.
+  std::array<bool, 2> encloses(const SweptPoint& p, const std::array<double, 2>& radii) const {
+    std::array<bool, 2> inside{};
+    if (p.height < lowest_ || p.height > highest_) return inside;
     const double swell = radius_of_(p.azimuth) / reference_ - 1;
-    bool inside = false;
     for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
       const glm::dvec2& a = points_[i];
       const glm::dvec2& b = points_[i + 1];
       if ((a.y > p.height) == (b.y > p.height)) continue;
       const double ax = a.x * (1 + swell * waviness_[i]), bx = b.x * (1 + swell * waviness_[i + 1]);
-      if (ax + (bx - ax) * ((p.height - a.y) / (b.y - a.y)) > radius) inside = !inside;
+      const double there = ax + (bx - ax) * ((p.height - a.y) / (b.y - a.y));
+      for (std::size_t k = 0; k < 2; ++k) inside[k] = inside[k] != (there > radii[k]);
     }
     return inside;
   }
@@ -79,17 +83,16 @@ class LayerInPlane {
   std::vector<double> waviness_;  ///< 1 less roundness, at every point
   RadiusOf radius_of_;
   double reference_;
+  double lowest_ = 1e9, highest_ = -1e9;
 };
 
 /// The side all points lie on with this margin; nothing if they are on both.
 std::optional<bool> common_side(const std::vector<SweptPoint>& points, const LayerInPlane& layer, double margin) {
   std::optional<bool> side;
   for (const SweptPoint& p : points) {
-    for (const double factor : {1 - margin, 1 + margin}) {
-      const bool inside = layer.encloses(p, p.radius * factor);
-      if (side && *side != inside) return std::nullopt;
-      side = inside;
-    }
+    const std::array<bool, 2> inside = layer.encloses(p, {p.radius * (1 - margin), p.radius * (1 + margin)});
+    if (inside[0] != inside[1] || (side && *side != inside[0])) return std::nullopt;
+    side = inside[0];
   }
   return side;
 }
@@ -161,20 +164,6 @@ FoldRoom::FoldRoom(const Template& drawn) : layers_(layers_of(drawn)) {
   }
 }
 
-bool FoldRoom::layers_fit(const std::vector<std::vector<double>>& log_shapes) const {
-  for (std::size_t i = 0; i < log_shapes.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const LogRange& allowed = layers_.allowed[i][j];
-      const double rounding = 1e-3;  // resampling changes the drawing itself by as much
-      for (std::size_t a = 0; a < log_shapes[i].size(); ++a) {
-        const double difference = log_shapes[i][a] - log_shapes[j][a];
-        if (difference < allowed.low - rounding || difference > allowed.high + rounding) return false;
-      }
-    }
-  }
-  return true;
-}
-
 bool FoldRoom::sides_kept(const Template& variant, std::size_t fold, const ChamberSide& side) const {
   const Chamber& chamber = chambers_[side.chamber];
   const SurfaceSketch& sketch = variant.surfaces[chamber.surface];
@@ -192,12 +181,12 @@ std::vector<bool> FoldRoom::is_sound(const Template& variant) const {
     for (std::size_t i = 0; i <= azimuths_per_fold; ++i) {
       azimuths.push_back(symmetry.fold_angles[k] + widths[k] * static_cast<double>(i) / azimuths_per_fold);
     }
-    std::vector<std::vector<double>> shapes;
+    std::vector<std::vector<double>> layer_swells;
     for (const std::size_t s : layers_.surface) {
       const SurfaceSketch& sketch = variant.surfaces[s];
-      shapes.push_back(log_shape(sketch.horizontal.front(), reference_radii(sketch).outer, azimuths));
+      layer_swells.push_back(swells(sketch.horizontal.front(), reference_radii(sketch).outer, azimuths));
     }
-    bool fits = layers_fit(shapes);
+    bool fits = are_apart(layers_, layer_swells);
     for (const ChamberSide& side : sides_) fits = fits && sides_kept(variant, k, side);
     for (const Neighbours& pair : neighbours_) {
       const Curve& first = variant.surfaces[pair.first].horizontal[k];

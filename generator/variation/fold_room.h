@@ -35,7 +35,6 @@ class FoldRoom {
     bool nested = false;
   };
 
-  bool layers_fit(const std::vector<std::vector<double>>& log_shapes) const;
   bool sides_kept(const Template& variant, std::size_t fold, const ChamberSide& side) const;
 
   Layers layers_;

@@ -1,37 +1,26 @@
 #include "generator/variation/layers.h"
 
 #include <algorithm>
-#include <numeric>
-
-#include "generator/base/units.h"
 
 namespace pomona {
 
 namespace {
 
-constexpr std::size_t compared_azimuths = 360;
-
-std::vector<double> even_azimuths(std::size_t count) {
-  std::vector<double> azimuths(count);
-  for (std::size_t i = 0; i < count; ++i) azimuths[i] = 2 * pi * static_cast<double>(i) / static_cast<double>(count);
-  return azimuths;
-}
-
 /// What layer i may be at one azimuth, given those already placed.
-LogRange room(const Layers& layers, const std::vector<std::vector<double>>& shapes,
-              const std::vector<std::size_t>& placed, std::size_t i, std::size_t azimuth) {
-  constexpr double far = 1e9;
-  LogRange range{-far, far};
+SwellRange room(const Layers& layers, const std::vector<std::vector<double>>& swells,
+                const std::vector<std::size_t>& placed, std::size_t i, std::size_t azimuth) {
+  SwellRange range;
   for (const std::size_t j : placed) {
-    range.low = std::max(range.low, shapes[j][azimuth] + layers.allowed[i][j].low);
-    range.high = std::min(range.high, shapes[j][azimuth] + layers.allowed[i][j].high);
+    const SwellRange here = layers.gap[i][j].room(swells[j][azimuth]);
+    range.low = std::max(range.low, here.low);
+    range.high = std::min(range.high, here.high);
   }
   if (range.low > range.high) range.low = range.high = 0.5 * (range.low + range.high);
   return range;
 }
 
 /// How far to go from `start`, which lies in the range, towards `end`: 1 = all the way.
-double share_within(const LogRange& range, double start, double end) {
+double share_within(const SwellRange& range, double start, double end) {
   if (end > range.high) return (range.high - start) / (end - start);
   if (end < range.low) return (range.low - start) / (end - start);
   return 1;
@@ -67,49 +56,54 @@ Layers layers_of(const Template& fruit) {
                    [&](std::size_t a, std::size_t b) { return area(a) > area(b); });
 
   // Compare every two of them.
-  const std::vector<double> azimuths = even_azimuths(compared_azimuths);
-  std::vector<std::vector<double>> drawn;
-  for (const std::size_t s : layers.surface) {
-    const SurfaceSketch& surface = fruit.surfaces[s];
-    drawn.push_back(log_shape(surface.horizontal.front(), reference_radii(surface).outer, azimuths));
-  }
   const std::size_t n = layers.surface.size();
-  layers.allowed.assign(n, std::vector<LogRange>(n));
+  layers.gap.assign(n, std::vector<LayerGap>(n));
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const LogRange range =
-          allowed_log_ratio(fruit.surfaces[layers.surface[i]], fruit.surfaces[layers.surface[j]], drawn[i], drawn[j]);
-      layers.allowed[i][j] = range;
-      layers.allowed[j][i] = {-range.high, -range.low};
+      layers.gap[i][j] = LayerGap(fruit.surfaces[layers.surface[i]], fruit.surfaces[layers.surface[j]]);
+      layers.gap[j][i] = layers.gap[i][j].inverted();
     }
   }
   return layers;
 }
 
-std::vector<std::vector<double>> kept_apart(const Layers& layers, std::vector<std::vector<double>> shapes,
+std::vector<std::vector<double>> kept_apart(const Layers& layers, std::vector<std::vector<double>> swells,
                                             const std::vector<bool>& fixed) {
   std::vector<std::size_t> placed;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
+  for (std::size_t i = 0; i < swells.size(); ++i) {
     if (fixed[i]) placed.push_back(i);
   }
-  std::size_t outside = shapes.size();  // the next layer outside that moves; none at first
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
+  std::size_t outside = swells.size();  // the next layer outside that moves; none at first
+  for (std::size_t i = 0; i < swells.size(); ++i) {
     if (fixed[i]) continue;
-    // Start from the shape of the layer outside, or from a circle, and go as far as there is room.
-    std::vector<double>& shape = shapes[i];
-    std::vector<double> start(shape.size()), share(shape.size());
-    for (std::size_t a = 0; a < shape.size(); ++a) {
-      const LogRange range = room(layers, shapes, placed, i, a);
-      const double other = outside < shapes.size() ? shapes[outside][a] : 0;
+    // Start from the swell of the layer outside, or from a circle, and go as far as there is room.
+    std::vector<double>& swell = swells[i];
+    std::vector<double> start(swell.size()), share(swell.size());
+    for (std::size_t a = 0; a < swell.size(); ++a) {
+      const SwellRange range = room(layers, swells, placed, i, a);
+      const double other = outside < swells.size() ? swells[outside][a] : 1;
       start[a] = std::clamp(other, range.low, range.high);
-      share[a] = share_within(range, start[a], shape[a]);
+      share[a] = share_within(range, start[a], swell[a]);
     }
     share = smoothed_below(share);
-    for (std::size_t a = 0; a < shape.size(); ++a) shape[a] = start[a] + share[a] * (shape[a] - start[a]);
+    for (std::size_t a = 0; a < swell.size(); ++a) swell[a] = start[a] + share[a] * (swell[a] - start[a]);
     placed.push_back(i);
     outside = i;
   }
-  return shapes;
+  return swells;
+}
+
+bool are_apart(const Layers& layers, const std::vector<std::vector<double>>& swells) {
+  constexpr double rounding = 1e-3;  // resampling changes the drawing itself by as much
+  for (std::size_t i = 0; i < swells.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t a = 0; a < swells[i].size(); ++a) {
+        const SwellRange range = layers.gap[i][j].room(swells[j][a]);
+        if (swells[i][a] < range.low - rounding || swells[i][a] > range.high + rounding) return false;
+      }
+    }
+  }
+  return true;
 }
 
 }  // namespace pomona

@@ -4,23 +4,26 @@
 #include <vector>
 
 #include "generator/template/template.h"
-#include "generator/variation/profile_gap.h"
+#include "generator/variation/layer_gap.h"
 
 namespace pomona {
 
-/// The layers of a drawing by how far out they lie, and how much any two may differ. Shapes are logs of loop
-/// radius over reference radius, at azimuths common to all layers; shapes[i] belongs to surface[i].
+/// The layers of a drawing by how far out they lie, and what keeps any two apart.
 struct Layers {
-  std::vector<std::size_t> surface;            ///< index into Template::surfaces, outermost first
-  std::vector<std::vector<LogRange>> allowed;  ///< [i][j]: of shape i less shape j
+  std::vector<std::size_t> surface;        ///< index into Template::surfaces, outermost first
+  std::vector<std::vector<LayerGap>> gap;  ///< [i][j]: what keeps layer i from crossing layer j
 };
 
 /// The layers of all surfaces around the axis that have a loop.
 Layers layers_of(const Template& fruit);
 
-/// Shapes that keep to the allowed ranges: each layer is drawn towards the shape of the next one outside as far as it
-/// must, the more gradually the wider the neighbourhood. Layers marked `fixed` do not move.
-std::vector<std::vector<double>> kept_apart(const Layers& layers, std::vector<std::vector<double>> shapes,
+/// Swells that keep the layers apart: each is drawn towards the swell of the next one outside as far as it must,
+/// and gradually around the place where it must. swells[i] belongs to layer i, at azimuths common to all.
+/// Layers marked `fixed` do not move.
+std::vector<std::vector<double>> kept_apart(const Layers& layers, std::vector<std::vector<double>> swells,
                                             const std::vector<bool>& fixed);
+
+/// True if no two layers cross at any of the azimuths.
+bool are_apart(const Layers& layers, const std::vector<std::vector<double>>& swells);
 
 }  // namespace pomona

@@ -1,6 +1,8 @@
 #include "generator/variation/texture_synthesis.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace pomona {
@@ -61,6 +63,13 @@ std::vector<std::size_t> shifted_identity(std::size_t n, std::size_t shift) {
   return map;
 }
 
+/// Normal numbers of variance 1 / n: every frequency then keeps its power on average.
+std::vector<double> mixture_of_turns(std::size_t n, const RandomStream& stream) {
+  std::vector<double> turns(n);
+  for (std::size_t i = 0; i < n; ++i) turns[i] = stream.normal(i) / std::sqrt(static_cast<double>(n));
+  return turns;
+}
+
 /// Every value's child at the same side of its parent.
 std::vector<std::size_t> natural_children(const std::vector<std::size_t>& parents) {
   std::vector<std::size_t> map(2 * parents.size());
@@ -115,10 +124,13 @@ SourceMap draw_source_map(const std::vector<CyclicSignal>& channels, VariantKey 
   const std::size_t coarsest = pyramids.front()[top].size();
   const auto stream = [&](std::size_t level) { return RandomStream(key, "vary/loop/level" + std::to_string(level)); };
 
-  // Only turn the coarsest level: it is the loop's large shape.
+  // Turn the coarsest level.
   SourceMap map;
   map.level.resize(top + 1);
-  map.level[top] = shifted_identity(coarsest, stream(top).below(0, coarsest));
+  const std::size_t shift = stream(top).below(0, coarsest);
+  map.level[top] = shifted_identity(coarsest, shift);
+  map.turns = options.mix_turns ? mixture_of_turns(coarsest, stream(top)) : std::vector<double>(coarsest, 0.0);
+  if (!options.mix_turns) map.turns[shift] = 1;
   map.fewest_candidates = coarsest;
 
   // Fill each finer level from sources whose ancestors look like the output's.
@@ -143,8 +155,15 @@ SourceMap draw_source_map(const std::vector<CyclicSignal>& channels, VariantKey 
 CyclicSignal copied(const CyclicSignal& channel, const SourceMap& map) {
   const LaplacianPyramid source = taken_apart(channel);
   LaplacianPyramid target = source;
-  for (std::size_t level = 0; level < source.size(); ++level) {
+  for (std::size_t level = 0; level + 1 < source.size(); ++level) {
     for (std::size_t i = 0; i < source[level].size(); ++i) target[level][i] = source[level][map.level[level][i]];
+  }
+  const CyclicSignal& coarse = source.back();
+  const std::size_t n = coarse.size();
+  const double mean = std::accumulate(coarse.begin(), coarse.end(), 0.0) / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    target.back()[i] = mean;
+    for (std::size_t s = 0; s < n; ++s) target.back()[i] += map.turns[s] * (coarse[(i + s) % n] - mean);
   }
   return put_together(target);
 }

@@ -15,11 +15,15 @@ struct SynthesisOptions {
   double threshold = 0.7;
   /// So many of the finest levels follow their parents without a choice: they only hold roughness.
   int smooth_levels = 2;
+  /// The coarsest band holds the loop's large shape, of which the sample has only one: mix it at random out of
+  /// its own turns, which keeps its spectrum on average, rather than only turn it.
+  bool mix_turns = true;
 };
 
 /// Which value of the sample each value of the output is copied from, level by level, 0 the finest.
 struct SourceMap {
   std::vector<std::vector<std::size_t>> level;
+  std::vector<double> turns;          ///< how much of each turn of the coarsest band, about its mean
   std::size_t fewest_candidates = 0;  ///< never 0: a value's own child always qualifies
 };
 

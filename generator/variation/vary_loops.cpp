@@ -72,7 +72,7 @@ LoopBundle bundle_of(const std::vector<Curve>& loops) {
     const PolarCurve outermost = evenly_from(loops.front(), bundle.start);
     bundle.step.push_back(steps_of(outermost));
     for (const Curve& loop : loops) {
-      bundle.log_radius.push_back(log_shape(loop, 1, azimuths(bundle.start, bundle.step.front())));
+      bundle.log_radius.push_back(log_of(swells(loop, 1, azimuths(bundle.start, bundle.step.front()))));
     }
     return bundle;
   }
@@ -112,13 +112,26 @@ CyclicSignal blended(const CyclicSignal& a, const CyclicSignal& b, double share)
   return result;
 }
 
+/// What the loops have in common: their mean shape, and their mean angular difference. Parent structures are compared
+/// by these alone: the more numbers had to agree, the fewer places would look alike, down to none.
+std::vector<CyclicSignal> common_channels(const LoopBundle& bundle) {
+  const auto mean_of = [](const std::vector<CyclicSignal>& channels) {
+    CyclicSignal sum(channels.front().size(), 0.0);
+    for (const CyclicSignal& channel : channels) {
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += channel[i] / static_cast<double>(channels.size());
+    }
+    return sum;
+  };
+  return {mean_of(bundle.log_radius), mean_of(bundle.step)};
+}
+
 /// Between the drawing, turned, and the full synthesis, so that a variant follows its amount continuously. Beyond
 /// 1 the swings about the mean radius grow instead: a higher threshold would only break the bands' phase.
 LoopBundle synthesised(const LoopBundle& drawn, VariantKey key, double amount) {
-  std::vector<CyclicSignal> channels = drawn.log_radius;
-  channels.insert(channels.end(), drawn.step.begin(), drawn.step.end());
-  const LoopBundle turned = copied(drawn, draw_source_map(channels, key, {.threshold = 0}));
-  LoopBundle variant = copied(drawn, draw_source_map(channels, key, {}));
+  const std::vector<CyclicSignal> common = common_channels(drawn);
+  const LoopBundle turned = copied(drawn, draw_source_map(common, key, {.threshold = 0, .mix_turns = false}));
+  LoopBundle variant = copied(drawn, draw_source_map(common, key, {}));
+  variant.start += 2 * pi * RandomStream(key, "vary/loop/turn").uniform(0);
   const double share = std::min(amount, 1.0), gain = 1 + 0.5 * std::max(amount - 1, 0.0);
   for (std::size_t i = 0; i < variant.log_radius.size(); ++i) {
     CyclicSignal& channel = variant.log_radius[i];
@@ -150,23 +163,30 @@ std::vector<bool> fixed_layers(const Template& fruit, const Layers& layers) {
 
 /// Draws layers apart that would cross. Only for loops that share their azimuths.
 void keep_apart(LoopBundle& bundle, const Template& fruit, const Layers& layers, const std::vector<bool>& fixed) {
+  // Take the swells of all layers.
   const std::vector<double> at = azimuths(bundle.start, bundle.step.front());
-  std::vector<std::vector<double>> shapes;
-  std::vector<double> log_reference;
+  std::vector<std::vector<double>> all;
   std::size_t next = 0;
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     const SurfaceSketch& surface = fruit.surfaces[layers.surface[i]];
-    log_reference.push_back(reproducible::log(reference_radii(surface).outer));
-    shapes.push_back(fixed[i] ? log_shape(surface.horizontal.front(), reference_radii(surface).outer, at)
-                              : bundle.log_radius[next++]);
-    for (double& value : shapes.back()) value -= fixed[i] ? 0 : log_reference.back();
+    const double reference = reference_radii(surface).outer;
+    if (fixed[i]) {
+      all.push_back(swells(surface.horizontal.front(), reference, at));
+      continue;
+    }
+    all.emplace_back();
+    for (const double value : bundle.log_radius[next]) all.back().push_back(reproducible::exp(value) / reference);
+    ++next;
   }
-  shapes = kept_apart(layers, std::move(shapes), fixed);
+
+  // Put those of the varied layers back.
+  all = kept_apart(layers, std::move(all), fixed);
   next = 0;
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (fixed[i]) continue;
-    for (double& value : shapes[i]) value += log_reference[i];
-    bundle.log_radius[next++] = shapes[i];
+    const double reference = reference_radii(fruit.surfaces[layers.surface[i]]).outer;
+    for (double& value : all[i]) value *= reference;
+    bundle.log_radius[next++] = log_of(all[i]);
   }
 }
 
@@ -183,20 +203,17 @@ Template with_loops(const Template& fruit, const Layers& layers, const std::vect
   return variant;
 }
 
-/// True if every loop is simple and no two layers differ more than they may.
+/// True if every loop is simple and no two layers cross.
 bool is_sound(const Template& variant, const Layers& layers) {
+  std::vector<double> at;
+  for (int i = 0; i < loop_points; ++i) at.push_back(2 * pi * i / loop_points);
+  std::vector<std::vector<double>> all;
   for (const std::size_t s : layers.surface) {
-    if (!is_simple(variant.surfaces[s].horizontal.front())) return false;
+    const SurfaceSketch& surface = variant.surfaces[s];
+    if (!is_simple(surface.horizontal.front())) return false;
+    all.push_back(swells(surface.horizontal.front(), reference_radii(surface).outer, at));
   }
-  const Layers found = layers_of(variant);
-  for (std::size_t i = 0; i < layers.surface.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const LogRange& is = found.allowed[i][j];
-      const LogRange& may_be = layers.allowed[i][j];
-      if (is.low < may_be.low || is.high > may_be.high) return false;
-    }
-  }
-  return true;
+  return are_apart(layers, all);
 }
 
 }  // namespace

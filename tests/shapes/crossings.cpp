@@ -1,4 +1,4 @@
-#include "tests/variation/crossings.h"
+#include "tests/shapes/crossings.h"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ bool overlap(const Box& a, const Box& b) {
 
 }  // namespace
 
-int crossing_triangles(const DiffusionSurfaces& surfaces) {
+std::map<std::pair<int, int>, int> crossing_triangles(const DiffusionSurfaces& surfaces) {
   std::vector<Corners> corners;
   std::vector<Box> boxes;
   for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
@@ -51,12 +51,13 @@ int crossing_triangles(const DiffusionSurfaces& surfaces) {
     boxes.push_back({glm::min(c[0], glm::min(c[1], c[2])), glm::max(c[0], glm::max(c[1], c[2])), t});
   }
   std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.low.x < b.low.x; });
-  int count = 0;
+  std::map<std::pair<int, int>, int> count;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t j = i + 1; j < boxes.size() && boxes[j].low.x <= boxes[i].high.x; ++j) {
       const std::size_t s = boxes[i].triangle, t = boxes[j].triangle;
-      if (surfaces.surface[s] == surfaces.surface[t] || !overlap(boxes[i], boxes[j])) continue;
-      if (cross(corners[s], corners[t])) ++count;
+      const auto pair = std::minmax(surfaces.surface[s], surfaces.surface[t]);
+      if (pair.first == pair.second || !overlap(boxes[i], boxes[j])) continue;
+      if (cross(corners[s], corners[t])) ++count[pair];
     }
   }
   return count;
