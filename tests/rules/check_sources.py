@@ -35,12 +35,14 @@ HEAVY = {
     "EGL": (r"EGL/", r"render/gl/\w+\.cpp"),
     "OSMesa": (r"GL/osmesa\.h", r"render/gl/\w+\.cpp"),
     "OpenGL": (r"GL/(?!osmesa)", r"render/gl/\w+\.(cpp|h)"),
+    "Highway": (r"hwy/", r"(generator|tests)/diffusion/\w+\.(cpp|h)"),
+    "Eigen": (r"Eigen/", r"tests/\w+/\w+\.cpp"),
     "TBB": (r"(tbb|oneapi/tbb)/", r"generator/base/parallel\.cpp"),
     "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),
     "Random123": (r"Random123/", r"generator/base/random\.cpp"),
     "CLI11": (r"CLI/", r"cli/\w+\.(cpp|h)"),
 }
-HEADERS_ALLOWED = {"OpenGL", "CLI11"}
+HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 
 # Folders whose values end up in files that must be the same on every machine.
 REPRODUCIBLE = ("generator/", "render/style/", "render/picture/", "render/export/")
