@@ -6,10 +6,12 @@
 #include <map>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "generator/cut/clipped_skin.h"
+#include "generator/cut/piece_groups.h"
 
 namespace pomona {
 
@@ -67,7 +69,7 @@ class PieceBuilder {
     fill_skins(pieces);
     fill_caps(pieces);
     for (CutPiece& piece : pieces) measure(piece);
-    return ordered(std::move(pieces));
+    return ordered(grouped(std::move(pieces)));
   }
 
  private:
@@ -192,6 +194,31 @@ class PieceBuilder {
     piece.closed = edges.closed();
   }
 
+  /// Parts that belong together become one; the others of a group are left empty.
+  std::vector<CutPiece> grouped(std::vector<CutPiece> parts) const {
+    std::vector<std::uint32_t> cell;
+    for (const Component& component : component_) cell.push_back(component.cell);
+    const std::vector<std::uint32_t> group = piece_groups(parts, cell, section_.mesh);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (group[i] != i) absorb(parts[group[i]], std::exchange(parts[i], {}));
+    }
+    return parts;
+  }
+
+  static void absorb(CutPiece& piece, const CutPiece& part) {
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    const auto first = static_cast<std::uint32_t>(piece.position.size());
+    append(piece.position, part.position);
+    append(piece.normal, part.normal);
+    append(piece.color, part.color);
+    append(piece.part, part.part);
+    for (const glm::uvec3& t : part.triangle) piece.triangle.push_back(t + glm::uvec3(first));
+    append(piece.surface, part.surface);
+    append(piece.caps, part.caps);
+    piece.volume += part.volume;
+    piece.closed = piece.closed && part.closed;
+  }
+
   std::vector<CutPiece> ordered(std::vector<CutPiece> pieces) const {
     double whole = 0;
     for (const CutPiece& piece : pieces) whole += piece.volume;
@@ -204,7 +231,9 @@ class PieceBuilder {
       return pieces[a].volume > pieces[b].volume;
     });
     std::vector<CutPiece> sorted;
-    for (const std::size_t i : order) sorted.push_back(std::move(pieces[i]));
+    for (const std::size_t i : order) {
+      if (!pieces[i].triangle.empty() || !pieces[i].caps.empty()) sorted.push_back(std::move(pieces[i]));
+    }
     return sorted;
   }
 

@@ -133,5 +133,93 @@ TEST(Cut, KnivesThatCross) {
   }
 }
 
+TEST(Cut, HollowStaysHollow) {
+  const DiffusionSurfaces ball = shapes::hollow_ball(0.05, 0.03, 12);
+  const double solid = signed_volume(shapes::sphere(0.05, 12)) - signed_volume(shapes::sphere(0.03, 12));
+  const Cut whole = cut_with(ball, {});
+  ASSERT_EQ(whole.pieces.size(), 1u);
+  expect_sound(whole, solid);
+
+  const Cut halves = cut_with(ball, {"half"});
+  ASSERT_EQ(halves.pieces.size(), 2u);
+  expect_sound(halves, solid);
+  const double ring = pi * (0.05 * 0.05 - 0.03 * 0.03);
+  EXPECT_NEAR(area_of(halves.section), ring, 0.02 * ring);
+  for (const glm::vec3& p : halves.section.position) EXPECT_GT(glm::length(p), 0.0295f);
+
+  // A slice off the side leaves the cavity whole, inside the larger piece.
+  const Cut cheek = cut_with(ball, {"plane:0,0,1,0.04"});
+  ASSERT_EQ(cheek.pieces.size(), 2u);
+  expect_sound(cheek, solid);
+}
+
+TEST(Cut, OverlappingBodiesAreOnePieceAndEachIsClosed) {
+  const DiffusionSurfaces ball = shapes::sphere(0.05, 10, shapes::skin_paint());
+  const DiffusionSurfaces both = joined(ball, shapes::moved(ball, {0.06, 0, 0}));
+  const double each = signed_volume(ball);
+  for (const char* knife : {"half", "across", "plane:0.3,1,0.2,0.001", "plane:1,0,0,0.03"}) {
+    SCOPED_TRACE(knife);
+    const Cut cut = cut_with(both, {knife});
+    EXPECT_EQ(cut.pieces.size(), 2u);
+    expect_sound(cut, 2 * each);
+  }
+  EXPECT_EQ(cut_with(both, {}).pieces.size(), 1u);
+  const DiffusionSurfaces apart = joined(ball, shapes::moved(ball, {0.2, 0, 0}));
+  EXPECT_EQ(cut_with(apart, {"half"}).pieces.size(), 4u);
+}
+
+TEST(Cut, SameBytesTwice) {
+  const DiffusionSurfaces ball = shapes::tilted(shapes::nested_spheres(0.05, 0.02, 10));
+  const Cut first = cut_with(ball, {"half", "wedges:5"}), second = cut_with(ball, {"half", "wedges:5"});
+  EXPECT_EQ(first.section.position, second.section.position);
+  EXPECT_EQ(first.section.triangle, second.section.triangle);
+  EXPECT_EQ(first.section.color, second.section.color);
+  ASSERT_EQ(first.pieces.size(), second.pieces.size());
+  for (std::size_t i = 0; i < first.pieces.size(); ++i) {
+    EXPECT_EQ(first.pieces[i].position, second.pieces[i].position);
+    EXPECT_EQ(first.pieces[i].triangle, second.pieces[i].triangle);
+  }
+}
+
+TEST(Cut, InnerSurfacesGiveBothTheirColours) {
+  const shapes::Paint core{.front = {1, 0, 0}, .back = {0, 0, 1}};
+  const DiffusionSurfaces ball = shapes::nested_spheres(0.05, 0.02, 10, shapes::skin_paint(), core);
+  const Cut cut = cut_with(ball, {"plane:0.1,0.2,1,0.003"});
+  expect_sound(cut, signed_volume(shapes::sphere(0.05, 10)));
+  int red = 0, blue = 0;
+  for (std::size_t v = 0; v < cut.section.position.size(); ++v) {
+    const float r = glm::length(cut.section.position[v]);
+    if (cut.section.interior[v] || r > 0.03f) continue;
+    red += cut.section.color[v] == Color(1, 0, 0);
+    blue += cut.section.color[v] == Color(0, 0, 1);
+  }
+  EXPECT_GT(red, 10);
+  EXPECT_EQ(red, blue);
+}
+
+TEST(Cut, BoxThroughVerticesEdgesAndFaces) {
+  const DiffusionSurfaces box = shapes::box({0, 0, 0}, {2, 2, 2}, 2, shapes::skin_paint());
+  int number = 0;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (x == 0 && y == 0 && z == 0) continue;
+        for (int d = -2; d <= 4; ++d) {
+          const double length = std::sqrt(x * x + y * y + z * z);
+          Knife knife = parse_knife("half");
+          knife.kind = Knife::Kind::plane;
+          knife.plane = {glm::dvec3(x, y, z) / length, d / length};
+          const Cut cut = pomona::cut(box, std::vector<Knife>{knife}, {.coarsest = 0.2, .finest = 0.05});
+          SCOPED_TRACE(::testing::PrintToString(std::vector<int>{x, y, z, d}));
+          expect_sound(cut, 8);
+          EXPECT_LE(cut.pieces.size(), 2u);
+          ++number;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(number, 26 * 7);
+}
+
 }  // namespace
 }  // namespace pomona
