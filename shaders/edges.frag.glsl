@@ -8,7 +8,6 @@ uniform usampler2D ids;
 uniform sampler2D depth;
 uniform sampler2D normal_line;
 uniform samplerBuffer instances;  // two texels each: ink and width in samples; wavelength in metres, inner width
-uniform mat4 view;
 uniform mat4 clip_to_scene;
 uniform float inner_opacity;
 uniform vec2 from_light;  // on the picture
@@ -16,6 +15,20 @@ uniform vec2 from_light;  // on the picture
 layout(location = 0) out ivec2 stroke;
 
 const ivec2 steps[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
+
+// Which way is out, seen over a few samples, so that strokes do not jump in width from sample to sample.
+vec2 outwards(ivec2 at, uint id, bool from_piece) {
+  ivec2 size = textureSize(ids, 0);
+  vec2 sum = vec2(0.0);
+  for (int i = 0; i < 12; ++i) {
+    float angle = 0.5235988 * float(i);
+    vec2 way = vec2(cos(angle), sin(angle));
+    uint other = texelFetch(ids, clamp(at + ivec2(round(5.0 * way)), ivec2(0), size - 1), 0).r;
+    bool outside = instance_of(other) != instance_of(id);
+    if (outside == from_piece && (outside || is_cut(other) != is_cut(id))) sum += way;
+  }
+  return dot(sum, sum) > 0.01 ? normalize(sum) : vec2(0.0);
+}
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
@@ -37,7 +50,8 @@ void main() {
     around[i] = distance_from_depth(texelFetch(depth, there, 0).r);
     if (other == id || is_see_through(other)) continue;
     if (instance_of(other) != instance_of(id)) {
-      if (here <= around[i]) outline = max(outline, 1.0);
+      // The table owns no line: before a piece it lies nearer to the eye than the piece does.
+      if (instance_of(other) == 0u || here <= around[i]) outline = max(outline, 1.0);
     } else if (here <= around[i] || is_cut(id)) {
       // The rim of a cut face, the ridge between two, or where two surfaces meet.
       if (is_cut(id) != is_cut(other)) outline = max(outline, 0.75);
@@ -57,7 +71,7 @@ void main() {
   // The hand: heavier away from the light, trembling along the line.
   vec4 scene_point = clip_to_scene * vec4(2.0 * (gl_FragCoord.xy / vec2(size)) - 1.0, 2.0 * depth_here - 1.0, 1.0);
   float tremble = 1.5 * gradient_noise(scene_point.xyz / scene_point.w / pen.x, 301u);
-  float shade = dot(normalize((mat3(view) * normal.xyz).xy + 1e-5), from_light);
+  float shade = outline > 0.0 ? dot(outwards(at, id, outline == 1.0), from_light) : 0.0;
   float hand = max(0.72 + 0.34 * tremble + 0.26 * shade, 0.22);
   if (outline > 0.0) {
     float reach = max(0.5 * ink.w * outline * hand, 0.5);

@@ -102,7 +102,9 @@ TEST(Shaders, NoiseIsThatOfTheCpu) {
     style.stretch = stretch;
     style.keys.push_back({Color(0.9f, 0.85f, 0.6f), {0.1, 0.1, 0.05}, {0.5, 0.2, -0.3}});
     const GlBuffer block(gl, GL_UNIFORM_BUFFER, noise_block(style));
-    const std::vector<glm::u8vec4> pixels = drawn_by(gl, "#include \"noise.glsl\"\n" R"(
+    const std::vector<glm::u8vec4> pixels = drawn_by(gl,
+                                                     "#include \"noise.glsl\"\n"
+                                                     R"(
 out vec4 color;
 void main() {
   vec3 p = vec3(gl_FragCoord.x * 0.0011 - 0.0347, 0.0123, gl_FragCoord.y * 0.0009 - 0.0291);
