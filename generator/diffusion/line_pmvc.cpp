@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 
 #include "generator/base/units.h"
+#include "generator/diffusion/group_boxes.h"
 #include "generator/diffusion/line_sweep.h"
 
 namespace pomona {
@@ -19,13 +20,13 @@ constexpr std::size_t most_sums = std::size_t{1} << 24;  // floats in all blocks
 std::size_t blocks_of(std::size_t lines) { return (lines + lines_per_block - 1) / lines_per_block; }
 
 /// One set of sums for every block of lines.
-std::vector<SweepSums> sweep_blocks(const PackedSurfaces& surfaces, std::span<const glm::vec3> points,
-                                    std::span<const Line> lines, Threads threads) {
+std::vector<SweepSums> sweep_blocks(const PackedSurfaces& surfaces, const GroupBoxes& boxes,
+                                    std::span<const glm::vec3> points, std::span<const Line> lines, Threads threads) {
   std::vector<SweepSums> sums(blocks_of(lines.size()));
   parallel_for(sums.size(), threads, [&](std::size_t block) {
     sums[block].color_and_weight.assign(points.size(), glm::vec4(0));
     sums[block].part_weight.assign(points.size() * surfaces.used_parts.size(), 0);
-    LineSweep sweep(surfaces, points);
+    LineSweep sweep(surfaces, boxes, points);
     const std::size_t end = std::min(lines.size(), (block + 1) * lines_per_block);
     for (std::size_t i = block * lines_per_block; i < end; ++i) sweep.add(lines[i], sums[block]);
   });
@@ -63,14 +64,15 @@ std::vector<PmvcValue> line_pmvc(const DiffusionSurfaces& surfaces, const Surfac
   const std::size_t sums_per_point = blocks_of(lines.size()) * (4 + packed.used_parts.size());
   const std::size_t at_once = std::clamp<std::size_t>(most_sums / sums_per_point, 1, most_points_at_once);
   std::vector<PmvcValue> values(points.size());
+  const std::vector<std::uint32_t> order = morton_order(points);
   for (std::size_t first = 0; first < points.size(); first += at_once) {
     std::vector<glm::vec3> batch;
-    for (const glm::vec3& p : points.subspan(first, std::min(at_once, points.size() - first))) {
-      batch.push_back(packed.normalized(p));
+    for (std::size_t i = first; i < std::min(first + at_once, points.size()); ++i) {
+      batch.push_back(packed.normalized(points[order[i]]));
     }
-    const std::vector<SweepSums> sums = sweep_blocks(packed, batch, lines, threads);
+    const std::vector<SweepSums> sums = sweep_blocks(packed, nearest_first(packed, batch), batch, lines, threads);
     parallel_for(batch.size(), threads,
-                 [&](std::size_t i) { values[first + i] = total(packed, sums, i, solid_angle); });
+                 [&](std::size_t i) { values[order[first + i]] = total(packed, sums, i, solid_angle); });
   }
   return values;
 }

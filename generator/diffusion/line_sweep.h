@@ -10,6 +10,7 @@
 
 namespace pomona {
 
+struct GroupBoxes;
 struct SweepState;
 
 /// Sums over lines, one entry per point.
@@ -26,8 +27,8 @@ struct SweepSums {
 /// inside and 0 included, no line slips between two triangles. Equal distances go to the smaller triangle index.
 class LineSweep {
  public:
-  /// `points` are normalised. `surfaces` must outlive this.
-  LineSweep(const PackedSurfaces& surfaces, std::span<const glm::vec3> points);
+  /// `points` are normalised. `surfaces` and `boxes` must outlive this.
+  LineSweep(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::span<const glm::vec3> points);
   ~LineSweep();
 
   /// Adds what is seen along `line` to `sums`, which has an entry for every point.
@@ -35,6 +36,7 @@ class LineSweep {
 
  private:
   const PackedSurfaces& surfaces_;
+  const GroupBoxes& boxes_;
   std::unique_ptr<SweepState> state_;
 };
 

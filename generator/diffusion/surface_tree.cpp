@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
+#include "generator/diffusion/morton.h"
 
 namespace pomona {
 
@@ -32,25 +33,6 @@ bool has_area(const DiffusionSurfaces& surfaces, std::uint32_t triangle) {
   const auto [a, b, c] = corners(surfaces, triangle);
   const glm::dvec3 normal = glm::cross(b - a, c - a);
   return normal.x != 0 || normal.y != 0 || normal.z != 0;
-}
-
-/// Spreads 21 bits so that two zeros follow each.
-std::uint64_t spread(std::uint64_t bits) {
-  bits = (bits | bits << 32) & 0x001f00000000ffffULL;
-  bits = (bits | bits << 16) & 0x001f0000ff0000ffULL;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00fULL;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3ULL;
-  return (bits | bits << 2) & 0x1249249249249249ULL;
-}
-
-std::uint64_t morton_code(const glm::dvec3& point, const Box& box) {
-  std::uint64_t code = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double extent = box.high[axis] - box.low[axis];
-    const double place = extent > 0 ? (point[axis] - box.low[axis]) / extent : 0;
-    code |= spread(static_cast<std::uint64_t>(place * 2097151.0)) << axis;  // 2^21 - 1 cells
-  }
-  return code;
 }
 
 void grow(Box& box, const Box& other) {
@@ -90,7 +72,7 @@ std::vector<std::uint32_t> morton_order(const DiffusionSurfaces& surfaces) {
   keyed.reserve(solid.size());
   for (const std::uint32_t t : solid) {
     const Box box = box_of(surfaces, t);
-    keyed.emplace_back(morton_code(0.5 * (box.low + box.high), all), t);
+    keyed.emplace_back(morton_code(0.5 * (box.low + box.high), all.low, all.high), t);
   }
   std::sort(keyed.begin(), keyed.end());
   std::transform(keyed.begin(), keyed.end(), solid.begin(), [](const auto& key) { return key.second; });

@@ -3,19 +3,16 @@
 // decision that depends on the width of a vector.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include <hwy/aligned_allocator.h>
-
+#include "generator/diffusion/group_boxes.h"
 #include "generator/diffusion/line_directions.h"
 #include "generator/diffusion/packed_surfaces.h"
 
 namespace pomona {
-
-using AlignedFloats = hwy::AlignedFreeUniquePtr<float[]>;
-using AlignedInts = hwy::AlignedFreeUniquePtr<std::int32_t[]>;
 
 /// The nearest hits one way along a line, one entry per slot.
 struct SweepHits {
@@ -28,10 +25,22 @@ struct SweepHits {
 /// A grid of bins over the projected points. Points are renumbered bin by bin, row by row: those numbers are
 /// slots, and the bins of a row that a triangle touches are one range of them.
 struct SweepBins {
-  float low_u = 0, low_v = 0;  ///< where the grid begins
-  float per_u = 0, per_v = 0;  ///< bins per length
+  float low_u = 0, low_v = 0;    ///< where the grid begins
+  float high_u = 0, high_v = 0;  ///< and ends
+  float per_u = 0, per_v = 0;    ///< bins per length
   std::int32_t columns = 1, rows = 1;
   std::vector<std::int32_t> first_slot;  ///< columns * rows + 1
+};
+
+/// How far each point sees, for bins and for squares of 2, 4, 8, ... bins: whatever lies wholly outside
+/// [nearest, farthest] along the line can be nearer than what is known to none of the points there. The entry of a
+/// square covers the three next to it in +u and +v too, so that one entry serves every box up to its own size.
+struct SweepReach {
+  static constexpr int most_levels = 12;
+  std::vector<float> nearest, farthest;           ///< inverted where there are no points
+  std::array<std::int32_t, most_levels> first{};  ///< entry of each level
+  std::array<std::int32_t, most_levels> columns{};
+  std::int32_t levels = 1;
 };
 
 /// All that the vector code works on. Arrays of numbers are a vector longer than they have entries.
@@ -47,6 +56,7 @@ struct SweepState {
   AlignedFloats slot_u, slot_v, slot_w;
   std::vector<std::int32_t> point_of_slot;
   SweepHits ahead, behind;
+  SweepReach reach;
 };
 
 /// Fills u, v, w.
@@ -55,7 +65,9 @@ void project_points(const Line& line, SweepState& state);
 /// Fills bin, by bins.
 void find_bins(SweepState& state);
 
-/// Tests every triangle against the slots it covers and keeps the nearest hits ahead and behind.
-void cover(const Line& line, std::span<const TriangleGroup> groups, SweepState& state);
+/// Tests the triangles of boxes [first, end) against the slots they cover and keeps the nearest hits ahead and
+/// behind; leaves out what reach shows to be hidden. `first` is a multiple of TriangleGroup::size.
+void cover(const Line& line, const GroupBoxes& boxes, std::size_t first, std::size_t end,
+           std::span<const TriangleGroup> groups, SweepState& state);
 
 }  // namespace pomona
