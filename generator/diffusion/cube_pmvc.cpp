@@ -142,17 +142,27 @@ class CubeView {
     return texels_in(u, v);
   }
 
-  /// One texel wider than the extents, for what rounding may have lost.
+  /// The texels whose middles lie in the extents, give or take what rounding may have lost.
   Rectangle texels_in(const Extent& u, const Extent& v) const {
-    const auto texel = [&](double x) { return std::floor((std::clamp(x, -2.0, 2.0) + 1) * 0.5 * texels_); };
-    const auto first = [&](double x) { return std::max(0, static_cast<int>(texel(x)) - 1); };
-    const auto last = [&](double x) { return std::min(texels_ - 1, static_cast<int>(texel(x)) + 1); };
+    constexpr double slack = 1e-9;
+    const auto place = [&](double x) { return (std::clamp(x, -2.0, 2.0) + 1) * 0.5 * texels_ - 0.5; };
+    const auto first = [&](double x) { return std::max(0, static_cast<int>(std::ceil(place(x) - slack))); };
+    const auto last = [&](double x) { return std::min(texels_ - 1, static_cast<int>(std::floor(place(x) + slack))); };
     if (u.low > u.high || v.low > v.high) return {};
     return {first(u.low), last(u.high), first(v.low), last(v.high)};
   }
 
-  /// Whether everything drawn in the tiles of a rectangle is nearer than `inverse_depth`.
+  /// Whether everything drawn in a rectangle is nearer than `inverse_depth`: by texels if there are few, else by
+  /// the tiles around them.
   bool is_covered(Face& face, const Rectangle& rectangle, double inverse_depth) const {
+    const int width = rectangle.right - rectangle.left + 1;
+    if (width <= tile_texels && rectangle.top - rectangle.bottom < tile_texels) {
+      for (int y = rectangle.bottom; y <= rectangle.top; ++y) {
+        const double* row = &face.inverse_depth[static_cast<std::size_t>(y * texels_ + rectangle.left)];
+        if (*std::min_element(row, row + width) < inverse_depth) return false;
+      }
+      return true;
+    }
     for (int y = rectangle.bottom / tile_texels; y <= rectangle.top / tile_texels; ++y) {
       for (int x = rectangle.left / tile_texels; x <= rectangle.right / tile_texels; ++x) {
         if (tile_minimum(face, x, y) < inverse_depth) return false;
@@ -186,6 +196,8 @@ class CubeView {
       const std::array<glm::dvec3, 3> local{on_face(f, corner[0]), on_face(f, corner[1]), on_face(f, corner[2])};
       const Rectangle rectangle = rectangle_of(local);
       if (rectangle.is_empty()) continue;
+      const double nearest = std::min({local[0].z, local[1].z, local[2].z});
+      if (nearest > 0 && is_covered(faces_[f], rectangle, 1 / nearest)) continue;
 
       // Faces along -axis are mirror images: there a positive volume turns negative.
       const bool turned = (volume < 0) != (f % 2 == 1);
