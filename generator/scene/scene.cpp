@@ -1,0 +1,67 @@
+#include "generator/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "generator/base/reproducible.h"
+
+namespace pomona {
+
+namespace {
+
+std::vector<glm::dvec3> placed_points(const Scene& scene) {
+  std::vector<glm::dvec3> points;
+  for (const Instance& instance : scene.instances)
+    for (const glm::vec3& p : scene.solids[static_cast<std::size_t>(instance.solid)].position)
+      points.push_back(instance.pose.rotation * glm::dvec3(p) + instance.pose.translation);
+  return points;
+}
+
+}  // namespace
+
+Scene gathered(std::vector<Solid> solids) {
+  Scene scene;
+  scene.solids = std::move(solids);
+  for (std::size_t i = 0; i < scene.solids.size(); ++i)
+    scene.instances.push_back({static_cast<int>(i), Pose{}, scene.solids[i].name});
+  scene.view = fitted_view(scene, {0.5, 0.55, 1.0});
+  return scene;
+}
+
+View fitted_view(const Scene& scene, const glm::dvec3& direction) {
+  View view;
+  const glm::dvec3 back = glm::length(direction) > 0 ? glm::normalize(direction) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 helper = std::fabs(back.y) > 0.999 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(helper, back)), up = glm::cross(back, right);
+  const std::vector<glm::dvec3> points = placed_points(scene);
+  if (points.empty()) return view;
+
+  // Look at the middle of what the camera's own axes span.
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
+  for (const glm::dvec3& p : points) {
+    const glm::dvec3 seen(glm::dot(p, right), glm::dot(p, up), glm::dot(p, back));
+    low = glm::min(low, seen);
+    high = glm::max(high, seen);
+  }
+  const glm::dvec3 middle = 0.5 * (low + high);
+  view.target = right * middle.x + up * middle.y + back * middle.z;
+
+  // Step back until every point is within the field, which is at least as wide as it is high.
+  constexpr double margin = 1.06;
+  const double half = 0.5 * view.vertical_field;
+  const double slope = reproducible::sin(half) / reproducible::cos(half) / margin;
+  double distance = 0;
+  for (const glm::dvec3& p : points) {
+    const glm::dvec3 away = p - view.target;
+    const double aside = std::max(std::fabs(glm::dot(away, right)), std::fabs(glm::dot(away, up)));
+    distance = std::max(distance, glm::dot(away, back) + aside / slope);
+  }
+  view.eye = view.target + back * std::max(distance, 1e-3);
+  return view;
+}
+
+}  // namespace pomona

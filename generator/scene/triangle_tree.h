@@ -1,0 +1,88 @@
+// A closed triangle mesh prepared for questions of nearness: a tree of boxes over its triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+namespace pomona {
+
+/// An axis-aligned box; empty (low above high) until something is put in.
+struct Box {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  void add(const glm::dvec3& point) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  void add(const Box& box) {
+    low = glm::min(low, box.low);
+    high = glm::max(high, box.high);
+  }
+};
+
+/// Squared distance between two boxes; 0 where they meet.
+double squared_distance(const Box& a, const Box& b);
+
+/// Two meshes' nearest points; distance 0 where their triangles meet.
+struct ClosestPair {
+  double distance = std::numeric_limits<double>::infinity();
+  glm::dvec3 first{0}, second{0};
+};
+
+class TriangleTree {
+ public:
+  using Corners = std::array<glm::dvec3, 3>;
+  struct Node {
+    Box box;
+    std::uint32_t first = 0;  ///< leaf: first triangle; else: left child
+    std::uint32_t count = 0;  ///< leaf: triangles; else 0, and the right child follows the left one
+  };
+  struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    glm::dvec3 point{0};
+  };
+
+  TriangleTree() = default;
+  TriangleTree(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangle);
+
+  /// The same mesh, turned about the origin.
+  TriangleTree rotated(const glm::dquat& rotation) const;
+
+  bool empty() const { return corners_.empty(); }
+  const Box& box() const { return nodes_.front().box; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<Corners>& triangles() const { return corners_; }
+
+  /// Every vertex once, and the centre of every triangle: where overlap with another mesh is looked for.
+  const std::vector<glm::dvec3>& probes() const { return probes_; }
+
+  /// The nearest point of the surface, if one is nearer than `within`.
+  Nearest nearest(const glm::dvec3& point, double within = std::numeric_limits<double>::infinity()) const;
+
+  /// True if the mesh winds around the point: decided by a ray along +X whose crossings are counted so that
+  /// a ray through an edge or a vertex crosses exactly one of the triangles there.
+  bool contains(const glm::dvec3& point) const;
+
+  /// Where a ray straight down from the point meets the surface first: its height, or -infinity.
+  double height_below(const glm::dvec3& point) const;
+
+ private:
+  void split(std::uint32_t node, std::uint32_t first, std::uint32_t count);
+  void fit(std::uint32_t node);
+
+  std::vector<Node> nodes_;  ///< children after their parents
+  std::vector<Corners> corners_;
+  std::vector<glm::dvec3> probes_;
+};
+
+/// The nearest points of `a` and of `b` moved by `offset`, if they are nearer than `within`.
+ClosestPair closest(const TriangleTree& a, const TriangleTree& b, const glm::dvec3& offset, double within);
+
+}  // namespace pomona

@@ -1,0 +1,22 @@
+// Solids for settling tests: closed meshes made by code.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/scene/solid.h"
+
+namespace pomona::heap_shapes {
+
+Solid ball(double radius);
+
+/// A flat ring: a torus whose tube is square, about the y axis.
+Solid ring(double outer, double inner, double height);
+
+/// The part of a ball between two half planes from its axis.
+Solid wedge(double radius, double degrees);
+
+/// A round bowl that stands on y = 0: a shallow curve inside, a wall of 5 mm.
+Solid bowl(double radius, double depth);
+
+}  // namespace pomona::heap_shapes

@@ -1,0 +1,77 @@
+#include "generator/scene/settle.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "generator/base/error.h"
+#include "tests/scene/heap_shapes.h"
+
+namespace pomona {
+namespace {
+
+std::vector<SettleItem> repeated(int solids, int each) {
+  std::vector<SettleItem> items;
+  for (int i = 0; i < solids * each; ++i) items.push_back({.solid = i % solids, .name = "piece-" + std::to_string(i)});
+  return items;
+}
+
+void expect_fit(const Settled& settled, const SettleOptions& options = {}) {
+  for (const Fit& fit : settled.fits) {
+    EXPECT_LE(fit.gap, options.most_gap);
+    EXPECT_LE(fit.penetration, options.most_penetration);
+  }
+}
+
+bool same(const Pose& a, const Pose& b) { return a.rotation == b.rotation && a.translation == b.translation; }
+
+TEST(Settle, BallsComeToRestInABowl) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.02)};
+  const Solid bowl = heap_shapes::bowl(0.12, 0.06);
+  const Settled settled = settle(solids, repeated(1, 12), &bowl);
+  ASSERT_EQ(settled.poses.size(), 12u);
+  EXPECT_EQ(settled.attempts, 1);
+  expect_fit(settled);
+}
+
+TEST(Settle, ABallOnTheGroundLiesOnIt) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.02)};
+  const Settled settled = settle(solids, repeated(1, 1), nullptr);
+  EXPECT_NEAR(settled.poses[0].translation.y, 0.02, 0.0008);
+}
+
+TEST(Settle, ConcaveRingsAndWedgesFit) {
+  const std::vector<Solid> solids{heap_shapes::ring(0.035, 0.029, 0.006), heap_shapes::wedge(0.035, 60)};
+  const Solid bowl = heap_shapes::bowl(0.13, 0.07);
+  const Settled settled = settle(solids, repeated(2, 6), &bowl);
+  expect_fit(settled);
+}
+
+TEST(Settle, IsTheSameForAnyNumberOfThreads) {
+  const std::vector<Solid> solids{heap_shapes::ring(0.03, 0.02, 0.008), heap_shapes::wedge(0.03, 90)};
+  const Solid bowl = heap_shapes::bowl(0.12, 0.06);
+  SettleOptions one, two;
+  one.threads = {1};
+  two.threads = {2};
+  const Settled a = settle(solids, repeated(2, 3), &bowl, one), b = settle(solids, repeated(2, 3), &bowl, two);
+  for (std::size_t i = 0; i < a.poses.size(); ++i) EXPECT_TRUE(same(a.poses[i], b.poses[i])) << i;
+
+  two.seed = 7;
+  const Settled other = settle(solids, repeated(2, 3), &bowl, two);
+  EXPECT_FALSE(same(a.poses[0], other.poses[0]));
+}
+
+TEST(Settle, SaysWhichPieceDoesNotFit) {
+  // A ball wider than the bowl cannot lie inside it.
+  const std::vector<Solid> solids{heap_shapes::ball(0.1)};
+  const Solid bowl = heap_shapes::bowl(0.06, 0.03);
+  try {
+    settle(solids, repeated(1, 1), &bowl, {.attempts = 1});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::some_items_failed);
+    EXPECT_THAT(error.what(), testing::HasSubstr("piece \"piece-0\" lies outside the bowl"));
+  }
+}
+
+}  // namespace
+}  // namespace pomona
