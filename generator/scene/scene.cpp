@@ -34,6 +34,7 @@ Scene gathered(std::vector<Solid> solids) {
 
 View fitted_view(const Scene& scene, const glm::dvec3& direction) {
   View view;
+  view.vertical_field = scene.view.vertical_field;
   const glm::dvec3 back = glm::length(direction) > 0 ? glm::normalize(direction) : glm::dvec3(0, 0, 1);
   const glm::dvec3 helper = std::fabs(back.y) > 0.999 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(helper, back)), up = glm::cross(back, right);

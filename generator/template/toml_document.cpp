@@ -101,6 +101,11 @@ TomlValue::TomlValue(TomlNode* node, TomlState* state, std::string path)
 
 std::string TomlValue::name() const { return path_.empty() ? "the file" : path_; }
 
+SourcePlace TomlValue::place() const {
+  if (!node_) return {state_ ? state_->file : std::string(), 0, 0, {}};
+  return {state_->file, node_->place.line, node_->place.column, {}};
+}
+
 void TomlValue::error(const std::string& message, const std::string& hint) const {
   if (!node_) return;
   state_->note(node_->place, joined(name(), message), hint);

@@ -56,6 +56,8 @@ class TomlValue {
 
   /// Notes something wrong with this value: "surface "skin": blur <message>".
   void error(const std::string& message, const std::string& hint = {}) const;
+  /// Where it stands in its file; line 0 if it is not there.
+  SourcePlace place() const;
   /// The value's name in messages: `surface "skin": front color`.
   std::string name() const;
 

@@ -1,0 +1,39 @@
+// Where everything lies, as JSON: written once, read instead of settling again.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/base/error.h"
+#include "generator/scene/scene.h"
+
+namespace pomona {
+
+struct Layout {
+  struct Placement {
+    std::string name;   ///< of the instance
+    std::string solid;  ///< of the piece it places
+    Pose pose;
+    SourcePlace place;  ///< of the name
+  };
+  std::string file;  ///< where it was read from, for messages
+  std::vector<Placement> placements;
+};
+
+/// The bytes of a layout: one line per instance, shortest numbers that read back as the same.
+std::string write_layout(const Scene& scene);
+
+/// \throws Error (bad_data) with line and column.
+Layout parse_layout(std::string_view json, const std::string& file);
+
+/// \throws Error (input_missing) if the file cannot be read.
+Layout read_layout(const std::filesystem::path& file);
+
+/// The poses for these instances, in their order (their own poses are not looked at).
+/// \throws Error (bad_data) if the layout belongs to another scene: names that differ, or are missing.
+std::vector<Pose> poses_for(const Layout& layout, const std::vector<Solid>& solids,
+                            const std::vector<Instance>& instances);
+
+}  // namespace pomona

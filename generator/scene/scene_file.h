@@ -1,0 +1,73 @@
+// What a scene file says: a bowl, and pieces of fruit to fill it with (docs/formats.md).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/base/error.h"
+#include "generator/cut/knife.h"
+#include "generator/scene/scene.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// A dish turned on the potter's wheel: the profile of its clay, metres, from the axis below, along the outside
+/// up over the rim and down the inside to the axis again. Stands on y = 0.
+struct BowlDescription {
+  Curve profile;
+  Ramp<Color> color = Ramp<Color>::constant(Color(0.8f));  ///< along the profile
+  int around = 96, along = 96;                             ///< vertices
+};
+
+/// Some variants of one template, all cut the same way.
+struct PiecesDescription {
+  std::string name;           ///< unique in the scene; what the variants are drawn by
+  std::string template_name;  ///< as on the command line; a path is relative to the scene's folder
+  SourcePlace template_place;
+  int count = 1;  ///< variants
+  bool as_drawn = false;
+  std::optional<int> folds;
+  double variation = 1;
+  std::vector<Knife> knives;
+  int take = 0;            ///< this many of each variant's pieces, the largest first; 0 = all
+  int copies = 1;          ///< times that each piece is placed
+  double smallest = 0.01;  ///< pieces below this share of the fruit's volume are left on the board
+  int order = 0;           ///< lower orders fall into the bowl first; a garnish comes last
+  bool face_up = false;    ///< dropped with the largest cut face up
+  bool beside = false;     ///< around the bowl instead of into it
+};
+
+struct SceneDescription {
+  std::string file;  ///< for messages
+  std::string name, title;
+  std::uint64_t seed = 0;
+  Color paper{0.93f, 0.90f, 0.83f};
+  std::optional<View> view;                 ///< by eye and target
+  glm::dvec3 view_direction{0, 0.75, 1.0};  ///< else from here, as near as shows all
+  double vertical_field = 0.5;              ///< radians
+  int width = 1200, height = 900;           ///< pixels of a picture unless asked otherwise
+  bool ground = true;
+  std::optional<BowlDescription> bowl;
+  std::vector<PiecesDescription> pieces;
+  std::string layout;  ///< poses from this file instead of physics; relative to the scene's folder
+  SourcePlace layout_place;
+  double friction = 0.6;
+  double fill = 0.92;   ///< see SettleOptions
+  double around = 1.8;  ///< see SettleOptions
+  int attempts = 5;
+};
+
+/// \throws Error (bad_data) with all that is wrong, unknown keys included, ordered by position.
+SceneDescription parse_scene(std::string_view toml, const std::string& file);
+
+/// The same from disk. \throws Error (input_missing) if it cannot be read.
+SceneDescription read_scene(const std::filesystem::path& file);
+
+/// True for a .toml file that speaks of pieces or of a bowl: a scene, not a template.
+bool is_scene_file(const std::filesystem::path& file);
+
+}  // namespace pomona

@@ -1,0 +1,70 @@
+#include "generator/scene/layout_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "generator/base/error.h"
+#include "tests/scene/heap_shapes.h"
+
+namespace pomona {
+namespace {
+
+Scene two_balls() {
+  Scene scene;
+  scene.solids = {heap_shapes::ball(0.02), heap_shapes::wedge(0.03, 60)};
+  scene.instances = {{0, {glm::dquat(0.5, 0.5, -0.5, 0.5), {0.123456, 1e-6, -0.2}}, "first"},
+                     {1, {glm::dquat(1, 0, 0, 0), {0.1, 0.2, 0.3}}, "second \"quoted\""}};
+  return scene;
+}
+
+void expect_error(const std::string& json, const std::string& message) {
+  const Scene scene = two_balls();
+  try {
+    poses_for(parse_layout(json, "l.json"), scene.solids, scene.instances);
+    ADD_FAILURE() << "was read: " << json;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::bad_data);
+    EXPECT_THAT(to_string(error.diagnostics().front()), testing::StartsWith(message));
+  }
+}
+
+TEST(LayoutFile, ComesBackExactly) {
+  const Scene scene = two_balls();
+  const std::string text = write_layout(scene);
+  const std::vector<Pose> poses = poses_for(parse_layout(text, "l.json"), scene.solids, scene.instances);
+  Scene again = scene;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_TRUE(poses[i].rotation == scene.instances[i].pose.rotation);
+    EXPECT_TRUE(poses[i].translation == scene.instances[i].pose.translation);
+    again.instances[i].pose = poses[i];
+  }
+  EXPECT_EQ(write_layout(again), text);
+}
+
+TEST(LayoutFile, SaysWhereItIsWrong) {
+  expect_error("{\"format\": 1,\n \"instances\": [}", "l.json:2:16: error: this is not JSON");
+  expect_error("{\"format\": 2}", "l.json:1:12: error: format should be 1");
+  expect_error("{\"format\": 1}", "l.json:1:1: error: \"instances\" is missing");
+  expect_error("{\"format\": 1, \"format\": 1}", "l.json:1:15: error: key \"format\" is there already");
+  expect_error("{\"format\": 1, \"instances\": [\n {\"name\": \"first\"}]}", "l.json:2:2: error: \"solid\" is missing");
+  expect_error(
+      "{\"format\": 1, \"instances\": [{\"name\": \"first\", \"solid\": \"ball\",\n"
+      "\"rotation\": [1, 0, 0], \"translation\": [0, 0, 0]}]}",
+      "l.json:2:13: error: should be 4 numbers");
+  expect_error(
+      "{\"format\": 1, \"instances\": [{\"name\": \"first\", \"solid\": \"ball\",\n"
+      "\"rotation\": [1, 0, 0, 0], \"translation\": [0, \"up\", 0]}]}",
+      "l.json:2:46: error: should be a number");
+  expect_error(std::string(100, '['), "l.json:1:33: error: nests deeper");
+}
+
+TEST(LayoutFile, BelongsToItsScene) {
+  const Scene scene = two_balls();
+  std::string text = write_layout(scene);
+  expect_error("{\"format\": 1, \"instances\": []}", "l.json: error: does not place \"first\"");
+  text.replace(text.find("\"ball\""), 6, "\"bell\"");
+  expect_error(text, "l.json:4:14: error: \"first\" is of solid \"ball\" in the scene");
+}
+
+}  // namespace
+}  // namespace pomona

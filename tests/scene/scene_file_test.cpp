@@ -1,0 +1,77 @@
+#include "generator/scene/scene_file.h"
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "generator/base/error.h"
+
+namespace pomona {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source_dir = POMONA_SOURCE_DIR;
+
+/// Each file's first line says what is expected: "# expects LINE:COLUMN: part of the message".
+TEST(SceneFile, BadScenesAreToldWhereAndWhy) {
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(source_dir / "tests/scene/bad")) {
+    SCOPED_TRACE(entry.path().filename().string());
+    std::string expected;
+    std::getline(std::ifstream(entry.path()) >> std::ws, expected);
+    const std::string place = expected.substr(10, expected.find(": ") - 10);
+    const std::string message = expected.substr(expected.find(": ") + 2);
+    ++files;
+    try {
+      read_scene(entry.path());
+      ADD_FAILURE() << "was read";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.status(), ExitStatus::bad_data);
+      const std::string text = to_string(error.diagnostics().front());
+      EXPECT_THAT(text, testing::StartsWith(entry.path().string() + ":" + place + ":"));
+      EXPECT_THAT(text, testing::HasSubstr(message));
+    }
+  }
+  EXPECT_GE(files, 12);
+}
+
+TEST(SceneFile, ReadsTheSalad) {
+  const fs::path file = source_dir / "scenes/salad.toml";
+  const SceneDescription salad = read_scene(file);
+  EXPECT_TRUE(is_scene_file(file));
+  EXPECT_FALSE(is_scene_file(source_dir / "templates/tomato.toml"));
+  ASSERT_TRUE(salad.bowl.has_value());
+  EXPECT_NEAR(salad.bowl->profile.points.front().x, 0, 0);
+  EXPECT_NEAR(salad.bowl->profile.points[1].x, 0.05, 1e-9);
+
+  // The least that the dish is to have: 30 variants and 60 pieces, cut in three ways.
+  int variants = 0, pieces = 0;
+  std::set<std::string> cuts;
+  for (const PiecesDescription& entry : salad.pieces) {
+    variants += entry.count;
+    pieces += entry.count * entry.take * entry.copies;
+    std::string cut;
+    for (const Knife& knife : entry.knives) cut += knife.text + " ";
+    cuts.insert(cut);
+  }
+  EXPECT_GE(variants, 30);
+  EXPECT_GE(pieces, 60);
+  EXPECT_GE(cuts.size(), 3u);
+}
+
+TEST(SceneFile, AMissingFileIsMissingInput) {
+  try {
+    read_scene("no/such/scene.toml");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::input_missing);
+  }
+}
+
+}  // namespace
+}  // namespace pomona
