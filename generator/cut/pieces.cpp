@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <unordered_map>
@@ -170,7 +171,9 @@ class PieceBuilder {
       const Cap& cap = section_.cap[c / 2];
       CutPiece& piece = pieces[component_at(node_of_cap_[c], cap.cell[c % 2])];
       for (const BodyWinding& inside : cap.inside) {
-        for (int i = 0; i < inside.winding; ++i) piece.caps.push_back({static_cast<std::uint32_t>(c / 2), c % 2 == 1});
+        const bool reversed = (c % 2 == 1) != (inside.winding < 0);
+        for (int i = 0; i < std::abs(inside.winding); ++i)
+          piece.caps.push_back({static_cast<std::uint32_t>(c / 2), reversed});
       }
     }
   }

@@ -18,9 +18,7 @@ class RegionFinder {
     find_windings();
     for (std::size_t p = 0; p < regions_.patch.size(); ++p) {
       Regions::Patch& patch = regions_.patch[p];
-      const bool inside =
-          std::any_of(patch.inside.begin(), patch.inside.end(), [](const BodyWinding& w) { return w.winding > 0; });
-      if (!inside) continue;
+      if (patch.inside.empty()) continue;
       find_cells(p);
       patch.section = patch.cell[0] != patch.cell[1];
     }

@@ -10,7 +10,8 @@
 
 namespace pomona {
 
-/// How often a body's boundary winds around a place: 1 inside, 0 outside, more where it overlaps itself.
+/// How often a body's boundary winds around a place: 1 inside, 0 outside; more where it overlaps itself, negative where
+/// it has turned itself inside out. All but 0 is section, so that pieces close whatever the boundary does.
 struct BodyWinding {
   std::int32_t body = 0;
   int winding = 0;

@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/random.h"
 #include "generator/base/units.h"
 #include "tests/shapes/shapes.h"
 
@@ -195,6 +196,48 @@ TEST(Cut, InnerSurfacesGiveBothTheirColours) {
   }
   EXPECT_GT(red, 10);
   EXPECT_EQ(red, blue);
+}
+
+TEST(Cut, RandomKnivesOnManyShapes) {
+  std::vector<DiffusionSurfaces> fruits = {
+      shapes::sphere(0.05, 5, shapes::skin_paint()),
+      shapes::torus(0.04, 0.015, 16, 9),
+      shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint()),
+      joined(shapes::nested_spheres(0.05, 0.02, 5), shapes::open_sheet(0.07, 0.003, 3)),
+      shapes::hollow_ball(0.05, 0.044, 5),
+      joined(shapes::torus(0.04, 0.015, 16, 9), shapes::moved(shapes::torus(0.04, 0.015, 16, 9), {0.013, 0.007, 0})),
+  };
+  const RandomStream random({7, 0}, "test/knives");
+  std::uint64_t draw = 0;
+  const auto coarse = [&] { return static_cast<double>(random.below(draw++, 5)) - 2; };
+  for (std::size_t f = 0; f < fruits.size(); ++f) {
+    const double whole = volume_of(cut_with(fruits[f], {}));
+    for (int i = 0; i < 25; ++i) {
+      // Two planes: small whole numbers make for planes through vertices, edges and each other's lines.
+      std::vector<Knife> knives;
+      std::string text;
+      for (int k = 0; k < 2; ++k) {
+        const bool generic = random.below(draw++, 2) == 0;
+        glm::dvec3 n(coarse(), coarse(), coarse());
+        double d = 0.01 * coarse();
+        if (generic) n += glm::dvec3(random.uniform(draw), random.uniform(draw + 1), random.uniform(draw + 2));
+        if (generic) d += 0.01 * random.uniform(draw + 3);
+        draw += 4;
+        if (glm::length(n) < 0.1) n = {0, 1, 0};
+        Knife knife;
+        knife.kind = Knife::Kind::plane;
+        knife.plane = {glm::normalize(n), d};
+        knives.push_back(knife);
+        for (int axis = 0; axis < 3; ++axis) text += std::to_string(n[axis]) + ",";
+        text += std::to_string(d) + " ";
+      }
+      SCOPED_TRACE("fruit " + std::to_string(f) + " " + text);
+      const Cut cut = pomona::cut(fruits[f], knives, {.coarsest = 0.2, .finest = 0.05});
+      EXPECT_NEAR(volume_of(cut), whole, 1e-6 * whole);
+      for (const CutPiece& piece : cut.pieces) EXPECT_TRUE(piece.closed && closes(piece, cut.section));
+      if (HasFailure()) return;
+    }
+  }
 }
 
 TEST(Cut, BoxThroughVerticesEdgesAndFaces) {
