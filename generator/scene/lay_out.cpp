@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "generator/base/reproducible.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
@@ -64,14 +66,32 @@ Bounds turned_bounds(const Solid& solid, const glm::dquat& rotation) {
   return bounds;
 }
 
-/// About as wide as deep: rows are filled up to this width, metres.
-double row_width(const std::vector<Bounds>& bounds, double gap) {
+/// What a piece takes up on the table, seen from shown_direction: a tall one hides what lies behind it.
+glm::dvec2 footprint(const Bounds& bounds) {
+  const double hidden_behind = bounds.size().y * shown_direction.z / shown_direction.y;
+  return {bounds.size().x, bounds.size().z + hidden_behind};
+}
+
+/// Rows are filled up to this width, metres: half again as wide as deep, like a picture.
+double row_width(const std::vector<glm::dvec2>& footprints) {
   double area = 0, widest = 0;
-  for (const Bounds& b : bounds) {
-    area += (b.size().x + gap) * (b.size().z + gap);
-    widest = std::max(widest, b.size().x);
+  for (const glm::dvec2& size : footprints) {
+    area += size.x * size.y;
+    widest = std::max(widest, size.x);
   }
-  return std::max(widest, 1.3 * std::sqrt(area)) * 1.0001;
+  return std::max(widest, 1.5 * std::sqrt(area)) * 1.2;
+}
+
+/// Larger pieces first, so that crumbs share a row.
+std::vector<std::size_t> by_size(const std::vector<glm::dvec2>& footprints) {
+  std::vector<std::size_t> order(footprints.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto rough_size = [&](std::size_t i) {
+    return std::lround(2 * reproducible::log(footprints[i].x + footprints[i].y));
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return rough_size(a) > rough_size(b); });
+  return order;
 }
 
 }  // namespace
@@ -79,28 +99,30 @@ double row_width(const std::vector<Bounds>& bounds, double gap) {
 Scene laid_out(const Scene& scene) {
   Scene table = scene;
   std::vector<Bounds> bounds;
-  double largest = 0;
+  std::vector<glm::dvec2> footprints;
   for (Instance& instance : table.instances) {
     const Solid& solid = table.solids[static_cast<std::size_t>(instance.solid)];
     instance.pose.rotation = shown(solid);
     bounds.push_back(turned_bounds(solid, instance.pose.rotation));
-    largest = std::max({largest, bounds.back().size().x, bounds.back().size().z});
+    footprints.push_back(footprint(bounds.back()));
   }
 
-  // Fill rows from the left, the first row farthest from the eye.
-  const double gap = 0.12 * largest;
-  const double width = row_width(bounds, gap);
+  // Fill rows from the left, the first row farthest from the eye; gaps follow the size of the pieces.
+  constexpr double gap = 0.15;
+  const double width = row_width(footprints);
   double x = 0, z = 0, depth = 0;
-  for (std::size_t i = 0; i < table.instances.size(); ++i) {
-    const glm::dvec3 size = bounds[i].size();
+  for (const std::size_t i : by_size(footprints)) {
+    const glm::dvec2 size = footprints[i] * (1 + gap);
     if (x > 0 && x + size.x > width) {
       x = 0;
-      z += depth + gap;
+      z += depth;
       depth = 0;
     }
-    table.instances[i].pose.translation = glm::dvec3(x, 0.0, z) - bounds[i].low;
-    x += size.x + gap;
-    depth = std::max(depth, size.z);
+    // Nearer rows hide what lies behind them: leave their height's shadow free on the far side.
+    const double behind = footprints[i].y - bounds[i].size().z;
+    table.instances[i].pose.translation = glm::dvec3(x, 0.0, z + behind) - bounds[i].low;
+    x += size.x;
+    depth = std::max(depth, size.y);
   }
   table.ground = true;
   table.view = fitted_view(table, shown_direction);

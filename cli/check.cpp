@@ -1,0 +1,88 @@
+// pomona check: everything that is wrong with templates, scenes and surface files, at once.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/find_template.h"
+#include "generator/scene/scene_file.h"
+#include "generator/surface/bodies.h"
+#include "generator/surface/surface_file.h"
+#include "generator/surface/sweep.h"
+#include "generator/template/read_template.h"
+
+namespace pomona {
+
+namespace {
+
+struct CheckCommand {
+  std::vector<std::string> files;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Reads the file as what it is; surfaces and swept templates are also asked whether they are solid.
+std::vector<std::string> check_file(const std::filesystem::path& file) {
+  if (file.extension() == ".ply") return find_bodies(read_surfaces(file)).warnings;
+  if (is_scene_file(file)) {
+    read_scene(file);
+    return {};
+  }
+  return find_bodies(sweep(read_template(file))).warnings;
+}
+
+nlohmann::ordered_json as_json(const Diagnostic& diagnostic, const char* severity) {
+  return {{"severity", severity},
+          {"file", diagnostic.place.file},
+          {"line", diagnostic.place.line},
+          {"column", diagnostic.place.column},
+          {"element", diagnostic.place.element},
+          {"message", diagnostic.message},
+          {"hint", diagnostic.hint}};
+}
+
+ExitStatus check(const CheckCommand& command) {
+  nlohmann::ordered_json found = nlohmann::ordered_json::array();
+  ExitStatus status = ExitStatus::done;
+  for (const std::string& name : command.files) {
+    try {
+      const std::filesystem::path file = find_template(name);
+      for (const std::string& warning : check_file(file)) {
+        Diagnostic diagnostic;
+        diagnostic.place.file = file.string();
+        diagnostic.message = warning;
+        found.push_back(as_json(diagnostic, "warning"));
+        if (!command.json && !command.quiet) std::fprintf(stderr, "%s: warning: %s\n", file.c_str(), warning.c_str());
+      }
+      if (!command.json && !command.quiet) std::printf("%s: ok\n", name.c_str());
+    } catch (const Error& error) {
+      // Missing files weigh less than bad ones: a bad one can be mended from here.
+      if (status != ExitStatus::bad_data) status = error.status();
+      for (const Diagnostic& diagnostic : error.diagnostics()) {
+        found.push_back(as_json(diagnostic, "error"));
+        if (!command.json) std::fprintf(stderr, "%s\n", to_string(diagnostic).c_str());
+      }
+    }
+  }
+  if (command.json) std::printf("%s\n", found.dump(2).c_str());
+  return status;
+}
+
+}  // namespace
+
+DeclaredCommand check_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("check", "Check templates, scenes and surface files; all errors at once");
+  const auto options = std::make_shared<CheckCommand>();
+  command->add_option("FILE", options->files, "Names from `pomona list`, templates, scenes or surface files (.ply)")
+      ->required();
+  command->add_flag("--json", options->json, "Print what was found as JSON");
+  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  return {command, [options] { return check(*options); }};
+}
+
+}  // namespace pomona

@@ -1,0 +1,32 @@
+// What a command is, and how the program runs one.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "generator/base/error.h"
+
+namespace CLI {
+class App;
+}
+
+namespace pomona {
+
+/// Declares a subcommand and its options on `app`; the returned action runs it once the line is parsed.
+/// `subcommand` is where the action hangs itself up, so that the program can tell which one was asked for.
+struct DeclaredCommand {
+  CLI::App* subcommand = nullptr;
+  std::function<ExitStatus()> action;
+};
+using Command = DeclaredCommand (*)(CLI::App& app);
+
+DeclaredCommand list_command(CLI::App& app);
+DeclaredCommand check_command(CLI::App& app);
+DeclaredCommand grow_command(CLI::App& app);
+DeclaredCommand cut_command(CLI::App& app);
+DeclaredCommand scene_command(CLI::App& app);
+
+/// Parses the line, runs the command, prints what went wrong, and returns the exit status.
+int run(const std::vector<Command>& commands, int argc, char** argv);
+
+}  // namespace pomona

@@ -1,0 +1,112 @@
+// pomona cut: a fruit's pieces, or the bare section.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/deliver.h"
+#include "cli/fruit_source.h"
+#include "cli/outputs.h"
+#include "generator/cut/cut.h"
+#include "generator/cut/section_file.h"
+#include "generator/scene/lay_out.h"
+
+namespace pomona {
+
+namespace {
+
+struct CutCommand {
+  std::string fruit;
+  std::vector<std::string> knives;
+  std::vector<std::string> outputs;
+  std::optional<int> folds;
+  bool section = false;
+  SharedOptions shared;
+};
+
+/// A bare section has no solid to put into a scene format.
+std::vector<Format> formats_for(const CutCommand& command) {
+  if (command.section) return {Format::ply, Format::png};
+  return {Format::ply, Format::glb, Format::pov, Format::png};
+}
+
+void write_section_files(const std::vector<Output>& outputs, const CrossSection& section, const Template& fruit,
+                         Delivery& delivery) {
+  for (const Output& output : outputs) {
+    if (output.format == Format::ply) {
+      delivery.add(output.file, [&] { return write_section(section); });
+    } else {
+      delivery.add_section_picture(output, section, fruit);
+    }
+  }
+}
+
+void write_piece_files(const std::vector<Output>& outputs, std::vector<Solid> pieces, Delivery& delivery) {
+  const Scene in_place = gathered(std::move(pieces));
+  for (const Output& output : outputs) {
+    // A picture of pieces in their place would show a whole fruit: lay them out side by side.
+    delivery.add(output, output.format == Format::png ? laid_out(in_place) : in_place);
+  }
+}
+
+void count(const CrossSection& section, std::size_t pieces, StageTimes& times) {
+  times.count("interior_vertices", std::count(section.interior.begin(), section.interior.end(), 1));
+  times.count("section_vertices", static_cast<std::int64_t>(section.position.size()));
+  times.count("section_triangles", static_cast<std::int64_t>(section.triangle.size()));
+  times.count("pieces", static_cast<std::int64_t>(pieces));
+}
+
+ExitStatus cut_fruit(const CutCommand& command) {
+  // Everything that can be wrong with the words is told before the work begins.
+  std::vector<Knife> knives;
+  for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
+  const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command));
+  const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared);
+  Delivery delivery(command.shared);
+
+  const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
+  const Cut result = delivery.times.time("cut", [&] { return cut(source.grown.sheets, knives); });
+  delivery.warn(result.warnings);
+  const CrossSection section =
+      delivery.times.time("diffuse", [&] { return colored(result.section, source.grown.sheets, *diffuser); });
+  count(section, result.pieces.size(), delivery.times);
+
+  if (command.section) {
+    write_section_files(outputs, section, source.fruit, delivery);
+  } else {
+    write_piece_files(outputs,
+                      delivery.times.time("style", [&] { return solids(result, section, source.fruit, source.name); }),
+                      delivery);
+  }
+  delivery.finish();
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+DeclaredCommand cut_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("cut", "Cut a fruit into pieces, or show the bare section");
+  const auto options = std::make_shared<CutCommand>();
+  command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
+      ->required();
+  command
+      ->add_option("--knife", options->knives,
+                   "half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm or slices:8; several cut one after another")
+      ->required()
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("-o,--output", options->outputs, "What to write: .ply, .glb, .pov or .png")
+      ->required()
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
+  command->add_flag("--section", options->section, "The bare section instead of pieces (.ply or .png)");
+  add_shared_options(*command, options->shared);
+  return {command, [options] { return cut_fruit(*options); }};
+}
+
+}  // namespace pomona

@@ -1,0 +1,148 @@
+#include "cli/deliver.h"
+
+#include <csignal>
+#include <cstdio>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/version.h"
+#include "generator/base/error.h"
+#include "render/export/gltf.h"
+#include "render/export/ply.h"
+#include "render/export/pov.h"
+#include "render/gl/context.h"
+#include "render/gl/scene_picture.h"
+#include "render/picture/png.h"
+#include "render/picture/section_picture.h"
+#include "render/texture/bake.h"
+
+namespace pomona {
+
+namespace {
+
+/// What --stats names; this version diffuses on the CPU only.
+constexpr char diffuser_name[] = "cpu";
+
+/// Holds back the signals with which people and schedulers end a program.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigset_t ending;
+    sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ending, signal);
+    pthread_sigmask(SIG_BLOCK, &ending, &before_);
+  }
+  ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+ExportOptions export_options(const SharedOptions& options, const Style& style) {
+  return {.noise = style.noise,
+          .provenance = std::string("pomona ") + version + ", seed " + std::to_string(options.seed),
+          .threads = {options.threads}};
+}
+
+}  // namespace
+
+Delivery::Delivery(const SharedOptions& options)
+    : progress(options.quiet),
+      options_(options),
+      style_(style_named(options.style)),
+      size_(picture_size(options)),
+      view_(view_direction(options)) {
+  if (!options.stats.empty()) check_folder(options.stats);
+}
+
+void Delivery::add(const std::filesystem::path& file, const std::function<std::string()>& make) {
+  files_.push_back({file, times.time("write", make)});
+}
+
+void Delivery::add(const Output& output, const Scene& scene) {
+  const ExportOptions options = export_options(options_, style_);
+  switch (output.format) {
+    case Format::ply:
+      return add(output.file, [&] { return write_solids(scene, options); });
+    case Format::glb:
+      return add_glb(output, scene);
+    case Format::pov: {
+      const std::string stem = output.file.stem().string();
+      for (NamedFile& file : times.time("write", [&] { return write_pov(scene, stem, options); })) {
+        files_.push_back({output.file.parent_path() / file.name, std::move(file.bytes)});
+      }
+      return;
+    }
+    case Format::png:
+      return add_picture(output, scene);
+    case Format::json:
+      throw Error(ExitStatus::bug, "a layout is not a delivery's business");
+  }
+}
+
+void Delivery::add_glb(const Output& output, const Scene& scene) {
+  const ExportOptions options = export_options(options_, style_);
+  if (options_.texture == 0) return add(output.file, [&] { return write_glb(scene, options); });
+
+  // Bake every solid by itself; slots keep the order whatever the threads.
+  std::vector<BakedSolid> baked_solids(scene.solids.size());
+  times.time("style", [&] {
+    parallel_for(scene.solids.size(), {options_.threads}, [&](std::size_t i) {
+      baked_solids[i] = baked(scene.solids[i], style_, {.texels = options_.texture});
+    });
+  });
+  add(output.file, [&] { return write_glb(scene, options); });
+}
+
+void Delivery::add_picture(const Output& output, Scene scene) {
+  const PictureSize size = size_.value_or(default_size_);
+  if (view_) scene.view = fitted_view(scene, *view_);
+  const Image image = times.time("style", [&] {
+    GlContext context;
+    return draw_scene(context, scene, style_, {.width = size.width, .height = size.height});
+  });
+  add(output.file, [&] { return write_png(image); });
+}
+
+void Delivery::add_section_picture(const Output& output, const CrossSection& section, const Template& fruit) {
+  const PictureSize size = size_.value_or(default_size_);
+  const SectionPictureOptions options{.width = size.width, .height = size.height, .threads = {options_.threads}};
+  const Image image =
+      times.time("style", [&] { return draw_section(section, fruit.noise, fruit.ink, style_, options); });
+  add(output.file, [&] { return write_png(image); });
+}
+
+void Delivery::warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) progress.line("warning: " + warning);
+  warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+}
+
+void Delivery::finish() {
+  // Ctrl-C is heard before or after, not between two files.
+  const HeldSignals held;
+  times.time("write", [&] { write_whole(files_); });
+  if (!options_.stats.empty()) write_whole(options_.stats, times.json(diffuser_name, resolved({options_.threads})));
+  say_what_was_written();
+}
+
+void Delivery::say_what_was_written() {
+  if (options_.json) {
+    nlohmann::ordered_json result = {{"files", nlohmann::ordered_json::array()}, {"warnings", warnings_}};
+    for (const OutputFile& file : files_) {
+      result["files"].push_back({{"path", file.path.string()}, {"bytes", file.bytes.size()}});
+    }
+    std::printf("%s\n", result.dump(2).c_str());
+    return;
+  }
+  for (const OutputFile& file : files_) {
+    char line[64];
+    std::snprintf(line, sizeof line, " (%.1f MB)", static_cast<double>(file.bytes.size()) * 1e-6);
+    progress.line("wrote " + file.path.string() + line);
+  }
+  progress.line(times.summary());
+}
+
+}  // namespace pomona

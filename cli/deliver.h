@@ -1,0 +1,57 @@
+// From finished values to files: the last stretch that grow, cut and scene share.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/outputs.h"
+#include "cli/progress.h"
+#include "cli/shared_options.h"
+#include "cli/stage_times.h"
+#include "generator/scene/scene.h"
+#include "render/export/output.h"
+#include "render/style/style.h"
+
+namespace pomona {
+
+/// Collects a command's outputs and writes them together: all of them appear, or none.
+class Delivery {
+ public:
+  /// \throws Error (usage) for a style, size or view that is not one, (cannot_create) for --stats.
+  explicit Delivery(const SharedOptions& options);
+
+  /// Makes the bytes of one file (stage "write") and keeps them until finish().
+  void add(const std::filesystem::path& file, const std::function<std::string()>& make);
+
+  /// A scene as .ply, .glb, .pov (with its includes) or .png.
+  void add(const Output& output, const Scene& scene);
+
+  void add_section_picture(const Output& output, const CrossSection& section, const Template& fruit);
+
+  /// Of pictures when --size says nothing.
+  void set_default_size(PictureSize size) { default_size_ = size; }
+
+  void warn(const std::vector<std::string>& warnings);
+
+  /// Puts everything on disk, --stats included, and says what was written.
+  void finish();
+
+  StageTimes times;
+  Progress progress;
+
+ private:
+  void add_picture(const Output& output, Scene scene);
+  void add_glb(const Output& output, const Scene& scene);
+  void say_what_was_written();
+
+  const SharedOptions& options_;
+  Style style_;
+  PictureSize default_size_{960, 720};
+  std::optional<PictureSize> size_;
+  std::optional<glm::dvec3> view_;
+  std::vector<OutputFile> files_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace pomona

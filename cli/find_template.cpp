@@ -1,0 +1,71 @@
+#include "cli/find_template.h"
+
+#include <algorithm>
+#include <map>
+
+#include "generator/base/error.h"
+#include "generator/base/nearest_name.h"
+
+namespace fs = std::filesystem;
+
+namespace pomona {
+
+namespace {
+
+/// build/pomona lies beside templates/; an installed bin/pomona beside share/pomona/templates.
+std::vector<fs::path> program_folders() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path root = program.parent_path().parent_path();
+  return {root / "templates", root / "share" / "pomona" / "templates"};
+}
+
+bool is_path(const std::string& text) {
+  return text.find('/') != std::string::npos || text.ends_with(".toml") || text.ends_with(".ply");
+}
+
+}  // namespace
+
+std::vector<fs::path> template_folders() {
+  std::vector<fs::path> folders;
+  std::vector<fs::path> candidates = program_folders();
+  candidates.insert(candidates.end(), {"templates", "."});
+  for (const fs::path& folder : candidates) {
+    std::error_code ignored;
+    if (fs::is_directory(folder, ignored)) folders.push_back(folder);
+  }
+  return folders;
+}
+
+std::vector<fs::path> all_templates() {
+  std::map<std::string, fs::path> by_name;
+  for (const fs::path& folder : program_folders()) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+      if (entry.path().extension() == ".toml") by_name.try_emplace(entry.path().stem().string(), entry.path());
+    }
+  }
+  std::vector<fs::path> files;
+  for (const auto& [name, file] : by_name) files.push_back(file);
+  return files;
+}
+
+fs::path find_template(const std::string& name_or_path) {
+  std::error_code ignored;
+  if (is_path(name_or_path)) {
+    if (fs::is_regular_file(name_or_path, ignored)) return name_or_path;
+    throw Error(ExitStatus::input_missing, {{{name_or_path, 0, 0, {}}, "there is no such file", {}}});
+  }
+  for (const fs::path& folder : template_folders()) {
+    const fs::path file = folder / (name_or_path + ".toml");
+    if (fs::is_regular_file(file, ignored)) return file;
+  }
+
+  std::vector<std::string> known;
+  for (const fs::path& file : all_templates()) known.push_back(file.stem().string());
+  const auto near = nearest_name(name_or_path, known);
+  throw Error(ExitStatus::input_missing, "there is no template \"" + name_or_path + "\"",
+              near ? "did you mean " + *near + "?" : "`pomona list` prints all names; a path works too");
+}
+
+}  // namespace pomona

@@ -1,0 +1,46 @@
+#include "cli/fruit_source.h"
+
+#include "cli/find_template.h"
+#include "generator/base/error.h"
+#include "generator/surface/sheets.h"
+#include "generator/surface/surface_file.h"
+#include "generator/template/read_template.h"
+
+namespace pomona {
+
+namespace {
+
+FruitSource from_surface_file(const std::filesystem::path& file, std::optional<int> folds, StageTimes& times) {
+  if (folds) {
+    throw Error(ExitStatus::usage, "--folds: " + file.string() + " holds surfaces, which have no folds to change");
+  }
+  FruitSource source;
+  source.name = file.stem().string();
+  source.fruit.name = source.name;
+  source.grown.swept = times.time("read", [&] { return read_surfaces(file); });
+  source.fruit.parts = source.grown.swept.part_names;
+  source.grown.sheets = times.time("sweep", [&] { return sheets(source.grown.swept); });
+  return source;
+}
+
+}  // namespace
+
+FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& options, std::optional<int> folds,
+                       StageTimes& times) {
+  const std::filesystem::path file = find_template(name_or_path);
+  if (file.extension() == ".ply") return from_surface_file(file, folds, times);
+
+  // Seed 0 on the command line is the template as drawn.
+  const VariantKey key{options.seed, 0};
+  const GrowOptions grow_options{
+      .as_drawn = options.seed == 0, .variation = options.variation, .folds = folds, .detail = options.detail};
+  FruitSource source;
+  source.name = file.stem().string();
+  const Template drawn = times.time("read", [&] { return read_template(file); });
+  source.fruit = times.time("vary", [&] { return variant_of(drawn, key, grow_options); });
+  source.grown = times.time("sweep", [&] { return grow(source.fruit, key, grow_options); });
+  times.count("surface_triangles", static_cast<std::int64_t>(source.grown.sheets.triangle_count()));
+  return source;
+}
+
+}  // namespace pomona

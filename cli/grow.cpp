@@ -1,0 +1,80 @@
+// pomona grow: one whole fruit.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/deliver.h"
+#include "cli/fruit_source.h"
+#include "cli/outputs.h"
+#include "generator/cut/cut.h"
+#include "generator/surface/surface_file.h"
+
+namespace pomona {
+
+namespace {
+
+struct GrowCommand {
+  std::string fruit;
+  std::vector<std::string> outputs;
+  std::optional<int> folds;
+  bool sheets = false;
+  bool surfaces = false;
+  SharedOptions shared;
+};
+
+/// The shells of the fruit, cavity walls included, with nothing inside; and the inner surfaces if asked for.
+std::vector<Solid> whole_fruit(const FruitSource& source, bool with_surfaces, Delivery& delivery) {
+  const Cut whole = delivery.times.time("cut", [&] { return cut(source.grown.sheets, {}); });
+  delivery.warn(whole.warnings);
+  std::vector<Solid> all = solids(whole, whole.section, source.fruit, source.name);
+  if (with_surfaces) {
+    for (Solid& solid : all) solid.opacity = 0.25f;
+    std::vector<Solid> inner = inner_surfaces(source.grown.swept, source.fruit, source.name);
+    all.insert(all.end(), inner.begin(), inner.end());
+  }
+  return all;
+}
+
+ExitStatus grow_fruit(const GrowCommand& command) {
+  const std::vector<Output> outputs =
+      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png});
+  Delivery delivery(command.shared);
+  const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
+
+  std::optional<Scene> scene;
+  for (const Output& output : outputs) {
+    if (output.format == Format::ply) {
+      const DiffusionSurfaces& surfaces = command.sheets ? source.grown.sheets : source.grown.swept;
+      delivery.add(output.file, [&] { return write_surfaces(surfaces); });
+      continue;
+    }
+    if (!scene) scene = gathered(whole_fruit(source, command.surfaces, delivery));
+    delivery.add(output, *scene);
+  }
+  delivery.finish();
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+DeclaredCommand grow_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("grow", "Grow one whole fruit");
+  const auto options = std::make_shared<GrowCommand>();
+  command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
+      ->required();
+  command->add_option("-o,--output", options->outputs, "What to write: .ply (surfaces), .glb, .pov or .png")
+      ->required()
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
+  command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");
+  command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: show the inner surfaces through the skin");
+  add_shared_options(*command, options->shared);
+  return {command, [options] { return grow_fruit(*options); }};
+}
+
+}  // namespace pomona

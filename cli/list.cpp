@@ -1,0 +1,56 @@
+// pomona list: what can be grown.
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/find_template.h"
+#include "generator/template/read_template.h"
+
+namespace pomona {
+
+namespace {
+
+std::string symmetry_of(const Template& fruit) {
+  if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) return "cylindrical";
+  return std::to_string(fold_count(fruit)) + "-fold";
+}
+
+std::string joined_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+  return text;
+}
+
+ExitStatus list(bool json) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  std::vector<Diagnostic> wrong;
+  for (const auto& file : all_templates()) {
+    try {
+      const Template fruit = read_template(file);
+      const std::string name = file.stem().string();
+      all.push_back({{"name", name}, {"title", fruit.title}, {"symmetry", symmetry_of(fruit)}, {"parts", fruit.parts}});
+      if (!json)
+        std::printf("%s\t%s\t%s\n", name.c_str(), symmetry_of(fruit).c_str(), joined_names(fruit.parts).c_str());
+    } catch (const Error& error) {
+      wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
+    }
+  }
+  if (json) std::printf("%s\n", all.dump(2).c_str());
+  if (!wrong.empty()) throw Error(ExitStatus::some_items_failed, wrong);
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+DeclaredCommand list_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("list", "Print the templates: name, symmetry, parts");
+  const auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "Print them as JSON");
+  return {command, [json] { return list(*json); }};
+}
+
+}  // namespace pomona

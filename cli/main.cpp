@@ -1,0 +1,8 @@
+// pomona: grows fruit that can be cut anywhere. This file only knows which commands there are.
+#include "cli/command.h"
+
+int main(int argc, char** argv) {
+  return pomona::run(
+      {pomona::list_command, pomona::check_command, pomona::grow_command, pomona::cut_command, pomona::scene_command},
+      argc, argv);
+}

@@ -1,0 +1,42 @@
+#include "cli/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace pomona {
+
+Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() { clear_bar(); }
+
+void Progress::clear_bar() {
+  if (bar_shown_) std::fputs("\r\033[K", stderr);
+  bar_shown_ = false;
+}
+
+void Progress::report(const std::string& stage, std::size_t done, std::size_t total) {
+  if (quiet_ || total == 0) return;
+  const std::lock_guard lock(mutex_);
+  if (!terminal_) {
+    // One line when a stage begins is enough in a log.
+    if (stage != last_stage_) std::fprintf(stderr, "%s (%zu)\n", stage.c_str(), total);
+    last_stage_ = stage;
+    return;
+  }
+  constexpr std::size_t width = 30;
+  const std::size_t filled = width * done / total;
+  std::fprintf(stderr, "\r\033[K%-8s [%s%s] %zu/%zu", stage.c_str(), std::string(filled, '=').c_str(),
+               std::string(width - filled, ' ').c_str(), done, total);
+  std::fflush(stderr);
+  bar_shown_ = true;
+}
+
+void Progress::line(const std::string& text) {
+  if (quiet_) return;
+  const std::lock_guard lock(mutex_);
+  clear_bar();
+  std::fprintf(stderr, "%s\n", text.c_str());
+}
+
+}  // namespace pomona

@@ -1,0 +1,79 @@
+// pomona scene: a composition.
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/deliver.h"
+#include "cli/find_template.h"
+#include "cli/outputs.h"
+#include "generator/scene/compose.h"
+#include "generator/scene/layout_file.h"
+#include "generator/scene/scene_file.h"
+
+namespace pomona {
+
+namespace {
+
+struct SceneCommand {
+  std::string file;
+  std::vector<std::string> outputs;
+  SharedOptions shared;
+};
+
+ComposeOptions compose_options(const SharedOptions& shared, Progress& progress) {
+  ComposeOptions options;
+  options.find_template = find_template;
+  options.variation = shared.variation;
+  options.detail = shared.detail;
+  options.threads = {shared.threads};
+  options.progress = [&progress](const std::string& stage, std::size_t done, std::size_t total) {
+    progress.report(stage, done, total);
+  };
+  return options;
+}
+
+ExitStatus compose_scene(const SceneCommand& command) {
+  const std::vector<Output> outputs =
+      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::json});
+  const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared);
+  Delivery delivery(command.shared);
+
+  SceneDescription description = delivery.times.time("read", [&] { return read_scene(command.file); });
+  if (command.shared.seed_given) description.seed = command.shared.seed;
+  delivery.set_default_size({description.width, description.height});
+  const Composition composition =
+      compose(description, diffuser.get(), compose_options(command.shared, delivery.progress));
+  for (const auto& [stage, milliseconds] : composition.report.stages) delivery.times.add(stage, milliseconds);
+  for (const auto& [what, number] : composition.report.counts) delivery.times.count(what, number);
+  delivery.warn(composition.report.warnings);
+
+  for (const Output& output : outputs) {
+    if (output.format == Format::json) {
+      delivery.add(output.file, [&] { return write_layout(composition.scene); });
+    } else {
+      delivery.add(output, composition.scene);
+    }
+  }
+  delivery.finish();
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+DeclaredCommand scene_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("scene", "Compose a scene: many cut variants, settled");
+  const auto options = std::make_shared<SceneCommand>();
+  command->add_option("FILE", options->file, "A scene file (scenes/salad.toml)")->required();
+  command->add_option("-o,--output", options->outputs, "What to write: .glb, .pov, .png, .ply, or .json (the layout)")
+      ->required()
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_shared_options(*command, options->shared);
+  return {command, [options] { return compose_scene(*options); }};
+}
+
+}  // namespace pomona

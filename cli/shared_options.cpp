@@ -1,0 +1,94 @@
+#include "cli/shared_options.h"
+
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+#include "generator/diffusion/pmvc_diffuser.h"
+
+namespace pomona {
+
+void add_shared_options(CLI::App& command, SharedOptions& options) {
+  command.add_option("--seed", options.seed, "Variant to grow; 0 = as drawn")
+      ->capture_default_str()
+      ->each([&options](const std::string&) { options.seed_given = true; });
+  command.add_option("--variation", options.variation, "How far variants stray: 0 = as drawn, 1 = natural, 2 = wild")
+      ->check(CLI::Range(0.0, 2.0))
+      ->capture_default_str();
+  command.add_option("--threads", options.threads, "Threads to use; 0 = all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command.add_option("--diffuser", options.diffuser, "How colour diffuses: cpu = positive mean values")
+      ->check(CLI::IsMember({"cpu", "gl", "harmonic", "walk", "auto"}))
+      ->capture_default_str();
+  command.add_option("--quality", options.quality, "The error of the diffusion, nothing else")
+      ->check(CLI::IsMember({"draft", "final", "reference"}))
+      ->capture_default_str();
+  command.add_option("--detail", options.detail, "Tessellation of the surfaces, relative to the template's")
+      ->check(CLI::Range(0.1, 4.0))
+      ->capture_default_str();
+  command.add_option("--style", options.style, "Look of pictures: ink or plain")->capture_default_str();
+  command.add_option("--texture", options.texture, "Bake colours into a texture of N x N texels instead of vertices")
+      ->check(CLI::Range(64, 8192));
+  command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");
+  command.add_option("--view", options.view,
+                     "Where pictures look from: front, back, left, right, top, bottom, three-quarter or "
+                     "AZIMUTH,ELEVATION in degrees");
+  command.add_option("--stats", options.stats, "Write times and counts to this JSON file");
+  command.add_flag("--quiet", options.quiet, "Print nothing but errors");
+  command.add_flag("--json", options.json, "Print the result as JSON");
+}
+
+std::unique_ptr<Diffuser> make_diffuser(const SharedOptions& options) {
+  static const std::map<std::string, Quality> qualities = {
+      {"draft", Quality::draft}, {"final", Quality::final}, {"reference", Quality::reference}};
+  if (options.diffuser != "cpu" && options.diffuser != "auto") {
+    throw Error(ExitStatus::usage,
+                "--diffuser " + options.diffuser + ": this version has positive mean values on the CPU only",
+                "use --diffuser cpu");
+  }
+  return make_pmvc_diffuser({.quality = qualities.at(options.quality), .threads = {options.threads}});
+}
+
+std::optional<PictureSize> picture_size(const SharedOptions& options) {
+  if (options.size.empty()) return std::nullopt;
+  const std::size_t x = options.size.find('x');
+  const auto width = parse_number(options.size.substr(0, x));
+  const auto height = x == std::string::npos ? std::nullopt : parse_number(options.size.substr(x + 1));
+  const auto fits = [](std::optional<double> side) {
+    return side && *side >= 16 && *side <= 16384 && *side == static_cast<int>(*side);
+  };
+  if (!fits(width) || !fits(height)) {
+    throw Error(ExitStatus::usage, "--size " + options.size + " is not a picture size",
+                "write 800x600; 16 to 16384 a side");
+  }
+  return PictureSize{static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+std::optional<glm::dvec3> view_direction(const SharedOptions& options) {
+  if (options.view.empty()) return std::nullopt;
+  static const std::map<std::string, glm::dvec3> named = {{"front", {0, 0, 1}},
+                                                          {"back", {0, 0, -1}},
+                                                          {"left", {-1, 0, 0}},
+                                                          {"right", {1, 0, 0}},
+                                                          {"top", {0, 1, 0}},
+                                                          {"bottom", {0, -1, 0}},
+                                                          {"three-quarter", {0.5, 0.55, 1}}};
+  if (const auto found = named.find(options.view); found != named.end()) return found->second;
+
+  const std::size_t comma = options.view.find(',');
+  const auto azimuth = parse_number(options.view.substr(0, comma));
+  const auto elevation = comma == std::string::npos ? std::nullopt : parse_number(options.view.substr(comma + 1));
+  if (!azimuth || !elevation || *elevation < -90 || *elevation > 90) {
+    throw Error(ExitStatus::usage, "--view " + options.view + " is not a view",
+                "front, back, left, right, top, bottom, three-quarter, or AZIMUTH,ELEVATION as in 30,20");
+  }
+  const double a = radians(*azimuth), e = radians(*elevation);
+  return glm::dvec3(reproducible::cos(e) * reproducible::sin(a), reproducible::sin(e),
+                    reproducible::cos(e) * reproducible::cos(a));
+}
+
+}  // namespace pomona

@@ -1,0 +1,56 @@
+// The options that several commands share (docs/commands.md), from the words typed to values checked.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/base/parallel.h"
+#include "generator/diffusion/diffuser.h"
+
+namespace CLI {
+class App;
+}
+
+namespace pomona {
+
+struct PictureSize {
+  int width = 0, height = 0;
+};
+
+struct SharedOptions {
+  std::uint64_t seed = 0;
+  bool seed_given = false;
+  double variation = 1.0;
+  int threads = 0;
+  std::string diffuser = "cpu";
+  std::string quality = "final";
+  double detail = 1.0;
+  std::string style = "ink";
+  int texture = 0;  ///< texels along an atlas's edge; 0 = colours on vertices
+  std::string size;
+  std::string view;
+  std::string stats;
+  bool quiet = false;
+  bool json = false;
+};
+
+/// Declares them all on a command. `options` must outlive the parsing.
+void add_shared_options(CLI::App& command, SharedOptions& options);
+
+/// \throws Error (usage) for a diffuser this version does not have.
+std::unique_ptr<Diffuser> make_diffuser(const SharedOptions& options);
+
+/// "800x600"; 16..16384 a side. Nothing if none was asked for. \throws Error (usage)
+std::optional<PictureSize> picture_size(const SharedOptions& options);
+
+/// Direction from the fruit to the eye: "front", "back", "left", "right", "top", "bottom", "three-quarter", or
+/// "AZIMUTH,ELEVATION" in degrees (azimuth from +Z, the front, towards +X). Nothing if none was asked for. \throws
+/// Error (usage)
+std::optional<glm::dvec3> view_direction(const SharedOptions& options);
+
+}  // namespace pomona

@@ -1,0 +1,43 @@
+#include "cli/stage_times.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+namespace pomona {
+
+void StageTimes::add(const std::string& stage, double milliseconds) {
+  const auto found =
+      std::find_if(milliseconds_.begin(), milliseconds_.end(), [&](const auto& entry) { return entry.first == stage; });
+  if (found == milliseconds_.end()) {
+    milliseconds_.emplace_back(stage, milliseconds);
+  } else {
+    found->second += milliseconds;
+  }
+}
+
+std::string StageTimes::json(const std::string& diffuser, int threads) const {
+  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+  for (const auto& [stage, milliseconds] : milliseconds_) stages[stage] = milliseconds;
+  nlohmann::ordered_json counts = nlohmann::ordered_json::object();
+  for (const auto& [what, number] : counts_) counts[what] = number;
+  const nlohmann::ordered_json all = {
+      {"stages", stages}, {"counts", counts}, {"diffuser", diffuser}, {"threads", threads}};
+  return all.dump(2) + "\n";
+}
+
+std::string StageTimes::summary() const {
+  std::string text;
+  double total = 0;
+  char buffer[96];
+  for (const auto& [stage, milliseconds] : milliseconds_) {
+    std::snprintf(buffer, sizeof buffer, "%s %.0f ms, ", stage.c_str(), milliseconds);
+    text += buffer;
+    total += milliseconds;
+  }
+  std::snprintf(buffer, sizeof buffer, "together %.1f s", total / 1000);
+  return text + buffer;
+}
+
+}  // namespace pomona

@@ -1,0 +1,125 @@
+// The whole road through the program: same seed, same bytes; file and program agree.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_pomona.h"
+
+namespace pomona::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Coarse fruit: what is tested does not depend on the tessellation.
+const std::vector<std::string> coarse = {"--detail", "0.4", "--quality", "draft", "--quiet"};
+
+std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+void expect_done(const Outcome& outcome) { ASSERT_EQ(outcome.status, 0) << outcome.err; }
+
+class Fruit : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Fruit, GivesTheSameBytesWithOneAndTwoThreads) {
+  const TemporaryFolder folder;
+  for (const char* threads : {"1", "2"}) {
+    const std::string stem = std::string("x") + threads;
+    expect_done(run_pomona(with({"cut", GetParam(), "--knife", "wedges:3", "--seed", "7", "--threads", threads, "-o",
+                                 stem + ".glb", "-o", stem + ".ply"},
+                                coarse),
+                           folder.path()));
+    expect_done(run_pomona(with({"cut", GetParam(), "--knife", "half", "--seed", "7", "--threads", threads, "--section",
+                                 "--size", "200x200", "-o", stem + ".png"},
+                                coarse),
+                           folder.path()));
+  }
+  for (const char* ending : {".glb", ".ply", ".png"}) {
+    EXPECT_FALSE(bytes_of(folder / (std::string("x1") + ending)).empty());
+    EXPECT_EQ(bytes_of(folder / (std::string("x1") + ending)), bytes_of(folder / (std::string("x2") + ending)))
+        << ending;
+  }
+}
+
+TEST_P(Fruit, SeedsDifferAndShareTheirConnectivity) {
+  const TemporaryFolder folder;
+  for (const char* seed : {"0", "1", "2"}) {
+    expect_done(run_pomona(with({"grow", GetParam(), "--seed", seed, "-o", std::string(seed) + ".ply"}, coarse),
+                           folder.path()));
+  }
+  const std::string drawn = bytes_of(folder / "0.ply"), one = bytes_of(folder / "1.ply"),
+                    two = bytes_of(folder / "2.ply");
+  EXPECT_NE(drawn, one);
+  EXPECT_NE(one, two);
+  // The faces follow the vertices, and the header tells how many there are: equal tails, equal faces.
+  const std::size_t header = drawn.find("end_header\n") + 11;
+  const std::size_t vertices = std::stoul(drawn.substr(drawn.find("element vertex ") + 15));
+  constexpr std::size_t vertex_bytes = 3 * 4 + 3 + 6 * 4 + 4 + 2;
+  const std::size_t faces_at = header + vertices * vertex_bytes;
+  ASSERT_LT(faces_at, drawn.size());
+  EXPECT_EQ(drawn.substr(faces_at), one.substr(faces_at));
+  EXPECT_EQ(drawn.substr(faces_at), two.substr(faces_at));
+}
+
+TEST_P(Fruit, CutFromItsSurfaceFileGivesTheSameSection) {
+  const TemporaryFolder folder;
+  expect_done(
+      run_pomona(with({"grow", GetParam(), "--seed", "3", "--sheets", "-o", "sheets.ply"}, coarse), folder.path()));
+  expect_done(
+      run_pomona(with({"cut", GetParam(), "--seed", "3", "--knife", "across", "--section", "-o", "a.ply"}, coarse),
+                 folder.path()));
+  expect_done(run_pomona(
+      {"cut", "sheets.ply", "--knife", "across", "--section", "-o", "b.ply", "--quality", "draft", "--quiet"},
+      folder.path()));
+  EXPECT_FALSE(bytes_of(folder / "a.ply").empty());
+  EXPECT_EQ(bytes_of(folder / "a.ply"), bytes_of(folder / "b.ply"));
+}
+
+TEST_P(Fruit, StatsNameEveryStageOfTheRoad) {
+  const TemporaryFolder folder;
+  expect_done(run_pomona(with({"cut", GetParam(), "--knife", "half", "--stats", "stats.json", "-o", "x.glb"}, coarse),
+                         folder.path()));
+  const auto stats = nlohmann::json::parse(bytes_of(folder / "stats.json"));
+  for (const char* stage : {"read", "vary", "sweep", "cut", "diffuse", "style", "write"}) {
+    EXPECT_TRUE(stats.at("stages").contains(stage)) << stage;
+  }
+  for (const char* count : {"surface_triangles", "interior_vertices", "section_triangles", "pieces"}) {
+    EXPECT_GT(stats.at("counts").at(count), 0) << count;
+  }
+  EXPECT_EQ(stats.at("diffuser"), "cpu");
+}
+
+INSTANTIATE_TEST_SUITE_P(Templates, Fruit, ::testing::Values("tomato", "onion", "pepper"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(Cut, AKnifeThatMissesIsAWarning) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_pomona({"cut", "tomato", "--knife", "plane:0,1,0,5", "--detail", "0.4", "-o", "x.glb"}, folder.path());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("warning"));
+  EXPECT_FALSE(bytes_of(folder / "x.glb").empty());
+}
+
+TEST(Cut, LeavesExistingOutputsAloneWhenItFails) {
+  const TemporaryFolder folder;
+  expect_done(run_pomona(with({"cut", "tomato", "--knife", "half", "-o", "x.ply"}, coarse), folder.path()));
+  const std::string before = bytes_of(folder / "x.ply");
+  EXPECT_NE(run_pomona({"cut", "tomato", "--knife", "nonsense", "-o", "x.ply"}, folder.path()).status, 0);
+  EXPECT_EQ(bytes_of(folder / "x.ply"), before);
+}
+
+TEST(Grow, OtherFoldsGiveOtherFruit) {
+  const TemporaryFolder folder;
+  for (const char* folds : {"3", "5", "7"}) {
+    expect_done(run_pomona(with({"grow", "tomato", "--folds", folds, "-o", std::string(folds) + ".ply"}, coarse),
+                           folder.path()));
+  }
+  EXPECT_EQ(run_pomona(with({"grow", "tomato", "-o", "drawn.ply"}, coarse), folder.path()).status, 0);
+  EXPECT_EQ(bytes_of(folder / "5.ply"), bytes_of(folder / "drawn.ply")) << "the drawn folds, repeated in turn";
+  EXPECT_NE(bytes_of(folder / "3.ply"), bytes_of(folder / "7.ply"));
+}
+
+}  // namespace
+}  // namespace pomona::testing
