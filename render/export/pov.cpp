@@ -207,10 +207,10 @@ std::string lights_text(const View& view, const ViewFrame& frame, double unit) {
   const double d = frame.distance / unit;
   const glm::dvec3 target = view.target / unit;
   const glm::dvec3 forth = glm::normalize(glm::dvec3(frame.back.x, 1e-9, frame.back.z));
-  const glm::dvec3 key = target + d * (-0.9 * frame.right + glm::dvec3(0, 1.7, 0) + 0.7 * forth);
-  const glm::dvec3 fill = target + d * (1.4 * frame.right + glm::dvec3(0, 1.0, 0) + 1.0 * forth);
+  const glm::dvec3 key = target + d * (-1.8 * frame.right + glm::dvec3(0, 3.4, 0) + 1.4 * forth);
+  const glm::dvec3 fill = target + d * (2.8 * frame.right + glm::dvec3(0, 2.0, 0) + 2.0 * forth);
   std::string text = "light_source {\n  " + vector_text(key) + ", rgb 0.8\n";
-  text += "  area_light x * " + number_text(d * 0.6) + ", z * " + number_text(d * 0.6) + ", 5, 5 adaptive 1\n}\n";
+  text += "  area_light x * " + number_text(d) + ", z * " + number_text(d) + ", 7, 7 adaptive 1\n}\n";
   return text + "light_source { " + vector_text(fill) + ", rgb 0.25 shadowless }\n";
 }
 
