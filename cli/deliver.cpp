@@ -94,7 +94,7 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
       baked_solids[i] = baked(scene.solids[i], style_, {.texels = options_.texture});
     });
   });
-  add(output.file, [&] { return write_glb(scene, options); });
+  add(output.file, [&] { return write_glb(scene, baked_solids, options); });
 }
 
 void Delivery::add_picture(const Output& output, Scene scene) {
