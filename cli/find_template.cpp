@@ -50,12 +50,15 @@ std::vector<fs::path> all_templates() {
   return files;
 }
 
-fs::path find_template(const std::string& name_or_path) {
+fs::path existing_file(const std::string& path) {
   std::error_code ignored;
-  if (is_path(name_or_path)) {
-    if (fs::is_regular_file(name_or_path, ignored)) return name_or_path;
-    throw Error(ExitStatus::input_missing, {{{name_or_path, 0, 0, {}}, "there is no such file", {}}});
-  }
+  if (fs::is_regular_file(path, ignored)) return path;
+  throw Error(ExitStatus::input_missing, {{{path, 0, 0, {}}, "there is no such file", {}}});
+}
+
+fs::path find_template(const std::string& name_or_path) {
+  if (is_path(name_or_path)) return existing_file(name_or_path);
+  std::error_code ignored;
   for (const fs::path& folder : template_folders()) {
     const fs::path file = folder / (name_or_path + ".toml");
     if (fs::is_regular_file(file, ignored)) return file;

@@ -14,6 +14,9 @@ std::vector<std::filesystem::path> template_folders();
 /// known name.
 std::filesystem::path find_template(const std::string& name_or_path);
 
+/// The path itself. \throws Error (input_missing) if there is no such file.
+std::filesystem::path existing_file(const std::string& path);
+
 /// All template files that names stand for, sorted by name; those of an earlier folder hide later ones.
 std::vector<std::filesystem::path> all_templates();
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -56,6 +57,17 @@ std::string hint_for(const CLI::App& app, const CLI::ParseError& error, int argc
   return hint + "see `" + (asked == &app ? "pomona" : "pomona " + asked->get_name()) + " -h`";
 }
 
+/// A first word that is no command is told as such; CLI11 only says that a subcommand is missing.
+std::optional<std::string> unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  if (std::find(known.begin(), known.end(), argv[1]) != known.end()) return std::nullopt;
+  const auto near = nearest_name(argv[1], known);
+  return std::string("error: there is no command \"") + argv[1] +
+         "\"\n  hint: " + (near ? "did you mean " + *near + "?" : "see `pomona -h`");
+}
+
 ExitStatus run_action(const std::function<ExitStatus()>& action) {
   try {
     return action();
@@ -85,7 +97,9 @@ int run(const std::vector<Command>& commands, int argc, char** argv) {
   } catch (const CLI::Success& asked_for_text) {
     return app.exit(asked_for_text);  // -h or --version
   } catch (const CLI::ParseError& error) {
-    print_error(std::string("error: ") + error.what() + "\n  hint: " + hint_for(app, error, argc, argv));
+    const auto unknown = unknown_command(app, argc, argv);
+    print_error(unknown ? *unknown
+                        : std::string("error: ") + error.what() + "\n  hint: " + hint_for(app, error, argc, argv));
     return static_cast<int>(ExitStatus::usage);
   }
   for (const DeclaredCommand& command : declared) {

@@ -42,7 +42,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared);
   Delivery delivery(command.shared);
 
-  SceneDescription description = delivery.times.time("read", [&] { return read_scene(command.file); });
+  SceneDescription description = delivery.times.time("read", [&] { return read_scene(existing_file(command.file)); });
   if (command.shared.seed_given) description.seed = command.shared.seed;
   delivery.set_default_size({description.width, description.height});
   const Composition composition =

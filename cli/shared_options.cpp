@@ -11,8 +11,19 @@
 
 namespace pomona {
 
+namespace {
+
+/// CLI11 would read -1 as the largest seed there is.
+std::string no_seed(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? "" : "--seed: \"" + text + "\" is not a whole number from 0";
+}
+
+}  // namespace
+
 void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--seed", options.seed, "Variant to grow; 0 = as drawn")
+      ->check(no_seed)
       ->capture_default_str()
       ->each([&options](const std::string&) { options.seed_given = true; });
   command.add_option("--variation", options.variation, "How far variants stray: 0 = as drawn, 1 = natural, 2 = wild")

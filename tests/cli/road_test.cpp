@@ -91,7 +91,7 @@ TEST_P(Fruit, StatsNameEveryStageOfTheRoad) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Templates, Fruit, ::testing::Values("tomato", "onion", "pepper"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& tested) { return std::string(tested.param); });
 
 TEST(Cut, AKnifeThatMissesIsAWarning) {
   const TemporaryFolder folder;

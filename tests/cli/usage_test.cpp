@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownView", {"grow", "tomato", "--view", "sideways", "-o", "x.png"}, 64, "--view"},
         Mistake{"MissingScene", {"scene", "salat.toml", "-o", "x.glb"}, 66, "no such file"},
         Mistake{"CheckMissingFile", {"check", "missing.toml"}, 66, "no such file"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& tested) { return tested.param.name; });
 
 TEST(Help, IsPrintedByEveryCommand) {
   for (const char* command : {"list", "check", "grow", "cut", "scene"}) {
