@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <2geom/path-sink.h>
@@ -66,38 +67,38 @@ class CenteredArc {
   double start_ = 0, angle_ = 0;
 };
 
-/// Takes what lib2geom reads and makes polylines of it.
-class Flattener final : public Geom::PathSink {
+/// Makes polylines of a path's segments.
+class Flattener {
  public:
   explicit Flattener(const SvgPathOptions& options) : options_(options) {}
 
-  void moveTo(const Geom::Point& p) override {
-    flush();
+  void move_to(const Geom::Point& p) {
+    finish();
     start_ = checked(p);
     begin();
   }
 
-  void lineTo(const Geom::Point& p) override {
+  void line_to(const Geom::Point& p) {
     begin();
     add(checked(p));
   }
 
-  void quadTo(const Geom::Point& c, const Geom::Point& p) override {
+  void quadratic_to(const Geom::Point& c, const Geom::Point& p) {
     begin();
     // The same curve, one degree higher.
     const glm::dvec2 a = current_, q = checked(c), b = checked(p);
     add_cubic(a, a + (q - a) * (2.0 / 3), b + (q - b) * (2.0 / 3), b);
   }
 
-  void curveTo(const Geom::Point& c0, const Geom::Point& c1, const Geom::Point& p) override {
+  void cubic_to(const Geom::Point& c0, const Geom::Point& c1, const Geom::Point& p) {
     begin();
     add_cubic(current_, checked(c0), checked(c1), checked(p));
   }
 
-  void arcTo(Geom::Coord rx, Geom::Coord ry, Geom::Coord angle, bool large, bool sweep, const Geom::Point& p) override {
+  void arc_to(const Geom::Point& size, double angle, bool large, bool sweep, const Geom::Point& p) {
     begin();
     const glm::dvec2 to = checked(p);
-    const glm::dvec2 radii = checked({rx, ry});
+    const glm::dvec2 radii = checked(size);
     if (to == current_) return;
     if (radii.x == 0 || radii.y == 0) return add(to);
     const CenteredArc arc({current_, to, radii, angle, large, sweep});
@@ -109,16 +110,14 @@ class Flattener final : public Geom::PathSink {
     add(to);
   }
 
-  void closePath() override {
+  void close() {
     if (!open_) return;
     curves_.back().closed = true;
     current_ = start_;
     open_ = false;
   }
 
-  void flush() override { open_ = false; }
-
-  using Geom::PathSink::feed;
+  void finish() { open_ = false; }
 
   std::vector<Curve> curves() && {
     for (Curve& curve : curves_) {
@@ -186,6 +185,51 @@ class Flattener final : public Geom::PathSink {
   std::size_t count_ = 0;
 };
 
+/// Takes what lib2geom reads to a Flattener. Its parser leaks what it holds when a sink throws, so the first
+/// fault is kept and the rest of the path ignored.
+class Listener final : public Geom::PathSink {
+ public:
+  explicit Listener(const SvgPathOptions& options) : flattener_(options) {}
+
+  void moveTo(const Geom::Point& p) override {
+    guarded([&] { flattener_.move_to(p); });
+  }
+  void lineTo(const Geom::Point& p) override {
+    guarded([&] { flattener_.line_to(p); });
+  }
+  void quadTo(const Geom::Point& c, const Geom::Point& p) override {
+    guarded([&] { flattener_.quadratic_to(c, p); });
+  }
+  void curveTo(const Geom::Point& c0, const Geom::Point& c1, const Geom::Point& p) override {
+    guarded([&] { flattener_.cubic_to(c0, c1, p); });
+  }
+  void arcTo(Geom::Coord rx, Geom::Coord ry, Geom::Coord angle, bool large, bool sweep, const Geom::Point& p) override {
+    guarded([&] { flattener_.arc_to({rx, ry}, angle, large, sweep, p); });
+  }
+  void closePath() override { flattener_.close(); }
+  void flush() override { flattener_.finish(); }
+  using Geom::PathSink::feed;
+
+  std::vector<Curve> curves() && {
+    if (fault_) throw BadPath(*fault_);
+    return std::move(flattener_).curves();
+  }
+
+ private:
+  template <typename Step>
+  void guarded(const Step& step) {
+    if (fault_) return;
+    try {
+      step();
+    } catch (const BadPath& bad) {
+      fault_ = bad;
+    }
+  }
+
+  Flattener flattener_;
+  std::optional<BadPath> fault_;
+};
+
 /// lib2geom only says that something is wrong; a stray character can be named.
 void check_characters(std::string_view data) {
   constexpr std::string_view allowed = "MmZzLlHhVvCcSsQqTtAa0123456789+-.eE, \t\r\n";
@@ -201,18 +245,16 @@ void check_characters(std::string_view data) {
 
 std::vector<Curve> parse_svg_path(std::string_view data, const SvgPathOptions& options) {
   check_characters(data);
-  Flattener flattener(options);
+  Listener listener(options);
   try {
-    Geom::SVGPathParser parser(flattener);
+    Geom::SVGPathParser parser(listener);
     parser.setZSnapThreshold(0);
     parser.parse(std::string(data));
-  } catch (const BadPath&) {
-    throw;
   } catch (const std::exception&) {
     throw BadPath("is not SVG path data: a command or a number is missing or out of place",
                   "every letter needs its numbers: two for M and L, six for C, four for S and Q, seven for A");
   }
-  return std::move(flattener).curves();
+  return std::move(listener).curves();
 }
 
 }  // namespace pomona
