@@ -56,7 +56,7 @@ std::vector<Solid> inner_surfaces(const DiffusionSurfaces& swept, const Template
     Solid solid;
     solid.name = name + "." + swept.surface_names[s];
     solid.opacity = inner_opacity;
-    solid.closed = false;
+    solid.closed = true;  // both sides have triangles of their own, so neither needs to be seen from behind
     solid.part_names = swept.part_names;
     solid.noise = fruit.noise;
     solid.ink = fruit.ink;

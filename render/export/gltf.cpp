@@ -111,7 +111,7 @@ int GlbModel::add_indices(const StyledMesh& styled) {
   return add_attribute(view, 0, count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
 }
 
-/// Dull like flesh. Open and see-through meshes show both sides.
+/// Dull like flesh. Open meshes show both sides.
 tinygltf::Material material_of(const Solid& solid) {
   tinygltf::Material material;
   material.doubleSided = !solid.closed || solid.opacity < 1;
