@@ -99,7 +99,10 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
 
 void Delivery::add_picture(const Output& output, Scene scene) {
   const PictureSize size = size_.value_or(default_size_);
-  if (view_) scene.view = fitted_view(scene, *view_);
+  if (view_ || scene.view.fitted) {
+    const glm::dvec3 direction = view_.value_or(scene.view.eye - scene.view.target);
+    scene.view = fitted_view(scene, direction, static_cast<double>(size.width) / size.height);
+  }
   const Image image = times.time("style", [&] {
     GlContext context;
     return draw_scene(context, scene, style_, {.width = size.width, .height = size.height});

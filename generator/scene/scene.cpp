@@ -32,9 +32,10 @@ Scene gathered(std::vector<Solid> solids) {
   return scene;
 }
 
-View fitted_view(const Scene& scene, const glm::dvec3& direction) {
+View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect) {
   View view;
   view.vertical_field = scene.view.vertical_field;
+  view.fitted = true;
   const glm::dvec3 back = glm::length(direction) > 0 ? glm::normalize(direction) : glm::dvec3(0, 0, 1);
   const glm::dvec3 helper = std::fabs(back.y) > 0.999 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(helper, back)), up = glm::cross(back, right);
@@ -51,14 +52,14 @@ View fitted_view(const Scene& scene, const glm::dvec3& direction) {
   const glm::dvec3 middle = 0.5 * (low + high);
   view.target = right * middle.x + up * middle.y + back * middle.z;
 
-  // Step back until every point is within the field, which is at least as wide as it is high.
+  // Step back until every point is within the field.
   constexpr double margin = 1.06;
   const double half = 0.5 * view.vertical_field;
   const double slope = reproducible::sin(half) / reproducible::cos(half) / margin;
   double distance = 0;
   for (const glm::dvec3& p : points) {
     const glm::dvec3 away = p - view.target;
-    const double aside = std::max(std::fabs(glm::dot(away, right)), std::fabs(glm::dot(away, up)));
+    const double aside = std::max(std::fabs(glm::dot(away, right)) / aspect, std::fabs(glm::dot(away, up)));
     distance = std::max(distance, glm::dot(away, back) + aside / slope);
   }
   view.eye = view.target + back * std::max(distance, 1e-3);

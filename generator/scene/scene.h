@@ -28,6 +28,7 @@ struct View {
   glm::dvec3 eye{0.3, 0.35, 0.5};
   glm::dvec3 target{0};
   double vertical_field = 0.5;  ///< radians
+  bool fitted = false;          ///< by fitted_view(): a picture of another shape may fit it anew
 };
 
 struct Scene {
@@ -41,7 +42,8 @@ struct Scene {
 /// Every solid once, where it grew, seen as `view_name` says ("front", "top", "three-quarter").
 Scene gathered(std::vector<Solid> solids);
 
-/// A view that fits the scene: direction from the target to the eye, any length.
-View fitted_view(const Scene& scene, const glm::dvec3& direction);
+/// A view that fits the scene: direction from the target to the eye, any length; aspect is the picture's width over
+/// its height.
+View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect = 1.0);
 
 }  // namespace pomona

@@ -114,7 +114,7 @@ int GlbModel::add_indices(const StyledMesh& styled) {
 /// Dull like flesh. Open meshes show both sides.
 tinygltf::Material material_of(const Solid& solid) {
   tinygltf::Material material;
-  material.doubleSided = !solid.closed || solid.opacity < 1;
+  material.doubleSided = !solid.closed;
   material.pbrMetallicRoughness.metallicFactor = 0;
   material.pbrMetallicRoughness.roughnessFactor = 0.6;
   if (solid.opacity < 1) {
