@@ -104,9 +104,9 @@ std::vector<Template> read_templates(const SceneDescription& scene, const Compos
 }
 
 /// The largest pieces that are worth keeping, in the order in which they were cut.
-std::vector<Solid> picked(std::vector<Solid> cut, const PiecesDescription& pieces) {
+std::vector<CutPiece> picked(std::vector<CutPiece> cut, const PiecesDescription& pieces) {
   double whole = 0;
-  for (const Solid& solid : cut) whole += solid.volume;
+  for (const CutPiece& piece : cut) whole += piece.volume;
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < cut.size(); ++i)
     if (!cut[i].crumb && cut[i].volume >= pieces.smallest * whole && !cut[i].triangle.empty()) order.push_back(i);
@@ -116,9 +116,21 @@ std::vector<Solid> picked(std::vector<Solid> cut, const PiecesDescription& piece
     order.resize(static_cast<std::size_t>(pieces.take));
   std::sort(order.begin(), order.end());
 
-  std::vector<Solid> kept;
+  std::vector<CutPiece> kept;
   for (const std::size_t i : order) kept.push_back(std::move(cut[i]));
   return kept;
+}
+
+/// Takes the mark off interior vertices that no piece shows: nobody will see their colours.
+void forget_unseen(Cut& cut) {
+  std::vector<std::uint8_t> seen(cut.section.position.size(), 0);
+  for (const CutPiece& piece : cut.pieces) {
+    for (const CutPiece::CapTriangle& cap : piece.caps) {
+      const glm::uvec3& t = cut.section.triangle[cap.triangle];
+      for (int k = 0; k < 3; ++k) seen[t[k]] = 1;
+    }
+  }
+  for (std::size_t v = 0; v < seen.size(); ++v) cut.section.interior[v] &= seen[v];
 }
 
 Made make_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number, const Template& fruit,
@@ -132,6 +144,8 @@ Made make_variant(const SceneDescription& scene, const PiecesDescription& pieces
   const Template variant = made.clock.time("vary", [&] { return variant_of(fruit, key, how); });
   const GrownFruit grown = made.clock.time("sweep", [&] { return grow(variant, key, how); });
   Cut whole = made.clock.time("cut", [&] { return cut(grown.sheets, pieces.knives, options.cut); });
+  whole.pieces = picked(std::move(whole.pieces), pieces);
+  forget_unseen(whole);
   made.counts["surface_triangles"] += std::ssize(grown.sheets.triangle);
   made.counts["section_triangles"] += std::ssize(whole.section.triangle);
   made.counts["interior_vertices"] += std::count(whole.section.interior.begin(), whole.section.interior.end(), 1);
@@ -140,7 +154,7 @@ Made make_variant(const SceneDescription& scene, const PiecesDescription& pieces
         made.clock.time("diffuse", [&] { return colored(std::move(whole.section), grown.sheets, *diffuser); });
 
   const std::string name = pieces.name + "-" + std::to_string(number + 1);
-  made.solids = picked(solids(whole, whole.section, variant, name), pieces);
+  made.solids = solids(whole, whole.section, variant, name);
   if (made.solids.empty()) made.warnings.push_back("pieces \"" + name + "\": nothing is left to take");
   for (const std::string& warning : whole.warnings) made.warnings.push_back("pieces \"" + name + "\": " + warning);
   return made;
