@@ -15,6 +15,13 @@ namespace {
 /// Planes whose normals differ by less than this angle (radians) are taken as parallel.
 constexpr double parallel = 1e-9;
 
+void sort_along(CutLine& line, const SplitMesh& mesh) {
+  const auto along = [&](std::uint32_t p) { return glm::dot(line.direction, mesh.point[p] - line.origin); };
+  std::sort(line.points.begin(), line.points.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return along(a) != along(b) ? along(a) < along(b) : a < b; });
+  line.points.erase(std::unique(line.points.begin(), line.points.end()), line.points.end());
+}
+
 class LineFinder {
  public:
   LineFinder(SplitMesh& mesh, const CutPlanes& planes, const std::vector<std::vector<Segment>>& segments,
@@ -170,6 +177,14 @@ void subdivide(CutLine& line, SplitMesh& mesh, const CutPlanes& planes,
     }
   }
   line.points = std::move(done);
+}
+
+void insert(CutLine& line, const std::vector<std::uint32_t>& points, SplitMesh& mesh) {
+  for (const std::uint32_t p : points) {
+    mesh.planes_of[p] = mesh.sets.with(mesh.sets.with(mesh.planes_of[p], line.planes[0]), line.planes[1]);
+    line.points.push_back(p);
+  }
+  sort_along(line, mesh);
 }
 
 std::vector<std::uint32_t> points_between(const CutLine& line, std::uint32_t from, std::uint32_t to) {

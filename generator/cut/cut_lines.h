@@ -26,6 +26,9 @@ std::vector<CutLine> cut_lines(SplitMesh& mesh, const CutPlanes& planes,
 void subdivide(CutLine& line, SplitMesh& mesh, const CutPlanes& planes,
                const std::function<double(int, const glm::dvec3&)>& size);
 
+/// Adds given points of the split mesh at their place along the line.
+void insert(CutLine& line, const std::vector<std::uint32_t>& points, SplitMesh& mesh);
+
 /// The points of the line strictly between two of its points, on the way from the first to the second.
 std::vector<std::uint32_t> points_between(const CutLine& line, std::uint32_t from, std::uint32_t to);
 

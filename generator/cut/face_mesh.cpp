@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -47,6 +49,12 @@ std::span<const EdgeUse> FaceMesh::uses(std::uint32_t p, std::uint32_t q) const 
 
 namespace {
 
+/// Two points of the split mesh at one place.
+using Twins = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Points on lines that not all planes there know of.
+using Unshared = std::map<const CutLine*, std::vector<std::uint32_t>>;
+
 /// An edge of the split mesh as constraints of the triangulation: one, or several where it runs along a line in which
 /// planes meet.
 struct MeshEdge {
@@ -88,9 +96,11 @@ class FaceBuilder {
     triangulation_->insert(chosen);
   }
 
-  FaceMesh finish(std::vector<EdgePoint>& edge_points) {
+  FaceMesh finish(FaceMeshes& all, std::vector<Twins>& twins, Unshared& unshared) {
     update();
-    for (const MeshEdge& edge : edge_) list_edge_points(edge, edge_points);
+    for (const MeshEdge& edge : edge_) list_edge_points(edge, all.edge_point);
+    list_twins(twins);
+    list_unshared(unshared);
     return std::move(face_);
   }
 
@@ -109,14 +119,19 @@ class FaceBuilder {
   std::uint32_t constraint_between(std::uint32_t p, std::uint32_t q, bool divisible) {
     const auto [entry, is_new] =
         constraint_of_.try_emplace(std::minmax(p, q), static_cast<std::uint32_t>(constraint_.size()));
-    if (is_new) constraint_.push_back({vertex(p), vertex(q), divisible});
+    if (is_new) {
+      constraint_.push_back({vertex(p), vertex(q), divisible});
+      leads_outside_.push_back(0);
+    }
     return entry->second;
   }
 
   void take_line(const CutLine& line) {
     for (std::size_t i = 1; i < line.points.size(); ++i) {
       const std::uint32_t c = constraint_between(line.points[i - 1], line.points[i], false);
-      if (i == 1 || i + 1 == line.points.size()) outside_.push_back(c);
+      const bool end = i == 1 || i + 1 == line.points.size();
+      leads_outside_[c] = end ? 1 : 0;
+      if (!end) line_pieces_.emplace_back(&line, c);
     }
     lines_.push_back(&line);
   }
@@ -171,14 +186,36 @@ class FaceBuilder {
     }
   }
 
+  /// Constraints as they are now. A plane cuts triangles at random, some only at a corner: so a segment counts with
+  /// the mean length of itself and its neighbours on the chain, if that is more than its own.
   std::vector<SizeSource> sources() const {
     std::vector<SizeSource> sources;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+    std::vector<double> length_at(face_.mesh.point.size(), 0);
+    std::vector<int> count_at(face_.mesh.point.size(), 0);
     for (std::size_t c = 0; c < constraint_.size(); ++c) {
-      if (std::find(outside_.begin(), outside_.end(), c) != outside_.end()) continue;
+      if (leads_outside_[c]) continue;
       const std::vector<std::uint32_t>& chain = face_.mesh.chain[c];
       for (std::size_t i = 1; i < chain.size(); ++i) {
-        sources.push_back({face_.mesh.point[chain[i - 1]], face_.mesh.point[chain[i]]});
+        const SizeSource s{face_.mesh.point[chain[i - 1]], face_.mesh.point[chain[i]], 0};
+        sources.push_back(s);
+        ends.emplace_back(chain[i - 1], chain[i]);
+        for (const std::uint32_t v : {chain[i - 1], chain[i]}) {
+          length_at[v] += glm::distance(s.a, s.b);
+          ++count_at[v];
+        }
       }
+    }
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const double own = glm::distance(sources[i].a, sources[i].b);
+      double sum = own;
+      int count = 1;
+      for (const std::uint32_t v : {ends[i].first, ends[i].second}) {
+        if (count_at[v] != 2) continue;
+        sum += length_at[v] - own;
+        ++count;
+      }
+      sources[i].size = std::max(own, sum / count);
     }
     return sources;
   }
@@ -220,6 +257,40 @@ class FaceBuilder {
     }
   }
 
+  static std::span<const std::uint32_t> inner(const std::vector<std::uint32_t>& chain) {
+    return chain.size() < 3 ? std::span<const std::uint32_t>() : std::span(chain).subspan(1, chain.size() - 2);
+  }
+
+  /// The end of a constraint that the vertex cannot be told from; or none.
+  std::optional<std::uint32_t> near_end(std::uint32_t vertex_number, std::uint32_t constraint) const {
+    for (const std::uint32_t end : {constraint_[constraint].a, constraint_[constraint].b}) {
+      if (glm::distance(uv(vertex_number), uv(end)) <= planes_.tolerance) return end;
+    }
+    return std::nullopt;
+  }
+  const glm::dvec2& uv(std::uint32_t v) const { return face_.mesh.point[v]; }
+
+  /// Pairs of points that are one place: at equal coordinates, or next to a point of a line.
+  void list_twins(std::vector<Twins>& twins) const {
+    for (std::size_t v = 0; v < face_.mesh.stand_in.size(); ++v) {
+      if (face_.mesh.stand_in[v] != v) twins.emplace_back(face_.point[face_.mesh.stand_in[v]], face_.point[v]);
+    }
+    for (const auto& [line, c] : line_pieces_) {
+      for (const std::uint32_t v : inner(face_.mesh.chain[c])) {
+        if (const auto end = near_end(v, c)) twins.emplace_back(face_.point[*end], face_.point[v]);
+      }
+    }
+  }
+
+  /// Points that crossing surfaces have put on lines after these were laid out. The other planes must have them too.
+  void list_unshared(Unshared& unshared) const {
+    for (const auto& [line, c] : line_pieces_) {
+      for (const std::uint32_t v : inner(face_.mesh.chain[c])) {
+        if (!near_end(v, c)) unshared[line].push_back(face_.point[v]);
+      }
+    }
+  }
+
   void list_edge_points(const MeshEdge& edge, std::vector<EdgePoint>& edge_points) const {
     const std::vector<std::uint32_t> chain = chain_of(edge);
     const glm::dvec3& start = mesh_.point[edge.low];
@@ -239,7 +310,8 @@ class FaceBuilder {
   std::vector<const CutLine*> lines_;
   std::vector<glm::dvec2> uv_;
   std::vector<PlaneConstraint> constraint_;
-  std::vector<std::uint32_t> outside_;  // constraints that lead out of the fruit
+  std::vector<std::uint8_t> leads_outside_;                            // per constraint: the end of a line
+  std::vector<std::pair<const CutLine*, std::uint32_t>> line_pieces_;  // with their constraints
   std::vector<MeshEdge> edge_;
   std::vector<std::uint32_t> edge_of_segment_;
   std::map<std::uint32_t, std::uint32_t> vertex_of_;
@@ -247,17 +319,8 @@ class FaceBuilder {
   std::unique_ptr<PlaneTriangulation> triangulation_;
 };
 
-/// Pairs of points that are one place in a plane's triangulation.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> twins_in(const FaceMesh& face) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::size_t v = 0; v < face.mesh.stand_in.size(); ++v) {
-    if (face.mesh.stand_in[v] != v) pairs.emplace_back(face.point[face.mesh.stand_in[v]], face.point[v]);
-  }
-  return pairs;
-}
-
 /// For each of `count` points the first of those it shares its place with.
-std::vector<std::uint32_t> first_twins(std::size_t count, std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs) {
+std::vector<std::uint32_t> first_twins(std::size_t count, const std::vector<Twins>& pairs) {
   std::vector<std::uint32_t> parent(count);
   std::iota(parent.begin(), parent.end(), 0u);
   const auto root = [&](std::uint32_t p) {
@@ -275,6 +338,8 @@ std::vector<std::uint32_t> first_twins(std::size_t count, std::vector<std::pair<
 /// Constraints are not halved below this share of the finest size.
 constexpr double shortest_share = 0.25;
 
+constexpr int most_rounds = 4;
+
 /// The lines in which planes meet, as fine as the finer of their planes wants them.
 std::vector<CutLine> laid_out_lines(SplitMesh& mesh, const CutPlanes& planes,
                                     const std::vector<std::vector<Segment>>& segments, const Bounds& bounds,
@@ -287,7 +352,8 @@ std::vector<CutLine> laid_out_lines(SplitMesh& mesh, const CutPlanes& planes,
     frames.push_back(frame_of(planes[k].plane));
     std::vector<SizeSource> sources;
     for (const Segment& s : segments[static_cast<std::size_t>(k)]) {
-      sources.push_back({to_face(frames.back(), mesh.point[s.from]), to_face(frames.back(), mesh.point[s.to])});
+      const glm::dvec2 a = to_face(frames.back(), mesh.point[s.from]), b = to_face(frames.back(), mesh.point[s.to]);
+      sources.push_back({a, b, glm::distance(a, b)});
     }
     fields.emplace_back(sources, limits);
   }
@@ -303,27 +369,34 @@ std::vector<CutLine> laid_out_lines(SplitMesh& mesh, const CutPlanes& planes,
 
 FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, std::vector<std::vector<Segment>> segments,
                        const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options) {
-  FaceMeshes all;
   const Bounds bounds = bounds_of(surfaces);
   const double size = glm::length(bounds.size());
   const SizeLimits limits{options.coarsest * size, options.finest * size, options.grading};
-  const std::vector<CutLine> lines = laid_out_lines(mesh, planes, segments, bounds, limits);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> twins;
-  for (int plane = 0; plane < planes.count(); ++plane) {
-    std::vector<Segment>& own = segments[static_cast<std::size_t>(plane)];
-    if (own.empty()) continue;
-    FaceBuilder builder(mesh, planes, plane, std::move(own), lines);
-    builder.conform(shortest_share * limits.finest);
-    builder.sample(limits, surfaces, bodies);
-    builder.conform(shortest_share * limits.finest);
-    all.faces.push_back(builder.finish(all.edge_point));
-    const auto more = twins_in(all.faces.back());
-    twins.insert(twins.end(), more.begin(), more.end());
+  std::vector<CutLine> lines = laid_out_lines(mesh, planes, segments, bounds, limits);
+
+  // A crossing on a line is news to the other planes there: then all start again. Once is nearly always enough.
+  for (int round = 1;; ++round) {
+    FaceMeshes all;
+    std::vector<Twins> twins;
+    Unshared unshared;
+    for (int plane = 0; plane < planes.count(); ++plane) {
+      const std::vector<Segment>& own = segments[static_cast<std::size_t>(plane)];
+      if (own.empty()) continue;
+      FaceBuilder builder(mesh, planes, plane, own, lines);
+      builder.conform(shortest_share * limits.finest);
+      builder.sample(limits, surfaces, bodies);
+      builder.conform(shortest_share * limits.finest);
+      all.faces.push_back(builder.finish(all, twins, unshared));
+    }
+    if (!unshared.empty() && round < most_rounds) {
+      for (CutLine& line : lines) insert(line, unshared[&line], mesh);
+      continue;
+    }
+    std::sort(all.edge_point.begin(), all.edge_point.end());
+    all.edge_point.erase(std::unique(all.edge_point.begin(), all.edge_point.end()), all.edge_point.end());
+    all.same_as = first_twins(mesh.point.size(), twins);
+    return all;
   }
-  std::sort(all.edge_point.begin(), all.edge_point.end());
-  all.edge_point.erase(std::unique(all.edge_point.begin(), all.edge_point.end()), all.edge_point.end());
-  all.same_as = first_twins(mesh.point.size(), std::move(twins));
-  return all;
 }
 
 }  // namespace pomona

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include <glm/geometric.hpp>
 
 namespace pomona {
 
@@ -15,7 +20,9 @@ class RegionFinder {
 
   Regions find() {
     find_patches();
+    find_open_bodies();
     find_windings();
+    for (const std::int32_t body : open_) fill(body);
     for (std::size_t p = 0; p < regions_.patch.size(); ++p) {
       Regions::Patch& patch = regions_.patch[p];
       if (patch.inside.empty()) continue;
@@ -56,6 +63,93 @@ class RegionFinder {
     }
   }
 
+  /// A boundary closes if at every vertex as many of its segments end as begin.
+  void find_open_bodies() {
+    struct End {
+      std::int32_t body;
+      std::uint32_t vertex;
+      int balance;
+    };
+    std::vector<End> ends;
+    for (const EdgeUse& use : face_.edges) {
+      const std::int32_t body = bodies_.of_triangle[face_.segment[use.segment].source];
+      if (body == Bodies::none) continue;
+      const int to_high = begins_low(use) ? 1 : -1;
+      ends.push_back({body, use.low, -to_high});
+      ends.push_back({body, use.high, to_high});
+    }
+    std::sort(ends.begin(), ends.end(),
+              [](const End& a, const End& b) { return std::tie(a.body, a.vertex) < std::tie(b.body, b.vertex); });
+    for (std::size_t i = 0; i < ends.size();) {
+      const End first = ends[i];
+      int sum = 0;
+      for (; i < ends.size() && ends[i].body == first.body && ends[i].vertex == first.vertex; ++i)
+        sum += ends[i].balance;
+      if (sum != 0 && (open_.empty() || open_.back() != first.body)) open_.push_back(first.body);
+    }
+  }
+
+  /// True if the segment, turned so that its body lies on its left, runs from the edge's low to its high vertex.
+  bool begins_low(const EdgeUse& use) const {
+    const bool front_visible = surfaces_.is_hidden(face_.segment[use.segment].source, SideOf::back);
+    return use.forward == front_visible;
+  }
+
+  bool is_open(std::int32_t body) const { return std::binary_search(open_.begin(), open_.end(), body); }
+
+  /// Joins the patches that an open body's boundary leaves together, and takes those it mostly shows its inside.
+  void fill(std::int32_t body) {
+    std::vector<std::uint32_t> parent(regions_.patch.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto root = [&](std::uint32_t p) {
+      while (parent[p] != p) p = parent[p] = parent[parent[p]];
+      return p;
+    };
+    std::vector<double> visible(parent.size(), 0);  // length of visible less that of hidden sides
+    std::vector<std::uint8_t> outside(parent.size(), 0);
+    for (std::size_t t = 0; t < triangle_count(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t here = regions_.patch_of[t];
+        const int inside_here = side_of_body(body, t, i);
+        visible[here] += inside_here * edge_length(t, i);
+        if (face_.mesh.neighbor[t][i] < 0) outside[here] = 1;
+        if (face_.mesh.neighbor[t][i] < 0 || inside_here != 0) continue;
+        const std::uint32_t a = root(here),
+                            b = root(regions_.patch_of[static_cast<std::size_t>(face_.mesh.neighbor[t][i])]);
+        parent[std::max(a, b)] = std::min(a, b);
+      }
+    }
+    for (std::uint32_t p = 0; p < parent.size(); ++p) {
+      if (root(p) == p) continue;
+      visible[root(p)] += visible[p];
+      outside[root(p)] = outside[root(p)] | outside[p];
+    }
+    for (std::uint32_t p = 0; p < parent.size(); ++p) {
+      if (!outside[root(p)] && visible[root(p)] > 0) change(regions_.patch[p].inside, body, 1);
+    }
+  }
+
+  /// Of how many of the body's segments along the edge the triangle lies inside, less those it lies outside of.
+  int side_of_body(std::int32_t body, std::size_t triangle, std::size_t edge) const {
+    if (!face_.mesh.constrained[triangle][edge]) return 0;
+    const auto [p, q] = ends_of(triangle, edge);
+    int sum = 0;
+    for (const EdgeUse& use : face_.uses(p, q)) {
+      if (bodies_.of_triangle[face_.segment[use.segment].source] == body) sum += begins_low(use) == (p < q) ? 1 : -1;
+    }
+    return sum;
+  }
+
+  std::pair<std::uint32_t, std::uint32_t> ends_of(std::size_t triangle, std::size_t edge) const {
+    const glm::uvec3& corner = face_.mesh.triangle[triangle];
+    return {corner[static_cast<int>(edge)], corner[static_cast<int>((edge + 1) % 3)]};
+  }
+
+  double edge_length(std::size_t triangle, std::size_t edge) const {
+    const auto [p, q] = ends_of(triangle, edge);
+    return glm::distance(face_.mesh.point[p], face_.mesh.point[q]);
+  }
+
   /// From patch to patch, starting outside: whoever crosses a boundary enters or leaves its body.
   void find_windings() {
     std::vector<std::uint8_t> reached(regions_.patch.size(), 0);
@@ -84,17 +178,13 @@ class RegionFinder {
   }
 
   std::vector<BodyWinding> across(std::vector<BodyWinding> inside, std::size_t triangle, std::size_t edge) const {
-    const glm::uvec3& corner = face_.mesh.triangle[triangle];
-    const std::uint32_t p = corner[static_cast<int>(edge)], q = corner[static_cast<int>((edge + 1) % 3)];
+    const auto [p, q] = ends_of(triangle, edge);
     for (const EdgeUse& use : face_.uses(p, q)) {
-      const std::uint32_t source = face_.segment[use.segment].source;
-      const std::int32_t body = bodies_.of_triangle[source];
-      if (body == Bodies::none) continue;
+      const std::int32_t body = bodies_.of_triangle[face_.segment[use.segment].source];
+      if (body == Bodies::none || is_open(body)) continue;
 
-      // The triangle lies left of p q, and so does the front if the segment runs the same way.
-      const bool front_here = use.forward == (p < q);
-      const bool front_visible = surfaces_.is_hidden(source, SideOf::back);
-      change(inside, body, front_here == front_visible ? -1 : 1);
+      // The triangle lies left of the way from p to q: inside, if that is the way the segment runs.
+      change(inside, body, begins_low(use) == (p < q) ? -1 : 1);
     }
     return inside;
   }
@@ -148,6 +238,7 @@ class RegionFinder {
   const Bodies& bodies_;
   Regions regions_;
   std::vector<std::vector<std::uint32_t>> triangles_;  // per patch
+  std::vector<std::int32_t> open_;                     // bodies, ascending
 };
 
 }  // namespace

@@ -27,11 +27,12 @@ struct Regions {
   };
   std::vector<Patch> patch;
   std::vector<std::uint32_t> patch_of;  ///< per triangle
-  bool open = false;                    ///< some body's boundary does not close in this plane
 
   bool is_section(std::size_t triangle) const { return patch[patch_of[triangle]].section; }
 };
 
+/// A body whose boundary does not close in this plane has no winding: it fills the regions that its boundary parts from
+/// the outside and to which it turns its visible side for the greater part.
 Regions find_regions(const FaceMesh& face, const SplitMesh& mesh, const CutPlanes& planes,
                      const DiffusionSurfaces& surfaces, const Bodies& bodies);
 

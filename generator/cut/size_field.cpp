@@ -62,10 +62,10 @@ void SizeField::draw_sources() {
   size_.assign(cells, limits_.coarsest);
   distance_.assign(cells, limits_.coarsest);
   for (const SizeSource& s : sources_) {
-    const double length = std::clamp(glm::length(s.b - s.a), limits_.finest, limits_.coarsest);
+    const double size = std::clamp(s.size, limits_.finest, limits_.coarsest);
     walk(s, 0.5 * cell_, [&](const glm::dvec2& p) {
       const std::size_t i = index(column(p.x), row(p.y));
-      size_[i] = std::min(size_[i], length);
+      size_[i] = std::min(size_[i], size);
       distance_[i] = 0;
     });
   }

@@ -16,12 +16,13 @@ struct SizeLimits {
   double grading = 0;  ///< growth of the size per metre of distance
 };
 
-/// A segment near which triangles should have the segment's own length.
+/// A segment, and the size that triangles should have next to it.
 struct SizeSource {
   glm::dvec2 a{0}, b{0};
+  double size = 0;
 };
 
-/// Size as a function of place: the smallest over all sources of their length and the distance from them times the
+/// Size as a function of place: the smallest over all sources of their size and the distance from them times the
 /// grading, between the limits. Kept on a grid; a function of its input alone.
 class SizeField {
  public:

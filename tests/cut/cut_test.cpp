@@ -198,6 +198,87 @@ TEST(Cut, InnerSurfacesGiveBothTheirColours) {
   EXPECT_EQ(red, blue);
 }
 
+/// The triangles that `keep` likes, by their middle.
+template <typename Keep>
+DiffusionSurfaces part_of(DiffusionSurfaces surfaces, const Keep& keep) {
+  DiffusionSurfaces part = surfaces;
+  part.triangle.clear();
+  part.surface.clear();
+  part.front_part.clear();
+  part.back_part.clear();
+  for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
+    const glm::uvec3& c = surfaces.triangle[t];
+    if (!keep((surfaces.position[c.x] + surfaces.position[c.y] + surfaces.position[c.z]) / 3.0f)) continue;
+    part.triangle.push_back(c);
+    part.surface.push_back(surfaces.surface[t]);
+    part.front_part.push_back(surfaces.front_part[t]);
+    part.back_part.push_back(surfaces.back_part[t]);
+  }
+  return part;
+}
+
+TEST(Cut, OpenSkinIsCutOpenWithAWarning) {
+  const auto below = [](const glm::vec3& p) { return p.y < 0.03f; };
+  const DiffusionSurfaces bowl = part_of(shapes::sphere(0.05, 10, shapes::skin_paint()), below);
+
+  // The knife passes through the hole: nothing is enclosed there.
+  const Cut through_hole = cut_with(bowl, {"half"});
+  EXPECT_FALSE(through_hole.warnings.empty());
+  EXPECT_TRUE(through_hole.section.triangle.empty());
+  EXPECT_EQ(through_hole.pieces.size(), 2u);
+
+  // It passes below: the chain closes, and so does the lower piece.
+  const Cut below_hole = cut_with(bowl, {"plane:0,1,0,0"});
+  EXPECT_FALSE(below_hole.warnings.empty());
+  ASSERT_EQ(below_hole.pieces.size(), 2u);
+  EXPECT_TRUE(below_hole.pieces[0].closed);
+  EXPECT_FALSE(below_hole.pieces[1].closed);
+  EXPECT_NEAR(area_of(below_hole.section), pi * 0.05 * 0.05, 0.01 * pi * 0.05 * 0.05);
+}
+
+TEST(Cut, InnerSheetsMayEndAnywhere) {
+  shapes::Paint paint{.front = {1, 0, 0}, .back = {0, 0, 1}};
+  const DiffusionSurfaces skin = shapes::sphere(0.05, 8, shapes::skin_paint());
+  const DiffusionSurfaces fruit = joined(skin, shapes::open_sheet(0.05, 0.001, 4, paint));
+  const Cut cut = cut_with(fruit, {"half"});
+  expect_sound(cut, signed_volume(skin));
+
+  // Both ends of the chain are one vertex each, with the mean colour; between them are as many red as blue ones.
+  int red = 0, blue = 0, mean = 0;
+  for (std::size_t v = 0; v < cut.section.position.size(); ++v) {
+    if (cut.section.interior[v]) continue;
+    red += cut.section.color[v] == Color(1, 0, 0);
+    blue += cut.section.color[v] == Color(0, 0, 1);
+    mean += cut.section.color[v] == Color(0.5f, 0, 0.5f);
+  }
+  EXPECT_GT(red, 2);
+  EXPECT_EQ(red, blue);
+  EXPECT_EQ(mean, 2);
+}
+
+TEST(Cut, AKnifeThatMissesOnlyWarns) {
+  const DiffusionSurfaces ball = shapes::sphere(0.05, 6, shapes::skin_paint());
+  const Cut cut = cut_with(ball, {"plane:0,1,0,2"});
+  ASSERT_EQ(cut.warnings.size(), 1u);
+  EXPECT_THAT(cut.warnings[0], testing::HasSubstr("misses"));
+  EXPECT_EQ(cut.pieces.size(), 1u);
+}
+
+TEST(Cut, FacesThatMeetShareTheirLine) {
+  const DiffusionSurfaces fruit = shapes::tilted(shapes::nested_spheres(0.05, 0.02, 8));
+  const Cut cut = cut_with(fruit, {"half", "across"});
+  std::map<std::tuple<float, float>, std::set<int>> faces_at;  // by x along the line
+  for (std::size_t t = 0; t < cut.section.triangle.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const glm::vec3& p = cut.section.position[cut.section.triangle[t][i]];
+      const bool on_both = p.z == 0 && p.y == static_cast<float>(bounds_of(fruit).center().y);
+      if (on_both) faces_at[{p.x, p.y}].insert(cut.section.cut[t]);
+    }
+  }
+  EXPECT_GT(faces_at.size(), 10u);
+  for (const auto& [place, faces] : faces_at) EXPECT_EQ(faces.size(), 2u) << std::get<0>(place);
+}
+
 TEST(Cut, RandomKnivesOnManyShapes) {
   std::vector<DiffusionSurfaces> fruits = {
       shapes::sphere(0.05, 5, shapes::skin_paint()),
