@@ -9,7 +9,6 @@ uniform sampler2D albedo;
 uniform sampler2D normal_line;
 uniform sampler2D light;
 uniform isampler2D strokes;
-uniform samplerBuffer instances;
 uniform int samples_per_side;
 uniform bool inked;
 uniform vec3 paper;
@@ -17,6 +16,7 @@ uniform float grain;
 uniform float gloss;
 uniform vec2 tangent;
 uniform mat4 camera_to_scene;
+uniform float pixel_angle;  // size of a pixel at distance 1
 uniform vec3 to_light;  // unit, scene
 
 layout(location = 0) out vec4 picture;
@@ -46,8 +46,8 @@ vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, vec2 seen, bool cut) {
   // Soft, wrapped light; on cut faces flatter still, so that their colours are what one sees.
   float key = clamp((dot(n, to_light) + 0.35) / 1.35, 0.0, 1.0);
   if (cut) key = mix(key, 0.8, 0.45);
-  float lit = key * mix(0.12, 1.0, seen.y);
-  vec3 ambient = mix(bounce, sky, 0.5 + 0.5 * n.y) * mix(0.25, 1.0, seen.x);
+  float lit = key * mix(0.12, 1.0, seen.y) * mix(0.7, 1.0, seen.x);
+  vec3 ambient = mix(bounce, sky, 0.5 + 0.5 * n.y) * mix(0.2, 1.0, seen.x);
   vec3 received = ambient + sun * lit;
 
   // In the shade colours grow deeper, not greyer.
@@ -73,21 +73,28 @@ vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground) {
     return ground * shadow * mix(vec3(0.42, 0.37, 0.34), vec3(1.0), seen.x);
   }
   vec2 ndc = 2.0 * (vec2(at) + 0.5) / size - 1.0;
-  vec3 to_eye = normalize(mat3(camera_to_scene) * -vec3(ndc * tangent, -1.0));
-  return fruit_color(texelFetch(albedo, at, 0).rgb, texelFetch(normal_line, at, 0).xyz, to_eye, seen, is_cut(id));
+  vec3 ray = vec3(ndc * tangent, -1.0) * distance_to;
+  vec3 to_eye = normalize(mat3(camera_to_scene) * -ray);
+  vec3 normal = texelFetch(normal_line, at, 0).xyz;
+
+  // The noise, where the point lies in its fruit; a pixel covers more of a slanted face.
+  vec3 fruit_position = in_fruit(instance_of(id), (camera_to_scene * vec4(ray, 1.0)).xyz);
+  float footprint = pixel_angle * distance_to / max(dot(normal, to_eye), 0.3);
+  int solid = int(pen_of(instance_of(id)).z);
+  vec3 color = modulated(texelFetch(albedo, at, 0).rgb, fruit_position, footprint, solid);
+  return fruit_color(color, normal, to_eye, seen, is_cut(id));
 }
 
 vec3 with_ink(vec3 color, ivec2 at) {
   ivec2 stroke = texelFetch(strokes, at, 0).rg;
   uint id = texelFetch(ids, at, 0).r;
   if (stroke.y != no_stroke && instance_of(id) != 0u) {
-    int who = int(instance_of(id)) - 1;
-    float width = texelFetch(instances, 2 * who + 1).y;
+    float width = pen_of(instance_of(id)).y;
     float cover = clamp(0.5 + squared_reach(stroke.y) / max(width, 1.0), 0.0, 1.0);
-    color = mix(color, texelFetch(instances, 2 * who).rgb, cover * float(low_bits(stroke.y)) / 255.0);
+    color = mix(color, ink_of(instance_of(id)).rgb, cover * float(low_bits(stroke.y)) / 255.0);
   }
   if (stroke.x != no_stroke) {
-    vec4 ink = texelFetch(instances, 2 * (low_bits(stroke.x) - 1));
+    vec4 ink = ink_of(uint(low_bits(stroke.x)));
     color = mix(color, ink.rgb, clamp(0.5 + squared_reach(stroke.x) / max(ink.w, 1.0), 0.0, 1.0));
   }
   return color;

@@ -7,7 +7,6 @@
 uniform usampler2D ids;
 uniform sampler2D depth;
 uniform sampler2D normal_line;
-uniform samplerBuffer instances;  // two texels each: ink and width in samples; wavelength in metres, inner width
 uniform mat4 clip_to_scene;
 uniform float inner_opacity;
 uniform vec2 from_light;  // on the picture
@@ -52,21 +51,24 @@ void main() {
     if (instance_of(other) != instance_of(id)) {
       // The table owns no line: before a piece it lies nearer to the eye than the piece does.
       if (instance_of(other) == 0u || here <= around[i]) outline = max(outline, 1.0);
-    } else if (here <= around[i] || is_cut(id)) {
-      // The rim of a cut face, the ridge between two, or where two surfaces meet.
-      if (is_cut(id) != is_cut(other)) outline = max(outline, 0.75);
-      else if (is_cut(id)) outline = max(outline, 0.6);
+    } else if (is_cut(id) != is_cut(other)) {
+      if (is_cut(id)) outline = max(outline, 0.75);  // the rim belongs to the cut face
+    } else if (id > other) {
+      // The ridge between two cut faces, or where two surfaces meet.
+      if (is_cut(id)) outline = max(outline, 0.6);
       else inner = 1.0, opacity = max(opacity, 0.8);
     }
   }
 
-  // A fold of the solid in front of itself: distance bends sharply.
-  float bend = max(around[0] + around[1], around[2] + around[3]) - 2.0 * here;
-  if (bend > 0.012 * here) outline = max(outline, 0.8);
+  // A fold of the solid in front of itself: on one side distance jumps, on the other it goes on as before.
+  for (int i = 0; i < 4; i += 2) {
+    float a = around[i] - here, b = around[i + 1] - here;
+    if (a + b > 0.012 * here && a + b > 1.5 * min(abs(a), abs(b))) outline = max(outline, 0.8);
+  }
 
   if (outline == 0.0 && inner == 0.0) return;
-  vec4 ink = texelFetch(instances, 2 * int(instance_of(id) - 1u));
-  vec4 pen = texelFetch(instances, 2 * int(instance_of(id) - 1u) + 1);
+  vec4 ink = ink_of(instance_of(id));
+  vec4 pen = pen_of(instance_of(id));
 
   // The hand: heavier away from the light, trembling along the line.
   vec4 scene_point = clip_to_scene * vec4(2.0 * (gl_FragCoord.xy / vec2(size)) - 1.0, 2.0 * depth_here - 1.0, 1.0);

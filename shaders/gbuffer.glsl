@@ -6,6 +6,20 @@ uint instance_of(uint id) { return (id >> 12) & 0x7ffffu; }
 bool is_cut(uint id) { return (id & 0x800u) != 0u; }
 bool is_see_through(uint id) { return (id & 0x80000000u) != 0u; }
 
+// Every instance's texels (render/gl/scene_instances.h): ink and its width in samples; the hand's wavelength in metres,
+// width of inner lines in samples, solid; three rows of the matrix from the scene to the fruit.
+uniform samplerBuffer instances;
+const int instance_texels = 5;
+
+vec4 ink_of(uint instance) { return texelFetch(instances, instance_texels * int(instance - 1u)); }
+vec4 pen_of(uint instance) { return texelFetch(instances, instance_texels * int(instance - 1u) + 1); }
+vec3 in_fruit(uint instance, vec3 scene_point) {
+  int row = instance_texels * int(instance - 1u) + 2;
+  vec4 p = vec4(scene_point, 1.0);
+  return vec3(dot(texelFetch(instances, row), p), dot(texelFetch(instances, row + 1), p),
+              dot(texelFetch(instances, row + 2), p));
+}
+
 uniform vec2 depth_range;  // near, far
 
 float distance_from_depth(float depth) {

@@ -43,7 +43,7 @@ float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, float tur
     float fade = max(0.0, 1.0 - squared / (reach * reach));
     taken += fade * fade * max(rise, 0.0) * inversesqrt(squared + 1e-4 * reach * reach);
   }
-  return clamp(1.0 - 2.6 * taken / float(count), 0.0, 1.0);
+  return clamp(1.0 - 3.4 * taken / float(count), 0.0, 1.0);
 }
 
 float light_seen(vec3 p, vec3 n, float turn) {

@@ -1,16 +1,10 @@
 // Gradient noise [Perlin 2002] and the modulation of colours: the mirror of render/style/noise.cpp.
 #include "color.glsl"
 
-const int max_noise_keys = 16;
-const int max_noise_bands = 8;
-
-layout(std140) uniform NoiseBlock {
-  vec4 noise_head;     // base frequency, sigma, keys, bands
-  vec4 noise_stretch;  // along radius, height, azimuth
-  vec4 noise_lab[max_noise_keys];
-  vec4 noise_axis[max_noise_keys];
-  vec4 noise_weights[2 * max_noise_keys];  // two a key: bands 0-3 and 4-7
-};
+// Every solid's style, noise_texels each (render/gl/scene_upload.cpp): base frequency, sigma, keys, bands; stretch
+// along radius, height, azimuth; then for each key its OKLab colour, its axis, and weights of bands 0-3 and 4-7.
+uniform samplerBuffer noise_styles;
+const int noise_texels = 66;
 
 uint mixed_bits(uint h) {
   h ^= h >> 16;
@@ -52,56 +46,63 @@ float gradient_noise(vec3 point, uint seed) { return lattice_noise(point, seed, 
 
 const float band_offset = 0.37;
 
-float ring_noise(vec2 radius_height, float turn, int level, int band) {
-  uint seed = uint(band) + 64u * uint(max(level, 1));
-  if (level < 2) return gradient_noise(vec3(radius_height, band_offset), seed);
-  int cells = 1 << level;
-  return lattice_noise(vec3(radius_height, turn * float(cells)), seed, cells - 1);
-}
-
-float band_noise(vec3 position, float frequency, int band) {
-  if (noise_stretch.xyz == vec3(1.0)) {
-    return gradient_noise(position * frequency + band_offset * float(band + 1), uint(band));
-  }
+// Where a fruit's point lies about the axis: radius, height, turns.
+vec3 about_axis(vec3 position) {
   float radius = length(position.xz);
-  float turn = radius > 0.0 ? atan(-position.z, position.x) / 6.283185307179586 : 0.0;
-  vec2 radius_height = vec2(radius, position.y) * frequency * noise_stretch.xy + band_offset;
-  float cells = clamp(6.283185307179586 * radius * frequency * noise_stretch.z, 2.0, 32768.0);
-  int level = int(floor(log2(cells)));
-  float share = clamp(cells / float(1 << level) - 1.0, 0.0, 1.0);
-  share = share * share * (3.0 - 2.0 * share);
-  float inner = ring_noise(radius_height, turn, level, band);
-  float outer = ring_noise(radius_height, turn, level + 1, band);
-  float norm = sqrt(share * share + (1.0 - share) * (1.0 - share));
-  return clamp(mix(inner, outer, share) / norm, -1.0, 1.0);
+  return vec3(radius, position.y, radius > 0.0 ? atan(-position.z, position.x) / 6.283185307179586 : 0.0);
 }
 
-vec3 modulated(vec3 color, vec3 position, float footprint) {
-  int keys = int(noise_head.z), bands = int(noise_head.w);
-  if (bands == 0) return color;
+// One loop for both kinds of lattice: software renderers run both sides of a branch, but end a loop early.
+float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int band) {
+  bool isotropic = stretch == vec3(1.0);
+  vec2 radius_height = around.xy * frequency * stretch.xy + band_offset;
+  float wanted = clamp(6.283185307179586 * around.x * frequency * stretch.z, 2.0, 32768.0);
+  int inner = int(floor(log2(wanted)));
+  float share = clamp(wanted / float(1 << inner) - 1.0, 0.0, 1.0);
+  share = share * share * (3.0 - 2.0 * share);
+
+  float sum = 0.0;
+  for (int ring = 0; ring < (isotropic ? 1 : 2); ++ring) {
+    int level = inner + ring;
+    int cells = 1 << level;
+    bool turns = !isotropic && level >= 2;
+    vec3 point = isotropic ? position * frequency + band_offset * float(band + 1)
+                           : vec3(radius_height, turns ? around.z * float(cells) : band_offset);
+    uint seed = uint(band) + (isotropic ? 0u : 64u * uint(level));
+    sum += (isotropic ? 1.0 : ring == 0 ? 1.0 - share : share) * lattice_noise(point, seed, turns ? cells - 1 : ~0);
+  }
+  float norm = isotropic ? 1.0 : sqrt(share * share + (1.0 - share) * (1.0 - share));
+  return clamp(sum / norm, -1.0, 1.0);
+}
+
+vec3 modulated(vec3 color, vec3 position, float footprint, int solid) {
+  int first = solid * noise_texels;
+  vec4 head = texelFetch(noise_styles, first);  // base frequency, sigma, keys, bands
+  vec3 stretch = texelFetch(noise_styles, first + 1).xyz;
 
   // How much of each key this colour is; with it, the weight of each band and the direction.
   vec3 lab = to_oklab(color);
   float total = 0.0;
   vec3 axis = vec3(0.0);
   vec4 low = vec4(0.0), high = vec4(0.0);
-  for (int k = 0; k < keys; ++k) {
-    vec3 d = lab - noise_lab[k].xyz;
-    float share = exp(-dot(d, d) / (2.0 * noise_head.y * noise_head.y)) + 1e-6;
+  for (int k = 0; k < int(head.z); ++k) {
+    int key = first + 2 + 4 * k;
+    vec3 d = lab - texelFetch(noise_styles, key).xyz;
+    float share = exp(-dot(d, d) / (2.0 * head.y * head.y)) + 1e-6;
     total += share;
-    axis += share * noise_axis[k].xyz;
-    low += share * noise_weights[2 * k];
-    high += share * noise_weights[2 * k + 1];
+    axis += share * texelFetch(noise_styles, key + 1).xyz;
+    low += share * texelFetch(noise_styles, key + 2);
+    high += share * texelFetch(noise_styles, key + 3);
   }
 
-  float steepest = max(noise_stretch.x, max(noise_stretch.y, noise_stretch.z));
+  float steepest = max(stretch.x, max(stretch.y, stretch.z));
+  vec3 around = about_axis(position);
   float amount = 0.0;
-  for (int b = 0; b < bands; ++b) {
+  for (int b = 0; b < int(head.w); ++b) {
     float weight = (b < 4 ? low[b] : high[b - 4]) / total;
-    float frequency = noise_head.x * float(1 << b);
+    float frequency = head.x * float(1 << b);
     float shown = 1.0 - smoothstep(0.25, 0.5, frequency * steepest * footprint);
-    if (weight != 0.0 && shown > 0.0) amount += weight * shown * band_noise(position, frequency, b);
+    amount += weight * shown * band_noise(position, around, frequency, stretch, b);
   }
-  if (amount == 0.0) return color;
-  return clamp(from_oklab(lab + amount * axis / total), 0.0, 1.0);
+  return amount == 0.0 ? color : clamp(from_oklab(lab + amount * axis / total), 0.0, 1.0);
 }

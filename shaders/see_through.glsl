@@ -1,9 +1,14 @@
-// See-through solids leave out some of a pixel's samples; each solid leaves out others.
+// See-through solids leave out some of a pixel's samples; each solid leaves out others. Opaque ones are drawn by
+// programs without SEE_THROUGH: where a shader can discard, hidden samples cannot be passed over early.
 #include "gbuffer.glsl"
 
+uniform uint instance_id;  // with the see-through bit
+
+#ifdef SEE_THROUGH
 uniform float opacity;
 
-bool left_out(uint instance) {
-  if (opacity >= 1.0) return false;
-  return fract(interleaved(gl_FragCoord.xy) + 0.618034 * float(instance)) >= opacity;
+bool left_out() {
+  float share = fract(interleaved(gl_FragCoord.xy) + 0.618034 * float(instance_of(instance_id)));
+  return share >= opacity;
 }
+#endif

@@ -1,8 +1,8 @@
 // Depth alone, as the light sees it.
 #include "see_through.glsl"
 
-uniform uint instance_id;
-
 void main() {
-  if (left_out(instance_of(instance_id))) discard;
+#ifdef SEE_THROUGH
+  if (left_out()) discard;
+#endif
 }

@@ -6,12 +6,10 @@ layout(location = 2) in vec3 color;
 uniform mat4 placement;  // fruit to scene
 uniform mat4 projection; // scene to clip space
 
-out vec3 fruit_position;
 out vec3 scene_normal;
 out vec3 plain_color;
 
 void main() {
-  fruit_position = position;
   scene_normal = mat3(placement) * normal;
   plain_color = color;
   gl_Position = projection * (placement * vec4(position, 1.0));

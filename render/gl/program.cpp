@@ -60,19 +60,23 @@ std::vector<std::string> shader_names() {
   return names;
 }
 
-std::string resolved_includes(std::string_view text) {
+std::string resolved_includes(std::string_view text, std::string_view definition) {
   std::string result(version_line);
+  if (!definition.empty()) result += "#define " + std::string(definition) + "\n";
   std::set<std::string, std::less<>> seen;
   append_resolved(text, seen, result);
   return result;
 }
 
-std::string shader_source(std::string_view name) { return resolved_includes(embedded_text(name)); }
+std::string shader_source(std::string_view name, std::string_view definition) {
+  return resolved_includes(embedded_text(name), definition);
+}
 
-Program::Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file)
+Program::Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file,
+                 std::string_view definition)
     : gl_(gl.functions()) {
   try {
-    link(shader_source(vertex_file), shader_source(fragment_file));
+    link(shader_source(vertex_file, definition), shader_source(fragment_file, definition));
   } catch (const Error& error) {
     throw Error(error.status(), std::string(vertex_file) + " + " + std::string(fragment_file) + ": " +
                                     error.diagnostics().front().message);
@@ -128,11 +132,6 @@ void Program::set(const char* name, const glm::vec3& value) const {
 
 void Program::set(const char* name, const glm::mat4& value) const {
   gl_.UniformMatrix4fv(gl_.GetUniformLocation(id_, name), 1, GL_FALSE, &value[0][0]);
-}
-
-void Program::bind_block(const char* name, unsigned binding) const {
-  const GLuint index = gl_.GetUniformBlockIndex(id_, name);
-  if (index != GL_INVALID_INDEX) gl_.UniformBlockBinding(id_, index, binding);
 }
 
 }  // namespace pomona

@@ -17,17 +17,19 @@ namespace pomona {
 std::vector<std::string> shader_names();
 
 /// The embedded file with its `#include "name"` lines resolved, each file once, and with the version line in
-/// front. \throws Error (bug) for a name that is not there.
-std::string shader_source(std::string_view name);
+/// front. `definition`, if any, is a name that the text sees as defined. \throws Error (bug) for a name that is
+/// not there.
+std::string shader_source(std::string_view name, std::string_view definition = {});
 
 /// The same for a text that is no embedded file (tests).
-std::string resolved_includes(std::string_view text);
+std::string resolved_includes(std::string_view text, std::string_view definition = {});
 
 /// A linked program. Destroy it while its context is current.
 class Program {
  public:
   /// From two embedded files. \throws Error (bug) with the compiler's message.
-  Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file);
+  Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file,
+          std::string_view definition = {});
   static Program from_sources(const CurrentGl& gl, const std::string& vertex, const std::string& fragment);
   Program(Program&& other) noexcept;
   Program(const Program&) = delete;
@@ -43,7 +45,6 @@ class Program {
   void set(const char* name, const glm::vec2& value) const;
   void set(const char* name, const glm::vec3& value) const;
   void set(const char* name, const glm::mat4& value) const;
-  void bind_block(const char* name, unsigned binding) const;
 
  private:
   explicit Program(const GlFunctions& gl) : gl_(gl) {}

@@ -11,6 +11,7 @@
 #include "render/gl/objects.h"
 #include "render/gl/program.h"
 #include "render/gl/scene_camera.h"
+#include "render/gl/scene_instances.h"
 #include "render/gl/scene_upload.h"
 
 namespace pomona {
@@ -18,45 +19,6 @@ namespace pomona {
 namespace {
 
 constexpr int shadow_side = 2048;  // samples of the shadow map each way
-constexpr int widest_reach = 24;   // samples: no stroke reaches further from its line
-
-/// What shaders want to know of each instance: two texels (shaders/edges.frag.glsl).
-struct InstanceTexels {
-  glm::vec4 ink_and_width{0};  ///< width in samples
-  glm::vec4 pen{0};            ///< wavelength of the hand in metres; width of inner lines in samples
-};
-
-/// Half the diagonal of the solid's box, metres.
-std::vector<double> radii_of(const Scene& scene) {
-  std::vector<double> radii;
-  for (const Solid& solid : scene.solids) {
-    glm::vec3 low(1e30f), high(-1e30f);
-    for (const glm::vec3& p : solid.position) low = glm::min(low, p), high = glm::max(high, p);
-    radii.push_back(solid.position.empty() ? 0.0 : 0.5 * static_cast<double>(glm::distance(low, high)));
-  }
-  return radii;
-}
-
-/// Strokes by the size at which each instance is seen, as on sections: small pieces get finer lines.
-std::vector<InstanceTexels> instance_texels(const Scene& scene, const SceneCamera& camera, const Style& style,
-                                            const glm::dvec2& samples) {
-  const std::vector<double> radii = radii_of(scene);
-  const double side = std::min(samples.x, samples.y);
-  std::vector<InstanceTexels> texels;
-  for (const Instance& instance : scene.instances) {
-    const InkStyle& ink = scene.solids[instance.solid].ink;
-    const double radius = radii[instance.solid];
-    const glm::dvec3 center = instance.pose.translation;
-    const double away =
-        std::max(-(glm::dmat4(camera.view) * glm::dvec4(center, 1)).z, static_cast<double>(camera.near));
-    const double seen = 2 * radius / away / camera.tangent.y * 0.5 * samples.y;  // samples
-    const double fine = std::clamp(std::sqrt(seen / (0.7 * side)), 0.3, 1.0);
-    const double width = std::min(side * fine * ink.width * style.outline_width, 2.0 * widest_reach);
-    const double inner = side * fine * ink.width * style.inner_width;
-    texels.push_back({glm::vec4(ink.color, width), glm::vec4(0.3 * radius + 1e-6, inner, 0, 0)});
-  }
-  return texels;
-}
 
 /// The pictures that the passes hand on, at `samples` a pixel's side unless said otherwise.
 struct Targets {
@@ -67,6 +29,8 @@ struct Targets {
         ids(gl, GL_R32UI, samples.x, samples.y),
         depth(gl, GL_DEPTH_COMPONENT32F, samples.x, samples.y),
         strokes{GlTexture(gl, GL_RG32I, samples.x, samples.y), GlTexture(gl, GL_RG32I, samples.x, samples.y)},
+        tiles((samples + stroke_tile - 1) / stroke_tile),
+        inked_tiles(gl, GL_R32I, tiles.x, tiles.y),
         light{GlTexture(gl, GL_RGBA16F, options.width, options.height),
               GlTexture(gl, GL_RGBA16F, options.width, options.height)},
         shadow(gl, GL_DEPTH_COMPONENT32F, shadow_side, shadow_side),
@@ -75,6 +39,8 @@ struct Targets {
   glm::ivec2 samples;
   GlTexture albedo, normal_line, ids, depth;
   std::array<GlTexture, 2> strokes;  // to and fro
+  glm::ivec2 tiles;                  // of stroke_tile samples each way
+  GlTexture inked_tiles;             // one per tile: how far its strokes reach
   std::array<GlTexture, 2> light;    // one per pixel: sky, light, distance
   GlTexture shadow;
   GlTexture picture;  // one per pixel
@@ -118,7 +84,10 @@ class ScenePainter {
   void compose();
   Image read_back();
 
-  void draw_instances(const Program& program, bool with_noise);
+  enum class Drawn { opaque, see_through };
+  static const char* definition_of(Drawn which) { return which == Drawn::see_through ? "SEE_THROUGH" : ""; }
+  void draw_instances(const Program& program, Drawn which);
+  bool any_see_through() const;
   std::vector<std::size_t> nearest_first() const;
   void fill(const GlFramebuffer& target, const glm::ivec2& size);
   void set_camera(const Program& program) const;
@@ -152,20 +121,22 @@ std::vector<std::size_t> ScenePainter::nearest_first() const {
   return order;
 }
 
-void ScenePainter::draw_instances(const Program& program, bool with_noise) {
+bool ScenePainter::any_see_through() const {
+  return std::any_of(scene_.solids.begin(), scene_.solids.end(), [](const Solid& s) { return s.opacity < 1; });
+}
+
+void ScenePainter::draw_instances(const Program& program, Drawn which) {
   solids_.solids.bind();
   for (const std::size_t i : nearest_first()) {
     const Instance& instance = scene_.instances[i];
     const UploadedSolids::Part& part = solids_.parts[instance.solid];
     const float opacity = scene_.solids[instance.solid].opacity;
+    if ((opacity < 1) != (which == Drawn::see_through)) continue;
     const auto number = static_cast<unsigned>((i + 1) & 0x7ffff);
     program.set("placement", matrix_of(instance.pose));
     program.set("opacity", opacity);
     program.set("instance_id", (number << 12) | (opacity < 1 ? 0x80000000u : 0u));
-    if (with_noise) {
-      program.set("first_triangle", part.first_triangle);
-      gl_->BindBufferRange(GL_UNIFORM_BUFFER, 0, solids_.noise_blocks.id(), part.noise_offset, noise_block_size);
-    }
+    program.set("first_triangle", part.first_triangle);
     gl_->DrawElementsBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_INT,
                                 reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t)),
                                 part.first_vertex);
@@ -183,10 +154,13 @@ void ScenePainter::cast_shadows() {
   gl_->Disable(GL_BLEND);
   gl_->ClearBufferfv(GL_DEPTH, 0, &far);
 
-  const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl");
-  program.use();
-  program.set("projection", light_.to_clip);
-  draw_instances(program, false);
+  for (const Drawn which : {Drawn::opaque, Drawn::see_through}) {
+    if (which == Drawn::see_through && !any_see_through()) continue;
+    const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl", definition_of(which));
+    program.use();
+    program.set("projection", light_.to_clip);
+    draw_instances(program, which);
+  }
   gl_.check("the shadow map");
 }
 
@@ -202,14 +176,15 @@ void ScenePainter::draw_solids() {
   gl_->ClearBufferuiv(GL_COLOR, 2, no_id.data());
   gl_->ClearBufferfv(GL_DEPTH, 0, &far);
 
-  const Program program(gl_, "solid.vert.glsl", "solid.frag.glsl");
-  program.use();
-  program.set("projection", camera_.projection * camera_.view);
-  program.set("footprint_scale", static_cast<float>(side_));
-  program.set("triangle_tags", 0);
-  program.bind_block("NoiseBlock", 0);
   solids_.triangle_tags.bind(0);
-  draw_instances(program, true);
+  for (const Drawn which : {Drawn::opaque, Drawn::see_through}) {
+    if (which == Drawn::see_through && !any_see_through()) continue;
+    const Program program(gl_, "solid.vert.glsl", "solid.frag.glsl", definition_of(which));
+    program.use();
+    program.set("projection", camera_.projection * camera_.view);
+    program.set("triangle_tags", 0);
+    draw_instances(program, which);
+  }
   if (scene_.ground) draw_ground();
   if (style_.ink) draw_inner_lines();
   gl_.check("the solids");
@@ -311,16 +286,23 @@ void ScenePainter::find_strokes() {
   edges.set("from_light", glm::vec2(0.6f, -0.8f));
   fill(to_first, targets_.samples);
 
-  // No further than the widest stroke can reach: 0.72 + 0.34 * 1.5 + 0.26 of half its width, and half a sample more.
-  float widest = 1;
-  for (const InstanceTexels& texels : texels_) widest = std::max(widest, texels.ink_and_width.w);
-  const int reach = std::min(widest_reach, static_cast<int>(std::ceil(0.5f * 1.5f * widest + 1.0f)));
+  // Where are strokes at all? Most of a picture has none, and is passed over.
+  const std::array<const GlTexture*, 1> tiles{&targets_.inked_tiles};
+  const GlFramebuffer to_tiles(gl_, tiles, nullptr);
+  const Program find_tiles(gl_, "fullscreen.vert.glsl", "inked_tiles.frag.glsl");
+  find_tiles.use();
+  find_tiles.set("strokes", 0);
+  targets_.strokes[0].bind(0);
+  fill(to_tiles, targets_.tiles);
+
+  // Spread them across, then up.
   const Program widen(gl_, "fullscreen.vert.glsl", "widen.frag.glsl");
   widen.use();
   widen.set("strokes", 0);
-  widen.set("reach", reach);
+  widen.set("inked_tiles", 1);
+  widen.set("widest_reach", widest_reach);
+  targets_.inked_tiles.bind(1);
   widen.set("across", 1);
-  targets_.strokes[0].bind(0);
   fill(to_second, targets_.samples);
   widen.set("across", 0);
   targets_.strokes[1].bind(0);
@@ -340,6 +322,9 @@ void ScenePainter::compose() {
   targets_.albedo.bind(4);
   targets_.light[0].bind(5);
   targets_.strokes[0].bind(6);
+  program.set("noise_styles", 7);
+  solids_.noise_styles.bind(7);
+  program.set("pixel_angle", 2.0f * camera_.tangent.y / static_cast<float>(options_.height));
   program.set("inked", style_.ink ? 1 : 0);
   program.set("paper", scene_.paper);
   program.set("grain", static_cast<float>(style_.grain));

@@ -1,7 +1,6 @@
 #include "render/gl/scene_upload.h"
 
 #include <algorithm>
-#include <array>
 
 #include "generator/base/error.h"
 #include "generator/base/parallel.h"
@@ -11,9 +10,6 @@
 namespace pomona {
 
 namespace {
-
-/// Offsets into a uniform buffer must be multiples of at most this, whatever the context.
-constexpr GLsizeiptr block_stride = (noise_block_size + 255) / 256 * 256;
 
 /// Bits 0-10 of an id tell what meets at an edge, bit 11 cut faces.
 std::uint16_t tag_of(const Solid& solid, std::size_t triangle) {
@@ -29,7 +25,7 @@ struct Gathered {
   std::vector<float> line_strength;
   std::vector<glm::uvec3> triangle;
   std::vector<std::uint16_t> tag;
-  std::vector<float> noise;
+  std::vector<glm::vec4> noise;
 };
 
 void append(const Solid& solid, const std::vector<InnerLine>& lines, bool with_noise, Gathered& all) {
@@ -40,7 +36,6 @@ void append(const Solid& solid, const std::vector<InnerLine>& lines, bool with_n
   part.first_triangle = static_cast<GLint>(all.tag.size());
   part.first_line_vertex = static_cast<GLint>(all.line_position.size());
   part.line_vertices = static_cast<GLsizei>(2 * lines.size());
-  part.noise_offset = static_cast<GLintptr>(all.noise.size() * sizeof(float));
 
   all.position.insert(all.position.end(), solid.position.begin(), solid.position.end());
   all.normal.insert(all.normal.end(), solid.normal.begin(), solid.normal.end());
@@ -52,9 +47,8 @@ void append(const Solid& solid, const std::vector<InnerLine>& lines, bool with_n
     all.line_position.push_back(line.b);
     all.line_strength.insert(all.line_strength.end(), 2, line.opacity);
   }
-  const std::vector<float> block = noise_block(with_noise ? solid.noise : NoiseStyle{});
-  all.noise.insert(all.noise.end(), block.begin(), block.end());
-  all.noise.resize(static_cast<std::size_t>(part.noise_offset + block_stride) / sizeof(float));
+  const std::vector<glm::vec4> texels = noise_texels(with_noise ? solid.noise : NoiseStyle{});
+  all.noise.insert(all.noise.end(), texels.begin(), texels.end());
   all.parts.push_back(part);
 }
 
@@ -70,24 +64,20 @@ Gathered gathered_solids(const Scene& scene, const Style& style) {
 
 }  // namespace
 
-std::vector<float> noise_block(const NoiseStyle& style) {
+std::vector<glm::vec4> noise_texels(const NoiseStyle& style) {
   const Modulation modulation(style);
-  std::vector<float> block(noise_block_size / sizeof(float), 0.0f);
-  const auto put = [&](std::size_t vec4_index, const std::array<double, 4>& values) {
-    for (std::size_t i = 0; i < 4; ++i) block[4 * vec4_index + i] = static_cast<float>(values[i]);
-  };
-  const auto keys = modulation.keys().size();
-  put(0, {style.base_frequency, style.sigma, static_cast<double>(keys), static_cast<double>(modulation.bands())});
-  put(1, {style.stretch.x, style.stretch.y, style.stretch.z, 0});
-  for (std::size_t k = 0; k < keys; ++k) {
+  std::vector<glm::vec4> texels(2 + 4 * max_noise_keys, glm::vec4(0));
+  texels[0] = {style.base_frequency, style.sigma, modulation.keys().size(), modulation.bands()};
+  texels[1] = glm::vec4(style.stretch, 0);
+  for (std::size_t k = 0; k < modulation.keys().size(); ++k) {
     const Modulation::Key& key = modulation.keys()[k];
     const auto& w = key.weights;
-    put(2 + k, {key.lab.x, key.lab.y, key.lab.z, 0});
-    put(2 + max_noise_keys + k, {key.axis.x, key.axis.y, key.axis.z, 0});
-    put(2 + 2 * max_noise_keys + 2 * k, {w[0], w[1], w[2], w[3]});
-    put(3 + 2 * max_noise_keys + 2 * k, {w[4], w[5], w[6], w[7]});
+    texels[2 + 4 * k] = glm::vec4(key.lab, 0);
+    texels[3 + 4 * k] = glm::vec4(key.axis, 0);
+    texels[4 + 4 * k] = {w[0], w[1], w[2], w[3]};
+    texels[5 + 4 * k] = {w[4], w[5], w[6], w[7]};
   }
-  return block;
+  return texels;
 }
 
 UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& style) {
@@ -102,6 +92,8 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
 
   GlBuffer tag_buffer(gl, GL_TEXTURE_BUFFER, all.tag);
   GlTexture tags(gl, GL_R16UI, tag_buffer);
+  GlBuffer noise_buffer(gl, GL_TEXTURE_BUFFER, all.noise);
+  GlTexture noise_styles(gl, GL_RGBA32F, noise_buffer);
   UploadedSolids solids{
       .parts = all.parts,
       .position = GlBuffer(gl, GL_ARRAY_BUFFER, all.position),
@@ -112,7 +104,8 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
       .line_strength = GlBuffer(gl, GL_ARRAY_BUFFER, all.line_strength),
       .tag_buffer = std::move(tag_buffer),
       .triangle_tags = std::move(tags),
-      .noise_blocks = GlBuffer(gl, GL_UNIFORM_BUFFER, all.noise),
+      .noise_buffer = std::move(noise_buffer),
+      .noise_styles = std::move(noise_styles),
       .solids = GlVertexArray(gl),
       .lines = GlVertexArray(gl),
   };

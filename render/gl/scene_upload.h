@@ -18,23 +18,21 @@ struct UploadedSolids {
     GLint first_triangle = 0;  ///< in triangle_tags
     GLint first_line_vertex = 0;
     GLsizei line_vertices = 0;
-    GLintptr noise_offset = 0;
   };
   std::vector<Part> parts;
   GlBuffer position, normal, color, index;
   GlBuffer line_position, line_strength;
   GlBuffer tag_buffer;
   GlTexture triangle_tags;  ///< per triangle: the low 12 bits of its id (shaders/gbuffer.glsl)
-  GlBuffer noise_blocks;
+  GlBuffer noise_buffer;
+  GlTexture noise_styles;  ///< per solid noise_texels texels (shaders/noise.glsl)
   GlVertexArray solids, lines;
 };
 
 /// \throws Error (bad_data) for more triangles than a buffer texture of this context holds.
 UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& style);
 
-constexpr GLsizeiptr noise_block_size = 1056;  ///< bytes of NoiseBlock in shaders/noise.glsl
-
-/// The bytes of NoiseBlock, std140.
-std::vector<float> noise_block(const NoiseStyle& style);
+/// One solid's texels in noise_styles.
+std::vector<glm::vec4> noise_texels(const NoiseStyle& style);
 
 }  // namespace pomona

@@ -18,7 +18,7 @@ namespace pomona {
 namespace {
 
 /// Pixels [red, green, blue, alpha] of a picture drawn by a fragment shader alone.
-std::vector<glm::u8vec4> drawn_by(const CurrentGl& gl, const std::string& fragment, const GlBuffer& noise, int width,
+std::vector<glm::u8vec4> drawn_by(const CurrentGl& gl, const std::string& fragment, const NoiseStyle& noise, int width,
                                   int height) {
   const GlTexture picture(gl, GL_RGBA8, width, height);
   const std::array<const GlTexture*, 1> colors{&picture};
@@ -26,8 +26,10 @@ std::vector<glm::u8vec4> drawn_by(const CurrentGl& gl, const std::string& fragme
   const GlVertexArray nothing(gl);
   const Program program = Program::from_sources(gl, shader_source("fullscreen.vert.glsl"), resolved_includes(fragment));
   program.use();
-  program.bind_block("NoiseBlock", 0);
-  gl->BindBufferRange(GL_UNIFORM_BUFFER, 0, noise.id(), 0, noise_block_size);
+  const GlBuffer buffer(gl, GL_TEXTURE_BUFFER, noise_texels(noise));
+  const GlTexture styles(gl, GL_RGBA32F, buffer);
+  program.set("noise_styles", 0);
+  styles.bind(0);
   target.bind(width, height);
   nothing.bind();
   gl->DrawArrays(GL_TRIANGLES, 0, 3);
@@ -75,17 +77,22 @@ TEST(GlContext, ReportsShadersThatDoNotCompile) {
 }
 
 TEST(Shaders, AllCompile) {
-  const std::vector<std::pair<std::string, std::string>> passes{
-      {"solid.vert.glsl", "solid.frag.glsl"},       {"solid.vert.glsl", "shadow.frag.glsl"},
-      {"ground.vert.glsl", "ground.frag.glsl"},     {"inner_line.vert.glsl", "inner_line.frag.glsl"},
-      {"fullscreen.vert.glsl", "light.frag.glsl"},  {"fullscreen.vert.glsl", "soften.frag.glsl"},
-      {"fullscreen.vert.glsl", "edges.frag.glsl"},  {"fullscreen.vert.glsl", "widen.frag.glsl"},
-      {"fullscreen.vert.glsl", "compose.frag.glsl"}};
+  const std::vector<std::pair<std::string, std::string>> passes{{"solid.vert.glsl", "solid.frag.glsl"},
+                                                                {"solid.vert.glsl", "shadow.frag.glsl"},
+                                                                {"ground.vert.glsl", "ground.frag.glsl"},
+                                                                {"inner_line.vert.glsl", "inner_line.frag.glsl"},
+                                                                {"fullscreen.vert.glsl", "light.frag.glsl"},
+                                                                {"fullscreen.vert.glsl", "soften.frag.glsl"},
+                                                                {"fullscreen.vert.glsl", "edges.frag.glsl"},
+                                                                {"fullscreen.vert.glsl", "widen.frag.glsl"},
+                                                                {"fullscreen.vert.glsl", "inked_tiles.frag.glsl"},
+                                                                {"fullscreen.vert.glsl", "compose.frag.glsl"}};
   GlContext context;
   const CurrentGl gl(context);
   std::set<std::string> compiled;
   for (const auto& [vertex, fragment] : passes) {
     EXPECT_NO_THROW(Program(gl, vertex, fragment)) << fragment;
+    EXPECT_NO_THROW(Program(gl, vertex, fragment, "SEE_THROUGH")) << fragment;
     compiled.insert({vertex, fragment});
   }
   for (const std::string& name : shader_names()) {
@@ -101,7 +108,6 @@ TEST(Shaders, NoiseIsThatOfTheCpu) {
     NoiseStyle style = testing::some_noise({0.6f, 0.02f, 0.02f});
     style.stretch = stretch;
     style.keys.push_back({Color(0.9f, 0.85f, 0.6f), {0.1, 0.1, 0.05}, {0.5, 0.2, -0.3}});
-    const GlBuffer block(gl, GL_UNIFORM_BUFFER, noise_block(style));
     const std::vector<glm::u8vec4> pixels = drawn_by(gl,
                                                      "#include \"noise.glsl\"\n"
                                                      R"(
@@ -109,9 +115,9 @@ out vec4 color;
 void main() {
   vec3 p = vec3(gl_FragCoord.x * 0.0011 - 0.0347, 0.0123, gl_FragCoord.y * 0.0009 - 0.0291);
   vec3 plain = mix(vec3(0.6, 0.02, 0.02), vec3(0.9, 0.85, 0.6), gl_FragCoord.x / 64.0);
-  color = vec4(srgb_from_linear(modulated(plain, p, 0.0004)), 1.0);
+  color = vec4(srgb_from_linear(modulated(plain, p, 0.0004, 0)), 1.0);
 })",
-                                                     block, 64, 64);
+                                                     style, 64, 64);
 
     // Single precision may differ by a rounding or two.
     const Modulation modulation(style);

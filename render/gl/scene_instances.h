@@ -1,0 +1,29 @@
+// What shaders want to know of each instance (shaders/gbuffer.glsl).
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "generator/scene/scene.h"
+#include "render/gl/scene_camera.h"
+#include "render/style/style.h"
+
+namespace pomona {
+
+struct InstanceTexels {
+  glm::vec4 ink_and_width{0};  ///< width in samples
+  glm::vec4 pen{0};            ///< wavelength of the hand in metres; width of inner lines in samples; solid
+  glm::vec4 to_fruit[3]{};     ///< rows of the matrix from the scene to the fruit's own frame
+};
+
+constexpr int stroke_tile = 16;   ///< samples: the same in shaders/stroke_code.glsl
+constexpr int widest_reach = 16;  ///< samples: no stroke reaches further from its line than the next tile
+
+/// Strokes by the size at which each instance is seen, as on sections: small pieces get finer lines.
+/// \param samples the picture's size in samples.
+std::vector<InstanceTexels> instance_texels(const Scene& scene, const SceneCamera& camera, const Style& style,
+                                            const glm::dvec2& samples);
+
+}  // namespace pomona
