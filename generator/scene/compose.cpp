@@ -108,8 +108,10 @@ std::vector<CutPiece> picked(std::vector<CutPiece> cut, const PiecesDescription&
   double whole = 0;
   for (const CutPiece& piece : cut) whole += piece.volume;
   std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < cut.size(); ++i)
-    if (!cut[i].crumb && cut[i].volume >= pieces.smallest * whole && !cut[i].triangle.empty()) order.push_back(i);
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    const bool is_wanted = cut[i].volume >= pieces.smallest * whole && cut[i].volume <= pieces.largest * whole;
+    if (is_wanted && !cut[i].crumb && !cut[i].triangle.empty()) order.push_back(i);
+  }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cut[a].volume > cut[b].volume; });
   if (pieces.take > 0 && order.size() > static_cast<std::size_t>(pieces.take))

@@ -10,9 +10,9 @@
 namespace pomona {
 
 struct ConvexPartsOptions {
-  double tolerance = 0.008;  ///< how far a part may reach out of the solid, as a share of its box's diagonal
-  int most = 24;             ///< parts of one solid
-  double corner = 0.004;     ///< corners of a part nearer than this share are thinned out
+  double tolerance = 0.02;  ///< how far a part may reach out of the solid, as a share of its box's diagonal
+  int most = 12;            ///< parts of one solid
+  double corner = 0.006;    ///< corners of a part nearer than this share are thinned out
 };
 
 /// The corners of one convex part, metres.

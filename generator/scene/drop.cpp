@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <glm/geometric.hpp>
@@ -45,21 +46,61 @@ glm::dquat face_up(const glm::dvec3& up, const RandomStream& draw, std::uint64_t
   return about(target, 2 * pi * draw.uniform(n + 2)) * turn(glm::normalize(up), target);
 }
 
-struct Ball {
-  glm::dvec3 center{0};
-  double radius = 0;
-};
+Box turned_box(const DropPiece& piece, const glm::dquat& rotation) {
+  Box box;
+  for (const ConvexPart& part : piece.parts)
+    for (const glm::dvec3& corner : part) box.add(rotation * corner);
+  return box;
+}
 
-/// The lowest height at which a ball over (x, z) clears all others.
-double clear_height(std::span<const Ball> others, double x, double z, double radius, double lowest) {
+/// The lowest height for the box's lower face at which it clears all others.
+double clear_height(std::span<const Box> others, const Box& box, double lowest) {
   double height = lowest;
-  for (const Ball& other : others) {
-    const double dx = other.center.x - x, dz = other.center.z - z, reach = 1.02 * (other.radius + radius);
-    const double rest = reach * reach - dx * dx - dz * dz;
-    if (rest > 0) height = std::max(height, other.center.y + std::sqrt(rest));
+  for (const Box& other : others) {
+    const bool apart =
+        other.high.x < box.low.x || other.low.x > box.high.x || other.high.z < box.low.z || other.low.z > box.high.z;
+    if (!apart) height = std::max(height, other.high.y);
   }
   return height;
 }
+
+/// Where boxes of pieces have been put so far, and where the next one may go.
+class Column {
+ public:
+  Column(const DropSpace& space, double air) : space_(space), air_(air) {}
+
+  /// Moves the box to the lowest of a few places drawn from counter n on; returns how far.
+  glm::dvec3 placed(const Box& box, bool beside, const RandomStream& draw, std::uint64_t n) {
+    constexpr std::uint64_t tries = 6;
+    const glm::dvec3 middle = 0.5 * (box.low + box.high);
+    const glm::dvec3 size = box.high - box.low;
+    const double radius = 0.5 * std::sqrt(size.x * size.x + size.z * size.z);
+    const double inner = beside ? space_.radius + radius : 0;
+    const double outer = beside ? space_.around : std::max(0.0, space_.radius - radius);
+    glm::dvec3 best(0, std::numeric_limits<double>::infinity(), 0);
+    for (std::uint64_t k = 0; k < tries; ++k) {
+      // Square roots of uniform numbers fill a disc evenly.
+      const double share = draw.uniform(n + 2 * k), angle = 2 * pi * draw.uniform(n + 2 * k + 1);
+      const double r = std::sqrt(inner * inner + share * std::max(0.0, outer * outer - inner * inner));
+      glm::dvec3 move(r * reproducible::cos(angle) - middle.x, 0, r * reproducible::sin(angle) - middle.z);
+      move.y = clear_height(boxes_, moved(box, move), beside ? 0 : space_.height) + air_ - box.low.y;
+      if (move.y < best.y) best = move;
+    }
+    boxes_.push_back(moved(box, best));
+    return best;
+  }
+
+ private:
+  static Box moved(Box box, const glm::dvec3& by) {
+    box.low += by;
+    box.high += by;
+    return box;
+  }
+
+  DropSpace space_;
+  double air_;  ///< between boxes, metres
+  std::vector<Box> boxes_;
+};
 
 /// Pieces by order, shuffled within it: a Fisher-Yates shuffle, then a stable sort.
 std::vector<std::size_t> dropping_order(std::span<const DropPiece> pieces, const RandomStream& draw) {
@@ -75,28 +116,14 @@ std::vector<std::size_t> dropping_order(std::span<const DropPiece> pieces, const
 }  // namespace
 
 std::vector<Pose> drop_poses(std::span<const DropPiece> pieces, const DropSpace& space, const RandomStream& draw) {
-  constexpr double golden_angle = 2.399963229728653;
   std::vector<Pose> poses(pieces.size());
-  std::vector<Ball> balls;
-  const double first_angle = 2 * pi * draw.uniform(draws_per_piece * pieces.size());
-  int number = 0;
+  Column column(space, 0.01 * space.radius);
   for (const std::size_t i : dropping_order(pieces, draw)) {
     const DropPiece& piece = pieces[i];
     const std::uint64_t n = draws_per_piece * i;
     const bool any = piece.up == glm::dvec3(0);
     poses[i].rotation = any ? any_rotation(draw, n) : face_up(piece.up, draw, n);
-
-    // Golden angles go around evenly; square roots of uniform numbers fill the disc evenly.
-    const double angle = first_angle + golden_angle * number++;
-    const double inner = piece.beside ? space.radius + piece.radius : 0;
-    const double outer = piece.beside ? space.around : std::max(0.0, space.radius - piece.radius);
-    const double share = draw.uniform(n + 3);
-    const double radius = std::sqrt(inner * inner + share * std::max(0.0, outer * outer - inner * inner));
-    const double x = radius * reproducible::cos(angle), z = radius * reproducible::sin(angle);
-    const double floor = piece.beside ? 0 : space.height;
-    const double y = clear_height(balls, x, z, piece.radius, floor + 1.05 * piece.radius);
-    balls.push_back({{x, y, z}, piece.radius});
-    poses[i].translation = balls.back().center - poses[i].rotation * piece.center;
+    poses[i].translation = column.placed(turned_box(piece, poses[i].rotation), piece.beside, draw, n + 3);
   }
   return poses;
 }

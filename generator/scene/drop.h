@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "generator/base/random.h"
+#include "generator/scene/convex_parts.h"
 #include "generator/scene/scene.h"
 
 namespace pomona {
 
-/// What is dropped: a ball around the piece, and the direction in its frame that should come to lie upwards.
+/// What is dropped, and the direction in its frame that should come to lie upwards.
 struct DropPiece {
-  glm::dvec3 center{0};
-  double radius = 0;
+  std::span<const ConvexPart> parts;
   glm::dvec3 up{0};  ///< zero: any
   int order = 0;
   bool beside = false;
@@ -25,7 +25,7 @@ struct DropSpace {
   double around = 0;  ///< pieces beside it start within this distance from the axis
 };
 
-/// One pose each: lower orders lower, within an order as drawn.
+/// One pose each: lower orders lower, within an order as drawn; of a few places drawn for a piece the lowest free one.
 std::vector<Pose> drop_poses(std::span<const DropPiece> pieces, const DropSpace& space, const RandomStream& draw);
 
 }  // namespace pomona

@@ -21,9 +21,9 @@ static_assert(sizeof(btScalar) == sizeof(double), "Bullet's headers and library 
 // Only lengths per step matter to the result, so time may have any unit. Bullet lets a body sleep after two
 // of its seconds: with 30 steps a second, after 60 steps.
 constexpr double steps_per_second = 30;
-// A body that falls freely gains this many units a step, each step: 9.81 m/s^2 at 240 steps a second and
+// A body that falls freely gains this many units a step, each step: 9.81 m/s^2 at 200 steps a second and
 // 5 cm a unit.
-constexpr double gravity_per_step = 0.0034;
+constexpr double gravity_per_step = 0.005;
 
 btVector3 to_bullet(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 glm::dvec3 to_glm(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
@@ -253,13 +253,14 @@ void add_stand(Heap& heap, std::span<const glm::dvec2> profile, const PileOption
   heap.add(plane, 0, btTransform::getIdentity());
 }
 
-/// Steps until nothing moves; the number of steps taken, or the most if something still does.
-int run(Heap& heap, const PileOptions& options, int most) {
-  constexpr int calm_steps = 25;
+/// Steps until nothing moves faster than `still`, units a step; the number of steps taken, or the most if something
+/// still does.
+int run(Heap& heap, int most, double still) {
+  constexpr int calm_steps = 10;
   int calm = 0;
   for (int step = 1; step <= most; ++step) {
     heap.world().stepSimulation(1 / steps_per_second, 0);
-    calm = heap.world().speed() < options.at_rest ? calm + 1 : 0;
+    calm = heap.world().speed() < still ? calm + 1 : 0;
     if (calm >= calm_steps) return step;
   }
   return most;
@@ -275,16 +276,18 @@ Piled pile(std::span<const PileBody> bodies, std::span<const glm::dvec2> stand, 
   for (const PileBody& body : bodies)
     falling.push_back(heap.add(make_shape(heap, body, options), body.mass, start_of(body, options.unit)));
 
-  // Fall and come to rest; then stand without the funnel.
-  heap.world().set_damping(0.04, 0.08);
-  heap.world().set_funnel({funnel.radius / options.unit, funnel.low / options.unit});
+  // Fall until all have landed; then, without the funnel and ever more slowly, come to rest.
   Piled result;
-  result.steps = run(heap, options, options.most_steps / 2);
+  heap.world().set_funnel({funnel.radius / options.unit, funnel.low / options.unit});
+  heap.world().set_damping(0.03, 0.06);
+  result.steps = run(heap, options.most_steps / 2, 8 * options.at_rest);
   heap.world().set_funnel({});
   for (btRigidBody* const body : falling) body->activate(true);
   heap.world().set_damping(0.1, 0.2);
-  const int rest = options.most_steps - options.most_steps / 2;
-  const int more = run(heap, options, rest);
+  result.steps += run(heap, options.most_steps / 8, 2 * options.at_rest);
+  heap.world().set_damping(0.3, 0.4);
+  const int rest = options.most_steps - result.steps;
+  const int more = run(heap, rest, options.at_rest);
   result.steps += more;
   result.at_rest = more < rest;
 

@@ -28,11 +28,11 @@ struct Funnel {
 struct PileOptions {
   double unit = 0.05;  ///< metres that count as 1 in the simulation: about the size of a body
   int most_steps = 1600;
-  double fastest = 0.04;  ///< units that a body may move in one step: less than the thinnest is thick
+  double fastest = 0.06;  ///< units that a body may move in one step: less than the thinnest is thick
   double friction = 0.6;  ///< of every two surfaces
   double rolling_friction = 0.01;
   double margin = 0.006;  ///< units by which parts are shrunken and their corners rounded
-  double at_rest = 5e-4;  ///< units a step: slower bodies count as still
+  double at_rest = 2e-3;  ///< units a step: slower bodies count as still
 };
 
 struct Piled {

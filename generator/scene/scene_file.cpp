@@ -201,6 +201,8 @@ class SceneReader {
     pieces.take = table.get("take").integer(0, 0, most_pieces);
     pieces.copies = table.get("copies").integer(1, 1, 1000);
     pieces.smallest = table.get("smallest").number(pieces.smallest, {0, 1});
+    pieces.largest = table.get("largest").number(pieces.largest, {0, 1});
+    if (pieces.largest < pieces.smallest) table.get("largest").error("is below \"smallest\"", "exchange them");
     pieces.order = table.get("order").integer(0, -1000, 1000);
     pieces.face_up = table.get("face_up").boolean(false);
     pieces.beside = table.get("beside").boolean(false);

@@ -35,7 +35,8 @@ struct PiecesDescription {
   std::vector<Knife> knives;
   int take = 0;            ///< this many of each variant's pieces, the largest first; 0 = all
   int copies = 1;          ///< times that each piece is placed
-  double smallest = 0.01;  ///< pieces below this share of the fruit's volume are left on the board
+  double smallest = 0.01;  ///< pieces below this share of the fruit's volume are left on the board,
+  double largest = 1;      ///< and so are pieces above this one
   int order = 0;           ///< lower orders fall into the bowl first; a garnish comes last
   bool face_up = false;    ///< dropped with the largest cut face up
   bool beside = false;     ///< around the bowl instead of into it

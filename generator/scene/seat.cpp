@@ -33,31 +33,52 @@ std::vector<Pair> near_pairs(std::span<const PlacedMesh> pieces, const PlacedMes
   return pairs;
 }
 
-/// One round: every overlap moves its two pieces apart by half of it each, or one piece away from the stand.
-/// Returns the largest overlap as a share of the smaller piece.
-double push_apart(std::vector<PlacedMesh>& pieces, const PlacedMesh& stand, std::span<const Pair> pairs,
-                  Threads threads) {
-  std::vector<std::optional<Overlap>> overlaps(pairs.size());
-  parallel_for(pairs.size(), threads, [&](std::size_t k) {
-    const auto [i, j] = pairs[k];
-    overlaps[k] = overlap(pieces[i], j < pieces.size() ? pieces[j] : stand);
-  });
+/// Pushes pieces apart, round by round; looks again only at pairs that have moved enough to have met.
+class Parting {
+ public:
+  Parting(std::vector<PlacedMesh>& pieces, const PlacedMesh& stand, std::span<const Pair> pairs, Threads threads)
+      : pieces_(pieces), stand_(stand), pairs_(pairs), threads_(threads), slack_(pairs.size(), 0) {}
 
-  double worst = 0;
-  std::vector<glm::dvec3> moves(pieces.size(), glm::dvec3(0));
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (!overlaps[k]) continue;
-    const auto [i, j] = pairs[k];
-    const bool fixed = j == pieces.size();
-    const double size = fixed ? pieces[i].size : std::min(pieces[i].size, pieces[j].size);
-    worst = std::max(worst, overlaps[k]->depth / size);
-    const glm::dvec3 move = overlaps[k]->away * (overlaps[k]->depth * (fixed ? 1.0 : 0.5));
-    moves[i] += move;
-    if (!fixed) moves[j] -= move;
+  /// Every overlap moves its two pieces apart by a good half of it each, or one piece away from the stand. Returns the
+  /// largest overlap as a share of the smaller piece.
+  double round() {
+    std::vector<std::optional<Overlap>> overlaps(pairs_.size());
+    parallel_for(pairs_.size(), threads_, [&](std::size_t k) {
+      if (slack_[k] > 0) return;
+      const auto [i, j] = pairs_[k];
+      overlaps[k] = overlap(pieces_[i], other(j));
+      const double look = 0.02 * pieces_[i].size;
+      if (!overlaps[k]) slack_[k] = std::min(look, distance(pieces_[i], other(j), look));
+    });
+
+    constexpr double push = 0.6;  // a little more than half: pieces have other neighbours, which push back
+    double worst = 0;
+    std::vector<glm::dvec3> moves(pieces_.size() + 1, glm::dvec3(0));
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      if (!overlaps[k]) continue;
+      const auto [i, j] = pairs_[k];
+      const bool fixed = j == pieces_.size();
+      const double size = fixed ? pieces_[i].size : std::min(pieces_[i].size, pieces_[j].size);
+      worst = std::max(worst, overlaps[k]->depth / size);
+      const glm::dvec3 move = overlaps[k]->away * (overlaps[k]->depth * (fixed ? 1.0 : push));
+      moves[i] += move;
+      if (!fixed) moves[j] -= move;
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) pieces_[i].at += moves[i];
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+      slack_[k] -= glm::length(moves[pairs_[k].first]) + glm::length(moves[pairs_[k].second]);
+    return worst;
   }
-  for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].at += moves[i];
-  return worst;
-}
+
+ private:
+  const PlacedMesh& other(std::size_t j) const { return j < pieces_.size() ? pieces_[j] : stand_; }
+
+  std::vector<PlacedMesh>& pieces_;
+  const PlacedMesh& stand_;
+  std::span<const Pair> pairs_;
+  Threads threads_;
+  std::vector<double> slack_;  ///< by how much a pair may move before it could overlap
+};
 
 /// Sinks one piece until it touches or has gone as far as it may. A move by less than the distance to all
 /// others cannot make it overlap.
@@ -84,8 +105,9 @@ void sink(std::vector<PlacedMesh>& pieces, std::size_t which, const PlacedMesh& 
 std::vector<glm::dvec3> seat(std::vector<PlacedMesh> pieces, const PlacedMesh& stand, const SeatOptions& options,
                              Threads threads) {
   const std::vector<Pair> pairs = near_pairs(pieces, stand);
+  Parting parting(pieces, stand, pairs, threads);
   for (int round = 0; round < options.rounds; ++round)
-    if (push_apart(pieces, stand, pairs, threads) <= options.overlap) break;
+    if (parting.round() <= options.overlap) break;
 
   // From the lowest up, so that what carries a piece has come to its place before it.
   std::vector<std::size_t> order(pieces.size());

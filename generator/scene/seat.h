@@ -10,10 +10,10 @@
 namespace pomona {
 
 struct SeatOptions {
-  double overlap = 0.003;  ///< shares of a piece's size: overlaps below this stay
+  double overlap = 0.01;   ///< shares of a piece's size: overlaps below this stay
   double touch = 0.001;    ///< a distance below this is contact
   double farthest = 0.03;  ///< how far a piece may sink to reach its support
-  int rounds = 30;
+  int rounds = 24;
 };
 
 /// Pushes overlapping pieces apart, then lets each, from the lowest up, sink straight down until it touches.

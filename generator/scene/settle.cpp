@@ -65,8 +65,8 @@ Shape shape_of(const Solid& solid, const ConvexPartsOptions& options) {
   shape.parts = convex_parts(shape.mesh, options);
   shape.middle = 0.5 * (shape.mesh.box().low + shape.mesh.box().high);
   shape.size = glm::distance(shape.mesh.box().low, shape.mesh.box().high);
-  for (const glm::dvec3& probe : shape.mesh.probes())
-    shape.radius = std::max(shape.radius, glm::distance(probe, shape.middle));
+  for (const TriangleTree::Corners& t : shape.mesh.triangles())
+    for (const glm::dvec3& corner : t) shape.radius = std::max(shape.radius, glm::distance(corner, shape.middle));
   shape.up = largest_face(solid);
   weigh(shape);
   return shape;
@@ -180,7 +180,7 @@ class Settling {
     std::vector<DropPiece> drops;
     for (const SettleItem& item : items_) {
       const Shape& s = shape(item);
-      drops.push_back({s.middle, s.radius, item.face_up ? s.up : glm::dvec3(0), item.order, item.beside});
+      drops.push_back({s.parts, item.face_up ? s.up : glm::dvec3(0), item.order, item.beside});
     }
     const RandomStream draw({options_.seed, static_cast<std::uint64_t>(number)}, "scene/drop");
     const DropSpace space = drop_space();
@@ -218,9 +218,11 @@ class Settling {
 
   /// Beyond the rim, or under the bowl.
   bool is_outside(const PlacedMesh& placed) const {
-    for (const glm::dvec3& probe : placed.mesh.probes()) {
-      const glm::dvec3 p = probe + placed.at;
-      if (p.x * p.x + p.z * p.z > table_.rim_radius * table_.rim_radius || p.y < 0) return true;
+    for (const TriangleTree::Corners& t : placed.mesh.triangles()) {
+      for (const glm::dvec3& corner : t) {
+        const glm::dvec3 p = corner + placed.at;
+        if (p.x * p.x + p.z * p.z > table_.rim_radius * table_.rim_radius || p.y < 0) return true;
+      }
     }
     const glm::dvec3 middle = 0.5 * (placed.mesh.box().low + placed.mesh.box().high) + placed.at;
     return table_.stand.mesh.height_below(middle) <= 0;

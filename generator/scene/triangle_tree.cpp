@@ -88,15 +88,26 @@ TriangleTree::TriangleTree(std::span<const glm::vec3> position, std::span<const 
   for (const glm::uvec3& t : triangle) {
     const Corners corners{glm::dvec3(position[t.x]), glm::dvec3(position[t.y]), glm::dvec3(position[t.z])};
     corners_.push_back(corners);
-    for (const glm::dvec3& corner : corners) probes_.push_back(corner);
   }
-  std::sort(probes_.begin(), probes_.end(), less);
-  probes_.erase(std::unique(probes_.begin(), probes_.end()), probes_.end());
-  for (const Corners& c : corners_) probes_.push_back((c[0] + c[1] + c[2]) / 3.0);
-
   nodes_.emplace_back();
   split(0, 0, static_cast<std::uint32_t>(corners_.size()));
   for (std::size_t i = nodes_.size(); i-- > 0;) fit(static_cast<std::uint32_t>(i));
+  own_corners();
+}
+
+void TriangleTree::own_corners() {
+  struct Use {
+    glm::dvec3 point;
+    std::size_t triangle, corner;
+  };
+  std::vector<Use> uses;
+  for (std::size_t i = 0; i < corners_.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) uses.push_back({corners_[i][k], i, k});
+  std::stable_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return less(a.point, b.point); });
+  owned_.assign(corners_.size(), 0);
+  for (std::size_t u = 0; u < uses.size(); ++u)
+    if (u == 0 || uses[u].point != uses[u - 1].point)
+      owned_[uses[u].triangle] = static_cast<std::uint8_t>(owned_[uses[u].triangle] | (1u << uses[u].corner));
 }
 
 TriangleTree TriangleTree::rotated(const glm::dquat& rotation) const {
@@ -104,7 +115,6 @@ TriangleTree TriangleTree::rotated(const glm::dquat& rotation) const {
   const glm::dmat3 matrix = glm::mat3_cast(rotation);
   for (Corners& corners : turned.corners_)
     for (glm::dvec3& corner : corners) corner = matrix * corner;
-  for (glm::dvec3& probe : turned.probes_) probe = matrix * probe;
   for (std::size_t i = nodes_.size(); i-- > 0;) turned.fit(static_cast<std::uint32_t>(i));
   return turned;
 }
@@ -185,6 +195,21 @@ bool TriangleTree::contains(const glm::dvec3& point) const {
     stack.push(node.first + 1);
   }
   return winding > 0;
+}
+
+bool TriangleTree::is_near(const Box& box) const {
+  NodeStack stack;
+  if (!empty()) stack.push(0);
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.pop()];
+    if (pomona::squared_distance(node.box, box) > 0) continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      if (pomona::squared_distance(box_of(corners_[i]), box) <= 0) return true;
+    if (node.count > 0) continue;
+    stack.push(node.first);
+    stack.push(node.first + 1);
+  }
+  return false;
 }
 
 double TriangleTree::height_below(const glm::dvec3& point) const {

@@ -60,8 +60,13 @@ class TriangleTree {
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Corners>& triangles() const { return corners_; }
 
-  /// Every vertex once, and the centre of every triangle: where overlap with another mesh is looked for.
-  const std::vector<glm::dvec3>& probes() const { return probes_; }
+  /// The corners of a triangle that no earlier one has: over all triangles, every vertex once.
+  bool owns_corner(std::size_t triangle_index, std::size_t corner) const {
+    return (owned_[triangle_index] >> corner & 1) != 0;
+  }
+
+  /// True if the box meets that of any triangle. Where it does not, all of it is inside the mesh or all outside.
+  bool is_near(const Box& box) const;
 
   /// The nearest point of the surface, if one is nearer than `within`.
   Nearest nearest(const glm::dvec3& point, double within = std::numeric_limits<double>::infinity()) const;
@@ -76,10 +81,11 @@ class TriangleTree {
  private:
   void split(std::uint32_t node, std::uint32_t first, std::uint32_t count);
   void fit(std::uint32_t node);
+  void own_corners();
 
   std::vector<Node> nodes_;  ///< children after their parents
   std::vector<Corners> corners_;
-  std::vector<glm::dvec3> probes_;
+  std::vector<std::uint8_t> owned_;  ///< per triangle: a bit for each corner
 };
 
 /// The nearest points of `a` and of `b` moved by `offset`, if they are nearer than `within`.
