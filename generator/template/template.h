@@ -114,7 +114,7 @@ struct GrainSketch {
   int around = 8, along = 6;
 };
 
-/// Perlin modulation keyed by the unmodulated colour (paper, section 5; ALGORITHM in docs/style.md).
+/// Perlin modulation keyed by the unmodulated colour (paper, section 5; docs/style.md).
 struct NoiseKey {
   Color color;
   std::vector<double> weights;  ///< one per band, OKLab units

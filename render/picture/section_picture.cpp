@@ -26,12 +26,22 @@ double fineness(const PlacedFace& face, double side) {
   return std::clamp(std::sqrt(size / (0.7 * side)), 0.35, 1.0);
 }
 
+/// So do short ones, as around a seed.
+double fineness(const PenLine& line, double side) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    const glm::dvec2 d = line.points[i] - line.points[i - 1];
+    length += std::sqrt(glm::dot(d, d));
+  }
+  return std::clamp(std::sqrt(length / (0.3 * side)), 0.3, 1.0);
+}
+
 InkLayers inked(const CrossSection& section, const std::vector<PlacedFace>& faces, const Style& style, double ink_width,
                 const SectionPictureOptions& options) {
   InkLayers layers{{options.width, options.height}, {options.width, options.height}};
   const double side = std::min(options.width, options.height);
   for (const SectionLine& line : section_lines(section, faces)) {
-    const double fine = fineness(faces[line.face], side);
+    const double fine = fineness(faces[line.face], side) * fineness(line.line, side);
     const double width = side * fine * ink_width * (line.rim ? style.outline_width : style.inner_width);
     const PenOptions pen{.width = width,
                          .wander = line.rim ? 0.3 : 0.4,

@@ -72,12 +72,19 @@ glm::dvec2 normal_at(const std::vector<StrokePoint>& points, std::size_t i) {
   return size > 0 ? glm::dvec2(-d.y, d.x) / size : glm::dvec2(0);
 }
 
-constexpr double spacing = 1.5;  // pixels
+double length_of(const PenLine& line) {
+  double total = 0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) total += size_of(line.points[i] - line.points[i - 1]);
+  return total;
+}
 
 }  // namespace
 
 std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options) {
   if (line.points.size() < 2) return {};
+
+  // In pixels; closer on short lines, which smoothing would eat.
+  const double spacing = std::clamp(length_of(line) / 32, 0.25, 1.5);
   std::vector<StrokePoint> points = evenly_spaced(line, spacing);
   for (int pass = 0; pass < 3; ++pass) smooth(points, line.closed);
   const double loop = spacing * static_cast<double>(points.size() - 1);
