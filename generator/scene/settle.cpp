@@ -249,12 +249,21 @@ Settled settle(std::span<const Solid> solids, std::span<const SettleItem> items,
                const SettleOptions& options) {
   if (items.empty()) return {};
   const Settling settling(solids, items, bowl, options);
+  // Physics runs on one thread: let as many attempts fall at a time as there are threads, and take the first that
+  // fits, whichever was done first.
+  const int most = std::max(1, options.attempts);
+  const int at_a_time = std::min(most, resolved(options.threads));
   Attempt best;
-  for (int number = 0; number < std::max(1, options.attempts); ++number) {
-    Attempt attempt = settling.attempt(number);
-    attempt.settled.attempts = number + 1;
-    if (attempt.faults.empty()) return std::move(attempt.settled);
-    if (number == 0 || attempt.faults.size() < best.faults.size()) best = std::move(attempt);
+  for (int first = 0; first < most; first += at_a_time) {
+    std::vector<Attempt> attempts(static_cast<std::size_t>(std::min(at_a_time, most - first)));
+    parallel_for(attempts.size(), options.threads,
+                 [&](std::size_t i) { attempts[i] = settling.attempt(first + static_cast<int>(i)); });
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+      Attempt& attempt = attempts[i];
+      attempt.settled.attempts = first + static_cast<int>(i) + 1;
+      if (attempt.faults.empty()) return std::move(attempt.settled);
+      if (first + i == 0 || attempt.faults.size() < best.faults.size()) best = std::move(attempt);
+    }
   }
   give_up(best);
 }
