@@ -17,6 +17,7 @@ struct CutOptions {
   double coarsest = 1.0 / 40;  ///< longest edge far from all surfaces
   double finest = 1.0 / 400;   ///< edges next to the finest surfaces are not made shorter than this
   double grading = 0.35;       ///< how fast edges may grow with the distance from cut segments
+  double gap = 0.25;           ///< longest edge between two surfaces, as a share of the distance between them
   double crumb = 1e-6;         ///< share of the whole's volume below which a piece is a crumb
 };
 

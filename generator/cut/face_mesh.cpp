@@ -371,7 +371,7 @@ FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, std::vector<std
                        const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options) {
   const Bounds bounds = bounds_of(surfaces);
   const double size = glm::length(bounds.size());
-  const SizeLimits limits{options.coarsest * size, options.finest * size, options.grading};
+  const SizeLimits limits{options.coarsest * size, options.finest * size, options.grading, options.gap};
   std::vector<CutLine> lines = laid_out_lines(mesh, planes, segments, bounds, limits);
 
   // A crossing on a line is news to the other planes there: then all start again. Once is nearly always enough.

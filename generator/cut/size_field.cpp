@@ -14,12 +14,17 @@ namespace {
 /// Cells along the longer side: the grid blurs the size by a third of the finest length, no more.
 constexpr int cells_across = 160;
 
-double distance_to_segment(const glm::dvec2& p, const SizeSource& s) {
+glm::dvec2 closest_point(const glm::dvec2& p, const SizeSource& s) {
   const glm::dvec2 along = s.b - s.a;
   const double square = glm::dot(along, along);
   const double t = square > 0 ? glm::clamp(glm::dot(p - s.a, along) / square, 0.0, 1.0) : 0.0;
-  return glm::length(p - (s.a + t * along));
+  return s.a + t * along;
 }
+
+/// Gaps below this many finest lengths are left alone: between surfaces that close, the field runs straight across.
+constexpr double narrow_gap = 4;
+
+double distance_to_segment(const glm::dvec2& p, const SizeSource& s) { return glm::distance(p, closest_point(p, s)); }
 
 /// Calls visit(point) at steps of at most `step` along the segment, ends included.
 template <typename Visit>
@@ -42,6 +47,8 @@ SizeField::SizeField(std::span<const SizeSource> sources, const SizeLimits& limi
   width_ = 1 + static_cast<int>((high.x - low_.x) / cell_);
   height_ = 1 + static_cast<int>((high.y - low_.y) / cell_);
   draw_sources();
+  find_nearest();
+  find_gaps();
   spread();
   bucket_sources();
 }
@@ -60,42 +67,94 @@ double SizeField::at(const glm::dvec2& p) const {
 void SizeField::draw_sources() {
   const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   size_.assign(cells, limits_.coarsest);
-  distance_.assign(cells, limits_.coarsest);
-  for (const SizeSource& s : sources_) {
-    const double size = std::clamp(s.size, limits_.finest, limits_.coarsest);
-    walk(s, 0.5 * cell_, [&](const glm::dvec2& p) {
-      const std::size_t i = index(column(p.x), row(p.y));
+  gap_size_.assign(cells, limits_.coarsest);
+  on_source_.assign(cells, 0);
+  distance_.assign(cells, 1e300);
+  nearest_.assign(cells, -1);
+  for (std::size_t s = 0; s < sources_.size(); ++s) {
+    const double size = std::clamp(sources_[s].size, limits_.finest, limits_.coarsest);
+    walk(sources_[s], 0.5 * cell_, [&](const glm::dvec2& p) {
+      const int x = column(p.x), y = row(p.y);
+      const std::size_t i = index(x, y);
       size_[i] = std::min(size_[i], size);
-      distance_[i] = 0;
+      on_source_[i] = 1;
+      const double distance = distance_to_segment(center(x, y), sources_[s]);
+      if (distance >= distance_[i]) return;
+      distance_[i] = distance;
+      nearest_[i] = static_cast<std::int32_t>(s);
     });
   }
 }
 
-/// Lets sizes and distances grow from cell to cell: two sweeps there and back reach every cell.
-void SizeField::spread() {
-  const auto pull = [&](int x, int y, int from_x, int from_y, double steps) {
-    if (from_x < 0 || from_x >= width_ || from_y < 0 || from_y >= height_) return;
-    const std::size_t to = index(x, y), from = index(from_x, from_y);
-    size_[to] = std::min(size_[to], size_[from] + limits_.grading * steps * cell_);
-    distance_[to] = std::min(distance_[to], distance_[from] + steps * cell_);
+namespace {
+
+/// Visits every cell of a grid after four of its neighbours, then again after the other four.
+template <typename Pull>
+void sweep(int width, int height, const Pull& pull) {
+  const auto from = [&](int x, int y, int dx, int dy) {
+    if (x + dx >= 0 && x + dx < width && y + dy >= 0 && y + dy < height) pull(x, y, x + dx, y + dy);
   };
-  const double diagonal = std::sqrt(2.0);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (const auto& [dx, dy] : {std::pair(-1, 0), {-1, -1}, {0, -1}, {1, -1}}) from(x, y, dx, dy);
+    }
+  }
+  for (int y = height - 1; y >= 0; --y) {
+    for (int x = width - 1; x >= 0; --x) {
+      for (const auto& [dx, dy] : {std::pair(1, 0), {1, 1}, {0, 1}, {-1, 1}}) from(x, y, dx, dy);
+    }
+  }
+}
+
+}  // namespace
+
+/// Hands the nearest source on from cell to cell [Danielsson 1980].
+void SizeField::find_nearest() {
+  sweep(width_, height_, [&](int x, int y, int from_x, int from_y) {
+    const std::size_t to = index(x, y), from = index(from_x, from_y);
+    if (nearest_[from] < 0 || nearest_[from] == nearest_[to]) return;
+    const double distance = distance_to_segment(center(x, y), sources_[static_cast<std::size_t>(nearest_[from])]);
+    if (distance >= distance_[to]) return;
+    distance_[to] = distance;
+    nearest_[to] = nearest_[from];
+  });
+}
+
+/// Where two neighbouring cells look to sources in quite different directions, they lie midway between these.
+void SizeField::find_gaps() {
+  const auto compare = [&](int x, int y, int other_x, int other_y) {
+    const std::size_t i = index(x, y), j = index(other_x, other_y);
+    if (nearest_[i] == nearest_[j] || nearest_[i] < 0 || nearest_[j] < 0) return;
+    const glm::dvec2 p = closest_point(center(x, y), sources_[static_cast<std::size_t>(nearest_[i])]);
+    const glm::dvec2 q = closest_point(center(other_x, other_y), sources_[static_cast<std::size_t>(nearest_[j])]);
+    const double gap = glm::distance(p, q);
+
+    // Farther apart than seen at a right angle; at closer ones they are mostly the two sides of a bend.
+    if (gap < 0.7 * (distance_[i] + distance_[j])) return;
+    if (gap < narrow_gap * limits_.finest) return;
+    const double size = std::max(limits_.gap * gap, limits_.finest);
+    gap_size_[i] = std::min(gap_size_[i], size);
+    gap_size_[j] = std::min(gap_size_[j], size);
+  };
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
-      pull(x, y, x - 1, y, 1);
-      pull(x, y, x - 1, y - 1, diagonal);
-      pull(x, y, x, y - 1, 1);
-      pull(x, y, x + 1, y - 1, diagonal);
+      if (x + 1 < width_) compare(x, y, x + 1, y);
+      if (y + 1 < height_) compare(x, y, x, y + 1);
     }
   }
-  for (int y = height_ - 1; y >= 0; --y) {
-    for (int x = width_ - 1; x >= 0; --x) {
-      pull(x, y, x + 1, y, 1);
-      pull(x, y, x + 1, y + 1, diagonal);
-      pull(x, y, x, y + 1, 1);
-      pull(x, y, x - 1, y + 1, diagonal);
-    }
-  }
+}
+
+/// Lets sizes grow from cell to cell; those of gaps only within the gap. (Lines of cells that touch at corners bar the
+/// way from side to side.)
+void SizeField::spread() {
+  const double straight = limits_.grading * cell_, diagonal = std::sqrt(2.0) * straight;
+  sweep(width_, height_, [&](int x, int y, int from_x, int from_y) {
+    const std::size_t to = index(x, y), from = index(from_x, from_y);
+    size_[to] = std::min(size_[to], size_[from] + (x == from_x || y == from_y ? straight : diagonal));
+    if (on_source_[from] || (x != from_x && y != from_y)) return;
+    gap_size_[to] = std::min(gap_size_[to], gap_size_[from] + straight);
+  });
+  for (std::size_t i = 0; i < size_.size(); ++i) size_[i] = std::min(size_[i], gap_size_[i]);
 }
 
 void SizeField::bucket_sources() {
