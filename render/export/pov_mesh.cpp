@@ -1,0 +1,119 @@
+#include "render/export/pov_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "render/export/pov_text.h"
+
+namespace pomona::pov {
+namespace {
+
+/// A colour as a mesh's texture has it: sRGB in steps, on skin or on a cut face.
+using TextureKey = std::array<int, 4>;
+
+/// POV-Ray has no colours at vertices but textures, about 1.4 KB each; so many a mesh may have.
+constexpr std::size_t most_textures = 4096;
+
+/// The textures of a mesh, and which one each corner of each triangle has.
+struct Textures {
+  int steps = 0;  ///< of sRGB from 0 to 1
+  std::map<TextureKey, int> number;
+  std::vector<glm::ivec3> of_triangle;
+};
+
+Textures textures_in_steps(const StyledMesh& mesh, int steps) {
+  // Quantise each vertex once; its curve costs more than the look-up.
+  std::vector<glm::ivec3> quantised(mesh.color.size());
+  for (std::size_t v = 0; v < quantised.size(); ++v)
+    for (int k = 0; k < 3; ++k)
+      quantised[v][k] = static_cast<int>(std::lround(srgb_from_linear(mesh.color[v][k]) * steps));
+
+  Textures textures;
+  textures.steps = steps;
+  textures.of_triangle.resize(mesh.triangle.size());
+  for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const glm::ivec3& c = quantised[mesh.triangle[t][k]];
+      const TextureKey key{c.r, c.g, c.b, mesh.cut_face[t] >= 0 ? 1 : 0};
+      textures.of_triangle[t][k] =
+          textures.number.try_emplace(key, static_cast<int>(textures.number.size())).first->second;
+    }
+  }
+  return textures;
+}
+
+/// Colours in 63 steps a channel (an error of 2 in 255), or coarser where that makes too many.
+Textures textures_of(const StyledMesh& mesh) {
+  for (int steps = 63; steps > 7; steps = steps / 2) {
+    Textures textures = textures_in_steps(mesh, steps);
+    if (textures.number.size() <= most_textures) return textures;
+  }
+  return textures_in_steps(mesh, 7);
+}
+
+void append_texture_list(std::string& text, const Textures& textures, float opacity) {
+  std::vector<TextureKey> in_order(textures.number.size());
+  for (const auto& [key, number] : textures.number) in_order[number] = key;
+  text += "texture_list{" + std::to_string(in_order.size());
+  for (const TextureKey& key : in_order) {
+    text += ",\ntexture{pigment{rgbt<";
+    for (int k = 0; k < 3; ++k) {
+      // Four digits: a tenth of a step of eight bits, even in the darks.
+      const double linear = linear_from_srgb(static_cast<double>(key[k]) / textures.steps);
+      text += number_text(std::round(linear * 10000) / 10000) + ",";
+    }
+    text += number_text(static_cast<double>(1.0f - opacity));
+    text += key[3] == 1 ? ">}finish{Flesh}}" : ">}finish{Skin}}";
+  }
+  text += "}\n";
+}
+
+double largest_coordinate(const StyledMesh& mesh) {
+  double largest = 0;
+  for (const glm::vec3& p : mesh.position)
+    largest = std::max({largest, std::fabs(static_cast<double>(p.x)), std::fabs(static_cast<double>(p.y)),
+                        std::fabs(static_cast<double>(p.z))});
+  return largest;
+}
+
+void append_points(std::string& text, const char* keyword, const std::vector<glm::vec3>& points, double step) {
+  text += keyword;
+  text += '{';
+  text += std::to_string(points.size());
+  for (const glm::vec3& p : points) {
+    const glm::dvec3 scaled = glm::dvec3(p) / step;
+    text += ",\n";
+    append_integers(text, std::llround(scaled.x), std::llround(scaled.y), std::llround(scaled.z));
+  }
+  text += "}\n";
+}
+
+void append_faces(std::string& text, const StyledMesh& mesh, const Textures& textures) {
+  text += "face_indices{" + std::to_string(mesh.triangle.size());
+  for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+    text += ",\n";
+    append_integers(text, mesh.triangle[t].x, mesh.triangle[t].y, mesh.triangle[t].z);
+    for (int k = 0; k < 3; ++k) {
+      text += ',';
+      append_integer(text, textures.of_triangle[t][k]);
+    }
+  }
+  text += "}\n";
+}
+
+}  // namespace
+
+std::string mesh_text(const StyledMesh& mesh, const Solid& solid, std::size_t index, int unit_exponent) {
+  const int step_exponent = exponent_for(largest_coordinate(mesh), 5);
+  const Textures textures = textures_of(mesh);
+  std::string text = "\n// " + commentable(solid.name) + "\n#declare Mesh_" + std::to_string(index) + " = mesh2 {\n";
+  append_points(text, "vertex_vectors", mesh.position, power_of_ten(step_exponent));
+  append_points(text, "normal_vectors", mesh.normal, 0.001);
+  append_texture_list(text, textures, solid.opacity);
+  append_faces(text, mesh, textures);
+  return text + "scale 1e" + std::to_string(step_exponent - unit_exponent) + "\n}\n";
+}
+
+}  // namespace pomona::pov

@@ -1,0 +1,15 @@
+// One solid as POV-Ray's mesh2.
+#pragma once
+
+#include <string>
+
+#include "render/export/styled_mesh.h"
+
+namespace pomona::pov {
+
+/// "#declare Mesh_<index> = mesh2 { ... }" in units of 10^unit_exponent metres, with the finishes Skin and Flesh. Whole
+/// numbers parse fastest and are shortest: positions are multiples of a millionth of the mesh's size or less, normals
+/// thousandths. Equal positions stay equal, so the mesh stays closed.
+std::string mesh_text(const StyledMesh& mesh, const Solid& solid, std::size_t index, int unit_exponent);
+
+}  // namespace pomona::pov
