@@ -65,7 +65,8 @@ TEST(TextureSynthesis, AlwaysFindsACandidate) {
 }
 
 TEST(TextureSynthesis, OnlyTurnsTheSampleAtThresholdZero) {
-  const SourceMap map = draw_source_map(wavy_channels(), {3, 1}, {.threshold = 0, .smooth_levels = 0, .mix_turns = false});
+  const SourceMap map =
+      draw_source_map(wavy_channels(), {3, 1}, {.threshold = 0, .smooth_levels = 0, .mix_turns = false});
   const std::size_t shift = map.level[0][0];
   for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(map.level[0][i], (i + shift) % 256);
 }
