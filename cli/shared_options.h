@@ -12,7 +12,7 @@
 #include "generator/base/parallel.h"
 #include "generator/diffusion/diffuser.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's own
 class App;
 }
 

@@ -46,17 +46,17 @@ glm::dquat face_up(const glm::dvec3& up, const RandomStream& draw, std::uint64_t
   return about(target, 2 * pi * draw.uniform(n + 2)) * turn(glm::normalize(up), target);
 }
 
-Box turned_box(const DropPiece& piece, const glm::dquat& rotation) {
-  Box box;
+AxisBox turned_box(const DropPiece& piece, const glm::dquat& rotation) {
+  AxisBox box;
   for (const ConvexPart& part : piece.parts)
     for (const glm::dvec3& corner : part) box.add(rotation * corner);
   return box;
 }
 
 /// The lowest height for the box's lower face at which it clears all others.
-double clear_height(std::span<const Box> others, const Box& box, double lowest) {
+double clear_height(std::span<const AxisBox> others, const AxisBox& box, double lowest) {
   double height = lowest;
-  for (const Box& other : others) {
+  for (const AxisBox& other : others) {
     const bool apart =
         other.high.x < box.low.x || other.low.x > box.high.x || other.high.z < box.low.z || other.low.z > box.high.z;
     if (!apart) height = std::max(height, other.high.y);
@@ -70,7 +70,7 @@ class Column {
   Column(const DropSpace& space, double air) : space_(space), air_(air) {}
 
   /// Moves the box to the lowest of a few places drawn from counter n on; returns how far.
-  glm::dvec3 placed(const Box& box, bool beside, const RandomStream& draw, std::uint64_t n) {
+  glm::dvec3 placed(const AxisBox& box, bool beside, const RandomStream& draw, std::uint64_t n) {
     constexpr std::uint64_t tries = 6;
     const glm::dvec3 middle = 0.5 * (box.low + box.high);
     const glm::dvec3 size = box.high - box.low;
@@ -91,7 +91,7 @@ class Column {
   }
 
  private:
-  static Box moved(Box box, const glm::dvec3& by) {
+  static AxisBox moved(AxisBox box, const glm::dvec3& by) {
     box.low += by;
     box.high += by;
     return box;
@@ -99,7 +99,7 @@ class Column {
 
   DropSpace space_;
   double air_;  ///< between boxes, metres
-  std::vector<Box> boxes_;
+  std::vector<AxisBox> boxes_;
 };
 
 /// Pieces by order, shuffled within it: a Fisher-Yates shuffle, then a stable sort.

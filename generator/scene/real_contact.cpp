@@ -9,8 +9,8 @@ namespace pomona {
 
 namespace {
 
-Box world_box(const PlacedMesh& placed) {
-  Box box = placed.mesh.box();
+AxisBox world_box(const PlacedMesh& placed) {
+  AxisBox box = placed.mesh.box();
   box.low += placed.at;
   box.high += placed.at;
   return box;
@@ -31,7 +31,7 @@ class DepthSearch {
  private:
   void visit(std::uint32_t index, bool is_inside) {
     const TriangleTree::Node& node = a_.nodes()[index];
-    const Box box{node.box.low + offset_, node.box.high + offset_};
+    const AxisBox box{node.box.low + offset_, node.box.high + offset_};
     if (!is_inside) {
       if (squared_distance(box, b_.box()) > 0) return;
       if (!b_.is_near(box)) {

@@ -18,7 +18,7 @@ using Pair = std::pair<std::size_t, std::size_t>;
 std::vector<Pair> near_pairs(std::span<const PlacedMesh> pieces, const PlacedMesh& stand) {
   std::vector<Pair> pairs;
   const auto grown = [](const PlacedMesh& placed) {
-    Box box = placed.mesh.box();
+    AxisBox box = placed.mesh.box();
     box.low += placed.at;
     box.high += placed.at;
     return box;

@@ -31,18 +31,18 @@ class NodeStack {
   std::size_t size_ = 0;
 };
 
-Box box_of(const Corners& corners) {
-  Box box;
+AxisBox box_of(const Corners& corners) {
+  AxisBox box;
   for (const glm::dvec3& corner : corners) box.add(corner);
   return box;
 }
 
-double squared_distance(const Box& box, const glm::dvec3& point) {
+double squared_distance(const AxisBox& box, const glm::dvec3& point) {
   const glm::dvec3 away = glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0));
   return glm::dot(away, away);
 }
 
-Box moved(Box box, const glm::dvec3& offset) {
+AxisBox moved(AxisBox box, const glm::dvec3& offset) {
   box.low += offset;
   box.high += offset;
   return box;
@@ -78,7 +78,7 @@ double plane_at(const Corners& t, const glm::dvec3& normal, const glm::dvec3& po
 
 }  // namespace
 
-double squared_distance(const Box& a, const Box& b) {
+double squared_distance(const AxisBox& a, const AxisBox& b) {
   const glm::dvec3 away = glm::max(glm::max(a.low - b.high, b.low - a.high), glm::dvec3(0));
   return glm::dot(away, away);
 }
@@ -125,7 +125,7 @@ void TriangleTree::split(std::uint32_t node, std::uint32_t first, std::uint32_t 
   nodes_[node].count = count;
   if (count <= leaf_size) return;
 
-  Box centers;
+  AxisBox centers;
   const auto center = [](const Corners& c) { return c[0] + c[1] + c[2]; };
   for (std::uint32_t i = first; i < first + count; ++i) centers.add(center(corners_[i]));
   const glm::dvec3 spread = centers.high - centers.low;
@@ -182,7 +182,7 @@ bool TriangleTree::contains(const glm::dvec3& point) const {
   if (!empty()) stack.push(0);
   while (!stack.empty()) {
     const Node& node = nodes_[stack.pop()];
-    const Box& b = node.box;
+    const AxisBox& b = node.box;
     if (b.high.x < point.x || b.high.y < point.y || b.low.y > point.y || b.high.z < point.z || b.low.z > point.z)
       continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
@@ -197,7 +197,7 @@ bool TriangleTree::contains(const glm::dvec3& point) const {
   return winding > 0;
 }
 
-bool TriangleTree::is_near(const Box& box) const {
+bool TriangleTree::is_near(const AxisBox& box) const {
   NodeStack stack;
   if (!empty()) stack.push(0);
   while (!stack.empty()) {
@@ -218,7 +218,7 @@ double TriangleTree::height_below(const glm::dvec3& point) const {
   if (!empty()) stack.push(0);
   while (!stack.empty()) {
     const Node& node = nodes_[stack.pop()];
-    const Box& b = node.box;
+    const AxisBox& b = node.box;
     if (b.low.y > point.y || b.high.x < point.x || b.low.x > point.x || b.high.z < point.z || b.low.z > point.z)
       continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
@@ -260,7 +260,7 @@ ClosestPair closest(const TriangleTree& a, const TriangleTree& b, const glm::dve
     if (na.count > 0 && nb.count > 0) {
       for (std::uint32_t j = nb.first; j < nb.first + nb.count; ++j) {
         const Corners other = moved(b.triangles()[j], offset);
-        const Box other_box = box_of(other);
+        const AxisBox other_box = box_of(other);
         for (std::uint32_t i = na.first; i < na.first + na.count; ++i) {
           if (squared_distance(box_of(a.triangles()[i]), other_box) >= best_squared) continue;
           const auto pair = nearest_on_triangles(a.triangles()[i], other);

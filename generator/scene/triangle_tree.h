@@ -13,7 +13,7 @@
 namespace pomona {
 
 /// An axis-aligned box; empty (low above high) until something is put in.
-struct Box {
+struct AxisBox {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
@@ -21,14 +21,14 @@ struct Box {
     low = glm::min(low, point);
     high = glm::max(high, point);
   }
-  void add(const Box& box) {
+  void add(const AxisBox& box) {
     low = glm::min(low, box.low);
     high = glm::max(high, box.high);
   }
 };
 
 /// Squared distance between two boxes; 0 where they meet.
-double squared_distance(const Box& a, const Box& b);
+double squared_distance(const AxisBox& a, const AxisBox& b);
 
 /// Two meshes' nearest points; distance 0 where their triangles meet.
 struct ClosestPair {
@@ -40,7 +40,7 @@ class TriangleTree {
  public:
   using Corners = std::array<glm::dvec3, 3>;
   struct Node {
-    Box box;
+    AxisBox box;
     std::uint32_t first = 0;  ///< leaf: first triangle; else: left child
     std::uint32_t count = 0;  ///< leaf: triangles; else 0, and the right child follows the left one
   };
@@ -56,7 +56,7 @@ class TriangleTree {
   TriangleTree rotated(const glm::dquat& rotation) const;
 
   bool empty() const { return corners_.empty(); }
-  const Box& box() const { return nodes_.front().box; }
+  const AxisBox& box() const { return nodes_.front().box; }
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Corners>& triangles() const { return corners_; }
 
@@ -66,7 +66,7 @@ class TriangleTree {
   }
 
   /// True if the box meets that of any triangle. Where it does not, all of it is inside the mesh or all outside.
-  bool is_near(const Box& box) const;
+  bool is_near(const AxisBox& box) const;
 
   /// The nearest point of the surface, if one is nearer than `within`.
   Nearest nearest(const glm::dvec3& point, double within = std::numeric_limits<double>::infinity()) const;
