@@ -17,4 +17,4 @@ for fruit in tomato onion pepper; do
       -o "$folder/${fruit}_seed_$seed.png"
   done
 done
-"$program" scene scenes/salad.toml --quiet -o "$folder/salad.png"
+"$program" scene scenes/salad.toml --size 880x660 --quiet -o "$folder/salad.png"

@@ -8,6 +8,8 @@ uniform uint instance_id;  // with the see-through bit
 uniform float opacity;
 
 bool left_out() {
+  // Both sides of an inner surface have triangles of their own in one place: only the near side is drawn.
+  if (!gl_FrontFacing) return true;
   float share = fract(interleaved(gl_FragCoord.xy) + 0.618034 * float(instance_of(instance_id)));
   return share >= opacity;
 }
