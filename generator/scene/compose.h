@@ -23,7 +23,8 @@ struct ComposeOptions {
   std::function<std::filesystem::path(const std::string& name)> find_template;
   double variation = 1;  ///< times that of every entry
   double detail = 1;     ///< see SweepOptions
-  CutOptions cut{};
+  /// Coarser than for a single fruit: a piece in a heap covers a tenth of the picture.
+  CutOptions cut{.coarsest = 1.0 / 30, .finest = 1.0 / 250, .grading = 0.4, .gap = 0.6};
   Threads threads{};
   /// Told from any thread, one call at a time, how many items of a stage are done.
   std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress;
