@@ -11,7 +11,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double most_cells = 1e6;
+constexpr double most_cells = 1e4;
 
 /// Float coordinates resolve about 1e-7 of the size, doubles 1e-16: this lies between, nearer to the doubles.
 constexpr double tolerance_share = 1e-10;
@@ -30,7 +30,7 @@ CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds) {
   for (const Knife& knife : knives) {
     all.knives.push_back(placed(knife, bounds));
     cells *= all.knives.back().cell_count();
-    if (cells > most_cells) throw Error(ExitStatus::usage, "the knives together make more than a million pieces");
+    if (cells > most_cells) throw Error(ExitStatus::usage, "the knives together make more than ten thousand cells");
   }
 
   for (std::size_t k = 0; k < all.knives.size(); ++k) {

@@ -28,7 +28,7 @@ struct CutPlanes {
   const Plane& operator[](int plane) const { return planes[static_cast<std::size_t>(plane)]; }
 };
 
-/// \throws Error (usage) for slices the fruit cannot give, and where knives make more than a million cells.
+/// \throws Error (usage) for slices the fruit cannot give, and where knives make more than ten thousand cells.
 CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds);
 
 /// n.p - D in metres.

@@ -340,6 +340,9 @@ constexpr double shortest_share = 0.25;
 
 constexpr int most_rounds = 4;
 
+/// Lines need their sizes only roughly, and there may be many planes.
+constexpr int line_grid = 48;
+
 /// The lines in which planes meet, as fine as the finer of their planes wants them.
 std::vector<CutLine> laid_out_lines(SplitMesh& mesh, const CutPlanes& planes,
                                     const std::vector<std::vector<Segment>>& segments, const Bounds& bounds,
@@ -355,7 +358,7 @@ std::vector<CutLine> laid_out_lines(SplitMesh& mesh, const CutPlanes& planes,
       const glm::dvec2 a = to_face(frames.back(), mesh.point[s.from]), b = to_face(frames.back(), mesh.point[s.to]);
       sources.push_back({a, b, glm::distance(a, b)});
     }
-    fields.emplace_back(sources, limits);
+    fields.emplace_back(sources, limits, line_grid);
   }
   const auto size = [&](int plane, const glm::dvec3& p) {
     const auto k = static_cast<std::size_t>(plane);

@@ -15,7 +15,7 @@ namespace pomona {
 namespace {
 
 constexpr int most_wedges = 360;
-constexpr int most_slices = 4096;
+constexpr int most_slices = 1024;
 constexpr double thinnest_slice = 1e-4;  // share of the fruit's diagonal
 
 [[noreturn]] void fail(std::string_view text, const std::string& why) {

@@ -54,7 +54,7 @@ struct PlacedKnife {
   int cell_count() const;
 };
 
-/// \throws Error (usage) for more than 4096 slices, or slices thinner than 1/10 000 of the fruit.
+/// \throws Error (usage) for more than 1024 slices, or slices thinner than 1/10 000 of the fruit.
 PlacedKnife placed(const Knife& knife, const Bounds& bounds);
 
 }  // namespace pomona

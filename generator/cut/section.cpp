@@ -132,7 +132,7 @@ class SectionBuilder {
     const std::uint32_t point = faces_.same_as[face_->point[vertex]];
     const bool interior = sides.count == 0;
     const auto number = static_cast<std::uint32_t>(section_.mesh.position.size());
-    if (interior) {
+    if (interior && mesh_.sets.planes_in(mesh_.planes_of[point]).size() > 1) {
       // Where cut faces meet, they share the vertex, which is then coloured once.
       const auto [entry, is_new] = interior_at_.try_emplace(point, number);
       if (!is_new) return entry->second;

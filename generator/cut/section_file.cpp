@@ -1,7 +1,7 @@
 #include "generator/cut/section_file.h"
 
+#include <algorithm>
 #include <bit>
-#include <cstring>
 
 #include "generator/base/color.h"
 
@@ -24,13 +24,20 @@ class Bytes {
   std::string& out_;
 };
 
+/// A name fit for one line of the header.
+std::string one_line(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return name;
+}
+
 std::string header(const CrossSection& section) {
   std::string text = "ply\nformat binary_little_endian 1.0\n";
   for (std::size_t i = 0; i < section.surface_names.size(); ++i) {
-    text += "comment surface " + std::to_string(i) + " " + section.surface_names[i] + "\n";
+    text += "comment surface " + std::to_string(i) + " " + one_line(section.surface_names[i]) + "\n";
   }
   for (std::size_t i = 0; i < section.part_names.size(); ++i) {
-    text += "comment part " + std::to_string(i) + " " + section.part_names[i] + "\n";
+    text += "comment part " + std::to_string(i) + " " + one_line(section.part_names[i]) + "\n";
   }
   text += "element vertex " + std::to_string(section.position.size()) + "\n";
   text += "property float x\nproperty float y\nproperty float z\n";

@@ -11,9 +11,6 @@ namespace pomona {
 
 namespace {
 
-/// Cells along the longer side: the grid blurs the size by a third of the finest length, no more.
-constexpr int cells_across = 160;
-
 glm::dvec2 closest_point(const glm::dvec2& p, const SizeSource& s) {
   const glm::dvec2 along = s.b - s.a;
   const double square = glm::dot(along, along);
@@ -35,7 +32,7 @@ void walk(const SizeSource& s, double step, const Visit& visit) {
 
 }  // namespace
 
-SizeField::SizeField(std::span<const SizeSource> sources, const SizeLimits& limits)
+SizeField::SizeField(std::span<const SizeSource> sources, const SizeLimits& limits, int across)
     : sources_(sources.begin(), sources.end()), limits_(limits) {
   if (sources_.empty()) return;
   glm::dvec2 high = low_ = sources_.front().a;
@@ -43,7 +40,7 @@ SizeField::SizeField(std::span<const SizeSource> sources, const SizeLimits& limi
     low_ = glm::min(low_, glm::min(s.a, s.b));
     high = glm::max(high, glm::max(s.a, s.b));
   }
-  cell_ = std::max({high.x - low_.x, high.y - low_.y, limits_.finest}) / cells_across;
+  cell_ = std::max({high.x - low_.x, high.y - low_.y, limits_.finest}) / across;
   width_ = 1 + static_cast<int>((high.x - low_.x) / cell_);
   height_ = 1 + static_cast<int>((high.y - low_.y) / cell_);
   draw_sources();
@@ -96,12 +93,14 @@ void sweep(int width, int height, const Pull& pull) {
   };
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      for (const auto& [dx, dy] : {std::pair(-1, 0), {-1, -1}, {0, -1}, {1, -1}}) from(x, y, dx, dy);
+      for (const auto& [dx, dy] : {std::pair(-1, 0), std::pair(-1, -1), std::pair(0, -1), std::pair(1, -1)})
+        from(x, y, dx, dy);
     }
   }
   for (int y = height - 1; y >= 0; --y) {
     for (int x = width - 1; x >= 0; --x) {
-      for (const auto& [dx, dy] : {std::pair(1, 0), {1, 1}, {0, 1}, {-1, 1}}) from(x, y, dx, dy);
+      for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(1, 1), std::pair(0, 1), std::pair(-1, 1)})
+        from(x, y, dx, dy);
     }
   }
 }

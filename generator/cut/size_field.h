@@ -28,7 +28,8 @@ struct SizeSource {
 /// alone.
 class SizeField {
  public:
-  SizeField(std::span<const SizeSource> sources, const SizeLimits& limits);
+  /// The grid has `across` cells along the longer side of the sources' bounds.
+  SizeField(std::span<const SizeSource> sources, const SizeLimits& limits, int across = 160);
 
   double at(const glm::dvec2& p) const;
 

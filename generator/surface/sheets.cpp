@@ -67,7 +67,10 @@ class SheetMaker {
 
   void append(std::size_t i, Role role) {
     const glm::uvec3& t = from_.triangle[i];
-    to_.triangle.emplace_back(vertex(t.x, role), vertex(t.y, role), vertex(t.z, role));
+    // One statement each: compilers differ in the order of arguments, and vertices are numbered as they come.
+    glm::uvec3 corners;
+    for (int k = 0; k < 3; ++k) corners[k] = vertex(t[k], role);
+    to_.triangle.push_back(corners);
     to_.surface.push_back(from_.surface[i]);
     to_.front_part.push_back(shows_back(role) ? from_.back_part[i] : from_.front_part[i]);
     to_.back_part.push_back(shows_front(role) ? from_.front_part[i] : from_.back_part[i]);

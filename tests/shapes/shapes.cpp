@@ -76,8 +76,12 @@ DiffusionSurfaces sphere(double radius, int n, const Paint& paint) {
     };
     for (int i = 0; i < n; ++i) {
       for (int j = 0; i + j < n; ++j) {
-        add(vertex(i, j), vertex(i + 1, j), vertex(i, j + 1));
-        if (i + j < n - 1) add(vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+        // One statement each: compilers differ in the order of arguments, and vertices are numbered as they come.
+        const std::uint32_t a = vertex(i, j);
+        const std::uint32_t b = vertex(i + 1, j);
+        const std::uint32_t c = vertex(i, j + 1);
+        add(a, b, c);
+        if (i + j < n - 1) add(b, vertex(i + 1, j + 1), c);
       }
     }
   }
@@ -101,8 +105,12 @@ DiffusionSurfaces box(const glm::dvec3& low, const glm::dvec3& high, int n, cons
       };
       for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) {
-          triangles.emplace_back(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1));
-          triangles.emplace_back(corner(i, j), corner(i + 1, j + 1), corner(i, j + 1));
+          const std::uint32_t a = corner(i, j);
+          const std::uint32_t b = corner(i + 1, j);
+          const std::uint32_t c = corner(i + 1, j + 1);
+          const std::uint32_t d = corner(i, j + 1);
+          triangles.emplace_back(a, b, c);
+          triangles.emplace_back(a, c, d);
         }
       }
     }
