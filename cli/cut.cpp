@@ -9,6 +9,7 @@
 
 #include "cli/command.h"
 #include "cli/deliver.h"
+#include "cli/diffusers.h"
 #include "cli/fruit_source.h"
 #include "cli/outputs.h"
 #include "generator/cut/cut.h"
@@ -67,6 +68,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command));
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared);
   Delivery delivery(command.shared);
+  delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
   const Cut result = delivery.times.time("cut", [&] { return cut(source.grown.sheets, knives); });

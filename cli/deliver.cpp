@@ -21,9 +21,6 @@ namespace pomona {
 
 namespace {
 
-/// What --stats names; this version diffuses on the CPU only.
-constexpr char diffuser_name[] = "cpu";
-
 /// Holds back the signals with which people and schedulers end a program.
 class HeldSignals {
  public:
@@ -127,7 +124,7 @@ void Delivery::finish() {
   // Ctrl-C is heard before or after, not between two files.
   const HeldSignals held;
   times.time("write", [&] { write_whole(files_); });
-  if (!options_.stats.empty()) write_whole(options_.stats, times.json(diffuser_name, resolved({options_.threads})));
+  if (!options_.stats.empty()) write_whole(options_.stats, times.json(resolved({options_.threads})));
   say_what_was_written();
 }
 

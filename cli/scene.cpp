@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/deliver.h"
+#include "cli/diffusers.h"
 #include "cli/find_template.h"
 #include "cli/outputs.h"
 #include "generator/scene/compose.h"
@@ -41,6 +42,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
       parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::json});
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared);
   Delivery delivery(command.shared);
+  delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
   SceneDescription description = delivery.times.time("read", [&] { return read_scene(existing_file(command.file)); });
   if (command.shared.seed_given) description.seed = command.shared.seed;

@@ -7,7 +7,6 @@
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
-#include "generator/diffusion/pmvc_diffuser.h"
 
 namespace pomona {
 
@@ -51,17 +50,6 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--stats", options.stats, "Write times and counts to this JSON file");
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
   command.add_flag("--json", options.json, "Print the result as JSON");
-}
-
-std::unique_ptr<Diffuser> make_diffuser(const SharedOptions& options) {
-  static const std::map<std::string, Quality> qualities = {
-      {"draft", Quality::draft}, {"final", Quality::final}, {"reference", Quality::reference}};
-  if (options.diffuser != "cpu" && options.diffuser != "auto") {
-    throw Error(ExitStatus::usage,
-                "--diffuser " + options.diffuser + ": this version has positive mean values on the CPU only",
-                "use --diffuser cpu");
-  }
-  return make_pmvc_diffuser({.quality = qualities.at(options.quality), .threads = {options.threads}});
 }
 
 std::optional<PictureSize> picture_size(const SharedOptions& options) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +9,6 @@
 #include <glm/vec3.hpp>
 
 #include "generator/base/parallel.h"
-#include "generator/diffusion/diffuser.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own
 class App;
@@ -41,9 +39,6 @@ struct SharedOptions {
 
 /// Declares them all on a command. `options` must outlive the parsing.
 void add_shared_options(CLI::App& command, SharedOptions& options);
-
-/// \throws Error (usage) for a diffuser this version does not have.
-std::unique_ptr<Diffuser> make_diffuser(const SharedOptions& options);
 
 /// "800x600"; 16..16384 a side. Nothing if none was asked for. \throws Error (usage)
 std::optional<PictureSize> picture_size(const SharedOptions& options);

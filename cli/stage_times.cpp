@@ -17,13 +17,21 @@ void StageTimes::add(const std::string& stage, double milliseconds) {
   }
 }
 
-std::string StageTimes::json(const std::string& diffuser, int threads) const {
+void StageTimes::diffused_by(const std::string& diffuser, const std::string& device) {
+  diffuser_ = diffuser;
+  device_ = device;
+}
+
+std::string StageTimes::json(int threads) const {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (const auto& [stage, milliseconds] : milliseconds_) stages[stage] = milliseconds;
   nlohmann::ordered_json counts = nlohmann::ordered_json::object();
   for (const auto& [what, number] : counts_) counts[what] = number;
-  const nlohmann::ordered_json all = {
-      {"stages", stages}, {"counts", counts}, {"diffuser", diffuser}, {"threads", threads}};
+  nlohmann::ordered_json all = {{"stages", stages}, {"counts", counts}, {"threads", threads}};
+  if (!diffuser_.empty()) {
+    all["diffuser"] = diffuser_;
+    all["device"] = device_;
+  }
   return all.dump(2) + "\n";
 }
 

@@ -22,8 +22,11 @@ class StageTimes {
   void add(const std::string& stage, double milliseconds);
   void count(const std::string& what, std::int64_t number) { counts_[what] += number; }
 
+  /// Which diffuser colours the faces, and on what (Diffuser::device). A command without one names none.
+  void diffused_by(const std::string& diffuser, const std::string& device);
+
   /// The JSON text of --stats (docs/commands.md), indented, with a final newline.
-  std::string json(const std::string& diffuser, int threads) const;
+  std::string json(int threads) const;
 
   /// "read 1 ms, sweep 12 ms, ..." in the order of the road.
   std::string summary() const;
@@ -42,6 +45,7 @@ class StageTimes {
 
   std::vector<std::pair<std::string, double>> milliseconds_;  ///< in order of first appearance
   std::map<std::string, std::int64_t> counts_;
+  std::string diffuser_, device_;
 };
 
 }  // namespace pomona

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "generator/base/parallel.h"
@@ -17,18 +18,44 @@ struct DiffusedColors {
   std::vector<std::int32_t> part;  ///< the part whose sides hold the largest share of the point's weight
 };
 
+/// The colours in the volume of one fruit: set up once from its surfaces, then asked for any number of cuts, texels
+/// or probes.
+class ColorField {
+ public:
+  virtual ~ColorField() = default;
+
+  /// Colours at `points` (metres). A point on a surface takes the colour of its nearest side; where nothing is
+  /// seen at all, that of the nearest surface.
+  /// \throws Error (bad_data) if a coordinate is not finite.
+  virtual DiffusedColors at(std::span<const glm::vec3> points) const = 0;
+};
+
+/// One fruit's share of a batch. Both must outlive the call they are passed to.
+struct DiffusionTask {
+  const DiffusionSurfaces* surfaces = nullptr;
+  std::span<const glm::vec3> points;
+};
+
 /// The one interface with more than one implementation: what differs is how a colour diffuses.
 class Diffuser {
  public:
   virtual ~Diffuser() = default;
 
-  /// Colours at `points` (metres) from `surfaces` as sheets() leaves them. A point on a surface takes the
-  /// colour of its nearest side; where nothing is seen at all, that of the nearest surface.
-  /// \throws Error (bad_data) if there are no surfaces, or a coordinate is not finite.
-  virtual DiffusedColors diffuse(const DiffusionSurfaces& surfaces, std::span<const glm::vec3> points) const = 0;
+  /// The field of `surfaces` as sheets() leaves them, which must outlive it.
+  /// \throws Error (bad_data) if there are no surfaces, or none with an area.
+  virtual std::unique_ptr<ColorField> field(const DiffusionSurfaces& surfaces) const = 0;
+
+  /// Many fruits at once; the colours do not depend on what else is in the batch.
+  virtual std::vector<DiffusedColors> diffuse_all(std::span<const DiffusionTask> tasks) const;
 
   /// As in --diffuser and in --stats.
   virtual const char* name() const = 0;
+
+  /// What does the work, as --stats tells it: "cpu", or the name that OpenGL gives its renderer.
+  virtual std::string device() const { return "cpu"; }
+
+  /// One fruit, asked once.
+  DiffusedColors diffuse(const DiffusionSurfaces& surfaces, std::span<const glm::vec3> points) const;
 };
 
 /// The error of the diffusion, nothing else (docs/diffusion.md states them, measured).
@@ -36,5 +63,9 @@ enum class Quality { draft, final, reference };
 
 /// Gives every interior vertex of the section its colour and part.
 CrossSection colored(CrossSection section, const DiffusionSurfaces& surfaces, const Diffuser& diffuser);
+
+/// The same for many sections at once, each with its own surfaces: the diffuser gets them as one batch.
+std::vector<CrossSection> colored(std::vector<CrossSection> sections,
+                                  std::span<const DiffusionSurfaces* const> surfaces, const Diffuser& diffuser);
 
 }  // namespace pomona

@@ -20,7 +20,7 @@ constexpr double on_surface = 1e-5;
 
 /// Lines for 2 directions each; measured in docs/diffusion.md.
 constexpr int draft_lines = 64;
-constexpr int final_lines = 384;
+constexpr int final_lines = 640;
 
 /// 6 x 64^2 directions: within 0.02/255 RMS of four times as many.
 constexpr int reference_texels = 64;
@@ -51,40 +51,60 @@ Hull hull_of(const DiffusionSurfaces& surfaces, const SurfaceTree& tree) {
   return hull;
 }
 
+class PmvcField final : public ColorField {
+ public:
+  PmvcField(const DiffusionSurfaces& surfaces, const PmvcOptions& options)
+      : surfaces_(surfaces), options_(options), tree_(make_surface_tree(surfaces)), hull_(hull_of(surfaces, tree_)) {}
+
+  DiffusedColors at(std::span<const glm::vec3> points) const override {
+    require_finite(points);
+    const std::vector<PmvcValue> seen = values(points);
+
+    // On a surface, and where nothing is seen, the nearest side decides.
+    DiffusedColors colors{std::vector<Color>(points.size()), std::vector<std::int32_t>(points.size())};
+    parallel_for(points.size(), options_.threads, [&](std::size_t i) {
+      const double radius = seen[i].weight > 0 ? on_surface * tree_.size : std::numeric_limits<double>::infinity();
+      const std::optional<SurfaceSide> nearest = nearest_side(surfaces_, tree_, glm::dvec3(points[i]), radius);
+      const Color color(nearest ? color_of(surfaces_, *nearest) : seen[i].color);
+      colors.color[i] = glm::clamp(color, hull_.low, hull_.high);
+      colors.part[i] = nearest ? part_of(surfaces_, *nearest) : seen[i].part;
+    });
+    return colors;
+  }
+
+ private:
+  std::vector<PmvcValue> values(std::span<const glm::vec3> points) const {
+    if (options_.quality == Quality::reference) {
+      return cube_pmvc(surfaces_, tree_, points, reference_texels, options_.threads);
+    }
+    const int lines = options_.quality == Quality::draft ? draft_lines : final_lines;
+    return line_pmvc(surfaces_, tree_, points, lines, options_.threads);
+  }
+
+  const DiffusionSurfaces& surfaces_;
+  PmvcOptions options_;
+  SurfaceTree tree_;
+  Hull hull_;
+};
+
 class PmvcDiffuser final : public Diffuser {
  public:
   explicit PmvcDiffuser(const PmvcOptions& options) : options_(options) {}
 
   const char* name() const override { return "cpu"; }
 
-  DiffusedColors diffuse(const DiffusionSurfaces& surfaces, std::span<const glm::vec3> points) const override {
-    require_finite(points);
-    const SurfaceTree tree = make_surface_tree(surfaces);
-    const Hull hull = hull_of(surfaces, tree);
-    const std::vector<PmvcValue> seen = values(surfaces, tree, points);
+  std::unique_ptr<ColorField> field(const DiffusionSurfaces& surfaces) const override {
+    return std::make_unique<PmvcField>(surfaces, options_);
+  }
 
-    // On a surface, and where nothing is seen, the nearest side decides.
-    DiffusedColors colors{std::vector<Color>(points.size()), std::vector<std::int32_t>(points.size())};
-    parallel_for(points.size(), options_.threads, [&](std::size_t i) {
-      const double radius = seen[i].weight > 0 ? on_surface * tree.size : std::numeric_limits<double>::infinity();
-      const std::optional<SurfaceSide> nearest = nearest_side(surfaces, tree, glm::dvec3(points[i]), radius);
-      const Color color(nearest ? color_of(surfaces, *nearest) : seen[i].color);
-      colors.color[i] = glm::clamp(color, hull.low, hull.high);
-      colors.part[i] = nearest ? part_of(surfaces, *nearest) : seen[i].part;
-    });
+  std::vector<DiffusedColors> diffuse_all(std::span<const DiffusionTask> tasks) const override {
+    std::vector<DiffusedColors> colors(tasks.size());
+    parallel_for(tasks.size(), options_.threads,
+                 [&](std::size_t i) { colors[i] = diffuse(*tasks[i].surfaces, tasks[i].points); });
     return colors;
   }
 
  private:
-  std::vector<PmvcValue> values(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
-                                std::span<const glm::vec3> points) const {
-    if (options_.quality == Quality::reference) {
-      return cube_pmvc(surfaces, tree, points, reference_texels, options_.threads);
-    }
-    const int lines = options_.quality == Quality::draft ? draft_lines : final_lines;
-    return line_pmvc(surfaces, tree, points, lines, options_.threads);
-  }
-
   PmvcOptions options_;
 };
 

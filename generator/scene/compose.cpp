@@ -57,6 +57,10 @@ class Teller {
   std::mutex mutex_;
 };
 
+/// How many variants are held between cutting and writing: a batch that fills a graphics card, in a few hundred
+/// megabytes.
+constexpr std::size_t variants_at_once = 64;
+
 /// One variant to be made: entry and number in it.
 struct Task {
   std::size_t entry = 0;
@@ -135,30 +139,57 @@ void forget_unseen(Cut& cut) {
   for (std::size_t v = 0; v < seen.size(); ++v) cut.section.interior[v] &= seen[v];
 }
 
-Made make_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number, const Template& fruit,
-                  const Diffuser* diffuser, const ComposeOptions& options) {
-  Made made;
+/// A variant cut, its faces still without colours.
+struct CutVariant {
+  Template fruit;
+  GrownFruit grown;
+  Cut cut;
+  Clock clock;
+};
+
+CutVariant cut_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
+                       const Template& fruit, const ComposeOptions& options) {
+  CutVariant made;
   const VariantKey key = variant_key(scene, pieces, number);
   const GrowOptions how{.as_drawn = pieces.as_drawn,
                         .variation = pieces.variation * options.variation,
                         .folds = pieces.folds,
                         .detail = options.detail};
-  const Template variant = made.clock.time("vary", [&] { return variant_of(fruit, key, how); });
-  const GrownFruit grown = made.clock.time("sweep", [&] { return grow(variant, key, how); });
-  Cut whole = made.clock.time("cut", [&] { return cut(grown.sheets, pieces.knives, options.cut); });
-  whole.pieces = picked(std::move(whole.pieces), pieces);
-  forget_unseen(whole);
-  made.counts["surface_triangles"] += std::ssize(grown.sheets.triangle);
-  made.counts["section_triangles"] += std::ssize(whole.section.triangle);
-  made.counts["interior_vertices"] += std::count(whole.section.interior.begin(), whole.section.interior.end(), 1);
-  if (diffuser)
-    whole.section =
-        made.clock.time("diffuse", [&] { return colored(std::move(whole.section), grown.sheets, *diffuser); });
+  made.fruit = made.clock.time("vary", [&] { return variant_of(fruit, key, how); });
+  made.grown = made.clock.time("sweep", [&] { return grow(made.fruit, key, how); });
+  made.cut = made.clock.time("cut", [&] { return cut(made.grown.sheets, pieces.knives, options.cut); });
+  made.cut.pieces = picked(std::move(made.cut.pieces), pieces);
+  forget_unseen(made.cut);
+  return made;
+}
+
+/// With the colours of all sections, diffused at once.
+std::vector<CutVariant> diffused(std::vector<CutVariant> variants, const Diffuser& diffuser) {
+  std::vector<CrossSection> sections;
+  std::vector<const DiffusionSurfaces*> surfaces;
+  for (CutVariant& variant : variants) {
+    sections.push_back(std::move(variant.cut.section));
+    surfaces.push_back(&variant.grown.sheets);
+  }
+  sections = colored(std::move(sections), surfaces, diffuser);
+  for (std::size_t i = 0; i < variants.size(); ++i) variants[i].cut.section = std::move(sections[i]);
+  return variants;
+}
+
+Made finished(const CutVariant& variant, const PiecesDescription& pieces, int number) {
+  Made made;
+  made.clock = variant.clock;
+  const CrossSection& section = variant.cut.section;
+  made.counts["surface_triangles"] += std::ssize(variant.grown.sheets.triangle);
+  made.counts["section_triangles"] += std::ssize(section.triangle);
+  made.counts["interior_vertices"] += std::count(section.interior.begin(), section.interior.end(), 1);
 
   const std::string name = pieces.name + "-" + std::to_string(number + 1);
-  made.solids = solids(whole, whole.section, variant, name);
+  made.solids = solids(variant.cut, section, variant.fruit, name);
   if (made.solids.empty()) made.warnings.push_back("pieces \"" + name + "\": nothing is left to take");
-  for (const std::string& warning : whole.warnings) made.warnings.push_back("pieces \"" + name + "\": " + warning);
+  for (const std::string& warning : variant.cut.warnings) {
+    made.warnings.push_back("pieces \"" + name + "\": " + warning);
+  }
   return made;
 }
 
@@ -215,14 +246,24 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
   for (std::size_t entry = 0; entry < scene.pieces.size(); ++entry)
     for (int number = 0; number < scene.pieces[entry].count; ++number) tasks.push_back({entry, number});
 
-  // Every variant by itself, in parallel.
+  // As many variants at a time as fit into memory: each cut by itself, all coloured at once.
+  Clock diffusing;
   Teller teller(options, "pieces", tasks.size());
   std::vector<Made> made(tasks.size());
-  parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
-    const Task& task = tasks[i];
-    made[i] = make_variant(scene, scene.pieces[task.entry], task.number, templates[task.entry], diffuser, options);
-    teller.one_done();
-  });
+  for (std::size_t first = 0; first < tasks.size(); first += variants_at_once) {
+    const std::size_t count = std::min(variants_at_once, tasks.size() - first);
+    std::vector<CutVariant> variants(count);
+    parallel_for(count, options.threads, [&](std::size_t i) {
+      const auto& [entry, number] = tasks[first + i];
+      variants[i] = cut_variant(scene, scene.pieces[entry], number, templates[entry], options);
+    });
+    if (diffuser) variants = diffusing.time("diffuse", [&] { return diffused(std::move(variants), *diffuser); });
+    parallel_for(count, options.threads, [&](std::size_t i) {
+      const auto& [entry, number] = tasks[first + i];
+      made[first + i] = finished(variants[i], scene.pieces[entry], number);
+      teller.one_done();
+    });
+  }
 
   // Gather them in the order of the file.
   SceneParts parts;
@@ -235,6 +276,7 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
     for (const auto& [what, number] : made[i].counts) parts.report.counts[what] += number;
     for (const auto& [stage, milliseconds] : made[i].clock.stages()) clock.add(stage, milliseconds);
   }
+  for (const auto& [stage, milliseconds] : diffusing.stages()) clock.add(stage, milliseconds);
   if (scene.bowl) {
     parts.bowl = static_cast<int>(parts.solids.size());
     parts.solids.push_back(bowl_solid(*scene.bowl));

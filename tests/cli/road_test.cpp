@@ -88,6 +88,7 @@ TEST_P(Fruit, StatsNameEveryStageOfTheRoad) {
     EXPECT_GT(stats.at("counts").at(count), 0) << count;
   }
   EXPECT_EQ(stats.at("diffuser"), "cpu");
+  EXPECT_EQ(stats.at("device"), "cpu");
 }
 
 INSTANTIATE_TEST_SUITE_P(Templates, Fruit, ::testing::Values("tomato", "onion", "pepper"),

@@ -41,7 +41,7 @@ TEST(PmvcError, IsWhatDraftAndFinalPromise) {
   const fields::Errors final_errors = fields::errors_of(diffused(Quality::final, fruit, points), truth);
   EXPECT_LE(final_errors.rms, 0.4);
   EXPECT_LE(final_errors.p95, 1);
-  EXPECT_LE(final_errors.max, 3);
+  EXPECT_LE(final_errors.max, 2);
 }
 
 TEST(PmvcError, TurningTheSceneStaysWithinIt) {
@@ -62,7 +62,7 @@ TEST(PmvcError, TurningTheSceneStaysWithinIt) {
   EXPECT_LE(difference(Quality::draft).rms, 1.4);
   const fields::Errors at_final = difference(Quality::final);
   EXPECT_LE(at_final.rms, 0.5);
-  EXPECT_LE(at_final.max, 5);
+  EXPECT_LE(at_final.max, 3);
 }
 
 TEST(PmvcError, LinearFieldsHoldAtAnyQuality) {
