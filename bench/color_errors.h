@@ -1,0 +1,21 @@
+// How far colours are from the truth.
+#pragma once
+
+#include <span>
+
+#include "generator/base/color.h"
+
+namespace pomona::bench {
+
+/// In parts of 255. `rms` over all channels of all points; the others over points, each by its worst channel.
+struct ColorErrors {
+  double rms = 0, mean = 0, p95 = 0, max = 0;
+};
+
+enum class Encoding { linear, srgb };
+
+/// \param colors, truth one entry per point.
+ColorErrors color_errors(std::span<const Color> colors, std::span<const Color> truth,
+                         Encoding encoding = Encoding::linear);
+
+}  // namespace pomona::bench

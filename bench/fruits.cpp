@@ -1,0 +1,58 @@
+#include "bench/fruits.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/template/read_template.h"
+
+namespace pomona::bench {
+
+namespace {
+
+const std::filesystem::path template_folder = std::filesystem::path(POMONA_SOURCE_DIR) / "templates";
+
+}  // namespace
+
+std::vector<std::string> fruit_names(const std::vector<std::string>& wanted) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(template_folder)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  if (wanted.empty()) return names;
+  for (const std::string& name : wanted) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw Error(ExitStatus::input_missing, "there is no template \"" + name + "\"");
+  }
+  return wanted;
+}
+
+BenchFruit grow_fruit(const std::string& name) {
+  BenchFruit fruit;
+  fruit.name = name;
+  fruit.drawn = read_template(template_folder / (name + ".toml"));
+  GrowOptions how;
+  how.as_drawn = true;
+  fruit.grown = grow(fruit.drawn, {}, how);
+  return fruit;
+}
+
+std::vector<BenchCut> standard_cuts(const DiffusionSurfaces& surfaces) {
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, 1, 0.2));
+  Knife slanted = parse_knife("plane:0,1,0,0");
+  slanted.plane = {normal, glm::dot(normal, bounds_of(surfaces).center())};
+  return {{"half", parse_knife("half")}, {"across", parse_knife("across")}, {"slanted", slanted}};
+}
+
+std::vector<glm::vec3> interior_positions(const CrossSection& section) {
+  std::vector<glm::vec3> positions;
+  for (std::size_t v = 0; v < section.position.size(); ++v) {
+    if (section.interior[v]) positions.push_back(section.position[v]);
+  }
+  return positions;
+}
+
+}  // namespace pomona::bench

@@ -1,0 +1,35 @@
+// The fruits and cuts that all benchmarks measure: every template there is, as drawn.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/cut/cross_section.h"
+#include "generator/cut/knife.h"
+#include "generator/scene/grow.h"
+#include "generator/template/template.h"
+
+namespace pomona::bench {
+
+struct BenchFruit {
+  std::string name;  ///< of the template
+  Template drawn;
+  GrownFruit grown;  ///< seed 0
+};
+
+/// Those named, or all in templates/, sorted by name. \throws Error (input_missing) for a name that is none.
+std::vector<std::string> fruit_names(const std::vector<std::string>& wanted = {});
+
+BenchFruit grow_fruit(const std::string& name);
+
+/// The three cuts of the error atlas: half, across, and a slanted plane through the middle.
+struct BenchCut {
+  std::string name;
+  Knife knife;
+};
+std::vector<BenchCut> standard_cuts(const DiffusionSurfaces& surfaces);
+
+/// Where diffusion has work to do.
+std::vector<glm::vec3> interior_positions(const CrossSection& section);
+
+}  // namespace pomona::bench

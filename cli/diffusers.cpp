@@ -1,0 +1,44 @@
+#include "cli/diffusers.h"
+
+#include <map>
+#include <string>
+
+#include "generator/base/error.h"
+#include "generator/diffusion/pmvc_diffuser.h"
+
+namespace pomona {
+
+namespace {
+
+Quality quality_of(const SharedOptions& options) {
+  static const std::map<std::string, Quality> qualities = {
+      {"draft", Quality::draft}, {"final", Quality::final}, {"reference", Quality::reference}};
+  return qualities.at(options.quality);
+}
+
+using Maker = std::unique_ptr<Diffuser> (*)(const SharedOptions& options);
+
+std::unique_ptr<Diffuser> on_processor(const SharedOptions& options) {
+  return make_pmvc_diffuser({.quality = quality_of(options), .threads = {options.threads}});
+}
+
+const std::map<std::string, Maker>& makers() {
+  static const std::map<std::string, Maker> all = {
+      {"auto", on_processor},
+      {"cpu", on_processor},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::unique_ptr<Diffuser> make_diffuser(const SharedOptions& options) {
+  const auto maker = makers().find(options.diffuser);
+  if (maker == makers().end()) {
+    throw Error(ExitStatus::usage, "--diffuser " + options.diffuser + ": this version does not have it",
+                "use --diffuser cpu");
+  }
+  return maker->second(options);
+}
+
+}  // namespace pomona

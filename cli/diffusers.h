@@ -1,0 +1,14 @@
+// The names of --diffuser, and what they stand for (docs/diffusion.md).
+#pragma once
+
+#include <memory>
+
+#include "cli/shared_options.h"
+#include "generator/diffusion/diffuser.h"
+
+namespace pomona {
+
+/// \throws Error (usage) for a name this version does not have; (unavailable) where the machine lacks what it needs.
+std::unique_ptr<Diffuser> make_diffuser(const SharedOptions& options);
+
+}  // namespace pomona
