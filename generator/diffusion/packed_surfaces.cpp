@@ -2,37 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <utility>
 
-#include "generator/base/error.h"
+#include "generator/diffusion/used_parts.h"
 
 namespace pomona {
 
 namespace {
-
-constexpr std::size_t most_parts = 1024;  // weights are kept per point and part
-
-std::vector<std::int32_t> parts_in_use(const DiffusionSurfaces& surfaces) {
-  std::vector<std::int32_t> used = surfaces.front_part;
-  used.insert(used.end(), surfaces.back_part.begin(), surfaces.back_part.end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  if (used.size() > most_parts) {
-    throw Error(ExitStatus::bad_data,
-                "surfaces: " + std::to_string(used.size()) + " parts are used, more than " + std::to_string(most_parts),
-                "give sides that belong together the same part");
-  }
-  return used;
-}
-
-std::vector<std::uint16_t> places_in(const std::vector<std::int32_t>& used, const std::vector<std::int32_t>& parts) {
-  std::vector<std::uint16_t> places;
-  places.reserve(parts.size());
-  for (const std::int32_t part : parts) {
-    places.push_back(static_cast<std::uint16_t>(std::lower_bound(used.begin(), used.end(), part) - used.begin()));
-  }
-  return places;
-}
 
 std::vector<glm::vec4> with_weight(const std::vector<Color>& colors) {
   std::vector<glm::vec4> weighted;
@@ -60,9 +36,10 @@ PackedSurfaces pack(const DiffusionSurfaces& surfaces, const SurfaceTree& tree) 
   for (const glm::uvec3& t : surfaces.triangle) {
     packed.triangle.push_back({static_cast<int>(t.x), static_cast<int>(t.y), static_cast<int>(t.z)});
   }
-  packed.used_parts = parts_in_use(surfaces);
-  packed.front_part = places_in(packed.used_parts, surfaces.front_part);
-  packed.back_part = places_in(packed.used_parts, surfaces.back_part);
+  UsedParts parts = used_parts(surfaces);
+  packed.used_parts = std::move(parts.part);
+  packed.front_part = std::move(parts.front);
+  packed.back_part = std::move(parts.back);
 
   // Fill up the last group with points, which cover nothing.
   constexpr auto size = static_cast<std::size_t>(TriangleGroup::size);

@@ -1,0 +1,56 @@
+#include "generator/diffusion/settled_colors.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <glm/common.hpp>
+
+#include "generator/base/error.h"
+#include "generator/diffusion/nearest_side.h"
+
+namespace pomona {
+
+namespace {
+
+/// A point nearer than this to a surface, in parts of the surfaces' size, is on it.
+constexpr double on_surface = 1e-5;
+
+}  // namespace
+
+ColorHull hull_of(const DiffusionSurfaces& surfaces, const SurfaceTree& tree) {
+  const glm::uvec3& any = surfaces.triangle[tree.order.front()];
+  ColorHull hull{surfaces.front_color[any.x], surfaces.front_color[any.x]};
+  for (const std::uint32_t triangle : tree.order) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = surfaces.triangle[triangle][k];
+      const Color &front = surfaces.front_color[vertex], &back = surfaces.back_color[vertex];
+      hull.low = glm::min(hull.low, glm::min(front, back));
+      hull.high = glm::max(hull.high, glm::max(front, back));
+    }
+  }
+  return hull;
+}
+
+void require_finite(std::span<const glm::vec3> points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::isfinite(points[i].x) && std::isfinite(points[i].y) && std::isfinite(points[i].z)) continue;
+    throw Error(ExitStatus::bad_data, "diffusion: point " + std::to_string(i) + " has a coordinate that is not finite");
+  }
+}
+
+DiffusedColors settled_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
+                              std::span<const glm::vec3> points, std::span<const PmvcValue> values, Threads threads) {
+  DiffusedColors colors{std::vector<Color>(points.size()), std::vector<std::int32_t>(points.size())};
+  parallel_for(points.size(), threads, [&](std::size_t i) {
+    const double radius = values[i].weight > 0 ? on_surface * tree.size : std::numeric_limits<double>::infinity();
+    const std::optional<SurfaceSide> nearest = nearest_side(surfaces, tree, glm::dvec3(points[i]), radius);
+    const Color color(nearest ? color_of(surfaces, *nearest) : values[i].color);
+    colors.color[i] = glm::clamp(color, hull.low, hull.high);
+    colors.part[i] = nearest ? part_of(surfaces, *nearest) : values[i].part;
+  });
+  return colors;
+}
+
+}  // namespace pomona

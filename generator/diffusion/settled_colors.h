@@ -1,0 +1,26 @@
+// From positive mean values to colours: what every way of computing them leaves to settle.
+#pragma once
+
+#include <span>
+
+#include "generator/diffusion/diffuser.h"
+#include "generator/diffusion/pmvc_value.h"
+#include "generator/diffusion/surface_tree.h"
+
+namespace pomona {
+
+/// The least and the greatest of the surfaces' colours, channel by channel.
+struct ColorHull {
+  Color low{0}, high{0};
+};
+ColorHull hull_of(const DiffusionSurfaces& surfaces, const SurfaceTree& tree);
+
+/// \throws Error (bad_data) if a coordinate is not finite.
+void require_finite(std::span<const glm::vec3> points);
+
+/// On a surface (within 1e-5 of the surfaces' size), and where nothing is seen, the nearest side decides; no colour
+/// leaves the hull. One value per point.
+DiffusedColors settled_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
+                              std::span<const glm::vec3> points, std::span<const PmvcValue> values, Threads threads);
+
+}  // namespace pomona

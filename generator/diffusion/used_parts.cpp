@@ -1,0 +1,43 @@
+#include "generator/diffusion/used_parts.h"
+
+#include <algorithm>
+#include <string>
+
+#include "generator/base/error.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t most_parts = 1024;
+
+std::vector<std::int32_t> parts_in_use(const DiffusionSurfaces& surfaces) {
+  std::vector<std::int32_t> used = surfaces.front_part;
+  used.insert(used.end(), surfaces.back_part.begin(), surfaces.back_part.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  if (used.size() > most_parts) {
+    throw Error(ExitStatus::bad_data,
+                "surfaces: " + std::to_string(used.size()) + " parts are used, more than " + std::to_string(most_parts),
+                "give sides that belong together the same part");
+  }
+  return used;
+}
+
+std::vector<std::uint16_t> places_in(const std::vector<std::int32_t>& used, const std::vector<std::int32_t>& parts) {
+  std::vector<std::uint16_t> places;
+  places.reserve(parts.size());
+  for (const std::int32_t part : parts) {
+    places.push_back(static_cast<std::uint16_t>(std::lower_bound(used.begin(), used.end(), part) - used.begin()));
+  }
+  return places;
+}
+
+}  // namespace
+
+UsedParts used_parts(const DiffusionSurfaces& surfaces) {
+  const std::vector<std::int32_t> part = parts_in_use(surfaces);
+  return {part, places_in(part, surfaces.front_part), places_in(part, surfaces.back_part)};
+}
+
+}  // namespace pomona
