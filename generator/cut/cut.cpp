@@ -35,7 +35,7 @@ Cut cut(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const 
   Section section = assemble(faces, regions, mesh, surfaces, planes);
 
   Cut result;
-  result.pieces = pieces(mesh, faces, section, surfaces, bodies, options);
+  result.pieces = pieces(mesh, faces, section, surfaces, options);
   result.warnings = bodies.warnings;
   warn_of_misses(knives, planes, section.mesh, result.warnings);
   result.section = std::move(section.mesh);

@@ -105,8 +105,6 @@ class FaceBuilder {
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffffu;
-
   std::uint32_t vertex(std::uint32_t point) {
     const auto [entry, is_new] = vertex_of_.try_emplace(point, static_cast<std::uint32_t>(uv_.size()));
     if (is_new) {

@@ -59,8 +59,8 @@ class EdgeBalance {
 class PieceBuilder {
  public:
   PieceBuilder(SplitMesh& mesh, const FaceMeshes& faces, const Section& section, const DiffusionSurfaces& surfaces,
-               const Bodies& bodies, const CutOptions& options)
-      : mesh_(mesh), faces_(faces), section_(section), surfaces_(surfaces), bodies_(bodies), options_(options) {}
+               const CutOptions& options)
+      : mesh_(mesh), faces_(faces), section_(section), surfaces_(surfaces), options_(options) {}
 
   std::vector<CutPiece> build() {
     skin_ = clipped_skin(mesh_, faces_, surfaces_);
@@ -244,7 +244,6 @@ class PieceBuilder {
   const FaceMeshes& faces_;
   const Section& section_;
   const DiffusionSurfaces& surfaces_;
-  const Bodies& bodies_;
   const CutOptions& options_;
 
   std::vector<SkinTriangle> skin_;
@@ -258,8 +257,8 @@ class PieceBuilder {
 }  // namespace
 
 std::vector<CutPiece> pieces(SplitMesh& mesh, const FaceMeshes& faces, const Section& section,
-                             const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options) {
-  return PieceBuilder(mesh, faces, section, surfaces, bodies, options).build();
+                             const DiffusionSurfaces& surfaces, const CutOptions& options) {
+  return PieceBuilder(mesh, faces, section, surfaces, options).build();
 }
 
 }  // namespace pomona

@@ -5,12 +5,11 @@
 
 #include "generator/cut/cut.h"
 #include "generator/cut/section.h"
-#include "generator/surface/bodies.h"
 
 namespace pomona {
 
 /// New vertices on the skin's edges are added to `mesh`.
 std::vector<CutPiece> pieces(SplitMesh& mesh, const FaceMeshes& faces, const Section& section,
-                             const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options);
+                             const DiffusionSurfaces& surfaces, const CutOptions& options);
 
 }  // namespace pomona

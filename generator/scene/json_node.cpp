@@ -89,9 +89,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool end_array() override { return close(); }
   bool key(std::string& name) override {
     const SourcePlace place = next_place(0);
-    for (const auto& [known, value] : open_.back()->entries)
+    for (const std::string& known : open_.back()->keys)
       if (known == name) fail(place, "key \"" + name + "\" is there already");
-    open_.back()->entries.emplace_back(name, JsonNode{});
+    open_.back()->keys.push_back(name);
     return true;
   }
   bool parse_error(std::size_t byte, const std::string&, const nlohmann::json::exception& error) override {
@@ -114,8 +114,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   JsonNode& add(JsonNode::Kind kind, std::size_t ahead) {
     JsonNode* node = &root_;
-    if (!open_.empty() && open_.back()->kind == JsonNode::Kind::array) node = &open_.back()->items.emplace_back();
-    if (!open_.empty() && open_.back()->kind == JsonNode::Kind::object) node = &open_.back()->entries.back().second;
+    if (!open_.empty()) node = &open_.back()->items.emplace_back();
     node->kind = kind;
     node->place = next_place(ahead);
     return *node;
@@ -150,8 +149,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
 const JsonNode& JsonNode::need(std::string_view key) const {
   if (kind != Kind::object) fail(place, "should be an object with \"" + std::string(key) + "\"");
-  for (const auto& [name, value] : entries)
-    if (name == key) return value;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (keys[i] == key) return items[i];
   fail(place, "\"" + std::string(key) + "\" is missing");
 }
 

@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "generator/base/error.h"
@@ -17,8 +16,8 @@ struct JsonNode {
   SourcePlace place;
   double number = 0;
   std::string text;
-  std::vector<JsonNode> items;                            ///< of an array
-  std::vector<std::pair<std::string, JsonNode>> entries;  ///< of an object, in the order of the file
+  std::vector<JsonNode> items;    ///< of an array or an object, in the order of the file
+  std::vector<std::string> keys;  ///< of an object, one per item
 
   /// The value at a key of an object. \throws Error (bad_data) at this node where there is none.
   const JsonNode& need(std::string_view key) const;
