@@ -2,9 +2,11 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "generator/base/error.h"
 #include "generator/diffusion/pmvc_diffuser.h"
+#include "render/diffusion/gl_diffuser.h"
 
 namespace pomona {
 
@@ -22,10 +24,23 @@ std::unique_ptr<Diffuser> on_processor(const SharedOptions& options) {
   return make_pmvc_diffuser({.quality = quality_of(options), .threads = {options.threads}});
 }
 
+GlDiffuserOptions by_opengl(const SharedOptions& options) {
+  return {.quality = quality_of(options), .threads = {options.threads}};
+}
+
+std::unique_ptr<Diffuser> on_opengl(const SharedOptions& options) { return make_gl_diffuser(by_opengl(options)); }
+
+/// OpenGL in software is no gain.
+std::unique_ptr<Diffuser> on_card_or_processor(const SharedOptions& options) {
+  std::unique_ptr<Diffuser> on_card = make_diffuser_on_graphics_card(by_opengl(options));
+  return on_card != nullptr ? std::move(on_card) : on_processor(options);
+}
+
 const std::map<std::string, Maker>& makers() {
   static const std::map<std::string, Maker> all = {
-      {"auto", on_processor},
+      {"auto", on_card_or_processor},
       {"cpu", on_processor},
+      {"gl", on_opengl},
   };
   return all;
 }

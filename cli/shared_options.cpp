@@ -31,7 +31,10 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--threads", options.threads, "Threads to use; 0 = all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  command.add_option("--diffuser", options.diffuser, "How colour diffuses: cpu = positive mean values")
+  command
+      .add_option(
+          "--diffuser", options.diffuser,
+          "How colour diffuses: cpu = positive mean values, gl = the same by OpenGL, auto = gl on a graphics card")
       ->check(CLI::IsMember({"cpu", "gl", "harmonic", "walk", "auto"}))
       ->capture_default_str();
   command.add_option("--quality", options.quality, "The error of the diffusion, nothing else")

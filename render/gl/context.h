@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/gl/functions.h"
@@ -11,9 +12,9 @@ namespace pomona {
 
 class GlPlatform;
 
-/// The ways to a context, in the order in which they are tried.
+/// The ways to a context.
 enum class GlRoute {
-  device,       ///< EGL on a graphics card (EGL_EXT_platform_device)
+  device,       ///< EGL on a device: a graphics card, or else Mesa in software (EGL_EXT_platform_device)
   surfaceless,  ///< EGL by Mesa, in software (EGL_MESA_platform_surfaceless)
   osmesa,       ///< Mesa's off-screen library, in software
 };
@@ -22,11 +23,15 @@ enum class GlRoute {
 /// uses one at a time, within a CurrentGl.
 class GlContext {
  public:
-  /// The first route that works. The libraries are looked for when this runs, not when the program starts.
-  /// \throws Error (helper_missing) that says what each route lacks.
+  /// The route that the environment variable POMONA_GL names ("device", "surfaceless", "osmesa"); without it the
+  /// first that works: a graphics card, then software by each route. The libraries are looked for when this runs, not
+  /// when the program starts.
+  /// \throws Error (helper_missing) that says what each route lacks, (usage) if POMONA_GL names no route.
   GlContext();
   /// \throws Error (helper_missing) if this one does not work.
   explicit GlContext(GlRoute route);
+  /// On a graphics card; null where there is none, or POMONA_GL asks for another route. Quick where there is none.
+  static std::unique_ptr<GlContext> on_graphics_card();
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
@@ -34,10 +39,12 @@ class GlContext {
   GlRoute route() const { return route_; }
   const std::string& renderer() const { return renderer_; }  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
   int version() const { return version_; }                   ///< 45 = OpenGL 4.5
+  bool is_software() const;                                  ///< drawn by the processor, whoever names it a device
 
  private:
   friend class CurrentGl;
-  void open(GlRoute route);
+  GlContext(GlRoute route, std::unique_ptr<GlPlatform> platform);
+  void open(GlRoute route, std::unique_ptr<GlPlatform> platform);
 
   GlRoute route_ = GlRoute::osmesa;
   std::unique_ptr<GlPlatform> platform_;
@@ -67,5 +74,8 @@ class CurrentGl {
 
 /// For messages: "EGL device".
 std::string to_string(GlRoute route);
+
+/// What OpenGL names its renderer: whether that is a processor at work.
+bool is_software_renderer(std::string_view renderer);
 
 }  // namespace pomona

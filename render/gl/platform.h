@@ -14,7 +14,9 @@ class GlPlatform {
   virtual void (*find(const char* name))() = 0;  ///< an entry point, or null
 };
 
-std::unique_ptr<GlPlatform> open_egl_device();
+/// The first device that works: graphics cards first; after them, unless `cards_only`, the software renderer that
+/// Mesa lists as a device too.
+std::unique_ptr<GlPlatform> open_egl_device(bool cards_only);
 std::unique_ptr<GlPlatform> open_egl_surfaceless();
 std::unique_ptr<GlPlatform> open_osmesa();
 

@@ -1,6 +1,8 @@
 #include <array>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -77,24 +79,46 @@ EGLDisplay platform_display(const Egl& egl, EGLenum platform, void* native) {
   return display;
 }
 
-}  // namespace
+/// All devices that EGL knows, graphics cards before software renderers.
+struct EglDevices {
+  std::vector<EGLDeviceEXT> cards, software;
+};
 
-std::unique_ptr<GlPlatform> open_egl_device() {
-  const Egl egl;
+EglDevices listed_devices(const Egl& egl) {
   const auto query = egl.function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
   const auto describe = egl.function<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
-  std::array<EGLDeviceEXT, 16> devices{};
+  std::array<EGLDeviceEXT, 64> found{};
   EGLint count = 0;
-  if (query(static_cast<EGLint>(devices.size()), devices.data(), &count) == EGL_FALSE) fail("no list of devices");
+  if (query(static_cast<EGLint>(found.size()), found.data(), &count) == EGL_FALSE) fail("no list of devices");
 
-  // Mesa also lists its software renderer as a device; that has its own route.
+  EglDevices devices;
   for (EGLint i = 0; i < count; ++i) {
-    const char* extensions = describe(devices[i], EGL_EXTENSIONS);
+    const char* extensions = describe(found[i], EGL_EXTENSIONS);
     const std::string_view text = extensions == nullptr ? "" : extensions;
-    if (text.find("EGL_MESA_device_software") != std::string_view::npos) continue;
-    return std::make_unique<EglPlatform>(egl, platform_display(egl, EGL_PLATFORM_DEVICE_EXT, devices[i]));
+    const bool is_software = text.find("EGL_MESA_device_software") != std::string_view::npos;
+    (is_software ? devices.software : devices.cards).push_back(found[i]);
   }
-  fail("there is no graphics card");
+  return devices;
+}
+
+}  // namespace
+
+std::unique_ptr<GlPlatform> open_egl_device(bool cards_only) {
+  const Egl egl;
+  const EglDevices devices = listed_devices(egl);
+  std::vector<EGLDeviceEXT> wanted = devices.cards;
+  if (!cards_only) wanted.insert(wanted.end(), devices.software.begin(), devices.software.end());
+
+  // A machine may have cards that this user may not use, or that another driver serves.
+  std::string reasons;
+  for (const EGLDeviceEXT device : wanted) {
+    try {
+      return std::make_unique<EglPlatform>(egl, platform_display(egl, EGL_PLATFORM_DEVICE_EXT, device));
+    } catch (const Error& error) {
+      reasons += (reasons.empty() ? "" : "; ") + error.diagnostics().front().message;
+    }
+  }
+  fail(wanted.empty() ? "there is no graphics card" : "no device works (" + reasons + ")");
 }
 
 std::unique_ptr<GlPlatform> open_egl_surfaceless() {

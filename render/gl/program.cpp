@@ -1,5 +1,6 @@
 #include "render/gl/program.h"
 
+#include <array>
 #include <set>
 #include <utility>
 
@@ -11,6 +12,7 @@ namespace pomona {
 namespace {
 
 constexpr std::string_view version_line = "#version 330 core\n";
+constexpr std::string_view compute_version_line = "#version 450 core\n";
 
 std::string_view embedded_text(std::string_view name) {
   for (const EmbeddedShader& shader : embedded_shaders()) {
@@ -33,6 +35,15 @@ void append_resolved(std::string_view text, std::set<std::string, std::less<>>& 
     const std::string name(line.substr(include.size(), line.find('"', include.size()) - include.size()));
     if (seen.insert(name).second) append_resolved(embedded_text(name), seen, result);
   }
+}
+
+/// With the version line and a definition, if any, in front.
+std::string resolved(std::string_view version, std::string_view text, std::string_view definition) {
+  std::string result(version);
+  if (!definition.empty()) result += "#define " + std::string(definition) + "\n";
+  std::set<std::string, std::less<>> seen;
+  append_resolved(text, seen, result);
+  return result;
 }
 
 GLuint compiled(const GlFunctions& gl, GLenum stage, const std::string& source) {
@@ -61,22 +72,20 @@ std::vector<std::string> shader_names() {
 }
 
 std::string resolved_includes(std::string_view text, std::string_view definition) {
-  std::string result(version_line);
-  if (!definition.empty()) result += "#define " + std::string(definition) + "\n";
-  std::set<std::string, std::less<>> seen;
-  append_resolved(text, seen, result);
-  return result;
+  return resolved(version_line, text, definition);
 }
 
 std::string shader_source(std::string_view name, std::string_view definition) {
-  return resolved_includes(embedded_text(name), definition);
+  const bool computes = name.find(".comp.") != std::string_view::npos;
+  return resolved(computes ? compute_version_line : version_line, embedded_text(name), definition);
 }
 
 Program::Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file,
                  std::string_view definition)
     : gl_(gl.functions()) {
   try {
-    link(shader_source(vertex_file, definition), shader_source(fragment_file, definition));
+    link(std::array<Stage, 2>{{{GL_VERTEX_SHADER, shader_source(vertex_file, definition)},
+                               {GL_FRAGMENT_SHADER, shader_source(fragment_file, definition)}}});
   } catch (const Error& error) {
     throw Error(error.status(), std::string(vertex_file) + " + " + std::string(fragment_file) + ": " +
                                     error.diagnostics().front().message);
@@ -85,7 +94,17 @@ Program::Program(const CurrentGl& gl, std::string_view vertex_file, std::string_
 
 Program Program::from_sources(const CurrentGl& gl, const std::string& vertex, const std::string& fragment) {
   Program program(gl.functions());
-  program.link(vertex, fragment);
+  program.link(std::array<Stage, 2>{{{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}}});
+  return program;
+}
+
+Program Program::compute(const CurrentGl& gl, std::string_view file) {
+  Program program(gl.functions());
+  try {
+    program.link(std::array<Stage, 1>{{{GL_COMPUTE_SHADER, shader_source(file)}}});
+  } catch (const Error& error) {
+    throw Error(error.status(), std::string(file) + ": " + error.diagnostics().front().message);
+  }
   return program;
 }
 
@@ -95,10 +114,10 @@ Program::~Program() {
   if (id_ != 0) gl_.DeleteProgram(id_);
 }
 
-void Program::link(const std::string& vertex, const std::string& fragment) {
+void Program::link(std::span<const Stage> stages) {
   id_ = gl_.CreateProgram();
-  for (const auto& [stage, source] : {std::pair(GL_VERTEX_SHADER, &vertex), std::pair(GL_FRAGMENT_SHADER, &fragment)}) {
-    const GLuint shader = compiled(gl_, static_cast<GLenum>(stage), *source);
+  for (const Stage& stage : stages) {
+    const GLuint shader = compiled(gl_, stage.kind, stage.source);
     gl_.AttachShader(id_, shader);
     gl_.DeleteShader(shader);  // it goes with the program
   }

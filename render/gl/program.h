@@ -1,6 +1,7 @@
 // Shader programs. Sources are the files under shaders/, embedded when Pomona is built.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,8 @@ namespace pomona {
 std::vector<std::string> shader_names();
 
 /// The embedded file with its `#include "name"` lines resolved, each file once, and with the version line in
-/// front. `definition`, if any, is a name that the text sees as defined. \throws Error (bug) for a name that is
-/// not there.
+/// front: 4.50 for compute shaders (*.comp.glsl), 3.30 for all others. `definition`, if any, is a name that the text
+/// sees as defined. \throws Error (bug) for a name that is not there.
 std::string shader_source(std::string_view name, std::string_view definition = {});
 
 /// The same for a text that is no embedded file (tests).
@@ -30,6 +31,8 @@ class Program {
   /// From two embedded files. \throws Error (bug) with the compiler's message.
   Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file,
           std::string_view definition = {});
+  /// A compute shader, from an embedded file. \throws likewise
+  static Program compute(const CurrentGl& gl, std::string_view file);
   static Program from_sources(const CurrentGl& gl, const std::string& vertex, const std::string& fragment);
   Program(Program&& other) noexcept;
   Program(const Program&) = delete;
@@ -48,7 +51,11 @@ class Program {
 
  private:
   explicit Program(const GlFunctions& gl) : gl_(gl) {}
-  void link(const std::string& vertex, const std::string& fragment);
+  struct Stage {
+    GLenum kind;
+    std::string source;
+  };
+  void link(std::span<const Stage> stages);
 
   const GlFunctions& gl_;
   GLuint id_ = 0;

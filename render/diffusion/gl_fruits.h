@@ -1,0 +1,30 @@
+// Fruits in storage buffers, as many at a time as fit.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/diffusion/ray_surfaces.h"
+#include "render/gl/objects.h"
+
+namespace pomona {
+
+/// Where a fruit begins in the buffers.
+struct FruitPlace {
+  std::uint32_t node = 0, triangle = 0, vertex = 0;
+};
+
+/// Some fruits, uploaded one behind the other.
+struct GlFruits {
+  std::vector<FruitPlace> place;
+  GlBuffer nodes, triangles, sides, colors;
+};
+
+GlFruits uploaded(const CurrentGl& gl, std::span<const RaySurfaces> fruits);
+
+/// Runs of fruits whose buffers hold at most `most_bytes` each: the index at which every run begins, and the end.
+/// \throws Error (helper_missing) if one fruit alone needs more.
+std::vector<std::size_t> runs_that_fit(std::span<const RaySurfaces> fruits, std::size_t most_bytes);
+
+}  // namespace pomona

@@ -1,0 +1,197 @@
+#include "render/diffusion/gl_look.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "generator/base/error.h"
+#include "generator/diffusion/line_directions.h"
+#include "render/gl/objects.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t lines_per_block = 8;  // as in pmvc_rays.comp.glsl
+
+/// Blocks whose sums are held at a time. It must not depend on what is asked for: it decides the order in which single
+/// precision adds up.
+constexpr std::size_t blocks_per_chunk = 32;
+
+/// Rays in one dispatch: 2 ms on a good card and 50 ms on a poor one, far below what drivers take for a hang.
+constexpr std::size_t rays_per_dispatch = std::size_t{1} << 21;
+
+/// More groups at a time than any card works on at once.
+constexpr std::size_t most_groups = 4096;
+
+std::size_t storage_limit(const CurrentGl& gl) {
+  GLint bytes = 0;
+  gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+  gl.check("asking how much a storage buffer holds");
+  return static_cast<std::size_t>(std::max(bytes, 0));
+}
+
+const CurrentGl& require_compute_shaders(const CurrentGl& gl, const GlContext& context) {
+  if (context.version() >= 45) return gl;
+  const std::string version = std::to_string(context.version() / 10) + "." + std::to_string(context.version() % 10);
+  throw Error(ExitStatus::helper_missing,
+              "diffusion by OpenGL needs version 4.5; " + context.renderer() + " has " + version, "use --diffuser cpu");
+}
+
+/// Three vectors a line. Block b is every so manieth line, so that each block looks all around.
+std::vector<glm::vec4> shuffled_lines(int count) {
+  const std::vector<Line> lines = line_directions(count);
+  const std::size_t blocks = (lines.size() + lines_per_block - 1) / lines_per_block;
+  std::vector<glm::vec4> shuffled;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    for (std::size_t i = block; i < lines.size(); i += blocks) {
+      for (const glm::vec3& axis : {lines[i].across_u, lines[i].across_v, lines[i].along})
+        shuffled.emplace_back(axis, 0);
+    }
+  }
+  return shuffled;
+}
+
+/// Floats of one group and block: colour and weight, and the weight of each part.
+std::size_t sums_of(const PointGroup& group) { return PointGroup::size * (4 + group.parts); }
+
+/// A group as the shaders know it.
+struct GroupRecord {
+  std::uint32_t points = 0, parts = 0, first_sum = 0, unused = 0;
+  std::uint32_t first_node = 0, first_triangle = 0, first_vertex = 0, first_total = 0;
+};
+
+/// A sight as the shaders write it.
+struct SightRecord {
+  glm::vec4 mean_and_weight{0};
+  glm::vec4 part_and_scatter{0};
+};
+
+}  // namespace
+
+/// Some groups on their way through all lines.
+class GlLook::Pass {
+ public:
+  Pass(const CurrentGl& gl, const GlLook& look, std::size_t lines) : gl_(gl), look_(look), lines_(lines) {}
+
+  std::size_t blocks_in_chunk() const { return std::min(blocks_per_chunk, blocks_from(0)); }
+
+  std::vector<Sight> run(const GlFruits& fruits, std::span<const PointGroup> groups, const GlBuffer& lines) const {
+    // Lay the groups' sums and totals out one behind the other.
+    std::vector<GroupRecord> records;
+    std::vector<glm::vec4> eyes;
+    std::size_t totals = 0;
+    for (const PointGroup& group : groups) {
+      const FruitPlace& place = fruits.place[group.fruit];
+      records.push_back({static_cast<std::uint32_t>(group.eye.size()), group.parts,
+                         static_cast<std::uint32_t>(totals * blocks_in_chunk()), 0, place.node, place.triangle,
+                         place.vertex, static_cast<std::uint32_t>(totals)});
+      for (const glm::vec3& eye : group.eye) eyes.emplace_back(eye, 1);
+      eyes.resize(records.size() * PointGroup::size);
+      totals += sums_of(group);
+    }
+
+    const GlBuffer points(gl_, GL_SHADER_STORAGE_BUFFER, eyes);
+    const GlBuffer places(gl_, GL_SHADER_STORAGE_BUFFER, records);
+    const GlBuffer sums = room(totals * blocks_in_chunk() * sizeof(float)), total = room(totals * sizeof(float));
+    const GlBuffer seen = room(eyes.size() * sizeof(SightRecord));
+    gl_.check("making room for sums");
+    for (std::size_t block = 0; blocks_from(block) > 0; block += blocks_in_chunk()) {
+      bind({&fruits.nodes, &fruits.triangles, &fruits.sides, &fruits.colors, &points, &places, &lines, &sums});
+      look_along(block, groups.size());
+      bind({&total, &seen});
+      add_up(block, groups.size());
+    }
+    return read(groups, seen);
+  }
+
+ private:
+  std::size_t blocks_from(std::size_t first) const {
+    const std::size_t all = (lines_ + lines_per_block - 1) / lines_per_block;
+    return first < all ? all - first : 0;
+  }
+
+  GlBuffer room(std::size_t bytes) const { return {gl_, GL_SHADER_STORAGE_BUFFER, nullptr, bytes}; }
+
+  void bind(std::initializer_list<const GlBuffer*> buffers) const {
+    GLuint binding = 0;
+    for (const GlBuffer* buffer : buffers) gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding++, buffer->id());
+  }
+
+  /// A chunk, in dispatches short enough.
+  void look_along(std::size_t first_block, std::size_t groups) const {
+    look_.rays_.use();
+    look_.rays_.set("first_line", static_cast<unsigned>(first_block * lines_per_block));
+    look_.rays_.set("line_count", static_cast<unsigned>(lines_));
+    const std::size_t blocks = std::min(blocks_in_chunk(), blocks_from(first_block));
+    const std::size_t rays_per_row = groups * PointGroup::size * lines_per_block * 2;
+    const std::size_t at_once = std::max<std::size_t>(1, rays_per_dispatch / rays_per_row);
+    for (std::size_t block = 0; block < blocks; block += at_once) {
+      look_.rays_.set("first_block", static_cast<unsigned>(block));
+      gl_->DispatchCompute(static_cast<GLuint>(groups), static_cast<GLuint>(std::min(at_once, blocks - block)), 1);
+      gl_->Flush();
+    }
+    gl_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    gl_.check("looking along lines");
+  }
+
+  void add_up(std::size_t first_block, std::size_t groups) const {
+    look_.sums_.use();
+    look_.sums_.set("blocks", static_cast<unsigned>(std::min(blocks_in_chunk(), blocks_from(first_block))));
+    look_.sums_.set("is_first", first_block == 0 ? 1 : 0);
+    gl_->DispatchCompute(static_cast<GLuint>(groups), 1, 1);
+    gl_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl_.check("adding up");
+  }
+
+  std::vector<Sight> read(std::span<const PointGroup> groups, const GlBuffer& seen) const {
+    std::vector<SightRecord> records(groups.size() * PointGroup::size);
+    gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, seen.id());
+    gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(records.size() * sizeof(SightRecord)),
+                          records.data());
+    gl_.check("reading what was seen");
+
+    std::vector<Sight> sights;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      for (std::size_t i = 0; i < groups[g].eye.size(); ++i) {
+        const SightRecord& record = records[g * PointGroup::size + i];
+        sights.push_back({glm::vec3(record.mean_and_weight), record.mean_and_weight.w,
+                          static_cast<std::uint32_t>(record.part_and_scatter.x), record.part_and_scatter.y});
+      }
+    }
+    return sights;
+  }
+
+  const CurrentGl& gl_;
+  const GlLook& look_;
+  std::size_t lines_;
+};
+
+GlLook::GlLook(const CurrentGl& gl, const GlContext& context, std::size_t most_bytes)
+    : rays_(Program::compute(require_compute_shaders(gl, context), "pmvc_rays.comp.glsl")),
+      sums_(Program::compute(gl, "pmvc_sums.comp.glsl")),
+      most_bytes_(std::min(storage_limit(gl), most_bytes)) {}
+
+std::vector<Sight> GlLook::along(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,
+                                 int line_count) const {
+  if (groups.empty()) return {};
+  const GlBuffer lines(gl, GL_SHADER_STORAGE_BUFFER, shuffled_lines(line_count));
+  const Pass pass(gl, *this, static_cast<std::size_t>(line_count));
+  const std::size_t most_sums = most_bytes_ / sizeof(float) / pass.blocks_in_chunk();
+
+  // As many groups at a time as their sums have room.
+  std::vector<Sight> sights;
+  for (std::size_t first = 0; first < groups.size();) {
+    std::size_t end = first, sums = 0;
+    while (end < groups.size() && end - first < most_groups && sums + sums_of(groups[end]) <= most_sums) {
+      sums += sums_of(groups[end++]);
+    }
+    if (end == first) throw Error(ExitStatus::helper_missing, "this OpenGL's storage buffers are too small");
+    const std::vector<Sight> seen = pass.run(fruits, groups.subspan(first, end - first), lines);
+    sights.insert(sights.end(), seen.begin(), seen.end());
+    first = end;
+  }
+  return sights;
+}
+
+}  // namespace pomona

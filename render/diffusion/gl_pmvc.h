@@ -1,0 +1,31 @@
+// Positive mean values by OpenGL, for many fruits at once.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "generator/diffusion/pmvc_value.h"
+#include "render/diffusion/gl_look.h"
+
+namespace pomona {
+
+/// How many lines are looked along from each point, both ways.
+struct LineSampling {
+  int lines = 0;
+  int fine_lines = 0;       ///< instead, where colours scatter by more than `most_scatter`; 0 = nowhere
+  double most_scatter = 0;  ///< linear; see Sight
+};
+
+/// Points in one of several fruits.
+struct SightTask {
+  std::size_t fruit = 0;
+  std::span<const glm::vec3> points;  ///< metres
+};
+
+/// Positive mean values, an entry for every point of every task. They do not depend on what else is asked for.
+/// \throws Error (helper_missing) if a fruit is too large for this OpenGL, or memory does not suffice.
+std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlLook& look,
+                                            std::span<const RaySurfaces> fruits, std::span<const SightTask> tasks,
+                                            const LineSampling& sampling);
+
+}  // namespace pomona
