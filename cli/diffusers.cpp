@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/base/error.h"
+#include "generator/diffusion/harmonic_diffuser.h"
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "render/diffusion/gl_diffuser.h"
 
@@ -36,11 +37,16 @@ std::unique_ptr<Diffuser> on_card_or_processor(const SharedOptions& options) {
   return on_card != nullptr ? std::move(on_card) : on_processor(options);
 }
 
+std::unique_ptr<Diffuser> on_grid(const SharedOptions& options) {
+  return make_harmonic_diffuser({.quality = quality_of(options), .threads = {options.threads}});
+}
+
 const std::map<std::string, Maker>& makers() {
   static const std::map<std::string, Maker> all = {
       {"auto", on_card_or_processor},
       {"cpu", on_processor},
       {"gl", on_opengl},
+      {"harmonic", on_grid},
   };
   return all;
 }

@@ -1,0 +1,300 @@
+#include "generator/diffusion/harmonic/multigrid.h"
+
+#include <bit>
+#include <utility>
+
+namespace pomona {
+
+namespace {
+
+/// Levels with fewer runs are too small to share.
+constexpr std::size_t runs_worth_sharing = 1000;
+
+/// On the coarsest level, in place of a direct solution.
+constexpr int coarsest_sweeps = 24;
+
+constexpr int length = NodeRuns::length;
+
+/// A node of some level, with all that an equation needs.
+struct At {
+  std::size_t node;
+  std::uint8_t open;
+  const Stencil* stencil;  ///< nothing for six open links
+};
+
+/// Calls body(r) for every run of a level.
+template <typename Body>
+void for_runs(const GridLevel& level, Threads threads, const Body& body) {
+  const Threads used{level.runs.run.size() < runs_worth_sharing ? 1 : threads.count};
+  parallel_for(level.ranges.size(), used, [&](std::size_t i) {
+    for (std::size_t r = level.ranges[i].first; r < level.ranges[i].second; ++r) body(r);
+  });
+}
+
+/// Calls body(at) for the nodes of run r with x of parity `first`.
+template <typename Body>
+void for_every_other(const GridLevel& level, std::size_t r, int first, const Body& body) {
+  const std::uint8_t* open = &level.links.open[length * r];
+  for (int k = first; k < length; k += 2) {
+    if (open[k] & takes_no_part) continue;
+    const Stencil* stencil = open[k] == all_open ? nullptr : &level.stencil[level.stencil_of(r, k)];
+    body(At{length * r + static_cast<std::size_t>(k), open[k], stencil});
+  }
+}
+
+/// Offsets from a node to its six neighbours.
+std::array<std::ptrdiff_t, 6> offsets(const RunLinks& run) {
+  return {-1, 1, run.y_down, run.y_up, run.z_down, run.z_up};
+}
+
+/// The sum of values beyond open links, weighted.
+Quad pulled(const Quad* value, const At& at, const std::array<std::ptrdiff_t, 6>& offset) {
+  Quad sum{};
+  for (std::size_t d = 0; d < 6; ++d) {
+    const bool is_open = at.open >> d & 1;
+    sum += at.stencil->weight[d] * value[static_cast<std::ptrdiff_t>(at.node) + (is_open ? offset[d] : 0)];
+  }
+  return sum;
+}
+
+Quad sum_of_six(const Quad* value, const std::array<std::ptrdiff_t, 6>& offset) {
+  return (value[-1] + value[1]) + (value[offset[y_down]] + value[offset[y_up]]) +
+         (value[offset[z_down]] + value[offset[z_up]]);
+}
+
+/// Gauss-Seidel for the nodes of run r with x + y + z of parity `color`.
+template <bool with_rhs>
+void relax_run(GridLevel& level, std::size_t r, int color) {
+  constexpr float sixth = 1.0f / 6;
+  const RunLinks& run = level.run_links[r];
+  const auto offset = offsets(run);
+  const int first = (run.parity + color) & 1;
+  Quad* value = level.value.data();
+  if (run.plain) {
+    for (std::size_t i = length * r + static_cast<std::size_t>(first); i < length * (r + 1); i += 2) {
+      Quad sum = sum_of_six(value + i, offset);
+      if constexpr (with_rhs) sum += level.rhs[i];
+      value[i] = sixth * sum;
+    }
+    return;
+  }
+  for_every_other(level, r, first, [&](const At& at) {
+    Quad sum = at.stencil ? pulled(value, at, offset) + at.stencil->source : sum_of_six(value + at.node, offset);
+    if constexpr (with_rhs) sum += level.rhs[at.node];
+    value[at.node] = (at.stencil ? at.stencil->inverse : sixth) * sum;
+  });
+}
+
+/// On coarse levels of a correction the surfaces give nothing.
+enum class Source { surfaces, rhs };
+
+void relax_correction_run(GridLevel& level, std::size_t r, int color) {
+  constexpr float sixth = 1.0f / 6;
+  const RunLinks& run = level.run_links[r];
+  const auto offset = offsets(run);
+  const int first = (run.parity + color) & 1;
+  Quad* value = level.value.data();
+  for_every_other(level, r, first, [&](const At& at) {
+    const Quad sum =
+        (at.stencil ? pulled(value, at, offset) : sum_of_six(value + at.node, offset)) + level.rhs[at.node];
+    value[at.node] = (at.stencil ? at.stencil->inverse : sixth) * sum;
+  });
+}
+
+/// The levels, finest first.
+class Multigrid {
+ public:
+  Multigrid(std::vector<GridLevel> levels, const MultigridOptions& options)
+      : levels_(std::move(levels)), options_(options) {}
+
+  std::vector<GridLevel> run() {
+    const std::size_t coarsest = levels_.size() - 1;
+    for (int i = 0; i < 2 * coarsest_sweeps; ++i) relax(coarsest, Source::surfaces);
+    for (std::size_t l = coarsest; l-- > 0;) {
+      start_from_coarser(l);
+      for (int i = 0; i < (l == 0 ? options_.cycles : 1); ++i) cycle(l, Source::surfaces);
+    }
+    return std::move(levels_);
+  }
+
+ private:
+  void relax(std::size_t l, Source source) {
+    GridLevel& level = levels_[l];
+    for (int color = 0; color < 2; ++color) {
+      for_runs(level, options_.threads, [&](std::size_t r) {
+        if (source == Source::surfaces) {
+          relax_run<false>(level, r, color);
+        } else {
+          relax_correction_run(level, r, color);
+        }
+      });
+    }
+  }
+
+  void cycle(std::size_t l, Source source) {
+    if (l + 1 == levels_.size()) {
+      for (int i = 0; i < coarsest_sweeps; ++i) relax(l, source);
+      return;
+    }
+    for (int i = 0; i < options_.sweeps; ++i) relax(l, source);
+    find_residual(l, source);
+    restrict_to_coarser(l);
+    cycle(l + 1, Source::rhs);
+    correct_from_coarser(l);
+    for (int i = 0; i < options_.sweeps; ++i) relax(l, source);
+  }
+
+  /// At the nodes of even parity, because relaxing the odd ones has just left nothing there; between coarse nodes
+  /// (two odd coordinates) already weighted for the way down.
+  void find_residual(std::size_t l, Source source) {
+    GridLevel& level = levels_[l];
+    Quad* value = level.value.data();
+    for_runs(level, options_.threads, [&](std::size_t r) {
+      const auto offset = offsets(level.run_links[r]);
+      const NodeRun& run = level.runs.run[r];
+      const float between = (run.y & 1) | (run.z & 1) ? 0.25f : 1.0f;
+      for_every_other(level, r, level.run_links[r].parity, [&](const At& at) {
+        Quad rest = at.stencil ? pulled(value, at, offset) - at.stencil->diagonal * value[at.node]
+                               : sum_of_six(value + at.node, offset) - 6.0f * value[at.node];
+        if (source == Source::rhs) rest += level.rhs[at.node];
+        if (source == Source::surfaces && at.stencil) rest += at.stencil->source;
+        level.residual[at.node] = (between != 1 && at.stencil ? at.stencil->odd_inverse : between) * rest;
+      });
+    });
+  }
+
+  /// The transpose of correct_from_coarser().
+  void restrict_to_coarser(std::size_t l) {
+    GridLevel& fine = levels_[l];
+    GridLevel& coarse = levels_[l + 1];
+    const Quad* residual = fine.residual.data();
+
+    // Nodes on edges between coarse nodes gather from their faces: one odd coordinate.
+    for_runs(fine, options_.threads, [&](std::size_t r) {
+      const NodeRun& run = fine.runs.run[r];
+      if ((run.y & 1) && (run.z & 1)) return;
+      const auto offset = offsets(fine.run_links[r]);
+      const std::uint8_t across = static_cast<std::uint8_t>((run.y & 1 ? 0b110011 : run.z & 1 ? 0b001111 : 0b111100));
+      for_every_other(fine, r, (run.y | run.z) & 1 ? 0 : 1, [&](const At& at) {
+        Quad sum{};
+        for (std::size_t d = 0; d < 6; ++d) {
+          if ((at.open & across) >> d & 1) sum += residual[static_cast<std::ptrdiff_t>(at.node) + offset[d]];
+        }
+        fine.residual[at.node] = (at.stencil ? at.stencil->odd_inverse : 0.5f) * sum;
+      });
+    });
+
+    // Coarse nodes gather from their edges. The equations' unit is the square of the spacing: 4 times the mean, while
+    // the weights add up to 8.
+    for_runs(coarse, options_.threads, [&](std::size_t r) {
+      for_children(fine, coarse, r, [&](std::size_t node, const At* at, const auto& offset) {
+        coarse.value[node] = coarse.rhs[node] = Quad{};
+        if (at == nullptr) return;
+        Quad sum = residual[at->node];
+        for (std::size_t d = 0; d < 6; ++d) {
+          if (at->open >> d & 1) sum += residual[static_cast<std::ptrdiff_t>(at->node) + offset[d]];
+        }
+        coarse.rhs[node] = 0.5f * sum;
+      });
+    });
+  }
+
+  /// Calls body(coarse node, its fine node or nothing, offsets there) for run r of the coarse level.
+  template <typename Body>
+  static void for_children(const GridLevel& fine, const GridLevel& coarse, std::size_t r, const Body& body) {
+    const NodeRun& run = coarse.runs.run[r];
+    for (int half = 0; half < 2; ++half) {
+      const std::int32_t below = fine.runs.at(2 * run.block + half, 2 * run.y, 2 * run.z);
+      std::array<std::ptrdiff_t, 6> offset{};
+      if (below != NodeRuns::none) offset = offsets(fine.run_links[static_cast<std::size_t>(below)]);
+      for (int k = 0; k < length / 2; ++k) {
+        const std::size_t node = length * r + static_cast<std::size_t>(length / 2 * half + k);
+        const std::size_t child = static_cast<std::size_t>(length * below + 2 * k);
+        if (below == NodeRuns::none || (coarse.links.open[node] & takes_no_part)) {
+          body(node, nullptr, offset);
+          continue;
+        }
+        const At at{child, fine.links.open[child], nullptr};
+        body(node, &at, offset);
+      }
+    }
+  }
+
+  /// Copies the coarse values to the fine nodes that they lie on.
+  void copy_up(std::size_t l, RawArray<Quad>& to) {
+    const GridLevel& coarse = levels_[l + 1];
+    for_runs(coarse, options_.threads, [&](std::size_t r) {
+      for_children(levels_[l], coarse, r, [&](std::size_t node, const At* at, const auto&) {
+        if (at != nullptr) to[at->node] = coarse.value[node];
+      });
+    });
+  }
+
+  /// Calls body(at, offsets, directions along odd axes) for all nodes with so many odd coordinates.
+  template <typename Body>
+  void for_between(std::size_t l, int odd_coordinates, const Body& body) {
+    const GridLevel& level = levels_[l];
+    for_runs(level, options_.threads, [&](std::size_t r) {
+      const NodeRun& run = level.runs.run[r];
+      const int odd_x = odd_coordinates - (run.y & 1) - (run.z & 1);
+      if (odd_x < 0 || odd_x > 1) return;
+      const auto along =
+          static_cast<std::uint8_t>((odd_x ? 0b11 : 0) | (run.y & 1 ? 0b1100 : 0) | (run.z & 1 ? 0b110000 : 0));
+      const auto offset = offsets(level.run_links[r]);
+      for_every_other(level, r, odd_x, [&](const At& at) { body(at, offset, along); });
+    });
+  }
+
+  /// The correction of a node between coarse ones is the mean over the axes on which it lies between; a surface there
+  /// is not corrected.
+  void correct_from_coarser(std::size_t l) {
+    GridLevel& fine = levels_[l];
+    Quad* correction = fine.residual.data();
+    copy_up(l, fine.residual);
+    for_between(l, 0, [&](const At& at, const auto&, std::uint8_t) { fine.value[at.node] += correction[at.node]; });
+    for (int odd = 1; odd <= 3; ++odd) {
+      const float share = 0.5f / static_cast<float>(odd);
+      for_between(l, odd, [&](const At& at, const auto& offset, std::uint8_t along) {
+        Quad sum{};
+        for (std::size_t d = 0; d < 6; ++d) {
+          if ((at.open & along) >> d & 1) sum += correction[static_cast<std::ptrdiff_t>(at.node) + offset[d]];
+        }
+        correction[at.node] = (at.stencil ? at.stencil->odd_inverse : share) * sum;
+        fine.value[at.node] += correction[at.node];
+      });
+    }
+  }
+
+  /// A first guess between coarse nodes: the mean of the neighbours that are known, or else what the surfaces give.
+  void start_from_coarser(std::size_t l) {
+    GridLevel& fine = levels_[l];
+    copy_up(l, fine.value);
+    for (int odd = 1; odd <= 3; ++odd) {
+      for_between(l, odd, [&](const At& at, const auto& offset, std::uint8_t along) {
+        const auto known = static_cast<std::uint8_t>(at.open & along);
+        if (known == 0) {
+          const Quad& source = at.stencil->source;
+          fine.value[at.node] = source[3] > 0 ? source / source[3] : Quad{};
+          return;
+        }
+        Quad sum{};
+        for (std::size_t d = 0; d < 6; ++d) {
+          if (known >> d & 1)
+            sum += fine.value[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(at.node) + offset[d])];
+        }
+        fine.value[at.node] = sum / static_cast<float>(std::popcount(known));
+      });
+    }
+  }
+
+  std::vector<GridLevel> levels_;
+  MultigridOptions options_;
+};
+
+}  // namespace
+
+std::vector<GridLevel> solved(std::vector<GridLevel> levels, const MultigridOptions& options) {
+  return Multigrid(std::move(levels), options).run();
+}
+
+}  // namespace pomona
