@@ -66,8 +66,8 @@ ExitStatus cut_fruit(const CutCommand& command) {
   std::vector<Knife> knives;
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command));
-  const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared);
   Delivery delivery(command.shared);
+  const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);

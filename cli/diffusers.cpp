@@ -7,6 +7,7 @@
 #include "generator/base/error.h"
 #include "generator/diffusion/harmonic_diffuser.h"
 #include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/walk_diffuser.h"
 #include "render/diffusion/gl_diffuser.h"
 
 namespace pomona {
@@ -51,9 +52,19 @@ const std::map<std::string, Maker>& makers() {
   return all;
 }
 
+/// The only one that takes long enough to show how far it is.
+std::unique_ptr<Diffuser> by_walks(const SharedOptions& options, Progress& progress) {
+  WalkOptions walk;
+  walk.standard_error = standard_error_of(quality_of(options));
+  walk.threads = {options.threads};
+  walk.progress = [&progress](std::size_t done, std::size_t total) { progress.report("diffuse", done, total); };
+  return make_walk_diffuser(walk);
+}
+
 }  // namespace
 
-std::unique_ptr<Diffuser> make_diffuser(const SharedOptions& options) {
+std::unique_ptr<Diffuser> make_diffuser(const SharedOptions& options, Progress& progress) {
+  if (options.diffuser == "walk") return by_walks(options, progress);
   const auto maker = makers().find(options.diffuser);
   if (maker == makers().end()) {
     throw Error(ExitStatus::usage, "--diffuser " + options.diffuser + ": this version does not have it",

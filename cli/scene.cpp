@@ -40,8 +40,8 @@ ComposeOptions compose_options(const SharedOptions& shared, Progress& progress) 
 ExitStatus compose_scene(const SceneCommand& command) {
   const std::vector<Output> outputs =
       parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::json});
-  const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared);
   Delivery delivery(command.shared);
+  const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
   SceneDescription description = delivery.times.time("read", [&] { return read_scene(existing_file(command.file)); });

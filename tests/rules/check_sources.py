@@ -35,7 +35,7 @@ HEAVY = {
     "EGL": (r"EGL/", r"render/gl/\w+\.cpp"),
     "OSMesa": (r"GL/osmesa\.h", r"render/gl/\w+\.cpp"),
     "OpenGL": (r"GL/(?!osmesa)", r"render/gl/\w+\.(cpp|h)"),
-    "Highway": (r"hwy/", r"(generator|tests)/diffusion/\w+\.(cpp|h)"),
+    "Highway": (r"hwy/", r"(generator|tests)/diffusion/(\w+/)?\w+\.(cpp|h)"),
     "Eigen": (r"Eigen/", r"tests/\w+/\w+\.cpp"),
     "TBB": (r"(tbb|oneapi/tbb)/", r"generator/base/parallel\.cpp"),
     "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),

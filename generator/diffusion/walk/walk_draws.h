@@ -1,0 +1,43 @@
+// Random places on spheres, drawn without trigonometry.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+#include "generator/base/random.h"
+
+namespace pomona {
+
+/// One number after the other out of a stream, from a place in it on.
+class Draws {
+ public:
+  Draws(const RandomStream& stream, std::uint64_t first) : stream_(stream), next_(first) {}
+
+  /// Uniform in [0, 1).
+  double uniform() { return stream_.uniform(next_++); }
+
+  /// A point of the open unit disc other than its middle, and its squared distance from that.
+  struct InDisc {
+    double x = 0, y = 0, squared = 0;
+  };
+  InDisc in_disc();
+
+ private:
+  const RandomStream& stream_;
+  std::uint64_t next_;
+};
+
+/// Uniform over the unit sphere [Marsaglia 1972].
+glm::dvec3 random_direction(Draws& draws);
+
+/// The corners of an icosahedron, turned at random: each by itself is uniform over the sphere, and together they
+/// give the mean over it of every polynomial of degree 5.
+std::array<glm::dvec3, 12> random_icosahedron(Draws& draws);
+
+/// Where a random walk that starts at `outside` first meets the sphere of `radius` around 0, given that it does
+/// (it escapes to infinity with probability 1 - radius / distance).
+glm::dvec3 random_return(const glm::dvec3& outside, double radius, Draws& draws);
+
+}  // namespace pomona

@@ -1,0 +1,13 @@
+// Where a walk ends: the side of a surface next to it.
+#pragma once
+
+#include "generator/diffusion/nearest_side.h"
+#include "generator/diffusion/walk/empty_balls.h"
+
+namespace pomona {
+
+/// The nearest side to a point (normalised as `balls`) that is next to a surface, nearer than 1e-3. Where several
+/// triangles are equally near, at their shared edge or corner, it is a side that the point sees.
+SurfaceSide side_next_to(const DiffusionSurfaces& surfaces, const EmptyBalls& balls, const glm::dvec3& point);
+
+}  // namespace pomona

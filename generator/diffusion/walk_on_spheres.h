@@ -1,0 +1,59 @@
+// True diffusion at single points, by random walks [Muller 1956; Sawhney and Crane 2020].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "generator/base/parallel.h"
+#include "generator/surface/diffusion_surfaces.h"
+
+namespace pomona {
+
+struct WalkGround;
+
+struct WalkOptions {
+  double standard_error = 1;  ///< to reach at each point: RMS over the linear channels, in 1/255; above 0
+  std::uint64_t seed = 0;
+  Threads threads = {};
+
+  /// A point takes no more walks than this, whatever its standard error.
+  std::uint32_t most_walks = 4'000'000;
+
+  /// Called with the points done and all points, from any thread, if given.
+  std::function<void(std::size_t done, std::size_t total)> progress = {};
+};
+
+/// One entry per point.
+struct WalkResult {
+  std::vector<Color> color;           ///< linear: the mean over all walks that met a surface
+  std::vector<std::int32_t> part;     ///< of the sides, that met most often
+  std::vector<float> standard_error;  ///< of the colour: RMS over channels, in 1/255
+  std::vector<std::uint32_t> walks;   ///< 0 where a point lies on a surface
+  std::vector<std::uint32_t> misses;  ///< the walks among them that escaped from open surfaces
+};
+
+/// Surfaces, prepared for walks. A walk jumps to a random place on the largest sphere around it that no surface
+/// reaches into, again and again, until it is within 1e-4 of the surfaces' size of one, and takes the colour of
+/// that side. Where no walk meets any surface, the nearest side counts.
+/// The numbers drawn depend on the seed and on the point's coordinates, on nothing else.
+class WalkOnSpheres {
+ public:
+  /// `surfaces` must outlive it.
+  /// \throws Error (bad_data) if a coordinate or a colour is not finite, or no triangle has any area.
+  WalkOnSpheres(const DiffusionSurfaces& surfaces, const WalkOptions& options);
+  ~WalkOnSpheres();
+
+  /// \param points metres
+  /// \throws Error (bad_data) if a coordinate is not finite.
+  WalkResult at(std::span<const glm::vec3> points) const;
+
+ private:
+  std::unique_ptr<const WalkGround> ground_;
+  WalkOptions options_;
+};
+
+}  // namespace pomona
