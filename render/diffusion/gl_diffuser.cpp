@@ -18,7 +18,7 @@ LineSampling sampling_of(Quality quality) {
     case Quality::draft:
       return {.lines = 64};
     case Quality::final:
-      return {.lines = 640};
+      return {.lines = 192, .fine_lines = 1536, .most_scatter = 1.0 / 255};
     case Quality::reference:
       break;
   }
