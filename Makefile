@@ -1,10 +1,10 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery build test test-programs lint format sanitize clang bench clean
+.PHONY: help salad gallery build test test-programs lint format sanitize clang .bench table1 error-atlas bench clean
 
 help: ## this list
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
 
 salad: build ## out/salad.png, .glb and .pov
 	@scripts/salad.sh build/pomona
@@ -51,10 +51,23 @@ clang: ## the tests again, compiled by clang
 	cmake --build build-clang -j $(JOBS)
 	ctest --test-dir build-clang --output-on-failure -j $(JOBS)
 
-bench: ## Table 1 of the paper, on this machine
+# One build for all measurements; each has its own target.
+.bench:
 	@scripts/setup.sh build test bench
 	cmake --preset bench
-	cmake --build build --target bench -j $(JOBS)
+
+table1: .bench ## Table 1 of the paper, on this machine: out/table1.md and .json
+	cmake --build build --target table1 -j $(JOBS)
+	@mkdir -p out
+	build/bench/table1 --out out/table1.md --json out/table1.json
+
+error-atlas: .bench ## where the diffusers differ from the truth: out/atlas; stop it and it goes on later
+	cmake --build build --target error_atlas -j $(JOBS)
+	build/bench/error_atlas --out out/atlas --json out/atlas/atlas.json
+
+bench: .bench ## everything that measures, built into build/bench; runs the kernels
+	cmake --build build -j $(JOBS)
+	build/bench/kernels
 
 clean: ## removes what was built, keeps out/
 	rm -rf build build-sanitize build-clang
