@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace pomona {
@@ -27,7 +28,7 @@ class Search {
       for (std::size_t i = first; i < end; ++i) try_triangle(tree_.order[i]);
       return;
     }
-    const NearestChildren inside = nearest_children(tree_, level, index, point_);
+    const NearestChildren inside = nearest_children(tree_, level, index, point_, squared_limit());
     for (std::size_t i = 0; i < inside.count && inside.child[i].first <= squared_limit(); ++i) {
       visit(level - 1, inside.child[i].second);
     }
@@ -35,6 +36,7 @@ class Search {
 
   void try_triangle(std::uint32_t triangle) {
     const auto [a, b, c] = corners(surfaces_, triangle);
+    if (squared_distance({glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))}, point_) > squared_limit()) return;
     const glm::dvec3 place = nearest_on_triangle(point_, a, b, c);
     const double distance = glm::length(point_ - (place.x * a + place.y * b + place.z * c));
     if (distance > limit_ + tie_) return;

@@ -86,19 +86,15 @@ std::array<glm::dvec3, 3> corners(const DiffusionSurfaces& surfaces, std::uint32
   return {glm::dvec3(surfaces.position[t.x]), glm::dvec3(surfaces.position[t.y]), glm::dvec3(surfaces.position[t.z])};
 }
 
-double squared_distance(const Box& box, const glm::dvec3& point) {
-  const glm::dvec3 outside = glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0));
-  return glm::dot(outside, outside);
-}
-
-NearestChildren nearest_children(const SurfaceTree& tree, std::size_t level, std::size_t index,
-                                 const glm::dvec3& point) {
+NearestChildren nearest_children(const SurfaceTree& tree, std::size_t level, std::size_t index, const glm::dvec3& point,
+                                 double most) {
   const std::vector<Box>& boxes = tree.levels[level - 1];
   const std::size_t first = index * SurfaceTree::branching;
   const std::size_t end = std::min(first + SurfaceTree::branching, boxes.size());
   NearestChildren sorted;
   for (std::size_t i = first; i < end; ++i) {
     const double distance = squared_distance(boxes[i], point);
+    if (distance > most) continue;
     std::size_t place = sorted.count++;
     for (; place > 0 && sorted.child[place - 1].first > distance; --place) {
       sorted.child[place] = sorted.child[place - 1];

@@ -3,9 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "generator/surface/diffusion_surfaces.h"
@@ -21,7 +24,10 @@ struct Box {
 std::array<glm::dvec3, 3> corners(const DiffusionSurfaces& surfaces, std::uint32_t triangle);
 
 /// Squared distance from a point to a box, 0 inside.
-double squared_distance(const Box& box, const glm::dvec3& point);
+inline double squared_distance(const Box& box, const glm::dvec3& point) {
+  const glm::dvec3 outside = glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0));
+  return glm::dot(outside, outside);
+}
 
 /// A tree over all triangles of some area, sorted along a Morton curve so that neighbours in `order` are
 /// neighbours in space. Leaf i holds order[leaf_size * i ...]; box i of level k + 1 holds the boxes
@@ -36,13 +42,13 @@ struct SurfaceTree {
 };
 
 /// The boxes of `level` - 1 inside box `index` of `level` (> 0), nearest to a point first, with their squared
-/// distances.
+/// distances; none farther than `most`, squared too.
 struct NearestChildren {
   std::array<std::pair<double, std::size_t>, SurfaceTree::branching> child;
   std::size_t count = 0;
 };
-NearestChildren nearest_children(const SurfaceTree& tree, std::size_t level, std::size_t index,
-                                 const glm::dvec3& point);
+NearestChildren nearest_children(const SurfaceTree& tree, std::size_t level, std::size_t index, const glm::dvec3& point,
+                                 double most = std::numeric_limits<double>::infinity());
 
 /// The range of `order` in leaf `index`: first and end.
 std::pair<std::size_t, std::size_t> leaf(const SurfaceTree& tree, std::size_t index);

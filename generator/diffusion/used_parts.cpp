@@ -1,6 +1,7 @@
 #include "generator/diffusion/used_parts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "generator/base/error.h"
@@ -12,8 +13,11 @@ namespace {
 constexpr std::size_t most_parts = 1024;
 
 std::vector<std::int32_t> parts_in_use(const DiffusionSurfaces& surfaces) {
-  std::vector<std::int32_t> used = surfaces.front_part;
-  used.insert(used.end(), surfaces.back_part.begin(), surfaces.back_part.end());
+  // Neighbours mostly have the same part: drop them before sorting.
+  std::vector<std::int32_t> used;
+  for (const std::vector<std::int32_t>* parts : {&surfaces.front_part, &surfaces.back_part}) {
+    std::unique_copy(parts->begin(), parts->end(), std::back_inserter(used));
+  }
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   if (used.size() > most_parts) {

@@ -56,126 +56,144 @@ int levels_for(std::size_t count) {
   return static_cast<int>(std::bit_width((count + most_in_leaf - 1) / most_in_leaf));
 }
 
+FloatBox bounds(std::span<const Placed> part) {
+  FloatBox box;
+  for (const Placed& p : part) box.grow(p.box);
+  return box;
+}
+
+/// Two parts of some triangles, the first `count` and the rest, with their boxes.
+struct Split {
+  std::size_t count = 0;
+  FloatBox one, other;
+};
+
+/// Equal slices of a box, and what of the triangles has its middle in each.
+class Bins {
+ public:
+  Bins(const FloatBox& box, int axis, std::span<const Placed> part)
+      : axis_(axis), low_(box.low[axis]), per_length_(bins * 0.9999f / (box.high[axis] - box.low[axis])) {
+    for (const Placed& p : part) {
+      const auto bin = static_cast<std::size_t>(bin_of(p));
+      box_[bin].grow(p.box);
+      ++count_[bin];
+    }
+  }
+
+  int bin_of(const Placed& p) const { return static_cast<int>((p.middle[axis_] - low_) * per_length_); }
+
+  /// The border before which a bin goes into the first part, and that part: where rays have least work to do, by
+  /// surface areas times triangles. A count of 0 if all are in one bin.
+  std::pair<int, Split> best() const {
+    std::array<FloatBox, bins> after{};
+    std::array<std::size_t, bins> count_after{};
+    for (std::size_t border = bins - 1; border > 0; --border) {
+      if (border + 1 < bins) {
+        after[border] = after[border + 1];
+        count_after[border] = count_after[border + 1];
+      }
+      after[border].grow(box_[border]);
+      count_after[border] += count_[border];
+    }
+
+    std::pair<int, Split> best;
+    float least = std::numeric_limits<float>::max();
+    FloatBox before;
+    std::size_t count = 0;
+    for (std::size_t border = 1; border < bins; ++border) {
+      before.grow(box_[border - 1]);
+      count += count_[border - 1];
+      if (count == 0 || count_after[border] == 0) continue;
+      const float cost = before.half_area() * static_cast<float>(count) +
+                         after[border].half_area() * static_cast<float>(count_after[border]);
+      if (cost >= least) continue;
+      least = cost;
+      best = {static_cast<int>(border), {count, before, after[border]}};
+    }
+    return best;
+  }
+
+ private:
+  static constexpr std::size_t bins = 16;
+  int axis_;
+  float low_, per_length_;
+  std::array<FloatBox, bins> box_{};
+  std::array<std::size_t, bins> count_{};
+};
+
 class TreeBuilder {
  public:
   explicit TreeBuilder(std::vector<Placed>& placed) : placed_(placed) {
-    node_.reserve(placed.size() / 2);
-    const int root = child(0, placed_.size(), 0);
+    node_.reserve(placed.size() / 2 + 1);
+    const FloatBox all = bounds(placed_);
+    const int root = child(0, placed.size(), all, 0);
     if (root == 0) return;
 
     // So few triangles that they are one leaf: a root above it, with nothing beside it.
     node_.emplace_back();
-    set(0, {child(0, placed_.size(), 0), bounds(0, placed_.size())}, {~0, FloatBox{}});
+    set(0, root, all, ~0, FloatBox{});
   }
 
   std::vector<RayNode> take() { return std::move(node_); }
 
  private:
-  struct Child {
-    int index = 0;
-    FloatBox box;
-  };
-
   /// Triangles [first, first + count) as a child of a node, `depth` below the root.
-  int child(std::size_t first, std::size_t count, int depth) {
+  int child(std::size_t first, std::size_t count, const FloatBox& box, int depth) {
     if (count <= most_in_leaf) return ~static_cast<int>(8 * first + count);
     const std::size_t index = node_.size();
     node_.emplace_back();
-    const std::size_t left = split(first, count, depth);
-    const Child one{child(first, left, depth + 1), bounds(first, left)};
-    const Child other{child(first + left, count - left, depth + 1), bounds(first + left, count - left)};
-    set(index, one, other);
+    const Split parts = split({placed_.data() + first, count}, box, depth);
+    const int one = child(first, parts.count, parts.one, depth + 1);
+    const int other = child(first + parts.count, count - parts.count, parts.other, depth + 1);
+    set(index, one, parts.one, other, parts.other);
     return static_cast<int>(index);
   }
 
-  void set(std::size_t index, const Child& one, const Child& other) {
-    node_[index] = {bits(one.box.low - slack, static_cast<std::uint32_t>(one.index)), bits(one.box.high + slack, 0),
-                    bits(other.box.low - slack, static_cast<std::uint32_t>(other.index)),
-                    bits(other.box.high + slack, 0)};
+  void set(std::size_t index, int one, const FloatBox& box, int other, const FloatBox& other_box) {
+    node_[index] = {bits(box.low - slack, static_cast<std::uint32_t>(one)), bits(box.high + slack, 0),
+                    bits(other_box.low - slack, static_cast<std::uint32_t>(other)), bits(other_box.high + slack, 0)};
   }
 
-  FloatBox bounds(std::size_t first, std::size_t count) const {
-    FloatBox box;
-    for (std::size_t i = first; i < first + count; ++i) box.grow(placed_[i].box);
-    return box;
-  }
-
-  /// Puts the triangles of the first child first, and says how many they are.
-  std::size_t split(std::size_t first, std::size_t count, int depth) {
-    const std::span<Placed> part(placed_.data() + first, count);
-    FloatBox middles;
-    for (const Placed& p : part) middles.grow(p.middle);
-    const glm::vec3 size = middles.high - middles.low;
+  /// Puts the triangles of the first part first.
+  static Split split(std::span<Placed> part, const FloatBox& box, int depth) {
+    const glm::vec3 size = box.high - box.low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
 
-    // By surface area, unless the middles coincide or the tree gets too deep for halving.
-    if (size[axis] > 0 && depth + levels_for(count) < RaySurfaces::most_depth - 2) {
-      const float per_length = bins * 0.9999f / size[axis];
-      const auto bin_of = [&](const Placed& p) {
-        return static_cast<int>((p.middle[axis] - middles.low[axis]) * per_length);
-      };
-      const int best = best_border(part, bin_of);
-      const auto border =
-          std::stable_partition(part.begin(), part.end(), [&](const Placed& p) { return bin_of(p) < best; });
-      const auto left = static_cast<std::size_t>(border - part.begin());
-      if (left > 0 && left < count) return left;
+    // By surface area, unless all middles are in one bin or the tree gets too deep for halving.
+    if (size[axis] > 0 && depth + levels_for(part.size()) < RaySurfaces::most_depth - 2) {
+      const Bins bins(box, axis, part);
+      const auto [border, found] = bins.best();
+      if (found.count > 0) {
+        std::partition(part.begin(), part.end(), [&, last = border](const Placed& p) { return bins.bin_of(p) < last; });
+        return found;
+      }
     }
-    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    const std::size_t half = part.size() / 2;
+    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(half);
     std::nth_element(part.begin(), middle, part.end(), [&](const Placed& p, const Placed& q) {
       return std::pair(p.middle[axis], p.triangle) < std::pair(q.middle[axis], q.triangle);
     });
-    return count / 2;
+    return {half, bounds(part.first(half)), bounds(part.subspan(half))};
   }
 
-  /// The number of bins, of 1 ... bins - 1, whose triangles go into the first child.
-  template <typename BinOf>
-  int best_border(std::span<const Placed> part, const BinOf& bin_of) const {
-    std::array<FloatBox, bins> box{};
-    std::array<std::size_t, bins> count{};
-    for (const Placed& p : part) {
-      const int bin = bin_of(p);
-      box[bin].grow(p.box);
-      ++count[bin];
-    }
-
-    // What the bins from each border on would cost, then what those before it do.
-    std::array<float, bins> after{};
-    FloatBox grown;
-    std::size_t sum = 0;
-    for (int border = bins - 1; border > 0; --border) {
-      grown.grow(box[border]);
-      sum += count[border];
-      after[border] = sum == 0 ? 0 : grown.half_area() * static_cast<float>(sum);
-    }
-    grown = FloatBox{};
-    sum = 0;
-    int best = 1;
-    float least = std::numeric_limits<float>::max();
-    for (int border = 1; border < bins; ++border) {
-      grown.grow(box[border - 1]);
-      sum += count[border - 1];
-      const float cost = after[border] + (sum == 0 ? 0 : grown.half_area() * static_cast<float>(sum));
-      if (cost < least) {
-        least = cost;
-        best = border;
-      }
-    }
-    return best;
-  }
-
-  static constexpr int bins = 16;
   std::vector<Placed>& placed_;
   std::vector<RayNode> node_;
 };
 
+std::vector<glm::vec3> normalized_positions(const DiffusionSurfaces& surfaces, const RaySurfaces& frame) {
+  std::vector<glm::vec3> positions;
+  positions.reserve(surfaces.vertex_count());
+  for (const glm::vec3& position : surfaces.position) positions.push_back(frame.normalized(position));
+  return positions;
+}
+
 std::vector<Placed> placed_triangles(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
-                                     const RaySurfaces& frame) {
+                                     std::span<const glm::vec3> positions) {
   std::vector<Placed> placed(tree.order.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     placed[i].triangle = tree.order[i];
-    for (int k = 0; k < 3; ++k) {
-      placed[i].box.grow(frame.normalized(surfaces.position[surfaces.triangle[tree.order[i]][k]]));
-    }
+    const glm::uvec3& corner = surfaces.triangle[tree.order[i]];
+    for (int k = 0; k < 3; ++k) placed[i].box.grow(positions[corner[k]]);
     placed[i].middle = 0.5f * (placed[i].box.low + placed[i].box.high);
   }
   return placed;
@@ -195,17 +213,21 @@ RaySurfaces ray_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& t
   std::frexp(tree.size, &exponent);
   result.scale = std::ldexp(1.0, 1 - exponent);
 
-  std::vector<Placed> placed = placed_triangles(surfaces, tree, result);
+  const std::vector<glm::vec3> positions = normalized_positions(surfaces, result);
+  std::vector<Placed> placed = placed_triangles(surfaces, tree, positions);
   result.node = TreeBuilder(placed).take();
 
   // Everything else in the order of the leaves.
   UsedParts parts = used_parts(surfaces);
   result.used_parts = std::move(parts.part);
+  result.triangle.reserve(placed.size());
+  result.side.reserve(placed.size());
+  result.color.reserve(2 * surfaces.vertex_count());
   for (const Placed& p : placed) {
     RayTriangle corners;
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t vertex = surfaces.triangle[p.triangle][k];
-      corners.corner[k] = bits(result.normalized(surfaces.position[vertex]), vertex);
+      corners.corner[k] = bits(positions[vertex], vertex);
     }
     result.triangle.push_back(corners);
     result.side.emplace_back(p.triangle, parts.front[p.triangle] | std::uint32_t{parts.back[p.triangle]} << 16);
