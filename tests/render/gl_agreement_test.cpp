@@ -54,16 +54,16 @@ TEST_P(EveryTemplate, HasTheColoursOfTheCpu) {
   const Template fruit = read_template(template_folder / (GetParam() + ".toml"));
   GrowOptions as_drawn;
   as_drawn.as_drawn = true;
-  as_drawn.detail = 0.6;
+  as_drawn.detail = 0.5;
   const DiffusionSurfaces sheets = grow(fruit, {}, as_drawn).sheets;
   std::vector<std::vector<glm::vec3>> points;
-  for (const Knife& knife : knives_for(sheets)) points.push_back(points_on_cut(sheets, knife, 25));
+  for (const Knife& knife : knives_for(sheets)) points.push_back(points_on_cut(sheets, knife, 20));
   std::vector<DiffusionTask> sections;
   for (const std::vector<glm::vec3>& on_cut : points) sections.push_back({&sheets, on_cut});
 
   static const auto opened_once = make_gl_diffuser();
   const std::vector<DiffusedColors> by_gl = opened_once->diffuse_all(sections);
-  const std::vector<DiffusedColors> by_cpu = make_pmvc_diffuser()->diffuse_all(sections);
+  const std::vector<DiffusedColors> by_cpu = make_pmvc_diffuser({Quality::reference, {}})->diffuse_all(sections);
   for (std::size_t i = 0; i < sections.size(); ++i) {
     ASSERT_FALSE(points[i].empty());
     const fields::Errors difference = fields::errors_of(by_gl[i].color, by_cpu[i].color);
