@@ -20,7 +20,7 @@ double dot(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.x + a.y * 
 
 Fault fault_of_loop(const Curve& loop) {
   if (loop.points.size() < 3) return CurveFault{"has too few points", "a loop needs at least three"};
-  if (!loop.closed) return CurveFault{"is not closed", "end the path with Z"};
+  if (!loop.closed) return CurveFault{"is not closed", "end the path with Z, or join its two ends"};
   if (!is_simple(loop)) return CurveFault{"crosses itself", "redraw it as one simple loop"};
   return {};
 }
@@ -68,7 +68,8 @@ std::optional<CurveFault> fault_of_vertical(const Curve& curve, SurfaceType type
 std::optional<CurveFault> fault_of_loop_around_axis(const Curve& loop, const Symmetry& symmetry) {
   if (Fault fault = fault_of_loop(loop)) return fault;
   if (!encloses(loop, {0, 0})) {
-    return CurveFault{"does not surround the axis", "draw it around the axis, which is at 0,0"};
+    return CurveFault{"does not surround the axis",
+                      "draw it around the axis, which is at 0,0 or where the sketch has it"};
   }
   const auto* folds = std::get_if<FoldSymmetry>(&symmetry);
   if (!folds) return {};

@@ -6,13 +6,10 @@
 #include "generator/base/units.h"
 #include "generator/template/curve_faults.h"
 #include "generator/template/read_paint.h"
-#include "generator/template/svg_path.h"
 
 namespace pomona {
 
 namespace {
-
-constexpr double largest_radius = 10;  // metres; a template is a fruit, or a bowl, or a volcano on a table
 
 Curve circle(double radius) {
   constexpr int corners = 256;
@@ -38,46 +35,26 @@ double largest_x(const Curve& curve) {
   return largest;
 }
 
-bool fits(const Curve& curve) {
-  return std::all_of(curve.points.begin(), curve.points.end(),
-                     [](const glm::dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)) <= largest_radius; });
-}
-
-void note(const TomlValue& value, const std::optional<CurveFault>& fault) {
-  if (fault) value.error("curve " + fault->message, fault->hint);
+/// The fold whose lines lie to either side of most of the loop.
+std::size_t fold_of(const Curve& loop, const std::vector<double>& angles) {
+  glm::dvec2 sum(0);
+  for (const glm::dvec2& p : loop.points) sum += p;
+  double angle = reproducible::atan2(sum.y, sum.x) - angles.front();
+  if (angle < 0) angle += 2 * pi;
+  std::size_t fold = 0;
+  while (fold + 1 < angles.size() && angles[fold + 1] - angles.front() <= angle) ++fold;
+  return fold;
 }
 
 }  // namespace
 
-std::optional<Curve> SurfaceReader::read_curve(const TomlValue& value) {
-  if (!value.given()) return {};
-  if (!value.is(TomlNode::Kind::string)) {
-    value.text();  // notes that it is none
-    return {};
-  }
-  try {
-    const SvgPathOptions limits;
-    std::vector<Curve> curves =
-        parse_svg_path(value.text(), {.unit = unit_, .most_points = std::min(limits.most_points, points_left_)});
-    if (curves.size() == 1 && fits(curves[0])) {
-      points_left_ -= std::min(points_left_, curves[0].points.size());
-      return std::move(curves[0]);
-    }
-    if (curves.empty()) value.error("curve is empty", "draw it: SVG path data, as in \"M 0 40 C 20 40 30 25 30 0\"");
-    if (curves.size() > 1) value.error("curve has several parts", "keep one M at its start");
-    if (curves.size() == 1) value.error("curve lies more than 10 m from the axis", "check the unit");
-  } catch (const BadPath& bad) {
-    value.error(std::string("curve ") + bad.what(), bad.hint);
-  }
-  return {};
-}
-
 void SurfaceReader::read_vertical(const TomlTable& table, SurfaceSketch& sketch) {
   const TomlValue value = table.need("vertical");
-  const std::optional<Curve> curve = read_curve(value);
-  if (!curve) return;
-  sketch.vertical = *curve;
-  note(value, fault_of_vertical(sketch.vertical, sketch.type));
+  std::optional<DrawnCurve> drawn = curves_.read(value, SketchView::side);
+  if (!drawn) return;
+  if (names_sketch(value) && sketch.type == SurfaceType::around_axis) drawn->curve = ended_on_axis(drawn->curve);
+  sketch.vertical = drawn->curve;
+  note(value, *drawn, fault_of_vertical(sketch.vertical, sketch.type));
 
   // Ramps along start at the bottom, whichever way the curve was drawn.
   std::vector<glm::dvec2>& points = sketch.vertical.points;
@@ -91,19 +68,37 @@ void SurfaceReader::read_around_axis(const TomlTable& table, SurfaceSketch& sket
     sketch.horizontal = {circle(std::max(largest_x(sketch.vertical), 1e-3))};
     return;
   }
-  const std::optional<Curve> loop = read_curve(value);
+  const std::optional<DrawnCurve> loop = curves_.read(value, SketchView::top);
   if (!loop) return;
-  sketch.horizontal = {counter_clockwise(*loop)};
-  note(value, fault_of_loop_around_axis(*loop, symmetry_));
+  sketch.horizontal = {counter_clockwise(loop->curve)};
+  note(value, *loop, fault_of_loop_around_axis(loop->curve, symmetry_));
 }
 
 void SurfaceReader::read_fold_loop(const TomlValue& value, std::size_t fold, SurfaceSketch& sketch) {
   sketch.horizontal.emplace_back();
   if (value.is(TomlNode::Kind::string) && value.text().empty()) return;  // nothing in this fold
-  const std::optional<Curve> loop = read_curve(value);
+  const std::optional<DrawnCurve> loop = curves_.read(value, SketchView::top);
   if (!loop) return;
-  sketch.horizontal.back() = counter_clockwise(*loop);
-  note(value, fault_of_loop_in_fold(*loop, std::get<FoldSymmetry>(symmetry_), fold));
+  sketch.horizontal.back() = counter_clockwise(loop->curve);
+  note(value, *loop, fault_of_loop_in_fold(loop->curve, std::get<FoldSymmetry>(symmetry_), fold));
+}
+
+void SurfaceReader::read_fold_group(const TomlValue& value, SurfaceSketch& sketch) {
+  const auto& folds = std::get<FoldSymmetry>(symmetry_);
+  sketch.horizontal.resize(folds.fold_angles.size());
+  std::vector<std::string> titles(folds.fold_angles.size());
+  for (const DrawnCurve& loop : curves_.read_group(value, SketchView::top)) {
+    if (loop.curve.points.empty()) continue;
+    const std::size_t k = fold_of(loop.curve, folds.fold_angles);
+    if (!titles[k].empty()) {
+      value.error(loop.title + " lies in fold " + std::to_string(k + 1) + ", where " + titles[k] + " lies already",
+                  "draw one loop in each fold, or take one of them out of the group");
+      continue;
+    }
+    titles[k] = loop.title;
+    sketch.horizontal[k] = counter_clockwise(loop.curve);
+    note(value, loop, fault_of_loop_in_fold(loop.curve, folds, k));
+  }
 }
 
 void SurfaceReader::read_in_fold(const TomlTable& table, SurfaceSketch& sketch) {
@@ -116,6 +111,7 @@ void SurfaceReader::read_in_fold(const TomlTable& table, SurfaceSketch& sketch) 
   }
   if (!value.given()) return;
   const std::vector<double>& angles = folds->fold_angles;
+  if (curves_.is_group(value, SketchView::top)) return read_fold_group(value, sketch);
 
   // One loop, drawn in fold 0, is the same in every fold.
   if (!value.is(TomlNode::Kind::array)) {

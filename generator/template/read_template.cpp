@@ -7,6 +7,7 @@
 #include "generator/base/units.h"
 #include "generator/template/read_paint.h"
 #include "generator/template/read_surface.h"
+#include "generator/template/sketch.h"
 #include "generator/template/toml_document.h"
 #include "generator/template/toml_limits.h"
 
@@ -70,10 +71,40 @@ std::vector<double> read_fold_angles(const TomlValue& value, int count) {
   return angles;
 }
 
-Symmetry read_symmetry(const TomlTable& table) {
+/// The fold lines of the sketch, or none.
+std::vector<double> drawn_fold_angles(const TomlValue& folds, int count, const Sketch* sketch) {
+  try {
+    return sketch ? sketch->fold_angles(count) : std::vector<double>();
+  } catch (const BadSketch& bad) {
+    folds.error(bad.what(), bad.hint);
+    return {};
+  }
+}
+
+Symmetry read_symmetry(const TomlTable& table, const Sketch* sketch) {
   if (table.need("kind").choice({"cylindrical", "folds"}) == 0) return CylindricalSymmetry{};
-  const int folds = table.need("folds").integer(1, 1, most_folds);
-  return FoldSymmetry{read_fold_angles(table.get("fold_angles"), folds)};
+  const TomlValue folds = table.need("folds"), angles = table.get("fold_angles");
+  const int count = folds.integer(1, 1, most_folds);
+  if (!angles.given()) {
+    std::vector<double> drawn = drawn_fold_angles(folds, count, sketch);
+    if (!drawn.empty()) return FoldSymmetry{std::move(drawn)};
+  }
+  return FoldSymmetry{read_fold_angles(angles, count)};
+}
+
+/// The sketch the template names, if it names one that can be read.
+std::optional<Sketch> read_sketch_of(const TomlTable& root, const std::string& file, std::optional<double> unit) {
+  const TomlValue value = root.get("sketch");
+  if (!value.is(TomlNode::Kind::string)) {
+    value.text();  // notes that it is none, if it is there
+    return {};
+  }
+  try {
+    return read_sketch(std::filesystem::path(file).parent_path(), value.text(), unit);
+  } catch (const BadSketch& bad) {
+    value.error(bad.what(), bad.hint);
+    return {};
+  }
 }
 
 std::vector<std::string> read_parts(const TomlValue& value) {
@@ -214,11 +245,15 @@ Template parse_template(std::string_view toml, const std::string& file) {
   Template fruit;
   fruit.file = file;
   read_head(root, fruit);
-  fruit.symmetry = read_symmetry(root.need("symmetry").table());
 
   // Curves need the unit, and paint needs the parts: without them their own mistakes cannot be told.
-  const double unit = root.need("unit").length(1e-3, {1e-6, 1});
-  fruit.surfaces = read_surfaces(root, SurfaceReader(unit, fruit.parts, fruit.symmetry));
+  const TomlValue unit_value = root.has("sketch") ? root.get("unit") : root.need("unit");
+  const double unit = unit_value.length(1e-3, {1e-6, 1});
+  const std::optional<Sketch> sketch =
+      read_sketch_of(root, file, unit_value.given() ? std::optional<double>(unit) : std::nullopt);
+  fruit.symmetry = read_symmetry(root.need("symmetry").table(), sketch ? &*sketch : nullptr);
+  const CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
+  fruit.surfaces = read_surfaces(root, SurfaceReader(curves, fruit.parts, fruit.symmetry));
   set_on_ground(fruit.surfaces);
 
   std::vector<std::string> names;

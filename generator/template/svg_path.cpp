@@ -19,6 +19,7 @@ namespace pomona {
 namespace {
 
 constexpr double largest_coordinate = 1e6;  // SVG units; beyond it a drawing is a mistake
+constexpr double largest_placed = 1e9;      // after transforms
 
 /// An elliptical arc as SVG states it, and the same by its centre (SVG 1.1, appendix F.6.5).
 struct EndpointArc {
@@ -70,7 +71,8 @@ class CenteredArc {
 /// Makes polylines of a path's segments.
 class Flattener {
  public:
-  explicit Flattener(const SvgPathOptions& options) : options_(options) {}
+  explicit Flattener(const SvgPathOptions& options)
+      : options_(options), scale_(options.unit * largest_stretch(options.transform)) {}
 
   void move_to(const Geom::Point& p) {
     finish();
@@ -103,8 +105,7 @@ class Flattener {
     if (radii.x == 0 || radii.y == 0) return add(to);
     const CenteredArc arc({current_, to, radii, angle, large, sweep});
     // A chord over the angle a strays r (1 - cos(a / 2)) < r a^2 / 8 from its arc.
-    const double steps =
-        std::fabs(arc.angle()) * std::sqrt(arc.largest_radius() * options_.unit / (8 * options_.tolerance));
+    const double steps = std::fabs(arc.angle()) * std::sqrt(arc.largest_radius() * scale_ / (8 * options_.tolerance));
     const std::size_t count = checked_steps(steps);
     for (std::size_t i = 1; i < count; ++i) add(arc.at(static_cast<double>(i) / static_cast<double>(count)));
     add(to);
@@ -154,7 +155,7 @@ class Flattener {
   /// Evenly in the parameter, as many steps as the second differences ask for (Wang's bound): the same for
   /// the same numbers, whatever the curve around them.
   void add_cubic(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
-    const double bend = std::max(glm::length(a - 2.0 * b + c), glm::length(b - 2.0 * c + d)) * options_.unit;
+    const double bend = std::max(glm::length(a - 2.0 * b + c), glm::length(b - 2.0 * c + d)) * scale_;
     const std::size_t count = checked_steps(std::sqrt(0.75 * bend / options_.tolerance));
     for (std::size_t i = 1; i < count; ++i) {
       const double t = static_cast<double>(i) / static_cast<double>(count), s = 1 - t;
@@ -169,7 +170,10 @@ class Flattener {
     // on a grid (of a nanometre) they cannot reach anything that follows. It also puts what is drawn
     // on the axis exactly there, and points drawn alike into one place.
     const auto snapped = [](double metres) { return std::floor(metres * 0x1p30 + 0.5) * 0x1p-30; };
-    const glm::dvec2 point(snapped(p.x * options_.unit), snapped(-p.y * options_.unit));
+    const glm::dvec2 placed = options_.transform(p);
+    const bool fits = std::fabs(placed.x) <= largest_placed && std::fabs(placed.y) <= largest_placed;
+    if (!fits) throw BadPath("is moved too far by its transforms", "ungroup it, or draw it anew");
+    const glm::dvec2 point(snapped(placed.x * options_.unit), snapped(-placed.y * options_.unit));
     std::vector<glm::dvec2>& points = curves_.back().points;
     if (!points.empty() && points.back() == point) return;
     if (++count_ > options_.most_points) {
@@ -179,6 +183,7 @@ class Flattener {
   }
 
   SvgPathOptions options_;
+  double scale_;  ///< metres that a unit of the path's coordinates may span
   std::vector<Curve> curves_;
   glm::dvec2 start_{0}, current_{0};
   bool open_ = false;

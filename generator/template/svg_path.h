@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/base/curve.h"
+#include "generator/template/svg_transform.h"
 
 namespace pomona {
 
@@ -15,6 +16,7 @@ struct SvgPathOptions {
   double unit = 1e-3;               ///< metres per SVG unit
   double tolerance = 1e-5;          ///< metres a chord may stray from its curve: a tenth of a fine pen's line
   std::size_t most_points = 65536;  ///< in all subpaths together
+  SvgTransform transform = {};      ///< of the path's coordinates, before all else
 };
 
 /// What is wrong with path data, and what to do about it; the place is known to whoever holds the text.

@@ -257,6 +257,10 @@ bool TomlDocument::has_errors() const { return !state_->diagnostics.empty(); }
 
 void TomlDocument::throw_if_any() {
   note_unknown(state_->root, *state_);
+  throw_if_noted();
+}
+
+void TomlDocument::throw_if_noted() {
   std::vector<Diagnostic> found = std::move(state_->diagnostics);
   if (found.empty()) return;
   std::stable_sort(found.begin(), found.end(), [](const Diagnostic& a, const Diagnostic& b) {

@@ -111,6 +111,9 @@ class TomlDocument {
   /// first 20 diagnostics by position, or returns.
   void throw_if_any();
 
+  /// The same without the unknown keys, for who reads only some of the file.
+  void throw_if_noted();
+
  private:
   std::unique_ptr<TomlState> state_;
 };

@@ -29,6 +29,7 @@ HEAVY = {
     "OpenMesh": (r"OpenMesh/", r"generator/(surface|scene)/\w+\.cpp|render/(style|gl)/\w+\.cpp"),
     "toml++": (r"toml(\+\+|plusplus)?(/|\.h)", r"generator/(template|scene)/\w+\.cpp"),
     "lib2geom": (r"2geom/", r"generator/template/\w+\.cpp"),
+    "pugixml": (r"pugixml\.hpp", r"generator/template/\w+\.cpp"),
     "Bullet": (r"(bullet/)?(bt\w+\.h|Bullet\w*/|LinearMath/)", r"generator/scene/\w+\.cpp"),
     "tinygltf": (r"tiny_gltf\.h", r"render/export/gltf\.cpp|tests/render/export/read_glb\.cpp"),
     "libpng": (r"png\.h", r"render/picture/\w+\.cpp|tests/\w+/\w+\.cpp"),
