@@ -22,6 +22,7 @@ using Command = DeclaredCommand (*)(CLI::App& app);
 
 DeclaredCommand list_command(CLI::App& app);
 DeclaredCommand check_command(CLI::App& app);
+DeclaredCommand sketch_command(CLI::App& app);
 DeclaredCommand grow_command(CLI::App& app);
 DeclaredCommand cut_command(CLI::App& app);
 DeclaredCommand scene_command(CLI::App& app);

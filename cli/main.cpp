@@ -2,7 +2,7 @@
 #include "cli/command.h"
 
 int main(int argc, char** argv) {
-  return pomona::run(
-      {pomona::list_command, pomona::check_command, pomona::grow_command, pomona::cut_command, pomona::scene_command},
-      argc, argv);
+  return pomona::run({pomona::list_command, pomona::check_command, pomona::sketch_command, pomona::grow_command,
+                      pomona::cut_command, pomona::scene_command},
+                     argc, argv);
 }

@@ -14,7 +14,15 @@ PaintedColor read_painted_color(const TomlValue& value) {
   PaintedColor color;
   if (value.is(TomlNode::Kind::table)) {
     const TomlTable table = value.table();
-    color.along = read_color_ramp(table.need("along"), Color(0.5f));
+    const TomlValue sample = table.get("sample");
+    if (sample.given() && !table.has("along")) {
+      sample.error("has no colours yet",
+                   "`pomona sketch FILE --sample` takes them from the picture and writes them here");
+    } else {
+      color.along = read_color_ramp(table.need("along"), Color(0.5f));
+    }
+    if (sample.given() && !sample.text().starts_with("#")) sample.error("names no line", "write \"#\" and its name");
+    table.get("stops").integer(9, 2, 64);
     color.around = read_color_ramp(table.get("around"), Color(1.0f));
   } else {
     color.along = read_color_ramp(value, Color(0.5f));

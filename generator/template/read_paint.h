@@ -29,7 +29,8 @@ Ramp<Value> read_ramp(const TomlValue& value, const Value& fallback, Read read) 
   return ramp.stops.empty() ? Ramp<Value>::constant(fallback) : ramp;
 }
 
-/// "#rrggbb", a ramp along, or { along = ..., around = ... }.
+/// "#rrggbb", a ramp along, or { along = ..., around = ... }. `sample` and `stops` say where `pomona sketch --sample`
+/// took the colours along; here they are only checked.
 PaintedColor read_painted_color(const TomlValue& value);
 
 /// { part = "skin", color = ..., hidden = true }.

@@ -1,0 +1,26 @@
+// Pictures that a sketch is drawn over: in files beside it, or within it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <glm/vec2.hpp>
+
+#include "render/picture/image.h"
+
+namespace pomona {
+
+struct LinkedPicture {
+  std::string href;    ///< the path from the folder, as a URI
+  glm::dvec2 size{0};  ///< pixels
+};
+
+/// How an SVG in `folder` names the picture. \throws Error (usage) if it lies elsewhere, (bad_data) if it is no PNG.
+LinkedPicture linked_picture(const std::filesystem::path& picture, const std::filesystem::path& folder);
+
+/// The picture that an SVG in `folder` names: a relative path to a PNG in that folder or below, or a data URI.
+/// \param place where it is named, for messages.
+/// \throws Error (bad_data) for other kinds of links and pictures, and beyond 100 million pixels, (input_missing).
+Image read_linked_picture(const std::string& href, const std::filesystem::path& folder, const std::string& place);
+
+}  // namespace pomona
