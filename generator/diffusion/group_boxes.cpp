@@ -7,8 +7,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/diffusion/morton.h"
-
 namespace pomona {
 
 namespace {
@@ -79,23 +77,6 @@ GroupBoxes nearest_first(const PackedSurfaces& surfaces, std::span<const glm::ve
     }
   }
   return result;
-}
-
-std::vector<std::uint32_t> morton_order(std::span<const glm::vec3> points) {
-  if (points.empty()) return {};
-  glm::dvec3 low(points.front()), high(points.front());
-  for (const glm::vec3& p : points) {
-    low = glm::min(low, glm::dvec3(p));
-    high = glm::max(high, glm::dvec3(p));
-  }
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted;
-  for (const glm::vec3& p : points) {
-    sorted.emplace_back(morton_code(glm::dvec3(p), low, high), static_cast<std::uint32_t>(sorted.size()));
-  }
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<std::uint32_t> order;
-  for (const auto& [code, index] : sorted) order.push_back(index);
-  return order;
 }
 
 }  // namespace pomona

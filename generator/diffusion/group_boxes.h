@@ -25,7 +25,4 @@ struct GroupBoxes {
 /// `points` are normalised and in an order that keeps neighbours together.
 GroupBoxes nearest_first(const PackedSurfaces& surfaces, std::span<const glm::vec3> points);
 
-/// The order of points along a Morton curve.
-std::vector<std::uint32_t> morton_order(std::span<const glm::vec3> points);
-
 }  // namespace pomona

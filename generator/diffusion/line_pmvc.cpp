@@ -8,6 +8,7 @@
 #include "generator/base/units.h"
 #include "generator/diffusion/group_boxes.h"
 #include "generator/diffusion/line_sweep.h"
+#include "generator/diffusion/morton.h"
 
 namespace pomona {
 
@@ -64,7 +65,7 @@ std::vector<PmvcValue> line_pmvc(const DiffusionSurfaces& surfaces, const Surfac
   const std::size_t sums_per_point = blocks_of(lines.size()) * (4 + packed.used_parts.size());
   const std::size_t at_once = std::clamp<std::size_t>(most_sums / sums_per_point, 1, most_points_at_once);
   std::vector<PmvcValue> values(points.size());
-  const std::vector<std::uint32_t> order = morton_order(points);
+  const std::vector<std::uint32_t> order = morton_order(std::vector<glm::dvec3>(points.begin(), points.end()));
   for (std::size_t first = 0; first < points.size(); first += at_once) {
     std::vector<glm::vec3> batch;
     for (std::size_t i = first; i < std::min(first + at_once, points.size()); ++i) {

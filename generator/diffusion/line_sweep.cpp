@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "generator/diffusion/sweep_kernels.h"
 
 namespace pomona {
@@ -42,22 +44,28 @@ Range range_of(const AlignedFloats& values, std::size_t count) {
   return range;
 }
 
-/// About three points a bin if they were spread evenly over their rectangle.
-void lay_out_bins(SweepState& state) {
-  constexpr float points_per_bin = 3;
+/// About half a point a bin if they were spread evenly over their rectangle. Bins are tall: a triangle then touches
+/// few rows, and the points of a row that it tests still fill a vector. `squeeze` is by how much the points have
+/// been pushed together along u.
+void lay_out_bins(SweepState& state, float squeeze) {
+  constexpr float points_per_bin = 0.5f;
+  constexpr float tallness = 8;     // height over width
   constexpr float most_bins = 512;  // along an axis
   const Range u = range_of(state.u, state.points), v = range_of(state.v, state.points);
   const float width = u.high - u.low, height = v.high - v.low;
-  const float side = std::sqrt(width * height * points_per_bin / static_cast<float>(state.points));
-  const auto bins_along = [&](float length) { return side > 0 ? std::clamp(length / side, 1.0f, most_bins) : 1.0f; };
+  const float spread = width / std::max(squeeze, 1e-3f);
+  const float bin_height = std::sqrt(spread * height * tallness * points_per_bin / static_cast<float>(state.points));
+  const auto bins_along = [&](float length, float bin) {
+    return bin > 0 ? std::clamp(length / bin, 1.0f, most_bins) : 1.0f;
+  };
 
   SweepBins& bins = state.bins;
   bins.low_u = u.low;
   bins.low_v = v.low;
   bins.high_u = u.high;
   bins.high_v = v.high;
-  bins.columns = static_cast<std::int32_t>(bins_along(width));
-  bins.rows = static_cast<std::int32_t>(bins_along(height));
+  bins.columns = static_cast<std::int32_t>(bins_along(spread, bin_height / tallness));
+  bins.rows = static_cast<std::int32_t>(bins_along(height, bin_height));
   bins.per_u = width > least_distance ? static_cast<float>(bins.columns) / width : 0;
   bins.per_v = height > least_distance ? static_cast<float>(bins.rows) / height : 0;
 }
@@ -82,68 +90,71 @@ void fill_slots(SweepState& state) {
   first.front() = 0;
 }
 
-/// Lays out the levels of reach over the bins: the last is a single square.
-void lay_out_reach(SweepState& state) {
-  SweepReach& reach = state.reach;
-  reach.levels = 0;
-  std::int32_t entries = 0;
-  for (std::int32_t columns = state.bins.columns, rows = state.bins.rows;;) {
-    const auto level = static_cast<std::size_t>(reach.levels++);
-    reach.first[level] = entries;
-    reach.columns[level] = columns;
-    entries += columns * rows;
-    if (columns == 1 && rows == 1) break;
-    columns = (columns + 1) / 2;
-    rows = (rows + 1) / 2;
-  }
-  reach.nearest.assign(static_cast<std::size_t>(entries), nowhere);
-  reach.farthest.assign(static_cast<std::size_t>(entries), -nowhere);
+/// Columns of the finest level of reach.
+std::int32_t cell_columns(const SweepBins& bins) {
+  return (bins.columns + SweepReach::bins_per_cell - 1) / SweepReach::bins_per_cell;
 }
 
-/// What the points of each bin see by now; squares of bins; and each with its three neighbours.
-void update_reach(SweepState& state) {
+/// As many levels as a square needs to cover all cells; nothing is hidden yet.
+void lay_out_reach(SweepState& state) {
   SweepReach& reach = state.reach;
-  const auto include = [&](std::size_t into, std::size_t from) {
-    reach.nearest[into] = std::min(reach.nearest[into], reach.nearest[from]);
-    reach.farthest[into] = std::max(reach.farthest[into], reach.farthest[from]);
-  };
-  const auto bins = static_cast<std::size_t>(state.bins.columns * state.bins.rows);
-  for (std::size_t bin = 0; bin < bins; ++bin) {
-    float nearest = nowhere, farthest = -nowhere;
-    const auto end = static_cast<std::size_t>(state.bins.first_slot[bin + 1]);
-    for (auto slot = static_cast<std::size_t>(state.bins.first_slot[bin]); slot < end; ++slot) {
-      nearest = std::min(nearest, state.slot_w[slot] - state.behind.distance[slot]);
-      farthest = std::max(farthest, state.slot_w[slot] + state.ahead.distance[slot]);
-    }
-    reach.nearest[bin] = nearest;
-    reach.farthest[bin] = farthest;
-  }
+  reach.columns = cell_columns(state.bins);
+  reach.cells = reach.columns * state.bins.rows;
+  reach.levels = 1;
+  while (1 << (reach.levels - 1) < std::max(reach.columns, state.bins.rows)) ++reach.levels;
+  const auto entries = static_cast<std::size_t>(reach.cells * reach.levels);
+  reach.nearest.assign(entries, -nowhere);
+  reach.farthest.assign(entries, nowhere);
+}
 
-  std::int32_t columns = state.bins.columns, rows = state.bins.rows;
-  for (std::size_t level = 0; level < static_cast<std::size_t>(reach.levels); ++level) {
-    const std::int32_t next_columns = (columns + 1) / 2;
-    const bool is_last = level + 1 == static_cast<std::size_t>(reach.levels);
-    if (!is_last) {
-      const std::size_t next = static_cast<std::size_t>(reach.first[level + 1]);
-      std::fill(reach.nearest.begin() + reach.first[level + 1], reach.nearest.end(), nowhere);
-      std::fill(reach.farthest.begin() + reach.first[level + 1], reach.farthest.end(), -nowhere);
-      for (std::int32_t y = 0; y < rows; ++y) {
-        for (std::int32_t x = 0; x < columns; ++x) {
-          include(next + static_cast<std::size_t>(y / 2 * next_columns + x / 2),
-                  static_cast<std::size_t>(reach.first[level] + y * columns + x));
-        }
+/// How far the points of every cell see by now.
+void update_cells(SweepState& state) {
+  SweepReach& reach = state.reach;
+  const SweepBins& bins = state.bins;
+  std::size_t cell = 0;
+  for (std::int32_t row = 0; row < bins.rows; ++row) {
+    const std::int32_t* const first_slot = &bins.first_slot[static_cast<std::size_t>(row * bins.columns)];
+    for (std::int32_t column = 0; column < bins.columns; column += SweepReach::bins_per_cell, ++cell) {
+      const auto end = static_cast<std::size_t>(first_slot[std::min(column + SweepReach::bins_per_cell, bins.columns)]);
+      float nearest = nowhere, farthest = -nowhere;
+      for (auto slot = static_cast<std::size_t>(first_slot[column]); slot < end; ++slot) {
+        nearest = std::min(nearest, state.slot_w[slot] - state.behind.distance[slot]);
+        farthest = std::max(farthest, state.slot_w[slot] + state.ahead.distance[slot]);
       }
+      reach.nearest[cell] = nearest;
+      reach.farthest[cell] = farthest;
     }
-    for (std::int32_t y = 0; y < rows; ++y) {
-      for (std::int32_t x = 0; x < columns; ++x) {
-        const auto at = static_cast<std::size_t>(reach.first[level] + y * columns + x);
-        if (x + 1 < columns) include(at, at + 1);
-        if (y + 1 < rows) include(at, at + static_cast<std::size_t>(columns));
-        if (x + 1 < columns && y + 1 < rows) include(at, at + static_cast<std::size_t>(columns) + 1);
-      }
-    }
-    columns = next_columns;
-    rows = (rows + 1) / 2;
+  }
+}
+
+/// One level from the one below: four squares of half the side, or those of them that lie on the grid.
+template <typename Better>
+void double_squares(std::span<const float> below, std::span<float> level, std::int32_t columns, std::int32_t rows,
+                    std::int32_t half, const Better& better) {
+  for (std::int32_t y = 0; y < rows; ++y) {
+    const float* const a = &below[static_cast<std::size_t>(y * columns)];
+    const float* const b = &below[static_cast<std::size_t>(std::min(y + half, rows - 1) * columns)];
+    float* const into = &level[static_cast<std::size_t>(y * columns)];
+    const std::int32_t inner = std::max(columns - half, 0);
+    for (std::int32_t x = 0; x < inner; ++x) into[x] = better(better(a[x], a[x + half]), better(b[x], b[x + half]));
+    for (std::int32_t x = inner; x < columns; ++x) into[x] = better(a[x], b[x]);
+  }
+}
+
+void update_reach(SweepState& state) {
+  update_cells(state);
+  SweepReach& reach = state.reach;
+  const auto cells = static_cast<std::size_t>(reach.cells);
+  const auto lesser = [](float a, float b) { return b < a ? b : a; };
+  const auto greater = [](float a, float b) { return b > a ? b : a; };
+  for (std::int32_t level = 1; level < reach.levels; ++level) {
+    const std::size_t from = static_cast<std::size_t>(level - 1) * cells;
+    const std::span nearest(reach.nearest), farthest(reach.farthest);
+    const std::int32_t half = 1 << (level - 1);
+    double_squares(nearest.subspan(from, cells), nearest.subspan(from + cells, cells), reach.columns, state.bins.rows,
+                   half, lesser);
+    double_squares(farthest.subspan(from, cells), farthest.subspan(from + cells, cells), reach.columns, state.bins.rows,
+                   half, greater);
   }
 }
 
@@ -171,10 +182,40 @@ void shade(const PackedSurfaces& surfaces, const SweepState& state, const SweepH
   }
 }
 
+/// The normal of the plane that all points lie on, if there is one: not to the last bit, for it only sets which way
+/// bins run.
+std::optional<glm::vec3> normal_of_plane(std::span<const glm::vec3> points) {
+  glm::vec3 far(0), normal(0);
+  for (const glm::vec3& p : points) {
+    const glm::vec3 offset = p - points.front();
+    if (glm::dot(offset, offset) > glm::dot(far, far)) far = offset;
+  }
+  for (const glm::vec3& p : points) {
+    const glm::vec3 n = glm::cross(far, p - points.front());
+    if (glm::dot(n, n) > glm::dot(normal, normal)) normal = n;
+  }
+  if (glm::length(normal) < 1e-4f) return std::nullopt;
+  normal = glm::normalize(normal);
+  for (const glm::vec3& p : points) {
+    if (std::fabs(glm::dot(normal, p - points.front())) > 1e-3f) return std::nullopt;
+  }
+  return normal;
+}
+
+/// The same line with across_u along the direction in which a plane looks narrower.
+Line turned_towards(const Line& line, const glm::vec3& normal) {
+  const glm::dvec3 along(line.along), n(normal);
+  const glm::dvec3 narrow = n - glm::dot(n, along) * along;
+  const double length = glm::length(narrow);
+  if (length < 1e-3) return line;
+  const glm::dvec3 u = narrow / length;
+  return {glm::vec3(u), glm::vec3(glm::cross(along, u)), line.along};
+}
+
 }  // namespace
 
 LineSweep::LineSweep(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::span<const glm::vec3> points)
-    : surfaces_(surfaces), boxes_(boxes), state_(std::make_unique<SweepState>()) {
+    : surfaces_(surfaces), boxes_(boxes), normal_(normal_of_plane(points)), state_(std::make_unique<SweepState>()) {
   SweepState& state = *state_;
   state.points = points.size();
   const std::size_t count = points.size() + SweepState::padding;
@@ -196,10 +237,12 @@ LineSweep::LineSweep(const PackedSurfaces& surfaces, const GroupBoxes& boxes, st
 
 LineSweep::~LineSweep() = default;
 
-void LineSweep::add(const Line& line, SweepSums& sums) {
+void LineSweep::add(const Line& given, SweepSums& sums) {
   SweepState& state = *state_;
+  const Line line = normal_ ? turned_towards(given, *normal_) : given;
+  const float squeeze = normal_ ? std::fabs(glm::dot(*normal_, given.along)) : 1;
   project_points(line, state);
-  lay_out_bins(state);
+  lay_out_bins(state, squeeze);
   find_bins(state);
   fill_slots(state);
   lay_out_reach(state);
@@ -211,7 +254,7 @@ void LineSweep::add(const Line& line, SweepSums& sums) {
   std::size_t size = first_round;
   for (std::size_t first = 0; first < groups; size *= 2) {
     const std::size_t end = std::min(groups, first + size);
-    update_reach(state);
+    if (first > 0) update_reach(state);
     cover(line, boxes_, first, end, surfaces_.groups, state);
     first = end;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,9 +23,8 @@ struct SweepSums {
 /// Projects points and triangles onto the plane across a line; every triangle tests the points it covers, found
 /// through a grid of bins; each point keeps the nearest hit ahead of it and behind it.
 ///
-/// The edge functions (a - p) x (b - p) of two triangles that share an edge are exact negatives of each other,
-/// and their signs are never wrong (rounding is monotone, so a wrong one could only be 0): with both signs of
-/// inside and 0 included, no line slips between two triangles. Equal distances go to the smaller triangle index.
+/// The edge functions of two triangles that share an edge are exact negatives of each other, and 0 counts as inside: no
+/// line slips through between them. Equal distances go to the smaller triangle index.
 class LineSweep {
  public:
   /// `points` are normalised. `surfaces` and `boxes` must outlive this.
@@ -37,6 +37,7 @@ class LineSweep {
  private:
   const PackedSurfaces& surfaces_;
   const GroupBoxes& boxes_;
+  std::optional<glm::vec3> normal_;  ///< of the plane of the points, if they have one
   std::unique_ptr<SweepState> state_;
 };
 

@@ -58,25 +58,23 @@ std::vector<Box> boxes_over(std::size_t count, std::size_t step, const BoxOf& bo
   return boxes;
 }
 
-std::vector<std::uint32_t> morton_order(const DiffusionSurfaces& surfaces) {
+/// The triangles with an area, along a Morton curve through the middles of their boxes.
+std::vector<std::uint32_t> along_curve(const DiffusionSurfaces& surfaces) {
   std::vector<std::uint32_t> solid;
+  std::vector<glm::dvec3> middles;
+  solid.reserve(surfaces.triangle_count());
+  middles.reserve(surfaces.triangle_count());
   for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t) {
-    if (has_area(surfaces, t)) solid.push_back(t);
+    if (!has_area(surfaces, t)) continue;
+    const Box box = box_of(surfaces, t);
+    solid.push_back(t);
+    middles.push_back(0.5 * (box.low + box.high));
   }
   if (solid.empty()) throw Error(ExitStatus::bad_data, "surfaces: there is no triangle with any area to diffuse from");
 
-  // Sort by the code of the middle, then by index.
-  Box all = box_of(surfaces, solid.front());
-  for (const std::uint32_t t : solid) grow(all, box_of(surfaces, t));
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed;
-  keyed.reserve(solid.size());
-  for (const std::uint32_t t : solid) {
-    const Box box = box_of(surfaces, t);
-    keyed.emplace_back(morton_code(0.5 * (box.low + box.high), all.low, all.high), t);
-  }
-  std::sort(keyed.begin(), keyed.end());
-  std::transform(keyed.begin(), keyed.end(), solid.begin(), [](const auto& key) { return key.second; });
-  return solid;
+  std::vector<std::uint32_t> order = morton_order(middles);
+  for (std::uint32_t& entry : order) entry = solid[entry];
+  return order;
 }
 
 }  // namespace
@@ -112,7 +110,7 @@ std::pair<std::size_t, std::size_t> leaf(const SurfaceTree& tree, std::size_t in
 SurfaceTree make_surface_tree(const DiffusionSurfaces& surfaces) {
   require_finite(surfaces);
   SurfaceTree tree;
-  tree.order = morton_order(surfaces);
+  tree.order = along_curve(surfaces);
   tree.levels.push_back(boxes_over(tree.order.size(), SurfaceTree::leaf_size,
                                    [&](std::size_t i) { return box_of(surfaces, tree.order[i]); }));
   while (tree.levels.back().size() > 1) {

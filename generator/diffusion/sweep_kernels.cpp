@@ -72,22 +72,31 @@ struct Extents {
   Float low_u, high_u, low_v, high_v, low_w, high_w;
 };
 
+/// Bins that a box touches, both ends included.
+struct BinRange {
+  Int left, right, bottom, top;
+};
+
+HWY_INLINE BinRange bins_of(const Extents& box, const SweepBins& bins) {
+  return {bin_along(box.low_u, bins.low_u, bins.per_u, bins.columns),
+          bin_along(box.high_u, bins.low_u, bins.per_u, bins.columns),
+          bin_along(box.low_v, bins.low_v, bins.per_v, bins.rows),
+          bin_along(box.high_v, bins.low_v, bins.per_v, bins.rows)};
+}
+
 /// Whether a box may hold something nearer than what some point sees already.
-HWY_INLINE Mask may_be_seen(const Extents& box, const SweepState& state) {
-  // The level whose squares are no smaller than the box, from the exponent of its size in bins.
+HWY_INLINE Mask may_be_seen(const Extents& box, const BinRange& range, const SweepState& state) {
+  // The level whose squares of cells cover it: the exponent of its size in cells, rounded up.
   const SweepBins& bins = state.bins;
   const SweepReach& reach = state.reach;
-  const Float size = hn::Max(hn::Mul(hn::Sub(box.high_u, box.low_u), hn::Set(floats, bins.per_u)),
-                             hn::Mul(hn::Sub(box.high_v, box.low_v), hn::Set(floats, bins.per_v)));
-  const Int exponent = hn::Sub(hn::ShiftRight<23>(hn::BitCast(ints, size)), hn::Set(ints, 126));
-  const Int level = hn::Min(hn::Max(exponent, hn::Zero(ints)), hn::Set(ints, reach.levels - 1));
+  const Int left = hn::ShiftRight<SweepReach::log_bins_per_cell>(range.left);
+  const Int right = hn::ShiftRight<SweepReach::log_bins_per_cell>(range.right);
+  const Float size = hn::ConvertTo(floats, hn::Max(hn::Sub(right, left), hn::Sub(range.top, range.bottom)));
+  const Int exponent = hn::ShiftRight<23>(hn::BitCast(ints, hn::Add(size, hn::Set(floats, 0.5f))));
+  const Int level = hn::Sub(exponent, hn::Set(ints, 126));
 
-  // Its square there.
-  const Int column = hn::Shr(bin_along(box.low_u, bins.low_u, bins.per_u, bins.columns), level);
-  const Int row = hn::Shr(bin_along(box.low_v, bins.low_v, bins.per_v, bins.rows), level);
-  const Int first = hn::GatherIndex(ints, reach.first.data(), level);
-  const Int columns = hn::GatherIndex(ints, reach.columns.data(), level);
-  const Int entry = hn::Add(first, hn::Add(hn::Mul(row, columns), column));
+  const Int cell = hn::Add(hn::Mul(range.bottom, hn::Set(ints, reach.columns)), left);
+  const Int entry = hn::Add(hn::Mul(level, hn::Set(ints, reach.cells)), cell);
   const Float nearest = hn::GatherIndex(floats, reach.nearest.data(), entry);
   const Float farthest = hn::GatherIndex(floats, reach.farthest.data(), entry);
 
@@ -124,82 +133,75 @@ HWY_INLINE std::uint32_t boxes_seen(const Line& line, const GroupBoxes& boxes, s
     const Float u = half_along(line.across_u, i), v = half_along(line.across_v, i), w = half_along(line.along, i);
     const Extents extents{hn::Sub(middle.u, u), hn::Add(middle.u, u), hn::Sub(middle.v, v),
                           hn::Add(middle.v, v), hn::Sub(middle.w, w), hn::Add(middle.w, w)};
-    seen |= bits_of(may_be_seen(extents, state), lane);
+    seen |= bits_of(may_be_seen(extents, bins_of(extents, state.bins), state), lane);
   }
   return seen;
 }
 
-/// A group in the frame of the line, and the bins its triangles touch.
+/// A function of u and v: a * u + b * v + c.
+struct Plane {
+  HWY_ALIGN float a[group_size], b[group_size], c[group_size];
+};
+
+/// Sixteen triangles in the frame of the line, without those that cannot be seen or have no area there.
 struct ProjectedGroup {
-  HWY_ALIGN float u[3][group_size];
-  HWY_ALIGN float v[3][group_size];
+  Plane edge[3];  ///< edge[k] lies opposite corner k; >= 0 inside
   HWY_ALIGN float w[3][group_size];
-  HWY_ALIGN std::int32_t left[group_size], right[group_size];
-  HWY_ALIGN std::int32_t bottom[group_size], top[group_size];  ///< bottom > top for those that cannot be seen
-  HWY_ALIGN std::int32_t side[group_size];                     ///< 2 * triangle
-  std::int32_t most_rows = 0;
+  HWY_ALIGN std::int32_t left[group_size], right[group_size];  ///< columns of bins
+  HWY_ALIGN std::int32_t bottom[group_size], top[group_size];  ///< rows of bins
+  HWY_ALIGN std::int32_t side[group_size];                     ///< as in SweepHits
+  std::uint32_t seen = 0;                                      ///< a bit for each triangle that is left
 };
 
 HWY_INLINE Float least(Float a, Float b, Float c) { return hn::Min(a, hn::Min(b, c)); }
 HWY_INLINE Float most(Float a, Float b, Float c) { return hn::Max(a, hn::Max(b, c)); }
 
-HWY_INLINE void project(const Line& line, const TriangleGroup& group, const SweepState& state, ProjectedGroup& out) {
-  const SweepBins& bins = state.bins;
+HWY_INLINE Extents extents_of(const Point3& a, const Point3& b, const Point3& c) {
   const Float slack = hn::Set(floats, 1e-6f);
-  Int most_rows = hn::Set(ints, -1);
+  return {least(a.u, b.u, c.u),
+          most(a.u, b.u, c.u),
+          least(a.v, b.v, c.v),
+          most(a.v, b.v, c.v),
+          hn::Sub(least(a.w, b.w, c.w), slack),
+          hn::Add(most(a.w, b.w, c.w), slack)};
+}
+
+/// (p - q) x (r - q) across the line, as a function of q; exactly the negative of that with p and r exchanged. With
+/// `flip` (a sign bit) it is turned round.
+HWY_INLINE void store_edge(const Point3& p, const Point3& r, Float flip, Plane& edge, std::size_t lane) {
+  hn::Store(hn::Xor(flip, hn::Sub(p.v, r.v)), floats, &edge.a[lane]);
+  hn::Store(hn::Xor(flip, hn::Sub(r.u, p.u)), floats, &edge.b[lane]);
+  hn::Store(hn::Xor(flip, hn::Sub(hn::Mul(p.u, r.v), hn::Mul(p.v, r.u))), floats, &edge.c[lane]);
+}
+
+HWY_INLINE void project(const Line& line, const TriangleGroup& group, const SweepState& state, ProjectedGroup& out) {
+  out.seen = 0;
   for (std::size_t lane = 0; lane < group_size; lane += hn::Lanes(floats)) {
     Point3 corner[3];
     for (int k = 0; k < 3; ++k) {
       corner[k] =
           in_frame(line, hn::Load(floats, &group.corner[3 * k][lane]), hn::Load(floats, &group.corner[3 * k + 1][lane]),
                    hn::Load(floats, &group.corner[3 * k + 2][lane]));
-      hn::Store(corner[k].u, floats, &out.u[k][lane]);
-      hn::Store(corner[k].v, floats, &out.v[k][lane]);
       hn::Store(corner[k].w, floats, &out.w[k][lane]);
     }
-    const Extents box{least(corner[0].u, corner[1].u, corner[2].u),
-                      most(corner[0].u, corner[1].u, corner[2].u),
-                      least(corner[0].v, corner[1].v, corner[2].v),
-                      most(corner[0].v, corner[1].v, corner[2].v),
-                      hn::Sub(least(corner[0].w, corner[1].w, corner[2].w), slack),
-                      hn::Add(most(corner[0].w, corner[1].w, corner[2].w), slack)};
-    const auto seen = hn::RebindMask(ints, may_be_seen(box, state));
-    const Int bottom = bin_along(box.low_v, bins.low_v, bins.per_v, bins.rows);
-    const Int top = hn::IfThenElse(seen, bin_along(box.high_v, bins.low_v, bins.per_v, bins.rows), hn::Set(ints, -1));
-    hn::Store(bin_along(box.low_u, bins.low_u, bins.per_u, bins.columns), ints, &out.left[lane]);
-    hn::Store(bin_along(box.high_u, bins.low_u, bins.per_u, bins.columns), ints, &out.right[lane]);
-    hn::Store(bottom, ints, &out.bottom[lane]);
-    hn::Store(top, ints, &out.top[lane]);
-    most_rows = hn::Max(most_rows, hn::Sub(top, bottom));
+    const Extents box = extents_of(corner[0], corner[1], corner[2]);
+    const BinRange bins = bins_of(box, state.bins);
+    hn::Store(bins.left, ints, &out.left[lane]);
+    hn::Store(bins.right, ints, &out.right[lane]);
+    hn::Store(bins.bottom, ints, &out.bottom[lane]);
+    hn::Store(bins.top, ints, &out.top[lane]);
+
+    // Turned so that the inside is where all edges are positive; edge-on triangles have none.
+    const Float area = hn::Sub(hn::Mul(hn::Sub(corner[1].u, corner[0].u), hn::Sub(corner[2].v, corner[0].v)),
+                               hn::Mul(hn::Sub(corner[1].v, corner[0].v), hn::Sub(corner[2].u, corner[0].u)));
+    const Float flip = hn::And(area, hn::SignBit(floats));
+    for (int k = 0; k < 3; ++k) store_edge(corner[(k + 1) % 3], corner[(k + 2) % 3], flip, out.edge[k], lane);
     const Int triangle = hn::Load(ints, &group.triangle[lane]);
-    hn::Store(hn::Add(triangle, triangle), ints, &out.side[lane]);
-  }
-  out.most_rows = 1 + hn::GetLane(hn::MaxOfLanes(ints, most_rows));
-}
-
-/// Triangles of a group and ranges of slots in one of their rows of bins.
-struct Candidates {
-  std::size_t count = 0;
-  HWY_ALIGN std::int32_t lane[2 * group_size];
-  HWY_ALIGN std::int32_t first[2 * group_size];
-  HWY_ALIGN std::int32_t end[2 * group_size];
-};
-
-/// Lists the triangles that have a row number `step` and any point in their bins there.
-HWY_INLINE void list_row(const ProjectedGroup& group, std::int32_t step, const SweepBins& bins, Candidates& out) {
-  out.count = 0;
-  for (std::size_t lane = 0; lane < group_size; lane += hn::Lanes(floats)) {
-    const Int row = hn::Add(hn::Load(ints, &group.bottom[lane]), hn::Set(ints, step));
-    const auto exists = hn::Not(hn::Gt(row, hn::Load(ints, &group.top[lane])));
-    const Int start = hn::Mul(row, hn::Set(ints, bins.columns));
-    const Int from = hn::IfThenElseZero(exists, hn::Add(start, hn::Load(ints, &group.left[lane])));
-    const Int to = hn::IfThenElseZero(exists, hn::Add(start, hn::Load(ints, &group.right[lane])));
-    const Int first = hn::GatherIndex(ints, bins.first_slot.data(), from);
-    const Int end = hn::GatherIndex(ints, bins.first_slot.data() + 1, to);
-    const auto any = hn::And(exists, hn::Lt(first, end));
-    hn::CompressBlendedStore(hn::Iota(ints, static_cast<std::int32_t>(lane)), any, ints, &out.lane[out.count]);
-    hn::CompressBlendedStore(first, any, ints, &out.first[out.count]);
-    out.count += hn::CompressBlendedStore(end, any, ints, &out.end[out.count]);
+    const Mask looks_along = hn::Gt(area, hn::Zero(floats));
+    const Int front = hn::IfThenElseZero(hn::RebindMask(ints, looks_along), hn::Set(ints, 1));
+    hn::Store(hn::Add(hn::Add(triangle, triangle), front), ints, &out.side[lane]);
+    const Mask has_area = hn::Ne(area, hn::Zero(floats));
+    out.seen |= bits_of(hn::And(has_area, may_be_seen(box, bins, state)), lane);
   }
 }
 
@@ -207,42 +209,36 @@ HWY_INLINE void list_row(const ProjectedGroup& group, std::int32_t step, const S
 struct Insides {
   static constexpr std::size_t capacity = 64;
   std::size_t count = 0;
-  std::int32_t lane[capacity];
+  std::size_t lane[capacity];
   std::size_t slot[capacity];
-  HWY_ALIGN float second[capacity][group_size];  ///< edge functions
-  HWY_ALIGN float third[capacity][group_size];
-  HWY_ALIGN float sum[capacity][group_size];  ///< 0 outside
+  HWY_ALIGN float edge[3][capacity][group_size];  ///< edge functions; the first is negative outside
 };
 
-/// (p x q) across the line; exactly -(q x p).
-HWY_INLINE Float cross(Float pu, Float pv, Float qu, Float qv) { return hn::Sub(hn::Mul(pu, qv), hn::Mul(pv, qu)); }
+HWY_INLINE Float value(const Plane& plane, std::size_t lane, Float u, Float v) {
+  const Float across = hn::Add(hn::Mul(hn::Set(floats, plane.a[lane]), u), hn::Mul(hn::Set(floats, plane.b[lane]), v));
+  return hn::Add(across, hn::Set(floats, plane.c[lane]));
+}
 
 /// Tests a vector of slots of which the first `count` matter, and notes it if any is inside.
-HWY_INLINE void test_slots(const ProjectedGroup& group, std::int32_t lane, std::size_t slot, std::size_t count,
+HWY_INLINE void test_slots(const ProjectedGroup& group, std::size_t lane, std::size_t slot, std::size_t count,
                            const SweepState& state, Insides& out) {
-  // Corners relative to the points, and the three edge functions.
   const Float u = hn::LoadU(floats, &state.slot_u[slot]), v = hn::LoadU(floats, &state.slot_v[slot]);
-  const Float u0 = hn::Sub(hn::Set(floats, group.u[0][lane]), u), v0 = hn::Sub(hn::Set(floats, group.v[0][lane]), v);
-  const Float u1 = hn::Sub(hn::Set(floats, group.u[1][lane]), u), v1 = hn::Sub(hn::Set(floats, group.v[1][lane]), v);
-  const Float u2 = hn::Sub(hn::Set(floats, group.u[2][lane]), u), v2 = hn::Sub(hn::Set(floats, group.v[2][lane]), v);
-  const Float e0 = cross(u1, v1, u2, v2), e1 = cross(u2, v2, u0, v0), e2 = cross(u0, v0, u1, v1);
-
-  // Inside: all of one sign, 0 included. Edge-on triangles have no inside: their sum is 0.
-  const Float zero = hn::Zero(floats);
-  const Mask one_sign = hn::Or(hn::Ge(least(e0, e1, e2), zero), hn::Le(most(e0, e1, e2), zero));
-  const Mask inside = hn::And(one_sign, hn::FirstN(floats, count));
-  const Float sum = hn::IfThenElseZero(inside, hn::Add(hn::Add(e0, e1), e2));
+  const Float e0 = value(group.edge[0], lane, u, v);
+  const Float e1 = value(group.edge[1], lane, u, v);
+  const Float e2 = value(group.edge[2], lane, u, v);
+  const Mask inside = hn::And(hn::Ge(least(e0, e1, e2), hn::Zero(floats)), hn::FirstN(floats, count));
   out.lane[out.count] = lane;
   out.slot[out.count] = slot;
-  hn::Store(e1, floats, out.second[out.count]);
-  hn::Store(e2, floats, out.third[out.count]);
-  hn::Store(sum, floats, out.sum[out.count]);
-  out.count += hn::AllFalse(floats, hn::Ne(sum, zero)) ? 0 : 1;
+  hn::Store(hn::IfThenElse(inside, e0, hn::Set(floats, -1.0f)), floats, out.edge[0][out.count]);
+  hn::Store(e1, floats, out.edge[1][out.count]);
+  hn::Store(e2, floats, out.edge[2][out.count]);
+  out.count += hn::AllFalse(floats, inside) ? 0 : 1;
 }
 
 /// Keeps a hit where it is nearer than what is known, or as near with a smaller triangle index.
 HWY_INLINE void keep_nearer(SweepHits& hits, std::size_t slot, Mask hit, Float distance, Int side, Float second,
                             Float third) {
+  if (hn::AllFalse(floats, hit)) return;
   const Float best = hn::LoadU(floats, &hits.distance[slot]);
   Mask wins = hn::And(hit, hn::Lt(distance, best));
   const Mask ties = hn::And(hit, hn::Eq(distance, best));
@@ -256,56 +252,55 @@ HWY_INLINE void keep_nearer(SweepHits& hits, std::size_t slot, Mask hit, Float d
   hn::BlendedStore(third, wins, floats, &hits.third[slot]);
 }
 
-/// How far the triangle is from the points inside, and which side it shows.
+/// How far the triangle is from the points inside.
 HWY_INLINE void keep(const ProjectedGroup& group, const Insides& insides, std::size_t i, SweepState& state) {
-  const std::int32_t lane = insides.lane[i];
-  const std::size_t slot = insides.slot[i];
-  const Float zero = hn::Zero(floats), sum = hn::Load(floats, insides.sum[i]);
+  const std::size_t lane = insides.lane[i], slot = insides.slot[i];
+  const Float e0 = hn::Load(floats, insides.edge[0][i]);
+  const Float e1 = hn::Load(floats, insides.edge[1][i]), e2 = hn::Load(floats, insides.edge[2][i]);
+  const Float zero = hn::Zero(floats), sum = hn::Add(hn::Add(e0, e1), e2);
+  const Mask inside = hn::And(hn::Ge(e0, zero), hn::Gt(sum, zero));
   const Float inverse = hn::Div(hn::Set(floats, 1.0f), sum);
-  const Float second = hn::Mul(hn::Load(floats, insides.second[i]), inverse);
-  const Float third = hn::Mul(hn::Load(floats, insides.third[i]), inverse);
+  const Float second = hn::Mul(e1, inverse), third = hn::Mul(e2, inverse);
   const Float w0 = hn::Set(floats, group.w[0][lane]);
   const Float w1 = hn::Set(floats, group.w[1][lane] - group.w[0][lane]);
   const Float w2 = hn::Set(floats, group.w[2][lane] - group.w[0][lane]);
   const Float depth =
       hn::Add(hn::Add(hn::Sub(w0, hn::LoadU(floats, &state.slot_w[slot])), hn::Mul(second, w1)), hn::Mul(third, w2));
-  const Int id = hn::Set(ints, group.side[lane]);
-  const Int side = hn::IfThenElse(hn::RebindMask(ints, hn::Gt(sum, zero)), hn::Add(id, hn::Set(ints, 1)), id);
-  const Mask inside = hn::Ne(sum, zero), is_ahead = hn::Ge(depth, zero);
+  const Int side = hn::Set(ints, group.side[lane]);
+  const Mask is_ahead = hn::Ge(depth, zero);
   keep_nearer(state.ahead, slot, hn::And(inside, is_ahead), depth, side, second, third);
   keep_nearer(state.behind, slot, hn::AndNot(is_ahead, inside), hn::Neg(depth), side, second, third);
 }
 
-/// Tests all triangles of a group against the slots in their bins.
-HWY_INLINE void cover(const ProjectedGroup& group, SweepState& state, Candidates& candidates, Insides& insides) {
+/// Tests a triangle of a group against the slots in its bins, row by row.
+HWY_INLINE void cover(const ProjectedGroup& group, std::size_t lane, SweepState& state, Insides& insides) {
   const auto width = static_cast<std::int32_t>(hn::Lanes(floats));
-  for (std::int32_t step = 0; step < group.most_rows; ++step) {
-    list_row(group, step, state.bins, candidates);
-    for (std::size_t i = 0; i < candidates.count; ++i) {
-      const std::int32_t end = candidates.end[i];
-      for (std::int32_t slot = candidates.first[i]; slot < end; slot += width) {
-        test_slots(group, candidates.lane[i], static_cast<std::size_t>(slot), static_cast<std::size_t>(end - slot),
-                   state, insides);
-        if (insides.count < Insides::capacity) continue;
-        for (std::size_t k = 0; k < insides.count; ++k) keep(group, insides, k, state);
-        insides.count = 0;
-      }
+  const SweepBins& bins = state.bins;
+  const std::int32_t* first_slot = bins.first_slot.data() + group.bottom[lane] * bins.columns;
+  for (std::int32_t row = group.bottom[lane]; row <= group.top[lane]; ++row, first_slot += bins.columns) {
+    const std::int32_t end = first_slot[group.right[lane] + 1];
+    for (std::int32_t slot = first_slot[group.left[lane]]; slot < end; slot += width) {
+      test_slots(group, lane, static_cast<std::size_t>(slot), static_cast<std::size_t>(end - slot), state, insides);
+      if (insides.count < Insides::capacity) continue;
+      for (std::size_t k = 0; k < insides.count; ++k) keep(group, insides, k, state);
+      insides.count = 0;
     }
   }
-  for (std::size_t k = 0; k < insides.count; ++k) keep(group, insides, k, state);
-  insides.count = 0;
 }
 
 void Cover(const Line& line, const GroupBoxes& boxes, std::size_t first, std::size_t end,
            std::span<const TriangleGroup> groups, SweepState& state) {
   ProjectedGroup projected;
-  Candidates candidates;
   Insides insides;
   for (std::size_t i = first; i < end; i += group_size) {
     for (std::uint32_t seen = boxes_seen(line, boxes, i, state); seen != 0; seen &= seen - 1) {
       const std::size_t box = i + static_cast<std::size_t>(std::countr_zero(seen));
       project(line, groups[boxes.group[box]], state, projected);
-      cover(projected, state, candidates, insides);
+      for (std::uint32_t rest = projected.seen; rest != 0; rest &= rest - 1) {
+        cover(projected, static_cast<std::size_t>(std::countr_zero(rest)), state, insides);
+      }
+      for (std::size_t k = 0; k < insides.count; ++k) keep(projected, insides, k, state);
+      insides.count = 0;
     }
   }
 }

@@ -32,15 +32,14 @@ struct SweepBins {
   std::vector<std::int32_t> first_slot;  ///< columns * rows + 1
 };
 
-/// How far each point sees, for bins and for squares of 2, 4, 8, ... bins: whatever lies wholly outside
-/// [nearest, farthest] along the line can be nearer than what is known to none of the points there. The entry of a
-/// square covers the three next to it in +u and +v too, so that one entry serves every box up to its own size.
+/// How far each point sees, for cells of a few bins: whatever lies wholly outside [nearest, farthest] along the line
+/// can be nearer than what is known to none of the points there. Level k holds, for every cell, the square of 2^k x
+/// 2^k cells that begins there, so that one entry serves a box of any size.
 struct SweepReach {
-  static constexpr int most_levels = 12;
-  std::vector<float> nearest, farthest;           ///< inverted where there are no points
-  std::array<std::int32_t, most_levels> first{};  ///< entry of each level
-  std::array<std::int32_t, most_levels> columns{};
-  std::int32_t levels = 1;
+  static constexpr int log_bins_per_cell = 2;
+  static constexpr int bins_per_cell = 1 << log_bins_per_cell;  ///< along u
+  std::vector<float> nearest, farthest;                         ///< levels x rows of bins x columns
+  std::int32_t columns = 1, cells = 1, levels = 1;
 };
 
 /// All that the vector code works on. Arrays of numbers are a vector longer than they have entries.
