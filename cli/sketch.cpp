@@ -83,6 +83,9 @@ ExitStatus start(const SketchCommand& command) {
     refuse_existing(toml);
     refuse_existing(svg);
   }
+  if (command.pictures.size() > 2) {
+    throw Error(ExitStatus::usage, "--picture: there are two views, so two pictures are the most");
+  }
   for (const std::string& name : command.pictures) {
     const LinkedPicture linked = linked_picture(existing_file(name), toml.parent_path());
     options.pictures.push_back({linked.href, linked.size});

@@ -133,6 +133,10 @@ std::string side_view(const StartingSketchOptions& options) {
   text += path("side-flesh", "flesh", "#d89a2a",
                from({0, -5}, "c 14,0 34,-13 34,-35 0,-20 -12,-34 -23,-34 -4,0 -8,4 -11,6"));
   text += path("side-core", "core", "#6a8c2a", from({0, -10}, "c 5,0 8,-8 8,-28 0,-16 -2,-26 -8,-28"));
+  if (!options.pictures.empty()) {
+    text += path("side-colors", "skin colours", "#8020c0",
+                 from({2, -2}, "c 16,0 36,-15 36,-38 0,-23 -14,-38 -26,-38 -4,0 -6,3 -9,5"));
+  }
   if (options.folds) {
     text += path("side-chamber", "chamber", "#20803c",
                  from({12, -42}, "c 0,-11 3,-18 8,-18 5,0 8,8 8,18 0,10 -3,20 -9,20 -5,0 -7,-10 -7,-20 z"));
@@ -168,7 +172,7 @@ std::string notes(bool with_folds) {
   std::vector<std::string> lines = {
       "Side view: draw the right half of each curve, from pole to pole, over a picture of the fruit cut in half.",
       "Top view: draw closed loops around the axis, over a picture of the fruit cut across.",
-      "The label of a curve (Object > Objects...) is its name in the template. Move the axis to where it belongs.",
+      "The label of a curve (Object > Layers and Objects) is its name in the template. Move the axis to where it belongs.",
       "Draw \"scale 60mm\" along something whose length you know, and put that length into its label.",
   };
   if (with_folds)
@@ -228,7 +232,7 @@ horizontal = "#skin"
 part = "skin"
 hidden = true
 color = )toml" +
-          ramp(options, "skin", R"([[0.0, "#b0301c"], [0.6, "#d05024"], [1.0, "#c8a040"]])") + R"toml(
+          ramp(options, "skin colours", R"([[0.0, "#b0301c"], [0.6, "#d05024"], [1.0, "#c8a040"]])") + R"toml(
 
 [surface.back]
 part = "flesh"

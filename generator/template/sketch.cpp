@@ -98,7 +98,7 @@ const SvgElement& Sketch::find(SketchView view, const std::string& name) const {
   if (found != in.named.end()) {
     fail(quoted(name) + " is drawn " + std::to_string(found->second.size()) + " times in the " + name_of(view) +
              ", first at " + place_of(drawing_, *found->second[0]) + " and " + place_of(drawing_, *found->second[1]),
-         "give each a label of its own (Object > Objects...)");
+         "give each a label of its own (Object > Layers and Objects)");
   }
 
   // It may be misspelt, or lie in the other layer.

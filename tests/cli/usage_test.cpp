@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return tested.param.name; });
 
 TEST(Help, IsPrintedByEveryCommand) {
-  for (const char* command : {"list", "check", "grow", "cut", "scene"}) {
+  for (const char* command : {"list", "check", "sketch", "grow", "cut", "scene"}) {
     const Outcome outcome = run_pomona({command, "-h"});
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_THAT(outcome.out, HasSubstr(command));

@@ -1,0 +1,53 @@
+#include "generator/base/path_within.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace pomona {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder "inner" with a file and links, beside a file that is not in it.
+class PathWithin : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "pomona-path-XXXXXX").string();
+    outer_ = mkdtemp(pattern.data());
+    fs::create_directories(inner() / "deep");
+    std::ofstream(outer_ / "secret") << "x";
+    std::ofstream(inner() / "here") << "x";
+    fs::create_symlink(outer_ / "secret", inner() / "link-out");
+    fs::create_symlink("here", inner() / "link-in");
+  }
+  void TearDown() override { fs::remove_all(outer_); }
+  fs::path inner() const { return outer_ / "inner"; }
+
+  fs::path outer_;
+};
+
+TEST_F(PathWithin, leads_to_what_lies_in_the_folder_or_below) {
+  EXPECT_EQ(path_within(inner(), inner() / "here"), fs::path("here"));
+  EXPECT_EQ(path_within(inner(), inner() / "deep/new"), fs::path("deep/new"));
+  EXPECT_EQ(path_within(inner(), inner() / "deep/../here"), fs::path("here"));
+  EXPECT_EQ(path_within(inner(), inner() / "link-in"), fs::path("here"));
+  EXPECT_EQ(path_within(inner(), inner() / "no such file"), fs::path("no such file"));
+}
+
+TEST_F(PathWithin, leads_nowhere_else) {
+  EXPECT_FALSE(path_within(inner(), inner() / "../secret"));
+  EXPECT_FALSE(path_within(inner(), inner() / "no/../../secret"));
+  EXPECT_FALSE(path_within(inner(), inner() / "link-out"));
+  EXPECT_FALSE(path_within(inner(), "/etc/passwd"));
+}
+
+TEST_F(PathWithin, no_folder_is_the_current_one) {
+  EXPECT_EQ(path_within("", "no such file"), fs::path("no such file"));
+  EXPECT_FALSE(path_within("", "../no such file"));
+}
+
+}  // namespace
+}  // namespace pomona

@@ -1,0 +1,263 @@
+// pomona sketch: what it writes can be checked, grown and cut; the colours it takes are the picture's.
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "generator/base/color.h"
+#include "generator/template/read_template.h"
+#include "render/picture/png.h"
+#include "tests/cli/run_pomona.h"
+
+namespace fs = std::filesystem;
+
+namespace pomona::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+void write(const std::string& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+
+/// 200 x 100 pixels: red grows to the right, green downwards, blue is speckled.
+std::string gradient() {
+  Image image{.width = 200, .height = 100, .pixels = {}};
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 200; ++x) image.pixels.emplace_back(x, 2 * y, (7 * x + 13 * y) % 17 == 0 ? 255 : 40);
+  }
+  return write_png(image);
+}
+
+// ---- Starting ----
+
+class Started : public ::testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(Started, CanBeCheckedGrownAndCut) {
+  const TemporaryFolder folder;
+  write(folder / "photo 1.png", gradient());
+  std::vector<std::string> words = {"sketch", "fig.toml"};
+  words.insert(words.end(), GetParam().begin(), GetParam().end());
+  const Outcome started = run_pomona(words, folder.path());
+  ASSERT_EQ(started.status, 0) << started.err;
+  EXPECT_THAT(started.err, HasSubstr("fig.svg"));
+
+  const Outcome checked = run_pomona({"check", "fig.toml"}, folder.path());
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.err, Not(HasSubstr("warning")));
+  for (const char* seed : {"0", "3"}) {
+    const Outcome cut = run_pomona({"cut", "fig.toml", "--knife", "half", "--knife", "across", "--seed", seed,
+                                    "--detail", "0.4", "--quality", "draft", "-o", "x.ply"},
+                                   folder.path());
+    EXPECT_EQ(cut.status, 0) << cut.err;
+    EXPECT_THAT(cut.err, Not(HasSubstr("warning")));
+  }
+  EXPECT_EQ(run_pomona({"grow", "fig.toml", "-o", "y.ply"}, folder.path()).status, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sketches, Started,
+                         ::testing::Values(std::vector<std::string>{}, std::vector<std::string>{"--cylindrical"},
+                                           std::vector<std::string>{"--folds", "1"},
+                                           std::vector<std::string>{"--folds", "2"},
+                                           std::vector<std::string>{"--folds", "5"},
+                                           std::vector<std::string>{"--folds", "13"},
+                                           std::vector<std::string>{"--picture", "photo 1.png"},
+                                           std::vector<std::string>{"--picture", "photo 1.png", "--picture",
+                                                                    "photo 1.png", "--folds", "3"}));
+
+TEST(Sketch, WritesOverNothing) {
+  const TemporaryFolder folder;
+  write(folder / "fig.svg", "mine");
+  const Outcome refused = run_pomona({"sketch", "fig.toml"}, folder.path());
+  EXPECT_EQ(refused.status, 73);
+  EXPECT_THAT(refused.err, HasSubstr("fig.svg: error: it is there already"));
+  EXPECT_EQ(bytes_of(folder / "fig.svg"), "mine");
+  EXPECT_FALSE(fs::exists(folder / "fig.toml")) << "both or none";
+  EXPECT_EQ(run_pomona({"sketch", "fig.toml", "--force"}, folder.path()).status, 0);
+  EXPECT_EQ(run_pomona({"check", "fig.toml"}, folder.path()).status, 0);
+  EXPECT_EQ(run_pomona({"sketch", "fig.toml"}, folder.path()).status, 73);
+}
+
+TEST(Sketch, RefusesWhatCannotBe) {
+  const TemporaryFolder folder, elsewhere;
+  write(folder / "photo.png", gradient());
+  write(folder / "photo.jpg", "\xff\xd8\xff\xe0 JFIF");
+  write(elsewhere / "photo.png", gradient());
+  const auto refused = [&](std::vector<std::string> words, int status, const char* says) {
+    words.insert(words.begin(), "sketch");
+    const Outcome outcome = run_pomona(words, folder.path());
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(says));
+    EXPECT_FALSE(fs::exists(folder / "fig.toml"));
+    EXPECT_FALSE(fs::exists(folder / "fig.svg"));
+  };
+  refused({}, 64, "FILE");
+  refused({"fig.svg"}, 64, "ends in .toml");
+  refused({"Fig.toml"}, 64, "not a plain name");
+  refused({"nowhere/fig.toml"}, 73, "folder");
+  refused({"fig.toml", "--folds", "65"}, 64, "--folds");
+  refused({"fig.toml", "--folds", "3", "--cylindrical"}, 64, "--cylindrical");
+  refused({"fig.toml", "--picture", "none.png"}, 66, "no such file");
+  refused({"fig.toml", "--picture", "photo.jpg"}, 65, "no PNG");
+  refused({"fig.toml", "--picture", elsewhere / "photo.png"}, 64, "outside the template's folder");
+  refused({"fig.toml", "--picture", "photo.png", "--picture", "photo.png", "--picture", "photo.png"}, 64, "two");
+  refused({"fig.toml", "--sample"}, 66, "no such file");
+  refused({"fig.toml", "--sample", "--force"}, 64, "--sample");
+}
+
+// ---- Colours ----
+
+/// A template and an SVG with one line "colours" over one image.
+class Sampled : public ::testing::Test {
+ protected:
+  void draw(const std::string& image, const std::string& line, const std::string& color) {
+    write(folder_ / "fig.svg", R"svg(<svg width="200mm" viewBox="0 0 200 200" xmlns:xlink="x">
+<g id="side-view">
+<line id="axis" x1="100" y1="90" x2="100" y2="0"/>
+<path id="skin" d="M100,80 L140,40 L100,0"/>
+)svg" + image + "\n" + line + "\n</g>\n</svg>\n");
+    write(folder_ / "fig.toml", R"toml(format = 1
+name = "fig" # stays
+sketch = "fig.svg"
+parts = ["skin"]
+[symmetry]
+kind = "cylindrical"
+[[surface]]
+name = "skin"
+type = "around-axis"
+vertical = "#skin"
+front = { part = "skin", color = )toml" +
+                                    color + R"toml(, hidden = true } # "] stays
+back = { part = "skin", color = "#102030" }
+)toml");
+  }
+
+  Outcome sample() { return run_pomona({"sketch", "fig.toml", "--sample"}, folder_.path()); }
+
+  /// The colours of the skin's front as 8-bit sRGB.
+  std::vector<glm::ivec3> colors() {
+    std::vector<glm::ivec3> found;
+    const Template fruit = read_template(folder_ / "fig.toml");
+    for (const auto& stop : fruit.surfaces[0].front.color.along.stops) {
+      found.emplace_back(to_srgb8(stop.value));
+    }
+    return found;
+  }
+
+  void expect_colors(const std::vector<glm::ivec3>& wanted) {
+    const std::vector<glm::ivec3> found = colors();
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[i][c], wanted[i][c], 2) << "stop " << i << ", channel " << c;
+    }
+  }
+
+  TemporaryFolder folder_;
+};
+
+const std::string plain_image = R"(<image x="20" y="10" width="100" height="50" xlink:href="photo.png"/>)";
+
+TEST_F(Sampled, AreThoseUnderTheLineFromTheBottomUp) {
+  write(folder_ / "photo.png", gradient());
+  // Two pixels a unit. The line is drawn downwards, from pixel 40,20 to 120,80.
+  draw(plain_image, R"(<path id="colours" d="M40,20 L80,50"/>)", R"({ sample = "#colours", stops = 3 })");
+  EXPECT_EQ(run_pomona({"check", "fig.toml"}, folder_.path()).status, 65) << "not sampled yet";
+  const std::string before = bytes_of(folder_ / "fig.toml");
+  const Outcome outcome = sample();
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  expect_colors({{120, 160, 40}, {80, 100, 40}, {40, 40, 40}});
+
+  // Nothing else has changed, and a second time nothing at all.
+  std::string after = bytes_of(folder_ / "fig.toml");
+  const std::size_t from = after.find(", along = ["), to = after.find("]]", from) + 2;
+  EXPECT_EQ(after.substr(0, from) + after.substr(to), before);
+  EXPECT_EQ(sample().status, 0);
+  EXPECT_EQ(bytes_of(folder_ / "fig.toml"), after);
+
+  // From now on it needs no picture.
+  fs::remove(folder_ / "photo.png");
+  EXPECT_EQ(run_pomona({"check", "fig.toml"}, folder_.path()).status, 0);
+  const Outcome missing = sample();
+  EXPECT_EQ(missing.status, 66);
+  EXPECT_THAT(missing.err, HasSubstr("fig.svg:5:1: error: the picture photo.png is not there"));
+  EXPECT_EQ(bytes_of(folder_ / "fig.toml"), after);
+}
+
+TEST_F(Sampled, FollowThePicturesTransform) {
+  write(folder_ / "photo.png", gradient());
+  // Turned by a quarter: the pixel u,v lies at x = 150 - v, y = 20 + u (one pixel a unit).
+  draw(R"svg(<g transform="translate(150,20)"><image transform="rotate(90)" width="200" height="100" href="photo.png"/>
+</g>)svg",
+       R"(<path id="colours" d="M110,140 L70,60"/>)", R"({ sample = "#colours", along = "#ffffff", stops = 2 })");
+  const Outcome outcome = sample();
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  expect_colors({{120, 80, 40}, {40, 160, 40}});
+}
+
+TEST_F(Sampled, KeepThePicturesShapeInItsBox) {
+  write(folder_ / "photo.png", gradient());
+  // In a square of 100 the picture fills the middle half: pixel 40,50 lies at 40,60. The old stops go, however written.
+  draw(R"(<image x="20" y="10" width="100" height="100" href="photo.png"/>)",
+       R"(<path id="colours" d="M80,60 L40,60"/>)",
+       "{ sample = \"#colours\", stops = 2, along = [ # ] in a comment\n [0, \"#111111\"],\n [1, \"#222222\"] ] }");
+  const Outcome outcome = sample();
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  expect_colors({{120, 100, 40}, {40, 100, 40}});
+}
+
+TEST_F(Sampled, MayComeFromAnEmbeddedPicture) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::string bytes = gradient();
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u; };
+    const unsigned three = at(i) << 16 | at(i + 1) << 8 | at(i + 2);
+    for (int k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[three >> (18 - 6 * k) & 63u];
+    if (i % 57 == 0) text += "\n";
+  }
+  draw(R"(<image x="20" y="10" width="100" height="50" xlink:href="data:image/png;base64,)" + text + "\"/>",
+       R"(<path id="colours" d="M40,20 L80,50"/>)", R"({ sample = "#colours", stops = 2 })");
+  const Outcome outcome = sample();
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  expect_colors({{120, 160, 40}, {40, 40, 40}});
+}
+
+TEST_F(Sampled, SayWhatIsWrong) {
+  write(folder_ / "photo.png", gradient());
+  write(folder_ / "broken.png", gradient().substr(0, 300));
+  std::string vast = gradient();
+  vast[16] = vast[20] = 1;  // 16 million pixels a side
+  write(folder_ / "vast.png", vast);
+  write(folder_ / "photo.jpg", "\xff\xd8\xff\xe0 JFIF");
+  const std::string line = R"(<path id="colours" d="M40,20 L80,50"/>)", color = R"({ sample = "#colours" })";
+  const auto says = [&](const std::string& message, int status = 65) {
+    const std::string before = bytes_of(folder_ / "fig.toml");
+    const Outcome outcome = sample();
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_EQ(bytes_of(folder_ / "fig.toml"), before);
+  };
+  for (const char* href :
+       {"../photo.png", "/tmp/photo.png", "http://x.org/photo.png", "file:///tmp/photo.png", "%2e%2e/p.png"}) {
+    draw(R"(<image x="20" y="10" width="100" height="50" xlink:href=")" + std::string(href) + "\"/>", line, color);
+    says("fig.svg:5:1: error: the picture lies outside the template's folder");
+  }
+  for (const auto& [href, message] : {std::pair{"photo.jpg", "no PNG"},
+                                      {"broken.png", "not a readable PNG"},
+                                      {"vast.png", "100 million"},
+                                      {"data:image/png;base64,?", "not base64"},
+                                      {"data:x", "not base64"}}) {
+    draw(R"(<image x="20" y="10" width="100" height="50" xlink:href=")" + std::string(href) + "\"/>", line, color);
+    says(message);
+  }
+  draw(plain_image, R"(<path id="colours" d="M80,50 L40,0"/>)", color);
+  says("fig.toml:11:45: error: surface \"skin\": front color sample lies beside the picture at 87 % of its length");
+  draw("", line, color);
+  says("beside the picture at 0 %");
+  draw(plain_image, line, R"({ sample = "#colors" })");
+  says("did you mean \"colours\"?");
+  draw(plain_image, line, R"("#102030")");
+  says("no colour of it is sampled");
+}
+
+}  // namespace
+}  // namespace pomona::testing
