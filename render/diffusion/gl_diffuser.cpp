@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "generator/base/error.h"
 #include "generator/diffusion/settled_colors.h"
 #include "render/diffusion/gl_pmvc.h"
 
@@ -47,8 +48,12 @@ class Engine {
     look_.emplace(gl, *context_);
   }
   ~Engine() {
-    const CurrentGl gl(*context_);
-    look_.reset();
+    try {
+      const CurrentGl gl(*context_);
+      look_.reset();
+    } catch (const Error&) {
+      // The driver has given up; with the context go its programs.
+    }
   }
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;

@@ -18,8 +18,9 @@ constexpr std::size_t lines_per_block = 8;  // as in pmvc_rays.comp.glsl
 /// precision adds up.
 constexpr std::size_t blocks_per_chunk = 32;
 
-/// Rays in one dispatch: 2 ms on a good card and 50 ms on a poor one, far below what drivers take for a hang.
-constexpr std::size_t rays_per_dispatch = std::size_t{1} << 21;
+/// Rays in one dispatch, 16 an invocation: enough to fill a large card, and a tenth of a second on a poor one, far
+/// below what drivers take for a hang.
+constexpr std::size_t rays_per_dispatch = std::size_t{1} << 22;
 
 /// More groups at a time than any card works on at once.
 constexpr std::size_t most_groups = 4096;
