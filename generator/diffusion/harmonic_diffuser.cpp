@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
 #include "generator/diffusion/harmonic/solve_field.h"
@@ -23,20 +24,8 @@ constexpr double on_surface = 1e-5;
 /// Points that one task looks up.
 constexpr std::size_t points_at_once = 256;
 
-GridOptions grid_options(const DiffusionSurfaces& surfaces, double size, const HarmonicOptions& options) {
-  struct Effort {
-    int nodes, cycles;
-  };
-  const Effort effort = options.quality == Quality::draft   ? Effort{64, 1}
-                        : options.quality == Quality::final ? Effort{96, 1}
-                                                            : Effort{192, 3};
-  const int nodes = std::clamp(options.nodes > 0 ? options.nodes : effort.nodes, 4, most_cells / 2);
-  const glm::dvec3 extent = bounds_of(surfaces).size();
-  return {.spacing = std::max({extent.x, extent.y, extent.z}) / nodes,
-          .cycles = options.cycles > 0 ? options.cycles : effort.cycles,
-          .shift = options.shift,
-          .reach = 2 * on_surface * size,
-          .threads = options.threads};
+FieldLookUp solve(const DiffusionSurfaces& surfaces, const GridOptions& options) {
+  return solved_field(prepared_field(surfaces, options), options);
 }
 
 class HarmonicField final : public ColorField {
@@ -46,7 +35,7 @@ class HarmonicField final : public ColorField {
         threads_(options.threads),
         tree_(make_surface_tree(surfaces)),
         hull_(hull_of(surfaces, tree_)),
-        look_up_(solved_field(surfaces, grid_options(surfaces, tree_.size, options))) {}
+        look_up_(solve(surfaces, grid_options(surfaces, options))) {}
 
   DiffusedColors at(std::span<const glm::vec3> points) const override {
     require_finite(points);

@@ -13,6 +13,7 @@ struct HarmonicOptions {
   /// Nodes along the longest side of the surfaces; 0 chooses them from the quality and from the smallest features.
   int nodes = 0;
   int cycles = 0;       ///< of the multigrid on the finest level; 0 lets the quality choose
+  int finer = -1;       ///< how often patches around small bodies halve the spacing, at most; -1: as needed
   glm::dvec3 shift{0};  ///< moves the grid by parts of a cell: what tests vary
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -54,7 +55,9 @@ CellTriangles::CellTriangles(const SnappedSurfaces& snapped, const Lattice& latt
   const int cells_z = lattice.count[2] - 1, slabs = std::min(slab_count, cells_z);
   std::vector<std::pair<int, int>> layers;
   for (int i = 0; i < slabs; ++i) layers.emplace_back(cells_z * i / slabs, cells_z * (i + 1) / slabs);
-  const auto triangles = triangles_by_planes(snapped, lattice, layers);
+  std::vector<std::uint32_t> all(snapped.surfaces->triangle_count());
+  std::iota(all.begin(), all.end(), 0u);
+  const auto triangles = triangles_by_planes(snapped, all, lattice, layers);
   std::vector<Entries> entries(layers.size());
   const auto plane = static_cast<std::size_t>(lattice.count[0] * lattice.count[1]);
   first_.assign(plane * static_cast<std::size_t>(lattice.count[2]) + 1, 0);

@@ -13,6 +13,8 @@ namespace pomona {
 /// The cell with its low corner at node (x, y, z) has the index (z * count.y + y) * count.x + x.
 class CellTriangles {
  public:
+  CellTriangles() = default;
+
   /// Cells count as larger by `margin`, in cells.
   CellTriangles(const SnappedSurfaces& snapped, const Lattice& lattice, double margin, Threads threads);
 

@@ -1,9 +1,7 @@
 #include "generator/diffusion/harmonic/cut_links.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <iterator>
+#include <utility>
 
 #include "generator/diffusion/harmonic/crossings.h"
 
@@ -14,38 +12,25 @@ namespace {
 /// Ranges of planes that are worked on one by one; more than threads, so that they even out.
 constexpr std::size_t slab_count = 16;
 
-constexpr std::array<std::array<int, 3>, 6> step_to = {
-    {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
-
-/// What a range of planes adds to the whole.
-struct SlabLinks {
-  std::vector<CutNode> node;
-  std::vector<LinkCut> cut;
-};
-
-/// Puts the slabs after each other.
-void gather(CutLinks& links, std::vector<SlabLinks>& slabs) {
-  for (SlabLinks& slab : slabs) {
-    const auto before = static_cast<std::uint32_t>(links.cut.size());
-    for (CutNode& node : slab.node) node.first_cut += before;
-    links.node.insert(links.node.end(), slab.node.begin(), slab.node.end());
-    links.cut.insert(links.cut.end(), slab.cut.begin(), slab.cut.end());
-  }
-}
-
-/// A run's nodes before any surface: links to nodes that are not stored lead nowhere.
-void open_links(const NodeRuns& runs, std::size_t r, std::uint8_t* open) {
-  const NodeRun& run = runs.run[r];
-  std::uint8_t across = all_open;
-  if (runs.at(run.block, run.y - 1, run.z) == NodeRuns::none) across &= ~(1 << y_down);
-  if (runs.at(run.block, run.y + 1, run.z) == NodeRuns::none) across &= ~(1 << y_up);
-  if (runs.at(run.block, run.y, run.z - 1) == NodeRuns::none) across &= ~(1 << z_down);
-  if (runs.at(run.block, run.y, run.z + 1) == NodeRuns::none) across &= ~(1 << z_up);
-  const int inside = std::min(NodeRuns::length, runs.count[0] - NodeRuns::length * run.block);
-  for (int k = 0; k < NodeRuns::length; ++k) open[k] = k < inside ? across : takes_no_part;
-  if (runs.at(run.block - 1, run.y, run.z) == NodeRuns::none) open[0] &= ~(1 << x_down);
-  if (inside < NodeRuns::length || runs.at(run.block + 1, run.y, run.z) == NodeRuns::none) {
-    open[inside - 1] &= ~(1 << x_up);
+/// A run's nodes before any surface: links to nodes that are no members lead nowhere.
+void open_links(const NodeRuns& runs, std::span<const std::uint8_t> members, std::size_t r, std::uint8_t* open) {
+  const NodeRun& run = runs[r];
+  const auto members_of = [&](int block, int y, int z) -> unsigned {
+    const std::int32_t found = runs.at(block, y, z);
+    return found == NodeRuns::none ? 0u : members[static_cast<std::size_t>(found)];
+  };
+  const unsigned here = members[r], before = members_of(run.block - 1, run.y, run.z),
+                 after = members_of(run.block + 1, run.y, run.z);
+  const std::array<unsigned, 6> beside = {here << 1 | before >> 7,
+                                          here >> 1 | (after & 1) << 7,
+                                          members_of(run.block, run.y - 1, run.z),
+                                          members_of(run.block, run.y + 1, run.z),
+                                          members_of(run.block, run.y, run.z - 1),
+                                          members_of(run.block, run.y, run.z + 1)};
+  for (int k = 0; k < NodeRuns::length; ++k) {
+    unsigned bits = 0;
+    for (unsigned d = 0; d < 6; ++d) bits |= (beside[d] >> k & 1) << d;
+    open[k] = here >> k & 1 ? static_cast<std::uint8_t>(bits) : takes_no_part;
   }
 }
 
@@ -53,37 +38,66 @@ void open_links(const NodeRuns& runs, std::size_t r, std::uint8_t* open) {
 struct Nearest {
   std::uint32_t node = 0;
   std::uint8_t cut = 0;
-  std::array<const LinkCrossing*, 6> crossing{};
+  std::array<std::uint32_t, 6> crossing{};
   std::array<float, 6> theta{};
 };
 
-/// The links of some planes.
-class Slab {
- public:
-  Slab(const SnappedSurfaces& snapped, const NodeRuns& runs, std::size_t first_run, std::size_t end_run,
-       std::uint8_t* open)
-      : surfaces_(*snapped.surfaces),
-        runs_(runs),
-        first_node_(first_run * NodeRuns::length),
-        nearest_(NodeRuns::length * (end_run - first_run), -1),
-        open_(open) {}
+}  // namespace
 
-  SlabLinks links(const std::vector<LinkCrossing>& crossings) {
-    for (const LinkCrossing& crossing : crossings) {
-      const auto axis = static_cast<std::size_t>(crossing.axis);
+/// Some planes, and all that cuts links there.
+class LinkFinder::Slab {
+ public:
+  Slab() = default;
+  Slab(const NodeRuns& runs, std::pair<std::size_t, std::size_t> range, std::vector<LinkCrossing> crossings,
+       std::uint8_t* open)
+      : runs_(&runs),
+        first_run_(range.first),
+        crossings_(std::move(crossings)),
+        nearest_(NodeRuns::length * (range.second - range.first), -1) {
+    found_.reserve(crossings_.size());
+    for (std::uint32_t c = 0; c < crossings_.size(); ++c) {
+      const LinkCrossing& crossing = crossings_[c];
       Node ahead = crossing.node;
-      ++ahead[axis];
-      keep_if_nearest(crossing.node, 2 * crossing.axis + 1, crossing.theta, crossing);
-      keep_if_nearest(ahead, 2 * crossing.axis, 1 - crossing.theta, crossing);
+      ++ahead[static_cast<std::size_t>(crossing.axis)];
+      keep_if_nearest(crossing.node, 2 * crossing.axis + 1, crossing.theta, c);
+      keep_if_nearest(ahead, 2 * crossing.axis, 1 - crossing.theta, c);
     }
-    return in_order();
+    for (const Nearest& from : found_) open[from.node] = static_cast<std::uint8_t>(open[from.node] & ~from.cut);
+  }
+
+  /// Adds the sides that marked nodes see, 1 for front and 2 for back, to those per triangle.
+  void add_sides(const std::vector<std::uint8_t>& marked, std::vector<std::uint8_t>& sides) const {
+    for (const Nearest& from : found_) {
+      if ((marked[from.node / NodeRuns::length] >> from.node % NodeRuns::length & 1) == 0) continue;
+      for (std::size_t d = 0; d < 6; ++d) {
+        if ((from.cut >> d & 1) == 0) continue;
+        const std::uint32_t side = side_seen(crossings_[from.crossing[d]], d);
+        sides[side / 2] = static_cast<std::uint8_t>(sides[side / 2] | 1 << side % 2);
+      }
+    }
+  }
+
+  std::size_t first_run() const { return first_run_; }
+
+  /// What cuts the links of a node, given by its number among all and by `node` among those kept; it has a closed one.
+  void add_node(const DiffusionSurfaces& surfaces, std::size_t number, std::uint32_t node, CutLinks& links) const {
+    CutNode cut{node, static_cast<std::uint32_t>(links.cut.size()), 0};
+    const std::int32_t found = nearest_[number - NodeRuns::length * first_run_];
+    if (found >= 0) {
+      const Nearest& from = found_[static_cast<std::size_t>(found)];
+      cut.cut = from.cut;
+      for (std::size_t d = 0; d < 6; ++d) {
+        if (from.cut >> d & 1) links.cut.push_back(seen(surfaces, from, d));
+      }
+    }
+    links.node.push_back(cut);
   }
 
  private:
-  void keep_if_nearest(const Node& at, int direction, float theta, const LinkCrossing& crossing) {
-    const std::int32_t node = runs_.node_at(at[0], at[1], at[2]);
+  void keep_if_nearest(const Node& at, int direction, float theta, std::uint32_t crossing) {
+    const std::int32_t node = runs_->node_at(at[0], at[1], at[2]);
     if (node == NodeRuns::none) return;
-    const std::size_t local = static_cast<std::size_t>(node) - first_node_;
+    const std::size_t local = static_cast<std::size_t>(node) - NodeRuns::length * first_run_;
     if (local >= nearest_.size()) return;  // another slab's, before or after
     if (nearest_[local] < 0) {
       nearest_[local] = static_cast<std::int32_t>(found_.size());
@@ -92,59 +106,43 @@ class Slab {
     Nearest& best = found_[static_cast<std::size_t>(nearest_[local])];
     const auto d = static_cast<std::size_t>(direction);
     const bool is_first = (best.cut >> direction & 1) == 0;
+    const auto triangle = [&](std::uint32_t c) { return crossings_[c].triangle; };
     if (!is_first &&
-        (theta > best.theta[d] || (theta == best.theta[d] && crossing.triangle > best.crossing[d]->triangle))) {
+        (theta > best.theta[d] || (theta == best.theta[d] && triangle(crossing) > triangle(best.crossing[d])))) {
       return;
     }
     best.cut = static_cast<std::uint8_t>(best.cut | 1 << direction);
-    best.crossing[d] = &crossing;
+    best.crossing[d] = crossing;
     best.theta[d] = theta;
   }
 
-  LinkCut seen(const Nearest& from, std::size_t direction) const {
-    const LinkCrossing& crossing = *from.crossing[direction];
+  static std::uint32_t side_seen(const LinkCrossing& crossing, std::size_t direction) {
     const bool looks_ahead = direction % 2 == 1;
-    const bool sees_front = looks_ahead != crossing.front_ahead;
-    const std::vector<Color>& color = sees_front ? surfaces_.front_color : surfaces_.back_color;
-    const glm::uvec3& t = surfaces_.triangle[crossing.triangle];
-    return {from.theta[direction], 2 * crossing.triangle + (sees_front ? 0 : 1),
+    return 2 * crossing.triangle + (looks_ahead != crossing.front_ahead ? 0 : 1);
+  }
+
+  LinkCut seen(const DiffusionSurfaces& surfaces, const Nearest& from, std::size_t direction) const {
+    const LinkCrossing& crossing = crossings_[from.crossing[direction]];
+    const std::uint32_t side = side_seen(crossing, direction);
+    const std::vector<Color>& color = side % 2 == 0 ? surfaces.front_color : surfaces.back_color;
+    const glm::uvec3& t = surfaces.triangle[crossing.triangle];
+    return {from.theta[direction], side,
             crossing.weight[0] * color[t.x] + crossing.weight[1] * color[t.y] + crossing.weight[2] * color[t.z]};
   }
 
-  /// Nodes with closed links, cut or leading nowhere, by place.
-  SlabLinks in_order() const {
-    SlabLinks links;
-    for (std::size_t local = 0; local < nearest_.size(); ++local) {
-      std::uint8_t& open = open_[first_node_ + local];
-      if (open & takes_no_part) continue;
-      CutNode node{static_cast<std::uint32_t>(first_node_ + local), static_cast<std::uint32_t>(links.cut.size()), 0};
-      if (nearest_[local] >= 0) {
-        const Nearest& from = found_[static_cast<std::size_t>(nearest_[local])];
-        node.cut = from.cut;
-        open = static_cast<std::uint8_t>(open & ~from.cut);
-        for (std::size_t d = 0; d < 6; ++d) {
-          if (from.cut >> d & 1) links.cut.push_back(seen(from, d));
-        }
-      }
-      if (open != all_open) links.node.push_back(node);
-    }
-    return links;
-  }
-
-  const DiffusionSurfaces& surfaces_;
-  const NodeRuns& runs_;
-  std::size_t first_node_;
+  const NodeRuns* runs_ = nullptr;
+  std::size_t first_run_ = 0;
+  std::vector<LinkCrossing> crossings_;
   std::vector<std::int32_t> nearest_;  ///< per node, index into found_
   std::vector<Nearest> found_;
-  std::uint8_t* open_;
 };
 
-}  // namespace
-
-std::vector<std::vector<std::uint32_t>> triangles_by_planes(const SnappedSurfaces& snapped, const Lattice& lattice,
+std::vector<std::vector<std::uint32_t>> triangles_by_planes(const SnappedSurfaces& snapped,
+                                                            std::span<const std::uint32_t> triangles,
+                                                            const Lattice& lattice,
                                                             std::span<const std::pair<int, int>> planes) {
   std::vector<std::vector<std::uint32_t>> lists(planes.size());
-  for (std::uint32_t t = 0; t < snapped.surfaces->triangle_count(); ++t) {
+  for (const std::uint32_t t : triangles) {
     const glm::uvec3& corner = snapped.surfaces->triangle[t];
     const std::int64_t z0 = snapped.position[corner.x][2], z1 = snapped.position[corner.y][2],
                        z2 = snapped.position[corner.z][2];
@@ -157,90 +155,62 @@ std::vector<std::vector<std::uint32_t>> triangles_by_planes(const SnappedSurface
   return lists;
 }
 
-CutLinks make_cut_links(const SnappedSurfaces& snapped, const Lattice& lattice, const NodeRuns& runs, Threads threads) {
-  const auto ranges = ranges_of_planes(runs, slab_count);
+LinkFinder::LinkFinder(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles, const Lattice& lattice,
+                       const NodeRuns& runs, std::span<const std::uint8_t> members, Threads threads)
+    : snapped_(snapped), runs_(runs), threads_(threads), open_(runs.node_count()) {
+  const auto ranges = runs.ranges_of_planes(slab_count);
   std::vector<std::pair<int, int>> planes;
-  for (const auto& [first, end] : ranges) planes.emplace_back(runs.run[first].z, runs.run[end - 1].z + 1);
-  const auto triangles = triangles_by_planes(snapped, lattice, planes);
-
-  CutLinks links;
-  links.open.resize(runs.node_count());
-  std::vector<SlabLinks> slabs(ranges.size());
+  for (const auto& [first, end] : ranges) planes.emplace_back(runs[first].z, runs[end - 1].z + 1);
+  const auto by_planes = triangles_by_planes(snapped, triangles, lattice, planes);
+  slabs_.resize(ranges.size());
   parallel_for(ranges.size(), threads, [&](std::size_t i) {
-    const auto [first, end] = ranges[i];
-    for (std::size_t r = first; r < end; ++r) open_links(runs, r, &links.open[NodeRuns::length * r]);
-    const auto crossings = link_crossings(snapped, triangles[i], lattice, planes[i].first, planes[i].second);
-    slabs[i] = Slab(snapped, runs, first, end, links.open.data()).links(crossings);
+    for (std::size_t r = ranges[i].first; r < ranges[i].second; ++r)
+      open_links(runs, members, r, &open_[NodeRuns::length * r]);
+    slabs_[i] = Slab(runs, ranges[i], link_crossings(snapped, by_planes[i], lattice, planes[i].first, planes[i].second),
+                     open_.data());
   });
-  gather(links, slabs);
-  return links;
 }
 
-namespace {
+LinkFinder::~LinkFinder() = default;
 
-/// The cuts of fine nodes, found by node.
-class FineCuts {
- public:
-  explicit FineCuts(const CutLinks& links) : links_(links) {}
+bool LinkFinder::see_both_sides(const std::vector<std::uint8_t>& marked) const {
+  std::vector<std::uint8_t> sides(snapped_.surfaces->triangle_count(), 0);
+  for (const Slab& slab : slabs_) slab.add_sides(marked, sides);
+  return std::find(sides.begin(), sides.end(), 3) != sides.end();
+}
 
-  /// Nothing if the link is not cut.
-  const LinkCut* in(std::uint32_t node, int direction) const {
-    const auto found = std::lower_bound(links_.node.begin(), links_.node.end(), node,
-                                        [](const CutNode& a, std::uint32_t b) { return a.node < b; });
-    if (found == links_.node.end() || found->node != node || (found->cut >> direction & 1) == 0) return nullptr;
-    const auto below = static_cast<unsigned>(found->cut & ((1 << direction) - 1));
-    return &links_.cut[found->first_cut + static_cast<std::uint32_t>(std::popcount(below))];
-  }
+CutLinks LinkFinder::links(const NodeRuns& kept, const std::vector<std::uint8_t>& marked) const {
+  CutLinks links;
+  links.open.resize(kept.node_count());
 
- private:
-  const CutLinks& links_;
-};
-
-/// One coarse run.
-void add_coarse_run(const CutLinks& fine, const NodeRuns& fine_runs, const NodeRuns& runs, std::size_t r,
-                    std::vector<std::uint8_t>& open, SlabLinks& slab) {
-  const FineCuts cuts(fine);
-  const NodeRun& run = runs.run[r];
-  for (int k = 0; k < NodeRuns::length; ++k) {
-    const std::size_t node = NodeRuns::length * r + static_cast<std::size_t>(k);
-    const int x = 2 * (NodeRuns::length * run.block + k), y = 2 * run.y, z = 2 * run.z;
-    const std::int32_t here = fine_runs.node_at(x, y, z);
-    if (here == NodeRuns::none || (fine.open[static_cast<std::size_t>(here)] & takes_no_part)) {
-      open[node] = takes_no_part;
-      continue;
-    }
-    CutNode cut{static_cast<std::uint32_t>(node), static_cast<std::uint32_t>(slab.cut.size()), 0};
-    std::uint8_t both = 0;
-    for (int d = 0; d < 6; ++d) {
-      const auto& step = step_to[static_cast<std::size_t>(d)];
-      const bool first_open = fine.open[static_cast<std::size_t>(here)] >> d & 1;
-      const std::int32_t middle = first_open ? fine_runs.node_at(x + step[0], y + step[1], z + step[2]) : here;
-      if (first_open && (fine.open[static_cast<std::size_t>(middle)] >> d & 1)) {
-        both = static_cast<std::uint8_t>(both | 1 << d);
-      } else if (const LinkCut* found = cuts.in(static_cast<std::uint32_t>(middle), d)) {
-        cut.cut = static_cast<std::uint8_t>(cut.cut | 1 << d);
-        slab.cut.push_back({0.5f * found->theta + (first_open ? 0.5f : 0.0f), found->side, found->color});
+  // Each slab by itself.
+  std::vector<CutLinks> parts(slabs_.size());
+  parallel_for(slabs_.size(), threads_, [&](std::size_t i) {
+    const std::size_t end = i + 1 < slabs_.size() ? slabs_[i + 1].first_run() : runs_.size();
+    for (std::size_t r = slabs_[i].first_run(); r < end; ++r) {
+      const NodeRun& run = runs_[r];
+      const std::int32_t place = kept.at(run.block, run.y, run.z);
+      if (place == NodeRuns::none) continue;
+      for (std::size_t k = 0; k < NodeRuns::length; ++k) {
+        const std::size_t from = NodeRuns::length * r + k, to = static_cast<std::size_t>(NodeRuns::length * place) + k;
+        links.open[to] = marked[r] >> k & 1 ? takes_no_part : open_[from];
+        if (links.open[to] == all_open || (links.open[to] & takes_no_part)) continue;
+        slabs_[i].add_node(*snapped_.surfaces, from, static_cast<std::uint32_t>(to), parts[i]);
       }
     }
-    open[node] = both;
-    if (both != all_open) slab.node.push_back(cut);
-  }
+  });
+
+  append(links, parts);
+  return links;
 }
 
-}  // namespace
-
-CutLinks coarser_links(const CutLinks& fine, const NodeRuns& fine_runs, const NodeRuns& coarse_runs, Threads threads) {
-  const auto ranges = ranges_of_planes(coarse_runs, slab_count);
-  CutLinks links;
-  links.open.resize(coarse_runs.node_count());
-  std::vector<SlabLinks> slabs(ranges.size());
-  parallel_for(ranges.size(), threads, [&](std::size_t i) {
-    for (std::size_t r = ranges[i].first; r < ranges[i].second; ++r) {
-      add_coarse_run(fine, fine_runs, coarse_runs, r, links.open, slabs[i]);
-    }
-  });
-  gather(links, slabs);
-  return links;
+void append(CutLinks& links, std::vector<CutLinks>& parts) {
+  for (CutLinks& part : parts) {
+    const auto before = static_cast<std::uint32_t>(links.cut.size());
+    for (CutNode& node : part.node) node.first_cut += before;
+    links.node.insert(links.node.end(), part.node.begin(), part.node.end());
+    links.cut.insert(links.cut.end(), part.cut.begin(), part.cut.end());
+  }
 }
 
 }  // namespace pomona

@@ -1,6 +1,7 @@
 // The links of stored nodes: which are open, and what the cut ones end on.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,7 +9,6 @@
 #include "generator/base/parallel.h"
 #include "generator/diffusion/harmonic/lattice.h"
 #include "generator/diffusion/harmonic/node_runs.h"
-#include "generator/diffusion/harmonic/quad.h"
 
 namespace pomona {
 
@@ -26,8 +26,10 @@ struct CutNode {
   std::uint8_t cut = 0;         ///< a bit per direction; links neither open nor cut lead to nowhere
 };
 
-/// One bit a direction for open links, and one for nodes that take no part.
+/// One bit a direction for open links; one for nodes of a patch's border, whose values come from the coarser grid;
+/// and one for nodes that take no part.
 constexpr std::uint8_t all_open = 63;
+constexpr std::uint8_t is_given = 64;
 constexpr std::uint8_t takes_no_part = 128;
 
 struct CutLinks {
@@ -36,14 +38,48 @@ struct CutLinks {
   std::vector<LinkCut> cut;
 };
 
-/// The triangles that may cut links of each of some ranges of planes, in their order.
-std::vector<std::vector<std::uint32_t>> triangles_by_planes(const SnappedSurfaces& snapped, const Lattice& lattice,
+/// Adds to `links` the cuts of `parts`, one after the other.
+void append(CutLinks& links, std::vector<CutLinks>& parts);
+
+/// How many of eight bits are set; the plainest x86-64 has no instruction for it.
+constexpr std::array<std::uint8_t, 256> bit_counts = [] {
+  std::array<std::uint8_t, 256> counts{};
+  for (std::size_t i = 1; i < 256; ++i) counts[i] = static_cast<std::uint8_t>(counts[i / 2] + i % 2);
+  return counts;
+}();
+
+/// Those of some triangles that may cut links of each of some ranges of planes, in their order.
+std::vector<std::vector<std::uint32_t>> triangles_by_planes(const SnappedSurfaces& snapped,
+                                                            std::span<const std::uint32_t> triangles,
+                                                            const Lattice& lattice,
                                                             std::span<const std::pair<int, int>> planes);
 
-/// Same result for any number of threads.
-CutLinks make_cut_links(const SnappedSurfaces& snapped, const Lattice& lattice, const NodeRuns& runs, Threads threads);
+/// The links of a lattice as surfaces cut them, found once for all nodes; the result for those that are wanted then
+/// costs little. Same result for any number of threads.
+class LinkFinder {
+ public:
+  /// `snapped` and `runs` must outlive it. `members` has an entry per run, a bit per node: only those have links;
+  /// `triangles` ascending.
+  LinkFinder(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles, const Lattice& lattice,
+             const NodeRuns& runs, std::span<const std::uint8_t> members, Threads threads);
+  ~LinkFinder();
 
-/// The links of every other node: open where both halves are, else cut where the nearer half is.
-CutLinks coarser_links(const CutLinks& fine, const NodeRuns& fine_runs, const NodeRuns& coarse_runs, Threads threads);
+  /// Per node of `runs`, as in CutLinks.
+  const std::vector<std::uint8_t>& open() const { return open_; }
+
+  /// Whether the nodes that are marked (one entry per run, a bit per node) see some triangle from both sides.
+  bool see_both_sides(const std::vector<std::uint8_t>& marked) const;
+
+  /// The links of the nodes that are not marked; `kept` are the runs that hold some. Links to marked nodes must be cut.
+  CutLinks links(const NodeRuns& kept, const std::vector<std::uint8_t>& marked) const;
+
+ private:
+  class Slab;
+  const SnappedSurfaces& snapped_;
+  const NodeRuns& runs_;
+  Threads threads_;
+  std::vector<std::uint8_t> open_;
+  std::vector<Slab> slabs_;
+};
 
 }  // namespace pomona

@@ -1,7 +1,9 @@
 #include "generator/diffusion/harmonic/exterior.h"
 
-#include <bit>
+#include <algorithm>
 #include <utility>
+
+#include "generator/diffusion/harmonic/cut_links.h"
 
 namespace pomona {
 
@@ -11,7 +13,9 @@ namespace {
 class BitRows {
  public:
   explicit BitRows(const NodeRuns& runs)
-      : words(static_cast<std::size_t>(runs.blocks + 7) / 8), rows_y(runs.count[1]), bits_(row_count(runs) * words) {}
+      : words(static_cast<std::size_t>(runs.count()[0] + 63) / 64),
+        rows_y(runs.count()[1]),
+        bits_(row_count(runs) * words) {}
 
   std::uint64_t* row(int y, int z) { return &bits_[index(y, z)]; }
   const std::uint64_t* row(int y, int z) const { return &bits_[index(y, z)]; }
@@ -21,7 +25,7 @@ class BitRows {
 
  private:
   static std::size_t row_count(const NodeRuns& runs) {
-    return static_cast<std::size_t>(runs.count[1]) * static_cast<std::size_t>(runs.count[2]);
+    return static_cast<std::size_t>(runs.count()[1]) * static_cast<std::size_t>(runs.count()[2]);
   }
   std::size_t index(int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(rows_y) + static_cast<std::size_t>(y)) * words;
@@ -29,20 +33,32 @@ class BitRows {
   std::vector<std::uint64_t> bits_;
 };
 
-/// Bit k of byte i of the result's bytes is bit `direction` of open[8 i + k].
-BitRows open_towards(const CutLinks& links, const NodeRuns& runs, int direction) {
-  BitRows rows(runs);
-  for (std::size_t r = 0; r < runs.run.size(); ++r) {
-    std::uint64_t byte = 0;
-    for (std::size_t k = 0; k < NodeRuns::length; ++k) {
-      const std::uint8_t open = links.open[NodeRuns::length * r + k];
-      if ((open & takes_no_part) == 0) byte |= static_cast<std::uint64_t>(open >> direction & 1) << k;
-    }
-    const NodeRun& run = runs.run[r];
-    rows.row(run.y, run.z)[run.block / 8] |= byte << (8 * (run.block % 8));
+/// Which links towards larger x, y and z are open.
+struct OpenRows {
+  OpenRows(const NodeRuns& runs, const std::vector<std::uint8_t>& open, Threads threads) : x(runs), y(runs), z(runs) {
+    const auto ranges = runs.ranges_of_planes(16);
+    parallel_for(ranges.size(), threads, [&](std::size_t i) {
+      for (std::size_t r = ranges[i].first; r < ranges[i].second; ++r) add_run(runs[r], &open[NodeRuns::length * r]);
+    });
   }
-  return rows;
-}
+
+  BitRows x, y, z;
+
+ private:
+  void add_run(const NodeRun& run, const std::uint8_t* open) {
+    std::uint64_t x_byte = 0, y_byte = 0, z_byte = 0;
+    for (std::size_t k = 0; k < NodeRuns::length; ++k) {
+      if (open[k] & takes_no_part) continue;
+      x_byte |= static_cast<std::uint64_t>(open[k] >> x_up & 1) << k;
+      y_byte |= static_cast<std::uint64_t>(open[k] >> y_up & 1) << k;
+      z_byte |= static_cast<std::uint64_t>(open[k] >> z_up & 1) << k;
+    }
+    const int word = run.block / 8, shift = 8 * (run.block % 8);
+    x.row(run.y, run.z)[word] |= x_byte << shift;
+    y.row(run.y, run.z)[word] |= y_byte << shift;
+    z.row(run.y, run.z)[word] |= z_byte << shift;
+  }
+};
 
 /// Within a word, through open links (bit i: from i to i + 1): runs double in length at every step.
 std::uint64_t spread_up(std::uint64_t bits, std::uint64_t open) {
@@ -66,12 +82,7 @@ std::uint64_t spread_down(std::uint64_t bits, std::uint64_t open) {
 /// Floods a lattice from one corner, row by row.
 class Flood {
  public:
-  Flood(const CutLinks& links, const NodeRuns& runs)
-      : runs_(runs),
-        x_(open_towards(links, runs, x_up)),
-        y_(open_towards(links, runs, y_up)),
-        z_(open_towards(links, runs, z_up)),
-        reached_(runs) {}
+  Flood(const NodeRuns& runs, const OpenRows& open) : runs_(runs), open_(open), reached_(runs) {}
 
   BitRows run() {
     reached_.row(0, 0)[0] = 1;
@@ -80,10 +91,10 @@ class Flood {
     while (!waiting_.empty()) {
       const auto [y, z] = waiting_.back();
       waiting_.pop_back();
-      if (y > 0) pass(y, z, y - 1, z, y_.row(y - 1, z));
-      if (y + 1 < runs_.count[1]) pass(y, z, y + 1, z, y_.row(y, z));
-      if (z > 0) pass(y, z, y, z - 1, z_.row(y, z - 1));
-      if (z + 1 < runs_.count[2]) pass(y, z, y, z + 1, z_.row(y, z));
+      if (y > 0) pass(y, z, y - 1, z, open_.y.row(y - 1, z));
+      if (y + 1 < runs_.count()[1]) pass(y, z, y + 1, z, open_.y.row(y, z));
+      if (z > 0) pass(y, z, y, z - 1, open_.z.row(y, z - 1));
+      if (z + 1 < runs_.count()[2]) pass(y, z, y, z + 1, open_.z.row(y, z));
     }
     return std::move(reached_);
   }
@@ -94,7 +105,7 @@ class Flood {
     const std::uint64_t* from = reached_.row(y, z);
     std::uint64_t* to = reached_.row(to_y, to_z);
     std::uint64_t added = 0;
-    for (std::size_t w = 0; w < x_.words; ++w) {
+    for (std::size_t w = 0; w < open_.x.words; ++w) {
       const std::uint64_t fresh = from[w] & open[w] & ~to[w];
       to[w] |= fresh;
       added |= fresh;
@@ -107,11 +118,11 @@ class Flood {
   /// Along x through open links, until nothing changes.
   void spread_along(int y, int z) {
     std::uint64_t* bits = reached_.row(y, z);
-    const std::uint64_t* open = x_.row(y, z);
+    const std::uint64_t* open = open_.x.row(y, z);
     for (bool changed = true; changed;) {
       changed = false;
       std::uint64_t carry = 0;
-      for (std::size_t w = 0; w < x_.words; ++w) {
+      for (std::size_t w = 0; w < open_.x.words; ++w) {
         const std::uint64_t old = bits[w];
         std::uint64_t now = old | carry;
         now = spread_up(now, open[w]);
@@ -127,76 +138,34 @@ class Flood {
   }
 
   const NodeRuns& runs_;
-  BitRows x_, y_, z_, reached_;
+  const OpenRows& open_;
+  BitRows reached_;
   std::vector<std::pair<int, int>> waiting_;
 };
 
-/// Whether the flooded nodes see some triangle from both sides.
-bool sees_both_sides(const CutLinks& links, const std::vector<std::uint8_t>& is_outside, std::size_t triangle_count) {
-  std::vector<std::uint8_t> seen(triangle_count, 0);
-  for (const CutNode& node : links.node) {
-    if (!is_outside[node.node]) continue;
-    const auto cuts = static_cast<std::uint32_t>(std::popcount(node.cut));
-    for (std::uint32_t c = node.first_cut; c < node.first_cut + cuts; ++c) {
-      std::uint8_t& sides = seen[links.cut[c].side / 2];
-      sides = static_cast<std::uint8_t>(sides | 1 << links.cut[c].side % 2);
-      if (sides == 3) return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
-std::vector<std::uint8_t> sealed_off(const CutLinks& links, const NodeRuns& runs, std::size_t triangle_count) {
-  const BitRows reached = Flood(links, runs).run();
-  std::vector<std::uint8_t> is_outside(runs.node_count(), 0);
-  for (std::size_t r = 0; r < runs.run.size(); ++r) {
-    const NodeRun& run = runs.run[r];
-    const std::uint64_t byte = reached.row(run.y, run.z)[run.block / 8] >> (8 * (run.block % 8));
-    for (std::size_t k = 0; k < NodeRuns::length; ++k) {
-      is_outside[NodeRuns::length * r + k] = static_cast<std::uint8_t>(byte >> k & 1);
-    }
+std::vector<std::uint8_t> reached_from_corner(const NodeRuns& runs, const std::vector<std::uint8_t>& open,
+                                              Threads threads) {
+  const OpenRows rows(runs, open, threads);
+  const BitRows reached = Flood(runs, rows).run();
+  std::vector<std::uint8_t> marked(runs.size(), 0);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const NodeRun& run = runs[r];
+    marked[r] = static_cast<std::uint8_t>(reached.row(run.y, run.z)[run.block / 8] >> (8 * (run.block % 8)));
   }
-  if (sees_both_sides(links, is_outside, triangle_count)) is_outside.assign(is_outside.size(), 0);
-  return is_outside;
+  return marked;
 }
 
-std::pair<NodeRuns, CutLinks> without(const NodeRuns& runs, const CutLinks& links,
-                                      const std::vector<std::uint8_t>& is_left_out) {
-  // Keep the runs in which some node stays.
-  std::vector<std::uint8_t> wanted(runs.place.size(), 0);
-  for (std::size_t place = 0; place < wanted.size(); ++place) {
-    if (runs.place[place] == NodeRuns::none) continue;
-    const auto first = static_cast<std::size_t>(NodeRuns::length * runs.place[place]);
-    for (std::size_t k = 0; k < NodeRuns::length; ++k) {
-      if (!is_left_out[first + k] && !(links.open[first + k] & takes_no_part)) wanted[place] = 1;
-    }
+NodeRuns runs_without(const NodeRuns& runs, const std::vector<std::uint8_t>& marked) {
+  const Node& count = runs.count();
+  std::vector<BlocksOfRow> wanted(static_cast<std::size_t>(count[1] * count[2]), 0);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const NodeRun& run = runs[r];
+    const bool is_wanted = (~marked[r] & ((1 << runs.inside(r)) - 1)) != 0;
+    if (is_wanted) wanted[static_cast<std::size_t>(run.z * count[1] + run.y)] |= BlocksOfRow{1} << run.block;
   }
-  NodeRuns kept = make_node_runs(runs.count, wanted);
-
-  // Their links, and the cuts of what stays.
-  CutLinks left;
-  left.open.resize(kept.node_count());
-  std::vector<std::uint32_t> new_run(runs.run.size(), 0);
-  for (std::size_t r = 0; r < kept.run.size(); ++r) {
-    const NodeRun& run = kept.run[r];
-    const auto old = static_cast<std::size_t>(runs.at(run.block, run.y, run.z));
-    new_run[old] = static_cast<std::uint32_t>(r);
-    for (std::size_t k = 0; k < NodeRuns::length; ++k) {
-      const std::size_t from = NodeRuns::length * old + k;
-      left.open[NodeRuns::length * r + k] = is_left_out[from] ? takes_no_part : links.open[from];
-    }
-  }
-  for (const CutNode& node : links.node) {
-    if (is_left_out[node.node]) continue;
-    const auto first_cut = static_cast<std::uint32_t>(left.cut.size());
-    const auto cuts = static_cast<std::uint32_t>(std::popcount(node.cut));
-    left.cut.insert(left.cut.end(), links.cut.begin() + node.first_cut, links.cut.begin() + node.first_cut + cuts);
-    const std::uint32_t run = node.node / NodeRuns::length;
-    left.node.push_back({NodeRuns::length * new_run[run] + node.node % NodeRuns::length, first_cut, node.cut});
-  }
-  return {std::move(kept), std::move(left)};
+  return {count, wanted};
 }
 
 }  // namespace pomona

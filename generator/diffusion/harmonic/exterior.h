@@ -2,20 +2,20 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
-#include "generator/diffusion/harmonic/cut_links.h"
+#include "generator/base/parallel.h"
+#include "generator/diffusion/harmonic/node_runs.h"
 
 namespace pomona {
 
-/// For each stored node of a whole lattice whether open links lead from the lattice's border to it (1 or 0). All 0
-/// if those nodes see a triangle from both sides: then some surface there is open, and what is behind it counts
-/// like what is before it.
-std::vector<std::uint8_t> sealed_off(const CutLinks& links, const NodeRuns& runs, std::size_t triangle_count);
+/// The nodes to which open links lead from the lattice's first corner: an entry per run, a bit per node.
+/// \param runs all of a lattice
+/// \param open as in CutLinks
+std::vector<std::uint8_t> reached_from_corner(const NodeRuns& runs, const std::vector<std::uint8_t>& open,
+                                              Threads threads);
 
-/// The same nodes and links without those that `is_left_out`; links into what is left out must be cut.
-std::pair<NodeRuns, CutLinks> without(const NodeRuns& runs, const CutLinks& links,
-                                      const std::vector<std::uint8_t>& is_left_out);
+/// The runs that hold a node which is neither marked nor beyond the lattice.
+NodeRuns runs_without(const NodeRuns& runs, const std::vector<std::uint8_t>& marked);
 
 }  // namespace pomona

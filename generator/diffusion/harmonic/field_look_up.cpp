@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/diffusion/harmonic/nearest_labels.h"
 #include "generator/diffusion/harmonic/short_rays.h"
 
 namespace pomona {
@@ -61,58 +62,90 @@ Quad quad_of(const Color& color) { return Quad{color.r, color.g, color.b, 1}; }
 
 }  // namespace
 
-/// A point's cell, and where it lies in it.
+/// A point's cell in some grid, and where it lies in it.
 struct FieldLookUp::Spot {
   Node cell{};
-  glm::vec3 within{0};  ///< 0..1
-  glm::vec3 place{0};   ///< in cells from the origin
+  glm::vec3 within{0};                  ///< 0..1
+  glm::vec3 place{0};                   ///< in cells from the origin
+  float scale = 1;                      ///< cells to one of the last grid's
+  double spacing = 0;                   ///< metres
+  std::array<const Quad*, 8> corner{};  ///< nothing for those without a value
+  bool is_whole = false;                ///< all eight have one
 };
 
-FieldLookUp::FieldLookUp(const SnappedSurfaces& snapped, SolvedGrid grid, CellTriangles triangles)
-    : surfaces_(*snapped.surfaces), grid_(std::move(grid)), triangles_(std::move(triangles)) {
-  const double unit = 1.0 / static_cast<double>(grid_.lattice.units());
+FieldLookUp::FieldLookUp(const SnappedSurfaces& snapped, SolvedGrids solved, CellTriangles triangles)
+    : surfaces_(*snapped.surfaces), solved_(std::move(solved)), triangles_(std::move(triangles)) {
+  const double unit = 1.0 / static_cast<double>(solved_.grids.back().lattice.units());
   position_.reserve(snapped.position.size());
   for (const auto& p : snapped.position) position_.emplace_back(glm::dvec3(p[0], p[1], p[2]) * unit);
 }
 
-std::optional<LookedUp> FieldLookUp::at(const glm::vec3& point) const {
+FieldLookUp::Spot FieldLookUp::spot_in(const SolvedGrid& grid, const glm::vec3& point) const {
   Spot spot;
+  spot.spacing = grid.lattice.spacing;
+  spot.scale =
+      static_cast<float>(grid.lattice.count[0] - 1) / static_cast<float>(solved_.grids.back().lattice.count[0] - 1);
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    const double place = (static_cast<double>(point[axis]) - grid_.lattice.origin[axis]) / grid_.lattice.spacing;
+    const double place = (static_cast<double>(point[axis]) - grid.lattice.origin[axis]) / grid.lattice.spacing;
     const double low = std::floor(place);
-    if (!(low >= 0 && low < grid_.lattice.count[a] - 1)) return std::nullopt;
+    if (!(low >= 0 && low < grid.lattice.count[a] - 1)) return spot;
     spot.cell[a] = static_cast<int>(low);
     spot.within[axis] = static_cast<float>(place - low);
     spot.place[axis] = static_cast<float>(place);
   }
-  const Node& count = grid_.lattice.count;
+  spot.is_whole = true;
+  for (int k = 0; k < 8; ++k) {
+    const std::int32_t node =
+        grid.runs.node_at(spot.cell[0] + (k & 1), spot.cell[1] + (k >> 1 & 1), spot.cell[2] + (k >> 2));
+    const bool is_member =
+        node != NodeRuns::none &&
+        (grid.members[static_cast<std::size_t>(node) / NodeRuns::length] >> node % NodeRuns::length & 1);
+    if (is_member) spot.corner[static_cast<std::size_t>(k)] = &grid.value[static_cast<std::size_t>(node)];
+    spot.is_whole = spot.is_whole && is_member;
+  }
+  return spot;
+}
+
+std::optional<LookedUp> FieldLookUp::at(const glm::vec3& point) const {
+  const SolvedGrid& whole = solved_.grids.back();
+  Spot spot = spot_in(whole, point);
+  const Node& count = whole.lattice.count;
+  if (!(spot.place.x > 0 && spot.place.y > 0 && spot.place.z > 0)) return std::nullopt;
   const auto cell = (static_cast<std::size_t>(spot.cell[2]) * static_cast<std::size_t>(count[1]) +
                      static_cast<std::size_t>(spot.cell[1])) *
                         static_cast<std::size_t>(count[0]) +
                     static_cast<std::size_t>(spot.cell[0]);
+  const Node whole_cell = spot.cell;
+
+  // The finest patch that has the point's cell.
+  for (std::size_t g = 0; g + 1 < solved_.grids.size(); ++g) {
+    const Spot finer = spot_in(solved_.grids[g], point);
+    if (!finer.is_whole) continue;
+    spot = finer;
+    break;
+  }
   const auto triangles = triangles_.in(cell);
-  return triangles.empty() ? between_nodes(spot) : beside_surfaces(spot, triangles);
+  if (!triangles.empty()) return beside_surfaces(spot, triangles);
+  auto found = between_nodes(spot);
+  if (found) found->side = label_near(whole_cell);
+  return found;
 }
 
-std::array<const Quad*, 8> FieldLookUp::corners(const Spot& spot) const {
-  std::array<const Quad*, 8> corner{};
-  for (int k = 0; k < 8; ++k) {
-    const std::int32_t node =
-        grid_.runs.node_at(spot.cell[0] + (k & 1), spot.cell[1] + (k >> 1 & 1), spot.cell[2] + (k >> 2));
-    if (node != NodeRuns::none) corner[static_cast<std::size_t>(k)] = &grid_.value[static_cast<std::size_t>(node)];
-  }
-  return corner;
+/// Of a cell without surfaces: its one corner with even coordinates is in sight.
+std::optional<std::uint32_t> FieldLookUp::label_near(const Node& cell) const {
+  const std::int32_t node = solved_.every_other.node_at((cell[0] + 1) / 2, (cell[1] + 1) / 2, (cell[2] + 1) / 2);
+  if (node == NodeRuns::none || solved_.label[static_cast<std::size_t>(node)] == no_side) return std::nullopt;
+  return solved_.label[static_cast<std::size_t>(node)];
 }
 
 std::optional<LookedUp> FieldLookUp::between_nodes(const Spot& spot) const {
-  const auto corner = corners(spot);
+  if (!spot.is_whole) return std::nullopt;
   const glm::vec3 f = spot.within;
   Quad sum{};
   for (int k = 0; k < 8; ++k) {
-    if (corner[static_cast<std::size_t>(k)] == nullptr) return std::nullopt;
     const float weight = (k & 1 ? f.x : 1 - f.x) * (k & 2 ? f.y : 1 - f.y) * (k & 4 ? f.z : 1 - f.z);
-    sum += weight * *corner[static_cast<std::size_t>(k)];
+    sum += weight * *spot.corner[static_cast<std::size_t>(k)];
   }
   const auto color = color_in(sum);
   if (!color) return std::nullopt;
@@ -128,8 +161,9 @@ std::optional<LookedUp> FieldLookUp::beside_surfaces(const Spot& spot, std::span
   float nearest_height = 0;
   for (const std::uint32_t t : triangles) {
     const glm::uvec3& corner = surfaces_.triangle[t];
-    const SeenTriangle seen{position_[corner.x] - spot.place, position_[corner.y] - spot.place,
-                            position_[corner.z] - spot.place};
+    const SeenTriangle seen{spot.scale * position_[corner.x] - spot.place,
+                            spot.scale * position_[corner.y] - spot.place,
+                            spot.scale * position_[corner.z] - spot.place};
     rays.meet(seen, t);
     const glm::vec3 weight = nearest_weights(seen);
     const glm::vec3 place = weight.x * seen.a + weight.y * seen.b + weight.z * seen.c;
@@ -149,12 +183,11 @@ std::optional<LookedUp> FieldLookUp::beside_surfaces(const Spot& spot, std::span
     return quad_of(weight.x * color[v.x] + weight.y * color[v.y] + weight.z * color[v.z]);
   };
   LinearFit fit;
-  const auto corner = corners(spot);
   for (int k = 0; k < 8; ++k) {
     const glm::vec3 towards = rays.towards(k);
     if (const auto hit = rays.hit(k)) {
       fit.add(hit->fraction * towards, colors_of(hit->triangle, hit->sees_front, hit->weight));
-    } else if (const Quad* value = corner[static_cast<std::size_t>(k)]; value != nullptr && (*value)[3] > 0) {
+    } else if (const Quad* value = spot.corner[static_cast<std::size_t>(k)]; value != nullptr && (*value)[3] > 0) {
       fit.add(towards, *value);
     }
   }
@@ -168,13 +201,15 @@ std::optional<LookedUp> FieldLookUp::beside_surfaces(const Spot& spot, std::span
   const auto color = color_in(fit.value_here());
   if (!color) return std::nullopt;
   found.color = *color;
-  found.distance = static_cast<float>(grid_.lattice.spacing) * std::sqrt(nearest);
+  found.distance = static_cast<float>(spot.spacing) * std::sqrt(nearest);
   return found;
 }
 
 std::size_t FieldLookUp::bytes() const {
-  return grid_.value.bytes() + grid_.runs.place.size() * sizeof(std::int32_t) +
-         grid_.runs.run.size() * sizeof(NodeRun) + triangles_.bytes() + position_.size() * sizeof(glm::vec3);
+  std::size_t sum = solved_.every_other.bytes() + solved_.label.size() * sizeof(std::uint32_t) + triangles_.bytes() +
+                    position_.size() * sizeof(glm::vec3);
+  for (const SolvedGrid& grid : solved_.grids) sum += grid.value.bytes() + grid.runs.bytes() + grid.members.size();
+  return sum;
 }
 
 }  // namespace pomona

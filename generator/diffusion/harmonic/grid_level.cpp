@@ -1,7 +1,6 @@
 #include "generator/diffusion/harmonic/grid_level.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -17,7 +16,7 @@ constexpr std::size_t range_count = 12;
 constexpr float least_theta = 1e-5f;
 
 RunLinks links_of_run(const NodeRuns& runs, const CutLinks& links, std::size_t r) {
-  const NodeRun& run = runs.run[r];
+  const NodeRun& run = runs[r];
   const auto offset = [&](int y, int z) {
     const std::int32_t other = runs.at(run.block, y, z);
     return other == NodeRuns::none ? 0 : NodeRuns::length * (other - static_cast<std::int32_t>(r));
@@ -75,16 +74,83 @@ Stencil stencil_at(const Lattice& lattice, const Node& at, const CutLinks& links
   return stencil;
 }
 
-}  // namespace
+constexpr std::array<std::array<int, 3>, 6> step_to = {
+    {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
-std::size_t GridLevel::stencil_of(std::size_t run, int k) const {
-  const auto below = static_cast<unsigned>(run_links[run].irregular & ((1 << k) - 1));
-  return run_links[run].first_stencil + static_cast<std::size_t>(std::popcount(below));
+/// The cut of a node's link; nothing if it is not cut.
+const LinkCut* cut_at(const GridLevel& level, std::size_t node, int direction) {
+  if (level.links.open[node] == all_open) return nullptr;
+  const CutNode& found = level.links.node[level.stencil_of(node / NodeRuns::length, node % NodeRuns::length)];
+  if ((found.cut >> direction & 1) == 0) return nullptr;
+  return &level.links.cut[found.first_cut + bit_counts[found.cut & ((1u << direction) - 1)]];
 }
 
+/// Whether all fine links that a coarse run is made of are open, as far as a glance at the fine runs tells.
+bool is_plain_below(const GridLevel& fine, const NodeRun& run) {
+  for (int block = 2 * run.block - 1; block <= 2 * run.block + 1; ++block) {
+    const std::int32_t middle = fine.runs.at(block, 2 * run.y, 2 * run.z);
+    if (middle == NodeRuns::none || !fine.run_links[static_cast<std::size_t>(middle)].plain) return false;
+    if (block < 2 * run.block) continue;
+    for (const auto& [y, z] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+      const std::int32_t beside = fine.runs.at(block, 2 * run.y + y, 2 * run.z + z);
+      if (beside == NodeRuns::none || !fine.run_links[static_cast<std::size_t>(beside)].plain) return false;
+    }
+  }
+  return true;
+}
+
+/// A coarse node's links: open where both fine halves are, else cut where the nearer half is.
+void add_coarse_node(const GridLevel& fine, const Node& at, std::size_t node, CutLinks& part, std::uint8_t& open) {
+  const std::int32_t found = fine.runs.node_at(2 * at[0], 2 * at[1], 2 * at[2]);
+  const auto here = static_cast<std::size_t>(found);
+  open = takes_no_part;
+  if (found == NodeRuns::none || (fine.links.open[here] & takes_no_part)) return;
+  CutNode cut{static_cast<std::uint32_t>(node), static_cast<std::uint32_t>(part.cut.size()), 0};
+  open = 0;
+  for (int d = 0; d < 6; ++d) {
+    const auto& step = step_to[static_cast<std::size_t>(d)];
+    const bool first_open = fine.links.open[here] >> d & 1;
+    const std::size_t middle =
+        first_open
+            ? static_cast<std::size_t>(fine.runs.node_at(2 * at[0] + step[0], 2 * at[1] + step[1], 2 * at[2] + step[2]))
+            : here;
+    if (first_open && (fine.links.open[middle] >> d & 1)) {
+      open = static_cast<std::uint8_t>(open | 1 << d);
+    } else if (const LinkCut* nearer = cut_at(fine, middle, d)) {
+      cut.cut = static_cast<std::uint8_t>(cut.cut | 1 << d);
+      part.cut.push_back({0.5f * nearer->theta + (first_open ? 0.5f : 0.0f), nearer->side, nearer->color});
+    }
+  }
+  if (open != all_open) part.node.push_back(cut);
+}
+
+CutLinks coarser_links(const GridLevel& fine, const NodeRuns& coarse_runs, Threads threads) {
+  const auto ranges = coarse_runs.ranges_of_planes(range_count);
+  CutLinks links;
+  links.open.resize(coarse_runs.node_count());
+  std::vector<CutLinks> parts(ranges.size());
+  parallel_for(ranges.size(), threads, [&](std::size_t i) {
+    for (std::size_t r = ranges[i].first; r < ranges[i].second; ++r) {
+      const NodeRun& run = coarse_runs[r];
+      const bool is_plain = is_plain_below(fine, run);
+      for (int k = 0; k < NodeRuns::length; ++k) {
+        const std::size_t node = NodeRuns::length * r + static_cast<std::size_t>(k);
+        if (is_plain) {
+          links.open[node] = all_open;
+        } else {
+          add_coarse_node(fine, {NodeRuns::length * run.block + k, run.y, run.z}, node, parts[i], links.open[node]);
+        }
+      }
+    }
+  });
+  append(links, parts);
+  return links;
+}
+
+}  // namespace
+
 std::size_t GridLevel::bytes() const {
-  return runs.run.size() * sizeof(NodeRun) + runs.place.size() * sizeof(std::int32_t) + links.open.size() +
-         links.node.size() * sizeof(CutNode) + links.cut.size() * sizeof(LinkCut) +
+  return runs.bytes() + links.open.size() + links.node.size() * sizeof(CutNode) + links.cut.size() * sizeof(LinkCut) +
          run_links.size() * sizeof(RunLinks) + stencil.size() * sizeof(Stencil) + value.bytes() + rhs.bytes() +
          residual.bytes();
 }
@@ -95,8 +161,8 @@ GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links,
   level.lattice = lattice;
   level.runs = std::move(runs);
   level.links = std::move(links);
-  level.ranges = ranges_of_planes(level.runs, range_count);
-  level.run_links.resize(level.runs.run.size());
+  level.ranges = level.runs.ranges_of_planes(range_count);
+  level.run_links.resize(level.runs.size());
   level.stencil.resize(level.links.node.size());
   level.value = RawArray<Quad>(level.runs.node_count());
   level.residual = RawArray<Quad>(level.runs.node_count());
@@ -109,7 +175,7 @@ GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links,
     for (std::size_t r = first; r < end; ++r) {
       level.run_links[r] = links_of_run(level.runs, level.links, r);
       level.run_links[r].first_stencil = stencil;
-      const NodeRun& run = level.runs.run[r];
+      const NodeRun& run = level.runs[r];
       for (int k = 0; k < NodeRuns::length; ++k) {
         const std::size_t node = NodeRuns::length * r + static_cast<std::size_t>(k);
         level.value[node] = level.residual[node] = Quad{};
@@ -125,20 +191,16 @@ GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links,
 
 GridLevel coarser(const GridLevel& fine, const glm::dvec3& middle, Threads threads) {
   const Lattice lattice = doubled(fine.lattice);
-  const int blocks = (lattice.count[0] + NodeRuns::length - 1) / NodeRuns::length;
 
   // A coarse run is stored if either fine run under it is.
-  std::vector<std::uint8_t> wanted;
-  for (int z = 0; z < lattice.count[2]; ++z) {
-    for (int y = 0; y < lattice.count[1]; ++y) {
-      for (int block = 0; block < blocks; ++block) {
-        wanted.push_back(fine.runs.at(2 * block, 2 * y, 2 * z) != NodeRuns::none ||
-                         fine.runs.at(2 * block + 1, 2 * y, 2 * z) != NodeRuns::none);
-      }
-    }
+  std::vector<BlocksOfRow> wanted(static_cast<std::size_t>(lattice.count[1] * lattice.count[2]), 0);
+  for (std::size_t r = 0; r < fine.runs.size(); ++r) {
+    const NodeRun& run = fine.runs[r];
+    if ((run.y | run.z) & 1) continue;
+    wanted[static_cast<std::size_t>(run.z / 2 * lattice.count[1] + run.y / 2)] |= BlocksOfRow{1} << run.block / 2;
   }
-  NodeRuns runs = make_node_runs(lattice.count, wanted);
-  CutLinks links = coarser_links(fine.links, fine.runs, runs, threads);
+  NodeRuns runs(lattice.count, wanted);
+  CutLinks links = coarser_links(fine, runs, threads);
   GridLevel level = make_grid_level(lattice, std::move(runs), std::move(links), middle, threads);
   level.rhs = RawArray<Quad>(level.runs.node_count());
   std::fill(level.rhs.data(), level.rhs.data() + level.rhs.size(), Quad{});

@@ -39,11 +39,14 @@ struct GridLevel {
   std::vector<std::pair<std::size_t, std::size_t>> ranges;  ///< of runs, for threads
 
   RawArray<Quad> value;     ///< what is sought; 0 where a node takes no part
+  bool is_patch = false;    ///< covers a part of the next level, which is solved together with it
   RawArray<Quad> rhs;       ///< besides the stencils' sources; empty on the finest level
   RawArray<Quad> residual;  ///< scratch too
 
-  /// The stencil of an irregular node of a run.
-  std::size_t stencil_of(std::size_t run, int k) const;
+  /// The stencil of an irregular node of a run; links.node has the same order.
+  std::size_t stencil_of(std::size_t run, int k) const {
+    return run_links[run].first_stencil + bit_counts[run_links[run].irregular & ((1u << k) - 1)];
+  }
   std::size_t bytes() const;
 };
 

@@ -1,6 +1,5 @@
 #include "generator/diffusion/harmonic/multigrid.h"
 
-#include <bit>
 #include <utility>
 
 namespace pomona {
@@ -15,6 +14,9 @@ constexpr int coarsest_sweeps = 24;
 
 constexpr int length = NodeRuns::length;
 
+/// Nodes that have no equation.
+constexpr std::uint8_t not_solved = takes_no_part | is_given;
+
 /// A node of some level, with all that an equation needs.
 struct At {
   std::size_t node;
@@ -25,18 +27,18 @@ struct At {
 /// Calls body(r) for every run of a level.
 template <typename Body>
 void for_runs(const GridLevel& level, Threads threads, const Body& body) {
-  const Threads used{level.runs.run.size() < runs_worth_sharing ? 1 : threads.count};
+  const Threads used{level.runs.size() < runs_worth_sharing ? 1 : threads.count};
   parallel_for(level.ranges.size(), used, [&](std::size_t i) {
     for (std::size_t r = level.ranges[i].first; r < level.ranges[i].second; ++r) body(r);
   });
 }
 
-/// Calls body(at) for the nodes of run r with x of parity `first`.
+/// Calls body(at) for the nodes of run r with x of parity `first`, but not for those with a bit of `skipped`.
 template <typename Body>
-void for_every_other(const GridLevel& level, std::size_t r, int first, const Body& body) {
+void for_every_other(const GridLevel& level, std::size_t r, int first, std::uint8_t skipped, const Body& body) {
   const std::uint8_t* open = &level.links.open[length * r];
   for (int k = first; k < length; k += 2) {
-    if (open[k] & takes_no_part) continue;
+    if (open[k] & skipped) continue;
     const Stencil* stencil = open[k] == all_open ? nullptr : &level.stencil[level.stencil_of(r, k)];
     body(At{length * r + static_cast<std::size_t>(k), open[k], stencil});
   }
@@ -62,8 +64,27 @@ Quad sum_of_six(const Quad* value, const std::array<std::ptrdiff_t, 6>& offset) 
          (value[offset[z_down]] + value[offset[z_up]]);
 }
 
+/// The sum over the axes along which a node with six open links lies between coarse ones.
+Quad sum_between(const Quad* value, const std::array<std::ptrdiff_t, 6>& offset, std::uint8_t along) {
+  Quad sum{};
+  if (along >> x_up & 1) sum += value[-1] + value[1];
+  if (along >> y_up & 1) sum += value[offset[y_down]] + value[offset[y_up]];
+  if (along >> z_up & 1) sum += value[offset[z_down]] + value[offset[z_up]];
+  return sum;
+}
+
+/// The same for any node, over open links only.
+Quad sum_between(const Quad* value, const At& at, const std::array<std::ptrdiff_t, 6>& offset, std::uint8_t along) {
+  if (at.stencil == nullptr) return sum_between(value + at.node, offset, along);
+  Quad sum{};
+  for (std::size_t d = 0; d < 6; ++d) {
+    if ((at.open & along) >> d & 1) sum += value[static_cast<std::ptrdiff_t>(at.node) + offset[d]];
+  }
+  return sum;
+}
+
 /// Gauss-Seidel for the nodes of run r with x + y + z of parity `color`.
-template <bool with_rhs>
+template <bool with_source, bool with_rhs>
 void relax_run(GridLevel& level, std::size_t r, int color) {
   constexpr float sixth = 1.0f / 6;
   const RunLinks& run = level.run_links[r];
@@ -78,28 +99,16 @@ void relax_run(GridLevel& level, std::size_t r, int color) {
     }
     return;
   }
-  for_every_other(level, r, first, [&](const At& at) {
-    Quad sum = at.stencil ? pulled(value, at, offset) + at.stencil->source : sum_of_six(value + at.node, offset);
+  for_every_other(level, r, first, not_solved, [&](const At& at) {
+    Quad sum = at.stencil ? pulled(value, at, offset) : sum_of_six(value + at.node, offset);
+    if constexpr (with_source) sum += at.stencil ? at.stencil->source : Quad{};
     if constexpr (with_rhs) sum += level.rhs[at.node];
     value[at.node] = (at.stencil ? at.stencil->inverse : sixth) * sum;
   });
 }
 
-/// On coarse levels of a correction the surfaces give nothing.
-enum class Source { surfaces, rhs };
-
-void relax_correction_run(GridLevel& level, std::size_t r, int color) {
-  constexpr float sixth = 1.0f / 6;
-  const RunLinks& run = level.run_links[r];
-  const auto offset = offsets(run);
-  const int first = (run.parity + color) & 1;
-  Quad* value = level.value.data();
-  for_every_other(level, r, first, [&](const At& at) {
-    const Quad sum =
-        (at.stencil ? pulled(value, at, offset) : sum_of_six(value + at.node, offset)) + level.rhs[at.node];
-    value[at.node] = (at.stencil ? at.stencil->inverse : sixth) * sum;
-  });
-}
+/// What a level is solved for: the field itself, or a correction to it, which is 0 on surfaces.
+enum class Sought { field, correction };
 
 /// The levels, finest first.
 class Multigrid {
@@ -109,80 +118,97 @@ class Multigrid {
 
   std::vector<GridLevel> run() {
     const std::size_t coarsest = levels_.size() - 1;
-    for (int i = 0; i < 2 * coarsest_sweeps; ++i) relax(coarsest, Source::surfaces);
+    for (int i = 0; i < 2 * coarsest_sweeps; ++i) relax(coarsest, Sought::field);
     for (std::size_t l = coarsest; l-- > 0;) {
       start_from_coarser(l);
-      for (int i = 0; i < (l == 0 ? options_.cycles : 1); ++i) cycle(l, Source::surfaces);
+      for (int i = 0; i < (l == 0 ? options_.cycles : 1); ++i) cycle(l, Sought::field);
     }
     return std::move(levels_);
   }
 
  private:
-  void relax(std::size_t l, Source source) {
+  /// Whether patches have put something on the right-hand side.
+  bool has_rhs(std::size_t l, Sought sought) const {
+    return sought == Sought::correction || (l > 0 && levels_[l - 1].is_patch);
+  }
+
+  void relax(std::size_t l, Sought sought) {
     GridLevel& level = levels_[l];
+    const bool with_rhs = has_rhs(l, sought);
     for (int color = 0; color < 2; ++color) {
       for_runs(level, options_.threads, [&](std::size_t r) {
-        if (source == Source::surfaces) {
-          relax_run<false>(level, r, color);
+        if (sought == Sought::correction) {
+          relax_run<false, true>(level, r, color);
+        } else if (with_rhs) {
+          relax_run<true, true>(level, r, color);
         } else {
-          relax_correction_run(level, r, color);
+          relax_run<true, false>(level, r, color);
         }
       });
     }
   }
 
-  void cycle(std::size_t l, Source source) {
+  void cycle(std::size_t l, Sought sought) {
     if (l + 1 == levels_.size()) {
-      for (int i = 0; i < coarsest_sweeps; ++i) relax(l, source);
+      for (int i = 0; i < coarsest_sweeps; ++i) relax(l, sought);
       return;
     }
-    for (int i = 0; i < options_.sweeps; ++i) relax(l, source);
-    find_residual(l, source);
-    restrict_to_coarser(l);
-    cycle(l + 1, Source::rhs);
+    for (int i = 0; i < options_.sweeps; ++i) relax(l, sought);
+    find_residual(l, sought);
+    restrict_to_edges(l);
+    if (levels_[l].is_patch) {
+      hand_to_covered(l);
+      cycle(l + 1, Sought::field);
+    } else {
+      restrict_to_coarser(l);
+      cycle(l + 1, Sought::correction);
+    }
     correct_from_coarser(l);
-    for (int i = 0; i < options_.sweeps; ++i) relax(l, source);
+    for (int i = 0; i < options_.sweeps; ++i) relax(l, sought);
   }
 
   /// At the nodes of even parity, because relaxing the odd ones has just left nothing there; between coarse nodes
   /// (two odd coordinates) already weighted for the way down.
-  void find_residual(std::size_t l, Source source) {
+  void find_residual(std::size_t l, Sought sought) {
     GridLevel& level = levels_[l];
     Quad* value = level.value.data();
+    const bool with_rhs = has_rhs(l, sought);
     for_runs(level, options_.threads, [&](std::size_t r) {
       const auto offset = offsets(level.run_links[r]);
-      const NodeRun& run = level.runs.run[r];
+      const NodeRun& run = level.runs[r];
       const float between = (run.y & 1) | (run.z & 1) ? 0.25f : 1.0f;
-      for_every_other(level, r, level.run_links[r].parity, [&](const At& at) {
+      for_every_other(level, r, level.run_links[r].parity, takes_no_part, [&](const At& at) {
         Quad rest = at.stencil ? pulled(value, at, offset) - at.stencil->diagonal * value[at.node]
                                : sum_of_six(value + at.node, offset) - 6.0f * value[at.node];
-        if (source == Source::rhs) rest += level.rhs[at.node];
-        if (source == Source::surfaces && at.stencil) rest += at.stencil->source;
+        if (with_rhs) rest += level.rhs[at.node];
+        if (sought == Sought::field && at.stencil) rest += at.stencil->source;
+        if (at.open & is_given) rest = Quad{};
         level.residual[at.node] = (between != 1 && at.stencil ? at.stencil->odd_inverse : between) * rest;
       });
     });
   }
 
-  /// The transpose of correct_from_coarser().
+  /// Nodes on edges between coarse nodes (one odd coordinate) gather from their faces.
+  void restrict_to_edges(std::size_t l) {
+    GridLevel& fine = levels_[l];
+    const Quad* residual = fine.residual.data();
+    for_runs(fine, options_.threads, [&](std::size_t r) {
+      const NodeRun& run = fine.runs[r];
+      if ((run.y & 1) && (run.z & 1)) return;
+      const auto offset = offsets(fine.run_links[r]);
+      const std::uint8_t across = static_cast<std::uint8_t>((run.y & 1 ? 0b110011 : run.z & 1 ? 0b001111 : 0b111100));
+      for_every_other(fine, r, (run.y | run.z) & 1 ? 0 : 1, takes_no_part, [&](const At& at) {
+        const Quad sum = at.open & is_given ? Quad{} : sum_between(residual, at, offset, across);
+        fine.residual[at.node] = (at.stencil ? at.stencil->odd_inverse : 0.5f) * sum;
+      });
+    });
+  }
+
+  /// The rest of the transpose of correct_from_coarser(), into the right-hand side of a correction.
   void restrict_to_coarser(std::size_t l) {
     GridLevel& fine = levels_[l];
     GridLevel& coarse = levels_[l + 1];
     const Quad* residual = fine.residual.data();
-
-    // Nodes on edges between coarse nodes gather from their faces: one odd coordinate.
-    for_runs(fine, options_.threads, [&](std::size_t r) {
-      const NodeRun& run = fine.runs.run[r];
-      if ((run.y & 1) && (run.z & 1)) return;
-      const auto offset = offsets(fine.run_links[r]);
-      const std::uint8_t across = static_cast<std::uint8_t>((run.y & 1 ? 0b110011 : run.z & 1 ? 0b001111 : 0b111100));
-      for_every_other(fine, r, (run.y | run.z) & 1 ? 0 : 1, [&](const At& at) {
-        Quad sum{};
-        for (std::size_t d = 0; d < 6; ++d) {
-          if ((at.open & across) >> d & 1) sum += residual[static_cast<std::ptrdiff_t>(at.node) + offset[d]];
-        }
-        fine.residual[at.node] = (at.stencil ? at.stencil->odd_inverse : 0.5f) * sum;
-      });
-    });
 
     // Coarse nodes gather from their edges. The equations' unit is the square of the spacing: 4 times the mean, while
     // the weights add up to 8.
@@ -202,7 +228,7 @@ class Multigrid {
   /// Calls body(coarse node, its fine node or nothing, offsets there) for run r of the coarse level.
   template <typename Body>
   static void for_children(const GridLevel& fine, const GridLevel& coarse, std::size_t r, const Body& body) {
-    const NodeRun& run = coarse.runs.run[r];
+    const NodeRun& run = coarse.runs[r];
     for (int half = 0; half < 2; ++half) {
       const std::int32_t below = fine.runs.at(2 * run.block + half, 2 * run.y, 2 * run.z);
       std::array<std::ptrdiff_t, 6> offset{};
@@ -220,13 +246,45 @@ class Multigrid {
     }
   }
 
-  /// Copies the coarse values to the fine nodes that they lie on.
-  void copy_up(std::size_t l, RawArray<Quad>& to) {
-    const GridLevel& coarse = levels_[l + 1];
-    for_runs(coarse, options_.threads, [&](std::size_t r) {
-      for_children(levels_[l], coarse, r, [&](std::size_t node, const At* at, const auto&) {
-        if (at != nullptr) to[at->node] = coarse.value[node];
+  /// Calls body(at, coarse node, offsets) for the nodes of a level that lie on coarse ones.
+  template <typename Body>
+  void for_parents(std::size_t l, const Body& body) {
+    const GridLevel &fine = levels_[l], &coarse = levels_[l + 1];
+    for_runs(fine, options_.threads, [&](std::size_t r) {
+      const NodeRun& run = fine.runs[r];
+      if ((run.y | run.z) & 1) return;
+      const std::int32_t above = coarse.runs.at(run.block / 2, run.y / 2, run.z / 2);
+      if (above == NodeRuns::none) return;
+      const auto offset = offsets(fine.run_links[r]);
+      const auto first = static_cast<std::size_t>(length * above + length / 2 * (run.block % 2));
+      for_every_other(fine, r, 0, takes_no_part, [&](const At& at) {
+        const std::size_t parent = first + at.node % length / 2;
+        if ((coarse.links.open[parent] & takes_no_part) == 0) body(at, parent, offset);
       });
+    });
+  }
+
+  /// Makes the equations of the coarse nodes inside a patch those that the patch's solution fulfils (full
+  /// approximation scheme [Brandt 1977]; local refinement as in [McCormick 1989]).
+  void hand_to_covered(std::size_t l) {
+    GridLevel &patch = levels_[l], &coarse = levels_[l + 1];
+    for_parents(l, [&](const At& at, std::size_t parent, const auto&) {
+      if ((at.open & is_given) == 0) coarse.value[parent] = patch.value[at.node];
+    });
+    for_parents(l, [&](const At& at, std::size_t parent, const auto& offset) {
+      if (at.open & is_given) return;
+      const std::size_t r = parent / length;
+      const std::uint8_t open = coarse.links.open[parent];
+      const At above{
+          parent, open,
+          open == all_open ? nullptr : &coarse.stencil[coarse.stencil_of(r, static_cast<int>(parent % length))]};
+      const auto beside = offsets(coarse.run_links[r]);
+      const Quad& here = coarse.value[parent];
+      const Quad fulfilled = above.stencil ? above.stencil->diagonal * here -
+                                                 pulled(coarse.value.data(), above, beside) - above.stencil->source
+                                           : 6.0f * here - sum_of_six(coarse.value.data() + parent, beside);
+      coarse.rhs[parent] =
+          fulfilled + 0.5f * (patch.residual[at.node] + sum_between(patch.residual.data(), at, offset, all_open));
     });
   }
 
@@ -235,13 +293,13 @@ class Multigrid {
   void for_between(std::size_t l, int odd_coordinates, const Body& body) {
     const GridLevel& level = levels_[l];
     for_runs(level, options_.threads, [&](std::size_t r) {
-      const NodeRun& run = level.runs.run[r];
+      const NodeRun& run = level.runs[r];
       const int odd_x = odd_coordinates - (run.y & 1) - (run.z & 1);
       if (odd_x < 0 || odd_x > 1) return;
       const auto along =
           static_cast<std::uint8_t>((odd_x ? 0b11 : 0) | (run.y & 1 ? 0b1100 : 0) | (run.z & 1 ? 0b110000 : 0));
       const auto offset = offsets(level.run_links[r]);
-      for_every_other(level, r, odd_x, [&](const At& at) { body(at, offset, along); });
+      for_every_other(level, r, odd_x, takes_no_part, [&](const At& at) { body(at, offset, along); });
     });
   }
 
@@ -250,15 +308,15 @@ class Multigrid {
   void correct_from_coarser(std::size_t l) {
     GridLevel& fine = levels_[l];
     Quad* correction = fine.residual.data();
-    copy_up(l, fine.residual);
-    for_between(l, 0, [&](const At& at, const auto&, std::uint8_t) { fine.value[at.node] += correction[at.node]; });
+    const GridLevel& coarse = levels_[l + 1];
+    for_parents(l, [&](const At& at, std::size_t parent, const auto&) {
+      correction[at.node] = fine.is_patch ? coarse.value[parent] - fine.value[at.node] : coarse.value[parent];
+      fine.value[at.node] += correction[at.node];
+    });
     for (int odd = 1; odd <= 3; ++odd) {
       const float share = 0.5f / static_cast<float>(odd);
       for_between(l, odd, [&](const At& at, const auto& offset, std::uint8_t along) {
-        Quad sum{};
-        for (std::size_t d = 0; d < 6; ++d) {
-          if ((at.open & along) >> d & 1) sum += correction[static_cast<std::ptrdiff_t>(at.node) + offset[d]];
-        }
+        const Quad sum = sum_between(correction, at, offset, along);
         correction[at.node] = (at.stencil ? at.stencil->odd_inverse : share) * sum;
         fine.value[at.node] += correction[at.node];
       });
@@ -268,7 +326,8 @@ class Multigrid {
   /// A first guess between coarse nodes: the mean of the neighbours that are known, or else what the surfaces give.
   void start_from_coarser(std::size_t l) {
     GridLevel& fine = levels_[l];
-    copy_up(l, fine.value);
+    const GridLevel& coarse = levels_[l + 1];
+    for_parents(l, [&](const At& at, std::size_t parent, const auto&) { fine.value[at.node] = coarse.value[parent]; });
     for (int odd = 1; odd <= 3; ++odd) {
       for_between(l, odd, [&](const At& at, const auto& offset, std::uint8_t along) {
         const auto known = static_cast<std::uint8_t>(at.open & along);
@@ -277,12 +336,8 @@ class Multigrid {
           fine.value[at.node] = source[3] > 0 ? source / source[3] : Quad{};
           return;
         }
-        Quad sum{};
-        for (std::size_t d = 0; d < 6; ++d) {
-          if (known >> d & 1)
-            sum += fine.value[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(at.node) + offset[d])];
-        }
-        fine.value[at.node] = sum / static_cast<float>(std::popcount(known));
+        const Quad sum = sum_between(fine.value.data(), at, offset, known);
+        fine.value[at.node] = sum / static_cast<float>(bit_counts[known]);
       });
     }
   }

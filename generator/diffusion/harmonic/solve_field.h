@@ -1,19 +1,24 @@
 // From surfaces to a field that can be asked: grid, links, levels, solution.
 #pragma once
 
-#include "generator/base/parallel.h"
+#include <vector>
+
 #include "generator/diffusion/harmonic/field_look_up.h"
+#include "generator/diffusion/harmonic/grid_level.h"
+#include "generator/diffusion/harmonic/grid_options.h"
 
 namespace pomona {
 
-struct GridOptions {
-  double spacing = 0;   ///< metres between nodes
-  int cycles = 1;       ///< see MultigridOptions
-  glm::dvec3 shift{0};  ///< of the grid, in cells
-  double reach = 0;     ///< metres: surfaces this near to a cell count as in it
-  Threads threads;
+/// Levels ready to be solved.
+struct PreparedField {
+  SnappedSurfaces snapped;
+  std::vector<GridLevel> levels;  ///< patches, the finest first; the grid that holds all; ever coarser ones
+  std::size_t patch_count = 0;
+  CellTriangles triangles;
+  bool is_sealed = false;  ///< closed surfaces keep the outside out: it has no nodes
 };
+PreparedField prepared_field(const DiffusionSurfaces& surfaces, const GridOptions& options);
 
-FieldLookUp solved_field(const DiffusionSurfaces& surfaces, const GridOptions& options);
+FieldLookUp solved_field(PreparedField prepared, const GridOptions& options);
 
 }  // namespace pomona

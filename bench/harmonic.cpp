@@ -1,0 +1,208 @@
+// What true diffusion on the grid costs: set-up, solution, look-up, memory; for the seeded fruit and every template.
+//   harmonic_bench [--threads N] [--runs N] [--nodes N] [--json] [FRUIT...]
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <glm/common.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bench/color_errors.h"
+#include "bench/fruits.h"
+#include "bench/text_table.h"
+#include "bench/timing.h"
+#include "generator/base/error.h"
+#include "generator/cut/cut.h"
+#include "generator/diffusion/harmonic/solve_field.h"
+#include "generator/diffusion/harmonic_diffuser.h"
+#include "generator/diffusion/surface_tree.h"
+#include "tests/shapes/seeded_fruit.h"
+
+namespace {
+
+using namespace pomona;
+
+struct Subject {
+  std::string name;
+  DiffusionSurfaces surfaces;
+  std::vector<glm::vec3> points;  ///< of sections
+};
+
+struct Row {
+  std::string name;
+  Quality quality = Quality::final;
+  int nodes = 0;  ///< along the longest side
+  std::size_t triangles = 0, points = 0, grid_nodes = 0, patch_nodes = 0;
+  bool is_sealed = false;
+  bench::Duration set_up, solve, field, section, texels;
+  double kept_megabytes = 0, levels_megabytes = 0;
+  bench::ColorErrors errors;  ///< against a grid of twice as many nodes
+};
+
+constexpr int texel_side = 640;
+
+Subject seeded_fruit() {
+  return {"seeded fruit", shapes::seeded_fruit(), shapes::points_on_section_of_seeded_fruit(3000)};
+}
+
+Subject template_subject(const std::string& name) {
+  const bench::BenchFruit fruit = bench::grow_fruit(name);
+  Subject subject{name, fruit.grown.sheets, {}};
+  for (const bench::BenchCut& knife : bench::standard_cuts(subject.surfaces)) {
+    const Cut all = cut(subject.surfaces, {&knife.knife, 1});
+    const auto points = bench::interior_positions(all.section);
+    subject.points.insert(subject.points.end(), points.begin(), points.end());
+  }
+  return subject;
+}
+
+/// A square of texels across the middle.
+std::vector<glm::vec3> texels_across(const DiffusionSurfaces& surfaces) {
+  const Bounds bounds = bounds_of(surfaces);
+  std::vector<glm::vec3> texels;
+  for (int y = 0; y < texel_side; ++y) {
+    for (int x = 0; x < texel_side; ++x) {
+      const glm::dvec3 part((x + 0.5) / texel_side, 0.503, (y + 0.5) / texel_side);
+      texels.emplace_back(bounds.low + part * bounds.size());
+    }
+  }
+  return texels;
+}
+
+Row measured(const Subject& subject, const HarmonicOptions& options, int runs, const std::vector<Color>& truth) {
+  Row row;
+  row.name = subject.name;
+  row.quality = options.quality;
+  row.triangles = subject.surfaces.triangle_count();
+  row.points = subject.points.size();
+  const GridOptions grid = grid_options(subject.surfaces, options);
+
+  // The two halves of the work by themselves, then all that a field takes.
+  const glm::dvec3 size = bounds_of(subject.surfaces).size();
+  row.nodes = static_cast<int>(std::max({size.x, size.y, size.z}) / grid.spacing + 0.5);
+  std::optional<PreparedField> prepared;
+  row.set_up = bench::median_time(runs, [&] { prepared = prepared_field(subject.surfaces, grid); });
+  row.is_sealed = prepared->is_sealed;
+  for (std::size_t l = 0; l < prepared->levels.size(); ++l) {
+    const std::size_t nodes = prepared->levels[l].runs.node_count();
+    if (l < prepared->patch_count) row.patch_nodes += nodes;
+    if (l == prepared->patch_count) row.grid_nodes = nodes;
+    row.levels_megabytes += 1e-6 * static_cast<double>(prepared->levels[l].bytes());
+  }
+  std::vector<bench::Duration> solve_times;
+  for (int i = 0; i < runs; ++i) {
+    PreparedField again = prepared_field(subject.surfaces, grid);
+    solve_times.push_back(bench::time_of([&] {
+      const FieldLookUp field = solved_field(std::move(again), grid);
+      row.kept_megabytes = 1e-6 * static_cast<double>(field.bytes());
+    }));
+  }
+  std::sort(solve_times.begin(), solve_times.end(), [](const auto& a, const auto& b) { return a.wall < b.wall; });
+  row.solve = solve_times[solve_times.size() / 2];
+  std::unique_ptr<ColorField> field;
+  row.field = bench::median_time(runs, [&] { field = make_harmonic_diffuser(options)->field(subject.surfaces); });
+
+  // Look up 3 000 points of the sections, and texels.
+  std::vector<glm::vec3> section;
+  for (std::size_t i = 0; i < 3000; ++i) section.push_back(subject.points[i * subject.points.size() / 3000]);
+  row.section = bench::median_time(2 * runs, [&] { field->at(section); });
+  const std::vector<glm::vec3> texels = texels_across(subject.surfaces);
+  row.texels = bench::median_time(runs, [&] { field->at(texels); });
+  if (!truth.empty()) row.errors = bench::color_errors(field->at(subject.points).color, truth);
+  return row;
+}
+
+const char* name_of(Quality quality) { return quality == Quality::draft ? "draft" : "final"; }
+
+void print_text(const std::vector<Row>& rows) {
+  bench::TextTable table{
+      {"fruit", "quality", "N", "triangles", "grid nodes", "patch nodes", "set-up ms", "solve ms", "all ms",
+       "all cpu ms", "3000 points ms", "400k texels ms", "levels MB", "kept MB", "rms", "p95", "max"},
+      {}};
+  const auto ms = [](const bench::Duration& d) { return bench::number(d.wall, 1); };
+  for (const Row& row : rows) {
+    table.rows.push_back({row.name, name_of(row.quality), std::to_string(row.nodes), std::to_string(row.triangles),
+                          std::to_string(row.grid_nodes), std::to_string(row.patch_nodes), ms(row.set_up),
+                          ms(row.solve), ms(row.field), bench::number(row.field.processor, 1),
+                          bench::number(row.section.wall, 2), ms(row.texels), bench::number(row.levels_megabytes, 0),
+                          bench::number(row.kept_megabytes, 0), bench::number(row.errors.rms, 2),
+                          bench::number(row.errors.p95, 2), bench::number(row.errors.max, 1)});
+  }
+  std::printf("%s\nErrors in parts of 255 against a grid of twice as many nodes. Peak memory %.0f MB.\n",
+              bench::markdown(table).c_str(), bench::peak_megabytes());
+}
+
+nlohmann::json json_of(const bench::Duration& d) { return {{"wall_ms", d.wall}, {"processor_ms", d.processor}}; }
+
+void print_json(const std::vector<Row>& rows) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const Row& row : rows) {
+    all.push_back({{"fruit", row.name},
+                   {"quality", name_of(row.quality)},
+                   {"nodes", row.nodes},
+                   {"triangles", row.triangles},
+                   {"points", row.points},
+                   {"grid_nodes", row.grid_nodes},
+                   {"patch_nodes", row.patch_nodes},
+                   {"sealed", row.is_sealed},
+                   {"set_up", json_of(row.set_up)},
+                   {"solve", json_of(row.solve)},
+                   {"field", json_of(row.field)},
+                   {"points_3000", json_of(row.section)},
+                   {"texels_409600", json_of(row.texels)},
+                   {"levels_megabytes", row.levels_megabytes},
+                   {"kept_megabytes", row.kept_megabytes},
+                   {"rms", row.errors.rms},
+                   {"p95", row.errors.p95},
+                   {"max", row.errors.max}});
+  }
+  std::printf("%s\n", all.dump(2).c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Times of true diffusion on the grid");
+  int threads = 2, runs = 5, nodes = 0, truth_nodes = 192;
+  bool as_json = false;
+  std::vector<std::string> names;
+  app.add_option("--threads", threads, "Threads to use")->capture_default_str();
+  app.add_option("--runs", runs, "Runs to take the median of")->capture_default_str();
+  app.add_option("--nodes", nodes, "Nodes along the longest side; 0: as the quality says")->capture_default_str();
+  app.add_option("--truth", truth_nodes, "Nodes of the grid to compare with; 0: none")->capture_default_str();
+  app.add_flag("--json", as_json, "Print JSON");
+  app.add_option("fruit", names, "Templates; \"seeded\" for the bench model. All, if none is named");
+  CLI11_PARSE(app, argc, argv);
+
+  const bool all = names.empty();
+  const bool with_seeded = all || std::erase(names, "seeded") > 0;
+  std::vector<Row> rows;
+  try {
+    std::vector<Subject> subjects;
+    if (with_seeded) subjects.push_back(seeded_fruit());
+    if (all || !names.empty()) {
+      for (const std::string& name : bench::fruit_names(names)) subjects.push_back(template_subject(name));
+    }
+    for (const Subject& subject : subjects) {
+      std::vector<Color> truth;
+      if (truth_nodes > 0) {
+        const HarmonicOptions finer{.threads = {threads}, .nodes = truth_nodes, .cycles = 4, .shift = {0.3, 0.4, 0.6}};
+        truth = make_harmonic_diffuser(finer)->diffuse(subject.surfaces, subject.points).color;
+      }
+      for (const Quality quality : {Quality::draft, Quality::final}) {
+        rows.push_back(measured(subject, {.quality = quality, .threads = {threads}, .nodes = nodes}, runs, truth));
+      }
+    }
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(error.status());
+  }
+  if (as_json) {
+    print_json(rows);
+  } else {
+    print_text(rows);
+  }
+}

@@ -1,0 +1,23 @@
+// How fine a grid is, and how long it is worked on.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "generator/base/parallel.h"
+#include "generator/diffusion/harmonic_diffuser.h"
+
+namespace pomona {
+
+struct GridOptions {
+  double spacing = 0;   ///< metres between nodes
+  int cycles = 1;       ///< see MultigridOptions
+  glm::dvec3 shift{0};  ///< of the grid, in cells
+  int finer = 0;        ///< how often patches around small bodies may halve the spacing
+  double reach = 0;     ///< metres: surfaces this near to a cell count as in it
+  Threads threads;
+};
+
+/// What a quality stands for, around these surfaces.
+GridOptions grid_options(const DiffusionSurfaces& surfaces, const HarmonicOptions& options);
+
+}  // namespace pomona
