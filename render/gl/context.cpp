@@ -87,7 +87,12 @@ GlContext::GlContext(GlRoute route, std::unique_ptr<GlPlatform> platform) { open
 
 GlContext::GlContext() {
   if (const std::optional<GlRoute> wanted = wanted_route()) {
-    open(*wanted, opened(*wanted));
+    try {
+      open(*wanted, opened(*wanted));
+    } catch (const Error& error) {
+      throw Error(error.status(), "OpenGL as POMONA_GL asks for it: " + error.diagnostics().front().message,
+                  "without POMONA_GL, whatever works is taken");
+    }
     return;
   }
 
