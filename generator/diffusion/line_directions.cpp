@@ -9,10 +9,7 @@
 
 namespace pomona {
 
-namespace {
-
-/// Two unit vectors that make a right-handed frame with `along` [Duff et al. 2017].
-Line frame_around(const glm::dvec3& along) {
+Line line_along(const glm::dvec3& along) {
   const double sign = along.z < 0 ? -1 : 1;
   const double a = -1 / (sign + along.z);
   const double b = along.x * along.y * a;
@@ -20,8 +17,6 @@ Line frame_around(const glm::dvec3& along) {
   const glm::dvec3 v(b, sign + along.y * along.y * a, -along.y);
   return {glm::vec3(u), glm::vec3(v), glm::vec3(along)};
 }
-
-}  // namespace
 
 std::vector<Line> line_directions(int count) {
   // Turned away from the axes by an arbitrary rotation about (1, 1, 1) and z.
@@ -36,7 +31,7 @@ std::vector<Line> line_directions(int count) {
     const double radius = std::sqrt(1 - z * z);
     const double angle = golden_angle * i;
     lines.push_back(
-        frame_around(z * pole + radius * (reproducible::cos(angle) * side + reproducible::sin(angle) * other)));
+        line_along(z * pole + radius * (reproducible::cos(angle) * side + reproducible::sin(angle) * other)));
   }
   return lines;
 }

@@ -2,15 +2,23 @@
 
 #include "generator/diffusion/cube_pmvc.h"
 #include "generator/diffusion/line_pmvc.h"
+#include "generator/diffusion/relaxed_lines.h"
 #include "generator/diffusion/settled_colors.h"
 
 namespace pomona {
 
 namespace {
 
-/// Lines for 2 directions each; measured in docs/diffusion.md.
-constexpr int draft_lines = 64;
-constexpr int final_lines = 640;
+/// Final looks along more lines where colours scatter by more than this; measured in docs/diffusion.md.
+constexpr int lines_where_colors_scatter = 352;
+constexpr double most_scatter = 1.25 / 255;
+
+LinePlan plan_for(Quality quality) {
+  if (quality == Quality::draft) return {.lines = relaxed_draft_lines(), .more = {}};
+  return {.lines = relaxed_final_lines(),
+          .more = line_directions(lines_where_colors_scatter),
+          .most_scatter = most_scatter};
+}
 
 /// 6 x 64^2 directions: within 0.02/255 RMS of four times as many.
 constexpr int reference_texels = 64;
@@ -30,8 +38,7 @@ class PmvcField final : public ColorField {
     if (options_.quality == Quality::reference) {
       return cube_pmvc(surfaces_, tree_, points, reference_texels, options_.threads);
     }
-    const int lines = options_.quality == Quality::draft ? draft_lines : final_lines;
-    return line_pmvc(surfaces_, tree_, points, lines, options_.threads);
+    return line_pmvc(surfaces_, tree_, points, plan_for(options_.quality), options_.threads);
   }
 
   const DiffusionSurfaces& surfaces_;

@@ -8,6 +8,7 @@
 
 #include "generator/diffusion/line_directions.h"
 #include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/relaxed_lines.h"
 #include "tests/diffusion/fields.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/shapes.h"
@@ -30,6 +31,23 @@ TEST(LineDirections, AreUnitFramesSpreadEvenly) {
   }
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) EXPECT_NEAR(moment[i][j], i == j ? 1.0 / 3 : 0, 3e-3);
+  }
+}
+
+TEST(RelaxedLines, AreUnitFramesInPairsThatKeepApart) {
+  for (const std::vector<Line>& lines : {relaxed_draft_lines(), relaxed_final_lines()}) {
+    // Each line stands for two caps of equal area; a hexagonal pattern would set them 1.9 / sqrt(count) apart.
+    const double spacing = 1.9 / std::sqrt(static_cast<double>(lines.size()));
+    double within_pairs = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      EXPECT_LE(glm::length(glm::cross(lines[i].across_u, lines[i].across_v) - lines[i].along), 1e-6f);
+      for (std::size_t j = 0; j < i; ++j) {
+        const double cosine = std::fabs(static_cast<double>(glm::dot(lines[i].along, lines[j].along)));
+        EXPECT_GE(std::acos(std::min(cosine, 1.0)), 0.8 * spacing) << i << " " << j;
+        if (i % 2 == 1 && j == i - 1) within_pairs += std::acos(cosine);
+      }
+    }
+    EXPECT_LE(within_pairs / (static_cast<double>(lines.size()) / 2), 1.6 * spacing);
   }
 }
 
