@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/parallel.h"
 #include "generator/cut/cross_section.h"
 #include "generator/cut/knife.h"
 #include "generator/surface/diffusion_surfaces.h"
@@ -14,11 +15,12 @@ namespace pomona {
 
 /// How finely the section is triangulated. Lengths are shares of the fruit's bounding-box diagonal.
 struct CutOptions {
-  double coarsest = 1.0 / 40;  ///< longest edge far from all surfaces
-  double finest = 1.0 / 400;   ///< edges next to the finest surfaces are not made shorter than this
-  double grading = 0.35;       ///< how fast edges may grow with the distance from cut segments
-  double gap = 0.25;           ///< longest edge between two surfaces, as a share of the distance between them
-  double crumb = 1e-6;         ///< share of the whole's volume below which a piece is a crumb
+  double coarsest = 1.0 / 40;   ///< longest edge far from all surfaces
+  double finest = 1.0 / 400;    ///< edges next to the finest surfaces are not made shorter than this
+  double grading = 0.35;        ///< how fast edges may grow with the distance from cut segments
+  double contrast = 18 / 255.;  ///< difference of colours between two surfaces that needs no vertices between them
+  double crumb = 1e-6;          ///< share of the whole's volume below which a piece is a crumb
+  Threads threads{};            ///< the result does not depend on them
 };
 
 /// A piece before its cut faces have colours: which skin it keeps, and which triangles of the section.

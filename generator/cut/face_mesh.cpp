@@ -62,6 +62,24 @@ struct MeshEdge {
   std::vector<std::uint32_t> constraint;
 };
 
+/// Next to surfaces of one colour edges may be this many times as long as the surfaces' own.
+constexpr double plain_growth = 3;
+
+/// What the size field is to know of a segment but for its place; `size` counts in edges' lengths. Colours that change
+/// by a quarter of `contrast` or more from edge to edge want edges as long as their own next to them, others longer
+/// ones.
+SizeSource source_of(const Segment& s, const SplitMesh& mesh, double contrast) {
+  const Color &front_from = mesh.front_color[s.from_vertex], &front_to = mesh.front_color[s.to_vertex],
+              &back_from = mesh.back_color[s.from_vertex], &back_to = mesh.back_color[s.to_vertex];
+  const Color change = glm::max(glm::abs(front_to - front_from), glm::abs(back_to - back_from));
+  const double most = static_cast<double>(std::max({change.x, change.y, change.z}));
+  SizeSource source;
+  source.size = std::clamp(std::sqrt(0.25 * contrast / std::max(most, 1e-6)), 1.0, plain_growth);
+  source.left = 0.5f * (front_from + front_to);
+  source.right = 0.5f * (back_from + back_to);
+  return source;
+}
+
 /// Triangulates one plane step by step.
 class FaceBuilder {
  public:
@@ -84,7 +102,7 @@ class FaceBuilder {
   /// Points spread inside the section, finer near cut segments.
   void sample(const SizeLimits& limits, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
     update();
-    const std::vector<glm::dvec2> candidates = SizeField(sources(), limits).samples();
+    const std::vector<glm::dvec2> candidates = SizeField(sources(limits.contrast), limits).samples();
     const Regions regions = find_regions(face_, mesh_, planes_, surfaces, bodies);
     const std::vector<std::int32_t> triangle = triangulation_->locate(candidates);
     std::vector<glm::dvec2> chosen;
@@ -186,7 +204,7 @@ class FaceBuilder {
 
   /// Constraints as they are now. A plane cuts triangles at random, some only at a corner: so a segment counts with
   /// the mean length of itself and its neighbours on the chain, if that is more than its own.
-  std::vector<SizeSource> sources() const {
+  std::vector<SizeSource> sources(double contrast) const {
     std::vector<SizeSource> sources;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
     std::vector<double> length_at(face_.mesh.point.size(), 0);
@@ -195,11 +213,10 @@ class FaceBuilder {
       if (leads_outside_[c]) continue;
       const std::vector<std::uint32_t>& chain = face_.mesh.chain[c];
       for (std::size_t i = 1; i < chain.size(); ++i) {
-        const SizeSource s{face_.mesh.point[chain[i - 1]], face_.mesh.point[chain[i]], 0};
-        sources.push_back(s);
+        sources.push_back(source_along(chain[i - 1], chain[i], contrast));
         ends.emplace_back(chain[i - 1], chain[i]);
         for (const std::uint32_t v : {chain[i - 1], chain[i]}) {
-          length_at[v] += glm::distance(s.a, s.b);
+          length_at[v] += glm::distance(sources.back().a, sources.back().b);
           ++count_at[v];
         }
       }
@@ -213,9 +230,25 @@ class FaceBuilder {
         sum += length_at[v] - own;
         ++count;
       }
-      sources[i].size = std::max(own, sum / count);
+      sources[i].size *= std::max(own, sum / count);
     }
     return sources;
+  }
+
+  /// Where several surfaces lie on one edge, the first counts.
+  SizeSource source_along(std::uint32_t from, std::uint32_t to, double contrast) const {
+    SizeSource source;
+    const std::span<const EdgeUse> uses = face_.uses(from, to);
+    if (uses.empty()) {
+      source.size = 1;
+      source.has_color = false;
+    } else {
+      source = source_of(face_.segment[uses.front().segment], mesh_, contrast);
+      if (uses.front().forward != (from < to)) std::swap(source.left, source.right);
+    }
+    source.a = face_.mesh.point[from];
+    source.b = face_.mesh.point[to];
+    return source;
   }
 
   /// Takes over the triangulation's present state; its new points become points of the split mesh.
@@ -354,7 +387,10 @@ std::vector<CutLine> laid_out_lines(SplitMesh& mesh, const CutPlanes& planes,
     std::vector<SizeSource> sources;
     for (const Segment& s : segments[static_cast<std::size_t>(k)]) {
       const glm::dvec2 a = to_face(frames.back(), mesh.point[s.from]), b = to_face(frames.back(), mesh.point[s.to]);
-      sources.push_back({a, b, glm::distance(a, b)});
+      sources.push_back(source_of(s, mesh, limits.contrast));
+      sources.back().a = a;
+      sources.back().b = b;
+      sources.back().size *= glm::distance(a, b);
     }
     fields.emplace_back(sources, limits, line_grid);
   }
@@ -372,7 +408,7 @@ FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, std::vector<std
                        const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options) {
   const Bounds bounds = bounds_of(surfaces);
   const double size = glm::length(bounds.size());
-  const SizeLimits limits{options.coarsest * size, options.finest * size, options.grading, options.gap};
+  const SizeLimits limits{options.coarsest * size, options.finest * size, options.grading, options.contrast};
   std::vector<CutLine> lines = laid_out_lines(mesh, planes, segments, bounds, limits);
 
   // A crossing on a line is news to the other planes there: then all start again. Once is nearly always enough.

@@ -18,8 +18,25 @@ glm::dvec2 closest_point(const glm::dvec2& p, const SizeSource& s) {
   return s.a + t * along;
 }
 
-/// Gaps below this many finest lengths are left alone: between surfaces that close, the field runs straight across.
-constexpr double narrow_gap = 4;
+/// Gaps below this many finest lengths are left alone: to resolve them costs more points than all the rest.
+constexpr double narrow_gap = 2.2;
+
+/// Gaps below this many finest lengths, and those that want edges longer than this share of them, get one row.
+constexpr double single_row_gap = 4, single_row_share = 0.45;
+
+/// Points of such a row keep this share of the gap apart.
+constexpr double row_spacing = 0.8;
+
+/// The colour of the source's side that faces p.
+const Color& facing_color(const SizeSource& s, const glm::dvec2& p) {
+  const glm::dvec2 along = s.b - s.a, to = p - s.a;
+  return along.x * to.y - along.y * to.x > 0 ? s.left : s.right;
+}
+
+double difference(const Color& a, const Color& b) {
+  const Color d = glm::abs(a - b);
+  return static_cast<double>(std::max({d.x, d.y, d.z}));
+}
 
 double distance_to_segment(const glm::dvec2& p, const SizeSource& s) { return glm::distance(p, closest_point(p, s)); }
 
@@ -70,10 +87,12 @@ void SizeField::draw_sources() {
   nearest_.assign(cells, -1);
   for (std::size_t s = 0; s < sources_.size(); ++s) {
     const double size = std::clamp(sources_[s].size, limits_.finest, limits_.coarsest);
+    has_lines_ = has_lines_ || !sources_[s].has_color;
     walk(sources_[s], 0.5 * cell_, [&](const glm::dvec2& p) {
       const int x = column(p.x), y = row(p.y);
       const std::size_t i = index(x, y);
       size_[i] = std::min(size_[i], size);
+      if (!sources_[s].has_color) return;
       on_source_[i] = 1;
       const double distance = distance_to_segment(center(x, y), sources_[s]);
       if (distance >= distance_[i]) return;
@@ -119,21 +138,12 @@ void SizeField::find_nearest() {
   });
 }
 
-/// Where two neighbouring cells look to sources in quite different directions, they lie midway between these.
+/// Where two neighbouring cells look to different sources, they lie midway between these.
 void SizeField::find_gaps() {
   const auto compare = [&](int x, int y, int other_x, int other_y) {
     const std::size_t i = index(x, y), j = index(other_x, other_y);
     if (nearest_[i] == nearest_[j] || nearest_[i] < 0 || nearest_[j] < 0) return;
-    const glm::dvec2 p = closest_point(center(x, y), sources_[static_cast<std::size_t>(nearest_[i])]);
-    const glm::dvec2 q = closest_point(center(other_x, other_y), sources_[static_cast<std::size_t>(nearest_[j])]);
-    const double gap = glm::distance(p, q);
-
-    // Farther apart than seen at a right angle; at closer ones they are mostly the two sides of a bend.
-    if (gap < 0.7 * (distance_[i] + distance_[j])) return;
-    if (gap < narrow_gap * limits_.finest) return;
-    const double size = std::max(limits_.gap * gap, limits_.finest);
-    gap_size_[i] = std::min(gap_size_[i], size);
-    gap_size_[j] = std::min(gap_size_[j], size);
+    measure_gap(center(x, y), i, center(other_x, other_y), j);
   };
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
@@ -141,6 +151,27 @@ void SizeField::find_gaps() {
       if (y + 1 < height_) compare(x, y, x, y + 1);
     }
   }
+}
+
+void SizeField::measure_gap(const glm::dvec2& center, std::size_t cell, const glm::dvec2& other_center,
+                            std::size_t other) {
+  const SizeSource &here = sources_[static_cast<std::size_t>(nearest_[cell])],
+                   &there = sources_[static_cast<std::size_t>(nearest_[other])];
+  const double apart = difference(facing_color(here, center), facing_color(there, other_center));
+  if (apart <= limits_.contrast) return;
+  const double share = std::sqrt(limits_.contrast / apart);
+
+  // At a bend the colours are as far apart as the way to both.
+  const glm::dvec2 p = closest_point(center, here), q = closest_point(other_center, there);
+  const double gap = std::max(glm::distance(p, q), distance_[cell] + distance_[other]);
+  if (gap < narrow_gap * limits_.finest) return;
+  double size = std::max(share * gap, limits_.finest);
+  if (share > single_row_share || gap < single_row_gap * limits_.finest) {
+    size = std::max(share, row_spacing) * gap;
+    mid_gap_.push_back({0.5 * (p + q), size});
+  }
+  gap_size_[cell] = std::min(gap_size_[cell], size);
+  gap_size_[other] = std::min(gap_size_[other], size);
 }
 
 /// Lets sizes grow from cell to cell; those of gaps only within the gap. (Lines of cells that touch at corners bar the
@@ -176,7 +207,7 @@ void SizeField::bucket_sources() {
 
 bool SizeField::is_clear_of_sources(const glm::dvec2& p, double size) const {
   const double clearance = 0.55 * size;
-  if (distance_[index(column(p.x), row(p.y))] > 1.1 * clearance + 3 * cell_) return true;
+  if (!has_lines_ && distance_[index(column(p.x), row(p.y))] > 1.1 * clearance + 3 * cell_) return true;
   const double reach = clearance + 0.5 * cell_;
   for (int y = row(p.y - reach); y <= row(p.y + reach); ++y) {
     for (int x = column(p.x - reach); x <= column(p.x + reach); ++x) {
@@ -185,8 +216,8 @@ bool SizeField::is_clear_of_sources(const glm::dvec2& p, double size) const {
         const SizeSource& s = sources_[bucket_[k]];
         if (distance_to_segment(p, s) < clearance) return false;
 
-        // Inside the circle over the segment it would spoil the segment's being a Delaunay edge.
-        if (glm::dot(p - s.a, p - s.b) < 0) return false;
+        // Lines cannot be divided any more: a point in the circle over one would spoil its being a Delaunay edge.
+        if (!s.has_color && glm::dot(p - s.a, p - s.b) < 0) return false;
       }
     }
   }
@@ -211,6 +242,19 @@ std::vector<glm::dvec2> SizeField::samples() const {
     return true;
   };
 
+  const auto accept = [&](const glm::dvec2& p) {
+    const std::size_t i = index(column(p.x), row(p.y));
+    accepted.push_back(p);
+    before.push_back(last[i]);
+    last[i] = static_cast<std::uint32_t>(accepted.size());
+  };
+
+  // First the rows: midway between sources, so only where two gaps meet may another source be near.
+  for (const MidGap& m : mid_gap_) {
+    if (distance_[index(column(m.place.x), row(m.place.y))] < 0.2 * m.size) continue;
+    if (is_clear_of_accepted(m.place, m.size / 0.8)) accept(m.place);
+  }
+
   // In every cell, take the lattice of the spacing just below its size; spacings are powers of sqrt(1/2), so that
   // wide areas share one lattice.
   for (int y = 0; y < height_; ++y) {
@@ -224,10 +268,7 @@ std::vector<glm::dvec2> SizeField::samples() const {
         const double shift = std::fmod(std::fabs(r), 2.0) == 0 ? 0.0 : 0.5;
         for (double c = std::ceil(from.x / spacing - shift); (c + shift) * spacing < to.x; ++c) {
           const glm::dvec2 p((c + shift) * spacing, r * rise);
-          if (!is_clear_of_accepted(p, spacing) || !is_clear_of_sources(p, size)) continue;
-          accepted.push_back(p);
-          before.push_back(last[index(x, y)]);
-          last[index(x, y)] = static_cast<std::uint32_t>(accepted.size());
+          if (is_clear_of_accepted(p, spacing) && is_clear_of_sources(p, size)) accept(p);
         }
       }
     }

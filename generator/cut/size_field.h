@@ -7,34 +7,42 @@
 
 #include <glm/vec2.hpp>
 
+#include "generator/base/color.h"
+
 namespace pomona {
 
 /// Lengths in metres.
 struct SizeLimits {
   double coarsest = 0;
   double finest = 0;
-  double grading = 0;  ///< growth of the size per metre of distance
-  double gap = 0;      ///< share of the distance between two sources that face each other
+  double grading = 0;   ///< growth of the size per metre of distance
+  double contrast = 0;  ///< difference of colours, in linear channels, over which the field may be taken as straight
 };
 
 /// A segment, and the size that triangles should have next to it.
 struct SizeSource {
   glm::dvec2 a{0}, b{0};
   double size = 0;
+  Color left{0}, right{0};  ///< on either side of the way from a to b
+  bool has_color = true;    ///< false for lines in which planes meet: the field passes through them
 };
 
 /// Size as a function of place: the smallest over all sources of their size and the distance from them times the
-/// grading; and between sources that face each other, a share of the gap. Kept on a grid; a function of its input
-/// alone.
+/// grading; and between sources that face each other with different colours, a share of the gap. Kept on a grid; a
+/// function of its input alone.
+///
+/// Between two surfaces of colours that differ by C the field strays from the straight way by a tenth of C, about, and
+/// interpolation by the square of the edges' share of the gap: so that share is the root of contrast / C, and where
+/// that is one or more the gap needs no vertex.
 class SizeField {
  public:
   /// The grid has `across` cells along the longer side of the sources' bounds.
-  SizeField(std::span<const SizeSource> sources, const SizeLimits& limits, int across = 160);
+  SizeField(std::span<const SizeSource> sources, const SizeLimits& limits, int across = 192);
 
   double at(const glm::dvec2& p) const;
 
-  /// Points about a size apart from each other, and half a size from the sources; on a hexagonal lattice wherever
-  /// the size is even. None outside the sources' bounds.
+  /// Points about a size apart from each other, and half a size from the sources: one row along the middle of gaps
+  /// that need no more, and elsewhere a lattice, hexagonal wherever the size is even. None outside the sources' bounds.
   std::vector<glm::dvec2> samples() const;
 
  private:
@@ -47,19 +55,28 @@ class SizeField {
   void draw_sources();
   void find_nearest();
   void find_gaps();
+  void measure_gap(const glm::dvec2& center, std::size_t cell, const glm::dvec2& other_center, std::size_t other);
   void spread();
   void bucket_sources();
   bool is_clear_of_sources(const glm::dvec2& p, double size) const;
 
+  /// A place in the middle of a gap that one row of points is enough for.
+  struct MidGap {
+    glm::dvec2 place{0};
+    double size = 0;
+  };
+
   std::vector<SizeSource> sources_;
+  bool has_lines_ = false;  // sources without colours
   SizeLimits limits_;
   glm::dvec2 low_{0};
   double cell_ = 1;
   int width_ = 0, height_ = 0;
   std::vector<double> size_;
-  std::vector<double> gap_size_;             // as the gap around the cell alone wants it
-  std::vector<std::uint8_t> on_source_;      // a source passes through the cell
-  std::vector<std::int32_t> nearest_;        // source; -1 for none
+  std::vector<double> gap_size_;  // as the gap around the cell alone wants it
+  std::vector<MidGap> mid_gap_;
+  std::vector<std::uint8_t> on_source_;      // a source with colours passes through the cell
+  std::vector<std::int32_t> nearest_;        // source with colours; -1 for none
   std::vector<double> distance_;             // from the cell's centre to it
   std::vector<std::uint32_t> bucket_start_;  // per cell, into bucket_
   std::vector<std::uint32_t> bucket_;        // sources that pass through the cell

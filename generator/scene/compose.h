@@ -24,7 +24,7 @@ struct ComposeOptions {
   double variation = 1;  ///< times that of every entry
   double detail = 1;     ///< see SweepOptions
   /// Coarser than for a single fruit: a piece in a heap covers a tenth of the picture.
-  CutOptions cut{.coarsest = 1.0 / 30, .finest = 1.0 / 250, .grading = 0.4, .gap = 0.6};
+  CutOptions cut{.coarsest = 1.0 / 30, .finest = 1.0 / 250, .grading = 0.4, .contrast = 60 / 255.};
   Threads threads{};
   /// Told from any thread, one call at a time, how many items of a stage are done.
   std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress;

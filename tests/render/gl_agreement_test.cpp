@@ -28,7 +28,7 @@ std::vector<std::string> template_names() {
 
 /// Cut coarsely: a few points say enough, and OpenGL is slow in software (bench/gl_diffusion takes them all).
 std::vector<glm::vec3> points_on_cut(const DiffusionSurfaces& surfaces, const Knife& knife, std::size_t count) {
-  const CutOptions coarse{.coarsest = 1.0 / 15, .finest = 1.0 / 100, .gap = 0.5};
+  const CutOptions coarse{.coarsest = 1.0 / 15, .finest = 1.0 / 100, .contrast = 0.05};
   const CrossSection section = cut(surfaces, {&knife, 1}, coarse).section;
   std::vector<glm::vec3> points;
   for (std::size_t v = 0; v < section.position.size(); ++v) {

@@ -70,8 +70,9 @@ class Builder {
     }
   }
 
-  /// Everything from here on belongs to this surface and these parts.
-  void begin(const std::string& name, std::int32_t front_part, std::int32_t back_part) {
+  /// Everything from here on belongs to this surface and these parts; to the skin, if its front faces air.
+  void begin(const std::string& name, std::int32_t front_part, std::int32_t back_part, bool front_hidden = false) {
+    front_hidden_ = front_hidden ? 1 : 0;
     surfaces_.surface_names.push_back(name);
     front_part_ = front_part;
     back_part_ = back_part;
@@ -80,7 +81,6 @@ class Builder {
   DiffusionSurfaces finish(std::vector<std::string> part_names) {
     surfaces_.part_names = std::move(part_names);
     surfaces_.blur.assign(surfaces_.vertex_count(), 0);
-    surfaces_.front_hidden.assign(surfaces_.vertex_count(), 0);
     surfaces_.back_hidden.assign(surfaces_.vertex_count(), 0);
     return std::move(surfaces_);
   }
@@ -97,6 +97,7 @@ class Builder {
     };
     surfaces_.position.emplace_back(radius * p);
     surfaces_.front_color.push_back(shade(paint.front, {s, t, -s}));
+    surfaces_.front_hidden.push_back(front_hidden_);
     surfaces_.back_color.push_back(shade(paint.back, {t, s, t}));
     return static_cast<std::uint32_t>(surfaces_.vertex_count()) - 1;
   }
@@ -110,6 +111,7 @@ class Builder {
 
   DiffusionSurfaces surfaces_;
   std::int32_t front_part_ = 0, back_part_ = 0;
+  std::uint8_t front_hidden_ = 0;
   RandomStream random_{{}, "shapes/seeded fruit"};
   std::uint64_t drawn_ = 0;
 };
@@ -151,7 +153,7 @@ void add_seed(Builder& builder, const glm::dvec3& middle) {
 DiffusionSurfaces seeded_fruit() {
   enum Part : std::int32_t { skin, flesh, gel, seed };
   Builder builder;
-  builder.begin("skin", skin, flesh);
+  builder.begin("skin", skin, flesh, true);
   builder.add_globe(64, 64, {{0.78f, 0.12f, 0.08f}, {0.90f, 0.35f, 0.24f}, 0.10f}, [](double polar, double around) {
     const glm::dvec3 d = on_unit_sphere(polar, around);
     return d * skin_radius(d);
