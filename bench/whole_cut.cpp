@@ -1,0 +1,220 @@
+// The whole cut, stage by stage: intersection, triangulation, diffusion, pieces; with the memory it takes.
+//   whole_cut [--json] [--runs N] [--threads N] [NAME...]
+// Names are those of templates, and "bench" for the seeded fruit; none means all. Every fruit is measured in a
+// process of its own, so that its peak of memory is its own.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include <glm/geometric.hpp>
+
+#include "bench/fruits.h"
+#include "bench/text_table.h"
+#include "bench/timing.h"
+#include "generator/cut/pieces.h"
+#include "generator/cut/section.h"
+#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/scene/solid.h"
+#include "tests/shapes/seeded_fruit.h"
+
+namespace {
+
+using namespace pomona;
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  bool json = false;
+  int runs = 7;
+  Threads threads{2};
+  std::vector<std::string> names;
+};
+
+struct Subject {
+  DiffusionSurfaces sheets;
+  Template fruit;
+  std::vector<bench::BenchCut> cuts;
+};
+
+/// The plane of points_on_section_of_seeded_fruit(), as a knife: y = 5 % of the radius + 0.1 x + 0.03 z.
+bench::BenchCut cut_of_bench_model() {
+  const glm::dvec3 normal(-0.1, 1, -0.03);
+  Knife knife = parse_knife("plane:0,1,0,0");
+  knife.plane = {glm::normalize(normal), 0.05 * 0.04 / glm::length(normal)};
+  return {"slanted", knife};
+}
+
+Subject subject_of(const std::string& name) {
+  if (name == "bench") return {shapes::seeded_fruit(), {}, {cut_of_bench_model()}};
+  bench::BenchFruit fruit = bench::grow_fruit(name);
+  std::vector<bench::BenchCut> cuts = {{"half", parse_knife("half")},
+                                       {"across", parse_knife("across")},
+                                       {"wedges:6", parse_knife("wedges:6")},
+                                       {"slices:8", parse_knife("slices:8")}};
+  return {std::move(fruit.grown.sheets), std::move(fruit.drawn), std::move(cuts)};
+}
+
+/// Times of the steps that cut() takes, one after another.
+class Stages {
+ public:
+  explicit Stages(const Settings& settings) : settings_(settings) {}
+
+  Json measured(const Subject& subject, const bench::BenchCut& how) {
+    const std::vector<Knife> knives{how.knife};
+    for (int run = 0; run < settings_.runs; ++run) take(subject.sheets, knives);
+
+    Json row;
+    const Cut result = cut(subject.sheets, knives, {.threads = settings_.threads});
+    time(row, "cut", [&] { cut(subject.sheets, knives, {.threads = settings_.threads}); });
+    CrossSection section;
+    for (const auto& [name, quality] : {std::pair("draft", Quality::draft), std::pair("final", Quality::final)}) {
+      const auto diffuser = make_pmvc_diffuser({quality, settings_.threads});
+      time(row, name, [&] { section = colored(result.section, subject.sheets, *diffuser); });
+    }
+    time(row, "solids", [&] { solids(result, section, subject.fruit, "fruit"); });
+    for (auto& [name, times] : wall_) {
+      std::sort(times.begin(), times.end());
+      row["steps"][name] = times[times.size() / 2];
+    }
+    row["surface_triangles"] = subject.sheets.triangle_count();
+    row["interior_vertices"] = bench::interior_positions(section).size();
+    row["section_triangles"] = section.triangle.size();
+    row["pieces"] = result.pieces.size();
+    return row;
+  }
+
+ private:
+  void time(Json& row, const std::string& name, const std::function<void()>& work) const {
+    const bench::Duration spent = bench::median_time(settings_.runs, work);
+    row[name] = {{"wall_ms", spent.wall}, {"processor_ms", spent.processor}};
+  }
+
+  template <typename Work>
+  auto step(const std::string& name, const Work& work) {
+    std::optional<decltype(work())> result;
+    const bench::Duration spent = bench::time_of([&] { result.emplace(work()); });
+    const auto entry = std::find_if(wall_.begin(), wall_.end(), [&](const auto& w) { return w.first == name; });
+    if (entry == wall_.end()) {
+      wall_.emplace_back(name, std::vector<double>{spent.wall});
+    } else {
+      entry->second.push_back(spent.wall);
+    }
+    return std::move(*result);
+  }
+
+  void take(const DiffusionSurfaces& surfaces, const std::vector<Knife>& knives) {
+    const CutOptions options{.threads = settings_.threads};
+    const Bodies bodies = step("bodies", [&] { return find_bodies(surfaces); });
+    const CutPlanes planes = placed(knives, bounds_of(surfaces));
+    SplitMesh mesh = step("split", [&] { return split(surfaces, planes); });
+    auto segments = step("segments", [&] { return cut_segments(mesh, surfaces, planes.count()); });
+    const FaceMeshes faces =
+        step("triangulate", [&] { return triangulate(mesh, planes, std::move(segments), surfaces, bodies, options); });
+    const std::vector<Regions> regions = step("regions", [&] {
+      std::vector<Regions> all;
+      for (const FaceMesh& face : faces.faces) all.push_back(find_regions(face, mesh, planes, surfaces, bodies));
+      return all;
+    });
+    const Section section = step("assemble", [&] { return assemble(faces, regions, mesh, surfaces, planes); });
+    step("pieces", [&] { return pieces(mesh, faces, section, surfaces, options); });
+  }
+
+  const Settings& settings_;
+  std::vector<std::pair<std::string, std::vector<double>>> wall_;
+};
+
+Json measured(const std::string& name, const Settings& settings) {
+  const Subject subject = subject_of(name);
+  Json rows = Json::array();
+  for (const bench::BenchCut& how : subject.cuts) {
+    Json row = {{"fruit", name}, {"knife", how.name}};
+    row.update(Stages(settings).measured(subject, how));
+    row["peak_megabytes"] = bench::peak_megabytes();
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// The same in a process of its own.
+Json measured_apart(const std::string& name, const Settings& settings) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process");
+  if (child == 0) {
+    const std::string text = measured(name, settings).dump();
+    const bool sent = write(ends[1], text.data(), text.size()) == static_cast<ssize_t>(text.size());
+    _exit(sent ? 0 : 1);
+  }
+  close(ends[1]);
+  std::string text;
+  char buffer[4096];
+  for (ssize_t got; (got = read(ends[0], buffer, sizeof buffer)) > 0;)
+    text.append(buffer, static_cast<std::size_t>(got));
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return Json::parse(text);
+}
+
+void print(const Json& rows) {
+  bench::TextTable table;
+  table.head = {"fruit, cut", "faces",   "inner", "bodies", "split",  "mesh",       "regions",    "section", "pieces",
+                "cut",        "cut cpu", "draft", "final",  "solids", "all, draft", "all, final", "MB"};
+  for (const Json& row : rows) {
+    const Json& steps = row["steps"];
+    const auto wall = [&](const char* what) { return row[what]["wall_ms"].get<double>(); };
+    const auto step = [&](const char* what) { return bench::number(steps[what].get<double>(), 1); };
+    const double rest = wall("cut") + wall("solids");
+    table.rows.push_back(
+        {row["fruit"].get<std::string>() + ", " + row["knife"].get<std::string>(),
+         std::to_string(row["surface_triangles"].get<int>()), std::to_string(row["interior_vertices"].get<int>()),
+         step("bodies"), bench::number(steps["split"].get<double>() + steps["segments"].get<double>(), 1),
+         step("triangulate"), step("regions"), step("assemble"), step("pieces"), bench::number(wall("cut"), 1),
+         bench::number(row["cut"]["processor_ms"], 1), bench::number(wall("draft"), 1), bench::number(wall("final"), 1),
+         bench::number(wall("solids"), 1), bench::number(rest + wall("draft"), 1),
+         bench::number(rest + wall("final"), 1), bench::number(row["peak_megabytes"], 0)});
+  }
+  std::printf("Milliseconds by the clock, medians.\n\n%s", bench::markdown(table).c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Settings settings;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--json") {
+      settings.json = true;
+    } else if (word == "--runs" && i + 1 < argc) {
+      settings.runs = std::max(1, std::atoi(argv[++i]));
+    } else if (word == "--threads" && i + 1 < argc) {
+      settings.threads.count = std::atoi(argv[++i]);
+    } else {
+      settings.names.push_back(word);
+    }
+  }
+  if (settings.names.empty()) {
+    settings.names = bench::fruit_names();
+    settings.names.insert(settings.names.begin(), "bench");
+  }
+
+  Json rows = Json::array();
+  for (const std::string& name : settings.names) {
+    for (Json& row : measured_apart(name, settings)) rows.push_back(std::move(row));
+  }
+  if (settings.json) {
+    std::printf("%s\n", rows.dump(2).c_str());
+  } else {
+    print(rows);
+  }
+}
