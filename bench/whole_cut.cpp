@@ -121,8 +121,9 @@ class Stages {
     const FaceMeshes faces =
         step("triangulate", [&] { return triangulate(mesh, planes, std::move(segments), surfaces, bodies, options); });
     const std::vector<Regions> regions = step("regions", [&] {
-      std::vector<Regions> all;
-      for (const FaceMesh& face : faces.faces) all.push_back(find_regions(face, mesh, planes, surfaces, bodies));
+      std::vector<Regions> all(faces.faces.size());
+      parallel_for(all.size(), settings_.threads,
+                   [&](std::size_t f) { all[f] = find_regions(faces.faces[f], planes, surfaces, bodies); });
       return all;
     });
     const Section section = step("assemble", [&] { return assemble(faces, regions, mesh, surfaces, planes); });

@@ -71,7 +71,8 @@ ExitStatus cut_fruit(const CutCommand& command) {
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
-  const Cut result = delivery.times.time("cut", [&] { return cut(source.grown.sheets, knives); });
+  const Cut result = delivery.times.time(
+      "cut", [&] { return cut(source.grown.sheets, knives, {.threads = {command.shared.threads}}); });
   delivery.warn(result.warnings);
   const CrossSection section =
       delivery.times.time("diffuse", [&] { return colored(result.section, source.grown.sheets, *diffuser); });

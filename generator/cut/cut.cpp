@@ -30,8 +30,9 @@ Cut cut(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const 
   SplitMesh mesh = split(surfaces, planes);
   const FaceMeshes faces =
       triangulate(mesh, planes, cut_segments(mesh, surfaces, planes.count()), surfaces, bodies, options);
-  std::vector<Regions> regions;
-  for (const FaceMesh& face : faces.faces) regions.push_back(find_regions(face, mesh, planes, surfaces, bodies));
+  std::vector<Regions> regions(faces.faces.size());
+  parallel_for(regions.size(), options.threads,
+               [&](std::size_t f) { regions[f] = find_regions(faces.faces[f], planes, surfaces, bodies); });
   Section section = assemble(faces, regions, mesh, surfaces, planes);
 
   Cut result;

@@ -83,7 +83,7 @@ SizeSource source_of(const Segment& s, const SplitMesh& mesh, double contrast) {
 /// Triangulates one plane step by step.
 class FaceBuilder {
  public:
-  FaceBuilder(SplitMesh& mesh, const CutPlanes& planes, int plane, std::vector<Segment> segments,
+  FaceBuilder(const SplitMesh& mesh, const CutPlanes& planes, int plane, std::vector<Segment> segments,
               const std::vector<CutLine>& lines)
       : mesh_(mesh), planes_(planes) {
     face_.plane = plane;
@@ -103,7 +103,7 @@ class FaceBuilder {
   void sample(const SizeLimits& limits, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
     update();
     const std::vector<glm::dvec2> candidates = SizeField(sources(limits.contrast), limits).samples();
-    const Regions regions = find_regions(face_, mesh_, planes_, surfaces, bodies);
+    const Regions regions = find_regions(face_, planes_, surfaces, bodies);
     const std::vector<std::int32_t> triangle = triangulation_->locate(candidates);
     std::vector<glm::dvec2> chosen;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -114,8 +114,24 @@ class FaceBuilder {
     triangulation_->insert(chosen);
   }
 
-  FaceMesh finish(FaceMeshes& all, std::vector<Twins>& twins, Unshared& unshared) {
-    update();
+  /// Takes over the triangulation's present state.
+  void update() {
+    face_.mesh = triangulation_->state();
+    face_.edges.clear();
+    for (std::uint32_t s = 0; s < face_.segment.size(); ++s) list_uses(s);
+    std::sort(face_.edges.begin(), face_.edges.end(), [](const EdgeUse& a, const EdgeUse& b) {
+      return std::tie(a.low, a.high, a.segment) < std::tie(b.low, b.high, b.segment);
+    });
+  }
+
+  /// Makes new points of the triangulation points of `mesh`, the one that was built from.
+  FaceMesh finish(SplitMesh& mesh, FaceMeshes& all, std::vector<Twins>& twins, Unshared& unshared) {
+    const std::uint32_t set = mesh.sets.with(0, face_.plane);
+    for (std::size_t v = face_.point.size(); v < face_.mesh.point.size(); ++v) {
+      face_.point.push_back(static_cast<std::uint32_t>(mesh.point.size()));
+      mesh.point.push_back(settled(from_face(face_.frame, face_.mesh.point[v]), mesh.sets.planes_in(set), planes_));
+      mesh.planes_of.push_back(set);
+    }
     for (const MeshEdge& edge : edge_) list_edge_points(edge, all.edge_point);
     list_twins(twins);
     list_unshared(unshared);
@@ -177,10 +193,12 @@ class FaceBuilder {
   }
 
   const CutLine* line_with(std::uint32_t p, std::uint32_t q) {
-    const std::uint32_t set = mesh_.sets.common(mesh_.planes_of[p], mesh_.planes_of[q]);
-    if (mesh_.sets.planes_in(set).size() < 2) return nullptr;
+    const auto lies_on = [&](std::uint32_t point, const CutLine& line) {
+      const std::uint32_t set = mesh_.planes_of[point];
+      return mesh_.sets.has(set, line.planes[0]) && mesh_.sets.has(set, line.planes[1]);
+    };
     for (const CutLine* line : lines_) {
-      if (mesh_.sets.has(set, line->planes[0]) && mesh_.sets.has(set, line->planes[1])) return line;
+      if (lies_on(p, *line) && lies_on(q, *line)) return line;
     }
     return nullptr;
   }
@@ -196,9 +214,6 @@ class FaceBuilder {
     const double reach = 2 * std::max(high.x - low.x, high.y - low.y) + 1e-6;
     for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
       uv_.push_back(center + reach * corner);
-      face_.point.push_back(static_cast<std::uint32_t>(mesh_.point.size()));
-      mesh_.point.push_back(from_face(face_.frame, uv_.back()));
-      mesh_.planes_of.push_back(mesh_.sets.with(0, face_.plane));
     }
   }
 
@@ -249,22 +264,6 @@ class FaceBuilder {
     source.a = face_.mesh.point[from];
     source.b = face_.mesh.point[to];
     return source;
-  }
-
-  /// Takes over the triangulation's present state; its new points become points of the split mesh.
-  void update() {
-    face_.mesh = triangulation_->state();
-    for (std::size_t v = face_.point.size(); v < face_.mesh.point.size(); ++v) {
-      const std::uint32_t set = mesh_.sets.with(0, face_.plane);
-      face_.point.push_back(static_cast<std::uint32_t>(mesh_.point.size()));
-      mesh_.point.push_back(settled(from_face(face_.frame, face_.mesh.point[v]), mesh_.sets.planes_in(set), planes_));
-      mesh_.planes_of.push_back(set);
-    }
-    face_.edges.clear();
-    for (std::uint32_t s = 0; s < face_.segment.size(); ++s) list_uses(s);
-    std::sort(face_.edges.begin(), face_.edges.end(), [](const EdgeUse& a, const EdgeUse& b) {
-      return std::tie(a.low, a.high, a.segment) < std::tie(b.low, b.high, b.segment);
-    });
   }
 
   /// The vertices along an edge, from its low to its high end.
@@ -335,7 +334,7 @@ class FaceBuilder {
     }
   }
 
-  SplitMesh& mesh_;
+  const SplitMesh& mesh_;
   const CutPlanes& planes_;
   FaceMesh face_;
   std::vector<const CutLine*> lines_;
@@ -416,14 +415,17 @@ FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, std::vector<std
     FaceMeshes all;
     std::vector<Twins> twins;
     Unshared unshared;
-    for (int plane = 0; plane < planes.count(); ++plane) {
-      const std::vector<Segment>& own = segments[static_cast<std::size_t>(plane)];
-      if (own.empty()) continue;
-      FaceBuilder builder(mesh, planes, plane, own, lines);
+    std::vector<std::optional<FaceBuilder>> builders(segments.size());
+    parallel_for(segments.size(), options.threads, [&](std::size_t plane) {
+      if (segments[plane].empty()) return;
+      FaceBuilder& builder = builders[plane].emplace(mesh, planes, static_cast<int>(plane), segments[plane], lines);
       builder.conform(shortest_share * limits.finest);
       builder.sample(limits, surfaces, bodies);
       builder.conform(shortest_share * limits.finest);
-      all.faces.push_back(builder.finish(all, twins, unshared));
+      builder.update();
+    });
+    for (std::optional<FaceBuilder>& builder : builders) {
+      if (builder) all.faces.push_back(builder->finish(mesh, all, twins, unshared));
     }
     if (!unshared.empty() && round < most_rounds) {
       for (CutLine& line : lines) insert(line, unshared[&line], mesh);

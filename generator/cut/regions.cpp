@@ -14,9 +14,8 @@ namespace {
 
 class RegionFinder {
  public:
-  RegionFinder(const FaceMesh& face, const SplitMesh& mesh, const CutPlanes& planes, const DiffusionSurfaces& surfaces,
-               const Bodies& bodies)
-      : face_(face), mesh_(mesh), planes_(planes), surfaces_(surfaces), bodies_(bodies) {}
+  RegionFinder(const FaceMesh& face, const CutPlanes& planes, const DiffusionSurfaces& surfaces, const Bodies& bodies)
+      : face_(face), planes_(planes), surfaces_(surfaces), bodies_(bodies) {}
 
   Regions find() {
     find_patches();
@@ -224,7 +223,7 @@ class RegionFinder {
     double farthest = 0;
     for (const std::uint32_t t : triangles_[patch]) {
       for (int i = 0; i < 3; ++i) {
-        const double d = signed_distance(plane, mesh_.point[face_.point[face_.mesh.triangle[t][i]]]);
+        const double d = signed_distance(plane, from_face(face_.frame, face_.mesh.point[face_.mesh.triangle[t][i]]));
         if (std::fabs(d) > std::fabs(farthest)) farthest = d;
       }
     }
@@ -232,7 +231,6 @@ class RegionFinder {
   }
 
   const FaceMesh& face_;
-  const SplitMesh& mesh_;
   const CutPlanes& planes_;
   const DiffusionSurfaces& surfaces_;
   const Bodies& bodies_;
@@ -243,9 +241,9 @@ class RegionFinder {
 
 }  // namespace
 
-Regions find_regions(const FaceMesh& face, const SplitMesh& mesh, const CutPlanes& planes,
-                     const DiffusionSurfaces& surfaces, const Bodies& bodies) {
-  return RegionFinder(face, mesh, planes, surfaces, bodies).find();
+Regions find_regions(const FaceMesh& face, const CutPlanes& planes, const DiffusionSurfaces& surfaces,
+                     const Bodies& bodies) {
+  return RegionFinder(face, planes, surfaces, bodies).find();
 }
 
 }  // namespace pomona

@@ -33,7 +33,7 @@ struct Regions {
 
 /// A body whose boundary does not close in this plane has no winding: it fills the regions that its boundary parts from
 /// the outside and to which it turns its visible side for the greater part.
-Regions find_regions(const FaceMesh& face, const SplitMesh& mesh, const CutPlanes& planes,
-                     const DiffusionSurfaces& surfaces, const Bodies& bodies);
+Regions find_regions(const FaceMesh& face, const CutPlanes& planes, const DiffusionSurfaces& surfaces,
+                     const Bodies& bodies);
 
 }  // namespace pomona
