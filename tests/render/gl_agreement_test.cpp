@@ -28,7 +28,7 @@ std::vector<std::string> template_names() {
 
 /// Cut coarsely: a few points say enough, and OpenGL is slow in software (bench/gl_diffusion takes them all).
 std::vector<glm::vec3> points_on_cut(const DiffusionSurfaces& surfaces, const Knife& knife, std::size_t count) {
-  const CutOptions coarse{.coarsest = 1.0 / 15, .finest = 1.0 / 100, .contrast = 0.05};
+  const CutOptions coarse{.coarsest = 1.0 / 40, .finest = 1.0 / 150, .contrast = 0.02};
   const CrossSection section = cut(surfaces, {&knife, 1}, coarse).section;
   std::vector<glm::vec3> points;
   for (std::size_t v = 0; v < section.position.size(); ++v) {
@@ -54,18 +54,20 @@ TEST_P(EveryTemplate, HasTheColoursOfTheCpu) {
   const Template fruit = read_template(template_folder / (GetParam() + ".toml"));
   GrowOptions as_drawn;
   as_drawn.as_drawn = true;
-  as_drawn.detail = 0.5;
+  as_drawn.detail = 0.3;
   const DiffusionSurfaces sheets = grow(fruit, {}, as_drawn).sheets;
   std::vector<std::vector<glm::vec3>> points;
-  for (const Knife& knife : knives_for(sheets)) points.push_back(points_on_cut(sheets, knife, 20));
+  for (const Knife& knife : knives_for(sheets)) points.push_back(points_on_cut(sheets, knife, 12));
   std::vector<DiffusionTask> sections;
-  for (const std::vector<glm::vec3>& on_cut : points) sections.push_back({&sheets, on_cut});
+  for (const std::vector<glm::vec3>& on_cut : points) {
+    if (!on_cut.empty()) sections.push_back({&sheets, on_cut});  // a plain section has vertices on its lines alone
+  }
+  ASSERT_FALSE(sections.empty());
 
   static const auto opened_once = make_gl_diffuser();
   const std::vector<DiffusedColors> by_gl = opened_once->diffuse_all(sections);
   const std::vector<DiffusedColors> by_cpu = make_pmvc_diffuser({Quality::reference, {}})->diffuse_all(sections);
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    ASSERT_FALSE(points[i].empty());
     const fields::Errors difference = fields::errors_of(by_gl[i].color, by_cpu[i].color);
     EXPECT_LE(difference.rms, 1) << "cut " << i;
     EXPECT_LE(difference.max, 3) << "cut " << i;
