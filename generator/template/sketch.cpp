@@ -37,6 +37,13 @@ std::string quoted(const std::string& name) { return "\"" + name.substr(0, 60) +
 
 [[noreturn]] void fail(const std::string& message, const std::string& hint) { throw BadSketch(message, hint); }
 
+/// What follows the word in "scale 60mm".
+std::string length_in(std::string_view name) {
+  name.remove_prefix(5);
+  while (!name.empty() && std::string_view(" -_:=").find(name.front()) != std::string_view::npos) name.remove_prefix(1);
+  return std::string(name);
+}
+
 glm::dvec2 middle_of_box(const Curve& curve) {
   glm::dvec2 low = curve.points.front(), high = low;
   for (const glm::dvec2& p : curve.points) {
@@ -53,6 +60,14 @@ Sketch::Sketch(SvgDrawing drawing, std::optional<double> unit) : drawing_(std::m
     if (!element.id.empty()) by_id_.try_emplace(element.id, &element);
   }
   views_ = {find_view(SketchView::side), find_view(SketchView::top)};
+  for (const SketchView view : {SketchView::side, SketchView::top}) {
+    View& found = views_[view == SketchView::side ? 0 : 1];
+    try {
+      if (found.layer) found.frame = find_frame(view);
+    } catch (const BadSketch& bad) {
+      found.fault = bad;  // told when a curve needs this view
+    }
+  }
 }
 
 // ---- Names ----
@@ -239,27 +254,41 @@ glm::dvec2 Sketch::top_axis() const {
   return middle_of_box(all);
 }
 
-double Sketch::unit_of(SketchView view) const {
-  for (const auto& [name, elements] : view_of(view).named) {
-    if (!name.starts_with("scale")) continue;
-    const SvgElement& element = *elements.front();
-    const std::string& label = plain(element.label) == name ? element.label : element.id;
-    const std::string what = quoted(label) + " (" + place_of(drawing_, element) + ")";
-    std::string length = label.substr(5);
-    length.erase(0, length.find_first_not_of(" -_:="));
-    const std::optional<double> metres = length.ends_with("m") ? parse_length(length) : std::nullopt;
-    if (!metres || !(*metres >= 1e-4 && *metres <= 10)) {
-      fail(what + " does not say how long it is", "label it with its length, as in \"scale 60mm\"");
-    }
-    const std::vector<Placed> shapes = shapes_of(element);
-    if (shapes.size() != 1 || elements.size() != 1) fail(what + " is not one line", "draw one line of that length");
-    const Curve line = on_page(shapes.front());
-    const double units = glm::length(line.points.back() - line.points.front());
-    if (!(units > 0) || !(*metres / units >= 1e-6 && *metres / units <= 1)) {
-      fail(what + " has no length one could measure by", "draw it as a line along something whose length you know");
-    }
-    return *metres / units;
+const SvgElement* Sketch::find_scale(SketchView view) const {
+  const auto& named = view_of(view).named;
+  const SvgElement* scale = nullptr;
+  for (auto at = named.lower_bound("scale"); at != named.end() && at->first.starts_with("scale"); ++at) {
+    // "scale 60mm", or without its length; but "outer scale" and "scales" may be curves of an onion.
+    const std::string rest = length_in(at->first);
+    if (!rest.empty() && std::string_view("0123456789.+").find(rest[0]) == std::string_view::npos) continue;
+    const SvgElement& found = *at->second.front();
+    if (scale || at->second.size() > 1) fail(called(found) + " is one of several scale lines", "keep one in each view");
+    scale = &found;
   }
+  return scale;
+}
+
+double Sketch::unit_along(const SvgElement& scale) const {
+  const bool by_label = plain(scale.label).starts_with("scale");
+  const std::string length = length_in(by_label ? scale.label : scale.id);
+  const std::optional<double> metres = length.ends_with("m") ? parse_length(length) : std::nullopt;
+  if (!metres || !(*metres >= 1e-4 && *metres <= 10)) {
+    fail(called(scale) + " does not say how long it is",
+         "label it with its length, as in \"scale 60mm\"; if it is a curve, give it another name");
+  }
+  const std::vector<Placed> shapes = shapes_of(scale);
+  if (shapes.size() != 1) fail(called(scale) + " is not one line", "draw one line of that length");
+  const Curve line = on_page(shapes.front());
+  const double units = glm::length(line.points.back() - line.points.front());
+  if (!(units > 0) || !(*metres / units >= 1e-6 && *metres / units <= 1)) {
+    fail(called(scale) + " has no length one could measure by",
+         "draw it as a line along something whose length you know");
+  }
+  return *metres / units;
+}
+
+double Sketch::unit_of(SketchView view) const {
+  if (const SvgElement* scale = find_scale(view)) return unit_along(*scale);
   if (unit_) return *unit_;
   if (drawing_.page_unit) return *drawing_.page_unit;
   fail("does not say how large the fruit is: " + drawing_.file + " has no real size",
@@ -267,6 +296,12 @@ double Sketch::unit_of(SketchView view) const {
 }
 
 Sketch::Frame Sketch::frame_of(SketchView view) const {
+  const View& found = view_of(view);
+  if (found.fault) throw *found.fault;
+  return *found.frame;
+}
+
+Sketch::Frame Sketch::find_frame(SketchView view) const {
   const double unit = unit_of(view);
   if (view == SketchView::side) return {side_axis(), unit};
   return {translation(-top_axis()), unit};

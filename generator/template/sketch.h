@@ -61,6 +61,8 @@ class Sketch {
   struct View {
     const SvgElement* layer = nullptr;
     std::map<std::string, std::vector<const SvgElement*>> named;
+    std::optional<Frame> frame;
+    std::optional<BadSketch> fault;  ///< why there is no frame
   };
   /// A shape where it is drawn: clones are drawn elsewhere than what they repeat.
   struct Placed {
@@ -79,8 +81,11 @@ class Sketch {
   Placed shape_of(SketchView view, const std::string& name) const;
   Curve on_page(const Placed& shape) const;
   Frame frame_of(SketchView view) const;
+  Frame find_frame(SketchView view) const;
   SvgTransform side_axis() const;
   glm::dvec2 top_axis() const;
+  const SvgElement* find_scale(SketchView view) const;
+  double unit_along(const SvgElement& scale) const;
   double unit_of(SketchView view) const;
   DrawnCurve drawn(const Placed& shape, const Frame& frame, std::size_t most_points) const;
   double fold_angle(const std::string& name, const glm::dvec2& axis) const;

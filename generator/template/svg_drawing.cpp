@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t{64} << 20;  // room for an embedded photograph
 constexpr std::size_t most_elements = 200000, most_attributes = 4000000;
-constexpr std::size_t most_path_bytes = std::size_t{1} << 20;  // some 20 000 nodes
+constexpr std::size_t most_path_bytes = std::size_t{256} << 10;  // some 5000 nodes
 constexpr int deepest = 64;
 
 /// Lines and columns of a text, from 1.
@@ -117,7 +117,7 @@ class Reader {
     const SvgAttribute attribute = [&](const char* name) { return std::string_view(node.attribute(name).value()); };
     if (std::optional<SvgShape> shape = shape_of(result.tag, attribute)) {
       if (shape->d.size() > most_path_bytes) {
-        result.fault = "holds more than 1 MiB of path data";
+        result.fault = "holds more than 256 KiB of path data";
       } else {
         result.d = std::move(shape->d);
       }

@@ -159,6 +159,10 @@ TEST(Sketch, sizes_come_from_a_known_length_the_unit_or_the_page) {
   EXPECT_NEAR(width(svg(curve), 0.005), 50, 1e-5);
   EXPECT_NEAR(width(svg(curve + R"(<path id="scale 6cm" d="M0,0 L30,40"/>)"), 0.005), 12, 1e-5);
   EXPECT_NEAR(width(svg(curve + R"(<g transform='scale(2)'><path id="scale=60mm" d="M0,0 h30"/></g>)")), 10, 1e-5);
+  EXPECT_NEAR(width(svg(curve + R"(<path id="scales" d="M0,0 h3"/><path id="scale outer" d="M0,0 h3"/>)")), 10, 1e-5);
+  EXPECT_THAT(message_of(svg(curve + R"(<path id="scale 60" d="M0,0 h3"/>)")), HasSubstr("does not say how long"));
+  EXPECT_THAT(message_of(svg(curve + R"(<path id="scale 60mm" d="M0,0h3"/><path id="scale 6cm" d="M0,0h3"/>)")),
+              HasSubstr("several scale lines"));
   EXPECT_THAT(message_of(svg(curve, "", "width=\"300\"")), HasSubstr("how large"));
 }
 
@@ -208,6 +212,9 @@ TEST(HostileSketch, depth_and_numbers_are_limited) {
     return ends;
   }());
   EXPECT_THAT(message_of(nested), HasSubstr("more than 64 groups"));
+  std::string closed = deep;
+  for (int i = 0; i < 100000; ++i) closed += "</g>";
+  EXPECT_THAT(message_of(svg(closed)), HasSubstr("more than 64 groups"));
   for (int i = 0; i < 500000; ++i) wide += "<g/>";
   EXPECT_THAT(message_of(svg(wide)), HasSubstr("more than 200000 elements"));
   EXPECT_THAT(message_of(std::string((std::size_t{64} << 20) + 1, ' ')), HasSubstr("64 MiB"));
@@ -227,8 +234,8 @@ TEST(HostileSketch, clones_of_clones_end) {
 TEST(HostileSketch, long_paths_and_odd_numbers_are_errors) {
   std::string path = "M0,0";
   for (int i = 0; i < 300000; ++i) path += i % 2 ? "h1" : "v1";
-  EXPECT_THAT(message_of(svg("<path id=\"c\" d=\"" + path.substr(0, 700000) + "\"/>")), HasSubstr("65536 points"));
-  EXPECT_THAT(message_of(svg("<path id=\"c\" d=\"" + path + path + "\"/>")), HasSubstr("1 MiB"));
+  EXPECT_THAT(message_of(svg("<path id=\"c\" d=\"" + path.substr(0, 250000) + "\"/>")), HasSubstr("65536 points"));
+  EXPECT_THAT(message_of(svg("<path id=\"c\" d=\"" + path + path + "\"/>")), HasSubstr("256 KiB"));
   for (const char* d : {"M nan,0 L 1,1", "M 1e999,0 L 1,1", "M 0,0 L inf,1", "M 0 0 A 1e9 1e-9 7 1 1 1e308 3"}) {
     EXPECT_NE(message_of(svg(std::string("<path id=\"c\" d=\"") + d + "\"/>")), "") << d;
   }
