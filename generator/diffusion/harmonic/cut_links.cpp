@@ -173,10 +173,10 @@ LinkFinder::LinkFinder(const SnappedSurfaces& snapped, std::span<const std::uint
 
 LinkFinder::~LinkFinder() = default;
 
-bool LinkFinder::see_both_sides(const std::vector<std::uint8_t>& marked) const {
+std::vector<std::uint8_t> LinkFinder::sides_seen(const std::vector<std::uint8_t>& marked) const {
   std::vector<std::uint8_t> sides(snapped_.surfaces->triangle_count(), 0);
   for (const Slab& slab : slabs_) slab.add_sides(marked, sides);
-  return std::find(sides.begin(), sides.end(), 3) != sides.end();
+  return sides;
 }
 
 CutLinks LinkFinder::links(const NodeRuns& kept, const std::vector<std::uint8_t>& marked) const {

@@ -67,8 +67,9 @@ class LinkFinder {
   /// Per node of `runs`, as in CutLinks.
   const std::vector<std::uint8_t>& open() const { return open_; }
 
-  /// Whether the nodes that are marked (one entry per run, a bit per node) see some triangle from both sides.
-  bool see_both_sides(const std::vector<std::uint8_t>& marked) const;
+  /// What each triangle shows to the nodes that are marked (one entry per run, a bit per node): 1 for its front, 2
+  /// for its back, 3 for both.
+  std::vector<std::uint8_t> sides_seen(const std::vector<std::uint8_t>& marked) const;
 
   /// The links of the nodes that are not marked; `kept` are the runs that hold some. Links to marked nodes must be cut.
   CutLinks links(const NodeRuns& kept, const std::vector<std::uint8_t>& marked) const;

@@ -47,27 +47,36 @@ bool leaves_lattice(const Lattice& lattice, const Node& at, int direction) {
   return direction % 2 == 1 ? at[axis] + 1 >= lattice.count[axis] : at[axis] == 0;
 }
 
-/// The symmetric equation of a node whose links end on surfaces [Gibou et al. 2002]: a cut link of length theta pulls
-/// with 1 / theta.
+/// The equation of a node whose links end on surfaces [Shortley & Weller 1938]: along each axis the second difference
+/// over links of different lengths, times the square of the spacing.
 Stencil stencil_at(const Lattice& lattice, const Node& at, const CutLinks& links, const CutNode& node,
                    const glm::dvec3& middle) {
-  Stencil stencil;
   const std::uint8_t open = links.open[node.node];
+  std::array<float, 6> length{1, 1, 1, 1, 1, 1};
   std::uint32_t next_cut = node.first_cut;
+  for (std::size_t d = 0; d < 6; ++d) {
+    if (node.cut >> d & 1) length[d] = std::max(links.cut[next_cut++].theta, least_theta);
+  }
+
+  Stencil stencil;
+  next_cut = node.first_cut;
   float odd = 0;
-  for (int d = 0; d < 6; ++d) {
-    float pull = 0;
+  for (std::size_t d = 0; d < 6; ++d) {
+    const float stretch = 2 / (length[d] + length[d ^ 1]);
+    float pull = 0, nearness = 0;
     if (open >> d & 1) {
-      pull = stencil.weight[static_cast<std::size_t>(d)] = 1;
+      nearness = 1;
+      pull = stencil.weight[d] = stretch;
     } else if (node.cut >> d & 1) {
-      const LinkCut& cut = links.cut[next_cut++];
-      pull = 1 / std::max(cut.theta, least_theta);
-      stencil.source += pull * Quad{cut.color.r, cut.color.g, cut.color.b, 1};
-    } else if (leaves_lattice(lattice, at, d)) {
-      pull = pull_of_outside(lattice, at, d, middle);
+      nearness = 1 / length[d];
+      pull = stretch * nearness;
+      const Color& color = links.cut[next_cut++].color;
+      stencil.source += pull * Quad{color.r, color.g, color.b, 1};
+    } else if (leaves_lattice(lattice, at, static_cast<int>(d))) {
+      nearness = pull = pull_of_outside(lattice, at, static_cast<int>(d), middle);
     }
     stencil.diagonal += pull;
-    if (at[static_cast<std::size_t>(d / 2)] & 1) odd += pull;
+    if (at[d / 2] & 1) odd += nearness;
   }
   stencil.inverse = stencil.diagonal > 0 ? 1 / stencil.diagonal : 0;
   stencil.odd_inverse = odd > 0 ? 1 / odd : 0;

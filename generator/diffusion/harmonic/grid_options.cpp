@@ -23,7 +23,7 @@ struct Effort {
 /// Measured in docs/diffusion.md.
 Effort effort_for(Quality quality) {
   if (quality == Quality::draft) return {64, 1};
-  if (quality == Quality::final) return {96, 1};
+  if (quality == Quality::final) return {104, 1};
   return {192, 3};
 }
 

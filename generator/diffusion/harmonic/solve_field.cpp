@@ -24,8 +24,11 @@ constexpr int narrow_margin = 1;
 /// Around others, as a share of their longest side: what lies beyond is only modelled.
 constexpr double wide_margin = 0.25;
 
-/// A body's influence is right within some 5 % once this many cells make its half-thickness.
-constexpr double cells_per_half_thickness = 1;
+/// The same where sides are hidden: few walks escape through what gaps a fruit has.
+constexpr double fruit_margin = 0.06;
+
+/// A body's influence is right within some 4 % once this many cells make its half-thickness.
+constexpr double cells_per_half_thickness = 1.2;
 
 /// Bodies longer than this many cells are no seeds; a patch around them would be no patch.
 constexpr double longest_small_body = 16;
@@ -40,6 +43,27 @@ std::vector<std::uint32_t> all_triangles(const DiffusionSurfaces& surfaces) {
   std::vector<std::uint32_t> all(surfaces.triangle_count());
   std::iota(all.begin(), all.end(), 0u);
   return all;
+}
+
+/// Whether some side is hidden.
+bool has_boundary(const DiffusionSurfaces& surfaces) {
+  for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
+    if (surfaces.is_boundary(t)) return true;
+  }
+  return false;
+}
+
+/// Whether what air reaches is air alone, given the sides that are seen from there. Where sides are hidden, it never
+/// meets the visible side of a boundary; where none is, no triangle is seen from both sides: else a surface is open
+/// there, and what is behind it counts like what is before it.
+bool stays_outside(const DiffusionSurfaces& surfaces, const std::vector<std::uint8_t>& sides_seen) {
+  if (!has_boundary(surfaces)) return std::find(sides_seen.begin(), sides_seen.end(), 3) == sides_seen.end();
+  for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
+    if (!surfaces.is_boundary(t)) continue;
+    const int visible = surfaces.is_hidden(t, SideOf::front) ? 2 : 1;
+    if ((sides_seen[t] & visible) != 0) return false;
+  }
+  return true;
 }
 
 /// Builds the levels of one field.
@@ -65,15 +89,14 @@ class Levels {
   bool is_sealed = true;
 
  private:
-  /// All links first; then only the nodes that the outside does not hold, if it is sealed off: if what is outside sees
-  /// a triangle from both sides, a surface is open there, and what is behind it counts like what is before it.
+  /// All links first; then only the nodes that the outside does not hold, if it is sealed off.
   GridLevel whole() {
     const NodeRuns all = all_node_runs(lattice_.count);
     std::vector<std::uint8_t> members(all.size());
     for (std::size_t r = 0; r < all.size(); ++r) members[r] = static_cast<std::uint8_t>((1 << all.inside(r)) - 1);
     const LinkFinder finder(snapped_, all_triangles(*snapped_.surfaces), lattice_, all, members, options_.threads);
     std::vector<std::uint8_t> outside = reached_from_corner(all, finder.open(), options_.threads);
-    is_sealed = !finder.see_both_sides(outside);
+    is_sealed = stays_outside(*snapped_.surfaces, finder.sides_seen(outside));
     if (!is_sealed) outside.assign(outside.size(), 0);
     NodeRuns runs = runs_without(all, outside);
     CutLinks links = finder.links(runs, outside);
@@ -162,7 +185,8 @@ PreparedField prepared_field(const DiffusionSurfaces& surfaces, const GridOption
   if (prepared) return std::move(*prepared);
   const glm::dvec3 size = bounds_of(surfaces).size();
   const double longest = std::max({size.x, size.y, size.z});
-  const int margin = static_cast<int>(wide_margin * longest / options.spacing);
+  const bool is_fruit = has_boundary(surfaces);
+  const int margin = static_cast<int>((is_fruit ? fruit_margin : wide_margin) * longest / options.spacing);
   return std::move(*prepared_within(surfaces, options, std::max(narrow_margin + 1, margin)));
 }
 
