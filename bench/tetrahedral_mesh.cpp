@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,6 +20,9 @@
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/make_mesh_3.h>
+#include <CGAL/refine_mesh_3.h>
+#include <boost/property_map/function_property_map.hpp>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace pomona::bench {
@@ -145,6 +149,74 @@ Shells shells_of(const SurfaceMesh& mesh, const Soup& soup) {
   return shells;
 }
 
+/// The refinement finds surfaces by random rays, and small ones not at all: puts some corners of every connected
+/// part into the mesh to begin with.
+void insert_corners_of_all_parts(const Domain& domain, Complex& complex) {
+  constexpr std::size_t corners_per_part = 12;
+  const auto weighted = complex.triangulation().geom_traits().construct_weighted_point_3_object();
+  for (const Polyhedron& polyhedron : domain.polyhedra()) {
+    // Gather the corners of each part, once each, in the order of the faces.
+    std::map<Polyhedron::Facet_const_handle, std::size_t> part_of_face;
+    const std::size_t count =
+        processing::connected_components(polyhedron, boost::make_assoc_property_map(part_of_face));
+    std::vector<std::vector<Polyhedron::Halfedge_const_handle>> part(count);
+    std::set<Polyhedron::Vertex_const_handle> seen;
+    for (const auto face : CGAL::faces(polyhedron)) {
+      for (const auto edge : CGAL::halfedges_around_face(CGAL::halfedge(face, polyhedron), polyhedron)) {
+        if (seen.insert(edge->vertex()).second) part[part_of_face.at(face)].push_back(edge);
+      }
+    }
+
+    // Insert some, unless a crease holds the place already.
+    for (const auto& edges : part) {
+      for (std::size_t i = 0; i < std::min(corners_per_part, edges.size()); ++i) {
+        const auto& edge = edges[i * edges.size() / std::min(corners_per_part, edges.size())];
+        const auto vertex = complex.triangulation().insert(weighted(edge->vertex()->point()));
+        const bool is_new = vertex != Complex::Vertex_handle() && complex.in_dimension(vertex) < 0;
+        if (!is_new) continue;
+        complex.set_dimension(vertex, 2);
+        complex.set_index(vertex, domain.index_from_surface_patch_index(edge->face()->patch_id()));
+      }
+    }
+  }
+}
+
+/// Cells next to a small part of the surfaces are small like it, and grow with the distance from it.
+class Sizes {
+ public:
+  using FT = Kernel::FT;
+
+  Sizes(const Polyhedron& inner, double largest) : largest_(largest) {
+    std::map<Polyhedron::Facet_const_handle, std::size_t> part_of_face;
+    std::vector<CGAL::Bbox_3> box(
+        processing::connected_components(inner, boost::make_assoc_property_map(part_of_face)));
+    for (const auto face : CGAL::faces(inner)) box[part_of_face.at(face)] += processing::face_bbox(face, inner);
+    for (const CGAL::Bbox_3& b : box) {
+      const glm::dvec3 low(b.xmin(), b.ymin(), b.zmin()), high(b.xmax(), b.ymax(), b.zmax());
+      if (edges_per_part * largest > glm::length(high - low)) small_.push_back({low, high});
+    }
+  }
+
+  template <typename Index>
+  FT operator()(const Point& p, int, const Index&) const {
+    double size = largest_;
+    for (const Part& part : small_) {
+      const glm::dvec3 at(p.x(), p.y(), p.z());
+      const double away = glm::length(glm::max(glm::max(part.low - at, at - part.high), glm::dvec3(0)));
+      size = std::min(size, glm::length(part.high - part.low) / edges_per_part + growth * away);
+    }
+    return size;
+  }
+
+ private:
+  static constexpr double edges_per_part = 8, growth = 0.3;
+  struct Part {
+    glm::dvec3 low, high;
+  };
+  double largest_;
+  std::vector<Part> small_;
+};
+
 Complex refined(const Shells& shells, double cell_size) {
   // Sharp: creases of a box, not the facets of a small seed.
   constexpr double sharp_degrees = 75;
@@ -155,11 +227,16 @@ Complex refined(const Shells& shells, double cell_size) {
   domain.detect_features(sharp_degrees);
 
   // Time limits are off: with them the mesh would depend on how fast the machine is.
-  const Criteria criteria(parameters::edge_size = cell_size, parameters::facet_angle = 25,
-                          parameters::facet_size = cell_size, parameters::facet_distance = cell_size / 20,
-                          parameters::cell_radius_edge_ratio = 2.5, parameters::cell_size = cell_size);
-  return CGAL::make_mesh_3<Complex>(domain, criteria, parameters::perturb(parameters::time_limit = 0),
-                                    parameters::exude(parameters::time_limit = 0));
+  const Sizes sizes(shells.inner, cell_size);
+  const Criteria criteria(parameters::edge_size = sizes, parameters::facet_angle = 25, parameters::facet_size = sizes,
+                          parameters::facet_distance = cell_size / 20, parameters::cell_radius_edge_ratio = 2.5,
+                          parameters::cell_size = sizes);
+  Complex complex;
+  CGAL::Mesh_3::internal::C3t3_initializer<Complex, Domain, Criteria, true>()(complex, domain, criteria, true);
+  insert_corners_of_all_parts(domain, complex);
+  CGAL::refine_mesh_3(complex, domain, criteria, parameters::perturb(parameters::time_limit = 0),
+                      parameters::exude(parameters::time_limit = 0), parameters::no_reset_c3t3());
+  return complex;
 }
 
 TetrahedralMesh plain(const Complex& complex) {
