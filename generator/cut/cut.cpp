@@ -25,9 +25,15 @@ void warn_of_misses(std::span<const Knife> knives, const CutPlanes& planes, cons
 }  // namespace
 
 Cut cut(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options) {
-  const Bodies bodies = find_bodies(surfaces);
   const CutPlanes planes = placed(knives, bounds_of(surfaces));
-  SplitMesh mesh = split(surfaces, planes);
+  Bodies bodies;
+  SplitMesh mesh(planes);
+  parallel_for(2, options.threads, [&](std::size_t i) {
+    if (i == 0)
+      bodies = find_bodies(surfaces);
+    else
+      mesh = split(surfaces, planes);
+  });
   const FaceMeshes faces =
       triangulate(mesh, planes, cut_segments(mesh, surfaces, planes.count()), surfaces, bodies, options);
   std::vector<Regions> regions(faces.faces.size());

@@ -1,6 +1,7 @@
 // Cutting named shapes: what is cut adds up, closes, and is where geometry says.
 #include "generator/cut/cut.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -180,6 +181,39 @@ TEST(Cut, SameBytesTwice) {
     EXPECT_EQ(first.pieces[i].position, second.pieces[i].position);
     EXPECT_EQ(first.pieces[i].triangle, second.pieces[i].triangle);
   }
+}
+
+TEST(Cut, SameBytesOnAnyNumberOfThreads) {
+  const DiffusionSurfaces ball = shapes::tilted(shapes::nested_spheres(0.05, 0.02, 10));
+  CutOptions one, two;
+  one.threads.count = 1;
+  two.threads.count = 2;
+  for (const std::vector<std::string>& knives :
+       {std::vector<std::string>{"half"}, {"wedges:5", "across"}, {"slices:7"}}) {
+    SCOPED_TRACE(::testing::PrintToString(knives));
+    const Cut first = cut_with(ball, knives, one), second = cut_with(ball, knives, two);
+    EXPECT_EQ(first.section.position, second.section.position);
+    EXPECT_EQ(first.section.triangle, second.section.triangle);
+    EXPECT_EQ(first.section.color, second.section.color);
+    ASSERT_EQ(first.pieces.size(), second.pieces.size());
+    for (std::size_t i = 0; i < first.pieces.size(); ++i) {
+      EXPECT_EQ(first.pieces[i].position, second.pieces[i].position);
+      EXPECT_EQ(first.pieces[i].triangle, second.pieces[i].triangle);
+    }
+  }
+}
+
+TEST(Cut, HasVerticesWhereColoursDiffer) {
+  const auto interior_vertices = [](const Color& core) {
+    const shapes::Paint paint{.front = core, .back = core};
+    const DiffusionSurfaces ball = shapes::nested_spheres(0.05, 0.02, 10, shapes::skin_paint(), paint);
+    const Cut cut = cut_with(ball, {"plane:0.1,0.2,1,0.003"}, {.coarsest = 0.3});
+    expect_sound(cut, signed_volume(shapes::sphere(0.05, 10)));
+    return std::count(cut.section.interior.begin(), cut.section.interior.end(), 1);
+  };
+  const Color flesh = shapes::skin_paint().back;
+  const auto like = interior_vertices(flesh), unlike = interior_vertices(Color(0));
+  EXPECT_GT(unlike, like);
 }
 
 TEST(Cut, InnerSurfacesGiveBothTheirColours) {
