@@ -46,12 +46,12 @@ TEST_P(Started, CanBeCheckedGrownAndCut) {
   EXPECT_THAT(checked.err, Not(HasSubstr("warning")));
   for (const char* seed : {"0", "3"}) {
     const Outcome cut = run_pomona({"cut", "fig.toml", "--knife", "half", "--knife", "across", "--seed", seed,
-                                    "--detail", "0.4", "--quality", "draft", "-o", "x.ply"},
+                                    "--detail", "0.3", "--quality", "draft", "-o", "x.ply"},
                                    folder.path());
     EXPECT_EQ(cut.status, 0) << cut.err;
     EXPECT_THAT(cut.err, Not(HasSubstr("warning")));
   }
-  EXPECT_EQ(run_pomona({"grow", "fig.toml", "-o", "y.ply"}, folder.path()).status, 0);
+  EXPECT_EQ(run_pomona({"grow", "fig.toml", "--sheets", "--detail", "0.4", "-o", "y.ply"}, folder.path()).status, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sketches, Started,
