@@ -136,6 +136,22 @@ TEST(CubePmvc, QuarterTurnsChangeNothing) {
   }
 }
 
+TEST(CubePmvc, AnyTurnChangesLittleAt32Texels) {
+  // Points are turned along as vertices of no triangle.
+  DiffusionSurfaces fruit = shapes::seeded_fruit();
+  const std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(100);
+  fruit.position.insert(fruit.position.end(), points.begin(), points.end());
+  for (std::vector<Color>* colors : {&fruit.front_color, &fruit.back_color}) colors->resize(fruit.position.size());
+  const DiffusionSurfaces turned = shapes::tilted(fruit);
+  const std::vector<glm::vec3> turned_points(turned.position.end() - static_cast<std::ptrdiff_t>(points.size()),
+                                             turned.position.end());
+
+  const std::vector<PmvcValue> before = values(fruit, points, 32), after = values(turned, turned_points, 32);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_LE(255 * greatest(before[i].color - after[i].color), 2) << i;
+  }
+}
+
 TEST(CubePmvc, MoreDirectionsChangeLittle) {
   const DiffusionSurfaces fruit = shapes::seeded_fruit();
   const std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(40);

@@ -1,0 +1,57 @@
+// Draft and final keep their promises on real fruits: a sample of what bench/diffusion_errors measures.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "generator/cut/cut.h"
+#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/scene/grow.h"
+#include "generator/template/read_template.h"
+#include "tests/diffusion/fields.h"
+
+namespace pomona {
+namespace {
+
+/// About `most` interior vertices of a section, evenly picked.
+std::vector<glm::vec3> some_interior(const CrossSection& section, std::size_t most) {
+  std::vector<glm::vec3> interior, some;
+  for (std::size_t v = 0; v < section.position.size(); ++v) {
+    if (section.interior[v]) interior.push_back(section.position[v]);
+  }
+  for (std::size_t i = 0; i < most && i < interior.size(); ++i) {
+    some.push_back(interior[i * interior.size() / std::min(most, interior.size())]);
+  }
+  return some;
+}
+
+class TemplateError : public testing::TestWithParam<const char*> {};
+
+TEST_P(TemplateError, IsWhatDraftAndFinalPromise) {
+  GrowOptions how;
+  how.as_drawn = true;
+  const std::string path = std::string(POMONA_SOURCE_DIR "/templates/") + GetParam() + ".toml";
+  const DiffusionSurfaces surfaces = grow(read_template(path), {}, how).sheets;
+  for (const char* knife_text : {"half", "wedges:6", "plane:0.28,0.94,0.19,0.002"}) {
+    SCOPED_TRACE(knife_text);
+    const Knife knife = parse_knife(knife_text);
+    const std::vector<glm::vec3> points = some_interior(cut(surfaces, {&knife, 1}).section, 25);
+    ASSERT_FALSE(points.empty());
+    const auto diffused = [&](Quality quality) {
+      return make_pmvc_diffuser({quality, {}})->diffuse(surfaces, points).color;
+    };
+    const std::vector<Color> truth = diffused(Quality::reference);
+    EXPECT_LE(fields::errors_of(diffused(Quality::draft), truth).rms, 1);
+    const fields::Errors errors = fields::errors_of(diffused(Quality::final), truth);
+    EXPECT_LE(errors.rms, 0.4);
+    EXPECT_LE(errors.p95, 1);
+    EXPECT_LE(errors.max, 2);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Fruits, TemplateError, testing::Values("kiwi", "tomato"),
+                         [](const auto& fruit) { return std::string(fruit.param); });
+
+}  // namespace
+}  // namespace pomona
