@@ -5,6 +5,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "generator/base/color.h"
 #include "generator/base/units.h"
 #include "generator/diffusion/group_boxes.h"
 #include "generator/diffusion/line_sweep.h"
@@ -97,18 +98,28 @@ void add_blocks(std::span<const BlockSums> blocks, std::span<const std::size_t> 
   for (const std::size_t i : place) totals.lines[i] += static_cast<int>(lines);
 }
 
-/// By how much the colour of a point scatters, as in LinePlan: with w the weight and f the colour, each pair adds
-/// (d.rgb - f d.w) / w.
-double scatter_of(std::span<const BlockSums> blocks, const glm::dvec4& total, std::size_t point) {
+/// Half of how far the encoded values of the ends of [value - spread, value + spread] are apart.
+double encoded_spread(double value, double spread) {
+  const double low = std::clamp(value - spread, 0.0, 1.0), high = std::clamp(value + spread, 0.0, 1.0);
+  return 0.5 * (srgb_from_linear(high) - srgb_from_linear(low));
+}
+
+/// Whether the colour of a point scatters more than `most`, as in LinePlan: with w the weight and f the colour, each
+/// pair adds (d.rgb - f d.w) / w.
+bool scatters_more_than(double most, std::span<const BlockSums> blocks, const glm::dvec4& total, std::size_t point) {
   glm::dvec4 squares(0), with_weight(0);
   for (const BlockSums& block : blocks) {
     squares += glm::dvec4(block.scatter.squares[point]);
     with_weight += glm::dvec4(block.scatter.with_weight[point]);
   }
+  constexpr double steepest = 12.92;  // of the sRGB encoding
   const glm::dvec4 f = total / total.w;
-  double most = 0;
-  for (int k = 0; k < 3; ++k) most = std::max(most, squares[k] - 2 * f[k] * with_weight[k] + f[k] * f[k] * squares.w);
-  return std::sqrt(most) / total.w;
+  for (int k = 0; k < 3; ++k) {
+    const double sum = squares[k] - 2 * f[k] * with_weight[k] + f[k] * f[k] * squares.w;
+    const double spread = std::sqrt(std::max(sum, 0.0)) / total.w;
+    if (spread > most || (steepest * spread > most && encoded_spread(f[k], spread) > most)) return true;
+  }
+  return false;
 }
 
 PmvcValue value_of(const PackedSurfaces& surfaces, const Totals& totals, std::size_t point) {
@@ -142,7 +153,7 @@ std::vector<PmvcValue> batch_pmvc(const PackedSurfaces& surfaces, std::span<cons
     place.clear();
     for (std::size_t i = 0; i < points.size(); ++i) {
       const glm::dvec4& total = totals.color_and_weight[i];
-      if (!(total.w > 0) || !(scatter_of(blocks, total, i) > plan.most_scatter)) continue;
+      if (!(total.w > 0) || !scatters_more_than(plan.most_scatter, blocks, total, i)) continue;
       place.push_back(i);
       scattered.push_back(points[i]);
     }

@@ -20,7 +20,8 @@ struct LinePlan {
   /// Then, for points where colours scatter by more than most_scatter.
   std::vector<Line> more;
 
-  /// Of the colour in any channel: the root of the summed squares of what the lines of each pair add differently.
+  /// Of the colour in any channel, linear or in sRGB, whichever is more: the root of the summed squares of what the
+  /// lines of each pair add differently.
   double most_scatter = std::numeric_limits<double>::infinity();
 };
 
