@@ -11,7 +11,7 @@ namespace {
 
 /// Final looks along more lines where colours scatter by more than this; measured in docs/diffusion.md.
 constexpr int lines_where_colors_scatter = 352;
-constexpr double most_scatter = 1.25 / 255;
+constexpr double most_scatter = 1.0 / 255;
 
 LinePlan plan_for(Quality quality) {
   if (quality == Quality::draft) return {.lines = relaxed_draft_lines(), .more = {}};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "generator/base/color.h"
 #include "generator/cut/cut.h"
@@ -42,10 +43,12 @@ TEST_P(TemplateError, IsWhatDraftAndFinalPromise) {
   how.as_drawn = true;
   const std::string path = std::string(POMONA_SOURCE_DIR "/templates/") + GetParam() + ".toml";
   const DiffusionSurfaces surfaces = grow(read_template(path), {}, how).sheets;
-  for (const char* knife_text : {"half", "wedges:6", "plane:0.28,0.94,0.19,0.002"}) {
-    SCOPED_TRACE(knife_text);
-    const Knife knife = parse_knife(knife_text);
-    const std::vector<glm::vec3> points = some_interior(cut(surfaces, {&knife, 1}).section, 25);
+  Knife slanted = parse_knife("plane:0,1,0,0");
+  slanted.plane.normal = glm::normalize(glm::dvec3(0.3, 1, 0.2));
+  slanted.plane.offset = glm::dot(slanted.plane.normal, bounds_of(surfaces).center());
+  for (const Knife& knife : {parse_knife("half"), slanted}) {
+    SCOPED_TRACE(knife.text);
+    const std::vector<glm::vec3> points = some_interior(cut(surfaces, {&knife, 1}).section, 60);
     ASSERT_FALSE(points.empty());
     const auto diffused = [&](Quality quality) {
       return make_pmvc_diffuser({quality, {}})->diffuse(surfaces, points).color;
