@@ -186,14 +186,18 @@ class Sizes {
  public:
   using FT = Kernel::FT;
 
-  Sizes(const Polyhedron& inner, double largest) : largest_(largest) {
+  /// \param largest of all cells; \param whole the diagonal of all surfaces: both in metres
+  Sizes(const Polyhedron& inner, double largest, double whole) : largest_(largest), growth_(5 * largest / whole) {
     std::map<Polyhedron::Facet_const_handle, std::size_t> part_of_face;
     std::vector<CGAL::Bbox_3> box(
         processing::connected_components(inner, boost::make_assoc_property_map(part_of_face)));
     for (const auto face : CGAL::faces(inner)) box[part_of_face.at(face)] += processing::face_bbox(face, inner);
+
+    // Twice as coarse for its size as the whole, but no finer than a twelfth of it.
+    const double share = std::max(2 * largest / whole, 1.0 / 12);
     for (const CGAL::Bbox_3& b : box) {
-      const glm::dvec3 low(b.xmin(), b.ymin(), b.zmin()), high(b.xmax(), b.ymax(), b.zmax());
-      if (edges_per_part * largest > glm::length(high - low)) small_.push_back({low, high});
+      const double size = share * diagonal(b);
+      if (size < largest) small_.push_back({{b.xmin(), b.ymin(), b.zmin()}, {b.xmax(), b.ymax(), b.zmax()}, size});
     }
   }
 
@@ -203,17 +207,17 @@ class Sizes {
     for (const Part& part : small_) {
       const glm::dvec3 at(p.x(), p.y(), p.z());
       const double away = glm::length(glm::max(glm::max(part.low - at, at - part.high), glm::dvec3(0)));
-      size = std::min(size, glm::length(part.high - part.low) / edges_per_part + growth * away);
+      size = std::min(size, part.size + growth_ * away);
     }
     return size;
   }
 
  private:
-  static constexpr double edges_per_part = 8, growth = 0.3;
   struct Part {
     glm::dvec3 low, high;
+    double size;
   };
-  double largest_;
+  double largest_, growth_;
   std::vector<Part> small_;
 };
 
@@ -227,7 +231,7 @@ Complex refined(const Shells& shells, double cell_size) {
   domain.detect_features(sharp_degrees);
 
   // Time limits are off: with them the mesh would depend on how fast the machine is.
-  const Sizes sizes(shells.inner, cell_size);
+  const Sizes sizes(shells.inner, cell_size, diagonal(processing::bbox(shells.outer)));
   const Criteria criteria(parameters::edge_size = sizes, parameters::facet_angle = 25, parameters::facet_size = sizes,
                           parameters::facet_distance = cell_size / 20, parameters::cell_radius_edge_ratio = 2.5,
                           parameters::cell_size = sizes);
