@@ -51,6 +51,12 @@ class Agreement {
     expect_near(colors.color, allowed, "grid");
   }
 
+  void expect_tetrahedra(double cell_size, const Allowed& allowed) const {
+    const bench::TetrahedralPoisson poisson(surfaces_, {.cell_size = cell_size});
+    ASSERT_EQ(poisson.why_not(), "");
+    expect_near(poisson.at(points_), allowed, "tetrahedra");
+  }
+
   /// What tetrahedra are wrong by falls by three when they are halved (tetrahedral_poisson_test), so the finer ones
   /// are wrong by less than both differ by.
   void expect_tetrahedra(double cell_size) const {
@@ -90,7 +96,8 @@ TEST(Agreement, InAShell) {
   const Agreement shell(shapes::nested_spheres(1, 0.4, 24, plain(0, 0), plain(1, 1)), spiral(0.45, 0.95));
   shell.expect_walks_near([](const glm::dvec3& p) { return glm::dvec3((1 / glm::length(p) - 1) / 1.5); }, 0.3);
   shell.expect_grid(grid);
-  shell.expect_tetrahedra(0.125 / std::sqrt(12.0));
+  // Linear tetrahedra of an eighth are wrong by 3.6 of 255 RMS and 9.2 at most; coarser ones take longer to mesh.
+  shell.expect_tetrahedra(0.125 / std::sqrt(12.0), {.rms = 5, .max = 12});
 }
 
 TEST(Agreement, InATiltedBoxWithAnOpenSheet) {
