@@ -172,7 +172,8 @@ std::string notes(bool with_folds) {
   std::vector<std::string> lines = {
       "Side view: draw the right half of each curve, from pole to pole, over a picture of the fruit cut in half.",
       "Top view: draw closed loops around the axis, over a picture of the fruit cut across.",
-      "The label of a curve (Object > Layers and Objects) is its name in the template. Move the axis to where it belongs.",
+      "The label of a curve (Object > Layers and Objects) is its name in the template. Move the axis to where it "
+      "belongs.",
       "Draw \"scale 60mm\" along something whose length you know, and put that length into its label.",
   };
   if (with_folds)

@@ -51,12 +51,12 @@ void ShortRays::meet(const SeenTriangle& triangle, std::uint32_t number) {
   }
 }
 
-std::optional<RayHit> ShortRays::hit(int k) const {
+std::optional<ShortRayHit> ShortRays::hit(int k) const {
   const Four& four = four_[static_cast<std::size_t>(k >> 2)];
   const auto lane = static_cast<std::size_t>(k & 3);
   if (four.fraction[lane] == free_way) return std::nullopt;
   const float a = four.weight_a[lane], b = four.weight_b[lane];
-  return RayHit{four.fraction[lane], four.triangle[lane], {a, b, 1 - a - b}, four.sees_front[lane]};
+  return ShortRayHit{four.fraction[lane], four.triangle[lane], {a, b, 1 - a - b}, four.sees_front[lane]};
 }
 
 glm::vec3 nearest_weights(const SeenTriangle& triangle) {

@@ -18,7 +18,7 @@ struct SeenTriangle {
 };
 
 /// Where a ray ends on a surface.
-struct RayHit {
+struct ShortRayHit {
   float fraction = 0;          ///< of the way
   std::uint32_t triangle = 0;  ///< as numbered by the caller
   glm::vec3 weight{0};         ///< barycentric
@@ -35,7 +35,7 @@ class ShortRays {
   void meet(const SeenTriangle& triangle, std::uint32_t number);
 
   /// Nothing if ray k is free.
-  std::optional<RayHit> hit(int k) const;
+  std::optional<ShortRayHit> hit(int k) const;
 
   glm::vec3 towards(int k) const { return {across_[0][k & 1], across_[1][k >> 1 & 1], across_[2][k >> 2]}; }
 
