@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "bench/tetrahedral_poisson.h"
+#include "bench/baselines/tetrahedral_poisson.h"
 #include "generator/diffusion/harmonic_diffuser.h"
 #include "generator/diffusion/walk_on_spheres.h"
 #include "tests/diffusion/fields.h"

@@ -1,4 +1,4 @@
-#include "bench/tetrahedral_poisson.h"
+#include "bench/baselines/tetrahedral_poisson.h"
 
 #include <algorithm>
 #include <cmath>

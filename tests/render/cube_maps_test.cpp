@@ -1,5 +1,5 @@
 // The baseline of the benchmarks: cube maps drawn by OpenGL see what the reference sees.
-#include "bench/cube_maps.h"
+#include "bench/baselines/cube_maps.h"
 
 #include <gtest/gtest.h>
 

@@ -25,7 +25,7 @@ ROAD = [
 
 # Each heavy package, the headers it is known by, and the only places that may know it. None may be a header.
 HEAVY = {
-    "CGAL": (r"CGAL/", r"generator/cut/\w+\.cpp|bench/tetrahedral_mesh\.cpp"),
+    "CGAL": (r"CGAL/", r"generator/cut/\w+\.cpp|bench/baselines/tetrahedral_mesh\.cpp"),
     "OpenMesh": (r"OpenMesh/", r"generator/(surface|scene)/\w+\.cpp|render/(style|gl)/\w+\.cpp"),
     "toml++": (r"toml(\+\+|plusplus)?(/|\.h)", r"generator/(template|scene)/\w+\.cpp"),
     "lib2geom": (r"2geom/", r"generator/template/\w+\.cpp"),
@@ -37,7 +37,7 @@ HEAVY = {
     "OSMesa": (r"GL/osmesa\.h", r"render/gl/\w+\.cpp"),
     "OpenGL": (r"GL/(?!osmesa)", r"render/gl/\w+\.(cpp|h)"),
     "Highway": (r"hwy/", r"(generator|tests)/diffusion/(\w+/)?\w+\.(cpp|h)"),
-    "Eigen": (r"Eigen/", r"tests/\w+/\w+\.cpp|bench/tetrahedral_poisson\.cpp"),
+    "Eigen": (r"Eigen/", r"tests/\w+/\w+\.cpp|bench/baselines/tetrahedral_poisson\.cpp"),
     "TBB": (r"(tbb|oneapi/tbb)/", r"generator/base/parallel\.cpp"),
     "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),
     "Random123": (r"Random123/", r"generator/base/random\.cpp"),

@@ -1,4 +1,4 @@
-#include "bench/cube_maps.h"
+#include "bench/baselines/cube_maps.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "bench/tetrahedral_mesh.h"
+#include "bench/baselines/tetrahedral_mesh.h"
 
 #include <algorithm>
 #include <iterator>

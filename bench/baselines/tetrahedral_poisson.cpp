@@ -1,4 +1,4 @@
-#include "bench/tetrahedral_poisson.h"
+#include "bench/baselines/tetrahedral_poisson.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "bench/tetrahedral_mesh.h"
+#include "bench/baselines/tetrahedral_mesh.h"
 #include "generator/diffusion/nearest_side.h"
 #include "generator/diffusion/settled_colors.h"
 
