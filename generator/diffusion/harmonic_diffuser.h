@@ -10,7 +10,7 @@ struct HarmonicOptions {
   Quality quality = Quality::final;
   Threads threads{};
 
-  /// Nodes along the longest side of the surfaces; 0 chooses them from the quality and from the smallest features.
+  /// Nodes along the side of a cube as large as the surfaces' box; 0 lets the quality choose.
   int nodes = 0;
   int cycles = 0;       ///< of the multigrid on the finest level; 0 lets the quality choose
   int finer = -1;       ///< how often patches around small bodies halve the spacing, at most; -1: as needed

@@ -63,7 +63,7 @@ TEST(HarmonicDiffuser, IsExactForLinearColours) {
   };
   const DiffusionSurfaces linear = fields::painted_with(shapes::tilted(fields::linear_scene()), paint);
   const auto points = points_in_shell(0, 0.95, 1000);
-  const auto colors = make_harmonic_diffuser({.threads = {2}, .nodes = 48, .cycles = 8})->diffuse(linear, points);
+  const auto colors = make_harmonic_diffuser({.threads = {2}, .nodes = 64, .cycles = 8})->diffuse(linear, points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const glm::dvec3 wanted = paint(points[i]);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(colors.color[i][k], wanted[k], 0.01 / 255) << i;

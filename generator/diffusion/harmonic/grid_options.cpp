@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/base/reproducible.h"
 #include "generator/diffusion/harmonic/lattice.h"
 
 namespace pomona {
@@ -17,23 +19,32 @@ constexpr double near_surface = 2e-5;
 constexpr int most_halvings = 2;
 
 struct Effort {
-  int nodes, cycles;
+  int nodes;  ///< along the side of a cube as large as the surfaces' box
+  int cycles;
 };
 
 /// Measured in docs/diffusion.md.
 Effort effort_for(Quality quality) {
   if (quality == Quality::draft) return {64, 1};
-  if (quality == Quality::final) return {104, 1};
+  if (quality == Quality::final) return {112, 1};
   return {192, 3};
+}
+
+/// That of `nodes` cubed nodes in the box, so that long and flat fruits get as many as round ones; no longer side
+/// has more than a lattice can count.
+double spacing_in(const glm::dvec3& extent, int nodes) {
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  const glm::dvec3 thick = glm::max(extent, glm::dvec3(longest / 16));
+  const double even = reproducible::cbrt(thick.x * thick.y * thick.z) / std::max(nodes, 4);
+  return std::max(even, 2 * longest / most_cells);
 }
 
 }  // namespace
 
 GridOptions grid_options(const DiffusionSurfaces& surfaces, const HarmonicOptions& options) {
   const Effort effort = effort_for(options.quality);
-  const int nodes = std::clamp(options.nodes > 0 ? options.nodes : effort.nodes, 4, most_cells / 2);
   const glm::dvec3 extent = bounds_of(surfaces).size();
-  return {.spacing = std::max({extent.x, extent.y, extent.z}) / nodes,
+  return {.spacing = spacing_in(extent, options.nodes > 0 ? options.nodes : effort.nodes),
           .cycles = options.cycles > 0 ? options.cycles : effort.cycles,
           .shift = options.shift,
           .finer = options.finer >= 0 ? options.finer : most_halvings,
