@@ -39,7 +39,7 @@ struct Subject {
 struct Row {
   std::string name;
   Quality quality = Quality::final;
-  int nodes = 0;  ///< along the longest side
+  int nodes = 0;  ///< along the side of a cube as large as the fruit
   std::size_t triangles = 0, points = 0, grid_nodes = 0, patch_nodes = 0;
   bool is_sealed = false;
   bench::Duration set_up, solve, field, section, texels;
@@ -204,7 +204,8 @@ int main(int argc, char** argv) {
   std::vector<std::string> names, truth;
   app.add_option("--threads", threads, "Threads to use")->capture_default_str();
   app.add_option("--runs", runs, "Runs to take the median of")->capture_default_str();
-  app.add_option("--nodes", nodes, "Nodes along the longest side; 0: as the quality says")->capture_default_str();
+  app.add_option("--nodes", nodes, "Nodes along the side of a cube as large as the fruit; 0: as the quality says")
+      ->capture_default_str();
   app.add_option("--truth", truth, "Files of walk_truth to take errors from");
   app.add_flag("--json", as_json, "Print JSON");
   app.add_option("fruit", names, "Templates; \"seeded\" for the bench model. All, if none is named");

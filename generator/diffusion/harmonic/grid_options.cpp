@@ -36,7 +36,7 @@ double spacing_in(const glm::dvec3& extent, int nodes) {
   const double longest = std::max({extent.x, extent.y, extent.z});
   const glm::dvec3 thick = glm::max(extent, glm::dvec3(longest / 16));
   const double even = reproducible::cbrt(thick.x * thick.y * thick.z) / std::max(nodes, 4);
-  return std::max(even, 2 * longest / most_cells);
+  return std::max(even, 1.6 * longest / most_cells);
 }
 
 }  // namespace
