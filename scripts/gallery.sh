@@ -18,7 +18,6 @@ for fruit in tomato onion pepper; do
   done
 done
 for fruit in $("$program" list | cut -f1); do
-  "$program" cut "$fruit" --knife half --size 300x300 --quiet -o "$folder/${fruit}_pieces.png"
   "$program" cut "$fruit" --knife across --section --size 220x220 --quiet -o "$folder/${fruit}_inside.png"
 done
 "$program" scene scenes/salad.toml --size 880x660 --quiet -o "$folder/salad.png"
