@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 namespace pomona::bench {
 
@@ -37,6 +38,10 @@ ColorErrors color_errors(std::span<const Color> colors, std::span<const Color> t
   errors.p95 = worst[worst.size() * 95 / 100];
   errors.max = worst.back();
   return errors;
+}
+
+nlohmann::ordered_json json_of(const ColorErrors& errors) {
+  return {{"rms", errors.rms}, {"mean", errors.mean}, {"p95", errors.p95}, {"max", errors.max}};
 }
 
 }  // namespace pomona::bench

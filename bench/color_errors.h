@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "generator/base/color.h"
 
 namespace pomona::bench {
@@ -17,5 +19,7 @@ enum class Encoding { linear, srgb };
 /// \param colors, truth one entry per point.
 ColorErrors color_errors(std::span<const Color> colors, std::span<const Color> truth,
                          Encoding encoding = Encoding::linear);
+
+nlohmann::ordered_json json_of(const ColorErrors& errors);
 
 }  // namespace pomona::bench

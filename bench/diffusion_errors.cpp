@@ -113,10 +113,6 @@ TextTable table_of(const std::vector<Entry>& entries) {
   return table;
 }
 
-nlohmann::ordered_json json_of(const ColorErrors& errors) {
-  return {{"rms", errors.rms}, {"mean", errors.mean}, {"p95", errors.p95}, {"max", errors.max}};
-}
-
 nlohmann::ordered_json json_of(const std::vector<Entry>& entries) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Entry& e : entries) {

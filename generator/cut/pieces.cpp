@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/disjoint_sets.h"
 #include "generator/cut/clipped_skin.h"
 #include "generator/cut/piece_groups.h"
 
@@ -85,43 +86,31 @@ class PieceBuilder {
   std::uint32_t node(std::uint32_t cell, std::uint32_t point) {
     point = place(point);
     if (mesh_.planes_of[point] == 0) return point;
-    const auto [entry, is_new] = nodes_.try_emplace((std::uint64_t{cell} << 32) | point, parent_.size());
-    if (is_new) parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+    const auto [entry, is_new] = nodes_.try_emplace((std::uint64_t{cell} << 32) | point, sets_.count());
+    if (is_new) sets_.add();
     return entry->second;
   }
 
-  std::uint32_t root(std::uint32_t n) {
-    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-    return n;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
   void connect() {
-    parent_.resize(mesh_.point.size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
+    sets_ = DisjointSets(mesh_.point.size());
     for (const SkinTriangle& t : skin_) {
       const std::uint32_t a = node(t.cell, mesh_.point_of[t.vertex[0]]);
-      join(a, node(t.cell, mesh_.point_of[t.vertex[1]]));
-      join(a, node(t.cell, mesh_.point_of[t.vertex[2]]));
+      sets_.join(a, node(t.cell, mesh_.point_of[t.vertex[1]]));
+      sets_.join(a, node(t.cell, mesh_.point_of[t.vertex[2]]));
       node_of_skin_.push_back(a);
     }
     for (const Cap& cap : section_.cap) {
       for (const std::uint32_t cell : cap.cell) {
         const std::uint32_t a = node(cell, cap.point[0]);
-        join(a, node(cell, cap.point[1]));
-        join(a, node(cell, cap.point[2]));
+        sets_.join(a, node(cell, cap.point[1]));
+        sets_.join(a, node(cell, cap.point[2]));
         node_of_cap_.push_back(a);
       }
     }
   }
 
   std::uint32_t component_at(std::uint32_t node, std::uint32_t cell) {
-    std::uint32_t& number = component_of_[root(node)];
+    std::uint32_t& number = component_of_[sets_.root(node)];
     if (number == unset) {
       number = static_cast<std::uint32_t>(component_.size());
       component_.push_back({cell});
@@ -130,7 +119,7 @@ class PieceBuilder {
   }
 
   void number_components() {
-    component_of_.assign(parent_.size(), unset);
+    component_of_.assign(sets_.count(), unset);
     for (std::size_t t = 0; t < skin_.size(); ++t) component_at(node_of_skin_[t], skin_[t].cell);
     for (std::size_t c = 0; c < node_of_cap_.size(); ++c) {
       component_at(node_of_cap_[c], section_.cap[c / 2].cell[c % 2]);
@@ -248,7 +237,7 @@ class PieceBuilder {
 
   std::vector<SkinTriangle> skin_;
   std::unordered_map<std::uint64_t, std::uint32_t> nodes_;
-  std::vector<std::uint32_t> parent_;                      // union-find over nodes
+  DisjointSets sets_{0};                                   // of nodes
   std::vector<std::uint32_t> node_of_skin_, node_of_cap_;  // one of each triangle's; caps: two sides each
   std::vector<std::uint32_t> component_of_;                // per root node
   std::vector<Component> component_;

@@ -1,38 +1,19 @@
 #include "generator/surface/shells.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/disjoint_sets.h"
 #include "generator/base/reproducible.h"
 #include "generator/surface/welded_edges.h"
 
 namespace pomona {
 
 namespace {
-
-/// Sets of triangles that grow together (union-find; the smallest member stands for its set).
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t ra = find(a), rb = find(b);
-    parent_[std::max(ra, rb)] = std::min(ra, rb);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// A triangle at a crowded edge: where it stands around the edge, seen against the edge's direction.
 struct Leaf {
@@ -139,7 +120,7 @@ class ShellFinder {
     std::vector<std::uint8_t> is_open(surfaces_.surface_names.size(), 0);
     for (std::uint32_t i = 0; i < triangles; ++i) {
       if (!surfaces_.is_boundary(i) || is_collapsed(shells_.air_facing[i])) continue;
-      std::int32_t& shell = number[sets_.find(i)];
+      std::int32_t& shell = number[sets_.root(i)];
       if (shell == Shells::none) {
         shell = static_cast<std::int32_t>(shells_.count());
         shells_.closed.push_back(1);
@@ -169,7 +150,7 @@ class ShellFinder {
   }
 
   const DiffusionSurfaces& surfaces_;
-  Sets sets_;
+  DisjointSets sets_;
   std::vector<std::uint8_t> open_;  ///< per triangle: has an unmatched edge
   Shells shells_;
 };

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/base/disjoint_sets.h"
 #include "generator/base/error.h"
 
 namespace pomona {
@@ -41,24 +42,6 @@ Kind kind_of(const Solid& solid, std::size_t t) {
   if (solid.cut_face[t] >= 0) return {solid.cut_face[t], -1, -1};
   return {-1, solid.surface[t], facing(area_vector(solid, t))};
 }
-
-/// Sets of triangles, joined where two of a kind share a vertex.
-class TriangleSets {
- public:
-  explicit TriangleSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t root(std::uint32_t t) {
-    while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
-    return t;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// The projection plane of a chart, seen from outside.
 void lay_flat(const Solid& solid, const Kind& kind, Chart& chart) {
@@ -119,7 +102,7 @@ std::vector<Chart> charts_of(const Solid& solid) {
   const std::size_t count = solid.triangle.size();
   std::vector<Kind> kind(count);
   for (std::size_t t = 0; t < count; ++t) kind[t] = kind_of(solid, t);
-  TriangleSets sets(count);
+  DisjointSets sets(count);
   std::map<std::pair<std::uint32_t, Kind>, std::uint32_t> first_at;
   for (std::size_t t = 0; t < count; ++t) {
     for (int k = 0; k < 3; ++k) {

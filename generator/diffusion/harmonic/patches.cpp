@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "generator/base/disjoint_sets.h"
 
 namespace pomona {
 
@@ -14,27 +15,6 @@ namespace {
 
 /// Cells in a brick.
 constexpr Node brick{4, 2, 2};
-
-/// Sets of vertices that triangles connect.
-class Connected {
- public:
-  explicit Connected(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t root(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-
-  /// The smaller root stays.
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 double half_thickness(const DiffusionSurfaces& surfaces, std::span<const std::uint32_t> triangles) {
   const glm::dvec3 origin(surfaces.position[surfaces.triangle[triangles.front()].x]);
@@ -145,7 +125,7 @@ void add_nodes(PatchNodes& patch, const Node& bricks, const Lattice& fine) {
 
 std::vector<SmallBody> small_bodies(const DiffusionSurfaces& surfaces, double longest) {
   // Find what is connected, and how long it is.
-  Connected connected(surfaces.vertex_count());
+  DisjointSets connected(surfaces.vertex_count());
   for (const glm::uvec3& t : surfaces.triangle) {
     connected.join(t.x, t.y);
     connected.join(t.x, t.z);
