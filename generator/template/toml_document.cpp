@@ -191,9 +191,13 @@ std::vector<TomlValue> TomlValue::values() const {
   return values;
 }
 
-std::vector<TomlTable> TomlValue::tables() const {
+std::vector<TomlTable> TomlValue::tables(std::size_t most) const {
   std::vector<TomlTable> tables;
   for (const TomlValue& value : values()) tables.push_back(value.table());
+  if (tables.size() > most) {
+    error("is there " + std::to_string(tables.size()) + " times; the most is " + std::to_string(most));
+    tables.erase(tables.begin() + static_cast<std::ptrdiff_t>(most), tables.end());
+  }
   return tables;
 }
 

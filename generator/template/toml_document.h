@@ -51,8 +51,9 @@ class TomlValue {
   int choice(const std::vector<std::string>& names, int fallback = 0) const;
 
   std::vector<TomlValue> values() const;  ///< of an array
-  std::vector<TomlTable> tables() const;  ///< of an array of tables
-  TomlTable table() const;                ///< where there is none, an empty one that never complains
+  /// Of an array of tables; more than `most` are an error, and left out.
+  std::vector<TomlTable> tables(std::size_t most = SIZE_MAX) const;
+  TomlTable table() const;  ///< where there is none, an empty one that never complains
 
   /// Notes something wrong with this value: "surface "skin": blur <message>".
   void error(const std::string& message, const std::string& hint = {}) const;
