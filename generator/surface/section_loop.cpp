@@ -64,13 +64,14 @@ void check(const Curve& loop) {
 }
 
 /// Appends all points but the last.
-void append_spokes(SectionLoop& spokes, const Curve& even, double reference_radius) {
+void append_spokes(SectionLoop& spokes, const Curve& even, double reference_radius, int fold) {
   const std::size_t steps = even.points.size() - 1;
   for (std::size_t i = 0; i < steps; ++i) {
     const double radius = glm::length(even.points[i]);
     spokes.direction.push_back(even.points[i] / radius);
     spokes.radius.push_back(radius / reference_radius);
     spokes.share.push_back(static_cast<double>(i) / static_cast<double>(steps));
+    spokes.fold.push_back(fold);
   }
 }
 
@@ -113,7 +114,7 @@ SectionLoop sampled_loop(const Curve& drawn, int count, double reference_radius)
   if (!start) throw BadLoop("the horizontal curve touches the axis", "draw it around the axis");
   const glm::dvec2 at(start->radius, 0);
   SectionLoop spokes;
-  append_spokes(spokes, resampled(between(loop, *start, at, *start, at), count + 1), reference_radius);
+  append_spokes(spokes, resampled(between(loop, *start, at, *start, at), count + 1), reference_radius, 0);
   return spokes;
 }
 
@@ -130,7 +131,7 @@ SectionLoop sampled_folds(const Curve& drawn, std::span<const double> fold_angle
     const glm::dvec2 from = direction_of(fold_angles[k]) * at[k].radius;
     const glm::dvec2 to = direction_of(fold_angles[next]) * at[next].radius;
     const Curve stretch = between(loop, at[k], from, at[next], to);
-    append_spokes(spokes, resampled(stretch, count_per_fold + 1), reference_radius);
+    append_spokes(spokes, resampled(stretch, count_per_fold + 1), reference_radius, static_cast<int>(k));
   }
   return spokes;
 }

@@ -13,11 +13,12 @@
 namespace pomona {
 
 /// One spoke per vertex around: its direction seen from above (unit; x = +X, y = -Z), the loop's radius there
-/// over the reference radius, and where it lies around the loop, or around its fold, 0..1.
+/// over the reference radius, where it lies around the loop, or around its fold, 0..1, and the fold it begins.
 struct SectionLoop {
   std::vector<glm::dvec2> direction;
   std::vector<double> radius;
   std::vector<double> share;
+  std::vector<int> fold;  ///< from 0; 0 where there are none
 };
 
 /// Why a loop cannot be swept; the caller knows whose loop it is.

@@ -54,6 +54,8 @@ void append_ring(SweptGrid& grid, const SectionLoop& loop, const glm::dvec2& at,
     grid.along.push_back(share);
     grid.around.push_back(loop.share[i]);
     grid.is_pole.push_back(0);
+    grid.fold.push_back(loop.fold[i]);
+    grid.depth.push_back(1);
   }
 }
 
@@ -62,6 +64,8 @@ void append_pole(SweptGrid& grid, const glm::dvec2& at, double share) {
   grid.along.push_back(share);
   grid.around.push_back(0);
   grid.is_pole.push_back(1);
+  grid.fold.push_back(0);
+  grid.depth.push_back(1);
 }
 
 }  // namespace

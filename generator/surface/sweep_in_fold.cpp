@@ -20,6 +20,7 @@ namespace {
 
 /// A fold's loop as the sweep wants it.
 struct FoldLoop {
+  int fold = 0;
   double center = 0;            ///< radians
   std::vector<double> turn;     ///< angle from the centre
   std::vector<double> outness;  ///< 0 at the inner reference radius, 1 at the outer one
@@ -76,6 +77,16 @@ void append(SweptGrid& grid, const glm::dvec2& at, double angle, double along, d
   grid.is_pole.push_back(pole ? 1 : 0);
 }
 
+/// How far out each vertex lies; the arcs meet at the poles.
+std::vector<double> depths(const FoldLoop& loop, std::size_t rings) {
+  std::vector<double> depths{0.5};
+  for (std::size_t j = 1; j + 1 < rings; ++j) {
+    for (const double outness : loop.outness) depths.push_back(std::clamp(outness, 0.0, 1.0));
+  }
+  depths.push_back(0.5);
+  return depths;
+}
+
 SweptGrid swept_fold(const FoldLoop& loop, const ProfileArcs& arcs, double taper) {
   double widest = 0;
   for (std::size_t j = 0; j < arcs.share.size(); ++j) {
@@ -96,6 +107,8 @@ SweptGrid swept_fold(const FoldLoop& loop, const ProfileArcs& arcs, double taper
     }
   }
   append(grid, arcs.inner.back(), loop.center, 1, 0, true);
+  grid.fold.assign(grid.position.size(), loop.fold);
+  grid.depth = depths(loop, rings);
   grid.triangle = grid_triangles({static_cast<int>(around), static_cast<int>(rings), true, true, false});
   return grid;
 }
@@ -130,7 +143,9 @@ std::vector<SweptGrid> swept_in_folds(const Template& fruit, const SurfaceSketch
       refuse(fruit, sketch, "the horizontal curve of fold " + std::to_string(k) + " " + why,
              "draw each loop between its two fold lines");
     }
-    grids.push_back(swept_fold(sampled_fold_loop(loop, span, reference, around), arcs, sketch.taper));
+    FoldLoop sampled = sampled_fold_loop(loop, span, reference, around);
+    sampled.fold = static_cast<int>(k);
+    grids.push_back(swept_fold(sampled, arcs, sketch.taper));
   }
   return grids;
 }

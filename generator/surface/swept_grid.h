@@ -16,6 +16,9 @@ struct SweptGrid {
   std::vector<double> along;   ///< share of the vertical curve
   std::vector<double> around;  ///< share of the horizontal curve, or of the fold; NaN never, 0 at poles
   std::vector<std::uint8_t> is_pole;
+  std::vector<int> fold;      ///< the fold that begins or goes on here, from 0; 0 where there are none, and at poles
+                              ///< around the axis
+  std::vector<double> depth;  ///< in folds: 0 on the vertical curve's inner arc, 1 on its outer one; else 1
   std::vector<glm::uvec3> triangle;  ///< front outside
 };
 
