@@ -10,6 +10,7 @@
 #include "generator/template/read_style.h"
 #include "generator/template/read_surface.h"
 #include "generator/template/read_symmetry.h"
+#include "generator/template/read_variation.h"
 #include "generator/template/sketch.h"
 #include "generator/template/toml_document.h"
 #include "generator/template/toml_limits.h"
@@ -113,6 +114,8 @@ Template parse_template(std::string_view toml, const std::string& file) {
     fruit.grains.push_back(read_grains(grains, fruit));
     fruit.grains.back().name = name;
   }
+  if (root.has("bend")) fruit.bend = read_bend(root.get("bend").table());
+  if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table());
   if (root.has("noise")) fruit.noise = read_noise(root.get("noise").table());
   if (root.has("ink")) fruit.ink = read_ink(root.get("ink").table());
   document.throw_if_any();

@@ -6,10 +6,12 @@
 #include <variant>
 #include <vector>
 
+#include "generator/template/axis_bend.h"
 #include "generator/template/grain_sketch.h"
 #include "generator/template/ink_style.h"
 #include "generator/template/noise_style.h"
 #include "generator/template/surface_sketch.h"
+#include "generator/template/variation_sketch.h"
 
 namespace pomona {
 
@@ -32,6 +34,8 @@ struct Template {
   std::vector<std::string> parts;
   std::vector<SurfaceSketch> surfaces;
   std::vector<GrainSketch> grains;
+  AxisBend bend;              ///< of the axis along which the curves are drawn straight
+  VariationSketch variation;  ///< what varies besides the horizontal curves
   NoiseStyle noise;
   InkStyle ink;
   double density = 950;  ///< kg per cubic metre

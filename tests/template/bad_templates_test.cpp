@@ -71,6 +71,10 @@ const Mistake mistakes[] = {
     {"grain_radius", 32, 11, "spacing is 0mm"},
     {"grain_number", 33, 10, "length must be a length with its unit"},
     {"not_a_number", 16, 9, "taper is nan"},
+    {"bend_round", 40, 9, "bend angle is 400"},
+    {"variation_wild", 45, 8, "variation size is 0.5"},
+    {"variation_unknown", 46, 1, "unknown key \"profil\""},
+    {"variation_bend_number", 47, 8, "bend must be a table"},
     {"surface_no_table", 20, 1, "cannot redefine"},
 };
 

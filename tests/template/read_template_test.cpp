@@ -94,6 +94,29 @@ TEST(ReadTemplate, reads_what_is_written) {
   EXPECT_DOUBLE_EQ(plum.grains[0].poisson_radius, 0.002);
 }
 
+TEST(ReadTemplate, nothing_bends_or_varies_unless_it_is_said) {
+  const Template plum = read_template(root / "tests/template/good.toml");
+  EXPECT_TRUE(plum.bend.is_straight());
+  EXPECT_EQ(plum.variation.size, 0);
+  EXPECT_EQ(plum.variation.profile, 0);
+  EXPECT_EQ(plum.variation.bend.angle, 0);
+  EXPECT_EQ(plum.variation.bend.swing, 0);
+}
+
+TEST(ReadTemplate, reads_bend_and_variation) {
+  const Template plum = plum_with("[symmetry]",
+                                  "[bend]\nangle = 20\nswing = -12\ndirection = 90\n\n[variation]\nsize = 0.1\n"
+                                  "profile = 0.06\nbend = { angle = 10, swing = 5, around = true }\n\n[symmetry]");
+  EXPECT_DOUBLE_EQ(plum.bend.angle, radians(20));
+  EXPECT_DOUBLE_EQ(plum.bend.swing, radians(-12));
+  EXPECT_DOUBLE_EQ(plum.bend.direction, pi / 2);
+  EXPECT_DOUBLE_EQ(plum.variation.size, 0.1);
+  EXPECT_DOUBLE_EQ(plum.variation.profile, 0.06);
+  EXPECT_DOUBLE_EQ(plum.variation.bend.angle, radians(10));
+  EXPECT_DOUBLE_EQ(plum.variation.bend.swing, radians(5));
+  EXPECT_TRUE(plum.variation.bend.around);
+}
+
 TEST(ReadTemplate, one_loop_is_repeated_in_every_fold) {
   const Template plum = read_template(root / "tests/template/good.toml");
   const auto& loops = plum.surfaces[1].horizontal;
