@@ -9,7 +9,6 @@
 
 #include "generator/base/error.h"
 #include "generator/base/path_within.h"
-#include "render/picture/png.h"
 
 namespace fs = std::filesystem;
 
@@ -121,7 +120,7 @@ LinkedPicture linked_picture(const fs::path& picture, const fs::path& folder) {
   return {uri_encoded(step->generic_string()), png_size(bytes_of_file(picture, picture.string()), picture.string())};
 }
 
-Image read_linked_picture(const std::string& href, const fs::path& folder, const std::string& place) {
+TransparentImage read_linked_picture(const std::string& href, const fs::path& folder, const std::string& place) {
   std::string bytes;
   if (href.starts_with("data:")) {
     const std::size_t comma = href.find(',');
@@ -138,7 +137,7 @@ Image read_linked_picture(const std::string& href, const fs::path& folder, const
     bytes = bytes_of_file(file, place);
   }
   png_size(bytes, place);
-  return read_png(bytes, place);
+  return read_transparent_png(bytes, place);
 }
 
 }  // namespace pomona

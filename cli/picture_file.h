@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/picture/image.h"
+#include "render/picture/png.h"
 
 namespace pomona {
 
@@ -21,6 +21,7 @@ LinkedPicture linked_picture(const std::filesystem::path& picture, const std::fi
 /// The picture that an SVG in `folder` names: a relative path to a PNG in that folder or below, or a data URI.
 /// \param place where it is named, for messages.
 /// \throws Error (bad_data) for other kinds of links and pictures, and beyond 100 million pixels, (input_missing).
-Image read_linked_picture(const std::string& href, const std::filesystem::path& folder, const std::string& place);
+TransparentImage read_linked_picture(const std::string& href, const std::filesystem::path& folder,
+                                     const std::string& place);
 
 }  // namespace pomona

@@ -27,7 +27,7 @@ namespace {
 
 /// An image as the drawing shows it.
 struct PlacedPicture {
-  Image image;
+  TransparentImage shown;
   SvgTransform to_pixels;  ///< from the page
 };
 
@@ -58,8 +58,10 @@ class Pictures {
     const PlacedPicture& picture = placed(index);
     const glm::dvec2 pixel = picture.to_pixels(point);
     const auto x = static_cast<int>(std::floor(pixel.x)), y = static_cast<int>(std::floor(pixel.y));
-    const bool is_inside = x >= 0 && y >= 0 && x < picture.image.width && y < picture.image.height;
-    return is_inside ? std::optional<Color>(median(picture.image, x, y)) : std::nullopt;
+    const Image& image = picture.shown.image;
+    const bool is_inside = x >= 0 && y >= 0 && x < image.width && y < image.height;
+    if (!is_inside || !is_opaque(picture.shown, x, y)) return {};
+    return median(picture.shown, x, y);
   }
 
   const PlacedPicture& placed(std::size_t index) {
@@ -67,10 +69,10 @@ class Pictures {
     if (known != read_.end()) return known->second;
     const SvgElement& element = drawing_.elements[index];
     PlacedPicture picture;
-    picture.image = read_linked_picture(element.href, folder_, place_of(drawing_, element));
+    picture.shown = read_linked_picture(element.href, folder_, place_of(drawing_, element));
 
     // The picture fills its box, or the largest part of it that keeps its shape, in the middle.
-    const glm::dvec2 pixels(picture.image.width, picture.image.height);
+    const glm::dvec2 pixels(picture.shown.image.width, picture.shown.image.height);
     glm::dvec2 scale = pixels / element.size;
     if (!element.aspect.starts_with("none")) {
       const bool slices = element.aspect.ends_with("slice");
@@ -86,12 +88,20 @@ class Pictures {
     return read_.emplace(index, std::move(picture)).first->second;
   }
 
+  /// Around a cut-out fruit there is nothing, whatever colour the file has for it.
+  static bool is_opaque(const TransparentImage& shown, int x, int y) {
+    const auto width = static_cast<std::size_t>(shown.image.width);
+    return shown.opacity[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] >= 128;
+  }
+
   /// Over a square of about a hundredth of the picture: speckles and glints do not count.
-  static Color median(const Image& image, int x, int y) {
+  static Color median(const TransparentImage& shown, int x, int y) {
+    const Image& image = shown.image;
     const int reach = std::max(1, std::max(image.width, image.height) / 200);
     std::array<std::vector<std::uint8_t>, 3> channels;
     for (int v = std::max(0, y - reach); v <= std::min(image.height - 1, y + reach); ++v) {
       for (int u = std::max(0, x - reach); u <= std::min(image.width - 1, x + reach); ++u) {
+        if (!is_opaque(shown, u, v)) continue;
         for (int c = 0; c < 3; ++c) channels[static_cast<std::size_t>(c)].push_back(image.at(u, v)[c]);
       }
     }

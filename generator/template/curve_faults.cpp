@@ -65,6 +65,20 @@ std::optional<CurveFault> fault_of_vertical(const Curve& curve, SurfaceType type
   return {};
 }
 
+std::optional<CurveFault> fault_of_open_ends(const Curve& curve) {
+  if (curve.closed || curve.points.empty()) return {};
+  for (const glm::dvec2& end : {curve.points.front(), curve.points.back()}) {
+    if (end.x == 0) continue;
+    const double other = end.y == curve.points.front().y ? curve.points.back().y : curve.points.front().y;
+    const auto tenths = std::to_string(std::lround(end.x * 1e4));
+    const std::string gap = (tenths.size() > 1 ? tenths.substr(0, tenths.size() - 1) : "0") + "." + tenths.back();
+    return CurveFault{"does not reach the axis at its " + std::string(end.y <= other ? "lower" : "upper") +
+                          " end: " + gap + " mm are missing",
+                      "draw that end onto the axis, for air lies on one side of this surface"};
+  }
+  return {};
+}
+
 std::optional<CurveFault> fault_of_loop_around_axis(const Curve& loop, const Symmetry& symmetry) {
   if (Fault fault = fault_of_loop(loop)) return fault;
   if (!encloses(loop, {0, 0})) {
@@ -73,10 +87,12 @@ std::optional<CurveFault> fault_of_loop_around_axis(const Curve& loop, const Sym
   }
   const auto* folds = std::get_if<FoldSymmetry>(&symmetry);
   if (!folds) return {};
-  for (const double angle : folds->fold_angles) {
+  for (std::size_t k = 0; k < folds->fold_angles.size(); ++k) {
+    const double angle = folds->fold_angles[k];
     const int count = crossings(loop, angle);
     if (count == 1) continue;
-    return CurveFault{"crosses the fold line at " + in_degrees(angle) + " " + std::to_string(count) + " times",
+    return CurveFault{"crosses fold line " + std::to_string(k + 1) + ", at " + in_degrees(angle) + ", " +
+                          std::to_string(count) + " times",
                       "redraw it so that it crosses each fold line once, or move the fold line"};
   }
   return {};
@@ -92,8 +108,9 @@ std::optional<CurveFault> fault_of_loop_in_fold(const Curve& loop, const FoldSym
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from) + angle_slack;
   for (const glm::dvec2& p : loop.points) {
     if (std::fabs(turned_to(reproducible::atan2(p.y, p.x), middle)) <= half) continue;
-    return CurveFault{"leaves its fold, which spans " + in_degrees(from) + " to " + in_degrees(to),
-                      "draw it between its two fold lines, counted from +X against the clock"};
+    return CurveFault{
+        "leaves fold " + std::to_string(k + 1) + ", which spans " + in_degrees(from) + " to " + in_degrees(to),
+        "draw it between its two fold lines, counted from +X against the clock"};
   }
   return {};
 }

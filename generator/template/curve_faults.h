@@ -18,6 +18,9 @@ struct CurveFault {
 /// fold it is a closed loop off the axis.
 std::optional<CurveFault> fault_of_vertical(const Curve& curve, SurfaceType type);
 
+/// A vertical curve of a surface around the axis that parts fruit from air: its ends lie on the axis, or it is closed.
+std::optional<CurveFault> fault_of_open_ends(const Curve& curve);
+
 /// A horizontal curve around the axis: closed, simple, surrounds the axis, and crosses each fold line once.
 std::optional<CurveFault> fault_of_loop_around_axis(const Curve& loop, const Symmetry& symmetry);
 

@@ -29,6 +29,14 @@ Curve turned(const Curve& curve, double angle) {
   return result;
 }
 
+bool faces_air(const TomlTable& surface) {
+  const auto is_hidden = [&](const char* side) {
+    const TomlValue value = surface.get(side);
+    return value.is(TomlNode::Kind::table) && value.table().get("hidden").boolean(false);
+  };
+  return is_hidden("front") || is_hidden("back");
+}
+
 double largest_x(const Curve& curve) {
   double largest = 0;
   for (const glm::dvec2& p : curve.points) largest = std::max(largest, p.x);
@@ -54,7 +62,11 @@ void SurfaceReader::read_vertical(const TomlTable& table, SurfaceSketch& sketch)
   if (!drawn) return;
   if (names_sketch(value) && sketch.type == SurfaceType::around_axis) drawn->curve = ended_on_axis(drawn->curve);
   sketch.vertical = drawn->curve;
-  note(value, *drawn, fault_of_vertical(sketch.vertical, sketch.type));
+  std::optional<CurveFault> fault = fault_of_vertical(sketch.vertical, sketch.type);
+  if (!fault && names_sketch(value) && sketch.type == SurfaceType::around_axis && faces_air(table)) {
+    fault = fault_of_open_ends(sketch.vertical);
+  }
+  note(value, *drawn, fault);
 
   // Ramps along start at the bottom, whichever way the curve was drawn.
   std::vector<glm::dvec2>& points = sketch.vertical.points;

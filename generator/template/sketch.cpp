@@ -6,9 +6,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/base/nearest_name.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "generator/template/sketch_words.h"
 #include "generator/template/svg_path.h"
 
 namespace pomona {
@@ -17,25 +17,6 @@ namespace {
 
 constexpr int deepest_clone = 16;
 constexpr std::size_t most_visits = 100000;  // of elements for one name, clones included
-
-/// Names as people type them: "Side View", "side_view" and "side-view" are the same.
-std::string plain(std::string_view name) {
-  std::string result;
-  for (const char c : name) {
-    if (c == ' ' || c == '_') {
-      result += '-';
-    } else {
-      result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-  }
-  return result;
-}
-
-const char* name_of(SketchView view) { return view == SketchView::side ? "side view" : "top view"; }
-
-std::string quoted(const std::string& name) { return "\"" + name.substr(0, 60) + "\""; }
-
-[[noreturn]] void fail(const std::string& message, const std::string& hint) { throw BadSketch(message, hint); }
 
 /// What follows the word in "scale 60mm".
 std::string length_in(std::string_view name) {
@@ -70,83 +51,14 @@ Sketch::Sketch(SvgDrawing drawing, std::optional<double> unit) : drawing_(std::m
   }
 }
 
-// ---- Names ----
-
-Sketch::View Sketch::find_view(SketchView view) const {
-  View result;
-  for (const SvgElement& element : drawing_.elements) {
-    const std::string wanted = plain(name_of(view));
-    if (element.tag != "g" || (plain(element.label) != wanted && plain(element.id) != wanted)) continue;
-    if (result.layer) {
-      fail("has two layers " + quoted(name_of(view)) + ", at " + place_of(drawing_, *result.layer) + " and " +
-               place_of(drawing_, element),
-           "rename one of them");
-    }
-    result.layer = &element;
-  }
-  if (!result.layer) return result;
-
-  const SvgElement* const first = drawing_.elements.data();
-  for (const SvgElement* e = result.layer + 1; e < first + result.layer->end; ++e) {
-    const std::string label = plain(e->label), id = plain(e->id);
-    if (!e->drawn) continue;
-    if (!label.empty()) result.named[label].push_back(e);
-    if (!id.empty() && id != label) result.named[id].push_back(e);
-  }
-  return result;
-}
-
-const Sketch::View& Sketch::view_of(SketchView view) const {
-  const View& found = views_[view == SketchView::side ? 0 : 1];
-  if (!found.layer) {
-    fail("has no layer " + quoted(name_of(view)) + " in " + drawing_.file,
-         std::string("draw ") + (view == SketchView::side ? "vertical" : "horizontal") +
-             " curves in a layer of that name; `pomona sketch` writes a file that has it");
-  }
-  return found;
-}
-
-const SvgElement& Sketch::find(SketchView view, const std::string& name) const {
-  const View& in = view_of(view);
-  const auto found = in.named.find(plain(name));
-  if (found != in.named.end() && found->second.size() == 1) return *found->second.front();
-  if (found != in.named.end()) {
-    fail(quoted(name) + " is drawn " + std::to_string(found->second.size()) + " times in the " + name_of(view) +
-             ", first at " + place_of(drawing_, *found->second[0]) + " and " + place_of(drawing_, *found->second[1]),
-         "give each a label of its own (Object > Layers and Objects)");
-  }
-
-  // It may be misspelt, or lie in the other layer.
-  std::vector<std::string> known;
-  for (const auto& [key, elements] : in.named) {
-    const SvgElement& element = *elements.front();
-    known.push_back(plain(element.label) == key ? element.label : element.id);
-  }
-  const auto near = name.size() <= 64 ? nearest_name(name, known) : std::nullopt;
-  const std::string question = near ? "did you mean \"" + *near + "\"?" : "";
-  const SketchView other = view == SketchView::side ? SketchView::top : SketchView::side;
-  const View& elsewhere = views_[other == SketchView::side ? 0 : 1];
-  if (const auto there = elsewhere.named.find(plain(name)); there != elsewhere.named.end()) {
-    fail(quoted(name) + " is missing in the " + name_of(view) + "; one of that name is drawn in the " + name_of(other) +
-             " at " + place_of(drawing_, *there->second.front()),
-         std::string("draw it in the layer \"") + name_of(view) + "\", or move it there" +
-             (near ? "; or " + question : ""));
-  }
-  fail(quoted(name) + " is missing in the " + name_of(view) + " of " + drawing_.file,
-       near ? question : "draw it there, and give it that label or id");
-}
-
-bool Sketch::is_group(SketchView view, const std::string& name) const {
-  const SvgElement& element = find(view, name);
-  return element.tag == "g";
-}
-
 // ---- Shapes ----
 
 std::string Sketch::called(const SvgElement& element) const {
   const std::string& name = !element.label.empty() ? element.label : !element.id.empty() ? element.id : element.tag;
-  return quoted(name) + " (" + place_of(drawing_, element) + ")";
+  return quoted_name(name) + " (" + place_of(drawing_, element) + ")";
 }
+
+std::string Sketch::called(const Placed& shape) const { return called(shape.clone ? *shape.clone : *shape.element); }
 
 /// Clones may repeat clones: what is visited is counted, not only what is found.
 struct Sketch::Walk {
@@ -154,38 +66,41 @@ struct Sketch::Walk {
   std::size_t visits = 0;
 };
 
-void Sketch::visit_original(const SvgElement& clone, const SvgTransform& moved, int depth, Walk& walk) const {
+void Sketch::visit_original(const SvgElement& clone, const Placed& from, int depth, Walk& walk) const {
   const std::string what = called(clone);
   const auto found = clone.href.starts_with("#") ? by_id_.find(clone.href.substr(1)) : by_id_.end();
-  if (found == by_id_.end()) fail(what + " is a clone of nothing", "unlink it, or draw it anew");
+  if (found == by_id_.end()) throw BadSketch(what + " is a clone of nothing", "unlink it, or draw it anew");
   const SvgElement& original = *found->second;
 
   // The original as if it stood in the clone instead of where it stands.
   const auto out_of_there = inverse(original.around);
-  if (!out_of_there) fail(what + " repeats what a transform flattens", "draw it anew");
-  visit(original, moved * clone.to_page * translation(clone.position) * *out_of_there, depth + 1, walk);
+  if (!out_of_there) throw BadSketch(what + " repeats what a transform flattens", "draw it anew");
+  const SvgTransform moved = from.to_page * clone.to_page * translation(clone.position) * *out_of_there;
+  visit(original, {&original, moved, from.clone ? from.clone : &clone}, depth + 1, walk);
 }
 
-void Sketch::visit(const SvgElement& element, const SvgTransform& moved, int depth, Walk& walk) const {
+/// \param from what moves the element, and the clone that shows it.
+void Sketch::visit(const SvgElement& element, const Placed& from, int depth, Walk& walk) const {
   const std::string what = called(element);
   if (!element.fault.empty()) {
-    fail(what + " " + element.fault, "ungroup it, or draw it anew where nothing moves it");
+    throw BadSketch(what + " " + element.fault, "ungroup it, or draw it anew where nothing moves it");
   }
-  if (depth > deepest_clone) fail(what + " is a clone of itself", "unlink the clone (Edit > Clone)");
-  if (++walk.visits > most_visits) fail(what + " repeats too many shapes", "unlink its clones (Edit > Clone)");
-  if (element.d) walk.found.push_back({&element, moved * element.to_page});
-  if (element.tag == "use") visit_original(element, moved, depth, walk);
+  if (depth > deepest_clone) throw BadSketch(what + " is a clone of itself", "unlink the clone (Edit > Clone)");
+  if (++walk.visits > most_visits)
+    throw BadSketch(what + " repeats too many shapes", "unlink its clones (Edit > Clone)");
+  if (element.d) walk.found.push_back({&element, from.to_page * element.to_page, from.clone});
+  if (element.tag == "use") visit_original(element, from, depth, walk);
 
   if (element.tag != "g" && element.tag != "symbol" && element.tag != "a") return;
   const auto index = static_cast<std::size_t>(&element - drawing_.elements.data());
   for (std::size_t i = index + 1; i < element.end; i = drawing_.elements[i].end) {
-    visit(drawing_.elements[i], moved, depth, walk);
+    visit(drawing_.elements[i], from, depth, walk);
   }
 }
 
 std::vector<Sketch::Placed> Sketch::shapes_of(const SvgElement& element) const {
   Walk walk;
-  visit(element, {}, 0, walk);
+  visit(element, {&element, {}}, 0, walk);
   return std::move(walk.found);
 }
 
@@ -194,18 +109,18 @@ Sketch::Placed Sketch::shape_of(SketchView view, const std::string& name) const 
   const std::vector<Placed> shapes = shapes_of(element);
   const std::string what = called(element);
   if (shapes.empty()) {
-    fail(what + " is no curve but <" + element.tag.substr(0, 40) + ">",
-         "draw it with the pen, or turn it into a path (Path > Object to Path)");
+    throw BadSketch(what + " is no curve but <" + element.tag.substr(0, 40) + ">",
+                    "draw it with the pen, or turn it into a path (Path > Object to Path)");
   }
   if (shapes.size() > 1) {
-    fail(what + " is a group of " + std::to_string(shapes.size()) + " curves where one is needed",
-         "name one of them, or join them");
+    throw BadSketch(what + " is a group of " + std::to_string(shapes.size()) + " curves where one is needed",
+                    "name one of them, or join them");
   }
   return shapes.front();
 }
 
 Curve Sketch::on_page(const Placed& shape) const {
-  const std::string what = called(*shape.element);
+  const std::string what = called(shape);
   try {
     // Inkscape's unit is about a millimetre: a hundredth of it is nothing one could draw.
     std::vector<Curve> curves =
@@ -215,10 +130,10 @@ Curve Sketch::on_page(const Placed& shape) const {
       if (curves.size() == 1) all.closed = curve.closed;
       for (const glm::dvec2& p : curve.points) all.points.push_back({p.x, -p.y});
     }
-    if (all.points.empty()) fail(what + " has no points", "draw it");
+    if (all.points.empty()) throw BadSketch(what + " has no points", "draw it");
     return all;
   } catch (const BadPath& bad) {
-    fail(what + " " + bad.what(), bad.hint);
+    throw BadSketch(what + " " + bad.what(), bad.hint);
   }
 }
 
@@ -232,8 +147,8 @@ SvgTransform Sketch::side_axis() const {
   const double length = glm::length(high - low);
   const glm::dvec2 along = (low - high) / length;  // downwards, as y
   if (!(length > 0) || std::fabs(along.x) > along.y) {
-    fail(called(*shape.element) + " does not stand upright",
-         "draw the axis of the side view as a line from the bottom of the fruit to its top");
+    throw BadSketch(called(shape) + " does not stand upright",
+                    "draw the axis of the side view as a line from the bottom of the fruit to its top");
   }
   const SvgTransform upright{along.y, along.x, -along.x, along.y, 0, 0};
   return upright * translation(-low);
@@ -249,7 +164,7 @@ glm::dvec2 Sketch::top_axis() const {
     all.points.insert(all.points.end(), curve.points.begin(), curve.points.end());
   }
   if (all.points.empty()) {
-    fail(called(element) + " has no shape", "draw a small circle where the axis is");
+    throw BadSketch(called(element) + " has no shape", "draw a small circle where the axis is");
   }
   return middle_of_box(all);
 }
@@ -262,27 +177,28 @@ const SvgElement* Sketch::find_scale(SketchView view) const {
     const std::string rest = length_in(at->first);
     if (!rest.empty() && std::string_view("0123456789.+").find(rest[0]) == std::string_view::npos) continue;
     const SvgElement& found = *at->second.front();
-    if (scale || at->second.size() > 1) fail(called(found) + " is one of several scale lines", "keep one in each view");
+    if (scale || at->second.size() > 1)
+      throw BadSketch(called(found) + " is one of several scale lines", "keep one in each view");
     scale = &found;
   }
   return scale;
 }
 
 double Sketch::unit_along(const SvgElement& scale) const {
-  const bool by_label = plain(scale.label).starts_with("scale");
+  const bool by_label = plain_name(scale.label).starts_with("scale");
   const std::string length = length_in(by_label ? scale.label : scale.id);
   const std::optional<double> metres = length.ends_with("m") ? parse_length(length) : std::nullopt;
   if (!metres || !(*metres >= 1e-4 && *metres <= 10)) {
-    fail(called(scale) + " does not say how long it is",
-         "label it with its length, as in \"scale 60mm\"; if it is a curve, give it another name");
+    throw BadSketch(called(scale) + " does not say how long it is",
+                    "label it with its length, as in \"scale 60mm\"; if it is a curve, give it another name");
   }
   const std::vector<Placed> shapes = shapes_of(scale);
-  if (shapes.size() != 1) fail(called(scale) + " is not one line", "draw one line of that length");
+  if (shapes.size() != 1) throw BadSketch(called(scale) + " is not one line", "draw one line of that length");
   const Curve line = on_page(shapes.front());
   const double units = glm::length(line.points.back() - line.points.front());
   if (!(units > 0) || !(*metres / units >= 1e-6 && *metres / units <= 1)) {
-    fail(called(scale) + " has no length one could measure by",
-         "draw it as a line along something whose length you know");
+    throw BadSketch(called(scale) + " has no length one could measure by",
+                    "draw it as a line along something whose length you know");
   }
   return *metres / units;
 }
@@ -291,8 +207,9 @@ double Sketch::unit_of(SketchView view) const {
   if (const SvgElement* scale = find_scale(view)) return unit_along(*scale);
   if (unit_) return *unit_;
   if (drawing_.page_unit) return *drawing_.page_unit;
-  fail("does not say how large the fruit is: " + drawing_.file + " has no real size",
-       "draw a line along the fruit and label it with its length, as in \"scale 60mm\", or write unit = \"1mm\"");
+  throw BadSketch(
+      "does not say how large the fruit is: " + drawing_.file + " has no real size",
+      "draw a line along the fruit and label it with its length, as in \"scale 60mm\", or write unit = \"1mm\"");
 }
 
 Sketch::Frame Sketch::frame_of(SketchView view) const {
@@ -304,26 +221,28 @@ Sketch::Frame Sketch::frame_of(SketchView view) const {
 Sketch::Frame Sketch::find_frame(SketchView view) const {
   const double unit = unit_of(view);
   if (view == SketchView::side) return {side_axis(), unit};
-  return {translation(-top_axis()), unit};
+  const glm::dvec2 axis = top_axis();
+  const double turn = turn_of_folds(axis), c = reproducible::cos(turn), s = reproducible::sin(turn);
+  return {SvgTransform{c, s, -s, c, 0, 0} * translation(-axis), unit};
 }
 
 // ---- Curves ----
 
 DrawnCurve Sketch::drawn(const Placed& shape, const Frame& frame, std::size_t most_points) const {
-  const std::string what = called(*shape.element);
+  const std::string what = called(shape);
   try {
     const SvgPathOptions options{
         .unit = frame.unit, .most_points = most_points, .transform = frame.from_page * shape.to_page};
     std::vector<Curve> curves = parse_svg_path(*shape.element->d, options);
     // A pen put down and taken up again leaves no curve.
     if (curves.size() > 1) std::erase_if(curves, [](const Curve& curve) { return curve.points.size() < 2; });
-    if (curves.empty()) fail(what + " is empty", "draw it");
+    if (curves.empty()) throw BadSketch(what + " is empty", "draw it");
     if (curves.size() > 1) {
-      fail(what + " has several parts", "join them into one curve, or take them apart (Path > Break Apart)");
+      throw BadSketch(what + " has several parts", "join them into one curve, or take them apart (Path > Break Apart)");
     }
     return {std::move(curves.front()), "curve " + what};
   } catch (const BadPath& bad) {
-    fail(what + " " + bad.what(), bad.hint);
+    throw BadSketch(what + " " + bad.what(), bad.hint);
   }
 }
 
@@ -342,53 +261,10 @@ std::vector<DrawnCurve> Sketch::group(SketchView view, const std::string& name, 
   return curves;
 }
 
-double Sketch::fold_angle(const std::string& name, const glm::dvec2& axis) const {
-  const Placed shape = shape_of(SketchView::top, name);
-  const Curve line = on_page(shape);
-  glm::dvec2 inner = line.points.front() - axis, outer = line.points.back() - axis;
-  if (glm::length(inner) > glm::length(outer)) std::swap(inner, outer);
-  if (!(glm::length(inner) < 0.2 * glm::length(outer))) {
-    fail(called(*shape.element) + " does not start at the axis", "draw each fold line from the axis outwards");
-  }
-  constexpr double grid = 1000;  // of a degree: finer than anyone draws, coarser than rounding
-  const double degrees = reproducible::atan2(-outer.y, outer.x) * (180 / pi);
-  const double snapped = std::floor(degrees * grid + 0.5) / grid;
-  return snapped < 0 ? snapped + 360 : snapped;
-}
-
-std::vector<double> Sketch::fold_angles(int folds) const {
-  const auto& named = view_of(SketchView::top).named;
-  const auto is_drawn = [&](int k) { return named.contains("fold-" + std::to_string(k)); };
-  int drawn_folds = 0;
-  while (drawn_folds < 64 && is_drawn(drawn_folds + 1)) ++drawn_folds;
-  if (drawn_folds == 0 && !is_drawn(2)) return {};
-  if (drawn_folds != folds) {
-    fail("has fold lines numbered 1 to " + std::to_string(drawn_folds) + " in " + drawing_.file +
-             ", but the fruit has " + std::to_string(folds) + " folds",
-         "draw one line for each fold, from the axis outwards, numbered against the clock");
-  }
-  const glm::dvec2 axis = top_axis();
-  std::vector<double> angles;
-  double before = -1;
-  for (int k = 1; k <= folds; ++k) {
-    const std::string name = "fold " + std::to_string(k);
-    double degrees = fold_angle(name, axis);
-    if (k == 1 && degrees > 359) degrees = 0;  // drawn to the right, a hair too low
-    if (degrees < before + 0.5) {
-      fail(quoted(name) + " (" + place_of(drawing_, *named.at(plain(name)).front()) +
-               ") does not follow the fold line before it",
-           "number the fold lines against the clock; the first is the one at the right or next after it");
-    }
-    before = degrees;
-    angles.push_back(radians(degrees));
-  }
-  return angles;
-}
-
 std::vector<glm::dvec2> Sketch::page_points(const std::string& name, int count) const {
-  const bool in_side = views_[0].layer && views_[0].named.contains(plain(name));
+  const bool in_side = views_[0].layer && views_[0].named.contains(plain_name(name));
   Curve curve = on_page(shape_of(in_side || !views_[1].layer ? SketchView::side : SketchView::top, name));
-  if (curve.points.size() < 2) fail(quoted(name) + " is a dot", "draw a line over the colours");
+  if (curve.points.size() < 2) throw BadSketch(quoted_name(name) + " is a dot", "draw a line over the colours");
   curve.closed = false;
   if (curve.points.front().y < curve.points.back().y) std::reverse(curve.points.begin(), curve.points.end());
   return resampled(curve, count).points;

@@ -44,7 +44,8 @@ class Sketch {
   std::vector<DrawnCurve> group(SketchView view, const std::string& name, std::size_t most_points) const;
 
   /// Where the fold lines "fold 1" ... "fold N" run, radians, ascending from +X against the clock; on a grid of a
-  /// thousandth of a degree. Empty if none is drawn.
+  /// thousandth of a degree. Empty if none is drawn. Where the first lies below the right, so that the others would
+  /// ascend beyond a full turn, the whole view is turned until it lies at the right.
   std::vector<double> fold_angles(int folds) const;
 
   /// A curve of either view as `count` points of the page, evenly spaced along it, from the bottom up.
@@ -68,16 +69,21 @@ class Sketch {
   struct Placed {
     const SvgElement* element;
     SvgTransform to_page;
+    const SvgElement* clone = nullptr;  ///< that draws it there, if one does
   };
 
   View find_view(SketchView view) const;
   const View& view_of(SketchView view) const;
   const SvgElement& find(SketchView view, const std::string& name) const;
+  [[noreturn]] void fail_missing(SketchView view, const std::string& name) const;
   struct Walk;
   std::string called(const SvgElement& element) const;  ///< "skin" (kiwi.svg:12:5)
+  std::string called(const Placed& shape) const;        ///< and of which clone
+  const SvgElement* outside_the_views(const std::string& name) const;
+  bool has_labels() const;
   std::vector<Placed> shapes_of(const SvgElement& element) const;
-  void visit(const SvgElement& element, const SvgTransform& moved, int depth, Walk& walk) const;
-  void visit_original(const SvgElement& clone, const SvgTransform& moved, int depth, Walk& walk) const;
+  void visit(const SvgElement& element, const Placed& from, int depth, Walk& walk) const;
+  void visit_original(const SvgElement& clone, const Placed& from, int depth, Walk& walk) const;
   Placed shape_of(SketchView view, const std::string& name) const;
   Curve on_page(const Placed& shape) const;
   Frame frame_of(SketchView view) const;
@@ -88,7 +94,9 @@ class Sketch {
   double unit_along(const SvgElement& scale) const;
   double unit_of(SketchView view) const;
   DrawnCurve drawn(const Placed& shape, const Frame& frame, std::size_t most_points) const;
-  double fold_angle(const std::string& name, const glm::dvec2& axis) const;
+  int count_folds() const;
+  double fold_degrees(int fold, const glm::dvec2& axis) const;
+  double turn_of_folds(const glm::dvec2& axis) const;
 
   SvgDrawing drawing_;
   std::optional<double> unit_;

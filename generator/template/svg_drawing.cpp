@@ -180,6 +180,9 @@ std::string place_of(const SvgDrawing& drawing, const SvgElement& element) {
 }
 
 SvgDrawing parse_svg(std::string_view text, const std::string& file) {
+  if (text.starts_with("\x1f\x8b")) {
+    throw BadSketch(file + ": it is compressed (.svgz)", "save it from Inkscape as \"Inkscape SVG\" (.svg)");
+  }
   check_size(text, file);
   pugi::xml_document document;
   const unsigned options = pugi::parse_minimal | pugi::parse_escapes | pugi::parse_wconv_attribute;
@@ -188,7 +191,7 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
     int line = 0, column = 0;
     Lines(text).locate(std::min(static_cast<std::size_t>(result.offset), text.size()), line, column);
     throw BadSketch(at_place(file, line, column) + ": it is not XML: " + result.description(),
-                    "save it from Inkscape as \"Inkscape SVG\" or \"Plain SVG\"");
+                    "save it from Inkscape as \"Inkscape SVG\"");
   }
 
   SvgDrawing drawing;
@@ -197,7 +200,7 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
   const std::string_view name = root.name();
   if (name != "svg" && name != "svg:svg") {
     throw BadSketch(file + ": it is no SVG drawing: its first element is <" + std::string(name.substr(0, 40)) + ">",
-                    "save it from Inkscape as \"Inkscape SVG\" or \"Plain SVG\"");
+                    "save it from Inkscape as \"Inkscape SVG\"");
   }
   drawing.page_unit = page_unit_of(root);
   Reader(text, drawing).read(root, {}, 0);

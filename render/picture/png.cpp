@@ -1,9 +1,12 @@
 #include "render/picture/png.h"
 
+#include <cstdint>
 #include <cstring>
 #include <string_view>
+#include <vector>
 
 #include <png.h>
+#include <glm/vec4.hpp>
 
 #include "generator/base/error.h"
 
@@ -80,30 +83,59 @@ std::string write_png(const Image& image) {
   return bytes;
 }
 
-Image read_png(const std::string& bytes, const std::string& name) {
-  Reader reader(bytes, name);
+namespace {
+
+/// Whatever the file holds becomes eight-bit RGBA, or RGB without the opacity. The image has its size, but no pixels
+/// yet.
+Image start_reading(Reader& reader, bool with_opacity) {
   png_set_read_fn(reader.png, &reader.rest, take);
   png_set_user_limits(reader.png, max_picture_side, max_picture_side);
   png_read_info(reader.png, reader.info);
 
-  // Whatever the file holds becomes eight-bit RGB.
   png_set_expand(reader.png);
   png_set_strip_16(reader.png);
-  png_set_strip_alpha(reader.png);
+  if (with_opacity) {
+    png_set_add_alpha(reader.png, 255, PNG_FILLER_AFTER);
+  } else {
+    png_set_strip_alpha(reader.png);
+  }
   png_set_gray_to_rgb(reader.png);
   png_set_interlace_handling(reader.png);
   png_read_update_info(reader.png, reader.info);
+  return {.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
+          .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
+          .pixels = {}};
+}
 
-  Image image{.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
-              .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
-              .pixels = {}};
-  image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
+/// Rows of `width` elements, one after another in `pixels`.
+void read_rows(Reader& reader, std::uint8_t* pixels, const Image& image, std::size_t bytes_each) {
   std::vector<png_bytep> rows;
   for (int y = 0; y < image.height; ++y) {
-    rows.push_back(reinterpret_cast<png_bytep>(&image.pixels[static_cast<std::size_t>(y) * image.width]));
+    rows.push_back(pixels + static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) * bytes_each);
   }
   png_read_image(reader.png, rows.data());
+}
+
+}  // namespace
+
+Image read_png(const std::string& bytes, const std::string& name) {
+  Reader reader(bytes, name);
+  Image image = start_reading(reader, false);
+  image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
+  read_rows(reader, reinterpret_cast<std::uint8_t*>(image.pixels.data()), image, 3);
   return image;
+}
+
+TransparentImage read_transparent_png(const std::string& bytes, const std::string& name) {
+  Reader reader(bytes, name);
+  TransparentImage result{start_reading(reader, true), {}};
+  std::vector<glm::u8vec4> pixels(static_cast<std::size_t>(result.image.width) * result.image.height);
+  read_rows(reader, reinterpret_cast<std::uint8_t*>(pixels.data()), result.image, 4);
+  for (const glm::u8vec4& pixel : pixels) {
+    result.image.pixels.emplace_back(pixel);
+    result.opacity.push_back(pixel.a);
+  }
+  return result;
 }
 
 }  // namespace pomona

@@ -221,6 +221,26 @@ TEST_F(Sampled, MayComeFromAnEmbeddedPicture) {
   expect_colors({{120, 160, 40}, {40, 40, 40}});
 }
 
+TEST_F(Sampled, WhatIsTransparentIsNoPicture) {
+  // Four pixels, RGBA: red, red but transparent, green, green. (Made by ImageMagick.)
+  constexpr const char* cut_out =
+      "iVBORw0KGgoAAAANSUhEUgAAAAQAAAABCAYAAAD5PA/NAAAAF0lEQVQI1wXBAQEAAACCIPo/2mARtgQHKQoEAK2Y2AEAAAAASUVO"
+      "RK5CYII=";
+  const std::string below = R"(<image x="20" y="10" width="80" height="20" xlink:href="photo.png"/>)";
+  const std::string above = R"(<image x="20" y="10" width="80" height="20" preserveAspectRatio="none")"
+                            R"( xlink:href="data:image/png;base64,)" +
+                            std::string(cut_out) + "\"/>";
+  const std::string line = R"(<path id="colours" d="M50,20 L30,20"/>)", color = R"({ sample = "#colours", stops = 2 })";
+  write(folder_ / "photo.png", gradient());
+  draw(above, line, color);
+  EXPECT_EQ(sample().status, 65);
+  draw(below + above, line, color);
+  const Outcome outcome = sample();
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(colors()[1], glm::ivec3(255, 0, 0));
+  EXPECT_NE(colors()[0], glm::ivec3(255, 0, 0)) << "the picture below shows through";
+}
+
 TEST_F(Sampled, SayWhatIsWrong) {
   write(folder_ / "photo.png", gradient());
   write(folder_ / "broken.png", gradient().substr(0, 300));

@@ -26,6 +26,8 @@ struct Mistake {
 
 const Mistake mistakes[] = {
     {"not_xml", 3, 10, "sketch not_xml.svg:24:3: it is not XML: Start-end tags mismatch"},
+    {"compressed", 3, 10, "sketch compressed.svg: it is compressed (.svgz)"},
+    {"plain_svg", 8, 9, "symmetry folds has no layer \"top view\" in plain_svg.svg, nor anything else with a label"},
     {"no_svg", 3, 10, "sketch no_svg.svg: it is no SVG drawing: its first element is <html>"},
     {"no_side_view", 13, 12, "surface \"skin\": vertical has no layer \"side view\" in no_side_view.svg"},
     {"no_top_view", 8, 9, "symmetry folds has no layer \"top view\" in no_top_view.svg"},
@@ -34,6 +36,12 @@ const Mistake mistakes[] = {
     {"no_side_axis", 13, 12,
      "surface \"skin\": vertical \"axis\" is missing in the side view; one of that name is drawn in the top view at "
      "no_side_axis.svg:11:5"},
+    {"two_axes", 13, 12,
+     "surface \"skin\": vertical \"axis\" is drawn 2 times in the side view, first at two_axes.svg:5:5 and "
+     "two_axes.svg:7:5"},
+    {"two_top_axes", 8, 9,
+     "symmetry folds \"axis\" is drawn 2 times in the top view, first at two_top_axes.svg:11:5 and "
+     "two_top_axes.svg:11:43"},
     {"side_axis_lies", 13, 12, "surface \"skin\": vertical \"axis\" (side_axis_lies.svg:5:5) does not stand upright"},
     {"side_axis_dot", 13, 12, "surface \"skin\": vertical \"axis\" (side_axis_dot.svg:5:5) does not stand upright"},
     {"no_top_axis", 8, 9,
@@ -45,16 +53,24 @@ const Mistake mistakes[] = {
      "surface \"skin\": vertical \"scale\" (scale_without_length.svg:5:65) does not say how long it is"},
     {"scale_is_a_dot", 13, 12,
      "surface \"skin\": vertical \"scale 60mm\" (scale_is_a_dot.svg:5:65) has no length one could measure by"},
+    {"scale_twice", 13, 12,
+     "surface \"skin\": vertical \"scale 60mm\" (scale_twice.svg:7:5) is one of several scale lines"},
     {"misspelt", 13, 12,
      "surface \"skin\": vertical \"skin\" is missing in the side view; one of that name is drawn in the top view at "
      "misspelt.svg:15:5"},
     {"in_the_other_view", 30, 15,
      "surface \"hole\": horizontal no. 1 \"hole 1\" is missing in the top view; one of that name is drawn in the side "
      "view at in_the_other_view.svg:8:5"},
+    {"outside_the_layers", 13, 12,
+     "surface \"skin\": vertical \"skin\" is missing in the side view; one of that name is drawn outside both layers "
+     "at "
+     "outside_the_layers.svg:23:58"},
     {"twice", 13, 12,
      "surface \"skin\": vertical \"skin\" is drawn 2 times in the side view, first at twice.svg:6:5 and "
      "twice.svg:8:36"},
     {"is_text", 13, 12, "surface \"skin\": vertical \"skin\" (is_text.svg:6:5) is no curve but <text>"},
+    {"is_a_picture", 13, 12, "surface \"skin\": vertical \"skin\" (is_a_picture.svg:6:5) is no curve but <image>"},
+    {"is_a_dot", 13, 12, "surface \"skin\": vertical curve \"skin\" (is_a_dot.svg:6:5) has too few points"},
     {"is_a_group", 13, 12,
      "surface \"skin\": vertical \"skin\" (is_a_group.svg:6:5) is a group of 2 curves where one is needed"},
     {"several_parts", 13, 12, "surface \"skin\": vertical \"skin\" (several_parts.svg:6:5) has several parts"},
@@ -63,30 +79,48 @@ const Mistake mistakes[] = {
      "missing or out of place"},
     {"path_empty", 13, 12, "surface \"skin\": vertical \"skin\" (path_empty.svg:6:5) is empty"},
     {"left_of_axis", 13, 12, "surface \"skin\": vertical curve \"skin\" (left_of_axis.svg:6:5) goes left of the axis"},
+    {"misses_the_axis", 13, 12,
+     "surface \"skin\": vertical curve \"skin\" (misses_the_axis.svg:6:5) does not reach the axis at its upper end: "
+     "3.0 "
+     "mm are missing"},
     {"touches_axis", 13, 12,
      "surface \"skin\": vertical curve \"skin\" (touches_axis.svg:6:5) touches the axis between its ends"},
     {"crosses_itself", 13, 12, "surface \"skin\": vertical curve \"skin\" (crosses_itself.svg:6:5) crosses itself"},
     {"chamber_open", 21, 12, "surface \"chamber\": vertical curve \"chamber\" (chamber_open.svg:7:5) is not closed"},
     {"axis_outside_loop", 14, 14,
      "surface \"skin\": horizontal curve \"skin\" (axis_outside_loop.svg:15:5) does not surround the axis"},
+    {"loop_crosses_itself", 14, 14,
+     "surface \"skin\": horizontal curve \"skin\" (loop_crosses_itself.svg:15:5) crosses itself"},
+    {"chamber_around_axis", 22, 14,
+     "surface \"chamber\": horizontal curve \"chamber a\" (chamber_around_axis.svg:17:7) surrounds the axis"},
     {"fold_crossed_thrice", 14, 14,
-     "surface \"skin\": horizontal curve \"skin\" (fold_crossed_thrice.svg:15:5) crosses the fold line at 0 degrees 3 "
+     "surface \"skin\": horizontal curve \"skin\" (fold_crossed_thrice.svg:15:5) crosses fold line 1, at 0 degrees, 3 "
      "times"},
     {"loop_open", 14, 14, "surface \"skin\": horizontal curve \"skin\" (loop_open.svg:15:5) is not closed"},
     {"loop_in_two_folds", 22, 14,
-     "surface \"chamber\": horizontal curve \"chamber a\" (loop_in_two_folds.svg:17:7) leaves its fold, which spans 0 "
+     "surface \"chamber\": horizontal curve \"chamber a\" (loop_in_two_folds.svg:17:7) leaves fold 1, which spans 0 "
      "degrees to 120 degrees"},
     {"two_loops_in_a_fold", 22, 14,
      "surface \"chamber\": horizontal curve \"chamber c\" (two_loops_in_a_fold.svg:19:7) lies in fold 2, where curve "
      "\"chamber b\" (two_loops_in_a_fold.svg:18:7) lies already"},
+    {"clone_in_the_same_fold", 22, 14,
+     "surface \"chamber\": horizontal curve \"use44\" (clone_in_the_same_fold.svg:19:7) lies in fold 2, where curve "
+     "\"chamber b\" (clone_in_the_same_fold.svg:18:7) lies already"},
     {"loop_in_wrong_fold", 30, 30,
-     "surface \"hole\": horizontal no. 3 curve \"hole 3\" (loop_in_wrong_fold.svg:22:5) leaves its fold, which spans "
+     "surface \"hole\": horizontal no. 3 curve \"hole 3\" (loop_in_wrong_fold.svg:22:5) leaves fold 3, which spans "
      "240 degrees to 360 degrees"},
+    {"group_of_pictures", 22, 14, "surface \"chamber\": horizontal #chambers is a group without curves"},
     {"empty_group", 22, 14, "surface \"chamber\": horizontal #chambers is a group without curves"},
     {"fold_missing", 8, 9,
      "symmetry folds has fold lines numbered 1 to 1 in fold_missing.svg, but the fruit has 3 folds"},
+    {"fold_two_lost", 8, 9,
+     "symmetry folds has fold lines numbered 1 to 1 in fold_two_lost.svg, but the fruit has 3 folds"},
     {"folds_many", 8, 9, "symmetry folds has fold lines numbered 1 to 4 in folds_many.svg, but the fruit has 3 folds"},
     {"fold_off_axis", 8, 9, "symmetry folds \"fold 2\" (fold_off_axis.svg:13:5) does not start at the axis"},
+    {"fold_is_a_dot", 8, 9, "symmetry folds \"fold 2\" (fold_is_a_dot.svg:13:5) does not start at the axis"},
+    {"fold_through_the_axis", 8, 9,
+     "symmetry folds \"fold 2\" (fold_through_the_axis.svg:13:5) does not start at the axis"},
+    {"folds_equal", 8, 9, "symmetry folds \"fold 3\" (folds_equal.svg:14:5) does not follow the fold line before it"},
     {"folds_unordered", 8, 9,
      "symmetry folds \"fold 3\" (folds_unordered.svg:14:5) does not follow the fold line before it"},
     {"transform_garbage", 13, 12,

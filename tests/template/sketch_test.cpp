@@ -176,6 +176,23 @@ TEST(Sketch, fold_lines_give_angles_against_the_clock) {
   EXPECT_EQ(sketch(svg("", R"(<path id="fold 1" d="M50,50 l30,0.1"/>)")).fold_angles(1), std::vector<double>{0});
 }
 
+TEST(Sketch, a_first_fold_below_the_right_turns_the_view) {
+  // Walls at -30, 90 and 200 degrees, and a curve along the first of them.
+  const Sketch drawn = sketch(svg("", R"(<path id="fold 1" d="M50,50 l17.320508,10"/><path id="fold 2" d="M50,50 v-20"/>
+      <path id="fold 3" d="M50,50 l-18.793852,6.8404029"/><path id="c" d="M50,50 l17.320508,10"/>)"));
+  const auto angles = drawn.fold_angles(3);
+  ASSERT_EQ(angles.size(), 3u);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(angles[k], radians(std::vector<double>{0, 120, 230}[k]), 1e-5);
+  const auto along = points(drawn, SketchView::top);
+  EXPECT_LT(glm::distance(along.back(), glm::dvec2(20, 0)), 1e-3);
+
+  // Numbered with the clock it is a mistake all the same.
+  EXPECT_THROW(sketch(svg("", R"(<path id="fold 1" d="M50,50 l17,10"/><path id="fold 2" d="M50,50 l-19,7"/>
+      <path id="fold 3" d="M50,50 v-20"/>)"))
+                   .fold_angles(3),
+               BadSketch);
+}
+
 TEST(Sketch, groups_give_all_their_curves) {
   const Sketch drawn =
       sketch(svg("", R"(<g id="c"><circle cx="60" cy="50" r="2"/><g><circle cx="40" r="2"/></g></g>)"));
