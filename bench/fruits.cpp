@@ -1,7 +1,6 @@
 #include "bench/fruits.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include <glm/geometric.hpp>
 
@@ -30,10 +29,12 @@ std::vector<std::string> fruit_names(const std::vector<std::string>& wanted) {
   return wanted;
 }
 
+std::filesystem::path template_path(const std::string& name) { return template_folder / (name + ".toml"); }
+
 BenchFruit grow_fruit(const std::string& name) {
   BenchFruit fruit;
   fruit.name = name;
-  fruit.drawn = read_template(template_folder / (name + ".toml"));
+  fruit.drawn = read_template(template_path(name));
   GrowOptions how;
   how.as_drawn = true;
   fruit.grown = grow(fruit.drawn, {}, how);

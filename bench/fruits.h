@@ -1,6 +1,7 @@
 // The fruits and cuts that all benchmarks measure: every template there is, as drawn.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct BenchFruit {
 
 /// Those named, or all in templates/, sorted by name. \throws Error (input_missing) for a name that is none.
 std::vector<std::string> fruit_names(const std::vector<std::string>& wanted = {});
+
+/// Where the template of this name lies.
+std::filesystem::path template_path(const std::string& name);
 
 BenchFruit grow_fruit(const std::string& name);
 

@@ -1,130 +1,312 @@
-// How variants of templates come out: how unlike each other they are, how often folds had to step back towards the
-// drawing, and which swept surfaces cross that do not as drawn.
-//   variants COUNT TEMPLATE.toml... [amount=A] [folds=N]
+// Variants by the thousand: whether anything crosses, stays open or is connected otherwise; whether folds and loops are
+// drawn as the sample says; how unlike each other variants are. docs/variation.md shows what it prints.
+//   variants [FRUIT...] [--count N] [--out FILE] [--json FILE] [--threads N]
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <fstream>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include <glm/geometric.hpp>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
-#include "generator/surface/sweep.h"
+#include "bench/fold_statistics.h"
+#include "bench/fruits.h"
+#include "bench/loop_statistics.h"
+#include "bench/text_table.h"
+#include "bench/variant_checks.h"
+#include "bench/variant_distances.h"
+#include "cli/progress.h"
+#include "generator/base/error.h"
+#include "generator/base/parallel.h"
 #include "generator/template/read_template.h"
-#include "generator/variation/vary_folds.h"
-#include "tests/shapes/crossings.h"
+#include "render/export/output.h"
 
 namespace {
 
 using namespace pomona;
+using namespace pomona::bench;
+using Json = nlohmann::ordered_json;
 
-using CrossingCounts = std::map<std::pair<int, int>, int>;
-
-struct Settings {
-  int count = 0;
-  VariationOptions options;
+struct Options {
+  std::vector<std::string> fruits;
+  int count = 1000;
+  std::string out, json;
+  int threads = 0;
 };
 
-/// Root mean square distance of equal vertices, over the size of the fruit.
-double distance_between(const DiffusionSurfaces& a, const DiffusionSurfaces& b) {
-  double sum = 0;
-  for (std::size_t v = 0; v < a.vertex_count(); ++v) {
-    const glm::dvec3 difference = glm::dvec3(a.position[v]) - glm::dvec3(b.position[v]);
-    sum += glm::dot(difference, difference);
-  }
-  return std::sqrt(sum / static_cast<double>(a.vertex_count())) / glm::length(bounds_of(a).size());
+/// The distance that no two variants at variation 1 come nearer than, in percent of the size.
+constexpr double stated_distance = 0.01;
+
+std::vector<VariantFacts> all_facts(const VariantChecks& checks, const VariantSettings& settings, Threads threads) {
+  std::vector<VariantFacts> facts(static_cast<std::size_t>(settings.count));
+  parallel_for(facts.size(), threads, [&](std::size_t i) { facts[i] = checks.facts(static_cast<int>(i) + 1); });
+  return facts;
 }
 
-void print_distances(const std::vector<DiffusionSurfaces>& variants) {
-  double least = 1e9, sum = 0;
-  int pairs = 0;
-  for (std::size_t i = 0; i < variants.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const double distance = distance_between(variants[i], variants[j]);
-      least = std::min(least, distance);
-      sum += distance;
-      ++pairs;
+/// What keeps variants from being sound, each with the number of variants it is found in.
+Json defects_of(const std::vector<VariantFacts>& facts) {
+  int crossing_curves = 0, crossing_surfaces = 0, open = 0, connected_otherwise = 0;
+  std::map<std::string, int> where, most;
+  for (const VariantFacts& variant : facts) {
+    crossing_curves += !variant.crossing_curves.empty();
+    crossing_surfaces += !variant.crossings.empty();
+    open += variant.open_shells > 0;
+    connected_otherwise += !variant.connected_as_drawn;
+    for (const std::string& name : variant.crossing_curves) ++where["curve " + name];
+    for (const auto& [pair, triangles] : variant.crossings) {
+      ++where[pair];
+      most[pair] = std::max(most[pair], triangles);
     }
   }
-  std::printf("  distance between two: least %.2f %%, mean %.2f %% of the size\n", 100 * least, 100 * sum / pairs);
+  Json list = Json::array();
+  for (const auto& [name, variants] : where) {
+    list.push_back({{"what", name}, {"variants", variants}, {"most_triangle_pairs", most[name]}});
+  }
+  return {{"crossing_curves", crossing_curves},
+          {"crossing_surfaces", crossing_surfaces},
+          {"open", open},
+          {"connected_otherwise", connected_otherwise},
+          {"list", list}};
 }
 
-void print_rungs(const Template& fruit, const Settings& settings) {
-  std::map<int, int> rungs;
-  int unsound = 0;
-  for (int seed = 1; seed <= settings.count; ++seed) {
-    const int folds = settings.options.folds.value_or(fold_count(fruit));
-    const VariantKey key{static_cast<std::uint64_t>(seed), 0};
-    for (const FoldReport& fold : vary_folds(fruit, key, settings.options.amount, folds).folds) {
-      ++rungs[fold.rung];
+Json folds_of(const std::vector<VariantFacts>& facts) {
+  int folds = 0, stepped = 0, mean = 0, unsound = 0;
+  for (const VariantFacts& variant : facts) {
+    for (const FoldReport& fold : variant.folds) {
+      ++folds;
+      stepped += fold.rung > 0;
+      mean += fold.rung >= 11;
       unsound += !fold.sound;
     }
   }
-  std::printf("  folds by rung:");
-  for (const auto& [rung, number] : rungs) std::printf("  %d: %d", rung, number);
-  std::printf("; unsound: %d\n", unsound);
+  return {{"folds", folds}, {"stepped", stepped}, {"mean_or_drawn", mean}, {"unsound", unsound}};
 }
 
-void print_crossings(const std::vector<DiffusionSurfaces>& variants, const CrossingCounts& drawn) {
-  std::map<std::pair<int, int>, int> variants_with, most;
-  for (const DiffusionSurfaces& variant : variants) {
-    for (const auto& [pair, number] : crossing_triangles(variant)) {
-      ++variants_with[pair];
-      most[pair] = std::max(most[pair], number);
+Json distances_of(const VariantChecks& checks, const std::vector<VariantFacts>& facts) {
+  std::vector<std::vector<glm::vec3>> positions;
+  for (const VariantFacts& variant : facts) positions.push_back(variant.some_positions);
+  const VariantDistances distances =
+      distances_between(positions, [&](int variant) { return checks.positions(variant + 1); });
+  const double percent = 100 / checks.size();
+  return {{"least_percent", distances.least * percent},
+          {"mean_percent", distances.mean * percent},
+          {"nearest_seeds", {distances.first + 1, distances.second + 1}}};
+}
+
+Json json_of(const FoldStatistics& s) {
+  return {{"mean_error", s.mean_error},
+          {"expected_mean_error", s.expected_mean_error},
+          {"covariance_error", s.covariance_error},
+          {"expected_covariance_error", s.expected_covariance_error},
+          {"unclipped", s.unclipped},
+          {"clipped", s.clipped},
+          {"stepped", s.stepped},
+          {"joined", s.joined},
+          {"mean_shift", s.mean_shift}};
+}
+
+Json json_of(const LoopStatistics& s) {
+  return {{"mean_shift", s.mean_shift},         {"least_deviation", s.least_deviation}, {"deviation", s.deviation},
+          {"most_deviation", s.most_deviation}, {"drawn_power", s.drawn_power},         {"power", s.power}};
+}
+
+/// One line of the report.
+Json measured(const std::string& name, const Template& fruit, const VariantSettings& settings, Threads threads) {
+  const VariantChecks checks(fruit, settings);
+  const std::vector<VariantFacts> facts = all_facts(checks, settings, threads);
+  double vary_milliseconds = 0, sweep_milliseconds = 0;
+  for (const VariantFacts& variant : facts) {
+    vary_milliseconds += variant.vary_milliseconds / settings.count;
+    sweep_milliseconds += variant.sweep_milliseconds / settings.count;
+  }
+  Json row = {{"fruit", name},
+              {"variation", settings.how.amount},
+              {"folds", settings.how.folds.value_or(0)},
+              {"variants", settings.count},
+              {"triangles", checks.triangle_count()},
+              {"open_shells_as_drawn", checks.open_shells()},
+              {"defects", defects_of(facts)},
+              {"distance", distances_of(checks, facts)},
+              {"vary_milliseconds", vary_milliseconds},
+              {"sweep_milliseconds", sweep_milliseconds}};
+  if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) {
+    row["loops"] = json_of(loop_statistics(fruit, settings));
+  } else {
+    row["steps"] = folds_of(facts);
+    row["blends"] = json_of(fold_statistics(fruit, settings, facts));
+  }
+  return row;
+}
+
+/// Natural, wild, and with other folds than drawn.
+std::vector<VariantSettings> settings_for(const Template& fruit, int count) {
+  const int some = std::max(2, count / 5), few = std::max(2, count / 10);
+  std::vector<VariantSettings> all = {{count, {.amount = 1}}, {some, {.amount = 2}}};
+  if (std::holds_alternative<FoldSymmetry>(fruit.symmetry)) {
+    const int folds = fold_count(fruit);
+    if (folds > 1) all.push_back({few, {.amount = 1, .folds = folds - 1}});
+    all.push_back({few, {.amount = 1, .folds = folds + 2}});
+  }
+  return all;
+}
+
+bool is_natural(const Json& row) { return row["variation"].get<double>() == 1 && row["folds"].get<int>() == 0; }
+
+std::string label(const Json& row) {
+  std::string text = row["fruit"];
+  const int folds = row["folds"];
+  const double variation = row["variation"];
+  if (variation != 1) text += ", --variation " + number(variation, 0);
+  if (folds != 0) text += ", --folds " + std::to_string(folds);
+  return text;
+}
+
+std::string share(const Json& row, const char* of, const char* in) {
+  const double all = row["steps"][in];
+  return number(100 * row["steps"][of].get<double>() / all, 1);
+}
+
+/// What must be 0, and how unlike variants are.
+TextTable soundness(const std::vector<Json>& rows) {
+  TextTable table{{"", "variants", "triangles", "with crossing curves", "with new crossings", "open",
+                   "connected otherwise", "folds stepped down %", "least distance %", "mean %", "vary ms", "sweep ms"},
+                  {}};
+  for (const Json& row : rows) {
+    const Json& defects = row["defects"];
+    const auto count = [&](const char* key) { return std::to_string(defects[key].get<int>()); };
+    table.rows.push_back({label(row), std::to_string(row["variants"].get<int>()),
+                          std::to_string(row["triangles"].get<int>()), count("crossing_curves"),
+                          count("crossing_surfaces"), count("open"), count("connected_otherwise"),
+                          row.contains("steps") ? share(row, "stepped", "folds") : "-",
+                          number(row["distance"]["least_percent"], 3), number(row["distance"]["mean_percent"], 2),
+                          number(row["vary_milliseconds"], 1), number(row["sweep_milliseconds"], 1)});
+  }
+  return table;
+}
+
+/// Percent throughout.
+TextTable blending(const std::vector<Json>& rows) {
+  TextTable table{{"", "mean: error", "by chance", "covariance: error", "by chance", "variance unclipped", "clipped",
+                   "stepped down", "joined", "shift of the mean"},
+                  {}};
+  for (const Json& row : rows) {
+    if (!row.contains("blends") || !is_natural(row)) continue;
+    std::vector<std::string> cells = {row["fruit"]};
+    for (const char* key : {"mean_error", "expected_mean_error", "covariance_error", "expected_covariance_error",
+                            "unclipped", "clipped", "stepped", "joined", "mean_shift"}) {
+      cells.push_back(number(100 * row["blends"][key].get<double>(), 1));
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+/// Power in percent of the drawing's.
+TextTable synthesis(const std::vector<Json>& rows) {
+  TextTable table{{"", "shift of the mean %", "deviation over the drawn", "least", "most", "harmonics 1-3: drawn",
+                   "variants", "4-15: drawn", "variants", "16-63: drawn", "variants"},
+                  {}};
+  for (const Json& row : rows) {
+    if (!row.contains("loops")) continue;
+    const Json& s = row["loops"];
+    std::vector<std::string> cells = {label(row), number(100 * s["mean_shift"].get<double>(), 2),
+                                      number(s["deviation"], 2), number(s["least_deviation"], 2),
+                                      number(s["most_deviation"], 2)};
+    for (std::size_t band = 0; band < 3; ++band) {
+      cells.push_back(number(100 * s["drawn_power"][band].get<double>(), 2));
+      cells.push_back(number(100 * s["power"][band].get<double>(), 2));
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::string defect_list(const std::vector<Json>& rows) {
+  std::string text;
+  for (const Json& row : rows) {
+    for (const Json& defect : row["defects"]["list"]) {
+      text += "- " + label(row) + ": " + defect["what"].get<std::string>() + " in " +
+              std::to_string(defect["variants"].get<int>()) + " variants, up to " +
+              std::to_string(defect["most_triangle_pairs"].get<int>()) + " pairs of triangles\n";
     }
   }
-  const std::vector<std::string>& names = variants.front().surface_names;
-  for (const auto& [pair, number] : variants_with) {
-    const auto found = drawn.find(pair);
-    std::printf("  %s x %s: in %d of %zu variants, up to %d pairs of triangles (as drawn: %d)\n",
-                names[static_cast<std::size_t>(pair.first)].c_str(),
-                names[static_cast<std::size_t>(pair.second)].c_str(), number, variants.size(), most[pair],
-                found == drawn.end() ? 0 : found->second);
-  }
+  return text.empty() ? "None.\n" : text;
 }
 
-void report(const Template& fruit, const Settings& settings) {
-  std::printf("%s\n", fruit.name.c_str());
-  std::vector<Template> templates;
-  const auto start = std::chrono::steady_clock::now();
-  for (int seed = 1; seed <= settings.count; ++seed) {
-    templates.push_back(vary(fruit, {static_cast<std::uint64_t>(seed), 0}, settings.options));
-  }
-  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
-  std::printf("  vary: %.1f ms each\n", passed.count() / settings.count);
+std::string text_of(const std::vector<Json>& rows) {
+  std::vector<Json> natural, other;
+  for (const Json& row : rows) (is_natural(row) ? natural : other).push_back(row);
+  return "Natural variants (--variation 1)\n\n" + markdown(soundness(natural)) +
+         "\nWild variants, and other numbers of folds\n\n" + markdown(soundness(other)) + "\nBlended folds, %\n\n" +
+         markdown(blending(rows)) + "\nSynthesised loops\n\n" + markdown(synthesis(rows)) +
+         "\nWhat crosses that does not as drawn\n\n" + defect_list(rows);
+}
 
-  std::vector<DiffusionSurfaces> variants;
-  for (const Template& variant : templates) variants.push_back(sweep(variant));
-  print_distances(variants);
-  if (std::holds_alternative<FoldSymmetry>(fruit.symmetry)) print_rungs(fruit, settings);
-  print_crossings(variants, crossing_triangles(sweep(fruit)));
+/// Rows that an earlier run has left.
+std::vector<Json> earlier_rows(const std::string& file) {
+  std::ifstream stream(file);
+  if (file.empty() || !stream) return {};
+  const Json rows = Json::parse(stream, nullptr, false);
+  if (!rows.is_array()) throw Error(ExitStatus::bad_data, file + " is not a file that variants has written");
+  return rows.get<std::vector<Json>>();
+}
+
+bool is_of(const Json& row, const std::string& name, const VariantSettings& settings) {
+  return row["fruit"].get<std::string>() == name && row["variants"].get<int>() == settings.count &&
+         row["variation"].get<double>() == settings.how.amount &&
+         row["folds"].get<int>() == settings.how.folds.value_or(0);
+}
+
+/// True if variants of this line are as they should be. Distances are only promised of natural ones.
+bool is_sound(const Json& row) {
+  const Json& defects = row["defects"];
+  for (const char* key : {"crossing_curves", "crossing_surfaces", "open", "connected_otherwise"}) {
+    if (defects[key].get<int>() != 0) return false;
+  }
+  return !is_natural(row) || row["distance"]["least_percent"].get<double>() >= stated_distance;
+}
+
+int make_report(const Options& options) {
+  std::vector<Json> known = earlier_rows(options.json), rows;
+  Progress progress(false);
+  const std::vector<std::string> names = fruit_names(options.fruits);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Template fruit = read_template(template_path(names[i]));
+    for (const VariantSettings& settings : settings_for(fruit, options.count)) {
+      const auto same = [&](const Json& row) { return is_of(row, names[i], settings); };
+      const auto found = std::find_if(known.begin(), known.end(), same);
+      rows.push_back(found != known.end() ? *found : measured(names[i], fruit, settings, {options.threads}));
+      if (found != known.end()) continue;
+      known.push_back(rows.back());
+      if (!options.json.empty()) write_whole(options.json, Json(known).dump(2) + "\n");
+    }
+    progress.report("fruits", i + 1, names.size());
+  }
+  const std::string text = text_of(rows);
+  if (!options.out.empty()) write_whole(options.out, text);
+  std::printf("%s", text.c_str());
+  return std::all_of(rows.begin(), rows.end(), is_sound) ? 0 : 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Settings settings;
-  std::vector<std::string> files;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (i == 1) {
-      settings.count = std::atoi(argv[i]);
-    } else if (word.rfind("amount=", 0) == 0) {
-      settings.options.amount = std::atof(word.c_str() + 7);
-    } else if (word.rfind("folds=", 0) == 0) {
-      settings.options.folds = std::atoi(word.c_str() + 6);
-    } else {
-      files.push_back(word);
-    }
+  CLI::App app("What a thousand variants of each fruit show. Exits with 1 if any is not sound");
+  Options options;
+  app.add_option("FRUIT", options.fruits, "Names of templates; all of them if none is given");
+  app.add_option("--count", options.count, "Variants of each; a fifth of them wild, a tenth with other folds")
+      ->check(CLI::Range(2, 100000))
+      ->capture_default_str();
+  app.add_option("--out", options.out, "Write the tables to this file too");
+  app.add_option("--json", options.json, "Write the figures to this file as JSON; lines already there are kept");
+  app.add_option("--threads", options.threads, "0 = all there are")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return make_report(options);
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(error.status());
   }
-  if (settings.count < 2 || files.empty()) {
-    std::fprintf(stderr, "variants COUNT TEMPLATE.toml... [amount=A] [folds=N]\n");
-    return 64;
-  }
-  for (const std::string& file : files) report(read_template(file), settings);
-  return 0;
 }

@@ -6,6 +6,7 @@
 
 #include "generator/base/units.h"
 #include "generator/variation/fold_blend.h"
+#include "generator/variation/fold_draw.h"
 #include "generator/variation/fold_form.h"
 #include "generator/variation/fold_room.h"
 #include "generator/variation/fold_samples.h"
@@ -13,52 +14,6 @@
 namespace pomona {
 
 namespace {
-
-constexpr int mean_rung = 11;
-constexpr int drawn_rung = 12;
-
-/// One fold to be made.
-struct FoldDraw {
-  std::vector<double> z;   ///< a normal number for each drawn fold
-  std::size_t source = 0;  ///< the drawn fold it takes its turn after
-  double amount = 1;
-  int rung = 0;
-};
-
-std::vector<FoldDraw> drawn_folds(std::size_t samples, VariantKey key, double amount, int folds) {
-  std::vector<FoldDraw> draws;
-  for (int k = 0; k < folds; ++k) {
-    const RandomStream stream(key, "vary/fold/" + std::to_string(k));
-    FoldDraw draw{{}, static_cast<std::size_t>(k) % samples, amount, 0};
-    for (std::size_t i = 0; i < samples; ++i) draw.z.push_back(stream.normal(i));
-    draws.push_back(std::move(draw));
-  }
-  return draws;
-}
-
-/// What each sample counts for in this fold; they add up to 1. Samples that are absent count for nothing.
-std::vector<double> coefficients(const FoldDraw& draw, const std::vector<bool>& present) {
-  std::vector<double> z;
-  for (std::size_t i = 0; i < present.size(); ++i) {
-    if (present[i]) z.push_back(draw.z[i]);
-  }
-  // Go as far from the mean as the rung allows.
-  const std::vector<double> weights = clipped(
-      principal_weights(z), {.gain = std::max(1.0, draw.amount), .extrapolation = 0.2 * std::max(1.0, draw.amount)});
-  double reach = draw.rung >= mean_rung ? 0 : 1;
-  for (int rung = 0; rung < std::min(draw.rung, mean_rung); ++rung) reach *= 0.75;
-
-  // Mix with the drawn fold.
-  const double share = draw.rung == drawn_rung ? 0 : std::min(1.0, draw.amount);
-  std::vector<double> result(present.size(), 0.0);
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < present.size(); ++i) {
-    if (!present[i]) continue;
-    result[i] = share * (1 / static_cast<double>(z.size()) + reach * weights[next++]);
-  }
-  if (present[draw.source]) result[draw.source] += 1 - share;
-  return result;
-}
 
 std::vector<bool> presence(const FoldSamples& samples) {
   std::vector<bool> present;
@@ -135,7 +90,7 @@ struct Drawing {
 
 /// What does not vary keeps to the drawn folds in turn.
 std::vector<FoldDraw> as_drawn(std::vector<FoldDraw> draws) {
-  for (FoldDraw& draw : draws) draw.rung = drawn_rung;
+  for (FoldDraw& draw : draws) draw.rung = FoldDraw::drawn_rung;
   return draws;
 }
 
@@ -184,7 +139,7 @@ bool step_down(std::vector<FoldDraw>& draws, const std::vector<bool>& sound) {
   std::vector<bool> steps(n, false);
   for (std::size_t k = 0; k < n; ++k) {
     if (sound[k]) continue;
-    if (draws[k].rung < drawn_rung) {
+    if (draws[k].rung < FoldDraw::drawn_rung) {
       steps[k] = true;
     } else {
       steps[(k + 1) % n] = steps[(k + n - 1) % n] = true;
@@ -192,7 +147,7 @@ bool step_down(std::vector<FoldDraw>& draws, const std::vector<bool>& sound) {
   }
   bool moved = false;
   for (std::size_t k = 0; k < n; ++k) {
-    if (!steps[k] || draws[k].rung == drawn_rung) continue;
+    if (!steps[k] || draws[k].rung == FoldDraw::drawn_rung) continue;
     ++draws[k].rung;
     moved = true;
   }

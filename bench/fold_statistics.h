@@ -1,0 +1,24 @@
+// Whether the folds of variants are drawn as the samples say, and what is left of that.
+#pragma once
+
+#include <vector>
+
+#include "bench/variant_checks.h"
+
+namespace pomona::bench {
+
+/// Over all folds of all variants and all curves that are blended. Errors are relative: of the mean to the samples'
+/// standard deviation, of the covariance to the samples' (Frobenius norms).
+struct FoldStatistics {
+  double mean_error = 0, expected_mean_error = 0;  ///< of the unclipped draw; what chance alone would leave
+  double covariance_error = 0, expected_covariance_error = 0;
+  /// Variance over the samples' variance: of the unclipped draw, once clipped, once stepped down where
+  /// something would have crossed, once joined along the fold lines.
+  double unclipped = 0, clipped = 0, stepped = 0, joined = 0;
+  double mean_shift = 0;  ///< of what comes out, in the samples' standard deviation
+};
+
+FoldStatistics fold_statistics(const Template& fruit, const VariantSettings& settings,
+                               const std::vector<VariantFacts>& variants);
+
+}  // namespace pomona::bench

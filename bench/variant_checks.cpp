@@ -1,0 +1,98 @@
+#include "bench/variant_checks.h"
+
+#include <algorithm>
+#include <ctime>
+
+#include <glm/geometric.hpp>
+
+#include "generator/surface/shells.h"
+#include "generator/surface/sweep.h"
+
+namespace pomona::bench {
+
+namespace {
+
+/// Of this thread.
+double processor_milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+bool has_crossing_curve(const SurfaceSketch& sketch) {
+  const auto crosses = [](const Curve& curve) { return !curve.points.empty() && !is_simple(curve); };
+  return crosses(sketch.vertical) || std::any_of(sketch.horizontal.begin(), sketch.horizontal.end(), crosses);
+}
+
+int open_shells_of(const DiffusionSurfaces& surfaces) {
+  const Shells shells = find_shells(surfaces);
+  return static_cast<int>(std::count(shells.closed.begin(), shells.closed.end(), 0));
+}
+
+/// At most 1024, evenly among the indices.
+std::vector<glm::vec3> some_of(const std::vector<glm::vec3>& positions) {
+  const std::size_t step = (positions.size() + 1023) / 1024;
+  std::vector<glm::vec3> some;
+  for (std::size_t i = 0; i < positions.size(); i += step) some.push_back(positions[i]);
+  return some;
+}
+
+}  // namespace
+
+VariantChecks::VariantChecks(const Template& fruit, const VariantSettings& settings)
+    : fruit_(fruit), settings_(settings) {
+  const DiffusionSurfaces as_drawn = sweep(fruit);
+  drawn_ = settings.how.folds ? sweep(with_folds(fruit, *settings.how.folds)) : as_drawn;
+  drawn_crossings_ = crossing_triangles(as_drawn);
+  open_shells_ = open_shells_of(as_drawn);
+  size_ = glm::length(bounds_of(as_drawn).size());
+}
+
+VariantFacts VariantChecks::facts(int seed) const {
+  const VariantKey key{static_cast<std::uint64_t>(seed), 0};
+  VariantFacts facts;
+  const double start = processor_milliseconds();
+  const Template variant = vary(fruit_, key, settings_.how);
+  const double varied = processor_milliseconds();
+  const DiffusionSurfaces swept = sweep(variant);
+  facts.vary_milliseconds = varied - start;
+  facts.sweep_milliseconds = processor_milliseconds() - varied;
+
+  facts.crossing_curves = crossing_curves(variant);
+  facts.crossings = new_crossings(swept);
+  facts.open_shells = std::max(0, open_shells_of(swept) - open_shells_);
+  facts.connected_as_drawn = swept.triangle == drawn_.triangle && swept.surface == drawn_.surface;
+  facts.some_positions = some_of(swept.position);
+  if (std::holds_alternative<FoldSymmetry>(fruit_.symmetry)) {
+    facts.folds = vary_folds(fruit_, key, settings_.how.amount, settings_.how.folds.value_or(fold_count(fruit_))).folds;
+  }
+  return facts;
+}
+
+std::vector<glm::vec3> VariantChecks::positions(int seed) const {
+  return sweep(vary(fruit_, {static_cast<std::uint64_t>(seed), 0}, settings_.how)).position;
+}
+
+std::vector<std::string> VariantChecks::crossing_curves(const Template& variant) const {
+  std::vector<std::string> names;
+  for (std::size_t s = 0; s < variant.surfaces.size(); ++s) {
+    if (has_crossing_curve(fruit_.surfaces[s])) continue;
+    if (has_crossing_curve(variant.surfaces[s])) names.push_back(variant.surfaces[s].name);
+  }
+  return names;
+}
+
+std::map<std::string, int> VariantChecks::new_crossings(const DiffusionSurfaces& variant) const {
+  const Crossings crossings = crossing_triangles(variant);
+  const auto name = [&](int surface) { return variant.surface_names[static_cast<std::size_t>(surface)]; };
+  std::map<std::string, int> found;
+  for (const auto& [pair, count] : crossings.between) {
+    if (!drawn_crossings_.between.contains(pair)) found[name(pair.first) + " x " + name(pair.second)] = count;
+  }
+  for (const auto& [surface, count] : crossings.within) {
+    if (!drawn_crossings_.within.contains(surface)) found[name(surface) + " x itself"] = count;
+  }
+  return found;
+}
+
+}  // namespace pomona::bench

@@ -1,0 +1,61 @@
+// What is looked at in every variant: whether anything crosses, whether it is closed, whether it is connected as drawn.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/surface/diffusion_surfaces.h"
+#include "generator/template/template.h"
+#include "generator/variation/vary.h"
+#include "generator/variation/vary_folds.h"
+#include "tests/shapes/crossings.h"
+
+namespace pomona::bench {
+
+/// Seeds 1 to `count`, index 0.
+struct VariantSettings {
+  int count = 1000;
+  VariationOptions how;
+};
+
+/// What one variant shows.
+struct VariantFacts {
+  std::vector<std::string> crossing_curves;  ///< surfaces with a curve that meets itself and is none such as drawn
+  std::map<std::string, int> crossings;      ///< "skin x core": pairs of triangles, where the drawing has none
+  int open_shells = 0;                       ///< more than as drawn
+  bool connected_as_drawn = true;            ///< the same triangles; with other folds, as the drawn folds in turn
+  std::vector<FoldReport> folds;
+  std::vector<glm::vec3> some_positions;                 ///< at most 1024 vertices, the same of all variants
+  double vary_milliseconds = 0, sweep_milliseconds = 0;  ///< processor time
+};
+
+/// A drawing and what it shows itself, to hold variants against.
+class VariantChecks {
+ public:
+  VariantChecks(const Template& fruit, const VariantSettings& settings);
+
+  VariantFacts facts(int seed) const;
+
+  /// Every vertex of a variant.
+  std::vector<glm::vec3> positions(int seed) const;
+
+  std::size_t triangle_count() const { return drawn_.triangle_count(); }
+  int open_shells() const { return open_shells_; }
+  double size() const { return size_; }  ///< metres: the diagonal of the drawing's bounds
+
+ private:
+  std::vector<std::string> crossing_curves(const Template& variant) const;
+  std::map<std::string, int> new_crossings(const DiffusionSurfaces& variant) const;
+
+  const Template& fruit_;
+  VariantSettings settings_;
+  DiffusionSurfaces drawn_;  ///< with as many folds as the variants
+  Crossings drawn_crossings_;
+  int open_shells_ = 0;
+  double size_ = 0;
+};
+
+}  // namespace pomona::bench

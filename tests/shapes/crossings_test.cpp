@@ -1,0 +1,96 @@
+#include "tests/shapes/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+int total(const std::map<std::pair<int, int>, int>& counts) {
+  int sum = 0;
+  for (const auto& [pair, count] : counts) sum += count;
+  return sum;
+}
+
+/// Every two triangles by the definition, one after the other, in long doubles; for small generic shapes.
+int counted_one_by_one(const DiffusionSurfaces& surfaces, std::size_t first_of_second) {
+  using Vector = glm::tvec3<long double>;
+  const auto corner = [&](std::size_t t, int i) { return Vector(surfaces.position[surfaces.triangle[t][i]]); };
+  const auto volume = [](const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
+    return glm::dot(b - a, glm::cross(c - a, d - a));
+  };
+  const auto pierces = [&](std::size_t s, std::size_t t) {
+    const Vector a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
+    for (int i = 0; i < 3; ++i) {
+      const Vector p = corner(s, i), q = corner(s, (i + 1) % 3);
+      if (volume(a, b, c, p) * volume(a, b, c, q) >= 0) continue;
+      const bool left = volume(p, q, a, b) > 0;
+      if ((volume(p, q, b, c) > 0) == left && (volume(p, q, c, a) > 0) == left) return true;
+    }
+    return false;
+  };
+  int count = 0;
+  for (std::size_t s = 0; s < first_of_second; ++s) {
+    for (std::size_t t = first_of_second; t < surfaces.triangle_count(); ++t) count += pierces(s, t) || pierces(t, s);
+  }
+  return count;
+}
+
+TEST(Crossings, AreNoneWhereSurfacesLieInOneAnotherOrTouch) {
+  EXPECT_TRUE(crossing_triangles(shapes::nested_spheres(1, 0.99, 12)).empty());
+  EXPECT_TRUE(crossing_triangles(shapes::torus(1, 0.3, 24, 12)).empty());
+  EXPECT_TRUE(crossing_triangles(shapes::two_plates(1, 0.1, {}, {}, 4)).empty());
+  const DiffusionSurfaces box = shapes::box({0, 0, 0}, {1, 1, 1}, 3);
+  EXPECT_TRUE(crossing_triangles(joined(box, shapes::moved(box, {1, 0, 0}))).empty());
+  EXPECT_TRUE(crossing_triangles(joined(box, box)).empty());
+  EXPECT_TRUE(crossing_triangles({}).empty());
+}
+
+TEST(Crossings, AreAllFound) {
+  const DiffusionSurfaces ball = shapes::sphere(1, 6), other = shapes::tilted(shapes::sphere(0.7, 5));
+  for (const double apart : {0.0, 0.31, 0.5, 1.1, 1.69, 1.8}) {
+    const DiffusionSurfaces both = joined(ball, shapes::moved(other, {apart, 0.1 * apart, 0.07}));
+    const Crossings found = crossing_triangles(both);
+    EXPECT_EQ(total(found.between), counted_one_by_one(both, ball.triangle_count())) << apart;
+    EXPECT_TRUE(found.within.empty());
+  }
+}
+
+TEST(Crossings, OfPiecesOfOneSurfaceAndOfAPieceWithItself) {
+  // Two balls as one surface.
+  const DiffusionSurfaces ball = shapes::sphere(1, 4);
+  DiffusionSurfaces pair = joined(ball, shapes::moved(shapes::tilted(ball), {1.2, 0, 0}));
+  for (std::int32_t& surface : pair.surface) surface = 0;
+  const Crossings balls = crossing_triangles(pair);
+  EXPECT_TRUE(balls.within.empty());
+  EXPECT_EQ(balls.between.size(), 1u);
+  EXPECT_GT(balls.between.at({0, 0}), 0);
+
+  // A torus so thick that it runs through itself.
+  const Crossings thick = crossing_triangles(shapes::torus(0.2, 0.5, 25, 13));
+  EXPECT_TRUE(thick.between.empty());
+  EXPECT_GT(thick.within.at(0), 0);
+}
+
+TEST(Crossings, AreSeenHoweverSlight) {
+  // A sheet through a corner of a box by as little as floats can tell apart, and one just above it.
+  const DiffusionSurfaces box = shapes::tilted(shapes::box({0, 0, 0}, {1, 1, 1}));
+  float top = 0;
+  for (const glm::vec3& p : box.position) top = std::max(top, p.y);
+  const auto at_height = [&](float y) {
+    DiffusionSurfaces sheet = shapes::open_sheet(8, 0);
+    for (glm::vec3& p : sheet.position) p.y = y;
+    return crossing_triangles(joined(box, sheet));
+  };
+  EXPECT_FALSE(at_height(std::nextafter(top, 0.0f)).empty());
+  EXPECT_TRUE(at_height(top).empty());
+  EXPECT_TRUE(at_height(std::nextafter(top, 9.0f)).empty());
+}
+
+}  // namespace
+}  // namespace pomona
