@@ -12,6 +12,7 @@
 #include "cli/find_template.h"
 #include "generator/scene/scene_file.h"
 #include "generator/surface/bodies.h"
+#include "generator/surface/spots.h"
 #include "generator/surface/surface_file.h"
 #include "generator/surface/sweep.h"
 #include "generator/template/read_template.h"
@@ -33,7 +34,10 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
     read_scene(file);
     return {};
   }
-  return find_bodies(sweep(read_template(file))).warnings;
+  const Template fruit = read_template(file);
+  std::vector<std::string> warnings = find_bodies(sweep(fruit)).warnings;
+  for (const std::string& warning : spot_warnings(fruit)) warnings.push_back(warning);
+  return warnings;
 }
 
 nlohmann::ordered_json as_json(const Diagnostic& diagnostic, const char* severity) {

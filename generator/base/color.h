@@ -26,6 +26,12 @@ Color from_srgb8(const glm::u8vec3& srgb);
 std::optional<Color> parse_color(std::string_view text);
 std::string to_hex(const Color& color);
 
+/// Linear light, `share` 0..1 of the second; exact at both ends.
+inline Color blended(const Color& first, const Color& second, double share) {
+  const auto s = static_cast<float>(share);
+  return first * (1 - s) + second * s;
+}
+
 /// Perceptual OKLab (Ottosson 2020) of a linear colour, and back; used by noise and styles.
 glm::vec3 to_oklab(const Color& color);
 Color from_oklab(const glm::vec3& lab);

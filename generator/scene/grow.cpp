@@ -13,7 +13,7 @@ Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& op
 }
 
 GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options) {
-  const SweepOptions sweep_options{.detail = options.detail};
+  const SweepOptions sweep_options{.detail = options.detail, .key = key};
   GrownFruit grown;
   grown.swept = sweep(variant, sweep_options);
   grown.sheets = joined(sheets(grown.swept), sheets(scatter_grains(variant, key, sweep_options)));

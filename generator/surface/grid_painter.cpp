@@ -1,28 +1,20 @@
 #include "generator/surface/grid_painter.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace pomona {
 
-namespace {
-
-/// The mean of a ramp around, for poles, which lie at every place around at once.
-Color mean(const Ramp<Color>& around) {
-  constexpr int samples = 64;
-  Color sum(0);
-  for (int i = 0; i < samples; ++i) sum += around((i + 0.5) / samples);
-  return sum / static_cast<float>(samples);
-}
-
-}  // namespace
-
 GridPainter::GridPainter(DiffusionSurfaces& surfaces, const std::string& name, const Side& front, const Side& back,
-                         const Ramp<double>& blur)
+                         const PaintedBlur& blur)
     : surfaces_(surfaces),
       index_(static_cast<std::int32_t>(surfaces.surface_names.size())),
+      first_vertex_(surfaces.vertex_count()),
       front_(front),
       back_(back),
-      blur_(blur),
-      front_mean_(mean(front.color.around)),
-      back_mean_(mean(back.color.around)) {
+      front_paint_(front),
+      back_paint_(back),
+      blur_(blur) {
   surfaces_.surface_names.push_back(name);
 }
 
@@ -38,15 +30,26 @@ void GridPainter::append(const SweptGrid& grid) {
 }
 
 void GridPainter::append_vertex(const SweptGrid& grid, std::size_t v) {
-  const auto color = [&](const PaintedColor& paint, const Color& mean_around) {
-    return paint.along(grid.along[v]) * (grid.is_pole[v] != 0 ? mean_around : paint.around(grid.around[v]));
-  };
+  const PaintPlace place = paint_place(grid, v);
   surfaces_.position.emplace_back(grid.position[v]);
-  surfaces_.front_color.push_back(color(front_.color, front_mean_));
-  surfaces_.back_color.push_back(color(back_.color, back_mean_));
-  surfaces_.blur.push_back(static_cast<float>(blur_(grid.along[v])));
+  surfaces_.front_color.push_back(front_paint_(place));
+  surfaces_.back_color.push_back(back_paint_(place));
+  surfaces_.blur.push_back(static_cast<float>(blur_(place)));
   surfaces_.front_hidden.push_back(front_.hidden ? 1 : 0);
   surfaces_.back_hidden.push_back(back_.hidden ? 1 : 0);
+}
+
+void GridPainter::dab(SideOf side, std::span<const Spot> spots, std::span<const SweptGrid> grids) {
+  if (spots.empty()) return;
+  std::vector<Color>& colors = side == SideOf::front ? surfaces_.front_color : surfaces_.back_color;
+  std::size_t first = first_vertex_;
+  for (const SweptGrid& grid : grids) {
+    const auto begin = colors.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(grid.position.size());
+    const std::vector<Color> painted = with_spots(grid, {begin, end}, spots);
+    std::copy(painted.begin(), painted.end(), begin);
+    first += grid.position.size();
+  }
 }
 
 }  // namespace pomona

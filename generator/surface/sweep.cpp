@@ -1,6 +1,7 @@
 #include "generator/surface/sweep.h"
 
 #include "generator/surface/grid_painter.h"
+#include "generator/surface/spots.h"
 #include "generator/surface/swept_grid.h"
 
 namespace pomona {
@@ -10,7 +11,11 @@ DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options) {
   surfaces.part_names = fruit.parts;
   for (const SurfaceSketch& sketch : fruit.surfaces) {
     GridPainter painter(surfaces, sketch.name, sketch.front, sketch.back, sketch.blur);
-    for (const SweptGrid& grid : swept_grids(fruit, sketch, options)) painter.append(grid);
+    const std::vector<SweptGrid> grids = swept_grids(fruit, sketch, options);
+    for (const SweptGrid& grid : grids) painter.append(grid);
+    for (const SideOf side : {SideOf::front, SideOf::back}) {
+      painter.dab(side, placed_spots(fruit, sketch, side, grids, options.key), grids);
+    }
   }
   return surfaces;
 }

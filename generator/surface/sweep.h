@@ -1,6 +1,7 @@
 // Sweeps: from a template's curves to its diffusion surfaces (paper, section 4.1, Figures 6 and 7).
 #pragma once
 
+#include "generator/base/random.h"
 #include "generator/surface/diffusion_surfaces.h"
 #include "generator/template/template.h"
 
@@ -8,11 +9,12 @@ namespace pomona {
 
 struct SweepOptions {
   double detail = 1.0;  ///< multiplies the number of vertices around and along, 0.1..4
+  VariantKey key = {};  ///< where the spots lie
 };
 
-/// Sweeps every surface of the template, in order; blur not split, no grains. Connectivity is a function of
-/// the template's counts, the number of folds and the detail alone, so all variants share it.
-/// \throws Error (bad_data) naming template and surface where curves cannot be swept.
+/// Sweeps every surface of the template, in order, and paints it; blur not split, no grains. Connectivity is a
+/// function of the template's counts, the number of folds and the detail alone, so all variants share it.
+/// \throws Error (bad_data) naming template and surface where curves cannot be swept, or there are too many spots.
 DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options = {});
 
 }  // namespace pomona

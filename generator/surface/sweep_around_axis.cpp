@@ -56,6 +56,7 @@ void append_ring(SweptGrid& grid, const SectionLoop& loop, const glm::dvec2& at,
     grid.is_pole.push_back(0);
     grid.fold.push_back(loop.fold[i]);
     grid.depth.push_back(1);
+    grid.turn.push_back(turn_of(angle_of(loop.direction[i])));
   }
 }
 
@@ -66,6 +67,7 @@ void append_pole(SweptGrid& grid, const glm::dvec2& at, double share) {
   grid.is_pole.push_back(1);
   grid.fold.push_back(0);
   grid.depth.push_back(1);
+  grid.turn.push_back(std::nullopt);
 }
 
 }  // namespace
@@ -75,6 +77,7 @@ SweptGrid swept_around_axis(const Template& fruit, const SurfaceSketch& sketch, 
   const SectionLoop loop = checked_loop(fruit, sketch, around);
 
   SweptGrid grid;
+  grid.folds_around = fold_count(fruit);
   for (std::size_t j = 0; j < profile.points.size(); ++j) {
     if (profile.points[j].x == 0) {
       append_pole(grid, profile.points[j], profile.share[j]);

@@ -75,6 +75,7 @@ void append(SweptGrid& grid, const glm::dvec2& at, double angle, double along, d
   grid.along.push_back(along);
   grid.around.push_back(around);
   grid.is_pole.push_back(pole ? 1 : 0);
+  grid.turn.push_back(turn_of(angle));
 }
 
 /// How far out each vertex lies; the arcs meet at the poles.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "generator/base/error.h"
+#include "generator/base/units.h"
 
 namespace pomona {
 
@@ -13,6 +14,13 @@ void refuse(const Template& fruit, const SurfaceSketch& sketch, const std::strin
   SourcePlace place;
   place.file = fruit.file.empty() ? fruit.name : fruit.file;
   throw Error(ExitStatus::bad_data, {{place, "surface \"" + sketch.name + "\": " + why, hint}});
+}
+
+double turn_of(double azimuth) {
+  const double turns = azimuth / (2 * pi);
+  const double turn = turns - std::floor(turns);
+  constexpr double rounding = 1e-9;  // the angle 0 must not come out as a whole turn
+  return turn > 1 - rounding ? 0 : turn;
 }
 
 namespace {

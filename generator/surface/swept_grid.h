@@ -1,6 +1,7 @@
 // What a sweep makes of one sketch before colours: vertices that know where on the curves they lie.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -8,6 +9,9 @@
 #include "generator/surface/sweep.h"
 
 namespace pomona {
+
+/// An azimuth, radians, as a share of the whole turn, [0, 1).
+double turn_of(double azimuth);
 
 /// Rings of vertices along the vertical curve, with a single vertex where a ring has shrunk to a point:
 /// id = 1 + (j - 1) n + i between two poles. A pure function of the counts, so all variants share it.
@@ -19,7 +23,10 @@ struct SweptGrid {
   std::vector<int> fold;      ///< the fold that begins or goes on here, from 0; 0 where there are none, and at poles
                               ///< around the axis
   std::vector<double> depth;  ///< in folds: 0 on the vertical curve's inner arc, 1 on its outer one; else 1
-  std::vector<glm::uvec3> triangle;  ///< front outside
+  std::vector<std::optional<double>> turn;  ///< azimuth as a share of the whole turn; nothing on the axis. May be
+                                            ///< empty where it does not matter: in grains
+  int folds_around = 1;                     ///< so many folds meet in it, in a ring
+  std::vector<glm::uvec3> triangle;         ///< front outside
 };
 
 /// The grids of one surface: one around the axis, or one per fold that has a loop.

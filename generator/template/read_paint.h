@@ -29,11 +29,39 @@ Ramp<Value> read_ramp(const TomlValue& value, const Value& fallback, Read read) 
   return ramp.stops.empty() ? Ramp<Value>::constant(fallback) : ramp;
 }
 
-/// "#rrggbb", a ramp along, or { along = ..., around = ... }. `sample` and `stops` say where `pomona sketch --sample`
-/// took the colours along; here they are only checked.
-PaintedColor read_painted_color(const TomlValue& value);
+/// The same for a whole turn: where there is no stop at 0 or none at 1, values go on evenly from the last stop over
+/// the seam to the first. A jump there needs a stop at both.
+template <typename Value, typename Read>
+Ramp<Value> read_turn(const TomlValue& value, const Value& fallback, Read read) {
+  Ramp<Value> ramp = read_ramp<Value>(value, fallback, read);
+  const auto first = ramp.stops.front(), last = ramp.stops.back();
+  const double after = 1 - last.at, gap = first.at + after;
+  if (gap > 0) {
+    // At one end there may be a stop; else evenly from the last over the seam to the first.
+    const auto share = static_cast<float>(after / gap);
+    const auto between = static_cast<Value>(last.value + (first.value - last.value) * share);
+    const Value seam = first.at == 0 ? first.value : last.at == 1 ? last.value : between;
+    if (first.at > 0) ramp.stops.insert(ramp.stops.begin(), {0.0, seam});
+    if (last.at < 1) ramp.stops.push_back({1.0, seam});
+  }
+  return ramp;
+}
 
-/// { part = "skin", color = ..., hidden = true }.
+/// A length, a ramp of lengths along, or { along = ..., around = ..., turn = ... }.
+PaintedBlur read_painted_blur(const TomlValue& value);
+
+/// { part = "skin", color = ..., hidden = true }, the side of a grain. The colour is "#rrggbb", a ramp along, or
+/// { along = ..., around = ... }. `sample` and `stops` say where `pomona sketch --sample` took the colours along;
+/// here they are only checked.
 Side read_side(const TomlTable& table, const std::vector<std::string>& parts);
+
+/// What the paint of a surface has to fit.
+struct PaintedSurface {
+  SurfaceType type = SurfaceType::around_axis;
+  int folds = 0;  ///< 0: the fruit is cylindrical
+};
+
+/// The same with all that surfaces have and grains have not: the colour's `turn` and `folds`, `coats` and `spots`.
+Side read_surface_side(const TomlTable& table, const std::vector<std::string>& parts, const PaintedSurface& surface);
 
 }  // namespace pomona

@@ -143,12 +143,13 @@ void SurfaceReader::read_in_fold(const TomlTable& table, SurfaceSketch& sketch) 
 }
 
 void SurfaceReader::read_paint(const TomlTable& table, SurfaceSketch& sketch) const {
-  const auto length = [](const TomlValue& value) { return value.length(0, {0, 0.1}); };
   const auto share = [](const TomlValue& value) { return value.number(0, {0, 1}); };
-  sketch.blur = read_ramp<double>(table.get("blur"), 0.0, length);
+  const auto* folds = std::get_if<FoldSymmetry>(&symmetry_);
+  const PaintedSurface surface{sketch.type, folds ? static_cast<int>(folds->fold_angles.size()) : 0};
+  sketch.blur = read_painted_blur(table.get("blur"));
   sketch.roundness = read_ramp<double>(table.get("roundness"), 0.0, share);
-  sketch.front = read_side(table.need("front").table(), parts_);
-  sketch.back = read_side(table.need("back").table(), parts_);
+  sketch.front = read_surface_side(table.need("front").table(), parts_, surface);
+  sketch.back = read_surface_side(table.need("back").table(), parts_, surface);
   if (sketch.front.hidden && sketch.back.hidden) {
     table.error("has both sides hidden", "hide only the side that faces air");
   }

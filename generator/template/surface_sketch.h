@@ -38,7 +38,7 @@ struct SurfaceSketch {
   double taper = 0.5;                                  ///< in_fold: exponent p of the closing at the ends
   Side front;
   Side back;
-  Ramp<double> blur = Ramp<double>::constant(0);  ///< metres, along
+  PaintedBlur blur;
   int around = 96;  ///< vertices around the axis (in an N-fold fruit: rounded to a multiple of N), or per loop
   int along = 48;   ///< vertices along the vertical curve
   bool varies = true;

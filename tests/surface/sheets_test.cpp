@@ -91,7 +91,7 @@ TEST(Sheets, BlurStopsShortOfFoldingOver) {
   // A cup with sharp edges and walls of 2 cm.
   SurfaceSketch cup = sketches::around_axis(
       {{{0, 0}, {0.05, 0}, {0.05, 0.1}, {0.03, 0.1}, {0.03, 0.02}, {0, 0.02}}, false}, sketches::circle(0.05));
-  cup.blur = Ramp<double>::constant(0.004);
+  cup.blur.along = Ramp<double>::constant(0.004);
   const DiffusionSurfaces swept = sheets(sweep(sketches::fruit({cup})));
   const std::size_t half = swept.triangle_count() / 2;
   std::size_t turned = 0;

@@ -156,7 +156,7 @@ TEST(Sweep, ColoursAreAlongTimesAroundAndRepeatInEveryFold) {
   SurfaceSketch sketch = around_axis(meridian(0.04), circle(1));
   sketch.front.color.along = {{{0, Color(1, 0, 0)}, {1, Color(0, 1, 0)}}};
   sketch.front.color.around = {{{0, Color(1)}, {0.5, Color(0.5f)}, {1, Color(1)}}};
-  sketch.blur = {{{0, 0.001}, {1, 0.003}}};
+  sketch.blur.along = {{{0, 0.001}, {1, 0.003}}};
   const DiffusionSurfaces swept = sweep(fruit({sketch}, 4));
   EXPECT_NEAR(swept.front_color.front().r, 0.75f, 0.01f);
   const std::size_t ring = 1 + 96 * 10;

@@ -88,7 +88,7 @@ TEST(ReadTemplate, reads_what_is_written) {
 
   const SurfaceSketch& stone = plum.surfaces[1];
   EXPECT_EQ(stone.type, SurfaceType::in_fold);
-  EXPECT_DOUBLE_EQ(stone.blur(0.3), 0.0004);
+  EXPECT_DOUBLE_EQ(stone.blur.along(0.3), 0.0004);
   ASSERT_EQ(plum.grains.size(), 1u);
   EXPECT_EQ(plum.grains[0].surface, 1);
   EXPECT_DOUBLE_EQ(plum.grains[0].poisson_radius, 0.002);
