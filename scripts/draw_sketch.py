@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""Draws a sketch with the names of its curves beside them, as docs/make_a_fruit.md shows them.
+
+    draw_sketch.py templates/lemon.svg docs/pictures/sketch_lemon.png
+
+Needs rsvg-convert (Debian: librsvg2-bin). Reads the sketches of this project: path data with capital letters, and no
+transforms but those of pictures.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+
+SVG = "{http://www.w3.org/2000/svg}"
+LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+LINE = 6.0  # height of a line of names, millimetres
+
+
+def points_of(element):
+    """The nodes of a path, or the middle of a circle."""
+    if element.tag == SVG + "circle":
+        return [(float(element.get("cx")), float(element.get("cy")))]
+    path = element.get("d", "")
+    if re.search("[a-df-y]", path):
+        sys.exit(f"draw_sketch.py: {element.get(LABEL)}: has relative path data")
+    numbers = [float(word) for word in re.findall(r"-?\d*\.?\d+(?:e-?\d+)?", path)]
+    return list(zip(numbers[::2], numbers[1::2]))
+
+
+def named_curves(view):
+    """(name, colour, points) of what has a name in a layer; groups count as one."""
+    for element in view:
+        name = element.get(LABEL)
+        if element.tag == SVG + "image" or not name:
+            continue
+        inside = element if element.tag == SVG + "g" else [element]
+        color = re.search(r"(?:stroke|fill):(#\w+)", " ".join(e.get("style", "") for e in inside))
+        yield name, color.group(1) if color else "#000000", [points_of(e) for e in inside]
+
+
+def text(parent, place, words, color, anchor="start"):
+    style = f"font-size:4.2px;font-family:sans-serif;fill:{color};text-anchor:{anchor}"
+    node = ElementTree.SubElement(parent, SVG + "text", x=f"{place[0]:.2f}", y=f"{place[1]:.2f}", style=style)
+    node.text = words
+
+
+def leader(parent, from_, to, color):
+    path = f"M {from_[0]:.2f},{from_[1]:.2f} L {to[0]:.2f},{to[1]:.2f}"
+    ElementTree.SubElement(parent, SVG + "path", d=path, style=f"fill:none;stroke:{color};stroke-width:0.25")
+
+
+def name_guides(parent, curves):
+    """The axis, fold lines and the scale carry their names at their ends."""
+    folds = {name: lines[0] for name, _, lines in curves if name.startswith("fold ")}
+    for name, (inner, outer) in folds.items():
+        out = [outer[i] + 0.08 * (outer[i] - inner[i]) for i in (0, 1)]
+        text(parent, (out[0], out[1] + 1.5), name, "#0050ff", "middle")
+    for name, _, lines in curves:
+        if name == "axis" and len(lines[0]) > 1:
+            text(parent, (lines[0][1][0], lines[0][1][1] - 2), name, "#0050ff", "middle")
+        if name.startswith("scale"):
+            middle = [sum(p[i] for p in lines[0]) / len(lines[0]) for i in (0, 1)]
+            text(parent, (middle[0], middle[1] + 5), name, "#0050ff", "middle")
+
+
+def name_curves(parent, curves, right):
+    """All others have a line to their name, in a column at the right."""
+    marks = []
+    for name, color, lines in curves:
+        if name.startswith(("fold ", "scale")) or (name == "axis" and len(lines[0]) > 1):
+            continue
+        marks.append((max((p for line in lines for p in line), key=lambda p: p[0] - 0.3 * p[1]), name, color))
+    y = -1e9
+    for at, name, color in sorted(marks, key=lambda mark: mark[0][1]):
+        y = max(y + LINE, at[1] - 6)
+        leader(parent, at, (right, y), color)
+        text(parent, (right + 1, y + 1.4), name, "#303030")
+
+
+def show_only(page, points):
+    """Cuts the page down to the curves, with room for names."""
+    low = [min(p[i] for p in points) - (20, 8)[i] for i in (0, 1)]
+    size = [max(p[i] for p in points) - low[i] + (46, 9)[i] for i in (0, 1)]
+    page.set("viewBox", " ".join(f"{v:.1f}" for v in low + size))
+    page.set("width", f"{size[0]:.1f}mm")
+    page.set("height", f"{size[1]:.1f}mm")
+
+
+def main(svg, png):
+    for prefix, uri in (("", SVG[1:-1]), ("xlink", "http://www.w3.org/1999/xlink"), ("inkscape", LABEL[1:-6])):
+        ElementTree.register_namespace(prefix, uri)
+    tree = ElementTree.parse(svg)
+    page = tree.getroot()
+    names = ElementTree.Element(SVG + "g")
+    points = []
+    for view in page.findall(SVG + "g"):
+        curves = list(named_curves(view))
+        if view.get(LABEL) not in ("side view", "top view") or not curves:
+            continue
+        points += [p for _, _, lines in curves for line in lines for p in line]
+        right = max(p[0] for _, _, lines in curves for line in lines for p in line) + 14
+        name_guides(names, curves)
+        name_curves(names, curves, right)
+    page.append(names)
+    show_only(page, points)
+    command = ["rsvg-convert", "--zoom", "0.85", "--background-color", "white", "-o", png]
+    subprocess.run(command, input=ElementTree.tostring(page), check=True)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(pathlib.Path(sys.argv[1]), sys.argv[2])
