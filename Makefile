@@ -23,7 +23,7 @@ test: ## all tests that need nothing but Debian's libraries
 	cmake --build build -j $(JOBS)
 	ctest --test-dir build --output-on-failure -j $(JOBS)
 
-test-programs: ## tests that start real programs: the glTF validator, POV-Ray
+test-programs: ## tests that start real programs: the glTF validator, POV-Ray, Inkscape
 	@scripts/setup.sh build test programs
 	npm ci --no-audit --no-fund --loglevel=error
 	cmake --preset test-programs
