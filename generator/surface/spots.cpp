@@ -16,7 +16,8 @@ namespace pomona {
 
 namespace {
 
-constexpr double most_spots = 20'000;
+constexpr double most_spots = 20'000;  // of one kind
+constexpr double most_layers = 2'000;  // of all kinds, level with any vertex on average
 
 const char* name_of(SideOf side) { return side == SideOf::front ? "front" : "back"; }
 const Side& side_of(const SurfaceSketch& sketch, SideOf side) {
@@ -113,6 +114,20 @@ class ByHeight {
   std::vector<std::size_t> order_;
 };
 
+/// How many spots lie level with a vertex, on average: what painting them takes, for each vertex.
+double layers(std::span<const SweptGrid> grids, const std::vector<Spot>& spots) {
+  double low = 1e300, high = -1e300;
+  for (const SweptGrid& grid : grids) {
+    for (const glm::dvec3& p : grid.position) {
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
+    }
+  }
+  double sum = 0;
+  for (const Spot& spot : spots) sum += 2 * reach(spot) < high - low ? 2 * reach(spot) / (high - low) : 1;
+  return sum;
+}
+
 std::string millimetres(double metres) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g mm", metres * 1000);
@@ -147,6 +162,10 @@ std::vector<Spot> placed_spots(const Template& fruit, const SurfaceSketch& sketc
     for (const Dart& dart : darts_of(fruit, sketch, side, kinds[kind], grids, random)) {
       spots.push_back(spot_at(dart, kinds[kind], random));
     }
+  }
+  if (layers(grids, spots) > most_layers) {
+    refuse(fruit, sketch, std::string(name_of(side)) + " has more than 2 000 spots over one another",
+           "make them smaller, or their spacing larger");
   }
   return spots;
 }

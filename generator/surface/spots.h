@@ -27,7 +27,7 @@ struct Spot {
 
 /// All spots of one side of a surface, in the order in which they are painted. Scattered ones lie by the key:
 /// the same for (seed, index), elsewhere in other variants.
-/// \throws Error (bad_data) for more than 20 000 of one kind.
+/// \throws Error (bad_data) for more than 20 000 of one kind, or so many large ones that painting them would take long.
 std::vector<Spot> placed_spots(const Template& fruit, const SurfaceSketch& sketch, SideOf side,
                                std::span<const SweptGrid> grids, VariantKey key);
 

@@ -338,17 +338,24 @@ TEST(Spots, chambers_are_strewn_all_over) {
   }
 }
 
-TEST(Spots, too_many_are_refused_before_they_are_thrown) {
+std::string refusal(const SpotSketch& spots) {
   SurfaceSketch sketch = ball();
-  sketch.front.spots = {scattered(0.0001, 0.001)};
+  sketch.front.spots = {spots};
   try {
     sweep(fruit({sketch}));
-    ADD_FAILURE() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), ExitStatus::bad_data);
-    EXPECT_NE(std::string(error.what()).find("surface \"skin\": front has more than 20 000 spots"), std::string::npos)
-        << error.what();
+    return error.what();
   }
+  return "none";
+}
+
+TEST(Spots, what_would_take_too_long_is_refused) {
+  std::string said = refusal(scattered(0.0001, 0.001));
+  EXPECT_NE(said.find("surface \"skin\": front has more than 20 000 spots"), std::string::npos) << said;
+  said = refusal(scattered(0.002, 1));
+  EXPECT_NE(said.find("surface \"skin\": front has more than 2 000 spots over one another"), std::string::npos) << said;
+  EXPECT_EQ(refusal(scattered(0.002, 0.004)), "none");
 }
 
 TEST(Spots, what_is_smaller_than_the_cells_is_warned_of) {
