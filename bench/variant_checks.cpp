@@ -43,7 +43,7 @@ VariantChecks::VariantChecks(const Template& fruit, const VariantSettings& setti
     : fruit_(fruit), settings_(settings) {
   const DiffusionSurfaces as_drawn = sweep(fruit);
   drawn_ = settings.how.folds ? sweep(with_folds(fruit, *settings.how.folds)) : as_drawn;
-  drawn_crossings_ = crossing_triangles(as_drawn);
+  drawn_crossings_ = kinds_of(as_drawn, crossing_triangles(as_drawn));
   open_shells_ = open_shells_of(as_drawn);
   size_ = glm::length(bounds_of(as_drawn).size());
 }
@@ -64,7 +64,8 @@ VariantFacts VariantChecks::facts(int seed) const {
   facts.connected_as_drawn = swept.triangle == drawn_.triangle && swept.surface == drawn_.surface;
   facts.some_positions = some_of(swept.position);
   if (std::holds_alternative<FoldSymmetry>(fruit_.symmetry)) {
-    facts.folds = vary_folds(fruit_, key, settings_.how.amount, settings_.how.folds.value_or(fold_count(fruit_))).folds;
+    facts.folds =
+        FoldVariation(fruit_).draw(key, settings_.how.amount, settings_.how.folds.value_or(fold_count(fruit_))).folds;
   }
   return facts;
 }
@@ -83,14 +84,13 @@ std::vector<std::string> VariantChecks::crossing_curves(const Template& variant)
 }
 
 std::map<std::string, int> VariantChecks::new_crossings(const DiffusionSurfaces& variant) const {
-  const Crossings crossings = crossing_triangles(variant);
   const auto name = [&](int surface) { return variant.surface_names[static_cast<std::size_t>(surface)]; };
   std::map<std::string, int> found;
-  for (const auto& [pair, count] : crossings.between) {
-    if (!drawn_crossings_.between.contains(pair)) found[name(pair.first) + " x " + name(pair.second)] = count;
-  }
-  for (const auto& [surface, count] : crossings.within) {
-    if (!drawn_crossings_.within.contains(surface)) found[name(surface) + " x itself"] = count;
+  for (const CrossingTriangles& crossing : crossing_triangles(variant)) {
+    const CrossingKind kind = kind_of(variant, crossing);
+    if (drawn_crossings_.contains(kind)) continue;
+    const auto& [first, second, same_piece] = kind;
+    ++found[name(first) + " x " + (same_piece ? "itself" : name(second))];
   }
   return found;
 }

@@ -4,14 +4,15 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "generator/surface/crossings.h"
 #include "generator/surface/diffusion_surfaces.h"
 #include "generator/template/template.h"
 #include "generator/variation/vary.h"
 #include "generator/variation/vary_folds.h"
-#include "tests/shapes/crossings.h"
 
 namespace pomona::bench {
 
@@ -53,7 +54,7 @@ class VariantChecks {
   const Template& fruit_;
   VariantSettings settings_;
   DiffusionSurfaces drawn_;  ///< with as many folds as the variants
-  Crossings drawn_crossings_;
+  std::set<CrossingKind> drawn_crossings_;
   int open_shells_ = 0;
   double size_ = 0;
 };

@@ -10,6 +10,7 @@
 #include "generator/variation/fold_form.h"
 #include "generator/variation/fold_room.h"
 #include "generator/variation/fold_samples.h"
+#include "generator/variation/swept_check.h"
 
 namespace pomona {
 
@@ -80,7 +81,7 @@ std::vector<Curve> loops_of(const std::vector<PolarCurve>& folds, const FoldSymm
 
 /// A drawing as samples.
 struct Drawing {
-  const Template& fruit;
+  Template fruit;
   std::vector<double> widths;
   std::vector<FoldSamples> samples;
 
@@ -114,21 +115,39 @@ Candidate candidate(const Drawing& drawing, const std::vector<FoldDraw>& draws) 
   return result;
 }
 
+/// Which fold an azimuth lies in.
+std::size_t fold_at(const FoldSymmetry& symmetry, double azimuth) {
+  const double from = symmetry.fold_angles.front();
+  azimuth -= 2 * pi * std::floor((azimuth - from) / (2 * pi));
+  const auto next = std::upper_bound(symmetry.fold_angles.begin() + 1, symmetry.fold_angles.end(), azimuth);
+  return static_cast<std::size_t>(next - symmetry.fold_angles.begin()) - 1;
+}
+
 /// What a variant's folds are held to.
 struct Requirements {
   FoldRoom room;
+  SweptCheck swept;
   std::vector<FoldForm> forms;  ///< for each of Drawing::samples
 
-  explicit Requirements(const Drawing& drawing) : room(drawing.fruit) {
+  explicit Requirements(const Drawing& drawing) : room(drawing.fruit), swept(drawing.fruit) {
     for (const FoldSamples& samples : drawing.samples) forms.emplace_back(samples);
   }
 
+  /// Curves first; surfaces, which take longer, once all curves are sound.
   std::vector<bool> are_met(const Candidate& candidate) const {
     std::vector<bool> sound = room.is_sound(candidate.fruit);
     for (std::size_t s = 0; s < forms.size(); ++s) {
       for (std::size_t k = 0; k < sound.size(); ++k) sound[k] = sound[k] && forms[s].is_kept(candidate.folds[s][k]);
     }
+    if (!all_of(sound)) return sound;
+    for (const double azimuth : swept.new_crossings(candidate.fruit)) {
+      sound[fold_at(std::get<FoldSymmetry>(candidate.fruit.symmetry), azimuth)] = false;
+    }
     return sound;
+  }
+
+  static bool all_of(const std::vector<bool>& sound) {
+    return std::find(sound.begin(), sound.end(), false) == sound.end();
   }
 };
 
@@ -156,14 +175,22 @@ bool step_down(std::vector<FoldDraw>& draws, const std::vector<bool>& sound) {
 
 }  // namespace
 
-FoldVariant vary_folds(const Template& fruit, VariantKey key, double amount, int folds) {
+struct FoldVariation::Prepared {
+  Drawing drawing;
+  Requirements requirements;
+
+  explicit Prepared(const Template& fruit) : drawing(fruit), requirements(drawing) {}
+};
+
+FoldVariation::FoldVariation(const Template& fruit) : prepared_(std::make_shared<Prepared>(fruit)) {}
+
+FoldVariant FoldVariation::draw(VariantKey key, double amount, int folds) const {
   // Draw once; then only ever step towards the drawing, so that there is an end.
-  const Drawing drawing(fruit);
-  const Requirements requirements(drawing);
+  const auto& [drawing, requirements] = *prepared_;
   std::vector<FoldDraw> draws = drawn_folds(drawing.widths.size(), key, amount, folds);
   Candidate result = candidate(drawing, draws);
   std::vector<bool> sound = requirements.are_met(result);
-  while (std::find(sound.begin(), sound.end(), false) != sound.end() && step_down(draws, sound)) {
+  while (!Requirements::all_of(sound) && step_down(draws, sound)) {
     result = candidate(drawing, draws);
     sound = requirements.are_met(result);
   }
@@ -171,6 +198,10 @@ FoldVariant vary_folds(const Template& fruit, VariantKey key, double amount, int
   FoldVariant variant{std::move(result.fruit), {}};
   for (std::size_t k = 0; k < draws.size(); ++k) variant.folds.push_back({draws[k].rung, sound[k]});
   return variant;
+}
+
+FoldVariant vary_folds(const Template& fruit, VariantKey key, double amount, int folds) {
+  return FoldVariation(fruit).draw(key, amount, folds);
 }
 
 Template repeat_folds(const Template& fruit, int folds) {

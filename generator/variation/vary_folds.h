@@ -1,6 +1,7 @@
 // Variants of N-fold templates: every fold a blend of the drawn ones (paper, section 4.2, Figure 8 bottom).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "generator/variation/vary.h"
@@ -20,8 +21,22 @@ struct FoldVariant {
   std::vector<FoldReport> folds;
 };
 
-/// One set of weights per fold serves everything in it, so that a chamber follows the wall around it. Below amount 1 a
-/// fold is a mixture of the drawn one (in turn, if there are more or fewer folds than drawn) and the blend.
+/// An N-fold template made ready to be varied many times.
+class FoldVariation {
+ public:
+  /// \throws Error (bad_data) if the drawing cannot be swept.
+  explicit FoldVariation(const Template& fruit);
+
+  /// One set of weights per fold serves everything in it, so that a chamber follows the wall around it. Below amount 1
+  /// a fold is a mixture of the drawn one (in turn, if there are more or fewer folds than drawn) and the blend.
+  FoldVariant draw(VariantKey key, double amount, int folds) const;
+
+ private:
+  struct Prepared;
+  std::shared_ptr<const Prepared> prepared_;
+};
+
+/// One variant of one template.
 FoldVariant vary_folds(const Template& fruit, VariantKey key, double amount, int folds);
 
 /// The drawn folds in turn.

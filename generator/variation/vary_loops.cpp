@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -10,6 +11,7 @@
 #include "generator/base/units.h"
 #include "generator/variation/layers.h"
 #include "generator/variation/polar_curve.h"
+#include "generator/variation/swept_check.h"
 #include "generator/variation/texture_synthesis.h"
 
 namespace pomona {
@@ -218,29 +220,48 @@ bool is_sound(const Template& variant, const Layers& layers) {
 
 }  // namespace
 
-Template vary_loops(const Template& fruit, VariantKey key, double amount) {
-  // Take the loops that vary, outermost first.
-  const Layers layers = layers_of(fruit);
-  const std::vector<bool> fixed = fixed_layers(fruit, layers);
-  std::vector<Curve> loops;
-  for (std::size_t i = 0; i < fixed.size(); ++i) {
-    if (!fixed[i]) loops.push_back(counter_clockwise(fruit.surfaces[layers.surface[i]].horizontal.front()));
-  }
-  if (loops.empty()) return fruit;
-  const LoopBundle drawn = bundle_of(loops);
+struct LoopVariation::Prepared {
+  Template fruit;
+  Layers layers;
+  std::vector<bool> fixed;  ///< which layers are not synthesised
+  SweptCheck swept;
+  std::optional<LoopBundle> drawn;  ///< nothing if no loop varies
 
-  if (drawn.star_shaped) {
-    LoopBundle variant = synthesised(drawn, key, amount);
-    keep_apart(variant, fruit, layers, fixed);
+  explicit Prepared(const Template& drawing)
+      : fruit(drawing), layers(layers_of(fruit)), fixed(fixed_layers(fruit, layers)), swept(fruit) {
+    // Take the loops that vary, outermost first.
+    std::vector<Curve> loops;
+    for (std::size_t i = 0; i < fixed.size(); ++i) {
+      if (!fixed[i]) loops.push_back(counter_clockwise(fruit.surfaces[layers.surface[i]].horizontal.front()));
+    }
+    if (!loops.empty()) drawn = bundle_of(loops);
+  }
+
+  Template synthesis(VariantKey key, double amount) const {
+    LoopBundle variant = synthesised(*drawn, key, amount);
+    if (drawn->star_shaped) keep_apart(variant, fruit, layers, fixed);
     return with_loops(fruit, layers, fixed, variant);
   }
+};
 
-  // Other loops may come out crossing themselves or each other: then stay nearer to the drawing.
+LoopVariation::LoopVariation(const Template& fruit) : prepared_(std::make_shared<Prepared>(fruit)) {}
+
+Template LoopVariation::draw(VariantKey key, double amount) const {
+  const Prepared& p = *prepared_;
+  if (!p.drawn) return p.fruit;
+
+  // Star-shaped loops are drawn apart. Others may come out crossing themselves or each other, and surfaces may
+  // cross by a facet's width though their curves do not: then stay nearer to the drawing.
   for (int attempt = 0; attempt < 8; ++attempt, amount *= 0.7) {
-    const Template variant = with_loops(fruit, layers, fixed, synthesised(drawn, key, amount));
-    if (is_sound(variant, layers)) return variant;
+    Template variant = p.synthesis(key, amount);
+    const bool simple = p.drawn->star_shaped || is_sound(variant, p.layers);
+    if (simple && p.swept.new_crossings(variant).empty()) return variant;
   }
-  return with_loops(fruit, layers, fixed, synthesised(drawn, key, 0));
+  return p.synthesis(key, 0);
+}
+
+Template vary_loops(const Template& fruit, VariantKey key, double amount) {
+  return LoopVariation(fruit).draw(key, amount);
 }
 
 }  // namespace pomona

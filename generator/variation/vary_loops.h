@@ -1,13 +1,29 @@
 // Variants of cylindrical templates: all loops synthesised together (paper, section 4.2, Figure 8 top).
 #pragma once
 
+#include <memory>
+
 #include "generator/variation/vary.h"
 
 namespace pomona {
 
-/// Every loop around the axis that varies is taken apart with the others and put together anew by one map
-/// [De Bonet 1997], so that layers keep following each other; then layers that would cross are drawn
-/// nearer to the next layer outside them. What lies in folds stays as drawn.
+/// A cylindrical template made ready to be varied many times.
+class LoopVariation {
+ public:
+  /// \throws Error (bad_data) if the drawing cannot be swept.
+  explicit LoopVariation(const Template& fruit);
+
+  /// Every loop around the axis that varies is taken apart with the others and put together anew by one map
+  /// [De Bonet 1997], so that layers keep following each other; then layers that would cross are drawn
+  /// nearer to the next layer outside them. What lies in folds stays as drawn.
+  Template draw(VariantKey key, double amount) const;
+
+ private:
+  struct Prepared;
+  std::shared_ptr<const Prepared> prepared_;
+};
+
+/// One variant of one template.
 Template vary_loops(const Template& fruit, VariantKey key, double amount);
 
 }  // namespace pomona

@@ -7,12 +7,12 @@
 
 #include "generator/base/error.h"
 #include "generator/base/units.h"
+#include "generator/surface/crossings.h"
 #include "generator/surface/sweep.h"
 #include "generator/variation/fold_blend.h"
 #include "generator/variation/fold_samples.h"
 #include "generator/variation/vary.h"
 #include "generator/variation/vary_folds.h"
-#include "tests/shapes/crossings.h"
 #include "tests/variation/fruits.h"
 
 namespace pomona {
@@ -141,8 +141,9 @@ TEST(FoldVariation, IsAsDrawnAtAmountZero) {
 
 TEST(FoldVariation, JoinsAcrossFoldLines) {
   const Template tomato = fruits::tomato();
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const Template variant = vary(tomato, {seed, 0});
+  const FoldVariation variation(tomato);
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Template variant = variation.draw({seed, 0}, 1, 5).fruit;
     for (const SurfaceSketch& surface : variant.surfaces) {
       if (surface.type != SurfaceType::around_axis) continue;
       const RadiusOf radius(surface.horizontal.front());
@@ -156,19 +157,20 @@ TEST(FoldVariation, JoinsAcrossFoldLines) {
 TEST(FoldVariation, KeepsChambersInTheirFoldsAndNothingCrosses) {
   const Template tomato = fruits::tomato();
   ASSERT_TRUE(crossing_triangles(sweep(tomato)).empty());
+  const FoldVariation variation(tomato);
   int stepped = 0;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
     const double amount = seed % 3 == 0 ? 2 : 1;
-    const FoldVariant variant = vary_folds(tomato, {seed, 0}, amount, 5);
+    const FoldVariant variant = variation.draw({seed, 0}, amount, 5);
     expect_chambers_in_folds(variant.fruit);
     for (const FoldReport& fold : variant.folds) {
       EXPECT_TRUE(fold.sound);
       stepped += fold.rung > 0;
     }
     if (seed % 15 != 0) continue;
-    EXPECT_TRUE(crossing_triangles(sweep(variant.fruit, {.detail = 0.5})).empty()) << seed;
+    EXPECT_TRUE(crossing_triangles(sweep(variant.fruit)).empty()) << seed;
   }
-  EXPECT_LT(stepped, 300 * 5 / 4);
+  EXPECT_LT(stepped, 120 * 5 / 4);
 }
 
 TEST(FoldVariation, LeavesAMissingChamberMissing) {

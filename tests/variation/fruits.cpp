@@ -51,6 +51,8 @@ SurfaceSketch around_axis(const std::string& name, Curve vertical, Curve horizon
   surface.name = name;
   surface.vertical = std::move(vertical);
   surface.horizontal = {std::move(horizontal)};
+  surface.around = 40;  // few triangles, for many variants
+  surface.along = 16;
   surface.front.color.along = surface.back.color.along = Ramp<Color>::constant(Color(0.5f));
   return surface;
 }

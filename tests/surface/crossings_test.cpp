@@ -1,7 +1,8 @@
-#include "tests/shapes/crossings.h"
+#include "generator/surface/crossings.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -11,14 +12,8 @@
 namespace pomona {
 namespace {
 
-int total(const std::map<std::pair<int, int>, int>& counts) {
-  int sum = 0;
-  for (const auto& [pair, count] : counts) sum += count;
-  return sum;
-}
-
 /// Every two triangles by the definition, one after the other, in long doubles; for small generic shapes.
-int counted_one_by_one(const DiffusionSurfaces& surfaces, std::size_t first_of_second) {
+std::size_t counted_one_by_one(const DiffusionSurfaces& surfaces, std::size_t first_of_second) {
   using Vector = glm::tvec3<long double>;
   const auto corner = [&](std::size_t t, int i) { return Vector(surfaces.position[surfaces.triangle[t][i]]); };
   const auto volume = [](const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
@@ -34,7 +29,7 @@ int counted_one_by_one(const DiffusionSurfaces& surfaces, std::size_t first_of_s
     }
     return false;
   };
-  int count = 0;
+  std::size_t count = 0;
   for (std::size_t s = 0; s < first_of_second; ++s) {
     for (std::size_t t = first_of_second; t < surfaces.triangle_count(); ++t) count += pierces(s, t) || pierces(t, s);
   }
@@ -55,9 +50,13 @@ TEST(Crossings, AreAllFound) {
   const DiffusionSurfaces ball = shapes::sphere(1, 6), other = shapes::tilted(shapes::sphere(0.7, 5));
   for (const double apart : {0.0, 0.31, 0.5, 1.1, 1.69, 1.8}) {
     const DiffusionSurfaces both = joined(ball, shapes::moved(other, {apart, 0.1 * apart, 0.07}));
-    const Crossings found = crossing_triangles(both);
-    EXPECT_EQ(total(found.between), counted_one_by_one(both, ball.triangle_count())) << apart;
-    EXPECT_TRUE(found.within.empty());
+    const std::vector<CrossingTriangles> found = crossing_triangles(both);
+    EXPECT_EQ(found.size(), counted_one_by_one(both, ball.triangle_count())) << apart;
+    for (const CrossingTriangles& pair : found) {
+      EXPECT_LT(pair.first, ball.triangle_count());
+      EXPECT_GE(pair.second, ball.triangle_count());
+      EXPECT_FALSE(pair.same_piece);
+    }
   }
 }
 
@@ -66,30 +65,36 @@ TEST(Crossings, OfPiecesOfOneSurfaceAndOfAPieceWithItself) {
   const DiffusionSurfaces ball = shapes::sphere(1, 4);
   DiffusionSurfaces pair = joined(ball, shapes::moved(shapes::tilted(ball), {1.2, 0, 0}));
   for (std::int32_t& surface : pair.surface) surface = 0;
-  const Crossings balls = crossing_triangles(pair);
-  EXPECT_TRUE(balls.within.empty());
-  EXPECT_EQ(balls.between.size(), 1u);
-  EXPECT_GT(balls.between.at({0, 0}), 0);
+  EXPECT_EQ(kinds_of(pair, crossing_triangles(pair)), (std::set<CrossingKind>{{0, 0, false}}));
 
   // A torus so thick that it runs through itself.
-  const Crossings thick = crossing_triangles(shapes::torus(0.2, 0.5, 25, 13));
-  EXPECT_TRUE(thick.between.empty());
-  EXPECT_GT(thick.within.at(0), 0);
+  const DiffusionSurfaces torus = shapes::torus(0.2, 0.5, 25, 13);
+  EXPECT_EQ(kinds_of(torus, crossing_triangles(torus)), (std::set<CrossingKind>{{0, 0, true}}));
 }
 
 TEST(Crossings, AreSeenHoweverSlight) {
-  // A sheet through a corner of a box by as little as floats can tell apart, and one just above it.
+  // A sheet through the topmost corner of a box by as little as floats can tell apart, through it, and just above it.
   const DiffusionSurfaces box = shapes::tilted(shapes::box({0, 0, 0}, {1, 1, 1}));
   float top = 0;
   for (const glm::vec3& p : box.position) top = std::max(top, p.y);
   const auto at_height = [&](float y) {
-    DiffusionSurfaces sheet = shapes::open_sheet(8, 0);
+    DiffusionSurfaces sheet = shapes::open_sheet(4, 0);
     for (glm::vec3& p : sheet.position) p.y = y;
     return crossing_triangles(joined(box, sheet));
   };
   EXPECT_FALSE(at_height(std::nextafter(top, 0.0f)).empty());
   EXPECT_TRUE(at_height(top).empty());
   EXPECT_TRUE(at_height(std::nextafter(top, 9.0f)).empty());
+}
+
+TEST(Crossings, OfWhatIsNotANumberAreNone) {
+  DiffusionSurfaces ball = shapes::sphere(1, 4);
+  for (const float odd : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    ball.position[3].x = odd;
+    EXPECT_NO_THROW(crossing_triangles(ball));
+  }
+  for (glm::vec3& p : ball.position) p = glm::vec3(1);
+  EXPECT_TRUE(crossing_triangles(ball).empty());
 }
 
 }  // namespace

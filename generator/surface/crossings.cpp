@@ -1,0 +1,126 @@
+#include "generator/surface/crossings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include <glm/ext/vector_int3_sized.hpp>
+
+#include "generator/base/disjoint_sets.h"
+#include "generator/surface/meeting_boxes.h"
+
+namespace pomona {
+
+namespace {
+
+/// A position in whole steps. 29 bits a coordinate let volumes be computed exactly in 128 bits.
+using GridPoint = glm::i64vec3;
+using GridTriangle = std::array<GridPoint, 3>;
+__extension__ typedef __int128 Wide;
+constexpr double grid_steps = 1 << 29;
+
+std::vector<GridPoint> on_grid(const DiffusionSurfaces& surfaces) {
+  const Bounds bounds = bounds_of(surfaces);
+  const glm::dvec3 size = bounds.size();
+  const double longest = std::max({size.x, size.y, size.z});
+  const double steps_per_metre = longest > 0 ? grid_steps / longest : 0;
+  // Vertices that no triangle uses may lie anywhere.
+  const auto step = [](double at) { return at >= 0 ? std::llround(std::min(at, grid_steps)) : 0; };
+  std::vector<GridPoint> points;
+  for (const glm::vec3& p : surfaces.position) {
+    const glm::dvec3 at = (glm::dvec3(p) - bounds.low) * steps_per_metre;
+    points.emplace_back(step(at.x), step(at.y), step(at.z));
+  }
+  return points;
+}
+
+/// On which side of the triangle a point lies: 1, 0 or -1.
+int side_of(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& p) {
+  const GridPoint u = b - a, v = c - a, w = p - a;
+  const Wide volume = static_cast<Wide>(u.y * v.z - u.z * v.y) * w.x + static_cast<Wide>(u.z * v.x - u.x * v.z) * w.y +
+                      static_cast<Wide>(u.x * v.y - u.y * v.x) * w.z;
+  return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
+}
+
+using Sides = std::array<int, 3>;
+
+Sides sides_of(const GridTriangle& plane, const GridTriangle& t) {
+  const auto side = [&](const GridPoint& p) { return side_of(plane[0], plane[1], plane[2], p); };
+  return {side(t[0]), side(t[1]), side(t[2])};
+}
+
+bool on_both(const Sides& sides) {
+  return std::min({sides[0], sides[1], sides[2]}) < 0 && std::max({sides[0], sides[1], sides[2]}) > 0;
+}
+
+/// True if the line goes through the inside of the triangle.
+bool line_pierces(const GridPoint& p, const GridPoint& q, const GridTriangle& t) {
+  const int first = side_of(p, q, t[0], t[1]);
+  return first != 0 && side_of(p, q, t[1], t[2]) == first && side_of(p, q, t[2], t[0]) == first;
+}
+
+/// True if an edge of t, whose corners lie on these sides of s, goes through s.
+bool edge_pierces(const GridTriangle& t, const Sides& sides, const GridTriangle& s) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (sides[i] * sides[j] < 0 && line_pierces(t[i], t[j], s)) return true;
+  }
+  return false;
+}
+
+bool cross_properly(const GridTriangle& s, const GridTriangle& t) {
+  const Sides sides_t = sides_of(s, t);
+  if (!on_both(sides_t)) return false;
+  const Sides sides_s = sides_of(t, s);
+  return on_both(sides_s) && (edge_pierces(t, sides_t, s) || edge_pierces(s, sides_s, t));
+}
+
+bool share_an_edge(const glm::uvec3& a, const glm::uvec3& b) {
+  int common = 0;
+  for (int i = 0; i < 3; ++i) common += a[i] == b.x || a[i] == b.y || a[i] == b.z;
+  return common > 1;
+}
+
+}  // namespace
+
+std::vector<CrossingTriangles> crossing_triangles(const DiffusionSurfaces& surfaces) {
+  // Find where triangles could meet, and what is connected.
+  const std::vector<GridPoint> points = on_grid(surfaces);
+  DisjointSets pieces(surfaces.vertex_count());
+  std::vector<FloatBox> boxes;
+  std::vector<GridTriangle> corners;
+  for (const glm::uvec3& v : surfaces.triangle) {
+    pieces.join(v.x, v.y);
+    pieces.join(v.x, v.z);
+    FloatBox box;
+    for (int i = 0; i < 3; ++i) box.add(glm::vec3(points[v[i]]));
+    boxes.push_back(box);
+    corners.push_back({points[v.x], points[v.y], points[v.z]});
+  }
+
+  // Look closely there.
+  std::vector<CrossingTriangles> found;
+  for (const auto& [s, t] : meeting_boxes(boxes)) {
+    const glm::uvec3 &a = surfaces.triangle[s], &b = surfaces.triangle[t];
+    if (share_an_edge(a, b) || !cross_properly(corners[s], corners[t])) continue;
+    found.push_back({s, t, pieces.root(a.x) == pieces.root(b.x)});
+  }
+  std::sort(found.begin(), found.end(), [](const CrossingTriangles& l, const CrossingTriangles& r) {
+    return std::tie(l.first, l.second) < std::tie(r.first, r.second);
+  });
+  return found;
+}
+
+CrossingKind kind_of(const DiffusionSurfaces& surfaces, const CrossingTriangles& crossing) {
+  const std::int32_t a = surfaces.surface[crossing.first], b = surfaces.surface[crossing.second];
+  return {std::min(a, b), std::max(a, b), crossing.same_piece};
+}
+
+std::set<CrossingKind> kinds_of(const DiffusionSurfaces& surfaces, const std::vector<CrossingTriangles>& crossings) {
+  std::set<CrossingKind> kinds;
+  for (const CrossingTriangles& crossing : crossings) kinds.insert(kind_of(surfaces, crossing));
+  return kinds;
+}
+
+}  // namespace pomona

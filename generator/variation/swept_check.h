@@ -1,0 +1,26 @@
+// Whether what is swept from a variant crosses where the drawing does not.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "generator/surface/crossings.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// Curves that keep apart may still be swept into surfaces that cross, by a facet's width. Looks at the swept triangles
+/// themselves, at detail 1: two surfaces may only cross in a variant if they do so in the drawing.
+class SweptCheck {
+ public:
+  /// \throws Error (bad_data) if the drawing cannot be swept.
+  explicit SweptCheck(const Template& drawn);
+
+  /// The azimuths of the crossings that the drawing does not have; one in the middle of each triangle.
+  std::vector<double> new_crossings(const Template& variant) const;
+
+ private:
+  std::set<CrossingKind> drawn_;
+};
+
+}  // namespace pomona

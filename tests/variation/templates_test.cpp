@@ -1,0 +1,108 @@
+// Variants of the templates there are. bench/variants looks at a thousand of each; these are a sample.
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include <gmock/gmock.h>
+#include <glm/geometric.hpp>
+
+#include "generator/surface/crossings.h"
+#include "generator/surface/shells.h"
+#include "generator/surface/sweep.h"
+#include "generator/template/read_template.h"
+#include "generator/variation/vary.h"
+#include "generator/variation/vary_folds.h"
+#include "generator/variation/vary_loops.h"
+
+namespace pomona {
+namespace {
+
+Template drawn(const std::string& name) { return read_template(POMONA_SOURCE_DIR "/templates/" + name + ".toml"); }
+
+long open_shells(const DiffusionSurfaces& surfaces) {
+  const Shells shells = find_shells(surfaces);
+  return std::count(shells.closed.begin(), shells.closed.end(), 0);
+}
+
+bool has_only_simple_curves(const Template& fruit) {
+  for (const SurfaceSketch& surface : fruit.surfaces) {
+    if (!is_simple(surface.vertical)) return false;
+    for (const Curve& curve : surface.horizontal) {
+      if (!curve.points.empty() && !is_simple(curve)) return false;
+    }
+  }
+  return true;
+}
+
+/// Root mean square distance of equal vertices, over the size of the first.
+double distance_between(const DiffusionSurfaces& a, const DiffusionSurfaces& b) {
+  double sum = 0;
+  for (std::size_t v = 0; v < a.vertex_count(); ++v) {
+    const glm::dvec3 difference = glm::dvec3(a.position[v]) - glm::dvec3(b.position[v]);
+    sum += glm::dot(difference, difference);
+  }
+  return std::sqrt(sum / static_cast<double>(a.vertex_count())) / glm::length(bounds_of(a).size());
+}
+
+/// Variants of one template, as they are swept.
+struct Sample {
+  Template fruit;
+  std::vector<Template> variants;
+};
+
+Sample sample_of(const std::string& name, std::uint64_t count) {
+  Sample sample{drawn(name), {}};
+  if (std::holds_alternative<CylindricalSymmetry>(sample.fruit.symmetry)) {
+    const LoopVariation variation(sample.fruit);
+    for (std::uint64_t seed = 1; seed <= count; ++seed) sample.variants.push_back(variation.draw({seed, 0}, 1));
+  } else {
+    const FoldVariation variation(sample.fruit);
+    const int folds = fold_count(sample.fruit);
+    for (std::uint64_t seed = 1; seed <= count; ++seed) {
+      sample.variants.push_back(variation.draw({seed, 0}, 1, folds).fruit);
+    }
+  }
+  return sample;
+}
+
+class TemplateVariants : public testing::TestWithParam<const char*> {};
+
+TEST_P(TemplateVariants, AreSoundAndUnlikeEachOther) {
+  const Sample sample = sample_of(GetParam(), 20);
+  const DiffusionSurfaces as_drawn = sweep(sample.fruit);
+  const std::set<CrossingKind> crossings = kinds_of(as_drawn, crossing_triangles(as_drawn));
+  const bool simple = has_only_simple_curves(sample.fruit);
+  std::vector<DiffusionSurfaces> swept;
+  for (const Template& variant : sample.variants) {
+    EXPECT_TRUE(!simple || has_only_simple_curves(variant));
+    swept.push_back(sweep(variant));
+    EXPECT_EQ(swept.back().triangle, as_drawn.triangle);
+    EXPECT_EQ(open_shells(swept.back()), open_shells(as_drawn));
+    for (const CrossingKind& kind : kinds_of(swept.back(), crossing_triangles(swept.back()))) {
+      EXPECT_TRUE(crossings.contains(kind)) << swept.size() << ": " << as_drawn.surface_names[std::get<0>(kind)]
+                                            << " x " << as_drawn.surface_names[std::get<1>(kind)];
+    }
+  }
+  for (std::size_t i = 0; i < swept.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_GT(distance_between(swept[i], swept[j]), 1e-4);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Some, TemplateVariants, testing::Values("pepper", "tomato", "onion", "cherry", "radish"));
+
+/// Seeds whose surfaces crossed by a facet's width while only their curves were looked at.
+TEST(FoldVariation, KeepsSurfacesFromCrossingByAFacet) {
+  for (const auto& [name, amount, seed] :
+       {std::tuple{"apple", 1.0, 23}, std::tuple{"apple", 1.0, 49}, std::tuple{"cucumber", 2.0, 9}}) {
+    const Template fruit = drawn(name);
+    const DiffusionSurfaces as_drawn = sweep(fruit);
+    const std::set<CrossingKind> crossings = kinds_of(as_drawn, crossing_triangles(as_drawn));
+    const FoldVariant variant = vary_folds(fruit, {static_cast<std::uint64_t>(seed), 0}, amount, fold_count(fruit));
+    const DiffusionSurfaces swept = sweep(variant.fruit);
+    for (const CrossingKind& kind : kinds_of(swept, crossing_triangles(swept))) EXPECT_TRUE(crossings.contains(kind));
+  }
+}
+
+}  // namespace
+}  // namespace pomona
