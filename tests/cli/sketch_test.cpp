@@ -279,5 +279,33 @@ TEST_F(Sampled, SayWhatIsWrong) {
   says("no colour of it is sampled");
 }
 
+// ---- The project's own ----
+
+TEST(OwnSketches, HaveTheColoursOfTheirPictures) {
+  const fs::path templates = fs::path(POMONA_SOURCE_DIR) / "templates";
+  int sampled = 0;
+  for (const auto& entry : fs::directory_iterator(templates)) {
+    const std::string bytes = entry.path().extension() == ".toml" ? bytes_of(entry.path()) : "";
+    if (bytes.find("sample = ") == std::string::npos) continue;
+    const std::string name = entry.path().stem().string();
+    const TemporaryFolder folder;
+    for (const char* kind : {".toml", ".svg"}) fs::copy(templates / (name + kind), folder / (name + kind));
+    EXPECT_EQ(run_pomona({"sketch", name + ".toml", "--sample", "--quiet"}, folder.path()).status, 0) << name;
+    EXPECT_EQ(bytes_of(folder / (name + ".toml")), bytes) << name;
+    ++sampled;
+  }
+  EXPECT_GE(sampled, 2);
+}
+
+TEST(OwnSketches, NameWhoseTheirPicturesAre) {
+  const fs::path templates = fs::path(POMONA_SOURCE_DIR) / "templates";
+  const std::string credits = bytes_of(templates / "CREDITS");
+  for (const auto& entry : fs::directory_iterator(templates)) {
+    if (entry.path().extension() != ".svg" || bytes_of(entry.path()).find("<image") == std::string::npos) continue;
+    EXPECT_THAT(credits, HasSubstr(entry.path().filename().string()));
+    EXPECT_LT(fs::file_size(entry.path()), 150000u) << entry.path();
+  }
+}
+
 }  // namespace
 }  // namespace pomona::testing
