@@ -1,30 +1,29 @@
-// Places for grains, by dart throwing [Cook 1986; paper, section 4, step 2].
+// Places for grains, by dart throwing [Cook 1986; paper, section 4, step 2] with a spacing that may vary over the
+// surface.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "generator/base/random.h"
-#include "generator/surface/swept_grid.h"
+#include "generator/surface/grain_pose.h"
+#include "generator/surface/grain_targets.h"
 
 namespace pomona {
 
-/// Where one grain sits.
-struct Dart {
-  glm::dvec3 center{0};
-  glm::dvec3 normal{0};      ///< unit, away from the side the grain sits on
-  glm::dvec3 tangent{0};     ///< unit, across the normal, along the vertical curve
-  std::uint64_t number = 0;  ///< of the candidate: what further draws are keyed by
+/// A place taken, and the grain there.
+struct Dart : GrainSeat {
+  double spacing = 0;  ///< metres: the Poisson radius over the square root of the density there
+  GrainPose pose;
 };
 
-/// A stream's draws belong to candidates, so many to each.
-constexpr std::uint64_t draws_per_candidate = 8;
+/// About how many grains the targets have room for: the integral of 0.7 density / radius^2, or a little more.
+double room_for_grains(const std::vector<GrainTarget>& targets, const GrainSketch& sketch);
 
-/// Area of the triangles that reach into the sketch's band.
-double band_area(std::span<const SweptGrid> grids, const GrainSketch& sketch);
-
-/// Candidates spread evenly over the band are taken one by one; each stays unless an earlier one that faces the
-/// same way has its centre nearer than the Poisson radius. Uses draws 0 to 2 of each candidate.
-std::vector<Dart> thrown_darts(std::span<const SweptGrid> grids, const GrainSketch& sketch, const RandomStream& random);
+/// Candidates spread over the targets by their density are taken one by one; each stays unless an earlier one
+/// that faces the same way (or any, if the sketch says so), or one of `others`, has its centre nearer than the
+/// mean of both spacings; or, if the grains are solid, its ellipsoid in the way.
+/// Uses draws 0 to 5 of each candidate's places.
+std::vector<Dart> thrown_darts(std::vector<GrainTarget> targets, const GrainSketch& sketch, const GrainDraws& draws,
+                               std::span<const Dart> others = {});
 
 }  // namespace pomona

@@ -1,18 +1,17 @@
 #include "generator/surface/grains.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
-#include "generator/base/reproducible.h"
-#include "generator/base/units.h"
 #include "generator/surface/dart_throwing.h"
+#include "generator/surface/grain_colors.h"
+#include "generator/surface/grain_shape.h"
 #include "generator/surface/grid_painter.h"
-#include "generator/surface/section_loop.h"
 #include "generator/surface/swept_grid.h"
 
 namespace pomona {
@@ -43,50 +42,86 @@ double fruit_size(const Template& fruit) {
   return size;
 }
 
-/// One grain of length 2 along +Y and radius 1, its tip up: what all grains of a sketch are made of.
-SweptGrid unit_grain(const GrainSketch& sketch) {
-  const int around = std::max(3, sketch.around), rings = std::max(3, sketch.along);
-  SweptGrid grain;
-  const auto append = [&](const glm::dvec3& position, int ring, int spoke) {
-    grain.position.push_back(position);
-    grain.along.push_back(static_cast<double>(ring) / (rings - 1));
-    grain.around.push_back(static_cast<double>(spoke) / around);
-    grain.is_pole.push_back(ring == 0 || ring == rings - 1 ? 1 : 0);
-  };
-  append({0, -1, 0}, 0, 0);
-  for (int j = 1; j + 1 < rings; ++j) {
-    // A drop narrows towards its tip with the sine of half the angle from there; 0.7698 is its widest.
-    const double from_tip = pi * (1 - static_cast<double>(j) / (rings - 1));
-    const double drop = reproducible::sin(from_tip / 2) / 0.7698;
-    const double radius = reproducible::sin(from_tip) * (1 + sketch.pointedness * (drop - 1));
-    for (int i = 0; i < around; ++i) {
-      const glm::dvec2 spoke = direction_of(2 * pi * i / around);
-      append({radius * spoke.x, reproducible::cos(from_tip), -radius * spoke.y}, j, i);
+/// Copies of one painted grain.
+class GrainStamp {
+ public:
+  GrainStamp(const GrainForm& form, const Side& front, const Side& back, double blur) : shape_(unit_grain(form)) {
+    GridPainter(painted_, "", front, back, Ramp<double>::constant(blur)).append(shape_);
+  }
+
+  void append_to(DiffusionSurfaces& grains, const glm::dvec3& center, const GrainPose& pose, const GrainTint& tint,
+                 std::int32_t surface) const {
+    const auto first = static_cast<std::uint32_t>(grains.vertex_count());
+    for (std::size_t v = 0; v < shape_.position.size(); ++v) {
+      const glm::dvec3& p = shape_.position[v];
+      grains.position.emplace_back(center + pose.thickness * p.x + pose.length * p.y + pose.width * p.z);
+      grains.front_color.push_back(tinted(painted_.front_color[v], tint));
+      grains.back_color.push_back(tinted(painted_.back_color[v], tint));
+      grains.blur.push_back(painted_.blur[v]);
+      grains.front_hidden.push_back(painted_.front_hidden[v]);
+      grains.back_hidden.push_back(painted_.back_hidden[v]);
+    }
+    for (std::size_t t = 0; t < painted_.triangle_count(); ++t) {
+      grains.triangle.push_back(painted_.triangle[t] + glm::uvec3(first));
+      grains.surface.push_back(surface);
+      grains.front_part.push_back(painted_.front_part[t]);
+      grains.back_part.push_back(painted_.back_part[t]);
     }
   }
-  append({0, 1, 0}, rings - 1, 0);
-  grain.triangle = grid_triangles({around, rings, true, true, false});
-  return grain;
+
+ private:
+  SweptGrid shape_;
+  DiffusionSurfaces painted_;
+};
+
+Side repainted(Side side, const PaintedColor& color) {
+  side.color = color;
+  return side;
 }
 
-glm::dvec3 turned(const glm::dvec3& from, const glm::dvec3& towards, double angle) {
-  return from * reproducible::cos(angle) + towards * reproducible::sin(angle);
+std::int32_t add_surface(DiffusionSurfaces& grains, const std::string& name) {
+  grains.surface_names.push_back(name);
+  return static_cast<std::int32_t>(grains.surface_names.size() - 1);
 }
 
-/// The unit grain at a dart's place, with the jitter its number draws.
-SweptGrid placed(SweptGrid grain, const GrainSketch& sketch, const Dart& dart, const RandomStream& random) {
-  const auto draw = [&](std::uint64_t k) { return 2 * random.uniform(draws_per_candidate * dart.number + k) - 1; };
-  const glm::dvec3 sideways = glm::cross(dart.normal, dart.tangent);
-  const glm::dvec3 flat = turned(dart.tangent, sideways, sketch.angle_jitter * draw(3));
-  const glm::dvec3 tip = turned(flat, dart.normal, sketch.tilt);
-  const glm::dvec3 up = turned(dart.normal, -flat, sketch.tilt);
-  const double scale = 0.5 * std::max(0.1, 1 + sketch.size_jitter * draw(4));
+void append_grains(DiffusionSurfaces& grains, const GrainSketch& sketch, const std::vector<Dart>& darts,
+                   const GrainDraws& draws) {
+  std::vector<GrainStamp> stamps;  // one for each look, the sketch's own last
+  for (const GrainLook& look : sketch.looks) {
+    stamps.emplace_back(sketch.form, repainted(sketch.front, look.front), repainted(sketch.back, look.back),
+                        sketch.blur);
+  }
+  stamps.emplace_back(sketch.form, sketch.front, sketch.back, sketch.blur);
+  const std::int32_t surface = add_surface(grains, sketch.name);
+  for (const Dart& dart : darts) {
+    const GrainStamp& stamp = dart.pose.look < 0 ? stamps.back() : stamps[static_cast<std::size_t>(dart.pose.look)];
+    stamp.append_to(grains, dart.center, dart.pose, drawn_tint(sketch, dart.number, draws), surface);
+  }
+}
 
-  // The grain's X becomes the normal and its Y the tip, so its Z must be across both.
-  const glm::dvec3 x = up * (scale * sketch.thickness), y = tip * (scale * sketch.length);
-  const glm::dvec3 z = glm::cross(up, tip) * (scale * sketch.width);
-  for (glm::dvec3& p : grain.position) p = dart.center + x * p.x + y * p.y + z * p.z;
-  return grain;
+/// A core in every grain that looks as its sketch says; those with another look have none.
+void append_cores(DiffusionSurfaces& grains, const GrainSketch& sketch, const GrainCore& core,
+                  const std::vector<Dart>& darts, const GrainDraws& draws) {
+  const GrainStamp stamp(core.form, core.front, core.back, core.blur);
+  const std::int32_t surface = add_surface(grains, sketch.name + "-core");
+  for (const Dart& dart : darts) {
+    if (dart.pose.look != GrainPose::own_look) continue;
+    GrainPose pose = dart.pose;
+    const glm::dvec3 center = dart.center + pose.length * (2 * core.shift);
+    pose.thickness *= core.form.thickness;
+    pose.length *= core.form.length;
+    pose.width *= core.form.width;
+    stamp.append_to(grains, center, pose, drawn_tint(sketch, dart.number, draws), surface);
+  }
+}
+
+/// Leaves out the grains of empty places.
+std::vector<Dart> filled(std::vector<Dart> darts, const GrainSketch& sketch, const GrainDraws& draws) {
+  if (sketch.ground.share >= 1) return darts;
+  std::erase_if(darts, [&](const Dart& dart) {
+    return draws.places.uniform(draws_per_candidate * dart.number + 6) >= sketch.ground.share;
+  });
+  return darts;
 }
 
 }  // namespace
@@ -96,22 +131,26 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
   grains.part_names = fruit.parts;
   const double size = fruit_size(fruit);
   double expected = 0;
+  std::vector<std::vector<Dart>> thrown;
   for (const GrainSketch& sketch : fruit.grains) {
     // Refuse what would take too long before throwing the first dart.
-    if (!(sketch.poisson_radius >= 1e-3 * size)) {
+    if (!(sketch.spacing.poisson_radius >= 1e-3 * size)) {
       refuse(fruit, sketch, "the Poisson radius is below 1/1000 of the fruit", "make it the distance between grains");
     }
+    const GrainDraws draws = grain_draws(key, sketch.name);
     const SurfaceSketch& surface = fruit.surfaces.at(static_cast<std::size_t>(sketch.surface));
-    const std::vector<SweptGrid> grids = swept_grids(fruit, surface, options);
-    // A full surface has some 0.7 grains per squared radius.
-    expected += 0.7 * band_area(grids, sketch) / (sketch.poisson_radius * sketch.poisson_radius);
+    const std::vector<GrainTarget> targets = grain_targets(swept_grids(fruit, surface, options), sketch, draws.folds);
+    expected += room_for_grains(targets, sketch);
     if (expected > most_grains) refuse(fruit, sketch, "more than 20 000 grains", "make the Poisson radius larger");
 
-    const RandomStream random(key, "grains/" + sketch.name);
-    const SweptGrid grain = unit_grain(sketch);
-    const Ramp<double> blur = Ramp<double>::constant(sketch.blur);
-    GridPainter painter(grains, sketch.name, sketch.front, sketch.back, blur);
-    for (const Dart& dart : thrown_darts(grids, sketch, random)) painter.append(placed(grain, sketch, dart, random));
+    std::vector<Dart> others;
+    for (const int kind : sketch.spacing.apart_from) {
+      const std::vector<Dart>& known = thrown.at(static_cast<std::size_t>(kind));
+      others.insert(others.end(), known.begin(), known.end());
+    }
+    thrown.push_back(filled(thrown_darts(targets, sketch, draws, others), sketch, draws));
+    append_grains(grains, sketch, thrown.back(), draws);
+    for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, thrown.back(), draws);
   }
   return grains;
 }

@@ -27,9 +27,9 @@ const Side& side_of(const SurfaceSketch& sketch, SideOf side) {
 /// Scattered spots are thrown like grains that lie flat on the front.
 GrainSketch as_darts(const SpotSketch& sketch) {
   GrainSketch darts;
-  darts.poisson_radius = sketch.spacing;
-  darts.along_from = sketch.along_from;
-  darts.along_to = sketch.along_to;
+  darts.spacing.poisson_radius = sketch.spacing;
+  darts.ground.along_from = sketch.along_from;
+  darts.ground.along_to = sketch.along_to;
   return darts;
 }
 
@@ -64,14 +64,18 @@ std::vector<Dart> darts_of(const Template& fruit, const SurfaceSketch& surface, 
   if (grids.empty()) return {};
   if (sketch.place) {
     const GridPoint point = point_at(grids.front(), sketch.place->along, sketch.place->azimuth);
-    return {{point.position, point.normal, point.uphill, 0}};
+    Dart dart;
+    dart.center = point.position;
+    dart.normal = point.normal;
+    dart.tangent = point.uphill;
+    return {dart};
   }
-  // A full surface has some 0.7 darts per squared spacing.
   const GrainSketch thrown = as_darts(sketch);
-  if (0.7 * band_area(grids, thrown) > most_spots * sketch.spacing * sketch.spacing) {
+  const std::vector<GrainTarget> targets = grain_targets(grids, thrown, random);
+  if (room_for_grains(targets, thrown) > most_spots) {
     refuse(fruit, surface, std::string(name_of(side)) + " has more than 20 000 spots", "make their spacing larger");
   }
-  std::vector<Dart> darts = thrown_darts(grids, thrown, random);
+  std::vector<Dart> darts = thrown_darts(targets, thrown, {random, random, random});
   if (sketch.count > 0 && darts.size() > static_cast<std::size_t>(sketch.count)) {
     darts.resize(static_cast<std::size_t>(sketch.count));
   }

@@ -97,6 +97,8 @@ Side read_side(const TomlTable& table, const std::vector<std::string>& parts) {
   return read_any_side(table, parts, nullptr);
 }
 
+PaintedColor read_painted_color(const TomlValue& value) { return read_painted_color(value, nullptr); }
+
 Side read_surface_side(const TomlTable& table, const std::vector<std::string>& parts, const PaintedSurface& surface) {
   Side side = read_any_side(table, parts, &surface);
   for (const TomlTable& coat : table.get("coats").tables(most_coats)) side.coats.push_back(read_coat(coat, surface));

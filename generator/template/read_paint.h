@@ -55,6 +55,9 @@ PaintedBlur read_painted_blur(const TomlValue& value);
 /// here they are only checked.
 Side read_side(const TomlTable& table, const std::vector<std::string>& parts);
 
+/// The colour of such a side alone.
+PaintedColor read_painted_color(const TomlValue& value);
+
 /// What the paint of a surface has to fit.
 struct PaintedSurface {
   SurfaceType type = SurfaceType::around_axis;

@@ -20,10 +20,10 @@ using namespace sketches;
 GrainSketch seeds(double poisson_radius) {
   GrainSketch sketch;
   sketch.name = "seeds";
-  sketch.poisson_radius = poisson_radius;
-  sketch.length = 0.004;
-  sketch.width = 0.003;
-  sketch.thickness = 0.002;
+  sketch.spacing.poisson_radius = poisson_radius;
+  sketch.form.length = 0.004;
+  sketch.form.width = 0.003;
+  sketch.form.thickness = 0.002;
   sketch.front = {0, {Ramp<Color>::constant(Color(0.9f, 0.8f, 0.5f))}, true};
   sketch.back = {1, {Ramp<Color>::constant(Color(1))}, false};
   return sketch;
@@ -52,7 +52,7 @@ const glm::dvec3 middle(0, 0.04, 0);
 TEST(Grains, NoTwoAreNearerThanThePoissonRadiusAndFewMoreWouldFit) {
   for (const double sink : {0.0, 0.005, -0.005}) {
     GrainSketch sketch = seeds(0.004);
-    sketch.sink = sink;
+    sketch.stance.sink = sink;
     const std::vector<glm::dvec3> at = centers(scatter_grains(seeded(sketch), {1, 0}));
     for (std::size_t i = 0; i < at.size(); ++i) {
       EXPECT_NEAR(glm::distance(at[i], middle), 0.04 - sink, 2e-4);
@@ -74,11 +74,11 @@ TEST(Grains, TheSameKeyScattersTheSameGrains) {
 TEST(Grains, EachIsAClosedBodyFrontOutside) {
   for (const double pointedness : {0.0, 1.0}) {
     GrainSketch sketch = seeds(0.012);
-    sketch.pointedness = pointedness;
-    sketch.angle_jitter = 1;
-    sketch.tilt = 0.5;
-    sketch.around = 32;
-    sketch.along = 32;
+    sketch.form.pointedness = pointedness;
+    sketch.stance.angle_jitter = 1;
+    sketch.stance.tilt = 0.5;
+    sketch.form.around = 32;
+    sketch.form.along = 32;
     const DiffusionSurfaces grains = scatter_grains(seeded(sketch), {});
     const Bodies found = find_bodies(grains);
     ASSERT_GT(found.bodies.size(), 50u);
@@ -96,8 +96,8 @@ TEST(Grains, EachIsAClosedBodyFrontOutside) {
 
 TEST(Grains, TipsRunUpTheCurveAndLieFlat) {
   GrainSketch sketch = seeds(0.008);
-  sketch.along_from = 0.3;
-  sketch.along_to = 0.7;
+  sketch.ground.along_from = 0.3;
+  sketch.ground.along_to = 0.7;
   const DiffusionSurfaces grains = scatter_grains(seeded(sketch), {2, 0});
   ASSERT_GT(grains.vertex_count(), 50 * vertices_per_grain);
   for (std::size_t v = 0; v < grains.vertex_count(); v += vertices_per_grain) {
@@ -115,8 +115,8 @@ TEST(Grains, TipsRunUpTheCurveAndLieFlat) {
 TEST(Grains, OnTheBackTheyPointInwards) {
   GrainSketch sketch = seeds(0.01);
   sketch.on_front = false;
-  sketch.sink = -0.002;
-  sketch.tilt = 0.5;
+  sketch.stance.sink = -0.002;
+  sketch.stance.tilt = 0.5;
   const DiffusionSurfaces grains = scatter_grains(seeded(sketch), {2, 0});
   for (std::size_t v = 0; v < grains.vertex_count(); v += vertices_per_grain) {
     const glm::dvec3 tail(grains.position[v]), tip(grains.position[v + vertices_per_grain - 1]);
@@ -153,8 +153,8 @@ TEST(Grains, TooManyOrTooFineIsRefusedAtOnce) {
 
 TEST(Grains, AnEmptyBandHasNone) {
   GrainSketch sketch = seeds(0.004);
-  sketch.along_from = 0.6;
-  sketch.along_to = 0.4;
+  sketch.ground.along_from = 0.6;
+  sketch.ground.along_to = 0.4;
   EXPECT_EQ(scatter_grains(seeded(sketch), {}).triangle_count(), 0u);
 }
 

@@ -91,7 +91,7 @@ TEST(ReadTemplate, reads_what_is_written) {
   EXPECT_DOUBLE_EQ(stone.blur.along(0.3), 0.0004);
   ASSERT_EQ(plum.grains.size(), 1u);
   EXPECT_EQ(plum.grains[0].surface, 1);
-  EXPECT_DOUBLE_EQ(plum.grains[0].poisson_radius, 0.002);
+  EXPECT_DOUBLE_EQ(plum.grains[0].spacing.poisson_radius, 0.002);
 }
 
 TEST(ReadTemplate, nothing_bends_or_varies_unless_it_is_said) {
@@ -115,6 +115,48 @@ TEST(ReadTemplate, reads_bend_and_variation) {
   EXPECT_DOUBLE_EQ(plum.variation.bend.angle, radians(10));
   EXPECT_DOUBLE_EQ(plum.variation.bend.swing, radians(5));
   EXPECT_TRUE(plum.variation.bend.around);
+}
+
+TEST(ReadTemplate, grains_say_where_they_grow_how_they_lie_and_what_is_in_them) {
+  const Template plum = plum_with("length = \"1mm\"", R"(length = "1mm"
+density = { along = [[0.0, 0.5], [1.0, 1.0]], around = 0.5 }
+sector = [0.8, 0.2]
+depth = [0.5, 1.0]
+folds = [2]
+faces = "axis"
+share = 0.5
+fold_share = 0.75
+apart = "all"
+solid = true
+shape = "drop"
+heading = "axis"
+flat = "around"
+angle = 90
+tilt_jitter = 30
+color_jitter = 0.05
+hue_jitter = 180
+looks = [{ share = 0.1, scale = 0.5, back = "#ffffff" }]
+core = { scale = 0.6, shift = 0.1, front = { part = "flesh", color = "#d89a2a" }, back = { part = "stone", color = "#d89a2a" } })");
+  const GrainSketch& grain = plum.grains.at(0);
+  EXPECT_DOUBLE_EQ(grain.ground.density_along(0.5), 0.75);
+  EXPECT_DOUBLE_EQ(grain.ground.density_around(0.5), 0.5);
+  EXPECT_EQ(grain.ground.around_from, 0.8);
+  EXPECT_EQ(grain.ground.depth_from, 0.5);
+  EXPECT_EQ(grain.ground.folds, std::vector<int>{1});
+  EXPECT_EQ(grain.ground.facing, GrainGround::Facing::towards_axis);
+  EXPECT_EQ(grain.ground.share * grain.ground.fold_share, 0.375);
+  EXPECT_TRUE(grain.spacing.any_facing && grain.spacing.solid);
+  EXPECT_EQ(grain.form.pointedness, 1);
+  EXPECT_EQ(grain.stance.heading, GrainStance::Heading::towards_axis);
+  EXPECT_EQ(grain.stance.flat, GrainStance::Flat::around);
+  EXPECT_DOUBLE_EQ(grain.stance.angle, pi / 2);
+  EXPECT_DOUBLE_EQ(grain.hue_jitter, pi);
+  ASSERT_EQ(grain.looks.size(), 1u);
+  EXPECT_EQ(grain.looks[0].front.along(0), grain.front.color.along(0));
+  EXPECT_EQ(grain.looks[0].back.along(0), Color(1));
+  ASSERT_EQ(grain.cores.size(), 1u);
+  EXPECT_EQ(grain.cores[0].form.width, 0.6);
+  EXPECT_EQ(grain.cores[0].back.part, 2);
 }
 
 TEST(ReadTemplate, one_loop_is_repeated_in_every_fold) {
