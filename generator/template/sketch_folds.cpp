@@ -64,7 +64,14 @@ double Sketch::turn_of_folds(const glm::dvec2& axis) const {
 
 std::vector<double> Sketch::fold_angles(int folds) const {
   const int count = count_folds();
-  if (count == 0 && !view_of(SketchView::top).named.contains("fold-2")) return {};
+  const auto& named = view_of(SketchView::top).named;
+  for (int later = count + 2; later <= 64; ++later) {
+    if (!named.contains(plain_name(fold_name(later)))) continue;
+    throw BadSketch(quoted_name(fold_name(count + 1)) + " is missing in the top view of " + drawing_.file +
+                        ", though " + quoted_name(fold_name(later)) + " is there",
+                    "draw it from the axis outwards, or number the fold lines anew, against the clock");
+  }
+  if (count == 0) return {};
   if (count != folds) {
     throw BadSketch("has fold lines numbered 1 to " + std::to_string(count) + " in " + drawing_.file +
                         ", but the fruit has " + std::to_string(folds) + " folds",
