@@ -11,6 +11,7 @@
 #include "cli/fruit_source.h"
 #include "cli/outputs.h"
 #include "generator/cut/cut.h"
+#include "generator/scene/glass_surfaces.h"
 #include "generator/surface/surface_file.h"
 
 namespace pomona {
@@ -26,17 +27,12 @@ struct GrowCommand {
   SharedOptions shared;
 };
 
-/// The shells of the fruit, cavity walls included, with nothing inside; and the inner surfaces if asked for.
-std::vector<Solid> whole_fruit(const FruitSource& source, bool with_surfaces, Delivery& delivery) {
+/// The shells of the fruit, cavity walls included, with nothing inside; or all its surfaces as glass.
+std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Delivery& delivery) {
+  if (as_glass) return glass_surfaces(source.grown, source.fruit, source.name);
   const Cut whole = delivery.times.time("cut", [&] { return cut(source.grown.sheets, {}); });
   delivery.warn(whole.warnings);
-  std::vector<Solid> all = solids(whole, whole.section, source.fruit, source.name);
-  if (with_surfaces) {
-    for (Solid& solid : all) solid.opacity = 0.25f;
-    std::vector<Solid> inner = inner_surfaces(source.grown.swept, source.fruit, source.name);
-    all.insert(all.end(), inner.begin(), inner.end());
-  }
-  return all;
+  return solids(whole, whole.section, source.fruit, source.name);
 }
 
 ExitStatus grow_fruit(const GrowCommand& command) {
@@ -72,7 +68,7 @@ DeclaredCommand grow_command(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
   command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");
-  command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: show the inner surfaces through the skin");
+  command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
   add_shared_options(*command, options->shared);
   return {command, [options] { return grow_fruit(*options); }};
 }

@@ -1,5 +1,6 @@
 // The picture: every pixel the mean of its samples, each lit and inked.
 #include "gbuffer.glsl"
+#include "lit.glsl"
 #include "paper.glsl"
 #include "stroke_code.glsl"
 
@@ -9,15 +10,16 @@ uniform sampler2D albedo;
 uniform sampler2D normal_line;
 uniform sampler2D light;
 uniform isampler2D strokes;
+uniform usampler2D stroked_ids;  // what strokes were found on: with what is see-through
+uniform sampler2D glass;         // all layers of what is see-through
 uniform int samples_per_side;
 uniform bool inked;
+uniform bool see_through;
 uniform vec3 paper;
 uniform float grain;
-uniform float gloss;
 uniform vec2 tangent;
 uniform mat4 camera_to_scene;
 uniform float pixel_angle;  // size of a pixel at distance 1
-uniform vec3 to_light;  // unit, scene
 
 layout(location = 0) out vec4 picture;
 
@@ -36,29 +38,6 @@ vec2 light_at(ivec2 pixel, float distance_to) {
     }
   }
   return best.xy;
-}
-
-const vec3 sun = vec3(0.74, 0.70, 0.62);
-const vec3 sky = vec3(0.47, 0.50, 0.54);
-const vec3 bounce = vec3(0.40, 0.36, 0.31);
-
-vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, vec2 seen, bool cut) {
-  // Soft, wrapped light; on cut faces flatter still, so that their colours are what one sees.
-  float key = clamp((dot(n, to_light) + 0.35) / 1.35, 0.0, 1.0);
-  if (cut) key = mix(key, 0.8, 0.45);
-  float lit = key * mix(0.12, 1.0, seen.y) * mix(0.7, 1.0, seen.x);
-  vec3 ambient = mix(bounce, sky, 0.5 + 0.5 * n.y) * mix(0.2, 1.0, seen.x);
-  vec3 received = ambient + sun * lit;
-
-  // In the shade colours grow deeper, not greyer.
-  float shade = clamp(1.0 - dot(received, vec3(0.33)), 0.0, 1.0);
-  vec3 shaded = pow(max(color, 1e-4), vec3(1.0 + 0.22 * shade)) * received;
-
-  // A skin shines a little; a cut face is just moist.
-  vec3 halfway = normalize(to_light + to_eye);
-  float spot = max(dot(n, halfway), 0.0);
-  float shine = cut ? 0.035 * pow(spot, 24.0) : 0.16 * pow(spot, 70.0) + 0.07 * pow(spot, 14.0);
-  return shaded + gloss * shine * seen.y * vec3(1.0, 0.98, 0.94);
 }
 
 vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground) {
@@ -87,7 +66,7 @@ vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground) {
 
 vec3 with_ink(vec3 color, ivec2 at) {
   ivec2 stroke = texelFetch(strokes, at, 0).rg;
-  uint id = texelFetch(ids, at, 0).r;
+  uint id = texelFetch(stroked_ids, at, 0).r;
   if (stroke.y != no_stroke && instance_of(id) != 0u) {
     float width = pen_of(instance_of(id)).y;
     float cover = clamp(0.5 + squared_reach(stroke.y) / max(width, 1.0), 0.0, 1.0);
@@ -117,6 +96,10 @@ void main() {
     for (int x = 0; x < samples_per_side; ++x) {
       ivec2 at = pixel * samples_per_side + ivec2(x, y);
       vec3 color = sample_color(at, size, pixel, ground);
+      if (see_through) {
+        vec4 before = texelFetch(glass, at, 0);
+        color = before.rgb + (1.0 - before.a) * clamp(color, 0.0, 1.0);
+      }
       if (inked) color = with_ink(color, at);
       sum += clamp(color, 0.0, 1.0);
     }

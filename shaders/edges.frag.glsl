@@ -34,7 +34,7 @@ void main() {
   ivec2 size = textureSize(ids, 0);
   stroke = ivec2(no_stroke);
   uint id = texelFetch(ids, at, 0).r;
-  if (instance_of(id) == 0u || is_see_through(id)) return;
+  if (instance_of(id) == 0u) return;
 
   float depth_here = texelFetch(depth, at, 0).r;
   float here = distance_from_depth(depth_here);
@@ -47,7 +47,7 @@ void main() {
     ivec2 there = clamp(at + steps[i], ivec2(0), size - 1);
     uint other = texelFetch(ids, there, 0).r;
     around[i] = distance_from_depth(texelFetch(depth, there, 0).r);
-    if (other == id || is_see_through(other)) continue;
+    if (other == id) continue;
     if (instance_of(other) != instance_of(id)) {
       // The table owns no line: before a piece it lies nearer to the eye than the piece does.
       if (instance_of(other) == 0u || here <= around[i]) outline = max(outline, 1.0);

@@ -1,13 +1,12 @@
 // How the passes of a scene share what they know of a pixel.
 
 // An id: bits 0-10 tell surfaces and cut faces apart, bit 11 marks cut faces, bits 12-30 hold the instance's number
-// from 1 (0: ground or nothing), bit 31 marks what is see-through.
+// from 1 (0: ground or nothing).
 uint instance_of(uint id) { return (id >> 12) & 0x7ffffu; }
 bool is_cut(uint id) { return (id & 0x800u) != 0u; }
-bool is_see_through(uint id) { return (id & 0x80000000u) != 0u; }
 
 // Every instance's texels (render/gl/scene_instances.h): ink and its width in samples; the hand's wavelength in metres,
-// width of inner lines in samples, solid; three rows of the matrix from the scene to the fruit.
+// width of inner lines in samples, solid, opacity; three rows of the matrix from the scene to the fruit.
 uniform samplerBuffer instances;
 const int instance_texels = 5;
 

@@ -1,7 +1,8 @@
 // What the later passes want to know: the plain colour, normal, id. Nothing dear: most of what is drawn here is hidden
 // again, or too small to fill a block of pixels.
-#include "see_through.glsl"
+#include "gbuffer.glsl"
 
+uniform uint instance_id;
 uniform int first_triangle;  // of the solid, in triangle_tags
 uniform usamplerBuffer triangle_tags;
 
@@ -13,9 +14,6 @@ layout(location = 1) out vec4 normal_line;
 layout(location = 2) out uint id;
 
 void main() {
-#ifdef SEE_THROUGH
-  if (left_out()) discard;
-#endif
   vec3 n = normalize(scene_normal);
   albedo = vec4(plain_color, 1.0);
   normal_line = vec4(gl_FrontFacing ? n : -n, 0.0);

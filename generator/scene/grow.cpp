@@ -16,7 +16,8 @@ GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& opti
   const SweepOptions sweep_options{.detail = options.detail, .key = key};
   GrownFruit grown;
   grown.swept = sweep(variant, sweep_options);
-  grown.sheets = joined(sheets(grown.swept), sheets(scatter_grains(variant, key, sweep_options)));
+  grown.grains = scatter_grains(variant, key, sweep_options);
+  grown.sheets = joined(sheets(grown.swept), sheets(grown.grains));
   return grown;
 }
 

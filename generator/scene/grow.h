@@ -19,9 +19,10 @@ struct GrowOptions {
 /// The template's variant for `key`; with as_drawn the template itself, or its folds repeated in turn.
 Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options = {});
 
-/// A grown fruit at two stages of the road.
+/// A grown fruit at the stages of the road.
 struct GrownFruit {
   DiffusionSurfaces swept;   ///< as drawn or varied: blur not split, no grains
+  DiffusionSurfaces grains;  ///< blur not split
   DiffusionSurfaces sheets;  ///< everything the diffuser sees: blur split, grains included
 };
 

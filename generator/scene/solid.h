@@ -35,7 +35,7 @@ struct Solid {
   std::vector<std::string> part_names;
   NoiseStyle noise;
   InkStyle ink;
-  float opacity = 1.0f;  ///< below 1 for the see-through shells of `grow --surfaces`
+  float opacity = 1.0f;  ///< below 1 where one sees through it, looking at right angles
   double volume = 0;
   bool closed = true;
   bool crumb = false;
@@ -44,8 +44,5 @@ struct Solid {
 /// The pieces of a cut whose section has been coloured. `name` becomes the prefix of theirs.
 std::vector<Solid> solids(const Cut& cut, const CrossSection& colored_section, const Template& fruit,
                           const std::string& name);
-
-/// The inner surfaces of a fruit as see-through solids, one per surface, for pictures like the paper's Figure 9.
-std::vector<Solid> inner_surfaces(const DiffusionSurfaces& swept, const Template& fruit, const std::string& name);
 
 }  // namespace pomona

@@ -12,6 +12,7 @@ namespace pomona {
 #define POMONA_GL_FUNCTIONS(X)                                 \
   X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                     \
   X(PFNGLATTACHSHADERPROC, AttachShader)                       \
+  X(PFNGLBEGINQUERYPROC, BeginQuery)                           \
   X(PFNGLBINDBUFFERPROC, BindBuffer)                           \
   X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                 \
   X(PFNGLBINDTEXTUREPROC, BindTexture)                         \
@@ -29,6 +30,7 @@ namespace pomona {
   X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                     \
   X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)           \
   X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                     \
+  X(PFNGLDELETEQUERIESPROC, DeleteQueries)                     \
   X(PFNGLDELETESHADERPROC, DeleteShader)                       \
   X(PFNGLDELETETEXTURESPROC, DeleteTextures)                   \
   X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)           \
@@ -40,17 +42,20 @@ namespace pomona {
   X(PFNGLDRAWELEMENTSBASEVERTEXPROC, DrawElementsBaseVertex)   \
   X(PFNGLENABLEPROC, Enable)                                   \
   X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray) \
+  X(PFNGLENDQUERYPROC, EndQuery)                               \
   X(PFNGLFINISHPROC, Finish)                                   \
   X(PFNGLFLUSHPROC, Flush)                                     \
   X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)       \
   X(PFNGLGENBUFFERSPROC, GenBuffers)                           \
   X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                 \
+  X(PFNGLGENQUERIESPROC, GenQueries)                           \
   X(PFNGLGENTEXTURESPROC, GenTextures)                         \
   X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                 \
   X(PFNGLGETERRORPROC, GetError)                               \
   X(PFNGLGETINTEGERVPROC, GetIntegerv)                         \
   X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)             \
   X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                       \
+  X(PFNGLGETQUERYOBJECTUIVPROC, GetQueryObjectuiv)             \
   X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)               \
   X(PFNGLGETSHADERIVPROC, GetShaderiv)                         \
   X(PFNGLGETSTRINGPROC, GetString)                             \

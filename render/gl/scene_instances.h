@@ -14,7 +14,7 @@ namespace pomona {
 
 struct InstanceTexels {
   glm::vec4 ink_and_width{0};  ///< width in samples
-  glm::vec4 pen{0};            ///< wavelength of the hand in metres; width of inner lines in samples; solid
+  glm::vec4 pen{0};            ///< wavelength of the hand in metres; width of inner lines in samples; solid; opacity
   glm::vec4 to_fruit[3]{};     ///< rows of the matrix from the scene to the fruit's own frame
 };
 

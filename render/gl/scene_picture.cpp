@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
-
-#include <glm/geometric.hpp>
+#include <optional>
 
 #include "generator/base/error.h"
+#include "render/gl/glass.h"
 #include "render/gl/objects.h"
+#include "render/gl/placed_solids.h"
 #include "render/gl/program.h"
 #include "render/gl/scene_camera.h"
 #include "render/gl/scene_instances.h"
-#include "render/gl/scene_upload.h"
 
 namespace pomona {
 
@@ -20,14 +19,22 @@ namespace {
 
 constexpr int shadow_side = 2048;  // samples of the shadow map each way
 
+/// What is nearest at each sample.
+struct Surfaces {
+  Surfaces(const CurrentGl& gl, const glm::ivec2& samples)
+      : albedo(gl, GL_RGBA16F, samples.x, samples.y),
+        normal_line(gl, GL_RGBA16F, samples.x, samples.y),
+        ids(gl, GL_R32UI, samples.x, samples.y),
+        depth(gl, GL_DEPTH_COMPONENT32F, samples.x, samples.y) {}
+
+  GlTexture albedo, normal_line, ids, depth;
+};
+
 /// The pictures that the passes hand on, at `samples` a pixel's side unless said otherwise.
 struct Targets {
   Targets(const CurrentGl& gl, const PictureOptions& options, int side)
       : samples(options.width * side, options.height * side),
-        albedo(gl, GL_RGBA16F, samples.x, samples.y),
-        normal_line(gl, GL_RGBA16F, samples.x, samples.y),
-        ids(gl, GL_R32UI, samples.x, samples.y),
-        depth(gl, GL_DEPTH_COMPONENT32F, samples.x, samples.y),
+        opaque(gl, samples),
         strokes{GlTexture(gl, GL_RG32I, samples.x, samples.y), GlTexture(gl, GL_RG32I, samples.x, samples.y)},
         tiles((samples + stroke_tile - 1) / stroke_tile),
         inked_tiles(gl, GL_R32I, tiles.x, tiles.y),
@@ -37,7 +44,9 @@ struct Targets {
         picture(gl, GL_RGBA8, options.width, options.height) {}
 
   glm::ivec2 samples;
-  GlTexture albedo, normal_line, ids, depth;
+  Surfaces opaque;
+  std::optional<Surfaces> outer;     // the same with what is see-through, where there is such
+  std::optional<GlTexture> glass;    // all layers of what is see-through
   std::array<GlTexture, 2> strokes;  // to and fro
   glm::ivec2 tiles;                  // of stroke_tile samples each way
   GlTexture inked_tiles;             // one per tile: how far its strokes reach
@@ -59,7 +68,7 @@ class ScenePainter {
         camera_(camera_of(scene, ball_, static_cast<double>(options.width) / options.height)),
         light_(light_of(camera_, ball_)),
         targets_(gl, options, side_),
-        solids_(uploaded(gl, scene, style)),
+        solids_(gl, scene, style),
         texels_(instance_texels(scene, camera_, style, targets_.samples)),
         texel_buffer_(gl, GL_TEXTURE_BUFFER, texels_),
         instances_(gl, GL_RGBA32F, texel_buffer_),
@@ -67,7 +76,8 @@ class ScenePainter {
 
   Image painted() {
     cast_shadows();
-    draw_solids();
+    draw_surfaces(targets_.opaque, {Drawn::opaque});
+    if (solids_.any(Drawn::see_through)) draw_glass();
     look_for_light();
     if (style_.ink) find_strokes();
     compose();
@@ -76,21 +86,19 @@ class ScenePainter {
 
  private:
   void cast_shadows();
-  void draw_solids();
+  void draw_surfaces(const Surfaces& surfaces, std::initializer_list<Drawn> which);
   void draw_ground();
   void draw_inner_lines();
+  void draw_glass();
   void look_for_light();
   void find_strokes();
   void compose();
   Image read_back();
 
-  enum class Drawn { opaque, see_through };
-  static const char* definition_of(Drawn which) { return which == Drawn::see_through ? "SEE_THROUGH" : ""; }
-  void draw_instances(const Program& program, Drawn which);
-  bool any_see_through() const;
-  std::vector<std::size_t> nearest_first() const;
   void fill(const GlFramebuffer& target, const glm::ivec2& size);
-  void set_camera(const Program& program) const;
+  void set_camera(const Program& program, const Surfaces& surfaces) const;
+  /// What strokes are found on: the foremost surfaces, see-through or not.
+  const Surfaces& stroked() const { return targets_.outer ? *targets_.outer : targets_.opaque; }
 
   const CurrentGl& gl_;
   const Scene& scene_;
@@ -101,47 +109,12 @@ class ScenePainter {
   SceneCamera camera_;
   SceneLight light_;
   Targets targets_;
-  UploadedSolids solids_;
+  PlacedSolids solids_;
   std::vector<InstanceTexels> texels_;
   GlBuffer texel_buffer_;
   GlTexture instances_;
   GlVertexArray nothing_;  // for passes that fill the picture
 };
-
-/// From the eye outwards, so that what is hidden is not worked out in vain.
-std::vector<std::size_t> ScenePainter::nearest_first() const {
-  std::vector<double> away;
-  for (const Instance& instance : scene_.instances) {
-    const glm::dvec3 d = instance.pose.translation - scene_.view.eye;
-    away.push_back(glm::dot(d, d));
-  }
-  std::vector<std::size_t> order(scene_.instances.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return away[a] < away[b]; });
-  return order;
-}
-
-bool ScenePainter::any_see_through() const {
-  return std::any_of(scene_.solids.begin(), scene_.solids.end(), [](const Solid& s) { return s.opacity < 1; });
-}
-
-void ScenePainter::draw_instances(const Program& program, Drawn which) {
-  solids_.solids.bind();
-  for (const std::size_t i : nearest_first()) {
-    const Instance& instance = scene_.instances[i];
-    const UploadedSolids::Part& part = solids_.parts[instance.solid];
-    const float opacity = scene_.solids[instance.solid].opacity;
-    if ((opacity < 1) != (which == Drawn::see_through)) continue;
-    const auto number = static_cast<unsigned>((i + 1) & 0x7ffff);
-    program.set("placement", matrix_of(instance.pose));
-    program.set("opacity", opacity);
-    program.set("instance_id", (number << 12) | (opacity < 1 ? 0x80000000u : 0u));
-    program.set("first_triangle", part.first_triangle);
-    gl_->DrawElementsBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_INT,
-                                reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t)),
-                                part.first_vertex);
-  }
-}
 
 void ScenePainter::cast_shadows() {
   const GlFramebuffer target(gl_, {}, &targets_.shadow);
@@ -155,18 +128,20 @@ void ScenePainter::cast_shadows() {
   gl_->ClearBufferfv(GL_DEPTH, 0, &far);
 
   for (const Drawn which : {Drawn::opaque, Drawn::see_through}) {
-    if (which == Drawn::see_through && !any_see_through()) continue;
-    const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl", definition_of(which));
+    if (!solids_.any(which)) continue;
+    // Where a shader can leave samples out, hidden ones cannot be passed over early.
+    const char* definition = which == Drawn::see_through ? "SEE_THROUGH" : "";
+    const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl", definition);
     program.use();
     program.set("projection", light_.to_clip);
-    draw_instances(program, which);
+    solids_.draw(program, which);
   }
   gl_.check("the shadow map");
 }
 
-void ScenePainter::draw_solids() {
-  const std::array<const GlTexture*, 3> colors{&targets_.albedo, &targets_.normal_line, &targets_.ids};
-  const GlFramebuffer target(gl_, colors, &targets_.depth);
+void ScenePainter::draw_surfaces(const Surfaces& surfaces, std::initializer_list<Drawn> which) {
+  const std::array<const GlTexture*, 3> colors{&surfaces.albedo, &surfaces.normal_line, &surfaces.ids};
+  const GlFramebuffer target(gl_, colors, &surfaces.depth);
   target.bind(targets_.samples.x, targets_.samples.y);
   const std::array<float, 4> empty{0, 0, 0, 0};
   const std::array<unsigned, 4> no_id{0, 0, 0, 0};
@@ -176,15 +151,14 @@ void ScenePainter::draw_solids() {
   gl_->ClearBufferuiv(GL_COLOR, 2, no_id.data());
   gl_->ClearBufferfv(GL_DEPTH, 0, &far);
 
-  solids_.triangle_tags.bind(0);
-  for (const Drawn which : {Drawn::opaque, Drawn::see_through}) {
-    if (which == Drawn::see_through && !any_see_through()) continue;
-    const Program program(gl_, "solid.vert.glsl", "solid.frag.glsl", definition_of(which));
-    program.use();
-    program.set("projection", camera_.projection * camera_.view);
-    program.set("triangle_tags", 0);
-    draw_instances(program, which);
-  }
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthFunc(GL_LESS);
+  solids_.triangle_tags().bind(0);
+  const Program program(gl_, "solid.vert.glsl", "solid.frag.glsl");
+  program.use();
+  program.set("projection", camera_.projection * camera_.view);
+  program.set("triangle_tags", 0);
+  for (const Drawn drawn : which) solids_.draw(program, drawn);
   if (scene_.ground) draw_ground();
   if (style_.ink) draw_inner_lines();
   gl_.check("the solids");
@@ -209,17 +183,23 @@ void ScenePainter::draw_inner_lines() {
   const Program program(gl_, "inner_line.vert.glsl", "inner_line.frag.glsl");
   program.use();
   program.set("projection", camera_.projection * camera_.view);
-  solids_.lines.bind();
-  for (const Instance& instance : scene_.instances) {
-    const UploadedSolids::Part& part = solids_.parts[instance.solid];
-    if (part.line_vertices == 0) continue;
-    program.set("placement", matrix_of(instance.pose));
-    gl_->DrawArrays(GL_LINES, part.first_line_vertex, part.line_vertices);
-  }
+  solids_.draw_lines(program);
 
   for (const GLuint target : {0u, 1u, 2u}) gl_->ColorMaski(target, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl_->DepthMask(GL_TRUE);
   gl_->DepthFunc(GL_LESS);
+}
+
+void ScenePainter::draw_glass() {
+  if (style_.ink) draw_surfaces(targets_.outer.emplace(gl_, targets_.samples), {Drawn::opaque, Drawn::see_through});
+  const GlassView view{.camera = camera_,
+                       .eye = scene_.view.eye,
+                       .to_light = light_.to_light,
+                       .gloss = static_cast<float>(style_.gloss),
+                       .inked = style_.ink,
+                       .instances = &instances_,
+                       .most_layers = options_.most_layers};
+  targets_.glass.emplace(glass_layers(gl_, solids_, view, targets_.opaque.depth, targets_.samples));
 }
 
 /// Runs the program in use on every pixel of the target.
@@ -230,7 +210,7 @@ void ScenePainter::fill(const GlFramebuffer& target, const glm::ivec2& size) {
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void ScenePainter::set_camera(const Program& program) const {
+void ScenePainter::set_camera(const Program& program, const Surfaces& surfaces) const {
   program.set("depth_range", glm::vec2(camera_.near, camera_.far));
   program.set("tangent", camera_.tangent);
   program.set("view", camera_.view);
@@ -239,9 +219,9 @@ void ScenePainter::set_camera(const Program& program) const {
   program.set("depth", 1);
   program.set("normal_line", 2);
   program.set("instances", 3);
-  targets_.ids.bind(0);
-  targets_.depth.bind(1);
-  targets_.normal_line.bind(2);
+  surfaces.ids.bind(0);
+  surfaces.depth.bind(1);
+  surfaces.normal_line.bind(2);
   instances_.bind(3);
 }
 
@@ -249,7 +229,7 @@ void ScenePainter::look_for_light() {
   const glm::ivec2 size(options_.width, options_.height);
   const Program program(gl_, "fullscreen.vert.glsl", "light.frag.glsl");
   program.use();
-  set_camera(program);
+  set_camera(program, targets_.opaque);
   const glm::mat4 to_unit(glm::vec4(0.5f, 0, 0, 0), glm::vec4(0, 0.5f, 0, 0), glm::vec4(0, 0, 0.5f, 0),
                           glm::vec4(0.5f, 0.5f, 0.5f, 1));
   program.set("camera_to_light", to_unit * light_.to_clip * glm::inverse(camera_.view));
@@ -280,7 +260,7 @@ void ScenePainter::find_strokes() {
   const GlFramebuffer to_first(gl_, first, nullptr), to_second(gl_, second, nullptr);
   const Program edges(gl_, "fullscreen.vert.glsl", "edges.frag.glsl");
   edges.use();
-  set_camera(edges);
+  set_camera(edges, stroked());
   edges.set("clip_to_scene", glm::inverse(camera_.projection * camera_.view));
   edges.set("inner_opacity", static_cast<float>(style_.inner_opacity));
   edges.set("from_light", glm::vec2(0.6f, -0.8f));
@@ -315,15 +295,20 @@ void ScenePainter::compose() {
   const GlFramebuffer target(gl_, colors, nullptr);
   const Program program(gl_, "fullscreen.vert.glsl", "compose.frag.glsl");
   program.use();
-  set_camera(program);
+  set_camera(program, targets_.opaque);
   program.set("albedo", 4);
   program.set("light", 5);
   program.set("strokes", 6);
-  targets_.albedo.bind(4);
+  targets_.opaque.albedo.bind(4);
   targets_.light[0].bind(5);
   targets_.strokes[0].bind(6);
   program.set("noise_styles", 7);
-  solids_.noise_styles.bind(7);
+  solids_.noise_styles().bind(7);
+  program.set("stroked_ids", 8);
+  stroked().ids.bind(8);
+  program.set("see_through", targets_.glass ? 1 : 0);
+  program.set("glass", 9);
+  if (targets_.glass) targets_.glass->bind(9);
   program.set("pixel_angle", 2.0f * camera_.tangent.y / static_cast<float>(options_.height));
   program.set("inked", style_.ink ? 1 : 0);
   program.set("paper", scene_.paper);

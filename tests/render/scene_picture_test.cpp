@@ -86,6 +86,9 @@ TEST(Shaders, AllCompile) {
                                                                 {"fullscreen.vert.glsl", "edges.frag.glsl"},
                                                                 {"fullscreen.vert.glsl", "widen.frag.glsl"},
                                                                 {"fullscreen.vert.glsl", "inked_tiles.frag.glsl"},
+                                                                {"glass.vert.glsl", "glass.frag.glsl"},
+                                                                {"fullscreen.vert.glsl", "glass_start.frag.glsl"},
+                                                                {"fullscreen.vert.glsl", "glass_layer.frag.glsl"},
                                                                 {"fullscreen.vert.glsl", "compose.frag.glsl"}};
   GlContext context;
   const CurrentGl gl(context);
@@ -93,6 +96,7 @@ TEST(Shaders, AllCompile) {
   for (const auto& [vertex, fragment] : passes) {
     EXPECT_NO_THROW(Program(gl, vertex, fragment)) << fragment;
     EXPECT_NO_THROW(Program(gl, vertex, fragment, "SEE_THROUGH")) << fragment;
+    EXPECT_NO_THROW(Program(gl, vertex, fragment, "ALL_THAT_IS_LEFT")) << fragment;
     compiled.insert({vertex, fragment});
   }
   for (const std::string& name : shader_names()) {

@@ -1,0 +1,27 @@
+// What is see-through, layer upon layer: depth peeling [Everitt 2001].
+#pragma once
+
+#include "render/gl/placed_solids.h"
+#include "render/gl/scene_camera.h"
+
+namespace pomona {
+
+/// How the layers are looked at and lit.
+struct GlassView {
+  SceneCamera camera;
+  glm::vec3 eye{0};       ///< scene
+  glm::vec3 to_light{0};  ///< unit, scene
+  float gloss = 0;
+  bool inked = false;
+  const GlTexture* instances = nullptr;  ///< buffer of InstanceTexels
+  int most_layers = 1;                   ///< what lies behind that many is drawn as one, in the mean of its colours
+};
+
+/// The see-through solids before what is opaque, at the samples of `opaque_depth`: colour times coverage, and coverage,
+/// as if all layers had been laid over each other from the back to the front. What lies behind 99.6 % of coverage is
+/// left out, and of surfaces at exactly the same depth only one counts. A surface covers by its solid's opacity where
+/// it is seen at right angles and more where it is seen at a slant, as a film does: 1 - (1 - opacity)^(1/cos).
+GlTexture glass_layers(const CurrentGl& gl, const PlacedSolids& solids, const GlassView& view,
+                       const GlTexture& opaque_depth, const glm::ivec2& samples);
+
+}  // namespace pomona

@@ -1,0 +1,68 @@
+#include "render/gl/placed_solids.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <glm/geometric.hpp>
+
+#include "render/gl/scene_camera.h"
+
+namespace pomona {
+
+namespace {
+
+std::vector<std::size_t> from_the_eye_outwards(const Scene& scene) {
+  std::vector<double> away;
+  for (const Instance& instance : scene.instances) {
+    const glm::dvec3 d = instance.pose.translation - scene.view.eye;
+    away.push_back(glm::dot(d, d));
+  }
+  std::vector<std::size_t> order(scene.instances.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return away[a] < away[b]; });
+  return order;
+}
+
+Drawn how_drawn(const Solid& solid) { return solid.opacity < 1 ? Drawn::see_through : Drawn::opaque; }
+
+}  // namespace
+
+PlacedSolids::PlacedSolids(const CurrentGl& gl, const Scene& scene, const Style& style)
+    : gl_(gl), scene_(scene), uploaded_(uploaded(gl, scene, style)), nearest_first_(from_the_eye_outwards(scene)) {}
+
+bool PlacedSolids::any(Drawn which) const {
+  return std::any_of(scene_.instances.begin(), scene_.instances.end(),
+                     [&](const Instance& instance) { return how_drawn(scene_.solids[instance.solid]) == which; });
+}
+
+void PlacedSolids::draw(const Program& program, Drawn which) const {
+  uploaded_.solids.bind();
+  for (const std::size_t i : nearest_first_) {
+    const Instance& instance = scene_.instances[i];
+    const Solid& solid = scene_.solids[instance.solid];
+    if (how_drawn(solid) != which) continue;
+    const UploadedSolids::Part& part = uploaded_.parts[instance.solid];
+    const bool both_sides = which == Drawn::opaque || !solid.closed;
+    (both_sides ? gl_->Disable : gl_->Enable)(GL_CULL_FACE);
+    program.set("placement", matrix_of(instance.pose));
+    program.set("opacity", solid.opacity);
+    program.set("instance_id", static_cast<unsigned>((i + 1) & 0x7ffff) << 12);
+    program.set("first_triangle", part.first_triangle);
+    gl_->DrawElementsBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_INT,
+                                reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t)),
+                                part.first_vertex);
+  }
+  gl_->Disable(GL_CULL_FACE);
+}
+
+void PlacedSolids::draw_lines(const Program& program) const {
+  uploaded_.lines.bind();
+  for (const Instance& instance : scene_.instances) {
+    const UploadedSolids::Part& part = uploaded_.parts[instance.solid];
+    if (part.line_vertices == 0) continue;
+    program.set("placement", matrix_of(instance.pose));
+    gl_->DrawArrays(GL_LINES, part.first_line_vertex, part.line_vertices);
+  }
+}
+
+}  // namespace pomona

@@ -1,0 +1,34 @@
+// A scene's solids where its instances put them: what every pass over solids draws.
+#pragma once
+
+#include "render/gl/program.h"
+#include "render/gl/scene_upload.h"
+
+namespace pomona {
+
+/// Which of a scene's solids: see-through are those with an opacity below 1.
+enum class Drawn { opaque, see_through };
+
+class PlacedSolids {
+ public:
+  /// Both live as long as this. \throws Error as uploaded() does.
+  PlacedSolids(const CurrentGl& gl, const Scene& scene, const Style& style);
+
+  bool any(Drawn which) const;
+  /// With the program in use, the nearest first, so that what is hidden is not worked out in vain. Sets "placement",
+  /// "instance_id", "first_triangle" and "opacity". Of closed see-through solids only what faces the eye is drawn.
+  void draw(const Program& program, Drawn which) const;
+  /// The lines on cut faces. Sets "placement".
+  void draw_lines(const Program& program) const;
+
+  const GlTexture& triangle_tags() const { return uploaded_.triangle_tags; }
+  const GlTexture& noise_styles() const { return uploaded_.noise_styles; }
+
+ private:
+  const CurrentGl& gl_;
+  const Scene& scene_;
+  UploadedSolids uploaded_;
+  std::vector<std::size_t> nearest_first_;  // instances
+};
+
+}  // namespace pomona
