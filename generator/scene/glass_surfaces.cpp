@@ -93,6 +93,7 @@ std::vector<Solid> glass_surfaces(const GrownFruit& fruit, const Template& varia
     }
   }
   std::erase_if(all, [](const Solid& solid) { return solid.triangle.empty(); });
+  std::stable_sort(all.begin(), all.end(), [](const Solid& a, const Solid& b) { return a.opacity > b.opacity; });
   return all;
 }
 

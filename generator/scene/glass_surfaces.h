@@ -10,8 +10,9 @@
 namespace pomona {
 
 /// Every surface and every kind of grain as a see-through solid of its own, named "<name>.<surface>"; each side in its
-/// own colours. The skin is faint, what lies within is fainter the more there is of it, small things are denser, so
-/// that one sees what lies in what. Blur is not shown.
+/// own colours. What lies nearer to the axis is denser, grains most of all, so that one sees what lies in what. The
+/// densest comes first: viewers of .glb that blend in the order of the file draw from the inside outwards. Blur is not
+/// shown.
 std::vector<Solid> glass_surfaces(const GrownFruit& fruit, const Template& variant, const std::string& name);
 
 }  // namespace pomona

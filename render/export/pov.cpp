@@ -1,5 +1,7 @@
 #include "render/export/pov.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -64,7 +66,10 @@ std::string scene_text(const Scene& scene, const std::string& include, const Exp
   const double unit = power_of_ten(exponent);
   std::string text = "// Made by Pomona. " + commentable(options.provenance) + "\n#version 3.7;\n";
   text += "// Right-handed, +Y up; a unit is 1e" + std::to_string(exponent) + " metres. Colours are linear.\n";
-  text += "global_settings { assumed_gamma 1.0 }\n";
+  // Each surface that one sees through takes a step of a ray; POV-Ray allows five unless told.
+  const bool see_through =
+      std::any_of(scene.solids.begin(), scene.solids.end(), [](const Solid& solid) { return solid.opacity < 1; });
+  text += std::string("global_settings { assumed_gamma 1.0") + (see_through ? " max_trace_level 100" : "") + " }\n";
   text += "#declare Paper = rgb " + vector_text(glm::dvec3(scene.paper)) + ";\nbackground { Paper }\n\n";
   text += camera_text(scene.view, frame, unit) + lights_text(scene.view, frame, unit);
   text += "\n#declare Skin = finish { ambient 0.38 diffuse 0.75 specular 0.22 roughness 0.02 }\n";
