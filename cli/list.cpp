@@ -16,6 +16,7 @@ namespace {
 
 std::string symmetry_of(const Template& fruit) {
   if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) return "cylindrical";
+  if (std::holds_alternative<NoSymmetry>(fruit.symmetry)) return "none";
   return std::to_string(fold_count(fruit)) + "-fold";
 }
 

@@ -98,7 +98,7 @@ std::vector<Template> read_templates(const SceneDescription& scene, const Compos
     const auto known = std::find(files.begin(), files.end() - 1, files.back()) - files.begin();
     templates.push_back(known + 1 < std::ssize(files) ? templates[static_cast<std::size_t>(known)]
                                                       : read_template(files.back()));
-    if (pieces.folds && std::holds_alternative<CylindricalSymmetry>(templates.back().symmetry))
+    if (pieces.folds && !std::holds_alternative<FoldSymmetry>(templates.back().symmetry))
       throw Error(ExitStatus::bad_data,
                   {{pieces.template_place,
                     "pieces \"" + pieces.name + "\": \"" + pieces.template_name + "\" has no folds",

@@ -1,6 +1,7 @@
 #include "generator/surface/sweep.h"
 
 #include "generator/surface/grid_painter.h"
+#include "generator/surface/mesh_surfaces.h"
 #include "generator/surface/spots.h"
 #include "generator/surface/swept_grid.h"
 
@@ -17,6 +18,7 @@ DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options) {
       painter.dab(side, placed_spots(fruit, sketch, side, grids, options.key), grids);
     }
   }
+  for (const MeshSketch& mesh : fruit.meshes) surfaces = joined(surfaces, mesh_surfaces(fruit, mesh));
   return surfaces;
 }
 

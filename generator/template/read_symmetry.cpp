@@ -50,7 +50,9 @@ std::vector<double> drawn_fold_angles(const TomlValue& folds, int count, const S
 }  // namespace
 
 Symmetry read_symmetry(const TomlTable& table, const Sketch* sketch) {
-  if (table.need("kind").choice({"cylindrical", "folds"}) == 0) return CylindricalSymmetry{};
+  const int kind = table.need("kind").choice({"cylindrical", "folds", "none"});
+  if (kind == 0) return CylindricalSymmetry{};
+  if (kind == 2) return NoSymmetry{};
   const TomlValue folds = table.need("folds"), angles = table.get("fold_angles");
   const int count = folds.integer(1, 1, most_folds);
   if (!angles.given()) {

@@ -6,6 +6,7 @@
 
 #include "generator/base/units.h"
 #include "generator/template/read_grains.h"
+#include "generator/template/read_mesh.h"
 #include "generator/template/read_name.h"
 #include "generator/template/read_style.h"
 #include "generator/template/read_surface.h"
@@ -19,7 +20,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_surfaces = 64, most_grain_kinds = 16, most_parts = 64;
+constexpr std::size_t most_surfaces = 64, most_meshes = 64, most_grain_kinds = 16, most_parts = 64;
 constexpr double most_triangles = 2e6;  // of all surfaces at detail 1
 
 /// The sketch the template names, if it names one that can be read.
@@ -49,7 +50,9 @@ std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SurfaceReader re
   std::vector<SurfaceSketch> surfaces;
   std::vector<std::string> names;
   double triangles = 0;
-  for (const TomlTable& table : root.need("surface").tables(most_surfaces)) {
+  const TomlValue drawn = root.has("mesh") ? root.get("surface") : root.need("surface");
+  if (!drawn.given()) return surfaces;
+  for (const TomlTable& table : drawn.tables(most_surfaces)) {
     const TomlTable surface = table.called("surface \"" + table.get("name").text() + "\"");
     names.push_back(read_name(surface.need("name"), names));
     surfaces.push_back(reader.read(surface));
@@ -62,6 +65,29 @@ std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SurfaceReader re
     }
   }
   return surfaces;
+}
+
+/// Names differ from those of drawn surfaces too.
+std::vector<MeshSketch> read_meshes(const TomlTable& root, const Template& fruit) {
+  std::vector<MeshSketch> meshes;
+  std::vector<std::string> names;
+  for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
+  const std::filesystem::path folder = std::filesystem::path(fruit.file).parent_path();
+  if (!root.has("mesh")) return meshes;
+  for (const TomlTable& table : root.get("mesh").tables(most_meshes)) {
+    const TomlTable mesh = table.called("mesh \"" + table.get("name").text() + "\"");
+    names.push_back(read_name(mesh.need("name"), names));
+    meshes.push_back(read_mesh(mesh, fruit.parts, folder, meshes));
+    meshes.back().name = names.back();
+  }
+  return meshes;
+}
+
+/// Curves need an axis: without symmetry there is none to draw them around.
+void check_symmetry(const TomlTable& root, const Template& fruit) {
+  if (!std::holds_alternative<NoSymmetry>(fruit.symmetry) || fruit.surfaces.empty()) return;
+  root.get("surface").error("is drawn, but the fruit has no symmetry",
+                            "write kind = \"cylindrical\" under [symmetry], or bring the surface as a [[mesh]]");
 }
 
 /// Moves all vertical curves up or down so that the lowest drawn point is at y = 0.
@@ -97,7 +123,8 @@ Template parse_template(std::string_view toml, const std::string& file) {
   read_head(root, fruit);
 
   // Curves need the unit, and paint needs the parts: without them their own mistakes cannot be told.
-  const TomlValue unit_value = root.has("sketch") ? root.get("unit") : root.need("unit");
+  const bool may_lack_unit = root.has("sketch") || (root.has("mesh") && !root.has("surface"));
+  const TomlValue unit_value = may_lack_unit ? root.get("unit") : root.need("unit");
   const double unit = unit_value.length(1e-3, {1e-6, 1});
   const std::optional<Sketch> sketch =
       read_sketch_of(root, file, unit_value.given() ? std::optional<double>(unit) : std::nullopt);
@@ -105,6 +132,8 @@ Template parse_template(std::string_view toml, const std::string& file) {
   const CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
   fruit.surfaces = read_surfaces(root, SurfaceReader(curves, fruit.parts, fruit.symmetry));
   set_on_ground(fruit.surfaces);
+  fruit.meshes = read_meshes(root, fruit);
+  check_symmetry(root, fruit);
 
   std::vector<std::string> names;
   for (const TomlTable& table : root.get("grains").tables(most_grain_kinds)) {

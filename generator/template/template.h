@@ -9,6 +9,7 @@
 #include "generator/template/axis_bend.h"
 #include "generator/template/grain_sketch.h"
 #include "generator/template/ink_style.h"
+#include "generator/template/mesh_sketch.h"
 #include "generator/template/noise_style.h"
 #include "generator/template/surface_sketch.h"
 #include "generator/template/variation_sketch.h"
@@ -24,7 +25,10 @@ struct FoldSymmetry {
   std::vector<double> fold_angles;
 };
 
-using Symmetry = std::variant<CylindricalSymmetry, FoldSymmetry>;
+/// Nothing repeats: all surfaces are meshes, and all variants are alike.
+struct NoSymmetry {};
+
+using Symmetry = std::variant<CylindricalSymmetry, FoldSymmetry, NoSymmetry>;
 
 struct Template {
   std::string name;   ///< as in `pomona list`
@@ -33,6 +37,7 @@ struct Template {
   Symmetry symmetry;
   std::vector<std::string> parts;
   std::vector<SurfaceSketch> surfaces;
+  std::vector<MeshSketch> meshes;  ///< after the drawn surfaces
   std::vector<GrainSketch> grains;
   AxisBend bend;              ///< of the axis along which the curves are drawn straight
   VariationSketch variation;  ///< what varies besides the horizontal curves
@@ -41,7 +46,7 @@ struct Template {
   double density = 950;  ///< kg per cubic metre
 };
 
-/// Folds, or 1 for cylindrical symmetry.
+/// Folds, or 1 where there are none.
 int fold_count(const Template& fruit);
 
 }  // namespace pomona

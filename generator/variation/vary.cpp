@@ -15,7 +15,7 @@ constexpr int most_folds = 64;
 void check_folds(const Template& fruit, int folds) {
   if (!std::holds_alternative<FoldSymmetry>(fruit.symmetry)) {
     throw Error(ExitStatus::usage, "template \"" + fruit.name + "\" has no folds to change",
-                "leave out --folds: the template has cylindrical symmetry");
+                "leave out --folds: the template's symmetry has none");
   }
   if (folds < 1 || folds > most_folds) {
     throw Error(ExitStatus::usage,
@@ -30,6 +30,7 @@ Template vary(const Template& fruit, VariantKey key, const VariationOptions& opt
     throw Error(ExitStatus::usage, "the amount of variation must lie between 0 and 2");
   }
   if (options.folds) check_folds(fruit, *options.folds);
+  if (std::holds_alternative<NoSymmetry>(fruit.symmetry)) return fruit;
   if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) return vary_loops(fruit, key, options.amount);
   return vary_folds(fruit, key, options.amount, options.folds.value_or(fold_count(fruit))).fruit;
 }

@@ -15,8 +15,8 @@ struct VariationOptions {
 };
 
 /// The variant for `key`: De Bonet synthesis of all loops together for cylindrical symmetry, blending of fold
-/// samples by principal components for N-fold symmetry.
-/// \throws Error (usage) if folds are asked of a cylindrical template.
+/// samples by principal components for N-fold symmetry. Meshes do not vary: without symmetry it is the template itself.
+/// \throws Error (usage) if folds are asked of a template without them.
 Template vary(const Template& fruit, VariantKey key, const VariationOptions& options = {});
 
 /// The template as drawn, but with `folds` folds: the drawn folds repeated in turn.

@@ -31,7 +31,7 @@ HEAVY = {
     "lib2geom": (r"2geom/", r"generator/template/\w+\.cpp"),
     "pugixml": (r"pugixml\.hpp", r"generator/template/\w+\.cpp"),
     "Bullet": (r"(bullet/)?(bt\w+\.h|Bullet\w*/|LinearMath/)", r"generator/scene/\w+\.cpp"),
-    "tinygltf": (r"tiny_gltf\.h", r"render/export/gltf\.cpp|tests/render/export/read_glb\.cpp"),
+    "tinygltf": (r"tiny_gltf\.h", r"generator/surface/glb_file\.cpp|render/export/gltf\.cpp|tests/render/export/read_glb\.cpp"),
     "libpng": (r"png\.h", r"render/picture/\w+\.cpp|tests/\w+/\w+\.cpp"),
     "EGL": (r"EGL/", r"render/gl/\w+\.cpp"),
     "OSMesa": (r"GL/osmesa\.h", r"render/gl/\w+\.cpp"),

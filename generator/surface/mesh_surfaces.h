@@ -1,0 +1,15 @@
+// From a template's [[mesh]] to diffusion surfaces.
+#pragma once
+
+#include "generator/surface/diffusion_surfaces.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// The mesh where the template puts it: a surface file with its own colours and surfaces, or a plain mesh painted as
+/// the template says, one surface of the mesh's name. Parts are numbered as in the template.
+/// \throws Error (bad_data) with the place in the mesh's file, for what cannot be read, an object or colours that are
+/// not there, and parts the template does not name.
+DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh);
+
+}  // namespace pomona

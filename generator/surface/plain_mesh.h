@@ -1,0 +1,29 @@
+// A mesh as most modelling tools write it: triangles, and one colour at most.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/base/color.h"
+
+namespace pomona {
+
+/// In units of its file. Corners run counter-clockwise seen from the front.
+struct PlainMesh {
+  std::vector<glm::dvec3> position;
+  std::vector<Color> color;  ///< linear; one per vertex, or none
+  std::vector<glm::uvec3> triangle;
+};
+
+constexpr std::size_t most_mesh_triangles = 2'000'000;
+
+/// "capsule, pyramids, fat", for messages about an object that a file lacks.
+std::string listed_names(const std::vector<std::string>& names);
+
+/// The same without vertices that no triangle uses.
+PlainMesh without_unused(const PlainMesh& mesh);
+
+}  // namespace pomona

@@ -1,0 +1,47 @@
+// Surfaces of a template that come from a modelling tool instead of curves.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "generator/template/ramp.h"
+#include "generator/template/side.h"
+
+namespace pomona {
+
+enum class MeshFormat { ply, obj, glb };
+
+/// A file as it was read, not yet understood: surface/mesh_surfaces.h does that. Variants share it.
+struct MeshFile {
+  std::string path;  ///< for messages
+  MeshFormat format = MeshFormat::ply;
+  std::string bytes;
+};
+
+/// How the template paints a mesh. Ramps along run from the mesh's lowest vertex to its highest, or with the distance
+/// from a point; ramps around with the angle about the upright line through the middle of its box.
+struct MeshPaint {
+  Side front;                           ///< front = the side from which corners run counter-clockwise
+  Side back;
+  bool front_color_from_file = false;  ///< the file's own vertex colours in place of front.color
+  bool back_color_from_file = false;
+  Ramp<double> blur = Ramp<double>::constant(0);  ///< metres, along
+  std::optional<glm::dvec3> ramps_from;           ///< metres; ramps along run with the distance from here
+};
+
+/// One [[mesh]]: a file, or one object of it. Without paint the file says all itself, as surface files (.ply) do.
+struct MeshSketch {
+  std::string name;
+  std::shared_ptr<const MeshFile> file;
+  std::string object;  ///< empty = all that the file holds
+  double unit = 1;     ///< metres of one unit of the file
+  bool z_up = false;   ///< the file's Z is up, its Y to the back
+  bool flip = false;   ///< front and back of every triangle changed
+  glm::dvec3 at{0};    ///< where the file's origin lies, metres
+  std::optional<MeshPaint> paint;
+};
+
+}  // namespace pomona
