@@ -122,7 +122,7 @@ def along_ray(start, direction, field, level):
 # ---- Pyramids: nine cones from the cortex to their papillae ----
 
 CENTER = (10.0, MIDDLE, 0.0)  # from here the pyramids fan out
-SPREAD = math.radians(32)
+FIRST, SPREAD = math.radians(62), math.radians(29.5)
 PROFILE = [(0, 0), (0.03, 0.15), (0.08, 0.24), (0.2, 0.35), (0.45, 0.6), (0.7, 0.87), (0.84, 1.0), (0.92, 0.95),
            (0.97, 0.74), (1.0, 0.0)]
 
@@ -133,7 +133,7 @@ def fan(angle, lean=0.0):
 
 class Pyramid:
     def __init__(self, number):
-        angle = math.radians(52) + SPREAD * number
+        angle = FIRST + SPREAD * number
         self.axis = fan(angle, 0.03 if number % 2 else -0.03)
         self.tip = along_ray(CENTER, self.axis, sinus, -4.0)
         self.base = along_ray(self.tip, self.axis, bean, -7.0)
@@ -541,10 +541,12 @@ def smooth_path(points, count):
 
 def add_vessels(model):
     """From the hilum through the fat, in front of the calyces, into the columns between the pyramids."""
-    def around(p):
-        return FAT if sinus(p) < 0 else COLUMN
+    def around(p, start, blood):
+        # Where branches leave the trunk they lie in each other, and nothing parts them.
+        way = sub(p, start)
+        return blood if dot(way, way) < 64 else FAT if sinus(p) < 0 else COLUMN
     for number in range(8):
-        angle = math.radians(52) + SPREAD * (number + 0.5)
+        angle = FIRST + SPREAD * (number + 0.5)
         ray = fan(angle)
         rim, end = along_ray(CENTER, ray, sinus, 0.5), along_ray(along_ray(CENTER, ray, sinus, 3.0), ray, bean, -8.5)
         side = unit(cross((0.0, 0.0, 1.0), ray))
@@ -555,7 +557,7 @@ def add_vessels(model):
                       add(add(rim, ray, 2.0), side, offset), add(end, side, offset)]
             curve = smooth_path(points, 13)
             radii = [ramp([(0, 1.6), (6, 1.2), (9, 0.6), (12, 0.4)], float(k)) * size for k in range(13)]
-            add_tube(model, curve, radii, name, around, back, name)
+            add_tube(model, curve, radii, name, lambda p: around(p, start, back), back, name)
 
 
 def main():

@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include <tiny_gltf.h>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
-#include <tiny_gltf.h>
 
 #include "generator/base/error.h"
 
@@ -18,7 +18,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double farthest = 1e9;                         // in units of the file
+constexpr double farthest = 1e9;                             // in units of the file
 constexpr std::uint32_t most_json = std::uint32_t{4} << 20;  // bytes; what is large lies outside it
 constexpr int deepest_json = 64;
 constexpr std::size_t most_nodes = 65536;
@@ -76,17 +76,17 @@ bool leave_image(tinygltf::Image*, int, std::string*, std::string*, int, int, co
 tinygltf::Model parse_model(std::string_view bytes, const std::string& file) {
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(leave_image, nullptr);
-  reader.SetFsCallbacks({[](const std::string&, void*) { return false; },
-                         [](const std::string& path, void*) { return path; },
-                         [](std::vector<unsigned char>*, std::string*, const std::string&, void*) { return false; },
-                         [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; },
-                         nullptr});
+  reader.SetFsCallbacks(
+      {[](const std::string&, void*) { return false; }, [](const std::string& path, void*) { return path; },
+       [](std::vector<unsigned char>*, std::string*, const std::string&, void*) { return false; },
+       [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }, nullptr});
   tinygltf::Model model;
   std::string error, warning;
   bool is_good = false;
   try {
-    is_good = reader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
-                                          static_cast<unsigned int>(bytes.size()), "");
+    is_good =
+        reader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
+                                    static_cast<unsigned int>(bytes.size()), "");
   } catch (const std::exception& thrown) {
     error = thrown.what();
   }
@@ -111,7 +111,8 @@ class GlbReader {
 
   PlainMesh read() {
     for (const int root : roots()) visit(root, glm::dmat4(1), 0);
-    if (!object_.empty() && !found_) refuse(file_, "", "has no object \"" + object_ + "\"", "it has: " + listed_names(names_));
+    if (!object_.empty() && !found_)
+      refuse(file_, "", "has no object \"" + object_ + "\"", "it has: " + listed_names(names_));
     if (mesh_.triangle.empty()) refuse(file_, "", "holds no triangles", "export the mesh as polygons");
     if (!colored_) mesh_.color.clear();
     return without_unused(mesh_);
@@ -121,12 +122,14 @@ class GlbReader {
   /// The scene's nodes, or those that are nobody's child.
   std::vector<int> roots() const {
     const int scene = model_.defaultScene >= 0 ? model_.defaultScene : 0;
-    if (static_cast<std::size_t>(scene) < model_.scenes.size()) return model_.scenes[static_cast<std::size_t>(scene)].nodes;
+    if (static_cast<std::size_t>(scene) < model_.scenes.size())
+      return model_.scenes[static_cast<std::size_t>(scene)].nodes;
     std::vector<int> roots;
     std::vector<bool> is_child(model_.nodes.size(), false);
     for (const tinygltf::Node& node : model_.nodes) {
       for (const int child : node.children) {
-        if (child >= 0 && static_cast<std::size_t>(child) < is_child.size()) is_child[static_cast<std::size_t>(child)] = true;
+        if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
+          is_child[static_cast<std::size_t>(child)] = true;
       }
     }
     for (std::size_t i = 0; i < is_child.size(); ++i) {
@@ -137,8 +140,10 @@ class GlbReader {
 
   void visit(int index, const glm::dmat4& parent, int depth) {
     const std::string what = "node " + std::to_string(index);
-    if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size()) refuse(file_, what, "there is no such node");
-    if (depth > deepest_json || ++visits_ > most_nodes) refuse(file_, what, "nodes nested too deep, or within themselves");
+    if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
+      refuse(file_, what, "there is no such node");
+    if (depth > deepest_json || ++visits_ > most_nodes)
+      refuse(file_, what, "nodes nested too deep, or within themselves");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
     const glm::dmat4 to_scene = parent * transform_of(node);
     if (node.mesh >= 0) {
@@ -165,7 +170,8 @@ class GlbReader {
       result = glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
     }
     for (int k = 0; k < 3 && node.scale.size() == 3; ++k) result[k] *= node.scale[static_cast<std::size_t>(k)];
-    for (int k = 0; k < 3 && node.translation.size() == 3; ++k) result[3][k] = node.translation[static_cast<std::size_t>(k)];
+    for (int k = 0; k < 3 && node.translation.size() == 3; ++k)
+      result[3][k] = node.translation[static_cast<std::size_t>(k)];
     return result;
   }
 
@@ -178,7 +184,8 @@ class GlbReader {
       fail("there are no bytes for it");
     }
     const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model_.buffers.size()) fail("there is no such buffer");
+    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model_.buffers.size())
+      fail("there is no such buffer");
     const std::vector<unsigned char>& bytes = model_.buffers[static_cast<std::size_t>(view.buffer)].data;
     const int component = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
     const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
@@ -193,8 +200,12 @@ class GlbReader {
     if (accessor.count == 0 || left < size || accessor.count - 1 > (left - size) / stride) {
       fail("it is longer than its bytes");
     }
-    return {bytes.data() + view.byteOffset + accessor.byteOffset, accessor.count, stride, accessor.type,
-            accessor.componentType, accessor.normalized};
+    return {bytes.data() + view.byteOffset + accessor.byteOffset,
+            accessor.count,
+            stride,
+            accessor.type,
+            accessor.componentType,
+            accessor.normalized};
   }
 
   template <typename T>

@@ -9,7 +9,6 @@
 
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
-#include "generator/base/units.h"
 #include "generator/surface/glb_file.h"
 #include "generator/surface/grid_painter.h"
 #include "generator/surface/obj_file.h"
@@ -99,11 +98,7 @@ PlainMesh read_plain(const MeshSketch& mesh) {
   return plain_of(mesh);
 }
 
-double turn_share(double x, double z) {
-  if (x == 0 && z == 0) return 0;
-  const double turn = reproducible::atan2(-z, x) / (2 * pi);
-  return turn < 0 ? turn + 1 : turn;
-}
+double turn_about(double x, double z) { return x == 0 && z == 0 ? 0.0 : turn_of(reproducible::atan2(-z, x)); }
 
 /// Where each vertex lies in the ramps: as on a swept surface, but by height or distance, and by angle.
 SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
@@ -121,7 +116,8 @@ SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
   for (std::size_t i = 0; i < grid.position.size(); ++i) {
     const glm::dvec3 p = grid.position[i] - middle;
     grid.along[i] = range > 0 ? (grid.along[i] - from) / range : 0.0;
-    grid.around.push_back(turn_share(p.x, p.z));
+    grid.around.push_back(turn_about(p.x, p.z));
+    grid.turn.emplace_back(turn_about(grid.position[i].x, grid.position[i].z));
   }
   grid.is_pole.assign(grid.position.size(), 0);
   grid.fold.assign(grid.position.size(), 0);

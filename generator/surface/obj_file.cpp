@@ -136,8 +136,7 @@ class ObjParser {
   }
 
   [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const {
-    throw Error(ExitStatus::bad_data,
-                {{{file_, line_number_, static_cast<int>(word_at_) + 1, {}}, message, hint}});
+    throw Error(ExitStatus::bad_data, {{{file_, line_number_, static_cast<int>(word_at_) + 1, {}}, message, hint}});
   }
 
   [[noreturn]] void fail_whole(const std::string& message, const std::string& hint) const {

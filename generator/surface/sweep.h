@@ -12,8 +12,8 @@ struct SweepOptions {
   VariantKey key = {};  ///< where the spots lie
 };
 
-/// Sweeps every surface of the template, in order, and paints it; then come its meshes. Blur is not split, and there are
-/// no grains. Connectivity is a function of the template's counts, the number of folds and the detail alone, so all
+/// Sweeps every surface of the template, in order, and paints it; then come its meshes. Blur is not split, and there
+/// are no grains. Connectivity is a function of the template's counts, the number of folds and the detail alone, so all
 /// variants share it.
 /// \throws Error (bad_data) naming template and surface where curves cannot be swept, or there are too many spots.
 DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options = {});

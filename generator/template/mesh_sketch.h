@@ -7,7 +7,6 @@
 
 #include <glm/vec3.hpp>
 
-#include "generator/template/ramp.h"
 #include "generator/template/side.h"
 
 namespace pomona {
@@ -22,14 +21,15 @@ struct MeshFile {
 };
 
 /// How the template paints a mesh. Ramps along run from the mesh's lowest vertex to its highest, or with the distance
-/// from a point; ramps around with the angle about the upright line through the middle of its box.
+/// from a point; ramps around with the angle about the upright line through the middle of its box; turns about the
+/// fruit's axis.
 struct MeshPaint {
-  Side front;                           ///< front = the side from which corners run counter-clockwise
+  Side front;  ///< front = the side from which corners run counter-clockwise
   Side back;
   bool front_color_from_file = false;  ///< the file's own vertex colours in place of front.color
   bool back_color_from_file = false;
-  Ramp<double> blur = Ramp<double>::constant(0);  ///< metres, along
-  std::optional<glm::dvec3> ramps_from;           ///< metres; ramps along run with the distance from here
+  PaintedBlur blur;
+  std::optional<glm::dvec3> ramps_from;  ///< metres; ramps along run with the distance from here
 };
 
 /// One [[mesh]]: a file, or one object of it. Without paint the file says all itself, as surface files (.ply) do.

@@ -84,7 +84,11 @@ glm::dvec3 read_point(const TomlValue& value) {
 
 /// A side whose colour is left to the file where none is given.
 Side read_mesh_side(const TomlTable& table, const std::vector<std::string>& parts) {
-  if (table.has("color")) return read_side(table, parts);
+  if (table.has("color")) {
+    const Side side = read_surface_side(table, parts, {});
+    if (!side.spots.empty()) table.get("spots").error("need a drawn surface", "paint them in the modelling tool");
+    return side;
+  }
   Side side;
   const TomlValue part = table.need("part");
   if (!parts.empty()) side.part = part.choice(parts);
@@ -93,7 +97,6 @@ Side read_mesh_side(const TomlTable& table, const std::vector<std::string>& part
 }
 
 MeshPaint read_mesh_paint(const TomlTable& table, const std::vector<std::string>& parts) {
-  const auto length = [](const TomlValue& value) { return value.length(0, {0, 0.1}); };
   MeshPaint paint;
   const TomlTable front = table.need("front").table(), back = table.need("back").table();
   paint.front = read_mesh_side(front, parts);
@@ -103,7 +106,7 @@ MeshPaint read_mesh_paint(const TomlTable& table, const std::vector<std::string>
   if (paint.front.hidden && paint.back.hidden) {
     table.error("has both sides hidden", "hide only the side that faces air");
   }
-  paint.blur = read_ramp<double>(table.get("blur"), 0.0, length);
+  paint.blur = read_painted_blur(table.get("blur"));
   if (table.has("ramps_from")) paint.ramps_from = read_point(table.get("ramps_from"));
   return paint;
 }

@@ -1,0 +1,355 @@
+// Meshes from modelling tools: every door gives the same surfaces, and hostile files a clear error.
+#include "generator/surface/mesh_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/random.h"
+#include "generator/surface/bodies.h"
+#include "generator/surface/glb_file.h"
+#include "generator/surface/obj_file.h"
+#include "generator/surface/surface_file.h"
+#include "generator/surface/sweep.h"
+#include "generator/template/read_template.h"
+#include "tests/shapes/shapes.h"
+#include "tests/surface/mesh_files.h"
+
+namespace pomona {
+namespace {
+
+using namespace mesh_files;
+using ::testing::HasSubstr;
+
+MeshSketch sketch_of(MeshFormat format, const std::string& bytes, const std::string& object = {}) {
+  MeshSketch mesh;
+  mesh.name = "cube";
+  mesh.file = std::make_shared<MeshFile>(MeshFile{"cube.mesh", format, bytes});
+  mesh.object = object;
+  MeshPaint paint;
+  paint.front.hidden = true;
+  paint.front.color.along = {{{0.0, Color(0.0f)}, {1.0, Color(1.0f)}}};
+  paint.back.part = 1;
+  paint.back.color.along = Ramp<Color>::constant(Color(0.25f));
+  mesh.paint = paint;
+  return mesh;
+}
+
+Template fruit_of(const std::vector<MeshSketch>& meshes) {
+  Template fruit;
+  fruit.name = "cube";
+  fruit.symmetry = NoSymmetry{};
+  fruit.parts = {"skin", "flesh"};
+  fruit.meshes = meshes;
+  return fruit;
+}
+
+std::string message_of(const std::function<void()>& run) {
+  try {
+    run();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::bad_data);
+    return to_string(error.diagnostics().front());
+  }
+  return "no error";
+}
+
+/// The volume that the triangles enclose; positive if fronts are outside.
+double volume_of(const DiffusionSurfaces& surfaces) {
+  double volume = 0;
+  for (const glm::uvec3& t : surfaces.triangle) {
+    const glm::dvec3 a(surfaces.position[t.x]), b(surfaces.position[t.y]), c(surfaces.position[t.z]);
+    volume += glm::dot(a, glm::cross(b, c)) / 6;
+  }
+  return volume;
+}
+
+// ---- Doors ----
+
+TEST(Mesh, ObjAndGlbGiveTheSameClosedSkin) {
+  for (const MeshSketch& mesh : {sketch_of(MeshFormat::obj, cube_obj()), sketch_of(MeshFormat::glb, cube_glb())}) {
+    const DiffusionSurfaces cube = sweep(fruit_of({mesh}));
+    EXPECT_EQ(cube.triangle_count(), 12u);
+    EXPECT_DOUBLE_EQ(volume_of(cube), 8.0);
+    EXPECT_EQ(cube.surface_names, std::vector<std::string>{"cube"});
+    EXPECT_EQ(cube.part_names, (std::vector<std::string>{"skin", "flesh"}));
+    EXPECT_TRUE(find_bodies(cube).warnings.empty());
+    EXPECT_TRUE(cube.is_hidden(0, SideOf::front));
+    EXPECT_FALSE(cube.is_hidden(0, SideOf::back));
+  }
+}
+
+TEST(Mesh, RampsRunWithHeightOrWithDistance) {
+  MeshSketch mesh = sketch_of(MeshFormat::obj, cube_obj());
+  const DiffusionSurfaces by_height = sweep(fruit_of({mesh}));
+  for (std::size_t v = 0; v < by_height.vertex_count(); ++v) {
+    EXPECT_EQ(by_height.front_color[v].r, by_height.position[v].y > 0 ? 1.0f : 0.0f);
+    EXPECT_EQ(by_height.back_color[v], Color(0.25f));
+  }
+  mesh.paint->ramps_from = glm::dvec3(1, 1, 1);
+  const DiffusionSurfaces by_distance = sweep(fruit_of({mesh}));
+  for (std::size_t v = 0; v < by_distance.vertex_count(); ++v) {
+    const double share = glm::distance(glm::dvec3(by_distance.position[v]), glm::dvec3(1)) / std::sqrt(12.0);
+    EXPECT_NEAR(by_distance.front_color[v].r, share, 1e-6);
+  }
+}
+
+TEST(Mesh, LiesWhereTheTemplatePutsIt) {
+  MeshSketch mesh = sketch_of(MeshFormat::obj, cube_obj(), "lid");
+  mesh.unit = 1e-3;
+  mesh.z_up = true;
+  mesh.at = {0, 0.5, 0};
+  const DiffusionSurfaces lid = sweep(fruit_of({mesh}));
+  ASSERT_EQ(lid.triangle_count(), 2u);
+  EXPECT_EQ(lid.vertex_count(), 4u);
+  for (const glm::vec3& p : lid.position) {
+    EXPECT_FLOAT_EQ(p.z, -0.001f);  // the file's Y is to the back
+    EXPECT_NEAR(std::fabs(p.y - 0.5f), 0.001f, 1e-7f);
+  }
+  mesh.flip = true;
+  const DiffusionSurfaces turned = sweep(fruit_of({mesh}));
+  EXPECT_EQ(turned.triangle[0], glm::uvec3(lid.triangle[0].x, lid.triangle[0].z, lid.triangle[0].y));
+}
+
+TEST(Mesh, ObjectsAreFoundByAnyOfTheirNames) {
+  EXPECT_EQ(parse_obj(cube_obj(), "x", "box").triangle.size(), 10u);
+  EXPECT_EQ(parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\ng a b\nf 1 2 3\n", "x", "a b").triangle.size(), 1u);
+  EXPECT_EQ(parse_glb(cube_glb(), "x", "lid").triangle.size(), 2u);
+  EXPECT_EQ(parse_glb(cube_glb(), "x", "box_data").triangle.size(), 10u);
+}
+
+TEST(Mesh, GlbFollowsTransformsAndTurnsMirroredMeshesOutside) {
+  const PlainMesh moved = parse_glb(cube_glb(), "x", "");
+  EXPECT_EQ(std::min_element(moved.position.begin(), moved.position.end(),
+                             [](const auto& a, const auto& b) { return a.y < b.y; })
+                ->y,
+            0.0);
+  const PlainMesh mirrored = parse_glb(cube_glb({"\"translation\":[0,1,0]", "\"scale\":[-1,2,1]"}), "x", "");
+  double volume = 0;
+  for (const glm::uvec3& t : mirrored.triangle) {
+    volume += glm::dot(mirrored.position[t.x], glm::cross(mirrored.position[t.y], mirrored.position[t.z])) / 6;
+  }
+  EXPECT_DOUBLE_EQ(volume, 16.0);
+}
+
+TEST(Mesh, TakesTheFilesOwnColors) {
+  MeshSketch mesh = sketch_of(MeshFormat::glb, cube_glb());
+  mesh.paint->front_color_from_file = true;
+  const DiffusionSurfaces cube = sweep(fruit_of({mesh}));
+  for (const Color& color : cube.front_color) EXPECT_EQ(color, Color(1.0f, 0.0f, 0.2f));
+  for (const Color& color : cube.back_color) EXPECT_EQ(color, Color(0.25f));
+
+  const PlainMesh painted = parse_obj("v 0 0 0 1 0 0.5\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n", "x", "");
+  ASSERT_EQ(painted.color.size(), 3u);
+  EXPECT_FLOAT_EQ(painted.color[0].r, 1.0f);
+  EXPECT_FLOAT_EQ(painted.color[0].b, static_cast<float>(linear_from_srgb(0.5)));
+  EXPECT_TRUE(parse_obj("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n", "x", "").color.empty());
+
+  mesh = sketch_of(MeshFormat::obj, cube_obj());
+  mesh.paint->back_color_from_file = true;
+  EXPECT_THAT(message_of([&] { sweep(fruit_of({mesh})); }), HasSubstr("mesh \"cube\": the file has no colours"));
+}
+
+// ---- Surface files ----
+
+TEST(Mesh, SurfaceFileSaysAllItself) {
+  shapes::Paint paint;
+  paint.back_part = "gel";
+  const DiffusionSurfaces ball = joined(shapes::hollow_ball(0.05, 0.03, 4), shapes::sphere(0.02, 3, paint));
+  MeshSketch mesh = sketch_of(MeshFormat::ply, write_surfaces(ball));
+  mesh.paint.reset();
+  Template fruit = fruit_of({mesh});
+  fruit.parts = ball.part_names;
+  const DiffusionSurfaces grown = sweep(fruit);
+  EXPECT_EQ(write_surfaces(grown), write_surfaces(ball));
+
+  std::reverse(fruit.parts.begin(), fruit.parts.end());
+  const DiffusionSurfaces renumbered = sweep(fruit);
+  for (std::size_t i = 0; i < ball.triangle_count(); ++i) {
+    EXPECT_EQ(renumbered.part_names[static_cast<std::size_t>(renumbered.back_part[i])],
+              ball.part_names[static_cast<std::size_t>(ball.back_part[i])]);
+  }
+  fruit.parts = {"nothing"};
+  EXPECT_THAT(message_of([&] { sweep(fruit); }), HasSubstr("is not one of the template's parts"));
+}
+
+TEST(Mesh, SurfacesOfAFileMayBePickedAndPaintedOver) {
+  const DiffusionSurfaces ball = joined(shapes::sphere(0.05, 4), shapes::sphere(0.02, 3));
+  DiffusionSurfaces named = ball;
+  named.surface_names = {"skin", "stone"};
+  MeshSketch mesh = sketch_of(MeshFormat::ply, write_surfaces(named), "stone");
+  const DiffusionSurfaces stone = sweep(fruit_of({mesh}));
+  EXPECT_EQ(stone.triangle_count(), static_cast<std::size_t>(std::count(ball.surface.begin(), ball.surface.end(), 1)));
+  EXPECT_EQ(stone.back_color[0], Color(0.25f));
+  mesh.object = "kernel";
+  EXPECT_THAT(message_of([&] { sweep(fruit_of({mesh})); }), HasSubstr("it has: skin, stone"));
+}
+
+// ---- The kidney ----
+
+const std::filesystem::path templates = std::filesystem::path(POMONA_SOURCE_DIR) / "templates";
+
+TEST(Kidney, IsOneClosedBodyAsFineAsThePapers) {
+  const Template fruit = read_template(templates / "kidney.toml");
+  EXPECT_TRUE(std::holds_alternative<NoSymmetry>(fruit.symmetry));
+  const DiffusionSurfaces kidney = sweep(fruit);
+  EXPECT_GE(kidney.triangle_count(), 5694u);  // the paper's Table 1
+  EXPECT_EQ(kidney.part_names, fruit.parts);
+  const Bodies bodies = find_bodies(kidney);
+  EXPECT_TRUE(bodies.warnings.empty());
+  const glm::dvec3 size = bounds_of(kidney).size();
+  EXPECT_NEAR(size.y, 0.11, 0.003);
+  EXPECT_NEAR(size.z, 0.032, 0.003);
+}
+
+TEST(Kidney, TemplateAndFileAreTheSame) {
+  const DiffusionSurfaces grown = sweep(read_template(templates / "kidney.toml"));
+  EXPECT_EQ(write_surfaces(grown), write_surfaces(read_surfaces(templates / "kidney.ply")));
+}
+
+/// The triangles that face air, or those of one surface.
+DiffusionSurfaces chosen(const DiffusionSurfaces& all, const std::string& surface) {
+  DiffusionSurfaces result = all;
+  result.triangle.clear();
+  for (std::size_t i = 0; i < all.triangle_count(); ++i) {
+    const bool is_named = all.surface_names[static_cast<std::size_t>(all.surface[i])] == surface;
+    if (surface.empty() ? all.is_boundary(i) : is_named) result.triangle.push_back(all.triangle[i]);
+  }
+  return result;
+}
+
+TEST(Kidney, ComesThroughEveryDoorAlike) {
+  const DiffusionSurfaces kidney = read_surfaces(templates / "kidney.ply");
+  const DiffusionSurfaces boundary = chosen(kidney, ""), pyramids = chosen(kidney, "pyramids");
+  const auto painted = [](MeshSketch skin, MeshSketch inside) {
+    inside.paint->front.hidden = false;
+    inside.paint->front.part = 1;
+    inside.paint->ramps_from = glm::dvec3(0.01, 0.055, 0);
+    return write_surfaces(sweep(fruit_of({std::move(skin), std::move(inside)})));
+  };
+  const std::string by_obj = painted(sketch_of(MeshFormat::obj, obj_of(boundary, "skin"), "skin"),
+                                     sketch_of(MeshFormat::obj, obj_of(pyramids, "pyramids"), "pyramids"));
+  const std::string by_glb = painted(sketch_of(MeshFormat::glb, glb_of(boundary, "skin"), "skin"),
+                                     sketch_of(MeshFormat::glb, glb_of(pyramids, "pyramids"), "pyramids"));
+  EXPECT_EQ(by_obj, by_glb);
+  EXPECT_TRUE(find_bodies(parse_surfaces(by_obj, "kidney")).warnings.empty());
+
+  MeshSketch by_ply = sketch_of(MeshFormat::ply, write_surfaces(kidney), "pyramids");
+  const std::string by_three = painted(sketch_of(MeshFormat::obj, obj_of(boundary, "skin")), std::move(by_ply));
+  EXPECT_EQ(by_obj, by_three);
+}
+
+// ---- Mistakes ----
+
+TEST(Mesh, ObjMistakesHaveLineAndColumn) {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {"", "holds no faces"},
+      {three, "holds no faces"},
+      {"v 0 0\n", "x.obj:1:6: error: a vertex needs three numbers"},
+      {"v 0 0 nan\n", "x.obj:1:7: error: this number is not finite"},
+      {"v 0 0 1e999\n", "x.obj:1:7: error: this is not a number"},
+      {"v 0 0 1e30\n", "x.obj:1:7: error: this number is too large"},
+      {"v 0 0 0x1\n", "x.obj:1:7: error: this is not a number"},
+      {three + "f 1 2\n", "x.obj:4:6: error: a face needs at least 3 vertices"},
+      {three + "f 1 2 4\n", "x.obj:4:7: error: there is no such vertex"},
+      {three + "f 1 2 -4\n", "there is no such vertex"},
+      {three + "f 0 1 2\n", "x.obj:4:3: error: there is no such vertex"},
+      {three + "f 1 2 99999999999999999999\n", "not the number of a vertex"},
+      {three + "f 1 2 3x\n", "not the number of a vertex"},
+      {std::string("\0\0\0\0", 4), "holds no faces"},
+  };
+  for (const auto& [text, message] : mistakes) {
+    EXPECT_THAT(message_of([&, &text = text] { parse_obj(text, "x.obj", ""); }), HasSubstr(message)) << text;
+  }
+  EXPECT_THAT(message_of([] { parse_obj(cube_obj(), "x.obj", "bottom"); }), HasSubstr("it has: lid, box"));
+}
+
+TEST(Mesh, GlbMistakesNameTheMesh) {
+  std::string nan = cube_bin();
+  nan.replace(0, 4, std::string("\0\0\xc0\x7f", 4));
+  std::string far_index = cube_bin();
+  far_index[128] = 8;
+  const std::string good = cube_glb();
+  std::string version = good;
+  version[4] = 1;
+  const std::string nested = std::string(20000, '[') + std::string(20000, ']');
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {"", "no binary glTF"},
+      {"{}", "no binary glTF"},
+      {good.substr(0, 40), "length is not the one"},
+      {version, "only version 2"},
+      {glb(cube_json(), nan), "primitive 0, POSITION, vertex 0: error: its position is not finite"},
+      {glb(cube_json(), far_index), "triangle 0: error: there is no such vertex"},
+      {cube_glb({"\"asset\":{", "\"asset\":{\"extras\":" + nested + ","}), "nested more than 64 deep"},
+      {cube_glb({"\"count\":8", "\"count\":9000000000000000000"}), "longer than its bytes"},
+      {cube_glb({"\"count\":8", "\"count\":9"}), "longer than its bytes"},
+      {cube_glb({"\"byteOffset\":96,\"byteLength\":32", "\"byteOffset\":190,\"byteLength\":32"}), "ends early"},
+      {cube_glb({"\"mesh\":1", "\"mesh\":7"}), "no such mesh"},
+      {cube_glb({"\"children\":[1,2]", "\"children\":[0]"}), "within themselves"},
+      {cube_glb({"\"children\":[1,2]", "\"children\":[9]"}), "no such node"},
+      {cube_glb({"\"children\":[1,2]", "\"children\":[]"}), "holds no triangles"},
+      {cube_glb({"\"indices\":2", "\"indices\":2,\"mode\":1"}), "no plain triangles"},
+      {cube_glb({"\"POSITION\":0,", ""}), "has no positions"},
+      {cube_glb({"5126", "5123"}), "positions must be three floats"},
+      {cube_glb({"\"indices\":2", "\"indices\":0"}), "whole numbers"},
+      {cube_glb({"\"buffers\":[{\"byteLength\":200}]", "\"buffers\":[{\"byteLength\":200,\"uri\":\"/etc/passwd\"}]"}),
+       "error"},
+      {glb("{\"asset\":", {}), "no glTF that can be read"},
+  };
+  for (const auto& [bytes, message] : mistakes) {
+    EXPECT_THAT(message_of([&, &bytes = bytes] { parse_glb(bytes, "x.glb", ""); }), HasSubstr(message));
+  }
+  EXPECT_THAT(message_of([] { parse_glb(cube_glb(), "x.glb", "handle"); }), HasSubstr("it has: lid, box"));
+}
+
+/// Bytes spoilt at random: an error or a mesh, never a crash.
+TEST(Mesh, SpoiltFilesAreReadOrRefused) {
+  const RandomStream random(VariantKey{1, 0}, "spoilt meshes");
+  std::uint64_t draw = 0;
+  for (const std::string& good : {cube_obj(), cube_glb()}) {
+    for (int round = 0; round < 3000; ++round) {
+      std::string spoilt = good;
+      for (int k = 0; k < 1 + round % 4; ++k) {
+        const auto at = static_cast<std::size_t>(random.uniform(draw++) * static_cast<double>(spoilt.size()));
+        spoilt[at] = static_cast<char>(random.uniform(draw++) * 256 - 128);
+      }
+      try {
+        const PlainMesh mesh = good[0] == 'g' ? parse_glb(spoilt, "x", "") : parse_obj(spoilt, "x", "");
+        for (const glm::uvec3& t : mesh.triangle) {
+          EXPECT_LT(std::max({t.x, t.y, t.z}), mesh.position.size());
+        }
+      } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::bad_data);
+      }
+    }
+    for (std::size_t size = 0; size < good.size(); size += 7) {
+      try {
+        const std::string cut = good.substr(0, size);
+        good[0] == 'g' ? parse_glb(cut, "x", "") : parse_obj(cut, "x", "");
+      } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::bad_data);
+      }
+    }
+  }
+}
+
+TEST(Mesh, WrongUnitsAreFound) {
+  MeshSketch mesh = sketch_of(MeshFormat::obj, cube_obj());
+  mesh.unit = 1000;
+  EXPECT_THAT(message_of([&] { sweep(fruit_of({mesh})); }), HasSubstr("larger than 100 m"));
+  mesh.unit = 1e-7;
+  EXPECT_THAT(message_of([&] { sweep(fruit_of({mesh})); }), HasSubstr("it has no size"));
+}
+
+}  // namespace
+}  // namespace pomona
