@@ -133,7 +133,7 @@ Json measured(const std::string& name, const Template& fruit, const VariantSetti
               {"sweep_milliseconds", sweep_milliseconds}};
   if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) {
     row["loops"] = json_of(loop_statistics(fruit, settings));
-  } else {
+  } else if (std::holds_alternative<FoldSymmetry>(fruit.symmetry)) {
     row["steps"] = folds_of(facts);
     row["blends"] = json_of(fold_statistics(fruit, settings, facts));
   }
