@@ -71,7 +71,9 @@ DiffusionSurfaces from_surface_file(const Template& fruit, const MeshSketch& mes
   DiffusionSurfaces surfaces = parse_surfaces(mesh.file->bytes, mesh.file->path);
   if (!mesh.object.empty()) surfaces = picked_surface(std::move(surfaces), mesh);
   renumber_parts(surfaces, fruit, mesh);
-  for (glm::vec3& p : surfaces.position) p = glm::vec3(placed_point(mesh, glm::dvec3(p)));
+  // A file that is not moved keeps every bit, the sign of zeros too: template and file are cut alike.
+  const bool is_moved = mesh.z_up || mesh.unit != 1 || mesh.at != glm::dvec3(0);
+  for (glm::vec3& p : surfaces.position) p = is_moved ? glm::vec3(placed_point(mesh, glm::dvec3(p))) : p;
   for (float& blur : surfaces.blur) blur = static_cast<float>(static_cast<double>(blur) * mesh.unit);
   for (glm::uvec3& t : surfaces.triangle) {
     if (mesh.flip) std::swap(t.y, t.z);
