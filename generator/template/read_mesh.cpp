@@ -90,6 +90,7 @@ Side read_mesh_side(const TomlTable& table, const std::vector<std::string>& part
     return side;
   }
   Side side;
+  side.color.along = Ramp<Color>::constant(Color(0.5f));  // ramps are never empty
   const TomlValue part = table.need("part");
   if (!parts.empty()) side.part = part.choice(parts);
   side.hidden = table.get("hidden").boolean(false);

@@ -94,7 +94,8 @@ std::string obj_of(const DiffusionSurfaces& surfaces, const std::string& name) {
     text += "v";
     for (int k = 0; k < 3; ++k) {
       std::array<char, 32> number{};
-      text += " " + std::string(number.data(), std::to_chars(number.data(), number.data() + 32, p[k]).ptr);
+      text += " " + std::string(number.data(),
+                                std::to_chars(number.data(), number.data() + 32, static_cast<double>(p[k])).ptr);
     }
     text += "\n";
   }
