@@ -59,6 +59,7 @@ struct Row {
 };
 
 std::string type_of(const Template& fruit) {
+  if (std::holds_alternative<NoSymmetry>(fruit.symmetry)) return "none";
   return std::holds_alternative<FoldSymmetry>(fruit.symmetry) ? "N-fold" : "cylindrical";
 }
 
