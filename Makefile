@@ -9,8 +9,10 @@ help: ## this list
 salad: build ## out/salad.png, .glb and .pov
 	@scripts/salad.sh build/pomona
 
-gallery: build ## the pictures of the documents, in docs/pictures
-	@scripts/gallery.sh build/pomona docs/pictures
+gallery: build ## the pictures of README.md and templates/README.md; FRUIT="okra fig" makes theirs alone
+	@scripts/setup.sh gallery
+	@scripts/gallery.sh build/pomona docs/pictures $(FRUIT)
+	@scripts/gallery.py write
 
 build: ## the program, at build/pomona
 	@scripts/setup.sh build

@@ -1,23 +1,18 @@
 #!/bin/sh
-# Makes the pictures of README.md and templates/README.md with the given program; each line is a command a
-# user could type.
-#   scripts/gallery.sh build/pomona docs/pictures
+# Makes the pictures of README.md and templates/README.md with the given program; `scripts/gallery.py commands` shows
+# by which commands.
+#   scripts/gallery.sh build/pomona docs/pictures              all of them
+#   scripts/gallery.sh build/pomona docs/pictures okra salad   those of one template, and the salad
 set -eu
+here=$(dirname "$0")
 program=$1
 folder=$2
-mkdir -p "$folder"
+shift 2
 
-for fruit in tomato onion pepper; do
-  "$program" grow "$fruit" --size 360x360 --quiet -o "$folder/${fruit}_whole.png"
-  "$program" grow "$fruit" --surfaces --size 360x360 --quiet -o "$folder/${fruit}_surfaces.png"
-  "$program" cut "$fruit" --knife half --section --size 360x360 --quiet -o "$folder/${fruit}_half.png"
-  "$program" cut "$fruit" --knife across --section --size 360x360 --quiet -o "$folder/${fruit}_across.png"
-  for seed in 1 2 3; do
-    "$program" cut "$fruit" --seed "$seed" --knife across --section --size 180x180 --quiet \
-      -o "$folder/${fruit}_seed_$seed.png"
-  done
-done
-for fruit in $("$program" list | cut -f1); do
-  "$program" cut "$fruit" --knife across --section --size 220x220 --quiet -o "$folder/${fruit}_inside.png"
-done
-"$program" scene scenes/salad.toml --size 880x660 --quiet -o "$folder/salad.png"
+commands=$("$here/gallery.py" commands "$program" "$folder" "$@")
+pictures=$(echo "$commands" | sed 's/.* -o //')
+echo "$pictures" | xargs -n 1 dirname | sort -u | xargs mkdir -p
+echo "$commands" | tr '\n' '\0' | xargs -0 -P "$(nproc)" -n 1 sh -c
+
+# Painted paper does not pack well: 128 colours take a quarter of the room, and look the same.
+echo "$pictures" | xargs -P "$(nproc)" -n 8 pngquant --nofs --force --ext .png --speed 3 128

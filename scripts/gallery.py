@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+"""The gallery: which command makes which picture, and the pages that show them.
+
+    gallery.py commands PROGRAM FOLDER [NAME...]   the commands, one a line, as a user could type them
+    gallery.py write                               writes the gallery into templates/README.md and README.md
+    gallery.py check                               says what is stale or missing; exits with 1 if anything is
+
+Names are those of templates, or "salad"; without any, all. What a template shows is told by the first sentence of its
+opening comment.
+"""
+
+import pathlib
+import re
+import shlex
+import sys
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PICTURES = "docs/pictures"
+SEEDS = (1, 2, 3)
+LARGE, SMALL = 240, 150  # pixels; shown at LARGE_SHOWN and SMALL_SHOWN
+LARGE_SHOWN, SMALL_SHOWN = 200, 130
+
+
+def templates():
+    return sorted(file.stem for file in (ROOT / "templates").glob("*.toml"))
+
+
+def opening(name):
+    """The first sentence of the comment at the top of a template."""
+    lines = []
+    for line in (ROOT / "templates" / f"{name}.toml").read_text().splitlines():
+        if line.startswith("#:"):
+            continue
+        if not line.startswith("#"):
+            break
+        lines.append(line.lstrip("# "))
+    return re.match(r"(.*?\.)(?:\s|$)|(.*)", " ".join(lines)).group(0).strip()
+
+
+def read(name):
+    with open(ROOT / "templates" / f"{name}.toml", "rb") as file:
+        return tomllib.load(file)
+
+
+def symmetry(template):
+    declared = template.get("symmetry", {})
+    if declared.get("kind") == "folds":
+        return f"{declared['folds']} folds"
+    return "not symmetric" if declared.get("kind", "none") == "none" else declared["kind"]
+
+
+def varies(name):
+    """What is imported, and has no symmetry, looks the same at every seed."""
+    return symmetry(read(name)) != "not symmetric"
+
+
+def pictures_of(name):
+    """File name in the template's folder -> words after the program's name."""
+    large, small = ["--size", f"{LARGE}x{LARGE}"], ["--size", f"{SMALL}x{SMALL}"]
+    section = ["--section", "--knife"]
+    made = {
+        "surfaces.png": ["grow", name, "--surfaces", *large],
+        "whole.png": ["grow", name, *large],
+        "half.png": ["cut", name, *section, "half", *large],
+        "across.png": ["cut", name, *section, "across", *large],
+    }
+    for seed in SEEDS if varies(name) else ():
+        variant = ["--seed", str(seed), *small]
+        made[f"seed_{seed}.png"] = ["grow", name, *variant]
+        made[f"seed_{seed}_across.png"] = ["cut", name, *section, "across", *variant]
+    return made
+
+
+def all_pictures(names=()):
+    """Path under PICTURES -> words after the program's name."""
+    made = {}
+    for name in templates():
+        if not names or name in names:
+            made |= {f"{name}/{file}": words for file, words in pictures_of(name).items()}
+    if not names or "salad" in names:
+        made["salad.png"] = ["scene", "scenes/salad.toml", "--size", "880x660"]
+    return made
+
+
+def print_commands(program, folder, names):
+    unknown = set(names) - set(templates()) - {"salad"}
+    if unknown:
+        sys.exit(f"gallery: error: there is no template {', '.join(sorted(unknown))}")
+    for path, words in all_pictures(names).items():
+        print(shlex.join([program, *words, "--quiet", "-o", f"{folder}/{path}"]))
+
+
+def image(path, alt, width):
+    return f'<img src="{path}" alt="{alt}" width="{width}">'
+
+
+def block(name):
+    """What templates/README.md shows of one template."""
+    template = read(name)
+    folder = f"../{PICTURES}/{name}"
+    large = [image(f"{folder}/{view}.png", f"{name}, {alt}", LARGE_SHOWN)
+             for view, alt in (("surfaces", "its surfaces"), ("whole", "whole"), ("half", "half"), ("across", "across"))]
+    small = [image(f"{folder}/seed_{seed}{suffix}.png", f"{name}, seed {seed}{alt}", SMALL_SHOWN)
+             for suffix, alt in (("", ""), ("_across", ", across")) for seed in SEEDS if varies(name)]
+    return "\n".join([
+        f"### {template.get('title', name)}",
+        "",
+        f"[`{name}`]({name}.toml), {symmetry(template)}. {opening(name)}",
+        "",
+        *large,
+        "",
+        *([*small, ""] if small else []),
+    ])
+
+
+def grid_cell(name):
+    return f'[{image(f"{PICTURES}/{name}/across.png", name, SMALL_SHOWN)}](templates/README.md#{anchor(name)})'
+
+
+def anchor(name):
+    title = read(name).get("title", name)
+    return re.sub(r"[^a-z0-9 _-]", "", title.lower()).replace(" ", "-")
+
+
+def pages():
+    """Page -> what stands between its markers."""
+    return {
+        "templates/README.md": "\n".join(block(name) for name in templates()),
+        "README.md": "\n".join(grid_cell(name) for name in templates()) + "\n",
+    }
+
+
+BETWEEN = re.compile(r"(<!-- gallery: make gallery writes this -->\n)(.*?)(<!-- end of the gallery -->)", re.S)
+
+
+def written(page, gallery):
+    text = (ROOT / page).read_text()
+    if not BETWEEN.search(text):
+        sys.exit(f"gallery: error: {page} has lost its markers")
+    return BETWEEN.sub(lambda found: f"{found[1]}\n{gallery}\n{found[3]}", text)
+
+
+def write():
+    for page, gallery in pages().items():
+        (ROOT / page).write_text(written(page, gallery))
+
+
+def faults():
+    """Everything about the gallery that is not as it should be."""
+    for page, gallery in pages().items():
+        if written(page, gallery) != (ROOT / page).read_text():
+            yield f"{page}: the gallery is stale: scripts/gallery.py write"
+    made = set(all_pictures())
+    made |= {file.name for file in (ROOT / PICTURES).glob("sketch_*.png")}  # by scripts/draw_sketch.py
+    for page in pages():
+        folder = (ROOT / page).parent
+        for link in re.findall(r'(?:src="|\]\()([^")]*\.png)', (ROOT / page).read_text()):
+            path = (folder / link).resolve()
+            if not path.is_file():
+                yield f"{page}: {link} is not there: make gallery"
+            if path.relative_to(ROOT / PICTURES).as_posix() not in made:
+                yield f"{page}: no command of scripts/gallery.py makes {link}"
+
+    # The gallery's folders are those of templates; nothing stands in them that no command makes.
+    for file in sorted((ROOT / PICTURES).glob("*.png")) + [
+            file for name in templates() for file in sorted((ROOT / PICTURES / name).glob("*"))]:
+        path = file.relative_to(ROOT / PICTURES).as_posix()
+        if path not in made:
+            yield f"{PICTURES}/{path}: no command of scripts/gallery.py makes it"
+
+
+def check():
+    found = sorted(set(faults()))
+    for fault in found:
+        print(fault, file=sys.stderr)
+    sys.exit(1 if found else 0)
+
+
+def main():
+    match sys.argv[1:]:
+        case ["commands", program, folder, *names]:
+            print_commands(program, folder, names)
+        case ["write"]:
+            write()
+        case ["check"]:
+            check()
+        case _:
+            sys.exit(__doc__)
+
+
+main()
