@@ -14,6 +14,7 @@
 #include "cli/outputs.h"
 #include "generator/cut/cut.h"
 #include "generator/cut/section_file.h"
+#include "generator/scene/brown.h"
 #include "generator/scene/lay_out.h"
 
 namespace pomona {
@@ -35,13 +36,13 @@ std::vector<Format> formats_for(const CutCommand& command) {
   return {Format::ply, Format::glb, Format::pov, Format::png};
 }
 
-void write_section_files(const std::vector<Output>& outputs, const CrossSection& section, const Template& fruit,
-                         Delivery& delivery) {
+void write_section_files(const std::vector<Output>& outputs, const CrossSection& diffused, const CrossSection& styled,
+                         const Template& fruit, Delivery& delivery) {
   for (const Output& output : outputs) {
     if (output.format == Format::ply) {
-      delivery.add(output.file, [&] { return write_section(section); });
+      delivery.add(output.file, [&] { return write_section(diffused); });
     } else {
-      delivery.add_section_picture(output, section, fruit);
+      delivery.add_section_picture(output, styled, fruit);
     }
   }
 }
@@ -78,11 +79,14 @@ ExitStatus cut_fruit(const CutCommand& command) {
       delivery.times.time("diffuse", [&] { return colored(result.section, source.grown.sheets, *diffuser); });
   count(section, result.pieces.size(), delivery.times);
 
+  // What lies in air turns brown; the section's file keeps what was diffused.
+  const CrossSection styled =
+      delivery.times.time("style", [&] { return browned(section, source.grown.sheets, source.fruit); });
   if (command.section) {
-    write_section_files(outputs, section, source.fruit, delivery);
+    write_section_files(outputs, section, styled, source.fruit, delivery);
   } else {
     write_piece_files(outputs,
-                      delivery.times.time("style", [&] { return solids(result, section, source.fruit, source.name); }),
+                      delivery.times.time("style", [&] { return solids(result, styled, source.fruit, source.name); }),
                       delivery);
   }
   delivery.finish();
@@ -108,6 +112,8 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
   command->add_flag("--section", options->section, "The bare section instead of pieces (.ply or .png)");
+  add_ripeness_option(*command, options->shared);
+  add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);
   return {command, [options] { return cut_fruit(*options); }};
 }

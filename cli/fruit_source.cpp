@@ -10,9 +10,14 @@ namespace pomona {
 
 namespace {
 
-FruitSource from_surface_file(const std::filesystem::path& file, std::optional<int> folds, StageTimes& times) {
+FruitSource from_surface_file(const std::filesystem::path& file, const SharedOptions& options, std::optional<int> folds,
+                              StageTimes& times) {
   if (folds) {
     throw Error(ExitStatus::usage, "--folds: " + file.string() + " holds surfaces, which have no folds to change");
+  }
+  if (options.ripeness || options.browning > 0) {
+    throw Error(ExitStatus::usage,
+                "--ripeness, --browning: " + file.string() + " holds surfaces, which do not say how they ripen");
   }
   FruitSource source;
   source.name = file.stem().string();
@@ -28,12 +33,16 @@ FruitSource from_surface_file(const std::filesystem::path& file, std::optional<i
 FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& options, std::optional<int> folds,
                        StageTimes& times) {
   const std::filesystem::path file = find_template(name_or_path);
-  if (file.extension() == ".ply") return from_surface_file(file, folds, times);
+  if (file.extension() == ".ply") return from_surface_file(file, options, folds, times);
 
   // Seed 0 on the command line is the template as drawn.
   const VariantKey key{options.seed, 0};
-  const GrowOptions grow_options{
-      .as_drawn = options.seed == 0, .variation = options.variation, .folds = folds, .detail = options.detail};
+  const GrowOptions grow_options{.as_drawn = options.seed == 0,
+                                 .variation = options.variation,
+                                 .folds = folds,
+                                 .detail = options.detail,
+                                 .ripeness = options.ripeness,
+                                 .browning = options.browning};
   FruitSource source;
   source.name = file.stem().string();
   const Template drawn = times.time("read", [&] { return read_template(file); });

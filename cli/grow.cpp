@@ -69,6 +69,7 @@ DeclaredCommand grow_command(CLI::App& app) {
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
   command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");
   command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
+  add_ripeness_option(*command, options->shared);
   add_shared_options(*command, options->shared);
   return {command, [options] { return grow_fruit(*options); }};
 }

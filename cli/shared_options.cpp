@@ -55,6 +55,21 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_flag("--json", options.json, "Print the result as JSON");
 }
 
+void add_ripeness_option(CLI::App& command, SharedOptions& options) {
+  command
+      .add_option("--ripeness", options.ripeness,
+                  "0 = unripe, 1 = as drawn, 2 = overripe, where the template says how it ripens")
+      ->check(CLI::Range(0.0, 2.0));
+}
+
+void add_browning_option(CLI::App& command, SharedOptions& options) {
+  command
+      .add_option("--browning", options.browning,
+                  "How long the cut faces have lain in air: 0 = just cut, 1 = long, where the template says how")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+}
+
 std::optional<PictureSize> picture_size(const SharedOptions& options) {
   if (options.size.empty()) return std::nullopt;
   const std::size_t x = options.size.find('x');

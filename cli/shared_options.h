@@ -35,10 +35,18 @@ struct SharedOptions {
   std::string stats;
   bool quiet = false;
   bool json = false;
+  std::optional<double> ripeness;  ///< of one fruit; scenes say it in their file
+  double browning = 0;
 };
 
 /// Declares them all on a command. `options` must outlive the parsing.
 void add_shared_options(CLI::App& command, SharedOptions& options);
+
+/// --ripeness, for commands that grow one fruit.
+void add_ripeness_option(CLI::App& command, SharedOptions& options);
+
+/// --browning, for commands that cut one.
+void add_browning_option(CLI::App& command, SharedOptions& options);
 
 /// "800x600"; 16..16384 a side. Nothing if none was asked for. \throws Error (usage)
 std::optional<PictureSize> picture_size(const SharedOptions& options);

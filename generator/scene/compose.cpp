@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "generator/scene/bowl.h"
+#include "generator/scene/brown.h"
 #include "generator/scene/grow.h"
 #include "generator/template/read_template.h"
 
@@ -89,6 +90,18 @@ std::filesystem::path template_file(const SceneDescription& scene, const PiecesD
               {{pieces.template_place, "there is no template \"" + pieces.template_name + "\"", {}}});
 }
 
+/// Refuses an entry that asks of its template what that does not declare.
+void check_fits(const PiecesDescription& pieces, const Template& fruit) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error(
+        ExitStatus::bad_data,
+        {{pieces.template_place, "pieces \"" + pieces.name + "\": \"" + pieces.template_name + "\" " + why, {}}});
+  };
+  if (pieces.folds && !std::holds_alternative<FoldSymmetry>(fruit.symmetry)) refuse("has no folds");
+  if (pieces.ripeness && !fruit.ripeness.declared()) refuse("does not say how it ripens");
+  if (pieces.browning && !fruit.browning.declared()) refuse("does not say how it turns brown");
+}
+
 /// One template per entry; the same file is read once.
 std::vector<Template> read_templates(const SceneDescription& scene, const ComposeOptions& options) {
   std::vector<Template> templates;
@@ -98,11 +111,7 @@ std::vector<Template> read_templates(const SceneDescription& scene, const Compos
     const auto known = std::find(files.begin(), files.end() - 1, files.back()) - files.begin();
     templates.push_back(known + 1 < std::ssize(files) ? templates[static_cast<std::size_t>(known)]
                                                       : read_template(files.back()));
-    if (pieces.folds && !std::holds_alternative<FoldSymmetry>(templates.back().symmetry))
-      throw Error(ExitStatus::bad_data,
-                  {{pieces.template_place,
-                    "pieces \"" + pieces.name + "\": \"" + pieces.template_name + "\" has no folds",
-                    {}}});
+    check_fits(pieces, templates.back());
   }
   return templates;
 }
@@ -139,6 +148,12 @@ void forget_unseen(Cut& cut) {
   for (std::size_t v = 0; v < seen.size(); ++v) cut.section.interior[v] &= seen[v];
 }
 
+/// A value of the range, if there is one.
+std::optional<double> drawn_between(const std::optional<Within>& range, VariantKey key, const char* purpose) {
+  if (!range) return {};
+  return range->low + (range->high - range->low) * RandomStream(key, purpose).uniform(0);
+}
+
 /// A variant cut, its faces still without colours.
 struct CutVariant {
   Template fruit;
@@ -154,7 +169,9 @@ CutVariant cut_variant(const SceneDescription& scene, const PiecesDescription& p
   const GrowOptions how{.as_drawn = pieces.as_drawn,
                         .variation = pieces.variation * options.variation,
                         .folds = pieces.folds,
-                        .detail = options.detail};
+                        .detail = options.detail,
+                        .ripeness = drawn_between(pieces.ripeness, key, "scene/ripeness"),
+                        .browning = drawn_between(pieces.browning, key, "scene/browning").value_or(0)};
   made.fruit = made.clock.time("vary", [&] { return variant_of(fruit, key, how); });
   made.grown = made.clock.time("sweep", [&] { return grow(made.fruit, key, how); });
   made.cut = made.clock.time("cut", [&] { return cut(made.grown.sheets, pieces.knives, options.cut); });
@@ -185,7 +202,7 @@ Made finished(const CutVariant& variant, const PiecesDescription& pieces, int nu
   made.counts["interior_vertices"] += std::count(section.interior.begin(), section.interior.end(), 1);
 
   const std::string name = pieces.name + "-" + std::to_string(number + 1);
-  made.solids = solids(variant.cut, section, variant.fruit, name);
+  made.solids = solids(variant.cut, browned(section, variant.grown.sheets, variant.fruit), variant.fruit, name);
   if (made.solids.empty()) made.warnings.push_back("pieces \"" + name + "\": nothing is left to take");
   for (const std::string& warning : variant.cut.warnings) {
     made.warnings.push_back("pieces \"" + name + "\": " + warning);

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "generator/scene/triangle_tree.h"
+#include "generator/surface/triangle_tree.h"
 
 namespace pomona {
 

@@ -2,14 +2,29 @@
 
 #include "generator/surface/grains.h"
 #include "generator/surface/sheets.h"
+#include "generator/surface/skin_depth.h"
 #include "generator/surface/sweep.h"
+#include "generator/variation/individual_colors.h"
+#include "generator/variation/ripen.h"
 #include "generator/variation/vary.h"
 
 namespace pomona {
 
-Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options) {
+namespace {
+
+Template shape_of(const Template& fruit, VariantKey key, const GrowOptions& options) {
   if (!options.as_drawn) return vary(fruit, key, {.amount = options.variation, .folds = options.folds});
   return options.folds ? with_folds(fruit, *options.folds) : fruit;
+}
+
+}  // namespace
+
+Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options) {
+  Template variant = shape_of(fruit, key, options);
+  const double amount = options.as_drawn ? 0 : options.variation;
+  variant.individual =
+      drawn_individual(fruit, key, {.amount = amount, .ripeness = options.ripeness, .browning = options.browning});
+  return variant;
 }
 
 GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options) {
@@ -17,6 +32,11 @@ GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& opti
   GrownFruit grown;
   grown.swept = sweep(variant, sweep_options);
   grown.grains = scatter_grains(variant, key, sweep_options);
+  if (has_own_colors(variant)) {
+    const SkinDepth skin(grown.swept);
+    grown.swept = ripened(std::move(grown.swept), variant, skin);
+    grown.grains = ripened(std::move(grown.grains), variant, skin);
+  }
   grown.sheets = joined(sheets(grown.swept), sheets(grown.grains));
   return grown;
 }

@@ -10,13 +10,16 @@
 namespace pomona {
 
 struct GrowOptions {
-  bool as_drawn = false;     ///< keep the drawn curves, whatever the key; grains still follow the key
-  double variation = 1.0;    ///< 0..2, see VariationOptions::amount
-  std::optional<int> folds;  ///< another number of folds than drawn
-  double detail = 1.0;       ///< see SweepOptions
+  bool as_drawn = false;                ///< keep the drawn curves, whatever the key; grains still follow the key
+  double variation = 1.0;               ///< 0..2, see VariationOptions::amount
+  std::optional<int> folds;             ///< another number of folds than drawn
+  double detail = 1.0;                  ///< see SweepOptions
+  std::optional<double> ripeness = {};  ///< 0..2 instead of what the key draws
+  double browning = 0;                  ///< 0..1, of cut faces
 };
 
-/// The template's variant for `key`; with as_drawn the template itself, or its folds repeated in turn.
+/// The template's variant for `key`; with as_drawn the template itself, or its folds repeated in turn, of the ripeness
+/// asked for.
 Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options = {});
 
 /// A grown fruit at the stages of the road.
@@ -26,7 +29,7 @@ struct GrownFruit {
   DiffusionSurfaces sheets;  ///< everything the diffuser sees: blur split, grains included
 };
 
-/// Sweeps a variant, splits its blur and scatters its grains.
+/// Sweeps a variant, ripens its colours, splits its blur and scatters its grains.
 GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options = {});
 
 }  // namespace pomona

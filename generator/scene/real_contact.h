@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "generator/scene/triangle_tree.h"
+#include "generator/surface/triangle_tree.h"
 
 namespace pomona {
 

@@ -122,6 +122,23 @@ std::vector<Knife> read_knives(const TomlValue& value) {
   return knives;
 }
 
+/// A number, or the two ends of a range to draw from, [0.6, 1.4].
+std::optional<Within> read_range(const TomlValue& value, Within within) {
+  if (!value.given()) return {};
+  if (!value.is(TomlNode::Kind::array)) {
+    const double number = value.number(within.low, within);
+    return Within{number, number};
+  }
+  const std::vector<TomlValue> ends = value.values();
+  if (ends.size() != 2) {
+    value.error("needs two numbers", "write [lowest, highest], or one number");
+    return {};
+  }
+  const Within range{ends[0].number(within.low, within), ends[1].number(within.high, within)};
+  if (range.high < range.low) value.error("is empty", "write the lower end first");
+  return range;
+}
+
 class SceneReader {
  public:
   SceneReader(std::string_view toml, const std::string& file) : document_(toml, file), file_(file) {}
@@ -197,6 +214,8 @@ class SceneReader {
     pieces.variation = table.get("variation").number(1, {0, 2});
     if (pieces.as_drawn && table.has("variation"))
       table.get("variation").error("has no effect on what is as drawn", "keep \"variation\" or \"as_drawn\"");
+    pieces.ripeness = read_range(table.get("ripeness"), {0, 2});
+    pieces.browning = read_range(table.get("browning"), {0, 1});
     pieces.knives = read_knives(table.get("knives"));
     pieces.take = table.get("take").integer(0, 0, most_pieces);
     pieces.copies = table.get("copies").integer(1, 1, 1000);

@@ -12,6 +12,7 @@
 #include "generator/cut/knife.h"
 #include "generator/scene/scene.h"
 #include "generator/template/template.h"
+#include "generator/template/toml_document.h"
 
 namespace pomona {
 
@@ -32,6 +33,8 @@ struct PiecesDescription {
   bool as_drawn = false;
   std::optional<int> folds;
   double variation = 1;
+  std::optional<Within> ripeness;  ///< 0..2, drawn evenly for each variant; else what the template draws
+  std::optional<Within> browning;  ///< 0..1, likewise; else 0
   std::vector<Knife> knives;
   int take = 0;            ///< this many of each variant's pieces, the largest first; 0 = all
   int copies = 1;          ///< times that each piece is placed

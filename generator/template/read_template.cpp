@@ -8,6 +8,7 @@
 #include "generator/template/read_grains.h"
 #include "generator/template/read_mesh.h"
 #include "generator/template/read_name.h"
+#include "generator/template/read_ripeness.h"
 #include "generator/template/read_style.h"
 #include "generator/template/read_surface.h"
 #include "generator/template/read_symmetry.h"
@@ -147,6 +148,9 @@ Template parse_template(std::string_view toml, const std::string& file) {
   if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table());
   if (root.has("noise")) fruit.noise = read_noise(root.get("noise").table());
   if (root.has("ink")) fruit.ink = read_ink(root.get("ink").table());
+  if (root.has("ripeness")) fruit.ripeness = read_ripeness(root.get("ripeness").table(), fruit);
+  if (root.has("browning")) fruit.browning = read_browning(root.get("browning").table(), fruit);
+  if (root.has("variation")) fruit.variation.color = read_color_variation(root.get("variation").table(), fruit);
   document.throw_if_any();
   return fruit;
 }

@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "generator/template/axis_bend.h"
+#include "generator/template/browning_sketch.h"
 #include "generator/template/grain_sketch.h"
+#include "generator/template/individual.h"
 #include "generator/template/ink_style.h"
 #include "generator/template/mesh_sketch.h"
 #include "generator/template/noise_style.h"
+#include "generator/template/ripeness_sketch.h"
 #include "generator/template/surface_sketch.h"
 #include "generator/template/variation_sketch.h"
 
@@ -43,7 +46,10 @@ struct Template {
   VariationSketch variation;  ///< what varies besides the horizontal curves
   NoiseStyle noise;
   InkStyle ink;
-  double density = 950;  ///< kg per cubic metre
+  RipenessSketch ripeness;
+  BrowningSketch browning;
+  Individual individual;  ///< set in variants
+  double density = 950;   ///< kg per cubic metre
 };
 
 /// Folds, or 1 where there are none.

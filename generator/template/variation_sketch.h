@@ -1,6 +1,8 @@
 // How far the variants of a template stray in what the paper does not vary.
 #pragma once
 
+#include "generator/template/color_variation.h"
+
 namespace pomona {
 
 /// How far the axes of variants bend, besides what is drawn (axis_bend.h).
@@ -15,6 +17,7 @@ struct VariationSketch {
   double size = 0;     ///< standard deviation of the logarithm of the size
   double profile = 0;  ///< standard deviation of the logarithm of height over width; other proportions follow
   BendVariation bend;
+  ColorVariation color;
 };
 
 }  // namespace pomona

@@ -12,57 +12,11 @@ namespace pomona {
 
 namespace {
 
-/// Final mix of a 32-bit hash (Wellons' lowbias32).
-std::uint32_t mixed(std::uint32_t h) {
-  h ^= h >> 16;
-  h *= 0x7feb352du;
-  h ^= h >> 15;
-  h *= 0x846ca68bu;
-  return h ^ (h >> 16);
-}
-
-/// Lattice hash: odd multipliers part the axes (Teschner et al. 2003), the mix does the rest.
-std::uint32_t lattice_hash(std::int32_t x, std::int32_t y, std::int32_t z, std::uint32_t seed) {
-  return mixed((static_cast<std::uint32_t>(x) * 0x8da6b343u) ^ (static_cast<std::uint32_t>(y) * 0xd8163841u) ^
-               (static_cast<std::uint32_t>(z) * 0xcb1ab31fu) ^ (seed * 0x9e3779b9u));
-}
-
-/// Dot product with one of the twelve edge directions of a cube (four of them twice).
-double edge_gradient(std::uint32_t hash, double x, double y, double z) {
-  const std::uint32_t h = hash & 15u;
-  const double u = h < 8 ? x : y;
-  const double v = h < 4 ? y : (h == 12 || h == 14) ? x : z;
-  return ((h & 1u) != 0 ? -u : u) + ((h & 2u) != 0 ? -v : v);
-}
-
-double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
-
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 
 double smoothstep(double low, double high, double x) {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
-}
-
-/// A lattice index; positions beyond what 32 bits hold (hostile frequencies) all share the last cell.
-std::int32_t cell_of(double floored) { return static_cast<std::int32_t>(std::clamp(floored, -2.0e9, 2.0e9)); }
-
-/// `mask`: which bits of z count; all of them unless the lattice closes around an axis.
-double lattice_noise(const glm::dvec3& point, std::uint32_t seed, std::int32_t mask) {
-  const double fx = std::floor(point.x), fy = std::floor(point.y), fz = std::floor(point.z);
-  const std::int32_t ix = cell_of(fx), iy = cell_of(fy), iz = cell_of(fz);
-  const double x = point.x - fx, y = point.y - fy, z = point.z - fz;
-
-  // The eight corners' gradients, blended along x, then y, then z.
-  const auto corner = [&](std::int32_t dx, std::int32_t dy, std::int32_t dz) {
-    return edge_gradient(lattice_hash(ix + dx, iy + dy, (iz + dz) & mask, seed), x - dx, y - dy, z - dz);
-  };
-  const double u = fade(x), v = fade(y), w = fade(z);
-  const double near = mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v);
-  const double far = mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v);
-
-  // The largest value of this form is about 1.04.
-  return std::clamp(mix(near, far, w), -1.0, 1.0);
 }
 
 /// Moves the lattices of the bands apart, so that their zeros do not meet at the origin.
@@ -106,12 +60,6 @@ bool is_isotropic(const glm::dvec3& stretch) { return stretch.x == 1 && stretch.
 double frequency_of(const NoiseStyle& style, int band) { return style.base_frequency * (1 << band); }
 
 }  // namespace
-
-double gradient_noise(const glm::dvec3& point, std::uint32_t seed) { return lattice_noise(point, seed, ~0); }
-
-double gradient_noise_around(const glm::dvec3& point, std::uint32_t seed, std::int32_t period) {
-  return lattice_noise(point, seed, period - 1);
-}
 
 double band_noise(const NoiseStyle& style, const glm::dvec3& position, int band) {
   const double frequency = frequency_of(style, band);

@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "generator/base/gradient_noise.h"
 #include "generator/template/template.h"
 
 namespace pomona {
@@ -15,13 +16,6 @@ namespace pomona {
 /// More keys or bands than these are left out, on the CPU as on the GPU.
 constexpr int max_noise_keys = 16;
 constexpr int max_noise_bands = 8;
-
-/// Gradient noise [Perlin 2002] with hashed lattice gradients; in [-1, 1], zero at lattice points, twice
-/// continuously differentiable. Only + - * and floor: the same bits everywhere.
-double gradient_noise(const glm::dvec3& point, std::uint32_t seed);
-
-/// The same, repeating along z every `period` (a power of two).
-double gradient_noise_around(const glm::dvec3& point, std::uint32_t seed, std::int32_t period);
 
 /// Band `band` of a style at a fruit's position, in [-1, 1], before weights and band limit.
 ///

@@ -1,4 +1,4 @@
-#include "generator/scene/triangle_distance.h"
+#include "generator/surface/triangle_distance.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "generator/scene/triangle_tree.h"
+#include "generator/surface/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/scene/triangle_distance.h"
+#include "generator/surface/triangle_distance.h"
 
 namespace pomona {
 

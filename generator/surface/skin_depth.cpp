@@ -1,0 +1,33 @@
+#include "generator/surface/skin_depth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/surface/shell_geometry.h"
+
+namespace pomona {
+
+namespace {
+
+TriangleTree tree_of_skin(const DiffusionSurfaces& surfaces) {
+  const std::vector<Shell> shells = measured_shells(surfaces, find_shells(surfaces));
+  const auto skin = std::max_element(shells.begin(), shells.end(), [](const Shell& a, const Shell& b) {
+    return std::fabs(a.volume) < std::fabs(b.volume);
+  });
+  if (skin == shells.end()) return {};
+  return {surfaces.position, skin->triangles};
+}
+
+}  // namespace
+
+SkinDepth::SkinDepth(const DiffusionSurfaces& surfaces) : skin_(tree_of_skin(surfaces)) {}
+
+double SkinDepth::depth(const glm::dvec3& point) const { return skin_.empty() ? 0 : skin_.nearest(point).distance; }
+
+double SkinDepth::height(const glm::dvec3& point) const {
+  if (skin_.empty()) return 0;
+  const double low = skin_.box().low.y, high = skin_.box().high.y;
+  return high > low ? std::clamp((point.y - low) / (high - low), 0.0, 1.0) : 0;
+}
+
+}  // namespace pomona

@@ -1,0 +1,24 @@
+// How deep below its skin a place in a fruit lies: what fields of ripeness and browning go by.
+#pragma once
+
+#include "generator/surface/diffusion_surfaces.h"
+#include "generator/surface/triangle_tree.h"
+
+namespace pomona {
+
+/// The skin is the shell of the boundary that encloses most. Surfaces without a boundary have no skin.
+class SkinDepth {
+ public:
+  explicit SkinDepth(const DiffusionSurfaces& surfaces);
+
+  /// Distance to the skin, metres; 0 on it, and everywhere if there is none.
+  double depth(const glm::dvec3& point) const;
+
+  /// 0 at the lowest point of the skin, 1 at its highest, within that between and beyond; 0 if there is none.
+  double height(const glm::dvec3& point) const;
+
+ private:
+  TriangleTree skin_;
+};
+
+}  // namespace pomona
