@@ -9,9 +9,9 @@
 namespace pomona {
 
 struct ColorOptions {
-  double amount = 1;               ///< of the drawn variation: 0 = none, 1 = as declared, 2 = twice
-  std::optional<double> ripeness;  ///< 0..2 instead of a drawn one
-  double browning = 0;             ///< 0..1
+  double amount = 1;                    ///< of the drawn variation: 0 = none, 1 = as declared, 2 = twice
+  std::optional<double> ripeness = {};  ///< 0..2 instead of a drawn one
+  double browning = 0;                  ///< 0..1
 };
 
 /// What `key` draws within the template's [variation], each draw within two standard deviations. Draws of one part do

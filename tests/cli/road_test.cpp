@@ -91,6 +91,38 @@ TEST_P(Fruit, StatsNameEveryStageOfTheRoad) {
   EXPECT_EQ(stats.at("device"), "cpu");
 }
 
+TEST(Ripeness, AtOneGivesTheBytesOfTheDrawing) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> cut = {"cut", "apple", "--knife", "half", "--section"};
+  expect_done(run_pomona(with(with(cut, {"-o", "drawn.ply"}), coarse), folder.path()));
+  expect_done(run_pomona(with(with(cut, {"--ripeness", "1", "-o", "one.ply"}), coarse), folder.path()));
+  expect_done(run_pomona(with(with(cut, {"--ripeness", "0.4", "-o", "green.ply"}), coarse), folder.path()));
+  EXPECT_EQ(bytes_of(folder / "drawn.ply"), bytes_of(folder / "one.ply"));
+  EXPECT_NE(bytes_of(folder / "drawn.ply"), bytes_of(folder / "green.ply"));
+
+  // What ripened is in the surfaces: their file gives the same section.
+  expect_done(
+      run_pomona(with({"grow", "apple", "--ripeness", "0.4", "--sheets", "-o", "sheets.ply"}, coarse), folder.path()));
+  expect_done(run_pomona(with({"cut", "sheets.ply", "--knife", "half", "--section", "-o", "again.ply"}, coarse),
+                         folder.path()));
+  EXPECT_EQ(bytes_of(folder / "green.ply"), bytes_of(folder / "again.ply"));
+}
+
+TEST(Browning, IsInPicturesAndPiecesButNotInTheFileOfASection) {
+  const TemporaryFolder folder;
+  for (const char* time : {"0", "0.8"}) {
+    const std::string stem = std::string("x") + time;
+    const std::vector<std::string> cut = {"cut", "apple", "--knife", "half", "--browning", time};
+    expect_done(run_pomona(
+        with(with(cut, {"--section", "--size", "100x100", "-o", stem + ".ply", "-o", stem + ".png"}), coarse),
+        folder.path()));
+    expect_done(run_pomona(with(with(cut, {"-o", stem + ".glb"}), coarse), folder.path()));
+  }
+  EXPECT_EQ(bytes_of(folder / "x0.ply"), bytes_of(folder / "x0.8.ply"));
+  EXPECT_NE(bytes_of(folder / "x0.png"), bytes_of(folder / "x0.8.png"));
+  EXPECT_NE(bytes_of(folder / "x0.glb"), bytes_of(folder / "x0.8.glb"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Templates, Fruit, ::testing::Values("tomato", "onion", "pepper"),
                          [](const auto& tested) { return std::string(tested.param); });
 
