@@ -129,8 +129,9 @@ class Ripener {
     const ColorShift shift = shifts.empty() || part < 0 ? ColorShift{} : shifts[static_cast<std::size_t>(part)];
     if (ripeness == 1 && is_none(shift)) return color;
 
-    glm::dvec3 lab = to_oklab(color);
-    if (ripeness != 1) lab = (*ripening)(lab, ripeness);
+    const glm::dvec3 drawn = to_oklab(color);
+    const glm::dvec3 lab = ripeness != 1 ? (*ripening)(drawn, ripeness) : drawn;
+    if (lab == drawn && is_none(shift)) return color;
     return within_gamut(is_none(shift) ? lab : shifted(lab, shift));
   }
 
