@@ -5,7 +5,7 @@
     gallery.py write                               writes the gallery into templates/README.md and README.md
     gallery.py check                               says what is stale or missing; exits with 1 if anything is
 
-Names are those of templates, or "salad"; without any, all. What a template shows is told by the first sentence of its
+Names are those of templates, "salad" or "ripeness"; without any, all. What a template shows is told by the first sentence of its
 opening comment.
 """
 
@@ -18,6 +18,7 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PICTURES = "docs/pictures"
 SEEDS = (1, 2, 3)
+SCENES = {"salad": "880x660", "ripeness": "800x352"}  # picture sizes
 LARGE, SMALL = 240, 150  # pixels; shown at LARGE_SHOWN and SMALL_SHOWN
 LARGE_SHOWN, SMALL_SHOWN = 200, 130
 
@@ -78,13 +79,14 @@ def all_pictures(names=()):
     for name in templates():
         if not names or name in names:
             made |= {f"{name}/{file}": words for file, words in pictures_of(name).items()}
-    if not names or "salad" in names:
-        made["salad.png"] = ["scene", "scenes/salad.toml", "--size", "880x660"]
+    for scene, size in SCENES.items():
+        if not names or scene in names:
+            made[f"{scene}.png"] = ["scene", f"scenes/{scene}.toml", "--size", size]
     return made
 
 
 def print_commands(program, folder, names):
-    unknown = set(names) - set(templates()) - {"salad"}
+    unknown = set(names) - set(templates()) - set(SCENES)
     if unknown:
         sys.exit(f"gallery: error: there is no template {', '.join(sorted(unknown))}")
     for path, words in all_pictures(names).items():
