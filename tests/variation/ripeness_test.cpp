@@ -39,7 +39,7 @@ DiffusionSurfaces nested_fruit(const Color& color = red) {
 
 DiffusionSurfaces ripened_to(double ripeness, Template fruit, const DiffusionSurfaces& surfaces) {
   fruit.individual.ripeness = ripeness;
-  fruit.parts = surfaces.part_names;
+  if (!surfaces.part_names.empty()) fruit.parts = surfaces.part_names;
   return ripened(surfaces, fruit, SkinDepth(surfaces));
 }
 
