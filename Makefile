@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery build test test-programs lint format sanitize clang .bench table1 error-atlas bench clean
+.PHONY: help salad gallery build test test-programs lint format sanitize clang .bench table1 error-atlas variants bench clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -66,6 +66,11 @@ table1: .bench ## Table 1 of the paper, on this machine: out/table1.md and .json
 error-atlas: .bench ## where the diffusers differ from the truth: out/atlas; stop it and it goes on later
 	cmake --build build --target error_atlas -j $(JOBS)
 	build/bench/error_atlas --out out/atlas --json out/atlas/atlas.json
+
+variants: .bench ## a thousand variants of every template: out/variants.md and .json; stop it and it goes on later
+	cmake --build build --target variants -j $(JOBS)
+	@mkdir -p out
+	build/bench/variants --out out/variants.md --json out/variants.json
 
 bench: .bench ## everything that measures, built into build/bench; runs the kernels
 	cmake --build build -j $(JOBS)
