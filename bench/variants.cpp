@@ -140,8 +140,9 @@ Json measured(const std::string& name, const Template& fruit, const VariantSetti
   return row;
 }
 
-/// Natural, wild, and with other folds than drawn.
+/// Natural, wild, and with other folds than drawn. Nothing where all variants are alike.
 std::vector<VariantSettings> settings_for(const Template& fruit, int count) {
+  if (std::holds_alternative<NoSymmetry>(fruit.symmetry)) return {};
   const int some = std::max(2, count / 5), few = std::max(2, count / 10);
   std::vector<VariantSettings> all = {{count, {.amount = 1}}, {some, {.amount = 2}}};
   if (std::holds_alternative<FoldSymmetry>(fruit.symmetry)) {
