@@ -39,6 +39,7 @@ FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& opt
   const VariantKey key{options.seed, 0};
   const GrowOptions grow_options{.as_drawn = options.seed == 0,
                                  .variation = options.variation,
+                                 .curves_only = options.curves_only,
                                  .folds = folds,
                                  .detail = options.detail,
                                  .ripeness = options.ripeness,

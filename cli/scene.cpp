@@ -29,6 +29,7 @@ ComposeOptions compose_options(const SharedOptions& shared, Progress& progress) 
   ComposeOptions options;
   options.find_template = find_template;
   options.variation = shared.variation;
+  options.curves_only = shared.curves_only;
   options.detail = shared.detail;
   options.threads = {shared.threads};
   options.progress = [&progress](const std::string& stage, std::size_t done, std::size_t total) {

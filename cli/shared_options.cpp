@@ -28,6 +28,8 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--variation", options.variation, "How far variants stray: 0 = as drawn, 1 = natural, 2 = wild")
       ->check(CLI::Range(0.0, 2.0))
       ->capture_default_str();
+  command.add_flag("--curves-only", options.curves_only,
+                   "Vary the horizontal curves alone, as in the paper, whatever the template says");
   command.add_option("--threads", options.threads, "Threads to use; 0 = all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

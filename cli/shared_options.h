@@ -24,6 +24,7 @@ struct SharedOptions {
   std::uint64_t seed = 0;
   bool seed_given = false;
   double variation = 1.0;
+  bool curves_only = false;
   int threads = 0;
   std::string diffuser = "cpu";
   std::string quality = "final";

@@ -168,6 +168,7 @@ CutVariant cut_variant(const SceneDescription& scene, const PiecesDescription& p
   const VariantKey key = variant_key(scene, pieces, number);
   const GrowOptions how{.as_drawn = pieces.as_drawn,
                         .variation = pieces.variation * options.variation,
+                        .curves_only = options.curves_only,
                         .folds = pieces.folds,
                         .detail = options.detail,
                         .ripeness = drawn_between(pieces.ripeness, key, "scene/ripeness"),

@@ -21,8 +21,9 @@ namespace pomona {
 struct ComposeOptions {
   /// The file behind a template's name. Paths are tried beside the scene file first.
   std::function<std::filesystem::path(const std::string& name)> find_template;
-  double variation = 1;  ///< times that of every entry
-  double detail = 1;     ///< see SweepOptions
+  double variation = 1;      ///< times that of every entry
+  bool curves_only = false;  ///< see VariationOptions
+  double detail = 1;         ///< see SweepOptions
   /// Coarser than for a single fruit: a piece in a heap covers a tenth of the picture.
   CutOptions cut{.coarsest = 1.0 / 30, .finest = 1.0 / 250, .grading = 0.4, .contrast = 60 / 255.};
   Threads threads{};

@@ -13,7 +13,9 @@ namespace pomona {
 namespace {
 
 Template shape_of(const Template& fruit, VariantKey key, const GrowOptions& options) {
-  if (!options.as_drawn) return vary(fruit, key, {.amount = options.variation, .folds = options.folds});
+  if (!options.as_drawn) {
+    return vary(fruit, key, {.amount = options.variation, .folds = options.folds, .curves_only = options.curves_only});
+  }
   return options.folds ? with_folds(fruit, *options.folds) : fruit;
 }
 
@@ -21,7 +23,7 @@ Template shape_of(const Template& fruit, VariantKey key, const GrowOptions& opti
 
 Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options) {
   Template variant = shape_of(fruit, key, options);
-  const double amount = options.as_drawn ? 0 : options.variation;
+  const double amount = options.as_drawn || options.curves_only ? 0 : options.variation;
   variant.individual =
       drawn_individual(fruit, key, {.amount = amount, .ripeness = options.ripeness, .browning = options.browning});
   return variant;

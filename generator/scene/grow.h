@@ -12,6 +12,7 @@ namespace pomona {
 struct GrowOptions {
   bool as_drawn = false;                ///< keep the drawn curves, whatever the key; grains still follow the key
   double variation = 1.0;               ///< 0..2, see VariationOptions::amount
+  bool curves_only = false;             ///< see VariationOptions
   std::optional<int> folds;             ///< another number of folds than drawn
   double detail = 1.0;                  ///< see SweepOptions
   std::optional<double> ripeness = {};  ///< 0..2 instead of what the key draws

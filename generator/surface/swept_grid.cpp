@@ -7,6 +7,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/units.h"
+#include "generator/surface/body_map.h"
 
 namespace pomona {
 
@@ -28,6 +29,16 @@ namespace {
 /// A count at the wanted detail.
 int refined(int count, double detail, int least) {
   return std::max(least, static_cast<int>(std::lround(count * detail)));
+}
+
+/// The grids in the fruit's proportions, and bent with it.
+std::vector<SweptGrid> in_place(const Template& fruit, std::vector<SweptGrid> grids) {
+  const BodyMap map(fruit);
+  if (map.is_identity()) return grids;
+  for (SweptGrid& grid : grids) {
+    for (glm::dvec3& p : grid.position) p = map(p);
+  }
+  return grids;
 }
 
 /// The vertex of each ring and spoke, poles collapsed.
@@ -74,8 +85,8 @@ std::vector<SweptGrid> swept_grids(const Template& fruit, const SurfaceSketch& s
   if (sketch.vertical.points.size() < (sketch.vertical.closed ? 3u : 2u) || !(length(sketch.vertical) > 0)) {
     refuse(fruit, sketch, "the vertical curve has no length", "draw it from the surface's bottom to its top");
   }
-  if (sketch.type == SurfaceType::in_fold) return swept_in_folds(fruit, sketch, around, along);
-  return {swept_around_axis(fruit, sketch, around, along)};
+  if (sketch.type == SurfaceType::in_fold) return in_place(fruit, swept_in_folds(fruit, sketch, around, along));
+  return in_place(fruit, {swept_around_axis(fruit, sketch, around, along)});
 }
 
 }  // namespace pomona

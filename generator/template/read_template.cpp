@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "generator/base/units.h"
+#include "generator/template/bend_strain.h"
 #include "generator/template/read_grains.h"
 #include "generator/template/read_mesh.h"
 #include "generator/template/read_name.h"
@@ -106,6 +107,19 @@ void set_on_ground(std::vector<SurfaceSketch>& surfaces) {
   }
 }
 
+/// The bend, which must leave room for what is drawn.
+void read_bend_of(Template& fruit, const TomlValue& value) {
+  fruit.bend = read_bend(value.table());
+  if (!fruit.meshes.empty())
+    return value.error("bends drawn curves only, but there are meshes", "bend them all in the modelling tool");
+  const BendStrain strain = bend_strain(fruit);
+  if (strain.pressing <= most_strain.pressing && strain.lean <= most_strain.lean) return;
+  const bool folds = strain.pressing > most_strain.pressing;
+  value.error(folds ? "folds the fruit where it is wide" : "turns the axis by more than 75 degrees from upright",
+              "make angle and swing smaller");
+  fruit.bend = {};
+}
+
 void read_head(const TomlTable& root, Template& fruit) {
   root.need("format").integer(1, 1, 1);
   fruit.name = read_name(root.need("name"), {});
@@ -144,7 +158,7 @@ Template parse_template(std::string_view toml, const std::string& file) {
     fruit.grains.push_back(read_grains(grains, fruit));
     fruit.grains.back().name = name;
   }
-  if (root.has("bend")) fruit.bend = read_bend(root.get("bend").table());
+  if (root.has("bend")) read_bend_of(fruit, root.get("bend"));
   if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table());
   if (root.has("noise")) fruit.noise = read_noise(root.get("noise").table());
   if (root.has("ink")) fruit.ink = read_ink(root.get("ink").table());

@@ -1,6 +1,20 @@
 #include "generator/template/template.h"
 
+#include <algorithm>
+
 namespace pomona {
+
+HeightRange drawn_heights(const Template& fruit) {
+  HeightRange range;
+  bool found = false;
+  for (const SurfaceSketch& surface : fruit.surfaces) {
+    for (const glm::dvec2& p : surface.vertical.points) {
+      range = found ? HeightRange{std::min(range.low, p.y), std::max(range.high, p.y)} : HeightRange{p.y, p.y};
+      found = true;
+    }
+  }
+  return range;
+}
 
 int fold_count(const Template& fruit) {
   const auto* folds = std::get_if<FoldSymmetry>(&fruit.symmetry);

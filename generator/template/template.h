@@ -13,6 +13,7 @@
 #include "generator/template/ink_style.h"
 #include "generator/template/mesh_sketch.h"
 #include "generator/template/noise_style.h"
+#include "generator/template/proportions.h"
 #include "generator/template/ripeness_sketch.h"
 #include "generator/template/surface_sketch.h"
 #include "generator/template/variation_sketch.h"
@@ -43,6 +44,7 @@ struct Template {
   std::vector<MeshSketch> meshes;  ///< after the drawn surfaces
   std::vector<GrainSketch> grains;
   AxisBend bend;              ///< of the axis along which the curves are drawn straight
+  Proportions proportions;    ///< set in variants: how they differ from the drawing
   VariationSketch variation;  ///< what varies besides the horizontal curves
   NoiseStyle noise;
   InkStyle ink;
@@ -51,6 +53,12 @@ struct Template {
   Individual individual;  ///< set in variants
   double density = 950;   ///< kg per cubic metre
 };
+
+/// From the lowest to the highest point of all vertical curves, metres; 0 to 0 where there are none.
+struct HeightRange {
+  double low = 0, high = 0;
+};
+HeightRange drawn_heights(const Template& fruit);
 
 /// Folds, or 1 where there are none.
 int fold_count(const Template& fruit);

@@ -16,8 +16,8 @@ struct BendVariation {
 struct VariationSketch {
   double size = 0;     ///< standard deviation of the logarithm of the size
   double profile = 0;  ///< standard deviation of the logarithm of height over width; other proportions follow
-  BendVariation bend;
-  ColorVariation color;
+  BendVariation bend{};
+  ColorVariation color{};
 };
 
 }  // namespace pomona

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "generator/base/error.h"
+#include "generator/variation/vary_body.h"
 #include "generator/variation/vary_folds.h"
 #include "generator/variation/vary_loops.h"
 
@@ -23,6 +24,11 @@ void check_folds(const Template& fruit, int folds) {
   }
 }
 
+Template with_varied_curves(const Template& fruit, VariantKey key, const VariationOptions& options) {
+  if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) return vary_loops(fruit, key, options.amount);
+  return vary_folds(fruit, key, options.amount, options.folds.value_or(fold_count(fruit))).fruit;
+}
+
 }  // namespace
 
 Template vary(const Template& fruit, VariantKey key, const VariationOptions& options) {
@@ -31,8 +37,9 @@ Template vary(const Template& fruit, VariantKey key, const VariationOptions& opt
   }
   if (options.folds) check_folds(fruit, *options.folds);
   if (std::holds_alternative<NoSymmetry>(fruit.symmetry)) return fruit;
-  if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) return vary_loops(fruit, key, options.amount);
-  return vary_folds(fruit, key, options.amount, options.folds.value_or(fold_count(fruit))).fruit;
+  Template variant = with_varied_curves(fruit, key, options);
+  if (!options.curves_only && fruit.meshes.empty()) variant = vary_body(variant, key, options.amount);
+  return gently_bent(std::move(variant), fruit);
 }
 
 Template with_folds(const Template& fruit, int folds) {

@@ -1,5 +1,6 @@
-// Variation: from a template to a variant of it (paper, section 4.2, Figure 8). Only curves change; the
-// surfaces swept from template and variant share their connectivity (unless the number of folds differs).
+// Variation: from a template to a variant of it (paper, section 4.2, Figure 8). Curves change, and beyond the paper
+// what the template's [variation] names (vary_body.h); the surfaces swept from template and variant share their
+// connectivity (unless the number of folds differs).
 #pragma once
 
 #include <optional>
@@ -12,11 +13,13 @@ namespace pomona {
 struct VariationOptions {
   double amount = 1.0;            ///< 0 = as drawn up to a turn, 1 = natural, 2 = wild
   std::optional<int> folds = {};  ///< another number of folds than drawn, 1..64 (N-fold templates only)
+  bool curves_only = false;       ///< vary the horizontal curves alone, as in the paper, whatever the template says
 };
 
 /// The variant for `key`: De Bonet synthesis of all loops together for cylindrical symmetry, blending of fold
-/// samples by principal components for N-fold symmetry. Meshes do not vary: without symmetry it is the template itself.
-/// \throws Error (usage) if folds are asked of a template without them.
+/// samples by principal components for N-fold symmetry; then whatever `fruit.variation` asks for. Meshes do not vary:
+/// without symmetry it is the template itself, and beside meshes only curves vary, so that all keeps together. \throws
+/// Error (usage) if folds are asked of a template without them.
 Template vary(const Template& fruit, VariantKey key, const VariationOptions& options = {});
 
 /// The template as drawn, but with `folds` folds: the drawn folds repeated in turn.

@@ -79,6 +79,7 @@ const Mistake mistakes[] = {
     {"grain_sector_empty", 38, 10, "is empty"},
     {"not_a_number", 16, 9, "taper is nan"},
     {"bend_round", 40, 9, "bend angle is 400"},
+    {"bend_folds", 39, 1, "bend folds the fruit where it is wide"},
     {"variation_wild", 45, 8, "variation size is 0.5"},
     {"variation_unknown", 46, 1, "unknown key \"profil\""},
     {"variation_bend_number", 47, 8, "bend must be a table"},

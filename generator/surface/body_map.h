@@ -1,0 +1,40 @@
+// From the straight fruit in the drawing's proportions to the fruit as it is: where every swept point comes to lie.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// First the fruit's proportions, then its bend: cross-sections stay plane and perpendicular to the bent axis, which
+/// keeps its length, as in the bend of [Barr 1984] with a curvature that may change along the axis. A smooth one-to-one
+/// map as long as the bend's strain is bearable (bend_strain.h).
+class BodyMap {
+ public:
+  explicit BodyMap(const Template& fruit);
+
+  /// True if every point stays where it is, to the bit.
+  bool is_identity() const { return !changes_proportions_ && !bends_; }
+
+  glm::dvec3 operator()(const glm::dvec3& drawn) const;
+
+ private:
+  glm::dvec3 bent(const glm::dvec3& straight, double place) const;
+  glm::dvec2 axis_at(double place) const;
+
+  Proportions proportions_;
+  AxisBend bend_;
+  bool changes_proportions_ = false, bends_ = false;
+  double low_ = 0;                   ///< height of the bottom, metres
+  double half_ = 0;                  ///< half the drawing's height, metres
+  double half_length_ = 0;           ///< of the axis, metres
+  glm::dvec2 towards_{1, 0};         ///< x and z of the direction in which the axis bends
+  std::vector<glm::dvec2> axis_;     ///< the bent axis at equally many places: towards the direction, and up
+  std::vector<glm::dvec2> tangent_;  ///< of the axis there, unit
+};
+
+}  // namespace pomona

@@ -1,0 +1,53 @@
+#include "generator/variation/scaled.h"
+
+namespace pomona {
+
+namespace {
+
+void scale(Curve& curve, double factor) {
+  for (glm::dvec2& p : curve.points) p *= factor;
+}
+
+void scale(Side& side, double factor) {
+  for (SpotSketch& spot : side.spots) {
+    spot.spacing *= factor;
+    spot.size_least *= factor;
+    spot.size_most *= factor;
+  }
+}
+
+void scale(SurfaceSketch& surface, double factor) {
+  scale(surface.vertical, factor);
+  for (Curve& loop : surface.horizontal) scale(loop, factor);
+  if (surface.reference)
+    surface.reference = ReferenceRadii{surface.reference->inner * factor, surface.reference->outer * factor};
+  for (auto& stop : surface.blur.along.stops) stop.value *= factor;
+  scale(surface.front, factor);
+  scale(surface.back, factor);
+}
+
+void scale(GrainSketch& grain, double factor) {
+  grain.spacing.poisson_radius *= factor;
+  grain.form.length *= factor;
+  grain.form.width *= factor;
+  grain.form.thickness *= factor;
+  grain.stance.sink *= factor;
+  grain.blur *= factor;
+  scale(grain.front, factor);
+  scale(grain.back, factor);
+  for (GrainCore& core : grain.cores) {
+    core.blur *= factor;  // its sizes are shares of the grain's
+    scale(core.front, factor);
+    scale(core.back, factor);
+  }
+}
+
+}  // namespace
+
+Template scaled(Template fruit, double factor) {
+  for (SurfaceSketch& surface : fruit.surfaces) scale(surface, factor);
+  for (GrainSketch& grain : fruit.grains) scale(grain, factor);
+  return fruit;
+}
+
+}  // namespace pomona

@@ -1,0 +1,275 @@
+// Size, proportions and bend: what variants differ in beyond the paper.
+#include <cmath>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <glm/geometric.hpp>
+
+#include "generator/base/units.h"
+#include "generator/surface/bodies.h"
+#include "generator/surface/body_map.h"
+#include "generator/surface/crossings.h"
+#include "generator/surface/grains.h"
+#include "generator/surface/sheets.h"
+#include "generator/surface/sweep.h"
+#include "generator/template/bend_strain.h"
+#include "generator/template/read_template.h"
+#include "generator/variation/scaled.h"
+#include "generator/variation/vary.h"
+#include "generator/variation/vary_body.h"
+#include "tests/variation/fruits.h"
+
+namespace pomona {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Everything varies, far more than any fruit does.
+constexpr VariationSketch wild{.size = 0.25, .profile = 0.2, .bend = {.angle = 0.7, .swing = 0.7, .around = true}};
+
+Template varying(Template fruit, const VariationSketch& variation = wild) {
+  fruit.variation = variation;
+  return fruit;
+}
+
+Template shipped(const std::string& name) {
+  return read_template(fs::path(POMONA_SOURCE_DIR) / "templates" / (name + ".toml"));
+}
+
+/// A straight tube of 0.02 m radius and 0.2 m height.
+Template tube() {
+  Template fruit;
+  fruit.parts = {"flesh"};
+  SurfaceSketch skin;
+  skin.name = "skin";
+  skin.vertical = {{{0, 0}, {0.02, 0}, {0.02, 0.2}, {0, 0.2}}, false};
+  for (int i = 0; i < 64; ++i) {
+    const double angle = 2 * pi * i / 64;
+    skin.horizontal.resize(1);
+    skin.horizontal[0].points.emplace_back(0.02 * std::cos(angle), 0.02 * std::sin(angle));
+  }
+  skin.horizontal[0].closed = true;
+  skin.reference = ReferenceRadii{0, 0.02};
+  skin.front.hidden = true;
+  skin.front.color.along = skin.back.color.along = Ramp<Color>::constant(Color(0.5f));
+  skin.along = 120;
+  fruit.surfaces = {skin};
+  return fruit;
+}
+
+/// Enclosed, by the divergence theorem.
+double volume(const DiffusionSurfaces& surfaces) {
+  double six_times = 0;
+  for (const glm::uvec3& t : surfaces.triangle) {
+    const glm::dvec3 a(surfaces.position[t.x]), b(surfaces.position[t.y]), c(surfaces.position[t.z]);
+    six_times += glm::dot(a, glm::cross(b, c));
+  }
+  return six_times / 6;
+}
+
+/// The determinant of the map's derivative, by differences over a hundredth of a millimetre.
+double jacobian(const BodyMap& map, const glm::dvec3& p) {
+  constexpr double h = 1e-5;
+  const auto along = [&](const glm::dvec3& d) { return (map(p + d * h) - map(p - d * h)) / (2 * h); };
+  return glm::dot(along({1, 0, 0}), glm::cross(along({0, 1, 0}), along({0, 0, 1})));
+}
+
+TEST(Body, is_the_same_every_time_and_for_each_index_its_own) {
+  const Template fruit = varying(fruits::tomato());
+  for (const bool curves_only : {false, true}) {
+    const VariationOptions options{.curves_only = curves_only};
+    const DiffusionSurfaces first = sweep(vary(fruit, {5, 6}, options));
+    EXPECT_EQ(first.position, sweep(vary(fruit, {5, 6}, options)).position);
+    EXPECT_NE(first.position, sweep(vary(fruit, {5, 7}, options)).position);
+    EXPECT_NE(first.position, sweep(vary(fruit, {6, 6}, options)).position);
+  }
+  for (std::uint64_t index = 0; index < 5; ++index) {
+    const Template a = vary_body(fruit, {3, index}, 1), b = vary_body(fruit, {3, index + 1}, 1);
+    EXPECT_NE(a.bend.angle, b.bend.angle);
+    EXPECT_NE(a.proportions.slenderness, b.proportions.slenderness);
+    EXPECT_NE(a.surfaces[0].vertical.points, b.surfaces[0].vertical.points);
+  }
+}
+
+TEST(Body, no_draw_depends_on_another) {
+  const Template fruit = fruits::tomato();
+  const auto with = [&](const VariationSketch& variation) { return vary_body(varying(fruit, variation), {4, 1}, 1); };
+  const Template all = with({.size = 0.1, .profile = 0.1, .bend = {.angle = 0.2, .swing = 0.1}});
+  const Template no_size = with({.size = 0, .profile = 0.1, .bend = {.angle = 0.2, .swing = 0.1}});
+  const Template no_swing = with({.size = 0.1, .profile = 0, .bend = {.angle = 0.2, .swing = 0}});
+  EXPECT_EQ(all.proportions.slenderness, no_size.proportions.slenderness);
+  EXPECT_EQ(all.bend.angle, no_size.bend.angle);
+  EXPECT_EQ(all.bend.swing, no_size.bend.swing);
+  EXPECT_EQ(all.bend.angle, no_swing.bend.angle);
+  EXPECT_EQ(all.surfaces[0].vertical.points, no_swing.surfaces[0].vertical.points);
+  EXPECT_EQ(no_swing.bend.swing, 0);
+  EXPECT_TRUE(no_swing.proportions.are_as_drawn());
+
+  // What curves draw does not change either.
+  const Template curves = vary(fruit, {4, 1}), more = vary(varying(fruit, {.profile = 0.1}), {4, 1});
+  EXPECT_EQ(curves.surfaces[0].horizontal[0].points, more.surfaces[0].horizontal[0].points);
+}
+
+TEST(Body, curves_alone_vary_as_if_nothing_else_had_been_said) {
+  for (const Template& fruit : {fruits::onion(3), fruits::tomato()}) {
+    const DiffusionSurfaces plain = sweep(vary(fruit, {7, 0}));
+    EXPECT_EQ(plain.position, sweep(vary(varying(fruit), {7, 0}, {.curves_only = true})).position);
+    EXPECT_EQ(sweep(vary(fruit, {7, 0}, {.amount = 0})).position,
+              sweep(vary(varying(fruit), {7, 0}, {.amount = 0})).position);
+  }
+}
+
+TEST(Body, a_bend_of_nothing_changes_no_bit) {
+  Template fruit = fruits::tomato();
+  const DiffusionSurfaces straight = sweep(fruit);
+  fruit.bend = {.angle = 0, .swing = 0, .direction = 1};
+  EXPECT_TRUE(BodyMap(fruit).is_identity());
+  EXPECT_EQ(sweep(fruit).position, straight.position);
+}
+
+TEST(Body, all_draws_leave_space_one_to_one) {
+  // A grid over the whole fruit, for a thousand variants, twice as wild.
+  for (const char* name : {"cucumber", "apple"}) {
+    const Template fruit = varying(shipped(name));
+    double widest = 0;
+    for (const glm::dvec2& p : fruit.surfaces[0].vertical.points) widest = std::max(widest, p.x);
+    double least = 1e9;
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+      const Template variant = gently_bent(vary_body(fruit, {seed, 0}, 2), fruit);
+      EXPECT_LE(bend_strain(variant).pressing, 0.6 + 1e-12);
+      EXPECT_LE(bend_strain(variant).lean, radians(60) + 1e-12);
+      const HeightRange range = drawn_heights(variant);
+      const BodyMap map(variant);
+      // Within the skin: the bend leaves room for that.
+      const double size = range.high / drawn_heights(fruit).high;
+      const Curve& skin = variant.surfaces[0].vertical;
+      for (std::size_t i = 0; i < skin.points.size(); i += 1 + skin.points.size() / 12) {
+        for (int k = 0; k < 8; ++k) {
+          const glm::dvec2 at = skin.points[i];
+          const double angle = 2 * pi * k / 8;
+          least = std::min(least, jacobian(map, {at.x * std::cos(angle), at.y, at.x * std::sin(angle)}));
+        }
+      }
+      EXPECT_GT(size, std::exp(-2 * 2 * 0.25) * 0.999);
+      EXPECT_LT(size, std::exp(2 * 2 * 0.25) * 1.001);
+    }
+    EXPECT_GT(least, 0.01) << name;
+  }
+}
+
+TEST(Body, proportions_are_a_monotone_map_of_the_half_plane) {
+  const Template fruit = varying(fruits::onion(1), {.profile = 0.25});
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Proportions proportions = vary_body(fruit, {seed, 0}, 2).proportions;
+    EXPECT_NEAR(proportions.place(-1), -1, 1e-15);
+    EXPECT_NEAR(proportions.place(1), 1, 1e-15);
+    for (double u = -1.5; u < 1.5; u += 0.05) {
+      EXPECT_GT(proportions.place(u + 0.05), proportions.place(u));
+      EXPECT_GT(proportions.radius_factor(u), 0.05);
+      EXPECT_LT(proportions.radius_factor(u), 20);
+    }
+  }
+}
+
+TEST(Body, twice_the_size_is_eight_times_the_volume) {
+  Template fruit = fruits::tomato();
+  fruit.surfaces.resize(1);
+  const double drawn = volume(sweep(fruit));
+  for (const double size : {0.5, 0.8, 1.3, 2.0}) {
+    const Template other = scaled(fruit, size);
+    EXPECT_NEAR(volume(sweep(other)), drawn * size * size * size, 1e-6 * drawn * size * size * size);
+    EXPECT_EQ(sweep(other).triangle, sweep(fruit).triangle);
+  }
+  // Slenderness keeps it.
+  fruit.proportions.slenderness = 0.4;
+  EXPECT_NEAR(volume(sweep(fruit)), drawn, 1e-6 * drawn);
+}
+
+TEST(Body, a_larger_fruit_has_as_many_grains) {
+  const Template fruit = shipped("strawberry"), large = scaled(fruit, 2);
+  const DiffusionSurfaces small_grains = scatter_grains(fruit, {1, 0}), large_grains = scatter_grains(large, {1, 0});
+  ASSERT_EQ(small_grains.vertex_count(), large_grains.vertex_count());
+  for (std::size_t v = 0; v < small_grains.vertex_count(); ++v) {
+    EXPECT_LT(glm::distance(2.0f * small_grains.position[v], large_grains.position[v]), 1e-6);
+  }
+}
+
+TEST(Body, a_bent_axis_keeps_its_length_and_stands_in_the_middle) {
+  Template fruit = tube();
+  for (const AxisBend& bend : {AxisBend{1, 0, 0}, AxisBend{0.3, 1.1, 2}, AxisBend{0, 1.5, -1}}) {
+    fruit.bend = bend;
+    const BodyMap map(fruit);
+    double length = 0;
+    glm::dvec3 mean(0), before = map({0, 0, 0});
+    for (int i = 1; i <= 1000; ++i) {
+      const glm::dvec3 here = map({0, 0.2 * i / 1000, 0});
+      length += glm::distance(before, here);
+      mean += 0.5 * (before + here) / 1000.0;
+      before = here;
+    }
+    EXPECT_NEAR(length, 0.2, 1e-7);
+    EXPECT_NEAR(mean.x, 0, 1e-7);
+    EXPECT_NEAR(mean.z, 0, 1e-7);
+    EXPECT_NEAR(map({0, 0, 0}).y, 0, 1e-12);
+  }
+}
+
+TEST(Body, a_bend_keeps_volumes_and_sections) {
+  // Pappus: what the outer side gains the inner side loses.
+  Template fruit = tube();
+  const double straight = volume(sweep(fruit));
+  fruit.bend = {.angle = 1.2, .swing = 0.5, .direction = 0.4};
+  EXPECT_NEAR(volume(sweep(fruit)), straight, 2e-3 * straight);
+
+  // Points of a section keep their distances from each other; both ends turn towards the direction.
+  const BodyMap map(fruit);
+  EXPECT_NEAR(glm::distance(map({0.02, 0.11, 0}), map({-0.01, 0.11, 0.015})), glm::length(glm::dvec2(0.03, 0.015)),
+              1e-12);
+  const glm::dvec3 towards(std::cos(0.4), 0, -std::sin(0.4));
+  EXPECT_GT(glm::dot(map({0, 0, 0}) - map({0, 0.1, 0}), towards), 0.005);
+  EXPECT_GT(glm::dot(map({0, 0.2, 0}) - map({0, 0.1, 0}), towards), 0.005);
+}
+
+TEST(Body, an_arc_of_a_circle_is_one) {
+  Template fruit = tube();
+  fruit.bend = {.angle = pi / 2, .swing = 0, .direction = 0};
+  const BodyMap map(fruit);
+  const double radius = 0.2 / (pi / 2);
+  const glm::dvec3 middle = map({0, 0.1, 0}), center = middle + glm::dvec3(radius, 0, 0);
+  for (double y = 0; y <= 0.2; y += 0.01) {
+    EXPECT_NEAR(glm::distance(map({0, y, 0}), center), radius, 1e-9);
+    EXPECT_NEAR(glm::distance(map({0.02, y, 0}), center), radius - 0.02, 1e-9);
+  }
+}
+
+TEST(Body, connectivity_and_colours_are_those_of_the_drawing) {
+  for (const Template& fruit : {varying(fruits::onion(3)), varying(fruits::tomato())}) {
+    const DiffusionSurfaces drawn = sweep(fruit);
+    for (std::uint64_t seed = 1; seed < 4; ++seed) {
+      const DiffusionSurfaces variant = sweep(vary(fruit, {seed, 0}));
+      EXPECT_EQ(variant.triangle, drawn.triangle);
+      EXPECT_EQ(variant.front_color, drawn.front_color);
+    }
+  }
+}
+
+TEST(Body, nothing_crosses_that_does_not_in_the_curves_alone) {
+  const Template tomato = varying(fruits::tomato(), {.size = 0.1, .profile = 0.1, .bend = {0.2, 0.1, true}});
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    if (!crossing_triangles(sweep(vary(tomato, {seed, 0}, {.curves_only = true}))).empty()) continue;
+    EXPECT_TRUE(crossing_triangles(sweep(vary(tomato, {seed, 0}))).empty()) << seed;
+  }
+}
+
+TEST(Body, bent_fruits_are_closed_and_hold_their_grains) {
+  Template okra = varying(shipped("okra"), {.size = 0.2, .profile = 0.1, .bend = {0.4, 0.3, false}});
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    const Template variant = vary(okra, {seed, 0});
+    EXPECT_FALSE(variant.bend.is_straight());
+    const DiffusionSurfaces all = joined(sheets(sweep(variant)), sheets(scatter_grains(variant, {seed, 0})));
+    EXPECT_TRUE(find_bodies(all).warnings.empty());
+  }
+}
+
+}  // namespace
+}  // namespace pomona
