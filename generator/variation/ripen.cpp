@@ -23,6 +23,12 @@ glm::dvec3 shifted(const glm::dvec3& lab, const ColorShift& shift) {
   return {lab.x + shift.lightness, c * lab.y - s * lab.z, s * lab.y + c * lab.z};
 }
 
+/// False for surfaces whose parts are not the template's.
+template <typename Value>
+bool names_one_of(std::int32_t part, const std::vector<Value>& parts) {
+  return part >= 0 && static_cast<std::size_t>(part) < parts.size();
+}
+
 /// One part's way from unripe to overripe.
 class PartRipening {
  public:
@@ -107,7 +113,7 @@ class Ripener {
   }
 
   const PartRipening* ripening_of(std::int32_t part) const {
-    if (part < 0 || !ripening_[static_cast<std::size_t>(part)]) return nullptr;
+    if (!names_one_of(part, ripening_) || !ripening_[static_cast<std::size_t>(part)]) return nullptr;
     return &*ripening_[static_cast<std::size_t>(part)];
   }
 
@@ -126,7 +132,7 @@ class Ripener {
     const double ripeness =
         ripening ? own_ripeness(fruit_.individual.ripeness, lateness + ripening->late(), fruit_.ripeness.spread) : 1;
     const std::vector<ColorShift>& shifts = fruit_.individual.shifts;
-    const ColorShift shift = shifts.empty() || part < 0 ? ColorShift{} : shifts[static_cast<std::size_t>(part)];
+    const ColorShift shift = names_one_of(part, shifts) ? shifts[static_cast<std::size_t>(part)] : ColorShift{};
     if (ripeness == 1 && is_none(shift)) return color;
 
     const glm::dvec3 drawn = to_oklab(color);
