@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
-#include "generator/base/parallel.h"
 #include "generator/base/units.h"
 #include "generator/variation/polar_curve.h"
 
@@ -14,12 +14,6 @@ namespace {
 constexpr int rays = 256;
 constexpr std::array<int, 4> band_starts = {1, 4, 16, 64};
 
-/// One loop: mean of the logarithm of its radius, and its power by bands. Variance is the power of all harmonics.
-struct LoopShape {
-  double mean = 0, variance = 0;
-  std::array<double, 3> power{};
-};
-
 /// (cos, sin) of every whole part of a turn.
 std::vector<glm::dvec2> turn() {
   std::vector<glm::dvec2> points;
@@ -27,12 +21,13 @@ std::vector<glm::dvec2> turn() {
   return points;
 }
 
-LoopShape shape_of(const Curve& loop) {
-  const RadiusOf radius_of(loop);
+LoopShape shape_of(const SurfaceSketch& surface) {
+  const RadiusOf radius_of(surface.horizontal.front());
+  const double reference = reference_radii(surface).outer;
   std::vector<double> value;
   LoopShape shape;
   for (int i = 0; i < rays; ++i) {
-    value.push_back(std::log(radius_of(2 * pi * i / rays)));
+    value.push_back(std::log(radius_of(2 * pi * i / rays) / reference));
     shape.mean += value.back() / rays;
   }
   for (const double v : value) shape.variance += (v - shape.mean) * (v - shape.mean) / rays;
@@ -50,16 +45,6 @@ LoopShape shape_of(const Curve& loop) {
   return shape;
 }
 
-/// All loops that a cylindrical template's variants synthesise.
-std::vector<LoopShape> shapes_of(const Template& fruit) {
-  std::vector<LoopShape> shapes;
-  for (const SurfaceSketch& surface : fruit.surfaces) {
-    if (surface.type != SurfaceType::around_axis || !surface.varies || surface.horizontal.empty()) continue;
-    if (encloses(surface.horizontal.front(), {0, 0})) shapes.push_back(shape_of(surface.horizontal.front()));
-  }
-  return shapes;
-}
-
 double total_variance(const std::vector<LoopShape>& shapes) {
   double total = 0;
   for (const LoopShape& shape : shapes) total += shape.variance;
@@ -68,16 +53,21 @@ double total_variance(const std::vector<LoopShape>& shapes) {
 
 }  // namespace
 
-LoopStatistics loop_statistics(const Template& fruit, const VariantSettings& settings) {
-  const std::vector<LoopShape> drawn = shapes_of(fruit);
-  std::vector<std::vector<LoopShape>> variants(static_cast<std::size_t>(settings.count));
-  parallel_for(variants.size(), {}, [&](std::size_t v) {
-    variants[v] = shapes_of(vary(fruit, {v + 1, 0}, settings.how));
-  });
+std::vector<LoopShape> loop_shapes(const Template& fruit) {
+  std::vector<LoopShape> shapes;
+  if (!std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) return shapes;
+  for (const SurfaceSketch& surface : fruit.surfaces) {
+    if (surface.type != SurfaceType::around_axis || !surface.varies || surface.horizontal.empty()) continue;
+    if (encloses(surface.horizontal.front(), {0, 0})) shapes.push_back(shape_of(surface));
+  }
+  return shapes;
+}
 
+LoopStatistics loop_statistics(const std::vector<LoopShape>& drawn,
+                               const std::vector<std::vector<LoopShape>>& variants) {
   LoopStatistics result;
   result.least_deviation = 1e9;
-  const double n = settings.count, drawn_variance = total_variance(drawn);
+  const double n = static_cast<double>(variants.size()), drawn_variance = total_variance(drawn);
   std::vector<double> mean(drawn.size(), 0.0);
   for (const LoopShape& shape : drawn) {
     for (std::size_t b = 0; b < shape.power.size(); ++b) result.drawn_power[b] += shape.power[b] / drawn_variance;

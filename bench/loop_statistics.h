@@ -4,20 +4,27 @@
 #include <array>
 #include <vector>
 
-#include "bench/variant_checks.h"
+#include "generator/template/template.h"
 
 namespace pomona::bench {
 
-/// Logarithms of radii over all azimuths, of all loops that are synthesised. Variances and powers are sums over the
-/// loops, means over the variants.
-struct LoopStatistics {
-  double mean_shift =
-      0;  ///< of the variants' means from the drawing's: the largest of any loop, in parts of the radius
-  double least_deviation = 0, deviation = 0, most_deviation = 0;  ///< standard deviation over the drawn one
-  /// Of harmonics 1 to 3, 4 to 15 and 16 to 63, in parts of the drawing's whole power.
-  std::array<double, 3> drawn_power{}, power{};
+/// One synthesised loop: the logarithm of its radius, over the reference radius, at all azimuths.
+struct LoopShape {
+  double mean = 0, variance = 0;
+  std::array<double, 3> power{};  ///< its variance in harmonics 1 to 3, 4 to 15 and 16 to 63
 };
 
-LoopStatistics loop_statistics(const Template& fruit, const VariantSettings& settings);
+/// All loops that variants of a cylindrical template synthesise; none of other templates.
+std::vector<LoopShape> loop_shapes(const Template& fruit);
+
+/// Over all loops. Variances and powers are sums over the loops, means over the variants.
+struct LoopStatistics {
+  double mean_shift = 0;  ///< the mean over the variants less the drawn one, of the loop where that is largest
+  double least_deviation = 0, deviation = 0, most_deviation = 0;  ///< standard deviation over the drawn one
+  std::array<double, 3> drawn_power{}, power{};                   ///< in parts of the drawing's variance
+};
+
+LoopStatistics loop_statistics(const std::vector<LoopShape>& drawn,
+                               const std::vector<std::vector<LoopShape>>& variants);
 
 }  // namespace pomona::bench

@@ -40,7 +40,7 @@ std::vector<glm::vec3> some_of(const std::vector<glm::vec3>& positions) {
 }  // namespace
 
 VariantChecks::VariantChecks(const Template& fruit, const VariantSettings& settings)
-    : fruit_(fruit), settings_(settings) {
+    : fruit_(fruit), variation_(fruit), settings_(settings) {
   const DiffusionSurfaces as_drawn = sweep(fruit);
   drawn_ = settings.how.folds ? sweep(with_folds(fruit, *settings.how.folds)) : as_drawn;
   drawn_crossings_ = kinds_of(as_drawn, crossing_triangles(as_drawn));
@@ -52,26 +52,24 @@ VariantFacts VariantChecks::facts(int seed) const {
   const VariantKey key{static_cast<std::uint64_t>(seed), 0};
   VariantFacts facts;
   const double start = processor_milliseconds();
-  const Template variant = vary(fruit_, key, settings_.how);
+  const Variant variant = variation_.draw(key, settings_.how);
   const double varied = processor_milliseconds();
-  const DiffusionSurfaces swept = sweep(variant);
+  const DiffusionSurfaces swept = sweep(variant.fruit);
   facts.vary_milliseconds = varied - start;
   facts.sweep_milliseconds = processor_milliseconds() - varied;
 
-  facts.crossing_curves = crossing_curves(variant);
+  facts.crossing_curves = crossing_curves(variant.fruit);
   facts.crossings = new_crossings(swept);
   facts.open_shells = std::max(0, open_shells_of(swept) - open_shells_);
   facts.connected_as_drawn = swept.triangle == drawn_.triangle && swept.surface == drawn_.surface;
   facts.some_positions = some_of(swept.position);
-  if (std::holds_alternative<FoldSymmetry>(fruit_.symmetry)) {
-    facts.folds =
-        FoldVariation(fruit_).draw(key, settings_.how.amount, settings_.how.folds.value_or(fold_count(fruit_))).folds;
-  }
+  facts.folds = variant.folds;
+  facts.loops = loop_shapes(variant.fruit);
   return facts;
 }
 
 std::vector<glm::vec3> VariantChecks::positions(int seed) const {
-  return sweep(vary(fruit_, {static_cast<std::uint64_t>(seed), 0}, settings_.how)).position;
+  return sweep(variation_.draw({static_cast<std::uint64_t>(seed), 0}, settings_.how).fruit).position;
 }
 
 std::vector<std::string> VariantChecks::crossing_curves(const Template& variant) const {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/loop_statistics.h"
 #include "generator/surface/crossings.h"
 #include "generator/surface/diffusion_surfaces.h"
 #include "generator/template/template.h"
-#include "generator/variation/vary.h"
-#include "generator/variation/vary_folds.h"
+#include "generator/variation/variation.h"
 
 namespace pomona::bench {
 
@@ -29,6 +29,7 @@ struct VariantFacts {
   int open_shells = 0;                       ///< more than as drawn
   bool connected_as_drawn = true;            ///< the same triangles; with other folds, as the drawn folds in turn
   std::vector<FoldReport> folds;
+  std::vector<LoopShape> loops;
   std::vector<glm::vec3> some_positions;                 ///< at most 1024 vertices, the same of all variants
   double vary_milliseconds = 0, sweep_milliseconds = 0;  ///< processor time
 };
@@ -52,6 +53,7 @@ class VariantChecks {
   std::map<std::string, int> new_crossings(const DiffusionSurfaces& variant) const;
 
   const Template& fruit_;
+  Variation variation_;
   VariantSettings settings_;
   DiffusionSurfaces drawn_;  ///< with as many folds as the variants
   std::set<CrossingKind> drawn_crossings_;

@@ -132,7 +132,9 @@ Json measured(const std::string& name, const Template& fruit, const VariantSetti
               {"vary_milliseconds", vary_milliseconds},
               {"sweep_milliseconds", sweep_milliseconds}};
   if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) {
-    row["loops"] = json_of(loop_statistics(fruit, settings));
+    std::vector<std::vector<LoopShape>> loops;
+    for (const VariantFacts& variant : facts) loops.push_back(variant.loops);
+    row["loops"] = json_of(loop_statistics(loop_shapes(fruit), loops));
   } else if (std::holds_alternative<FoldSymmetry>(fruit.symmetry)) {
     row["steps"] = folds_of(facts);
     row["blends"] = json_of(fold_statistics(fruit, settings, facts));

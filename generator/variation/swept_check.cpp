@@ -1,5 +1,7 @@
 #include "generator/variation/swept_check.h"
 
+#include <algorithm>
+
 #include "generator/base/reproducible.h"
 #include "generator/surface/sweep.h"
 
@@ -14,22 +16,37 @@ double azimuth_of(const DiffusionSurfaces& surfaces, std::uint32_t triangle) {
   return reproducible::atan2(-sum.z, sum.x);
 }
 
+/// Swept along a straight axis: bends carry everything along, and azimuths mean folds only without them.
+DiffusionSurfaces straight(Template fruit) {
+  fruit.bend = {};
+  return sweep(fruit);
+}
+
 }  // namespace
 
 SweptCheck::SweptCheck(const Template& drawn) {
-  const DiffusionSurfaces surfaces = sweep(drawn);
-  drawn_ = kinds_of(surfaces, crossing_triangles(surfaces));
+  const DiffusionSurfaces surfaces = straight(drawn);
+  straight_ = as_drawn_ = kinds_of(surfaces, crossing_triangles(surfaces));
+  if (drawn.bend.is_straight()) return;
+  const DiffusionSurfaces bent = sweep(drawn);
+  as_drawn_ = kinds_of(bent, crossing_triangles(bent));
 }
 
 std::vector<double> SweptCheck::new_crossings(const Template& variant) const {
-  const DiffusionSurfaces surfaces = sweep(variant);
+  const DiffusionSurfaces surfaces = straight(variant);
   std::vector<double> azimuths;
   for (const CrossingTriangles& crossing : crossing_triangles(surfaces)) {
-    if (drawn_.contains(kind_of(surfaces, crossing))) continue;
+    if (straight_.contains(kind_of(surfaces, crossing))) continue;
     azimuths.push_back(azimuth_of(surfaces, crossing.first));
     azimuths.push_back(azimuth_of(surfaces, crossing.second));
   }
   return azimuths;
+}
+
+bool SweptCheck::crosses_anew(const Template& variant) const {
+  const DiffusionSurfaces surfaces = sweep(variant);
+  const std::set<CrossingKind> kinds = kinds_of(surfaces, crossing_triangles(surfaces));
+  return !std::includes(as_drawn_.begin(), as_drawn_.end(), kinds.begin(), kinds.end());
 }
 
 }  // namespace pomona

@@ -16,11 +16,15 @@ class SweptCheck {
   /// \throws Error (bad_data) if the drawing cannot be swept.
   explicit SweptCheck(const Template& drawn);
 
-  /// The azimuths of the crossings that the drawing does not have; one in the middle of each triangle.
+  /// The azimuths of the crossings that the drawing does not have; one in the middle of each triangle. Bends are left
+  /// out, in drawing and variant.
   std::vector<double> new_crossings(const Template& variant) const;
 
+  /// True if anything crosses that does not in the drawing, bent as both are.
+  bool crosses_anew(const Template& variant) const;
+
  private:
-  std::set<CrossingKind> drawn_;
+  std::set<CrossingKind> straight_, as_drawn_;
 };
 
 }  // namespace pomona

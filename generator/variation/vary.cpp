@@ -1,11 +1,11 @@
 #include "generator/variation/vary.h"
 
 #include <string>
+#include <utility>
 
 #include "generator/base/error.h"
+#include "generator/variation/variation.h"
 #include "generator/variation/vary_body.h"
-#include "generator/variation/vary_folds.h"
-#include "generator/variation/vary_loops.h"
 
 namespace pomona {
 
@@ -24,22 +24,47 @@ void check_folds(const Template& fruit, int folds) {
   }
 }
 
-Template with_varied_curves(const Template& fruit, VariantKey key, const VariationOptions& options) {
-  if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) return vary_loops(fruit, key, options.amount);
-  return vary_folds(fruit, key, options.amount, options.folds.value_or(fold_count(fruit))).fruit;
+std::variant<std::monostate, LoopVariation, FoldVariation> curves_of(const Template& fruit) {
+  if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) return LoopVariation(fruit);
+  if (std::holds_alternative<FoldSymmetry>(fruit.symmetry)) return FoldVariation(fruit);
+  return {};
 }
 
 }  // namespace
 
-Template vary(const Template& fruit, VariantKey key, const VariationOptions& options) {
+Variation::Variation(const Template& fruit) : fruit_(fruit), swept_(fruit), curves_(curves_of(fruit)) {}
+
+Variant Variation::draw(VariantKey key, const VariationOptions& options) const {
   if (!(options.amount >= 0 && options.amount <= 2)) {
     throw Error(ExitStatus::usage, "the amount of variation must lie between 0 and 2");
   }
-  if (options.folds) check_folds(fruit, *options.folds);
-  if (std::holds_alternative<NoSymmetry>(fruit.symmetry)) return fruit;
-  Template variant = with_varied_curves(fruit, key, options);
-  if (!options.curves_only && fruit.meshes.empty()) variant = vary_body(variant, key, options.amount);
-  return gently_bent(std::move(variant), fruit);
+  if (options.folds) check_folds(fruit_, *options.folds);
+  if (std::holds_alternative<NoSymmetry>(fruit_.symmetry)) return {fruit_, {}};
+  Variant variant = with_varied_curves(key, options);
+  variant.fruit = with_varied_body(variant.fruit, key, options);
+  return variant;
+}
+
+Template Variation::with_varied_body(const Template& variant, VariantKey key, const VariationOptions& options) const {
+  if (options.curves_only || !fruit_.meshes.empty()) return gently_bent(variant, fruit_);
+  // No map of space makes smooth surfaces cross, but facets that are close may: then the body stays nearer to the
+  // drawing.
+  for (double share = 1; share > 0.3; share *= 0.7) {
+    Template body = gently_bent(vary_body(variant, key, share * options.amount), fruit_);
+    if (!swept_.crosses_anew(body)) return body;
+  }
+  return gently_bent(variant, fruit_);
+}
+
+Variant Variation::with_varied_curves(VariantKey key, const VariationOptions& options) const {
+  if (const auto* loops = std::get_if<LoopVariation>(&curves_)) return {loops->draw(key, options.amount), {}};
+  FoldVariant variant =
+      std::get<FoldVariation>(curves_).draw(key, options.amount, options.folds.value_or(fold_count(fruit_)));
+  return {std::move(variant.fruit), std::move(variant.folds)};
+}
+
+Template vary(const Template& fruit, VariantKey key, const VariationOptions& options) {
+  return Variation(fruit).draw(key, options).fruit;
 }
 
 Template with_folds(const Template& fruit, int folds) {

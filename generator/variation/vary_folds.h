@@ -4,7 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "generator/variation/vary.h"
+#include "generator/base/random.h"
+#include "generator/template/template.h"
 
 namespace pomona {
 

@@ -3,7 +3,8 @@
 
 #include <memory>
 
-#include "generator/variation/vary.h"
+#include "generator/base/random.h"
+#include "generator/template/template.h"
 
 namespace pomona {
 

@@ -1,0 +1,39 @@
+// A template made ready to be varied many times.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "generator/variation/swept_check.h"
+#include "generator/variation/vary.h"
+#include "generator/variation/vary_folds.h"
+#include "generator/variation/vary_loops.h"
+
+namespace pomona {
+
+/// A variant, and how it came about.
+struct Variant {
+  Template fruit;
+  std::vector<FoldReport> folds;  ///< none for cylindrical symmetry
+};
+
+/// draw() gives what vary() gives, without looking at the drawing each time.
+class Variation {
+ public:
+  /// \throws Error (bad_data) if the drawing cannot be swept.
+  explicit Variation(const Template& fruit);
+
+  /// \throws Error (usage) as vary() does.
+  Variant draw(VariantKey key, const VariationOptions& options = {}) const;
+
+ private:
+  Variant with_varied_curves(VariantKey key, const VariationOptions& options) const;
+
+  Template with_varied_body(const Template& variant, VariantKey key, const VariationOptions& options) const;
+
+  Template fruit_;
+  SweptCheck swept_;
+  std::variant<std::monostate, LoopVariation, FoldVariation> curves_;
+};
+
+}  // namespace pomona
