@@ -5,7 +5,7 @@
     gallery.py write                               writes the gallery into templates/README.md and README.md
     gallery.py check                               says what is stale or missing; exits with 1 if anything is
 
-Names are those of templates, "salad" or "ripeness"; without any, all. What a template shows is told by the first sentence of its
+Names are those of templates, "salad", "ripeness" or "variation"; without any, all. What a template shows is told by the first sentence of its
 opening comment.
 """
 
@@ -19,6 +19,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PICTURES = "docs/pictures"
 SEEDS = (1, 2, 3)
 SCENES = {"salad": "880x660", "ripeness": "800x352"}  # picture sizes
+VARIATION = {  # of docs/variation.md: what is grown, at seed 2
+    **{f"pepper_folds_{folds}.png": ["pepper", "--folds", str(folds)] for folds in (3, 4, 6)},
+    **{f"tomato_variation_{amount}.png": ["tomato", "--variation", amount] for amount in ("0.5", "1", "2")},
+}
 LARGE, SMALL = 240, 150  # pixels; shown at LARGE_SHOWN and SMALL_SHOWN
 LARGE_SHOWN, SMALL_SHOWN = 200, 130
 
@@ -82,11 +86,14 @@ def all_pictures(names=()):
     for scene, size in SCENES.items():
         if not names or scene in names:
             made[f"{scene}.png"] = ["scene", f"scenes/{scene}.toml", "--size", size]
+    if not names or "variation" in names:
+        for file, words in VARIATION.items():
+            made[file] = ["cut", *words, "--seed", "2", "--knife", "across", "--section", "--size", "180x180"]
     return made
 
 
 def print_commands(program, folder, names):
-    unknown = set(names) - set(templates()) - set(SCENES)
+    unknown = set(names) - set(templates()) - set(SCENES) - {"variation"}
     if unknown:
         sys.exit(f"gallery: error: there is no template {', '.join(sorted(unknown))}")
     for path, words in all_pictures(names).items():
