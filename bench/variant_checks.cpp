@@ -7,6 +7,7 @@
 
 #include "generator/surface/shells.h"
 #include "generator/surface/sweep.h"
+#include "generator/template/unpainted.h"
 
 namespace pomona::bench {
 
@@ -41,8 +42,8 @@ std::vector<glm::vec3> some_of(const std::vector<glm::vec3>& positions) {
 
 VariantChecks::VariantChecks(const Template& fruit, const VariantSettings& settings)
     : fruit_(fruit), variation_(fruit), settings_(settings) {
-  const DiffusionSurfaces as_drawn = sweep(fruit);
-  drawn_ = settings.how.folds ? sweep(with_folds(fruit, *settings.how.folds)) : as_drawn;
+  const DiffusionSurfaces as_drawn = sweep(unpainted(fruit));
+  drawn_ = settings.how.folds ? sweep(unpainted(with_folds(fruit, *settings.how.folds))) : as_drawn;
   drawn_crossings_ = kinds_of(as_drawn, crossing_triangles(as_drawn));
   open_shells_ = open_shells_of(as_drawn);
   size_ = glm::length(bounds_of(as_drawn).size());
@@ -54,7 +55,7 @@ VariantFacts VariantChecks::facts(int seed) const {
   const double start = processor_milliseconds();
   const Variant variant = variation_.draw(key, settings_.how);
   const double varied = processor_milliseconds();
-  const DiffusionSurfaces swept = sweep(variant.fruit);
+  const DiffusionSurfaces swept = sweep(unpainted(variant.fruit));
   facts.vary_milliseconds = varied - start;
   facts.sweep_milliseconds = processor_milliseconds() - varied;
 
@@ -69,7 +70,7 @@ VariantFacts VariantChecks::facts(int seed) const {
 }
 
 std::vector<glm::vec3> VariantChecks::positions(int seed) const {
-  return sweep(variation_.draw({static_cast<std::uint64_t>(seed), 0}, settings_.how).fruit).position;
+  return sweep(unpainted(variation_.draw({static_cast<std::uint64_t>(seed), 0}, settings_.how).fruit)).position;
 }
 
 std::vector<std::string> VariantChecks::crossing_curves(const Template& variant) const {

@@ -1,9 +1,11 @@
 #include "generator/variation/swept_check.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "generator/base/reproducible.h"
 #include "generator/surface/sweep.h"
+#include "generator/template/unpainted.h"
 
 namespace pomona {
 
@@ -19,7 +21,7 @@ double azimuth_of(const DiffusionSurfaces& surfaces, std::uint32_t triangle) {
 /// Swept along a straight axis: bends carry everything along, and azimuths mean folds only without them.
 DiffusionSurfaces straight(Template fruit) {
   fruit.bend = {};
-  return sweep(fruit);
+  return sweep(unpainted(std::move(fruit)));
 }
 
 }  // namespace
@@ -28,7 +30,7 @@ SweptCheck::SweptCheck(const Template& drawn) {
   const DiffusionSurfaces surfaces = straight(drawn);
   straight_ = as_drawn_ = kinds_of(surfaces, crossing_triangles(surfaces));
   if (drawn.bend.is_straight()) return;
-  const DiffusionSurfaces bent = sweep(drawn);
+  const DiffusionSurfaces bent = sweep(unpainted(drawn));
   as_drawn_ = kinds_of(bent, crossing_triangles(bent));
 }
 
@@ -44,7 +46,7 @@ std::vector<double> SweptCheck::new_crossings(const Template& variant) const {
 }
 
 bool SweptCheck::crosses_anew(const Template& variant) const {
-  const DiffusionSurfaces surfaces = sweep(variant);
+  const DiffusionSurfaces surfaces = sweep(unpainted(variant));
   const std::set<CrossingKind> kinds = kinds_of(surfaces, crossing_triangles(surfaces));
   return !std::includes(as_drawn_.begin(), as_drawn_.end(), kinds.begin(), kinds.end());
 }
