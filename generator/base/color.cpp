@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
+
 #include "generator/base/reproducible.h"
 
 namespace pomona {
@@ -84,5 +86,7 @@ Color from_oklab(const glm::vec3& lab) {
           static_cast<float>(-1.2684380046 * l3 + 2.6097574011 * m3 - 0.3413193965 * s3),
           static_cast<float>(-0.0041960863 * l3 - 0.7034186147 * m3 + 1.7076147010 * s3)};
 }
+
+Color from_oklab_within_gamut(const glm::vec3& lab) { return glm::clamp(from_oklab(lab), Color(0.0f), Color(1.0f)); }
 
 }  // namespace pomona

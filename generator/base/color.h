@@ -36,4 +36,7 @@ inline Color blended(const Color& first, const Color& second, double share) {
 glm::vec3 to_oklab(const Color& color);
 Color from_oklab(const glm::vec3& lab);
 
+/// The same with every channel kept within 0..1.
+Color from_oklab_within_gamut(const glm::vec3& lab);
+
 }  // namespace pomona

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <glm/common.hpp>
-
 #include "generator/base/gradient_noise.h"
 #include "generator/base/parallel.h"
 #include "generator/base/reproducible.h"
@@ -44,7 +42,7 @@ class Browning {
     const double share = how->most * (1 - reproducible::exp(-3 * individual_.browning * how->rate * speed_at(place)));
     if (share == 0) return color;
     const glm::dvec3 fresh(to_oklab(color)), brown(to_oklab(how->color));
-    return glm::clamp(from_oklab(glm::vec3(fresh + share * (brown - fresh))), Color(0.0f), Color(1.0f));
+    return from_oklab_within_gamut(glm::vec3(fresh + share * (brown - fresh)));
   }
 
  private:

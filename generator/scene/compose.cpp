@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <mutex>
 #include <numeric>
 
@@ -116,6 +117,20 @@ std::vector<Template> read_templates(const SceneDescription& scene, const Compos
   return templates;
 }
 
+/// For each entry that wants variants its template made ready for them, once for all entries with the same template.
+std::vector<std::shared_ptr<const Variation>> made_ready(const SceneDescription& scene,
+                                                         const std::vector<Template>& templates) {
+  std::vector<std::shared_ptr<const Variation>> ready(templates.size());
+  for (std::size_t entry = 0; entry < ready.size(); ++entry) {
+    if (scene.pieces[entry].as_drawn) continue;
+    for (std::size_t known = 0; known < entry && !ready[entry]; ++known) {
+      if (scene.pieces[known].template_name == scene.pieces[entry].template_name) ready[entry] = ready[known];
+    }
+    if (!ready[entry]) ready[entry] = std::make_shared<Variation>(templates[entry]);
+  }
+  return ready;
+}
+
 /// The largest pieces that are worth keeping, in the order in which they were cut.
 std::vector<CutPiece> picked(std::vector<CutPiece> cut, const PiecesDescription& pieces) {
   double whole = 0;
@@ -162,8 +177,9 @@ struct CutVariant {
   Clock clock;
 };
 
+/// \param variation of the template; none for pieces as drawn.
 CutVariant cut_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
-                       const Template& fruit, const ComposeOptions& options) {
+                       const Template& fruit, const Variation* variation, const ComposeOptions& options) {
   CutVariant made;
   const VariantKey key = variant_key(scene, pieces, number);
   const GrowOptions how{.as_drawn = pieces.as_drawn,
@@ -173,7 +189,8 @@ CutVariant cut_variant(const SceneDescription& scene, const PiecesDescription& p
                         .detail = options.detail,
                         .ripeness = drawn_between(pieces.ripeness, key, "scene/ripeness"),
                         .browning = drawn_between(pieces.browning, key, "scene/browning").value_or(0)};
-  made.fruit = made.clock.time("vary", [&] { return variant_of(fruit, key, how); });
+  made.fruit = made.clock.time(
+      "vary", [&] { return variation ? variant_of(*variation, key, how) : variant_of(fruit, key, how); });
   made.grown = made.clock.time("sweep", [&] { return grow(made.fruit, key, how); });
   made.cut = made.clock.time("cut", [&] { return cut(made.grown.sheets, pieces.knives, options.cut); });
   made.cut.pieces = picked(std::move(made.cut.pieces), pieces);
@@ -260,6 +277,7 @@ VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& p
 SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {
   Clock clock;
   const std::vector<Template> templates = clock.time("read", [&] { return read_templates(scene, options); });
+  const auto ready = clock.time("vary", [&] { return made_ready(scene, templates); });
   std::vector<Task> tasks;
   for (std::size_t entry = 0; entry < scene.pieces.size(); ++entry)
     for (int number = 0; number < scene.pieces[entry].count; ++number) tasks.push_back({entry, number});
@@ -273,7 +291,7 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
     std::vector<CutVariant> variants(count);
     parallel_for(count, options.threads, [&](std::size_t i) {
       const auto& [entry, number] = tasks[first + i];
-      variants[i] = cut_variant(scene, scene.pieces[entry], number, templates[entry], options);
+      variants[i] = cut_variant(scene, scene.pieces[entry], number, templates[entry], ready[entry].get(), options);
     });
     if (diffuser) variants = diffusing.time("diffuse", [&] { return diffused(std::move(variants), *diffuser); });
     parallel_for(count, options.threads, [&](std::size_t i) {

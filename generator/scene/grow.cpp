@@ -1,32 +1,37 @@
 #include "generator/scene/grow.h"
 
+#include <utility>
+
 #include "generator/surface/grains.h"
 #include "generator/surface/sheets.h"
 #include "generator/surface/skin_depth.h"
 #include "generator/surface/sweep.h"
 #include "generator/variation/individual_colors.h"
 #include "generator/variation/ripen.h"
-#include "generator/variation/vary.h"
 
 namespace pomona {
 
 namespace {
 
-Template shape_of(const Template& fruit, VariantKey key, const GrowOptions& options) {
-  if (!options.as_drawn) {
-    return vary(fruit, key, {.amount = options.variation, .folds = options.folds, .curves_only = options.curves_only});
-  }
-  return options.folds ? with_folds(fruit, *options.folds) : fruit;
+/// The variant with colours of its own.
+Template colored_individual(Template variant, const Template& fruit, VariantKey key, const GrowOptions& options) {
+  const double amount = options.as_drawn || options.curves_only ? 0 : options.variation;
+  variant.individual =
+      drawn_individual(fruit, key, {.amount = amount, .ripeness = options.ripeness, .browning = options.browning});
+  return variant;
 }
 
 }  // namespace
 
 Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options) {
-  Template variant = shape_of(fruit, key, options);
-  const double amount = options.as_drawn || options.curves_only ? 0 : options.variation;
-  variant.individual =
-      drawn_individual(fruit, key, {.amount = amount, .ripeness = options.ripeness, .browning = options.browning});
-  return variant;
+  if (!options.as_drawn) return variant_of(Variation(fruit), key, options);
+  return colored_individual(options.folds ? with_folds(fruit, *options.folds) : fruit, fruit, key, options);
+}
+
+Template variant_of(const Variation& variation, VariantKey key, const GrowOptions& options) {
+  const Template& fruit = variation.drawn();
+  const VariationOptions how{.amount = options.variation, .folds = options.folds, .curves_only = options.curves_only};
+  return colored_individual(variation.draw(key, how).fruit, fruit, key, options);
 }
 
 GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options) {

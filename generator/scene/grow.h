@@ -6,6 +6,7 @@
 #include "generator/base/random.h"
 #include "generator/surface/diffusion_surfaces.h"
 #include "generator/template/template.h"
+#include "generator/variation/variation.h"
 
 namespace pomona {
 
@@ -22,6 +23,9 @@ struct GrowOptions {
 /// The template's variant for `key`; with as_drawn the template itself, or its folds repeated in turn, of the ripeness
 /// asked for.
 Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options = {});
+
+/// The same of a template that was made ready for many variants, never as drawn.
+Template variant_of(const Variation& variation, VariantKey key, const GrowOptions& options = {});
 
 /// A grown fruit at the stages of the road.
 struct GrownFruit {

@@ -10,6 +10,7 @@
 
 #include "generator/base/units.h"
 #include "generator/surface/dart_cells.h"
+#include "generator/surface/grid_place.h"
 
 namespace pomona {
 
@@ -87,7 +88,7 @@ class DartThrower {
     std::optional<Dart> dart = dart_at(place, density);
     if (dart) {
       dart->number = n;
-      dart->tangent = across(target.uphill, dart->normal);
+      dart->tangent = unit_across(target.uphill, dart->normal);
     }
     return dart;
   }
@@ -150,15 +151,6 @@ class DartThrower {
                          [&](const Dart& corner) { return is_too_near(known, corner, any_facing); });
     };
     return any_near(dart[0], covers);
-  }
-
-  /// The unit vector across `normal` nearest to `wanted`.
-  static glm::dvec3 across(const glm::dvec3& wanted, const glm::dvec3& normal) {
-    const glm::dvec3 tangent = wanted - glm::dot(wanted, normal) * normal;
-    const double size = glm::length(tangent);
-    if (size > 1e-9 * glm::length(wanted)) return tangent / size;
-    const glm::dvec3 other = std::fabs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    return glm::normalize(glm::cross(normal, other));
   }
 
   bool is_free(const Dart& dart) const {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <glm/common.hpp>
-
 #include "generator/base/reproducible.h"
 
 namespace pomona {
@@ -38,7 +36,7 @@ Color tinted(const Color& color, const GrainTint& tint) {
   for (float step = 0.5f; step >= 1.0f / 4096; step /= 2) {
     if (in_gamut(with_chroma(fits + step))) fits += step;
   }
-  return glm::clamp(with_chroma(fits), Color(0), Color(1));
+  return from_oklab_within_gamut({lightness, a * fits, b * fits});
 }
 
 }  // namespace pomona

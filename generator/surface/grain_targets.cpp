@@ -6,32 +6,17 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/surface/grid_place.h"
+
 namespace pomona {
 
 namespace {
 
 constexpr double least_density = 0.01;
 
-std::vector<glm::dvec3> grid_normals(const SweptGrid& grid) {
-  std::vector<glm::dvec3> normals(grid.position.size(), glm::dvec3(0));
-  for (const glm::uvec3& t : grid.triangle) {
-    const glm::dvec3& a = grid.position[t.x];
-    const glm::dvec3 normal = glm::cross(grid.position[t.y] - a, grid.position[t.z] - a);
-    for (int k = 0; k < 3; ++k) normals[t[k]] += normal;
-  }
-  return normals;
-}
-
 bool in_band(const SweptGrid& grid, const glm::uvec3& t, const GrainGround& ground) {
   const auto [least, most] = std::minmax({grid.along[t.x], grid.along[t.y], grid.along[t.z]});
   return most >= ground.along_from && least <= ground.along_to;
-}
-
-glm::dvec3 uphill(const GrainTarget& target) {
-  const auto& [a, b, c] = target.corner;
-  const glm::dvec3 normal = glm::cross(b.position - a.position, c.position - a.position);
-  return glm::cross(normal, c.position - b.position) * a.along + glm::cross(normal, a.position - c.position) * b.along +
-         glm::cross(normal, b.position - a.position) * c.along;
 }
 
 /// Places around for the corners of one triangle that do not jump where the horizontal curve starts again. Poles lie
@@ -121,7 +106,7 @@ std::vector<GrainTarget> grain_targets(std::span<const SweptGrid> grids, const G
                                        const RandomStream& random) {
   std::vector<GrainTarget> targets;
   for (const SweptGrid& grid : grids) {
-    const std::vector<glm::dvec3> normals = grid_normals(grid);
+    const std::vector<glm::dvec3> normals = summed_normals(grid);
     for (const glm::uvec3& t : grid.triangle) {
       if (!in_band(grid, t, sketch.ground)) continue;
       const std::array<double, 3> around = places_around(grid, t);
@@ -131,7 +116,7 @@ std::vector<GrainTarget> grain_targets(std::span<const SweptGrid> grids, const G
         const auto at = static_cast<std::size_t>(k);
         target.corner[at] = {grid.position[t[k]], normals[t[k]], grid.along[t[k]], around[at], grid.depth[t[k]]};
       }
-      target.uphill = uphill(target);
+      target.uphill = uphill(grid, t);
       targets.push_back(target);
     }
   }

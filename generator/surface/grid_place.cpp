@@ -38,13 +38,18 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y 
 
 }  // namespace
 
-std::vector<glm::dvec3> unit_normals(const SweptGrid& grid) {
+std::vector<glm::dvec3> summed_normals(const SweptGrid& grid) {
   std::vector<glm::dvec3> normals(grid.position.size(), glm::dvec3(0));
   for (const glm::uvec3& t : grid.triangle) {
     const glm::dvec3& a = grid.position[t.x];
     const glm::dvec3 normal = glm::cross(grid.position[t.y] - a, grid.position[t.z] - a);
     for (int k = 0; k < 3; ++k) normals[t[k]] += normal;
   }
+  return normals;
+}
+
+std::vector<glm::dvec3> unit_normals(const SweptGrid& grid) {
+  std::vector<glm::dvec3> normals = summed_normals(grid);
   for (glm::dvec3& normal : normals) {
     const double size = glm::length(normal);
     normal = size > 0 ? normal / size : glm::dvec3(0);

@@ -17,7 +17,10 @@ struct GridPoint {
 /// rim, the nearest there is.
 GridPoint point_at(const SweptGrid& grid, double along, double azimuth);
 
-/// Of the front at every vertex, area-weighted; 0 where no triangle says.
+/// Of the front at every vertex: the sum of its triangles' normals, each as long as twice their area.
+std::vector<glm::dvec3> summed_normals(const SweptGrid& grid);
+
+/// The same of unit length; 0 where no triangle says.
 std::vector<glm::dvec3> unit_normals(const SweptGrid& grid);
 
 /// The unit vector across `normal` that is nearest to `wanted`; any where none is nearer.

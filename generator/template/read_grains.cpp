@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "generator/base/units.h"
@@ -14,14 +16,17 @@ namespace {
 
 constexpr std::size_t most_looks = 8, most_cores = 4;
 
-/// Two numbers of 0..1, if they are given; `wraps` lets the second be the smaller one.
-void read_stretch(const TomlValue& value, double& from, double& to, bool wraps = false) {
-  if (!value.given()) return;
+/// Two numbers of 0..1, all of it if they are not given; `wraps` lets the second be the smaller one.
+std::pair<double, double> read_stretch(const TomlValue& value, bool wraps = false) {
+  if (!value.given()) return {0, 1};
   const std::vector<TomlValue> ends = value.values();
-  if (ends.size() != 2) return value.error("must be two places along the curve, as in [0.2, 0.8]");
-  from = ends[0].number(0, {0, 1});
-  to = ends[1].number(1, {0, 1});
+  if (ends.size() != 2) {
+    value.error("must be two places along the curve, as in [0.2, 0.8]");
+    return {0, 1};
+  }
+  const double from = ends[0].number(0, {0, 1}), to = ends[1].number(1, {0, 1});
   if (from == to || (!wraps && from > to)) value.error("is empty", "write the lower end first");
+  return {from, to};
 }
 
 void read_density(const TomlValue& value, GrainGround& ground) {
@@ -43,10 +48,10 @@ void read_folds(const TomlValue& value, const Template& fruit, GrainGround& grou
 
 GrainGround read_ground(const TomlTable& table, const Template& fruit, const SurfaceSketch* surface) {
   GrainGround ground;
-  read_stretch(table.get("band"), ground.along_from, ground.along_to);
-  read_stretch(table.get("sector"), ground.around_from, ground.around_to, true);
+  std::tie(ground.along_from, ground.along_to) = read_stretch(table.get("band"));
+  std::tie(ground.around_from, ground.around_to) = read_stretch(table.get("sector"), true);
   const TomlValue depth = table.get("depth");
-  read_stretch(depth, ground.depth_from, ground.depth_to);
+  std::tie(ground.depth_from, ground.depth_to) = read_stretch(depth);
   if (depth.given() && surface && surface->type != SurfaceType::in_fold) {
     depth.error("is for surfaces in folds", "around the axis, choose a surface further in or out");
   }

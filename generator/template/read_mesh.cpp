@@ -89,11 +89,8 @@ Side read_mesh_side(const TomlTable& table, const std::vector<std::string>& part
     if (!side.spots.empty()) table.get("spots").error("need a drawn surface", "paint them in the modelling tool");
     return side;
   }
-  Side side;
+  Side side = read_uncolored_side(table, parts);
   side.color.along = Ramp<Color>::constant(Color(0.5f));  // ramps are never empty
-  const TomlValue part = table.need("part");
-  if (!parts.empty()) side.part = part.choice(parts);
-  side.hidden = table.get("hidden").boolean(false);
   return side;
 }
 

@@ -72,11 +72,8 @@ Coat read_coat(const TomlTable& table, const PaintedSurface& surface) {
 }
 
 Side read_any_side(const TomlTable& table, const std::vector<std::string>& parts, const PaintedSurface* surface) {
-  Side side;
-  const TomlValue part = table.need("part");
-  if (!parts.empty()) side.part = part.choice(parts);  // with none known, that is the one mistake to report
+  Side side = read_uncolored_side(table, parts);
   side.color = read_painted_color(table.need("color"), surface);
-  side.hidden = table.get("hidden").boolean(false);
   return side;
 }
 
@@ -91,6 +88,14 @@ PaintedBlur read_painted_blur(const TomlValue& value) {
   blur.around = read_ramp<double>(table.get("around"), 1.0, read_share);
   blur.turn = read_turn<double>(table.get("turn"), 1.0, read_share);
   return blur;
+}
+
+Side read_uncolored_side(const TomlTable& table, const std::vector<std::string>& parts) {
+  Side side;
+  const TomlValue part = table.need("part");
+  if (!parts.empty()) side.part = part.choice(parts);  // with none known, that is the one mistake to report
+  side.hidden = table.get("hidden").boolean(false);
+  return side;
 }
 
 Side read_side(const TomlTable& table, const std::vector<std::string>& parts) {

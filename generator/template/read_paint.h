@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/template/read_stops.h"
 #include "generator/template/template.h"
 #include "generator/template/toml_document.h"
 
@@ -14,18 +15,10 @@ namespace pomona {
 template <typename Value, typename Read>
 Ramp<Value> read_ramp(const TomlValue& value, const Value& fallback, Read read) {
   if (!value.is(TomlNode::Kind::array)) return Ramp<Value>::constant(value.given() ? read(value) : fallback);
-  Ramp<Value> ramp;
-  for (const TomlValue& stop : value.values()) {
-    const std::vector<TomlValue> pair = stop.values();
-    if (pair.size() != 2) {
-      stop.error("is not a stop", "write [place, value] with a place from 0 to 1, as in [0.4, ...]");
-      continue;
-    }
-    const double at = pair[0].number(0, {0, 1});
-    if (!ramp.stops.empty() && at <= ramp.stops.back().at) pair[0].error("does not ascend", "sort the stops");
-    ramp.stops.push_back({at, read(pair[1])});
-  }
-  if (value.values().empty()) value.error("has no stops", "write at least one, as in [[0.0, ...]]");
+  const auto place = [](const TomlValue& at) { return at.number(0, {0, 1}); };
+  const Ramp<Value> ramp{read_stops<Value>(value, place, read,
+                                           {.one = "write [place, value] with a place from 0 to 1, as in [0.4, ...]",
+                                            .all = "write at least one, as in [[0.0, ...]]"})};
   return ramp.stops.empty() ? Ramp<Value>::constant(fallback) : ramp;
 }
 
@@ -54,6 +47,9 @@ PaintedBlur read_painted_blur(const TomlValue& value);
 /// { along = ..., around = ... }. `sample` and `stops` say where `pomona sketch --sample` took the colours along;
 /// here they are only checked.
 Side read_side(const TomlTable& table, const std::vector<std::string>& parts);
+
+/// Part and `hidden` alone, for what brings its colours along.
+Side read_uncolored_side(const TomlTable& table, const std::vector<std::string>& parts);
 
 /// The colour of such a side alone.
 PaintedColor read_painted_color(const TomlValue& value);

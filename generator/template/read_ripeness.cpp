@@ -18,18 +18,11 @@ constexpr double most_color_variation = 0.2;
 /// A number, or stops [["0mm", number], ["8mm", number], ...] by the depth below the skin.
 Ramp<double> read_depth_ramp(const TomlValue& value, double fallback, Within within) {
   if (!value.is(TomlNode::Kind::array)) return Ramp<double>::constant(value.number(fallback, within));
-  Ramp<double> ramp;
-  for (const TomlValue& stop : value.values()) {
-    const std::vector<TomlValue> pair = stop.values();
-    if (pair.size() != 2) {
-      stop.error("is not a stop", "write [depth, value], as in [\"3mm\", ...]");
-      continue;
-    }
-    const double at = pair[0].length(0, deep);
-    if (!ramp.stops.empty() && at <= ramp.stops.back().at) pair[0].error("does not ascend", "sort the stops");
-    ramp.stops.push_back({at, pair[1].number(fallback, within)});
-  }
-  if (value.values().empty()) value.error("has no stops", "write at least one, as in [[\"0mm\", ...]]");
+  const auto depth = [](const TomlValue& at) { return at.length(0, deep); };
+  const auto number = [&](const TomlValue& stop) { return stop.number(fallback, within); };
+  const Ramp<double> ramp{read_stops<double>(
+      value, depth, number,
+      {.one = "write [depth, value], as in [\"3mm\", ...]", .all = "write at least one, as in [[\"0mm\", ...]]"})};
   return ramp.stops.empty() ? Ramp<double>::constant(fallback) : ramp;
 }
 
@@ -46,21 +39,16 @@ int read_part(const TomlTable& table, const Template& fruit, std::vector<int>& k
 
 /// Stops [[0.0, "#5f8f3a"], [0.6, "#d58a3c"], [2.0, "#9c1010"]]; 1 is the drawn colour and not to be given.
 std::vector<Ramp<Color>::Stop> read_ripe_colors(const TomlValue& value) {
-  std::vector<Ramp<Color>::Stop> stops;
-  const std::vector<TomlValue> values = value.values();
-  for (const TomlValue& stop : values) {
-    const std::vector<TomlValue> pair = stop.values();
-    if (pair.size() != 2) {
-      stop.error("is not a stop", "write [ripeness, \"#rrggbb\"] with a ripeness from 0 to 2");
-      continue;
-    }
-    const double at = pair[0].number(0, {0, 2});
-    if (at == 1) pair[0].error("is the drawn colour", "leave it out: at ripeness 1 the fruit is as drawn");
-    if (!stops.empty() && at <= stops.back().at) pair[0].error("does not ascend", "sort the stops");
-    stops.push_back({at, pair[1].color()});
-  }
-  if (value.is(TomlNode::Kind::array) && values.empty()) value.error("has no stops", "write at least one");
-  if (values.size() > most_stops) value.error("has more than " + std::to_string(most_stops) + " stops");
+  const auto ripeness = [](const TomlValue& given) {
+    const double at = given.number(0, {0, 2});
+    if (at == 1) given.error("is the drawn colour", "leave it out: at ripeness 1 the fruit is as drawn");
+    return at;
+  };
+  const auto color = [](const TomlValue& stop) { return stop.color(); };
+  const std::vector<Ramp<Color>::Stop> stops = read_stops<Color>(
+      value, ripeness, color,
+      {.one = "write [ripeness, \"#rrggbb\"] with a ripeness from 0 to 2", .all = "write at least one"});
+  if (stops.size() > most_stops) value.error("has more than " + std::to_string(most_stops) + " stops");
   return stops;
 }
 

@@ -4,13 +4,11 @@
 #include <string>
 
 #include "generator/base/error.h"
+#include "generator/variation/clipped_normal.h"
 
 namespace pomona {
 
 namespace {
-
-/// A normal draw within two standard deviations.
-double clipped_normal(const RandomStream& random, std::uint64_t n) { return std::clamp(random.normal(n), -2.0, 2.0); }
 
 /// The change that three draws make. For a colour of chroma 0.25 all three are as long.
 ColorShift drawn_shift(const RandomStream& random, double deviation) {

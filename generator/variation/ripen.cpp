@@ -4,8 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include <glm/common.hpp>
-
 #include "generator/base/gradient_noise.h"
 #include "generator/base/parallel.h"
 #include "generator/base/reproducible.h"
@@ -13,8 +11,6 @@
 namespace pomona {
 
 namespace {
-
-Color within_gamut(const glm::dvec3& lab) { return glm::clamp(from_oklab(glm::vec3(lab)), Color(0.0f), Color(1.0f)); }
 
 bool is_none(const ColorShift& shift) { return shift.lightness == 0 && shift.chroma == 1 && shift.hue == 0; }
 
@@ -138,7 +134,7 @@ class Ripener {
     const glm::dvec3 drawn = to_oklab(color);
     const glm::dvec3 lab = ripeness != 1 ? (*ripening)(drawn, ripeness) : drawn;
     if (lab == drawn && is_none(shift)) return color;
-    return within_gamut(is_none(shift) ? lab : shifted(lab, shift));
+    return from_oklab_within_gamut(glm::vec3(is_none(shift) ? lab : shifted(lab, shift)));
   }
 
   DiffusionSurfaces surfaces_;

@@ -1,6 +1,7 @@
 // A template made ready to be varied many times.
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -23,6 +24,8 @@ class Variation {
   /// \throws Error (bad_data) if the drawing cannot be swept.
   explicit Variation(const Template& fruit);
 
+  const Template& drawn() const { return fruit_; }
+
   /// \throws Error (usage) as vary() does.
   Variant draw(VariantKey key, const VariationOptions& options = {}) const;
 
@@ -32,7 +35,7 @@ class Variation {
   Template with_varied_body(const Template& variant, VariantKey key, const VariationOptions& options) const;
 
   Template fruit_;
-  SweptCheck swept_;
+  std::optional<SweptCheck> swept_;  ///< none without symmetry: then nothing varies
   std::variant<std::monostate, LoopVariation, FoldVariation> curves_;
 };
 

@@ -24,15 +24,22 @@ void check_folds(const Template& fruit, int folds) {
   }
 }
 
-std::variant<std::monostate, LoopVariation, FoldVariation> curves_of(const Template& fruit) {
-  if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) return LoopVariation(fruit);
-  if (std::holds_alternative<FoldSymmetry>(fruit.symmetry)) return FoldVariation(fruit);
-  return {};
+std::optional<SweptCheck> swept_check_of(const Template& fruit) {
+  if (std::holds_alternative<NoSymmetry>(fruit.symmetry)) return {};
+  return SweptCheck(fruit);
+}
+
+std::variant<std::monostate, LoopVariation, FoldVariation> curves_of(const Template& fruit,
+                                                                     const std::optional<SweptCheck>& swept) {
+  if (!swept) return {};
+  if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) return LoopVariation(fruit, *swept);
+  return FoldVariation(fruit, *swept);
 }
 
 }  // namespace
 
-Variation::Variation(const Template& fruit) : fruit_(fruit), swept_(fruit), curves_(curves_of(fruit)) {}
+Variation::Variation(const Template& fruit)
+    : fruit_(fruit), swept_(swept_check_of(fruit)), curves_(curves_of(fruit, swept_)) {}
 
 Variant Variation::draw(VariantKey key, const VariationOptions& options) const {
   if (!(options.amount >= 0 && options.amount <= 2)) {
@@ -51,7 +58,7 @@ Template Variation::with_varied_body(const Template& variant, VariantKey key, co
   // drawing.
   for (double share = 1; share > 0.3; share *= 0.7) {
     Template body = gently_bent(vary_body(variant, key, share * options.amount), fruit_);
-    if (!swept_.crosses_anew(body)) return body;
+    if (!swept_->crosses_anew(body)) return body;
   }
   return gently_bent(variant, fruit_);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "generator/base/units.h"
 #include "generator/variation/fold_blend.h"
@@ -10,7 +11,6 @@
 #include "generator/variation/fold_form.h"
 #include "generator/variation/fold_room.h"
 #include "generator/variation/fold_samples.h"
-#include "generator/variation/swept_check.h"
 
 namespace pomona {
 
@@ -129,7 +129,7 @@ struct Requirements {
   SweptCheck swept;
   std::vector<FoldForm> forms;  ///< for each of Drawing::samples
 
-  explicit Requirements(const Drawing& drawing) : room(drawing.fruit), swept(drawing.fruit) {
+  Requirements(const Drawing& drawing, SweptCheck check) : room(drawing.fruit), swept(std::move(check)) {
     for (const FoldSamples& samples : drawing.samples) forms.emplace_back(samples);
   }
 
@@ -179,10 +179,11 @@ struct FoldVariation::Prepared {
   Drawing drawing;
   Requirements requirements;
 
-  explicit Prepared(const Template& fruit) : drawing(fruit), requirements(drawing) {}
+  Prepared(const Template& fruit, SweptCheck swept) : drawing(fruit), requirements(drawing, std::move(swept)) {}
 };
 
-FoldVariation::FoldVariation(const Template& fruit) : prepared_(std::make_shared<Prepared>(fruit)) {}
+FoldVariation::FoldVariation(const Template& fruit, SweptCheck swept)
+    : prepared_(std::make_shared<Prepared>(fruit, std::move(swept))) {}
 
 FoldVariant FoldVariation::draw(VariantKey key, double amount, int folds) const {
   // Draw once; then only ever step towards the drawing, so that there is an end.
@@ -198,10 +199,6 @@ FoldVariant FoldVariation::draw(VariantKey key, double amount, int folds) const 
   FoldVariant variant{std::move(result.fruit), {}};
   for (std::size_t k = 0; k < draws.size(); ++k) variant.folds.push_back({draws[k].rung, sound[k]});
   return variant;
-}
-
-FoldVariant vary_folds(const Template& fruit, VariantKey key, double amount, int folds) {
-  return FoldVariation(fruit).draw(key, amount, folds);
 }
 
 Template repeat_folds(const Template& fruit, int folds) {

@@ -6,6 +6,7 @@
 
 #include "generator/base/random.h"
 #include "generator/template/template.h"
+#include "generator/variation/swept_check.h"
 
 namespace pomona {
 
@@ -26,7 +27,10 @@ struct FoldVariant {
 class FoldVariation {
  public:
   /// \throws Error (bad_data) if the drawing cannot be swept.
-  explicit FoldVariation(const Template& fruit);
+  explicit FoldVariation(const Template& fruit) : FoldVariation(fruit, SweptCheck(fruit)) {}
+
+  /// `swept` is the drawing's, where that has been looked at before.
+  FoldVariation(const Template& fruit, SweptCheck swept);
 
   /// One set of weights per fold serves everything in it, so that a chamber follows the wall around it. Below amount 1
   /// a fold is a mixture of the drawn one (in turn, if there are more or fewer folds than drawn) and the blend.
@@ -36,9 +40,6 @@ class FoldVariation {
   struct Prepared;
   std::shared_ptr<const Prepared> prepared_;
 };
-
-/// One variant of one template.
-FoldVariant vary_folds(const Template& fruit, VariantKey key, double amount, int folds);
 
 /// The drawn folds in turn.
 Template repeat_folds(const Template& fruit, int folds);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -11,7 +12,6 @@
 #include "generator/base/units.h"
 #include "generator/variation/layers.h"
 #include "generator/variation/polar_curve.h"
-#include "generator/variation/swept_check.h"
 #include "generator/variation/texture_synthesis.h"
 
 namespace pomona {
@@ -227,8 +227,8 @@ struct LoopVariation::Prepared {
   SweptCheck swept;
   std::optional<LoopBundle> drawn;  ///< nothing if no loop varies
 
-  explicit Prepared(const Template& drawing)
-      : fruit(drawing), layers(layers_of(fruit)), fixed(fixed_layers(fruit, layers)), swept(fruit) {
+  Prepared(const Template& drawing, SweptCheck check)
+      : fruit(drawing), layers(layers_of(fruit)), fixed(fixed_layers(fruit, layers)), swept(std::move(check)) {
     // Take the loops that vary, outermost first.
     std::vector<Curve> loops;
     for (std::size_t i = 0; i < fixed.size(); ++i) {
@@ -244,7 +244,8 @@ struct LoopVariation::Prepared {
   }
 };
 
-LoopVariation::LoopVariation(const Template& fruit) : prepared_(std::make_shared<Prepared>(fruit)) {}
+LoopVariation::LoopVariation(const Template& fruit, SweptCheck swept)
+    : prepared_(std::make_shared<Prepared>(fruit, std::move(swept))) {}
 
 Template LoopVariation::draw(VariantKey key, double amount) const {
   const Prepared& p = *prepared_;
@@ -258,10 +259,6 @@ Template LoopVariation::draw(VariantKey key, double amount) const {
     if (simple && p.swept.new_crossings(variant).empty()) return variant;
   }
   return p.synthesis(key, 0);
-}
-
-Template vary_loops(const Template& fruit, VariantKey key, double amount) {
-  return LoopVariation(fruit).draw(key, amount);
 }
 
 }  // namespace pomona

@@ -5,6 +5,7 @@
 
 #include "generator/base/random.h"
 #include "generator/template/template.h"
+#include "generator/variation/swept_check.h"
 
 namespace pomona {
 
@@ -12,7 +13,10 @@ namespace pomona {
 class LoopVariation {
  public:
   /// \throws Error (bad_data) if the drawing cannot be swept.
-  explicit LoopVariation(const Template& fruit);
+  explicit LoopVariation(const Template& fruit) : LoopVariation(fruit, SweptCheck(fruit)) {}
+
+  /// `swept` is the drawing's, where that has been looked at before.
+  LoopVariation(const Template& fruit, SweptCheck swept);
 
   /// Every loop around the axis that varies is taken apart with the others and put together anew by one map
   /// [De Bonet 1997], so that layers keep following each other; then layers that would cross are drawn
@@ -23,8 +27,5 @@ class LoopVariation {
   struct Prepared;
   std::shared_ptr<const Prepared> prepared_;
 };
-
-/// One variant of one template.
-Template vary_loops(const Template& fruit, VariantKey key, double amount);
 
 }  // namespace pomona

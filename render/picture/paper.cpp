@@ -1,7 +1,5 @@
 #include "render/picture/paper.h"
 
-#include <glm/common.hpp>
-
 #include "render/style/noise.h"
 
 namespace pomona {
@@ -15,7 +13,7 @@ Color Paper::at(int x, int y) const {
   const double tooth = gradient_noise({x / 1.9, y / 1.9, 0.5}, 201);
   const double fleck = gradient_noise({(x + y) / 9.0, (x - y) / 3.7, 0.5}, 202);
   const auto lightness = static_cast<float>(grain_ * (0.9 * tooth + 0.7 * fleck));
-  return glm::clamp(from_oklab(lab_ + glm::vec3(lightness, 0, 0)), 0.0f, 1.0f);
+  return from_oklab_within_gamut(lab_ + glm::vec3(lightness, 0, 0));
 }
 
 }  // namespace pomona

@@ -63,23 +63,13 @@ std::string message_of(const std::function<void()>& run) {
   return "no error";
 }
 
-/// The volume that the triangles enclose; positive if fronts are outside.
-double volume_of(const DiffusionSurfaces& surfaces) {
-  double volume = 0;
-  for (const glm::uvec3& t : surfaces.triangle) {
-    const glm::dvec3 a(surfaces.position[t.x]), b(surfaces.position[t.y]), c(surfaces.position[t.z]);
-    volume += glm::dot(a, glm::cross(b, c)) / 6;
-  }
-  return volume;
-}
-
 // ---- Doors ----
 
 TEST(Mesh, ObjAndGlbGiveTheSameClosedSkin) {
   for (const MeshSketch& mesh : {sketch_of(MeshFormat::obj, cube_obj()), sketch_of(MeshFormat::glb, cube_glb())}) {
     const DiffusionSurfaces cube = sweep(fruit_of({mesh}));
     EXPECT_EQ(cube.triangle_count(), 12u);
-    EXPECT_DOUBLE_EQ(volume_of(cube), 8.0);
+    EXPECT_DOUBLE_EQ(shapes::signed_volume(cube), 8.0);
     EXPECT_EQ(cube.surface_names, std::vector<std::string>{"cube"});
     EXPECT_EQ(cube.part_names, (std::vector<std::string>{"skin", "flesh"}));
     EXPECT_TRUE(find_bodies(cube).warnings.empty());

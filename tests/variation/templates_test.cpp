@@ -98,7 +98,8 @@ TEST(FoldVariation, KeepsSurfacesFromCrossingByAFacet) {
     const Template fruit = drawn(name);
     const DiffusionSurfaces as_drawn = sweep(fruit);
     const std::set<CrossingKind> crossings = kinds_of(as_drawn, crossing_triangles(as_drawn));
-    const FoldVariant variant = vary_folds(fruit, {static_cast<std::uint64_t>(seed), 0}, amount, fold_count(fruit));
+    const FoldVariant variant =
+        FoldVariation(fruit).draw({static_cast<std::uint64_t>(seed), 0}, amount, fold_count(fruit));
     const DiffusionSurfaces swept = sweep(variant.fruit);
     for (const CrossingKind& kind : kinds_of(swept, crossing_triangles(swept))) EXPECT_TRUE(crossings.contains(kind));
   }

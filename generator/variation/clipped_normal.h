@@ -1,0 +1,15 @@
+// How far individuals stray.
+#pragma once
+
+#include <algorithm>
+
+#include "generator/base/random.h"
+
+namespace pomona {
+
+/// The n-th normal number of the stream, kept within two standard deviations: no individual is a freak.
+inline double clipped_normal(const RandomStream& random, std::uint64_t n) {
+  return std::clamp(random.normal(n), -2.0, 2.0);
+}
+
+}  // namespace pomona
