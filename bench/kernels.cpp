@@ -5,10 +5,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include "generator/base/morton.h"
 #include "generator/diffusion/cube_pmvc.h"
 #include "generator/diffusion/group_boxes.h"
 #include "generator/diffusion/line_sweep.h"
-#include "generator/diffusion/morton.h"
 #include "generator/diffusion/nearest_side.h"
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "generator/diffusion/relaxed_lines.h"

@@ -7,24 +7,17 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/surface/float_box.h"
+
 namespace pomona {
 
 namespace {
-
-struct FloatBox {
-  glm::vec3 low{std::numeric_limits<float>::infinity()};
-  glm::vec3 high{-std::numeric_limits<float>::infinity()};
-  void include(const glm::vec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-};
 
 FloatBox box_of(const TriangleGroup& group) {
   FloatBox box;
   for (int i = 0; i < TriangleGroup::size; ++i) {
     for (int k = 0; k < 3; ++k) {
-      box.include({group.corner[3 * k][i], group.corner[3 * k + 1][i], group.corner[3 * k + 2][i]});
+      box.add({group.corner[3 * k][i], group.corner[3 * k + 1][i], group.corner[3 * k + 2][i]});
     }
   }
   return box;
@@ -35,7 +28,7 @@ std::vector<FloatBox> boxes_of(std::span<const glm::vec3> points) {
   constexpr std::size_t most_boxes = 64;
   const std::size_t run = (points.size() + most_boxes - 1) / most_boxes;
   std::vector<FloatBox> boxes((points.size() + run - 1) / run);
-  for (std::size_t i = 0; i < points.size(); ++i) boxes[i / run].include(points[i]);
+  for (std::size_t i = 0; i < points.size(); ++i) boxes[i / run].add(points[i]);
   return boxes;
 }
 

@@ -6,10 +6,10 @@
 #include <glm/vec4.hpp>
 
 #include "generator/base/color.h"
+#include "generator/base/morton.h"
 #include "generator/base/units.h"
 #include "generator/diffusion/group_boxes.h"
 #include "generator/diffusion/line_sweep.h"
-#include "generator/diffusion/morton.h"
 
 namespace pomona {
 

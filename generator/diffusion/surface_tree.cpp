@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
-#include "generator/diffusion/morton.h"
+#include "generator/base/morton.h"
 
 namespace pomona {
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include <glm/ext/vector_int3_sized.hpp>
+#include <glm/geometric.hpp>
 
 #include "generator/base/disjoint_sets.h"
 #include "generator/surface/meeting_boxes.h"
@@ -38,6 +39,12 @@ std::vector<GridPoint> on_grid(const DiffusionSurfaces& surfaces) {
 /// On which side of the triangle a point lies: 1, 0 or -1.
 int side_of(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& p) {
   const GridPoint u = b - a, v = c - a, w = p - a;
+
+  // In doubles first: differences are exact, and all rounding after them stays below 2^42.
+  const glm::dvec3 du(u), dv(v), dw(w);
+  const double estimate = glm::dot(glm::cross(du, dv), dw);
+  if (std::abs(estimate) > 0x1p44) return estimate > 0 ? 1 : -1;
+
   const Wide volume = static_cast<Wide>(u.y * v.z - u.z * v.y) * w.x + static_cast<Wide>(u.z * v.x - u.x * v.z) * w.y +
                       static_cast<Wide>(u.x * v.y - u.y * v.x) * w.z;
   return volume > 0 ? 1 : (volume < 0 ? -1 : 0);

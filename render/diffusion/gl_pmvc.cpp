@@ -6,8 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include "generator/base/morton.h"
 #include "generator/base/units.h"
-#include "generator/diffusion/morton.h"
 
 namespace pomona {
 

@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 
 #include "generator/diffusion/used_parts.h"
+#include "generator/surface/float_box.h"
 
 namespace pomona {
 
@@ -21,23 +22,10 @@ constexpr std::size_t most_in_leaf = 4;
 /// Boxes are this much larger than what they hold, normalised: more than what rounding does to a crossing.
 constexpr float slack = 0x1p-19f;
 
-struct FloatBox {
-  glm::vec3 low{std::numeric_limits<float>::max()};
-  glm::vec3 high{std::numeric_limits<float>::lowest()};
-
-  void grow(const glm::vec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  void grow(const FloatBox& other) {
-    low = glm::min(low, other.low);
-    high = glm::max(high, other.high);
-  }
-  float half_area() const {
-    const glm::vec3 size = high - low;
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-  }
-};
+float half_area(const FloatBox& box) {
+  const glm::vec3 size = box.high - box.low;
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
 
 /// A triangle on its way into the tree.
 struct Placed {
@@ -58,7 +46,7 @@ int levels_for(std::size_t count) {
 
 FloatBox bounds(std::span<const Placed> part) {
   FloatBox box;
-  for (const Placed& p : part) box.grow(p.box);
+  for (const Placed& p : part) box.add(p.box);
   return box;
 }
 
@@ -75,7 +63,7 @@ class Bins {
       : axis_(axis), low_(box.low[axis]), per_length_(bins * 0.9999f / (box.high[axis] - box.low[axis])) {
     for (const Placed& p : part) {
       const auto bin = static_cast<std::size_t>(bin_of(p));
-      box_[bin].grow(p.box);
+      box_[bin].add(p.box);
       ++count_[bin];
     }
   }
@@ -92,7 +80,7 @@ class Bins {
         after[border] = after[border + 1];
         count_after[border] = count_after[border + 1];
       }
-      after[border].grow(box_[border]);
+      after[border].add(box_[border]);
       count_after[border] += count_[border];
     }
 
@@ -101,11 +89,11 @@ class Bins {
     FloatBox before;
     std::size_t count = 0;
     for (std::size_t border = 1; border < bins; ++border) {
-      before.grow(box_[border - 1]);
+      before.add(box_[border - 1]);
       count += count_[border - 1];
       if (count == 0 || count_after[border] == 0) continue;
-      const float cost = before.half_area() * static_cast<float>(count) +
-                         after[border].half_area() * static_cast<float>(count_after[border]);
+      const float cost = half_area(before) * static_cast<float>(count) +
+                         half_area(after[border]) * static_cast<float>(count_after[border]);
       if (cost >= least) continue;
       least = cost;
       best = {static_cast<int>(border), {count, before, after[border]}};
@@ -193,7 +181,7 @@ std::vector<Placed> placed_triangles(const DiffusionSurfaces& surfaces, const Su
   for (std::size_t i = 0; i < placed.size(); ++i) {
     placed[i].triangle = tree.order[i];
     const glm::uvec3& corner = surfaces.triangle[tree.order[i]];
-    for (int k = 0; k < 3; ++k) placed[i].box.grow(positions[corner[k]]);
+    for (int k = 0; k < 3; ++k) placed[i].box.add(positions[corner[k]]);
     placed[i].middle = 0.5f * (placed[i].box.low + placed[i].box.high);
   }
   return placed;

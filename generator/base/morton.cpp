@@ -1,4 +1,4 @@
-#include "generator/diffusion/morton.h"
+#include "generator/base/morton.h"
 
 #include <algorithm>
 #include <array>
