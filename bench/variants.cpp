@@ -1,6 +1,6 @@
 // Variants by the thousand: whether anything crosses, stays open or is connected otherwise; whether folds and loops are
 // drawn as the sample says; how unlike each other variants are. docs/variation.md shows what it prints.
-//   variants [FRUIT...] [--count N] [--out FILE] [--json FILE] [--threads N]
+//   variants [FRUIT...] [--count N] [--natural] [--out FILE] [--json FILE] [--threads N]
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -32,6 +32,7 @@ using Json = nlohmann::ordered_json;
 struct Options {
   std::vector<std::string> fruits;
   int count = 1000;
+  bool natural_only = false;
   std::string out, json;
   int threads = 0;
 };
@@ -143,8 +144,9 @@ Json measured(const std::string& name, const Template& fruit, const VariantSetti
 }
 
 /// Natural, wild, and with other folds than drawn. Nothing where all variants are alike.
-std::vector<VariantSettings> settings_for(const Template& fruit, int count) {
+std::vector<VariantSettings> settings_for(const Template& fruit, int count, bool natural_only) {
   if (std::holds_alternative<NoSymmetry>(fruit.symmetry)) return {};
+  if (natural_only) return {{count, {.amount = 1}}};
   const int some = std::max(2, count / 5), few = std::max(2, count / 10);
   std::vector<VariantSettings> all = {{count, {.amount = 1}}, {some, {.amount = 2}}};
   if (std::holds_alternative<FoldSymmetry>(fruit.symmetry)) {
@@ -277,7 +279,7 @@ int make_report(const Options& options) {
   const std::vector<std::string> names = fruit_names(options.fruits);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Template fruit = read_template(template_path(names[i]));
-    for (const VariantSettings& settings : settings_for(fruit, options.count)) {
+    for (const VariantSettings& settings : settings_for(fruit, options.count, options.natural_only)) {
       const auto same = [&](const Json& row) { return is_of(row, names[i], settings); };
       const auto found = std::find_if(known.begin(), known.end(), same);
       rows.push_back(found != known.end() ? *found : measured(names[i], fruit, settings, {options.threads}));
@@ -302,6 +304,7 @@ int main(int argc, char** argv) {
   app.add_option("--count", options.count, "Variants of each; a fifth of them wild, a tenth with other folds")
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
+  app.add_flag("--natural", options.natural_only, "No wild ones, and none with other folds");
   app.add_option("--out", options.out, "Write the tables to this file too");
   app.add_option("--json", options.json, "Write the figures to this file as JSON; lines already there are kept");
   app.add_option("--threads", options.threads, "0 = all there are")->capture_default_str();

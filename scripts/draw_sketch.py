@@ -1,10 +1,9 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws a sketch with the names of its curves beside them, as docs/make_a_fruit.md shows them.
 
     draw_sketch.py templates/lemon.svg docs/pictures/sketch_lemon.png
 
-Needs rsvg-convert (Debian: librsvg2-bin). Reads the sketches of this project: path data with capital letters, and no
-transforms but those of pictures.
+Needs rsvg-convert and svgelements (Debian: librsvg2-bin, python3-svgelements).
 """
 
 import pathlib
@@ -13,31 +12,37 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 
+from svgelements import Matrix
+from svgelements import Path as SketchedPath
+
 SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+DRAWN = {SVG + "path", SVG + "circle"}
 LINE = 6.0  # height of a line of names, millimetres
+ROOM = 24
 
 
-def points_of(element):
-    """The nodes of a path, or the middle of a circle."""
+def points_of(element, place):
+    """The nodes of a path, or the middle of a circle, on the page; `place` is the transform of what holds it."""
+    place = Matrix(element.get("transform", "")) * place
     if element.tag == SVG + "circle":
-        return [(float(element.get("cx")), float(element.get("cy")))]
-    path = element.get("d", "")
-    if re.search("[a-df-y]", path):
-        sys.exit(f"draw_sketch.py: {element.get(LABEL)}: has relative path data")
-    numbers = [float(word) for word in re.findall(r"-?\d*\.?\d+(?:e-?\d+)?", path)]
-    return list(zip(numbers[::2], numbers[1::2]))
+        return [tuple(place.point_in_matrix_space((float(element.get("cx", 0)), float(element.get("cy", 0)))))]
+    path = abs(SketchedPath(element.get("d", "")) * place)
+    return [tuple(segment.end) for segment in path if segment.end is not None]
 
 
 def named_curves(view):
     """(name, colour, points) of what has a name in a layer; groups count as one."""
+    layer = Matrix(view.get("transform", ""))
     for element in view:
         name = element.get(LABEL)
         if element.tag == SVG + "image" or not name:
             continue
-        inside = element if element.tag == SVG + "g" else [element]
+        group = element.tag == SVG + "g"
+        inside = [e for e in element if e.tag in DRAWN] if group else [element]
+        place = Matrix(element.get("transform", "")) * layer if group else layer
         color = re.search(r"(?:stroke|fill):(#\w+)", " ".join(e.get("style", "") for e in inside))
-        yield name, color.group(1) if color else "#000000", [points_of(e) for e in inside]
+        yield name, color.group(1) if color else "#000000", [points_of(e, place) for e in inside]
 
 
 def text(parent, place, words, color, anchor="start"):
@@ -53,7 +58,7 @@ def leader(parent, from_, to, color):
 
 def name_guides(parent, curves):
     """The axis, fold lines and the scale carry their names at their ends."""
-    folds = {name: lines[0] for name, _, lines in curves if name.startswith("fold ")}
+    folds = {name: lines[0][:2] for name, _, lines in curves if name.startswith("fold ") and len(lines[0]) > 1}
     for name, (inner, outer) in folds.items():
         out = [outer[i] + 0.08 * (outer[i] - inner[i]) for i in (0, 1)]
         text(parent, (out[0], out[1] + 1.5), name, "#0050ff", "middle")
@@ -66,7 +71,7 @@ def name_guides(parent, curves):
 
 
 def name_curves(parent, curves, right):
-    """All others have a line to their name, in a column at the right."""
+    """All others have a line to their name, in a column at the right, of which the end is returned."""
     marks = []
     for name, color, lines in curves:
         if name.startswith(("fold ", "scale")) or (name == "axis" and len(lines[0]) > 1):
@@ -77,6 +82,7 @@ def name_curves(parent, curves, right):
         y = max(y + LINE, at[1] - 6)
         leader(parent, at, (right, y), color)
         text(parent, (right + 1, y + 1.4), name, "#303030")
+    return [(right, y)]
 
 
 def show_only(page, points):
@@ -96,13 +102,15 @@ def main(svg, png):
     names = ElementTree.Element(SVG + "g")
     points = []
     for view in page.findall(SVG + "g"):
+        if view.get(LABEL) == "top view":  # room for the names of the side view's curves
+            view.set("transform", f"translate({ROOM}, 0) " + view.get("transform", ""))
         curves = list(named_curves(view))
         if view.get(LABEL) not in ("side view", "top view") or not curves:
             continue
         points += [p for _, _, lines in curves for line in lines for p in line]
         right = max(p[0] for _, _, lines in curves for line in lines for p in line) + 14
         name_guides(names, curves)
-        name_curves(names, curves, right)
+        points += name_curves(names, curves, right)
     page.append(names)
     show_only(page, points)
     command = ["rsvg-convert", "--zoom", "0.85", "--background-color", "white", "-o", png]

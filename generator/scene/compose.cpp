@@ -242,6 +242,7 @@ std::vector<Pose> settled_poses(const SceneDescription& scene, const SceneParts&
   SettleOptions how;
   how.seed = scene.seed;
   how.fill = scene.fill;
+  how.spread = scene.spread;
   how.around = scene.around;
   how.attempts = scene.attempts;
   how.pile.friction = scene.friction;

@@ -178,6 +178,7 @@ class SceneReader {
   void read_settling(const TomlTable& table) {
     scene_.friction = table.get("friction").number(scene_.friction, {0, 2});
     scene_.fill = table.get("fill").number(scene_.fill, {0.1, 1});
+    scene_.spread = table.get("spread").length(scene_.spread, {1e-3, 10});
     scene_.around = table.get("around").number(scene_.around, {1, 10});
     scene_.attempts = table.get("attempts").integer(scene_.attempts, 1, 20);
   }

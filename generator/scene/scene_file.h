@@ -61,6 +61,7 @@ struct SceneDescription {
   SourcePlace layout_place;
   double friction = 0.6;
   double fill = 0.92;   ///< see SettleOptions
+  double spread = 0;    ///< see SettleOptions
   double around = 1.8;  ///< see SettleOptions
   int attempts = 5;
 };

@@ -202,7 +202,8 @@ class Settling {
   DropSpace drop_space() const {
     double widest = 0;
     for (const SettleItem& item : items_) widest = std::max(widest, shape(item).radius);
-    const double open = table_.rim_height > 0 ? options_.fill * table_.rim_radius : 4 * widest;
+    const double spread = options_.spread > 0 ? options_.spread : 4 * widest;
+    const double open = table_.rim_height > 0 ? options_.fill * table_.rim_radius : spread;
     return {open, table_.rim_height, options_.around * std::max(table_.rim_radius, 2 * widest)};
   }
 

@@ -29,6 +29,7 @@ struct SettleOptions {
   double most_gap = 0.02;          ///< shares of a piece's size, the diagonal of its box:
   double most_penetration = 0.02;  ///< what a settled piece may have, measured on the real meshes
   double fill = 0.92;              ///< share of the rim's radius into which pieces are dropped
+  double spread = 0;               ///< metres: without a bowl, drops within so far of the axis; 0 = 4 times the widest
   double around = 1.8;             ///< pieces beside the bowl lie within this many of its radii
   int attempts = 5;                ///< each with another draw, until all pieces fit
   ConvexPartsOptions parts{};

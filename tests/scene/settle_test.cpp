@@ -1,5 +1,8 @@
 #include "generator/scene/settle.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,6 +40,19 @@ TEST(Settle, ABallOnTheGroundLiesOnIt) {
   const std::vector<Solid> solids{heap_shapes::ball(0.02)};
   const Settled settled = settle(solids, repeated(1, 1), nullptr);
   EXPECT_NEAR(settled.poses[0].translation.y, 0.02, 0.0008);
+}
+
+TEST(Settle, WithoutABowlPiecesFallWhereTheyAreLetFall) {
+  const std::vector<Solid> solids{heap_shapes::wedge(0.02, 60)};
+  const auto furthest = [&](double spread) {
+    double most = 0;
+    for (const Pose& pose : settle(solids, repeated(1, 8), nullptr, {.spread = spread}).poses) {
+      most = std::max(most, std::hypot(pose.translation.x, pose.translation.z));
+    }
+    return most;
+  };
+  EXPECT_LT(furthest(0.04), 0.08);
+  EXPECT_GT(furthest(0.4), 0.1);
 }
 
 TEST(Settle, ConcaveRingsAndWedgesFit) {
