@@ -1,4 +1,4 @@
-// pomona check: everything that is wrong with templates, scenes and surface files, at once.
+// pomona check: everything that is wrong with templates, scenes, styles and surface files, at once.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -16,6 +16,7 @@
 #include "generator/surface/surface_file.h"
 #include "generator/surface/sweep.h"
 #include "generator/template/read_template.h"
+#include "render/style/style_file.h"
 
 namespace pomona {
 
@@ -32,6 +33,10 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
   if (file.extension() == ".ply") return find_bodies(read_surfaces(file)).warnings;
   if (is_scene_file(file)) {
     read_scene(file);
+    return {};
+  }
+  if (is_style_file(file)) {
+    read_style(file);
     return {};
   }
   const Template fruit = read_template(file);
@@ -80,9 +85,12 @@ ExitStatus check(const CheckCommand& command) {
 }  // namespace
 
 DeclaredCommand check_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("check", "Check templates, scenes and surface files; all errors at once");
+  CLI::App* command =
+      app.add_subcommand("check", "Check templates, scenes, styles and surface files; all errors at once");
   const auto options = std::make_shared<CheckCommand>();
-  command->add_option("FILE", options->files, "Names from `pomona list`, templates, scenes or surface files (.ply)")
+  command
+      ->add_option("FILE", options->files,
+                   "Names from `pomona list`, templates, scenes, styles or surface files (.ply)")
       ->required();
   command->add_flag("--json", options->json, "Print what was found as JSON");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");

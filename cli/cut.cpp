@@ -48,7 +48,8 @@ void write_section_files(const std::vector<Output>& outputs, const CrossSection&
 }
 
 void write_piece_files(const std::vector<Output>& outputs, std::vector<Solid> pieces, Delivery& delivery) {
-  const Scene in_place = gathered(std::move(pieces));
+  Scene in_place = gathered(std::move(pieces));
+  in_place.paper = delivery.style().paper;
   for (const Output& output : outputs) {
     // A picture of pieces in their place would show a whole fruit: lay them out side by side.
     delivery.add(output, output.format == Format::png ? laid_out(in_place) : in_place);

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/find_style.h"
 #include "cli/version.h"
 #include "generator/base/error.h"
 #include "render/export/gltf.h"
@@ -49,10 +50,14 @@ ExportOptions export_options(const SharedOptions& options, const Style& style) {
 Delivery::Delivery(const SharedOptions& options)
     : progress(options.quiet),
       options_(options),
-      style_(style_named(options.style)),
+      style_(find_style(options.style.empty() ? "ink" : options.style)),
       size_(picture_size(options)),
       view_(view_direction(options)) {
   if (!options.stats.empty()) check_folder(options.stats);
+}
+
+void Delivery::set_default_style(const std::string& name_or_path) {
+  if (options_.style.empty()) style_ = find_style(name_or_path);
 }
 
 void Delivery::add(const std::filesystem::path& file, const std::function<std::string()>& make) {

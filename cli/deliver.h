@@ -24,6 +24,11 @@ class Delivery {
   /// Makes the bytes of one file (stage "write") and keeps them until finish().
   void add(const std::filesystem::path& file, const std::function<std::string()>& make);
 
+  /// Of pictures when --style says nothing: a name, or a path. \throws Error as find_style()
+  void set_default_style(const std::string& name_or_path);
+
+  const Style& style() const { return style_; }
+
   /// A scene as .ply, .glb, .pov (with its includes) or .png.
   void add(const Output& output, const Scene& scene);
 

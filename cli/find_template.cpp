@@ -1,8 +1,8 @@
 #include "cli/find_template.h"
 
-#include <algorithm>
 #include <map>
 
+#include "cli/program_folders.h"
 #include "generator/base/error.h"
 #include "generator/base/nearest_name.h"
 
@@ -12,34 +12,17 @@ namespace pomona {
 
 namespace {
 
-/// build/pomona lies beside templates/; an installed bin/pomona beside share/pomona/templates.
-std::vector<fs::path> program_folders() {
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path root = program.parent_path().parent_path();
-  return {root / "templates", root / "share" / "pomona" / "templates"};
-}
-
 bool is_path(const std::string& text) {
   return text.find('/') != std::string::npos || text.ends_with(".toml") || text.ends_with(".ply");
 }
 
 }  // namespace
 
-std::vector<fs::path> template_folders() {
-  std::vector<fs::path> folders;
-  std::vector<fs::path> candidates = program_folders();
-  candidates.insert(candidates.end(), {"templates", "."});
-  for (const fs::path& folder : candidates) {
-    std::error_code ignored;
-    if (fs::is_directory(folder, ignored)) folders.push_back(folder);
-  }
-  return folders;
-}
+std::vector<fs::path> template_folders() { return searched_folders("templates"); }
 
 std::vector<fs::path> all_templates() {
   std::map<std::string, fs::path> by_name;
-  for (const fs::path& folder : program_folders()) {
+  for (const fs::path& folder : program_folders("templates")) {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
       if (entry.path().extension() == ".toml") by_name.try_emplace(entry.path().stem().string(), entry.path());

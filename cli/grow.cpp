@@ -48,7 +48,10 @@ ExitStatus grow_fruit(const GrowCommand& command) {
       delivery.add(output.file, [&] { return write_surfaces(surfaces); });
       continue;
     }
-    if (!scene) scene = gathered(whole_fruit(source, command.surfaces, delivery));
+    if (!scene) {
+      scene = gathered(whole_fruit(source, command.surfaces, delivery));
+      scene->paper = delivery.style().paper;
+    }
     delivery.add(output, *scene);
   }
   delivery.finish();

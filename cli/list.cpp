@@ -1,4 +1,4 @@
-// pomona list: what can be grown.
+// pomona list: what can be grown, and the styles to draw it in.
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/find_style.h"
 #include "cli/find_template.h"
 #include "generator/template/read_template.h"
 
@@ -24,6 +25,16 @@ std::string joined_names(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
   return text;
+}
+
+ExitStatus list_styles(bool json) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Style& style : all_known_styles()) {
+    all.push_back({{"name", style.name}, {"title", style.title}});
+    if (!json) std::printf("%s\t%s\n", style.name.c_str(), style.title.c_str());
+  }
+  if (json) std::printf("%s\n", all.dump(2).c_str());
+  return ExitStatus::done;
 }
 
 ExitStatus list(bool json) {
@@ -48,10 +59,12 @@ ExitStatus list(bool json) {
 }  // namespace
 
 DeclaredCommand list_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("list", "Print the templates: name, symmetry, parts");
+  CLI::App* command = app.add_subcommand("list", "Print the templates: name, symmetry, parts; or the styles");
   const auto json = std::make_shared<bool>(false);
+  const auto styles = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print them as JSON");
-  return {command, [json] { return list(*json); }};
+  command->add_flag("--styles", *styles, "Print the styles instead: name, title");
+  return {command, [json, styles] { return *styles ? list_styles(*json) : list(*json); }};
 }
 
 }  // namespace pomona

@@ -38,6 +38,11 @@ ComposeOptions compose_options(const SharedOptions& shared, Progress& progress) 
   return options;
 }
 
+/// A path starts at the scene's folder.
+std::string style_of(const SceneDescription& scene, const std::filesystem::path& file) {
+  return scene.style.ends_with(".toml") ? (file.parent_path() / scene.style).string() : scene.style;
+}
+
 ExitStatus compose_scene(const SceneCommand& command) {
   const std::vector<Output> outputs =
       parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::json});
@@ -48,8 +53,9 @@ ExitStatus compose_scene(const SceneCommand& command) {
   SceneDescription description = delivery.times.time("read", [&] { return read_scene(existing_file(command.file)); });
   if (command.shared.seed_given) description.seed = command.shared.seed;
   delivery.set_default_size({description.width, description.height});
-  const Composition composition =
-      compose(description, diffuser.get(), compose_options(command.shared, delivery.progress));
+  if (!description.style.empty()) delivery.set_default_style(style_of(description, command.file));
+  Composition composition = compose(description, diffuser.get(), compose_options(command.shared, delivery.progress));
+  if (!description.paper) composition.scene.paper = delivery.style().paper;
   for (const auto& [stage, milliseconds] : composition.report.stages) delivery.times.add(stage, milliseconds);
   for (const auto& [what, number] : composition.report.counts) delivery.times.count(what, number);
   delivery.warn(composition.report.warnings);

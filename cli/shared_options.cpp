@@ -45,7 +45,8 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--detail", options.detail, "Tessellation of the surfaces, relative to the template's")
       ->check(CLI::Range(0.1, 4.0))
       ->capture_default_str();
-  command.add_option("--style", options.style, "Look of pictures: ink or plain")->capture_default_str();
+  command.add_option("--style", options.style,
+                     "Look of pictures: a name from `pomona list --styles` or a style file (.toml); ink unless said");
   command.add_option("--texture", options.texture, "Bake colours into a texture of N x N texels instead of vertices")
       ->check(CLI::Range(64, 8192));
   command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");

@@ -29,8 +29,8 @@ struct SharedOptions {
   std::string diffuser = "cpu";
   std::string quality = "final";
   double detail = 1.0;
-  std::string style = "ink";
-  int texture = 0;  ///< texels along an atlas's edge; 0 = colours on vertices
+  std::string style;  ///< name or path; none = what the scene says, or ink
+  int texture = 0;    ///< texels along an atlas's edge; 0 = colours on vertices
   std::string size;
   std::string view;
   std::string stats;

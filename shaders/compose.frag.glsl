@@ -15,8 +15,7 @@ uniform sampler2D glass;         // all layers of what is see-through
 uniform int samples_per_side;
 uniform bool inked;
 uniform bool see_through;
-uniform vec3 paper;
-uniform float grain;
+uniform vec3 shadow_color;  // of a wash on white paper
 uniform vec2 tangent;
 uniform mat4 camera_to_scene;
 uniform float pixel_angle;  // size of a pixel at distance 1
@@ -40,16 +39,15 @@ vec2 light_at(ivec2 pixel, float distance_to) {
   return best.xy;
 }
 
-vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground) {
+vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground, float grain_here) {
   float d = texelFetch(depth, at, 0).r;
   if (d == 1.0) return ground;
   float distance_to = distance_from_depth(d);
   vec2 seen = light_at(pixel, distance_to);
   uint id = texelFetch(ids, at, 0).r;
   if (instance_of(id) == 0u) {
-    // The table is the paper, with a warm grey shadow on it.
-    vec3 shadow = mix(vec3(0.50, 0.45, 0.43), vec3(1.0), seen.y);
-    return ground * shadow * mix(vec3(0.42, 0.37, 0.34), vec3(1.0), seen.x);
+    // The table is the paper, with a wash of shadow on it.
+    return ground * mix(shadow_color, vec3(1.0), seen.y) * mix(0.82 * shadow_color, vec3(1.0), seen.x);
   }
   vec2 ndc = 2.0 * (vec2(at) + 0.5) / size - 1.0;
   vec3 ray = vec3(ndc * tangent, -1.0) * distance_to;
@@ -61,7 +59,7 @@ vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground) {
   float footprint = pixel_angle * distance_to / max(dot(normal, to_eye), 0.3);
   int solid = int(pen_of(instance_of(id)).z);
   vec3 color = modulated(texelFetch(albedo, at, 0).rgb, fruit_position, footprint, solid);
-  return fruit_color(color, normal, to_eye, seen, is_cut(id));
+  return painted(fruit_color(color, normal, to_eye, seen, is_cut(id)), grain_here);
 }
 
 vec3 with_ink(vec3 color, ivec2 at) {
@@ -84,18 +82,14 @@ void main() {
   vec2 size = vec2(textureSize(depth, 0));
   ivec2 from_top = ivec2(gl_FragCoord.xy);
   ivec2 pixel = ivec2(from_top.x, textureSize(light, 0).y - 1 - from_top.y);
-  vec3 ground = paper;
-  if (grain > 0.0) {
-    vec3 lab = to_oklab(paper);
-    lab.x += grain * paper_grain(from_top);
-    ground = clamp(from_oklab(lab), 0.0, 1.0);
-  }
+  float grain_here = grain > 0.0 ? paper_grain(from_top) : 0.0;
+  vec3 ground = paper_color(from_top, vec2(textureSize(light, 0)), grain_here);
 
   vec3 sum = vec3(0.0);
   for (int y = 0; y < samples_per_side; ++y) {
     for (int x = 0; x < samples_per_side; ++x) {
       ivec2 at = pixel * samples_per_side + ivec2(x, y);
-      vec3 color = sample_color(at, size, pixel, ground);
+      vec3 color = sample_color(at, size, pixel, ground, grain_here);
       if (see_through) {
         vec4 before = texelFetch(glass, at, 0);
         color = before.rgb + (1.0 - before.a) * clamp(color, 0.0, 1.0);

@@ -13,6 +13,7 @@ uniform mat4 camera_to_light; // camera to the shadow map's box, 0..1 each way
 uniform float reach;          // metres over which things take each other's sky
 uniform float light_size;     // share of the shadow map's side per unit of its depth
 uniform vec2 shadow_bias;     // metres along the normal; depth
+uniform vec2 strengths;       // of what surroundings take; of shadows
 
 layout(location = 0) out vec4 light;  // sky, light, distance
 
@@ -78,5 +79,6 @@ void main() {
   vec3 p = camera_point(at, size, distance_to);
   vec3 n = mat3(view) * texelFetch(normal_line, at, 0).xyz;
   float turn = interleaved(gl_FragCoord.xy);
-  light = vec4(sky_seen(p, n, distance_to, at, size, turn), light_seen(p, n, turn), distance_to, 0.0);
+  vec2 seen = vec2(sky_seen(p, n, distance_to, at, size, turn), light_seen(p, n, turn));
+  light = vec4(clamp(1.0 - strengths * (1.0 - seen), 0.0, 1.0), distance_to, 0.0);
 }

@@ -1,6 +1,7 @@
 // How a surface takes the light.
 uniform vec3 to_light;  // unit, scene
 uniform float gloss;
+uniform vec2 light_strengths;  // of the light, of what comes from all sides
 
 const vec3 sun = vec3(0.74, 0.70, 0.62);
 const vec3 sky = vec3(0.47, 0.50, 0.54);
@@ -18,8 +19,8 @@ vec3 dull_color(vec3 color, vec3 n, vec2 seen, bool cut) {
   float key = clamp((dot(n, to_light) + 0.35) / 1.35, 0.0, 1.0);
   if (cut) key = mix(key, 0.8, 0.45);
   float lit = key * mix(0.12, 1.0, seen.y) * mix(0.7, 1.0, seen.x);
-  vec3 ambient = mix(bounce, sky, 0.5 + 0.5 * n.y) * mix(0.2, 1.0, seen.x);
-  vec3 received = ambient + sun * lit;
+  vec3 ambient = light_strengths.y * mix(bounce, sky, 0.5 + 0.5 * n.y) * mix(0.2, 1.0, seen.x);
+  vec3 received = ambient + light_strengths.x * lit * sun;
 
   // In the shade colours grow deeper, not greyer.
   float shade = clamp(1.0 - dot(received, vec3(0.33)), 0.0, 1.0);

@@ -327,7 +327,7 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
 Scene placed(const SceneDescription& scene, const SceneParts& parts, const std::vector<Pose>& poses) {
   Scene result;
   result.solids = parts.solids;
-  result.paper = scene.paper;
+  if (scene.paper) result.paper = *scene.paper;
   result.ground = scene.ground;
   result.instances = unplaced(parts);
   for (std::size_t i = 0; i < result.instances.size(); ++i) result.instances[i].pose = poses[i];

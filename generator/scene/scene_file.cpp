@@ -150,7 +150,8 @@ class SceneReader {
     scene_.name = read_plain_name(root.need("name"));
     scene_.title = root.get("title").text(scene_.name);
     scene_.seed = static_cast<std::uint64_t>(root.get("seed").integer(0, 0, std::numeric_limits<int>::max()));
-    scene_.paper = root.get("paper").color(scene_.paper);
+    if (root.has("paper")) scene_.paper = root.get("paper").color();
+    scene_.style = root.get("style").text();
     scene_.ground = root.get("ground").boolean(true);
     read_size(root.get("size"));
     read_view(root.get("view").table(), scene_);

@@ -49,7 +49,8 @@ struct SceneDescription {
   std::string file;  ///< for messages
   std::string name, title;
   std::uint64_t seed = 0;
-  Color paper{0.93f, 0.90f, 0.83f};
+  std::optional<Color> paper;               ///< else the style's
+  std::string style;                        ///< name or path (.toml), relative to the scene's folder; else the default
   std::optional<View> view;                 ///< by eye and target
   glm::dvec3 view_direction{0, 0.75, 1.0};  ///< else from here, as near as shows all
   double vertical_field = 0.5;              ///< radians

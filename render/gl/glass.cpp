@@ -127,6 +127,7 @@ class LayerPeeler {
     program.set("eye", view_.eye);
     program.set("to_light", view_.to_light);
     program.set("gloss", view_.gloss);
+    program.set("light_strengths", view_.light_strengths);
     program.set("inked", view_.inked ? 1 : 0);
     program.set("instances", 4);
     view_.instances->bind(4);

@@ -12,6 +12,7 @@ struct GlassView {
   glm::vec3 eye{0};       ///< scene
   glm::vec3 to_light{0};  ///< unit, scene
   float gloss = 0;
+  glm::vec2 light_strengths{1};  ///< of the light, of what comes from all sides
   bool inked = false;
   const GlTexture* instances = nullptr;  ///< buffer of InstanceTexels
   int most_layers = 1;                   ///< what lies behind that many is drawn as one, in the mean of its colours

@@ -56,12 +56,13 @@ SceneCamera camera_of(const Scene& scene, const SceneBall& ball, double aspect) 
   return camera;
 }
 
-SceneLight light_of(const SceneCamera& camera, const SceneBall& ball) {
+SceneLight light_of(const SceneCamera& camera, const SceneBall& ball, const LightStyle& style) {
   const glm::mat3 to_scene = glm::transpose(glm::mat3(camera.view));
-  glm::vec3 side = to_scene * glm::vec3(-0.52f, 0.0f, 0.38f);
+  const double level = std::cos(style.elevation);
+  glm::vec3 side = to_scene * glm::vec3(level * std::sin(style.azimuth), 0, level * std::cos(style.azimuth));
   side.y = 0;
   SceneLight light;
-  light.to_light = glm::normalize(side + glm::vec3(0, 0.80f, 0));
+  light.to_light = glm::normalize(side + glm::vec3(0, std::sin(style.elevation), 0));
 
   // The box must hold all that casts shadows; what only receives them may lie behind it.
   const float r = 1.02f * ball.radius;

@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "generator/scene/scene.h"
+#include "render/style/style.h"
 
 namespace pomona {
 
@@ -29,8 +30,7 @@ struct SceneLight {
   glm::mat4 to_clip{1};         ///< scene to the shadow map's clip space
 };
 
-/// From the upper left, behind the one who looks.
-SceneLight light_of(const SceneCamera& camera, const SceneBall& ball);
+SceneLight light_of(const SceneCamera& camera, const SceneBall& ball, const LightStyle& style);
 
 /// A pose as a matrix.
 glm::mat4 matrix_of(const Pose& pose);

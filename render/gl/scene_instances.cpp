@@ -39,7 +39,7 @@ std::vector<InstanceTexels> instance_texels(const Scene& scene, const SceneCamer
     const double width = std::min(side * fine * ink.width * style.outline_width, 1.2 * widest_reach);
     const double inner = side * fine * ink.width * style.inner_width;
     const glm::mat4 rows = glm::transpose(glm::inverse(matrix_of(instance.pose)));
-    texels.push_back({glm::vec4(ink.color, width),
+    texels.push_back({glm::vec4(style.ink_color.value_or(ink.color), width),
                       glm::vec4(0.3 * radius + 1e-6, inner, instance.solid, scene.solids[instance.solid].opacity),
                       {rows[0], rows[1], rows[2]}});
   }

@@ -66,7 +66,7 @@ class ScenePainter {
         side_(static_cast<int>(std::lround(std::sqrt(options.samples)))),
         ball_(ball_around(scene)),
         camera_(camera_of(scene, ball_, static_cast<double>(options.width) / options.height)),
-        light_(light_of(camera_, ball_)),
+        light_(light_of(camera_, ball_, style.light)),
         targets_(gl, options, side_),
         solids_(gl, scene, style),
         texels_(instance_texels(scene, camera_, style, targets_.samples)),
@@ -196,6 +196,7 @@ void ScenePainter::draw_glass() {
                        .eye = scene_.view.eye,
                        .to_light = light_.to_light,
                        .gloss = static_cast<float>(style_.gloss),
+                       .light_strengths = {style_.light.strength, style_.light.ambient},
                        .inked = style_.ink,
                        .instances = &instances_,
                        .most_layers = options_.most_layers};
@@ -234,7 +235,8 @@ void ScenePainter::look_for_light() {
                           glm::vec4(0.5f, 0.5f, 0.5f, 1));
   program.set("camera_to_light", to_unit * light_.to_clip * glm::inverse(camera_.view));
   program.set("reach", 0.16f * ball_.radius);
-  program.set("light_size", 0.35f);
+  program.set("light_size", static_cast<float>(style_.light.softness));
+  program.set("strengths", glm::vec2(style_.light.occlusion, style_.shadow.strength));
   program.set("shadow_bias", glm::vec2(0.004f * ball_.radius, 0.0012f));
   program.set("shadow_map", 4);
   targets_.shadow.bind(4);
@@ -313,6 +315,10 @@ void ScenePainter::compose() {
   program.set("inked", style_.ink ? 1 : 0);
   program.set("paper", scene_.paper);
   program.set("grain", static_cast<float>(style_.grain));
+  program.set("vignette", static_cast<float>(style_.vignette));
+  program.set("paint", glm::vec3(style_.saturation, style_.lightness, style_.grain * style_.granulation));
+  program.set("shadow_color", style_.shadow.color);
+  program.set("light_strengths", glm::vec2(style_.light.strength, style_.light.ambient));
   program.set("gloss", static_cast<float>(style_.gloss));
   program.set("camera_to_scene", glm::inverse(camera_.view));
   program.set("to_light", light_.to_light);

@@ -1,23 +1,32 @@
-// The paper everything is drawn on.
+// The paper everything is drawn on, and the paint on it.
 #pragma once
 
 #include "generator/base/color.h"
+#include "render/style/style.h"
 
 namespace pomona {
 
-/// A sheet of one colour with a grain: tooth and fibres a few pixels long, `grain` deep in OKLab lightness. Tied
-/// to pixels: a larger picture is a larger sheet. The grain is mirrored in shaders/paper.glsl.
+/// A sheet of the style's paper: its colour, a grain of tooth and fibres a few pixels long, and edges that have gone
+/// brown. The grain is tied to pixels: a larger picture is a larger sheet. Mirrored in shaders/paper.glsl.
 class Paper {
  public:
-  Paper(const Color& color, double grain);
+  Paper(const Style& style, int width, int height);
 
-  /// Without grain the colour itself.
+  /// With neither grain nor vignette the colour itself.
   Color at(int x, int y) const;
 
+  /// What a colour becomes as paint on this paper: the style's saturation, lightness and granulation. The colour
+  /// itself, bit for bit, where the style asks for none of them.
+  Color painted(const Color& color, int x, int y) const;
+
  private:
+  double grain_at(int x, int y) const;
+  double age_at(int x, int y) const;
+
   Color color_;
   glm::vec3 lab_;
-  double grain_;
+  double grain_, vignette_, granulation_, saturation_, lightness_;
+  double width_, height_;
 };
 
 }  // namespace pomona

@@ -68,7 +68,8 @@ Image draw_section(const CrossSection& section, const NoiseStyle& noise, const I
   const std::vector<SectionPixel> pixels = rasterised(section, faces, options.width, options.height, options.threads);
 
   // Then, pixel by pixel: the colour's noise, the paper around it, the ink above it.
-  const Paper paper(style.paper, style.grain);
+  const Paper paper(style, options.width, options.height);
+  const Color ink_color = style.ink_color.value_or(ink.color);
   const Modulation modulation(style.noise ? noise : NoiseStyle{});
   const InkLayers layers = style.ink ? inked(section, faces, style, ink.width, options) : InkLayers{{0, 0}, {0, 0}};
   Image image{options.width, options.height, std::vector<glm::u8vec3>(pixels.size())};
@@ -81,12 +82,13 @@ Image draw_section(const CrossSection& section, const NoiseStyle& noise, const I
       if (pixel.samples > 0) {
         const PlacedFace& face = faces[pixel.face];
         const Color mean(pixel.color_sum / static_cast<double>(pixel.samples));
-        const Color fruit = modulation(mean, face.to_fruit({x + 0.5, y + 0.5}), 1.0 / face.scale);
+        const Color fresh = modulation(mean, face.to_fruit({x + 0.5, y + 0.5}), 1.0 / face.scale);
+        const Color fruit = paper.painted(fresh, x, y);
         color += (fruit - color) * (static_cast<float>(pixel.samples) / section_samples);
       }
       if (style.ink) {
-        color += (ink.color - color) * static_cast<float>(layers.inner.at(x, y) * style.inner_opacity);
-        color += (ink.color - color) * static_cast<float>(layers.rim.at(x, y));
+        color += (ink_color - color) * static_cast<float>(layers.inner.at(x, y) * style.inner_opacity);
+        color += (ink_color - color) * static_cast<float>(layers.rim.at(x, y));
       }
       image.pixels[i] = to_srgb8(color);
     }

@@ -1,26 +1,37 @@
 #include "render/style/style.h"
 
 #include "generator/base/error.h"
+#include "generator/base/nearest_name.h"
+#include "render/style/shipped_styles.h"
+#include "render/style/style_file.h"
 
 namespace pomona {
 
+namespace {
+
+Style read_shipped(const ShippedStyle& shipped) {
+  return parse_style(shipped.text, "styles/" + std::string(shipped.name) + ".toml");
+}
+
+}  // namespace
+
 std::vector<Style> all_styles() {
-  const Style ink{.name = "ink"};
-  Style plain{.name = "plain"};
-  plain.noise = false;
-  plain.ink = false;
-  plain.grain = 0;
-  plain.gloss = 0;
-  return {ink, plain};
+  std::vector<Style> styles;
+  for (const ShippedStyle& shipped : shipped_styles()) styles.push_back(read_shipped(shipped));
+  return styles;
 }
 
 Style style_named(std::string_view name) {
+  std::vector<std::string> known;
   std::string names;
-  for (const Style& style : all_styles()) {
-    if (style.name == name) return style;
-    names += (names.empty() ? "" : ", ") + style.name;
+  for (const ShippedStyle& shipped : shipped_styles()) {
+    if (shipped.name == name) return read_shipped(shipped);
+    known.emplace_back(shipped.name);
+    names += (names.empty() ? "" : ", ") + known.back();
   }
-  throw Error(ExitStatus::usage, "there is no style \"" + std::string(name) + "\"", "styles are: " + names);
+  const auto near = nearest_name(std::string(name), known);
+  throw Error(ExitStatus::usage, "there is no style \"" + std::string(name) + "\"",
+              (near ? "did you mean " + *near + "? " : "") + "styles are: " + names + "; a path to a .toml works too");
 }
 
 }  // namespace pomona

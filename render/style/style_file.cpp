@@ -1,0 +1,113 @@
+#include "render/style/style_file.h"
+
+#include <fstream>
+
+#include "generator/base/error.h"
+#include "generator/base/units.h"
+#include "generator/template/read_name.h"
+#include "generator/template/toml_document.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t most_bytes = 65536;  // a style is a page, not a book
+
+void read_ink(const TomlTable& table, Style& style) {
+  style.ink = table.get("lines").boolean(style.ink);
+  if (table.has("color")) style.ink_color = table.get("color").color();
+  style.outline_width = table.get("outline").number(style.outline_width, {0, 0.05});
+  style.inner_width = table.get("inner").number(style.inner_width, {0, 0.05});
+  style.inner_opacity = table.get("inner_opacity").number(style.inner_opacity, {0, 1});
+}
+
+void read_paper(const TomlTable& table, Style& style) {
+  style.paper = table.get("color").color(style.paper);
+  style.grain = table.get("grain").number(style.grain, {0, 0.1});
+  style.vignette = table.get("vignette").number(style.vignette, {0, 0.5});
+}
+
+void read_paint(const TomlTable& table, Style& style) {
+  style.noise = table.get("noise").boolean(style.noise);
+  style.saturation = table.get("saturation").number(style.saturation, {0, 2});
+  style.lightness = table.get("lightness").number(style.lightness, {-0.5, 0.5});
+  style.granulation = table.get("granulation").number(style.granulation, {0, 10});
+  style.gloss = table.get("gloss").number(style.gloss, {0, 4});
+}
+
+LightStyle light_from(const TomlTable& table) {
+  LightStyle light;
+  light.azimuth = table.get("azimuth").angle(light.azimuth, {-180, 180});
+  light.elevation = table.get("elevation").angle(light.elevation, {10, 90});
+  light.softness = table.get("softness").number(light.softness, {0, 1});
+  light.strength = table.get("strength").number(light.strength, {0, 3});
+  light.ambient = table.get("ambient").number(light.ambient, {0, 3});
+  light.occlusion = table.get("occlusion").number(light.occlusion, {0, 2});
+  return light;
+}
+
+ShadowStyle shadow_from(const TomlTable& table) {
+  ShadowStyle shadow;
+  shadow.color = table.get("color").color(shadow.color);
+  shadow.strength = table.get("strength").number(shadow.strength, {0, 1});
+  return shadow;
+}
+
+PlateStyle plate_from(const TomlTable& table) {
+  PlateStyle plate;
+  plate.margin = table.get("margin").number(plate.margin, {0, 0.3});
+  plate.letter_size = table.get("letter_size").number(plate.letter_size, {0.01, 0.1});
+  plate.letter_color = table.get("letter_color").color(plate.letter_color);
+  plate.leader_width = table.get("leader_width").number(plate.leader_width, {0, 0.01});
+  plate.title = table.get("title").boolean(plate.title);
+  plate.labels = table.get("labels").boolean(plate.labels);
+  plate.scale_bar = table.get("scale_bar").boolean(plate.scale_bar);
+  return plate;
+}
+
+}  // namespace
+
+Style parse_style(std::string_view toml, const std::string& file) {
+  TomlDocument document(toml, file);
+  const TomlTable root = document.root();
+  Style style;
+  root.need("format").integer(1, 1, 1);
+  root.need("kind").choice({"style"});
+  style.name = read_name(root.need("name"), {});
+  style.title = root.get("title").text(style.name);
+  read_ink(root.get("ink").table(), style);
+  read_paper(root.get("paper").table(), style);
+  read_paint(root.get("paint").table(), style);
+  style.light = light_from(root.get("light").table());
+  style.shadow = shadow_from(root.get("shadow").table());
+  if (root.has("plate")) style.plate = plate_from(root.get("plate").table());
+  document.throw_if_any();
+  return style;
+}
+
+Style read_style(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file))
+    throw Error(ExitStatus::input_missing, {{{file.string(), 0, 0, {}}, "cannot be read", {}}});
+
+  // One byte beyond the limit is enough to know that the file goes beyond it.
+  std::string text(most_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > most_bytes)
+    throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, {}}, "is longer than 64 KiB: no style is", {}}});
+  return parse_style(text, file.string());
+}
+
+bool is_style_file(const std::filesystem::path& file) {
+  if (file.extension() != ".toml") return false;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    std::erase_if(line, [](char c) { return c == ' ' || c == '\t' || c == '\'' || c == '"'; });
+    if (line.starts_with("kind=style")) return true;
+    if (line.starts_with("[")) return false;
+  }
+  return false;
+}
+
+}  // namespace pomona
