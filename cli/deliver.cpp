@@ -115,8 +115,9 @@ void Delivery::add_picture(const Output& output, Scene scene) {
 void Delivery::add_section_picture(const Output& output, const CrossSection& section, const Template& fruit) {
   const PictureSize size = size_.value_or(default_size_);
   const SectionPictureOptions options{.width = size.width, .height = size.height, .threads = {options_.threads}};
-  const Image image =
-      times.time("style", [&] { return draw_section(section, fruit.noise, fruit.ink, style_, options); });
+  const Image image = times.time("style", [&] {
+    return draw_section(section, {fruit.noise, fruit.details}, fruit.ink, style_, options);
+  });
   add(output.file, [&] { return write_png(image); });
 }
 

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "generator/base/color.h"
+#include "generator/cut/detail_guide.h"
 
 namespace pomona {
 
@@ -34,6 +35,7 @@ struct CrossSection {
   std::vector<Color> color;  ///< linear
   std::vector<std::uint8_t> interior;
   std::vector<std::int32_t> part;  ///< index into part_names
+  std::vector<DetailGuide> guide;  ///< empty where no detail asks for it
 
   std::vector<glm::uvec3> triangle;  ///< counter-clockwise seen from the face's normal
   std::vector<std::int32_t> cut;     ///< index into faces

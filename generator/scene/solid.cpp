@@ -13,6 +13,7 @@ class SolidBuilder {
       : piece_(piece), section_(section) {
     solid_.part_names = section.part_names;
     solid_.noise = fruit.noise;
+    solid_.details = fruit.details;
     solid_.ink = fruit.ink;
     solid_.volume = piece.volume;
     solid_.closed = piece.closed;
@@ -35,6 +36,7 @@ class SolidBuilder {
     solid_.normal = piece_.normal;
     solid_.color = piece_.color;
     solid_.part = piece_.part;
+    if (!section_.guide.empty()) solid_.guide.resize(piece_.position.size());
     solid_.triangle = piece_.triangle;
     solid_.surface = piece_.surface;
     solid_.cut_face.assign(piece_.triangle.size(), -1);
@@ -63,6 +65,7 @@ class SolidBuilder {
       solid_.normal.push_back(reversed ? -normal : normal);
       solid_.color.push_back(section_.color[of_section]);
       solid_.part.push_back(section_.part[of_section]);
+      if (!section_.guide.empty()) solid_.guide.push_back(section_.guide[of_section]);
     }
     return known[of_section];
   }

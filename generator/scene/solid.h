@@ -21,6 +21,7 @@ struct Solid {
   std::vector<glm::vec3> normal;
   std::vector<Color> color;        ///< linear, before style
   std::vector<std::int32_t> part;  ///< index into part_names
+  std::vector<DetailGuide> guide;  ///< empty where no detail asks for it
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> cut_face;  ///< per triangle: index of the cut face, -1 on skin and cavity walls
   std::vector<std::int32_t> surface;   ///< per triangle: surface for skin, -1 on cut faces; for ink
@@ -34,6 +35,7 @@ struct Solid {
 
   std::vector<std::string> part_names;
   NoiseStyle noise;
+  std::vector<DetailSketch> details;
   InkStyle ink;
   float opacity = 1.0f;  ///< below 1 where one sees through it, looking at right angles
   double volume = 0;

@@ -8,6 +8,7 @@
 
 #include "generator/template/axis_bend.h"
 #include "generator/template/browning_sketch.h"
+#include "generator/template/detail_sketch.h"
 #include "generator/template/grain_sketch.h"
 #include "generator/template/individual.h"
 #include "generator/template/ink_style.h"
@@ -47,6 +48,7 @@ struct Template {
   Proportions proportions;    ///< set in variants: how they differ from the drawing
   VariationSketch variation;  ///< what varies besides the horizontal curves
   NoiseStyle noise;
+  std::vector<DetailSketch> details;  ///< at most most_details_of_a_face of each kind of face
   InkStyle ink;
   RipenessSketch ripeness;
   BrowningSketch browning;

@@ -7,13 +7,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "render/style/noise.h"
+#include "render/style/look.h"
 
 namespace pomona {
 namespace {
 
-/// Everything a vertex is, bit by bit: position, normal, colour, texture coordinates, part.
-using VertexBits = std::array<std::uint32_t, 12>;
+/// Everything a vertex is, bit by bit: position, normal, colour, texture coordinates, part, kind of face.
+using VertexBits = std::array<std::uint32_t, 13>;
 
 struct HashOfBits {
   std::size_t operator()(const VertexBits& bits) const {
@@ -66,13 +66,15 @@ std::vector<double> footprints(const StyledMesh& mesh) {
   return sum;
 }
 
-std::vector<Color> styled_colors(const StyledMesh& mesh, const NoiseStyle& noise) {
+std::vector<Color> styled_colors(const StyledMesh& mesh, const Look& look) {
   std::vector<Color> colors = mesh.color;
-  const Modulation modulation(noise);
-  if (modulation.bands() > 0) {
+  if (!look.is_plain()) {
     const std::vector<double> footprint = footprints(mesh);
-    for (std::size_t v = 0; v < colors.size(); ++v)
-      colors[v] = modulation(colors[v], glm::dvec3(mesh.position[v]), footprint[v]);
+    for (std::size_t v = 0; v < colors.size(); ++v) {
+      LookPlace place{.position = glm::dvec3(mesh.position[v]), .footprint = footprint[v], .face = mesh.face[v]};
+      if (!mesh.guide.empty()) place.guide = mesh.guide[v];
+      colors[v] = look(colors[v], place);
+    }
   }
   for (Color& color : colors) color = glm::clamp(color, Color(0), Color(1));
   return colors;
@@ -81,7 +83,7 @@ std::vector<Color> styled_colors(const StyledMesh& mesh, const NoiseStyle& noise
 /// Adding zero makes -0 and 0 the same.
 std::uint32_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value + 0.0f); }
 
-VertexBits vertex_bits(const Solid& solid, const glm::vec3& normal, const glm::vec2& uv, std::uint32_t v) {
+VertexBits vertex_bits(const Solid& solid, const glm::vec3& normal, const glm::vec2& uv, std::uint32_t v, bool cut) {
   VertexBits bits{};
   for (int k = 0; k < 3; ++k) {
     bits[k] = bits_of(solid.position[v][k]);
@@ -91,6 +93,7 @@ VertexBits vertex_bits(const Solid& solid, const glm::vec3& normal, const glm::v
   bits[9] = bits_of(uv.x);
   bits[10] = bits_of(uv.y);
   bits[11] = static_cast<std::uint32_t>(solid.part[v]);
+  bits[12] = cut ? 1 : 0;
   return bits;
 }
 
@@ -99,14 +102,16 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
   const std::vector<glm::vec3> normals = unit_normals(solid);
   StyledMesh mesh;
   std::unordered_map<VertexBits, std::uint32_t, HashOfBits> known;
-  const auto number_of = [&](std::uint32_t v) {
-    const VertexBits bits = vertex_bits(solid, normals[v], uv.empty() ? glm::vec2(0) : uv[v], v);
+  const auto number_of = [&](std::uint32_t v, bool cut) {
+    const VertexBits bits = vertex_bits(solid, normals[v], uv.empty() ? glm::vec2(0) : uv[v], v, cut);
     const auto [entry, is_new] = known.try_emplace(bits, static_cast<std::uint32_t>(mesh.position.size()));
     if (is_new) {
       mesh.position.push_back(solid.position[v]);
       mesh.normal.push_back(normals[v]);
       mesh.color.push_back(solid.color[v]);
       mesh.part.push_back(solid.part[v]);
+      mesh.face.push_back(cut ? DetailFace::cut : DetailFace::skin);
+      if (!solid.guide.empty()) mesh.guide.push_back(solid.guide[v]);
       if (!uv.empty()) mesh.uv.push_back(uv[v]);
     }
     return entry->second;
@@ -115,7 +120,8 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
     const glm::uvec3& old = solid.triangle[t];
     const glm::vec3 &p = solid.position[old.x], &q = solid.position[old.y], &r = solid.position[old.z];
     if (p == q || q == r || r == p) continue;
-    const std::uint32_t a = number_of(old.x), b = number_of(old.y), c = number_of(old.z);
+    const bool cut = solid.cut_face[t] >= 0;
+    const std::uint32_t a = number_of(old.x, cut), b = number_of(old.y, cut), c = number_of(old.z, cut);
     mesh.triangle.push_back({a, b, c});
     mesh.cut_face.push_back(solid.cut_face[t]);
   }
@@ -128,7 +134,8 @@ std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& o
   std::vector<StyledMesh> meshes(scene.solids.size());
   parallel_for(meshes.size(), options.threads, [&](std::size_t i) {
     meshes[i] = welded(scene.solids[i], {});
-    meshes[i].color = styled_colors(meshes[i], options.noise ? scene.solids[i].noise : NoiseStyle{});
+    const Solid& solid = scene.solids[i];
+    meshes[i].color = styled_colors(meshes[i], options.noise ? Look(solid.noise, solid.details) : Look());
   });
   return meshes;
 }

@@ -24,6 +24,8 @@ struct StyledMesh {
   std::vector<glm::vec3> normal;    ///< unit length
   std::vector<Color> color;         ///< linear, 0..1, noise included as far as the mesh is fine enough to show it
   std::vector<std::int32_t> part;   ///< index into Solid::part_names
+  std::vector<DetailGuide> guide;   ///< as in Solid
+  std::vector<DetailFace> face;     ///< what the vertex lies on
   std::vector<glm::vec2> uv;        ///< into a baked texture, (0, 0) its upper left corner; else empty
 
   std::vector<glm::uvec3> triangle;    ///< counter-clockwise seen from the air

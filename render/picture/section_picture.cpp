@@ -10,7 +10,7 @@
 #include "render/picture/section_ink.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/section_raster.h"
-#include "render/style/noise.h"
+#include "render/style/look.h"
 
 namespace pomona {
 
@@ -55,7 +55,7 @@ InkLayers inked(const CrossSection& section, const std::vector<PlacedFace>& face
 
 }  // namespace
 
-Image draw_section(const CrossSection& section, const NoiseStyle& noise, const InkStyle& ink, const Style& style,
+Image draw_section(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,
                    const SectionPictureOptions& options) {
   const auto fits = [](int side) { return side >= 1 && side <= max_picture_side; };
   if (!fits(options.width) || !fits(options.height)) {
@@ -70,7 +70,6 @@ Image draw_section(const CrossSection& section, const NoiseStyle& noise, const I
   // Then, pixel by pixel: the colour's noise, the paper around it, the ink above it.
   const Paper paper(style, options.width, options.height);
   const Color ink_color = style.ink_color.value_or(ink.color);
-  const Modulation modulation(style.noise ? noise : NoiseStyle{});
   const InkLayers layers = style.ink ? inked(section, faces, style, ink.width, options) : InkLayers{{0, 0}, {0, 0}};
   Image image{options.width, options.height, std::vector<glm::u8vec3>(pixels.size())};
   parallel_for(static_cast<std::size_t>(options.height), options.threads, [&](std::size_t row) {
@@ -82,7 +81,10 @@ Image draw_section(const CrossSection& section, const NoiseStyle& noise, const I
       if (pixel.samples > 0) {
         const PlacedFace& face = faces[pixel.face];
         const Color mean(pixel.color_sum / static_cast<double>(pixel.samples));
-        const Color fresh = modulation(mean, face.to_fruit({x + 0.5, y + 0.5}), 1.0 / face.scale);
+        const LookPlace place{.position = face.to_fruit({x + 0.5, y + 0.5}),
+                              .footprint = 1.0 / face.scale,
+                              .guide = scaled(pixel.guide_sum, 1.0f / static_cast<float>(pixel.samples))};
+        const Color fresh = style.noise ? look(mean, place) : mean;
         const Color fruit = paper.painted(fresh, x, y);
         color += (fruit - color) * (static_cast<float>(pixel.samples) / section_samples);
       }

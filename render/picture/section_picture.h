@@ -3,8 +3,9 @@
 
 #include "generator/base/parallel.h"
 #include "generator/cut/cross_section.h"
-#include "generator/template/template.h"
+#include "generator/template/ink_style.h"
 #include "render/picture/image.h"
+#include "render/style/look.h"
 #include "render/style/style.h"
 
 namespace pomona {
@@ -20,7 +21,7 @@ struct SectionPictureOptions {
 /// level), several faces in rows, in cut order and at one scale. The same bytes for any number of threads, on any
 /// machine. A section without triangles leaves the paper empty.
 /// \throws Error (usage) for sizes that are not 1 to max_picture_side.
-Image draw_section(const CrossSection& section, const NoiseStyle& noise, const InkStyle& ink, const Style& style,
+Image draw_section(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,
                    const SectionPictureOptions& options = {});
 
 }  // namespace pomona

@@ -22,6 +22,7 @@ struct FixedPoint {
 struct PaperTriangle {
   std::array<FixedPoint, 3> corner{};
   std::array<glm::dvec3, 3> color{};
+  std::array<std::uint32_t, 3> vertex{};
   std::int64_t area = 0;  // twice the area
   int face = 0;
 };
@@ -44,11 +45,13 @@ std::vector<PaperTriangle> on_paper(const CrossSection& section, const std::vect
       triangle.corner[i] = {static_cast<std::int64_t>(std::floor(p.x * unit + 0.5)),
                             static_cast<std::int64_t>(std::floor(p.y * unit + 0.5))};
       triangle.color[i] = section.color[v];
+      triangle.vertex[i] = v;
     }
     triangle.area = side(triangle.corner[0], triangle.corner[1], triangle.corner[2]);
     if (triangle.area < 0) {
       std::swap(triangle.corner[1], triangle.corner[2]);
       std::swap(triangle.color[1], triangle.color[2]);
+      std::swap(triangle.vertex[1], triangle.vertex[2]);
       triangle.area = -triangle.area;
     }
     if (triangle.area > 0) triangles.push_back(triangle);
@@ -78,9 +81,23 @@ bool misses(const PaperTriangle& t, std::int64_t px, std::int64_t py) {
   return false;
 }
 
+/// Adds what `weight` says of the three corners' guides.
+void add_guides(const std::vector<DetailGuide>& guide, const PaperTriangle& t, const glm::dvec3& weight,
+                SectionPixel& pixel) {
+  for (int i = 0; i < 3; ++i) {
+    const DetailGuide& corner = guide[t.vertex[i]];
+    const auto share = static_cast<float>(weight[i]);
+    pixel.guide_sum.to_skin += corner.to_skin * share;
+    pixel.guide_sum.layer += corner.layer * share;
+    pixel.guide_sum.share += corner.share * share;
+  }
+}
+
 /// Adds the triangle's samples in one pixel.
-void cover(const PaperTriangle& t, std::int64_t px, std::int64_t py, SectionPixel& pixel) {
+void cover(const PaperTriangle& t, const std::vector<DetailGuide>& guide, std::int64_t px, std::int64_t py,
+           SectionPixel& pixel) {
   if (misses(t, px, py)) return;
+  glm::dvec3 weight(0);
   for (int s = 0; s < section_samples; ++s) {
     const FixedPoint p{px * unit + first + step * (s % 4), py * unit + first + step * (s / 4)};
     std::array<std::int64_t, 3> e{};
@@ -92,10 +109,15 @@ void cover(const PaperTriangle& t, std::int64_t px, std::int64_t py, SectionPixe
     }
     if (!inside) continue;
     const auto area = static_cast<double>(t.area);
-    for (int i = 0; i < 3; ++i) pixel.color_sum += t.color[i] * (static_cast<double>(e[i]) / area);
+    for (int i = 0; i < 3; ++i) {
+      const double share = static_cast<double>(e[i]) / area;
+      pixel.color_sum += t.color[i] * share;
+      weight[i] += share;
+    }
     pixel.samples = std::min(pixel.samples + 1, section_samples);
     pixel.face = t.face;
   }
+  if (!guide.empty()) add_guides(guide, t, weight, pixel);
 }
 
 }  // namespace
@@ -119,7 +141,7 @@ std::vector<SectionPixel> rasterised(const CrossSection& section, const std::vec
       const PixelBox box = box_of(triangles[t], width, height);
       const std::int64_t y1 = std::min(box.y1, low + band_rows - 1);
       for (std::int64_t y = std::max(box.y0, low); y <= y1; ++y) {
-        for (std::int64_t x = box.x0; x <= box.x1; ++x) cover(triangles[t], x, y, pixels[y * width + x]);
+        for (std::int64_t x = box.x0; x <= box.x1; ++x) cover(triangles[t], section.guide, x, y, pixels[y * width + x]);
       }
     }
   });

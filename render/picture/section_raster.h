@@ -14,6 +14,7 @@ struct SectionPixel {
   glm::dvec3 color_sum{0};  ///< linear, over the covered samples
   int samples = 0;          ///< covered ones, of section_samples
   int face = -1;            ///< the face they belong to
+  DetailGuide guide_sum;    ///< over the covered samples; 0 where the section has none
 };
 
 constexpr int section_samples = 16;  ///< 4 x 4 a pixel

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/style/noise.h"
+#include "render/style/look.h"
 #include "render/texture/charts.h"
 
 namespace pomona {
@@ -85,7 +85,7 @@ double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::
 class Baker {
  public:
   Baker(const Solid& solid, const Style& style, const BakeOptions& options)
-      : solid_(solid), style_(style), options_(options), modulation_(solid.noise), canvas_(options.texels) {}
+      : solid_(solid), style_(style), options_(options), look_(solid.noise, solid.details), canvas_(options.texels) {}
 
   BakedSolid bake() {
     const std::vector<Chart> charts = charts_of(solid_);
@@ -111,6 +111,7 @@ class Baker {
     out.normal.clear();
     out.color.clear();
     out.part.clear();
+    out.guide.clear();
     out.triangle.clear();
     out.cut_face.clear();
     out.surface.clear();
@@ -148,7 +149,11 @@ class Baker {
     if (!style_.noise) return plain;
     const glm::dvec3 position = glm::dvec3(solid_.position[v.x]) * (1 - b - c) + glm::dvec3(solid_.position[v.y]) * b +
                                 glm::dvec3(solid_.position[v.z]) * c;
-    return modulation_(plain, position, 1.0 / place.scale);
+    LookPlace looked_at{.position = position, .footprint = 1.0 / place.scale};
+    if (place.chart.cut_face < 0) looked_at.face = DetailFace::skin;
+    if (!solid_.guide.empty())
+      looked_at.guide = interpolated(solid_.guide[v.x], solid_.guide[v.y], solid_.guide[v.z], fb, fc);
+    return look_(plain, looked_at);
   }
 
   /// Lines on a cut face: of the segments that lie in its plane.
@@ -196,6 +201,7 @@ class Baker {
         out.normal.push_back(solid_.normal[original]);
         out.color.push_back(solid_.color[original]);
         out.part.push_back(solid_.part[original]);
+        if (!solid_.guide.empty()) out.guide.push_back(solid_.guide[original]);
         result_.uv.push_back(glm::vec2(place.texel(solid_.position[original]) / static_cast<double>(canvas_.side())));
       }
       out.triangle.push_back(copied);
@@ -207,7 +213,7 @@ class Baker {
   const Solid& solid_;
   const Style& style_;
   const BakeOptions& options_;
-  Modulation modulation_;
+  Look look_;
   Canvas canvas_;
   BakedSolid result_;
 };
