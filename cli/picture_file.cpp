@@ -140,4 +140,15 @@ TransparentImage read_linked_picture(const std::string& href, const fs::path& fo
   return read_transparent_png(bytes, place);
 }
 
+TransparentImage read_picture(const fs::path& file) {
+  const std::string place = file.string(), bytes = bytes_of_file(file, place);
+  const glm::dvec2 size = png_size(bytes, place);
+
+  // Deflate shrinks by a thousand at most, and a pixel takes an eighth of a byte at least.
+  if (size.x * size.y / 8 > 1100.0 * static_cast<double>(bytes.size())) {
+    fail(place, "the picture claims more pixels than its bytes can hold", "it was cut short: make it anew");
+  }
+  return read_transparent_png(bytes, place);
+}
+
 }  // namespace pomona

@@ -24,4 +24,8 @@ LinkedPicture linked_picture(const std::filesystem::path& picture, const std::fi
 TransparentImage read_linked_picture(const std::string& href, const std::filesystem::path& folder,
                                      const std::string& place);
 
+/// A PNG as it is. Size and pixels are looked at before anything is set aside for them.
+/// \throws Error (bad_data) for what is no PNG, is spoilt, or has more than 100 million pixels; (input_missing).
+TransparentImage read_picture(const std::filesystem::path& file);
+
 }  // namespace pomona

@@ -64,12 +64,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownStyle", {"grow", "tomato", "--style", "oil", "-o", "x.png"}, 64, "ink"},
         Mistake{"SizeWithoutHeight", {"grow", "tomato", "--size", "800", "-o", "x.png"}, 64, "--size"},
         Mistake{"UnknownView", {"grow", "tomato", "--view", "sideways", "-o", "x.png"}, 64, "--view"},
+        Mistake{"CompareWithNothing", {"compare", "x.png"}, 64, "RESULT"},
+        Mistake{"ToleranceOutOfRange", {"compare", "x.png", "y.png", "--usual", "256"}, 64, "--usual"},
         Mistake{"MissingScene", {"scene", "salat.toml", "-o", "x.glb"}, 66, "no such file"},
         Mistake{"CheckMissingFile", {"check", "missing.toml"}, 66, "no such file"}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST(Help, IsPrintedByEveryCommand) {
-  for (const char* command : {"list", "check", "sketch", "grow", "cut", "scene"}) {
+  for (const char* command : {"list", "check", "sketch", "grow", "cut", "scene", "compare"}) {
     const Outcome outcome = run_pomona({command, "-h"});
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_THAT(outcome.out, HasSubstr(command));

@@ -46,7 +46,7 @@ HEAVY = {
 HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 
 # Folders whose values end up in files that must be the same on every machine.
-REPRODUCIBLE = ("generator/", "render/style/", "render/picture/", "render/export/")
+REPRODUCIBLE = ("generator/", "render/style/", "render/picture/", "render/compare/", "render/export/")
 
 LIBM = "a?(?:sin|cos|tan)h?|atan2|sincos|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erf|tgamma|lgamma|fma"
 FORBIDDEN = [

@@ -1,0 +1,180 @@
+#include "render/compare/flip.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "generator/base/color.h"
+#include "generator/base/error.h"
+#include "generator/base/reproducible.h"
+#include "render/compare/flip_color.h"
+#include "render/compare/flip_kernels.h"
+
+namespace pomona {
+
+namespace {
+
+/// Rows are worked on in bands of so many: memory does not grow with the picture's height.
+constexpr int band_rows = 64;
+
+/// One number a pixel. A band's planes hold rows above and below it, as many as filters reach.
+struct Plane {
+  int width = 0;
+  int height = 0;
+  std::vector<double> value;
+  Plane(int w, int h) : width(w), height(h), value(static_cast<std::size_t>(w) * h) {}
+  double& at(int x, int y) { return value[static_cast<std::size_t>(y) * width + x]; }
+  double at(int x, int y) const { return value[static_cast<std::size_t>(y) * width + x]; }
+};
+
+Plane filtered_along_rows(const Plane& plane, const Kernel& kernel) {
+  const int radius = static_cast<int>(kernel.size()) / 2;
+  Plane result(plane.width, plane.height);
+  for (int y = 0; y < plane.height; ++y) {
+    for (int x = 0; x < plane.width; ++x) {
+      double sum = 0;
+      for (int i = -radius; i <= radius; ++i) {
+        sum += kernel[static_cast<std::size_t>(i + radius)] * plane.at(std::clamp(x + i, 0, plane.width - 1), y);
+      }
+      result.at(x, y) = sum;
+    }
+  }
+  return result;
+}
+
+/// The band's own rows; the plane holds `reach` more above and below.
+Plane filtered_along_columns(const Plane& plane, const Kernel& kernel, int reach) {
+  const int radius = static_cast<int>(kernel.size()) / 2;
+  Plane result(plane.width, plane.height - 2 * reach);
+  for (int y = 0; y < result.height; ++y) {
+    for (int i = -radius; i <= radius; ++i) {
+      const double weight = kernel[static_cast<std::size_t>(i + radius)];
+      for (int x = 0; x < plane.width; ++x) result.at(x, y) += weight * plane.at(x, y + reach + i);
+    }
+  }
+  return result;
+}
+
+Plane filtered(const Plane& plane, const Kernel& across, const Kernel& along, int reach) {
+  return filtered_along_columns(filtered_along_rows(plane, across), along, reach);
+}
+
+struct Filters {
+  ContrastKernels contrast;
+  FeatureKernels feature;
+  int reach = 0;  ///< the larger radius
+  std::array<double, 256> linear{};
+};
+
+/// What one band of one picture looks like.
+struct SeenBand {
+  std::vector<glm::dvec3> color;  ///< Hunt-adjusted CIELAB, as far as the eye resolves it
+  std::vector<double> edge;       ///< how strongly an edge, or a point, shows at a pixel
+  std::vector<double> point;
+};
+
+/// The opponent channels and the luminance of the band's rows and those around it; the border's pixels go on.
+std::array<Plane, 4> channels(const Image& image, int first, int rows, const Filters& filters) {
+  const Plane empty(image.width, rows + 2 * filters.reach);
+  std::array<Plane, 4> planes = {empty, empty, empty, empty};
+  for (int y = 0; y < empty.height; ++y) {
+    const int row = std::clamp(first + y - filters.reach, 0, image.height - 1);
+    for (int x = 0; x < image.width; ++x) {
+      const glm::u8vec3& pixel = image.at(x, row);
+      const glm::dvec3 rgb(filters.linear[pixel.r], filters.linear[pixel.g], filters.linear[pixel.b]);
+      const glm::dvec3 opponent = opponent_from_linear(rgb);
+      for (int channel = 0; channel < 3; ++channel) {
+        planes[static_cast<std::size_t>(channel)].at(x, y) = opponent[channel];
+      }
+      planes[3].at(x, y) = luminance_of_linear(rgb);
+    }
+  }
+  return planes;
+}
+
+std::vector<double> lengths(const Plane& x, const Plane& y) {
+  std::vector<double> result(x.value.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = std::sqrt(x.value[i] * x.value[i] + y.value[i] * y.value[i]);
+  }
+  return result;
+}
+
+SeenBand seen(const Image& image, int first, int rows, const Filters& filters) {
+  const std::array<Plane, 4> planes = channels(image, first, rows, filters);
+  const auto blurred = [&](std::size_t channel, const Kernel& kernel) {
+    return filtered(planes[channel], kernel, kernel, filters.reach);
+  };
+  const Plane light = blurred(0, filters.contrast.light), red_green = blurred(1, filters.contrast.red_green);
+  const Plane wide = blurred(2, filters.contrast.blue_yellow_wide);
+  const Plane narrow = blurred(2, filters.contrast.blue_yellow_narrow);
+
+  SeenBand band;
+  for (std::size_t i = 0; i < light.value.size(); ++i) {
+    const glm::dvec3 rgb = linear_from_opponent({light.value[i], red_green.value[i], wide.value[i] + narrow.value[i]});
+    band.color.push_back(hunt_lab_from_linear(glm::clamp(rgb, 0.0, 1.0)));
+  }
+  const auto derivatives = [&](const Kernel& kernel) {
+    return lengths(filtered(planes[3], kernel, filters.feature.smooth, filters.reach),
+                   filtered(planes[3], filters.feature.smooth, kernel, filters.reach));
+  };
+  band.edge = derivatives(filters.feature.edge);
+  band.point = derivatives(filters.feature.point);
+  return band;
+}
+
+/// Section 4.1.3: most of the range goes to the distances that are common in pictures.
+double color_error(double distance, double largest) {
+  constexpr double knee = 0.4, at_knee = 0.95;
+  const double bent = reproducible::pow(distance, 0.7);
+  if (bent < knee * largest) return at_knee / (knee * largest) * bent;
+  return at_knee + (bent - knee * largest) / (largest - knee * largest) * (1 - at_knee);
+}
+
+/// The largest distance there is: between green and blue.
+double largest_bent_distance() {
+  return reproducible::pow(hyab(hunt_lab_from_linear({0, 1, 0}), hunt_lab_from_linear({0, 0, 1})), 0.7);
+}
+
+/// Section 4.3: features that differ amplify what differs in colour.
+double error_at(const SeenBand& reference, const SeenBand& result, std::size_t i, double largest) {
+  const double color = color_error(hyab(reference.color[i], result.color[i]), largest);
+  const double feature =
+      std::max(std::fabs(reference.edge[i] - result.edge[i]), std::fabs(reference.point[i] - result.point[i]));
+  const double amplified = std::sqrt(feature / std::sqrt(2.0));
+  return std::clamp(reproducible::pow(color, 1 - amplified), 0.0, 1.0);
+}
+
+}  // namespace
+
+FlipMap flip(const Image& reference, const Image& result, const FlipOptions& options) {
+  if (reference.width != result.width || reference.height != result.height) {
+    throw Error(ExitStatus::bad_data, "pictures of different sizes have no FLIP");
+  }
+  Filters filters{contrast_kernels(options.pixels_per_degree), feature_kernels(options.pixels_per_degree)};
+  filters.reach = std::max(filters.contrast.radius, filters.feature.radius);
+  for (std::size_t i = 0; i < filters.linear.size(); ++i) {
+    filters.linear[i] = linear_from_srgb(static_cast<double>(i) / 255);
+  }
+  const double largest = largest_bent_distance();
+
+  FlipMap map{reference.width, reference.height, std::vector<float>(reference.pixels.size())};
+  const auto bands = static_cast<std::size_t>((reference.height + band_rows - 1) / band_rows);
+  parallel_for(bands, options.threads, [&](std::size_t band) {
+    const int first = static_cast<int>(band) * band_rows, rows = std::min(band_rows, reference.height - first);
+    const SeenBand one = seen(reference, first, rows, filters), other = seen(result, first, rows, filters);
+    const std::size_t offset = static_cast<std::size_t>(first) * static_cast<std::size_t>(reference.width);
+    for (std::size_t i = 0; i < one.color.size(); ++i) {
+      map.error[offset + i] = static_cast<float>(error_at(one, other, i, largest));
+    }
+  });
+  return map;
+}
+
+double mean(const FlipMap& map) {
+  if (map.error.empty()) return 0;
+  return std::accumulate(map.error.begin(), map.error.end(), 0.0) / static_cast<double>(map.error.size());
+}
+
+}  // namespace pomona
