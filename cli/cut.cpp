@@ -32,8 +32,8 @@ struct CutCommand {
 
 /// A bare section has no solid to put into a scene format.
 std::vector<Format> formats_for(const CutCommand& command) {
-  if (command.section) return {Format::ply, Format::png};
-  return {Format::ply, Format::glb, Format::pov, Format::png};
+  if (command.section) return {Format::ply, Format::png, Format::svg};
+  return {Format::ply, Format::glb, Format::pov, Format::png, Format::svg};
 }
 
 void write_section_files(const std::vector<Output>& outputs, const CrossSection& diffused, const CrossSection& styled,
@@ -52,7 +52,8 @@ void write_piece_files(const std::vector<Output>& outputs, std::vector<Solid> pi
   in_place.paper = delivery.style().paper;
   for (const Output& output : outputs) {
     // A picture of pieces in their place would show a whole fruit: lay them out side by side.
-    delivery.add(output, output.format == Format::png ? laid_out(in_place) : in_place);
+    const bool is_picture = output.format == Format::png || output.format == Format::svg;
+    delivery.add(output, is_picture ? laid_out(in_place) : in_place);
   }
 }
 
@@ -107,12 +108,12 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("-o,--output", options->outputs, "What to write: .ply, .glb, .pov or .png")
+  command->add_option("-o,--output", options->outputs, "What to write: .ply, .glb, .pov, .png or .svg")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
-  command->add_flag("--section", options->section, "The bare section instead of pieces (.ply or .png)");
+  command->add_flag("--section", options->section, "The bare section instead of pieces (.ply, .png or .svg)");
   add_ripeness_option(*command, options->shared);
   add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);

@@ -12,6 +12,7 @@
 #include "render/export/gltf.h"
 #include "render/export/ply.h"
 #include "render/export/pov.h"
+#include "render/export/svg.h"
 #include "render/gl/context.h"
 #include "render/gl/scene_picture.h"
 #include "render/picture/png.h"
@@ -71,15 +72,12 @@ void Delivery::add(const Output& output, const Scene& scene) {
       return add(output.file, [&] { return write_solids(scene, options); });
     case Format::glb:
       return add_glb(output, scene);
-    case Format::pov: {
-      const std::string stem = output.file.stem().string();
-      for (NamedFile& file : times.time("write", [&] { return write_pov(scene, stem, options); })) {
-        files_.push_back({output.file.parent_path() / file.name, std::move(file.bytes)});
-      }
-      return;
-    }
+    case Format::pov:
+      return add_pov(output, scene);
     case Format::png:
       return add_picture(output, scene);
+    case Format::svg:
+      return add_lines(output, scene);
     case Format::json:
       throw Error(ExitStatus::bug, "a layout is not a delivery's business");
   }
@@ -99,25 +97,55 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
   add(output.file, [&] { return write_glb(scene, baked_solids, options); });
 }
 
-void Delivery::add_picture(const Output& output, Scene scene) {
+/// The scene seen as the options say, or as it fits a picture of this shape.
+Scene Delivery::fitted(Scene scene, const PictureSize& size) const {
+  if (!view_ && !scene.view.fitted) return scene;
+  const glm::dvec3 direction = view_.value_or(scene.view.eye - scene.view.target);
+  scene.view = fitted_view(scene, direction, static_cast<double>(size.width) / size.height);
+  return scene;
+}
+
+void Delivery::add_picture(const Output& output, const Scene& scene) {
   const PictureSize size = size_.value_or(default_size_);
-  if (view_ || scene.view.fitted) {
-    const glm::dvec3 direction = view_.value_or(scene.view.eye - scene.view.target);
-    scene.view = fitted_view(scene, direction, static_cast<double>(size.width) / size.height);
-  }
   const Image image = times.time("style", [&] {
     GlContext context;
-    return draw_scene(context, scene, style_, {.width = size.width, .height = size.height});
+    return draw_scene(context, fitted(scene, size), style_,
+                      {.width = size.width, .height = size.height, .threads = {options_.threads}});
   });
   add(output.file, [&] { return write_png(image); });
+}
+
+void Delivery::add_lines(const Output& output, const Scene& scene) {
+  const PictureSize size = size_.value_or(default_size_);
+  const Scene seen = fitted(scene, size);
+  const StrokeOptions options{.width = size.width, .height = size.height, .threads = {options_.threads}};
+  const std::vector<SceneStroke> strokes = times.time("style", [&] { return scene_strokes(seen, style_, options); });
+  if (!style_.ink) warn({"the style " + style_.name + " has no ink: " + output.file.string() + " holds no lines"});
+  const std::string made_by = export_options(options_, style_).provenance;
+  add(output.file, [&] { return write_svg(seen, strokes, size.width, size.height, made_by); });
+}
+
+void Delivery::add_pov(const Output& output, const Scene& scene) {
+  // The strokes of the camera that is in the file.
+  SceneInk ink{.width = default_size_.width, .height = default_size_.height, .strokes = {}};
+  const StrokeOptions options{.width = ink.width, .height = ink.height, .threads = {options_.threads}};
+  ink.strokes = times.time("style", [&] { return scene_strokes(scene, style_, options); });
+  const std::string stem = output.file.stem().string();
+  const ExportOptions as_mesh = export_options(options_, style_);
+  for (NamedFile& file : times.time("write", [&] { return write_pov(scene, stem, as_mesh, ink); })) {
+    files_.push_back({output.file.parent_path() / file.name, std::move(file.bytes)});
+  }
 }
 
 void Delivery::add_section_picture(const Output& output, const CrossSection& section, const Template& fruit) {
   const PictureSize size = size_.value_or(default_size_);
   const SectionPictureOptions options{.width = size.width, .height = size.height, .threads = {options_.threads}};
-  const Image image = times.time("style", [&] {
-    return draw_section(section, {fruit.noise, fruit.details}, fruit.ink, style_, options);
-  });
+  const Look look(fruit.noise, fruit.details);
+  if (output.format == Format::svg) {
+    const std::string made_by = export_options(options_, style_).provenance;
+    return add(output.file, [&] { return write_section_svg(section, look, fruit.ink, style_, options, made_by); });
+  }
+  const Image image = times.time("style", [&] { return draw_section(section, look, fruit.ink, style_, options); });
   add(output.file, [&] { return write_png(image); });
 }
 

@@ -29,9 +29,10 @@ class Delivery {
 
   const Style& style() const { return style_; }
 
-  /// A scene as .ply, .glb, .pov (with its includes) or .png.
+  /// A scene as .ply, .glb, .pov (with its includes), .png or .svg.
   void add(const Output& output, const Scene& scene);
 
+  /// A section as .png or .svg.
   void add_section_picture(const Output& output, const CrossSection& section, const Template& fruit);
 
   /// Of pictures when --size says nothing.
@@ -46,7 +47,10 @@ class Delivery {
   Progress progress;
 
  private:
-  void add_picture(const Output& output, Scene scene);
+  void add_picture(const Output& output, const Scene& scene);
+  void add_lines(const Output& output, const Scene& scene);
+  void add_pov(const Output& output, const Scene& scene);
+  Scene fitted(Scene scene, const PictureSize& size) const;
   void add_glb(const Output& output, const Scene& scene);
   void say_what_was_written();
 

@@ -37,7 +37,7 @@ std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Deliver
 
 ExitStatus grow_fruit(const GrowCommand& command) {
   const std::vector<Output> outputs =
-      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png});
+      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg});
   Delivery delivery(command.shared);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
 
@@ -65,7 +65,7 @@ DeclaredCommand grow_command(CLI::App& app) {
   const auto options = std::make_shared<GrowCommand>();
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
-  command->add_option("-o,--output", options->outputs, "What to write: .ply (surfaces), .glb, .pov or .png")
+  command->add_option("-o,--output", options->outputs, "What to write: .ply (surfaces), .glb, .pov, .png or .svg")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

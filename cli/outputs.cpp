@@ -16,10 +16,11 @@ namespace pomona {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, Format>, 5> endings = {{{".ply", Format::ply},
+constexpr std::array<std::pair<const char*, Format>, 6> endings = {{{".ply", Format::ply},
                                                                     {".glb", Format::glb},
                                                                     {".pov", Format::pov},
                                                                     {".png", Format::png},
+                                                                    {".svg", Format::svg},
                                                                     {".json", Format::json}}};
 
 std::string list_of(const std::vector<Format>& allowed) {

@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-enum class Format { ply, glb, pov, png, json };
+enum class Format { ply, glb, pov, png, svg, json };
 
 struct Output {
   std::filesystem::path file;

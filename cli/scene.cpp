@@ -45,7 +45,7 @@ std::string style_of(const SceneDescription& scene, const std::filesystem::path&
 
 ExitStatus compose_scene(const SceneCommand& command) {
   const std::vector<Output> outputs =
-      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::json});
+      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg, Format::json});
   Delivery delivery(command.shared);
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
@@ -77,7 +77,9 @@ DeclaredCommand scene_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("scene", "Compose a scene: many cut variants, settled");
   const auto options = std::make_shared<SceneCommand>();
   command->add_option("FILE", options->file, "A scene file (scenes/salad.toml)")->required();
-  command->add_option("-o,--output", options->outputs, "What to write: .glb, .pov, .png, .ply, or .json (the layout)")
+  command
+      ->add_option("-o,--output", options->outputs,
+                   "What to write: .glb, .pov, .png, .svg, .ply, or .json (the layout)")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -1,19 +1,15 @@
-// The picture: every pixel the mean of its samples, each lit and inked.
+// The picture: every pixel the mean of its samples, each lit; ink comes later.
 #include "gbuffer.glsl"
 #include "lit.glsl"
 #include "paper.glsl"
-#include "stroke_code.glsl"
 
 uniform usampler2D ids;
 uniform sampler2D depth;
 uniform sampler2D albedo;
 uniform sampler2D normal_line;
 uniform sampler2D light;
-uniform isampler2D strokes;
-uniform usampler2D stroked_ids;  // what strokes were found on: with what is see-through
-uniform sampler2D glass;         // all layers of what is see-through
+uniform sampler2D glass;  // all layers of what is see-through
 uniform int samples_per_side;
-uniform bool inked;
 uniform bool see_through;
 uniform vec3 shadow_color;  // of a wash on white paper
 uniform vec2 tangent;
@@ -62,21 +58,6 @@ vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground, float grain_her
   return painted(fruit_color(color, normal, to_eye, seen, is_cut(id)), grain_here);
 }
 
-vec3 with_ink(vec3 color, ivec2 at) {
-  ivec2 stroke = texelFetch(strokes, at, 0).rg;
-  uint id = texelFetch(stroked_ids, at, 0).r;
-  if (stroke.y != no_stroke && instance_of(id) != 0u) {
-    float width = pen_of(instance_of(id)).y;
-    float cover = clamp(0.5 + squared_reach(stroke.y) / max(width, 1.0), 0.0, 1.0);
-    color = mix(color, ink_of(instance_of(id)).rgb, cover * float(low_bits(stroke.y)) / 255.0);
-  }
-  if (stroke.x != no_stroke) {
-    vec4 ink = ink_of(uint(low_bits(stroke.x)));
-    color = mix(color, ink.rgb, clamp(0.5 + squared_reach(stroke.x) / max(ink.w, 1.0), 0.0, 1.0));
-  }
-  return color;
-}
-
 void main() {
   // The picture's rows run down.
   vec2 size = vec2(textureSize(depth, 0));
@@ -94,7 +75,6 @@ void main() {
         vec4 before = texelFetch(glass, at, 0);
         color = before.rgb + (1.0 - before.a) * clamp(color, 0.0, 1.0);
       }
-      if (inked) color = with_ink(color, at);
       sum += clamp(color, 0.0, 1.0);
     }
   }

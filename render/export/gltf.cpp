@@ -10,8 +10,8 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "generator/base/error.h"
-#include "render/export/view_frame.h"
 #include "render/picture/png.h"
+#include "render/picture/view_frame.h"
 
 namespace pomona {
 namespace {

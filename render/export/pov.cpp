@@ -8,7 +8,7 @@
 #include "generator/base/reproducible.h"
 #include "render/export/pov_mesh.h"
 #include "render/export/pov_text.h"
-#include "render/export/view_frame.h"
+#include "render/picture/view_frame.h"
 
 namespace pomona {
 
@@ -81,7 +81,8 @@ std::string scene_text(const Scene& scene, const std::string& include, const Exp
 
 }  // namespace
 
-std::vector<NamedFile> write_pov(const Scene& scene, const std::string& stem, const ExportOptions& options) {
+std::vector<NamedFile> write_pov(const Scene& scene, const std::string& stem, const ExportOptions& options,
+                                 const SceneInk& ink) {
   const std::vector<StyledMesh> styled = styled_meshes(scene, options);
   const int exponent = unit_exponent_for(view_frame(scene.view));
 
@@ -92,12 +93,15 @@ std::vector<NamedFile> write_pov(const Scene& scene, const std::string& stem, co
   });
   std::string meshes = "// Meshes of " + commentable(stem) + ".pov, made by Pomona.\n";
   for (const std::string& text : texts) meshes += text;
+  if (!ink.strokes.empty()) meshes += ink_text(scene, ink, exponent);
 
   // Place them.
   const std::string include = stem + "_meshes.inc";
   std::string main = scene_text(scene, include, options);
   for (const Instance& instance : scene.instances)
     if (!styled.at(instance.solid).triangle.empty()) main += placed_text(instance, power_of_ten(exponent));
+  if (!ink.strokes.empty())
+    main += "\n// Right for this camera alone: leave it out when you move it.\nobject { Ink }\n";
   return {{stem + ".pov", std::move(main)}, {include, std::move(meshes)}};
 }
 

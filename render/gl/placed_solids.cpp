@@ -55,14 +55,4 @@ void PlacedSolids::draw(const Program& program, Drawn which) const {
   gl_->Disable(GL_CULL_FACE);
 }
 
-void PlacedSolids::draw_lines(const Program& program) const {
-  uploaded_.lines.bind();
-  for (const Instance& instance : scene_.instances) {
-    const UploadedSolids::Part& part = uploaded_.parts[instance.solid];
-    if (part.line_vertices == 0) continue;
-    program.set("placement", matrix_of(instance.pose));
-    gl_->DrawArrays(GL_LINES, part.first_line_vertex, part.line_vertices);
-  }
-}
-
 }  // namespace pomona

@@ -18,8 +18,6 @@ class PlacedSolids {
   /// With the program in use, the nearest first, so that what is hidden is not worked out in vain. Sets "placement",
   /// "instance_id", "first_triangle" and "opacity". Of closed see-through solids only what faces the eye is drawn.
   void draw(const Program& program, Drawn which) const;
-  /// The lines on cut faces. Sets "placement".
-  void draw_lines(const Program& program) const;
 
   const GlTexture& triangle_tags() const { return uploaded_.triangle_tags; }
   const GlTexture& noise_styles() const { return uploaded_.noise_styles; }

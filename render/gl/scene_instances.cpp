@@ -36,7 +36,7 @@ std::vector<InstanceTexels> instance_texels(const Scene& scene, const SceneCamer
         std::max(-(glm::dmat4(camera.view) * glm::dvec4(center, 1)).z, static_cast<double>(camera.near));
     const double seen = 2 * radius / away / camera.tangent.y * 0.5 * samples.y;  // samples
     const double fine = std::clamp(std::sqrt(seen / (0.7 * side)), 0.3, 1.0);
-    const double width = std::min(side * fine * ink.width * style.outline_width, 1.2 * widest_reach);
+    const double width = side * fine * ink.width * style.outline_width;
     const double inner = side * fine * ink.width * style.inner_width;
     const glm::mat4 rows = glm::transpose(glm::inverse(matrix_of(instance.pose)));
     texels.push_back({glm::vec4(style.ink_color.value_or(ink.color), width),

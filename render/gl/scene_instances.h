@@ -18,9 +18,6 @@ struct InstanceTexels {
   glm::vec4 to_fruit[3]{};     ///< rows of the matrix from the scene to the fruit's own frame
 };
 
-constexpr int stroke_tile = 16;   ///< samples: the same in shaders/stroke_code.glsl
-constexpr int widest_reach = 16;  ///< samples: no stroke reaches further from its line than the next tile
-
 /// Strokes by the size at which each instance is seen, as on sections: small pieces get finer lines.
 /// \param samples the picture's size in samples.
 std::vector<InstanceTexels> instance_texels(const Scene& scene, const SceneCamera& camera, const Style& style,

@@ -12,6 +12,7 @@
 #include "render/gl/program.h"
 #include "render/gl/scene_camera.h"
 #include "render/gl/scene_instances.h"
+#include "render/strokes/ink_on_picture.h"
 
 namespace pomona {
 
@@ -35,9 +36,6 @@ struct Targets {
   Targets(const CurrentGl& gl, const PictureOptions& options, int side)
       : samples(options.width * side, options.height * side),
         opaque(gl, samples),
-        strokes{GlTexture(gl, GL_RG32I, samples.x, samples.y), GlTexture(gl, GL_RG32I, samples.x, samples.y)},
-        tiles((samples + stroke_tile - 1) / stroke_tile),
-        inked_tiles(gl, GL_R32I, tiles.x, tiles.y),
         light{GlTexture(gl, GL_RGBA16F, options.width, options.height),
               GlTexture(gl, GL_RGBA16F, options.width, options.height)},
         shadow(gl, GL_DEPTH_COMPONENT32F, shadow_side, shadow_side),
@@ -45,12 +43,8 @@ struct Targets {
 
   glm::ivec2 samples;
   Surfaces opaque;
-  std::optional<Surfaces> outer;     // the same with what is see-through, where there is such
-  std::optional<GlTexture> glass;    // all layers of what is see-through
-  std::array<GlTexture, 2> strokes;  // to and fro
-  glm::ivec2 tiles;                  // of stroke_tile samples each way
-  GlTexture inked_tiles;             // one per tile: how far its strokes reach
-  std::array<GlTexture, 2> light;    // one per pixel: sky, light, distance
+  std::optional<GlTexture> glass;  // all layers of what is see-through
+  std::array<GlTexture, 2> light;  // one per pixel: sky, light, distance
   GlTexture shadow;
   GlTexture picture;  // one per pixel
 };
@@ -76,29 +70,24 @@ class ScenePainter {
 
   Image painted() {
     cast_shadows();
-    draw_surfaces(targets_.opaque, {Drawn::opaque});
+    draw_surfaces();
     if (solids_.any(Drawn::see_through)) draw_glass();
     look_for_light();
-    if (style_.ink) find_strokes();
     compose();
     return read_back();
   }
 
  private:
   void cast_shadows();
-  void draw_surfaces(const Surfaces& surfaces, std::initializer_list<Drawn> which);
+  void draw_surfaces();
   void draw_ground();
-  void draw_inner_lines();
   void draw_glass();
   void look_for_light();
-  void find_strokes();
   void compose();
   Image read_back();
 
   void fill(const GlFramebuffer& target, const glm::ivec2& size);
   void set_camera(const Program& program, const Surfaces& surfaces) const;
-  /// What strokes are found on: the foremost surfaces, see-through or not.
-  const Surfaces& stroked() const { return targets_.outer ? *targets_.outer : targets_.opaque; }
 
   const CurrentGl& gl_;
   const Scene& scene_;
@@ -139,7 +128,8 @@ void ScenePainter::cast_shadows() {
   gl_.check("the shadow map");
 }
 
-void ScenePainter::draw_surfaces(const Surfaces& surfaces, std::initializer_list<Drawn> which) {
+void ScenePainter::draw_surfaces() {
+  const Surfaces& surfaces = targets_.opaque;
   const std::array<const GlTexture*, 3> colors{&surfaces.albedo, &surfaces.normal_line, &surfaces.ids};
   const GlFramebuffer target(gl_, colors, &surfaces.depth);
   target.bind(targets_.samples.x, targets_.samples.y);
@@ -158,9 +148,8 @@ void ScenePainter::draw_surfaces(const Surfaces& surfaces, std::initializer_list
   program.use();
   program.set("projection", camera_.projection * camera_.view);
   program.set("triangle_tags", 0);
-  for (const Drawn drawn : which) solids_.draw(program, drawn);
+  solids_.draw(program, Drawn::opaque);
   if (scene_.ground) draw_ground();
-  if (style_.ink) draw_inner_lines();
   gl_.check("the solids");
 }
 
@@ -174,24 +163,7 @@ void ScenePainter::draw_ground() {
   gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void ScenePainter::draw_inner_lines() {
-  // Only the channel beside the normal is theirs.
-  for (const GLuint target : {0u, 1u, 2u}) gl_->ColorMaski(target, GL_FALSE, GL_FALSE, GL_FALSE, target == 1);
-  gl_->DepthMask(GL_FALSE);
-  gl_->DepthFunc(GL_LEQUAL);
-
-  const Program program(gl_, "inner_line.vert.glsl", "inner_line.frag.glsl");
-  program.use();
-  program.set("projection", camera_.projection * camera_.view);
-  solids_.draw_lines(program);
-
-  for (const GLuint target : {0u, 1u, 2u}) gl_->ColorMaski(target, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl_->DepthMask(GL_TRUE);
-  gl_->DepthFunc(GL_LESS);
-}
-
 void ScenePainter::draw_glass() {
-  if (style_.ink) draw_surfaces(targets_.outer.emplace(gl_, targets_.samples), {Drawn::opaque, Drawn::see_through});
   const GlassView view{.camera = camera_,
                        .eye = scene_.view.eye,
                        .to_light = light_.to_light,
@@ -257,41 +229,6 @@ void ScenePainter::look_for_light() {
   gl_.check("light and sky");
 }
 
-void ScenePainter::find_strokes() {
-  const std::array<const GlTexture*, 1> first{&targets_.strokes[0]}, second{&targets_.strokes[1]};
-  const GlFramebuffer to_first(gl_, first, nullptr), to_second(gl_, second, nullptr);
-  const Program edges(gl_, "fullscreen.vert.glsl", "edges.frag.glsl");
-  edges.use();
-  set_camera(edges, stroked());
-  edges.set("clip_to_scene", glm::inverse(camera_.projection * camera_.view));
-  edges.set("inner_opacity", static_cast<float>(style_.inner_opacity));
-  edges.set("from_light", glm::vec2(0.6f, -0.8f));
-  fill(to_first, targets_.samples);
-
-  // Where are strokes at all? Most of a picture has none, and is passed over.
-  const std::array<const GlTexture*, 1> tiles{&targets_.inked_tiles};
-  const GlFramebuffer to_tiles(gl_, tiles, nullptr);
-  const Program find_tiles(gl_, "fullscreen.vert.glsl", "inked_tiles.frag.glsl");
-  find_tiles.use();
-  find_tiles.set("strokes", 0);
-  targets_.strokes[0].bind(0);
-  fill(to_tiles, targets_.tiles);
-
-  // Spread them across, then up.
-  const Program widen(gl_, "fullscreen.vert.glsl", "widen.frag.glsl");
-  widen.use();
-  widen.set("strokes", 0);
-  widen.set("inked_tiles", 1);
-  widen.set("widest_reach", widest_reach);
-  targets_.inked_tiles.bind(1);
-  widen.set("across", 1);
-  fill(to_second, targets_.samples);
-  widen.set("across", 0);
-  targets_.strokes[1].bind(0);
-  fill(to_first, targets_.samples);
-  gl_.check("the strokes");
-}
-
 void ScenePainter::compose() {
   const std::array<const GlTexture*, 1> colors{&targets_.picture};
   const GlFramebuffer target(gl_, colors, nullptr);
@@ -300,19 +237,14 @@ void ScenePainter::compose() {
   set_camera(program, targets_.opaque);
   program.set("albedo", 4);
   program.set("light", 5);
-  program.set("strokes", 6);
   targets_.opaque.albedo.bind(4);
   targets_.light[0].bind(5);
-  targets_.strokes[0].bind(6);
   program.set("noise_styles", 7);
   solids_.noise_styles().bind(7);
-  program.set("stroked_ids", 8);
-  stroked().ids.bind(8);
   program.set("see_through", targets_.glass ? 1 : 0);
   program.set("glass", 9);
   if (targets_.glass) targets_.glass->bind(9);
   program.set("pixel_angle", 2.0f * camera_.tangent.y / static_cast<float>(options_.height));
-  program.set("inked", style_.ink ? 1 : 0);
   program.set("paper", scene_.paper);
   program.set("grain", static_cast<float>(style_.grain));
   program.set("vignette", static_cast<float>(style_.vignette));
@@ -358,7 +290,9 @@ void check_options(const CurrentGl& gl, const PictureOptions& options) {
 Image draw_scene(GlContext& context, const Scene& scene, const Style& style, const PictureOptions& options) {
   const CurrentGl gl(context);
   check_options(gl, options);
-  return ScenePainter(gl, scene, style, options).painted();
+  Image picture = ScenePainter(gl, scene, style, options).painted();
+  const StrokeOptions strokes{.width = options.width, .height = options.height, .threads = options.threads};
+  return style.ink ? with_ink(std::move(picture), scene_strokes(scene, style, strokes)) : picture;
 }
 
 Image draw_scene(const Scene& scene, const Style& style, const PictureOptions& options) {

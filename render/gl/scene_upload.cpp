@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "generator/base/error.h"
-#include "generator/base/parallel.h"
-#include "render/picture/inner_lines.h"
 #include "render/style/noise.h"
 
 namespace pomona {
@@ -21,44 +19,32 @@ std::uint16_t tag_of(const Solid& solid, std::size_t triangle) {
 /// Everything in one piece, ready to be handed over.
 struct Gathered {
   std::vector<UploadedSolids::Part> parts;
-  std::vector<glm::vec3> position, normal, color, line_position;
-  std::vector<float> line_strength;
+  std::vector<glm::vec3> position, normal, color;
   std::vector<glm::uvec3> triangle;
   std::vector<std::uint16_t> tag;
   std::vector<glm::vec4> noise;
 };
 
-void append(const Solid& solid, const std::vector<InnerLine>& lines, bool with_noise, Gathered& all) {
+void append(const Solid& solid, bool with_noise, Gathered& all) {
   UploadedSolids::Part part;
   part.indices = static_cast<GLsizei>(3 * solid.triangle.size());
   part.first_index = 3 * all.triangle.size();
   part.first_vertex = static_cast<GLint>(all.position.size());
   part.first_triangle = static_cast<GLint>(all.tag.size());
-  part.first_line_vertex = static_cast<GLint>(all.line_position.size());
-  part.line_vertices = static_cast<GLsizei>(2 * lines.size());
 
   all.position.insert(all.position.end(), solid.position.begin(), solid.position.end());
   all.normal.insert(all.normal.end(), solid.normal.begin(), solid.normal.end());
   all.color.insert(all.color.end(), solid.color.begin(), solid.color.end());
   all.triangle.insert(all.triangle.end(), solid.triangle.begin(), solid.triangle.end());
   for (std::size_t t = 0; t < solid.triangle.size(); ++t) all.tag.push_back(tag_of(solid, t));
-  for (const InnerLine& line : lines) {
-    all.line_position.push_back(line.a);
-    all.line_position.push_back(line.b);
-    all.line_strength.insert(all.line_strength.end(), 2, line.opacity);
-  }
   const std::vector<glm::vec4> texels = noise_texels(with_noise ? solid.noise : NoiseStyle{});
   all.noise.insert(all.noise.end(), texels.begin(), texels.end());
   all.parts.push_back(part);
 }
 
 Gathered gathered_solids(const Scene& scene, const Style& style) {
-  std::vector<std::vector<InnerLine>> lines(scene.solids.size());
-  if (style.ink) {
-    parallel_for(scene.solids.size(), {}, [&](std::size_t i) { lines[i] = inner_lines(scene.solids[i]); });
-  }
   Gathered all;
-  for (std::size_t i = 0; i < scene.solids.size(); ++i) append(scene.solids[i], lines[i], style.noise, all);
+  for (std::size_t i = 0; i < scene.solids.size(); ++i) append(scene.solids[i], style.noise, all);
   return all;
 }
 
@@ -100,21 +86,16 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
       .normal = GlBuffer(gl, GL_ARRAY_BUFFER, all.normal),
       .color = GlBuffer(gl, GL_ARRAY_BUFFER, all.color),
       .index = GlBuffer(gl, GL_ARRAY_BUFFER, all.triangle),
-      .line_position = GlBuffer(gl, GL_ARRAY_BUFFER, all.line_position),
-      .line_strength = GlBuffer(gl, GL_ARRAY_BUFFER, all.line_strength),
       .tag_buffer = std::move(tag_buffer),
       .triangle_tags = std::move(tags),
       .noise_buffer = std::move(noise_buffer),
       .noise_styles = std::move(noise_styles),
       .solids = GlVertexArray(gl),
-      .lines = GlVertexArray(gl),
   };
   solids.solids.attach(0, 3, solids.position);
   solids.solids.attach(1, 3, solids.normal);
   solids.solids.attach(2, 3, solids.color);
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());
-  solids.lines.attach(0, 3, solids.line_position);
-  solids.lines.attach(1, 1, solids.line_strength);
   gl.check("handing over the solids");
   return solids;
 }

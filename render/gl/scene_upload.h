@@ -16,17 +16,14 @@ struct UploadedSolids {
     std::size_t first_index = 0;
     GLint first_vertex = 0;
     GLint first_triangle = 0;  ///< in triangle_tags
-    GLint first_line_vertex = 0;
-    GLsizei line_vertices = 0;
   };
   std::vector<Part> parts;
   GlBuffer position, normal, color, index;
-  GlBuffer line_position, line_strength;
   GlBuffer tag_buffer;
   GlTexture triangle_tags;  ///< per triangle: the low 12 bits of its id (shaders/gbuffer.glsl)
   GlBuffer noise_buffer;
   GlTexture noise_styles;  ///< per solid noise_texels texels (shaders/noise.glsl)
-  GlVertexArray solids, lines;
+  GlVertexArray solids;
 };
 
 /// \throws Error (bad_data) for more triangles than a buffer texture of this context holds.

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/picture/chains.h"
-#include "render/picture/inner_lines.h"
+#include "render/picture/line_opacity.h"
 
 namespace pomona {
 

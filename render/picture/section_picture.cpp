@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
-
 #include "generator/base/error.h"
 #include "render/picture/paper.h"
-#include "render/picture/section_ink.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/section_raster.h"
+#include "render/picture/section_strokes.h"
 #include "render/style/look.h"
 
 namespace pomona {
@@ -20,36 +18,9 @@ struct InkLayers {
   InkLayer rim, inner;
 };
 
-/// Small faces, as of many slices, get finer lines.
-double fineness(const PlacedFace& face, double side) {
-  const double size = std::sqrt(glm::dot(face.high - face.low, face.high - face.low)) * face.scale;
-  return std::clamp(std::sqrt(size / (0.7 * side)), 0.35, 1.0);
-}
-
-/// So do short ones, as around a seed.
-double fineness(const PenLine& line, double side) {
-  double length = 0;
-  for (std::size_t i = 1; i < line.points.size(); ++i) {
-    const glm::dvec2 d = line.points[i] - line.points[i - 1];
-    length += std::sqrt(glm::dot(d, d));
-  }
-  return std::clamp(std::sqrt(length / (0.3 * side)), 0.3, 1.0);
-}
-
-InkLayers inked(const CrossSection& section, const std::vector<PlacedFace>& faces, const Style& style, double ink_width,
-                const SectionPictureOptions& options) {
+InkLayers inked(const std::vector<SectionStroke>& strokes, const SectionPictureOptions& options) {
   InkLayers layers{{options.width, options.height}, {options.width, options.height}};
-  const double side = std::min(options.width, options.height);
-  for (const SectionLine& line : section_lines(section, faces)) {
-    const double fine = fineness(faces[line.face], side) * fineness(line.line, side);
-    const double width = side * fine * ink_width * (line.rim ? style.outline_width : style.inner_width);
-    const PenOptions pen{.width = width,
-                         .wander = line.rim ? 0.3 : 0.4,
-                         .wavelength = 0.11 * side * fine,
-                         .taper = 0.07 * side * fine,
-                         .sway = 0.12 * width};
-    (line.rim ? layers.rim : layers.inner).draw(drawn(line.line, pen));
-  }
+  for (const SectionStroke& stroke : strokes) (stroke.rim ? layers.rim : layers.inner).draw(stroke.points);
   return layers;
 }
 
@@ -70,7 +41,8 @@ Image draw_section(const CrossSection& section, const Look& look, const InkStyle
   // Then, pixel by pixel: the colour's noise, the paper around it, the ink above it.
   const Paper paper(style, options.width, options.height);
   const Color ink_color = style.ink_color.value_or(ink.color);
-  const InkLayers layers = style.ink ? inked(section, faces, style, ink.width, options) : InkLayers{{0, 0}, {0, 0}};
+  const InkLayers layers =
+      style.ink ? inked(section_strokes(section, faces, ink, style, side), options) : InkLayers{{0, 0}, {0, 0}};
   Image image{options.width, options.height, std::vector<glm::u8vec3>(pixels.size())};
   parallel_for(static_cast<std::size_t>(options.height), options.threads, [&](std::size_t row) {
     const int y = static_cast<int>(row);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace pomona {
 
@@ -16,14 +17,21 @@ struct PenLine {
   double weighted_side = 0;  ///< +1 or -1: the object lies to the left or right, and the line is thicker away
                              ///< from the light; 0 = thickness knows no side
   std::uint32_t key = 0;     ///< picks the hand's tremble
+
+  // Of lines on things that turn before the eye; each empty, or one per point.
+  std::vector<double> heft{};          ///< times the width
+  std::vector<glm::dvec3> place{};     ///< on the thing, in wavelengths: the tremble is tied to it and moves with it
+  std::vector<glm::dvec2> outwards{};  ///< which way the object ends; takes the place of weighted_side
 };
 
 struct PenOptions {
-  double width = 3;        ///< pixels, at its usual widest
-  double wander = 0.35;    ///< share of the width the hand varies
-  double wavelength = 70;  ///< pixels, of that variation
-  double taper = 40;       ///< pixels over which an end runs out, at most a third of the line
-  double sway = 0.4;       ///< pixels the centre line leaves the true one by, at most
+  double width = 3;                 ///< pixels, at its usual widest
+  double wander = 0.35;             ///< share of the width the hand varies
+  double wavelength = 70;           ///< pixels, of that variation
+  double taper = 40;                ///< pixels over which an end runs out, at most a third of the line
+  double sway = 0.4;                ///< pixels the centre line leaves the true one by, at most
+  double least = 0;                 ///< pixels: between its ends no line gets thinner
+  glm::dvec2 from_light{0.6, 0.8};  ///< where the light goes: lines are heavier there
 };
 
 struct StrokePoint {

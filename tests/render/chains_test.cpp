@@ -7,9 +7,7 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
-#include "render/picture/inner_lines.h"
 #include "render/picture/stroke.h"
-#include "tests/render/painted_shapes.h"
 
 namespace pomona {
 namespace {
@@ -107,25 +105,6 @@ TEST(Ink, IsNoDarkerWhereItIsDrawnTwice) {
   for (int x = 0; x < 40; ++x) EXPECT_EQ(once.at(x, 10), twice.at(x, 10));
   EXPECT_NEAR(once.at(20, 10), 0.5, 1e-6);
   EXPECT_EQ(once.at(20, 1), 0.0);
-}
-
-TEST(InnerLines, AreWhereTheColorJumps) {
-  // The half ball's cap is painted without jumps.
-  Solid solid = testing::half_ball();
-  EXPECT_TRUE(inner_lines(solid).empty());
-
-  // Two triangles that meet in an edge, each with its own vertices and colour.
-  Solid pair;
-  pair.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0}};
-  pair.color = {Color(1, 0, 0),    Color(1, 0, 0),    Color(1, 0, 0),
-                Color(1, 1, 0.8f), Color(1, 1, 0.8f), Color(1, 1, 0.8f)};
-  pair.triangle = {{0, 1, 2}, {3, 4, 5}};
-  pair.cut_face = {0, 0};
-  const std::vector<InnerLine> lines = inner_lines(pair);
-  ASSERT_EQ(lines.size(), 1u);
-  EXPECT_EQ(lines[0].opacity, 1.0f);
-  pair.cut_face = {0, 1};
-  EXPECT_TRUE(inner_lines(pair).empty());
 }
 
 }  // namespace

@@ -154,6 +154,8 @@ Solid half_ball() {
     const float t = static_cast<float>(k) / bands;
     add_cap_ring(solid, radius * (0.001 + 0.999 * t), glm::mix(pale, red, t * t));
   }
+  // Its rim is the skin's, to the bit.
+  for (std::uint32_t i = 0; i < around; ++i) solid.position[base + bands * around + i] = solid.position[i];
   for (std::uint32_t k = 0; k < bands; ++k) {
     for (std::uint32_t i = 0; i < around; ++i) {
       const std::uint32_t j = (i + 1) % around, a = base + k * around, b = a + around;

@@ -1,4 +1,4 @@
-#include "render/export/view_frame.h"
+#include "render/picture/view_frame.h"
 
 #include <cmath>
 

@@ -1,0 +1,132 @@
+#include "render/export/svg.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "render/picture/png.h"
+#include "render/picture/section_strokes.h"
+#include "render/picture/stroke_outline.h"
+
+namespace pomona {
+
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        // XML has no place for other control characters.
+        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+std::string hex_color(const Color& color) {
+  const glm::u8vec3 c = to_srgb8(color);
+  std::string text = "#";
+  for (const int channel : {int{c.r}, int{c.g}, int{c.b}}) {
+    text += "0123456789abcdef"[channel / 16];
+    text += "0123456789abcdef"[channel % 16];
+  }
+  return text;
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve(bytes.size() / 3 * 4 + 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t there = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits = bits << 8 | (k < there ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k])) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) text += k <= there ? digits[bits >> (18 - 6 * k) & 63u] : '=';
+  }
+  return text;
+}
+
+std::string opening(int width, int height, const std::string& provenance) {
+  const std::string w = std::to_string(width), h = std::to_string(height);
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"\n"
+         "     xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n     width=\"" +
+         w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h + "\">\n  <title>" + escaped(provenance) +
+         "</title>\n";
+}
+
+std::string layer_start(const std::string& id, const std::string& label) {
+  return "  <g id=\"" + id + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + escaped(label) + "\">\n";
+}
+
+/// `strength` times the mean opacity of the stroke's points.
+std::string path_text(const std::vector<StrokePoint>& stroke, const Color& ink, double strength) {
+  const std::string outline = stroke_outline(stroke);
+  if (outline.empty()) return {};
+  double opacity = 0;
+  for (const StrokePoint& point : stroke) opacity += point.opacity;
+  opacity = std::clamp(strength * opacity / static_cast<double>(stroke.size()), 0.0, 1.0);
+  std::string text = "    <path fill=\"" + hex_color(ink) + "\"";
+  if (opacity < 0.995) text += " fill-opacity=\"" + hundredths(opacity) + "\"";
+  return text + " d=\"" + outline + "\"/>\n";
+}
+
+}  // namespace
+
+std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, int width, int height,
+                      const std::string& provenance) {
+  std::vector<std::string> layers(scene.instances.size());
+  for (const SceneStroke& stroke : strokes) {
+    layers[stroke.instance] += path_text(stroke.points, stroke.color, 1);
+  }
+  std::string text = opening(width, height, provenance);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (layers[i].empty()) continue;
+    text += layer_start("ink-" + std::to_string(i + 1), scene.instances[i].name) + layers[i] + "  </g>\n";
+  }
+  return text + "</svg>\n";
+}
+
+std::string write_section_svg(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,
+                              const SectionPictureOptions& options, const std::string& provenance) {
+  Style without_ink = style;
+  without_ink.ink = false;
+  const std::string picture = base64(write_png(draw_section(section, look, ink, without_ink, options)));
+  std::string text = opening(options.width, options.height, provenance);
+  text += layer_start("colours", "colours") + "    <image width=\"" + std::to_string(options.width) + "\" height=\"" +
+          std::to_string(options.height) + "\" xlink:href=\"data:image/png;base64," + picture + "\"/>\n  </g>\n";
+  if (!style.ink) return text + "</svg>\n";
+
+  // Inner lines below the rims.
+  const Color color = style.ink_color.value_or(ink.color);
+  const double side = std::min(options.width, options.height);
+  const std::vector<PlacedFace> faces = lay_out(section, {options.width, options.height}, options.margin * side);
+  const std::vector<SectionStroke> strokes = section_strokes(section, faces, ink, style, side);
+  std::vector<std::string> inner(faces.size()), rims(faces.size());
+  for (const SectionStroke& stroke : strokes) {
+    const double strength = stroke.rim ? 1.0 : style.inner_opacity;
+    (stroke.rim ? rims : inner)[stroke.face] += path_text(stroke.points, color, strength);
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (inner[i].empty() && rims[i].empty()) continue;
+    const std::string number = std::to_string(i + 1);
+    text += layer_start("face-" + number, "face " + number) + inner[i] + rims[i] + "  </g>\n";
+  }
+  return text + "</svg>\n";
+}
+
+}  // namespace pomona

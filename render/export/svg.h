@@ -1,0 +1,25 @@
+// Ink as SVG: for Inkscape and other drawing programs (docs/formats.md).
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "generator/cut/cross_section.h"
+#include "render/picture/section_picture.h"
+#include "render/strokes/scene_strokes.h"
+#include "render/style/look.h"
+
+namespace pomona {
+
+/// The bytes of an .svg with one layer per instance that has ink, named after it: strokes as filled paths, finer lines
+/// below outlines. A user unit is a pixel of the picture that the strokes are for. Same strokes, same bytes.
+/// \param provenance for the title, as in ExportOptions.
+std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, int width, int height,
+                      const std::string& provenance);
+
+/// The bytes of an .svg with a layer "colours", the picture of draw_section() without ink, and above it one layer per
+/// face with its strokes. Exact to the byte, as the picture is.
+std::string write_section_svg(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,
+                              const SectionPictureOptions& options, const std::string& provenance);
+
+}  // namespace pomona

@@ -1,0 +1,26 @@
+// What one sees first through each pixel: which instance, and how far away.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "generator/base/parallel.h"
+#include "render/strokes/seen_solid.h"
+
+namespace pomona {
+
+/// Drawn on the CPU, so that the lines that rest on it are the same everywhere.
+struct IdentityBuffer {
+  int width = 0, height = 0;
+  std::vector<float> nearness;          ///< 1 / distance, 1 / metres; 0 where there is nothing
+  std::vector<std::uint32_t> instance;  ///< index + 1; 0 where there is nothing
+
+  /// The pixel that holds a place; places outside have the nearest pixel of the border.
+  std::size_t pixel_at(const glm::dvec2& place) const;
+};
+
+/// `seen` has one entry per instance of the scene.
+IdentityBuffer identity_buffer(const Scene& scene, std::span<const SeenSolid> seen, const Lens& lens, Threads threads);
+
+}  // namespace pomona

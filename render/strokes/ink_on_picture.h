@@ -1,0 +1,14 @@
+// Strokes laid over a picture.
+#pragma once
+
+#include <span>
+
+#include "render/picture/image.h"
+#include "render/strokes/scene_strokes.h"
+
+namespace pomona {
+
+/// The picture with the strokes on it.
+Image with_ink(Image picture, std::span<const SceneStroke> strokes);
+
+}  // namespace pomona

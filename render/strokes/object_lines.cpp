@@ -1,0 +1,184 @@
+#include "render/strokes/object_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "render/picture/chains.h"
+
+namespace pomona {
+
+namespace {
+
+/// Links of one kind, to be chained together.
+struct LineBundle {
+  std::vector<LinePoint> nodes;
+  std::vector<ChainLink> links;
+};
+
+/// Numbers things by their keys, in the keys' order.
+template <typename Key>
+class Numbering {
+ public:
+  explicit Numbering(std::vector<Key> keys) : keys_(std::move(keys)) {
+    std::sort(keys_.begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+  }
+  std::uint32_t operator[](const Key& key) const {
+    return static_cast<std::uint32_t>(std::lower_bound(keys_.begin(), keys_.end(), key) - keys_.begin());
+  }
+  const std::vector<Key>& keys() const { return keys_; }
+
+ private:
+  std::vector<Key> keys_;
+};
+
+class LineFinder {
+ public:
+  LineFinder(const Solid& solid, const SolidEdges& edges, const SeenSolid& seen, const Lens& lens)
+      : solid_(solid), edges_(edges), seen_(seen), lens_(lens) {}
+
+  LineBundle contours() const;
+  LineBundle sharp(LineKind kind) const;
+
+ private:
+  /// An edge of a triangle that the contour crosses, by its smooth vertices.
+  using Crossing = std::pair<std::uint32_t, std::uint32_t>;
+  bool front(std::uint32_t v) const { return seen_.facing[v] >= 0; }
+  std::vector<std::pair<Crossing, Crossing>> contour_pieces() const;
+  LinePoint point(const glm::dvec3& own, const glm::dvec3& away, const glm::dvec3& face) const;
+  glm::dvec3 face_normal(std::uint32_t triangle) const;
+  bool faces_eye(std::uint32_t triangle) const;
+  LineKind drawn_as(const SharpEdge& edge) const;
+
+  const Solid& solid_;
+  const SolidEdges& edges_;
+  const SeenSolid& seen_;
+  const Lens& lens_;
+};
+
+/// `own` in the fruit's frame; `away` and `face`, directions in the scene, any length.
+LinePoint LineFinder::point(const glm::dvec3& own, const glm::dvec3& away, const glm::dvec3& face) const {
+  const glm::dvec3 at = seen_.turn * own + seen_.at;
+  const glm::dvec3 sight = glm::normalize(lens_.eye() - at);
+  const double size = glm::length(face);
+  const double cosine = size > 0 ? std::fabs(glm::dot(face, sight)) / size : 0;
+  const double slope = std::sqrt(std::max(1 - cosine * cosine, 0.0)) / std::max(cosine, 0.1);
+  return {
+      .seen = lens_.seen(at), .own = own, .outwards = lens_.seen_direction(at, away), .slope = std::min(slope, 8.0)};
+}
+
+glm::dvec3 LineFinder::face_normal(std::uint32_t triangle) const {
+  const glm::uvec3& t = solid_.triangle[triangle];
+  const glm::dvec3 a(solid_.position[t.x]), b(solid_.position[t.y]), c(solid_.position[t.z]);
+  const glm::dvec3 n = glm::cross(b - a, c - a);
+  const double size = glm::length(n);
+  return size > 0 ? seen_.turn * (n / size) : glm::dvec3(0);
+}
+
+bool LineFinder::faces_eye(std::uint32_t triangle) const {
+  const glm::dvec3 at = seen_.in_scene(solid_.position[solid_.triangle[triangle].x]);
+  return glm::dot(face_normal(triangle), lens_.eye() - at) >= 0;
+}
+
+std::vector<std::pair<LineFinder::Crossing, LineFinder::Crossing>> LineFinder::contour_pieces() const {
+  std::vector<std::pair<Crossing, Crossing>> pieces;
+  for (std::size_t i = 0; i < solid_.triangle.size(); ++i) {
+    if (solid_.cut_face[i] >= 0) continue;  // flat: it has none
+    const glm::uvec3& t = solid_.triangle[i];
+    const std::array<bool, 3> turned{front(t.x), front(t.y), front(t.z)};
+    if (turned[0] == turned[1] && turned[1] == turned[2]) continue;
+    std::vector<Crossing> crossed;
+    for (int k = 0; k < 3; ++k) {
+      if (turned[k] == turned[(k + 1) % 3]) continue;
+      crossed.push_back(std::minmax(edges_.smooth[t[k]], edges_.smooth[t[(k + 1) % 3]]));
+    }
+    if (crossed.size() == 2 && crossed[0] != crossed[1]) pieces.emplace_back(crossed[0], crossed[1]);
+  }
+  return pieces;
+}
+
+LineBundle LineFinder::contours() const {
+  const auto pieces = contour_pieces();
+  std::vector<Crossing> all;
+  for (const auto& [a, b] : pieces) all.insert(all.end(), {a, b});
+  const Numbering<Crossing> crossings(std::move(all));
+
+  LineBundle bundle;
+  for (const auto& [v, w] : crossings.keys()) {
+    const double g = static_cast<double>(seen_.facing[v]), h = static_cast<double>(seen_.facing[w]);
+    const double t = g != h ? std::clamp(g / (g - h), 0.0, 1.0) : 0.5;
+    const glm::dvec3 p(solid_.position[v]), q(solid_.position[w]);
+    const glm::dvec3 m(solid_.normal[v]), n(solid_.normal[w]);
+    LinePoint on_contour = point(p + (q - p) * t, seen_.turn * (m + (n - m) * t), glm::dvec3(0));
+    on_contour.slope = 0;
+    bundle.nodes.push_back(on_contour);
+  }
+  for (const auto& [a, b] : pieces) bundle.links.push_back({crossings[a], crossings[b]});
+  return bundle;
+}
+
+/// Edges that may be lines for their own sake are contours' equals where one face is turned away.
+LineKind LineFinder::drawn_as(const SharpEdge& edge) const {
+  const bool is_skin = edge.kind == LineKind::crease || edge.kind == LineKind::seam;
+  return is_skin && faces_eye(edge.first) != faces_eye(edge.other) ? LineKind::fold : edge.kind;
+}
+
+LineBundle LineFinder::sharp(LineKind kind) const {
+  std::vector<const SharpEdge*> chosen;
+  std::vector<std::uint32_t> places;
+  for (const SharpEdge& edge : edges_.sharp) {
+    if (drawn_as(edge) != kind) continue;
+    const bool first = faces_eye(edge.first), other = faces_eye(edge.other);
+    const bool shown = kind == LineKind::border || (kind == LineKind::fold ? first != other : first || other);
+    if (!shown) continue;
+    chosen.push_back(&edge);
+    places.insert(places.end(), {edge.a, edge.b});
+  }
+  const Numbering<std::uint32_t> numbers(std::move(places));
+
+  LineBundle bundle;
+  bundle.nodes.resize(numbers.keys().size());
+  for (const SharpEdge* edge : chosen) {
+    // The flatter of the faces one sees tells how far one must look past it.
+    const glm::dvec3 m = face_normal(edge->first), n = face_normal(edge->other);
+    const glm::dvec3 away = kind == LineKind::inner ? glm::dvec3(0) : m + n;
+    const glm::dvec3 face = faces_eye(edge->other) ? n : m;
+    for (const std::uint32_t place : {edge->a, edge->b}) {
+      LinePoint& node = bundle.nodes[numbers[place]];
+      const double opacity = node.seen.z > 0 ? std::max(node.opacity, double{edge->opacity}) : double{edge->opacity};
+      node = point(glm::dvec3(solid_.position[place]), away, face);
+      node.opacity = opacity;
+    }
+    bundle.links.push_back({numbers[edge->a], numbers[edge->b]});
+  }
+  return bundle;
+}
+
+void append(const LineBundle& bundle, LineKind kind, std::uint32_t instance, std::vector<ObjectLine>& lines) {
+  std::vector<glm::dvec2> places;
+  for (const LinePoint& node : bundle.nodes) places.emplace_back(node.seen);
+  for (const Chain& chain : chained(bundle.links, places)) {
+    ObjectLine line{.points = {}, .closed = chain.closed, .kind = kind, .instance = instance};
+    for (const std::uint32_t node : nodes_of(chain, bundle.links)) line.points.push_back(bundle.nodes[node]);
+    lines.push_back(std::move(line));
+  }
+}
+
+}  // namespace
+
+std::vector<ObjectLine> object_lines(const Solid& solid, const SolidEdges& edges, const SeenSolid& seen,
+                                     std::uint32_t instance, const Lens& lens) {
+  const LineFinder finder(solid, edges, seen, lens);
+  std::vector<ObjectLine> lines;
+  append(finder.contours(), LineKind::contour, instance, lines);
+  for (const LineKind kind : {LineKind::border, LineKind::rim, LineKind::ridge, LineKind::crease, LineKind::seam,
+                              LineKind::fold, LineKind::inner}) {
+    append(finder.sharp(kind), kind, instance, lines);
+  }
+  return lines;
+}
+
+}  // namespace pomona

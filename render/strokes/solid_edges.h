@@ -1,0 +1,44 @@
+// What of a solid's mesh can become a line, whatever side it is looked at from.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "generator/scene/solid.h"
+
+namespace pomona {
+
+enum class LineKind : std::uint8_t {
+  contour,  ///< where a smooth surface turns away from the eye
+  border,   ///< of an open surface
+  rim,      ///< where a cut face meets the skin
+  ridge,    ///< where two cut faces meet
+  crease,   ///< a sharp edge of the skin
+  seam,     ///< where two surfaces of the skin meet
+  fold,     ///< an edge that is a line only where one of its faces is turned away
+  inner,    ///< on a cut face, where the colour jumps
+};
+
+/// Drawn with the finer pen.
+constexpr bool is_inner(LineKind kind) {
+  return kind == LineKind::crease || kind == LineKind::seam || kind == LineKind::inner;
+}
+
+struct SharpEdge {
+  std::uint32_t a = 0, b = 0;          ///< places
+  std::uint32_t first = 0, other = 0;  ///< the triangles that meet there; the same twice on a border
+  LineKind kind = LineKind::border;
+  float opacity = 1;
+};
+
+struct SolidEdges {
+  std::vector<std::uint32_t> place;   ///< per vertex: the first vertex at its position
+  std::vector<std::uint32_t> smooth;  ///< per vertex: the first one that has its normal as well
+  std::vector<SharpEdge> sharp;       ///< in the order of their places
+};
+
+/// Two triangles meet in an edge when its ends lie at equal positions. Creases are those where the surface turns by
+/// more than 60 degrees.
+SolidEdges solid_edges(const Solid& solid);
+
+}  // namespace pomona

@@ -1,0 +1,298 @@
+#include "render/strokes/scene_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+#include "render/strokes/ink_on_picture.h"
+#include "render/strokes/lens.h"
+#include "tests/render/painted_shapes.h"
+
+namespace pomona {
+namespace {
+
+constexpr StrokeOptions picture{.width = 400, .height = 300};
+
+std::vector<SceneStroke> strokes_of(const Scene& scene, const StrokeOptions& options = picture) {
+  return scene_strokes(scene, style_named("ink"), options);
+}
+
+double length_of(const SceneStroke& stroke) {
+  double length = 0;
+  for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+    length += glm::distance(stroke.points[i - 1].at, stroke.points[i].at);
+  }
+  return length;
+}
+
+double length_of(const std::vector<SceneStroke>& strokes) {
+  double length = 0;
+  for (const SceneStroke& stroke : strokes) length += length_of(stroke);
+  return length;
+}
+
+/// Two balls side by side as one sees it; the left one stands nearer to the eye.
+Scene overlapping_balls() {
+  Scene scene = testing::ball_scene();
+  scene.view.vertical_field = 0.9;
+  scene.instances = {{.solid = 0, .pose = {.translation = {-0.02, 0, 0.1}}, .name = "near"},
+                     {.solid = 0, .pose = {.translation = {0.02, 0, -0.1}}, .name = "far"}};
+  return scene;
+}
+
+TEST(Strokes, DrawABallAsOneRoundLine) {
+  const Scene scene = testing::ball_scene();
+  const std::vector<SceneStroke> strokes = strokes_of(scene);
+  ASSERT_EQ(strokes.size(), 1u);
+  EXPECT_TRUE(strokes[0].closed);
+  EXPECT_EQ(strokes[0].kind, LineKind::contour);
+
+  // The contour of a ball: a circle about the line of sight, nearer to the eye than its centre.
+  const Lens lens(scene.view, picture.width, picture.height);
+  const glm::dvec3 center(0, 0.04, 0), to_eye = scene.view.eye - center;
+  const double d = glm::length(to_eye), r = 0.04;
+  const glm::dvec3 axis = to_eye / d, middle = center + axis * (r * r / d);
+  const glm::dvec3 side = glm::normalize(glm::cross(axis, glm::dvec3(0, 1, 0))), up = glm::cross(side, axis);
+  const double radius = r * std::sqrt(1 - r * r / (d * d));
+  std::vector<glm::dvec2> circle;
+  for (int i = 0; i < 720; ++i) {
+    const double a = 2 * pi * i / 720;
+    circle.emplace_back(lens.seen(middle + radius * (side * reproducible::cos(a) + up * reproducible::sin(a))));
+  }
+  for (const StrokePoint& point : strokes[0].points) {
+    double nearest = 1e9;
+    for (const glm::dvec2& p : circle) nearest = std::min(nearest, glm::distance(p, point.at));
+    EXPECT_LT(nearest, 1.0);
+  }
+}
+
+TEST(Strokes, VaryInWidthAndAreHeaviestAwayFromTheLight) {
+  const std::vector<SceneStroke> strokes = strokes_of(testing::ball_scene());
+  ASSERT_EQ(strokes.size(), 1u);
+  double light = 0, dark = 0;
+  glm::dvec2 sum(0);
+  for (const StrokePoint& point : strokes[0].points) sum += point.at;
+  const glm::dvec2 middle = sum / static_cast<double>(strokes[0].points.size());
+  for (const StrokePoint& point : strokes[0].points) {
+    const glm::dvec2 out = glm::normalize(point.at - middle);
+    const double away = glm::dot(out, glm::dvec2(0.6, 0.8));
+    if (away > 0.8) dark = std::max(dark, point.radius);
+    if (away < -0.8) light = std::max(light, point.radius);
+  }
+  EXPECT_GT(dark, 1.4 * light);
+}
+
+TEST(Strokes, EndWhereSomethingElseLiesBefore) {
+  const std::vector<SceneStroke> strokes = strokes_of(overlapping_balls());
+  ASSERT_EQ(strokes.size(), 2u);
+  const SceneStroke& near = strokes[strokes[0].instance == 0 ? 0 : 1];
+  const SceneStroke& far = strokes[strokes[0].instance == 0 ? 1 : 0];
+  EXPECT_TRUE(near.closed);
+  EXPECT_FALSE(far.closed);
+  for (const StrokePoint* end : {&far.points.front(), &far.points.back()}) {
+    double nearest = 1e9;
+    for (const StrokePoint& point : near.points) nearest = std::min(nearest, glm::distance(point.at, end->at));
+    EXPECT_LT(nearest, near.points.front().radius + 2.5) << "the outline is broken at the junction";
+  }
+}
+
+TEST(Strokes, DrawARimOnce) {
+  // A half ball, its cut face to the eye: the contour is hidden or lies under the rim.
+  Scene scene = testing::ball_scene();
+  scene.solids = {testing::half_ball()};
+  const std::vector<SceneStroke> strokes = strokes_of(scene);
+  ASSERT_EQ(strokes.size(), 1u);
+  EXPECT_EQ(strokes[0].kind, LineKind::rim);
+  EXPECT_TRUE(strokes[0].closed);
+}
+
+TEST(Strokes, LieOverNoOtherThatGoesTheSameWay) {
+  const std::vector<SceneStroke> strokes = strokes_of(testing::still_life(), {.width = 800, .height = 600});
+  double doubled = 0, total = 0;
+  for (std::size_t s = 0; s < strokes.size(); ++s) {
+    for (std::size_t i = 1; i + 1 < strokes[s].points.size(); ++i) {
+      const StrokePoint& point = strokes[s].points[i];
+      const glm::dvec2 way = glm::normalize(strokes[s].points[i + 1].at - strokes[s].points[i - 1].at);
+      bool beside = false;
+      for (std::size_t t = 0; t < strokes.size() && !beside; ++t) {
+        if (t == s) continue;
+        for (std::size_t k = 1; k + 1 < strokes[t].points.size() && !beside; ++k) {
+          const glm::dvec2 d = strokes[t].points[k + 1].at - strokes[t].points[k - 1].at;
+          beside = glm::distance(strokes[t].points[k].at, point.at) < 0.6 * point.radius &&
+                   std::fabs(glm::dot(glm::normalize(d), way)) > 0.9;
+        }
+      }
+      total += 1;
+      doubled += beside ? 1 : 0;
+    }
+  }
+  EXPECT_LT(doubled, 0.03 * total);
+}
+
+TEST(Strokes, AreTheSameForAnyNumberOfThreads) {
+  const Scene scene = testing::still_life();
+  const std::vector<SceneStroke> one = strokes_of(scene, {.width = 400, .height = 300, .threads = {1}});
+  const std::vector<SceneStroke> three = strokes_of(scene, {.width = 400, .height = 300, .threads = {3}});
+  ASSERT_EQ(one.size(), three.size());
+  for (std::size_t s = 0; s < one.size(); ++s) {
+    ASSERT_EQ(one[s].points.size(), three[s].points.size());
+    for (std::size_t i = 0; i < one[s].points.size(); ++i) {
+      EXPECT_EQ(one[s].points[i].at, three[s].points[i].at);
+      EXPECT_EQ(one[s].points[i].radius, three[s].points[i].radius);
+      EXPECT_EQ(one[s].distance[i], three[s].distance[i]);
+    }
+  }
+}
+
+TEST(Strokes, LieALittleBeforeWhatTheyAreDrawnOn) {
+  const Scene scene = testing::ball_scene();
+  const double to_center = glm::length(scene.view.eye - glm::dvec3(0, 0.04, 0));
+  for (const SceneStroke& stroke : strokes_of(scene)) {
+    for (const double distance : stroke.distance) {
+      EXPECT_LT(distance, to_center);
+      EXPECT_GT(distance, to_center - 0.04);
+    }
+  }
+}
+
+TEST(Strokes, OfALargePictureAreThoseOfASmallOne) {
+  const double small = length_of(strokes_of(testing::still_life(), {.width = 200, .height = 150}));
+  const double large = length_of(strokes_of(testing::still_life(), {.width = 800, .height = 600}));
+  EXPECT_NEAR(large / small, 4, 0.1);
+}
+
+/// What a step of the camera changes.
+struct Flicker {
+  double moved = 0;   ///< pixels that 99 % of the ink moves by at most, beyond what the picture moves
+  double lost = 0;    ///< share of the ink that has none within two pixels in the next picture
+  int strokes = 0;    ///< difference of their numbers
+  double change = 0;  ///< mean change of the inked pixels' coverage
+};
+
+Scene seen_from(Scene scene, double degrees) {
+  const glm::dvec3 d = scene.view.eye - scene.view.target;
+  const double c = reproducible::cos(radians(degrees)), s = reproducible::sin(radians(degrees));
+  scene.view.eye = scene.view.target + glm::dvec3(c * d.x + s * d.z, d.y, c * d.z - s * d.x);
+  return scene;
+}
+
+/// The farthest that a vertex moves on the picture.
+double most_motion(const Scene& a, const Scene& b, const StrokeOptions& options) {
+  const Lens before(a.view, options.width, options.height), after(b.view, options.width, options.height);
+  double most = 0;
+  for (const Instance& instance : a.instances) {
+    for (const glm::vec3& p : a.solids[instance.solid].position) {
+      const glm::dvec3 at = instance.pose.rotation * glm::dvec3(p) + instance.pose.translation;
+      most = std::max(most, glm::distance(glm::dvec2(before.seen(at)), glm::dvec2(after.seen(at))));
+    }
+  }
+  return most;
+}
+
+double mean_change(const std::vector<SceneStroke>& a, const std::vector<SceneStroke>& b, const StrokeOptions& options) {
+  InkLayer one(options.width, options.height), other(options.width, options.height);
+  for (const SceneStroke& stroke : a) one.draw(stroke.points);
+  for (const SceneStroke& stroke : b) other.draw(stroke.points);
+  double change = 0, inked = 0;
+  for (int y = 0; y < options.height; ++y) {
+    for (int x = 0; x < options.width; ++x) {
+      change += std::fabs(one.at(x, y) - other.at(x, y));
+      inked += std::max(one.at(x, y), other.at(x, y));
+    }
+  }
+  return inked > 0 ? change / inked : 0;
+}
+
+Flicker flicker(const Scene& scene, double from, double to, const StrokeOptions& options) {
+  const Scene first = seen_from(scene, from), second = seen_from(scene, to);
+  const std::vector<SceneStroke> a = strokes_of(first, options), b = strokes_of(second, options);
+  const double motion = most_motion(first, second, options);
+  std::vector<double> moved;
+  for (const SceneStroke& stroke : a) {
+    for (const StrokePoint& point : stroke.points) {
+      double nearest = 1e9;
+      for (const SceneStroke& other : b) {
+        for (const StrokePoint& there : other.points) nearest = std::min(nearest, glm::distance(there.at, point.at));
+      }
+      moved.push_back(std::max(0.0, nearest - motion));
+    }
+  }
+  std::sort(moved.begin(), moved.end());
+  Flicker result;
+  if (moved.empty()) return result;
+  result.moved = moved[moved.size() * 99 / 100];
+  const auto lost = std::count_if(moved.begin(), moved.end(), [](double m) { return m > 2; });
+  result.lost = static_cast<double>(lost) / static_cast<double>(moved.size());
+  result.strokes = std::abs(static_cast<int>(a.size()) - static_cast<int>(b.size()));
+  result.change = mean_change(a, b, options);
+  return result;
+}
+
+TEST(Strokes, DoNotFlickerWhenTheCameraMoves) {
+  const Scene scene = testing::still_life();
+  const StrokeOptions options{.width = 400, .height = 300};
+  for (int step = 0; step < 8; ++step) {
+    const Flicker found = flicker(scene, 0.2 * step, 0.2 * (step + 1), options);
+    EXPECT_LE(found.moved, 0.5) << step;
+    EXPECT_LE(found.lost, 0.01) << step;
+    EXPECT_LE(found.strokes, 1) << step;
+    EXPECT_LE(found.change, 0.2) << step;
+  }
+}
+
+TEST(Strokes, OfAStyleWithoutInkAreNone) {
+  EXPECT_TRUE(scene_strokes(testing::ball_scene(), style_named("plain"), picture).empty());
+}
+
+TEST(Strokes, OfAnEmptySceneAreNone) { EXPECT_TRUE(strokes_of(Scene{}).empty()); }
+
+TEST(Strokes, OfWhatLiesBehindTheEyeAreNone) {
+  Scene scene = testing::ball_scene();
+  scene.view.target = 2.0 * scene.view.eye - scene.view.target;
+  EXPECT_TRUE(strokes_of(scene).empty());
+}
+
+TEST(Strokes, StandTheEyeInTheMiddleOfAThing) {
+  Scene scene = testing::ball_scene();
+  scene.view.target = {0.01, 0.05, 0.02};
+  scene.view.eye = {0.01, 0.05, 0.021};
+  EXPECT_NO_THROW(strokes_of(scene));
+}
+
+TEST(Strokes, RefuseSizesThatCannotBe) {
+  EXPECT_THROW(strokes_of(testing::ball_scene(), {.width = 0, .height = 10}), Error);
+  EXPECT_THROW(strokes_of(testing::ball_scene(), {.width = 10, .height = 1 << 20}), Error);
+}
+
+TEST(InnerLines, AreWhereTheColorJumps) {
+  // The half ball's cap is painted without jumps.
+  const auto inner = [](const Solid& solid) {
+    std::vector<SharpEdge> edges = solid_edges(solid).sharp;
+    std::erase_if(edges, [](const SharpEdge& edge) { return edge.kind != LineKind::inner; });
+    return edges;
+  };
+  EXPECT_TRUE(inner(testing::half_ball()).empty());
+
+  // Two triangles that meet in an edge, each with its own vertices and colour.
+  Solid pair;
+  pair.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0}};
+  pair.normal.assign(6, {0, 0, 1});
+  pair.color = {Color(1, 0, 0),    Color(1, 0, 0),    Color(1, 0, 0),
+                Color(1, 1, 0.8f), Color(1, 1, 0.8f), Color(1, 1, 0.8f)};
+  pair.triangle = {{0, 1, 2}, {3, 4, 5}};
+  pair.cut_face = {0, 0};
+  pair.surface = {-1, -1};
+  const std::vector<SharpEdge> lines = inner(pair);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].opacity, 1.0f);
+  pair.cut_face = {0, 1};
+  EXPECT_TRUE(inner(pair).empty());
+}
+
+}  // namespace
+}  // namespace pomona
