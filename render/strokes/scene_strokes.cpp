@@ -172,8 +172,8 @@ SceneStroke Draughtsman::stroke(const VisibleRun& run, const IdentityBuffer& buf
                                .wavelength = 1,
                                .taper = 0.06 * side_ * sitter.fine,
                                .sway = 0.1 * width,
-                               .from_light = from_light_,
-                               .least = std::min(width, (is_inner(run.kind) ? 0.6 : 1.25) * scale_ * finer)});
+                               .least = std::min(width, (is_inner(run.kind) ? 0.6 : 1.25) * scale_ * finer),
+                               .from_light = from_light_});
   for (StrokePoint& point : result.points) {
     result.distance.push_back(before_all(point.at, point.radius, buffer));
     point.at /= scale_;
