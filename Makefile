@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery build test test-programs lint format sanitize clang .bench table1 error-atlas variants bench clean
+.PHONY: help salad gallery build test test-programs lint format sanitize clang .bench table1 error-atlas variants cuts bench clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -71,6 +71,11 @@ variants: .bench ## a thousand variants of every template: out/variants.md and .
 	cmake --build build --target variants -j $(JOBS)
 	@mkdir -p out
 	build/bench/variants --out out/variants.md --json out/variants.json
+
+cuts: .bench ## 110 000 random and degenerate cuts of all templates: out/cuts.md and .json; stop it and it goes on later
+	cmake --build build --target cuts -j $(JOBS)
+	@mkdir -p out
+	build/bench/cuts --out out/cuts.md --json out/cuts.json
 
 bench: .bench ## everything that measures, built into build/bench; runs the kernels
 	cmake --build build -j $(JOBS)

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double most_cells = 1e4;
 
-/// Float coordinates resolve about 1e-7 of the size, doubles 1e-16: this lies between, nearer to the doubles.
-constexpr double tolerance_share = 1e-10;
+/// Float coordinates resolve about 1e-7 of the size, doubles 1e-16: these lie between, nearer to the doubles.
+constexpr double tolerance_share = 1e-10, rounding_share = 1e-13;
 
 bool coincide(const CuttingPlane& a, const CuttingPlane& b, double tolerance) {
   const double sense = glm::dot(a.normal, b.normal) < 0 ? -1 : 1;
@@ -26,6 +26,7 @@ bool coincide(const CuttingPlane& a, const CuttingPlane& b, double tolerance) {
 CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds) {
   CutPlanes all;
   all.tolerance = tolerance_share * glm::length(bounds.size());
+  all.rounding = rounding_share * std::fmax(glm::length(bounds.low), glm::length(bounds.high));
   double cells = 1;
   for (const Knife& knife : knives) {
     all.knives.push_back(placed(knife, bounds));
@@ -55,12 +56,6 @@ CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds) {
 
 double signed_distance(const CuttingPlane& plane, const glm::dvec3& point) {
   return glm::dot(plane.normal, point) - plane.offset;
-}
-
-int side_of(const CuttingPlane& plane, const glm::dvec3& point, double tolerance) {
-  const double distance = signed_distance(plane, point);
-  if (std::fabs(distance) <= tolerance) return 0;
-  return distance > 0 ? 1 : -1;
 }
 
 glm::dvec3 settled(glm::dvec3 point, const std::vector<int>& on, const CutPlanes& planes) {

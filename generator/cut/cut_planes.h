@@ -22,7 +22,8 @@ struct CutPlanes {
   };
   std::vector<Plane> planes;
   std::vector<PlacedKnife> knives;
-  double tolerance = 0;  ///< metres; points no farther than this from a plane lie on it
+  double tolerance = 0;  ///< metres; places no farther apart than this are one
+  double rounding = 0;   ///< metres; computed points are no farther than this from where they should be
 
   int count() const { return static_cast<int>(planes.size()); }
   const Plane& operator[](int plane) const { return planes[static_cast<std::size_t>(plane)]; }
@@ -33,10 +34,6 @@ CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds);
 
 /// n.p - D in metres.
 double signed_distance(const CuttingPlane& plane, const glm::dvec3& point);
-
-/// -1, 0 or 1. Beyond the tolerance, which is far above the rounding of signed_distance(), the sign is that of the
-/// exact value; within it (a thousandth of what a float resolves, or less) the point lies on the plane.
-int side_of(const CuttingPlane& plane, const glm::dvec3& point, double tolerance);
 
 /// The point with the coordinates that axis-aligned planes, or two planes through the axis, fix set to the bit.
 glm::dvec3 settled(glm::dvec3 point, const std::vector<int>& on, const CutPlanes& planes);

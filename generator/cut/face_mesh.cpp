@@ -88,6 +88,9 @@ class FaceBuilder {
       : mesh_(mesh), planes_(planes) {
     face_.plane = plane;
     face_.frame = frame_of(planes[plane].plane);
+    int exponent = 0;
+    std::frexp(planes.tolerance, &exponent);
+    grid_ = std::ldexp(1.0, exponent - 6);
     face_.segment = std::move(segments);
     for (const CutLine& line : lines) {
       if (std::binary_search(line.planes.begin(), line.planes.end(), plane)) take_line(line);
@@ -142,11 +145,14 @@ class FaceBuilder {
   std::uint32_t vertex(std::uint32_t point) {
     const auto [entry, is_new] = vertex_of_.try_emplace(point, static_cast<std::uint32_t>(uv_.size()));
     if (is_new) {
-      uv_.push_back(to_face(face_.frame, mesh_.point[point]));
+      uv_.push_back(snapped(to_face(face_.frame, mesh_.point[point])));
       face_.point.push_back(point);
     }
     return entry->second;
   }
+
+  /// Points too near to each other for what CGAL computes of them become one.
+  glm::dvec2 snapped(const glm::dvec2& p) const { return grid_ * glm::floor(p / grid_ + 0.5); }
 
   std::uint32_t constraint_between(std::uint32_t p, std::uint32_t q, bool divisible) {
     const auto [entry, is_new] =
@@ -337,6 +343,7 @@ class FaceBuilder {
   const SplitMesh& mesh_;
   const CutPlanes& planes_;
   FaceMesh face_;
+  double grid_ = 0;  // a power of two, less than the tolerance
   std::vector<const CutLine*> lines_;
   std::vector<glm::dvec2> uv_;
   std::vector<PlaneConstraint> constraint_;

@@ -19,8 +19,9 @@ constexpr int most_slices = 1024;
 constexpr double thinnest_slice = 1e-4;  // share of the fruit's diagonal
 
 [[noreturn]] void fail(std::string_view text, const std::string& why) {
-  throw Error(ExitStatus::usage, "knife \"" + std::string(text) + "\" " + why,
-              "a knife is one of: half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm, slices:8");
+  throw Error(
+      ExitStatus::usage, "knife \"" + std::string(text) + "\" " + why,
+      "a knife is one of: half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm, slices:8, dice:12mm, sticks:6mm");
 }
 
 /// A whole number as users write counts: digits alone.
@@ -65,7 +66,7 @@ CuttingPlane parse_plane(std::string_view text, std::string_view values) {
 
 void parse_slices(Knife& knife, std::string_view text, std::string_view value) {
   if (const std::optional<int> count = parse_count(value)) {
-    if (*count < 2) fail(text, "makes no cut: two slices are the fewest");
+    if (*count < 2) fail(text, "makes no cut: two pieces across are the fewest");
     if (*count > most_slices) fail(text, "asks for more than " + std::to_string(most_slices) + " slices");
     knife.count = *count;
     return;
@@ -95,8 +96,8 @@ Knife parse_knife(std::string_view text) {
     if (knife.count < 2 || knife.count > most_wedges) {
       fail(text, "needs a number of wedges between 2 and " + std::to_string(most_wedges));
     }
-  } else if (name == "slices") {
-    knife.kind = Knife::Kind::slices;
+  } else if (name == "slices" || name == "dice" || name == "sticks") {
+    knife.kind = name == "slices" ? Knife::Kind::slices : name == "dice" ? Knife::Kind::dice : Knife::Kind::sticks;
     parse_slices(knife, text, value);
   } else {
     fail(text, "is not one this program has");
@@ -130,9 +131,10 @@ void place_wedges(PlacedKnife& placed, int count) {
   }
 }
 
-/// By count: equal slices. By thickness: as many whole slices as fit, centred, and the rest at both ends.
-void place_slices(PlacedKnife& placed, const Knife& knife, const Bounds& bounds) {
-  const double height = bounds.size().y;
+/// Planes across one axis. By count: equal slices. By thickness: as many whole slices as fit, centred, and the rest at
+/// both ends.
+void place_slices(PlacedKnife& placed, const Knife& knife, const Bounds& bounds, int axis) {
+  const double height = bounds.size()[axis];
   double thickness = knife.thickness;
   double whole = knife.count;
   if (knife.count > 0) {
@@ -145,8 +147,12 @@ void place_slices(PlacedKnife& placed, const Knife& knife, const Bounds& bounds)
 
   // Planes at the very ends cut nothing; bounds are floats, so ends are known to a millionth.
   for (double i = 0; i <= whole; ++i) {
-    const double y = bounds.center().y + (i - 0.5 * whole) * thickness;
-    if (y > bounds.low.y + 1e-6 * height && y < bounds.high.y - 1e-6 * height) placed.planes.push_back({{0, 1, 0}, y});
+    const double y = bounds.center()[axis] + (i - 0.5 * whole) * thickness;
+    if (y <= bounds.low[axis] + 1e-6 * height || y >= bounds.high[axis] - 1e-6 * height) continue;
+    glm::dvec3 normal(0);
+    normal[axis] = 1;
+    placed.planes.push_back({normal, y});
+    placed.direction.push_back(static_cast<std::uint8_t>(axis));
   }
 }
 
@@ -169,29 +175,39 @@ PlacedKnife placed(const Knife& knife, const Bounds& bounds) {
       place_wedges(placed, knife.count);
       break;
     case Knife::Kind::slices:
-      place_slices(placed, knife, bounds);
+      place_slices(placed, knife, bounds, 1);
+      break;
+    case Knife::Kind::dice:
+      for (int axis = 0; axis < 3; ++axis) place_slices(placed, knife, bounds, axis);
+      break;
+    case Knife::Kind::sticks:
+      place_slices(placed, knife, bounds, 0);
+      place_slices(placed, knife, bounds, 2);
       break;
   }
   placed.reversed.resize(placed.planes.size(), 0);
+  placed.direction.resize(placed.planes.size(), 0);
+  for (const std::uint8_t d : placed.direction) ++placed.across[d];
   return placed;
 }
 
 KnifeSides PlacedKnife::seen(KnifeSides before, std::size_t plane, bool positive_side) const {
   if (plane == 0) before.first = positive_side;
-  if (positive_side != (reversed[plane] != 0)) ++before.positive;
+  if (positive_side != (reversed[plane] != 0)) ++before.positive[direction[plane]];
   return before;
 }
 
 int PlacedKnife::cell(const KnifeSides& sides) const {
-  if (!pencil) return sides.positive;
+  if (!pencil) return sides.positive[0] + across[0] * (sides.positive[1] + across[1] * sides.positive[2]);
 
   // The planes, in the order of their angles, cut the turn into two sectors each. Going round, the first half turn
   // enters their positive sides one by one, the second half leaves them.
   const int lines = static_cast<int>(planes.size());
-  const int sector = sides.first ? sides.positive - 1 : 2 * lines - 1 - sides.positive;
+  const int positive = sides.positive[0];
+  const int sector = sides.first ? positive - 1 : 2 * lines - 1 - positive;
   return knife.count % 2 == 0 ? sector : sector / 2;
 }
 
-int PlacedKnife::cell_count() const { return pencil ? knife.count : static_cast<int>(planes.size()) + 1; }
+int PlacedKnife::cell_count() const { return pencil ? knife.count : across[0] * across[1] * across[2]; }
 
 }  // namespace pomona

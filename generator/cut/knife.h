@@ -1,6 +1,7 @@
 // Knives: cutting surfaces by name.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -18,22 +19,24 @@ struct CuttingPlane {
 
 /// One knife as the user wrote it. What it does may depend on the fruit's bounding box.
 struct Knife {
-  enum class Kind { plane, half, across, wedges, slices };
+  enum class Kind { plane, half, across, wedges, slices, dice, sticks };
   Kind kind = Kind::half;
   CuttingPlane plane;    ///< Kind::plane
-  int count = 0;         ///< wedges, slices by count
-  double thickness = 0;  ///< slices by thickness, metres; 0 = by count
+  int count = 0;         ///< wedges; slices, dice and sticks by count
+  double thickness = 0;  ///< slices, dice and sticks by thickness, metres; 0 = by count
   std::string text;      ///< as written, for messages and metadata
 };
 
-/// Reads "half", "across", "plane:NX,NY,NZ,D", "wedges:N", "slices:4mm", "slices:8" (docs/commands.md).
+/// Reads "half", "across", "plane:NX,NY,NZ,D", "wedges:N", "slices:4mm", "slices:8", "dice:12mm", "sticks:6mm"
+/// (docs/commands.md).
 /// \throws Error (usage) that says what a knife looks like.
 Knife parse_knife(std::string_view text);
 
 /// What a knife's cells depend on: the sides of its planes that a point has been seen to lie on.
 struct KnifeSides {
   bool first = false;  ///< positive side of the first plane
-  int positive = 0;    ///< of how many planes, a pencil's taken in turn with one sense of rotation
+  /// Of how many planes, direction by direction; a pencil's taken in turn with one sense of rotation.
+  std::array<int, 3> positive{};
 };
 
 /// A knife laid at a fruit: planes, and the rule that makes cells of the sides they see. The planes of wedges form
@@ -41,8 +44,10 @@ struct KnifeSides {
 /// different cells meet (all of it where N is even).
 struct PlacedKnife {
   std::vector<CuttingPlane> planes;
-  std::vector<std::uint8_t> reversed;  ///< 1 where a pencil's plane looks against the sense of rotation
-  bool pencil = false;                 ///< all planes contain the axis x = z = 0
+  std::vector<std::uint8_t> reversed;   ///< 1 where a pencil's plane looks against the sense of rotation
+  std::vector<std::uint8_t> direction;  ///< 0..2: parallel planes have the same
+  std::array<int, 3> across{1, 1, 1};   ///< cells along each direction; of no meaning for a pencil
+  bool pencil = false;                  ///< all planes contain the axis x = z = 0
   Knife knife;
 
   /// `before`, and that the point lies on that side of planes[plane].
@@ -54,7 +59,7 @@ struct PlacedKnife {
   int cell_count() const;
 };
 
-/// \throws Error (usage) for more than 1024 slices, or slices thinner than 1/10 000 of the fruit.
+/// \throws Error (usage) for more than 1024 slices in one direction, or slices thinner than 1/10 000 of the fruit.
 PlacedKnife placed(const Knife& knife, const Bounds& bounds);
 
 }  // namespace pomona

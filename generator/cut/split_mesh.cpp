@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/cut/exact_side.h"
 #include "generator/surface/welded_edges.h"
 
 namespace pomona {
@@ -44,6 +45,8 @@ class Splitter {
     mesh_.point.reserve(surfaces_.vertex_count() * 5 / 4);
     for (const glm::vec3& p : surfaces_.position) mesh_.point.emplace_back(p);
     mesh_.planes_of.resize(mesh_.point.size(), 0);
+    input_points_ = mesh_.point.size();
+    find_points_on_planes();
 
     mesh_.triangle.reserve(surfaces_.triangle_count() * 5 / 4);
     for (std::size_t t = 0; t < surfaces_.triangle_count(); ++t) {
@@ -55,6 +58,17 @@ class Splitter {
       mesh_.triangle.push_back(triangle);
     }
     find_normals();
+  }
+
+  /// All before the first split: a point made between two that lie on a plane is then known to lie on it, too.
+  void find_points_on_planes() {
+    for (int plane = 0; plane < planes_.count(); ++plane) {
+      if (planes_[plane].same_as != plane) continue;
+      for (std::size_t p = 0; p < input_points_; ++p) {
+        if (exact_distance(planes_[plane].plane, mesh_.point[p]) != 0) continue;
+        mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], plane);
+      }
+    }
   }
 
   /// Area-weighted, of the boundary triangles that meet at a point.
@@ -100,16 +114,21 @@ class Splitter {
     }
   }
 
-  /// Points this plane has made, or found, before lie on it, wherever rounding may have put them.
+  /// Exact for the input. Points this plane has made, or found, before lie on it, wherever rounding may have put them.
+  /// Planes that coincide see the same sides, but for their sense.
   void find_sides() {
-    const CuttingPlane& plane = planes_[plane_].plane;
+    const CuttingPlane& plane = planes_[shared_].plane;
+    const int sense = planes_[plane_].turned ? -1 : 1;
     distance_.resize(mesh_.point.size());
     side_.resize(mesh_.point.size());
     for (std::size_t p = 0; p < mesh_.point.size(); ++p) {
-      distance_[p] = signed_distance(plane, mesh_.point[p]);
-      side_[p] = static_cast<std::int8_t>(
-          mesh_.sets.has(mesh_.planes_of[p], shared_) ? 0 : side_of(plane, mesh_.point[p], planes_.tolerance));
-      if (side_[p] == 0) mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], shared_);
+      const glm::dvec3& point = mesh_.point[p];
+      double distance = p < input_points_ ? exact_distance(plane, point) : signed_distance(plane, point);
+      const bool known = mesh_.sets.has(mesh_.planes_of[p], shared_);
+      if (known || (p >= input_points_ && std::fabs(distance) <= planes_.rounding)) distance = 0;
+      if (!known && distance == 0) mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], shared_);
+      distance_[p] = std::fabs(distance);
+      side_[p] = static_cast<std::int8_t>(distance == 0 ? 0 : (distance > 0) == (sense > 0) ? 1 : -1);
     }
   }
 
@@ -193,7 +212,7 @@ class Splitter {
     if (!is_new) return entry->second;
 
     const std::uint32_t p = mesh_.point_of[a], q = mesh_.point_of[b];
-    const double t = distance_[p] / (distance_[p] - distance_[q]);
+    const double t = distance_[p] / (distance_[p] + distance_[q]);
     const auto share = static_cast<float>(t);
     mesh_.point_of.push_back(point_between(p, q, t));
     mesh_.front_color.push_back(glm::mix(mesh_.front_color[a], mesh_.front_color[b], share));
@@ -221,7 +240,8 @@ class Splitter {
 
   // The plane at work, the one it coincides with, and where points lie to it.
   int plane_ = 0, shared_ = 0;
-  std::vector<double> distance_;
+  std::size_t input_points_ = 0;
+  std::vector<double> distance_;  // without sign
   std::vector<std::int8_t> side_;
   std::unordered_map<std::uint64_t, std::uint32_t> new_points_, new_vertices_;
 };

@@ -17,7 +17,7 @@ struct SplitMesh {
 
   // Points: places in space. Input vertices at equal positions are one point; so are the two ends at which two
   // triangles meet a plane on their common edge.
-  std::vector<glm::dvec3> point;
+  std::vector<glm::dvec3> point;         ///< those of the input first
   std::vector<std::uint32_t> planes_of;  ///< per point: which planes it lies on, a number in `sets`
 
   // Vertices: points with the attributes that a surface has there. The first are those of the input.

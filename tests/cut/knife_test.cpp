@@ -45,7 +45,12 @@ TEST(Knife, BadOnesAreUsageErrorsThatSayWhatAKnifeIs) {
                            "slices:0mm",
                            "slices:-4mm",
                            "slices:99999",
-                           "slices:1e999m"}) {
+                           "slices:1e999m",
+                           "dice",
+                           "dice:1",
+                           "dice:0mm",
+                           "dice:1000000",
+                           "sticks:-2mm"}) {
     SCOPED_TRACE(text);
     try {
       parse_knife(text);
@@ -101,6 +106,21 @@ TEST(Knife, SlicesAreCentred) {
   // Where they fit exactly, no plane lies on the ends.
   EXPECT_EQ(placed(parse_knife("slices:10mm"), box).planes.size(), 7u);
   EXPECT_THROW(placed(parse_knife("slices:0.001mm"), box), Error);
+}
+
+TEST(Knife, DiceAndSticksAreSlicesInSeveralDirections) {
+  const PlacedKnife dice = placed(parse_knife("dice:4"), box);
+  EXPECT_EQ(dice.planes.size(), 9u);
+  EXPECT_EQ(dice.cell_count(), 64);
+  EXPECT_EQ(cell_at(dice, {-0.04, 0.01, -0.03}), 0);
+  EXPECT_EQ(cell_at(dice, {0.04, 0.01, -0.03}), 3);
+  EXPECT_EQ(cell_at(dice, {-0.04, 0.07, -0.03}), 12);
+  EXPECT_EQ(cell_at(dice, {0.04, 0.07, 0.03}), 63);
+
+  const PlacedKnife sticks = placed(parse_knife("sticks:30mm"), box);
+  EXPECT_EQ(sticks.cell_count(), 5 * 4);
+  for (const CuttingPlane& plane : sticks.planes) EXPECT_EQ(plane.normal.y, 0);
+  EXPECT_THROW(placed(parse_knife("dice:0.001mm"), box), Error);
 }
 
 TEST(Knife, SidesNumberTheCells) {

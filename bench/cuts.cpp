@@ -1,0 +1,201 @@
+// Cuts by the hundred thousand, random and out for trouble, of every template at about 2 000 triangles: nothing aborts,
+// no chain and no piece is open, areas and volumes are those that clipping triangles one by one gives.
+//   cuts [FRUIT...] [--random N] [--degenerate N] [--pairs N] [--triangles N] [--out FILE] [--json FILE] [--threads N]
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bench/fruits.h"
+#include "bench/text_table.h"
+#include "cli/progress.h"
+#include "generator/base/error.h"
+#include "generator/base/parallel.h"
+#include "generator/template/read_template.h"
+#include "render/export/output.h"
+#include "tests/cut/cut_oracle.h"
+
+namespace {
+
+using namespace pomona;
+using namespace pomona::bench;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> fruits;
+  int random = 100000, degenerate = 10000, pairs = 10000;
+  int triangles = 2000;
+  std::string out, json;
+  int threads = 0;
+};
+
+/// What issue 6 allows.
+constexpr double most_area_error = 1e-9, most_volume_error = 1e-6;
+
+/// Cuts that are done between two savings of the figures.
+constexpr int chunk = 250;
+
+/// The template as drawn, at the detail that comes nearest to so many triangles.
+DiffusionSurfaces coarse_fruit(const std::string& name, int triangles) {
+  const Template drawn = read_template(template_path(name));
+  GrowOptions how;
+  how.as_drawn = true;
+  double low = 0.1, high = 1;
+  for (int i = 0; i < 6; ++i) {
+    how.detail = 0.5 * (low + high);
+    const std::size_t count = grow(drawn, {}, how).sheets.triangle_count();
+    (count > static_cast<std::size_t>(triangles) ? high : low) = how.detail;
+  }
+  return grow(drawn, {}, how).sheets;
+}
+
+std::vector<Knife> knives_of(const oracle::CutOracle& oracle, const std::string& kind, const std::string& fruit,
+                             int i) {
+  const RandomStream random({6, 0}, "bench/cuts/" + kind + "/" + fruit);
+  const auto number = static_cast<std::uint64_t>(i);
+  if (kind == "degenerate") return {oracle.degenerate_plane(random, number)};
+  if (kind == "random") return {oracle.random_plane(random, number)};
+  return {oracle.random_plane(random, 2 * number), oracle.random_plane(random, 2 * number + 1)};
+}
+
+/// One chunk's figures.
+Json measured(const oracle::CutOracle& oracle, const std::string& kind, const std::string& fruit, int first, int count,
+              Threads threads) {
+  std::vector<oracle::CutFacts> facts(static_cast<std::size_t>(count));
+  std::vector<std::string> abort(facts.size());
+  parallel_for(facts.size(), threads, [&](std::size_t i) {
+    try {
+      facts[i] = oracle.facts(knives_of(oracle, kind, fruit, first + static_cast<int>(i)));
+    } catch (const std::exception& error) {
+      abort[i] = error.what();
+    }
+  });
+  Json row = {{"fruit", fruit}, {"kind", kind}, {"first", first}, {"cuts", count}};
+  double area = 0, volume = 0, side = 0;
+  int chains = 0, pieces = 0, aborts = 0;
+  Json bad = Json::array();
+  for (std::size_t i = 0; i < facts.size(); ++i) {
+    const oracle::CutFacts& f = facts[i];
+    area = std::max(area, f.area_error);
+    volume = std::max(volume, f.volume_error);
+    side = std::max(side, f.side_error);
+    chains += f.open_chains > 0;
+    pieces += f.open_pieces > 0;
+    aborts += !abort[i].empty();
+    const bool sound = abort[i].empty() && f.open_chains == 0 && f.open_pieces == 0 &&
+                       f.area_error <= most_area_error && f.volume_error <= most_volume_error &&
+                       f.side_error <= most_volume_error;
+    if (!sound) bad.push_back(first + static_cast<int>(i));
+  }
+  row.update({{"area_error", area},
+              {"volume_error", volume},
+              {"side_error", side},
+              {"open_chains", chains},
+              {"open_pieces", pieces},
+              {"aborts", aborts},
+              {"bad", bad}});
+  return row;
+}
+
+std::vector<Json> earlier_rows(const std::string& file) {
+  std::ifstream stream(file);
+  if (file.empty() || !stream) return {};
+  const Json rows = Json::parse(stream, nullptr, false);
+  if (!rows.is_array()) throw Error(ExitStatus::bad_data, file + " is not a file that cuts has written");
+  return rows.get<std::vector<Json>>();
+}
+
+bool is_done(const std::vector<Json>& rows, const std::string& fruit, const std::string& kind, int first, int count) {
+  return std::any_of(rows.begin(), rows.end(), [&](const Json& row) {
+    return row["fruit"] == fruit && row["kind"] == kind && row["first"] == first && row["cuts"] == count;
+  });
+}
+
+std::string scientific(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", value);
+  return text;
+}
+
+TextTable table_of(const std::vector<Json>& rows) {
+  TextTable table{{"", "cuts", "aborts", "open chains", "open pieces", "area", "volume", "volume of one side"}, {}};
+  std::vector<std::string> names;
+  for (const Json& row : rows) {
+    for (const std::string& name : {row["fruit"].get<std::string>() + ", " + row["kind"].get<std::string>(),
+                                    "all, " + row["kind"].get<std::string>()}) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) {
+    int counts[4] = {};
+    double errors[3] = {};
+    for (const Json& row : rows) {
+      const std::string kind = row["kind"].get<std::string>();
+      if (name != row["fruit"].get<std::string>() + ", " + kind && name != "all, " + kind) continue;
+      const char* count_keys[] = {"cuts", "aborts", "open_chains", "open_pieces"};
+      const char* error_keys[] = {"area_error", "volume_error", "side_error"};
+      for (int i = 0; i < 4; ++i) counts[i] += row[count_keys[i]].get<int>();
+      for (int i = 0; i < 3; ++i) errors[i] = std::max(errors[i], row[error_keys[i]].get<double>());
+    }
+    std::vector<std::string> cells{name};
+    for (const int count : counts) cells.push_back(std::to_string(count));
+    for (const double error : errors) cells.push_back(scientific(error));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+int make_report(const Options& options) {
+  std::vector<Json> rows = earlier_rows(options.json);
+  Progress progress(false);
+  const std::vector<std::string> names = fruit_names(options.fruits);
+  const auto share = [&](int all) {
+    return (all + static_cast<int>(names.size()) - 1) / static_cast<int>(names.size());
+  };
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const DiffusionSurfaces fruit = coarse_fruit(names[i], options.triangles);
+    const oracle::CutOracle oracle(fruit);
+    for (const auto& [kind, all] : {std::pair("degenerate", options.degenerate), std::pair("pairs", options.pairs),
+                                    std::pair("random", options.random)}) {
+      for (int first = 0; first < share(all); first += chunk) {
+        const int count = std::min(chunk, share(all) - first);
+        if (is_done(rows, names[i], kind, first, count)) continue;
+        rows.push_back(measured(oracle, kind, names[i], first, count, {options.threads}));
+        if (!options.json.empty()) write_whole(options.json, Json(rows).dump(1) + "\n");
+      }
+    }
+    progress.report("fruits", i + 1, names.size());
+  }
+  const std::string text = markdown(table_of(rows));
+  if (!options.out.empty()) write_whole(options.out, text);
+  std::printf("%s", text.c_str());
+  return std::all_of(rows.begin(), rows.end(), [](const Json& row) { return row["bad"].empty(); }) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Whether cuts hold whatever the plane. Exits with 1 if any does not");
+  Options options;
+  app.add_option("FRUIT", options.fruits, "Names of templates; all of them if none is given");
+  app.add_option("--random", options.random, "Cuts along a random plane")->capture_default_str();
+  app.add_option("--degenerate", options.degenerate, "Cuts through vertices, along edges, in triangles, tangent")
+      ->capture_default_str();
+  app.add_option("--pairs", options.pairs, "Cuts along two random planes")->capture_default_str();
+  app.add_option("--triangles", options.triangles, "About so many triangles a fruit")->capture_default_str();
+  app.add_option("--out", options.out, "Write the table to this file too");
+  app.add_option("--json", options.json, "Write the figures to this file as JSON; cuts already there are kept");
+  app.add_option("--threads", options.threads, "0 = all there are")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return make_report(options);
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(error.status());
+  }
+}

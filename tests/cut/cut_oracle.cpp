@@ -1,0 +1,236 @@
+#include "tests/cut/cut_oracle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "generator/cut/pieces.h"
+#include "generator/cut/section.h"
+
+namespace pomona::oracle {
+
+namespace {
+
+__extension__ using Quad = __float128;
+using Point = std::array<Quad, 3>;
+
+Point point_of(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+Quad dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The part of a triangle below the plane: nothing, or three or four corners in the triangle's order. A triangle in the
+/// plane lies below if it looks up: then so does the solid behind it.
+std::vector<Point> below(const std::array<Point, 3>& t, const Point& normal, Quad offset) {
+  std::array<Quad, 3> height{};
+  for (std::size_t i = 0; i < 3; ++i) height[i] = dot(normal, t[i]) - offset;
+  if (height[0] == 0 && height[1] == 0 && height[2] == 0) {
+    const bool looks_up = dot(normal, cross(minus(t[1], t[0]), minus(t[2], t[0]))) > 0;
+    return looks_up ? std::vector<Point>(t.begin(), t.end()) : std::vector<Point>();
+  }
+  std::vector<Point> part;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (height[i] <= 0) part.push_back(t[i]);
+    if ((height[i] < 0 && height[j] > 0) || (height[i] > 0 && height[j] < 0)) {
+      const Quad share = height[i] / (height[i] - height[j]);
+      Point p;
+      for (std::size_t k = 0; k < 3; ++k) p[k] = t[i][k] + share * (t[j][k] - t[i][k]);
+      part.push_back(p);
+    }
+  }
+  return part;
+}
+
+/// Calls visit with every boundary triangle, turned so that it faces air.
+template <typename Visit>
+void for_each_skin(const DiffusionSurfaces& surfaces, const Visit& visit) {
+  for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
+    if (!surfaces.is_boundary(t)) continue;
+    const glm::uvec3& c = surfaces.triangle[t];
+    std::array<Point, 3> corner{point_of(surfaces.position[c.x]), point_of(surfaces.position[c.y]),
+                                point_of(surfaces.position[c.z])};
+    if (surfaces.is_hidden(t, SideOf::back)) std::swap(corner[1], corner[2]);
+    visit(corner);
+  }
+}
+
+double area_of(const FaceMesh& face, const Regions& regions) {
+  double area = 0;
+  for (std::size_t t = 0; t < face.mesh.triangle.size(); ++t) {
+    const Regions::Patch& patch = regions.patch[regions.patch_of[t]];
+    if (!patch.section) continue;
+    const glm::uvec3& c = face.mesh.triangle[t];
+    const glm::dvec2 a = face.mesh.point[c.y] - face.mesh.point[c.x], b = face.mesh.point[c.z] - face.mesh.point[c.x];
+    for (const BodyWinding& inside : patch.inside) area += inside.winding * 0.5 * (a.x * b.y - a.y * b.x);
+  }
+  return area;
+}
+
+int open_ends(const std::vector<Segment>& segments, const Bodies& bodies) {
+  std::map<std::pair<std::int32_t, std::uint32_t>, int> balance;
+  for (const Segment& s : segments) {
+    const std::int32_t body = bodies.of_triangle[s.source];
+    if (body == Bodies::none || !bodies.bodies[static_cast<std::size_t>(body)].closed) continue;
+    ++balance[{body, s.from}];
+    --balance[{body, s.to}];
+  }
+  return static_cast<int>(std::count_if(balance.begin(), balance.end(), [](const auto& b) { return b.second != 0; }));
+}
+
+}  // namespace
+
+CutOracle::CutOracle(const DiffusionSurfaces& surfaces) : surfaces_(surfaces), bodies_(find_bodies(surfaces)) {
+  size_ = glm::length(bounds_of(surfaces).size());
+  for (const Bodies::Body& body : bodies_.bodies) {
+    whole_ += body.volume;
+    closed_ = closed_ && body.closed;
+  }
+}
+
+double CutOracle::area_in(const CuttingPlane& plane) const {
+  const Point normal = point_of(plane.normal);
+  Quad up = 0;
+  for_each_skin(surfaces_, [&](const std::array<Point, 3>& t) {
+    const std::vector<Point> part = below(t, normal, plane.offset);
+    for (std::size_t i = 2; i < part.size(); ++i) {
+      up += dot(normal, cross(minus(part[i - 1], part[0]), minus(part[i], part[0])));
+    }
+  });
+  return static_cast<double>(-up / 2);
+}
+
+double CutOracle::volume_below(const CuttingPlane& plane) const {
+  const Point normal = point_of(plane.normal), origin = point_of(plane.normal * plane.offset);
+  Quad volume = 0;
+  for_each_skin(surfaces_, [&](const std::array<Point, 3>& t) {
+    const std::vector<Point> part = below(t, normal, plane.offset);
+    for (std::size_t i = 2; i < part.size(); ++i) {
+      volume += dot(minus(part[0], origin), cross(minus(part[i - 1], origin), minus(part[i], origin)));
+    }
+  });
+  return static_cast<double>(volume / 6);
+}
+
+CutFacts CutOracle::facts(std::span<const Knife> knives) const {
+  CutOptions options;
+  options.coarsest = 0.2;
+  options.finest = 0.05;
+  options.threads = {1};
+  const CutPlanes planes = placed(knives, bounds_of(surfaces_));
+  SplitMesh mesh = split(surfaces_, planes);
+  const std::vector<std::vector<Segment>> segments = cut_segments(mesh, surfaces_, planes.count());
+  CutFacts facts;
+  for (const std::vector<Segment>& s : segments) facts.open_chains += open_ends(s, bodies_);
+
+  const FaceMeshes faces = triangulate(mesh, planes, segments, surfaces_, bodies_, options);
+  std::vector<Regions> regions;
+  std::vector<double> area(segments.size(), 0);
+  for (const FaceMesh& face : faces.faces) {
+    regions.push_back(find_regions(face, planes, surfaces_, bodies_));
+    area[static_cast<std::size_t>(face.plane)] = area_of(face, regions.back());
+  }
+  for (int k = 0; k < planes.count(); ++k) {
+    if (planes[k].same_as != k || !closed_) continue;
+    const double error = std::fabs(area[static_cast<std::size_t>(k)] - area_in(planes[k].plane));
+    facts.area_error = std::max(facts.area_error, error / (size_ * size_));
+  }
+
+  const Section section = assemble(faces, regions, mesh, surfaces_, planes);
+  double sum = 0, sum_below = 0;
+  for (const CutPiece& piece : pieces(mesh, faces, section, surfaces_, options)) {
+    ++facts.pieces;
+    facts.open_pieces += closed_ && !piece.closed;
+    sum += piece.volume;
+    double farthest = 0;
+    for (const glm::vec3& p : piece.position) {
+      const double d = signed_distance(planes[0].plane, glm::dvec3(p));
+      if (std::fabs(d) > std::fabs(farthest)) farthest = d;
+    }
+    if (farthest < 0) sum_below += piece.volume;
+  }
+  if (!closed_) return facts;
+  facts.volume_error = std::fabs(sum - whole_) / whole_;
+  if (planes.count() == 1) facts.side_error = std::fabs(sum_below - volume_below(planes[0].plane)) / whole_;
+  return facts;
+}
+
+namespace {
+
+glm::dvec3 random_direction(const RandomStream& random, std::uint64_t draw) {
+  const glm::dvec3 d(random.normal(draw), random.normal(draw + 1), random.normal(draw + 2));
+  return glm::length(d) > 0 ? glm::normalize(d) : glm::dvec3(0, 1, 0);
+}
+
+Knife knife_at(const glm::dvec3& normal, double offset) {
+  Knife knife;
+  knife.kind = Knife::Kind::plane;
+  knife.plane = {normal, offset};
+  return knife;
+}
+
+constexpr std::uint64_t draws = 16;  // per knife
+
+}  // namespace
+
+glm::dvec3 CutOracle::corner(const RandomStream& random, std::uint64_t draw) const {
+  const glm::uvec3& t = surfaces_.triangle[random.below(draw, surfaces_.triangle_count())];
+  return glm::dvec3(surfaces_.position[t[static_cast<int>(random.below(draw + 1, 3))]]);
+}
+
+Knife CutOracle::random_plane(const RandomStream& random, std::uint64_t number) const {
+  const Bounds bounds = bounds_of(surfaces_);
+  const std::uint64_t draw = draws * number;
+  glm::dvec3 place(0);
+  for (int i = 0; i < 3; ++i) {
+    place[i] = bounds.low[i] + random.uniform(draw + static_cast<std::uint64_t>(i)) * bounds.size()[i];
+  }
+  const glm::dvec3 normal = random_direction(random, draw + 3);
+  return knife_at(normal, glm::dot(normal, place));
+}
+
+Knife CutOracle::degenerate_plane(const RandomStream& random, std::uint64_t number) const {
+  const std::uint64_t draw = draws * number;
+  const glm::uvec3& triangle = surfaces_.triangle[random.below(draw, surfaces_.triangle_count())];
+  const glm::dvec3 a(surfaces_.position[triangle.x]), b(surfaces_.position[triangle.y]),
+      c(surfaces_.position[triangle.z]);
+  glm::dvec3 normal = random_direction(random, draw + 1), level(0);
+  const int axis = static_cast<int>(random.below(draw + 5, 3));
+  level[axis] = 1;
+
+  switch (number % 6) {
+    case 0:
+      return knife_at(normal, glm::dot(normal, a));
+    case 1:
+      return knife_at(level, a[axis]);
+    case 2:
+      normal = glm::cross(b - a, normal);
+      break;
+    case 3:
+      normal = glm::cross(b - a, c - a);
+      break;
+    case 4: {
+      double farthest = glm::dot(normal, a);
+      for (const glm::uvec3& t : surfaces_.triangle) {
+        farthest = std::max(farthest, glm::dot(normal, glm::dvec3(surfaces_.position[t.x])));
+      }
+      return knife_at(normal, farthest);
+    }
+    default: {
+      const Bounds bounds = bounds_of(surfaces_);
+      return knife_at(level, (random.below(draw + 6, 2) == 0 ? bounds.low : bounds.high)[axis]);
+    }
+  }
+  const double length = glm::length(normal);
+  normal = length > 0 ? normal / length : level;
+  return knife_at(normal, glm::dot(normal, a));
+}
+
+}  // namespace pomona::oracle

@@ -1,0 +1,50 @@
+// What a cut must give, found another way: the input's triangles clipped one by one in quadruple precision, with no
+// mesh, no chain and no triangulation; and knives that are out for trouble.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "generator/base/random.h"
+#include "generator/cut/cut.h"
+#include "generator/surface/bodies.h"
+
+namespace pomona::oracle {
+
+/// How far a cut is from what it must be.
+struct CutFacts {
+  double area_error = 0;    ///< of the section in one plane, the worst; share of the fruit's size squared
+  double volume_error = 0;  ///< of all pieces together; share of the whole
+  double side_error = 0;    ///< of the pieces on one side, with a single plane; share of the whole
+  int open_chains = 0;      ///< ends of cut segments of closed bodies that nothing meets
+  int open_pieces = 0;      ///< where all bodies are closed
+  int pieces = 0;
+};
+
+/// Whole planes only: half-planes of wedges have no area here.
+class CutOracle {
+ public:
+  explicit CutOracle(const DiffusionSurfaces& surfaces);
+
+  CutFacts facts(std::span<const Knife> knives) const;
+
+  /// A plane somewhere through the fruit.
+  Knife random_plane(const RandomStream& random, std::uint64_t number) const;
+
+  /// By turns: through a vertex, level with one, along an edge, in the plane of a triangle, touching the fruit, and
+  /// touching its bounding box. `number` picks the turn, too.
+  Knife degenerate_plane(const RandomStream& random, std::uint64_t number) const;
+
+ private:
+  double area_in(const CuttingPlane& plane) const;
+  double volume_below(const CuttingPlane& plane) const;
+  glm::dvec3 corner(const RandomStream& random, std::uint64_t draw) const;
+
+  const DiffusionSurfaces& surfaces_;
+  Bodies bodies_;
+  double size_ = 0, whole_ = 0;
+  bool closed_ = true;
+};
+
+}  // namespace pomona::oracle

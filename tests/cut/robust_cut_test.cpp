@@ -1,0 +1,79 @@
+// A sample of what bench/cuts does by the hundred thousand: cuts out for trouble, against clipping triangle by
+// triangle.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "generator/base/random.h"
+#include "tests/cut/cut_oracle.h"
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+using oracle::CutFacts;
+using oracle::CutOracle;
+
+void expect_right(const CutFacts& facts) {
+  EXPECT_LE(facts.area_error, 1e-9);
+  EXPECT_LE(facts.volume_error, 1e-6);
+  EXPECT_LE(facts.side_error, 1e-6);
+  EXPECT_EQ(facts.open_chains, 0);
+  EXPECT_EQ(facts.open_pieces, 0);
+}
+
+std::vector<DiffusionSurfaces> fruits() {
+  return {
+      shapes::sphere(0.05, 5, shapes::skin_paint()),
+      shapes::torus(0.04, 0.015, 16, 9),
+      shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint()),
+      shapes::tilted(shapes::nested_spheres(0.05, 0.02, 5)),
+      shapes::hollow_ball(0.05, 0.044, 5),
+      joined(shapes::torus(0.04, 0.015, 16, 9), shapes::moved(shapes::torus(0.04, 0.015, 16, 9), {0.013, 0.007, 0})),
+  };
+}
+
+TEST(RobustCut, OfPlanesOutForTrouble) {
+  const RandomStream random({8, 0}, "test/robust");
+  for (const DiffusionSurfaces& fruit : fruits()) {
+    const CutOracle oracle(fruit);
+    for (std::uint64_t i = 0; i < 120; ++i) {
+      const std::vector<Knife> knives{oracle.degenerate_plane(random, i)};
+      SCOPED_TRACE(i);
+      expect_right(oracle.facts(knives));
+      if (HasFailure()) return;
+    }
+  }
+}
+
+TEST(RobustCut, OfRandomPlanesOneAndTwo) {
+  const RandomStream random({9, 0}, "test/robust");
+  for (const DiffusionSurfaces& fruit : fruits()) {
+    const CutOracle oracle(fruit);
+    for (std::uint64_t i = 0; i < 60; ++i) {
+      std::vector<Knife> knives{oracle.random_plane(random, 2 * i)};
+      if (i % 2 == 1) knives.push_back(oracle.random_plane(random, 2 * i + 1));
+      SCOPED_TRACE(i);
+      expect_right(oracle.facts(knives));
+      if (HasFailure()) return;
+    }
+  }
+}
+
+/// A plane that misses a face of the box by less than a double resolves there is still told from one through it.
+TEST(RobustCut, TellsAFaceFromAPlaneNextToIt) {
+  const DiffusionSurfaces box = shapes::box({0, 0, 0}, {1, 1, 1}, 2, shapes::skin_paint());
+  const CutOracle oracle(box);
+  for (const double offset : {0.0, 1e-300, -1e-300, 1e-17, 1.0, std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0)}) {
+    SCOPED_TRACE(offset);
+    Knife knife = parse_knife("half");
+    knife.kind = Knife::Kind::plane;
+    knife.plane = {{0, 1, 0}, offset};
+    const CutFacts facts = oracle.facts(std::vector<Knife>{knife});
+    expect_right(facts);
+    EXPECT_EQ(facts.pieces, offset > 0 && offset < 1 ? 2 : 1);
+  }
+}
+
+}  // namespace
+}  // namespace pomona
