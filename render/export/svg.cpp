@@ -73,16 +73,33 @@ std::string layer_start(const std::string& id, const std::string& label) {
   return "  <g id=\"" + id + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + escaped(label) + "\">\n";
 }
 
-/// `strength` times the mean opacity of the stroke's points.
+/// A stroke in stretches of nearly one opacity, each from where the last one ends.
+std::vector<std::vector<StrokePoint>> by_opacity(const std::vector<StrokePoint>& stroke) {
+  const auto level = [](const StrokePoint& point) { return static_cast<int>(std::floor(5 * point.opacity + 0.5)); };
+  std::vector<std::vector<StrokePoint>> stretches;
+  for (std::size_t i = 0; i < stroke.size(); ++i) {
+    const bool another = i == 0 || level(stroke[i]) != level(stroke[i - 1]);
+    if (another && i > 0) stretches.back().push_back(stroke[i]);
+    if (another) stretches.emplace_back();
+    stretches.back().push_back(stroke[i]);
+  }
+  return stretches;
+}
+
+/// `strength` times the mean opacity of each stretch's points.
 std::string path_text(const std::vector<StrokePoint>& stroke, const Color& ink, double strength) {
-  const std::string outline = stroke_outline(stroke);
-  if (outline.empty()) return {};
-  double opacity = 0;
-  for (const StrokePoint& point : stroke) opacity += point.opacity;
-  opacity = std::clamp(strength * opacity / static_cast<double>(stroke.size()), 0.0, 1.0);
-  std::string text = "    <path fill=\"" + hex_color(ink) + "\"";
-  if (opacity < 0.995) text += " fill-opacity=\"" + hundredths(opacity) + "\"";
-  return text + " d=\"" + outline + "\"/>\n";
+  std::string text;
+  for (const std::vector<StrokePoint>& stretch : by_opacity(stroke)) {
+    const std::string outline = stroke_outline(stretch);
+    double opacity = 0;
+    for (const StrokePoint& point : stretch) opacity += point.opacity;
+    opacity = std::clamp(strength * opacity / static_cast<double>(stretch.size()), 0.0, 1.0);
+    if (outline.empty() || opacity < 0.02) continue;
+    text += "    <path fill=\"" + hex_color(ink) + "\"";
+    if (opacity < 0.995) text += " fill-opacity=\"" + hundredths(opacity) + "\"";
+    text += " d=\"" + outline + "\"/>\n";
+  }
+  return text;
 }
 
 }  // namespace

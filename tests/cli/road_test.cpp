@@ -123,6 +123,25 @@ TEST(Browning, IsInPicturesAndPiecesButNotInTheFileOfASection) {
   EXPECT_NE(bytes_of(folder / "x0.glb"), bytes_of(folder / "x0.8.glb"));
 }
 
+TEST(Lines, AreTheSameForAnyNumberOfThreadsAndGoneWithoutInk) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> cut = {"cut", "tomato", "--knife", "half", "--size", "160x120"};
+  for (const char* threads : {"1", "2"}) {
+    const std::string end = std::string(threads) + ".svg";
+    const std::vector<std::string> words = with(cut, {"--threads", threads});
+    expect_done(run_pomona(with(with(words, {"--section", "-o", "section" + end}), coarse), folder.path()));
+    expect_done(run_pomona(with(with(words, {"-o", "pieces" + end}), coarse), folder.path()));
+  }
+  for (const std::string what : {"section", "pieces"}) {
+    const std::string drawing = bytes_of(folder / (what + "1.svg"));
+    EXPECT_EQ(drawing, bytes_of(folder / (what + "2.svg"))) << what;
+    EXPECT_THAT(drawing, HasSubstr("<path"));
+    EXPECT_THAT(drawing, HasSubstr(what == "section" ? "data:image/png;base64," : "inkscape:label=\"tomato.piece-2\""));
+  }
+  expect_done(run_pomona(with(with(cut, {"--style", "plain", "-o", "plain.svg"}), coarse), folder.path()));
+  EXPECT_THAT(bytes_of(folder / "plain.svg"), ::testing::Not(HasSubstr("<path")));
+}
+
 INSTANTIATE_TEST_SUITE_P(Templates, Fruit, ::testing::Values("tomato", "onion", "pepper"),
                          [](const auto& tested) { return std::string(tested.param); });
 
