@@ -15,6 +15,7 @@
 #include "generator/cut/cut.h"
 #include "generator/cut/section_file.h"
 #include "generator/scene/brown.h"
+#include "generator/scene/guided.h"
 #include "generator/scene/lay_out.h"
 
 namespace pomona {
@@ -82,8 +83,9 @@ ExitStatus cut_fruit(const CutCommand& command) {
   count(section, result.pieces.size(), delivery.times);
 
   // What lies in air turns brown; the section's file keeps what was diffused.
-  const CrossSection styled =
-      delivery.times.time("style", [&] { return browned(section, source.grown.sheets, source.fruit); });
+  const CrossSection styled = delivery.times.time("style", [&] {
+    return guided(browned(section, source.grown.sheets, source.fruit), source.grown.swept, source.fruit);
+  });
   if (command.section) {
     write_section_files(outputs, section, styled, source.fruit, delivery);
   } else {

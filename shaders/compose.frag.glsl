@@ -16,6 +16,12 @@ uniform vec2 tangent;
 uniform mat4 camera_to_scene;
 uniform float pixel_angle;  // size of a pixel at distance 1
 
+#ifdef DETAILED
+#include "detail.glsl"
+uniform sampler2D guide_ways;    // to the skin, and the depth of the layer
+uniform sampler2D guide_shares;  // of each detail
+#endif
+
 layout(location = 0) out vec4 picture;
 
 // The coarser light of the neighbour that lies at the sample's own distance.
@@ -54,7 +60,12 @@ vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground, float grain_her
   vec3 fruit_position = in_fruit(instance_of(id), (camera_to_scene * vec4(ray, 1.0)).xyz);
   float footprint = pixel_angle * distance_to / max(dot(normal, to_eye), 0.3);
   int solid = int(pen_of(instance_of(id)).z);
-  vec3 color = modulated(texelFetch(albedo, at, 0).rgb, fruit_position, footprint, solid);
+  vec3 plain = texelFetch(albedo, at, 0).rgb;
+  vec3 color = modulated(plain, fruit_position, footprint, solid);
+#ifdef DETAILED
+  color = detailed(color, plain, fruit_position, footprint, solid, is_cut(id), texelFetch(guide_ways, at, 0),
+                   texelFetch(guide_shares, at, 0));
+#endif
   return painted(fruit_color(color, normal, to_eye, seen, is_cut(id)), grain_here);
 }
 

@@ -9,6 +9,8 @@ uniform mat4 projection; // scene to clip space
 out vec3 scene_normal;
 out vec3 plain_color;
 
+invariant gl_Position;
+
 void main() {
   scene_normal = mat3(placement) * normal;
   plain_color = color;

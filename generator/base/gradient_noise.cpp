@@ -16,12 +16,6 @@ std::uint32_t mixed(std::uint32_t h) {
   return h ^ (h >> 16);
 }
 
-/// Lattice hash: odd multipliers part the axes (Teschner et al. 2003), the mix does the rest.
-std::uint32_t lattice_hash(std::int32_t x, std::int32_t y, std::int32_t z, std::uint32_t seed) {
-  return mixed((static_cast<std::uint32_t>(x) * 0x8da6b343u) ^ (static_cast<std::uint32_t>(y) * 0xd8163841u) ^
-               (static_cast<std::uint32_t>(z) * 0xcb1ab31fu) ^ (seed * 0x9e3779b9u));
-}
-
 /// Dot product with one of the twelve edge directions of a cube (four of them twice).
 double edge_gradient(std::uint32_t hash, double x, double y, double z) {
   const std::uint32_t h = hash & 15u;
@@ -34,13 +28,10 @@ double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 
-/// A lattice index; positions beyond what 32 bits hold (hostile frequencies) all share the last cell.
-std::int32_t cell_of(double floored) { return static_cast<std::int32_t>(std::clamp(floored, -2.0e9, 2.0e9)); }
-
 /// `mask`: which bits of z count; all of them unless the lattice closes around an axis.
 double lattice_noise(const glm::dvec3& point, std::uint32_t seed, std::int32_t mask) {
   const double fx = std::floor(point.x), fy = std::floor(point.y), fz = std::floor(point.z);
-  const std::int32_t ix = cell_of(fx), iy = cell_of(fy), iz = cell_of(fz);
+  const std::int32_t ix = lattice_cell(fx), iy = lattice_cell(fy), iz = lattice_cell(fz);
   const double x = point.x - fx, y = point.y - fy, z = point.z - fz;
 
   // The eight corners' gradients, blended along x, then y, then z.
@@ -56,6 +47,13 @@ double lattice_noise(const glm::dvec3& point, std::uint32_t seed, std::int32_t m
 }
 
 }  // namespace
+
+std::uint32_t lattice_hash(std::int32_t x, std::int32_t y, std::int32_t z, std::uint32_t seed) {
+  return mixed((static_cast<std::uint32_t>(x) * 0x8da6b343u) ^ (static_cast<std::uint32_t>(y) * 0xd8163841u) ^
+               (static_cast<std::uint32_t>(z) * 0xcb1ab31fu) ^ (seed * 0x9e3779b9u));
+}
+
+std::int32_t lattice_cell(double floored) { return static_cast<std::int32_t>(std::clamp(floored, -2.0e9, 2.0e9)); }
 
 double gradient_noise(const glm::dvec3& point, std::uint32_t seed) { return lattice_noise(point, seed, ~0); }
 

@@ -9,6 +9,7 @@
 #include "generator/scene/bowl.h"
 #include "generator/scene/brown.h"
 #include "generator/scene/grow.h"
+#include "generator/scene/guided.h"
 #include "generator/template/read_template.h"
 
 namespace pomona {
@@ -220,7 +221,9 @@ Made finished(const CutVariant& variant, const PiecesDescription& pieces, int nu
   made.counts["interior_vertices"] += std::count(section.interior.begin(), section.interior.end(), 1);
 
   const std::string name = pieces.name + "-" + std::to_string(number + 1);
-  made.solids = solids(variant.cut, browned(section, variant.grown.sheets, variant.fruit), variant.fruit, name);
+  const CrossSection styled =
+      guided(browned(section, variant.grown.sheets, variant.fruit), variant.grown.swept, variant.fruit);
+  made.solids = solids(variant.cut, styled, variant.fruit, name);
   if (made.solids.empty()) made.warnings.push_back("pieces \"" + name + "\": nothing is left to take");
   for (const std::string& warning : variant.cut.warnings) {
     made.warnings.push_back("pieces \"" + name + "\": " + warning);

@@ -1,6 +1,9 @@
 #include "generator/scene/solid.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "generator/scene/guided.h"
 
 namespace pomona {
 
@@ -10,10 +13,12 @@ namespace {
 class SolidBuilder {
  public:
   SolidBuilder(const CutPiece& piece, const CrossSection& section, const Template& fruit)
-      : piece_(piece), section_(section) {
+      : piece_(piece), section_(section), fruit_(fruit) {
     solid_.part_names = section.part_names;
     solid_.noise = fruit.noise;
     solid_.details = fruit.details;
+    const auto on_skin = [](const DetailSketch& detail) { return detail.face == DetailFace::skin; };
+    guides_ = !section.guide.empty() || std::any_of(fruit.details.begin(), fruit.details.end(), on_skin);
     solid_.ink = fruit.ink;
     solid_.volume = piece.volume;
     solid_.closed = piece.closed;
@@ -36,7 +41,10 @@ class SolidBuilder {
     solid_.normal = piece_.normal;
     solid_.color = piece_.color;
     solid_.part = piece_.part;
-    if (!section_.guide.empty()) solid_.guide.resize(piece_.position.size());
+    if (guides_) {
+      for (const std::int32_t part : piece_.part)
+        solid_.guide.push_back({.share = detail_shares(fruit_, DetailFace::skin, part, 0)});
+    }
     solid_.triangle = piece_.triangle;
     solid_.surface = piece_.surface;
     solid_.cut_face.assign(piece_.triangle.size(), -1);
@@ -65,7 +73,7 @@ class SolidBuilder {
       solid_.normal.push_back(reversed ? -normal : normal);
       solid_.color.push_back(section_.color[of_section]);
       solid_.part.push_back(section_.part[of_section]);
-      if (!section_.guide.empty()) solid_.guide.push_back(section_.guide[of_section]);
+      if (guides_) solid_.guide.push_back(section_.guide.empty() ? DetailGuide{} : section_.guide[of_section]);
     }
     return known[of_section];
   }
@@ -83,6 +91,8 @@ class SolidBuilder {
 
   const CutPiece& piece_;
   const CrossSection& section_;
+  const Template& fruit_;
+  bool guides_ = false;
   Solid solid_;
   std::vector<std::vector<std::uint32_t>> vertex_on_face_;  // per face, per vertex of the section
 };

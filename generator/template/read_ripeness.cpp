@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/template/read_depth.h"
 #include "generator/template/read_paint.h"
 
 namespace pomona {
@@ -11,20 +12,8 @@ namespace pomona {
 namespace {
 
 constexpr std::size_t most_stops = 64;
-constexpr Within deep{0, 1};           // metres below the skin
 constexpr Within patch_size{5e-4, 1};  // metres
 constexpr double most_color_variation = 0.2;
-
-/// A number, or stops [["0mm", number], ["8mm", number], ...] by the depth below the skin.
-Ramp<double> read_depth_ramp(const TomlValue& value, double fallback, Within within) {
-  if (!value.is(TomlNode::Kind::array)) return Ramp<double>::constant(value.number(fallback, within));
-  const auto depth = [](const TomlValue& at) { return at.length(0, deep); };
-  const auto number = [&](const TomlValue& stop) { return stop.number(fallback, within); };
-  const Ramp<double> ramp{read_stops<double>(
-      value, depth, number,
-      {.one = "write [depth, value], as in [\"3mm\", ...]", .all = "write at least one, as in [[\"0mm\", ...]]"})};
-  return ramp.stops.empty() ? Ramp<double>::constant(fallback) : ramp;
-}
 
 /// The table of one part; `known` are the parts that have one already.
 int read_part(const TomlTable& table, const Template& fruit, std::vector<int>& known) {

@@ -6,6 +6,7 @@
 
 #include "generator/base/units.h"
 #include "generator/template/bend_strain.h"
+#include "generator/template/read_detail.h"
 #include "generator/template/read_grains.h"
 #include "generator/template/read_mesh.h"
 #include "generator/template/read_name.h"
@@ -161,6 +162,7 @@ Template parse_template(std::string_view toml, const std::string& file) {
   if (root.has("bend")) read_bend_of(fruit, root.get("bend"));
   if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table());
   if (root.has("noise")) fruit.noise = read_noise(root.get("noise").table());
+  if (root.has("detail")) fruit.details = read_details(root.get("detail"), fruit);
   if (root.has("ink")) fruit.ink = read_ink(root.get("ink").table());
   if (root.has("ripeness")) fruit.ripeness = read_ripeness(root.get("ripeness").table(), fruit);
   if (root.has("browning")) fruit.browning = read_browning(root.get("browning").table(), fruit);

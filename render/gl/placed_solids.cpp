@@ -55,4 +55,19 @@ void PlacedSolids::draw(const Program& program, Drawn which) const {
   gl_->Disable(GL_CULL_FACE);
 }
 
+void PlacedSolids::draw_guides(const Program& program) const {
+  if (!uploaded_.guides) return;
+  uploaded_.guides->vertices.bind();
+  for (const std::size_t i : nearest_first_) {
+    const Instance& instance = scene_.instances[i];
+    const Solid& solid = scene_.solids[instance.solid];
+    if (how_drawn(solid) != Drawn::opaque || solid.guide.empty()) continue;
+    const UploadedSolids::Part& part = uploaded_.parts[instance.solid];
+    program.set("placement", matrix_of(instance.pose));
+    gl_->DrawElementsBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_INT,
+                                reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t)),
+                                part.first_vertex);
+  }
+}
+
 }  // namespace pomona

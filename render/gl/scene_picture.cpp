@@ -43,8 +43,9 @@ struct Targets {
 
   glm::ivec2 samples;
   Surfaces opaque;
-  std::optional<GlTexture> glass;  // all layers of what is see-through
-  std::array<GlTexture, 2> light;  // one per pixel: sky, light, distance
+  std::optional<GlTexture> glass;                     // all layers of what is see-through
+  std::optional<GlTexture> guide_ways, guide_shares;  // what guides texture detail, where there is any
+  std::array<GlTexture, 2> light;                     // one per pixel: sky, light, distance
   GlTexture shadow;
   GlTexture picture;  // one per pixel
 };
@@ -71,6 +72,7 @@ class ScenePainter {
   Image painted() {
     cast_shadows();
     draw_surfaces();
+    if (solids_.detail_styles()) draw_guides();
     if (solids_.any(Drawn::see_through)) draw_glass();
     look_for_light();
     compose();
@@ -81,6 +83,7 @@ class ScenePainter {
   void cast_shadows();
   void draw_surfaces();
   void draw_ground();
+  void draw_guides();
   void draw_glass();
   void look_for_light();
   void compose();
@@ -163,6 +166,29 @@ void ScenePainter::draw_ground() {
   gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
+/// Beside the surfaces that are nearest, in a pass of its own: few scenes need it.
+void ScenePainter::draw_guides() {
+  targets_.guide_ways.emplace(gl_, GL_RGBA16F, targets_.samples.x, targets_.samples.y);
+  targets_.guide_shares.emplace(gl_, GL_RGBA8, targets_.samples.x, targets_.samples.y);
+  const std::array<const GlTexture*, 2> colors{&*targets_.guide_ways, &*targets_.guide_shares};
+  const GlFramebuffer target(gl_, colors, &targets_.opaque.depth);
+  target.bind(targets_.samples.x, targets_.samples.y);
+  const std::array<float, 4> none{0, 0, 0, 0};
+  gl_->ClearBufferfv(GL_COLOR, 0, none.data());
+  gl_->ClearBufferfv(GL_COLOR, 1, none.data());
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthMask(GL_FALSE);
+  gl_->DepthFunc(GL_LEQUAL);
+
+  const Program program(gl_, "guide.vert.glsl", "guide.frag.glsl");
+  program.use();
+  program.set("projection", camera_.projection * camera_.view);
+  solids_.draw_guides(program);
+  gl_->DepthMask(GL_TRUE);
+  gl_->DepthFunc(GL_LESS);
+  gl_.check("the guides");
+}
+
 void ScenePainter::draw_glass() {
   const GlassView view{.camera = camera_,
                        .eye = scene_.view.eye,
@@ -232,7 +258,8 @@ void ScenePainter::look_for_light() {
 void ScenePainter::compose() {
   const std::array<const GlTexture*, 1> colors{&targets_.picture};
   const GlFramebuffer target(gl_, colors, nullptr);
-  const Program program(gl_, "fullscreen.vert.glsl", "compose.frag.glsl");
+  const GlTexture* const details = solids_.detail_styles();
+  const Program program(gl_, "fullscreen.vert.glsl", "compose.frag.glsl", details ? "DETAILED" : "");
   program.use();
   set_camera(program, targets_.opaque);
   program.set("albedo", 4);
@@ -241,6 +268,11 @@ void ScenePainter::compose() {
   targets_.light[0].bind(5);
   program.set("noise_styles", 7);
   solids_.noise_styles().bind(7);
+  if (details) {
+    program.set("detail_styles", 13), details->bind(13);
+    program.set("guide_ways", 14), targets_.guide_ways->bind(14);
+    program.set("guide_shares", 15), targets_.guide_shares->bind(15);
+  }
   program.set("see_through", targets_.glass ? 1 : 0);
   program.set("glass", 9);
   if (targets_.glass) targets_.glass->bind(9);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/base/error.h"
+#include "render/gl/detail_texels.h"
 #include "render/style/noise.h"
 
 namespace pomona {
@@ -48,6 +49,33 @@ Gathered gathered_solids(const Scene& scene, const Style& style) {
   return all;
 }
 
+std::optional<UploadedSolids::Guides> uploaded_guides(const CurrentGl& gl, const Scene& scene, const Style& style,
+                                                      const GlBuffer& position) {
+  const auto guided = [](const Solid& solid) { return !solid.guide.empty(); };
+  if (!style.noise || std::none_of(scene.solids.begin(), scene.solids.end(), guided)) return {};
+  std::vector<glm::vec4> way, share, styles;
+  for (const Solid& solid : scene.solids) {
+    for (std::size_t v = 0; v < solid.position.size(); ++v) {
+      const DetailGuide guide = solid.guide.empty() ? DetailGuide{} : solid.guide[v];
+      way.emplace_back(guide.to_skin, guide.layer);
+      share.push_back(guide.share);
+    }
+    const std::vector<glm::vec4> texels = detail_texels(Look(NoiseStyle{}, solid.details));
+    styles.insert(styles.end(), texels.begin(), texels.end());
+  }
+  GlBuffer style_buffer(gl, GL_TEXTURE_BUFFER, styles);
+  GlTexture style_texture(gl, GL_RGBA32F, style_buffer);
+  UploadedSolids::Guides guides{.way = GlBuffer(gl, GL_ARRAY_BUFFER, way),
+                                .share = GlBuffer(gl, GL_ARRAY_BUFFER, share),
+                                .style_buffer = std::move(style_buffer),
+                                .styles = std::move(style_texture),
+                                .vertices = GlVertexArray(gl)};
+  guides.vertices.attach(0, 3, position);
+  guides.vertices.attach(1, 4, guides.way);
+  guides.vertices.attach(2, 4, guides.share);
+  return guides;
+}
+
 }  // namespace
 
 std::vector<glm::vec4> noise_texels(const NoiseStyle& style) {
@@ -91,11 +119,16 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
       .noise_buffer = std::move(noise_buffer),
       .noise_styles = std::move(noise_styles),
       .solids = GlVertexArray(gl),
+      .guides = {},
   };
   solids.solids.attach(0, 3, solids.position);
   solids.solids.attach(1, 3, solids.normal);
   solids.solids.attach(2, 3, solids.color);
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());
+  if (std::optional<UploadedSolids::Guides> guides = uploaded_guides(gl, scene, style, solids.position)) {
+    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());
+    solids.guides.emplace(std::move(*guides));
+  }
   gl.check("handing over the solids");
   return solids;
 }

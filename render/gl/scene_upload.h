@@ -1,6 +1,7 @@
 // A scene's solids in the graphics memory.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "generator/scene/scene.h"
@@ -24,6 +25,15 @@ struct UploadedSolids {
   GlBuffer noise_buffer;
   GlTexture noise_styles;  ///< per solid noise_texels texels (shaders/noise.glsl)
   GlVertexArray solids;
+
+  /// What guides texture detail, where any solid has it.
+  struct Guides {
+    GlBuffer way, share;  ///< per vertex
+    GlBuffer style_buffer;
+    GlTexture styles;  ///< per solid (shaders/detail.glsl)
+    GlVertexArray vertices;
+  };
+  std::optional<Guides> guides;
 };
 
 /// \throws Error (bad_data) for more triangles than a buffer texture of this context holds.

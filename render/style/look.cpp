@@ -1,11 +1,66 @@
 #include "render/style/look.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/reproducible.h"
+
 namespace pomona {
 
-Look::Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details) : modulation_(noise), details_(details) {}
+namespace {
+
+/// Weights below this change nothing that eight bits could show.
+constexpr double least_weight = 1e-3;
+
+/// How much a detail counts for a colour.
+double weight_of(const Look::Detail& detail, const glm::dvec3& unmodulated, double share) {
+  const DetailSketch& sketch = detail.pattern.detail();
+  double weight = sketch.amount * share;
+  if (!sketch.near || std::fabs(weight) < least_weight) return weight;
+  const glm::dvec3 d = unmodulated - detail.near;
+  return weight * reproducible::exp(-glm::dot(d, d) / (2 * sketch.near_within * sketch.near_within));
+}
+
+}  // namespace
+
+Look::Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details) : modulation_(noise) {
+  for (const DetailSketch& sketch : details) {
+    std::vector<Detail>& of_face = details_[static_cast<std::size_t>(sketch.face)];
+    if (of_face.size() == static_cast<std::size_t>(most_details_of_a_face)) continue;
+    Detail detail{Pattern(sketch, static_cast<std::uint32_t>(&sketch - details.data())),
+                  sketch.color ? glm::dvec3(to_oklab(*sketch.color)) : glm::dvec3(sketch.axis), glm::dvec3(0)};
+    if (sketch.near) detail.near = to_oklab(*sketch.near);
+    of_face.push_back(detail);
+  }
+}
+
+bool Look::is_plain() const { return modulation_.bands() == 0 && details_[0].empty() && details_[1].empty(); }
 
 Color Look::operator()(const Color& unmodulated, const LookPlace& place) const {
-  return modulation_(unmodulated, place.position, place.footprint);
+  const Color modulated = modulation_(unmodulated, place.position, place.footprint);
+  const glm::vec4& share = place.guide.share;
+  if (share == glm::vec4(0)) return modulated;
+
+  const std::vector<Detail>& details = this->details(place.face);
+  std::optional<glm::dvec3> plain, lab;
+  for (std::size_t i = 0; i < details.size(); ++i) {
+    const double given = static_cast<double>(share[static_cast<int>(i)]);
+    if (given == 0) continue;
+    if (!plain) plain = to_oklab(unmodulated);
+    const double weight = weight_of(details[i], *plain, given);
+    if (std::fabs(weight) < least_weight) continue;
+    if (!lab) lab = to_oklab(modulated);
+    const PatternValue value = details[i].pattern(place.position, place.guide, place.footprint);
+    const glm::dvec3 way = details[i].pattern.detail().color ? details[i].target - *lab : details[i].target;
+    *lab += value.share * weight * way;
+    lab->x += value.tone * std::fabs(weight) * tone_step;
+  }
+  if (!lab) return modulated;
+  const Color result = from_oklab(glm::vec3(*lab));
+  return {std::clamp(result.r, 0.0f, 1.0f), std::clamp(result.g, 0.0f, 1.0f), std::clamp(result.b, 0.0f, 1.0f)};
 }
 
 }  // namespace pomona

@@ -2,10 +2,12 @@
 // baked textures and exports all call.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "generator/cut/detail_guide.h"
 #include "generator/template/detail_sketch.h"
+#include "render/style/detail.h"
 #include "render/style/noise.h"
 
 namespace pomona {
@@ -24,17 +26,30 @@ class Look {
   Look() : Look(NoiseStyle{}) {}
   Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details = {});
 
-  /// The colour as it looks: every weight goes by the unmodulated colour. Where neither noise nor a detail has any
-  /// effect it returns as it came, bit for bit. Two cuts of a fruit agree where they meet.
+  /// The colour as it looks: noise first, then details in their order, each with the weight
+  ///   w = amount guide.share exp(-|OKLab(unmodulated) - OKLab(near)|^2 / 2 near_within^2);
+  /// a pattern of share s and tone t then moves it by s w towards the detail's colour, or by s w axis, and by t |w|
+  /// tone_step in lightness. Where neither noise nor a detail has any effect it returns as it came, bit for bit. Two
+  /// cuts of a fruit agree where they meet.
   Color operator()(const Color& unmodulated, const LookPlace& place) const;
 
   /// Whether it leaves all colours alone.
-  bool is_plain() const { return modulation_.bands() == 0 && details_.empty(); }
+  bool is_plain() const;
   const Modulation& modulation() const { return modulation_; }
+
+  /// A detail as the formula and the GPU want it, in the order of DetailGuide::share.
+  struct Detail {
+    Pattern pattern;
+    glm::dvec3 target{0};  ///< OKLab of its colour, else the axis
+    glm::dvec3 near{0};    ///< OKLab
+  };
+  const std::vector<Detail>& details(DetailFace face) const { return details_[static_cast<std::size_t>(face)]; }
+
+  static constexpr double tone_step = 0.12;  ///< OKLab lightness
 
  private:
   Modulation modulation_;
-  std::vector<DetailSketch> details_;
+  std::array<std::vector<Detail>, 2> details_;  ///< of each kind of face
 };
 
 }  // namespace pomona

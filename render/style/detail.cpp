@@ -1,0 +1,153 @@
+#include "render/style/detail.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/base/cell_noise.h"
+#include "generator/base/gradient_noise.h"
+#include "generator/base/random.h"
+#include "generator/base/reproducible.h"
+
+namespace pomona {
+
+namespace {
+
+double smoothstep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+constexpr double offset = 0.37;        // keeps the lattice's zeros off the axis
+constexpr double deviation = 0.27;     // of gradient noise: measured
+constexpr double least_radius = 1e-9;  // metres
+
+/// A turn that brings no lattice plane to lie in a usual cut.
+glm::dvec3 turned(const glm::dvec3& p) {
+  return {(2 * p.x - p.y + 2 * p.z) / 3 + offset, (2 * p.x + 2 * p.y - p.z) / 3 + offset,
+          (2 * p.y + 2 * p.z - p.x) / 3 + offset};
+}
+
+double radius_of(const glm::dvec3& p) { return std::sqrt(p.x * p.x + p.z * p.z); }
+
+/// About the length of the skin from the fruit's middle up to its foot: heights on flanks, radii on ends.
+double way_up(const DetailSketch& detail, const glm::dvec3& foot) {
+  const double height = foot.y - detail.middle;
+  return height + std::clamp(height / detail.middle, -1.0, 1.0) * (detail.reach - radius_of(foot));
+}
+
+PatternPlace place_to_skin(const DetailSketch& detail, const glm::dvec3& position, const glm::dvec3& to_skin) {
+  const double radius = std::max(radius_of(position), least_radius);
+  return {position / detail.size + to_skin * (1 / detail.size - 1 / detail.length),
+          std::max(1.0, radius_of(position + to_skin) / radius)};
+}
+
+PatternPlace place_in_layer(const DetailSketch& detail, const glm::dvec3& position, const DetailGuide& guide) {
+  const double radius = std::max(radius_of(position), least_radius);
+  const double cosine = position.x / radius, sine = position.z / radius;
+  const double layer = static_cast<double>(guide.layer);
+  const double up = way_up(detail, position + glm::dvec3(guide.to_skin));
+  if (detail.run == DetailRun::around) {
+    const double circle = detail.reach / detail.length;
+    return {{layer / detail.size + circle * cosine, up / detail.size, circle * sine}, 1};
+  }
+  const double out = detail.reach - layer;
+  return {{out / detail.size * cosine, up / detail.length, out / detail.size * sine},
+          std::max(1.0, std::fabs(out) / radius)};
+}
+
+/// Dots in the middle of unit cells: at most one in each.
+double dots(const DetailSketch& detail, const glm::dvec3& point, double pitch, std::uint32_t seed) {
+  const glm::dvec3 low(std::floor(point.x), std::floor(point.y), std::floor(point.z));
+  const std::uint32_t hash = lattice_hash(lattice_cell(low.x), lattice_cell(low.y), lattice_cell(low.z), seed);
+  const double chance =
+      static_cast<double>(lattice_hash(static_cast<std::int32_t>(hash & 0x7fffffffu), 1, 0, seed) >> 8) / 16777216.0;
+  if (chance >= detail.density) return 0;
+  // Small chances make small dots; all are wholly within their cell.
+  const double widest = 0.5 * pitch;
+  const double least = widest * detail.smallest / detail.size;
+  const double radius = least + (widest - least) * chance / detail.density;
+  const glm::dvec3 share(hash & 1023u, (hash >> 10) & 1023u, (hash >> 20) & 1023u);
+  const glm::dvec3 away = point - low - radius - share * ((1 - 2 * radius) / 1023.0);
+  const double distance = std::sqrt(away.x * away.x + away.y * away.y + away.z * away.z) / radius;
+  return 1 - smoothstep(0.9 * (1 - detail.softness), 1.0, distance);
+}
+
+}  // namespace
+
+PatternPlace pattern_place(const DetailSketch& detail, const glm::dvec3& position, const DetailGuide& guide) {
+  if (detail.run == DetailRun::none) return {position / detail.size, 1};
+  if (detail.run == DetailRun::to_skin) return place_to_skin(detail, position, glm::dvec3(guide.to_skin));
+  return place_in_layer(detail, position, guide);
+}
+
+Pattern::Pattern(const DetailSketch& detail, std::uint32_t seed) : detail_(detail) {
+  shape_.seed = 4096 + 16 * seed;
+  // Noise is nearly normal, and the normal distribution is nearly the logistic one.
+  const double spread = detail.kind == DetailKind::streaks ? 1.3 * deviation : 1.15 * deviation;
+  shape_.threshold = spread * reproducible::log((1 - detail.density) / detail.density) / 1.702;
+  shape_.ramp = spread * (0.12 + 1.3 * detail.softness);
+  shape_.pitch = 0.62;
+
+  // The mean of many places.
+  constexpr int places = 1024;
+  const RandomStream stream({0, seed}, "detail/mean");
+  for (int i = 0; i < places; ++i) {
+    const glm::dvec3 point(stream.uniform(3 * i), stream.uniform(3 * i + 1), stream.uniform(3 * i + 2));
+    const PatternValue value = at(64.0 * point, 1);
+    shape_.mean.share += value.share / places;
+    shape_.mean.tone += value.tone / places;
+  }
+}
+
+PatternValue Pattern::operator()(const glm::dvec3& position, const DetailGuide& guide, double footprint) const {
+  const PatternPlace place = pattern_place(detail_, position, guide);
+  const double cycles = footprint * place.squeeze / detail_.size;
+  const double shown = 1 - smoothstep(0.25, 0.5, cycles);
+  if (shown == 0) return shape_.mean;
+  const PatternValue value = at(place.point, 1 - smoothstep(0.125, 0.25, cycles));
+  return {shape_.mean.share + shown * (value.share - shape_.mean.share),
+          shape_.mean.tone + shown * (value.tone - shape_.mean.tone)};
+}
+
+/// \param fine how much of what is finer than the size is shown.
+PatternValue Pattern::at(glm::dvec3 point, double fine) const {
+  point = turned(point);
+  const std::uint32_t seed = shape_.seed;
+  if (detail_.wander > 0) {
+    const double a = gradient_noise(point * 0.45, seed + 1), b = gradient_noise(point * 0.45 + 7.3, seed + 2);
+    point += 1.6 * detail_.wander * glm::dvec3(a, b, -a);
+  }
+  switch (detail_.kind) {
+    case DetailKind::fibres:
+    case DetailKind::streaks: {
+      double noise = gradient_noise(point, seed);
+      if (fine > 0) noise += 0.5 * fine * gradient_noise(2.0 * point + 3.1, seed + 3);
+      if (detail_.kind == DetailKind::streaks) noise += 0.6 * gradient_noise(0.23 * point + 5.7, seed + 4);
+      return {smoothstep(shape_.threshold - shape_.ramp, shape_.threshold + shape_.ramp, noise), 0};
+    }
+    case DetailKind::speckles: {
+      const double first = dots(detail_, shape_.pitch * point, shape_.pitch, seed);
+      const double second = dots(detail_, shape_.pitch * point + 0.5, shape_.pitch, seed + 5);
+      return {std::max(first, second), 0};
+    }
+    case DetailKind::cells: {
+      const CellPlace cell = cell_place(point, seed);
+      const double border = cell.second - cell.nearest;
+      const double line =
+          1 - smoothstep(0.3 * detail_.width, 0.3 * detail_.width + 0.05 + 0.45 * detail_.softness, border);
+      const double own = static_cast<double>(cell.hash >> 8) / 16777216.0 - 0.5;
+      return {line, 2 * detail_.variety * own * (1 - line)};
+    }
+    case DetailKind::net: {
+      const CellPlace cell = cell_place(point, seed);
+      const double border = cell.second - cell.nearest;
+      const double rim = 0.3 * detail_.width, soft = 0.04 + 0.25 * detail_.softness;
+      const double line = 1 - smoothstep(rim, rim + soft, border);
+      const double shade = smoothstep(rim, rim + soft, border) * (1 - smoothstep(rim + soft, rim + 3 * soft, border));
+      return {line, -detail_.variety * shade};
+    }
+  }
+  return {};
+}
+
+}  // namespace pomona

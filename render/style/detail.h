@@ -1,0 +1,62 @@
+// Texture detail drawn out along a fruit's surfaces (paper, section 6): patterns in coordinates that its guides give.
+// The formulas live here and, mirrored, in shaders/detail.glsl; a test holds them together.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/cut/detail_guide.h"
+#include "generator/template/detail_sketch.h"
+
+namespace pomona {
+
+/// A place in a pattern whose features are of size 1.
+struct PatternPlace {
+  glm::dvec3 point{0};
+  double squeeze = 1;  ///< features are this many times finer here than `size` says, as rays are near the core
+};
+
+/// With p the position, v = to_skin the way to the foot on the skin, l the layer's depth, w = size, h = length:
+///   none     p / w
+///   to_skin  (p + v) / w - v / h: the foot stays the same along the way to the skin, so that h alone counts there
+///   along    (reach - l) / w out along p's azimuth, and s / h upwards: l and the azimuth stay the same along layers
+///   around   l / w and s / w, and the azimuth on a circle of reach / h
+/// s is about the length of the skin from the middle of the fruit up to the foot.
+PatternPlace pattern_place(const DetailSketch& detail, const glm::dvec3& position, const DetailGuide& guide);
+
+/// What a pattern does at a place, before amounts.
+struct PatternValue {
+  double share = 0;  ///< 0..1 of the detail's amount
+  double tone = 0;   ///< OKLab lightness, times the amount: -1..1
+};
+
+/// A detail made ready for many places.
+class Pattern {
+ public:
+  explicit Pattern(const DetailSketch& detail, std::uint32_t seed);
+
+  /// With the footprint times the squeeze over the size growing from 1/4 to 1/2, it goes over into its mean.
+  PatternValue operator()(const glm::dvec3& position, const DetailGuide& guide, double footprint) const;
+
+  /// Numbers that the GPU wants, too (shaders/detail.glsl).
+  struct Shape {
+    double threshold = 0;  ///< of noise, above which there is a line
+    double ramp = 1;       ///< half the width of the passage
+    double pitch = 1;      ///< of dots: cells per size
+    PatternValue mean;
+    std::uint32_t seed = 0;
+  };
+  const Shape& shape() const { return shape_; }
+  const DetailSketch& detail() const { return detail_; }
+
+ private:
+  PatternValue at(glm::dvec3 point, double fine) const;
+
+  DetailSketch detail_;
+  Shape shape_;
+};
+
+}  // namespace pomona
