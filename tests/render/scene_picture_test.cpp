@@ -29,10 +29,10 @@ std::vector<glm::u8vec4> drawn_by(const CurrentGl& gl, const std::string& fragme
   program.use();
   const GlBuffer buffer(gl, GL_TEXTURE_BUFFER, noise_texels(noise));
   const GlTexture styles(gl, GL_RGBA32F, buffer);
-  program.set("noise_styles", 0);
-  styles.bind(0);
   const GlBuffer detail_buffer(gl, GL_TEXTURE_BUFFER, detail_texels(details ? *details : Look()));
   const GlTexture detail_styles(gl, GL_RGBA32F, detail_buffer);
+  program.set("noise_styles", 0);
+  styles.bind(0);
   program.set("detail_styles", 1);
   detail_styles.bind(1);
   target.bind(width, height);

@@ -89,8 +89,9 @@ TEST(Guided, two_cuts_agree_where_they_share_a_place) {
     const auto found = known.find(place(one.position[v]));
     if (found == known.end()) continue;
     ++shared;
-    EXPECT_EQ(found->second.to_skin, one.guide[v].to_skin);
-    EXPECT_EQ(found->second.layer, one.guide[v].layer);
+    // As near as the diffuser's sums agree, which is by a few roundings: far below what any pattern could show.
+    EXPECT_LT(glm::distance(found->second.to_skin, one.guide[v].to_skin), 1e-8f);
+    EXPECT_NEAR(found->second.layer, one.guide[v].layer, 1e-8f);
     EXPECT_EQ(found->second.share, one.guide[v].share);
   }
   EXPECT_GT(shared, 20);
