@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery build test test-programs lint format sanitize clang .bench table1 error-atlas variants cuts bench clean
+.PHONY: help salad gallery build test test-programs lint format sanitize clang .bench table1 error-atlas variants cuts picture bench clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -76,6 +76,10 @@ cuts: .bench ## 110 000 random and degenerate cuts of all templates: out/cuts.md
 	cmake --build build --target cuts -j $(JOBS)
 	@mkdir -p out
 	build/bench/cuts --out out/cuts.md --json out/cuts.json
+
+picture: .bench ## how long a picture of the salad in 1920x1080 takes, and how much memory
+	cmake --build build --target picture -j $(JOBS)
+	build/bench/picture
 
 bench: .bench ## everything that measures, built into build/bench; runs the kernels
 	cmake --build build -j $(JOBS)

@@ -75,6 +75,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
+  delivery.set_plate_text({source.fruit.title, source.fruit.latin});
   const Cut result = delivery.times.time(
       "cut", [&] { return cut(source.grown.sheets, knives, {.threads = {command.shared.threads}}); });
   delivery.warn(result.warnings);

@@ -14,6 +14,7 @@
 #include "render/export/pov.h"
 #include "render/export/svg.h"
 #include "render/gl/context.h"
+#include "render/gl/scene_parts.h"
 #include "render/gl/scene_picture.h"
 #include "render/picture/png.h"
 #include "render/picture/section_picture.h"
@@ -97,27 +98,38 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
   add(output.file, [&] { return write_glb(scene, baked_solids, options); });
 }
 
-/// The scene seen as the options say, or as it fits a picture of this shape.
-Scene Delivery::fitted(Scene scene, const PictureSize& size) const {
+std::optional<Plate> Delivery::plate_for(const Scene& scene, const PictureSize& size) const {
+  if (!style_.plate || !plate_text_ || scene.solids.empty()) return {};
+  return Plate(style_, *plate_text_, scene.solids[0].part_names, size.width, size.height);
+}
+
+/// The scene seen as the options say, or as it fits a picture of this shape, or the figure on a plate.
+Scene Delivery::fitted(Scene scene, const PictureSize& size, const std::optional<Plate>& plate) const {
   if (!view_ && !scene.view.fitted) return scene;
   const glm::dvec3 direction = view_.value_or(scene.view.eye - scene.view.target);
-  scene.view = fitted_view(scene, direction, static_cast<double>(size.width) / size.height);
+  const glm::dvec2 picture(size.width, size.height);
+  const glm::dvec2 room = plate ? plate->figure().high - plate->figure().low : picture;
+  scene.view = fitted_view(scene, direction, room.x / room.y);
+  if (plate) scene.view = view_within(scene.view, picture, plate->figure().low, plate->figure().high);
   return scene;
 }
 
 void Delivery::add_picture(const Output& output, const Scene& scene) {
   const PictureSize size = size_.value_or(default_size_);
-  const Image image = times.time("style", [&] {
+  const std::optional<Plate> plate = plate_for(scene, size);
+  const Scene seen = fitted(scene, size, plate);
+  Image image = times.time("style", [&] {
     GlContext context;
-    return draw_scene(context, fitted(scene, size), style_,
+    return draw_scene(context, seen, style_,
                       {.width = size.width, .height = size.height, .threads = {options_.threads}});
   });
+  if (plate) plate->draw(image, scene_parts(seen, size.width, size.height), pixels_per_metre(seen.view, size.height));
   add(output.file, [&] { return write_png(image); });
 }
 
 void Delivery::add_lines(const Output& output, const Scene& scene) {
   const PictureSize size = size_.value_or(default_size_);
-  const Scene seen = fitted(scene, size);
+  const Scene seen = fitted(scene, size, {});
   const StrokeOptions options{.width = size.width, .height = size.height, .threads = {options_.threads}};
   const std::vector<SceneStroke> strokes = times.time("style", [&] { return scene_strokes(seen, style_, options); });
   if (!style_.ink) warn({"the style " + style_.name + " has no ink: " + output.file.string() + " holds no lines"});
@@ -139,7 +151,7 @@ void Delivery::add_pov(const Output& output, const Scene& scene) {
 
 void Delivery::add_section_picture(const Output& output, const CrossSection& section, const Template& fruit) {
   const PictureSize size = size_.value_or(default_size_);
-  const SectionPictureOptions options{.width = size.width, .height = size.height, .threads = {options_.threads}};
+  const SectionPictureOptions options{.width = size.width, .height = size.height, .text = {fruit.title, fruit.latin}, .threads = {options_.threads}};
   const Look look(fruit.noise, fruit.details);
   if (output.format == Format::svg) {
     const std::string made_by = export_options(options_, style_).provenance;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/outputs.h"
@@ -11,6 +13,7 @@
 #include "cli/stage_times.h"
 #include "generator/scene/scene.h"
 #include "render/export/output.h"
+#include "render/plate/plate.h"
 #include "render/style/style.h"
 
 namespace pomona {
@@ -26,6 +29,9 @@ class Delivery {
 
   /// Of pictures when --style says nothing: a name, or a path. \throws Error as find_style()
   void set_default_style(const std::string& name_or_path);
+
+  /// What a plate says in pictures of solids; without it none is made of them.
+  void set_plate_text(PlateText text) { plate_text_ = std::move(text); }
 
   const Style& style() const { return style_; }
 
@@ -50,12 +56,14 @@ class Delivery {
   void add_picture(const Output& output, const Scene& scene);
   void add_lines(const Output& output, const Scene& scene);
   void add_pov(const Output& output, const Scene& scene);
-  Scene fitted(Scene scene, const PictureSize& size) const;
+  std::optional<Plate> plate_for(const Scene& scene, const PictureSize& size) const;
+  Scene fitted(Scene scene, const PictureSize& size, const std::optional<Plate>& plate) const;
   void add_glb(const Output& output, const Scene& scene);
   void say_what_was_written();
 
   const SharedOptions& options_;
   Style style_;
+  std::optional<PlateText> plate_text_;
   PictureSize default_size_{960, 720};
   std::optional<PictureSize> size_;
   std::optional<glm::dvec3> view_;

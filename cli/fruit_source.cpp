@@ -5,6 +5,7 @@
 #include "generator/surface/sheets.h"
 #include "generator/surface/surface_file.h"
 #include "generator/template/read_template.h"
+#include "render/plate/plate.h"
 
 namespace pomona {
 
@@ -22,6 +23,7 @@ FruitSource from_surface_file(const std::filesystem::path& file, const SharedOpt
   FruitSource source;
   source.name = file.stem().string();
   source.fruit.name = source.name;
+  source.fruit.title = words_of(source.name);
   source.grown.swept = times.time("read", [&] { return read_surfaces(file); });
   source.fruit.parts = source.grown.swept.part_names;
   source.grown.sheets = times.time("sweep", [&] { return sheets(source.grown.swept); });

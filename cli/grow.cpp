@@ -41,6 +41,7 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   Delivery delivery(command.shared);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
 
+  delivery.set_plate_text({source.fruit.title, source.fruit.latin});
   std::optional<Scene> scene;
   for (const Output& output : outputs) {
     if (output.format == Format::ply) {

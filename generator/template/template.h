@@ -38,6 +38,7 @@ using Symmetry = std::variant<CylindricalSymmetry, FoldSymmetry, NoSymmetry>;
 struct Template {
   std::string name;   ///< as in `pomona list`
   std::string title;  ///< for people: "Bell pepper"
+  std::string latin;  ///< of the species: "Capsicum annuum"; may be empty
   std::string file;   ///< where it was read from, for messages
   Symmetry symmetry;
   std::vector<std::string> parts;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "generator/base/error.h"
 #include "render/picture/paper.h"
 #include "render/picture/section_layout.h"
+#include "render/picture/section_parts.h"
 #include "render/picture/section_raster.h"
 #include "render/picture/section_strokes.h"
 #include "render/style/look.h"
@@ -13,6 +15,18 @@
 namespace pomona {
 
 namespace {
+
+std::vector<PlacedFace> laid_out_in(const PlateBox& box, const CrossSection& section, double gap) {
+  std::vector<PlacedFace> faces = lay_out(section, box.high - box.low, gap);
+  for (PlacedFace& face : faces) face.corner += box.low;
+  return faces;
+}
+
+/// Pixels per metre: all faces have one scale. 0 where none is shown.
+double scale_of(const std::vector<PlacedFace>& faces) {
+  const auto shown = std::find_if(faces.begin(), faces.end(), [](const PlacedFace& face) { return face.shown; });
+  return shown == faces.end() ? 0 : shown->scale;
+}
 
 struct InkLayers {
   InkLayer rim, inner;
@@ -35,7 +49,11 @@ Image draw_section(const CrossSection& section, const Look& look, const InkStyle
 
   // Flat colours first.
   const double side = std::min(options.width, options.height);
-  const std::vector<PlacedFace> faces = lay_out(section, {options.width, options.height}, options.margin * side);
+  std::optional<Plate> plate;
+  if (style.plate) plate.emplace(style, options.text, parts_in(section), options.width, options.height);
+  const std::vector<PlacedFace> faces = plate
+                                            ? laid_out_in(plate->figure(), section, 0.02 * side)
+                                            : lay_out(section, {options.width, options.height}, options.margin * side);
   const std::vector<SectionPixel> pixels = rasterised(section, faces, options.width, options.height, options.threads);
 
   // Then, pixel by pixel: the colour's noise, the paper around it, the ink above it.
@@ -67,6 +85,7 @@ Image draw_section(const CrossSection& section, const Look& look, const InkStyle
       image.pixels[i] = to_srgb8(color);
     }
   });
+  if (plate) plate->draw(image, section_parts(section, faces, options.width, options.height), scale_of(faces));
   return image;
 }
 

@@ -1,0 +1,64 @@
+#include "render/picture/section_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace pomona {
+
+namespace {
+
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+void mark(const std::array<glm::dvec2, 3>& corner, const std::array<std::int32_t, 3>& part, PartMap& map) {
+  const double whole = turn(corner[0], corner[1], corner[2]);
+  if (whole == 0) return;
+  const auto [left, right] = std::minmax({corner[0].x, corner[1].x, corner[2].x});
+  const auto [top, bottom] = std::minmax({corner[0].y, corner[1].y, corner[2].y});
+  const auto pixel = [](double v, int limit) { return static_cast<int>(std::clamp(std::floor(v), 0.0, limit - 1.0)); };
+  for (int y = pixel(top, map.height); y <= pixel(bottom, map.height); ++y) {
+    for (int x = pixel(left, map.width); x <= pixel(right, map.width); ++x) {
+      const glm::dvec2 p(x + 0.5, y + 0.5);
+      const std::array<double, 3> share{turn(corner[1], corner[2], p) / whole, turn(corner[2], corner[0], p) / whole,
+                                        turn(corner[0], corner[1], p) / whole};
+      if (std::min({share[0], share[1], share[2]}) < 0) continue;
+      const auto most = std::max_element(share.begin(), share.end()) - share.begin();
+      map.part[static_cast<std::size_t>(y) * map.width + x] = part[static_cast<std::size_t>(most)];
+    }
+  }
+}
+
+}  // namespace
+
+PartMap section_parts(const CrossSection& section, const std::vector<PlacedFace>& faces, int width, int height) {
+  PartMap map{width, height, std::vector<std::int32_t>(static_cast<std::size_t>(width) * height, -1),
+              section.part_names};
+  for (std::size_t t = 0; t < section.triangle.size(); ++t) {
+    const PlacedFace& face = faces[section.cut[t]];
+    if (!face.shown) continue;
+    std::array<glm::dvec2, 3> corner{};
+    std::array<std::int32_t, 3> part{};
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t v = section.triangle[t][i];
+      corner[static_cast<std::size_t>(i)] = face.to_paper(section.position[v]);
+      part[static_cast<std::size_t>(i)] = section.part[v];
+    }
+    mark(corner, part, map);
+  }
+  return map;
+}
+
+std::vector<std::string> parts_in(const CrossSection& section) {
+  const std::set<std::int32_t> parts(section.part.begin(), section.part.end());
+  std::vector<std::string> names;
+  for (const std::int32_t part : parts) {
+    if (part >= 0 && part < static_cast<std::int32_t>(section.part_names.size()))
+      names.push_back(section.part_names[part]);
+  }
+  return names;
+}
+
+}  // namespace pomona

@@ -1,0 +1,31 @@
+// Which part of the fruit each pixel of a picture shows, and where a part is best pointed at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace pomona {
+
+struct PartMap {
+  int width = 0, height = 0;
+  std::vector<std::int32_t> part;  ///< per pixel, row by row from the top left: index into names, -1 = none
+  std::vector<std::string> names;
+
+  std::int32_t at(int x, int y) const { return part[static_cast<std::size_t>(y) * width + x]; }
+};
+
+/// A part that shows well enough to be named.
+struct ShownPart {
+  std::int32_t part = 0;
+  double area = 0;  ///< pixels
+  /// Where one could point at it, pixels: places well inside it, from its left to its right.
+  std::vector<glm::dvec2> places;
+};
+
+/// All parts that cover at least `least_share` of what shows and are somewhere as thick as `least_depth` pixels to
+/// either side, in the order of their numbers. Parts of one name are one.
+std::vector<ShownPart> shown_parts(const PartMap& map, double least_share, double least_depth);
+
+}  // namespace pomona

@@ -1,0 +1,161 @@
+#include "render/plate/plate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/lettering/coverage.h"
+#include "render/lettering/typeface.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr double title_ems = 1.6, latin_ems = 1.15, scale_ems = 0.85;  // of a label's
+constexpr double title_spacing = 0.09;                                 // capitals want air, ems of the title
+constexpr double least_share = 0.0008;                                 // of the figure, for a part to be named
+constexpr double halo = 0.55;  // how far a line is set off from dark paint by the paper's colour
+
+/// The title at a size at which it fits.
+double fitting(double em, double width, double room) { return width * em > room ? room / width : em; }
+
+void lay(Image& image, const Coverage& cover, const Color& color, double opacity) {
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const double share = opacity * cover.at(x, y);
+      if (share <= 0) continue;
+      glm::u8vec3& pixel = image.pixels[static_cast<std::size_t>(y) * image.width + x];
+      pixel = to_srgb8(blended(from_srgb8(pixel), color, share));
+    }
+  }
+}
+
+/// As wide as what is drawn, as high as there is room.
+PlateBox columns_beside(const PartMap& map, const PlateBox& room) {
+  PlateBox box{{room.high.x, room.low.y}, {room.low.x, room.high.y}};
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      if (map.at(x, y) < 0) continue;
+      box.low.x = std::min(box.low.x, static_cast<double>(x));
+      box.high.x = std::max(box.high.x, x + 1.0);
+    }
+  }
+  return box;
+}
+
+std::string length_text(double metres) {
+  const auto [unit, name] = metres < 0.00995 ? std::pair(0.001, "mm")
+                            : metres < 0.995 ? std::pair(0.01, "cm")
+                                             : std::pair(1.0, "m");
+  const double number = metres / unit;
+  if (number >= 0.995) return std::to_string(static_cast<long>(number + 0.5)) + " " + name;
+  std::string text = std::to_string(number);  // a tenth of a millimetre and less
+  text.erase(text.find_last_not_of('0') + 1);
+  return text + " " + name;
+}
+
+}  // namespace
+
+std::string words_of(const std::string& name) {
+  std::string words = name;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  std::replace(words.begin(), words.end(), '-', ' ');
+  return words;
+}
+
+Plate::Plate(const Style& style, PlateText text, const std::vector<std::string>& part_names, int width, int height)
+    : style_(style.plate.value()), paper_(style.paper), text_(std::move(text)), width_(width), height_(height) {
+  const double side = std::min(width, height);
+  const double margin = style_.margin * side;
+  em_ = style_.letter_size * side;
+  gap_ = 1.4 * em_;
+
+  // Columns as wide as the longest name; from below: the species, the title, the bar.
+  double longest = 0;
+  const Typeface italic("italic");
+  for (const std::string& name : part_names) longest = std::max(longest, italic.width(words_of(name)));
+  const double column = style_.labels && longest > 0 ? longest * em_ + gap_ + 0.3 * em_ : 0;
+  double below = height - margin;
+  latin_height_ = below - 0.25 * em_;
+  if (style_.title && !text_.latin.empty()) below -= 1.5 * em_;
+  title_height_ = below - 0.3 * em_;
+  if (style_.title) below -= 2.2 * em_;
+  bar_height_ = below - 0.4 * em_;
+  if (style_.scale_bar) below -= 2.3 * em_;
+  figure_.low = {margin + column, margin};
+  figure_.high = {width - margin - column, std::max(below, margin + 1)};
+
+  // On a very narrow sheet the figure keeps a third of it, and names may have to go.
+  if (figure_.high.x - figure_.low.x < width / 3.0) figure_.low.x = width / 3.0, figure_.high.x = 2 * width / 3.0;
+}
+
+std::vector<Label> Plate::labels(const PartMap& map) const {
+  if (!style_.labels) return {};
+  const Typeface italic("italic");
+  std::vector<LabelWish> wishes;
+  for (ShownPart& part : shown_parts(map, least_share, 0.0016 * std::min(width_, height_))) {
+    const std::string text = words_of(map.names[part.part]);
+    const double width = italic.width(text) * em_;
+    wishes.push_back({std::move(part), text, width});
+  }
+
+  // Beside what is drawn, not beside what might have been.
+  const PlateBox drawn = columns_beside(map, figure_);
+  std::vector<Label> labels = placed_labels(std::move(wishes), drawn, em_, gap_ - 0.3 * em_);
+  std::erase_if(labels, [&](const Label& label) { return label.bounds.low.x < 0 || label.bounds.high.x > width_; });
+  return labels;
+}
+
+Plate::ScaleBar Plate::scale_bar(double pixels_per_metre) const {
+  ScaleBar bar;
+  if (!style_.scale_bar || !(pixels_per_metre > 0)) return bar;
+  const double most = 0.3 * (figure_.high.x - figure_.low.x) / pixels_per_metre;
+  double power = 1e-7;
+  while (power * 10 <= most) power *= 10;
+  bar.metres = most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
+  bar.text = length_text(bar.metres);
+  bar.length = bar.metres * pixels_per_metre;
+  bar.start = {0.5 * (width_ - bar.length), bar_height_};
+  return bar;
+}
+
+void Plate::draw(Image& image, const PartMap& map, double pixels_per_metre) const {
+  const Typeface italic("italic"), capitals("capitals");
+  const double hair = std::max(style_.leader_width * std::min(width_, height_), 0.7);
+  Coverage letters(width_, height_), lines(width_, height_), around(width_, height_);
+  for (const Label& label : labels(map)) {
+    letters.fill(italic.outline(label.text, label.start, em_));
+    lines.line(label.leader, label.tip, hair);
+    lines.disc(label.tip, 1.7 * hair);
+    around.line(label.leader, label.tip, 2.6 * hair);
+    around.disc(label.tip, 2.7 * hair);
+  }
+
+  const ScaleBar bar = scale_bar(pixels_per_metre);
+  if (bar.length > 0) {
+    // The bar ends where its end ticks' outer edges do.
+    const glm::dvec2 a = bar.start, b = bar.start + glm::dvec2(bar.length, 0);
+    const glm::dvec2 tick(0, 0.28 * em_), inset(0.5 * hair, 0);
+    letters.line(a, b, hair);
+    letters.line(a + inset - tick, a + inset + tick, hair);
+    letters.line(b - inset - tick, b - inset + tick, hair);
+    const double em = scale_ems * em_;
+    const double width = italic.width(bar.text) * em;
+    letters.fill(italic.outline(bar.text, {0.5 * (width_ - width), bar.start.y - 0.55 * em_}, em));
+  }
+
+  if (style_.title) {
+    const double room = width_ * (1 - 2 * style_.margin);
+    const double wide = capitals.width(text_.title, title_spacing), long_latin = italic.width(text_.latin);
+    const double em = fitting(title_ems * em_, wide, room), latin_em = fitting(latin_ems * em_, long_latin, room);
+    letters.fill(capitals.outline(text_.title, {0.5 * (width_ - wide * em), title_height_}, em, title_spacing));
+    letters.fill(italic.outline(text_.latin, {0.5 * (width_ - long_latin * latin_em), latin_height_}, latin_em));
+  }
+
+  // Lines are set off by paper from what is dark under them.
+  lay(image, around, paper_, halo);
+  lay(image, lines, style_.letter_color, 0.9);
+  lay(image, letters, style_.letter_color, 1);
+}
+
+}  // namespace pomona

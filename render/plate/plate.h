@@ -1,0 +1,57 @@
+// A botanical plate: what stands on the paper around a figure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/picture/image.h"
+#include "render/plate/labels.h"
+#include "render/style/style.h"
+
+namespace pomona {
+
+struct PlateText {
+  std::string title;  ///< "Tomato"
+  std::string latin;  ///< "Solanum lycopersicum"; may be empty
+};
+
+/// Where everything goes, before anything is drawn.
+class Plate {
+ public:
+  /// \param part_names those that may come to be labelled: they decide how wide the columns beside the figure are
+  /// \param style one that asks for a plate
+  Plate(const Style& style, PlateText text, const std::vector<std::string>& part_names, int width, int height);
+
+  /// Where the figure goes.
+  const PlateBox& figure() const { return figure_; }
+
+  /// One for every part that shows well enough, the figure drawn.
+  std::vector<Label> labels(const PartMap& map) const;
+
+  /// A round length, 1, 2 or 5 times a power of ten metres, at this scale.
+  struct ScaleBar {
+    double metres = 0;
+    std::string text;  ///< "2 cm"
+    glm::dvec2 start{0};
+    double length = 0;  ///< pixels
+  };
+  ScaleBar scale_bar(double pixels_per_metre) const;
+
+  /// Letters, lines and the bar onto a finished picture. \param pixels_per_metre 0 = no bar
+  void draw(Image& image, const PartMap& map, double pixels_per_metre) const;
+
+ private:
+  PlateStyle style_;
+  Color paper_;
+  PlateText text_;
+  int width_, height_;
+  double em_;   ///< of labels, pixels
+  double gap_;  ///< between figure and columns
+  PlateBox figure_;
+  double bar_height_, title_height_, latin_height_;  ///< base lines
+};
+
+/// "seed_coat" as one writes it: "seed coat".
+std::string words_of(const std::string& name);
+
+}  // namespace pomona
