@@ -151,7 +151,8 @@ void Delivery::add_pov(const Output& output, const Scene& scene) {
 
 void Delivery::add_section_picture(const Output& output, const CrossSection& section, const Template& fruit) {
   const PictureSize size = size_.value_or(default_size_);
-  const SectionPictureOptions options{.width = size.width, .height = size.height, .text = {fruit.title, fruit.latin}, .threads = {options_.threads}};
+  const SectionPictureOptions options{
+      .width = size.width, .height = size.height, .text = {fruit.title, fruit.latin}, .threads = {options_.threads}};
   const Look look(fruit.noise, fruit.details);
   if (output.format == Format::svg) {
     const std::string made_by = export_options(options_, style_).provenance;
