@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +18,7 @@
 #include "generator/scene/brown.h"
 #include "generator/scene/guided.h"
 #include "generator/scene/lay_out.h"
+#include "generator/scene/section_colors.h"
 
 namespace pomona {
 
@@ -90,9 +92,13 @@ ExitStatus cut_fruit(const CutCommand& command) {
   if (command.section) {
     write_section_files(outputs, section, styled, source.fruit, delivery);
   } else {
-    write_piece_files(outputs,
-                      delivery.times.time("style", [&] { return solids(result, styled, source.fruit, source.name); }),
-                      delivery);
+    std::vector<Solid> pieces =
+        delivery.times.time("style", [&] { return solids(result, styled, source.fruit, source.name); });
+    if (wants_textures(command.shared)) {
+      pieces = with_section_colors(std::move(pieces),
+                                   std::make_shared<const SectionColors>(source.grown.sheets, source.fruit, *diffuser));
+    }
+    write_piece_files(outputs, std::move(pieces), delivery);
   }
   delivery.finish();
   return ExitStatus::done;

@@ -54,7 +54,8 @@ Delivery::Delivery(const SharedOptions& options)
       options_(options),
       style_(find_style(options.style.empty() ? "ink" : options.style)),
       size_(picture_size(options)),
-      view_(view_direction(options)) {
+      view_(view_direction(options)),
+      texel_(texel_size(options)) {
   if (!options.stats.empty()) check_folder(options.stats);
 }
 
@@ -86,15 +87,18 @@ void Delivery::add(const Output& output, const Scene& scene) {
 
 void Delivery::add_glb(const Output& output, const Scene& scene) {
   const ExportOptions options = export_options(options_, style_);
-  if (options_.texture == 0) return add(output.file, [&] { return write_glb(scene, options); });
+  if (!wants_textures(options_)) return add(output.file, [&] { return write_glb(scene, options); });
 
-  // Bake every solid by itself; slots keep the order whatever the threads.
-  std::vector<BakedSolid> baked_solids(scene.solids.size());
-  times.time("style", [&] {
-    parallel_for(scene.solids.size(), {options_.threads}, [&](std::size_t i) {
-      baked_solids[i] = baked(scene.solids[i], style_, {.texels = options_.texture});
-    });
-  });
+  BakeOptions how{.texel = texel_, .threads = {options_.threads}};
+  if (options_.texture > 0) how.texels = options_.texture;
+  const std::vector<BakedSolid> baked_solids = times.time("bake", [&] { return all_baked(scene.solids, style_, how); });
+  std::int64_t texels = 0, diffused = 0;
+  for (const BakedSolid& solid : baked_solids) {
+    texels += static_cast<std::int64_t>(solid.texture.width) * solid.texture.height;
+    diffused += static_cast<std::int64_t>(solid.diffused);
+  }
+  times.count("texels", texels);
+  times.count("diffused_texels", diffused);
   add(output.file, [&] { return write_glb(scene, baked_solids, options); });
 }
 

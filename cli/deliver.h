@@ -21,7 +21,7 @@ namespace pomona {
 /// Collects a command's outputs and writes them together: all of them appear, or none.
 class Delivery {
  public:
-  /// \throws Error (usage) for a style, size or view that is not one, (cannot_create) for --stats.
+  /// \throws Error (usage) for a style, size, texel or view that is not one, (cannot_create) for --stats.
   explicit Delivery(const SharedOptions& options);
 
   /// Makes the bytes of one file (stage "write") and keeps them until finish().
@@ -67,6 +67,7 @@ class Delivery {
   PictureSize default_size_{960, 720};
   std::optional<PictureSize> size_;
   std::optional<glm::dvec3> view_;
+  double texel_;
   std::vector<OutputFile> files_;
   std::vector<std::string> warnings_;
 };

@@ -32,6 +32,7 @@ ComposeOptions compose_options(const SharedOptions& shared, Progress& progress) 
   options.curves_only = shared.curves_only;
   options.detail = shared.detail;
   options.threads = {shared.threads};
+  options.keep_section_colors = wants_textures(shared);
   options.progress = [&progress](const std::string& stage, std::size_t done, std::size_t total) {
     progress.report(stage, done, total);
   };

@@ -49,6 +49,10 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
                      "Look of pictures: a name from `pomona list --styles` or a style file (.toml); ink unless said");
   command.add_option("--texture", options.texture, "Bake colours into a texture of N x N texels instead of vertices")
       ->check(CLI::Range(64, 8192));
+  command
+      .add_option("--texel", options.texel,
+                  "Bake colours into textures with texels of this size (0.2mm) instead of a size of their own")
+      ->excludes("--texture");
   command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");
   command.add_option("--view", options.view,
                      "Where pictures look from: front, back, left, right, top, bottom, three-quarter or "
@@ -86,6 +90,18 @@ std::optional<PictureSize> picture_size(const SharedOptions& options) {
                 "write 800x600; 16 to 16384 a side");
   }
   return PictureSize{static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+bool wants_textures(const SharedOptions& options) { return options.texture > 0 || !options.texel.empty(); }
+
+double texel_size(const SharedOptions& options) {
+  if (options.texel.empty()) return 0;
+  const std::optional<double> size = parse_length(options.texel);
+  if (!size || !(*size > 0)) {
+    throw Error(ExitStatus::usage, "--texel " + options.texel + " is not the size of a texel",
+                "write a length above 0: 0.2mm");
+  }
+  return *size;
 }
 
 std::optional<glm::dvec3> view_direction(const SharedOptions& options) {

@@ -30,7 +30,8 @@ struct SharedOptions {
   std::string quality = "final";
   double detail = 1.0;
   std::string style;  ///< name or path; none = what the scene says, or ink
-  int texture = 0;    ///< texels along an atlas's edge; 0 = colours on vertices
+  int texture = 0;    ///< texels along an atlas's edge; 0 = not said
+  std::string texel;  ///< size of a texel, with its unit
   std::string size;
   std::string view;
   std::string stats;
@@ -51,6 +52,12 @@ void add_browning_option(CLI::App& command, SharedOptions& options);
 
 /// "800x600"; 16..16384 a side. Nothing if none was asked for. \throws Error (usage)
 std::optional<PictureSize> picture_size(const SharedOptions& options);
+
+/// Whether colours are to be baked into textures.
+bool wants_textures(const SharedOptions& options);
+
+/// --texel in metres, 0 if it was not said. \throws Error (usage)
+double texel_size(const SharedOptions& options);
 
 /// Direction from the fruit to the eye: "front", "back", "left", "right", "top", "bottom", "three-quarter", or
 /// "AZIMUTH,ELEVATION" in degrees (azimuth from +Z, the front, towards +X). Nothing if none was asked for. \throws

@@ -65,15 +65,27 @@ class Browning {
   std::vector<std::optional<BrowningSketch::Part>> of_part_;
 };
 
+bool turns_brown(const Template& fruit) { return fruit.individual.browning != 0 && fruit.browning.declared(); }
+
 }  // namespace
 
 CrossSection browned(CrossSection section, const DiffusionSurfaces& surfaces, const Template& fruit) {
-  if (fruit.individual.browning == 0 || !fruit.browning.declared() || section.position.empty()) return section;
+  if (!turns_brown(fruit) || section.position.empty()) return section;
   const Browning browning(surfaces, fruit);
   parallel_for(section.position.size(), {}, [&](std::size_t v) {
     section.color[v] = browning(section.color[v], section.part[v], glm::dvec3(section.position[v]));
   });
   return section;
+}
+
+DiffusedColors browned(DiffusedColors colors, std::span<const glm::vec3> points, const DiffusionSurfaces& surfaces,
+                       const Template& fruit) {
+  if (!turns_brown(fruit) || points.empty()) return colors;
+  const Browning browning(surfaces, fruit);
+  parallel_for(points.size(), {}, [&](std::size_t i) {
+    colors.color[i] = browning(colors.color[i], colors.part[i], glm::dvec3(points[i]));
+  });
+  return colors;
 }
 
 }  // namespace pomona

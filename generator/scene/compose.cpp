@@ -10,6 +10,7 @@
 #include "generator/scene/brown.h"
 #include "generator/scene/grow.h"
 #include "generator/scene/guided.h"
+#include "generator/scene/section_colors.h"
 #include "generator/template/read_template.h"
 
 namespace pomona {
@@ -212,7 +213,8 @@ std::vector<CutVariant> diffused(std::vector<CutVariant> variants, const Diffuse
   return variants;
 }
 
-Made finished(const CutVariant& variant, const PiecesDescription& pieces, int number) {
+/// \param keep_colors_of the diffuser whose colours the solids are to remember; none if they need not.
+Made finished(CutVariant variant, const PiecesDescription& pieces, int number, const Diffuser* keep_colors_of) {
   Made made;
   made.clock = variant.clock;
   const CrossSection& section = variant.cut.section;
@@ -227,6 +229,11 @@ Made finished(const CutVariant& variant, const PiecesDescription& pieces, int nu
   if (made.solids.empty()) made.warnings.push_back("pieces \"" + name + "\": nothing is left to take");
   for (const std::string& warning : variant.cut.warnings) {
     made.warnings.push_back("pieces \"" + name + "\": " + warning);
+  }
+  if (keep_colors_of) {
+    made.solids = with_section_colors(std::move(made.solids),
+                                      std::make_shared<const SectionColors>(std::move(variant.grown.sheets),
+                                                                            std::move(variant.fruit), *keep_colors_of));
   }
   return made;
 }
@@ -300,7 +307,8 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
     if (diffuser) variants = diffusing.time("diffuse", [&] { return diffused(std::move(variants), *diffuser); });
     parallel_for(count, options.threads, [&](std::size_t i) {
       const auto& [entry, number] = tasks[first + i];
-      made[first + i] = finished(variants[i], scene.pieces[entry], number);
+      made[first + i] = finished(std::move(variants[i]), scene.pieces[entry], number,
+                                 options.keep_section_colors ? diffuser : nullptr);
       teller.one_done();
     });
   }

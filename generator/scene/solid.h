@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "generator/template/template.h"
 
 namespace pomona {
+
+class SectionColors;
 
 /// One piece as a triangle mesh that faces air. Vertices are split where colour or normal jumps; after welding
 /// equal positions the mesh is closed wherever the fruit's shells are.
@@ -41,6 +44,9 @@ struct Solid {
   double volume = 0;
   bool closed = true;
   bool crumb = false;
+
+  /// What coloured the cut faces, for textures; null where nobody wants any (generator/scene/section_colors.h).
+  std::shared_ptr<const SectionColors> section_colors;
 };
 
 /// The pieces of a cut whose section has been coloured. `name` becomes the prefix of theirs.

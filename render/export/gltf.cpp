@@ -64,6 +64,7 @@ class GlbModel {
   int add_view(const void* data, std::size_t size, std::size_t stride, int target);
   int add_attribute(int view, std::size_t offset, std::size_t count, int component, int type);
   int add_indices(const StyledMesh& styled);
+  int smooth_sampler();
   void add_root(tinygltf::Node node);
 
   tinygltf::Model model_;
@@ -135,6 +136,18 @@ int GlbModel::add_material(const Solid& solid) {
   return entry->second;
 }
 
+/// Trilinear; one for all textures. Charts lie apart, and nothing repeats.
+int GlbModel::smooth_sampler() {
+  if (model_.samplers.empty()) {
+    tinygltf::Sampler sampler;
+    sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+    sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+    sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+    model_.samplers.push_back(sampler);
+  }
+  return 0;
+}
+
 int GlbModel::add_textured_material(const Solid& solid, const Image& texture) {
   // The PNG goes into the buffer: handed over as pixels, tinygltf would write it as a data URI.
   const std::string png = write_png(texture);
@@ -144,6 +157,7 @@ int GlbModel::add_textured_material(const Solid& solid, const Image& texture) {
   image.bufferView = add_view(png.data(), png.size(), 0, 0);
   tinygltf::Texture source;
   source.source = static_cast<int>(model_.images.size());
+  source.sampler = smooth_sampler();
   model_.images.push_back(image);
 
   tinygltf::Material material = material_of(solid);

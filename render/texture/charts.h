@@ -7,35 +7,28 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "generator/base/parallel.h"
 #include "generator/scene/solid.h"
+#include "render/texture/flatten.h"
 
 namespace pomona {
 
-/// Connected triangles that are projected along one direction without folding over: a cut face along its
-/// normal, skin along the coordinate axis it faces most.
+/// Connected triangles laid flat without lying on each other: a part of a cut face as it is, or a region of skin with
+/// little stretch. As seen from the air, x to the right and y down.
 struct Chart {
-  std::vector<std::uint32_t> triangles;
-  glm::dvec3 u{1, 0, 0}, v{0, 1, 0};  ///< the plane's axes
-  glm::dvec2 low{0}, high{0};         ///< bounds in the plane, metres
-  std::int32_t cut_face = -1;
+  std::int32_t cut_face = -1;            ///< -1: skin
+  std::vector<std::uint32_t> triangles;  ///< of the solid
+  std::vector<glm::uvec3> corners;       ///< per triangle: indices into `flat`, in the order of its vertices
+  std::vector<glm::dvec2> flat;          ///< metres; the least x and the least y are 0
+  glm::dvec2 size{0};                    ///< the greatest x and y
+  Stretch stretch;
 
-  glm::dvec2 project(const glm::vec3& p) const {
-    const glm::dvec3 q(p);
-    return {u.x * q.x + u.y * q.y + u.z * q.z, v.x * q.x + v.y * q.y + v.z * q.z};
-  }
+  /// Of a cut face: directions in space of +x and of -y, and where its x = 0 and y = 0 lie along them.
+  glm::dvec3 right{1, 0, 0}, up{0, 1, 0};
+  glm::dvec2 origin{0};
 };
 
-/// Every triangle is in exactly one chart.
-std::vector<Chart> charts_of(const Solid& solid);
-
-/// Where each chart's lower corner lies in a square of `side` texels, at the largest scale that fits.
-struct Packing {
-  double texels_per_metre = 0;
-  std::vector<glm::ivec2> corner;  ///< of the chart's margin, texels
-};
-
-/// Shelves, tallest charts first, `margin` texels around each. \throws Error (usage) if even the smallest
-/// scale does not fit.
-Packing packed(const std::vector<Chart>& charts, int side, int margin);
+/// Every triangle is in exactly one chart. The same for any number of threads.
+std::vector<Chart> charts_of(const Solid& solid, Threads threads = {});
 
 }  // namespace pomona

@@ -1,96 +1,71 @@
-// Baked textures: every triangle has its place, colours arrive there, nothing overlaps.
+// Baked textures: colours arrive where they belong, at their own places, and nothing else's does.
 #include "render/texture/bake.h"
 
 #include <gtest/gtest.h>
+#include <cmath>
+
+#include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
-#include "generator/base/reproducible.h"
-#include "generator/base/units.h"
-#include "render/texture/charts.h"
+#include "generator/scene/section_colors.h"
+#include "tests/render/half_ball.h"
 
 namespace pomona {
 namespace {
 
-/// A half ball of radius 1, green outside, with a red cut face at y = 0 whose colour grows with x.
-Solid half_ball() {
-  Solid solid;
-  constexpr int around = 24, up = 6;
-  const auto add = [&](const glm::vec3& p, const glm::vec3& n, const Color& c) {
-    solid.position.push_back(p);
-    solid.normal.push_back(n);
-    solid.color.push_back(c);
-    solid.part.push_back(0);
-    return static_cast<std::uint32_t>(solid.position.size() - 1);
-  };
-  const auto ring = [&](int i, int j) {
-    const double a = 2 * pi * i / around, e = 0.5 * pi * j / up;
-    return glm::vec3(reproducible::cos(a) * reproducible::cos(e), reproducible::sin(e),
-                     -reproducible::sin(a) * reproducible::cos(e));
-  };
-  for (int j = 0; j < up; ++j) {
-    for (int i = 0; i < around; ++i) add(ring(i, j), ring(i, j), {0, 1, 0});
+using named::half_ball;
+const Style plain = style_named("plain");
+
+/// A field of colours that a function gives.
+template <typename Function>
+class GivenDiffuser final : public Diffuser {
+ public:
+  explicit GivenDiffuser(Function function) : function_(function) {}
+  const char* name() const override { return "given"; }
+  std::unique_ptr<ColorField> field(const DiffusionSurfaces&) const override {
+    return std::make_unique<GivenField>(function_);
   }
-  const auto pole = add({0, 1, 0}, {0, 1, 0}, {0, 1, 0});
-  const auto id = [&](int i, int j) { return static_cast<std::uint32_t>(j * around + i % around); };
-  for (int j = 0; j < up; ++j) {
-    for (int i = 0; i < around; ++i) {
-      if (j + 1 < up) {
-        solid.triangle.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-        solid.triangle.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
-      } else {
-        solid.triangle.push_back({id(i, j), id(i + 1, j), pole});
-      }
+
+ private:
+  struct GivenField final : ColorField {
+    explicit GivenField(Function function) : function_(function) {}
+    DiffusedColors at(std::span<const glm::vec3> points) const override {
+      DiffusedColors colors;
+      for (const glm::vec3& p : points) colors.color.push_back(function_(p));
+      colors.part.assign(points.size(), 0);
+      return colors;
     }
-  }
-  solid.cut_face.assign(solid.triangle.size(), -1);
-  solid.surface.assign(solid.triangle.size(), 0);
-  const auto center = add({0, 0, 0}, {0, -1, 0}, {0.5f, 0, 0});
-  std::uint32_t first = center + 1;
-  for (int i = 0; i < around; ++i) add(ring(i, 0), {0, -1, 0}, {0.5f + 0.5f * ring(i, 0).x, 0, 0});
-  for (int i = 0; i < around; ++i) {
-    solid.triangle.push_back(
-        {center, first + static_cast<std::uint32_t>((i + 1) % around), first + static_cast<std::uint32_t>(i)});
-    solid.cut_face.push_back(0);
-    solid.surface.push_back(-1);
-  }
-  solid.part_names = {"all"};
+    Function function_;
+  };
+  Function function_;
+};
+
+template <typename Function>
+Solid colored_by(Solid solid, const GivenDiffuser<Function>& diffuser) {
+  solid.section_colors = std::make_shared<const SectionColors>(DiffusionSurfaces{}, Template{}, diffuser);
   return solid;
 }
 
-const Style plain = style_named("plain");
-
-TEST(Charts, HoldEveryTriangleOnceAndDoNotFold) {
-  const Solid solid = half_ball();
-  std::vector<int> times(solid.triangle.size(), 0);
-  for (const Chart& chart : charts_of(solid)) {
-    for (const std::uint32_t t : chart.triangles) {
-      ++times[t];
-      const glm::uvec3& v = solid.triangle[t];
-      const glm::dvec2 a = chart.project(solid.position[v.x]), b = chart.project(solid.position[v.y]),
-                       c = chart.project(solid.position[v.z]);
-      EXPECT_GT((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x), 0) << "seen from outside, all turn the same way";
-    }
+/// The place of a texel's middle on one cut face of a baked solid, from the texture coordinates alone; nothing where
+/// it lies beside it.
+std::optional<glm::dvec3> place_of_texel(const BakedSolid& baked, int x, int y) {
+  const glm::dvec2 size(baked.texture.width, baked.texture.height);
+  for (std::size_t t = 0; t < baked.solid.triangle.size(); ++t) {
+    if (baked.solid.cut_face[t] < 0) continue;
+    const glm::uvec3& v = baked.solid.triangle[t];
+    const glm::dvec2 a = glm::dvec2(baked.uv[v.x]) * size, b = glm::dvec2(baked.uv[v.y]) * size - a,
+                     c = glm::dvec2(baked.uv[v.z]) * size - a, p = glm::dvec2(x + 0.5, y + 0.5) - a;
+    const double area = b.x * c.y - b.y * c.x;
+    const double s = (p.x * c.y - p.y * c.x) / area, r = (b.x * p.y - b.y * p.x) / area;
+    if (s < 0 || r < 0 || s + r > 1) continue;
+    return glm::dvec3(baked.solid.position[v.x]) * (1 - s - r) + glm::dvec3(baked.solid.position[v.y]) * s +
+           glm::dvec3(baked.solid.position[v.z]) * r;
   }
-  for (const int n : times) EXPECT_EQ(n, 1);
+  return std::nullopt;
 }
 
-TEST(Packing, KeepsChartsApartAndInside) {
-  const std::vector<Chart> charts = charts_of(half_ball());
-  const Packing packing = packed(charts, 256, 4);
-  EXPECT_GT(packing.texels_per_metre, 30) << "most of the texture is used";
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    const auto high = [&](std::size_t c) {
-      return packing.corner[c] + glm::ivec2((charts[c].high - charts[c].low) * packing.texels_per_metre) +
-             glm::ivec2(9);
-    };
-    EXPECT_LE(high(i).x, 256);
-    EXPECT_LE(high(i).y, 256);
-    for (std::size_t j = 0; j < i; ++j) {
-      const bool apart = high(i).x <= packing.corner[j].x || high(j).x <= packing.corner[i].x ||
-                         high(i).y <= packing.corner[j].y || high(j).y <= packing.corner[i].y;
-      EXPECT_TRUE(apart) << i << " and " << j;
-    }
-  }
+int difference(const glm::u8vec3& a, const glm::u8vec3& b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
 TEST(Bake, PutsTheColourOfEveryVertexAtItsTextureCoordinate) {
@@ -104,28 +79,141 @@ TEST(Bake, PutsTheColourOfEveryVertexAtItsTextureCoordinate) {
   }
 }
 
-TEST(Bake, GivesTheSameTextureTwice) {
-  EXPECT_EQ(baked(half_ball(), plain, {.texels = 128}).texture.pixels,
-            baked(half_ball(), plain, {.texels = 128}).texture.pixels);
+TEST(Bake, DiffusesTexelsAtTheirOwnPlaces) {
+  // Linear in place, as positive mean values and harmonic functions are between linear colours; the vertices know
+  // nothing of it.
+  const GivenDiffuser linear([](const glm::vec3& p) { return Color(0.5f + 0.3f * p.x, 0.5f - 0.3f * p.z, 0.25f); });
+  const BakedSolid result = baked(colored_by(half_ball(), linear), plain, {.texels = 128});
+  int checked = 0;
+  for (int y = 0; y < 128; ++y) {
+    for (int x = 0; x < 128; ++x) {
+      const auto p = place_of_texel(result, x, y);
+      if (!p) continue;
+      ++checked;
+      const glm::u8vec3 expected = to_srgb8(Color(0.5 + 0.3 * p->x, 0.5 - 0.3 * p->z, 0.25));
+      EXPECT_LE(difference(result.texture.at(x, y), expected), 1) << x << " " << y;
+    }
+  }
+  EXPECT_GT(checked, 1500);
+  EXPECT_EQ(result.diffused, static_cast<std::size_t>(checked));
+}
+
+TEST(Bake, KeepsConstantsToTheBit) {
+  const GivenDiffuser constant([](const glm::vec3&) { return Color(0.4f, 0.2f, 0.1f); });
+  Solid solid = half_ball();
+  for (Color& color : solid.color) color = {0.4f, 0.2f, 0.1f};
+  const BakedSolid result = baked(colored_by(solid, constant), plain, {.texels = 128});
+  for (const glm::u8vec3& pixel : result.texture.pixels) EXPECT_EQ(pixel, to_srgb8(Color(0.4f, 0.2f, 0.1f)));
+}
+
+TEST(Bake, KeepsColoursApartWhereASurfaceCrosses) {
+  // Blue left of x = 0, red right of it, and doubled vertices along the line.
+  const GivenDiffuser step([](const glm::vec3& p) { return p.x < 0 ? Color(0, 0, 1) : Color(1, 0, 0); });
+  const BakedSolid result = baked(colored_by(named::split_plate(), step), plain, {.texels = 128});
+  int mixed = 0, left = 0, right = 0;
+  for (int y = 0; y < 128; ++y) {
+    for (int x = 0; x < 128; ++x) {
+      const auto p = place_of_texel(result, x, y);
+      if (!p) continue;
+      const glm::u8vec3 found = result.texture.at(x, y);
+      if (std::abs(p->x) < 0.5 * result.texel + 1e-6) {
+        // A texel that the line passes through shows both sides in linear light, or one.
+        mixed += found.r > 0 && found.b > 0 ? 1 : 0;
+        continue;
+      }
+      (p->x < 0 ? left : right) += 1;
+      EXPECT_EQ(found, p->x < 0 ? glm::u8vec3(0, 0, 255) : glm::u8vec3(255, 0, 0)) << x << " " << y;
+    }
+  }
+  EXPECT_GT(left, 1000);
+  EXPECT_GT(right, 1000);
+  EXPECT_LT(mixed, 128);
+}
+
+TEST(Bake, HonoursTheSizeOfATexel) {
+  for (const double wanted : {0.05, 0.02, 0.0101}) {
+    const BakedSolid result = baked(half_ball(), plain, {.texel = wanted});
+    EXPECT_DOUBLE_EQ(result.texel, wanted);
+    const glm::dvec2 size(result.texture.width, result.texture.height);
+    for (std::size_t t = 0; t < result.solid.triangle.size(); ++t) {
+      if (result.solid.cut_face[t] < 0) continue;
+      const glm::uvec3& v = result.solid.triangle[t];
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t a = v[k], b = v[(k + 1) % 3];
+        const double in_space =
+            glm::distance(glm::dvec3(result.solid.position[a]), glm::dvec3(result.solid.position[b]));
+        const double texels = glm::distance(glm::dvec2(result.uv[a]) * size, glm::dvec2(result.uv[b]) * size);
+        EXPECT_NEAR(texels * wanted, in_space, 0.001 * in_space);
+      }
+    }
+  }
+}
+
+TEST(Bake, TakesTheSmallestTextureThatHoldsTheTexels) {
+  const BakedSolid coarse = baked(half_ball(), plain, {.texel = 0.05}),
+                   fine = baked(half_ball(), plain, {.texel = 0.01});
+  EXPECT_LE(coarse.texture.width, 256);
+  EXPECT_GT(fine.texture.width * fine.texture.height, 10 * coarse.texture.width * coarse.texture.height);
+  for (const BakedSolid& solid : {coarse, fine}) {
+    EXPECT_EQ(solid.texture.width & (solid.texture.width - 1), 0) << "powers of two";
+    EXPECT_EQ(solid.texture.height & (solid.texture.height - 1), 0);
+  }
+}
+
+TEST(Bake, GivesTheSameTextureForAnyNumberOfThreads) {
+  Solid solid = half_ball();
+  solid.noise.base_frequency = 3;
+  solid.noise.keys.push_back({.color = {0.7f, 0, 0}, .weights = {0.1, 0.1}, .axis = {1, 0, 0}});
+  const BakedSolid one = baked(solid, style_named("ink"), {.texels = 128, .threads = {1}});
+  const BakedSolid four = baked(solid, style_named("ink"), {.texels = 128, .threads = {4}});
+  EXPECT_EQ(one.texture.pixels, four.texture.pixels);
+  EXPECT_EQ(one.uv, four.uv);
 }
 
 TEST(Bake, DrawsInkOnTheCutFaceOnly) {
-  Solid solid = half_ball();
-  solid.ink_segments.push_back({{-0.5f, 0, 0}, {0.5f, 0, 0}, false});
+  const GivenDiffuser step([](const glm::vec3& p) { return p.x < 0 ? Color(0, 0, 1) : Color(1, 0, 0); });
   Style ink = style_named("ink");
   ink.noise = false;
-  const auto without = baked(half_ball(), ink, {.texels = 256}).texture;
-  const auto with = baked(solid, ink, {.texels = 256}).texture;
+  const Solid plate = colored_by(named::split_plate(), step);
+  const Image without = baked(plate, plain, {.texels = 256}).texture, with = baked(plate, ink, {.texels = 256}).texture;
   int changed = 0;
-  for (std::size_t i = 0; i < with.pixels.size(); ++i) {
-    if (with.pixels[i] == without.pixels[i]) continue;
-    ++changed;
-    EXPECT_GT(without.pixels[i].r, without.pixels[i].g) << "only the red face has ink";
-  }
-  EXPECT_GT(changed, 20);
+  for (std::size_t i = 0; i < with.pixels.size(); ++i) changed += with.pixels[i] != without.pixels[i] ? 1 : 0;
+  EXPECT_GT(changed, 300) << "its rim and the line";
+  const Solid skin = named::without_cut_faces(half_ball());
+  EXPECT_EQ(baked(skin, plain, {.texels = 128}).texture.pixels, baked(skin, ink, {.texels = 128}).texture.pixels);
 }
 
-TEST(Bake, RefusesATextureThatCannotHoldTheCharts) { EXPECT_THROW(baked(half_ball(), plain, {.texels = 16}), Error); }
+TEST(Bake, ChecksSizesBeforeAnythingIsMadeOfThem) {
+  EXPECT_THROW(baked(half_ball(), plain, {.texel = 1e-9}), Error);
+  EXPECT_THROW(baked(half_ball(), plain, {.texel = 1e-300}), Error);
+  EXPECT_THROW(baked(half_ball(), plain, {.texel = 2.0 / 8192}), Error) << "the face alone would fill the texture";
+  EXPECT_THROW(baked(half_ball(), plain, {.texels = 1}), Error) << "fewer texels than charts";
+  EXPECT_EQ(baked(half_ball(), plain, {.texel = 1e9}).texture.width, 64) << "each chart is a speck";
+}
+
+TEST(Bake, GivesASpeckTheMeanOfItsColours) {
+  Solid solid = half_ball();
+  for (Color& color : solid.color) color = {0.4f, 0.2f, 0.1f};
+  for (const glm::u8vec3& pixel : baked(solid, plain, {.texel = 100}).texture.pixels)
+    EXPECT_LE(difference(pixel, to_srgb8(Color(0.4f, 0.2f, 0.1f))), 0);
+}
+
+TEST(Bake, ASolidWithoutTrianglesHasNoTexture) {
+  const BakedSolid nothing = baked(Solid{}, plain);
+  EXPECT_EQ(nothing.texture.width, 0);
+  EXPECT_TRUE(nothing.uv.empty());
+}
+
+TEST(Bake, ToleratesTrianglesWithoutArea) {
+  Solid solid = half_ball();
+  const std::uint32_t a = solid.triangle.front().x, b = solid.triangle.front().y;
+  for (const glm::uvec3 flat : {glm::uvec3(a, b, b), glm::uvec3(a, a, a), glm::uvec3(a, b, a)}) {
+    solid.triangle.push_back(flat);
+    solid.cut_face.push_back(-1);
+    solid.surface.push_back(0);
+  }
+  EXPECT_EQ(baked(solid, plain, {.texels = 128}).solid.triangle.size(), solid.triangle.size());
+}
 
 }  // namespace
 }  // namespace pomona

@@ -1,0 +1,35 @@
+// Laying a region of a surface flat with little stretch.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace pomona {
+
+/// A patch of surface: triangles of points in space.
+struct Patch3 {
+  std::vector<glm::dvec3> point;
+  std::vector<glm::uvec3> triangle;
+};
+
+/// How lengths change on the way to the plane: of the two principal stretches s >= t of each triangle (1 where
+/// nothing changes) the means, by area, and the worst of max(s, 1 / t).
+struct Stretch {
+  double mean = 1;   ///< of max(s, 1 / t)
+  double worst = 1;  ///< of triangles that have an area
+};
+Stretch stretch_of(const Patch3& patch, std::span<const glm::dvec2> flat);
+
+/// A place in the plane for each point, starting from `projected` (every triangle counter-clockwise), moved so that
+/// every triangle keeps its shape and size as nearly as it can: as-rigid-as-possible [Liu et al. 2008], by
+/// successive over-relaxation in a fixed order. No triangle turns over.
+std::vector<glm::dvec2> relaxed(const Patch3& patch, std::vector<glm::dvec2> projected);
+
+/// Triangles that lie, in the plane, on another one they share no corner with.
+std::vector<std::uint32_t> overlapping(std::span<const glm::uvec3> triangles, std::span<const glm::dvec2> flat);
+
+}  // namespace pomona

@@ -1,0 +1,21 @@
+// Which triangles of a solid lie side by side, found by position: vertices are doubled where colour or normal jumps.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "generator/scene/solid.h"
+
+namespace pomona {
+
+struct TriangleNeighbors {
+  std::vector<std::uint32_t> place_of;                ///< per vertex: the first vertex at the same position
+  std::vector<std::array<std::int32_t, 3>> neighbor;  ///< per triangle, across its edge i to i + 1; -1: none
+};
+
+/// Neighbours are of one kind (both on one cut face, or both skin), share exactly one edge, and no third triangle of
+/// that kind has it.
+TriangleNeighbors triangle_neighbors(const Solid& solid);
+
+}  // namespace pomona
