@@ -45,8 +45,7 @@ class SampleColors {
     diffuse(samples, points, colors);
     if (look_.is_plain()) return colors;
     parallel_for(chunks(samples.size()), threads_, [&](std::size_t chunk) {
-      for_chunk(chunk, samples.size(),
-                [&](std::size_t i) { colors[i] = look_(colors[i], look_place(samples[i])); });
+      for_chunk(chunk, samples.size(), [&](std::size_t i) { colors[i] = look_(colors[i], look_place(samples[i])); });
     });
     return colors;
   }

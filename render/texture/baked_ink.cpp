@@ -83,8 +83,8 @@ BakedInk baked_ink(const Solid& solid, const std::vector<Chart>& charts, std::si
   face.scale = atlas.texels_per_metre;
   face.shown = true;
   const double side = largest_face(charts) * atlas.texels_per_metre / filled;
-  BakedInk drawn{{size.x, size.y}, {size.x, size.y}, low, style.ink_color.value_or(solid.ink.color),
-                 style.inner_opacity};
+  BakedInk drawn{
+      {size.x, size.y}, {size.x, size.y}, low, style.ink_color.value_or(solid.ink.color), style.inner_opacity};
   for (const SectionStroke& stroke : section_strokes(section_of(solid, own), {face}, solid.ink, style, side))
     (stroke.rim ? drawn.rim : drawn.inner).draw(stroke.points);
   return drawn;
