@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery build test test-programs lint format sanitize clang .bench table1 error-atlas variants cuts picture bench clean
+.PHONY: help salad gallery build test test-programs golden-renew mutants lint format sanitize clang .bench table1 error-atlas variants cuts picture bench clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -31,6 +31,14 @@ test-programs: ## tests that start real programs: the glTF validator, POV-Ray, I
 	cmake --preset test-programs
 	cmake --build build -j $(JOBS)
 	ctest --test-dir build --output-on-failure -L programs
+
+golden-renew: build ## keeps what is drawn now as golden pictures: NAME="onion_half pile" (or all) REASON="why"
+	@scripts/setup.sh test programs
+	@scripts/golden.py renew $(NAME) --programs --reason "$(REASON)"
+
+mutants: ## seeds faults into the program and asks the golden pictures: docs/mutants.md; an hour
+	@scripts/setup.sh build test programs
+	nice scripts/mutants.py
 
 lint: ## formatting, and the naming of our own headers
 	@scripts/setup.sh build test lint
