@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,10 @@
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "cli/progress.h"
+#include "generator/base/disjoint_sets.h"
 #include "generator/base/error.h"
 #include "generator/base/parallel.h"
+#include "generator/surface/welded_edges.h"
 #include "generator/template/read_template.h"
 #include "render/export/output.h"
 #include "tests/cut/cut_oracle.h"
@@ -39,6 +42,53 @@ constexpr double most_area_error = 1e-9, most_volume_error = 1e-6;
 /// Cuts that are done between two savings of the figures.
 constexpr int chunk = 250;
 
+/// Without so many of the small parts, grains that is, that no more than about `triangles` are left, if that can be:
+/// the large parts stay, and of the others every so-manieth.
+DiffusionSurfaces thinned(const DiffusionSurfaces& fruit, int triangles) {
+  const std::vector<std::uint32_t> welded = weld(fruit.position);
+  DisjointSets parts(fruit.vertex_count());
+  for (const glm::uvec3& t : fruit.triangle) {
+    parts.join(welded[t.x], welded[t.y]);
+    parts.join(welded[t.x], welded[t.z]);
+  }
+  std::map<std::uint32_t, int> size;
+  for (const glm::uvec3& t : fruit.triangle) ++size[parts.root(welded[t.x])];
+  std::map<std::uint32_t, int> boundary;
+  for (std::size_t t = 0; t < fruit.triangle_count(); ++t) {
+    if (fruit.is_boundary(t)) ++boundary[parts.root(welded[fruit.triangle[t].x])];
+  }
+  std::uint32_t skin = 0;  // the largest part of the boundary
+  for (const auto& [part, count] : boundary) {
+    if (count > boundary[skin]) skin = part;
+  }
+  const int small = std::min(triangles / 10, size[skin] - 1);
+  int in_small = 0, in_large = 0;
+  for (const auto& [part, count] : size) (count <= small ? in_small : in_large) += count;
+  const double share = std::clamp((triangles - in_large) / std::max(1.0, double(in_small)), 0.02, 1.0);
+
+  std::map<std::uint32_t, bool> stays;
+  double due = 0.5;
+  for (const auto& [part, count] : size) {
+    stays[part] = count > small;
+    if (count > small) continue;
+    due += share;
+    stays[part] = due >= 1;
+    if (due >= 1) due -= 1;
+  }
+  DiffusionSurfaces kept = fruit;
+  std::size_t to = 0;
+  for (std::size_t t = 0; t < fruit.triangle_count(); ++t) {
+    if (!stays[parts.root(welded[fruit.triangle[t].x])]) continue;
+    kept.triangle[to] = fruit.triangle[t];
+    kept.surface[to] = fruit.surface[t];
+    kept.front_part[to] = fruit.front_part[t];
+    kept.back_part[to++] = fruit.back_part[t];
+  }
+  for (auto* indices : {&kept.surface, &kept.front_part, &kept.back_part}) indices->resize(to);
+  kept.triangle.resize(to);
+  return kept;
+}
+
 /// The template as drawn, at the detail that comes nearest to so many triangles.
 DiffusionSurfaces coarse_fruit(const std::string& name, int triangles) {
   const Template drawn = read_template(template_path(name));
@@ -50,7 +100,7 @@ DiffusionSurfaces coarse_fruit(const std::string& name, int triangles) {
     const std::size_t count = grow(drawn, {}, how).sheets.triangle_count();
     (count > static_cast<std::size_t>(triangles) ? high : low) = how.detail;
   }
-  return grow(drawn, {}, how).sheets;
+  return thinned(grow(drawn, {}, how).sheets, triangles);
 }
 
 std::vector<Knife> knives_of(const oracle::CutOracle& oracle, const std::string& kind, const std::string& fruit,

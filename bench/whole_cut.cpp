@@ -60,7 +60,8 @@ Subject subject_of(const std::string& name) {
   std::vector<bench::BenchCut> cuts = {{"half", parse_knife("half")},
                                        {"across", parse_knife("across")},
                                        {"wedges:6", parse_knife("wedges:6")},
-                                       {"slices:8", parse_knife("slices:8")}};
+                                       {"slices:8", parse_knife("slices:8")},
+                                       {"dice:4", parse_knife("dice:4")}};
   return {std::move(fruit.grown.sheets), std::move(fruit.drawn), std::move(cuts)};
 }
 

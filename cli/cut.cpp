@@ -13,9 +13,12 @@
 #include "cli/diffusers.h"
 #include "cli/fruit_source.h"
 #include "cli/outputs.h"
+#include "cli/piece_list.h"
+#include "generator/base/error.h"
 #include "generator/cut/cut.h"
 #include "generator/cut/section_file.h"
 #include "generator/scene/brown.h"
+#include "generator/scene/explode.h"
 #include "generator/scene/guided.h"
 #include "generator/scene/lay_out.h"
 #include "generator/scene/section_colors.h"
@@ -30,6 +33,8 @@ struct CutCommand {
   std::vector<std::string> outputs;
   std::optional<int> folds;
   bool section = false;
+  double explode = 1;
+  std::string pieces;
   SharedOptions shared;
 };
 
@@ -50,13 +55,21 @@ void write_section_files(const std::vector<Output>& outputs, const CrossSection&
   }
 }
 
-void write_piece_files(const std::vector<Output>& outputs, std::vector<Solid> pieces, Delivery& delivery) {
+void write_piece_files(const CutCommand& command, const std::vector<Output>& outputs, std::vector<Solid> pieces,
+                       Delivery& delivery) {
+  for (Solid& piece : pieces) {
+    piece.seed = command.shared.seed;
+    for (const std::string& knife : command.knives) piece.knife += (piece.knife.empty() ? "" : " ") + knife;
+  }
   Scene in_place = gathered(std::move(pieces));
   in_place.paper = delivery.style().paper;
+  if (!command.pieces.empty()) delivery.add(command.pieces, [&] { return piece_list(in_place); });
+  const bool apart = command.explode > 1;
+  const Scene moved = apart ? exploded(in_place, command.explode) : in_place;
   for (const Output& output : outputs) {
     // A picture of pieces in their place would show a whole fruit: lay them out side by side.
     const bool is_picture = output.format == Format::png || output.format == Format::svg;
-    delivery.add(output, is_picture ? laid_out(in_place) : in_place);
+    delivery.add(output, is_picture && !apart ? laid_out(in_place) : moved);
   }
 }
 
@@ -72,6 +85,9 @@ ExitStatus cut_fruit(const CutCommand& command) {
   std::vector<Knife> knives;
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command));
+  if (command.section && (command.explode > 1 || !command.pieces.empty())) {
+    throw Error(ExitStatus::usage, "--explode and --pieces are about pieces: leave out --section");
+  }
   Delivery delivery(command.shared);
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
@@ -98,7 +114,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
       pieces = with_section_colors(std::move(pieces),
                                    std::make_shared<const SectionColors>(source.grown.sheets, source.fruit, *diffuser));
     }
-    write_piece_files(outputs, std::move(pieces), delivery);
+    write_piece_files(command, outputs, std::move(pieces), delivery);
   }
   delivery.finish();
   return ExitStatus::done;
@@ -112,8 +128,10 @@ DeclaredCommand cut_command(CLI::App& app) {
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
   command
-      ->add_option("--knife", options->knives,
-                   "half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm or slices:8; several cut one after another")
+      ->add_option(
+          "--knife", options->knives,
+          "half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm or slices:8, dice:12mm, sticks:6mm, crinkle:6mm, "
+          "stroke:FILE.svg#id; several cut one after another")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -123,6 +141,10 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
   command->add_flag("--section", options->section, "The bare section instead of pieces (.ply, .png or .svg)");
+  command->add_option("--explode", options->explode, "Move pieces apart: their distance from the middle times this")
+      ->check(CLI::Range(1.0, 10.0));
+  command->add_option("--pieces", options->pieces,
+                      "Also write what there is to know of each piece to this file (JSON)");
   add_ripeness_option(*command, options->shared);
   add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);

@@ -18,6 +18,11 @@ namespace pomona {
 struct CutFace {
   int knife = 0;
   glm::dvec3 origin{0}, u{1, 0, 0}, v{0, 1, 0}, normal{0, 0, 1};
+
+  /// Facets of one stroke have the same number, others none. Unrolled they lie side by side, with `along` as the
+  /// origin's place along u.
+  int stroke = -1;
+  double along = 0;  ///< metres
 };
 
 /// A piece of a cut segment on the section, for ink: its two vertices on one side of it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <optional>
 
@@ -37,6 +38,7 @@ class LineFinder {
     take_points();
     for (CutLine& line : lines_) add_meetings(line);
     for (CutLine& line : lines_) put_in_order(line);
+    std::erase_if(lines_, [](const CutLine& line) { return line.points.size() < 2; });
     return std::move(lines_);
   }
 
@@ -49,7 +51,7 @@ class LineFinder {
         if (planes_[a].through_axis && planes_[b].through_axis) {
           if (!has_axis) add_axis();
           has_axis = true;
-        } else {
+        } else if (planes_[a].sheet != planes_[b].sheet || b == a + 1) {
           add_line(a, b);
         }
       }
@@ -78,7 +80,26 @@ class LineFinder {
     line.planes = {a, b};
     line.origin = center_ + foot;
     line.direction = across / std::sqrt(square);
-    lines_.push_back(line);
+    if (planes_[a].sheet == planes_[b].sheet || (clip(line, a) && clip(line, b))) lines_.push_back(line);
+  }
+
+  /// To the stretch in which the plane is a facet; false if nothing of the line is left.
+  bool clip(CutLine& line, int plane) const {
+    const Stroke::Facet* facet = planes_.facet(plane);
+    if (facet == nullptr) return true;
+    const double slope = glm::dot(glm::dvec2(line.direction), facet->direction);
+    const double at_origin = facet->along_of(glm::dvec2(line.origin));
+    if (std::fabs(slope) < parallel) return planes_.is_in_facet(plane, line.origin);
+    const double from = (facet->from - at_origin) / slope, to = (facet->to - at_origin) / slope;
+    line.low = std::max(line.low, std::min(from, to));
+    line.high = std::min(line.high, std::max(from, to));
+    return line.low < line.high && line.low < reach_ && line.high > -reach_;
+  }
+
+  /// Up to rounding, on the stretch that both facets have in common.
+  bool is_within(const CutLine& line, const glm::dvec3& place) const {
+    const double along = glm::dot(line.direction, place - line.origin);
+    return along >= line.low - planes_.tolerance && along <= line.high + planes_.tolerance;
   }
 
   /// Points that lie on all planes of a line lie on it.
@@ -89,7 +110,9 @@ class LineFinder {
       if (mesh_.sets.planes_in(set).size() < 2) continue;
       const auto [entry, is_new] = lines_of_set.try_emplace(set);
       if (is_new) entry->second = lines_with(set);
-      for (const std::size_t line : entry->second) lines_[line].points.push_back(p);
+      for (const std::size_t line : entry->second) {
+        if (is_within(lines_[line], mesh_.point[p])) lines_[line].points.push_back(p);
+      }
     }
   }
 
@@ -105,11 +128,13 @@ class LineFinder {
   void add_meetings(CutLine& line) {
     for (const int k : used_) {
       if (std::find(line.planes.begin(), line.planes.end(), k) != line.planes.end()) continue;
+      if (!may_meet(line, k)) continue;
       const CuttingPlane& plane = planes_[k].plane;
       const double slope = glm::dot(plane.normal, line.direction);
       if (std::fabs(slope) < parallel) continue;
       const glm::dvec3 place = line.origin - line.direction * (signed_distance(plane, line.origin) / slope);
       if (glm::distance(place, center_) > reach_) continue;
+      if (!is_within(line, place) || !planes_.is_in_facet(k, place)) continue;
 
       const std::uint32_t set = mesh_.sets.with(mesh_.sets.with(mesh_.sets.with(0, line.planes[0]), line.planes[1]), k);
       const auto [entry, is_new] = meeting_.try_emplace(set, static_cast<std::uint32_t>(mesh_.point.size()));
@@ -121,13 +146,19 @@ class LineFinder {
     }
   }
 
+  /// Of a stroke's facets, neighbours alone.
+  bool may_meet(const CutLine& line, int plane) const {
+    return std::all_of(line.planes.begin(), line.planes.end(),
+                       [&](int k) { return planes_[k].sheet != planes_[plane].sheet || std::abs(k - plane) == 1; });
+  }
+
   void put_in_order(CutLine& line) {
     const auto along = [&](std::uint32_t p) { return glm::dot(line.direction, mesh_.point[p] - line.origin); };
     std::sort(line.points.begin(), line.points.end(),
               [&](std::uint32_t a, std::uint32_t b) { return along(a) != along(b) ? along(a) < along(b) : a < b; });
     line.points.erase(std::unique(line.points.begin(), line.points.end()), line.points.end());
-    line.points.insert(line.points.begin(), far_end(line, -1));
-    line.points.push_back(far_end(line, 1));
+    if (line.begins_outside()) line.points.insert(line.points.begin(), far_end(line, -1));
+    if (line.ends_outside()) line.points.push_back(far_end(line, 1));
   }
 
   std::uint32_t far_end(const CutLine& line, double sense) {
@@ -168,7 +199,7 @@ void subdivide(CutLine& line, SplitMesh& mesh, const CutPlanes& planes,
     const glm::dvec3 middle = 0.5 * (a + b);
     double longest = size(line.planes[0], middle);
     for (const int k : line.planes) longest = std::min(longest, size(k, middle));
-    const bool outside = done.size() == 1 || waiting.size() == 1;
+    const bool outside = (done.size() == 1 && line.begins_outside()) || (waiting.size() == 1 && line.ends_outside());
     if (!outside && glm::distance(a, b) > 1.2 * longest) {
       waiting.push_back(add(middle));
     } else {

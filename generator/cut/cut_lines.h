@@ -1,9 +1,11 @@
-// Lines in which cutting planes meet. Both planes must have the very same points there: they are laid out once,
-// before either plane is triangulated.
+// Lines in which cutting planes meet, the creases between a stroke's facets among them. Both planes must have the very
+// same points there: they are laid out once, before either plane is triangulated.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "generator/cut/segments.h"
@@ -13,7 +15,18 @@ namespace pomona {
 struct CutLine {
   std::vector<int> planes;  ///< the two that meet, or all that contain the axis; ascending
   glm::dvec3 origin{0}, direction{0, 1, 0};
-  std::vector<std::uint32_t> points;  ///< of the split mesh, in order; the first and the last lie outside the fruit
+  std::vector<std::uint32_t> points;  ///< of the split mesh, in order; at least two
+
+  /// Where the line ends because a facet does, along its direction; or infinity: then the first point, or the last,
+  /// lies outside the fruit.
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  bool begins_outside() const { return std::isinf(low); }
+  bool ends_outside() const { return std::isinf(high); }
+
+  /// True if what joins points[i - 1] and points[i] leads outside.
+  bool leads_outside(std::size_t i) const {
+    return (i == 1 && begins_outside()) || (i + 1 == points.size() && ends_outside());
+  }
 };
 
 /// Where the planes that have segments meet within `bounds`: with all points that surfaces have there, and those

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/geometric.hpp>
 
@@ -21,7 +22,40 @@ bool coincide(const CuttingPlane& a, const CuttingPlane& b, double tolerance) {
   return glm::length(glm::cross(a.normal, b.normal)) < 1e-12 && std::fabs(a.offset - sense * b.offset) <= tolerance;
 }
 
+/// Adds a plane to a sheet of its own, or to that of the stroke it is a facet of.
+void add_to_sheet(CutPlanes& all, CutPlanes::Plane& entry) {
+  const PlacedKnife& knife = all.knives[static_cast<std::size_t>(entry.knife)];
+  entry.sheet = static_cast<int>(all.sheets.size());
+  if (knife.strokes.empty()) {
+    all.sheets.push_back({all.count(), 1, std::nullopt});
+    return;
+  }
+  std::size_t first = 0;
+  for (const std::vector<glm::dvec2>& points : knife.strokes) {
+    const std::size_t facets = points.size() - 1;
+    if (entry.in_knife == first) {
+      all.sheets.push_back({all.count(), static_cast<int>(facets), Stroke(points)});
+      return;
+    }
+    if (entry.in_knife < first + facets) break;
+    first += facets;
+  }
+  --entry.sheet;
+}
+
 }  // namespace
+
+const Stroke::Facet* CutPlanes::facet(int plane) const {
+  const Sheet& sheet = sheet_of(plane);
+  return sheet.stroke ? &sheet.stroke->facet(plane - sheet.first) : nullptr;
+}
+
+bool CutPlanes::is_in_facet(int plane, const glm::dvec3& place) const {
+  const Stroke::Facet* f = facet(plane);
+  if (f == nullptr) return true;
+  const double along = f->along_of(glm::dvec2(place));
+  return along >= f->from - tolerance && along <= f->to + tolerance;
+}
 
 CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds) {
   CutPlanes all;
@@ -37,13 +71,20 @@ CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds) {
   for (std::size_t k = 0; k < all.knives.size(); ++k) {
     for (std::size_t i = 0; i < all.knives[k].planes.size(); ++i) {
       const CuttingPlane& plane = all.knives[k].planes[i];
-      CutPlanes::Plane entry{plane, static_cast<int>(k), i, all.count(), false, false};
-      entry.through_axis = plane.normal.y == 0 && plane.offset == 0;
+      CutPlanes::Plane entry{plane, static_cast<int>(k), i, all.count(), false, false, 0};
+      const bool is_facet = !all.knives[k].strokes.empty();
+      entry.through_axis = plane.normal.y == 0 && plane.offset == 0 && !is_facet;
+      add_to_sheet(all, entry);
 
       // Find an earlier knife's plane that is the same.
       const auto same = std::find_if(all.planes.begin(), all.planes.end(), [&](const CutPlanes::Plane& earlier) {
         return earlier.knife != entry.knife && coincide(earlier.plane, plane, all.tolerance);
       });
+      if (same != all.planes.end() && (is_facet || all.sheet_of(same->same_as).stroke)) {
+        throw Error(ExitStatus::usage, "knife \"" + all.knives[k].knife.text + "\" runs along knife \"" +
+                                           all.knives[static_cast<std::size_t>(same->knife)].knife.text +
+                                           "\" for a stretch: move one of them");
+      }
       if (same != all.planes.end()) {
         entry.same_as = same->same_as;
         entry.turned = glm::dot(all[entry.same_as].plane.normal, plane.normal) < 0;

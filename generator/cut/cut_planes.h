@@ -1,12 +1,15 @@
-// All planes that all knives bring, in cut order, and what lies on which of them.
+// All planes that all knives bring, in cut order, what lies on which of them, and which of them are facets of one
+// stroke.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "generator/cut/knife.h"
+#include "generator/cut/stroke.h"
 
 namespace pomona {
 
@@ -19,17 +22,33 @@ struct CutPlanes {
     int same_as = 0;           ///< the first plane that coincides with this one: itself, or an earlier knife's
     bool turned = false;       ///< looks against that one
     bool through_axis = false;
+    int sheet = 0;  ///< index into sheets
   };
   std::vector<Plane> planes;
+
+  /// What is triangulated as one: a plane, or all facets of a stroke, unrolled.
+  struct Sheet {
+    int first = 0, count = 1;      ///< its planes
+    std::optional<Stroke> stroke;  ///< none for a plane
+  };
+  std::vector<Sheet> sheets;
   std::vector<PlacedKnife> knives;
   double tolerance = 0;  ///< metres; places no farther apart than this are one
   double rounding = 0;   ///< metres; computed points are no farther than this from where they should be
 
   int count() const { return static_cast<int>(planes.size()); }
   const Plane& operator[](int plane) const { return planes[static_cast<std::size_t>(plane)]; }
+  const Sheet& sheet_of(int plane) const { return sheets[static_cast<std::size_t>((*this)[plane].sheet)]; }
+
+  /// The facet that a plane of a stroke is, or none.
+  const Stroke::Facet* facet(int plane) const;
+
+  /// True if a place on the plane lies in the stretch that is the plane's facet; always, where it is no facet.
+  bool is_in_facet(int plane, const glm::dvec3& place) const;
 };
 
-/// \throws Error (usage) for slices the fruit cannot give, and where knives make more than ten thousand cells.
+/// \throws Error (usage) for slices the fruit cannot give, for strokes that run along other knives' planes, and where
+/// knives make more than ten thousand cells.
 CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds);
 
 /// n.p - D in metres.

@@ -16,30 +16,6 @@
 
 namespace pomona {
 
-CutFace frame_of(const CuttingPlane& plane) {
-  CutFace face;
-  face.normal = plane.normal;
-  face.origin = plane.normal * plane.offset;
-  const glm::dvec3& n = plane.normal;
-  if (std::fabs(n.y) < 0.9) {
-    face.v = glm::normalize(glm::dvec3(0, 1, 0) - n * n.y);
-    face.u = glm::cross(face.v, n);
-  } else {
-    face.u = glm::normalize(glm::dvec3(1, 0, 0) - n * n.x);
-    face.v = glm::cross(n, face.u);
-  }
-  return face;
-}
-
-glm::dvec2 to_face(const CutFace& face, const glm::dvec3& point) {
-  const glm::dvec3 p = point - face.origin;
-  return {glm::dot(p, face.u), glm::dot(p, face.v)};
-}
-
-glm::dvec3 from_face(const CutFace& face, const glm::dvec2& point) {
-  return face.origin + point.x * face.u + point.y * face.v;
-}
-
 std::span<const EdgeUse> FaceMesh::uses(std::uint32_t p, std::uint32_t q) const {
   const auto less = [](const EdgeUse& a, const EdgeUse& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; };
   const EdgeUse key{std::min(p, q), std::max(p, q), 0, false};
@@ -87,13 +63,15 @@ class FaceBuilder {
               const std::vector<CutLine>& lines)
       : mesh_(mesh), planes_(planes) {
     face_.plane = plane;
-    face_.frame = frame_of(planes[plane].plane);
+    face_.sheet = Unrolled(planes, planes[plane].sheet);
     int exponent = 0;
     std::frexp(planes.tolerance, &exponent);
     grid_ = std::ldexp(1.0, exponent - 6);
     face_.segment = std::move(segments);
     for (const CutLine& line : lines) {
-      if (std::binary_search(line.planes.begin(), line.planes.end(), plane)) take_line(line);
+      const bool here = std::any_of(line.planes.begin(), line.planes.end(),
+                                    [&](int k) { return planes[k].sheet == planes[plane].sheet; });
+      if (here) take_line(line);
     }
     take_segments();
     surround();
@@ -129,10 +107,11 @@ class FaceBuilder {
 
   /// Makes new points of the triangulation points of `mesh`, the one that was built from.
   FaceMesh finish(SplitMesh& mesh, FaceMeshes& all, std::vector<Twins>& twins, Unshared& unshared) {
-    const std::uint32_t set = mesh.sets.with(0, face_.plane);
     for (std::size_t v = face_.point.size(); v < face_.mesh.point.size(); ++v) {
+      const glm::dvec2& place = face_.mesh.point[v];
+      const std::uint32_t set = mesh.sets.with(0, face_.plane + face_.sheet.facet_at(place.x));
       face_.point.push_back(static_cast<std::uint32_t>(mesh.point.size()));
-      mesh.point.push_back(settled(from_face(face_.frame, face_.mesh.point[v]), mesh.sets.planes_in(set), planes_));
+      mesh.point.push_back(settled(face_.sheet.from_face(place), mesh.sets.planes_in(set), planes_));
       mesh.planes_of.push_back(set);
     }
     for (const MeshEdge& edge : edge_) list_edge_points(edge, all.edge_point);
@@ -145,10 +124,21 @@ class FaceBuilder {
   std::uint32_t vertex(std::uint32_t point) {
     const auto [entry, is_new] = vertex_of_.try_emplace(point, static_cast<std::uint32_t>(uv_.size()));
     if (is_new) {
-      uv_.push_back(snapped(to_face(face_.frame, mesh_.point[point])));
+      uv_.push_back(snapped(face_.sheet.to_face(facet_of(point), mesh_.point[point])));
       face_.point.push_back(point);
     }
     return entry->second;
+  }
+
+  /// The first facet of the sheet that the point lies on.
+  int facet_of(std::uint32_t point) const {
+    const CutPlanes::Sheet& sheet = planes_.sheet_of(face_.plane);
+    if (!sheet.stroke) return 0;
+    for (const int k : mesh_.sets.planes_in(mesh_.planes_of[point])) {
+      const bool here = k >= sheet.first && k < sheet.first + sheet.count;
+      if (here && planes_.is_in_facet(k, mesh_.point[point])) return k - sheet.first;
+    }
+    return sheet.stroke->nearest(glm::dvec2(mesh_.point[point])).facet;
   }
 
   /// Points too near to each other for what CGAL computes of them become one.
@@ -167,9 +157,8 @@ class FaceBuilder {
   void take_line(const CutLine& line) {
     for (std::size_t i = 1; i < line.points.size(); ++i) {
       const std::uint32_t c = constraint_between(line.points[i - 1], line.points[i], false);
-      const bool end = i == 1 || i + 1 == line.points.size();
-      leads_outside_[c] = end ? 1 : 0;
-      if (!end) line_pieces_.emplace_back(&line, c);
+      leads_outside_[c] = line.leads_outside(i) ? 1 : 0;
+      if (!line.leads_outside(i)) line_pieces_.emplace_back(&line, c);
     }
     lines_.push_back(&line);
   }
@@ -408,24 +397,35 @@ std::vector<CutLine> laid_out_lines(SplitMesh& mesh, const CutPlanes& planes,
   return lines;
 }
 
+std::vector<std::vector<Segment>> by_sheet(const CutPlanes& planes, const std::vector<std::vector<Segment>>& segments) {
+  std::vector<std::vector<Segment>> of_sheet(planes.sheets.size());
+  for (int k = 0; k < planes.count(); ++k) {
+    const std::vector<Segment>& of_plane = segments[static_cast<std::size_t>(k)];
+    std::vector<Segment>& all = of_sheet[static_cast<std::size_t>(planes[k].sheet)];
+    all.insert(all.end(), of_plane.begin(), of_plane.end());
+  }
+  return of_sheet;
+}
+
 }  // namespace
 
-FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, std::vector<std::vector<Segment>> segments,
+FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, const std::vector<std::vector<Segment>>& segments,
                        const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options) {
   const Bounds bounds = bounds_of(surfaces);
   const double size = glm::length(bounds.size());
   const SizeLimits limits{options.coarsest * size, options.finest * size, options.grading, options.contrast};
   std::vector<CutLine> lines = laid_out_lines(mesh, planes, segments, bounds, limits);
+  const std::vector<std::vector<Segment>> of_sheet = by_sheet(planes, segments);
 
   // A crossing on a line is news to the other planes there: then all start again. Once is nearly always enough.
   for (int round = 1;; ++round) {
     FaceMeshes all;
     std::vector<Twins> twins;
     Unshared unshared;
-    std::vector<std::optional<FaceBuilder>> builders(segments.size());
-    parallel_for(segments.size(), options.threads, [&](std::size_t plane) {
-      if (segments[plane].empty()) return;
-      FaceBuilder& builder = builders[plane].emplace(mesh, planes, static_cast<int>(plane), segments[plane], lines);
+    std::vector<std::optional<FaceBuilder>> builders(planes.sheets.size());
+    parallel_for(builders.size(), options.threads, [&](std::size_t sheet) {
+      if (of_sheet[sheet].empty()) return;
+      FaceBuilder& builder = builders[sheet].emplace(mesh, planes, planes.sheets[sheet].first, of_sheet[sheet], lines);
       builder.conform(shortest_share * limits.finest);
       builder.sample(limits, surfaces, bodies);
       builder.conform(shortest_share * limits.finest);

@@ -1,4 +1,4 @@
-// One cutting plane, triangulated: what its triangles and edges are in the split mesh.
+// One cutting sheet, a plane or a stroke, triangulated: what its triangles and edges are in the split mesh.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,10 @@
 #include "generator/cut/cut.h"
 #include "generator/cut/segments.h"
 #include "generator/cut/triangulate.h"
+#include "generator/cut/unrolled.h"
 #include "generator/surface/bodies.h"
 
 namespace pomona {
-
-/// u and v upright where the plane is; for level planes u = +X, v = -Z.
-CutFace frame_of(const CuttingPlane& plane);
-glm::dvec2 to_face(const CutFace& face, const glm::dvec3& point);
-glm::dvec3 from_face(const CutFace& face, const glm::dvec2& point);
 
 /// A cut segment, or a part of one, that an edge of the triangulation follows.
 struct EdgeUse {
@@ -26,8 +22,8 @@ struct EdgeUse {
 };
 
 struct FaceMesh {
-  int plane = 0;  ///< index into CutPlanes
-  CutFace frame;
+  int plane = 0;  ///< index into CutPlanes; of a stroke's, the first facet's
+  Unrolled sheet;
   std::vector<Segment> segment;
   TriangulatedPlane mesh;
   std::vector<std::uint32_t> point;  ///< per vertex of the triangulation: the point of the split mesh
@@ -53,7 +49,7 @@ struct FaceMeshes {
 };
 
 /// Triangulates every plane. New points are added to `mesh`.
-FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, std::vector<std::vector<Segment>> segments,
+FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, const std::vector<std::vector<Segment>>& segments,
                        const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options);
 
 }  // namespace pomona

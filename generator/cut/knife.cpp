@@ -1,5 +1,6 @@
 #include "generator/cut/knife.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -9,6 +10,8 @@
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "generator/cut/read_stroke.h"
+#include "generator/cut/stroke.h"
 
 namespace pomona {
 
@@ -21,7 +24,8 @@ constexpr double thinnest_slice = 1e-4;  // share of the fruit's diagonal
 [[noreturn]] void fail(std::string_view text, const std::string& why) {
   throw Error(
       ExitStatus::usage, "knife \"" + std::string(text) + "\" " + why,
-      "a knife is one of: half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm, slices:8, dice:12mm, sticks:6mm");
+      "a knife is one of: half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm, slices:8, dice:12mm, sticks:6mm, "
+      "crinkle:6mm, stroke:FILE.svg#id");
 }
 
 /// A whole number as users write counts: digits alone.
@@ -65,6 +69,8 @@ CuttingPlane parse_plane(std::string_view text, std::string_view values) {
 }
 
 void parse_slices(Knife& knife, std::string_view text, std::string_view value) {
+  const bool is_count = !value.empty() && value.find_first_not_of("0123456789") == std::string_view::npos;
+  if (is_count && value.size() > 6) fail(text, "asks for more than " + std::to_string(most_slices) + " slices");
   if (const std::optional<int> count = parse_count(value)) {
     if (*count < 2) fail(text, "makes no cut: two pieces across are the fewest");
     if (*count > most_slices) fail(text, "asks for more than " + std::to_string(most_slices) + " slices");
@@ -76,9 +82,26 @@ void parse_slices(Knife& knife, std::string_view text, std::string_view value) {
   knife.thickness = *thickness;
 }
 
+/// FILE.svg#id, and scale=2mm after a comma.
+void parse_stroke(Knife& knife, std::string_view text, std::string_view value, const std::filesystem::path& folder) {
+  const std::size_t hash = value.rfind('#');
+  if (hash == std::string_view::npos || hash == 0) fail(text, "needs an SVG file and the path in it: FILE.svg#id");
+  std::vector<std::string_view> words = split_at_commas(value.substr(hash + 1));
+  if (words[0].empty()) fail(text, "does not name a path in the file: FILE.svg#id");
+  double scale = 1e-3;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::optional<double> length =
+        words[i].starts_with("scale=") ? parse_length(words[i].substr(6)) : std::optional<double>();
+    if (!length || !(*length > 0) || *length > 1)
+      fail(text, "knows but one option, such as scale=2mm: a length up to 1m");
+    scale = *length;
+  }
+  knife.stroke = read_stroke(folder / std::string(value.substr(0, hash)), std::string(words[0]), scale);
+}
+
 }  // namespace
 
-Knife parse_knife(std::string_view text) {
+Knife parse_knife(std::string_view text, const std::filesystem::path& folder) {
   const std::size_t colon = text.find(':');
   const std::string_view name = text.substr(0, colon);
   const std::string_view value = colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
@@ -99,6 +122,13 @@ Knife parse_knife(std::string_view text) {
   } else if (name == "slices" || name == "dice" || name == "sticks") {
     knife.kind = name == "slices" ? Knife::Kind::slices : name == "dice" ? Knife::Kind::dice : Knife::Kind::sticks;
     parse_slices(knife, text, value);
+  } else if (name == "stroke") {
+    knife.kind = Knife::Kind::stroke;
+    parse_stroke(knife, text, value, folder);
+  } else if (name == "crinkle") {
+    knife.kind = Knife::Kind::crinkle;
+    parse_slices(knife, text, value);
+    if (knife.count > 0) fail(text, "needs a thickness such as 6mm");
   } else {
     fail(text, "is not one this program has");
   }
@@ -156,6 +186,51 @@ void place_slices(PlacedKnife& placed, const Knife& knife, const Bounds& bounds,
   }
 }
 
+constexpr int most_facets = 8192;
+
+/// The planes of the strokes' edges; positive is to the right of a stroke.
+void place_strokes(PlacedKnife& placed, std::vector<std::vector<glm::dvec2>> strokes) {
+  placed.strokes = std::move(strokes);
+  for (const std::vector<glm::dvec2>& points : placed.strokes) {
+    const Stroke stroke(points);
+    for (int i = 0; i < stroke.facets(); ++i) {
+      const Stroke::Facet& f = stroke.facet(i);
+      const glm::dvec3 normal(f.direction.y, -f.direction.x, 0);
+      placed.planes.push_back({normal, glm::dot(normal, glm::dvec3(f.start, 0))});
+    }
+  }
+  placed.across[0] = 1 + static_cast<int>(placed.strokes.size());
+}
+
+void place_stroke(PlacedKnife& placed, const Knife& knife, const Bounds& bounds) {
+  if (crosses_itself(knife.stroke, glm::dvec2(bounds.center()), glm::length(bounds.size()))) {
+    fail(knife.text, "crosses itself where its ends go on straight: draw them on beyond the fruit");
+  }
+  place_strokes(placed, {knife.stroke});
+}
+
+/// Slices between waves that run along x. A wave is as long as a slice is thick, and a quarter as high.
+void place_crinkle(PlacedKnife& placed, const Knife& knife, const Bounds& bounds) {
+  constexpr int steps = 8;  // of a wave
+  PlacedKnife level;
+  place_slices(level, knife, bounds, 1);
+  const double wave = knife.thickness, height = wave / 8;
+  const double waves = std::ceil(0.5 * bounds.size().x / wave) + 1;
+  if (2 * waves * steps * static_cast<double>(level.planes.size()) > most_facets) {
+    fail(knife.text, "makes more than " + std::to_string(most_facets) + " facets: take thicker slices");
+  }
+  std::vector<std::vector<glm::dvec2>> strokes;
+  for (const CuttingPlane& plane : level.planes) {
+    std::vector<glm::dvec2> points;
+    for (double i = waves * steps; i >= -waves * steps; --i) {
+      const double x = bounds.center().x + i / steps * wave;
+      points.emplace_back(x, plane.offset + height * reproducible::sin(2 * pi * i / steps));
+    }
+    strokes.push_back(cleaned(points));  // where a wave turns from left to right its edges are in line
+  }
+  place_strokes(placed, std::move(strokes));
+}
+
 }  // namespace
 
 PlacedKnife placed(const Knife& knife, const Bounds& bounds) {
@@ -184,10 +259,18 @@ PlacedKnife placed(const Knife& knife, const Bounds& bounds) {
       place_slices(placed, knife, bounds, 0);
       place_slices(placed, knife, bounds, 2);
       break;
+    case Knife::Kind::stroke:
+      place_stroke(placed, knife, bounds);
+      break;
+    case Knife::Kind::crinkle:
+      place_crinkle(placed, knife, bounds);
+      break;
   }
   placed.reversed.resize(placed.planes.size(), 0);
   placed.direction.resize(placed.planes.size(), 0);
-  for (const std::uint8_t d : placed.direction) ++placed.across[d];
+  if (placed.strokes.empty()) {
+    for (const std::uint8_t d : placed.direction) ++placed.across[d];
+  }
   return placed;
 }
 

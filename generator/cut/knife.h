@@ -3,9 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "generator/surface/diffusion_surfaces.h"
 
@@ -19,18 +22,19 @@ struct CuttingPlane {
 
 /// One knife as the user wrote it. What it does may depend on the fruit's bounding box.
 struct Knife {
-  enum class Kind { plane, half, across, wedges, slices, dice, sticks };
+  enum class Kind { plane, half, across, wedges, slices, dice, sticks, stroke, crinkle };
   Kind kind = Kind::half;
-  CuttingPlane plane;    ///< Kind::plane
-  int count = 0;         ///< wedges; slices, dice and sticks by count
-  double thickness = 0;  ///< slices, dice and sticks by thickness, metres; 0 = by count
-  std::string text;      ///< as written, for messages and metadata
+  CuttingPlane plane;              ///< Kind::plane
+  int count = 0;                   ///< wedges; slices, dice and sticks by count
+  double thickness = 0;            ///< slices, dice, sticks and crinkled slices by thickness, metres; 0 = by count
+  std::vector<glm::dvec2> stroke;  ///< metres, seen along -Z
+  std::string text;                ///< as written, for messages and metadata
 };
 
-/// Reads "half", "across", "plane:NX,NY,NZ,D", "wedges:N", "slices:4mm", "slices:8", "dice:12mm", "sticks:6mm"
-/// (docs/commands.md).
-/// \throws Error (usage) that says what a knife looks like.
-Knife parse_knife(std::string_view text);
+/// Reads "half", "across", "plane:NX,NY,NZ,D", "wedges:N", "slices:4mm", "slices:8", "dice:12mm", "sticks:6mm",
+/// "crinkle:6mm", "stroke:FILE.svg#id,scale=2mm" (docs/commands.md). Files are looked for from `folder`.
+/// \throws Error (usage) that says what a knife looks like; of a stroke also those of read_stroke().
+Knife parse_knife(std::string_view text, const std::filesystem::path& folder = {});
 
 /// What a knife's cells depend on: the sides of its planes that a point has been seen to lie on.
 struct KnifeSides {
@@ -50,6 +54,10 @@ struct PlacedKnife {
   bool pencil = false;                  ///< all planes contain the axis x = z = 0
   Knife knife;
 
+  /// Of a stroke: its points; of crinkled slices, those of one stroke after another, from below upwards. The planes are
+  /// then those of their edges, in this order, and what is "seen" is on which side of each stroke a point lies.
+  std::vector<std::vector<glm::dvec2>> strokes;
+
   /// `before`, and that the point lies on that side of planes[plane].
   KnifeSides seen(KnifeSides before, std::size_t plane, bool positive_side) const;
 
@@ -59,7 +67,8 @@ struct PlacedKnife {
   int cell_count() const;
 };
 
-/// \throws Error (usage) for more than 1024 slices in one direction, or slices thinner than 1/10 000 of the fruit.
+/// \throws Error (usage) for more than 1024 slices in one direction, slices thinner than 1/10 000 of the fruit, and
+/// strokes that cross themselves where their ends go on straight.
 PlacedKnife placed(const Knife& knife, const Bounds& bounds);
 
 }  // namespace pomona

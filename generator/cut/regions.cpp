@@ -206,8 +206,9 @@ class RegionFinder {
       std::array<KnifeSides, 2> sides{};
       for (std::size_t i = 0; i < knife.planes.size(); ++i, ++plane) {
         const CutPlanes::Plane& entry = planes_[plane];
+        if (planes_.sheet_of(plane).first != plane) continue;  // a stroke is seen with its first facet
         const bool own = entry.same_as == face_.plane;
-        const bool positive = own ? entry.turned : lies_on_positive_side(patch, entry.plane);
+        const bool positive = own ? entry.turned : lies_on_positive_side(patch, plane);
         sides[0] = knife.seen(sides[0], i, positive);
         sides[1] = knife.seen(sides[1], i, own ? !positive : positive);
       }
@@ -218,12 +219,15 @@ class RegionFinder {
     }
   }
 
-  /// No plane passes through a patch, so the vertex farthest from it tells the side.
-  bool lies_on_positive_side(std::size_t patch, const CuttingPlane& plane) const {
+  /// No plane or stroke passes through a patch, so the vertex farthest from it tells the side.
+  bool lies_on_positive_side(std::size_t patch, int plane) const {
+    const CutPlanes::Sheet& sheet = planes_.sheet_of(plane);
     double farthest = 0;
     for (const std::uint32_t t : triangles_[patch]) {
       for (int i = 0; i < 3; ++i) {
-        const double d = signed_distance(plane, from_face(face_.frame, face_.mesh.point[face_.mesh.triangle[t][i]]));
+        const glm::dvec3 place = face_.sheet.from_face(face_.mesh.point[face_.mesh.triangle[t][i]]);
+        const double d = sheet.stroke ? sheet.stroke->nearest(glm::dvec2(place)).distance
+                                      : signed_distance(planes_[plane].plane, place);
         if (std::fabs(d) > std::fabs(farthest)) farthest = d;
       }
     }

@@ -54,13 +54,27 @@ class SectionBuilder {
   void add_face() {
     find_fans();
     make_vertices();
+    const int facets = planes_.sheet_of(face_->plane).count;
+    std::vector<std::vector<std::size_t>> of_facet(static_cast<std::size_t>(facets));
+    for (std::size_t t = 0; t < triangle_count(); ++t) {
+      if (regions_->is_section(t)) of_facet[facet_of(t)].push_back(t);
+    }
     const std::size_t before = section_.mesh.triangle.size();
-    add_triangles();
-    if (section_.mesh.triangle.size() == before) return;
-    add_segments();
-    CutFace frame = face_->frame;
-    frame.knife = planes_[face_->plane].knife;
-    section_.mesh.faces.push_back(frame);
+    for (int i = 0; i < facets; ++i) add_facet(i, of_facet[static_cast<std::size_t>(i)]);
+    if (section_.mesh.triangle.size() != before) add_segments();
+  }
+
+  /// No triangle reaches over a crease.
+  std::size_t facet_of(std::size_t triangle) const {
+    double u = 0;
+    for (std::size_t i = 0; i < 3; ++i) u += plane().point[corner(triangle, i)].x / 3;
+    return static_cast<std::size_t>(face_->sheet.facet_at(u));
+  }
+
+  void add_facet(int facet, const std::vector<std::size_t>& triangles) {
+    const std::size_t before = section_.mesh.triangle.size();
+    add_triangles(triangles);
+    if (section_.mesh.triangle.size() != before) section_.mesh.faces.push_back(face_->sheet.frame(facet));
   }
 
   /// Joins the corners that meet at a vertex without a surface between them.
@@ -152,9 +166,8 @@ class SectionBuilder {
   }
 
   /// Triangles that rounding to float has closed to a line are left out; their neighbours then meet there.
-  void add_triangles() {
-    for (std::size_t t = 0; t < triangle_count(); ++t) {
-      if (!regions_->is_section(t)) continue;
+  void add_triangles(const std::vector<std::size_t>& triangles) {
+    for (const std::size_t t : triangles) {
       const glm::uvec3 triangle(vertex_of(t, 0), vertex_of(t, 1), vertex_of(t, 2));
       if (collapses(triangle)) continue;
       section_.mesh.triangle.push_back(triangle);

@@ -1,5 +1,6 @@
 #include "generator/cut/split_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -24,7 +25,15 @@ class Splitter {
     take_input();
     int plane = 0;
     for (const PlacedKnife& knife : planes_.knives) {
-      for (std::size_t i = 0; i < knife.planes.size(); ++i) split_by(plane++);
+      const int end = plane + static_cast<int>(knife.planes.size());
+      while (plane < end) {
+        const CutPlanes::Sheet& sheet = planes_.sheet_of(plane);
+        if (sheet.stroke)
+          split_by_stroke(sheet);
+        else
+          split_by(plane);
+        plane += sheet.count;
+      }
       for (SplitMesh::Triangle& t : mesh_.triangle) {
         t.cell =
             t.cell * static_cast<std::uint32_t>(knife.cell_count()) + static_cast<std::uint32_t>(knife.cell(t.sides));
@@ -96,23 +105,160 @@ class Splitter {
 
   const glm::dvec3& point_at(std::uint32_t vertex) const { return mesh_.point[mesh_.point_of[vertex]]; }
 
-  void split_by(int plane) {
+  void take_plane(int plane) {
     plane_ = plane;
     shared_ = planes_[plane].same_as;
     find_sides();
     new_points_.clear();
     new_vertices_.clear();
+  }
+
+  static bool is_mixed(const std::array<int, 3>& side) {
+    return (side[0] < 0 || side[1] < 0 || side[2] < 0) && (side[0] > 0 || side[1] > 0 || side[2] > 0);
+  }
+
+  void split_by(int plane) {
+    take_plane(plane);
     const std::size_t count = mesh_.triangle.size();
     for (std::size_t t = 0; t < count; ++t) {
       const std::array<int, 3> side = sides_of(mesh_.triangle[t]);
-      const bool mixed = (side[0] < 0 || side[1] < 0 || side[2] < 0) && (side[0] > 0 || side[1] > 0 || side[2] > 0);
-      if (mixed) {
+      if (is_mixed(side)) {
         split_triangle(t, side);
       } else {
         see_side(mesh_.triangle[t], side[0] + side[1] + side[2]);
       }
     }
   }
+
+  // ---- Strokes ----
+
+  /// Facet by facet. Which side a triangle then lies on, and which edges follow the stroke, is found at the end.
+  void split_by_stroke(const CutPlanes::Sheet& sheet) {
+    in_stroke_ = true;
+    for (int i = 0; i < sheet.count; ++i) split_by_facet(sheet.first + i);
+    in_stroke_ = false;
+    see_sides_of_stroke(sheet);
+  }
+
+  /// Triangles that the facet reaches are split along the whole of its plane; their neighbours take over the points
+  /// that this puts on common edges, so that triangles go on meeting edge to edge.
+  void split_by_facet(int plane) {
+    take_plane(plane);
+    const std::size_t count = mesh_.triangle.size();
+    std::vector<std::size_t> not_reached;
+    for (std::size_t t = 0; t < count; ++t) {
+      const std::array<int, 3> side = sides_of(mesh_.triangle[t]);
+      if (!is_mixed(side)) continue;
+      if (is_reached(mesh_.triangle[t], side))
+        split_triangle(t, side);
+      else
+        not_reached.push_back(t);
+    }
+    for (const std::size_t t : not_reached) take_over_points(t);
+  }
+
+  /// True if the facet comes near the line in which its plane meets the triangle.
+  bool is_reached(const Triangle& t, const std::array<int, 3>& side) const {
+    const Stroke::Facet& facet = *planes_.facet(plane_);
+    double low = 1e300, high = -1e300;
+    const auto see = [&](const glm::dvec3& p) {
+      const double along = facet.along_of(glm::dvec2(p));
+      low = std::min(low, along);
+      high = std::max(high, along);
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = next[i];
+      const std::uint32_t p = mesh_.point_of[t.vertex[i]], q = mesh_.point_of[t.vertex[j]];
+      if (side[i] == 0) see(mesh_.point[p]);
+      if (side[i] * side[j] < 0) {
+        see(glm::mix(mesh_.point[p], mesh_.point[q], distance_[p] / (distance_[p] + distance_[q])));
+      }
+    }
+    const double margin = 1e4 * planes_.tolerance;
+    return high >= facet.from - margin && low <= facet.to + margin;
+  }
+
+  void take_over_points(std::size_t index) {
+    const Triangle whole = mesh_.triangle[index];
+    const std::array<int, 3> side = sides_of(whole);
+    int crossed = 0, known = 0;
+    std::size_t i = 0;
+    for (std::size_t e = 0; e < 3; ++e) {
+      if (side[e] * side[next[e]] >= 0) continue;
+      ++crossed;
+      const auto [low, high] = std::minmax(mesh_.point_of[whole.vertex[e]], mesh_.point_of[whole.vertex[next[e]]]);
+      if (!new_points_.contains(edge_key(low, high))) continue;
+      ++known;
+      i = e;
+    }
+    if (known == 0) return;
+    if (known == crossed) {
+      split_triangle(index, side);
+      return;
+    }
+    const std::size_t j = next[i], k = after_next[i];
+    const std::uint32_t m = vertex_between(whole.vertex[i], whole.vertex[j]);
+    replace(index, whole, {whole.vertex[i], m, whole.vertex[k]}, {whole.cut_by[i], 0, whole.cut_by[k]}, 0);
+    add(whole, {m, whole.vertex[j], whole.vertex[k]}, {whole.cut_by[i], whole.cut_by[j], 0}, 0);
+  }
+
+  /// All edges with both ends on one facet are taken as cut; where both sides are the same they cancel (see
+  /// segments.h). So chains close whatever the sides.
+  void see_sides_of_stroke(const CutPlanes::Sheet& sheet) {
+    near_.clear();
+    for (const glm::dvec3& p : mesh_.point) near_.push_back(sheet.stroke->nearest(glm::dvec2(p)));
+    for (Triangle& t : mesh_.triangle) {
+      const double farthest = farthest_from(*sheet.stroke, t);
+      bool positive = farthest > 0;
+      if (std::fabs(farthest) <= planes_.tolerance) {
+        plane_ = sheet.first + near_[mesh_.point_of[t.vertex[0]]].facet;
+        positive = lies_with_positive_side(t);
+      }
+      const CutPlanes::Plane& first = planes_[sheet.first];
+      t.sides = planes_.knives[static_cast<std::size_t>(first.knife)].seen(t.sides, first.in_knife, positive);
+      if (positive) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int plane = facet_with(sheet, mesh_.point_of[t.vertex[i]], mesh_.point_of[t.vertex[next[i]]]);
+        if (plane >= 0) t.cut_by[i] = mesh_.sets.with(t.cut_by[i], plane);
+      }
+    }
+  }
+
+  /// Of a triangle that the stroke does not cross. One with all corners on the stroke spans a bend of it: then its
+  /// middle and those of its edges are asked.
+  double farthest_from(const Stroke& stroke, const Triangle& t) const {
+    double farthest = 0;
+    const auto see = [&](double distance) {
+      if (std::fabs(distance) > std::fabs(farthest)) farthest = distance;
+    };
+    for (const std::uint32_t v : t.vertex) see(near_[mesh_.point_of[v]].distance);
+    if (std::fabs(farthest) > planes_.tolerance) return farthest;
+    const glm::dvec2 a(point_at(t.vertex[0])), b(point_at(t.vertex[1])), c(point_at(t.vertex[2]));
+    for (const glm::dvec2& p : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
+      see(stroke.nearest(p).distance);
+    }
+    return farthest;
+  }
+
+  /// The first facet that both points lie on, of which they are told; or -1.
+  int facet_with(const CutPlanes::Sheet& sheet, std::uint32_t p, std::uint32_t q) {
+    if (std::fabs(near_[p].distance) > planes_.tolerance || std::fabs(near_[q].distance) > planes_.tolerance) return -1;
+    const int from = std::max(0, near_[p].facet - 1), to = std::min(sheet.count - 1, near_[p].facet + 1);
+    for (int plane = sheet.first + from; plane <= sheet.first + to; ++plane) {
+      if (!is_on_facet(plane, p) || !is_on_facet(plane, q)) continue;
+      for (const std::uint32_t point : {p, q}) mesh_.planes_of[point] = mesh_.sets.with(mesh_.planes_of[point], plane);
+      return plane;
+    }
+    return -1;
+  }
+
+  bool is_on_facet(int plane, std::uint32_t point) const {
+    const glm::dvec3& place = mesh_.point[point];
+    return std::fabs(signed_distance(planes_[plane].plane, place)) <= planes_.tolerance &&
+           planes_.is_in_facet(plane, place);
+  }
+
+  // ---- What planes and strokes share ----
 
   /// Exact for the input. Points this plane has made, or found, before lie on it, wherever rounding may have put them.
   /// Planes that coincide see the same sides, but for their sense.
@@ -139,6 +285,7 @@ class Splitter {
 
   /// The triangle lies on one side. `side` < 0: the negative one; 0: in the plane.
   void see_side(Triangle& t, int side) {
+    if (in_stroke_) return;
     const bool positive = side > 0 || (side == 0 && lies_with_positive_side(t));
     t.sides = planes_.knives[static_cast<std::size_t>(planes_[plane_].knife)].seen(t.sides, planes_[plane_].in_knife,
                                                                                    positive);
@@ -241,7 +388,9 @@ class Splitter {
   // The plane at work, the one it coincides with, and where points lie to it.
   int plane_ = 0, shared_ = 0;
   std::size_t input_points_ = 0;
-  std::vector<double> distance_;  // without sign
+  bool in_stroke_ = false;
+  std::vector<Stroke::Place> near_;  // per point
+  std::vector<double> distance_;     // without sign
   std::vector<std::int8_t> side_;
   std::unordered_map<std::uint64_t, std::uint32_t> new_points_, new_vertices_;
 };

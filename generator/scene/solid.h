@@ -40,8 +40,11 @@ struct Solid {
   NoiseStyle noise;
   std::vector<DetailSketch> details;
   InkStyle ink;
-  float opacity = 1.0f;  ///< below 1 where one sees through it, looking at right angles
-  double volume = 0;
+  float opacity = 1.0f;    ///< below 1 where one sees through it, looking at right angles
+  double volume = 0;       ///< cubic metres
+  double density = 1000;   ///< kilograms per cubic metre; that of water, as long as nothing says otherwise
+  std::uint64_t seed = 0;  ///< of the variant it was cut from
+  std::string knife;       ///< the knives that cut it, one after another, parted by spaces
   bool closed = true;
   bool crumb = false;
 

@@ -10,6 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "generator/base/error.h"
+#include "generator/scene/piece_facts.h"
 #include "render/picture/png.h"
 #include "render/picture/view_frame.h"
 
@@ -173,7 +174,19 @@ tinygltf::Value extras_of(const Solid& solid) {
   for (const std::string& part : solid.part_names) parts.emplace_back(part);
   tinygltf::Value::Object extras;
   extras["parts"] = tinygltf::Value(parts);
-  extras["volume"] = tinygltf::Value(solid.volume);
+  const PieceFacts facts = facts_of(solid);
+  const auto point = [](const glm::dvec3& p) {
+    return tinygltf::Value(tinygltf::Value::Array{tinygltf::Value(p.x), tinygltf::Value(p.y), tinygltf::Value(p.z)});
+  };
+  extras["volume"] = tinygltf::Value(facts.volume);
+  extras["density"] = tinygltf::Value(solid.density);
+  extras["mass"] = tinygltf::Value(facts.mass);
+  extras["center"] = point(facts.center);
+  extras["low"] = point(facts.low);
+  extras["high"] = point(facts.high);
+  extras["triangles"] = tinygltf::Value(static_cast<int>(facts.triangles));
+  extras["seed"] = tinygltf::Value(static_cast<double>(solid.seed));
+  extras["knife"] = tinygltf::Value(solid.knife);
   extras["closed"] = tinygltf::Value(solid.closed);
   extras["crumb"] = tinygltf::Value(solid.crumb);
   return tinygltf::Value(extras);

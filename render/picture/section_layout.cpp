@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <glm/geometric.hpp>
 
 namespace pomona {
 
 glm::dvec2 PlacedFace::to_paper(const glm::dvec3& p) const {
-  return corner + glm::dvec2(glm::dot(p, right) - low.x, high.y - glm::dot(p, up)) * scale;
+  return corner + glm::dvec2(glm::dot(p, right) + shift - low.x, high.y - glm::dot(p, up)) * scale;
 }
 
 glm::dvec3 PlacedFace::to_fruit(const glm::dvec2& pixel) const {
   const glm::dvec2 q = (pixel - corner) / scale;
-  return right * (low.x + q.x) + up * (high.y - q.y) + depth;
+  return right * (low.x + q.x - shift) + up * (high.y - q.y) + depth;
 }
 
 namespace {
@@ -23,9 +24,15 @@ PlacedFace turned_upright(const CutFace& face) {
   const glm::dvec3 n = face.normal;
   const glm::dvec3 wish = std::fabs(n.y) < 0.95 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
   PlacedFace placed;
+  placed.depth = n * glm::dot(face.origin, n);
+  if (face.stroke >= 0) {
+    placed.up = -face.v;
+    placed.right = -face.u;
+    placed.shift = glm::dot(face.origin, face.u) - face.along;
+    return placed;
+  }
   placed.up = glm::normalize(wish - n * glm::dot(wish, n));
   placed.right = glm::cross(placed.up, n);
-  placed.depth = n * glm::dot(face.origin, n);
   return placed;
 }
 
@@ -34,12 +41,27 @@ void measure(const CrossSection& section, std::vector<PlacedFace>& faces) {
     PlacedFace& face = faces[section.cut[t]];
     for (int i = 0; i < 3; ++i) {
       const glm::dvec3 p = section.position[section.triangle[t][i]];
-      const glm::dvec2 q(glm::dot(p, face.right), glm::dot(p, face.up));
+      const glm::dvec2 q(glm::dot(p, face.right) + face.shift, glm::dot(p, face.up));
       face.low = face.shown ? glm::min(face.low, q) : q;
       face.high = face.shown ? glm::max(face.high, q) : q;
       face.shown = true;
     }
   }
+}
+
+/// For each face itself, or the first shown facet of its stroke; that one gets the bounds of all.
+std::vector<std::size_t> join_facets(const CrossSection& section, std::vector<PlacedFace>& faces) {
+  std::vector<std::size_t> first_of;
+  std::map<int, std::size_t> first_of_stroke;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    first_of.push_back(f);
+    if (section.faces[f].stroke < 0 || !faces[f].shown) continue;
+    first_of[f] = first_of_stroke.try_emplace(section.faces[f].stroke, f).first->second;
+    PlacedFace& first = faces[first_of[f]];
+    first.low = glm::min(first.low, faces[f].low);
+    first.high = glm::max(first.high, faces[f].high);
+  }
+  return first_of;
 }
 
 struct Row {
@@ -98,9 +120,10 @@ std::vector<PlacedFace> lay_out(const CrossSection& section, const glm::dvec2& p
   std::vector<PlacedFace> faces;
   for (const CutFace& face : section.faces) faces.push_back(turned_upright(face));
   measure(section, faces);
+  const std::vector<std::size_t> first_of = join_facets(section, faces);
   std::vector<std::size_t> shown;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (faces[f].shown) shown.push_back(f);
+    if (faces[f].shown && first_of[f] == f) shown.push_back(f);
   }
   if (shown.empty()) return faces;
 
@@ -120,6 +143,13 @@ std::vector<PlacedFace> lay_out(const CrossSection& section, const glm::dvec2& p
     return faces;
   }
   place(best, best_scale, picture, gap, faces);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const PlacedFace& first = faces[first_of[f]];
+    faces[f].low = first.low;
+    faces[f].high = first.high;
+    faces[f].corner = first.corner;
+    faces[f].scale = first.scale;
+  }
   return faces;
 }
 

@@ -18,6 +18,7 @@ struct PlacedFace {
   glm::dvec2 corner{0};                    ///< where the upper left of the bounds goes
   double scale = 1;                        ///< pixels per metre
   bool shown = false;                      ///< it has triangles
+  double shift = 0;                        ///< of a stroke's facet, along right: metres to its place when unrolled
 
   glm::dvec2 to_paper(const glm::dvec3& p) const;
   glm::dvec3 to_fruit(const glm::dvec2& pixel) const;

@@ -1,0 +1,38 @@
+#include "cli/piece_list.h"
+
+#include <nlohmann/json.hpp>
+
+#include "generator/scene/piece_facts.h"
+
+namespace pomona {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numbers(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+}  // namespace
+
+std::string piece_list(const Scene& scene) {
+  Json pieces = Json::array();
+  for (const Instance& instance : scene.instances) {
+    const Solid& solid = scene.solids[static_cast<std::size_t>(instance.solid)];
+    const PieceFacts facts = facts_of(solid);
+    pieces.push_back({{"name", instance.name},
+                      {"seed", solid.seed},
+                      {"knife", solid.knife},
+                      {"volume", facts.volume},
+                      {"density", solid.density},
+                      {"mass", facts.mass},
+                      {"center", numbers(facts.center)},
+                      {"low", numbers(facts.low)},
+                      {"high", numbers(facts.high)},
+                      {"triangles", facts.triangles},
+                      {"closed", solid.closed},
+                      {"crumb", solid.crumb}});
+  }
+  return Json{{"format", 1}, {"pieces", pieces}}.dump(1) + "\n";
+}
+
+}  // namespace pomona

@@ -1,0 +1,17 @@
+// Strokes from SVG files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace pomona {
+
+/// The open path with this id (or Inkscape label), in metres, y upwards, the SVG's origin at the frame's; `scale` is
+/// the length of one SVG unit. Curves are flattened to a hundredth of a millimetre. \throws Error (input_missing,
+/// bad_data) that names the file and the place in it.
+std::vector<glm::dvec2> read_stroke(const std::filesystem::path& file, const std::string& id, double scale);
+
+}  // namespace pomona

@@ -1,0 +1,223 @@
+// Strokes: what is cut along polylines adds up, closes, and is where geometry says.
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/random.h"
+#include "generator/cut/cut.h"
+#include "generator/cut/read_stroke.h"
+#include "generator/cut/stroke.h"
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+Knife stroke_knife(std::vector<glm::dvec2> points) {
+  Knife knife;
+  knife.kind = Knife::Kind::stroke;
+  knife.stroke = std::move(points);
+  knife.text = "stroke";
+  return knife;
+}
+
+double volume_of(const Cut& cut) {
+  double sum = 0;
+  for (const CutPiece& piece : cut.pieces) sum += piece.volume;
+  return sum;
+}
+
+void expect_sound(const Cut& cut, double whole) {
+  EXPECT_NEAR(volume_of(cut), whole, 1e-6 * whole);
+  for (std::size_t i = 0; i < cut.pieces.size(); ++i) EXPECT_TRUE(cut.pieces[i].closed) << "piece " << i;
+}
+
+DiffusionSurfaces box() { return shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint()); }
+constexpr double box_volume = 0.06 * 0.05 * 0.06;
+
+TEST(Stroke, TellsItsSides) {
+  const Stroke stroke({{0, 0}, {1, 0}, {1, 1}});
+  EXPECT_NEAR(stroke.nearest({0.5, -0.25}).distance, 0.25, 1e-15);
+  EXPECT_NEAR(stroke.nearest({0.5, 0.25}).distance, -0.25, 1e-15);
+  EXPECT_NEAR(stroke.nearest({-5, 0.25}).distance, -0.25, 1e-15) << "goes on straight";
+  EXPECT_NEAR(stroke.nearest({1.3, -0.4}).distance, 0.5, 1e-15) << "round the corner";
+  EXPECT_EQ(stroke.nearest({1.1, 3}).facet, 1);
+}
+
+TEST(Stroke, AStraightOneIsAPlane) {
+  const DiffusionSurfaces ball = shapes::sphere(0.05, 12, shapes::skin_paint());
+  const Cut by_stroke = cut(ball, std::vector<Knife>{stroke_knife({{0.01, -0.01}, {0.01, 0.02}})});
+  const Cut by_plane = cut(ball, std::vector<Knife>{parse_knife("plane:1,0,0,0.01")});
+  ASSERT_EQ(by_stroke.pieces.size(), 2u);
+  ASSERT_EQ(by_plane.pieces.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(by_stroke.pieces[i].volume, by_plane.pieces[i].volume, 1e-12);
+    EXPECT_TRUE(by_stroke.pieces[i].closed);
+  }
+}
+
+TEST(Stroke, AZigzagThroughABox) {
+  // Below it, on the right of the way towards +x, lie 0.025 on average: by trapezia.
+  const Cut result =
+      cut(box(), std::vector<Knife>{stroke_knife({{-0.05, 0.02}, {-0.01, 0.03}, {0.01, 0.02}, {0.05, 0.03}})});
+  ASSERT_EQ(result.pieces.size(), 2u);
+  expect_sound(result, box_volume);
+  const auto height = [](double x) {
+    if (x < -0.01) return 0.02 + (x + 0.05) / 4;
+    return x < 0.01 ? 0.03 - (x + 0.01) / 2 : 0.02 + (x - 0.01) / 4;
+  };
+  const double area = 0.02 * (height(-0.03) + 0.03) / 2 + 0.02 * 0.025 + 0.02 * (0.02 + height(0.03)) / 2;
+  EXPECT_NEAR(result.pieces[1].volume, 0.06 * area, 1e-9);
+  EXPECT_EQ(result.section.faces.size(), 3u);
+  for (const CutFace& face : result.section.faces) EXPECT_EQ(face.stroke, 0);
+}
+
+TEST(Stroke, OverhangsAndEndsInsideTheFruit) {
+  const DiffusionSurfaces ball = shapes::tilted(shapes::nested_spheres(0.05, 0.02, 8));
+  const double whole = volume_of(cut(ball, {}));
+  const Cut hook =
+      cut(ball,
+          std::vector<Knife>{stroke_knife({{-0.02, 0.0}, {0.02, 0.0}, {0.02, 0.02}, {-0.015, 0.022}, {-0.01, 0.035}})});
+  EXPECT_EQ(hook.pieces.size(), 2u);
+  expect_sound(hook, whole);
+}
+
+TEST(Stroke, ComposesWithOtherKnives) {
+  const DiffusionSurfaces fruit = shapes::tilted(shapes::nested_spheres(0.05, 0.02, 8));
+  const double whole = volume_of(cut(fruit, {}));
+  const Knife wave = stroke_knife({{-0.06, 0.0}, {-0.03, 0.01}, {0, -0.01}, {0.03, 0.012}, {0.06, 0.0}});
+  const Knife other = stroke_knife({{0.0, -0.06}, {0.01, -0.02}, {-0.01, 0.03}, {0.003, 0.06}});
+  for (const std::vector<Knife>& knives : {std::vector<Knife>{wave, parse_knife("half")},
+                                           {parse_knife("wedges:3"), wave},
+                                           {wave, other},
+                                           {parse_knife("slices:3"), other, parse_knife("plane:1,1,1,0.005")}}) {
+    const Cut result = cut(fruit, knives);
+    expect_sound(result, whole);
+    EXPECT_GE(result.pieces.size(), 4u);
+  }
+}
+
+/// Corners on a coarse grid: through vertices, along edges and faces of the box.
+TEST(Stroke, ManyThroughManyShapes) {
+  const std::vector<DiffusionSurfaces> fruits = {
+      box(), shapes::sphere(0.05, 5, shapes::skin_paint()), shapes::torus(0.04, 0.015, 16, 9),
+      shapes::hollow_ball(0.05, 0.044, 5),
+      joined(shapes::nested_spheres(0.05, 0.02, 5), shapes::open_sheet(0.07, 0.003, 3))};
+  const RandomStream random({11, 0}, "test/strokes");
+  std::uint64_t draw = 0;
+  int cuts = 0;
+  for (std::size_t f = 0; f < fruits.size(); ++f) {
+    const double whole = volume_of(cut(fruits[f], {}));
+    for (int i = 0; i < 24; ++i) {
+      std::vector<glm::dvec2> points;
+      const bool coarse = random.below(draw++, 2) == 0;
+      for (int k = 0; k < 5; ++k) {
+        glm::dvec2 p(0.01 * static_cast<double>(random.below(draw, 11)) - 0.05,
+                     0.01 * static_cast<double>(random.below(draw + 1, 7)));
+        if (!coarse) p += 0.01 * glm::dvec2(random.uniform(draw + 2), random.uniform(draw + 3));
+        draw += 4;
+        points.push_back(p);
+      }
+      points = cleaned(points);
+      if (points.size() < 2 || crosses_itself(points, {0, 0.025}, 0.2)) continue;
+      SCOPED_TRACE(testing::Message() << "fruit " << f << ", stroke " << i);
+      ++cuts;
+      expect_sound(cut(fruits[f], std::vector<Knife>{stroke_knife(points)}, {.coarsest = 0.2, .finest = 0.05}), whole);
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GT(cuts, 10);
+}
+
+TEST(Stroke, MayHaveFacetsInOnePlane) {
+  std::vector<glm::dvec2> battlements;
+  for (int i = -4; i < 4; ++i) {
+    const double low = i % 2 == 0 ? 0.02 : 0.03;
+    battlements.emplace_back(0.01 * i, low);
+    battlements.emplace_back(0.01 * (i + 1), low);
+  }
+  const Cut result = cut(box(), std::vector<Knife>{stroke_knife(battlements), parse_knife("across")});
+  expect_sound(result, box_volume);
+  double below = 0;
+  for (const CutPiece& piece : result.pieces) {
+    for (const glm::vec3& p : piece.position) {
+      if (p.y == 0) {
+        below += piece.volume;
+        break;
+      }
+    }
+  }
+  EXPECT_NEAR(below, 0.06 * 0.06 * 0.0225, 2e-9) << "merlons above the level half are pieces of their own";
+}
+
+TEST(Stroke, CrinkledSlices) {
+  const DiffusionSurfaces ball = shapes::sphere(0.03, 10, shapes::skin_paint());
+  const Cut result = cut(ball, std::vector<Knife>{parse_knife("crinkle:15mm")}, {.coarsest = 0.2, .finest = 0.05});
+  expect_sound(result, volume_of(cut(ball, {})));
+  EXPECT_GE(result.pieces.size(), 4u);
+}
+
+TEST(Stroke, CrossingItselfIsAnError) {
+  EXPECT_TRUE(crosses_itself({{0, 0}, {2, 0}, {1, 1}, {1, -1}}, {0, 0}, 0));
+  EXPECT_FALSE(crosses_itself({{0, 0}, {2, 0}, {2, 1}, {1, 0.5}}, {0, 0}, 0));
+  EXPECT_TRUE(crosses_itself({{0, 0}, {2, 0}, {2, 1}, {1, 0.5}}, {0, 0}, 5)) << "where it goes on straight";
+  EXPECT_THROW(cut(box(), std::vector<Knife>{stroke_knife({{0, 0}, {0.02, 0}, {0.02, 0.01}, {0.01, 0.005}})}), Error);
+}
+
+/// A file in a folder that is removed again.
+class StrokeFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) / "pomona_stroke_test";
+    std::filesystem::create_directories(folder_);
+    std::ofstream(folder_ / "knife.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg">
+      <path id="wave" d="M -10,-20 L 0,-25 10,-20"/>
+      <path id="loop" d="M 0,0 L 20,0 10,10 10,-10"/>
+      <path id="closed" d="M 0,0 L 20,0 10,10 Z"/>
+      <path id="two" d="M 0,0 L 20,0 M 10,10 L 10,20"/>
+    </svg>)";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string message(const std::string& text, ExitStatus status) {
+    try {
+      parse_knife(text, folder_);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.status(), status) << text;
+      return error.what();
+    }
+    ADD_FAILURE() << text << " is accepted";
+    return {};
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(StrokeFile, IsReadInMillimetresWithYUpwards) {
+  const Knife knife = parse_knife("stroke:knife.svg#wave", folder_);
+  ASSERT_EQ(knife.stroke.size(), 3u);
+  EXPECT_NEAR(knife.stroke[1].y, 0.025, 1e-9);
+  EXPECT_NEAR(parse_knife("stroke:knife.svg#wave,scale=2mm", folder_).stroke[0].x, -0.02, 1e-9);
+}
+
+TEST_F(StrokeFile, SaysWhatIsWrongAndWhere) {
+  EXPECT_THAT(message("stroke:knife.svg#loop", ExitStatus::bad_data), testing::HasSubstr("crosses itself"));
+  EXPECT_THAT(message("stroke:knife.svg#loop", ExitStatus::bad_data), testing::HasSubstr("knife.svg:3:"));
+  EXPECT_THAT(message("stroke:knife.svg#closed", ExitStatus::bad_data), testing::HasSubstr("closed"));
+  EXPECT_THAT(message("stroke:knife.svg#two", ExitStatus::bad_data), testing::HasSubstr("not one line"));
+  EXPECT_THAT(message("stroke:knife.svg#wvae", ExitStatus::bad_data), testing::HasSubstr("no path"));
+  message("stroke:other.svg#wave", ExitStatus::input_missing);
+  message("stroke:knife.svg", ExitStatus::usage);
+  message("stroke:#wave", ExitStatus::usage);
+  message("stroke:knife.svg#", ExitStatus::usage);
+  message("stroke:knife.svg#wave,scale=0mm", ExitStatus::usage);
+  message("stroke:knife.svg#wave,turn=3", ExitStatus::usage);
+}
+
+}  // namespace
+}  // namespace pomona
