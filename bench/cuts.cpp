@@ -57,11 +57,11 @@ DiffusionSurfaces thinned(const DiffusionSurfaces& fruit, int triangles) {
   for (std::size_t t = 0; t < fruit.triangle_count(); ++t) {
     if (fruit.is_boundary(t)) ++boundary[parts.root(welded[fruit.triangle[t].x])];
   }
-  std::uint32_t skin = 0;  // the largest part of the boundary
+  std::uint32_t skin = 0;  // the largest part of the boundary; what is not much smaller stays, too
   for (const auto& [part, count] : boundary) {
     if (count > boundary[skin]) skin = part;
   }
-  const int small = std::min(triangles / 10, size[skin] - 1);
+  const int small = std::min(triangles / 10, size[skin] / 8);
   int in_small = 0, in_large = 0;
   for (const auto& [part, count] : size) (count <= small ? in_small : in_large) += count;
   const double share = std::clamp((triangles - in_large) / std::max(1.0, double(in_small)), 0.02, 1.0);
