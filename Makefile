@@ -36,7 +36,7 @@ golden-renew: build ## keeps what is drawn now as golden pictures: NAME="onion_h
 	@scripts/setup.sh test programs
 	@scripts/golden.py renew $(NAME) --programs --reason "$(REASON)"
 
-mutants: ## seeds faults into the program and asks the golden pictures: docs/mutants.md; an hour
+mutants: ## seeds faults into the program and asks the golden pictures: docs/mutants.md; a quarter of an hour
 	@scripts/setup.sh build test programs
 	nice scripts/mutants.py
 

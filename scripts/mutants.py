@@ -58,16 +58,19 @@ def check_all(mutants):
     return 1 if wrong else 0
 
 
-def key_of(mutant, asked, source):
-    return hashlib.sha256(json.dumps([mutant, asked, source]).encode()).hexdigest()
+def key_of(mutant, files, source):
+    """Of all that a result depends on."""
+    runs = [{**run, "shows": ""} for run in golden.declared_runs() if set(files) & set(run["goldens"])]
+    pictures = [hashlib.sha256((golden.GOLDEN / file).read_bytes()).hexdigest() for file in files]
+    return hashlib.sha256(json.dumps([mutant, runs, pictures, source]).encode()).hexdigest()
 
 
 def source_hash():
-    """Of all that a result depends on."""
+    """Of the program, and of the fruit and scenes that are drawn."""
     total = hashlib.sha256()
     for part in PARTS:
         for path in sorted(p for p in [ROOT / part, *(ROOT / part).rglob("*")] if p.is_file()):
-            if path.name not in ("mutants.toml", "REASONS.md"):
+            if path.parent != ROOT / "tests" / "golden" or path.name.startswith("pile."):
                 total.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes())
     return total.hexdigest()
 
@@ -120,6 +123,8 @@ def try_out(mutant, files, comparer):
         target.write_text(mutated(mutant, sound), encoding="utf-8")
         build()
         return judge(mutant, files, comparer)
+    except RuntimeError as error:
+        sys.exit(f"mutants.py: error: {mutant['name']}: {error}")
     finally:
         target.write_text(sound, encoding="utf-8")
 
