@@ -8,6 +8,11 @@ uniform sampler2D depth;
 uniform sampler2D albedo;
 uniform sampler2D normal_line;
 uniform sampler2D light;
+uniform bool translucent;
+uniform sampler2D arrives;  // sunlight through the fruit
+uniform sampler2D leaves;
+uniform bool hairy;
+uniform sampler2D hairs;  // before all else
 uniform sampler2D glass;  // all layers of what is see-through
 uniform int samples_per_side;
 uniform bool see_through;
@@ -25,31 +30,34 @@ uniform sampler2D guide_shares;  // of each detail
 layout(location = 0) out vec4 picture;
 
 // The coarser light of the neighbour that lies at the sample's own distance.
-vec2 light_at(ivec2 pixel, float distance_to) {
+Seen light_at(ivec2 pixel, float distance_to) {
   ivec2 size = textureSize(light, 0);
+  ivec2 from = pixel;
   vec4 best = texelFetch(light, pixel, 0);
   float error = abs(best.z - distance_to);
-  if (error < 0.01 * distance_to) return best.xy;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 8 && error >= 0.01 * distance_to; ++i) {
     int k = i < 4 ? i : i + 1;
-    vec4 other = texelFetch(light, clamp(pixel + ivec2(k % 3 - 1, k / 3 - 1), ivec2(0), size - 1), 0);
+    ivec2 there = clamp(pixel + ivec2(k % 3 - 1, k / 3 - 1), ivec2(0), size - 1);
+    vec4 other = texelFetch(light, there, 0);
     if (abs(other.z - distance_to) < error) {
       error = abs(other.z - distance_to);
       best = other;
+      from = there;
     }
   }
-  return best.xy;
+  if (!translucent) return Seen(best.x, best.y, vec3(0.0), vec3(0.0));
+  return Seen(best.x, best.y, texelFetch(arrives, from, 0).rgb, texelFetch(leaves, from, 0).rgb);
 }
 
 vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground, float grain_here) {
   float d = texelFetch(depth, at, 0).r;
   if (d == 1.0) return ground;
   float distance_to = distance_from_depth(d);
-  vec2 seen = light_at(pixel, distance_to);
+  Seen seen = light_at(pixel, distance_to);
   uint id = texelFetch(ids, at, 0).r;
   if (instance_of(id) == 0u) {
     // The table is the paper, with a wash of shadow on it.
-    return ground * mix(shadow_color, vec3(1.0), seen.y) * mix(0.82 * shadow_color, vec3(1.0), seen.x);
+    return ground * mix(shadow_color, vec3(1.0), seen.sun) * mix(0.82 * shadow_color, vec3(1.0), seen.sky);
   }
   vec2 ndc = 2.0 * (vec2(at) + 0.5) / size - 1.0;
   vec3 ray = vec3(ndc * tangent, -1.0) * distance_to;
@@ -60,13 +68,14 @@ vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground, float grain_her
   vec3 fruit_position = in_fruit(instance_of(id), (camera_to_scene * vec4(ray, 1.0)).xyz);
   float footprint = pixel_angle * distance_to / max(dot(normal, to_eye), 0.3);
   int solid = int(pen_of(instance_of(id)).z);
-  vec3 plain = texelFetch(albedo, at, 0).rgb;
-  vec3 color = modulated(plain, fruit_position, footprint, solid);
+  vec4 plain = texelFetch(albedo, at, 0);
+  vec3 color = modulated(plain.rgb, fruit_position, footprint, solid);
 #ifdef DETAILED
-  color = detailed(color, plain, fruit_position, footprint, solid, is_cut(id), texelFetch(guide_ways, at, 0),
+  color = detailed(color, plain.rgb, fruit_position, footprint, solid, is_cut(id), texelFetch(guide_ways, at, 0),
                    texelFetch(guide_shares, at, 0));
 #endif
-  return painted(fruit_color(color, normal, to_eye, seen, is_cut(id)), grain_here);
+  Material material = material_at(plain.a);
+  return painted(fruit_color(color, normal, to_eye, seen, is_cut(id), material, fruit_position, footprint), grain_here);
 }
 
 void main() {
@@ -84,6 +93,10 @@ void main() {
       vec3 color = sample_color(at, size, pixel, ground, grain_here);
       if (see_through) {
         vec4 before = texelFetch(glass, at, 0);
+        color = before.rgb + (1.0 - before.a) * clamp(color, 0.0, 1.0);
+      }
+      if (hairy) {
+        vec4 before = texelFetch(hairs, at, 0);
         color = before.rgb + (1.0 - before.a) * clamp(color, 0.0, 1.0);
       }
       sum += clamp(color, 0.0, 1.0);

@@ -1,4 +1,6 @@
 // How a surface takes the light.
+#include "material.glsl"
+
 uniform vec3 to_light;  // unit, scene
 uniform float gloss;
 uniform vec2 light_strengths;  // of the light, of what comes from all sides
@@ -7,26 +9,101 @@ const vec3 sun = vec3(0.74, 0.70, 0.62);
 const vec3 sky = vec3(0.47, 0.50, 0.54);
 const vec3 bounce = vec3(0.40, 0.36, 0.31);
 
-// A skin shines a little; a cut face is just moist.
-float shine(vec3 n, vec3 to_eye, bool cut) {
-  float spot = max(dot(n, normalize(to_light + to_eye)), 0.0);
-  return cut ? 0.035 * pow(spot, 24.0) : 0.16 * pow(spot, 70.0) + 0.07 * pow(spot, 14.0);
+// What is known of the light at a place: how much of the sky and of the sun reaches it, and of each colour of the
+// sunlight the share that comes to it through the fruit, and that would leave the fruit behind it.
+struct Seen {
+  float sky, sun;
+  vec3 arrives, leaves;
+};
+
+// Sunlight on a face, soft and wrapped.
+float wrapped(float cosine) { return clamp((cosine + 0.35) / 1.35, 0.0, 1.0); }
+
+// The share of the light that goes in deep where a part lets light in.
+float let_in(float depth) { return 0.85 * depth / (depth + 0.001); }
+
+vec3 sky_at(float up, float seen) {
+  return light_strengths.y * mix(bounce, sky, 0.5 + 0.5 * up) * mix(0.2, 1.0, seen);
 }
 
-// `seen`: how much of the sky and of the light reaches the place.
-vec3 dull_color(vec3 color, vec3 n, vec2 seen, bool cut) {
-  // Soft, wrapped light; on cut faces flatter still, so that their colours are what one sees.
-  float key = clamp((dot(n, to_light) + 0.35) / 1.35, 0.0, 1.0);
+vec3 dull_color(vec3 color, vec3 n, Seen seen, bool cut, float depth) {
+  // On cut faces flatter still, so that their colours are what one sees.
+  float key = wrapped(dot(n, to_light));
   if (cut) key = mix(key, 0.8, 0.45);
-  float lit = key * mix(0.12, 1.0, seen.y) * mix(0.7, 1.0, seen.x);
-  vec3 ambient = light_strengths.y * mix(bounce, sky, 0.5 + 0.5 * n.y) * mix(0.2, 1.0, seen.x);
-  vec3 received = ambient + light_strengths.x * lit * sun;
+  float open_sky = mix(0.7, 1.0, seen.sky);
+  float lit = key * mix(0.12, 1.0, seen.sun) * open_sky;
+
+  // What passes through is taken from where it goes in and given where it comes out, less what the wrapped light there
+  // has already, and less a tenth that is absorbed.
+  float beyond = max(wrapped(-dot(n, to_light)) - wrapped(dot(n, to_light)), 0.0);
+  vec3 within = 0.9 * let_in(depth) * seen.arrives * beyond * open_sky;
+  vec3 direct = lit * (1.0 - let_in(depth) * seen.leaves) + within;
+  vec3 received = sky_at(n.y, seen.sky) + light_strengths.x * sun * direct;
 
   // In the shade colours grow deeper, not greyer.
   float shade = clamp(1.0 - dot(received, vec3(0.33)), 0.0, 1.0);
   return pow(max(color, 1e-4), vec3(1.0 + 0.22 * shade)) * received;
 }
 
-vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, vec2 seen, bool cut) {
-  return dull_color(color, n, seen, cut) + gloss * shine(n, to_eye, cut) * seen.y * vec3(1.0, 0.98, 0.94);
+vec3 dull_color(vec3 color, vec3 n, vec2 seen, bool cut) {
+  return dull_color(color, n, Seen(seen.x, seen.y, vec3(0.0), vec3(0.0)), cut, 0.0);
+}
+
+// The light as a window with two bars: what a smooth skin shows of it.
+float window(vec3 n, vec3 to_eye, float roughness) {
+  vec3 seen = reflect(-to_eye, n);
+  vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), to_light) + vec3(1e-5, 0.0, 0.0)), up = cross(to_light, right);
+  vec2 at = vec2(dot(seen, right), dot(seen, up));
+  float soft = 0.04 + 0.5 * roughness;
+  vec2 pane = smoothstep(-soft, soft, vec2(0.15, 0.21) - abs(at));
+  vec2 bar = 1.0 - 0.55 * exp(-(at * at) / (0.0009 + 0.25 * soft * soft)) * clamp(1.4 - 10.0 * roughness, 0.0, 1.0);
+  return dot(seen, to_light) > 0.0 ? pane.x * pane.y * bar.x * bar.y : 0.0;
+}
+
+// A skin of ordinary roughness shines a little, a smooth one shows a window, a rough one a wide sheen.
+float skin_shine(vec3 n, vec3 to_eye, float roughness) {
+  float spot = max(dot(n, normalize(to_light + to_eye)), 0.0);
+  float sharp = 6.3 / (roughness * roughness);
+  float smooth_skin = smoothstep(0.28, 0.14, roughness);
+  float lobes = 0.16 * min(0.3 / roughness, 1.6) * pow(spot, sharp) + 0.07 * pow(spot, 0.2 * sharp);
+  return mix(lobes, 0.06 * pow(spot, 14.0) + 0.42 * window(n, to_eye, roughness), smooth_skin);
+}
+
+// A cut face is just moist: a broad sheen, and in it small bright highlights where the flesh stands up.
+float cut_shine(vec3 n, vec3 to_eye, vec3 position, float footprint) {
+  float spot = max(dot(n, normalize(to_light + to_eye)), 0.0);
+  float sheen = 0.035 * pow(spot, 24.0);
+  float chance = pow(spot, 6.0) * (1.0 - smoothstep(0.25, 0.6, 1300.0 * footprint));
+  if (chance < 0.02) return sheen;
+  float bump = gradient_noise(position * 1300.0, 411u) + 0.6 * gradient_noise(position * 310.0, 412u);
+  float edge = 0.98 - 0.42 * chance;
+  return sheen + 0.30 * smoothstep(edge, edge + 0.25, bump);
+}
+
+float shine(vec3 n, vec3 to_eye, bool cut) {
+  return cut ? 0.035 * pow(max(dot(n, normalize(to_light + to_eye)), 0.0), 24.0) : skin_shine(n, to_eye, 0.3);
+}
+
+// `position`: in the fruit, metres; a pixel covers `footprint` metres of it.
+vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, Seen seen, bool cut, Material m, vec3 position, float footprint) {
+  float cosine = clamp(dot(n, to_eye), 0.0, 1.0);
+  float veil = cut ? 0.0 : bloom_cover(m, position, cosine);
+  color = mix(color, m.bloom.rgb, veil);
+  vec3 dull = dull_color(color, n, seen, cut, m.depth);
+  if (cut) {
+    return dull + gloss * m.wet * cut_shine(n, to_eye, position, footprint) * seen.sun * vec3(1.0, 0.98, 0.94);
+  }
+
+  // Of hairs too fine to be drawn one sees most where they are seen through each other, along the rim.
+  float rim = 1.0 - cosine;
+  float hairs = m.fuzz.a * rim * rim * rim;
+  float on_side = mix(0.3, 1.0, seen.sun) * wrapped(dot(n, to_light) + 0.35);
+  vec3 on_hairs = sky_at(0.4 + 0.5 * n.y, seen.sky) + light_strengths.x * sun * on_side;
+  dull = mix(dull, 1.1 * m.fuzz.rgb * on_hairs, hairs);
+
+  // At a slant even a dull skin reflects the sky.
+  float slant = rim * rim * rim * rim * rim;
+  vec3 reflected = sky_at(reflect(-to_eye, n).y, seen.sky) * slant * 0.5 * smoothstep(0.5, 0.1, m.roughness);
+  float polish = gloss * m.gloss * (1.0 - 0.8 * veil) * (1.0 - m.fuzz.a);
+  return dull + polish * (skin_shine(n, to_eye, m.roughness) * seen.sun * vec3(1.0, 0.98, 0.94) + reflected);
 }

@@ -1,4 +1,4 @@
-// What the later passes want to know: the plain colour, normal, id. Nothing dear: most of what is drawn here is hidden
+// What the later passes want to know: the plain colour and the material, normal, id. Nothing dear: most of what is drawn here is hidden
 // again, or too small to fill a block of pixels.
 #include "gbuffer.glsl"
 
@@ -8,6 +8,7 @@ uniform usamplerBuffer triangle_tags;
 
 in vec3 scene_normal;
 in vec3 plain_color;
+flat in float material_number;
 
 layout(location = 0) out vec4 albedo;
 layout(location = 1) out vec4 normal_line;
@@ -15,7 +16,7 @@ layout(location = 2) out uint id;
 
 void main() {
   vec3 n = normalize(scene_normal);
-  albedo = vec4(plain_color, 1.0);
+  albedo = vec4(plain_color, material_number);
   normal_line = vec4(gl_FrontFacing ? n : -n, 0.0);
   id = instance_id | texelFetch(triangle_tags, first_triangle + gl_PrimitiveID).r;
 }

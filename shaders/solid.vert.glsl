@@ -2,17 +2,20 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 color;
+layout(location = 3) in float material;
 
 uniform mat4 placement;  // fruit to scene
 uniform mat4 projection; // scene to clip space
 
 out vec3 scene_normal;
 out vec3 plain_color;
+flat out float material_number;
 
 invariant gl_Position;
 
 void main() {
   scene_normal = mat3(placement) * normal;
   plain_color = color;
+  material_number = material;
   gl_Position = projection * (placement * vec4(position, 1.0));
 }

@@ -82,6 +82,7 @@ std::vector<Solid> glass_surfaces(const GrownFruit& fruit, const Template& varia
     all[s].opacity = is_grain ? grain_opacity : opacity_at(reaches[s]);
     all[s].closed = true;  // both sides have triangles of their own, so neither needs to be seen from behind
     all[s].part_names = surfaces.part_names;
+    all[s].materials = materials_of(variant, surfaces.part_names);
     all[s].noise = variant.noise;
     all[s].ink = variant.ink;
     if (is_grain) all[s].ink.width *= grain_ink;

@@ -15,6 +15,7 @@ class SolidBuilder {
   SolidBuilder(const CutPiece& piece, const CrossSection& section, const Template& fruit)
       : piece_(piece), section_(section), fruit_(fruit) {
     solid_.part_names = section.part_names;
+    solid_.materials = materials_of(fruit, section.part_names);
     solid_.noise = fruit.noise;
     solid_.details = fruit.details;
     const auto on_skin = [](const DetailSketch& detail) { return detail.face == DetailFace::skin; };
@@ -98,6 +99,17 @@ class SolidBuilder {
 };
 
 }  // namespace
+
+std::vector<MaterialSketch> materials_of(const Template& fruit, const std::vector<std::string>& part_names) {
+  std::vector<MaterialSketch> materials;
+  if (fruit.materials.empty()) return materials;
+  for (const std::string& name : part_names) {
+    const auto at =
+        static_cast<std::size_t>(std::find(fruit.parts.begin(), fruit.parts.end(), name) - fruit.parts.begin());
+    materials.push_back(at < fruit.materials.size() ? fruit.materials[at] : MaterialSketch{});
+  }
+  return materials;
+}
 
 std::vector<Solid> solids(const Cut& cut, const CrossSection& colored_section, const Template& fruit,
                           const std::string& name) {

@@ -37,6 +37,7 @@ struct Solid {
   std::vector<InkSegment> ink_segments;
 
   std::vector<std::string> part_names;
+  std::vector<MaterialSketch> materials;  ///< per part; fewer: the others have the default
   NoiseStyle noise;
   std::vector<DetailSketch> details;
   InkStyle ink;
@@ -51,6 +52,15 @@ struct Solid {
   /// What coloured the cut faces, for textures; null where nobody wants any (generator/scene/section_colors.h).
   std::shared_ptr<const SectionColors> section_colors;
 };
+
+/// The material of one of a solid's parts.
+inline MaterialSketch material_of(const Solid& solid, std::int32_t part) {
+  const auto index = static_cast<std::size_t>(part);
+  return part >= 0 && index < solid.materials.size() ? solid.materials[index] : MaterialSketch{};
+}
+
+/// The template's materials, in the order of these parts.
+std::vector<MaterialSketch> materials_of(const Template& fruit, const std::vector<std::string>& part_names);
 
 /// The pieces of a cut whose section has been coloured. `name` becomes the prefix of theirs.
 std::vector<Solid> solids(const Cut& cut, const CrossSection& colored_section, const Template& fruit,

@@ -8,6 +8,7 @@
 #include "generator/template/bend_strain.h"
 #include "generator/template/read_detail.h"
 #include "generator/template/read_grains.h"
+#include "generator/template/read_material.h"
 #include "generator/template/read_mesh.h"
 #include "generator/template/read_name.h"
 #include "generator/template/read_ripeness.h"
@@ -162,6 +163,7 @@ Template parse_template(std::string_view toml, const std::string& file) {
   }
   if (root.has("bend")) read_bend_of(fruit, root.get("bend"));
   if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table());
+  if (root.has("material")) fruit.materials = read_materials(root.get("material").table(), fruit.parts);
   if (root.has("noise")) fruit.noise = read_noise(root.get("noise").table());
   if (root.has("detail")) fruit.details = read_details(root.get("detail"), fruit);
   if (root.has("ink")) fruit.ink = read_ink(root.get("ink").table());

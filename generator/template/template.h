@@ -12,6 +12,7 @@
 #include "generator/template/grain_sketch.h"
 #include "generator/template/individual.h"
 #include "generator/template/ink_style.h"
+#include "generator/template/material_sketch.h"
 #include "generator/template/mesh_sketch.h"
 #include "generator/template/noise_style.h"
 #include "generator/template/proportions.h"
@@ -45,9 +46,10 @@ struct Template {
   std::vector<SurfaceSketch> surfaces;
   std::vector<MeshSketch> meshes;  ///< after the drawn surfaces
   std::vector<GrainSketch> grains;
-  AxisBend bend;              ///< of the axis along which the curves are drawn straight
-  Proportions proportions;    ///< set in variants: how they differ from the drawing
-  VariationSketch variation;  ///< what varies besides the horizontal curves
+  AxisBend bend;                          ///< of the axis along which the curves are drawn straight
+  Proportions proportions;                ///< set in variants: how they differ from the drawing
+  VariationSketch variation;              ///< what varies besides the horizontal curves
+  std::vector<MaterialSketch> materials;  ///< one per part, or none
   NoiseStyle noise;
   std::vector<DetailSketch> details;  ///< at most most_details_of_a_face of each kind of face
   InkStyle ink;

@@ -1,16 +1,20 @@
 #include "render/export/gltf.h"
 
 #include <tiny_gltf.h>
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
+#include <tuple>
 
 #include <glm/gtc/quaternion.hpp>
 
 #include "generator/base/error.h"
 #include "generator/scene/piece_facts.h"
+#include "render/export/pbr_look.h"
 #include "render/picture/png.h"
 #include "render/picture/view_frame.h"
 
@@ -53,9 +57,9 @@ class GlbModel {
     model_.defaultScene = 0;
   }
 
-  int add_mesh(const Solid& solid, const StyledMesh& styled, int material);
-  int add_material(const Solid& solid);
-  int add_textured_material(const Solid& solid, const Image& texture);
+  /// `texture`: of add_texture(), or nothing where vertices have colours.
+  int add_mesh(const Solid& solid, const StyledMesh& styled, std::optional<int> texture = {});
+  int add_texture(const Solid& solid, const Image& picture);
   void add_instance(const Instance& instance, int mesh);
   void add_camera(const View& view);
   void set_provenance(const std::string& text);
@@ -64,12 +68,15 @@ class GlbModel {
  private:
   int add_view(const void* data, std::size_t size, std::size_t stride, int target);
   int add_attribute(int view, std::size_t offset, std::size_t count, int component, int type);
-  int add_indices(const StyledMesh& styled);
   int smooth_sampler();
+  int add_vertices(const StyledMesh& styled, tinygltf::Primitive& primitive);
+  int add_indices(const std::vector<glm::uvec3>& triangle, std::size_t vertices);
+  int add_material(const Solid& solid, const PbrLook& look, std::optional<int> texture);
+  void add_extensions(tinygltf::Material& material, const PbrLook& look);
   void add_root(tinygltf::Node node);
 
   tinygltf::Model model_;
-  std::map<std::pair<bool, float>, int> materials_;
+  std::map<std::tuple<bool, float, PbrLook, std::optional<int>>, int> materials_;
 };
 
 int GlbModel::add_view(const void* data, std::size_t size, std::size_t stride, int target) {
@@ -99,26 +106,26 @@ int GlbModel::add_attribute(int view, std::size_t offset, std::size_t count, int
   return static_cast<int>(model_.accessors.size()) - 1;
 }
 
-int GlbModel::add_indices(const StyledMesh& styled) {
-  const std::size_t count = 3 * styled.triangle.size();
-  const auto* indices = &styled.triangle.front().x;
-  if (styled.position.size() > 65535) {
+int GlbModel::add_indices(const std::vector<glm::uvec3>& triangle, std::size_t vertices) {
+  const std::size_t count = 3 * triangle.size();
+  const auto* indices = &triangle.front().x;
+  if (vertices > 65535) {
     const int view = add_view(indices, 4 * count, 0, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     return add_attribute(view, 0, count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
   }
   std::vector<std::uint16_t> narrow(count);
-  for (std::size_t t = 0; t < styled.triangle.size(); ++t)
-    for (int k = 0; k < 3; ++k) narrow[3 * t + k] = static_cast<std::uint16_t>(styled.triangle[t][k]);
+  for (std::size_t t = 0; t < triangle.size(); ++t)
+    for (int k = 0; k < 3; ++k) narrow[3 * t + k] = static_cast<std::uint16_t>(triangle[t][k]);
   const int view = add_view(narrow.data(), 2 * count, 0, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
   return add_attribute(view, 0, count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
 }
 
-/// Dull like flesh. Open meshes show both sides.
-tinygltf::Material material_of(const Solid& solid) {
+/// Open meshes show both sides.
+tinygltf::Material material_of(const Solid& solid, const PbrLook& look) {
   tinygltf::Material material;
   material.doubleSided = !solid.closed;
   material.pbrMetallicRoughness.metallicFactor = 0;
-  material.pbrMetallicRoughness.roughnessFactor = 0.6;
+  material.pbrMetallicRoughness.roughnessFactor = look.roughness;
   if (solid.opacity < 1) {
     material.alphaMode = "BLEND";
     material.pbrMetallicRoughness.baseColorFactor = {1, 1, 1, static_cast<double>(solid.opacity)};
@@ -126,14 +133,47 @@ tinygltf::Material material_of(const Solid& solid) {
   return material;
 }
 
-/// White, so that the vertex colours speak; shared by all solids that look alike.
-int GlbModel::add_material(const Solid& solid) {
-  const auto [entry, is_new] =
-      materials_.try_emplace({solid.closed, solid.opacity}, static_cast<int>(model_.materials.size()));
-  if (is_new) {
-    model_.materials.push_back(material_of(solid));
-    model_.materials.back().name = solid.opacity < 1 ? "see-through" : solid.closed ? "fruit" : "open fruit";
+tinygltf::Value value_of(const std::array<double, 3>& color) {
+  tinygltf::Value::Array numbers;
+  for (const double channel : color) numbers.emplace_back(channel);
+  return tinygltf::Value(numbers);
+}
+
+/// What glTF itself cannot say. No viewer needs to understand it.
+void GlbModel::add_extensions(tinygltf::Material& material, const PbrLook& look) {
+  const auto add = [&](const std::string& name, const tinygltf::Value::Object& factors) {
+    material.extensions[name] = tinygltf::Value(factors);
+    std::vector<std::string>& used = model_.extensionsUsed;
+    if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+  };
+  if (look.specular < 1) add("KHR_materials_specular", {{"specularFactor", tinygltf::Value(look.specular)}});
+  if (look.clearcoat > 0) {
+    add("KHR_materials_clearcoat", {{"clearcoatFactor", tinygltf::Value(look.clearcoat)},
+                                    {"clearcoatRoughnessFactor", tinygltf::Value(look.clearcoat_roughness)}});
   }
+  if (look.sheen_roughness > 0) {
+    add("KHR_materials_sheen",
+        {{"sheenColorFactor", value_of(look.sheen)}, {"sheenRoughnessFactor", tinygltf::Value(look.sheen_roughness)}});
+  }
+  if (look.transmission > 0) {
+    add("KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", tinygltf::Value(look.transmission)},
+                                               {"diffuseTransmissionColorFactor", value_of(look.transmission_color)}});
+  }
+}
+
+/// Shared by all that looks alike. White where vertices have colours, so that those speak.
+int GlbModel::add_material(const Solid& solid, const PbrLook& look, std::optional<int> texture) {
+  const auto [entry, is_new] =
+      materials_.try_emplace({solid.closed, solid.opacity, look, texture}, static_cast<int>(model_.materials.size()));
+  if (!is_new) return entry->second;
+  tinygltf::Material material = material_of(solid, look);
+  material.name = solid.opacity < 1 ? "see-through" : solid.closed ? "fruit" : "open fruit";
+  if (texture) {
+    material.name = solid.name;
+    material.pbrMetallicRoughness.baseColorTexture.index = *texture;
+  }
+  add_extensions(material, look);
+  model_.materials.push_back(material);
   return entry->second;
 }
 
@@ -149,9 +189,9 @@ int GlbModel::smooth_sampler() {
   return 0;
 }
 
-int GlbModel::add_textured_material(const Solid& solid, const Image& texture) {
+int GlbModel::add_texture(const Solid& solid, const Image& picture) {
   // The PNG goes into the buffer: handed over as pixels, tinygltf would write it as a data URI.
-  const std::string png = write_png(texture);
+  const std::string png = write_png(picture);
   tinygltf::Image image;
   image.name = solid.name;
   image.mimeType = "image/png";
@@ -160,13 +200,8 @@ int GlbModel::add_textured_material(const Solid& solid, const Image& texture) {
   source.source = static_cast<int>(model_.images.size());
   source.sampler = smooth_sampler();
   model_.images.push_back(image);
-
-  tinygltf::Material material = material_of(solid);
-  material.name = solid.name;
-  material.pbrMetallicRoughness.baseColorTexture.index = static_cast<int>(model_.textures.size());
   model_.textures.push_back(source);
-  model_.materials.push_back(material);
-  return static_cast<int>(model_.materials.size()) - 1;
+  return static_cast<int>(model_.textures.size()) - 1;
 }
 
 tinygltf::Value extras_of(const Solid& solid) {
@@ -192,13 +227,12 @@ tinygltf::Value extras_of(const Solid& solid) {
   return tinygltf::Value(extras);
 }
 
-int GlbModel::add_mesh(const Solid& solid, const StyledMesh& styled, int material) {
-  // Lay the vertices down once, and the attributes over them.
+/// Lays the vertices down once, and the attributes over them.
+int GlbModel::add_vertices(const StyledMesh& styled, tinygltf::Primitive& primitive) {
   const std::vector<GlbVertex> vertices = vertices_of(styled);
   const std::size_t count = vertices.size();
   const int view =
       add_view(vertices.data(), count * sizeof(GlbVertex), sizeof(GlbVertex), TINYGLTF_TARGET_ARRAY_BUFFER);
-  tinygltf::Primitive primitive;
   const auto attribute = [&](const char* name, std::size_t offset, int component, int type) {
     return primitive.attributes[name] = add_attribute(view, offset, count, component, type);
   };
@@ -212,6 +246,13 @@ int GlbModel::add_mesh(const Solid& solid, const StyledMesh& styled, int materia
   } else {
     attribute("TEXCOORD_0", offsetof(GlbVertex, color_or_uv), floats, TINYGLTF_TYPE_VEC2);
   }
+  return position;
+}
+
+int GlbModel::add_mesh(const Solid& solid, const StyledMesh& styled, std::optional<int> texture) {
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  const int position = add_vertices(styled, primitive);
 
   // glTF wants the bounds of positions.
   glm::vec3 low = styled.position.front(), high = low;
@@ -219,12 +260,14 @@ int GlbModel::add_mesh(const Solid& solid, const StyledMesh& styled, int materia
   model_.accessors[position].minValues = {low.x, low.y, low.z};
   model_.accessors[position].maxValues = {high.x, high.y, high.z};
 
-  primitive.indices = add_indices(styled);
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.material = material;
+  // One primitive for each look, all of the same vertices.
   tinygltf::Mesh mesh;
   mesh.name = solid.name;
-  mesh.primitives.push_back(primitive);
+  for (const LookGroup& group : groups_by_look(solid, styled)) {
+    primitive.indices = add_indices(group.triangle, styled.position.size());
+    primitive.material = add_material(solid, group.look, texture);
+    mesh.primitives.push_back(primitive);
+  }
   mesh.extras = extras_of(solid);
   model_.meshes.push_back(mesh);
   return static_cast<int>(model_.meshes.size()) - 1;
@@ -309,7 +352,7 @@ std::string write_glb(const Scene& scene, const ExportOptions& options) {
   for (std::size_t i = 0; i < styled.size(); ++i) {
     const Solid& solid = scene.solids[i];
     check_parts(solid);
-    if (!styled[i].triangle.empty()) mesh_of[i] = model.add_mesh(solid, styled[i], model.add_material(solid));
+    if (!styled[i].triangle.empty()) mesh_of[i] = model.add_mesh(solid, styled[i]);
   }
   return finished(model, scene, mesh_of, options.provenance);
 }
@@ -322,7 +365,7 @@ std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, con
     check_parts(solid);
     const StyledMesh mesh = textured_mesh(baked[i]);
     if (mesh.triangle.empty()) continue;
-    mesh_of[i] = model.add_mesh(solid, mesh, model.add_textured_material(solid, baked[i].texture));
+    mesh_of[i] = model.add_mesh(solid, mesh, model.add_texture(solid, baked[i].texture));
   }
   return finished(model, scene, mesh_of, options.provenance);
 }

@@ -6,6 +6,8 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "generator/base/reproducible.h"
+#include "render/export/pov_finish.h"
+#include "render/export/pov_hairs.h"
 #include "render/export/pov_mesh.h"
 #include "render/export/pov_text.h"
 #include "render/picture/view_frame.h"
@@ -50,31 +52,41 @@ std::string include_text(const std::string& name) {
          "\n#else\n  #error \"start POV-Ray in the folder of this file, or name that folder with +L\"\n#end #end\n";
 }
 
-std::string placed_text(const Instance& instance, double unit) {
+std::string placed_text(const char* what, const Instance& instance, double unit) {
   const glm::dmat3 m = glm::mat3_cast(glm::normalize(instance.pose.rotation));
   const glm::dvec3 t = instance.pose.translation / unit;
-  std::string text = "object { Mesh_" + std::to_string(instance.solid) + " matrix <";
+  std::string text = std::string("object { ") + what + std::to_string(instance.solid) + " matrix <";
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) text += number_text(m[column][row]) + ", ";
   return text + number_text(t.x) + ", " + number_text(t.y) + ", " + number_text(t.z) + "> } // " +
          commentable(instance.name) + "\n";
 }
 
-std::string scene_text(const Scene& scene, const std::string& include, const ExportOptions& options) {
+/// Subsurface light is dear: it takes hundreds of times as long. So it is asked for, with Declare=Subsurface=1.
+std::string settings_text(const Scene& scene, double unit) {
+  // Each surface that one sees through takes a step of a ray; POV-Ray allows five unless told.
+  const bool see_through =
+      std::any_of(scene.solids.begin(), scene.solids.end(), [](const Solid& solid) { return solid.opacity < 1; });
+  std::string text;
+  if (std::any_of(scene.solids.begin(), scene.solids.end(), is_translucent)) {
+    text += "// 1: light goes into flesh, for pictures that may take minutes (povray +A Declare=Subsurface=1 ...).\n";
+    text += "#ifndef (Subsurface) #declare Subsurface = 0; #end\n#if (Subsurface)\n  global_settings { mm_per_unit " +
+            number_text(std::round(1e6 * unit) / 1e3) + " subsurface { samples 16, 8 } }\n#end\n";
+  }
+  return text + "global_settings { assumed_gamma 1.0" + (see_through ? " max_trace_level 100" : "") + " }\n";
+}
+
+std::string scene_text(const Scene& scene, const Finishes& finishes, const std::string& include,
+                       const ExportOptions& options) {
   const ViewFrame frame = view_frame(scene.view);
   const int exponent = unit_exponent_for(frame);
   const double unit = power_of_ten(exponent);
   std::string text = "// Made by Pomona. " + commentable(options.provenance) + "\n#version 3.7;\n";
   text += "// Right-handed, +Y up; a unit is 1e" + std::to_string(exponent) + " metres. Colours are linear.\n";
-  // Each surface that one sees through takes a step of a ray; POV-Ray allows five unless told.
-  const bool see_through =
-      std::any_of(scene.solids.begin(), scene.solids.end(), [](const Solid& solid) { return solid.opacity < 1; });
-  text += std::string("global_settings { assumed_gamma 1.0") + (see_through ? " max_trace_level 100" : "") + " }\n";
-  text += "#declare Paper = rgb " + vector_text(glm::dvec3(scene.paper)) + ";\nbackground { Paper }\n\n";
+  text += settings_text(scene, unit) + "#declare Paper = rgb " + vector_text(glm::dvec3(scene.paper)) +
+          ";\nbackground { Paper }\n\n";
   text += camera_text(scene.view, frame, unit) + lights_text(scene.view, frame, unit);
-  text += "\n#declare Skin = finish { ambient 0.38 diffuse 0.75 specular 0.22 roughness 0.02 }\n";
-  text += "#declare Flesh = finish { ambient 0.42 diffuse 0.72 specular 0.06 roughness 0.05 }\n";
-  text += "#declare Ground = finish { ambient 0.32 diffuse 0.75 }\n\n";
+  text += "\n" + finishes.declarations() + "#declare Ground = finish { ambient 0.32 diffuse 0.75 }\n\n";
   if (scene.ground) text += "plane { y, 0 texture { pigment { Paper } finish { Ground } } }\n\n";
   return text + include_text(include) + "\n";
 }
@@ -86,20 +98,26 @@ std::vector<NamedFile> write_pov(const Scene& scene, const std::string& stem, co
   const std::vector<StyledMesh> styled = styled_meshes(scene, options);
   const int exponent = unit_exponent_for(view_frame(scene.view));
 
+  const Finishes finishes(scene);
+
   // Write the meshes, each by itself, and join them in order.
-  std::vector<std::string> texts(styled.size());
+  std::vector<std::string> texts(styled.size()), hairs(styled.size());
   parallel_for(texts.size(), options.threads, [&](std::size_t i) {
-    if (!styled[i].triangle.empty()) texts[i] = mesh_text(styled[i], scene.solids[i], i, exponent);
+    hairs[i] = hairs_text(scene.solids[i], i, exponent);
+    if (!styled[i].triangle.empty()) texts[i] = mesh_text(styled[i], scene.solids[i], finishes, i, exponent);
   });
   std::string meshes = "// Meshes of " + commentable(stem) + ".pov, made by Pomona.\n";
-  for (const std::string& text : texts) meshes += text;
+  for (std::size_t i = 0; i < texts.size(); ++i) meshes += texts[i] + hairs[i];
   if (!ink.strokes.empty()) meshes += ink_text(scene, ink, exponent);
 
   // Place them.
   const std::string include = stem + "_meshes.inc";
-  std::string main = scene_text(scene, include, options);
-  for (const Instance& instance : scene.instances)
-    if (!styled.at(instance.solid).triangle.empty()) main += placed_text(instance, power_of_ten(exponent));
+  std::string main = scene_text(scene, finishes, include, options);
+  const double unit = power_of_ten(exponent);
+  for (const Instance& instance : scene.instances) {
+    if (!styled.at(instance.solid).triangle.empty()) main += placed_text("Mesh_", instance, unit);
+    if (!hairs.at(instance.solid).empty()) main += placed_text("Fuzz_", instance, unit);
+  }
   if (!ink.strokes.empty())
     main += "\n// Right for this camera alone: leave it out when you move it.\nobject { Ink }\n";
   return {{stem + ".pov", std::move(main)}, {include, std::move(meshes)}};

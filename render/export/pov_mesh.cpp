@@ -10,7 +10,7 @@
 namespace pomona::pov {
 namespace {
 
-/// A colour as a mesh's texture has it: sRGB in steps, on skin or on a cut face.
+/// A colour as a mesh's texture has it: sRGB in steps; and the number of its finish.
 using TextureKey = std::array<int, 4>;
 
 /// POV-Ray has no colours at vertices but textures, about 1.4 KB each; so many a mesh may have.
@@ -23,7 +23,18 @@ struct Textures {
   std::vector<glm::ivec3> of_triangle;
 };
 
-Textures textures_in_steps(const StyledMesh& mesh, int steps) {
+/// The finish of each part, on skin and on cut faces.
+using FinishesOfParts = std::vector<std::array<int, 2>>;
+
+FinishesOfParts finishes_of_parts(const Solid& solid, const Finishes& finishes) {
+  FinishesOfParts of_part(std::max<std::size_t>(solid.part_names.size(), 1));
+  for (std::size_t part = 0; part < of_part.size(); ++part)
+    for (const int on_cut : {0, 1})
+      of_part[part][on_cut] = finishes.number(solid, static_cast<std::int32_t>(part), on_cut == 1);
+  return of_part;
+}
+
+Textures textures_in_steps(const StyledMesh& mesh, const FinishesOfParts& finishes, int steps) {
   // Quantise each vertex once; its curve costs more than the look-up.
   std::vector<glm::ivec3> quantised(mesh.color.size());
   for (std::size_t v = 0; v < quantised.size(); ++v)
@@ -36,7 +47,8 @@ Textures textures_in_steps(const StyledMesh& mesh, int steps) {
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const glm::ivec3& c = quantised[mesh.triangle[t][k]];
-      const TextureKey key{c.r, c.g, c.b, mesh.cut_face[t] >= 0 ? 1 : 0};
+      const std::int32_t part = mesh.part[mesh.triangle[t][k]];
+      const TextureKey key{c.r, c.g, c.b, finishes.at(part)[mesh.cut_face[t] >= 0 ? 1 : 0]};
       textures.of_triangle[t][k] =
           textures.number.try_emplace(key, static_cast<int>(textures.number.size())).first->second;
     }
@@ -45,12 +57,12 @@ Textures textures_in_steps(const StyledMesh& mesh, int steps) {
 }
 
 /// Colours in 63 steps a channel (an error of 2 in 255), or coarser where that makes too many.
-Textures textures_of(const StyledMesh& mesh) {
+Textures textures_of(const StyledMesh& mesh, const FinishesOfParts& finishes) {
   for (int steps = 63; steps > 7; steps = steps / 2) {
-    Textures textures = textures_in_steps(mesh, steps);
+    Textures textures = textures_in_steps(mesh, finishes, steps);
     if (textures.number.size() <= most_textures) return textures;
   }
-  return textures_in_steps(mesh, 7);
+  return textures_in_steps(mesh, finishes, 7);
 }
 
 void append_texture_list(std::string& text, const Textures& textures, float opacity) {
@@ -65,7 +77,7 @@ void append_texture_list(std::string& text, const Textures& textures, float opac
       text += number_text(std::round(linear * 10000) / 10000) + ",";
     }
     text += number_text(static_cast<double>(1.0f - opacity));
-    text += key[3] == 1 ? ">}finish{Flesh}}" : ">}finish{Skin}}";
+    text += ">}finish{" + Finishes::name(key[3]) + "}}";
   }
   text += "}\n";
 }
@@ -105,14 +117,16 @@ void append_faces(std::string& text, const StyledMesh& mesh, const Textures& tex
 
 }  // namespace
 
-std::string mesh_text(const StyledMesh& mesh, const Solid& solid, std::size_t index, int unit_exponent) {
+std::string mesh_text(const StyledMesh& mesh, const Solid& solid, const Finishes& finishes, std::size_t index,
+                      int unit_exponent) {
   const int step_exponent = exponent_for(largest_coordinate(mesh), 5);
-  const Textures textures = textures_of(mesh);
+  const Textures textures = textures_of(mesh, finishes_of_parts(solid, finishes));
   std::string text = "\n// " + commentable(solid.name) + "\n#declare Mesh_" + std::to_string(index) + " = mesh2 {\n";
   append_points(text, "vertex_vectors", mesh.position, power_of_ten(step_exponent));
   append_points(text, "normal_vectors", mesh.normal, 0.001);
   append_texture_list(text, textures, solid.opacity);
   append_faces(text, mesh, textures);
+  if (is_translucent(solid)) text += "interior { ior 1.35 }\n";
   return text + "scale 1e" + std::to_string(step_exponent - unit_exponent) + "\n}\n";
 }
 

@@ -3,13 +3,15 @@
 
 #include <string>
 
+#include "render/export/pov_finish.h"
 #include "render/export/styled_mesh.h"
 
 namespace pomona::pov {
 
-/// "#declare Mesh_<index> = mesh2 { ... }" in units of 10^unit_exponent metres, with the finishes Skin and Flesh. Whole
+/// "#declare Mesh_<index> = mesh2 { ... }" in units of 10^unit_exponent metres, with the scene's finishes. Whole
 /// numbers parse fastest and are shortest: positions are multiples of a millionth of the mesh's size or less, normals
 /// thousandths. Equal positions stay equal, so the mesh stays closed.
-std::string mesh_text(const StyledMesh& mesh, const Solid& solid, std::size_t index, int unit_exponent);
+std::string mesh_text(const StyledMesh& mesh, const Solid& solid, const Finishes& finishes, std::size_t index,
+                      int unit_exponent);
 
 }  // namespace pomona::pov

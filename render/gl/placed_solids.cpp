@@ -70,4 +70,19 @@ void PlacedSolids::draw_guides(const Program& program) const {
   }
 }
 
+bool PlacedSolids::any_hairs() const {
+  return std::any_of(uploaded_.parts.begin(), uploaded_.parts.end(),
+                     [](const UploadedSolids::Part& part) { return part.hair_vertices > 0; });
+}
+
+void PlacedSolids::draw_hairs(const Program& program) const {
+  uploaded_.hairs.bind();
+  for (const Instance& instance : scene_.instances) {
+    const UploadedSolids::Part& part = uploaded_.parts[instance.solid];
+    if (part.hair_vertices == 0) continue;
+    program.set("placement", matrix_of(instance.pose));
+    gl_->DrawArrays(GL_LINES, part.first_hair_vertex, part.hair_vertices);
+  }
+}
+
 }  // namespace pomona

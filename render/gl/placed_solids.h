@@ -23,8 +23,14 @@ class PlacedSolids {
   /// Per solid (shaders/detail.glsl); none where no solid has guides.
   const GlTexture* detail_styles() const { return uploaded_.guides ? &uploaded_.guides->styles : nullptr; }
 
+  /// Hairs on skins, of all solids that have some. Sets "placement".
+  void draw_hairs(const Program& program) const;
+  bool any_hairs() const;
+  bool any_translucent() const { return uploaded_.translucent; }
+
   const GlTexture& triangle_tags() const { return uploaded_.triangle_tags; }
   const GlTexture& noise_styles() const { return uploaded_.noise_styles; }
+  const GlTexture& materials() const { return uploaded_.materials; }
 
  private:
   const CurrentGl& gl_;

@@ -69,6 +69,7 @@ SceneLight light_of(const SceneCamera& camera, const SceneBall& ball, const Ligh
   const glm::vec3 up = std::fabs(light.to_light.y) > 0.99f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   const glm::mat4 view = glm::lookAt(ball.center + 2.0f * r * light.to_light, ball.center, up);
   light.to_clip = glm::ortho(-r, r, -r, r, 0.5f * r, 5.0f * r) * view;
+  light.box = {2 * r, 4.5f * r};
   return light;
 }
 

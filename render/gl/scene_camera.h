@@ -28,6 +28,7 @@ SceneCamera camera_of(const Scene& scene, const SceneBall& ball, double aspect);
 struct SceneLight {
   glm::vec3 to_light{0, 1, 0};  ///< unit, scene
   glm::mat4 to_clip{1};         ///< scene to the shadow map's clip space
+  glm::vec2 box{1};             ///< side and depth of that box, metres
 };
 
 SceneLight light_of(const SceneCamera& camera, const SceneBall& ball, const LightStyle& style);

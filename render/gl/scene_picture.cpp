@@ -47,7 +47,10 @@ struct Targets {
   std::optional<GlTexture> guide_ways, guide_shares;  // what guides texture detail, where there is any
   std::array<GlTexture, 2> light;                     // one per pixel: sky, light, distance
   GlTexture shadow;
-  GlTexture picture;  // one per pixel
+  std::optional<GlTexture> far_shadow;       // what lies farthest from the light, where anything is translucent
+  std::optional<GlTexture> arrives, leaves;  // one per pixel: sunlight through the fruit, likewise
+  std::optional<GlTexture> hairs;            // over the ink, where there are any
+  GlTexture picture;                         // one per pixel
 };
 
 /// Draws one scene; its passes in the order in which they run.
@@ -75,6 +78,8 @@ class ScenePainter {
     if (solids_.detail_styles()) draw_guides();
     if (solids_.any(Drawn::see_through)) draw_glass();
     look_for_light();
+    if (solids_.any_translucent()) look_through();
+    if (solids_.any_hairs()) draw_hairs();
     compose();
     return read_back();
   }
@@ -86,11 +91,16 @@ class ScenePainter {
   void draw_guides();
   void draw_glass();
   void look_for_light();
+  void look_through();
+  void cast_far_shadows(const GlTexture& map);
+  void draw_hairs();
+  void bind_materials(const Program& program) const;
   void compose();
   Image read_back();
 
   void fill(const GlFramebuffer& target, const glm::ivec2& size);
   void set_camera(const Program& program, const Surfaces& surfaces) const;
+  glm::mat4 to_light_box() const;
 
   const CurrentGl& gl_;
   const Scene& scene_;
@@ -224,14 +234,19 @@ void ScenePainter::set_camera(const Program& program, const Surfaces& surfaces) 
   instances_.bind(3);
 }
 
+/// From the camera to the shadow map's box, 0..1 each way.
+glm::mat4 ScenePainter::to_light_box() const {
+  const glm::mat4 to_unit(glm::vec4(0.5f, 0, 0, 0), glm::vec4(0, 0.5f, 0, 0), glm::vec4(0, 0, 0.5f, 0),
+                          glm::vec4(0.5f, 0.5f, 0.5f, 1));
+  return to_unit * light_.to_clip * glm::inverse(camera_.view);
+}
+
 void ScenePainter::look_for_light() {
   const glm::ivec2 size(options_.width, options_.height);
   const Program program(gl_, "fullscreen.vert.glsl", "light.frag.glsl");
   program.use();
   set_camera(program, targets_.opaque);
-  const glm::mat4 to_unit(glm::vec4(0.5f, 0, 0, 0), glm::vec4(0, 0.5f, 0, 0), glm::vec4(0, 0, 0.5f, 0),
-                          glm::vec4(0.5f, 0.5f, 0.5f, 1));
-  program.set("camera_to_light", to_unit * light_.to_clip * glm::inverse(camera_.view));
+  program.set("camera_to_light", to_light_box());
   program.set("reach", 0.16f * ball_.radius);
   program.set("light_size", static_cast<float>(style_.light.softness));
   program.set("strengths", glm::vec2(style_.light.occlusion, style_.shadow.strength));
@@ -255,6 +270,88 @@ void ScenePainter::look_for_light() {
   gl_.check("light and sky");
 }
 
+/// How much sunlight passes through each place, from what is nearest to the light and what is farthest from it.
+void ScenePainter::look_through() {
+  cast_far_shadows(targets_.far_shadow.emplace(gl_, GL_DEPTH_COMPONENT32F, shadow_side, shadow_side));
+  const glm::ivec2 size(options_.width, options_.height);
+  targets_.arrives.emplace(gl_, GL_RGBA16F, size.x, size.y);
+  targets_.leaves.emplace(gl_, GL_RGBA16F, size.x, size.y);
+  const Program program(gl_, "fullscreen.vert.glsl", "through.frag.glsl");
+  program.use();
+  set_camera(program, targets_.opaque);
+  program.set("camera_to_light", to_light_box());
+  program.set("light_box", light_.box);
+  program.set("slack", 0.004f * ball_.radius);
+  program.set("shadow_map", 4);
+  program.set("far_map", 5);
+  program.set("albedo", 6);
+  program.set("materials", 7);
+  targets_.shadow.bind(4);
+  targets_.far_shadow->bind(5);
+  targets_.opaque.albedo.bind(6);
+  solids_.materials().bind(7);
+  const std::array<const GlTexture*, 2> both{&*targets_.arrives, &*targets_.leaves};
+  fill(GlFramebuffer(gl_, both, nullptr), size);
+  gl_.check("light through the fruit");
+}
+
+void ScenePainter::cast_far_shadows(const GlTexture& map) {
+  const GlFramebuffer target(gl_, {}, &map);
+  target.bind(shadow_side, shadow_side);
+  const float near = 0;
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthFunc(GL_GREATER);
+  gl_->ClearBufferfv(GL_DEPTH, 0, &near);
+  const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl");
+  program.use();
+  program.set("projection", light_.to_clip);
+  if (solids_.any(Drawn::opaque)) solids_.draw(program, Drawn::opaque);
+  gl_->DepthFunc(GL_LESS);
+}
+
+/// Hairs stand before ink: they are found on a layer of their own.
+void ScenePainter::draw_hairs() {
+  const GlTexture& layer = targets_.hairs.emplace(gl_, GL_RGBA16F, targets_.samples.x, targets_.samples.y);
+  const std::array<const GlTexture*, 1> colors{&layer};
+  const GlFramebuffer target(gl_, colors, &targets_.opaque.depth);
+  target.bind(targets_.samples.x, targets_.samples.y);
+  const std::array<float, 4> empty{0, 0, 0, 0};
+  gl_->ClearBufferfv(GL_COLOR, 0, empty.data());
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthMask(GL_FALSE);
+  gl_->Enable(GL_BLEND);
+  gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+
+  const Program program(gl_, "hair.vert.glsl", "hair.frag.glsl");
+  program.use();
+  program.set("projection", camera_.projection * camera_.view);
+  program.set("view", camera_.view);
+  program.set("eye", glm::vec3(scene_.view.eye));
+  program.set("to_light", light_.to_light);
+  program.set("light_strengths", glm::vec2(style_.light.strength, style_.light.ambient));
+  program.set("sample_angle", 2.0f * camera_.tangent.y / static_cast<float>(targets_.samples.y));
+  program.set("light", 0);
+  targets_.light[0].bind(0);
+  solids_.draw_hairs(program);
+  gl_->Disable(GL_BLEND);
+  gl_->DepthMask(GL_TRUE);
+  gl_.check("the hairs");
+}
+
+/// What look_through() and draw_hairs() found, if they ran.
+void ScenePainter::bind_materials(const Program& program) const {
+  program.set("translucent", targets_.arrives ? 1 : 0);
+  program.set("hairy", targets_.hairs ? 1 : 0);
+  program.set("materials", 10);
+  solids_.materials().bind(10);
+  program.set("arrives", 6);
+  program.set("leaves", 8);
+  program.set("hairs", 11);
+  if (targets_.arrives) targets_.arrives->bind(6);
+  if (targets_.leaves) targets_.leaves->bind(8);
+  if (targets_.hairs) targets_.hairs->bind(11);
+}
+
 void ScenePainter::compose() {
   const std::array<const GlTexture*, 1> colors{&targets_.picture};
   const GlFramebuffer target(gl_, colors, nullptr);
@@ -273,6 +370,7 @@ void ScenePainter::compose() {
     program.set("guide_ways", 14), targets_.guide_ways->bind(14);
     program.set("guide_shares", 15), targets_.guide_shares->bind(15);
   }
+  bind_materials(program);
   program.set("see_through", targets_.glass ? 1 : 0);
   program.set("glass", 9);
   if (targets_.glass) targets_.glass->bind(9);

@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "generator/base/error.h"
+#include "generator/base/parallel.h"
 #include "render/gl/detail_texels.h"
+#include "render/gl/scene_materials.h"
+#include "render/style/hairs.h"
 #include "render/style/noise.h"
 
 namespace pomona {
@@ -24,28 +27,54 @@ struct Gathered {
   std::vector<glm::uvec3> triangle;
   std::vector<std::uint16_t> tag;
   std::vector<glm::vec4> noise;
+  std::vector<float> material;
+  SceneMaterials materials;
+  bool translucent = false;
+  std::vector<glm::vec3> hair_position, hair_along, hair_color;
+  std::vector<glm::vec4> hair_normal;
 };
 
-void append(const Solid& solid, bool with_noise, Gathered& all) {
+/// Two lines: from the root to the middle, on to the tip.
+void append(const Hair& hair, Gathered& all) {
+  const glm::vec3 points[3] = {hair.root, hair.middle, hair.tip};
+  for (const int k : {0, 1, 1, 2}) {
+    all.hair_position.push_back(points[k]);
+    all.hair_along.push_back(k == 2 ? hair.tip - hair.middle : k == 1 ? hair.tip - hair.root : hair.middle - hair.root);
+    all.hair_color.push_back(hair.color);
+    all.hair_normal.emplace_back(hair.normal, 0.5f * static_cast<float>(k));
+  }
+}
+
+void append(const Solid& solid, const std::vector<Hair>& hairs, bool with_noise, Gathered& all) {
   UploadedSolids::Part part;
   part.indices = static_cast<GLsizei>(3 * solid.triangle.size());
   part.first_index = 3 * all.triangle.size();
   part.first_vertex = static_cast<GLint>(all.position.size());
   part.first_triangle = static_cast<GLint>(all.tag.size());
+  part.first_hair_vertex = static_cast<GLint>(all.hair_position.size());
+  part.hair_vertices = static_cast<GLsizei>(4 * hairs.size());
 
   all.position.insert(all.position.end(), solid.position.begin(), solid.position.end());
   all.normal.insert(all.normal.end(), solid.normal.begin(), solid.normal.end());
   all.color.insert(all.color.end(), solid.color.begin(), solid.color.end());
   all.triangle.insert(all.triangle.end(), solid.triangle.begin(), solid.triangle.end());
   for (std::size_t t = 0; t < solid.triangle.size(); ++t) all.tag.push_back(tag_of(solid, t));
+  const std::vector<float> materials = all.materials.numbers_of(solid);
+  all.material.insert(all.material.end(), materials.begin(), materials.end());
+  all.translucent = all.translucent || lets_light_in(solid);
+  for (const Hair& hair : hairs) append(hair, all);
   const std::vector<glm::vec4> texels = noise_texels(with_noise ? solid.noise : NoiseStyle{});
   all.noise.insert(all.noise.end(), texels.begin(), texels.end());
   all.parts.push_back(part);
 }
 
 Gathered gathered_solids(const Scene& scene, const Style& style) {
+  std::vector<std::vector<Hair>> hairs(scene.solids.size());
+  parallel_for(scene.solids.size(), {}, [&](std::size_t i) {
+    if (scene.solids[i].opacity >= 1) hairs[i] = hairs_of(scene.solids[i]);
+  });
   Gathered all;
-  for (std::size_t i = 0; i < scene.solids.size(); ++i) append(scene.solids[i], style.noise, all);
+  for (std::size_t i = 0; i < scene.solids.size(); ++i) append(scene.solids[i], hairs[i], style.noise, all);
   return all;
 }
 
@@ -108,27 +137,43 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
   GlTexture tags(gl, GL_R16UI, tag_buffer);
   GlBuffer noise_buffer(gl, GL_TEXTURE_BUFFER, all.noise);
   GlTexture noise_styles(gl, GL_RGBA32F, noise_buffer);
+  GlBuffer material_buffer(gl, GL_TEXTURE_BUFFER, all.materials.texels());
+  GlTexture materials(gl, GL_RGBA32F, material_buffer);
   UploadedSolids solids{
       .parts = all.parts,
       .position = GlBuffer(gl, GL_ARRAY_BUFFER, all.position),
       .normal = GlBuffer(gl, GL_ARRAY_BUFFER, all.normal),
       .color = GlBuffer(gl, GL_ARRAY_BUFFER, all.color),
+      .material = GlBuffer(gl, GL_ARRAY_BUFFER, all.material),
       .index = GlBuffer(gl, GL_ARRAY_BUFFER, all.triangle),
+      .hair_position = GlBuffer(gl, GL_ARRAY_BUFFER, all.hair_position),
+      .hair_along = GlBuffer(gl, GL_ARRAY_BUFFER, all.hair_along),
+      .hair_color = GlBuffer(gl, GL_ARRAY_BUFFER, all.hair_color),
+      .hair_normal = GlBuffer(gl, GL_ARRAY_BUFFER, all.hair_normal),
       .tag_buffer = std::move(tag_buffer),
       .triangle_tags = std::move(tags),
       .noise_buffer = std::move(noise_buffer),
       .noise_styles = std::move(noise_styles),
+      .material_buffer = std::move(material_buffer),
+      .materials = std::move(materials),
+      .translucent = all.translucent,
       .solids = GlVertexArray(gl),
+      .hairs = GlVertexArray(gl),
       .guides = {},
   };
   solids.solids.attach(0, 3, solids.position);
   solids.solids.attach(1, 3, solids.normal);
   solids.solids.attach(2, 3, solids.color);
+  solids.solids.attach(3, 1, solids.material);
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());
   if (std::optional<UploadedSolids::Guides> guides = uploaded_guides(gl, scene, style, solids.position)) {
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());
     solids.guides.emplace(std::move(*guides));
   }
+  solids.hairs.attach(0, 3, solids.hair_position);
+  solids.hairs.attach(1, 3, solids.hair_along);
+  solids.hairs.attach(2, 3, solids.hair_color);
+  solids.hairs.attach(3, 4, solids.hair_normal);
   gl.check("handing over the solids");
   return solids;
 }

@@ -17,14 +17,20 @@ struct UploadedSolids {
     std::size_t first_index = 0;
     GLint first_vertex = 0;
     GLint first_triangle = 0;  ///< in triangle_tags
+    GLint first_hair_vertex = 0;
+    GLsizei hair_vertices = 0;
   };
   std::vector<Part> parts;
-  GlBuffer position, normal, color, index;
+  GlBuffer position, normal, color, material, index;
+  GlBuffer hair_position, hair_along, hair_color, hair_normal;
   GlBuffer tag_buffer;
   GlTexture triangle_tags;  ///< per triangle: the low 12 bits of its id (shaders/gbuffer.glsl)
   GlBuffer noise_buffer;
   GlTexture noise_styles;  ///< per solid noise_texels texels (shaders/noise.glsl)
-  GlVertexArray solids;
+  GlBuffer material_buffer;
+  GlTexture materials;       ///< shaders/material.glsl
+  bool translucent = false;  ///< whether light passes through any solid
+  GlVertexArray solids, hairs;
 
   /// What guides texture detail, where any solid has it.
   struct Guides {

@@ -15,7 +15,7 @@ struct SectionPictureOptions {
   int width = 800;
   int height = 600;
   double margin = 0.05;  ///< around all faces and between them, share of the shorter side
-  PlateText text;        ///< what a plate says
+  PlateText text = {};   ///< what a plate says
   Threads threads{};
 };
 

@@ -25,13 +25,14 @@ std::string content(const fs::path& file) {
 }
 
 /// Writes the scene into a folder of its own and runs `povray STEM.pov` there.
-Image rendered(const Scene& scene, const std::string& stem) {
+Image rendered(const Scene& scene, const std::string& stem, const std::string& options = {}) {
   const fs::path folder = fs::path(testing::TempDir()) / ("pomona-povray-" + stem);
   fs::remove_all(folder);
   fs::create_directories(folder);
   for (const NamedFile& file : write_pov(scene, stem)) write_whole(folder / file.name, file.bytes);
-  const std::string command = "cd '" + folder.string() + "' && povray " + stem + ".pov >log 2>&1";
+  const std::string command = "cd '" + folder.string() + "' && povray " + stem + ".pov " + options + " >log 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << content(folder / "log");
+  EXPECT_THAT(content(folder / "log"), ::testing::Not(::testing::HasSubstr("Warning:")));
   const Image image = read_png(content(folder / (stem + ".png")), stem + ".png");
   fs::remove_all(folder);
   return image;
@@ -94,6 +95,16 @@ TEST(PovRay, LitWhiteGroundIsPaper) {
   const glm::ivec3 far_from_shadows = color_at(image, {image.width - 20, image.height - 20});
   const glm::ivec3 paper(to_srgb8(scene.paper));
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(far_from_shadows[k], paper[k], 16);
+}
+
+TEST(PovRay, LightGoesIntoFleshWhereAsked) {
+  const Scene scene = named::with_materials();
+  const Image plain = rendered(scene, "materials", "+W64 +H48");
+  const Image through = rendered(scene, "materials", "+W64 +H48 Declare=Subsurface=1");
+  EXPECT_EQ(plain.at(0, 0), through.at(0, 0));
+  int different = 0;
+  for (std::size_t i = 0; i < plain.pixels.size(); ++i) different += plain.pixels[i] != through.pixels[i];
+  EXPECT_GT(different, 100);
 }
 
 TEST(PovRay, RendersOpenAndSeeThroughMeshes) {

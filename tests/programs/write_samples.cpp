@@ -17,6 +17,7 @@ int main(int, char** arguments) {
   large.instances = {{0, {}, "large"}};
   write_whole(folder / "mixed.glb", write_glb(named::mixed(), {.provenance = "a \"quoted\" \\ text, ü"}));
   write_whole(folder / "axes.glb", write_glb(named::axes_of_balls()));
+  write_whole(folder / "materials.glb", write_glb(named::with_materials()));
   write_whole(folder / "large.glb", write_glb(large));
   write_whole(folder / "textured.glb", write_glb(large, std::vector{baked(large.solids[0], style_named("ink"))}));
   write_whole(folder / "empty.glb", write_glb(Scene{}));

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "render/export/pbr_look.h"
 #include "tests/render/export/named_solids.h"
 #include "tests/render/export/read_glb.h"
 
@@ -108,6 +109,33 @@ TEST(Gltf, TexturesTakeThePlaceOfVertexColours) {
     const bool on_top = mesh.normal[c.x].y > 0.5f;
     EXPECT_EQ(mesh.texture[texel], to_srgb8(on_top ? Color(0.9f, 0.85f, 0.6f) : Color(0.8f, 0.05f, 0.05f)));
   }
+}
+
+/// The file's JSON: it lies before the buffer, in plain text.
+std::string json_of(const std::string& glb) { return glb.substr(0, glb.find(std::string("BIN\0", 4))); }
+
+TEST(Gltf, SaysMaterialsInExtensionsThatNobodyMustKnow) {
+  const std::string json = json_of(write_glb(named::with_materials()));
+  for (const char* name : {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_specular",
+                           "KHR_materials_diffuse_transmission"}) {
+    EXPECT_THAT(json, ::testing::HasSubstr(name));
+  }
+  EXPECT_THAT(json, ::testing::HasSubstr("extensionsUsed"));
+  EXPECT_THAT(json, ::testing::Not(::testing::HasSubstr("extensionsRequired")));
+  EXPECT_THAT(json_of(write_glb(named::mixed())), ::testing::Not(::testing::HasSubstr("extensions")));
+}
+
+TEST(Gltf, SplitsAMeshByLookAndLosesNoTriangle) {
+  const Scene scene = named::with_materials();
+  const StyledMesh mesh = styled_meshes(scene, {})[0];
+  const std::vector<LookGroup> groups = groups_by_look(scene.solids[0], mesh);
+  ASSERT_EQ(groups.size(), 2u) << "skin and cut face";
+  EXPECT_EQ(groups[0].triangle.size() + groups[1].triangle.size(), mesh.triangle.size());
+  EXPECT_NE(groups[0].look, groups[1].look);
+  EXPECT_EQ(named::read_glb(write_glb(scene)).meshes.size(), 1u);
+  Solid plain = scene.solids[0];
+  plain.materials.clear();
+  EXPECT_EQ(groups_by_look(plain, mesh).size(), 1u);
 }
 
 TEST(Gltf, AnEmptySceneIsStillAFile) {

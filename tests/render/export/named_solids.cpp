@@ -118,6 +118,23 @@ Scene axes_of_balls() {
   return scene;
 }
 
+Scene with_materials() {
+  Scene scene;
+  scene.solids = {
+      box("box", {-0.02f, 0, -0.02f}, {0.02f, 0.03f, 0.02f}, Color(0.6f, 0.1f, 0.1f), Color(0.8f, 0.5f, 0.3f))};
+  MaterialSketch skin, flesh;
+  skin.gloss = 0.8;
+  skin.roughness = 0.12;
+  skin.bloom = {.cover = 0.5};
+  skin.fuzz = {.length = 0.001, .density = 0.5};
+  flesh.wet = 1.8;
+  flesh.translucency = {.depth = 0.004, .color = Color(1, 0.5f, 0.25f)};
+  scene.solids[0].materials = {skin, flesh};
+  scene.instances = {{0, {}, "box"}};
+  scene.view = {.eye = {0.06, 0.08, 0.1}, .target = {0, 0.015, 0}, .vertical_field = 0.5};
+  return scene;
+}
+
 Scene mixed() {
   Scene scene;
   Solid see_through = ball("see-through", 0.03f, 4, {0.9f, 0.8f, 0.1f});

@@ -21,6 +21,9 @@ Solid leaf(const std::string& name, const Color& color);
 /// and above; the three are instances turned and moved from the origin's solids.
 Scene axes_of_balls();
 
+/// A box whose skin is smooth, with bloom and fuzz, and whose flesh is dull where cut and lets light in 4, 2 and 1 mm.
+Scene with_materials();
+
 /// A box placed twice (once turned), a leaf, an empty solid, and a see-through ball.
 Scene mixed();
 

@@ -60,6 +60,20 @@ TEST(Pov, NamesCannotBreakOut) {
   EXPECT_THAT(files[1].bytes, HasSubstr("// a #error \"b\"\n"));
 }
 
+TEST(Pov, EachMaterialHasAFinish) {
+  const std::vector<NamedFile> files = write_pov(named::with_materials(), "x");
+  EXPECT_THAT(files[0].bytes, HasSubstr("#declare Skin = finish"));
+  EXPECT_THAT(files[0].bytes, HasSubstr("#if (Subsurface) subsurface { translucency rgb <4, 2, 1> } #end"));
+  EXPECT_THAT(files[0].bytes, HasSubstr("#ifndef (Subsurface)"));
+  EXPECT_THAT(files[1].bytes, HasSubstr("finish{Finish_2}"));
+  EXPECT_THAT(files[1].bytes, HasSubstr("interior { ior"));
+  EXPECT_THAT(files[1].bytes, HasSubstr("#declare Fuzz_0 = mesh2"));
+  EXPECT_EQ(occurrences(files[0].bytes, "object { Fuzz_0 "), 1u);
+  const std::vector<NamedFile> plain = write_pov(named::mixed(), "x");
+  EXPECT_THAT(plain[0].bytes, Not(HasSubstr("Subsurface")));
+  EXPECT_THAT(plain[1].bytes, Not(HasSubstr("Finish_")));
+}
+
 TEST(Pov, TheUnitFitsTheView) {
   Scene scene = named::axes_of_balls();
   EXPECT_THAT(write_pov(scene, "x")[0].bytes, HasSubstr("a unit is 1e-2 metres"));

@@ -1,0 +1,32 @@
+// Materials as POV-Ray's finishes.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/scene/scene.h"
+
+namespace pomona::pov {
+
+/// The finishes of a scene: "Skin" and "Flesh", and one more for each different material on skins and on cut faces.
+class Finishes {
+ public:
+  explicit Finishes(const Scene& scene);
+
+  /// The number of what a part is like on the skin or on a cut face: 0 is Skin, 1 is Flesh.
+  int number(const Solid& solid, std::int32_t part, bool on_cut_face) const;
+  /// "Skin", "Flesh", "Finish_2" ...
+  static std::string name(int number);
+  /// All as #declare statements. Subsurface light is in them where the scene's `Subsurface` is not 0.
+  const std::string& declarations() const { return declarations_; }
+
+ private:
+  std::map<std::string, int> number_;  // by their text
+  std::string declarations_;
+};
+
+/// Whether light goes into any part of it.
+bool is_translucent(const Solid& solid);
+
+}  // namespace pomona::pov

@@ -1,0 +1,94 @@
+#include "render/style/hairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/random.h"
+
+namespace pomona {
+
+namespace {
+
+/// Metres squared to square millimetres.
+constexpr double square_millimetres = 1e6;
+
+double area_of(const Solid& solid, const glm::uvec3& t) {
+  const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
+  return 0.5 * glm::length(glm::cross(b - a, c - a));
+}
+
+/// How many hairs a triangle grows, not rounded.
+double hairs_on(const Solid& solid, std::size_t triangle) {
+  const glm::uvec3& t = solid.triangle[triangle];
+  if (solid.cut_face[triangle] >= 0) return 0;
+  const Fuzz fuzz = material_of(solid, solid.part[t.x]).fuzz;
+  return fuzz.length > 0 ? fuzz.density * area_of(solid, t) * square_millimetres : 0;
+}
+
+/// Draws from one stream in turn.
+class Draws {
+ public:
+  explicit Draws(const RandomStream& stream, std::uint64_t first) : stream_(stream), next_(first) {}
+  double share() { return stream_.uniform(next_++); }
+  double signed_share() { return 2 * share() - 1; }
+
+ private:
+  const RandomStream& stream_;
+  std::uint64_t next_;
+};
+
+glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& fallback) {
+  const double length = glm::length(v);
+  return length > 1e-12 ? v / length : fallback;
+}
+
+Hair hair_on(const Solid& solid, const glm::uvec3& t, Draws draws) {
+  // A place in the triangle, evenly.
+  double u = draws.share(), v = draws.share();
+  if (u + v > 1) u = 1 - u, v = 1 - v;
+  const auto blend = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    return glm::dvec3(a) * (1 - u - v) + glm::dvec3(b) * u + glm::dvec3(c) * v;
+  };
+  const glm::dvec3 root = blend(solid.position[t.x], solid.position[t.y], solid.position[t.z]);
+  const glm::dvec3 n = unit_or(blend(solid.normal[t.x], solid.normal[t.y], solid.normal[t.z]), {0, 1, 0});
+
+  // Down along the skin, and astray.
+  const double astray_x = draws.signed_share(), astray_y = draws.signed_share(), astray_z = draws.signed_share();
+  const glm::dvec3 way = glm::dvec3(0, -0.8, 0) + glm::dvec3(astray_x, astray_y, astray_z);
+  const glm::dvec3 along = unit_or(way - n * glm::dot(way, n), glm::dvec3(0));
+
+  const Fuzz fuzz = material_of(solid, solid.part[t.x]).fuzz;
+  const double length = fuzz.length * (0.45 + 0.55 * draws.share()), lie = fuzz.lie;
+  const glm::dvec3 rise = unit_or(n * (1.05 - 0.7 * lie) + along * (0.9 * lie), n);
+  const glm::dvec3 bend = unit_or(n * (1.05 - lie) + along * (0.15 + 1.2 * lie), n);
+  const float light = static_cast<float>(0.7 + 0.5 * draws.share());
+  const glm::dvec3 middle = root + 0.5 * length * rise;
+  return {glm::vec3(root), glm::vec3(middle), glm::vec3(middle + 0.5 * length * bend), glm::vec3(n),
+          glm::min(fuzz.color * light, Color(1.0f))};
+}
+
+}  // namespace
+
+std::vector<Hair> hairs_of(const Solid& solid, std::size_t most) {
+  double total = 0;
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) total += hairs_on(solid, t);
+  std::vector<Hair> hairs;
+  if (total == 0) return hairs;
+  const double kept = std::min(1.0, static_cast<double>(most) / total);
+
+  // Walk over the triangles and set one hair whenever a whole one has come together.
+  const RandomStream stream({}, "fuzz");
+  constexpr std::uint64_t draws_per_hair = 8;
+  double sown = 0;
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+    sown += kept * hairs_on(solid, t);
+    while (static_cast<double>(hairs.size()) + 0.5 < sown && hairs.size() < most) {
+      hairs.push_back(hair_on(solid, solid.triangle[t], Draws(stream, draws_per_hair * hairs.size())));
+    }
+  }
+  return hairs;
+}
+
+}  // namespace pomona

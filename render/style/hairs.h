@@ -1,0 +1,23 @@
+// Fuzz as single hairs, for pictures and exporters.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/scene/solid.h"
+
+namespace pomona {
+
+/// A hair in the fruit's own frame, metres: from its root over its middle to its tip.
+struct Hair {
+  glm::vec3 root{0}, middle{0}, tip{0};
+  glm::vec3 normal{0};  ///< of the skin at the root, unit
+  Color color{0};       ///< linear
+};
+
+/// The hairs on the parts of the skin that have fuzz, at most `most`: where there were more, they are thinned out
+/// evenly. The same for the same solid, always. Hairs lean downwards and to all sides, as much as they lie.
+std::vector<Hair> hairs_of(const Solid& solid, std::size_t most = 60000);
+
+}  // namespace pomona
