@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery build test test-programs golden-renew mutants lint format sanitize clang .bench table1 error-atlas variants cuts picture bench clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang .bench table1 error-atlas variants cuts picture bench clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -13,6 +13,10 @@ gallery: build ## the pictures of README.md and templates/README.md; FRUIT="okra
 	@scripts/setup.sh gallery
 	@scripts/gallery.sh build/pomona docs/pictures $(FRUIT)
 	@scripts/gallery.py write
+
+figures: build ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one
+	@scripts/setup.sh gallery
+	@scripts/figures.py make build/pomona $(FIGURE)
 
 build: ## the program, at build/pomona
 	@scripts/setup.sh build
