@@ -9,4 +9,4 @@ sed -n 's/^    pomona \(cut .*\)$/\1/p' docs/knives.md | while read -r command; 
   # shellcheck disable=SC2086
   "$program" $command --quiet
 done
-pngquant --nofs --force --ext .png --speed 3 128 docs/pictures/knives/*.png
+pngquant --force --ext .png --speed 1 256 docs/pictures/knives/*.png
