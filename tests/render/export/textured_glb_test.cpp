@@ -1,0 +1,150 @@
+// A textured .glb, read back and drawn flat, looks like the picture of the section.
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/scene/scene.h"
+#include "generator/scene/section_colors.h"
+#include "render/export/gltf.h"
+#include "render/picture/section_layout.h"
+#include "render/picture/section_picture.h"
+#include "tests/render/export/read_glb.h"
+#include "tests/shapes/seeded_fruit.h"
+
+namespace pomona {
+namespace {
+
+constexpr int side = 256;
+
+/// A seeded fruit in two, its section as fine as one likes.
+struct Halves {
+  DiffusionSurfaces surfaces = shapes::seeded_fruit();
+  Template fruit;
+  std::unique_ptr<Diffuser> diffuser = make_pmvc_diffuser({.quality = Quality::final, .threads = {}});
+  std::vector<Knife> knives{parse_knife("half")};
+
+  Halves() {
+    fruit.parts = surfaces.part_names;
+    fruit.noise.base_frequency = 100;
+    fruit.noise.keys.push_back({.color = {0.5f, 0.5f, 0.2f}, .weights = {0.05, 0.04}, .axis = {1, 0, 0}});
+  }
+
+  CrossSection section(const CutOptions& options) const {
+    return colored(cut(surfaces, knives, options).section, surfaces, *diffuser);
+  }
+
+  Scene pieces() const {
+    const Cut result = cut(surfaces, knives);
+    const auto colors = std::make_shared<const SectionColors>(surfaces, fruit, *diffuser);
+    return gathered(
+        with_section_colors(solids(result, colored(result.section, surfaces, *diffuser), fruit, "fruit"), colors));
+  }
+};
+
+/// Level 0 of a texture in linear light, looked up as a graphics card does.
+Color looked_up(const named::GlbMesh& mesh, const glm::dvec2& uv) {
+  const int height = static_cast<int>(mesh.texture.size()) / mesh.texture_side;
+  const glm::dvec2 at = uv * glm::dvec2(mesh.texture_side, height) - 0.5;
+  const glm::ivec2 low(glm::floor(at));
+  const glm::vec2 f(at - glm::dvec2(low));
+  const auto texel = [&](int dx, int dy) {
+    const int x = std::clamp(low.x + dx, 0, mesh.texture_side - 1), y = std::clamp(low.y + dy, 0, height - 1);
+    return from_srgb8(mesh.texture[static_cast<std::size_t>(y) * mesh.texture_side + x]);
+  };
+  return glm::mix(glm::mix(texel(0, 0), texel(1, 0), f.x), glm::mix(texel(0, 1), texel(1, 1), f.x), f.y);
+}
+
+struct Pixel {
+  glm::dvec3 sum{0};
+  int samples = 0;
+};
+
+bool lies_on(const PlacedFace& face, const glm::dvec3& toward, const named::GlbMesh& mesh, const glm::uvec3& t) {
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(glm::dot(glm::dvec3(mesh.position[t[k]]) - face.depth, toward)) > 1e-7) return false;
+  }
+  return glm::dot(glm::dvec3(mesh.normal[t.x]), toward) > 0.999;
+}
+
+/// All triangles of the file that lie on the section and face as it does, at 4 x 4 samples a pixel.
+std::vector<Pixel> drawn_flat(const named::Glb& glb, const PlacedFace& face) {
+  const glm::dvec3 toward = glm::cross(face.right, face.up);
+  std::vector<Pixel> pixels(static_cast<std::size_t>(side) * side);
+  for (const named::GlbMesh& mesh : glb.meshes) {
+    for (const glm::uvec3& t : mesh.triangle) {
+      if (!lies_on(face, toward, mesh, t)) continue;
+      std::array<glm::dvec2, 3> p;
+      for (int k = 0; k < 3; ++k) p[static_cast<std::size_t>(k)] = face.to_paper(mesh.position[t[k]]);
+      const glm::dvec2 b = p[1] - p[0], c = p[2] - p[0];
+      const double area = b.x * c.y - b.y * c.x;
+      const glm::ivec2 low(glm::floor(glm::min(p[0], glm::min(p[1], p[2])))),
+          high(glm::floor(glm::max(p[0], glm::max(p[1], p[2]))));
+      for (int y = low.y; y <= high.y; ++y) {
+        for (int x = low.x; x <= high.x; ++x) {
+          for (int s = 0; s < 16; ++s) {
+            const glm::dvec2 q = glm::dvec2(x + (s % 4 + 0.5) / 4, y + (s / 4 + 0.5) / 4) - p[0];
+            const double u = (q.x * c.y - q.y * c.x) / area, v = (b.x * q.y - b.y * q.x) / area;
+            if (!(u >= 0 && v >= 0 && u + v <= 1)) continue;
+            const glm::dvec2 uv =
+                glm::dvec2(mesh.uv[t.x]) * (1 - u - v) + glm::dvec2(mesh.uv[t.y]) * u + glm::dvec2(mesh.uv[t.z]) * v;
+            Pixel& pixel = pixels[static_cast<std::size_t>(y) * side + x];
+            pixel.sum += glm::dvec3(looked_up(mesh, uv));
+            ++pixel.samples;
+          }
+        }
+      }
+    }
+  }
+  return pixels;
+}
+
+/// Root of the mean squared difference in units of 255 over the pixels that the face covers.
+double rms(const std::vector<Pixel>& pixels, const Image& picture) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (pixels[i].samples < 16) continue;
+    const glm::dvec3 d = glm::dvec3(to_srgb8(Color(pixels[i].sum / static_cast<double>(pixels[i].samples)))) -
+                         glm::dvec3(picture.pixels[i]);
+    sum += glm::dot(d, d) / 3;
+    ++count;
+  }
+  EXPECT_GT(count, side * side / 4);
+  return std::sqrt(sum / count);
+}
+
+double difference_in(const char* style_name) {
+  const Halves halves;
+  const Style style = style_named(style_name);
+  const CrossSection fine = halves.section({.coarsest = 1 / 150., .finest = 1 / 600., .contrast = 4 / 255.});
+  SectionPictureOptions options;
+  options.width = options.height = side;
+  const Image picture = draw_section(fine, {halves.fruit.noise}, halves.fruit.ink, style, options);
+  Scene scene = halves.pieces();
+  scene.solids.resize(1), scene.instances.resize(1);  // the half that shows the face as the picture does
+  const std::vector<BakedSolid> textured = all_baked(scene.solids, style, {.texels = 1024});
+  const named::Glb glb = named::read_glb(write_glb(scene, textured));
+  const double difference = rms(drawn_flat(glb, lay_out(fine, {side, side}, 0.05 * side).front()), picture);
+  ::testing::Test::RecordProperty(style_name, std::to_string(difference));
+  return difference;
+}
+
+TEST(TexturedGlb, LooksLikeThePictureOfTheSection) { EXPECT_LT(difference_in("plain"), 1.0) << "of 255, RMS"; }
+
+TEST(TexturedGlb, HasTheInkOfThePicture) { EXPECT_LT(difference_in("ink"), 2.5) << "of 255, RMS"; }
+
+TEST(TexturedGlb, SaysHowTexturesAreLookedUp) {
+  const Halves halves;
+  const Scene scene = halves.pieces();
+  const named::Glb glb =
+      named::read_glb(write_glb(scene, all_baked(scene.solids, style_named("plain"), {.texels = 64})));
+  for (const named::GlbMesh& mesh : glb.meshes) EXPECT_TRUE(mesh.color.empty()) << "vertex colours would count twice";
+}
+
+}  // namespace
+}  // namespace pomona
