@@ -42,7 +42,7 @@ class HeldSignals {
 };
 
 ExportOptions export_options(const SharedOptions& options, const Style& style) {
-  return {.noise = style.noise,
+  return {.style = style,
           .provenance = std::string("pomona ") + version + ", seed " + std::to_string(options.seed),
           .threads = {options.threads}};
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "generator/base/reproducible.h"
 #include "render/export/pov_finish.h"
 #include "render/export/pov_hairs.h"
+#include "render/export/pov_light.h"
 #include "render/export/pov_mesh.h"
 #include "render/export/pov_text.h"
 #include "render/picture/view_frame.h"
@@ -31,19 +31,6 @@ std::string camera_text(const View& view, const ViewFrame& frame, double unit) {
   return text + "  sky " + vector_text(frame.up) + "\n  look_at " + vector_text(view.target / unit) + "\n}\n";
 }
 
-/// A wide light from the upper left, and a weak one from the right that throws no shadow. With the finishes'
-/// ambient share, white paper lying flat comes out as white.
-std::string lights_text(const View& view, const ViewFrame& frame, double unit) {
-  const double d = frame.distance / unit;
-  const glm::dvec3 target = view.target / unit;
-  const glm::dvec3 forth = glm::normalize(glm::dvec3(frame.back.x, 1e-9, frame.back.z));
-  const glm::dvec3 key = target + d * (-1.8 * frame.right + glm::dvec3(0, 3.4, 0) + 1.4 * forth);
-  const glm::dvec3 fill = target + d * (2.8 * frame.right + glm::dvec3(0, 2.0, 0) + 2.0 * forth);
-  std::string text = "light_source {\n  " + vector_text(key) + ", rgb 0.8\n";
-  text += "  area_light x * " + number_text(d) + ", z * " + number_text(d) + ", 7, 7 adaptive 1\n}\n";
-  return text + "light_source { " + vector_text(fill) + ", rgb 0.25 shadowless }\n";
-}
-
 /// POV-Ray looks for includes where it was started, not where the scene lies.
 std::string include_text(const std::string& name) {
   const std::string beside = quoted(name), in_out = quoted("out/" + name);
@@ -63,7 +50,7 @@ std::string placed_text(const char* what, const Instance& instance, double unit)
 }
 
 /// Subsurface light is dear: it takes hundreds of times as long. So it is asked for, with Declare=Subsurface=1.
-std::string settings_text(const Scene& scene, double unit) {
+std::string settings_text(const Scene& scene, const Lighting& lighting, double unit) {
   // Each surface that one sees through takes a step of a ray; POV-Ray allows five unless told.
   const bool see_through =
       std::any_of(scene.solids.begin(), scene.solids.end(), [](const Solid& solid) { return solid.opacity < 1; });
@@ -73,7 +60,8 @@ std::string settings_text(const Scene& scene, double unit) {
     text += "#ifndef (Subsurface) #declare Subsurface = 0; #end\n#if (Subsurface)\n  global_settings { mm_per_unit " +
             number_text(std::round(1e6 * unit) / 1e3) + " subsurface { samples 16, 8 } }\n#end\n";
   }
-  return text + "global_settings { assumed_gamma 1.0" + (see_through ? " max_trace_level 100" : "") + " }\n";
+  return text + "global_settings { assumed_gamma 1.0 " + lighting.ambient() +
+         (see_through ? " max_trace_level 100" : "") + " }\n";
 }
 
 std::string scene_text(const Scene& scene, const Finishes& finishes, const std::string& include,
@@ -83,11 +71,12 @@ std::string scene_text(const Scene& scene, const Finishes& finishes, const std::
   const double unit = power_of_ten(exponent);
   std::string text = "// Made by Pomona. " + commentable(options.provenance) + "\n#version 3.7;\n";
   text += "// Right-handed, +Y up; a unit is 1e" + std::to_string(exponent) + " metres. Colours are linear.\n";
-  text += settings_text(scene, unit) + "#declare Paper = rgb " + vector_text(glm::dvec3(scene.paper)) +
+  const Lighting lighting(scene.view, options.style, unit);
+  text += settings_text(scene, lighting, unit) + "#declare Paper = rgb " + vector_text(glm::dvec3(scene.paper)) +
           ";\nbackground { Paper }\n\n";
-  text += camera_text(scene.view, frame, unit) + lights_text(scene.view, frame, unit);
-  text += "\n" + finishes.declarations() + "#declare Ground = finish { ambient 0.32 diffuse 0.75 }\n\n";
-  if (scene.ground) text += "plane { y, 0 texture { pigment { Paper } finish { Ground } } }\n\n";
+  text += camera_text(scene.view, frame, unit) + lighting.sources();
+  text += "\n" + finishes.declarations() + "#declare Ground = " + lighting.ground() + "\n\n";
+  if (scene.ground) text += "plane { y, 0 texture { Ground } }\n\n";
   return text + include_text(include) + "\n";
 }
 
@@ -98,7 +87,7 @@ std::vector<NamedFile> write_pov(const Scene& scene, const std::string& stem, co
   const std::vector<StyledMesh> styled = styled_meshes(scene, options);
   const int exponent = unit_exponent_for(view_frame(scene.view));
 
-  const Finishes finishes(scene);
+  const Finishes finishes(scene, options.style.gloss);
 
   // Write the meshes, each by itself, and join them in order.
   std::vector<std::string> texts(styled.size()), hairs(styled.size());

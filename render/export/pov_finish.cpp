@@ -23,29 +23,30 @@ std::string subsurface_text(const Translucency& translucency) {
 }
 
 /// A highlight's width goes by the square of what the template calls roughness; a narrow one is stronger.
-std::string skin_text(const MaterialSketch& material) {
+std::string skin_text(const MaterialSketch& material, double gloss) {
   const double r = std::max(material.roughness, 0.02);
-  const double specular = 0.22 * material.gloss * std::min(1.8, std::sqrt(0.3 / r));
+  const double specular = gloss * 0.22 * material.gloss * std::min(1.8, std::sqrt(0.3 / r));
   return "ambient 0.38 diffuse 0.75 specular " + three_digits(specular) + " roughness " +
          number_text(std::round(1e5 * 0.02 * r * r / 0.09) / 1e5);
 }
 
-std::string cut_text(const MaterialSketch& material) {
+std::string cut_text(const MaterialSketch& material, double gloss) {
   const double roughness = material.wet > 1 ? 0.05 / material.wet : 0.05;
-  return "ambient 0.42 diffuse 0.72 specular " + three_digits(0.06 * material.wet * std::max(1.0, material.wet)) +
-         " roughness " + three_digits(roughness);
+  return "ambient 0.42 diffuse 0.72 specular " +
+         three_digits(gloss * 0.06 * material.wet * std::max(1.0, material.wet)) + " roughness " +
+         three_digits(roughness);
 }
 
-std::string finish_text(const MaterialSketch& material, bool on_cut_face) {
-  return "finish { " + (on_cut_face ? cut_text(material) : skin_text(material)) +
+std::string finish_text(const MaterialSketch& material, bool on_cut_face, double gloss) {
+  return "finish { " + (on_cut_face ? cut_text(material, gloss) : skin_text(material, gloss)) +
          subsurface_text(material.translucency) + " }";
 }
 
 }  // namespace
 
-Finishes::Finishes(const Scene& scene) {
+Finishes::Finishes(const Scene& scene, double gloss) : gloss_(gloss) {
   const auto add = [&](const MaterialSketch& material, bool on_cut_face) {
-    const std::string text = finish_text(material, on_cut_face);
+    const std::string text = finish_text(material, on_cut_face, gloss);
     const auto [entry, is_new] = number_.try_emplace(text, static_cast<int>(number_.size()));
     if (is_new) declarations_ += "#declare " + name(entry->second) + " = " + text + "\n";
   };
@@ -57,7 +58,7 @@ Finishes::Finishes(const Scene& scene) {
 }
 
 int Finishes::number(const Solid& solid, std::int32_t part, bool on_cut_face) const {
-  return number_.at(finish_text(material_of(solid, part), on_cut_face));
+  return number_.at(finish_text(material_of(solid, part), on_cut_face, gloss_));
 }
 
 std::string Finishes::name(int number) {

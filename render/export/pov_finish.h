@@ -12,7 +12,8 @@ namespace pomona::pov {
 /// The finishes of a scene: "Skin" and "Flesh", and one more for each different material on skins and on cut faces.
 class Finishes {
  public:
-  explicit Finishes(const Scene& scene);
+  /// \param gloss times what materials shine, skins and cut faces alike
+  Finishes(const Scene& scene, double gloss);
 
   /// The number of what a part is like on the skin or on a cut face: 0 is Skin, 1 is Flesh.
   int number(const Solid& solid, std::int32_t part, bool on_cut_face) const;
@@ -22,6 +23,7 @@ class Finishes {
   const std::string& declarations() const { return declarations_; }
 
  private:
+  double gloss_;
   std::map<std::string, int> number_;  // by their text
   std::string declarations_;
 };

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/style/look.h"
+#include "render/style/paint.h"
 
 namespace pomona {
 namespace {
@@ -66,7 +67,7 @@ std::vector<double> footprints(const StyledMesh& mesh) {
   return sum;
 }
 
-std::vector<Color> styled_colors(const StyledMesh& mesh, const Look& look) {
+std::vector<Color> styled_colors(const StyledMesh& mesh, const Look& look, const Paint& paint) {
   std::vector<Color> colors = mesh.color;
   if (!look.is_plain()) {
     const std::vector<double> footprint = footprints(mesh);
@@ -76,7 +77,7 @@ std::vector<Color> styled_colors(const StyledMesh& mesh, const Look& look) {
       colors[v] = look(colors[v], place);
     }
   }
-  for (Color& color : colors) color = glm::clamp(color, Color(0), Color(1));
+  for (Color& color : colors) color = glm::clamp(paint(color), Color(0), Color(1));
   return colors;
 }
 
@@ -135,7 +136,8 @@ std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& o
   parallel_for(meshes.size(), options.threads, [&](std::size_t i) {
     meshes[i] = welded(scene.solids[i], {});
     const Solid& solid = scene.solids[i];
-    meshes[i].color = styled_colors(meshes[i], options.noise ? Look(solid.noise, solid.details) : Look());
+    const Look look = options.style.noise ? Look(solid.noise, solid.details) : Look();
+    meshes[i].color = styled_colors(meshes[i], look, Paint(options.style));
   });
   return meshes;
 }

@@ -1,4 +1,4 @@
-// What every exporter writes: a solid's triangles with the style's noise on their colours.
+// What every exporter writes: a solid's triangles in the style's colours.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,13 @@
 
 #include "generator/base/parallel.h"
 #include "generator/scene/scene.h"
+#include "render/style/style.h"
 #include "render/texture/bake.h"
 
 namespace pomona {
 
 struct ExportOptions {
-  bool noise = true;            ///< the style's Perlin modulation on the vertex colours
+  Style style = {};             ///< noise and paint of the colours; in POV-Ray light, shadow and gloss, too
   std::string provenance = {};  ///< what made it ("pomona scene scenes/salad.toml --seed 3"); no paths, no time
   Threads threads = {};
 };
@@ -22,7 +23,7 @@ struct ExportOptions {
 struct StyledMesh {
   std::vector<glm::vec3> position;  ///< metres, the fruit's own frame
   std::vector<glm::vec3> normal;    ///< unit length
-  std::vector<Color> color;         ///< linear, 0..1, noise included as far as the mesh is fine enough to show it
+  std::vector<Color> color;         ///< linear, 0..1, in the style's paint, its noise as far as the mesh is fine enough
   std::vector<std::int32_t> part;   ///< index into Solid::part_names
   std::vector<DetailGuide> guide;   ///< as in Solid
   std::vector<DetailFace> face;     ///< what the vertex lies on

@@ -7,11 +7,10 @@ namespace pomona {
 Paper::Paper(const Style& style, int width, int height)
     : color_(style.paper),
       lab_(to_oklab(style.paper)),
+      paint_(style),
       grain_(style.grain),
       vignette_(style.vignette),
       granulation_(style.grain * style.granulation),
-      saturation_(style.saturation),
-      lightness_(style.lightness),
       width_(width),
       height_(height) {}
 
@@ -41,13 +40,7 @@ Color Paper::at(int x, int y) const {
 }
 
 Color Paper::painted(const Color& color, int x, int y) const {
-  if (saturation_ == 1 && lightness_ == 0 && granulation_ == 0) return color;
-  glm::dvec3 lab(to_oklab(color));
-  lab.x += lightness_;
-  if (granulation_ > 0) lab.x += granulation_ * grain_at(x, y);
-  lab.y *= saturation_;
-  lab.z *= saturation_;
-  return from_oklab_within_gamut(glm::vec3(lab));
+  return paint_(color, granulation_ > 0 ? granulation_ * grain_at(x, y) : 0);
 }
 
 }  // namespace pomona

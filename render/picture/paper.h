@@ -2,6 +2,7 @@
 #pragma once
 
 #include "generator/base/color.h"
+#include "render/style/paint.h"
 #include "render/style/style.h"
 
 namespace pomona {
@@ -25,7 +26,8 @@ class Paper {
 
   Color color_;
   glm::vec3 lab_;
-  double grain_, vignette_, granulation_, saturation_, lightness_;
+  Paint paint_;
+  double grain_, vignette_, granulation_;
   double width_, height_;
 };
 

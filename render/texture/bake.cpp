@@ -11,6 +11,7 @@
 
 #include "generator/scene/section_colors.h"
 #include "render/style/look.h"
+#include "render/style/paint.h"
 #include "render/texture/atlas.h"
 #include "render/texture/baked_ink.h"
 #include "render/texture/charts.h"
@@ -23,13 +24,14 @@ namespace {
 /// Samples that are coloured at once: enough that what a diffuser does once per call does not count.
 constexpr std::size_t samples_at_once = 2'000'000;
 
-/// The colour of every sample, noise included.
+/// The colour of every sample, in the style's noise and paint.
 class SampleColors {
  public:
   SampleColors(const Solid& solid, const Style& style, const ColorField* field, double texel, Threads threads)
       : solid_(solid),
         field_(field),
         look_(style.noise ? Look(solid.noise, solid.details) : Look()),
+        paint_(style),
         texel_(texel),
         threads_(threads) {}
 
@@ -43,9 +45,10 @@ class SampleColors {
       });
     });
     diffuse(samples, points, colors);
-    if (look_.is_plain()) return colors;
+    if (look_.is_plain() && paint_.is_plain()) return colors;
     parallel_for(chunks(samples.size()), threads_, [&](std::size_t chunk) {
-      for_chunk(chunk, samples.size(), [&](std::size_t i) { colors[i] = look_(colors[i], look_place(samples[i])); });
+      for_chunk(chunk, samples.size(),
+                [&](std::size_t i) { colors[i] = paint_(look_(colors[i], look_place(samples[i]))); });
     });
     return colors;
   }
@@ -66,7 +69,7 @@ class SampleColors {
     const std::uint32_t first = chart.triangles.front();
     LookPlace seen = look_place({.texel = {}, .triangle = first, .weight = glm::dvec3(1 / 3.), .outside = false});
     seen.position = place / area;
-    return look_(Color(sum / area), seen);
+    return paint_(look_(Color(sum / area), seen));
   }
 
   std::size_t diffused() const { return diffused_; }
@@ -124,6 +127,7 @@ class SampleColors {
   const Solid& solid_;
   const ColorField* field_;
   Look look_;
+  Paint paint_;
   double texel_;
   Threads threads_;
   std::size_t diffused_ = 0;

@@ -33,11 +33,11 @@ std::string without_experimental(std::string log) {
 }
 
 /// Writes the scene into a folder of its own and runs `povray STEM.pov` there.
-Image rendered(const Scene& scene, const std::string& stem, const std::string& options = {}) {
+Image rendered(const Scene& scene, const std::string& stem, const std::string& options = {}, const Style& style = {}) {
   const fs::path folder = fs::path(testing::TempDir()) / ("pomona-povray-" + stem);
   fs::remove_all(folder);
   fs::create_directories(folder);
-  for (const NamedFile& file : write_pov(scene, stem)) write_whole(folder / file.name, file.bytes);
+  for (const NamedFile& file : write_pov(scene, stem, {.style = style})) write_whole(folder / file.name, file.bytes);
   const std::string command = "cd '" + folder.string() + "' && povray " + stem + ".pov " + options + " >log 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << content(folder / "log");
   EXPECT_THAT(without_experimental(content(folder / "log")), ::testing::Not(::testing::HasSubstr("Warning:")));
@@ -103,6 +103,31 @@ TEST(PovRay, LitWhiteGroundIsPaper) {
   const glm::ivec3 far_from_shadows = color_at(image, {image.width - 20, image.height - 20});
   const glm::ivec3 paper(to_srgb8(scene.paper));
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(far_from_shadows[k], paper[k], 16);
+}
+
+TEST(PovRay, ShadowsAreTheStylesWashOnPaperAndLieWhereItsLightThrowsThem) {
+  Scene scene;
+  scene.solids = {named::ball("ball", 0.02f, 20, Color(0.5f))};
+  scene.instances = {{.solid = 0, .pose = {.translation = {0, 0.03, 0}}, .name = "ball"}};
+  scene.ground = true;
+  scene.view.target = {0, 0, 0};
+  scene.view.eye = {0, 0.4, 0.3};
+  Style style;
+  style.light.azimuth = -1.5707963;  // from the left
+  style.light.elevation = 0.7853982;
+  style.light.softness = 0.05;
+  for (const double strength : {1.0, 0.5}) {
+    style.shadow = {Color(0.3f, 0.4f, 0.55f), strength};
+    const Image image = rendered(scene, "shadow", "+W320 +H240", style);
+    const glm::ivec3 shadow = color_at(image, pixel_of({0.03, 0, 0}, scene.view, image));
+    const Color wash = glm::mix(Color(1), style.shadow.color, static_cast<float>(strength));
+    const glm::ivec3 expected(to_srgb8(scene.paper * wash)), paper(to_srgb8(scene.paper));
+    const glm::ivec3 lit = color_at(image, pixel_of({-0.06, 0, 0}, scene.view, image));
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(shadow[k], expected[k], 5) << strength;
+      EXPECT_NEAR(lit[k], paper[k], 5) << strength;
+    }
+  }
 }
 
 TEST(PovRay, LightGoesIntoFleshWhereAsked) {

@@ -1,7 +1,12 @@
 #include "render/export/pov.h"
 
 #include <gmock/gmock.h>
+#include <cmath>
+#include <cstdlib>
 
+#include <glm/geometric.hpp>
+
+#include "generator/base/units.h"
 #include "tests/render/export/named_solids.h"
 
 namespace pomona {
@@ -58,6 +63,71 @@ TEST(Pov, NamesCannotBreakOut) {
   EXPECT_THAT(files[0].bytes, HasSubstr("g h\n"));
   EXPECT_THAT(files[0].bytes, HasSubstr("// c  }\n"));
   EXPECT_THAT(files[1].bytes, HasSubstr("// a #error \"b\"\n"));
+}
+
+/// The three numbers that follow a word, from a place on.
+glm::dvec3 vector_after(const std::string& text, const std::string& word, std::size_t from = 0) {
+  glm::dvec3 v(0);
+  const char* at = text.c_str() + text.find('<', text.find(word, from)) + 1;
+  for (int k = 0; k < 3; ++k) {
+    char* end = nullptr;
+    v[k] = std::strtod(at, &end);
+    at = end + 1;
+  }
+  return v;
+}
+
+Style lit_from(double azimuth, double elevation) {
+  Style style;
+  style.light.azimuth = radians(azimuth);
+  style.light.elevation = radians(elevation);
+  return style;
+}
+
+TEST(Pov, TheLightComesFromWhereTheStyleHasIt) {
+  // From the front, a little above: right is +X, behind the one who looks +Z.
+  Scene scene = named::axes_of_balls();
+  scene.view.target = {0.01, 0.02, 0.03};
+  scene.view.eye = scene.view.target + glm::dvec3(0, 0.3, 0.4);
+  const glm::dvec2 cases[] = {{0, 45}, {-90, 30}, {90, 10}, {180, 60}, {-54, 51}};
+  for (const glm::dvec2& c : cases) {
+    const std::string text = write_pov(scene, "x", {.style = lit_from(c.x, c.y)})[0].bytes;
+    const double a = radians(c.x), e = radians(c.y);
+    const glm::dvec3 expected(std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a));
+    const glm::dvec3 place = 0.01 * vector_after(text, "light_source") - scene.view.target;
+    EXPECT_LT(glm::distance(glm::normalize(place), expected), 1e-6) << c.x << " " << c.y;
+  }
+}
+
+TEST(Pov, TheLightIsAsStrongAndAsWideAsTheStyleHasIt) {
+  const Scene scene = named::axes_of_balls();
+  Style style;
+  const std::string usual = write_pov(scene, "x", {.style = style})[0].bytes;
+  style.light.strength = 0.5;
+  style.light.ambient = 2;
+  style.light.softness = 0;
+  const std::string other = write_pov(scene, "x", {.style = style})[0].bytes;
+  const auto strength = [](const std::string& text) { return vector_after(text, "rgb", text.find("light_source")); };
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(strength(other)[k], 0.5 * strength(usual)[k], 1e-4);
+    EXPECT_NEAR(vector_after(other, "ambient_light")[k], 2 * vector_after(usual, "ambient_light")[k], 1e-4);
+  }
+  EXPECT_EQ(occurrences(usual, "area_light"), 1u);
+  EXPECT_EQ(occurrences(other, "area_light"), 0u);
+}
+
+TEST(Pov, WithoutShadowNoLightThrowsOne) {
+  const Scene scene = named::axes_of_balls();
+  Style style;
+  const auto throwing = [&] {
+    const std::string text = write_pov(scene, "x", {.style = style})[0].bytes;
+    return occurrences(text, "light_source") - occurrences(text, "shadowless");
+  };
+  EXPECT_EQ(throwing(), 1u);
+  style.shadow.strength = 0.4;
+  EXPECT_EQ(throwing(), 1u);
+  style.shadow.strength = 0;
+  EXPECT_EQ(throwing(), 0u);
 }
 
 TEST(Pov, EachMaterialHasAFinish) {

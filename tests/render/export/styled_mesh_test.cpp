@@ -9,10 +9,16 @@
 namespace pomona {
 namespace {
 
-StyledMesh styled(const Solid& solid, bool noise = true) {
+StyledMesh styled(const Solid& solid, const Style& style = {}) {
   Scene scene;
   scene.solids = {solid};
-  return styled_meshes(scene, {.noise = noise})[0];
+  return styled_meshes(scene, {.style = style})[0];
+}
+
+Style without_noise() {
+  Style style;
+  style.noise = false;
+  return style;
 }
 
 Solid speckled_ball() {
@@ -44,7 +50,7 @@ TEST(StyledMesh, WeldsWhatIsEqualAndNothingElse) {
 
 TEST(StyledMesh, NoiseChangesColoursAndNothingElse) {
   const Solid ball = speckled_ball();
-  const StyledMesh with = styled(ball), without = styled(ball, false);
+  const StyledMesh with = styled(ball), without = styled(ball, without_noise());
   ASSERT_EQ(with.position, without.position);
   ASSERT_EQ(with.triangle, without.triangle);
   float largest = 0;
@@ -54,6 +60,21 @@ TEST(StyledMesh, NoiseChangesColoursAndNothingElse) {
     EXPECT_TRUE(glm::all(glm::lessThanEqual(with.color[v], Color(1))));
   }
   EXPECT_GT(largest, 0.02f);
+}
+
+TEST(StyledMesh, PaintTakesColourAndAddsLight) {
+  Style grey = without_noise();
+  grey.saturation = 0;
+  grey.lightness = 0.1;
+  const Solid ball = speckled_ball();
+  const glm::vec3 before = to_oklab(ball.color[0]);
+  for (const Color& color : styled(ball, grey).color) {
+    const glm::vec3 lab = to_oklab(color);
+    EXPECT_NEAR(lab.x, before.x + 0.1, 1e-4);
+    EXPECT_NEAR(lab.y, 0, 1e-4);
+    EXPECT_NEAR(lab.z, 0, 1e-4);
+  }
+  for (const Color& color : styled(ball, without_noise()).color) EXPECT_EQ(color, ball.color[0]);
 }
 
 TEST(StyledMesh, NormalsAreOfUnitLengthWhateverCame) {
