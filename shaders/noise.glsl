@@ -2,7 +2,8 @@
 #include "color.glsl"
 
 // Every solid's style, noise_texels each (render/gl/scene_upload.cpp): base frequency, sigma, keys, bands; stretch
-// along radius, height, azimuth; then for each key its OKLab colour, its axis, and weights of bands 0-3 and 4-7.
+// along radius, height, azimuth, and the pattern; then for each key its OKLab colour, its axis, and weights of bands
+// 0-3 and 4-7.
 uniform samplerBuffer noise_styles;
 const int noise_texels = 66;
 
@@ -53,7 +54,7 @@ vec3 about_axis(vec3 position) {
 }
 
 // One loop for both kinds of lattice: software renderers run both sides of a branch, but end a loop early.
-float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int band) {
+float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int band, uint pattern) {
   bool isotropic = stretch == vec3(1.0);
   vec2 radius_height = around.xy * frequency * stretch.xy + band_offset;
   float wanted = clamp(6.283185307179586 * around.x * frequency * stretch.z, 2.0, 32768.0);
@@ -68,7 +69,7 @@ float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int 
     bool turns = !isotropic && level >= 2;
     vec3 point = isotropic ? position * frequency + band_offset * float(band + 1)
                            : vec3(radius_height, turns ? around.z * float(cells) : band_offset);
-    uint seed = uint(band) + (isotropic ? 0u : 64u * uint(level));
+    uint seed = pattern + uint(band) + (isotropic ? 0u : 64u * uint(level));
     sum += (isotropic ? 1.0 : ring == 0 ? 1.0 - share : share) * lattice_noise(point, seed, turns ? cells - 1 : ~0);
   }
   float norm = isotropic ? 1.0 : sqrt(share * share + (1.0 - share) * (1.0 - share));
@@ -78,7 +79,9 @@ float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int 
 vec3 modulated(vec3 color, vec3 position, float footprint, int solid) {
   int first = solid * noise_texels;
   vec4 head = texelFetch(noise_styles, first);  // base frequency, sigma, keys, bands
-  vec3 stretch = texelFetch(noise_styles, first + 1).xyz;
+  vec4 form = texelFetch(noise_styles, first + 1);
+  vec3 stretch = form.xyz;
+  uint pattern = uint(form.w);
 
   // How much of each key this colour is; with it, the weight of each band and the direction.
   vec3 lab = to_oklab(color);
@@ -102,7 +105,7 @@ vec3 modulated(vec3 color, vec3 position, float footprint, int solid) {
     float weight = (b < 4 ? low[b] : high[b - 4]) / total;
     float frequency = head.x * float(1 << b);
     float shown = 1.0 - smoothstep(0.25, 0.5, frequency * steepest * footprint);
-    amount += weight * shown * band_noise(position, around, frequency, stretch, b);
+    amount += weight * shown * band_noise(position, around, frequency, stretch, b, pattern);
   }
   return amount == 0.0 ? color : clamp(from_oklab(lab + amount * axis / total), 0.0, 1.0);
 }

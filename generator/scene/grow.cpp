@@ -1,7 +1,9 @@
 #include "generator/scene/grow.h"
 
 #include <utility>
+#include <variant>
 
+#include "generator/base/random.h"
 #include "generator/surface/grains.h"
 #include "generator/surface/sheets.h"
 #include "generator/surface/skin_depth.h"
@@ -13,11 +15,19 @@ namespace pomona {
 
 namespace {
 
-/// The variant with colours of its own.
+/// Where nothing varies, and as drawn, noise and detail keep the drawing's pattern.
+std::uint32_t drawn_pattern(const Template& fruit, VariantKey key, const GrowOptions& options) {
+  if (options.as_drawn || std::holds_alternative<NoSymmetry>(fruit.symmetry)) return 0;
+  return 1 + static_cast<std::uint32_t>(RandomStream(key, "pattern").below(0, most_pattern));
+}
+
+/// The variant with colours, noise and detail of its own.
 Template colored_individual(Template variant, const Template& fruit, VariantKey key, const GrowOptions& options) {
   const double amount = options.as_drawn || options.curves_only ? 0 : options.variation;
   variant.individual =
       drawn_individual(fruit, key, {.amount = amount, .ripeness = options.ripeness, .browning = options.browning});
+  variant.noise.pattern = drawn_pattern(fruit, key, options);
+  for (DetailSketch& detail : variant.details) detail.pattern = variant.noise.pattern;
   return variant;
 }
 

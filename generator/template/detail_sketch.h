@@ -1,6 +1,7 @@
 // Texture detail that follows a fruit's surfaces: fibres, cells, speckles, streaks, nets (paper, section 6).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -55,6 +56,8 @@ struct DetailSketch {
 
   double reach = 0.03;   ///< metres: the fruit's largest drawn radius
   double middle = 0.03;  ///< metres: half its drawn height
+
+  std::uint32_t pattern = 0;  ///< as of NoiseStyle
 };
 
 /// So many details of one kind of face count.

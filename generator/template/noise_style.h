@@ -1,6 +1,7 @@
 // The fine grain in the colours of a fruit.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -8,6 +9,10 @@
 #include "generator/base/color.h"
 
 namespace pomona {
+
+/// Which of many like patterns a fruit has: 0 = the drawing's, up to this in variants. Single precision holds them,
+/// and the numbers of all lattices besides.
+constexpr std::uint32_t most_pattern = (1u << 24) - (1u << 13);
 
 /// Perlin modulation keyed by the unmodulated colour (paper, section 5; docs/style.md).
 struct NoiseKey {
@@ -20,6 +25,7 @@ struct NoiseStyle {
   double base_frequency = 0;    ///< cycles per metre of the lowest band; each further band doubles it
   glm::dvec3 stretch{1, 1, 1};  ///< frequencies times this along radius, height, azimuth: 1,1,1 = isotropic in x,y,z
   double sigma = 0.12;          ///< OKLab distance over which a key fades
+  std::uint32_t pattern = 0;    ///< 0..most_pattern, set in variants
   std::vector<NoiseKey> keys;
 };
 

@@ -111,7 +111,7 @@ std::vector<glm::vec4> noise_texels(const NoiseStyle& style) {
   const Modulation modulation(style);
   std::vector<glm::vec4> texels(2 + 4 * max_noise_keys, glm::vec4(0));
   texels[0] = {style.base_frequency, style.sigma, modulation.keys().size(), modulation.bands()};
-  texels[1] = glm::vec4(style.stretch, 0);
+  texels[1] = glm::vec4(style.stretch, style.pattern);
   for (std::size_t k = 0; k < modulation.keys().size(); ++k) {
     const Modulation::Key& key = modulation.keys()[k];
     const auto& w = key.weights;

@@ -81,7 +81,7 @@ PatternPlace pattern_place(const DetailSketch& detail, const glm::dvec3& positio
 }
 
 Pattern::Pattern(const DetailSketch& detail, std::uint32_t seed) : detail_(detail) {
-  shape_.seed = 4096 + 16 * seed;
+  shape_.seed = detail.pattern + 4096 + 16 * seed;
   // Noise is nearly normal, and the normal distribution is nearly the logistic one.
   const double spread = detail.kind == DetailKind::streaks ? 1.3 * deviation : 1.15 * deviation;
   shape_.threshold = spread * reproducible::log((1 - detail.density) / detail.density) / 1.702;

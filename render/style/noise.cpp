@@ -25,8 +25,8 @@ constexpr double band_offset = 0.37;
 constexpr std::uint32_t ring_seed = 64;
 
 /// One ring of 2^level cells around the axis; below level 2 the noise does not turn with the azimuth.
-double ring_noise(const glm::dvec2& radius_height, double turn, int level, int band) {
-  const auto seed = static_cast<std::uint32_t>(band) + ring_seed * static_cast<std::uint32_t>(std::max(level, 1));
+double ring_noise(const glm::dvec2& radius_height, double turn, int level, std::uint32_t band_seed) {
+  const std::uint32_t seed = band_seed + ring_seed * static_cast<std::uint32_t>(std::max(level, 1));
   if (level < 2) return gradient_noise({radius_height, band_offset}, seed);
   const std::int32_t cells = 1 << level;
   return gradient_noise_around({radius_height, turn * cells}, seed, cells);
@@ -35,7 +35,7 @@ double ring_noise(const glm::dvec2& radius_height, double turn, int level, int b
 /// More cells than this around an axis are never needed at any footprint we draw with.
 constexpr int finest_ring = 16;
 
-double cylinder_noise(const glm::dvec3& stretch, const glm::dvec3& position, double frequency, int band) {
+double cylinder_noise(const glm::dvec3& stretch, const glm::dvec3& position, double frequency, std::uint32_t seed) {
   const double radius = std::sqrt(position.x * position.x + position.z * position.z);
   const double turn = reproducible::atan2(-position.z, position.x) / (2.0 * pi);
   const glm::dvec2 radius_height(radius * frequency * stretch.x + band_offset,
@@ -49,8 +49,8 @@ double cylinder_noise(const glm::dvec3& stretch, const glm::dvec3& position, dou
   const double share = smoothstep(0.0, 1.0, 2.0 * mantissa - 1.0);
 
   // Two uncorrelated noises: keep the variance through the cross-fade.
-  const double inner = ring_noise(radius_height, turn, level, band);
-  const double outer = ring_noise(radius_height, turn, level + 1, band);
+  const double inner = ring_noise(radius_height, turn, level, seed);
+  const double outer = ring_noise(radius_height, turn, level + 1, seed);
   const double norm = std::sqrt(share * share + (1.0 - share) * (1.0 - share));
   return std::clamp(mix(inner, outer, share) / norm, -1.0, 1.0);
 }
@@ -63,8 +63,9 @@ double frequency_of(const NoiseStyle& style, int band) { return style.base_frequ
 
 double band_noise(const NoiseStyle& style, const glm::dvec3& position, int band) {
   const double frequency = frequency_of(style, band);
-  if (!is_isotropic(style.stretch)) return cylinder_noise(style.stretch, position, frequency, band);
-  return gradient_noise(position * frequency + band_offset * (band + 1), static_cast<std::uint32_t>(band));
+  const std::uint32_t seed = style.pattern + static_cast<std::uint32_t>(band);
+  if (!is_isotropic(style.stretch)) return cylinder_noise(style.stretch, position, frequency, seed);
+  return gradient_noise(position * frequency + band_offset * (band + 1), seed);
 }
 
 Modulation::Modulation(const NoiseStyle& style) : style_(style) {

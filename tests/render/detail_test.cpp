@@ -92,6 +92,24 @@ TEST(Detail, density_is_the_share_of_the_area) {
   }
 }
 
+TEST(Detail, patterns_of_two_variants_have_nothing_in_common_but_their_look) {
+  for (const DetailKind kind : all_kinds) {
+    DetailSketch detail = some_detail(kind, DetailRun::to_skin);
+    const Pattern drawn(detail, 1);
+    detail.pattern = 77;
+    const Pattern own(detail, 1), again(detail, 1);
+    double both = 0, squares = 0;
+    const double mean = own.shape().mean.share;
+    EXPECT_NEAR(drawn.shape().mean.share, mean, 0.06);
+    for (std::uint64_t i = 0; i < 4000; ++i) {
+      const double a = share_at(drawn, some_place(i)) - mean, b = share_at(own, some_place(i)) - mean;
+      EXPECT_EQ(share_at(again, some_place(i)), share_at(own, some_place(i)));
+      both += a * b, squares += 0.5 * (a * a + b * b);
+    }
+    EXPECT_LT(std::fabs(both), 0.2 * squares) << int(kind);
+  }
+}
+
 TEST(Detail, runs_where_the_guide_says) {
   // The mean square of differences along the run, and across it: a structure tensor's diagonal.
   for (const DetailKind kind : {DetailKind::fibres, DetailKind::streaks, DetailKind::cells, DetailKind::net}) {

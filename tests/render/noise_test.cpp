@@ -66,6 +66,23 @@ TEST(Noise, IsContinuousEverywhereAroundTheAxisToo) {
   }
 }
 
+TEST(Noise, PatternsHaveNothingInCommon) {
+  for (const glm::dvec3& stretch : {glm::dvec3(1), glm::dvec3(0.2, 1, 1)}) {
+    NoiseStyle drawn = two_keys(), own = drawn, others = drawn;
+    drawn.stretch = own.stretch = others.stretch = stretch;
+    own.pattern = 77, others.pattern = most_pattern;
+    for (const NoiseStyle& other : {drawn, others}) {
+      double both = 0, squares = 0;
+      for (std::uint64_t i = 0; i < 20000; ++i) {
+        const glm::dvec3 p = some_point(i, 0.3);
+        both += band_noise(own, p, 1) * band_noise(other, p, 1);
+        squares += 0.5 * (std::pow(band_noise(own, p, 1), 2) + std::pow(band_noise(other, p, 1), 2));
+      }
+      EXPECT_LT(std::fabs(both), 0.05 * squares);
+    }
+  }
+}
+
 TEST(Noise, RunsAlongTheAxisWhenStretchedThere) {
   NoiseStyle style = two_keys();
   style.stretch = {1, 0.05, 1};
