@@ -20,8 +20,8 @@ struct GrowOptions {
   double browning = 0;                  ///< 0..1, of cut faces
 };
 
-/// The template's variant for `key`, with patterns of noise and detail of its own; with as_drawn the template itself, or
-/// its folds repeated in turn, of the ripeness asked for.
+/// The template's variant for `key`, with patterns of noise and detail of its own; with as_drawn the template itself,
+/// or its folds repeated in turn, of the ripeness asked for.
 Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options = {});
 
 /// The same of a template that was made ready for many variants, never as drawn.
