@@ -47,6 +47,17 @@ ExportOptions export_options(const SharedOptions& options, const Style& style) {
           .threads = {options.threads}};
 }
 
+/// The parts that face the air around the fruit, by their surfaces' names.
+OutsideParts outside_parts(const Template& fruit) {
+  OutsideParts parts;
+  for (const SurfaceSketch& surface : fruit.surfaces) {
+    for (const Side& side : {surface.front, surface.back}) {
+      if (side.hidden) parts[surface.name] = fruit.parts.at(side.part);
+    }
+  }
+  return parts;
+}
+
 }  // namespace
 
 Delivery::Delivery(const SharedOptions& options)
@@ -118,6 +129,12 @@ Scene Delivery::fitted(Scene scene, const PictureSize& size, const std::optional
   return scene;
 }
 
+std::vector<PlateLayer> Delivery::plate_layers(const std::optional<Plate>& plate, const Scene& seen,
+                                               const PictureSize& size) {
+  if (!plate) return {};
+  return plate->layers(scene_parts(seen, size.width, size.height), pixels_per_metre(seen.view, size.height));
+}
+
 void Delivery::add_picture(const Output& output, const Scene& scene) {
   const PictureSize size = size_.value_or(default_size_);
   const std::optional<Plate> plate = plate_for(scene, size);
@@ -127,18 +144,20 @@ void Delivery::add_picture(const Output& output, const Scene& scene) {
     return draw_scene(context, seen, style_,
                       {.width = size.width, .height = size.height, .threads = {options_.threads}});
   });
-  if (plate) plate->draw(image, scene_parts(seen, size.width, size.height), pixels_per_metre(seen.view, size.height));
+  draw(plate_layers(plate, seen, size), image);
   add(output.file, [&] { return write_png(image); });
 }
 
 void Delivery::add_lines(const Output& output, const Scene& scene) {
   const PictureSize size = size_.value_or(default_size_);
-  const Scene seen = fitted(scene, size, {});
+  const std::optional<Plate> plate = plate_for(scene, size);
+  const Scene seen = fitted(scene, size, plate);
   const StrokeOptions options{.width = size.width, .height = size.height, .threads = {options_.threads}};
   const std::vector<SceneStroke> strokes = times.time("style", [&] { return scene_strokes(seen, style_, options); });
   if (!style_.ink) warn({"the style " + style_.name + " has no ink: " + output.file.string() + " holds no lines"});
   const std::string made_by = export_options(options_, style_).provenance;
-  add(output.file, [&] { return write_svg(seen, strokes, size.width, size.height, made_by); });
+  const std::vector<PlateLayer> around = plate_layers(plate, seen, size);
+  add(output.file, [&] { return write_svg(seen, strokes, size.width, size.height, made_by, around); });
 }
 
 void Delivery::add_pov(const Output& output, const Scene& scene) {
@@ -155,8 +174,11 @@ void Delivery::add_pov(const Output& output, const Scene& scene) {
 
 void Delivery::add_section_picture(const Output& output, const CrossSection& section, const Template& fruit) {
   const PictureSize size = size_.value_or(default_size_);
-  const SectionPictureOptions options{
-      .width = size.width, .height = size.height, .text = {fruit.title, fruit.latin}, .threads = {options_.threads}};
+  const SectionPictureOptions options{.width = size.width,
+                                      .height = size.height,
+                                      .text = {fruit.title, fruit.latin},
+                                      .outside = outside_parts(fruit),
+                                      .threads = {options_.threads}};
   const Look look(fruit.noise, fruit.details);
   if (output.format == Format::svg) {
     const std::string made_by = export_options(options_, style_).provenance;

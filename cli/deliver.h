@@ -56,6 +56,8 @@ class Delivery {
   void add_picture(const Output& output, const Scene& scene);
   void add_lines(const Output& output, const Scene& scene);
   void add_pov(const Output& output, const Scene& scene);
+  static std::vector<PlateLayer> plate_layers(const std::optional<Plate>& plate, const Scene& seen,
+                                              const PictureSize& size);
   std::optional<Plate> plate_for(const Scene& scene, const PictureSize& size) const;
   Scene fitted(Scene scene, const PictureSize& size, const std::optional<Plate>& plate) const;
   void add_glb(const Output& output, const Scene& scene);

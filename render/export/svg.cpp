@@ -102,10 +102,40 @@ std::string path_text(const std::vector<StrokePoint>& stroke, const Color& ink, 
   return text;
 }
 
+std::string outline_path(const Outline& outline) {
+  std::string text;
+  for (const std::vector<glm::dvec2>& line : outline) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      text += (i == 0 ? "M" : i == 1 ? "L" : " ") + hundredths(line[i].x) + " " + hundredths(line[i].y);
+    }
+    if (!line.empty()) text += "Z";
+  }
+  return text;
+}
+
+/// One layer; opacity is that of the whole, so that what overlaps is no darker.
+std::string plate_text(std::span<const PlateLayer> plate) {
+  if (plate.empty()) return {};
+  std::string text = layer_start("plate", "plate");
+  for (const PlateLayer& layer : plate) {
+    text += "    <g id=\"plate-" + layer.name + "\" fill=\"" + hex_color(layer.color) + "\" opacity=\"" +
+            hundredths(layer.opacity) + "\">\n";
+    for (const PlateMark& mark : layer.marks) {
+      const std::string path = outline_path(mark.outline);
+      if (path.empty()) continue;
+      text += "      <path";
+      if (!mark.text.empty()) text += " aria-label=\"" + escaped(mark.text) + "\"";
+      text += " d=\"" + path + "\"/>\n";
+    }
+    text += "    </g>\n";
+  }
+  return text + "  </g>\n";
+}
+
 }  // namespace
 
 std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, int width, int height,
-                      const std::string& provenance) {
+                      const std::string& provenance, std::span<const PlateLayer> plate) {
   std::vector<std::string> layers(scene.instances.size());
   for (const SceneStroke& stroke : strokes) {
     layers[stroke.instance] += path_text(stroke.points, stroke.color, 1);
@@ -115,23 +145,25 @@ std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, 
     if (layers[i].empty()) continue;
     text += layer_start("ink-" + std::to_string(i + 1), scene.instances[i].name) + layers[i] + "  </g>\n";
   }
-  return text + "</svg>\n";
+  return text + plate_text(plate) + "</svg>\n";
 }
 
 std::string write_section_svg(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,
                               const SectionPictureOptions& options, const std::string& provenance) {
   Style without_ink = style;
   without_ink.ink = false;
-  const std::string picture = base64(write_png(draw_section(section, look, ink, without_ink, options)));
+  const SectionSheet sheet(section, style, options);
+  const std::vector<PlacedFace>& faces = sheet.faces();
+  const std::string picture = base64(write_png(draw_faces(section, faces, look, ink, without_ink, options)));
   std::string text = opening(options.width, options.height, provenance);
   text += layer_start("colours", "colours") + "    <image width=\"" + std::to_string(options.width) + "\" height=\"" +
           std::to_string(options.height) + "\" xlink:href=\"data:image/png;base64," + picture + "\"/>\n  </g>\n";
-  if (!style.ink) return text + "</svg>\n";
+  const std::string around = plate_text(sheet.plate_layers());
+  if (!style.ink) return text + around + "</svg>\n";
 
   // Inner lines below the rims.
   const Color color = style.ink_color.value_or(ink.color);
   const double side = std::min(options.width, options.height);
-  const std::vector<PlacedFace> faces = lay_out(section, {options.width, options.height}, options.margin * side);
   const std::vector<SectionStroke> strokes = section_strokes(section, faces, ink, style, side);
   std::vector<std::string> inner(faces.size()), rims(faces.size());
   for (const SectionStroke& stroke : strokes) {
@@ -143,7 +175,7 @@ std::string write_section_svg(const CrossSection& section, const Look& look, con
     const std::string number = std::to_string(i + 1);
     text += layer_start("face-" + number, "face " + number) + inner[i] + rims[i] + "  </g>\n";
   }
-  return text + "</svg>\n";
+  return text + around + "</svg>\n";
 }
 
 }  // namespace pomona

@@ -13,12 +13,13 @@ namespace pomona {
 
 /// The bytes of an .svg with one layer per instance that has ink, named after it: strokes as filled paths, finer lines
 /// below outlines. A user unit is a pixel of the picture that the strokes are for. Same strokes, same bytes.
-/// \param provenance for the title, as in ExportOptions.
+/// \param provenance for the title, as in ExportOptions. \param plate what stands around the figure: layers above all
+/// else, letters as outlines.
 std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, int width, int height,
-                      const std::string& provenance);
+                      const std::string& provenance, std::span<const PlateLayer> plate = {});
 
 /// The bytes of an .svg with a layer "colours", the picture of draw_section() without ink, and above it one layer per
-/// face with its strokes. Exact to the byte, as the picture is.
+/// face with its strokes; above these what a plate adds, as there. Exact to the byte, as the picture is.
 std::string write_section_svg(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,
                               const SectionPictureOptions& options, const std::string& provenance);
 

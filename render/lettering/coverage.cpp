@@ -34,6 +34,26 @@ std::vector<Crossing> crossings(const Outline& outline, double y) {
 
 }  // namespace
 
+Outline line_outline(const glm::dvec2& a, const glm::dvec2& b, double width) {
+  const double length = std::sqrt(glm::dot(b - a, b - a));
+  if (length <= 0) return {};
+  const glm::dvec2 across = glm::dvec2(-(b - a).y, (b - a).x) * (0.5 * width / length);
+  return {{a + across, b + across, b - across, a - across}};
+}
+
+Outline disc_outline(const glm::dvec2& center, double radius) {
+  constexpr double half = 0.7071067811865476, far = 0.9238795325112867, near = 0.3826834323650898;
+  const glm::dvec2 eighth[4] = {{1, 0}, {far, near}, {half, half}, {near, far}};
+  std::vector<glm::dvec2> circle;
+  glm::dvec2 right(1, 0), down(0, 1);
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    for (const glm::dvec2& p : eighth) circle.push_back(center + (right * p.x + down * p.y) * radius);
+    right = glm::dvec2(-right.y, right.x);
+    down = glm::dvec2(-down.y, down.x);
+  }
+  return {circle};
+}
+
 Coverage::Coverage(int width, int height)
     : width_(width), height_(height), values_(static_cast<std::size_t>(width) * height, 0.0f) {}
 
@@ -64,27 +84,6 @@ void Coverage::add_span(int y, double x0, double x1, double share) {
     const double covered = std::min(x1, x + 1.0) - std::max(x0, static_cast<double>(x));
     row[x] = std::min(1.0f, row[x] + static_cast<float>(covered * share));
   }
-}
-
-void Coverage::line(const glm::dvec2& a, const glm::dvec2& b, double width) {
-  const double length = std::sqrt(glm::dot(b - a, b - a));
-  if (length <= 0) return;
-  const glm::dvec2 across = glm::dvec2(-(b - a).y, (b - a).x) * (0.5 * width / length);
-  fill({{a + across, b + across, b - across, a - across}});
-}
-
-void Coverage::disc(const glm::dvec2& center, double radius) {
-  // Sixteen corners are round enough for a dot.
-  constexpr double half = 0.7071067811865476, far = 0.9238795325112867, near = 0.3826834323650898;
-  const glm::dvec2 eighth[4] = {{1, 0}, {far, near}, {half, half}, {near, far}};
-  std::vector<glm::dvec2> circle;
-  glm::dvec2 right(1, 0), down(0, 1);
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    for (const glm::dvec2& p : eighth) circle.push_back(center + (right * p.x + down * p.y) * radius);
-    right = glm::dvec2(-right.y, right.x);
-    down = glm::dvec2(-down.y, down.x);
-  }
-  fill({circle});
 }
 
 }  // namespace pomona

@@ -7,6 +7,12 @@
 
 namespace pomona {
 
+/// A straight line with square ends, `width` across. Empty for a point.
+Outline line_outline(const glm::dvec2& a, const glm::dvec2& b, double width);
+
+/// Sixteen corners are round enough for a dot.
+Outline disc_outline(const glm::dvec2& center, double radius);
+
 /// One value a pixel, 0..1; the same bits on every machine.
 class Coverage {
  public:
@@ -15,11 +21,6 @@ class Coverage {
   /// Adds what the outline turns around: exact along each of 16 rows a pixel. What several outlines cover is covered
   /// once at most.
   void fill(const Outline& outline);
-
-  /// A straight line with square ends, `width` pixels across.
-  void line(const glm::dvec2& a, const glm::dvec2& b, double width);
-
-  void disc(const glm::dvec2& center, double radius);
 
   double at(int x, int y) const { return values_[static_cast<std::size_t>(y) * width_ + x]; }
 

@@ -6,8 +6,6 @@
 
 #include "generator/base/error.h"
 #include "render/picture/paper.h"
-#include "render/picture/section_layout.h"
-#include "render/picture/section_parts.h"
 #include "render/picture/section_raster.h"
 #include "render/picture/section_strokes.h"
 #include "render/style/look.h"
@@ -22,12 +20,6 @@ std::vector<PlacedFace> laid_out_in(const PlateBox& box, const CrossSection& sec
   return faces;
 }
 
-/// Pixels per metre: all faces have one scale. 0 where none is shown.
-double scale_of(const std::vector<PlacedFace>& faces) {
-  const auto shown = std::find_if(faces.begin(), faces.end(), [](const PlacedFace& face) { return face.shown; });
-  return shown == faces.end() ? 0 : shown->scale;
-}
-
 struct InkLayers {
   InkLayer rim, inner;
 };
@@ -40,20 +32,33 @@ InkLayers inked(const std::vector<SectionStroke>& strokes, const SectionPictureO
 
 }  // namespace
 
-Image draw_section(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,
-                   const SectionPictureOptions& options) {
+SectionSheet::SectionSheet(const CrossSection& section, const Style& style, const SectionPictureOptions& options)
+    : section_(section), outside_(options.outside), width_(options.width), height_(options.height) {
   const auto fits = [](int side) { return side >= 1 && side <= max_picture_side; };
   if (!fits(options.width) || !fits(options.height)) {
     throw Error(ExitStatus::usage, "a picture must be 1 to " + std::to_string(max_picture_side) + " pixels each way");
   }
 
+  const double side = std::min(options.width, options.height);
+  if (style.plate)
+    plate_.emplace(style, options.text, parts_in(section, options.outside), options.width, options.height);
+  faces_ = plate_ ? laid_out_in(plate_->figure(), section, 0.02 * side)
+                  : lay_out(section, {options.width, options.height}, options.margin * side);
+}
+
+std::vector<PlateLayer> SectionSheet::plate_layers() const {
+  if (!plate_) return {};
+  // All faces have one scale.
+  const auto shown = std::find_if(faces_.begin(), faces_.end(), [](const PlacedFace& face) { return face.shown; });
+  PartMap map = section_parts(section_, faces_, width_, height_);
+  add_rims(map, section_, faces_, outside_);
+  return plate_->layers(map, shown == faces_.end() ? 0 : shown->scale);
+}
+
+Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& faces, const Look& look,
+                 const InkStyle& ink, const Style& style, const SectionPictureOptions& options) {
   // Flat colours first.
   const double side = std::min(options.width, options.height);
-  std::optional<Plate> plate;
-  if (style.plate) plate.emplace(style, options.text, parts_in(section), options.width, options.height);
-  const std::vector<PlacedFace> faces = plate
-                                            ? laid_out_in(plate->figure(), section, 0.02 * side)
-                                            : lay_out(section, {options.width, options.height}, options.margin * side);
   const std::vector<SectionPixel> pixels = rasterised(section, faces, options.width, options.height, options.threads);
 
   // Then, pixel by pixel: the colour's noise, the paper around it, the ink above it.
@@ -85,7 +90,14 @@ Image draw_section(const CrossSection& section, const Look& look, const InkStyle
       image.pixels[i] = to_srgb8(color);
     }
   });
-  if (plate) plate->draw(image, section_parts(section, faces, options.width, options.height), scale_of(faces));
+  return image;
+}
+
+Image draw_section(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,
+                   const SectionPictureOptions& options) {
+  const SectionSheet sheet(section, style, options);
+  Image image = draw_faces(section, sheet.faces(), look, ink, style, options);
+  draw(sheet.plate_layers(), image);
   return image;
 }
 

@@ -92,6 +92,14 @@ PartMap merged_names(PartMap map) {
   return map;
 }
 
+/// A few thousand places to choose from are plenty.
+std::vector<glm::dvec2> some_of(const std::vector<glm::dvec2>& places) {
+  const std::size_t step = places.size() / 4096 + 1;
+  std::vector<glm::dvec2> some;
+  for (std::size_t i = 0; i < places.size(); i += step) some.push_back(places[i]);
+  return some;
+}
+
 ShownPart shown(const Cutout& cutout, const std::vector<double>& depth, double deepest, std::int32_t part) {
   ShownPart result{part, cutout.area, {}};
   for (int x = 0; x < cutout.width; ++x) {
@@ -100,13 +108,22 @@ ShownPart shown(const Cutout& cutout, const std::vector<double>& depth, double d
       result.places.emplace_back(cutout.x0 + x + 0.5, cutout.y0 + y + 0.5);
     }
   }
-
-  // A few thousand places to choose from are plenty.
-  const std::size_t step = result.places.size() / 4096 + 1;
-  std::vector<glm::dvec2> some;
-  for (std::size_t i = 0; i < result.places.size(); i += step) some.push_back(result.places[i]);
-  result.places = std::move(some);
+  result.places = some_of(result.places);
   return result;
+}
+
+/// A part too thin to be pointed at from within may lie at the figure's rim: one points at it from outside, at pixels
+/// beside which nothing is shown.
+std::vector<glm::dvec2> places_on_rim(const PartMap& map, std::int32_t part) {
+  std::vector<glm::dvec2> places;
+  for (int x = 1; x + 1 < map.width; ++x) {
+    for (int y = 1; y + 1 < map.height; ++y) {
+      if (map.at(x, y) != part) continue;
+      const bool at_rim = map.at(x - 1, y) < 0 || map.at(x + 1, y) < 0 || map.at(x, y - 1) < 0 || map.at(x, y + 1) < 0;
+      if (at_rim) places.emplace_back(x + 0.5, y + 0.5);
+    }
+  }
+  return some_of(places);
 }
 
 }  // namespace
@@ -120,7 +137,11 @@ std::vector<ShownPart> shown_parts(const PartMap& given, double least_share, dou
     if (cutout.area == 0 || cutout.area < least_share * all) continue;
     const std::vector<double> depth = squared_depths(cutout);
     const double deepest = *std::max_element(depth.begin(), depth.end());
-    if (deepest >= least_depth * least_depth) parts.push_back(shown(cutout, depth, deepest, part));
+    if (deepest >= least_depth * least_depth) {
+      parts.push_back(shown(cutout, depth, deepest, part));
+    } else if (std::vector<glm::dvec2> places = places_on_rim(map, part); !places.empty()) {
+      parts.push_back({part, cutout.area, std::move(places)});
+    }
   }
   return parts;
 }

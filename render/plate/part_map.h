@@ -25,7 +25,8 @@ struct ShownPart {
 };
 
 /// All parts that cover at least `least_share` of what shows and are somewhere as thick as `least_depth` pixels to
-/// either side, in the order of their numbers. Parts of one name are one.
+/// either side, in the order of their numbers; thinner ones where they are the figure's rim, with places on it alone.
+/// Parts of one name are one.
 std::vector<ShownPart> shown_parts(const PartMap& map, double least_share, double least_depth);
 
 }  // namespace pomona

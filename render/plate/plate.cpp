@@ -119,43 +119,62 @@ Plate::ScaleBar Plate::scale_bar(double pixels_per_metre) const {
   return bar;
 }
 
-void Plate::draw(Image& image, const PartMap& map, double pixels_per_metre) const {
-  const Typeface italic("italic"), capitals("capitals");
-  const double hair = std::max(style_.leader_width * std::min(width_, height_), 0.7);
-  Coverage letters(width_, height_), lines(width_, height_), around(width_, height_);
+double Plate::hair() const { return std::max(style_.leader_width * std::min(width_, height_), 0.7); }
+
+void Plate::add_labels(const PartMap& map, PlateLayer& halos, PlateLayer& lines, PlateLayer& letters) const {
+  const Typeface italic("italic");
   for (const Label& label : labels(map)) {
-    letters.fill(italic.outline(label.text, label.start, em_));
-    lines.line(label.leader, label.tip, hair);
-    lines.disc(label.tip, 1.7 * hair);
-    around.line(label.leader, label.tip, 2.6 * hair);
-    around.disc(label.tip, 2.7 * hair);
+    letters.marks.push_back({italic.outline(label.text, label.start, em_), label.text});
+    lines.marks.push_back({line_outline(label.leader, label.tip, hair()), {}});
+    lines.marks.push_back({disc_outline(label.tip, 1.7 * hair()), {}});
+    halos.marks.push_back({line_outline(label.leader, label.tip, 2.6 * hair()), {}});
+    halos.marks.push_back({disc_outline(label.tip, 2.7 * hair()), {}});
   }
+}
 
+void Plate::add_scale_bar(double pixels_per_metre, PlateLayer& letters) const {
   const ScaleBar bar = scale_bar(pixels_per_metre);
-  if (bar.length > 0) {
-    // The bar ends where its end ticks' outer edges do.
-    const glm::dvec2 a = bar.start, b = bar.start + glm::dvec2(bar.length, 0);
-    const glm::dvec2 tick(0, 0.28 * em_), inset(0.5 * hair, 0);
-    letters.line(a, b, hair);
-    letters.line(a + inset - tick, a + inset + tick, hair);
-    letters.line(b - inset - tick, b - inset + tick, hair);
-    const double em = scale_ems * em_;
-    const double width = italic.width(bar.text) * em;
-    letters.fill(italic.outline(bar.text, {0.5 * (width_ - width), bar.start.y - 0.55 * em_}, em));
-  }
+  if (!(bar.length > 0)) return;
 
-  if (style_.title) {
-    const double room = width_ * (1 - 2 * style_.margin);
-    const double wide = capitals.width(text_.title, title_spacing), long_latin = italic.width(text_.latin);
-    const double em = fitting(title_ems * em_, wide, room), latin_em = fitting(latin_ems * em_, long_latin, room);
-    letters.fill(capitals.outline(text_.title, {0.5 * (width_ - wide * em), title_height_}, em, title_spacing));
-    letters.fill(italic.outline(text_.latin, {0.5 * (width_ - long_latin * latin_em), latin_height_}, latin_em));
-  }
+  // The bar ends where its end ticks' outer edges do.
+  const glm::dvec2 a = bar.start, b = bar.start + glm::dvec2(bar.length, 0);
+  const glm::dvec2 tick(0, 0.28 * em_), inset(0.5 * hair(), 0);
+  letters.marks.push_back({line_outline(a, b, hair()), {}});
+  letters.marks.push_back({line_outline(a + inset - tick, a + inset + tick, hair()), {}});
+  letters.marks.push_back({line_outline(b - inset - tick, b - inset + tick, hair()), {}});
+  const Typeface italic("italic");
+  const double em = scale_ems * em_, width = italic.width(bar.text) * em;
+  letters.marks.push_back({italic.outline(bar.text, {0.5 * (width_ - width), bar.start.y - 0.55 * em_}, em), bar.text});
+}
 
+void Plate::add_title(PlateLayer& letters) const {
+  if (!style_.title) return;
+  const Typeface italic("italic"), capitals("capitals");
+  const double room = width_ * (1 - 2 * style_.margin);
+  const double wide = capitals.width(text_.title, title_spacing), long_latin = italic.width(text_.latin);
+  const double em = fitting(title_ems * em_, wide, room), latin_em = fitting(latin_ems * em_, long_latin, room);
+  const glm::dvec2 start(0.5 * (width_ - wide * em), title_height_);
+  letters.marks.push_back({capitals.outline(text_.title, start, em, title_spacing), text_.title});
+  const glm::dvec2 latin_start(0.5 * (width_ - long_latin * latin_em), latin_height_);
+  letters.marks.push_back({italic.outline(text_.latin, latin_start, latin_em), text_.latin});
+}
+
+std::vector<PlateLayer> Plate::layers(const PartMap& map, double pixels_per_metre) const {
   // Lines are set off by paper from what is dark under them.
-  lay(image, around, paper_, halo);
-  lay(image, lines, style_.letter_color, 0.9);
-  lay(image, letters, style_.letter_color, 1);
+  PlateLayer halos{"halos", paper_, halo, {}}, lines{"lines", style_.letter_color, 0.9, {}};
+  PlateLayer letters{"letters", style_.letter_color, 1, {}};
+  add_labels(map, halos, lines, letters);
+  add_scale_bar(pixels_per_metre, letters);
+  add_title(letters);
+  return {halos, lines, letters};
+}
+
+void draw(const std::vector<PlateLayer>& layers, Image& image) {
+  for (const PlateLayer& layer : layers) {
+    Coverage cover(image.width, image.height);
+    for (const PlateMark& mark : layer.marks) cover.fill(mark.outline);
+    lay(image, cover, layer.color, layer.opacity);
+  }
 }
 
 }  // namespace pomona

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "render/lettering/typeface.h"
 #include "render/picture/image.h"
 #include "render/plate/labels.h"
 #include "render/style/style.h"
@@ -13,6 +14,20 @@ namespace pomona {
 struct PlateText {
   std::string title;  ///< "Tomato"
   std::string latin;  ///< "Solanum lycopersicum"; may be empty
+};
+
+/// An outline on the paper around a figure, to be filled.
+struct PlateMark {
+  Outline outline;   ///< pixels, y down
+  std::string text;  ///< of a line of letters; empty for what is none
+};
+
+/// Marks of one colour. What several cover is covered once.
+struct PlateLayer {
+  std::string name;  ///< "halos", "lines", "letters"
+  Color color{0};
+  double opacity = 1;
+  std::vector<PlateMark> marks;
 };
 
 /// Where everything goes, before anything is drawn.
@@ -37,10 +52,16 @@ class Plate {
   };
   ScaleBar scale_bar(double pixels_per_metre) const;
 
-  /// Letters, lines and the bar onto a finished picture. \param pixels_per_metre 0 = no bar
-  void draw(Image& image, const PartMap& map, double pixels_per_metre) const;
+  /// Letters, lines and the bar, in the order in which they are laid on a finished picture.
+  /// \param pixels_per_metre 0 = no bar
+  std::vector<PlateLayer> layers(const PartMap& map, double pixels_per_metre) const;
 
  private:
+  void add_labels(const PartMap& map, PlateLayer& halos, PlateLayer& lines, PlateLayer& letters) const;
+  void add_scale_bar(double pixels_per_metre, PlateLayer& letters) const;
+  void add_title(PlateLayer& letters) const;
+  double hair() const;  ///< width of lines
+
   PlateStyle style_;
   Color paper_;
   PlateText text_;
@@ -50,6 +71,9 @@ class Plate {
   PlateBox figure_;
   double bar_height_, title_height_, latin_height_;  ///< base lines
 };
+
+/// Lays them onto a picture.
+void draw(const std::vector<PlateLayer>& layers, Image& image);
 
 /// "seed_coat" as one writes it: "seed coat".
 std::string words_of(const std::string& name);

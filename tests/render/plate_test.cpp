@@ -97,6 +97,75 @@ TEST(ShownParts, AreThoseThatAreLargeAndThickEnough) {
   EXPECT_TRUE(shown_parts({4, 4, std::vector<std::int32_t>(16, -1), {"x"}}, 0, 0).empty());
 }
 
+/// A ring of rings whose outermost is `skin` pixels thick.
+PartMap in_skin(int width, int height, const PlateBox& box, double skin) {
+  PartMap map = rings(width, height, box, 3);
+  const glm::dvec2 center = 0.5 * (box.low + box.high);
+  const double radius = 0.5 * std::min(box.high.x - box.low.x, box.high.y - box.low.y);
+  map.names.push_back("thin_skin");
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double inwards = radius - glm::distance(glm::dvec2(x + 0.5, y + 0.5), center);
+      if (inwards >= 0 && inwards < skin) map.part[static_cast<std::size_t>(y) * width + x] = 3;
+    }
+  }
+  return map;
+}
+
+TEST(PlateLabelsOfAThinSkin, PointAtItFromOutside) {
+  for (const double skin : {0.7, 1.0, 1.6}) {
+    const Plate plate(style_named("plate"), {"Onion", ""}, {"part_0", "part_1", "part_2", "thin_skin"}, 800, 800);
+    const PartMap map = in_skin(800, 800, plate.figure(), skin);
+    int found = 0;
+    for (const Label& label : plate.labels(map)) {
+      if (label.text != "thin skin") continue;
+      ++found;
+      EXPECT_EQ(map.at(static_cast<int>(label.tip.x), static_cast<int>(label.tip.y)), 3);
+      // All the way up to the tip there is paper.
+      const double length = glm::distance(label.leader, label.tip);
+      for (double s = 0; s + 2 < length; s += 0.5) {
+        const glm::dvec2 p = label.leader + (label.tip - label.leader) * (s / length);
+        EXPECT_EQ(map.at(static_cast<int>(p.x), static_cast<int>(p.y)), -1) << p.x << " " << p.y;
+      }
+    }
+    EXPECT_EQ(found, 1) << skin;
+  }
+}
+
+TEST(AddRims, NamesTheOutsideOfASurfaceThatNoVertexBears) {
+  const CrossSection section = testing::disc_section();
+  std::vector<std::string> rim;
+  for (const CutSegment& segment : section.segments) {
+    if (segment.boundary) rim.push_back(section.surface_names[segment.surface]);
+  }
+  ASSERT_FALSE(rim.empty());
+  const std::vector<PlacedFace> faces = lay_out(section, {200, 200}, 10);
+  PartMap map = section_parts(section, faces, 200, 200);
+  const std::vector<std::int32_t> before = map.part;
+  add_rims(map, section, faces, {{rim.front(), parts_in(section).front()}});
+  EXPECT_EQ(map.part, before) << "that part shows within";
+  add_rims(map, section, faces, {{rim.front(), "peel"}});
+  EXPECT_EQ(map.names.back(), "peel");
+  const auto peel = static_cast<std::int32_t>(map.names.size()) - 1;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (map.part[i] == before[i]) continue;
+    ASSERT_EQ(map.part[i], peel);
+    const auto beside = [&](std::size_t by) { return before[i - by] < 0 || before[i + by] < 0; };
+    EXPECT_TRUE(before[i] < 0 || beside(1) || beside(200) || beside(201) || beside(199)) << i;
+  }
+  EXPECT_NE(map.part, before);
+}
+
+TEST(ShownParts, ThatAreThinWithinAreNotPointedAt) {
+  PartMap map{30, 30, std::vector<std::int32_t>(900, -1), {"flesh", "membrane"}};
+  for (int y = 5; y < 25; ++y) {
+    for (int x = 5; x < 25; ++x) map.part[static_cast<std::size_t>(y) * 30 + x] = x == 15 && y > 5 && y < 24 ? 1 : 0;
+  }
+  const std::vector<ShownPart> parts = shown_parts(map, 0.001, 1.5);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0].part, 0);
+}
+
 TEST(ScaleBar, IsRoundAndAsLongAsItSays) {
   const Plate plate(style_named("plate"), {}, {"flesh"}, 800, 600);
   const double room = plate.figure().high.x - plate.figure().low.x;
@@ -119,7 +188,7 @@ TEST(ScaleBar, IsDrawnAtItsLength) {
   style.plate->title = style.plate->labels = false;
   const Plate plate(style, {}, {}, 640, 480);
   Image image{640, 480, std::vector<glm::u8vec3>(640 * 480, glm::u8vec3(255))};
-  plate.draw(image, {640, 480, std::vector<std::int32_t>(640 * 480, -1), {}}, 4000);
+  draw(plate.layers({640, 480, std::vector<std::int32_t>(640 * 480, -1), {}}, 4000), image);
   const Plate::ScaleBar bar = plate.scale_bar(4000);
 
   // Ink along the row below the bar, where its ticks alone are: their outer edges are the ends.
@@ -134,7 +203,7 @@ TEST(ScaleBar, IsDrawnAtItsLength) {
 
 TEST(Coverage, OfALineIsItsArea) {
   Coverage cover(40, 30);
-  cover.line({5.3, 7.7}, {31.1, 19.2}, 2.5);
+  cover.fill(line_outline({5.3, 7.7}, {31.1, 19.2}, 2.5));
   double sum = 0;
   for (int y = 0; y < 30; ++y) {
     for (int x = 0; x < 40; ++x) sum += cover.at(x, y);
