@@ -1,6 +1,7 @@
 // Cuts by the hundred thousand, random and out for trouble, of every template at about 2 000 triangles: nothing aborts,
 // no chain and no piece is open, areas and volumes are those that clipping triangles one by one gives.
-//   cuts [FRUIT...] [--random N] [--degenerate N] [--pairs N] [--triangles N] [--out FILE] [--json FILE] [--threads N]
+//   cuts [FRUIT...] [--random N] [--degenerate N] [--pairs N] [--strokes N] [--triangles N] [--out FILE] [--json FILE]
+//   [--threads N]
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -30,7 +31,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::vector<std::string> fruits;
-  int random = 100000, degenerate = 10000, pairs = 10000;
+  int random = 80000, degenerate = 10000, pairs = 10000, strokes = 10000;
   int triangles = 2000;
   std::string out, json;
   int threads = 0;
@@ -109,6 +110,7 @@ std::vector<Knife> knives_of(const oracle::CutOracle& oracle, const std::string&
   const auto number = static_cast<std::uint64_t>(i);
   if (kind == "degenerate") return {oracle.degenerate_plane(random, number)};
   if (kind == "random") return {oracle.random_plane(random, number)};
+  if (kind == "strokes") return {oracle.random_stroke(random, number)};
   return {oracle.random_plane(random, 2 * number), oracle.random_plane(random, 2 * number + 1)};
 }
 
@@ -211,7 +213,7 @@ int make_report(const Options& options) {
     const DiffusionSurfaces fruit = coarse_fruit(names[i], options.triangles);
     const oracle::CutOracle oracle(fruit);
     for (const auto& [kind, all] : {std::pair("degenerate", options.degenerate), std::pair("pairs", options.pairs),
-                                    std::pair("random", options.random)}) {
+                                    std::pair("strokes", options.strokes), std::pair("random", options.random)}) {
       for (int first = 0; first < share(all); first += chunk) {
         const int count = std::min(chunk, share(all) - first);
         if (is_done(rows, names[i], kind, first, count)) continue;
@@ -237,6 +239,7 @@ int main(int argc, char** argv) {
   app.add_option("--degenerate", options.degenerate, "Cuts through vertices, along edges, in triangles, tangent")
       ->capture_default_str();
   app.add_option("--pairs", options.pairs, "Cuts along two random planes")->capture_default_str();
+  app.add_option("--strokes", options.strokes, "Cuts along a random stroke")->capture_default_str();
   app.add_option("--triangles", options.triangles, "About so many triangles a fruit")->capture_default_str();
   app.add_option("--out", options.out, "Write the table to this file too");
   app.add_option("--json", options.json, "Write the figures to this file as JSON; cuts already there are kept");

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -25,7 +28,7 @@ constexpr double thinnest_slice = 1e-4;  // share of the fruit's diagonal
   throw Error(
       ExitStatus::usage, "knife \"" + std::string(text) + "\" " + why,
       "a knife is one of: half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm, slices:8, dice:12mm, sticks:6mm, "
-      "crinkle:6mm, stroke:FILE.svg#id");
+      "crinkle:6mm, stroke:FILE.svg#id, ball:24mm, core:18mm, bite:40mm, revolve:FILE.svg#id, peel:2mm");
 }
 
 /// A whole number as users write counts: digits alone.
@@ -82,22 +85,150 @@ void parse_slices(Knife& knife, std::string_view text, std::string_view value) {
   knife.thickness = *thickness;
 }
 
-/// FILE.svg#id, and scale=2mm after a comma.
-void parse_stroke(Knife& knife, std::string_view text, std::string_view value, const std::filesystem::path& folder) {
-  const std::size_t hash = value.rfind('#');
-  if (hash == std::string_view::npos || hash == 0) fail(text, "needs an SVG file and the path in it: FILE.svg#id");
-  std::vector<std::string_view> words = split_at_commas(value.substr(hash + 1));
-  if (words[0].empty()) fail(text, "does not name a path in the file: FILE.svg#id");
-  double scale = 1e-3;
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    const std::optional<double> length =
-        words[i].starts_with("scale=") ? parse_length(words[i].substr(6)) : std::optional<double>();
-    if (!length || !(*length > 0) || *length > 1)
-      fail(text, "knows but one option, such as scale=2mm: a length up to 1m");
-    scale = *length;
+/// What follows a knife's first value: "at=1cm,2cm,0,depth=3cm". Values that are lists take the words up to the next
+/// name.
+class KnifeOptions {
+ public:
+  KnifeOptions(std::string_view text, std::span<const std::string_view> words) : text_(text) {
+    for (const std::string_view word : words) {
+      const std::size_t equals = word.find('=');
+      if (equals != std::string_view::npos) {
+        options_.push_back({word.substr(0, equals), {word.substr(equals + 1)}});
+      } else if (!options_.empty()) {
+        options_.back().values.push_back(word);
+      } else {
+        fail(text_, "has \"" + std::string(word) + "\" where an option such as at=0,4cm,0 should be");
+      }
+    }
   }
-  knife.stroke = read_stroke(folder / std::string(value.substr(0, hash)), std::string(words[0]), scale);
+
+  /// A length above 0, and at most `most` metres; `otherwise` if the option is not there.
+  double length(std::string_view name, double most, double otherwise) {
+    const Option* option = take(name);
+    if (!option) return otherwise;
+    const std::optional<double> value =
+        option->values.size() == 1 ? parse_length(option->values[0]) : std::optional<double>();
+    if (!value || !(*value > 0) || *value > most) {
+      fail(text_, "needs a length up to " + std::to_string(static_cast<int>(most)) + "m for " + std::string(name));
+    }
+    return *value;
+  }
+
+  /// Three lengths, each within 100 m.
+  std::optional<glm::dvec3> place(std::string_view name) {
+    return triple(name, parse_length, " such as " + std::string(name) + "=0,4cm,0");
+  }
+
+  /// Three numbers, made to a unit vector.
+  std::optional<glm::dvec3> direction(std::string_view name) {
+    std::optional<glm::dvec3> way = triple(name, parse_number, " such as " + std::string(name) + "=0,1,0");
+    if (way && !(glm::length(*way) > 1e-6)) fail(text_, "has an axis of length zero");
+    return way ? glm::normalize(*way) : way;
+  }
+
+  /// \throws Error (usage) for an option that nobody has asked for; `known` says which there are.
+  void finish(const std::string& known) const {
+    for (const Option& option : options_) {
+      if (!option.taken) fail(text_, "has no option \"" + std::string(option.name) + "\", but " + known);
+    }
+  }
+
+ private:
+  struct Option {
+    std::string_view name;
+    std::vector<std::string_view> values;
+    bool taken = false;
+  };
+
+  const Option* take(std::string_view name) {
+    const Option* found = nullptr;
+    for (Option& option : options_) {
+      if (option.name != name) continue;
+      if (found) fail(text_, "says " + std::string(name) + " twice");
+      option.taken = true;
+      found = &option;
+    }
+    return found;
+  }
+
+  template <typename Parse>
+  std::optional<glm::dvec3> triple(std::string_view name, const Parse& parse, const std::string& example) {
+    const Option* option = take(name);
+    if (!option) return std::nullopt;
+    glm::dvec3 values(0);
+    for (int i = 0; i < 3; ++i) {
+      const std::optional<double> value =
+          option->values.size() == 3 ? parse(option->values[static_cast<std::size_t>(i)]) : std::optional<double>();
+      if (!value || std::fabs(*value) > 100) fail(text_, "needs three values," + example);
+      values[i] = *value;
+    }
+    return values;
+  }
+
+  std::string_view text_;
+  std::vector<Option> options_;
+};
+
+/// The file and the path's name in FILE.svg#id.
+std::pair<std::filesystem::path, std::string> parse_drawn(std::string_view text, std::string_view word) {
+  const std::size_t hash = word.rfind('#');
+  if (hash == std::string_view::npos || hash == 0) fail(text, "needs an SVG file and the path in it: FILE.svg#id");
+  if (hash + 1 == word.size()) fail(text, "does not name a path in the file: FILE.svg#id");
+  return {std::string(word.substr(0, hash)), std::string(word.substr(hash + 1))};
 }
+
+/// FILE.svg#id and its options. A comma may be part of the file's name: what comes before the last # is.
+void parse_drawing(Knife& knife, std::string_view text, std::string_view value, const std::filesystem::path& folder) {
+  const std::size_t hash = std::min(value.rfind('#'), value.size());
+  const std::size_t comma = std::min(value.find(',', hash), value.size());
+  const auto [file, id] = parse_drawn(text, value.substr(0, comma));
+  std::vector<std::string_view> words;
+  if (comma < value.size()) words = split_at_commas(value.substr(comma + 1));
+  KnifeOptions options(text, words);
+  const double scale = options.length("scale", 1, 1e-3);
+  if (knife.kind == Knife::Kind::stroke) {
+    options.finish("one such as scale=2mm");
+    knife.stroke = read_stroke(folder / file, id, scale);
+  } else {
+    knife.solid.at = options.place("at");
+    knife.solid.axis = options.direction("axis");
+    options.finish("scale=2mm, at=X,Y,Z and axis=X,Y,Z");
+    knife.solid.profile = read_profile(folder / file, id, scale);
+  }
+}
+
+constexpr double largest_solid = 10;  // metres
+
+/// A size and options: "24mm,at=0,4cm,3cm".
+void parse_solid(Knife& knife, std::string_view text, std::string_view value, const std::string& what) {
+  const std::vector<std::string_view> words = split_at_commas(value);
+  const std::optional<double> size = parse_length(words[0]);
+  if (!size || !(*size > 0) || *size > largest_solid) fail(text, "needs " + what + ", above 0 and up to 10m");
+  SolidShape& solid = knife.solid;
+  solid.size = *size;
+  KnifeOptions options(text, std::span(words).subspan(1));
+  if (knife.kind == Knife::Kind::peel) {
+    solid.spiral = options.length("spiral", largest_solid, 0);
+    options.finish("spiral=15mm");
+    return;
+  }
+  solid.at = options.place("at");
+  if (knife.kind != Knife::Kind::core) return options.finish("at=X,Y,Z");
+  solid.axis = options.direction("axis");
+  solid.depth = options.length("depth", largest_solid, 0);
+  options.finish("at=X,Y,Z, axis=X,Y,Z and depth=4cm");
+}
+
+/// Knives that cut by a closed surface and have a size, and what it is called.
+struct SizedKnife {
+  std::string_view name;
+  Knife::Kind kind;
+  const char* size;
+};
+constexpr SizedKnife sized_knives[] = {{"ball", Knife::Kind::ball, "a diameter such as 24mm"},
+                                       {"core", Knife::Kind::core, "a diameter such as 18mm"},
+                                       {"bite", Knife::Kind::bite, "a width such as 40mm"},
+                                       {"peel", Knife::Kind::peel, "a thickness such as 2mm"}};
 
 }  // namespace
 
@@ -122,15 +253,19 @@ Knife parse_knife(std::string_view text, const std::filesystem::path& folder) {
   } else if (name == "slices" || name == "dice" || name == "sticks") {
     knife.kind = name == "slices" ? Knife::Kind::slices : name == "dice" ? Knife::Kind::dice : Knife::Kind::sticks;
     parse_slices(knife, text, value);
-  } else if (name == "stroke") {
-    knife.kind = Knife::Kind::stroke;
-    parse_stroke(knife, text, value, folder);
+  } else if (name == "stroke" || name == "revolve") {
+    knife.kind = name == "stroke" ? Knife::Kind::stroke : Knife::Kind::revolve;
+    parse_drawing(knife, text, value, folder);
   } else if (name == "crinkle") {
     knife.kind = Knife::Kind::crinkle;
     parse_slices(knife, text, value);
     if (knife.count > 0) fail(text, "needs a thickness such as 6mm");
   } else {
-    fail(text, "is not one this program has");
+    const auto sized = std::find_if(std::begin(sized_knives), std::end(sized_knives),
+                                    [&](const SizedKnife& known) { return known.name == name; });
+    if (sized == std::end(sized_knives)) fail(text, "is not one this program has");
+    knife.kind = sized->kind;
+    parse_solid(knife, text, value, sized->size);
   }
   return knife;
 }
@@ -265,6 +400,12 @@ PlacedKnife placed(const Knife& knife, const Bounds& bounds) {
     case Knife::Kind::crinkle:
       place_crinkle(placed, knife, bounds);
       break;
+    case Knife::Kind::ball:
+    case Knife::Kind::core:
+    case Knife::Kind::bite:
+    case Knife::Kind::revolve:
+    case Knife::Kind::peel:
+      break;  // no planes: solid_knives.h
   }
   placed.reversed.resize(placed.planes.size(), 0);
   placed.direction.resize(placed.planes.size(), 0);

@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
+#include "generator/base/curve.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
@@ -20,20 +22,50 @@ struct CuttingPlane {
   double offset = 0;           ///< metres
 };
 
+/// What the user says of a knife that cuts by a closed surface. Lengths in metres.
+struct SolidShape {
+  double size = 0;                 ///< ball, core: diameter; bite: width; peel: thickness
+  double depth = 0;                ///< core: from the top of the fruit; 0 = right through
+  double spiral = 0;               ///< peel: width of the strip; 0 = all in one
+  std::optional<glm::dvec3> at;    ///< where its middle goes, of a drawn profile its origin
+  std::optional<glm::dvec3> axis;  ///< of core and revolve, unit length
+  Curve profile;                   ///< revolve: distance from the axis, height
+};
+
 /// One knife as the user wrote it. What it does may depend on the fruit's bounding box.
 struct Knife {
-  enum class Kind { plane, half, across, wedges, slices, dice, sticks, stroke, crinkle };
+  enum class Kind {
+    plane,
+    half,
+    across,
+    wedges,
+    slices,
+    dice,
+    sticks,
+    stroke,
+    crinkle,
+    // By a closed surface (solid_knives.h):
+    ball,
+    core,
+    bite,
+    revolve,
+    peel
+  };
   Kind kind = Kind::half;
   CuttingPlane plane;              ///< Kind::plane
   int count = 0;                   ///< wedges; slices, dice and sticks by count
   double thickness = 0;            ///< slices, dice, sticks and crinkled slices by thickness, metres; 0 = by count
   std::vector<glm::dvec2> stroke;  ///< metres, seen along -Z
+  SolidShape solid;                ///< of those that cut by a closed surface
   std::string text;                ///< as written, for messages and metadata
+
+  bool is_solid() const { return kind >= Kind::ball; }
 };
 
 /// Reads "half", "across", "plane:NX,NY,NZ,D", "wedges:N", "slices:4mm", "slices:8", "dice:12mm", "sticks:6mm",
-/// "crinkle:6mm", "stroke:FILE.svg#id,scale=2mm" (docs/commands.md). Files are looked for from `folder`.
-/// \throws Error (usage) that says what a knife looks like; of a stroke also those of read_stroke().
+/// "crinkle:6mm", "stroke:FILE.svg#id,scale=2mm", "ball:24mm", "core:18mm", "bite:40mm", "revolve:FILE.svg#id",
+/// "peel:2mm", and their options (docs/commands.md). Files are looked for from `folder`.
+/// \throws Error (usage) that says what a knife looks like; of strokes and profiles also those of read_stroke.h.
 Knife parse_knife(std::string_view text, const std::filesystem::path& folder = {});
 
 /// What a knife's cells depend on: the sides of its planes that a point has been seen to lie on.

@@ -1,8 +1,12 @@
 #include "generator/cut/read_stroke.h"
 
+#include <cmath>
 #include <fstream>
 #include <optional>
 #include <system_error>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
 #include "generator/base/nearest_name.h"
@@ -16,15 +20,20 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
 constexpr std::size_t most_points = 4096;
-constexpr const char* wanted = "a stroke is written stroke:FILE.svg#id";
 
-std::string text_of(const std::filesystem::path& file) {
+/// What is read: a word for messages, and how it is written.
+struct Wanted {
+  std::string what, hint;
+};
+
+std::string text_of(const std::filesystem::path& file, const Wanted& wanted) {
+  const auto fail = [&](ExitStatus status, const std::string& why) {
+    throw Error(status, {{{file.string(), 0, 0, ""}, "the " + wanted.what + "'s file " + why, wanted.hint}});
+  };
   std::error_code wrong;
-  if (!std::filesystem::is_regular_file(file, wrong)) {
-    throw Error(ExitStatus::input_missing, {{{file.string(), 0, 0, ""}, "the stroke's file cannot be read", wanted}});
-  }
+  if (!std::filesystem::is_regular_file(file, wrong)) fail(ExitStatus::input_missing, "cannot be read");
   if (std::filesystem::file_size(file, wrong) > most_bytes || wrong) {
-    throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, ""}, "the stroke's file is larger than 64 MiB", ""}});
+    fail(ExitStatus::bad_data, "is larger than 64 MiB");
   }
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -45,37 +54,92 @@ const SvgElement& element_called(const SvgDrawing& drawing, const std::string& i
               {{{drawing.file, 0, 0, ""}, "there is no path \"" + id.substr(0, 200) + "\"", hint}});
 }
 
-std::vector<glm::dvec2> points_of(const SvgDrawing& drawing, const SvgElement& element, const std::string& id,
-                                  double scale) {
-  const auto fail = [&](const std::string& what, const std::string& hint) {
-    const SourcePlace place{drawing.file, element.line, element.column, ""};
-    throw Error(ExitStatus::bad_data, {{place, "stroke \"" + id.substr(0, 200) + "\" " + what, hint}});
-  };
+/// Says what is wrong with the path at its place in the file.
+struct Complaint {
+  SourcePlace place;
+  std::string name;
+
+  [[noreturn]] void operator()(const std::string& what, const std::string& hint) const {
+    throw Error(ExitStatus::bad_data, {{place, name + " " + what, hint}});
+  }
+};
+
+/// The path's one curve, cleaned.
+Curve curve_of(const SvgElement& element, double scale, const Complaint& fail) {
   if (!element.fault.empty()) fail(element.fault, "");
   SvgPathOptions options;
   options.unit = scale;
   options.transform = element.to_page;
-  const std::vector<Curve> curves = parse_svg_path(*element.d, options);
+  std::vector<Curve> curves = parse_svg_path(*element.d, options);
   if (curves.size() != 1) fail("is not one line but " + std::to_string(curves.size()), "break the path apart");
-  if (curves[0].closed) fail("is closed", "a knife goes in on one side and out on the other: open the path");
-  std::vector<glm::dvec2> points = cleaned(curves[0].points);
-  if (points.size() < 2) fail("has no length", "draw a line");
-  if (points.size() > most_points) fail("has more than 4096 points", "simplify the path");
-  if (crosses_itself(points, {0, 0}, 0)) fail("crosses itself", "a knife's stroke must not meet itself");
-  return points;
+  Curve curve{cleaned(curves[0].points), curves[0].closed};
+  if (curve.points.size() < 2) fail("has no length", "draw a line");
+  if (curve.points.size() > most_points) fail("has more than 4096 points", "simplify the path");
+  return curve;
+}
+
+/// Reads the path and hands it to `check`, with what complains about it; all errors name the file and the place.
+template <typename Check>
+Curve read_curve(const std::filesystem::path& file, const std::string& id, double scale, const Wanted& wanted,
+                 const Check& check) {
+  const std::string name = wanted.what + " \"" + id.substr(0, 200) + "\"";
+  try {
+    const SvgDrawing drawing = parse_svg(text_of(file, wanted), file.string());
+    const SvgElement& element = element_called(drawing, id);
+    const Complaint fail{{drawing.file, element.line, element.column, ""}, name};
+    Curve curve = curve_of(element, scale, fail);
+    check(curve, fail);
+    return curve;
+  } catch (const BadSketch& bad) {
+    throw Error(ExitStatus::bad_data, bad.what(), bad.hint);
+  } catch (const BadPath& bad) {
+    throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, ""}, name + " " + bad.what(), bad.hint}});
+  }
+}
+
+void check_stroke(const Curve& curve, const Complaint& fail) {
+  if (curve.closed) fail("is closed", "a knife goes in on one side and out on the other: open the path");
+  if (crosses_itself(curve.points, {0, 0}, 0)) fail("crosses itself", "a knife's stroke must not meet itself");
+}
+
+/// Points next to the axis are put on it, so that it is exact which they are.
+void check_profile(Curve& curve, const Complaint& fail) {
+  glm::dvec2 low = curve.points.front(), high = low;
+  for (const glm::dvec2& p : curve.points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const double near = 1e-4 * glm::length(high - low);
+  for (glm::dvec2& p : curve.points) p.x = std::fabs(p.x) <= near ? 0 : p.x;
+
+  const std::size_t ends = curve.closed ? 0 : 1;
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const double x = curve.points[i].x;
+    if (x < 0) fail("crosses its axis, the drawing's x = 0", "draw it to the right of the axis");
+    if (x == 0 && i >= ends && i + ends < curve.points.size()) {
+      fail("meets its axis, the drawing's x = 0, on its way", "only the ends of an open path may lie on it");
+    }
+  }
+  if (curve.points.size() < 3 && (curve.closed || high.x <= 0)) fail("encloses nothing", "draw it beside the axis");
+
+  // The ends are joined to the axis: what they are joined by must not meet the profile either.
+  Curve whole = curve;
+  if (!curve.closed && whole.points.front().x > 0) whole.points.insert(whole.points.begin(), {0, curve.points[0].y});
+  if (!curve.closed && whole.points.back().x > 0) whole.points.emplace_back(0, curve.points.back().y);
+  whole.closed = true;
+  if (whole.points.size() < 3 || !is_simple(whole)) {
+    fail("crosses itself", "a profile, its ends joined to the axis, must not meet itself");
+  }
 }
 
 }  // namespace
 
 std::vector<glm::dvec2> read_stroke(const std::filesystem::path& file, const std::string& id, double scale) {
-  try {
-    const SvgDrawing drawing = parse_svg(text_of(file), file.string());
-    return points_of(drawing, element_called(drawing, id), id, scale);
-  } catch (const BadSketch& bad) {
-    throw Error(ExitStatus::bad_data, bad.what(), bad.hint);
-  } catch (const BadPath& bad) {
-    throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, ""}, "stroke \"" + id + "\" " + bad.what(), bad.hint}});
-  }
+  return read_curve(file, id, scale, {"stroke", "a stroke is written stroke:FILE.svg#id"}, check_stroke).points;
+}
+
+Curve read_profile(const std::filesystem::path& file, const std::string& id, double scale) {
+  return read_curve(file, id, scale, {"profile", "a profile is written revolve:FILE.svg#id"}, check_profile);
 }
 
 }  // namespace pomona

@@ -7,20 +7,15 @@
 
 namespace pomona {
 
-namespace {
-
-TriangleTree tree_of_skin(const DiffusionSurfaces& surfaces) {
+SkinDepth::SkinDepth(const DiffusionSurfaces& surfaces) {
   const std::vector<Shell> shells = measured_shells(surfaces, find_shells(surfaces));
   const auto skin = std::max_element(shells.begin(), shells.end(), [](const Shell& a, const Shell& b) {
     return std::fabs(a.volume) < std::fabs(b.volume);
   });
-  if (skin == shells.end()) return {};
-  return {surfaces.position, skin->triangles};
+  if (skin == shells.end()) return;
+  skin_ = TriangleTree(surfaces.position, skin->triangles);
+  closed_ = skin->closed;
 }
-
-}  // namespace
-
-SkinDepth::SkinDepth(const DiffusionSurfaces& surfaces) : skin_(tree_of_skin(surfaces)) {}
 
 double SkinDepth::depth(const glm::dvec3& point) const { return skin_.empty() ? 0 : skin_.nearest(point).distance; }
 

@@ -17,8 +17,13 @@ class SkinDepth {
   /// 0 at the lowest point of the skin, 1 at its highest, within that between and beyond; 0 if there is none.
   double height(const glm::dvec3& point) const;
 
+  /// The skin itself, facing air.
+  const TriangleTree& skin() const { return skin_; }
+  bool is_closed() const { return closed_; }
+
  private:
   TriangleTree skin_;
+  bool closed_ = false;
 };
 
 }  // namespace pomona

@@ -128,7 +128,14 @@ CutFacts CutOracle::facts(std::span<const Knife> knives) const {
   SplitMesh mesh = split(surfaces_, planes);
   const std::vector<std::vector<Segment>> segments = cut_segments(mesh, surfaces_, planes.count());
   CutFacts facts;
-  for (const std::vector<Segment>& s : segments) facts.open_chains += open_ends(s, bodies_);
+  for (const CutPlanes::Sheet& sheet : planes.sheets) {
+    std::vector<Segment> chains;  // those of a stroke go on from facet to facet
+    for (int k = sheet.first; k < sheet.first + sheet.count; ++k) {
+      const std::vector<Segment>& in_plane = segments[static_cast<std::size_t>(k)];
+      chains.insert(chains.end(), in_plane.begin(), in_plane.end());
+    }
+    facts.open_chains += open_ends(chains, bodies_);
+  }
 
   const FaceMeshes faces = triangulate(mesh, planes, segments, surfaces_, bodies_, options);
   std::vector<Regions> regions;
@@ -138,7 +145,7 @@ CutFacts CutOracle::facts(std::span<const Knife> knives) const {
     area[static_cast<std::size_t>(face.plane)] = area_of(face, regions.back());
   }
   for (int k = 0; k < planes.count(); ++k) {
-    if (planes[k].same_as != k || !closed_) continue;
+    if (planes[k].same_as != k || !closed_ || planes.sheet_of(k).stroke) continue;
     const double error = std::fabs(area[static_cast<std::size_t>(k)] - area_in(planes[k].plane));
     facts.area_error = std::max(facts.area_error, error / (size_ * size_));
   }
@@ -176,7 +183,8 @@ Knife knife_at(const glm::dvec3& normal, double offset) {
   return knife;
 }
 
-constexpr std::uint64_t draws = 16;  // per knife
+constexpr std::uint64_t draws = 16;         // per plane
+constexpr std::uint64_t stroke_draws = 64;  // per stroke
 
 }  // namespace
 
@@ -231,6 +239,32 @@ Knife CutOracle::degenerate_plane(const RandomStream& random, std::uint64_t numb
   const double length = glm::length(normal);
   normal = length > 0 ? normal / length : level;
   return knife_at(normal, glm::dot(normal, a));
+}
+
+Knife CutOracle::random_stroke(const RandomStream& random, std::uint64_t number) const {
+  const std::uint64_t draw = stroke_draws * number;
+  const Bounds bounds = bounds_of(surfaces_);
+  glm::dvec2 way(random_direction(random, draw));
+  way = glm::length(way) > 0 ? glm::normalize(way) : glm::dvec2(1, 0);
+
+  // A line that goes on along one direction cannot meet itself.
+  std::vector<glm::dvec2> corners;
+  const std::uint64_t count = 2 + random.below(draw + 3, 19);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const glm::dvec3 share(random.uniform(draw + 5 + 2 * i), random.uniform(draw + 6 + 2 * i), 0);
+    corners.emplace_back(number % 2 == 0 ? bounds.low + share * bounds.size() : corner(random, draw + 5 + 2 * i));
+  }
+  std::sort(corners.begin(), corners.end(), [&](const glm::dvec2& a, const glm::dvec2& b) {
+    return std::pair(glm::dot(way, a), a.x) < std::pair(glm::dot(way, b), b.x);
+  });
+  Knife knife;
+  knife.kind = Knife::Kind::stroke;
+  const double apart = 0.01 * glm::length(bounds.size());
+  for (const glm::dvec2& p : corners) {
+    if (knife.stroke.empty() || glm::dot(way, p - knife.stroke.back()) > apart) knife.stroke.push_back(p);
+  }
+  if (knife.stroke.size() == 1) knife.stroke.push_back(knife.stroke[0] + apart * way);
+  return knife;
 }
 
 }  // namespace pomona::oracle

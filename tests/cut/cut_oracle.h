@@ -14,7 +14,7 @@ namespace pomona::oracle {
 
 /// How far a cut is from what it must be.
 struct CutFacts {
-  double area_error = 0;    ///< of the section in one plane, the worst; share of the fruit's size squared
+  double area_error = 0;    ///< of the section in one plane, the worst; share of the fruit's size squared; planes only
   double volume_error = 0;  ///< of all pieces together; share of the whole
   double side_error = 0;    ///< of the pieces on one side, with a single plane; share of the whole
   int open_chains = 0;      ///< ends of cut segments of closed bodies that nothing meets
@@ -35,6 +35,9 @@ class CutOracle {
   /// By turns: through a vertex, level with one, along an edge, in the plane of a triangle, touching the fruit, and
   /// touching its bounding box. `number` picks the turn, too.
   Knife degenerate_plane(const RandomStream& random, std::uint64_t number) const;
+
+  /// A stroke of up to twenty edges through the fruit, its corners anywhere or, by turns, over vertices of the fruit.
+  Knife random_stroke(const RandomStream& random, std::uint64_t number) const;
 
  private:
   double area_in(const CuttingPlane& plane) const;

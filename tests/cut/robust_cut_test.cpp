@@ -60,6 +60,19 @@ TEST(RobustCut, OfRandomPlanesOneAndTwo) {
   }
 }
 
+TEST(RobustCut, OfStrokes) {
+  const RandomStream random({10, 0}, "test/robust");
+  for (const DiffusionSurfaces& fruit : fruits()) {
+    const CutOracle oracle(fruit);
+    for (std::uint64_t i = 0; i < 30; ++i) {
+      const std::vector<Knife> knives{oracle.random_stroke(random, 2 * i)};
+      SCOPED_TRACE(i);
+      expect_right(oracle.facts(knives));
+      if (HasFailure()) return;
+    }
+  }
+}
+
 /// A plane that misses a face of the box by less than a double resolves there is still told from one through it.
 TEST(RobustCut, TellsAFaceFromAPlaneNextToIt) {
   const DiffusionSurfaces box = shapes::box({0, 0, 0}, {1, 1, 1}, 2, shapes::skin_paint());

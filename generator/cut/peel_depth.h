@@ -1,0 +1,35 @@
+// How deep under its skin a point of a fruit lies, for a peeler.
+#pragma once
+
+#include <vector>
+
+#include "generator/surface/skin_depth.h"
+
+namespace pomona {
+
+/// The skin is that of the fruit's main body: the shell that encloses most. Other bodies that stick out of it and are
+/// longer than a tenth of it (stems, calyces) stay with the fruit, as a peeler leaves them.
+class PeelDepth {
+ public:
+  /// `clearance`: metres around what stays within which nothing is peeled off.
+  /// \throws Error (bad_data) for a fruit without a closed skin.
+  PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double clearance);
+
+  struct Place {
+    double depth = 0;      ///< metres, negative outside; what stays counts as deeper than the peel
+    glm::dvec3 deeper{0};  ///< the direction in which it grows, unit length, or 0
+  };
+  Place at(const glm::dvec3& point) const;
+
+  const TriangleTree& skin() const { return skin_.skin(); }
+  /// Of the skin and of all that stays.
+  const AxisBox& box() const { return box_; }
+
+ private:
+  SkinDepth skin_;
+  std::vector<TriangleTree> stays_;
+  double kept_ = 0;  ///< what stays reaches as far as the depth `kept_` less the distance from it is more than the peel
+  AxisBox box_;
+};
+
+}  // namespace pomona

@@ -1,0 +1,214 @@
+#include "generator/cut/skin_offset.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/parallel.h"
+#include "generator/base/reproducible.h"
+#include "generator/cut/level_surface.h"
+#include "generator/cut/peel_depth.h"
+#include "generator/cut/spiral.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr double cells_on_skin = 3000;   // some 40 000 triangles
+constexpr double cells_in_strip = 6;     // so that a tetrahedron sees one turn of the ridge at most
+constexpr double ridge_share = 1 / 30.;  // of a strip's width
+constexpr double most_vertices = 6e6;
+
+double area_of(const TriangleTree& skin) {
+  double area = 0;
+  for (const TriangleTree::Corners& t : skin.triangles()) {
+    area += 0.5 * glm::length(glm::cross(t[1] - t[0], t[2] - t[0]));
+  }
+  return area;
+}
+
+/// The cell's edge, metres.
+double cell_of(const DiffusionSurfaces& surfaces, const PeelOptions& options) {
+  const double cell = std::sqrt(area_of(SkinDepth(surfaces).skin()) / cells_on_skin);
+  return options.strip > 0 ? std::min(cell, options.strip / cells_in_strip) : cell;
+}
+
+std::string in_millimetres(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g mm", 1000 * length);
+  return text;
+}
+
+/// Cubes with vertices at their corners and in their middles; a tetrahedron for each edge of a face between two cubes,
+/// with both their middles: its edges differ by 15 % in length only.
+class PeelGrid {
+ public:
+  PeelGrid(const DiffusionSurfaces& surfaces, const PeelOptions& options)
+      : options_(options),
+        cell_(cell_of(surfaces, options)),
+        depth_(surfaces, options.thickness, cell_),
+        outline_(depth_.skin()) {
+    // Two cells of air around everything, for the ridge stands one and a half out of the skin.
+    double count = 2;
+    for (int i = 0; i < 3; ++i) {
+      const double size = depth_.box().high[i] - depth_.box().low[i];
+      const double cubes = std::ceil(size / cell_) + 4;
+      count *= cubes + 1;
+      if (!(count <= most_vertices)) fail_too_fine();
+      cubes_[i] = static_cast<int>(cubes);
+      low_[i] = depth_.box().low[i] - 0.5 * (cubes * cell_ - size);
+    }
+    measure();
+  }
+
+  KnifeSolid solid() {
+    for (int z = 0; z < cubes_.z; ++z) {
+      for (int y = 0; y < cubes_.y; ++y) {
+        for (int x = 0; x < cubes_.x; ++x) add_tetrahedra({x, y, z});
+      }
+    }
+    // With a ridge, vertices may lie too near to each other to be moved.
+    if (options_.strip == 0) {
+      surface_.settle({depth, options_.thickness}, [&](const glm::dvec3& p) { return settled(p); });
+    }
+    return surface_.solid();
+  }
+
+ private:
+  enum : std::size_t {
+    depth,
+    ridge,
+    turns
+  };  // what is known at each vertex; `ridge`: not negative where one may stand
+
+  [[noreturn]] void fail_too_fine() const {
+    const double least = cells_in_strip * reproducible::cbrt(2.0 * volume_of_box() / most_vertices);
+    throw Error(ExitStatus::usage, "a strip of " + in_millimetres(options_.strip) + " is too narrow for this fruit",
+                "take one at least " + in_millimetres(1.5 * least) + " wide");
+  }
+  double volume_of_box() const {
+    const glm::dvec3 size = depth_.box().high - depth_.box().low;
+    return size.x * size.y * size.z;
+  }
+
+  std::uint32_t corner(const glm::ivec3& at) const {
+    return static_cast<std::uint32_t>(at.x + (cubes_.x + 1) * (at.y + (cubes_.y + 1) * at.z));
+  }
+  std::uint32_t middle(const glm::ivec3& at) const {
+    return corner(cubes_) + 1 + static_cast<std::uint32_t>(at.x + cubes_.x * (at.y + cubes_.y * at.z));
+  }
+
+  void measure() {
+    std::vector<glm::dvec3> place;
+    for (const double shift : {0.0, 0.5}) {
+      const glm::ivec3 count = shift == 0 ? cubes_ + 1 : cubes_;
+      for (int z = 0; z < count.z; ++z) {
+        for (int y = 0; y < count.y; ++y) {
+          for (int x = 0; x < count.x; ++x) place.push_back(low_ + cell_ * (glm::dvec3(x, y, z) + shift));
+        }
+      }
+    }
+    std::vector<LevelSurface::Values> values(place.size());
+    parallel_for(place.size(), {}, [&](std::size_t i) {
+      values[i][depth] = pushed_off(place[i]);
+      values[i][turns] = 0;
+      values[i][ridge] = -1;
+      if (options_.strip > 0) measure_ridge(place[i], values[i]);
+    });
+    double deepest = 0;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      deepest = std::max(deepest, values[i][depth]);
+      surface_.add_vertex(place[i], values[i]);
+    }
+    if (deepest > options_.thickness) return;
+    throw Error(ExitStatus::usage, "a peel of " + in_millimetres(options_.thickness) + " is thicker than the fruit",
+                "its middle lies " + in_millimetres(deepest) + " under the skin");
+  }
+
+  /// The depth there. Places next to the surface move away from it, across it, to a quarter of a cell, so that it gets
+  /// no slivers; they stay where they are if that does not take them away.
+  double pushed_off(glm::dvec3& place) const {
+    const PeelDepth::Place known = depth_.at(place);
+    const double above = known.depth - options_.thickness, wanted = 0.25 * cell_;
+    if (std::fabs(above) >= wanted) return known.depth;
+    const double way = above < 0 ? -wanted - above : wanted - above;
+    const glm::dvec3 moved = place + way * known.deeper;
+    const double there = depth_.at(moved).depth;
+    if ((there < options_.thickness) != (above < 0) || std::fabs(there - options_.thickness) <= std::fabs(above)) {
+      return known.depth;
+    }
+    place = moved;
+    return there;
+  }
+
+  /// The point of the offset next to one that was found as if depth were linear in a cell. It moves by less than what
+  /// pushed_off() has left between it and others.
+  glm::dvec3 settled(const glm::dvec3& p) const {
+    const PeelDepth::Place known = depth_.at(p);
+    return p + std::clamp(options_.thickness - known.depth, -0.05 * cell_, 0.05 * cell_) * known.deeper;
+  }
+
+  void measure_ridge(const glm::dvec3& p, LevelSurface::Values& values) const {
+    const double along = outline_.along(p);
+    values[turns] = turns_from_ridge(along, p, options_.strip);
+    const double from_axis = std::sqrt(p.x * p.x + p.z * p.z);
+    values[ridge] = std::min({values[depth] + 1.5 * cell_, along - 0.5 * options_.strip,
+                              outline_.length() - 0.5 * options_.strip - along, from_axis - 3 * cell_});
+  }
+
+  void add_tetrahedra(const glm::ivec3& cube) {
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::ivec3 next = cube, u(0), v(0);
+      if (++next[axis] >= cubes_[axis]) continue;
+      u[(axis + 1) % 3] = 1;
+      v[(axis + 2) % 3] = 1;
+      const std::array<glm::ivec3, 4> around{next, next + u, next + u + v, next + v};
+      for (std::size_t i = 0; i < 4; ++i) {
+        add({middle(cube), middle(next), corner(around[i]), corner(around[(i + 1) % 4])});
+      }
+    }
+  }
+
+  void add(const LevelSurface::Tetrahedron& t) {
+    const double half_ridge = 0.5 * ridge_share;
+    int deep = 0;
+    bool may_have_ridge = false;
+    for (const std::uint32_t v : t) {
+      const LevelSurface::Values& values = surface_.values(v);
+      deep += values[depth] >= options_.thickness ? 1 : 0;
+      may_have_ridge = may_have_ridge || values[ridge] >= 0;
+    }
+    if (deep == 4 || (deep == 0 && !may_have_ridge)) return;
+
+    std::vector<LevelSurface::Level> levels{{depth, options_.thickness}};
+    if (options_.strip > 0) {
+      levels.push_back({ridge, 0});
+      for (const double side : {-half_ridge, half_ridge}) levels.push_back({turns, side, ridge});
+    }
+    surface_.add(t, levels, [&](const std::array<LevelSurface::Values, 4>& corners) {
+      const auto all = [&](const auto& holds) { return std::all_of(corners.begin(), corners.end(), holds); };
+      return all([&](const LevelSurface::Values& c) { return c[depth] >= options_.thickness; }) ||
+             all([&](const LevelSurface::Values& c) { return c[ridge] >= 0 && std::fabs(c[turns]) <= half_ridge; });
+    });
+  }
+
+  PeelOptions options_;
+  double cell_;
+  PeelDepth depth_;
+  OutlinePlace outline_;
+  glm::ivec3 cubes_{0};
+  glm::dvec3 low_{0};
+  LevelSurface surface_;
+};
+
+}  // namespace
+
+KnifeSolid peeled(const DiffusionSurfaces& surfaces, const PeelOptions& options) {
+  return PeelGrid(surfaces, options).solid();
+}
+
+}  // namespace pomona
