@@ -1,8 +1,6 @@
 #include "generator/scene/guided.h"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -10,6 +8,7 @@
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/skin_depth.h"
+#include "generator/surface/welded_edges.h"
 
 namespace pomona {
 
@@ -55,14 +54,12 @@ struct Places {
 };
 
 Places places_of(const std::vector<glm::vec3>& vertices) {
-  const auto key = [&](std::uint32_t v) { return std::make_tuple(vertices[v].x, vertices[v].y, vertices[v].z); };
-  std::vector<std::uint32_t> order(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  const std::vector<std::uint32_t> first = weld(vertices);
   Places places{.position = {}, .of_vertex = std::vector<std::uint32_t>(vertices.size())};
-  for (const std::uint32_t v : order) {
-    if (places.position.empty() || places.position.back() != vertices[v]) places.position.push_back(vertices[v]);
-    places.of_vertex[v] = static_cast<std::uint32_t>(places.position.size() - 1);
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    if (first[v] == v) places.position.push_back(vertices[v]);
+    places.of_vertex[v] =
+        first[v] == v ? static_cast<std::uint32_t>(places.position.size() - 1) : places.of_vertex[first[v]];
   }
   return places;
 }

@@ -3,32 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 #include <glm/geometric.hpp>
 
+#include "generator/surface/welded_edges.h"
 #include "render/picture/chains.h"
 #include "render/picture/line_opacity.h"
 
 namespace pomona {
 
 namespace {
-
-/// Equal positions get one number, that of the first vertex there.
-std::vector<std::uint32_t> welded(const std::vector<glm::vec3>& position) {
-  std::vector<std::uint32_t> order(position.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t v) { return std::tuple(position[v].x, position[v].y, position[v].z); };
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return std::tuple(key(a), a) < std::tuple(key(b), b); });
-  std::vector<std::uint32_t> first(position.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
 
 /// One triangle's share in an edge of a face, named by its welded ends (a < b).
 struct EdgeUse {
@@ -38,17 +23,17 @@ struct EdgeUse {
   auto key() const { return std::tuple(face, a, b); }
 };
 
-std::vector<EdgeUse> edge_uses(const CrossSection& section, const std::vector<std::uint32_t>& weld) {
+std::vector<EdgeUse> edge_uses(const CrossSection& section, const std::vector<std::uint32_t>& place) {
   std::vector<EdgeUse> uses;
   for (std::size_t t = 0; t < section.triangle.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t v = section.triangle[t][i];
       const std::uint32_t w = section.triangle[t][(i + 1) % 3];
       const std::uint32_t opposite = section.triangle[t][(i + 2) % 3];
-      if (weld[v] == weld[w]) continue;
-      const bool turned = weld[v] > weld[w];
+      if (place[v] == place[w]) continue;
+      const bool turned = place[v] > place[w];
       uses.push_back(
-          {section.cut[t], weld[turned ? w : v], weld[turned ? v : w], turned ? w : v, turned ? v : w, opposite});
+          {section.cut[t], place[turned ? w : v], place[turned ? v : w], turned ? w : v, turned ? v : w, opposite});
     }
   }
   std::stable_sort(uses.begin(), uses.end(), [](const EdgeUse& x, const EdgeUse& y) { return x.key() < y.key(); });
@@ -70,15 +55,15 @@ double color_jump(const CrossSection& section, const EdgeUse& x, const EdgeUse& 
   return 0.5 * (apart(x.vertex_a, y.vertex_a) + apart(x.vertex_b, y.vertex_b));
 }
 
-std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::vector<std::uint32_t>& weld) {
+std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::vector<std::uint32_t>& place) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> surface_of;
   for (const CutSegment& segment : section.segments) {
-    surface_of.emplace(std::minmax(weld[segment.vertex[0]], weld[segment.vertex[1]]), segment.surface);
+    surface_of.emplace(std::minmax(place[segment.vertex[0]], place[segment.vertex[1]]), segment.surface);
   }
 
   // An edge with one triangle is the rim; with two, and on a cut segment, it is an inner line.
   std::map<BundleKey, Bundle> bundles;
-  const std::vector<EdgeUse> uses = edge_uses(section, weld);
+  const std::vector<EdgeUse> uses = edge_uses(section, place);
   for (std::size_t i = 0; i < uses.size();) {
     std::size_t j = i;
     while (j < uses.size() && uses[j].key() == uses[i].key()) ++j;
@@ -123,10 +108,10 @@ PenLine pen_line(const Chain& chain, const Bundle& bundle, const std::vector<glm
 }  // namespace
 
 std::vector<SectionLine> section_lines(const CrossSection& section, const std::vector<PlacedFace>& faces) {
-  const std::vector<std::uint32_t> weld = welded(section.position);
+  const std::vector<std::uint32_t> place = weld(section.position);
   std::vector<SectionLine> lines;
   std::vector<glm::dvec2> places(section.position.size(), glm::dvec2(0));
-  for (const auto& [key, bundle] : bundles_of(section, weld)) {
+  for (const auto& [key, bundle] : bundles_of(section, place)) {
     const auto [face, surface] = key;
     if (!faces[face].shown) continue;
 

@@ -1,26 +1,13 @@
 #include "render/texture/triangle_neighbors.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
+
+#include "generator/surface/welded_edges.h"
 
 namespace pomona {
 
 namespace {
-
-std::vector<std::uint32_t> first_at_place(const std::vector<glm::vec3>& position) {
-  std::vector<std::uint32_t> order(position.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t v) { return std::tuple(position[v].x, position[v].y, position[v].z); };
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return std::tuple(key(a), a) < std::tuple(key(b), b); });
-  std::vector<std::uint32_t> first(position.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && position[order[i]] == position[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
 
 /// A triangle's edge, named by its places.
 struct EdgeOfKind {
@@ -37,7 +24,7 @@ struct EdgeOfKind {
 
 TriangleNeighbors triangle_neighbors(const Solid& solid) {
   TriangleNeighbors found;
-  found.place_of = first_at_place(solid.position);
+  found.place_of = weld(solid.position);
   found.neighbor.assign(solid.triangle.size(), {-1, -1, -1});
 
   std::vector<EdgeOfKind> edges;
