@@ -1,4 +1,4 @@
-# How every part of Pomona is compiled, and the two functions its folders use.
+# How every part of Pomona is compiled, and the functions its folders use.
 
 # The same bits from every compiler and processor: no fused operations, no reordering of floating point.
 set(POMONA_FLAGS -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
@@ -49,4 +49,18 @@ function(pomona_test name)
   target_compile_definitions(${name} PRIVATE POMONA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gmock GTest::gtest_main)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+endfunction()
+
+# pomona_embed(shipped_styles HEADER render/style/shipped_styles.h FILES ${POMONA_STYLES})
+# Makes the text files part of the program: ${shipped_styles} names a source that defines the function of that name.
+function(pomona_embed name)
+  cmake_parse_arguments(ARG "" "HEADER" "FILES" ${ARGN})
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/embed_files.cmake)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} "-DFILES=${ARG_FILES}" -DHEADER=${ARG_HEADER} -DFUNCTION=${name} -P ${script}
+    DEPENDS ${ARG_FILES} ${script}
+    VERBATIM)
+  set(${name} ${output} PARENT_SCOPE)
 endfunction()

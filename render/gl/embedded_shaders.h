@@ -1,16 +1,13 @@
-// What CMake has made of the files under shaders/.
+// The files under shaders/, as they were when the program was built.
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "generator/base/embedded_file.h"
 
 namespace pomona {
 
-struct EmbeddedShader {
-  std::string_view name;  ///< "noise.glsl"
-  std::string_view text;
-};
-
-std::span<const EmbeddedShader> embedded_shaders();
+/// In the order of their names.
+std::span<const EmbeddedFile> embedded_shaders();
 
 }  // namespace pomona

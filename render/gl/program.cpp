@@ -15,7 +15,7 @@ constexpr std::string_view version_line = "#version 330 core\n";
 constexpr std::string_view compute_version_line = "#version 450 core\n";
 
 std::string_view embedded_text(std::string_view name) {
-  for (const EmbeddedShader& shader : embedded_shaders()) {
+  for (const EmbeddedFile& shader : embedded_shaders()) {
     if (shader.name == name) return shader.text;
   }
   throw Error(ExitStatus::bug, "there is no shader " + std::string(name));
@@ -67,7 +67,7 @@ GLuint compiled(const GlFunctions& gl, GLenum stage, const std::string& source) 
 
 std::vector<std::string> shader_names() {
   std::vector<std::string> names;
-  for (const EmbeddedShader& shader : embedded_shaders()) names.emplace_back(shader.name);
+  for (const EmbeddedFile& shader : embedded_shaders()) names.emplace_back(shader.name);
   return names;
 }
 

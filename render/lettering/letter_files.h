@@ -1,16 +1,13 @@
-// The files render/lettering/*.letters, which become part of the program.
+// The files render/lettering/*.letters, as they were when the program was built.
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "generator/base/embedded_file.h"
 
 namespace pomona {
 
-struct LetterFile {
-  std::string_view name;  ///< of the file, without folder and ending
-  std::string_view text;
-};
-
-std::span<const LetterFile> letter_files();
+/// In the order of their names.
+std::span<const EmbeddedFile> letter_files();
 
 }  // namespace pomona

@@ -98,8 +98,8 @@ std::vector<std::uint32_t> characters_of(std::string_view text) {
 }  // namespace
 
 Typeface::Typeface(std::string_view name) {
-  for (const LetterFile& file : letter_files()) {
-    if (file.name != name) continue;
+  for (const EmbeddedFile& file : letter_files()) {
+    if (file.stem() != name) continue;
     std::string_view rest = file.text;
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find('\n'), rest.size());

@@ -2,16 +2,12 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "generator/base/embedded_file.h"
 
 namespace pomona {
 
-struct ShippedStyle {
-  std::string_view name;  ///< of the file, without folder and ending
-  std::string_view text;
-};
-
 /// In the order of their names.
-std::span<const ShippedStyle> shipped_styles();
+std::span<const EmbeddedFile> shipped_styles();
 
 }  // namespace pomona

@@ -9,24 +9,24 @@ namespace pomona {
 
 namespace {
 
-Style read_shipped(const ShippedStyle& shipped) {
-  return parse_style(shipped.text, "styles/" + std::string(shipped.name) + ".toml");
+Style read_shipped(const EmbeddedFile& shipped) {
+  return parse_style(shipped.text, "styles/" + std::string(shipped.name));
 }
 
 }  // namespace
 
 std::vector<Style> all_styles() {
   std::vector<Style> styles;
-  for (const ShippedStyle& shipped : shipped_styles()) styles.push_back(read_shipped(shipped));
+  for (const EmbeddedFile& shipped : shipped_styles()) styles.push_back(read_shipped(shipped));
   return styles;
 }
 
 Style style_named(std::string_view name) {
   std::vector<std::string> known;
   std::string names;
-  for (const ShippedStyle& shipped : shipped_styles()) {
-    if (shipped.name == name) return read_shipped(shipped);
-    known.emplace_back(shipped.name);
+  for (const EmbeddedFile& shipped : shipped_styles()) {
+    if (shipped.stem() == name) return read_shipped(shipped);
+    known.emplace_back(shipped.stem());
     names += (names.empty() ? "" : ", ") + known.back();
   }
   const auto near = nearest_name(std::string(name), known);

@@ -103,10 +103,10 @@ TEST(StyleFile, MustSayThatItIsOne) {
 }
 
 TEST(StyleFile, ThatComesWithPomonaIsNamedAsItsFile) {
-  for (const ShippedStyle& shipped : shipped_styles()) {
-    const auto file = std::filesystem::path(POMONA_SOURCE_DIR) / "styles" / (std::string(shipped.name) + ".toml");
+  for (const EmbeddedFile& shipped : shipped_styles()) {
+    const auto file = std::filesystem::path(POMONA_SOURCE_DIR) / "styles" / shipped.name;
     EXPECT_TRUE(is_style_file(file)) << file;
-    EXPECT_EQ(read_style(file).name, shipped.name);
+    EXPECT_EQ(read_style(file).name, shipped.stem());
   }
   EXPECT_FALSE(is_style_file(std::filesystem::path(POMONA_SOURCE_DIR) / "templates/tomato.toml"));
   EXPECT_FALSE(is_style_file(std::filesystem::path(POMONA_SOURCE_DIR) / "scenes/salad.toml"));

@@ -1,0 +1,13 @@
+# cmake -DOUTPUT=x.cpp "-DFILES=a.toml;b.toml" -DHEADER=render/style/shipped_styles.h -DFUNCTION=shipped_styles
+#       -P embed_files.cmake
+# Text files as string literals: a function that returns a span of EmbeddedFile.
+set(text "// Made from files of the source tree; do not edit.\n#include \"${HEADER}\"\n\n")
+string(APPEND text "namespace pomona {\nnamespace {\nconstexpr EmbeddedFile files[] = {\n")
+foreach(file ${FILES})
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} source)
+  string(APPEND text "    {\"${name}\", R\"text(${source})text\"},\n")
+endforeach()
+string(APPEND text "};\n}  // namespace\n\nstd::span<const EmbeddedFile> ${FUNCTION}() { return files; }\n")
+string(APPEND text "}  // namespace pomona\n")
+file(WRITE ${OUTPUT} "${text}")
