@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "generator/base/base64.h"
 #include "generator/base/error.h"
 #include "generator/base/path_within.h"
 
@@ -51,25 +52,6 @@ glm::dvec2 png_size(const std::string& bytes, const std::string& place) {
     fail(place, "the picture has more than 100 million pixels", "make it smaller: 2000 pixels a side are plenty");
   }
   return size;
-}
-
-std::string base64_decoded(std::string_view text, const std::string& place) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3);
-  std::uint32_t held = 0;
-  int bits = 0;
-  for (const char c : text) {
-    if (c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '=') continue;
-    const std::size_t digit = digits.find(c);
-    if (digit == std::string_view::npos) fail(place, "the embedded picture is not base64", "embed it anew, or link it");
-    held = (held << 6 | static_cast<std::uint32_t>(digit)) & 0xFFFFFFu;
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes.push_back(static_cast<char>(held >> bits & 0xFFu));
-  }
-  return bytes;
 }
 
 std::optional<int> hex_digit(char c) {
@@ -125,8 +107,9 @@ TransparentImage read_linked_picture(const std::string& href, const fs::path& fo
   if (href.starts_with("data:")) {
     const std::size_t comma = href.find(',');
     const bool is_base64 = comma != std::string::npos && href.substr(0, comma).ends_with(";base64");
-    if (!is_base64) fail(place, "the embedded picture is not base64", "embed it anew, or link it");
-    bytes = base64_decoded(std::string_view(href).substr(comma + 1), place);
+    const auto decoded = is_base64 ? base64_decoded(std::string_view(href).substr(comma + 1)) : std::nullopt;
+    if (!decoded) fail(place, "the embedded picture is not base64", "embed it anew, or link it");
+    bytes = *decoded;
   } else {
     const fs::path relative = fs::path(uri_decoded(href)).lexically_normal();
     const fs::path file = folder / relative;

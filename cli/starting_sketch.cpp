@@ -7,6 +7,7 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "generator/base/xml_text.h"
 
 namespace pomona {
 
@@ -77,22 +78,6 @@ std::string chamber(int k, int folds) {
   return loop_through(points);
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 std::string path(const std::string& id, const std::string& label, const std::string& color, const std::string& d) {
   return "    <path\n       inkscape:label=\"" + label + "\"\n       id=\"" + id +
          "\"\n       style=\"fill:none;stroke:" + color + ";stroke-width:0.6\"\n       d=\"" + d + "\" />\n";
@@ -112,7 +97,7 @@ std::string picture(const StartingSketchOptions& options, std::size_t view, cons
   const glm::dvec2 size = scale * shown.size, at = center - 0.5 * size;
   return "    <image\n       inkscape:label=\"picture\"\n       id=\"picture-" + std::to_string(view + 1) +
          "\"\n       sodipodi:insensitive=\"true\"\n       preserveAspectRatio=\"none\"\n       xlink:href=\"" +
-         escaped(shown.href) + "\"\n       x=\"" + number(at.x) + "\" y=\"" + number(at.y) + "\" width=\"" +
+         xml_escaped(shown.href) + "\"\n       x=\"" + number(at.x) + "\" y=\"" + number(at.y) + "\" width=\"" +
          number(size.x) + "\" height=\"" + number(size.y) + "\" />\n";
 }
 
@@ -181,7 +166,7 @@ std::string notes(bool with_folds) {
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     text += "    <text x=\"10\" y=\"" + number(176 + 6.0 * static_cast<double>(i)) +
-            "\" style=\"font-size:4px;font-family:sans-serif;fill:#606060\">" + escaped(lines[i]) + "</text>\n";
+            "\" style=\"font-size:4px;font-family:sans-serif;fill:#606060\">" + xml_escaped(lines[i]) + "</text>\n";
   }
   return layer("notes (not read)", "layer-notes", text);
 }

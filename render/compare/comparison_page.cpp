@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "generator/base/base64.h"
+#include "generator/base/xml_text.h"
 #include "render/compare/heat_map.h"
 
 namespace pomona {
@@ -26,37 +28,6 @@ td, th { padding: .15em 1.2em .15em 0; text-align: left; font-weight: normal }
 th { color: #777 }
 )";
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned held = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      held = held << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[held >> (18 - 6 * k) & 63u];
-  }
-  return text;
-}
-
 /// Small pictures are shown enlarged by a whole number.
 std::string img(const Image& image) {
   const int scale = std::clamp(480 / std::max({1, image.width, image.height}), 1, 8);
@@ -65,7 +36,7 @@ std::string img(const Image& image) {
 }
 
 std::string figure(const std::string& caption, const std::string& content) {
-  return "<figure><figcaption>" + escaped(caption) + "</figcaption>" + content + "</figure>\n";
+  return "<figure><figcaption>" + xml_escaped(caption) + "</figcaption>" + content + "</figure>\n";
 }
 
 template <typename... Values>
@@ -91,7 +62,7 @@ std::string figures(const Comparison& found, const Tolerance& allowed) {
 std::string verdict(const Comparison& found) {
   if (found.same) return "<p class=\"verdict same\">They count as the same.</p>\n";
   std::string list = "<ul class=\"verdict\">\n";
-  for (const std::string& reason : found.reasons) list += "<li>" + escaped(reason) + "</li>\n";
+  for (const std::string& reason : found.reasons) list += "<li>" + xml_escaped(reason) + "</li>\n";
   return list + "</ul>\n";
 }
 
@@ -100,9 +71,9 @@ std::string verdict(const Comparison& found) {
 std::string comparison_page(const ComparedPictures& pictures, const Comparison& comparison,
                             const Tolerance& tolerance) {
   const std::string reference = img(laid_on_white(pictures.reference)), result = img(laid_on_white(pictures.result));
-  std::string page = "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>" + escaped(pictures.title) +
-                     "</title>\n<style>" + style + "</style>\n<h1>" + escaped(pictures.title) + "</h1>\n" +
-                     verdict(comparison) + "<div class=\"row\">\n";
+  std::string page = "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>" +
+                     xml_escaped(pictures.title) + "</title>\n<style>" + style + "</style>\n<h1>" +
+                     xml_escaped(pictures.title) + "</h1>\n" + verdict(comparison) + "<div class=\"row\">\n";
   page += figure("reference: " + pictures.reference_name, reference);
   page += figure("result: " + pictures.result_name + " (the pointer over it shows the reference)",
                  "<div class=\"blink\">" + result + reference + "</div>");

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "generator/base/base64.h"
+#include "generator/base/xml_text.h"
 #include "render/picture/png.h"
 #include "render/picture/section_strokes.h"
 #include "render/picture/stroke_outline.h"
@@ -12,65 +14,16 @@ namespace pomona {
 
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        // XML has no place for other control characters.
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
-}
-
-std::string hex_color(const Color& color) {
-  const glm::u8vec3 c = to_srgb8(color);
-  std::string text = "#";
-  for (const int channel : {int{c.r}, int{c.g}, int{c.b}}) {
-    text += "0123456789abcdef"[channel / 16];
-    text += "0123456789abcdef"[channel % 16];
-  }
-  return text;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve(bytes.size() / 3 * 4 + 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t there = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      bits = bits << 8 | (k < there ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k])) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) text += k <= there ? digits[bits >> (18 - 6 * k) & 63u] : '=';
-  }
-  return text;
-}
-
 std::string opening(int width, int height, const std::string& provenance) {
   const std::string w = std::to_string(width), h = std::to_string(height);
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"\n"
          "     xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n     width=\"" +
-         w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h + "\">\n  <title>" + escaped(provenance) +
+         w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h + "\">\n  <title>" + xml_escaped(provenance) +
          "</title>\n";
 }
 
 std::string layer_start(const std::string& id, const std::string& label) {
-  return "  <g id=\"" + id + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + escaped(label) + "\">\n";
+  return "  <g id=\"" + id + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + xml_escaped(label) + "\">\n";
 }
 
 /// A stroke in stretches of nearly one opacity, each from where the last one ends.
@@ -95,7 +48,7 @@ std::string path_text(const std::vector<StrokePoint>& stroke, const Color& ink, 
     for (const StrokePoint& point : stretch) opacity += point.opacity;
     opacity = std::clamp(strength * opacity / static_cast<double>(stretch.size()), 0.0, 1.0);
     if (outline.empty() || opacity < 0.02) continue;
-    text += "    <path fill=\"" + hex_color(ink) + "\"";
+    text += "    <path fill=\"" + to_hex(ink) + "\"";
     if (opacity < 0.995) text += " fill-opacity=\"" + hundredths(opacity) + "\"";
     text += " d=\"" + outline + "\"/>\n";
   }
@@ -118,13 +71,13 @@ std::string plate_text(std::span<const PlateLayer> plate) {
   if (plate.empty()) return {};
   std::string text = layer_start("plate", "plate");
   for (const PlateLayer& layer : plate) {
-    text += "    <g id=\"plate-" + layer.name + "\" fill=\"" + hex_color(layer.color) + "\" opacity=\"" +
+    text += "    <g id=\"plate-" + layer.name + "\" fill=\"" + to_hex(layer.color) + "\" opacity=\"" +
             hundredths(layer.opacity) + "\">\n";
     for (const PlateMark& mark : layer.marks) {
       const std::string path = outline_path(mark.outline);
       if (path.empty()) continue;
       text += "      <path";
-      if (!mark.text.empty()) text += " aria-label=\"" + escaped(mark.text) + "\"";
+      if (!mark.text.empty()) text += " aria-label=\"" + xml_escaped(mark.text) + "\"";
       text += " d=\"" + path + "\"/>\n";
     }
     text += "    </g>\n";
