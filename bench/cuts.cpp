@@ -4,7 +4,6 @@
 //   [--threads N]
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,11 +11,12 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "bench/earlier_rows.h"
+#include "bench/exit_status.h"
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "cli/progress.h"
 #include "generator/base/disjoint_sets.h"
-#include "generator/base/error.h"
 #include "generator/base/parallel.h"
 #include "generator/surface/welded_edges.h"
 #include "generator/template/read_template.h"
@@ -153,14 +153,6 @@ Json measured(const oracle::CutOracle& oracle, const std::string& kind, const st
   return row;
 }
 
-std::vector<Json> earlier_rows(const std::string& file) {
-  std::ifstream stream(file);
-  if (file.empty() || !stream) return {};
-  const Json rows = Json::parse(stream, nullptr, false);
-  if (!rows.is_array()) throw Error(ExitStatus::bad_data, file + " is not a file that cuts has written");
-  return rows.get<std::vector<Json>>();
-}
-
 bool is_done(const std::vector<Json>& rows, const std::string& fruit, const std::string& kind, int first, int count) {
   return std::any_of(rows.begin(), rows.end(), [&](const Json& row) {
     return row["fruit"] == fruit && row["kind"] == kind && row["first"] == first && row["cuts"] == count;
@@ -245,10 +237,5 @@ int main(int argc, char** argv) {
   app.add_option("--json", options.json, "Write the figures to this file as JSON; cuts already there are kept");
   app.add_option("--threads", options.threads, "0 = all there are")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  try {
-    return make_report(options);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return static_cast<int>(error.status());
-  }
+  return exit_status_of([&] { return make_report(options); });
 }

@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/color_errors.h"
+#include "bench/exit_status.h"
 #include "bench/fruits.h"
 #include "bench/text_table.h"
-#include "generator/base/error.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/line_pmvc.h"
 #include "generator/diffusion/pmvc_diffuser.h"
@@ -126,6 +126,13 @@ nlohmann::ordered_json json_of(const std::vector<Entry>& entries) {
   return json;
 }
 
+int make_report(const Options& options) {
+  const std::vector<Entry> entries = measured(options);
+  if (!options.json.empty()) write_whole(options.json, json_of(entries).dump(2) + "\n");
+  std::printf("%s", markdown(table_of(entries)).c_str());
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -137,12 +144,5 @@ int main(int argc, char** argv) {
   app.add_option("--json", options.json, "file to write");
   app.add_option("--threads", options.threads);
   CLI11_PARSE(app, argc, argv);
-  try {
-    const std::vector<Entry> entries = measured(options);
-    if (!options.json.empty()) write_whole(options.json, json_of(entries).dump(2) + "\n");
-    std::printf("%s", markdown(table_of(entries)).c_str());
-  } catch (const Error& error) {
-    std::fprintf(stderr, "diffusion_errors: %s\n", error.what());
-    return static_cast<int>(error.status());
-  }
+  return exit_status_of([&] { return make_report(options); });
 }

@@ -12,11 +12,11 @@
 
 #include "bench/atlas_picture.h"
 #include "bench/color_errors.h"
+#include "bench/exit_status.h"
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "bench/walk_truth_store.h"
 #include "cli/progress.h"
-#include "generator/base/error.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/harmonic_diffuser.h"
 #include "generator/diffusion/pmvc_diffuser.h"
@@ -155,10 +155,5 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "0 = all there are")->capture_default_str();
   app.add_option("--json", options.json, "Write the figures to this file too");
   CLI11_PARSE(app, argc, argv);
-  try {
-    return make_atlas(options);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return static_cast<int>(error.status());
-  }
+  return exit_status_of([&] { return make_atlas(options); });
 }

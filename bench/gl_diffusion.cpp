@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/color_errors.h"
+#include "bench/exit_status.h"
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
-#include "generator/base/error.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "render/diffusion/gl_diffuser.h"
@@ -181,10 +181,8 @@ int main(int argc, char** argv) {
   app.add_flag("--json", options.json);
   app.add_option("TEMPLATE", options.templates, "Names of templates; all if none is given");
   CLI11_PARSE(app, argc, argv);
-  try {
+  return exit_status_of([&] {
     measure(options);
-  } catch (const pomona::Error& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return static_cast<int>(error.status());
-  }
+    return 0;
+  });
 }

@@ -13,10 +13,10 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/color_errors.h"
+#include "bench/exit_status.h"
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
-#include "generator/base/error.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/harmonic/solve_field.h"
 #include "generator/diffusion/harmonic_diffuser.h"
@@ -213,26 +213,24 @@ int main(int argc, char** argv) {
 
   const bool all = names.empty();
   const bool with_seeded = all || std::erase(names, "seeded") > 0;
-  std::vector<Row> rows;
-  try {
+  return bench::exit_status_of([&] {
     std::vector<Subject> subjects;
     if (with_seeded) subjects.push_back(seeded_fruit());
     if (all || !names.empty()) {
       for (const std::string& name : bench::fruit_names(names)) subjects.push_back(template_subject(name));
     }
+    std::vector<Row> rows;
     for (Subject& subject : subjects) {
       for (const std::string& file : truth) add_truth(subject, file);
       for (const Quality quality : {Quality::draft, Quality::final}) {
         rows.push_back(measured(subject, {.quality = quality, .threads = {threads}, .nodes = nodes}, runs));
       }
     }
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return static_cast<int>(error.status());
-  }
-  if (as_json) {
-    print_json(rows);
-  } else {
-    print_text(rows);
-  }
+    if (as_json) {
+      print_json(rows);
+    } else {
+      print_text(rows);
+    }
+    return 0;
+  });
 }

@@ -9,8 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "bench/exit_status.h"
 #include "bench/timing.h"
-#include "generator/base/error.h"
 #include "generator/scene/compose.h"
 #include "generator/scene/layout_file.h"
 #include "generator/scene/scene_file.h"
@@ -69,11 +69,8 @@ int main(int argc, char** argv) {
   app.add_option("--height", settings.height)->capture_default_str();
   app.add_option("--runs", settings.runs)->check(CLI::Range(1, 100))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  try {
+  return bench::exit_status_of([&] {
     measure(settings);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return static_cast<int>(error.status());
-  }
-  return 0;
+    return 0;
+  });
 }

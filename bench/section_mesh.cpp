@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include <glm/geometric.hpp>
-
 #include "bench/color_errors.h"
+#include "bench/exit_status.h"
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "generator/base/random.h"
@@ -140,22 +140,7 @@ void print(const Json& rows) {
       bench::markdown(table).c_str());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  Settings settings;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--json") {
-      settings.json = true;
-    } else if (word == "--no-uniform") {
-      settings.uniform = false;
-    } else if (word == "--samples" && i + 1 < argc) {
-      settings.samples = std::max(100, std::atoi(argv[++i]));
-    } else {
-      settings.names.push_back(word);
-    }
-  }
+int make_report(const Settings& settings) {
   Json rows = Json::array();
   for (const std::string& name : bench::fruit_names(settings.names)) {
     const bench::BenchFruit fruit = bench::grow_fruit(name);
@@ -169,4 +154,20 @@ int main(int argc, char** argv) {
   } else {
     print(rows);
   }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("What interpolation between a section's vertices costs, and how many a uniform mesh would need");
+  Settings settings;
+  app.add_option("FRUIT", settings.names, "Names of templates; all of them if none is given");
+  app.add_option("--samples", settings.samples, "Places of a section at which errors are taken")
+      ->check(CLI::Range(100, 10000000))
+      ->capture_default_str();
+  app.add_flag("!--no-uniform", settings.uniform, "Without the uniform mesh");
+  app.add_flag("--json", settings.json, "Print JSON");
+  CLI11_PARSE(app, argc, argv);
+  return bench::exit_status_of([&] { return make_report(settings); });
 }

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
 
+#include "bench/exit_status.h"
 #include "bench/timing.h"
 #include "cli/find_template.h"
 #include "generator/base/reproducible.h"
@@ -87,6 +88,8 @@ int main(int argc, char** argv) {
   std::string file = POMONA_SOURCE_DIR "/scenes/salad.toml";
   app.add_option("SCENE", file, "A scene file");
   CLI11_PARSE(app, argc, argv);
-  pomona::bench::measure(file);
-  return 0;
+  return pomona::bench::exit_status_of([&] {
+    pomona::bench::measure(file);
+    return 0;
+  });
 }

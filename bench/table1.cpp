@@ -16,12 +16,12 @@
 
 #include "bench/baselines/cube_maps.h"
 #include "bench/baselines/tetrahedral_poisson.h"
+#include "bench/exit_status.h"
 #include "bench/fruits.h"
 #include "bench/paper_table1.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
 #include "cli/progress.h"
-#include "generator/base/error.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/harmonic_diffuser.h"
 #include "generator/diffusion/pmvc_diffuser.h"
@@ -255,10 +255,5 @@ int main(int argc, char** argv) {
   app.add_option("--json", options.json, "Write the figures to this file as JSON");
   app.add_option("--threads", options.threads, "0 = all there are")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  try {
-    return make_table(options);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return static_cast<int>(error.status());
-  }
+  return exit_status_of([&] { return make_table(options); });
 }

@@ -3,7 +3,6 @@
 //   variants [FRUIT...] [--count N] [--natural] [--out FILE] [--json FILE] [--threads N]
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,6 +10,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "bench/earlier_rows.h"
+#include "bench/exit_status.h"
 #include "bench/fold_statistics.h"
 #include "bench/fruits.h"
 #include "bench/loop_statistics.h"
@@ -18,7 +19,6 @@
 #include "bench/variant_checks.h"
 #include "bench/variant_distances.h"
 #include "cli/progress.h"
-#include "generator/base/error.h"
 #include "generator/base/parallel.h"
 #include "generator/template/read_template.h"
 #include "render/export/output.h"
@@ -250,14 +250,6 @@ std::string text_of(const std::vector<Json>& rows) {
 }
 
 /// Rows that an earlier run has left.
-std::vector<Json> earlier_rows(const std::string& file) {
-  std::ifstream stream(file);
-  if (file.empty() || !stream) return {};
-  const Json rows = Json::parse(stream, nullptr, false);
-  if (!rows.is_array()) throw Error(ExitStatus::bad_data, file + " is not a file that variants has written");
-  return rows.get<std::vector<Json>>();
-}
-
 bool is_of(const Json& row, const std::string& name, const VariantSettings& settings) {
   return row["fruit"].get<std::string>() == name && row["variants"].get<int>() == settings.count &&
          row["variation"].get<double>() == settings.how.amount &&
@@ -309,10 +301,5 @@ int main(int argc, char** argv) {
   app.add_option("--json", options.json, "Write the figures to this file as JSON; lines already there are kept");
   app.add_option("--threads", options.threads, "0 = all there are")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  try {
-    return make_report(options);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return static_cast<int>(error.status());
-  }
+  return exit_status_of([&] { return make_report(options); });
 }

@@ -4,7 +4,6 @@
 // process of its own, so that its peak of memory is its own.
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -15,10 +14,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include <glm/geometric.hpp>
-
+#include "bench/exit_status.h"
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
@@ -189,27 +189,7 @@ void print(const Json& rows) {
   std::printf("Milliseconds by the clock, medians.\n\n%s", bench::markdown(table).c_str());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  Settings settings;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--json") {
-      settings.json = true;
-    } else if (word == "--runs" && i + 1 < argc) {
-      settings.runs = std::max(1, std::atoi(argv[++i]));
-    } else if (word == "--threads" && i + 1 < argc) {
-      settings.threads.count = std::atoi(argv[++i]);
-    } else {
-      settings.names.push_back(word);
-    }
-  }
-  if (settings.names.empty()) {
-    settings.names = bench::fruit_names();
-    settings.names.insert(settings.names.begin(), "bench");
-  }
-
+int make_report(const Settings& settings) {
   Json rows = Json::array();
   for (const std::string& name : settings.names) {
     for (Json& row : measured_apart(name, settings)) rows.push_back(std::move(row));
@@ -219,4 +199,25 @@ int main(int argc, char** argv) {
   } else {
     print(rows);
   }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("The whole cut, stage by stage");
+  Settings settings;
+  app.add_option("FRUIT", settings.names,
+                 "Names of templates, and \"bench\" for the seeded fruit; all if none is given");
+  app.add_option("--runs", settings.runs, "Runs to take the median of")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--threads", settings.threads.count, "0 = all there are")->capture_default_str();
+  app.add_flag("--json", settings.json, "Print JSON");
+  CLI11_PARSE(app, argc, argv);
+  if (settings.names.empty()) {
+    settings.names = bench::fruit_names();
+    settings.names.insert(settings.names.begin(), "bench");
+  }
+  return bench::exit_status_of([&] { return make_report(settings); });
 }

@@ -1,0 +1,15 @@
+// Long reports can be resumed: rows that lie in their file already are not measured again.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace pomona::bench {
+
+/// The rows of a report as it was last written; none if the file is not there.
+/// \throws Error (bad data) if it is no report.
+std::vector<nlohmann::ordered_json> earlier_rows(const std::filesystem::path& report);
+
+}  // namespace pomona::bench
