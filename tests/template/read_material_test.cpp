@@ -1,27 +1,12 @@
 // [material.PART]: good.toml with more at its end.
 #include "generator/template/read_material.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/base/error.h"
-#include "generator/template/read_template.h"
+#include "tests/template/plum.h"
 
 namespace pomona {
 namespace {
-
-std::string good_text() {
-  std::ifstream stream(std::filesystem::path(POMONA_SOURCE_DIR) / "tests/template/good.toml", std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-Template plum_and(const std::string& more) { return parse_template(good_text() + more, "plum.toml"); }
 
 TEST(ReadMaterial, says_nothing_where_nothing_is_said) { EXPECT_TRUE(plum_and("").materials.empty()); }
 
@@ -57,12 +42,6 @@ translucency = { depth = "4mm", color = "#00ff00" }
   EXPECT_EQ(stone.translucency.depth, 0);
 }
 
-struct Mistake {
-  const char* text;  ///< after good.toml
-  int line, column;  ///< in it
-  const char* message;
-};
-
 const Mistake mistakes[] = {
     {"[material]\ngloss = 1\n", 2, 1, "unknown key \"gloss\""},
     {"[material]\nskin = 1\n", 2, 8, "must be a table"},
@@ -83,23 +62,7 @@ const Mistake mistakes[] = {
     {"[material.flesh]\ntranslucency = { depth = \"1mm\", color = \"red\" }\n", 2, 41, "is not a colour"},
 };
 
-TEST(ReadMaterial, mistakes_are_found_where_they_are) {
-  const std::string good = good_text();
-  const auto lines = static_cast<int>(std::count(good.begin(), good.end(), '\n'));
-  for (const Mistake& mistake : mistakes) {
-    SCOPED_TRACE(mistake.text);
-    try {
-      plum_and(mistake.text);
-      ADD_FAILURE() << "was read";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.status(), ExitStatus::bad_data);
-      const Diagnostic& first = error.diagnostics().front();
-      EXPECT_EQ(first.place.line - lines, mistake.line) << error.what();
-      EXPECT_EQ(first.place.column, mistake.column) << error.what();
-      EXPECT_THAT(first.message, ::testing::HasSubstr(mistake.message));
-    }
-  }
-}
+TEST(ReadMaterial, mistakes_are_found_where_they_are) { expect_found(mistakes); }
 
 }  // namespace
 }  // namespace pomona

@@ -1,27 +1,12 @@
 // [ripeness], [browning] and the colours of [variation]: good.toml with more at its end.
 #include "generator/template/read_ripeness.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/base/error.h"
-#include "generator/template/read_template.h"
+#include "tests/template/plum.h"
 
 namespace pomona {
 namespace {
-
-std::string good_text() {
-  std::ifstream stream(std::filesystem::path(POMONA_SOURCE_DIR) / "tests/template/good.toml", std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-Template plum_and(const std::string& more) { return parse_template(good_text() + more, "plum.toml"); }
 
 TEST(ReadRipeness, says_nothing_where_nothing_is_said) {
   const Template plum = plum_and("");
@@ -99,12 +84,6 @@ TEST(ReadColorVariation, is_one_number_or_one_for_each_part) {
   EXPECT_EQ(parts.parts, (std::vector<double>{0.03, 0, 0.01}));
 }
 
-struct Mistake {
-  const char* text;  ///< after good.toml
-  int line, column;  ///< in it
-  const char* message;
-};
-
 const Mistake mistakes[] = {
     {"[ripeness]\n", 1, 1, "lacks \"part\""},
     {"[ripeness]\npart = 3\n", 2, 8, "must be"},
@@ -147,23 +126,7 @@ const Mistake mistakes[] = {
     {"[variation]\nripeness = \"late\"\n", 2, 12, "must be a number"},
 };
 
-TEST(ReadRipeness, mistakes_are_found_where_they_are) {
-  const std::string good = good_text();
-  const auto lines = static_cast<int>(std::count(good.begin(), good.end(), '\n'));
-  for (const Mistake& mistake : mistakes) {
-    SCOPED_TRACE(mistake.text);
-    try {
-      plum_and(mistake.text);
-      ADD_FAILURE() << "was read";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.status(), ExitStatus::bad_data);
-      const Diagnostic& first = error.diagnostics().front();
-      EXPECT_EQ(first.place.line, lines + mistake.line);
-      EXPECT_EQ(first.place.column, mistake.column);
-      EXPECT_THAT(first.message, testing::HasSubstr(mistake.message));
-    }
-  }
-}
+TEST(ReadRipeness, mistakes_are_found_where_they_are) { expect_found(mistakes); }
 
 }  // namespace
 }  // namespace pomona
