@@ -30,7 +30,6 @@ class SolidBuilder {
     solid_.name = std::move(name);
     take_skin();
     for (const CutPiece::CapTriangle& cap : piece_.caps) add_cap(cap);
-    add_ink();
     return std::move(solid_);
   }
 
@@ -77,17 +76,6 @@ class SolidBuilder {
       if (guides_) solid_.guide.push_back(section_.guide.empty() ? DetailGuide{} : section_.guide[of_section]);
     }
     return known[of_section];
-  }
-
-  /// The cut segments whose face this piece has.
-  void add_ink() {
-    for (const CutSegment& s : section_.segments) {
-      for (const std::vector<std::uint32_t>& known : vertex_on_face_) {
-        if (known.empty() || known[s.vertex[0]] == unset || known[s.vertex[1]] == unset) continue;
-        solid_.ink_segments.push_back({section_.position[s.vertex[0]], section_.position[s.vertex[1]], s.boundary});
-        break;
-      }
-    }
   }
 
   const CutPiece& piece_;

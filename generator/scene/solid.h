@@ -28,14 +28,6 @@ struct Solid {
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> cut_face;  ///< per triangle: index of the cut face, -1 on skin and cavity walls
   std::vector<std::int32_t> surface;   ///< per triangle: surface for skin, -1 on cut faces; for ink
-
-  /// Ink on cut faces: polylines' segments (positions), and whether they rim the face.
-  struct InkSegment {
-    glm::vec3 a{0}, b{0};
-    bool rim = false;
-  };
-  std::vector<InkSegment> ink_segments;
-
   std::vector<std::string> part_names;
   std::vector<MaterialSketch> materials;  ///< per part; fewer: the others have the default
   NoiseStyle noise;

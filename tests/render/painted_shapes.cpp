@@ -165,10 +165,6 @@ Solid half_ball() {
       solid.surface.insert(solid.surface.end(), 2, -1);
     }
   }
-  for (std::uint32_t i = 0; i < around; ++i) {
-    const std::uint32_t rim = base + bands * around;
-    solid.ink_segments.push_back({solid.position[rim + i], solid.position[rim + (i + 1) % around], true});
-  }
   return solid;
 }
 
