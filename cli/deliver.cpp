@@ -14,10 +14,11 @@
 #include "render/export/pov.h"
 #include "render/export/svg.h"
 #include "render/gl/context.h"
-#include "render/gl/scene_parts.h"
 #include "render/gl/scene_picture.h"
 #include "render/picture/png.h"
 #include "render/picture/section_picture.h"
+#include "render/picture/view_within.h"
+#include "render/strokes/scene_parts.h"
 #include "render/texture/bake.h"
 
 namespace pomona {

@@ -61,7 +61,7 @@ std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std
   return bands;
 }
 
-void draw_triangle(const SeenTriangle& t, std::uint32_t instance, int top, int bottom, IdentityBuffer& buffer) {
+void draw_triangle(const SeenTriangle& t, const TriangleName& name, int top, int bottom, IdentityBuffer& buffer) {
   const PixelSpan columns(t.low(0), t.high(0), buffer.width);
   const PixelSpan rows(t.low(1), t.high(1), buffer.height);
   const double turn = t.area > 0 ? 1 : -1;
@@ -81,7 +81,8 @@ void draw_triangle(const SeenTriangle& t, std::uint32_t instance, int top, int b
       const std::size_t i = static_cast<std::size_t>(y) * buffer.width + x;
       if (nearness <= buffer.nearness[i]) continue;
       buffer.nearness[i] = nearness;
-      buffer.instance[i] = instance + 1;
+      buffer.instance[i] = name.instance + 1;
+      buffer.triangle[i] = name.triangle;
     }
   }
 }
@@ -94,16 +95,17 @@ std::size_t IdentityBuffer::pixel_at(const glm::dvec2& place) const {
 }
 
 IdentityBuffer identity_buffer(const Scene& scene, std::span<const SeenSolid> seen, const Lens& lens, Threads threads) {
-  IdentityBuffer buffer{lens.width(), lens.height(), {}, {}};
+  IdentityBuffer buffer{lens.width(), lens.height(), {}, {}, {}};
   buffer.nearness.assign(static_cast<std::size_t>(buffer.width) * buffer.height, 0.0f);
   buffer.instance.assign(buffer.nearness.size(), 0);
+  buffer.triangle.assign(buffer.nearness.size(), 0);
   const std::vector<std::vector<TriangleName>> bands = sorted_into_bands(scene, seen, buffer);
   parallel_for(bands.size(), threads, [&](std::size_t band) {
     const int top = static_cast<int>(band) * band_rows;
     for (const TriangleName& name : bands[band]) {
       const Solid& solid = scene.solids[scene.instances[name.instance].solid];
       const SeenTriangle triangle = seen_triangle(solid, seen[name.instance], name.triangle);
-      draw_triangle(triangle, name.instance, top, top + band_rows - 1, buffer);
+      draw_triangle(triangle, name, top, top + band_rows - 1, buffer);
     }
   });
   return buffer;

@@ -1,4 +1,4 @@
-// What one sees first through each pixel: which instance, and how far away.
+// What one sees first through each pixel: which triangle of which instance, and how far away.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@ struct IdentityBuffer {
   int width = 0, height = 0;
   std::vector<float> nearness;          ///< 1 / distance, 1 / metres; 0 where there is nothing
   std::vector<std::uint32_t> instance;  ///< index + 1; 0 where there is nothing
+  std::vector<std::uint32_t> triangle;  ///< of the instance's solid; of no meaning where there is nothing
 
   /// The pixel that holds a place; places outside have the nearest pixel of the border.
   std::size_t pixel_at(const glm::dvec2& place) const;
