@@ -49,33 +49,104 @@ Seen light_at(ivec2 pixel, float distance_to) {
   return Seen(best.x, best.y, texelFetch(arrives, from, 0).rgb, texelFetch(leaves, from, 0).rgb);
 }
 
-vec3 sample_color(ivec2 at, vec2 size, ivec2 pixel, vec3 ground, float grain_here) {
-  float d = texelFetch(depth, at, 0).r;
-  if (d == 1.0) return ground;
-  float distance_to = distance_from_depth(d);
-  Seen seen = light_at(pixel, distance_to);
-  uint id = texelFetch(ids, at, 0).r;
-  if (instance_of(id) == 0u) {
-    // The table is the paper, with a wash of shadow on it.
-    return ground * mix(shadow_color, vec3(1.0), seen.sun) * mix(0.82 * shadow_color, vec3(1.0), seen.sky);
+// What is nearest at a sample, or the mean of a pixel's.
+struct Nearest {
+  float depth;
+  uint id;
+  vec4 albedo;  // and the number of the material
+  vec3 normal;
+#ifdef DETAILED
+  vec4 guide_way, guide_share;
+#endif
+};
+
+Nearest nearest_at(ivec2 at) {
+  Nearest found;
+  found.depth = texelFetch(depth, at, 0).r;
+  found.id = texelFetch(ids, at, 0).r;
+  found.albedo = texelFetch(albedo, at, 0);
+  found.normal = texelFetch(normal_line, at, 0).xyz;
+#ifdef DETAILED
+  found.guide_way = texelFetch(guide_ways, at, 0);
+  found.guide_share = texelFetch(guide_shares, at, 0);
+#endif
+  return found;
+}
+
+// The mean of a pixel's samples if all show one smooth face of one thing, or all show nothing. Noise is no finer than a
+// pixel; details have sharp edges, and want all samples. Else false.
+bool is_one(ivec2 pixel, out Nearest mean) {
+  mean = nearest_at(pixel * samples_per_side);
+#ifdef DETAILED
+  if (mean.guide_share != vec4(0.0)) return false;
+#endif
+  float near = mean.depth, far = mean.depth;
+  for (int i = 1; i < samples_per_side * samples_per_side; ++i) {
+    Nearest other = nearest_at(pixel * samples_per_side + ivec2(i % samples_per_side, i / samples_per_side));
+    if (other.id != mean.id || other.albedo.a != mean.albedo.a) return false;
+    if (dot(other.normal, mean.normal) < 0.98 * length(mean.normal) * length(other.normal)) return false;
+    near = min(near, other.depth);
+    far = max(far, other.depth);
+    float share = 1.0 / float(i + 1);
+    mean.depth = mix(mean.depth, other.depth, share);
+    mean.albedo.rgb = mix(mean.albedo.rgb, other.albedo.rgb, share);
+    mean.normal = mix(mean.normal, other.normal, share);
+#ifdef DETAILED
+    if (other.guide_share != vec4(0.0)) return false;
+#endif
   }
-  vec2 ndc = 2.0 * (vec2(at) + 0.5) / size - 1.0;
+  if (instance_of(mean.id) != 0u) mean.normal = normalize(mean.normal);
+  if (far == 1.0) return near == 1.0;
+  return distance_from_depth(far) < 1.01 * distance_from_depth(near);
+}
+
+// A layer before all else, at a sample or, as a mean, at all of a pixel's. Premultiplied.
+vec4 layer_at(sampler2D layer, ivec2 pixel, int sample_index, bool all) {
+  vec4 sum = vec4(0.0);
+  int count = all ? samples_per_side * samples_per_side : 1;
+  for (int i = 0; i < count; ++i) {
+    int k = all ? i : sample_index;
+    sum += texelFetch(layer, pixel * samples_per_side + ivec2(k % samples_per_side, k / samples_per_side), 0);
+  }
+  return sum / float(count);
+}
+
+// `at`: in samples.
+vec3 fruit_at(Nearest nearest, vec2 at, vec2 size, Seen seen, float distance_to, float grain_here) {
+  vec2 ndc = 2.0 * at / size - 1.0;
   vec3 ray = vec3(ndc * tangent, -1.0) * distance_to;
   vec3 to_eye = normalize(mat3(camera_to_scene) * -ray);
-  vec3 normal = texelFetch(normal_line, at, 0).xyz;
 
   // The noise, where the point lies in its fruit; a pixel covers more of a slanted face.
-  vec3 fruit_position = in_fruit(instance_of(id), (camera_to_scene * vec4(ray, 1.0)).xyz);
-  float footprint = pixel_angle * distance_to / max(dot(normal, to_eye), 0.3);
-  int solid = int(pen_of(instance_of(id)).z);
-  vec4 plain = texelFetch(albedo, at, 0);
-  vec3 color = modulated(plain.rgb, fruit_position, footprint, solid);
+  uint instance = instance_of(nearest.id);
+  bool cut = is_cut(nearest.id);
+  vec3 fruit_position = in_fruit(instance, (camera_to_scene * vec4(ray, 1.0)).xyz);
+  float footprint = pixel_angle * distance_to / max(dot(nearest.normal, to_eye), 0.3);
+  int solid = int(pen_of(instance).z);
+  vec3 color = modulated(nearest.albedo.rgb, fruit_position, footprint, solid);
 #ifdef DETAILED
-  color = detailed(color, plain.rgb, fruit_position, footprint, solid, is_cut(id), texelFetch(guide_ways, at, 0),
-                   texelFetch(guide_shares, at, 0));
+  color = detailed(color, nearest.albedo.rgb, fruit_position, footprint, solid, cut, nearest.guide_way,
+                   nearest.guide_share);
 #endif
-  Material material = material_at(plain.a);
-  return painted(fruit_color(color, normal, to_eye, seen, is_cut(id), material, fruit_position, footprint), grain_here);
+  Material material = material_at(nearest.albedo.a);
+  return painted(fruit_color(color, nearest.normal, to_eye, seen, cut, material, fruit_position, footprint),
+                 grain_here);
+}
+
+vec3 sample_color(Nearest nearest, vec2 at, vec2 size, ivec2 pixel, vec3 ground, float grain_here) {
+  vec3 color = ground;
+  // Loops of one turn or none, in place of branches: software renderers run both sides of a branch, but end a loop early.
+  for (int any = nearest.depth < 1.0 ? 1 : 0; any > 0; --any) {
+    float distance_to = distance_from_depth(nearest.depth);
+    Seen seen = light_at(pixel, distance_to);
+    bool fruit = instance_of(nearest.id) != 0u;
+    // The table is the paper, with a wash of shadow on it.
+    color *= mix(shadow_color, vec3(1.0), seen.sun) * mix(0.82 * shadow_color, vec3(1.0), seen.sky);
+    for (int here = fruit ? 1 : 0; here > 0; --here) {
+      color = fruit_at(nearest, at, size, seen, distance_to, grain_here);
+    }
+  }
+  return color;
 }
 
 void main() {
@@ -86,21 +157,28 @@ void main() {
   float grain_here = grain > 0.0 ? paper_grain(from_top) : 0.0;
   vec3 ground = paper_color(from_top, vec2(textureSize(light, 0)), grain_here);
 
+  Nearest mean;
+  bool one = is_one(pixel, mean);
+  int count = one ? 1 : samples_per_side * samples_per_side;
   vec3 sum = vec3(0.0);
-  for (int y = 0; y < samples_per_side; ++y) {
-    for (int x = 0; x < samples_per_side; ++x) {
-      ivec2 at = pixel * samples_per_side + ivec2(x, y);
-      vec3 color = sample_color(at, size, pixel, ground, grain_here);
-      if (see_through) {
-        vec4 before = texelFetch(glass, at, 0);
-        color = before.rgb + (1.0 - before.a) * clamp(color, 0.0, 1.0);
-      }
-      if (hairy) {
-        vec4 before = texelFetch(hairs, at, 0);
-        color = before.rgb + (1.0 - before.a) * clamp(color, 0.0, 1.0);
-      }
-      sum += clamp(color, 0.0, 1.0);
+  for (int i = 0; i < count; ++i) {
+    ivec2 sample_at = pixel * samples_per_side + ivec2(i % samples_per_side, i / samples_per_side);
+    Nearest nearest = mean;
+    vec2 at = (vec2(pixel) + 0.5) * float(samples_per_side);
+    if (!one) {
+      nearest = nearest_at(sample_at);
+      at = vec2(sample_at) + 0.5;
     }
+    vec3 color = sample_color(nearest, at, size, pixel, ground, grain_here);
+    if (see_through) {
+      vec4 before = layer_at(glass, pixel, i, one);
+      color = before.rgb + (1.0 - before.a) * clamp(color, 0.0, 1.0);
+    }
+    if (hairy) {
+      vec4 before = layer_at(hairs, pixel, i, one);
+      color = before.rgb + (1.0 - before.a) * clamp(color, 0.0, 1.0);
+    }
+    sum += clamp(color, 0.0, 1.0);
   }
-  picture = vec4(srgb_from_linear(sum / float(samples_per_side * samples_per_side)), 1.0);
+  picture = vec4(srgb_from_linear(sum / float(count)), 1.0);
 }

@@ -54,8 +54,9 @@ vec3 about_axis(vec3 position) {
 }
 
 // One loop for both kinds of lattice: software renderers run both sides of a branch, but end a loop early.
-float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int band, uint pattern) {
+float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int band, uint pattern, bool counts) {
   bool isotropic = stretch == vec3(1.0);
+  int rings = !counts ? 0 : isotropic ? 1 : 2;
   vec2 radius_height = around.xy * frequency * stretch.xy + band_offset;
   float wanted = clamp(6.283185307179586 * around.x * frequency * stretch.z, 2.0, 32768.0);
   int inner = int(floor(log2(wanted)));
@@ -63,7 +64,7 @@ float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int 
   share = share * share * (3.0 - 2.0 * share);
 
   float sum = 0.0;
-  for (int ring = 0; ring < (isotropic ? 1 : 2); ++ring) {
+  for (int ring = 0; ring < rings; ++ring) {
     int level = inner + ring;
     int cells = 1 << level;
     bool turns = !isotropic && level >= 2;
@@ -105,7 +106,8 @@ vec3 modulated(vec3 color, vec3 position, float footprint, int solid) {
     float weight = (b < 4 ? low[b] : high[b - 4]) / total;
     float frequency = head.x * float(1 << b);
     float shown = 1.0 - smoothstep(0.25, 0.5, frequency * steepest * footprint);
-    amount += weight * shown * band_noise(position, around, frequency, stretch, b, pattern);
+    float part = weight * shown;
+    amount += part * band_noise(position, around, frequency, stretch, b, pattern, abs(part) > 1e-4);
   }
   return amount == 0.0 ? color : clamp(from_oklab(lab + amount * axis / total), 0.0, 1.0);
 }

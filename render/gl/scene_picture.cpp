@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "generator/base/error.h"
+#include "generator/base/free_memory.h"
 #include "render/gl/glass.h"
 #include "render/gl/objects.h"
 #include "render/gl/placed_solids.h"
@@ -293,6 +294,7 @@ void ScenePainter::look_through() {
   const std::array<const GlTexture*, 2> both{&*targets_.arrives, &*targets_.leaves};
   fill(GlFramebuffer(gl_, both, nullptr), size);
   gl_.check("light through the fruit");
+  targets_.far_shadow.reset();
 }
 
 void ScenePainter::cast_far_shadows(const GlTexture& map) {
@@ -420,6 +422,7 @@ void check_options(const CurrentGl& gl, const PictureOptions& options) {
 Image draw_scene(GlContext& context, const Scene& scene, const Style& style, const PictureOptions& options) {
   const CurrentGl gl(context);
   check_options(gl, options);
+  give_back_free_memory();
   Image picture = ScenePainter(gl, scene, style, options).painted();
   const StrokeOptions strokes{.width = options.width, .height = options.height, .threads = options.threads};
   return style.ink ? with_ink(std::move(picture), scene_strokes(scene, style, strokes)) : picture;
