@@ -1,0 +1,71 @@
+// Texels are diffused by whatever diffuser the cut face had: each in its own way, and to much the same colours.
+#include <gtest/gtest.h>
+#include <cmath>
+#include <memory>
+
+#include <glm/geometric.hpp>
+
+#include "generator/cut/cut.h"
+#include "generator/diffusion/harmonic_diffuser.h"
+#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/scene/section_colors.h"
+#include "generator/scene/solid.h"
+#include "render/diffusion/gl_diffuser.h"
+#include "render/texture/bake.h"
+#include "tests/shapes/seeded_fruit.h"
+
+namespace pomona {
+namespace {
+
+BakedSolid half_baked_by(const Diffuser& diffuser) {
+  const DiffusionSurfaces surfaces = shapes::seeded_fruit();
+  Template fruit;
+  fruit.parts = surfaces.part_names;
+  const std::vector<Knife> knives{parse_knife("half")};
+  const Cut result = cut(surfaces, knives);
+  std::vector<Solid> pieces = solids(result, colored(result.section, surfaces, diffuser), fruit, "fruit");
+  pieces.resize(1);
+  const auto colors = std::make_shared<const SectionColors>(surfaces, fruit, diffuser);
+  pieces = with_section_colors(std::move(pieces), colors);
+  return baked(pieces.front(), style_named("plain"), {.texels = 96});
+}
+
+struct Difference {
+  double rms = 0, largest = 0;  ///< of 255
+};
+
+Difference difference_between(const Image& a, const Image& b) {
+  Difference found;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const glm::dvec3 d = glm::abs(glm::dvec3(a.pixels[i]) - glm::dvec3(b.pixels[i]));
+    found.rms += glm::dot(d, d) / 3;
+    found.largest = std::max({found.largest, d.r, d.g, d.b});
+  }
+  found.rms = std::sqrt(found.rms / static_cast<double>(a.pixels.size()));
+  return found;
+}
+
+const BakedSolid& by_processor() {
+  static const BakedSolid solid = half_baked_by(*make_pmvc_diffuser({.quality = Quality::final, .threads = {}}));
+  return solid;
+}
+
+TEST(BakedByOpenGl, IsWhatTheProcessorBakes) {
+  const BakedSolid other = half_baked_by(*make_gl_diffuser({.quality = Quality::final}));
+  EXPECT_EQ(other.diffused, by_processor().diffused);
+  EXPECT_GT(other.diffused, 1000u);
+  const Difference found = difference_between(other.texture, by_processor().texture);
+  EXPECT_LE(found.rms, 0.5);
+  EXPECT_LE(found.largest, 2);
+}
+
+TEST(BakedHarmonically, DiffersAsItsEquationDoes) {
+  const BakedSolid other = half_baked_by(*make_harmonic_diffuser({.quality = Quality::final}));
+  EXPECT_EQ(other.diffused, by_processor().diffused);
+  const Difference found = difference_between(other.texture, by_processor().texture);
+  EXPECT_LE(found.rms, 6);
+  EXPECT_GT(found.rms, 0) << "it was not asked";
+}
+
+}  // namespace
+}  // namespace pomona
