@@ -3,6 +3,7 @@
 // [Fernando 2005].
 #include "gbuffer.glsl"
 
+uniform usampler2D ids;
 uniform sampler2D depth;
 uniform sampler2D normal_line;
 uniform sampler2D shadow_map;
@@ -47,6 +48,25 @@ float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, float tur
   return clamp(1.0 - 3.4 * taken / float(count), 0.0, 1.0);
 }
 
+// How much of what lies around on the picture belongs to another piece a little nearer than this place: what painters
+// deepen, so that each piece comes off the one behind it [Luft et al. 2006]. Paper stays clean.
+float behind_others(float distance_to, ivec2 at, vec2 size, float turn) {
+  uint mine = instance_of(texelFetch(ids, at, 0).r);
+  const int count = 12;
+  float standing = 0.0, all = 0.0;
+  for (int i = 0; i < count; ++i) {
+    vec2 step_away = spiral(i, count, turn);
+    ivec2 there = clamp(at + ivec2(step_away * 0.02 * size.y), ivec2(0), ivec2(size) - 1);
+    float gap = distance_to - distance_from_depth(texelFetch(depth, there, 0).r);
+    float share = 1.0 - 0.8 * length(step_away);
+    all += share;
+    uint other = instance_of(texelFetch(ids, there, 0).r);
+    if (mine == 0u || other == mine) continue;
+    standing += share * smoothstep(0.05 * reach, 0.35 * reach, gap) * (1.0 - smoothstep(1.5 * reach, 4.0 * reach, gap));
+  }
+  return standing / all;
+}
+
 float light_seen(vec3 p, vec3 n, float turn) {
   vec3 q = (camera_to_light * vec4(p + n * shadow_bias.x, 1.0)).xyz;
   if (any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0)))) return 1.0;
@@ -80,5 +100,6 @@ void main() {
   vec3 n = mat3(view) * texelFetch(normal_line, at, 0).xyz;
   float turn = interleaved(gl_FragCoord.xy);
   vec2 seen = vec2(sky_seen(p, n, distance_to, at, size, turn), light_seen(p, n, turn));
+  seen.x *= 1.0 - 1.1 * behind_others(distance_to, at, size, turn);
   light = vec4(clamp(1.0 - strengths * (1.0 - seen), 0.0, 1.0), distance_to, 0.0);
 }
