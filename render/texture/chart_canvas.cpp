@@ -1,0 +1,103 @@
+#include "render/texture/chart_canvas.h"
+
+#include <glm/common.hpp>
+
+namespace pomona {
+
+namespace {
+
+template <typename Visit>
+void around(const glm::ivec2& p, const Visit& visit) {
+  for (int y = p.y - 1; y <= p.y + 1; ++y) {
+    for (int x = p.x - 1; x <= p.x + 1; ++x) {
+      if (x != p.x || y != p.y) visit(x, y);
+    }
+  }
+}
+
+}  // namespace
+
+ChartCanvas::ChartCanvas(const Atlas& atlas, std::size_t chart)
+    : atlas_(atlas), chart_(static_cast<std::int32_t>(chart)) {
+  low_ = atlas.size, high_ = glm::ivec2(0);
+  const glm::ivec2 blocks = atlas.blocks();
+  for (int y = 0; y < blocks.y; ++y) {
+    for (int x = 0; x < blocks.x; ++x) {
+      if (atlas.owner[static_cast<std::size_t>(y) * blocks.x + x] != chart_) continue;
+      low_ = glm::min(low_, glm::ivec2(x, y) * atlas.block());
+      high_ = glm::max(high_, glm::ivec2(x + 1, y + 1) * atlas.block());
+    }
+  }
+  const glm::ivec2 size = high_ - low_;
+  color_.assign(static_cast<std::size_t>(size.x) * size.y, Color(0));
+  filled_.assign(color_.size(), 0);
+}
+
+bool ChartCanvas::owns(int x, int y) const {
+  if (x < low_.x || y < low_.y || x >= high_.x || y >= high_.y) return false;
+  const int block = atlas_.block();
+  return atlas_.owner[static_cast<std::size_t>(y / block) * atlas_.blocks().x + x / block] == chart_;
+}
+
+void ChartCanvas::fill_with(const Color& color) {
+  for (int y = low_.y; y < high_.y; ++y) {
+    for (int x = low_.x; x < high_.x; ++x) set(x, y, color);
+  }
+}
+
+void ChartCanvas::fill() {
+  std::vector<glm::ivec2> ring = border();
+  while (!ring.empty()) {
+    std::vector<Color> means;
+    for (const glm::ivec2& p : ring) means.push_back(mean_beside(p));
+    for (std::size_t i = 0; i < ring.size(); ++i) set(ring[i].x, ring[i].y, means[i]);
+    ring = beside(ring);
+  }
+}
+
+void ChartCanvas::write(Image& image) const {
+  for (int y = low_.y; y < high_.y; ++y) {
+    for (int x = low_.x; x < high_.x; ++x) {
+      if (has(x, y)) image.pixels[static_cast<std::size_t>(y) * image.width + x] = to_srgb8(color_[at(x, y)]);
+    }
+  }
+}
+
+std::vector<glm::ivec2> ChartCanvas::border() const {
+  std::vector<glm::ivec2> ring;
+  for (int y = low_.y; y < high_.y; ++y) {
+    for (int x = low_.x; x < high_.x; ++x) {
+      if (!owns(x, y) || filled_[at(x, y)] != 0) continue;
+      bool is_beside = false;
+      around({x, y}, [&](int u, int v) { is_beside = is_beside || has(u, v); });
+      if (is_beside) ring.emplace_back(x, y);
+    }
+  }
+  return ring;
+}
+
+std::vector<glm::ivec2> ChartCanvas::beside(const std::vector<glm::ivec2>& ring) {
+  std::vector<glm::ivec2> next;
+  for (const glm::ivec2& p : ring) {
+    around(p, [&](int x, int y) {
+      if (!owns(x, y) || filled_[at(x, y)] != 0) return;
+      filled_[at(x, y)] = 2;
+      next.emplace_back(x, y);
+    });
+  }
+  for (const glm::ivec2& p : next) filled_[at(p.x, p.y)] = 0;
+  return next;
+}
+
+Color ChartCanvas::mean_beside(const glm::ivec2& p) const {
+  Color sum(0);
+  int count = 0;
+  around(p, [&](int x, int y) {
+    if (!has(x, y)) return;
+    sum += color_[at(x, y)];
+    ++count;
+  });
+  return sum / static_cast<float>(count);
+}
+
+}  // namespace pomona

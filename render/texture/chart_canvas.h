@@ -1,0 +1,58 @@
+// The part of a texture that one chart owns, in linear colours, while it is made.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "generator/base/color.h"
+#include "render/picture/image.h"
+#include "render/texture/atlas.h"
+
+namespace pomona {
+
+class ChartCanvas {
+ public:
+  ChartCanvas(const Atlas& atlas, std::size_t chart);
+
+  // Texels of the atlas: whether they are the chart's, and whether they have a colour yet.
+  bool owns(int x, int y) const;
+  bool has(int x, int y) const { return owns(x, y) && filled_[at(x, y)] != 0; }
+  Color& color(int x, int y) { return color_[at(x, y)]; }
+  void set(int x, int y, const Color& color) {
+    color_[at(x, y)] = color;
+    filled_[at(x, y)] = 1;
+  }
+
+  /// The box of what it owns; high lies outside.
+  glm::ivec2 low() const { return low_; }
+  glm::ivec2 high() const { return high_; }
+
+  void fill_with(const Color& color);
+
+  /// From the chart's edges outwards, ring by ring, all that it owns takes the mean of what lies beside it.
+  void fill();
+
+  /// Copies what is filled, as sRGB.
+  void write(Image& image) const;
+
+ private:
+  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y - low_.y) * (high_.x - low_.x) + x - low_.x; }
+
+  /// Owned and empty beside something filled; row by row.
+  std::vector<glm::ivec2> border() const;
+
+  /// Empty ones beside those just filled, each once, in their order.
+  std::vector<glm::ivec2> beside(const std::vector<glm::ivec2>& ring);
+
+  Color mean_beside(const glm::ivec2& p) const;
+
+  const Atlas& atlas_;
+  std::int32_t chart_;
+  glm::ivec2 low_{0}, high_{0};
+  std::vector<Color> color_;
+  std::vector<std::uint8_t> filled_;
+};
+
+}  // namespace pomona

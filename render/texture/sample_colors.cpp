@@ -1,0 +1,107 @@
+#include "render/texture/sample_colors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t chunk_size = 4096;
+
+std::size_t chunks(std::size_t count) { return (count + chunk_size - 1) / chunk_size; }
+
+template <typename Visit>
+void for_chunk(std::size_t chunk, std::size_t count, const Visit& visit) {
+  for (std::size_t i = chunk * chunk_size; i < std::min(count, (chunk + 1) * chunk_size); ++i) visit(i);
+}
+
+}  // namespace
+
+SampleColors::SampleColors(const Solid& solid, const Style& style, const ColorField* field, double texel,
+                           Threads threads)
+    : solid_(solid),
+      field_(field),
+      look_(style.noise ? Look(solid.noise, solid.details) : Look()),
+      paint_(style),
+      texel_(texel),
+      threads_(threads) {}
+
+std::vector<Color> SampleColors::of(const std::vector<TexelSample>& samples) {
+  std::vector<Color> colors(samples.size());
+  std::vector<glm::vec3> points(samples.size());
+  parallel_for(chunks(samples.size()), threads_, [&](std::size_t chunk) {
+    for_chunk(chunk, samples.size(), [&](std::size_t i) {
+      points[i] = glm::vec3(place(samples[i]));
+      colors[i] = interpolated(samples[i]);
+    });
+  });
+  diffuse(samples, points, colors);
+  if (look_.is_plain() && paint_.is_plain()) return colors;
+  parallel_for(chunks(samples.size()), threads_, [&](std::size_t chunk) {
+    for_chunk(chunk, samples.size(),
+              [&](std::size_t i) { colors[i] = paint_(look_(colors[i], look_place(samples[i]))); });
+  });
+  return colors;
+}
+
+Color SampleColors::mean_of(const Chart& chart) const {
+  glm::dvec3 sum(0), place(0);
+  double area = 0;
+  for (const std::uint32_t t : chart.triangles) {
+    const glm::uvec3& v = solid_.triangle[t];
+    const glm::dvec3 a(solid_.position[v.x]), b(solid_.position[v.y]), c(solid_.position[v.z]);
+    const glm::dvec3 n = glm::cross(b - a, c - a);
+    const double weight = std::sqrt(glm::dot(n, n)) + 1e-30;
+    sum += weight * glm::dvec3(solid_.color[v.x] + solid_.color[v.y] + solid_.color[v.z]) / 3.0;
+    place += weight * (a + b + c) / 3.0;
+    area += weight;
+  }
+  const std::uint32_t first = chart.triangles.front();
+  LookPlace seen = look_place({.texel = {}, .triangle = first, .weight = glm::dvec3(1 / 3.), .outside = false});
+  seen.position = place / area;
+  return paint_(look_(Color(sum / area), seen));
+}
+
+glm::dvec3 SampleColors::place(const TexelSample& sample) const {
+  const glm::uvec3& v = solid_.triangle[sample.triangle];
+  return sample.weight.x * glm::dvec3(solid_.position[v.x]) + sample.weight.y * glm::dvec3(solid_.position[v.y]) +
+         sample.weight.z * glm::dvec3(solid_.position[v.z]);
+}
+
+LookPlace SampleColors::look_place(const TexelSample& sample) const {
+  const glm::uvec3& v = solid_.triangle[sample.triangle];
+  LookPlace seen{.position = place(sample), .footprint = texel_};
+  if (solid_.cut_face[sample.triangle] < 0) seen.face = DetailFace::skin;
+  if (solid_.guide.empty()) return seen;
+  seen.guide = pomona::interpolated(solid_.guide[v.x], solid_.guide[v.y], solid_.guide[v.z],
+                                    static_cast<float>(sample.weight.y), static_cast<float>(sample.weight.z));
+  return seen;
+}
+
+/// Right on skin, and on the rim of a cut face, whose vertices have the colours of the surfaces they lie on.
+Color SampleColors::interpolated(const TexelSample& sample) const {
+  const glm::uvec3& v = solid_.triangle[sample.triangle];
+  return Color(sample.weight.x * glm::dvec3(solid_.color[v.x]) + sample.weight.y * glm::dvec3(solid_.color[v.y]) +
+               sample.weight.z * glm::dvec3(solid_.color[v.z]));
+}
+
+void SampleColors::diffuse(const std::vector<TexelSample>& samples, const std::vector<glm::vec3>& points,
+                           std::vector<Color>& colors) {
+  std::vector<std::size_t> wanted;
+  for (std::size_t i = 0; field_ != nullptr && i < samples.size(); ++i) {
+    if (!samples[i].outside && solid_.cut_face[samples[i].triangle] >= 0) wanted.push_back(i);
+  }
+  for (std::size_t first = 0; first < wanted.size(); first += at_once) {
+    std::vector<glm::vec3> at;
+    const std::size_t end = std::min(wanted.size(), first + at_once);
+    for (std::size_t i = first; i < end; ++i) at.push_back(points[wanted[i]]);
+    const DiffusedColors found = field_->at(at);
+    for (std::size_t i = first; i < end; ++i) colors[wanted[i]] = found.color[i - first];
+  }
+  diffused_ += wanted.size();
+}
+
+}  // namespace pomona

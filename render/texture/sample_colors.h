@@ -1,0 +1,48 @@
+// Colours of texels: diffused at their own points, then in the style's noise and paint.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "generator/base/parallel.h"
+#include "generator/scene/section_colors.h"
+#include "render/style/look.h"
+#include "render/style/paint.h"
+#include "render/texture/texels.h"
+
+namespace pomona {
+
+class SampleColors {
+ public:
+  /// Samples that are diffused at once: enough that what a diffuser does once per call does not count.
+  static constexpr std::size_t at_once = 2'000'000;
+
+  /// \param field what colours cut faces; null: what lies at their vertices. \param texel size, metres
+  SampleColors(const Solid& solid, const Style& style, const ColorField* field, double texel, Threads threads);
+
+  /// Linear, one per sample.
+  std::vector<Color> of(const std::vector<TexelSample>& samples);
+
+  /// The mean of a chart that is smaller than a texel.
+  Color mean_of(const Chart& chart) const;
+
+  /// How many have been diffused so far.
+  std::size_t diffused() const { return diffused_; }
+
+ private:
+  glm::dvec3 place(const TexelSample& sample) const;
+  LookPlace look_place(const TexelSample& sample) const;
+  Color interpolated(const TexelSample& sample) const;
+  void diffuse(const std::vector<TexelSample>& samples, const std::vector<glm::vec3>& points,
+               std::vector<Color>& colors);
+
+  const Solid& solid_;
+  const ColorField* field_;
+  Look look_;
+  Paint paint_;
+  double texel_;
+  Threads threads_;
+  std::size_t diffused_ = 0;
+};
+
+}  // namespace pomona
