@@ -14,9 +14,9 @@ gallery: build ## the pictures of README.md and templates/README.md; FRUIT="okra
 	@scripts/gallery.sh build/pomona docs/pictures $(FRUIT)
 	@scripts/gallery.py write
 
-figures: build ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one
+figures: build ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one; PAGE=knives those of docs/knives.md
 	@scripts/setup.sh gallery
-	@scripts/figures.py make build/pomona $(FIGURE)
+	@scripts/figures.py make build/pomona $(or $(PAGE),figures) $(FIGURE)
 
 build: ## the program, at build/pomona
 	@scripts/setup.sh build

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""The pictures of docs/figures.md, made by the commands that stand in it.
+"""The pictures of pages under docs, made by the commands that stand on them.
 
-    figures.py make PROGRAM [NUMBER]   runs the commands of all figures, or of one, with this program as pomona
-    figures.py check                   says what is missing or made by no command; exits with 1 if anything is
+    figures.py make PROGRAM [PAGE [HEADING]]   runs the commands of a page (figures, knives; first figures), or those below
+                                               one heading ("8" is "Figure 8"), with this program as pomona
+    figures.py check                           says what is missing or made by no command; exits with 1 if anything is
 """
 
 import os
@@ -12,68 +13,92 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs/figures.md"
-FIGURES = range(1, 14)
+FIGURES = [f"Figure {number}" for number in range(1, 14)]
 
 
-def sections():
-    """Figure number -> what stands below its heading."""
-    parts = re.split(r"^## Figure (\d+)$", PAGE.read_text(), flags=re.M)
-    return {int(number): text for number, text in zip(parts[1::2], parts[2::2])}
+def text_of(page):
+    return (ROOT / f"docs/{page}.md").read_text()
+
+
+def sections(page):
+    """Heading -> what stands below it."""
+    parts = re.split(r"^## (.+)$", text_of(page), flags=re.M)
+    return dict(zip(parts[1::2], parts[2::2]))
 
 
 def commands(section):
     return [line for block in re.findall(r"```sh\n(.*?)```", section, re.S) for line in block.splitlines() if line]
 
 
-def made_by(section):
-    return set(re.findall(r"docs/(pictures/figures/\w+\.png)", "\n".join(commands(section))))
+def made_by(page, section):
+    return set(re.findall(rf"docs/(pictures/{page}/\w+\.png)", "\n".join(commands(section))))
 
 
-def make(program, numbers):
+def make(program, page, headings):
     # "pomona" in a command is the given program.
     program = pathlib.Path(program).resolve()
     if program.name != "pomona" or not program.is_file():
         sys.exit(f"figures: error: {program} is no pomona: make build")
     where = dict(os.environ, PATH=f"{program.parent}:{os.environ['PATH']}")
-    for folder in ("docs/pictures/figures", "out/figures"):
+    for folder in (f"docs/pictures/{page}", f"out/{page}"):
         (ROOT / folder).mkdir(parents=True, exist_ok=True)
-    for number in numbers:
-        section = sections()[number]
+    for heading in headings:
+        section = sections(page)[heading]
+        pictures = sorted(f"docs/{path}" for path in made_by(page, section))
+        if not pictures:
+            continue
         for command in commands(section):
             quiet = command + " --quiet" if command.startswith("pomona ") else command
             subprocess.run(quiet, shell=True, check=True, cwd=ROOT, env=where)
-        pictures = sorted(f"docs/{path}" for path in made_by(section))
         subprocess.run(["pngquant", "--force", "--ext", ".png", "--speed", "1", "256", "--", *pictures], check=True,
                        cwd=ROOT)
-        print(f"Figure {number}: {' '.join(pictures)}", flush=True)
+        print(f"{heading}: {' '.join(pictures)}", flush=True)
 
 
-def faults():
-    found = sections()
-    for number in FIGURES:
-        if number not in found:
-            yield f"docs/figures.md: there is no heading \"Figure {number}\""
-            continue
-        section = found[number]
-        if f"`make figures FIGURE={number}`" not in section:
-            yield f"docs/figures.md: Figure {number} does not say its command"
-        shown = set(re.findall(r"!\[\]\((pictures/figures/\w+\.png)\)", section))
-        for path in sorted(shown ^ made_by(section)):
-            yield f"docs/figures.md: Figure {number}: {path} is {'shown' if path in shown else 'made'} alone"
+def picture_faults(page):
+    """Every picture is made by a command below its heading, shown there, and in the tree."""
+    for heading, section in sections(page).items():
+        shown = set(re.findall(rf"!\[\]\((pictures/{page}/\w+\.png)\)", section))
+        for path in sorted(shown ^ made_by(page, section)):
+            yield f"docs/{page}.md: {heading}: {path} is {'shown' if path in shown else 'made'} alone"
         for path in sorted(shown):
             if not (ROOT / "docs" / path).is_file():
-                yield f"docs/figures.md: {path} is not there: make figures FIGURE={number}"
+                yield f"docs/{page}.md: {path} is not there: scripts/figures.py make build/pomona {page} \"{heading}\""
+
+
+def figure_faults():
+    found = sections("figures")
+    for heading in FIGURES:
+        if heading not in found:
+            yield f"docs/figures.md: there is no heading \"{heading}\""
+        elif f"`make figures FIGURE={heading.split()[1]}`" not in found[heading]:
+            yield f"docs/figures.md: {heading} does not say its command"
+
+
+def knife_faults():
+    """Every knife in the table cuts at least two fruits on the page."""
+    fruits = {}
+    for section in sections("knives").values():
+        for command in commands(section):
+            fruit = re.search(r"\bcut (\w+)", command)[1]
+            for knife in re.findall(r"--knife ([a-z]+)", command):
+                fruits.setdefault(knife, set()).add(fruit)
+    for row in re.findall(r"^\| (`.+?) \|", text_of("knives"), re.M):
+        for knife in re.findall(r"`([a-z]+)", row):
+            if len(fruits.get(knife, ())) < 2:
+                yield f"docs/knives.md: knife \"{knife}\" cuts fewer than two fruits"
 
 
 def main():
     match sys.argv[1:]:
-        case ["make", program]:
-            make(program, FIGURES)
-        case ["make", program, number] if number.isdigit() and int(number) in FIGURES:
-            make(program, [int(number)])
+        case ["make", program, *what] if len(what) <= 2:
+            page, *heading = what or ["figures"]
+            heading = [f"Figure {h}" if h.isdigit() else h for h in heading]
+            if page not in ("figures", "knives") or not set(heading) <= set(sections(page)):
+                sys.exit(__doc__)
+            make(program, page, heading or sections(page))
         case ["check"]:
-            found = list(faults())
+            found = [*figure_faults(), *knife_faults(), *picture_faults("figures"), *picture_faults("knives")]
             print(*found, sep="\n", end="\n" if found else "", file=sys.stderr)
             sys.exit(1 if found else 0)
         case _:

@@ -65,7 +65,10 @@ CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds) {
   for (const Knife& knife : knives) {
     all.knives.push_back(placed(knife, bounds));
     cells *= all.knives.back().cell_count();
-    if (cells > most_cells) throw Error(ExitStatus::usage, "the knives together make more than ten thousand cells");
+    if (cells > most_cells) {
+      throw Error(ExitStatus::usage, "the knives together make more than ten thousand cells",
+                  "take larger pieces, or fewer knives");
+    }
   }
 
   for (std::size_t k = 0; k < all.knives.size(); ++k) {

@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/millimetres.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/cut/read_stroke.h"
@@ -24,11 +25,12 @@ constexpr int most_wedges = 360;
 constexpr int most_slices = 1024;
 constexpr double thinnest_slice = 1e-4;  // share of the fruit's diagonal
 
-[[noreturn]] void fail(std::string_view text, const std::string& why) {
-  throw Error(
-      ExitStatus::usage, "knife \"" + std::string(text) + "\" " + why,
-      "a knife is one of: half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm, slices:8, dice:12mm, sticks:6mm, "
-      "crinkle:6mm, stroke:FILE.svg#id, ball:24mm, core:18mm, bite:40mm, revolve:FILE.svg#id, peel:2mm");
+constexpr const char* known_knives =
+    "a knife is one of: half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm, slices:8, dice:12mm, sticks:6mm, "
+    "crinkle:6mm, stroke:FILE.svg#id, ball:24mm, core:18mm, bite:40mm, revolve:FILE.svg#id, peel:2mm";
+
+[[noreturn]] void fail(std::string_view text, const std::string& why, const std::string& hint = known_knives) {
+  throw Error(ExitStatus::usage, "knife \"" + std::string(text) + "\" " + why, hint);
 }
 
 /// A whole number as users write counts: digits alone.
@@ -129,7 +131,7 @@ class KnifeOptions {
   /// \throws Error (usage) for an option that nobody has asked for; `known` says which there are.
   void finish(const std::string& known) const {
     for (const Option& option : options_) {
-      if (!option.taken) fail(text_, "has no option \"" + std::string(option.name) + "\", but " + known);
+      if (!option.taken) fail(text_, "has no option \"" + std::string(option.name) + "\"", "it has " + known);
     }
   }
 
@@ -305,9 +307,13 @@ void place_slices(PlacedKnife& placed, const Knife& knife, const Bounds& bounds,
   if (knife.count > 0) {
     thickness = height / knife.count;
   } else {
-    if (thickness < thinnest_slice * glm::length(bounds.size())) fail(knife.text, "is thinner than the fruit resolves");
+    const double least = std::fmax(thinnest_slice * glm::length(bounds.size()), height / (most_slices - 3));
+    const std::string hint = "take slices of at least " + in_millimetres(1.01 * least);
+    if (thickness < thinnest_slice * glm::length(bounds.size())) {
+      fail(knife.text, "is thinner than the fruit resolves", hint);
+    }
     whole = std::floor(height / thickness * (1 + 1e-6));
-    if (whole + 2 > most_slices) fail(knife.text, "makes more than " + std::to_string(most_slices) + " slices");
+    if (whole + 2 > most_slices) fail(knife.text, "makes more than " + std::to_string(most_slices) + " slices", hint);
   }
 
   // Planes at the very ends cut nothing; bounds are floats, so ends are known to a millionth.
@@ -339,7 +345,7 @@ void place_strokes(PlacedKnife& placed, std::vector<std::vector<glm::dvec2>> str
 
 void place_stroke(PlacedKnife& placed, const Knife& knife, const Bounds& bounds) {
   if (crosses_itself(knife.stroke, glm::dvec2(bounds.center()), glm::length(bounds.size()))) {
-    fail(knife.text, "crosses itself where its ends go on straight: draw them on beyond the fruit");
+    fail(knife.text, "crosses itself where its ends go on straight", "draw its ends on beyond the fruit");
   }
   place_strokes(placed, {knife.stroke});
 }
@@ -352,7 +358,7 @@ void place_crinkle(PlacedKnife& placed, const Knife& knife, const Bounds& bounds
   const double wave = knife.thickness, height = wave / 8;
   const double waves = std::ceil(0.5 * bounds.size().x / wave) + 1;
   if (2 * waves * steps * static_cast<double>(level.planes.size()) > most_facets) {
-    fail(knife.text, "makes more than " + std::to_string(most_facets) + " facets: take thicker slices");
+    fail(knife.text, "makes more than " + std::to_string(most_facets) + " facets", "take thicker slices");
   }
   std::vector<std::vector<glm::dvec2>> strokes;
   for (const CuttingPlane& plane : level.planes) {

@@ -25,6 +25,9 @@ std::array<std::uint32_t, 3> sorted(const glm::uvec3& face) {
   return s;
 }
 
+/// The same but for whole periods, next to 0.
+double within(double value, double period) { return period > 0 ? value - period * std::round(value / period) : value; }
+
 }  // namespace
 
 std::uint32_t LevelSurface::add_vertex(const glm::dvec3& place, const Values& values) {
@@ -40,14 +43,19 @@ std::uint32_t LevelSurface::vertex_between(std::uint32_t a, std::uint32_t b, con
   const double crossing = (level.value - values_[a][f]) / (values_[b][f] - values_[a][f]);
   const double share = std::clamp(crossing, least_share, 1 - least_share);
   Values values{};
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = values_[a][i] + share * (values_[b][i] - values_[a][i]);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double way = within(values_[b][i] - values_[a][i], period_[i]);
+    values[i] = within(values_[a][i] + share * way, period_[i]);
+  }
   values[f] = level.value;
   return known->second = add_vertex(place_[a] + share * (place_[b] - place_[a]), values);
 }
 
 bool LevelSurface::is_crossed(std::uint32_t a, std::uint32_t b, const Level& level) const {
   if (level.where && (values_[a][*level.where] < 0 || values_[b][*level.where] < 0)) return false;
-  return (values_[a][level.function] < level.value) != (values_[b][level.function] < level.value);
+  const double at_a = values_[a][level.function], at_b = values_[b][level.function];
+  return (at_a < level.value) != (at_b < level.value) &&
+         std::fabs(at_a - at_b) <= 0.5 * (period_[level.function] > 0 ? period_[level.function] : INFINITY);
 }
 
 void LevelSurface::split(std::vector<Tetrahedron>& parts, const Level& level) {
@@ -97,12 +105,6 @@ void LevelSurface::add(const Tetrahedron& whole, const std::vector<Level>& level
     for (const glm::uvec3& face : outward_faces(t)) {
       if (std::binary_search(outside.begin(), outside.end(), sorted(face))) surface_.push_back(face);
     }
-  }
-}
-
-void LevelSurface::settle(const Level& level, const std::function<glm::dvec3(const glm::dvec3&)>& where) {
-  for (std::size_t v = 0; v < place_.size(); ++v) {
-    if (values_[v][level.function] == level.value) place_[v] = where(place_[v]);
   }
 }
 

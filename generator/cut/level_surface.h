@@ -26,16 +26,17 @@ class LevelSurface {
     std::optional<std::size_t> where = std::nullopt;  ///< only along edges on which this function is not negative
   };
 
+  /// `period`: of a function that starts anew, an angle's for one; 0 for others. Such values lie within half of it.
+  explicit LevelSurface(const Values& period = {}) : period_(period) {}
+
   std::uint32_t add_vertex(const glm::dvec3& place, const Values& values);
   const Values& values(std::uint32_t vertex) const { return values_[vertex]; }
+  void set_value(std::uint32_t vertex, std::size_t function, double value) { values_[vertex][function] = value; }
 
   /// A tetrahedron (a, b, c, d), d on the side from which a, b, c run counter-clockwise. `is_inside` is asked for each
   /// part, with the values at its corners; at those that a level made they are the level's to the bit.
   void add(const Tetrahedron& whole, const std::vector<Level>& levels,
            const std::function<bool(const std::array<Values, 4>&)>& is_inside);
-
-  /// Moves the vertices that this level made, for functions that are not quite linear between vertices.
-  void settle(const Level& level, const std::function<glm::dvec3(const glm::dvec3&)>& where);
 
   /// What has been added up to now, facing outwards.
   KnifeSolid solid() const;
@@ -45,6 +46,7 @@ class LevelSurface {
   bool is_crossed(std::uint32_t a, std::uint32_t b, const Level& level) const;
   void split(std::vector<Tetrahedron>& parts, const Level& level);
 
+  Values period_;
   std::vector<glm::dvec3> place_;
   std::vector<Values> values_;
   std::unordered_map<std::uint64_t, std::uint32_t> between_;  ///< by the ends' numbers; looked up only

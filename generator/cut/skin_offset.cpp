@@ -3,16 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <cstdint>
+#include <limits>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/millimetres.h"
 #include "generator/base/parallel.h"
 #include "generator/base/reproducible.h"
 #include "generator/cut/level_surface.h"
 #include "generator/cut/peel_depth.h"
 #include "generator/cut/spiral.h"
+#include "generator/surface/crossings.h"
+#include "generator/surface/welded_edges.h"
 
 namespace pomona {
 
@@ -21,6 +26,7 @@ namespace {
 constexpr double cells_on_skin = 3000;   // some 40 000 triangles
 constexpr double cells_in_strip = 6;     // so that a tetrahedron sees one turn of the ridge at most
 constexpr double ridge_share = 1 / 30.;  // of a strip's width
+constexpr double ridge_height = 1;       // out of the skin, in cells
 constexpr double most_vertices = 6e6;
 
 double area_of(const TriangleTree& skin) {
@@ -37,22 +43,17 @@ double cell_of(const DiffusionSurfaces& surfaces, const PeelOptions& options) {
   return options.strip > 0 ? std::min(cell, options.strip / cells_in_strip) : cell;
 }
 
-std::string in_millimetres(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g mm", 1000 * length);
-  return text;
-}
-
 /// Cubes with vertices at their corners and in their middles; a tetrahedron for each edge of a face between two cubes,
 /// with both their middles: its edges differ by 15 % in length only.
 class PeelGrid {
  public:
-  PeelGrid(const DiffusionSurfaces& surfaces, const PeelOptions& options)
+  /// `shift`: of the grid, in cells.
+  PeelGrid(const DiffusionSurfaces& surfaces, const PeelOptions& options, double shift)
       : options_(options),
         cell_(cell_of(surfaces, options)),
         depth_(surfaces, options.thickness, cell_),
         outline_(depth_.skin()) {
-    // Two cells of air around everything, for the ridge stands one and a half out of the skin.
+    // Two cells of air around everything, for the ridge stands out of the skin.
     double count = 2;
     for (int i = 0; i < 3; ++i) {
       const double size = depth_.box().high[i] - depth_.box().low[i];
@@ -60,22 +61,17 @@ class PeelGrid {
       count *= cubes + 1;
       if (!(count <= most_vertices)) fail_too_fine();
       cubes_[i] = static_cast<int>(cubes);
-      low_[i] = depth_.box().low[i] - 0.5 * (cubes * cell_ - size);
+      low_[i] = depth_.box().low[i] - 0.5 * (cubes * cell_ - size) + shift * cell_;
     }
     measure();
   }
 
   KnifeSolid solid() {
-    for (int z = 0; z < cubes_.z; ++z) {
-      for (int y = 0; y < cubes_.y; ++y) {
-        for (int x = 0; x < cubes_.x; ++x) add_tetrahedra({x, y, z});
-      }
-    }
+    if (options_.strip > 0) end_ridge_where_it_is_steep();
+    for_each_tetrahedron([&](const LevelSurface::Tetrahedron& t) { add(t); });
+
     // With a ridge, vertices may lie too near to each other to be moved.
-    if (options_.strip == 0) {
-      surface_.settle({depth, options_.thickness}, [&](const glm::dvec3& p) { return settled(p); });
-    }
-    return surface_.solid();
+    return options_.strip > 0 ? surface_.solid() : settled(surface_.solid());
   }
 
  private:
@@ -113,8 +109,10 @@ class PeelGrid {
       }
     }
     std::vector<LevelSurface::Values> values(place.size());
+    const std::vector<double> far = depths_far_away();
     parallel_for(place.size(), {}, [&](std::size_t i) {
-      values[i][depth] = pushed_off(place[i]);
+      const double known = far[block_of(place[i])];
+      values[i][depth] = std::isnan(known) ? pushed_off(place[i]) : known;
       values[i][turns] = 0;
       values[i][ridge] = -1;
       if (options_.strip > 0) measure_ridge(place[i], values[i]);
@@ -127,6 +125,30 @@ class PeelGrid {
     if (deepest > options_.thickness) return;
     throw Error(ExitStatus::usage, "a peel of " + in_millimetres(options_.thickness) + " is thicker than the fruit",
                 "its middle lies " + in_millimetres(deepest) + " under the skin");
+  }
+
+  /// Blocks of four cubes each way. What is asked of a place is on which side of two depths it lies, and how deep it is
+  /// next to them: the depth in the middle of a block that is far from both will do for all of it.
+  static constexpr int block = 4;
+  glm::ivec3 blocks() const { return cubes_ / block + 1; }
+  std::size_t block_of(const glm::dvec3& place) const {
+    const glm::ivec3 at = glm::ivec3((place - low_) / (block * cell_));
+    return static_cast<std::size_t>(at.x + blocks().x * (at.y + blocks().y * at.z));
+  }
+
+  /// Per block: the depth of its middle, or not a number where it is near.
+  std::vector<double> depths_far_away() const {
+    const glm::ivec3 count = blocks();
+    std::vector<double> depths(static_cast<std::size_t>(count.x) * count.y * count.z);
+    parallel_for(depths.size(), {}, [&](std::size_t i) {
+      const int n = static_cast<int>(i);
+      const glm::dvec3 at(n % count.x, n / count.x % count.y, n / count.x / count.y);
+      const double there = depth_.at(low_ + block * cell_ * (at + 0.5)).depth;
+      const double reach = (0.5 * std::sqrt(3.0) * block + ridge_height + 1) * cell_;
+      const bool is_far = there < -reach || there > options_.thickness + reach;
+      depths[i] = is_far ? there : std::numeric_limits<double>::quiet_NaN();
+    });
+    return depths;
   }
 
   /// The depth there. Places next to the surface move away from it, across it, to a quarter of a cell, so that it gets
@@ -145,32 +167,72 @@ class PeelGrid {
     return there;
   }
 
-  /// The point of the offset next to one that was found as if depth were linear in a cell. It moves by less than what
-  /// pushed_off() has left between it and others.
-  glm::dvec3 settled(const glm::dvec3& p) const {
-    const PeelDepth::Place known = depth_.at(p);
-    return p + std::clamp(options_.thickness - known.depth, -0.05 * cell_, 0.05 * cell_) * known.deeper;
+  /// The points of the offset next to those that were found as if depth were linear in a cell; where triangles would
+  /// cross, in creases, they stay.
+  KnifeSolid settled(const KnifeSolid& found) const {
+    KnifeSolid solid = found;
+    parallel_for(solid.point.size(), {}, [&](std::size_t i) {
+      const PeelDepth::Place known = depth_.at(found.point[i]);
+      const double way = std::clamp(options_.thickness - known.depth, -0.05 * cell_, 0.05 * cell_);
+      solid.point[i] += way * known.deeper;
+    });
+    while (true) {
+      DiffusionSurfaces surfaces;
+      surfaces.position.assign(solid.point.begin(), solid.point.end());
+      surfaces.triangle = solid.triangle;
+      bool moved_back = false;
+      for (const CrossingTriangles& crossing : crossing_triangles(surfaces)) {
+        for (const std::uint32_t t : {crossing.first, crossing.second}) {
+          for (int i = 0; i < 3; ++i) {
+            glm::dvec3& p = solid.point[solid.triangle[t][i]];
+            moved_back = moved_back || p != found.point[solid.triangle[t][i]];
+            p = found.point[solid.triangle[t][i]];
+          }
+        }
+      }
+      if (!moved_back) return solid;
+    }
   }
 
   void measure_ridge(const glm::dvec3& p, LevelSurface::Values& values) const {
     const double along = outline_.along(p);
     values[turns] = turns_from_ridge(along, p, options_.strip);
     const double from_axis = std::sqrt(p.x * p.x + p.z * p.z);
-    values[ridge] = std::min({values[depth] + 1.5 * cell_, along - 0.5 * options_.strip,
+    values[ridge] = std::min({values[depth] + ridge_height * cell_, along - 0.5 * options_.strip,
                               outline_.length() - 0.5 * options_.strip - along, from_axis - 3 * cell_});
   }
 
-  void add_tetrahedra(const glm::ivec3& cube) {
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::ivec3 next = cube, u(0), v(0);
-      if (++next[axis] >= cubes_[axis]) continue;
-      u[(axis + 1) % 3] = 1;
-      v[(axis + 2) % 3] = 1;
-      const std::array<glm::ivec3, 4> around{next, next + u, next + u + v, next + v};
-      for (std::size_t i = 0; i < 4; ++i) {
-        add({middle(cube), middle(next), corner(around[i]), corner(around[(i + 1) % 4])});
+  template <typename Visit>
+  void for_each_tetrahedron(const Visit& visit) const {
+    for (int n = 0; n < cubes_.x * cubes_.y * cubes_.z; ++n) {
+      const glm::ivec3 cube(n % cubes_.x, n / cubes_.x % cubes_.y, n / cubes_.x / cubes_.y);
+      for (int axis = 0; axis < 3; ++axis) {
+        glm::ivec3 next = cube, u(0), v(0);
+        if (++next[axis] >= cubes_[axis]) continue;
+        u[(axis + 1) % 3] = 1;
+        v[(axis + 2) % 3] = 1;
+        const std::array<glm::ivec3, 4> around{next, next + u, next + u + v, next + v};
+        for (std::size_t i = 0; i < 4; ++i) {
+          visit({middle(cube), middle(next), corner(around[i]), corner(around[(i + 1) % 4])});
+        }
       }
     }
+  }
+
+  /// Where two turns are so near to each other that it is not clear in which of them an edge runs, in the depth of a
+  /// dimple for one, there is no ridge.
+  void end_ridge_where_it_is_steep() {
+    std::vector<std::uint32_t> steep;
+    for_each_tetrahedron([&](const LevelSurface::Tetrahedron& t) {
+      for (const std::uint32_t a : t) {
+        for (const std::uint32_t b : t) {
+          const LevelSurface::Values &at_a = surface_.values(a), &at_b = surface_.values(b);
+          if (at_a[ridge] < 0 || at_b[ridge] < 0) continue;
+          if (std::fabs(std::fabs(at_a[turns] - at_b[turns]) - 0.5) < 0.15) steep.push_back(a);
+        }
+      }
+    });
+    for (const std::uint32_t vertex : steep) surface_.set_value(vertex, ridge, -cell_);
   }
 
   void add(const LevelSurface::Tetrahedron& t) {
@@ -202,13 +264,29 @@ class PeelGrid {
   OutlinePlace outline_;
   glm::ivec3 cubes_{0};
   glm::dvec3 low_{0};
-  LevelSurface surface_;
+  LevelSurface surface_{{0, 0, 1}};  // turns start anew
 };
+
+/// Every edge has two triangles, one each way. Two ends of a ridge may happen to touch along an edge.
+bool is_closed(const KnifeSolid& solid) {
+  const std::vector<WeldedEdge> edges = sorted_edges(solid.triangle);
+  for (std::size_t at = 0; at < edges.size();) {
+    const std::size_t count = equal_edges(edges, at).size();
+    if (count != 2) return false;
+    at += count;
+  }
+  return true;
+}
 
 }  // namespace
 
 KnifeSolid peeled(const DiffusionSurfaces& surfaces, const PeelOptions& options) {
-  return PeelGrid(surfaces, options).solid();
+  for (const double shift : {0.0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3}) {
+    KnifeSolid solid = PeelGrid(surfaces, options, shift).solid();
+    if (is_closed(solid)) return solid;
+  }
+  throw Error(ExitStatus::usage, "this fruit cannot be peeled so: the peel would touch itself",
+              "take another thickness, or another width of the strip");
 }
 
 }  // namespace pomona

@@ -107,16 +107,19 @@ BowlDescription read_bowl(const TomlTable& table) {
   return bowl;
 }
 
-std::vector<Knife> read_knives(const TomlValue& value) {
+/// Files that knives name are looked for from `folder`.
+std::vector<Knife> read_knives(const TomlValue& value, const std::filesystem::path& folder) {
   std::vector<Knife> knives;
   for (const TomlValue& text : value.values()) {
     const std::string knife = text.text();
     if (!text.is(TomlNode::Kind::string)) continue;
     try {
-      knives.push_back(parse_knife(knife));
+      knives.push_back(parse_knife(knife, folder));
     } catch (const Error& error) {
+      // A drawing may be wrong in a file of its own.
       const Diagnostic& what = error.diagnostics().front();
-      text.error(what.message, what.hint);
+      const bool elsewhere = !what.place.file.empty();
+      text.error(elsewhere ? to_string({what.place, what.message, {}}) : what.message, what.hint);
     }
   }
   return knives;
@@ -218,7 +221,7 @@ class SceneReader {
       table.get("variation").error("has no effect on what is as drawn", "keep \"variation\" or \"as_drawn\"");
     pieces.ripeness = read_range(table.get("ripeness"), {0, 2});
     pieces.browning = read_range(table.get("browning"), {0, 1});
-    pieces.knives = read_knives(table.get("knives"));
+    pieces.knives = read_knives(table.get("knives"), std::filesystem::path(file_).parent_path());
     pieces.take = table.get("take").integer(0, 0, most_pieces);
     pieces.copies = table.get("copies").integer(1, 1, 1000);
     pieces.smallest = table.get("smallest").number(pieces.smallest, {0, 1});

@@ -17,6 +17,7 @@ class SolidBuilder {
     solid_.part_names = section.part_names;
     solid_.materials = materials_of(fruit, section.part_names);
     solid_.noise = fruit.noise;
+    solid_.density = fruit.density;
     solid_.details = fruit.details;
     const auto on_skin = [](const DetailSketch& detail) { return detail.face == DetailFace::skin; };
     guides_ = !section.guide.empty() || std::any_of(fruit.details.begin(), fruit.details.end(), on_skin);

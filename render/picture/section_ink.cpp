@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <set>
 #include <tuple>
 
 #include <glm/geometric.hpp>
@@ -15,15 +17,28 @@ namespace pomona {
 
 namespace {
 
-/// One triangle's share in an edge of a face, named by its welded ends (a < b).
+/// One triangle's share in an edge of a face, named by its welded ends (a < b). All facets of a stroke are one face:
+/// the first of them that has triangles.
 struct EdgeUse {
-  int face = 0;
+  int face = 0, facet = 0;
   std::uint32_t a = 0, b = 0;
   std::uint32_t vertex_a = 0, vertex_b = 0, opposite = 0;
   auto key() const { return std::tuple(face, a, b); }
 };
 
+std::vector<int> unrolled_faces(const CrossSection& section) {
+  std::vector<int> whole(section.faces.size());
+  std::iota(whole.begin(), whole.end(), 0);
+  std::map<int, int> first_of_stroke;
+  for (const int face : std::set<int>(section.cut.begin(), section.cut.end())) {
+    const int stroke = section.faces[static_cast<std::size_t>(face)].stroke;
+    if (stroke >= 0) whole[static_cast<std::size_t>(face)] = first_of_stroke.try_emplace(stroke, face).first->second;
+  }
+  return whole;
+}
+
 std::vector<EdgeUse> edge_uses(const CrossSection& section, const std::vector<std::uint32_t>& place) {
+  const std::vector<int> whole = unrolled_faces(section);
   std::vector<EdgeUse> uses;
   for (std::size_t t = 0; t < section.triangle.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
@@ -32,8 +47,9 @@ std::vector<EdgeUse> edge_uses(const CrossSection& section, const std::vector<st
       const std::uint32_t opposite = section.triangle[t][(i + 2) % 3];
       if (place[v] == place[w]) continue;
       const bool turned = place[v] > place[w];
-      uses.push_back(
-          {section.cut[t], place[turned ? w : v], place[turned ? v : w], turned ? w : v, turned ? v : w, opposite});
+      const int facet = section.cut[t];
+      uses.push_back({whole[static_cast<std::size_t>(facet)], facet, place[turned ? w : v], place[turned ? v : w],
+                      turned ? w : v, turned ? v : w, opposite});
     }
   }
   std::stable_sort(uses.begin(), uses.end(), [](const EdgeUse& x, const EdgeUse& y) { return x.key() < y.key(); });
@@ -45,6 +61,7 @@ struct Bundle {
   std::vector<ChainLink> links;
   std::vector<double> opacity;          // per link
   std::vector<std::uint32_t> opposite;  // per link: the inner vertex beside it
+  std::vector<int> facet;               // per link
 };
 using BundleKey = std::tuple<int, int>;  // face; surface, or -1 for the rim
 
@@ -76,6 +93,7 @@ std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::v
       bundle.links.push_back({use.a, use.b});
       bundle.opacity.push_back(opacity);
       bundle.opposite.push_back(use.opposite);
+      bundle.facet.push_back(use.facet);
     }
     i = j;
   }
@@ -115,10 +133,10 @@ std::vector<SectionLine> section_lines(const CrossSection& section, const std::v
     const auto [face, surface] = key;
     if (!faces[face].shown) continue;
 
-    // Only this bundle's vertices need a place on this face.
+    // Only this bundle's vertices need a place on this face. Where facets meet they agree on it.
     for (std::size_t i = 0; i < bundle.links.size(); ++i) {
       for (const std::uint32_t v : {bundle.links[i].a, bundle.links[i].b, bundle.opposite[i]}) {
-        places[v] = faces[face].to_paper(section.position[v]);
+        places[v] = faces[bundle.facet[i]].to_paper(section.position[v]);
       }
     }
     for (const Chain& chain : chained(bundle.links, places)) {

@@ -264,6 +264,7 @@ Knife CutOracle::random_stroke(const RandomStream& random, std::uint64_t number)
     if (knife.stroke.empty() || glm::dot(way, p - knife.stroke.back()) > apart) knife.stroke.push_back(p);
   }
   if (knife.stroke.size() == 1) knife.stroke.push_back(knife.stroke[0] + apart * way);
+  knife.stroke = cleaned(knife.stroke);  // as those that are read
   return knife;
 }
 

@@ -5,9 +5,15 @@
 
 #include <gmock/gmock.h>
 
+#include <glm/geometric.hpp>
+
 #include "generator/base/error.h"
+#include "generator/cut/cut.h"
 #include "render/picture/png.h"
+#include "render/picture/section_ink.h"
+#include "render/picture/section_layout.h"
 #include "tests/render/painted_shapes.h"
+#include "tests/shapes/shapes.h"
 
 namespace pomona {
 namespace {
@@ -33,6 +39,25 @@ TEST(SectionPicture, InksTheRim) {
   for (int x = 0; x < 320; ++x) darkest = std::min(darkest, brightness(image.at(x, 240)));
   EXPECT_LT(darkest, 150);
   EXPECT_GT(brightness(image.at(1, 240)), 600);
+}
+
+/// They are one face, unrolled, and its rim is as long.
+TEST(SectionPicture, InksNoLineBetweenTheFacetsOfAStroke) {
+  Knife knife;
+  knife.kind = Knife::Kind::stroke;
+  knife.stroke = {{-0.05, 0.02}, {0, 0.03}, {0.05, 0.02}};
+  const DiffusionSurfaces box = shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint());
+  const CrossSection section = cut(box, std::vector<Knife>{knife}).section;
+  const std::vector<PlacedFace> faces = lay_out(section, {400, 300}, 10);
+  const std::vector<SectionLine> lines = section_lines(section, faces);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].rim);
+  EXPECT_TRUE(lines[0].line.closed);
+  const std::vector<glm::dvec2>& points = lines[0].line.points;
+  double around = glm::distance(points.back(), points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) around += glm::distance(points[i - 1], points[i]);
+  const double length = 2 * std::hypot(0.03, 0.006);
+  EXPECT_NEAR(around / faces[0].scale, 2 * (length + 0.06), 1e-3);
 }
 
 TEST(SectionPicture, IsTheSameForAnyNumberOfThreads) {

@@ -23,11 +23,21 @@ TEST(PieceFacts, OfADie) {
   ASSERT_EQ(scene.solids.size(), 8u);
   const PieceFacts facts = facts_of(scene.solids[0]);
   EXPECT_NEAR(facts.volume, 0.01 * 0.005 * 0.005, 1e-13);
-  EXPECT_NEAR(facts.mass, 1000 * facts.volume, 1e-12);
+  EXPECT_NEAR(facts.mass, scene.solids[0].density * facts.volume, 1e-12);
   EXPECT_LT(glm::distance(facts.center, glm::dvec3(0.005, 0.0025, 0.0025)), 1e-9);
   EXPECT_LT(glm::distance(facts.low, glm::dvec3(0)), 1e-9);
   EXPECT_LT(glm::distance(facts.high, glm::dvec3(0.01, 0.005, 0.005)), 1e-9);
   EXPECT_EQ(facts.triangles, scene.solids[0].triangle.size());
+}
+
+/// In the piece list and in the extras of a .glb: both take it from the solid.
+TEST(PieceFacts, MassIsByTheTemplatesDensity) {
+  const DiffusionSurfaces box = shapes::box({0, 0, 0}, {0.02, 0.01, 0.01}, 2, shapes::skin_paint());
+  const Cut whole = cut(box, {});
+  Template dense;
+  dense.density = 840;
+  const std::vector<Solid> pieces = solids(whole, whole.section, dense, "box");
+  EXPECT_NEAR(facts_of(pieces.at(0)).mass, 840 * 2e-6, 1e-9);
 }
 
 TEST(PieceFacts, OfNothing) {

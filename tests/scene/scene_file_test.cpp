@@ -64,6 +64,33 @@ TEST(SceneFile, ReadsTheSalad) {
   EXPECT_GE(cuts.size(), 3u);
 }
 
+/// A knife's drawing is looked for beside the scene, wherever the program runs.
+TEST(SceneFile, StrokesAreFoundFromItsFolder) {
+  const fs::path folder = fs::path(testing::TempDir()) / "pomona_scene_of_strokes";
+  fs::create_directories(folder / "drawings");
+  std::ofstream(folder / "drawings/knives.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg">
+<path id="wave" d="M -10,-20 L 0,-25 10,-20"/>
+<path id="loop" d="M 0,0 L 20,0 10,10 10,-10"/></svg>)";
+  const auto scene =
+      [&](const std::string& id) {
+        std::ofstream(folder / "dish.toml")
+            << "format = 1\nname = \"dish\"\n[[pieces]]\nname = \"a\"\ntemplate = \"tomato\"\n"
+            << "knives = [\"stroke:drawings/knives.svg#" << id << "\"]\n";
+        return read_scene(folder / "dish.toml");
+      };
+  EXPECT_EQ(scene("wave").pieces.at(0).knives.at(0).stroke.size(), 3u);
+  try {
+    scene("loop");
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_THAT(text, testing::StartsWith((folder / "dish.toml").string() + ":6:11: error: "));
+    EXPECT_THAT(text, testing::HasSubstr("knives.svg:3:"));
+    EXPECT_THAT(text, testing::HasSubstr("crosses itself"));
+  }
+  fs::remove_all(folder);
+}
+
 TEST(SceneFile, AMissingFileIsMissingInput) {
   try {
     read_scene("no/such/scene.toml");

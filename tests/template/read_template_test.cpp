@@ -103,6 +103,12 @@ TEST(ReadTemplate, nothing_bends_or_varies_unless_it_is_said) {
   EXPECT_EQ(plum.variation.bend.swing, 0);
 }
 
+TEST(ReadTemplate, a_fruit_weighs_as_much_as_water_unless_it_is_said) {
+  EXPECT_EQ(read_template(root / "tests/template/good.toml").density, 1000);
+  EXPECT_EQ(plum_with("format = 1", "format = 1\ndensity = 840").density, 840);
+  EXPECT_THROW(plum_with("format = 1", "format = 1\ndensity = 0.84"), Error) << "grams per cubic centimetre";
+}
+
 TEST(ReadTemplate, reads_bend_and_variation) {
   const Template plum = plum_with("[symmetry]",
                                   "[bend]\nangle = 20\nswing = -12\ndirection = 90\n\n[variation]\nsize = 0.1\n"
