@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The pictures of pages under docs, made by the commands that stand on them.
 
-    figures.py make PROGRAM [PAGE [HEADING]]   runs the commands of a page (figures, knives; first figures), or those below
+    figures.py make PROGRAM [PAGE [HEADING]]   runs the commands of a page (figures, knives, style, textures), or those below
                                                one heading ("8" is "Figure 8"), with this program as pomona
     figures.py check                           says what is missing or made by no command; exits with 1 if anything is
 """
@@ -13,6 +13,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGES = ("figures", "knives", "style", "textures")
 FIGURES = [f"Figure {number}" for number in range(1, 14)]
 
 
@@ -94,11 +95,11 @@ def main():
         case ["make", program, *what] if len(what) <= 2:
             page, *heading = what or ["figures"]
             heading = [f"Figure {h}" if h.isdigit() else h for h in heading]
-            if page not in ("figures", "knives") or not set(heading) <= set(sections(page)):
+            if page not in PAGES or not set(heading) <= set(sections(page)):
                 sys.exit(__doc__)
             make(program, page, heading or sections(page))
         case ["check"]:
-            found = [*figure_faults(), *knife_faults(), *picture_faults("figures"), *picture_faults("knives")]
+            found = [*figure_faults(), *knife_faults(), *(fault for page in PAGES for fault in picture_faults(page))]
             print(*found, sep="\n", end="\n" if found else "", file=sys.stderr)
             sys.exit(1 if found else 0)
         case _:
