@@ -17,11 +17,12 @@ class SkinClipper {
   SkinClipper(SplitMesh& mesh, const FaceMeshes& faces, const DiffusionSurfaces& surfaces)
       : mesh_(mesh), faces_(faces), surfaces_(surfaces) {}
 
-  std::vector<SkinTriangle> clip() {
+  std::vector<SkinTriangle> clip(bool inner_too) {
     for (const SplitMesh::Triangle& t : mesh_.triangle) {
-      if (!surfaces_.is_boundary(t.source)) continue;
+      const bool is_boundary = surfaces_.is_boundary(t.source);
+      if (!is_boundary && !inner_too) continue;
       SkinTriangle whole{t.vertex, t.source, t.cell};
-      if (surfaces_.is_hidden(t.source, SideOf::back)) std::swap(whole.vertex[1], whole.vertex[2]);
+      if (is_boundary && surfaces_.is_hidden(t.source, SideOf::back)) std::swap(whole.vertex[1], whole.vertex[2]);
       add(whole);
     }
     return std::move(skin_);
@@ -85,7 +86,12 @@ class SkinClipper {
 }  // namespace
 
 std::vector<SkinTriangle> clipped_skin(SplitMesh& mesh, const FaceMeshes& faces, const DiffusionSurfaces& surfaces) {
-  return SkinClipper(mesh, faces, surfaces).clip();
+  return SkinClipper(mesh, faces, surfaces).clip(false);
+}
+
+std::vector<SkinTriangle> clipped_surfaces(SplitMesh& mesh, const FaceMeshes& faces,
+                                           const DiffusionSurfaces& surfaces) {
+  return SkinClipper(mesh, faces, surfaces).clip(true);
 }
 
 }  // namespace pomona

@@ -19,4 +19,7 @@ struct SkinTriangle {
 /// New vertices on edges are added to `mesh`.
 std::vector<SkinTriangle> clipped_skin(SplitMesh& mesh, const FaceMeshes& faces, const DiffusionSurfaces& surfaces);
 
+/// The same of all surfaces; inner triangles are turned as they were.
+std::vector<SkinTriangle> clipped_surfaces(SplitMesh& mesh, const FaceMeshes& faces, const DiffusionSurfaces& surfaces);
+
 }  // namespace pomona

@@ -23,6 +23,8 @@ struct CutFace {
   /// origin's place along u.
   int stroke = -1;
   double along = 0;  ///< metres
+
+  bool curved = false;  ///< part of a closed knife's surface that is not flat; the normal is then its mean
 };
 
 /// A piece of a cut segment on the section, for ink: its two vertices on one side of it.
@@ -44,6 +46,10 @@ struct CrossSection {
 
   std::vector<glm::uvec3> triangle;  ///< counter-clockwise seen from the face's normal
   std::vector<std::int32_t> cut;     ///< index into faces
+
+  /// Per triangle, of its corners: unit, as the faces' normals point; smooth where a face is curved. Empty where all
+  /// faces are flat.
+  std::vector<std::array<glm::vec3, 3>> normal;
 
   std::vector<CutFace> faces;  ///< in cut order
   std::vector<CutSegment> segments;

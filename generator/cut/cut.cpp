@@ -1,9 +1,15 @@
 #include "generator/cut/cut.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
+#include <glm/geometric.hpp>
+
+#include "generator/cut/carve/carve.h"
 #include "generator/cut/pieces.h"
 #include "generator/cut/section.h"
+#include "generator/cut/solid_knives.h"
 
 namespace pomona {
 
@@ -22,31 +28,94 @@ void warn_of_misses(std::span<const Knife> knives, const CutPlanes& planes, cons
   }
 }
 
+/// Stage by stage: planes and strokes all at once, then closed knives one after another on what those have left.
+class Cutter {
+ public:
+  Cutter(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options)
+      : surfaces_(surfaces), knives_(knives), options_(options), planes_(placed(knives, bounds_of(surfaces))) {}
+
+  Cut run() {
+    CutFruit fruit = cut_by_planes();
+    cut_by_solids(fruit);
+    leave_out_collapsed(fruit.section);
+    Cut result;
+    result.pieces = pieces(fruit.mesh, fruit.surface, fruit.section, surfaces_, options_);
+    result.warnings = bodies_.warnings;
+    warn_of_misses(knives_, planes_, fruit.section.mesh, result.warnings);
+    result.section = std::move(fruit.section.mesh);
+    return result;
+  }
+
+ private:
+  CutFruit cut_by_planes() {
+    SplitMesh mesh(planes_);
+    parallel_for(2, options_.threads, [&](std::size_t i) {
+      if (i == 0)
+        bodies_ = find_bodies(surfaces_);
+      else
+        mesh = split(surfaces_, planes_);
+    });
+    const FaceMeshes faces =
+        triangulate(mesh, planes_, cut_segments(mesh, surfaces_, planes_.count()), surfaces_, bodies_, options_);
+    std::vector<Regions> regions(faces.faces.size());
+    parallel_for(regions.size(), options_.threads,
+                 [&](std::size_t f) { regions[f] = find_regions(faces.faces[f], planes_, surfaces_, bodies_); });
+    Section section = assemble_all(faces, regions, mesh, surfaces_);
+    std::vector<SkinTriangle> surface =
+        has_solids() ? clipped_surfaces(mesh, faces, surfaces_) : clipped_skin(mesh, faces, surfaces_);
+    for (std::uint32_t& point : mesh.point_of) point = faces.same_as[point];
+    return {std::move(mesh), std::move(surface), std::move(section)};
+  }
+
+  bool has_solids() const {
+    return std::any_of(knives_.begin(), knives_.end(), [](const Knife& knife) { return knife.is_solid(); });
+  }
+
+  void cut_by_solids(CutFruit& fruit) const {
+    if (!has_solids()) return;
+    const double size = glm::length(bounds_of(surfaces_).size());
+    const SizeLimits limits{options_.coarsest * size, options_.finest * size, options_.grading, options_.contrast};
+    for (std::size_t k = 0; k < knives_.size(); ++k) {
+      if (!knives_[k].is_solid()) continue;
+      weld(fruit);
+      ClosedKnife knife;
+      knife.mesh = refined_for(fruit, knife_mesh(knife_solid(knives_[k], surfaces_), knives_[k].text), limits);
+      knife.number = static_cast<int>(k);
+      knife.plane = planes_.count() + knife.number;
+      for (std::size_t later = k + 1; later < knives_.size(); ++later) {
+        knife.stride *= static_cast<std::uint32_t>(planes_.knives[later].cell_count());
+      }
+      carve(fruit, knife, surfaces_, bodies_);
+    }
+  }
+
+  /// Points at one place to the bit become one.
+  static void weld(CutFruit& fruit) {
+    std::vector<std::uint32_t> first(fruit.mesh.point.size());
+    std::map<std::tuple<double, double, double>, std::uint32_t> there;
+    for (std::uint32_t p = 0; p < first.size(); ++p) {
+      const glm::dvec3 at = fruit.mesh.point[p] + 0.0;
+      first[p] = there.try_emplace(std::tuple(at.x, at.y, at.z), p).first->second;
+      if (first[p] != p)
+        fruit.mesh.planes_of[first[p]] = std::max(fruit.mesh.planes_of[first[p]], fruit.mesh.planes_of[p]);
+    }
+    for (std::uint32_t& p : fruit.mesh.point_of) p = first[p];
+    for (Cap& cap : fruit.section.cap) {
+      for (std::uint32_t& p : cap.point) p = first[p];
+    }
+  }
+
+  const DiffusionSurfaces& surfaces_;
+  std::span<const Knife> knives_;
+  const CutOptions& options_;
+  const CutPlanes planes_;
+  Bodies bodies_;
+};
+
 }  // namespace
 
 Cut cut(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options) {
-  const CutPlanes planes = placed(knives, bounds_of(surfaces));
-  Bodies bodies;
-  SplitMesh mesh(planes);
-  parallel_for(2, options.threads, [&](std::size_t i) {
-    if (i == 0)
-      bodies = find_bodies(surfaces);
-    else
-      mesh = split(surfaces, planes);
-  });
-  const FaceMeshes faces =
-      triangulate(mesh, planes, cut_segments(mesh, surfaces, planes.count()), surfaces, bodies, options);
-  std::vector<Regions> regions(faces.faces.size());
-  parallel_for(regions.size(), options.threads,
-               [&](std::size_t f) { regions[f] = find_regions(faces.faces[f], planes, surfaces, bodies); });
-  Section section = assemble(faces, regions, mesh, surfaces, planes);
-
-  Cut result;
-  result.pieces = pieces(mesh, faces, section, surfaces, options);
-  result.warnings = bodies.warnings;
-  warn_of_misses(knives, planes, section.mesh, result.warnings);
-  result.section = std::move(section.mesh);
-  return result;
+  return Cutter(surfaces, knives, options).run();
 }
 
 }  // namespace pomona

@@ -411,7 +411,9 @@ PlacedKnife placed(const Knife& knife, const Bounds& bounds) {
     case Knife::Kind::bite:
     case Knife::Kind::revolve:
     case Knife::Kind::peel:
-      break;  // no planes: solid_knives.h
+    case Knife::Kind::surface:  // no planes (solid_knives.h); until it is laid on, all is in the first of two cells
+      placed.across[0] = 2;
+      break;
   }
   placed.reversed.resize(placed.planes.size(), 0);
   placed.direction.resize(placed.planes.size(), 0);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include <glm/vec2.hpp>
 
 #include "generator/base/curve.h"
+#include "generator/cut/knife_solid.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
@@ -49,7 +51,8 @@ struct Knife {
     core,
     bite,
     revolve,
-    peel
+    peel,
+    surface
   };
   Kind kind = Kind::half;
   CuttingPlane plane;              ///< Kind::plane
@@ -57,7 +60,8 @@ struct Knife {
   double thickness = 0;            ///< slices, dice, sticks and crinkled slices by thickness, metres; 0 = by count
   std::vector<glm::dvec2> stroke;  ///< metres, seen along -Z
   SolidShape solid;                ///< of those that cut by a closed surface
-  std::string text;                ///< as written, for messages and metadata
+  std::shared_ptr<const KnifeSolid> surface;  ///< Kind::surface
+  std::string text;                           ///< as written, for messages and metadata
 
   bool is_solid() const { return kind >= Kind::ball; }
 };

@@ -57,15 +57,26 @@ class Grouper {
     group_[std::max(a, b)] = std::min(a, b);
   }
 
-  /// To the smallest part that winds around it.
+  /// To the smallest part that winds around one of its vertices. What closed knives leave may have none of skin, or
+  /// hang together with another body that stands out.
   void attach_cavity(std::uint32_t cavity) {
-    if (parts_[cavity].position.empty()) return;
+    const CutPiece& piece = parts_[cavity];
+    for (const glm::vec3& p : piece.position) {
+      if (attach(cavity, p)) return;
+    }
+    for (const CutPiece::CapTriangle& cap : piece.caps) {
+      if (attach(cavity, section_.position[section_.triangle[cap.triangle].x])) return;
+    }
+  }
+
+  bool attach(std::uint32_t cavity, const glm::vec3& place) {
     std::int64_t home = -1;
-    for (const auto& [part, winding] : meshes_.around(glm::dvec3(parts_[cavity].position.front()))) {
+    for (const auto& [part, winding] : meshes_.around(glm::dvec3(place))) {
       if (part == cavity || winding <= 0 || parts_[part].volume <= 0) continue;
       if (home < 0 || parts_[part].volume < parts_[static_cast<std::size_t>(home)].volume) home = part;
     }
     if (home >= 0) join(cavity, static_cast<std::uint32_t>(home));
+    return home >= 0;
   }
 
   /// With every group in whose solid one of its vertices lies: walls count against the part around them.

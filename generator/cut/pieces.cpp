@@ -12,7 +12,6 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/disjoint_sets.h"
-#include "generator/cut/clipped_skin.h"
 #include "generator/cut/piece_groups.h"
 
 namespace pomona {
@@ -59,12 +58,15 @@ class EdgeBalance {
 
 class PieceBuilder {
  public:
-  PieceBuilder(SplitMesh& mesh, const FaceMeshes& faces, const Section& section, const DiffusionSurfaces& surfaces,
-               const CutOptions& options)
-      : mesh_(mesh), faces_(faces), section_(section), surfaces_(surfaces), options_(options) {}
+  PieceBuilder(const SplitMesh& mesh, const std::vector<SkinTriangle>& clipped, const Section& section,
+               const DiffusionSurfaces& surfaces, const CutOptions& options)
+      : mesh_(mesh), section_(section), surfaces_(surfaces), options_(options) {
+    for (const SkinTriangle& t : clipped) {
+      if (surfaces.is_boundary(t.source)) skin_.push_back(t);
+    }
+  }
 
   std::vector<CutPiece> build() {
-    skin_ = clipped_skin(mesh_, faces_, surfaces_);
     connect();
     number_components();
     std::vector<CutPiece> pieces(component_.size());
@@ -79,12 +81,10 @@ class PieceBuilder {
     std::uint32_t cell = 0;
   };
 
-  std::uint32_t place(std::uint32_t point) const { return faces_.same_as[point]; }
-  glm::vec3 position(std::uint32_t point) const { return glm::vec3(mesh_.point[place(point)]); }
+  glm::vec3 position(std::uint32_t point) const { return glm::vec3(mesh_.point[point]); }
 
   /// A point on planes is one node per cell it touches; any other lies in one cell alone.
   std::uint32_t node(std::uint32_t cell, std::uint32_t point) {
-    point = place(point);
     if (mesh_.planes_of[point] == 0) return point;
     const auto [entry, is_new] = nodes_.try_emplace((std::uint64_t{cell} << 32) | point, sets_.count());
     if (is_new) sets_.add();
@@ -229,8 +229,7 @@ class PieceBuilder {
     return sorted;
   }
 
-  SplitMesh& mesh_;
-  const FaceMeshes& faces_;
+  const SplitMesh& mesh_;
   const Section& section_;
   const DiffusionSurfaces& surfaces_;
   const CutOptions& options_;
@@ -247,7 +246,14 @@ class PieceBuilder {
 
 std::vector<CutPiece> pieces(SplitMesh& mesh, const FaceMeshes& faces, const Section& section,
                              const DiffusionSurfaces& surfaces, const CutOptions& options) {
-  return PieceBuilder(mesh, faces, section, surfaces, options).build();
+  const std::vector<SkinTriangle> clipped = clipped_skin(mesh, faces, surfaces);
+  for (std::uint32_t& point : mesh.point_of) point = faces.same_as[point];
+  return pieces(mesh, clipped, section, surfaces, options);
+}
+
+std::vector<CutPiece> pieces(const SplitMesh& mesh, const std::vector<SkinTriangle>& clipped, const Section& section,
+                             const DiffusionSurfaces& surfaces, const CutOptions& options) {
+  return PieceBuilder(mesh, clipped, section, surfaces, options).build();
 }
 
 }  // namespace pomona

@@ -2,33 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/disjoint_sets.h"
+
 namespace pomona {
 
 namespace {
 
-class RegionFinder {
+/// Finds patches, and which bodies they lie in.
+class PatchFinder {
  public:
-  RegionFinder(const FaceMesh& face, const CutPlanes& planes, const DiffusionSurfaces& surfaces, const Bodies& bodies)
-      : face_(face), planes_(planes), surfaces_(surfaces), bodies_(bodies) {}
+  PatchFinder(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies)
+      : face_(face), surfaces_(surfaces), bodies_(bodies) {}
 
   Regions find() {
     find_patches();
     find_open_bodies();
     find_windings();
     for (const std::int32_t body : open_) fill(body);
-    for (std::size_t p = 0; p < regions_.patch.size(); ++p) {
-      Regions::Patch& patch = regions_.patch[p];
-      if (patch.inside.empty()) continue;
-      find_cells(p);
-      patch.section = patch.cell[0] != patch.cell[1];
-    }
     return std::move(regions_);
+  }
+
+  const std::vector<std::int32_t>& open_bodies() {
+    find_open_bodies();
+    return open_;
   }
 
  private:
@@ -98,33 +99,29 @@ class RegionFinder {
 
   /// Joins the patches that an open body's boundary leaves together, and takes those it mostly shows its inside.
   void fill(std::int32_t body) {
-    std::vector<std::uint32_t> parent(regions_.patch.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t p) {
-      while (parent[p] != p) p = parent[p] = parent[parent[p]];
-      return p;
-    };
-    std::vector<double> visible(parent.size(), 0);  // length of visible less that of hidden sides
-    std::vector<std::uint8_t> outside(parent.size(), 0);
+    const auto patches = static_cast<std::uint32_t>(regions_.patch.size());
+    DisjointSets sets(patches);
+    std::vector<double> visible(patches, 0);  // length of visible less that of hidden sides
+    std::vector<std::uint8_t> outside(patches, 0);
     for (std::size_t t = 0; t < triangle_count(); ++t) {
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t here = regions_.patch_of[t];
         const int inside_here = side_of_body(body, t, i);
-        visible[here] += inside_here * edge_length(t, i);
+        visible[here] += inside_here * face_.distance(ends_of(t, i).first, ends_of(t, i).second);
         if (face_.mesh.neighbor[t][i] < 0) outside[here] = 1;
         if (face_.mesh.neighbor[t][i] < 0 || inside_here != 0) continue;
-        const std::uint32_t a = root(here),
-                            b = root(regions_.patch_of[static_cast<std::size_t>(face_.mesh.neighbor[t][i])]);
-        parent[std::max(a, b)] = std::min(a, b);
+        sets.join(here, regions_.patch_of[static_cast<std::size_t>(face_.mesh.neighbor[t][i])]);
       }
     }
-    for (std::uint32_t p = 0; p < parent.size(); ++p) {
-      if (root(p) == p) continue;
-      visible[root(p)] += visible[p];
-      outside[root(p)] = outside[root(p)] | outside[p];
+    for (std::uint32_t p = 0; p < patches; ++p) {
+      const std::uint32_t root = sets.root(p);
+      if (root == p) continue;
+      visible[root] += visible[p];
+      outside[root] = outside[root] | outside[p];
     }
-    for (std::uint32_t p = 0; p < parent.size(); ++p) {
-      if (!outside[root(p)] && visible[root(p)] > 0) change(regions_.patch[p].inside, body, 1);
+    for (std::uint32_t p = 0; p < patches; ++p) {
+      const std::uint32_t root = sets.root(p);
+      if (!outside[root] && visible[root] > 0) change(regions_.patch[p].inside, body, 1);
     }
   }
 
@@ -142,11 +139,6 @@ class RegionFinder {
   std::pair<std::uint32_t, std::uint32_t> ends_of(std::size_t triangle, std::size_t edge) const {
     const glm::uvec3& corner = face_.mesh.triangle[triangle];
     return {corner[static_cast<int>(edge)], corner[static_cast<int>((edge + 1) % 3)]};
-  }
-
-  double edge_length(std::size_t triangle, std::size_t edge) const {
-    const auto [p, q] = ends_of(triangle, edge);
-    return glm::distance(face_.mesh.point[p], face_.mesh.point[q]);
   }
 
   /// From patch to patch, starting outside: whoever crosses a boundary enters or leaves its body.
@@ -198,6 +190,32 @@ class RegionFinder {
     }
   }
 
+  const FaceMesh& face_;
+  const DiffusionSurfaces& surfaces_;
+  const Bodies& bodies_;
+  Regions regions_;
+  std::vector<std::vector<std::uint32_t>> triangles_;  // per patch
+  std::vector<std::int32_t> open_;                     // bodies, ascending
+};
+
+/// Between which cells of planes and strokes a sheet's patches lie.
+class CellFinder {
+ public:
+  CellFinder(const FaceMesh& face, const CutPlanes& planes, Regions& regions)
+      : face_(face), planes_(planes), regions_(regions), triangles_(regions.patch.size()) {
+    for (std::uint32_t t = 0; t < regions.patch_of.size(); ++t) triangles_[regions.patch_of[t]].push_back(t);
+  }
+
+  void find() {
+    for (std::size_t p = 0; p < regions_.patch.size(); ++p) {
+      Regions::Patch& patch = regions_.patch[p];
+      if (patch.inside.empty()) continue;
+      find_cells(p);
+      patch.section = patch.cell[0] != patch.cell[1];
+    }
+  }
+
+ private:
   /// The sides a patch lies on of all planes, its own plane's left open.
   void find_cells(std::size_t patch) {
     regions_.patch[patch].cell = {0, 0};
@@ -236,18 +254,25 @@ class RegionFinder {
 
   const FaceMesh& face_;
   const CutPlanes& planes_;
-  const DiffusionSurfaces& surfaces_;
-  const Bodies& bodies_;
-  Regions regions_;
+  Regions& regions_;
   std::vector<std::vector<std::uint32_t>> triangles_;  // per patch
-  std::vector<std::int32_t> open_;                     // bodies, ascending
 };
 
 }  // namespace
 
+Regions patches_in_open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
+  return PatchFinder(face, surfaces, bodies).find();
+}
+
+std::vector<std::int32_t> open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
+  return PatchFinder(face, surfaces, bodies).open_bodies();
+}
+
 Regions find_regions(const FaceMesh& face, const CutPlanes& planes, const DiffusionSurfaces& surfaces,
                      const Bodies& bodies) {
-  return RegionFinder(face, planes, surfaces, bodies).find();
+  Regions regions = PatchFinder(face, surfaces, bodies).find();
+  CellFinder(face, planes, regions).find();
+  return regions;
 }
 
 }  // namespace pomona

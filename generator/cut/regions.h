@@ -24,12 +24,26 @@ struct Regions {
     std::vector<BodyWinding> inside;      ///< ascending by body, no zeros
     std::array<std::uint32_t, 2> cell{};  ///< on the plane's negative and positive side
     bool section = false;                 ///< inside a body, and between two different cells
+
+    /// On the surface of a closed knife: what else it closes, where rounding has laid layers of no thickness across.
+    struct Closing {
+      std::array<std::uint32_t, 2> cell{};
+      std::vector<BodyWinding> inside;
+    };
+    std::vector<Closing> also;
   };
   std::vector<Patch> patch;
   std::vector<std::uint32_t> patch_of;  ///< per triangle
 
   bool is_section(std::size_t triangle) const { return patch[patch_of[triangle]].section; }
 };
+
+/// The patches of a closed surface, and what bodies lie there whose boundary does not close on it: these fill the
+/// patches to which they turn their visible side for the greater part. Nothing of other bodies, and no cells.
+Regions patches_in_open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies);
+
+/// The bodies whose boundary does not close on the face, ascending.
+std::vector<std::int32_t> open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies);
 
 /// A body whose boundary does not close in this plane has no winding: it fills the regions that its boundary parts from
 /// the outside and to which it turns its visible side for the greater part.

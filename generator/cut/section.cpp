@@ -22,19 +22,23 @@ struct SideColors {
 
 class SectionBuilder {
  public:
-  SectionBuilder(const FaceMeshes& faces, const std::vector<Regions>& regions, const SplitMesh& mesh,
-                 const DiffusionSurfaces& surfaces, const CutPlanes& planes)
-      : faces_(faces), all_regions_(regions), mesh_(mesh), surfaces_(surfaces), planes_(planes) {}
+  /// `same_as` tells of points which share their place with another; empty where none does.
+  SectionBuilder(Section& section, std::span<const std::uint32_t> same_as, const SplitMesh& mesh,
+                 const DiffusionSurfaces& surfaces, SharedVertices shared)
+      : section_(section), same_as_(same_as), mesh_(mesh), surfaces_(surfaces), interior_at_(std::move(shared)) {}
 
-  Section build() {
-    section_.mesh.part_names = surfaces_.part_names;
-    section_.mesh.surface_names = surfaces_.surface_names;
-    for (std::size_t f = 0; f < faces_.faces.size(); ++f) {
-      face_ = &faces_.faces[f];
-      regions_ = &all_regions_[f];
-      add_face();
+  void add_face(const FaceMesh& face, const Regions& regions) {
+    face_ = &face;
+    regions_ = &regions;
+    find_fans();
+    make_vertices();
+    std::vector<std::vector<std::size_t>> of_facet(face.facets());
+    for (std::size_t t = 0; t < triangle_count(); ++t) {
+      if (regions_->is_section(t)) of_facet[face.facet_of(t)].push_back(t);
     }
-    return std::move(section_);
+    const std::size_t before = section_.mesh.triangle.size();
+    for (std::size_t i = 0; i < of_facet.size(); ++i) add_facet(i, of_facet[i]);
+    if (section_.mesh.triangle.size() != before) add_segments();
   }
 
  private:
@@ -51,30 +55,15 @@ class SectionBuilder {
     return face_->uses(corner(triangle, edge), corner(triangle, edge + 1));
   }
 
-  void add_face() {
-    find_fans();
-    make_vertices();
-    const int facets = planes_.sheet_of(face_->plane).count;
-    std::vector<std::vector<std::size_t>> of_facet(static_cast<std::size_t>(facets));
-    for (std::size_t t = 0; t < triangle_count(); ++t) {
-      if (regions_->is_section(t)) of_facet[facet_of(t)].push_back(t);
-    }
-    const std::size_t before = section_.mesh.triangle.size();
-    for (int i = 0; i < facets; ++i) add_facet(i, of_facet[static_cast<std::size_t>(i)]);
-    if (section_.mesh.triangle.size() != before) add_segments();
+  std::uint32_t place(std::uint32_t vertex) const {
+    const std::uint32_t point = face_->point[vertex];
+    return same_as_.empty() ? point : same_as_[point];
   }
 
-  /// No triangle reaches over a crease.
-  std::size_t facet_of(std::size_t triangle) const {
-    double u = 0;
-    for (std::size_t i = 0; i < 3; ++i) u += plane().point[corner(triangle, i)].x / 3;
-    return static_cast<std::size_t>(face_->sheet.facet_at(u));
-  }
-
-  void add_facet(int facet, const std::vector<std::size_t>& triangles) {
-    const std::size_t before = section_.mesh.triangle.size();
+  void add_facet(std::size_t facet, const std::vector<std::size_t>& triangles) {
+    if (triangles.empty()) return;
     add_triangles(triangles);
-    if (section_.mesh.triangle.size() != before) section_.mesh.faces.push_back(face_->sheet.frame(facet));
+    section_.mesh.faces.push_back(face_->frame(facet));
   }
 
   /// Joins the corners that meet at a vertex without a surface between them.
@@ -143,10 +132,10 @@ class SectionBuilder {
   }
 
   std::uint32_t make_vertex(std::uint32_t vertex, const SideColors& sides) {
-    const std::uint32_t point = faces_.same_as[face_->point[vertex]];
+    const std::uint32_t point = place(vertex);
     const bool interior = sides.count == 0;
     const auto number = static_cast<std::uint32_t>(section_.mesh.position.size());
-    if (interior && mesh_.sets.planes_in(mesh_.planes_of[point]).size() > 1) {
+    if (interior && (interior_at_.contains(point) || mesh_.sets.planes_in(mesh_.planes_of[point]).size() > 1)) {
       // Where cut faces meet, they share the vertex, which is then coloured once.
       const auto [entry, is_new] = interior_at_.try_emplace(point, number);
       if (!is_new) return entry->second;
@@ -160,25 +149,39 @@ class SectionBuilder {
 
   std::uint32_t vertex_of(std::size_t triangle, std::size_t i) { return vertex_of_fan_[fan_of(3 * triangle + i % 3)]; }
 
-  bool collapses(const glm::uvec3& t) const {
-    const auto& p = section_.mesh.position;
-    return p[t.x] == p[t.y] || p[t.y] == p[t.z] || p[t.z] == p[t.x];
-  }
-
-  /// Triangles that rounding to float has closed to a line are left out; their neighbours then meet there.
   void add_triangles(const std::vector<std::size_t>& triangles) {
     for (const std::size_t t : triangles) {
-      const glm::uvec3 triangle(vertex_of(t, 0), vertex_of(t, 1), vertex_of(t, 2));
-      if (collapses(triangle)) continue;
-      section_.mesh.triangle.push_back(triangle);
+      section_.mesh.triangle.emplace_back(vertex_of(t, 0), vertex_of(t, 1), vertex_of(t, 2));
       section_.mesh.cut.push_back(static_cast<std::int32_t>(section_.mesh.faces.size()));
+      add_normals(t);
       Cap cap;
-      for (std::size_t i = 0; i < 3; ++i) cap.point[i] = faces_.same_as[face_->point[corner(t, i)]];
+      for (std::size_t i = 0; i < 3; ++i) cap.point[i] = place(corner(t, i));
       const Regions::Patch& patch = regions_->patch[regions_->patch_of[t]];
       cap.cell = patch.cell;
       cap.inside = patch.inside;
-      section_.cap.push_back(std::move(cap));
+      section_.cap.push_back(cap);
+      for (const Regions::Patch::Closing& closing : patch.also) {
+        section_.mesh.triangle.push_back(glm::uvec3(section_.mesh.triangle.back()));
+        section_.mesh.cut.push_back(section_.mesh.cut.back());
+        add_normals(t);
+        section_.cap.push_back({cap.point, closing.cell, closing.inside});
+      }
     }
+  }
+
+  /// As soon as one face is curved, of all triangles.
+  void add_normals(std::size_t triangle) {
+    std::vector<std::array<glm::vec3, 3>>& normal = section_.mesh.normal;
+    const CutFace& frame = face_->frame(face_->facet_of(triangle));
+    if (normal.empty() && !frame.curved) return;
+    const auto flat = [](const CutFace& face) {
+      const glm::vec3 n(face.normal);
+      return std::array{n, n, n};
+    };
+    for (std::size_t t = normal.size(); t + 1 < section_.mesh.triangle.size(); ++t) {
+      normal.push_back(flat(section_.mesh.faces[static_cast<std::size_t>(section_.mesh.cut[t])]));
+    }
+    normal.push_back(frame.curved ? face_->normals(triangle) : flat(frame));
   }
 
   /// Every edge that follows a surface once per surface, with the vertices on one side of it.
@@ -198,13 +201,11 @@ class SectionBuilder {
     }
   }
 
-  const FaceMeshes& faces_;
-  const std::vector<Regions>& all_regions_;
+  Section& section_;
+  std::span<const std::uint32_t> same_as_;
   const SplitMesh& mesh_;
   const DiffusionSurfaces& surfaces_;
-  const CutPlanes& planes_;
-  Section section_;
-  std::map<std::uint32_t, std::uint32_t> interior_at_;  // point -> vertex of the section
+  SharedVertices interior_at_;
 
   // The face at work.
   const FaceMesh* face_ = nullptr;
@@ -215,9 +216,47 @@ class SectionBuilder {
 
 }  // namespace
 
+Section assemble_all(const FaceMeshes& faces, const std::vector<Regions>& regions, const SplitMesh& mesh,
+                     const DiffusionSurfaces& surfaces) {
+  Section section;
+  section.mesh.part_names = surfaces.part_names;
+  section.mesh.surface_names = surfaces.surface_names;
+  SectionBuilder builder(section, faces.same_as, mesh, surfaces, {});
+  for (std::size_t f = 0; f < faces.faces.size(); ++f) builder.add_face(faces.faces[f], regions[f]);
+  return section;
+}
+
+void leave_out_collapsed(Section& section) {
+  CrossSection& mesh = section.mesh;
+  const auto collapses = [&](const glm::uvec3& t) {
+    const std::vector<glm::vec3>& p = mesh.position;
+    return p[t.x] == p[t.y] || p[t.y] == p[t.z] || p[t.z] == p[t.x];
+  };
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+    if (collapses(mesh.triangle[t])) continue;
+    mesh.triangle[kept] = mesh.triangle[t];
+    mesh.cut[kept] = mesh.cut[t];
+    if (!mesh.normal.empty()) mesh.normal[kept] = mesh.normal[t];
+    if (kept != t) section.cap[kept] = std::move(section.cap[t]);
+    ++kept;
+  }
+  mesh.triangle.resize(kept);
+  mesh.cut.resize(kept);
+  if (!mesh.normal.empty()) mesh.normal.resize(kept);
+  section.cap.resize(kept);
+}
+
 Section assemble(const FaceMeshes& faces, const std::vector<Regions>& regions, const SplitMesh& mesh,
-                 const DiffusionSurfaces& surfaces, const CutPlanes& planes) {
-  return SectionBuilder(faces, regions, mesh, surfaces, planes).build();
+                 const DiffusionSurfaces& surfaces, const CutPlanes&) {
+  Section section = assemble_all(faces, regions, mesh, surfaces);
+  leave_out_collapsed(section);
+  return section;
+}
+
+void add_face(Section& section, const FaceMesh& face, const Regions& regions, const SplitMesh& mesh,
+              const DiffusionSurfaces& surfaces, const SharedVertices& shared) {
+  SectionBuilder(section, {}, mesh, surfaces, shared).add_face(face, regions);
 }
 
 }  // namespace pomona

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "generator/cut/face_mesh.h"
@@ -22,7 +23,20 @@ struct Section {
   std::vector<Cap> cap;  ///< per triangle of the mesh
 };
 
+/// Without triangles that rounding to float closes to a line: their neighbours then meet there.
 Section assemble(const FaceMeshes& faces, const std::vector<Regions>& regions, const SplitMesh& mesh,
                  const DiffusionSurfaces& surfaces, const CutPlanes& planes);
+
+/// With them, for knives that are still to come.
+Section assemble_all(const FaceMeshes& faces, const std::vector<Regions>& regions, const SplitMesh& mesh,
+                     const DiffusionSurfaces& surfaces);
+void leave_out_collapsed(Section& section);
+
+/// Per point of the split mesh, the section's vertex to be diffused there that all its faces share.
+using SharedVertices = std::map<std::uint32_t, std::uint32_t>;
+
+/// Adds one more face, which takes vertices to be diffused from `shared` where there are any.
+void add_face(Section& section, const FaceMesh& face, const Regions& regions, const SplitMesh& mesh,
+              const DiffusionSurfaces& surfaces, const SharedVertices& shared);
 
 }  // namespace pomona

@@ -5,9 +5,6 @@
 
 namespace pomona {
 
-namespace {
-
-/// Edges used in both directions by one surface cancel in pairs; what is left keeps the order of the mesh.
 std::vector<Segment> without_mere_touches(std::vector<Segment> segments, const DiffusionSurfaces& surfaces) {
   struct Entry {
     std::uint32_t low, high;
@@ -43,8 +40,6 @@ std::vector<Segment> without_mere_touches(std::vector<Segment> segments, const D
   }
   return kept;
 }
-
-}  // namespace
 
 std::vector<std::vector<Segment>> cut_segments(const SplitMesh& mesh, const DiffusionSurfaces& surfaces, int planes) {
   std::vector<std::vector<Segment>> segments(static_cast<std::size_t>(planes));

@@ -19,4 +19,7 @@ struct Segment {
 /// The segments of each plane. Where a surface only touches a plane, coming and going along one edge, there is none.
 std::vector<std::vector<Segment>> cut_segments(const SplitMesh& mesh, const DiffusionSurfaces& surfaces, int planes);
 
+/// Edges used in both directions by one surface cancel in pairs; what is left keeps its order.
+std::vector<Segment> without_mere_touches(std::vector<Segment> segments, const DiffusionSurfaces& surfaces);
+
 }  // namespace pomona

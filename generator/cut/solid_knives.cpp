@@ -109,6 +109,8 @@ KnifeSolid knife_solid(const Knife& knife, const DiffusionSurfaces& surfaces) {
       return drawn(knife);
     case Knife::Kind::peel:
       return peeled(surfaces, {.thickness = shape.size, .strip = shape.spiral});
+    case Knife::Kind::surface:
+      return *knife.surface;
     default:
       throw std::logic_error("knife \"" + knife.text + "\" has no closed surface");
   }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "generator/cut/crease.h"
 
 namespace pomona {
 
@@ -46,6 +49,31 @@ Unrolled::Unrolled(const CutPlanes& planes, int sheet) {
     frame.knife = planes[plane].knife;
     frames_.push_back(frame);
   }
+  if (all.stroke) find_bends();
+}
+
+void Unrolled::find_bends() {
+  bends_.assign(frames_.size() + 1, glm::dvec3(0));
+  for (std::size_t i = 1; i < frames_.size(); ++i) {
+    if (glm::dot(frames_[i - 1].normal, frames_[i].normal) <= smooth_cosine) continue;
+    bends_[i] = glm::normalize(frames_[i - 1].normal + frames_[i].normal);
+    frames_[i - 1].curved = frames_[i].curved = true;
+  }
+}
+
+glm::vec3 Unrolled::normal_at(std::size_t facet, const glm::dvec2& point) const {
+  const CutFace& frame = frames_[facet];
+  if (!frame.curved) return glm::vec3(frame.normal);
+  const auto at = [&](std::size_t bend) { return bends_[bend] == glm::dvec3(0) ? frame.normal : bends_[bend]; };
+
+  // The last facet is taken to be as long as the one before.
+  const std::size_t from = facet + 1 < frames_.size() ? facet : facet - 1;
+  const double length = frames_[from + 1].along - frames_[from].along;
+  const double share = std::clamp((point.x - frame.along) / length, 0.0, 1.0);
+  constexpr double rounding = 1e-6;
+  if (share < rounding) return glm::vec3(at(facet));
+  if (share > 1 - rounding) return glm::vec3(at(facet + 1));
+  return glm::vec3(glm::normalize(glm::mix(at(facet), at(facet + 1), share)));
 }
 
 int Unrolled::facet_at(double u) const {

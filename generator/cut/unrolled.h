@@ -22,13 +22,20 @@ class Unrolled {
   Unrolled() = default;
   Unrolled(const CutPlanes& planes, int sheet);
 
+  std::size_t facets() const { return frames_.size(); }
   int facet_at(double u) const;
   glm::dvec2 to_face(int facet, const glm::dvec3& point) const;
   glm::dvec3 from_face(const glm::dvec2& point) const;
   const CutFace& frame(int facet) const { return frames_[static_cast<std::size_t>(facet)]; }
 
+  /// Smooth over creases that are none to the eye (crease.h): there the same to the bit for both facets.
+  glm::vec3 normal_at(std::size_t facet, const glm::dvec2& point) const;
+
  private:
-  std::vector<CutFace> frames_;  // per facet
+  void find_bends();
+
+  std::vector<CutFace> frames_;    // per facet
+  std::vector<glm::dvec3> bends_;  // of a stroke, where each facet begins: the normal there; 0 at a crease
 };
 
 }  // namespace pomona

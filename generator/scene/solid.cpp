@@ -1,6 +1,8 @@
 #include "generator/scene/solid.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 
 #include "generator/scene/guided.h"
@@ -54,29 +56,41 @@ class SolidBuilder {
   void add_cap(const CutPiece::CapTriangle& cap) {
     const glm::uvec3& t = section_.triangle[cap.triangle];
     const std::int32_t face = section_.cut[cap.triangle];
-    const std::uint32_t a = vertex(t.x, face, cap.reversed), b = vertex(t.y, face, cap.reversed),
-                        c = vertex(t.z, face, cap.reversed);
-    solid_.triangle.emplace_back(a, cap.reversed ? c : b, cap.reversed ? b : c);
+    std::array<glm::vec3, 3> normal{};
+    normal.fill(glm::vec3(section_.faces[static_cast<std::size_t>(face)].normal));
+    if (!section_.normal.empty()) normal = section_.normal[cap.triangle];
+    glm::uvec3 corner(0);
+    for (int i = 0; i < 3; ++i) {
+      const glm::vec3& n = normal[static_cast<std::size_t>(i)];
+      corner[i] = vertex(t[i], face, cap.reversed ? -n : n);
+    }
+    solid_.triangle.emplace_back(corner.x, cap.reversed ? corner.z : corner.y, cap.reversed ? corner.y : corner.z);
     solid_.cut_face.push_back(face);
     solid_.surface.push_back(-1);
   }
 
-  /// A vertex of the section as seen on one face: where faces meet, each has its own normal.
-  std::uint32_t vertex(std::uint32_t of_section, std::int32_t face, bool reversed) {
+  /// A vertex of the section as seen on one face: where faces meet, each has its own normal, and so has either side of
+  /// a crease within a curved face.
+  std::uint32_t vertex(std::uint32_t of_section, std::int32_t face, const glm::vec3& normal) {
     if (static_cast<std::size_t>(face) >= vertex_on_face_.size())
       vertex_on_face_.resize(static_cast<std::size_t>(face) + 1);
     std::vector<std::uint32_t>& known = vertex_on_face_[static_cast<std::size_t>(face)];
     if (known.empty()) known.assign(section_.position.size(), unset);
-    if (known[of_section] == unset) {
-      known[of_section] = static_cast<std::uint32_t>(solid_.position.size());
-      const glm::vec3 normal(section_.faces[static_cast<std::size_t>(face)].normal);
-      solid_.position.push_back(section_.position[of_section]);
-      solid_.normal.push_back(reversed ? -normal : normal);
-      solid_.color.push_back(section_.color[of_section]);
-      solid_.part.push_back(section_.part[of_section]);
-      if (guides_) solid_.guide.push_back(section_.guide.empty() ? DetailGuide{} : section_.guide[of_section]);
+    if (known[of_section] == unset) return known[of_section] = new_vertex(of_section, normal);
+    if (solid_.normal[known[of_section]] == normal) return known[of_section];
+    for (const std::uint32_t v : beyond_crease_[{face, of_section}]) {
+      if (solid_.normal[v] == normal) return v;
     }
-    return known[of_section];
+    return beyond_crease_[{face, of_section}].emplace_back(new_vertex(of_section, normal));
+  }
+
+  std::uint32_t new_vertex(std::uint32_t of_section, const glm::vec3& normal) {
+    solid_.position.push_back(section_.position[of_section]);
+    solid_.normal.push_back(normal);
+    solid_.color.push_back(section_.color[of_section]);
+    solid_.part.push_back(section_.part[of_section]);
+    if (guides_) solid_.guide.push_back(section_.guide.empty() ? DetailGuide{} : section_.guide[of_section]);
+    return static_cast<std::uint32_t>(solid_.position.size() - 1);
   }
 
   const CutPiece& piece_;
@@ -85,6 +99,9 @@ class SolidBuilder {
   bool guides_ = false;
   Solid solid_;
   std::vector<std::vector<std::uint32_t>> vertex_on_face_;  // per face, per vertex of the section
+
+  /// Further vertices, by face and vertex of the section.
+  std::map<std::pair<std::int32_t, std::uint32_t>, std::vector<std::uint32_t>> beyond_crease_;
 };
 
 }  // namespace

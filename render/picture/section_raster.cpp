@@ -107,7 +107,9 @@ void cover(const PaperTriangle& t, const std::vector<DetailGuide>& guide, std::i
       e[i] = side(a, b, p);
       inside = inside && (e[i] > 0 || (e[i] == 0 && owns_edge(a, b)));
     }
-    if (!inside) continue;
+    const auto own = static_cast<std::uint16_t>(1u << s);
+    if (!inside || (pixel.covered & own) != 0) continue;
+    pixel.covered |= own;
     const auto area = static_cast<double>(t.area);
     for (int i = 0; i < 3; ++i) {
       const double share = static_cast<double>(e[i]) / area;

@@ -1,6 +1,7 @@
 // Triangles to pixels, exactly: integer edge tests on a fixed grid of samples.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "generator/base/parallel.h"
@@ -11,10 +12,11 @@ namespace pomona {
 
 /// What of the section falls into one pixel.
 struct SectionPixel {
-  glm::dvec3 color_sum{0};  ///< linear, over the covered samples
-  int samples = 0;          ///< covered ones, of section_samples
-  int face = -1;            ///< the face they belong to
-  DetailGuide guide_sum;    ///< over the covered samples; 0 where the section has none
+  glm::dvec3 color_sum{0};    ///< linear, over the covered samples
+  int samples = 0;            ///< covered ones, of section_samples
+  std::uint16_t covered = 0;  ///< which; where a curved face lies on itself, the first triangle counts
+  int face = -1;              ///< the face they belong to
+  DetailGuide guide_sum;      ///< over the covered samples; 0 where the section has none
 };
 
 constexpr int section_samples = 16;  ///< 4 x 4 a pixel

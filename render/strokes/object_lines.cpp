@@ -86,8 +86,9 @@ bool LineFinder::faces_eye(std::uint32_t triangle) const {
 std::vector<std::pair<LineFinder::Crossing, LineFinder::Crossing>> LineFinder::contour_pieces() const {
   std::vector<std::pair<Crossing, Crossing>> pieces;
   for (std::size_t i = 0; i < solid_.triangle.size(); ++i) {
-    if (solid_.cut_face[i] >= 0) continue;  // flat: it has none
     const glm::uvec3& t = solid_.triangle[i];
+    const auto& normal = solid_.normal;
+    if (solid_.cut_face[i] >= 0 && normal[t.x] == normal[t.y] && normal[t.y] == normal[t.z]) continue;  // flat
     const std::array<bool, 3> turned{front(t.x), front(t.y), front(t.z)};
     if (turned[0] == turned[1] && turned[1] == turned[2]) continue;
     std::vector<Crossing> crossed;

@@ -115,7 +115,8 @@ void EdgeFinder::look_at_pair(const TriangleSide& x, const TriangleSide& y) {
   if (is_cut(x) != is_cut(y)) return add(x, y, LineKind::rim);
   const std::uint32_t xa = end(x, true), xb = end(x, false), ya = end(y, true), yb = end(y, false);
   if (is_cut(x)) {
-    if (solid_.cut_face[x.triangle] != solid_.cut_face[y.triangle]) return add(x, y, LineKind::ridge);
+    const bool smooth = edges_.smooth[xa] == edges_.smooth[ya] && edges_.smooth[xb] == edges_.smooth[yb];
+    if (!smooth) return add(x, y, LineKind::ridge);
     const auto apart = [&](std::uint32_t v, std::uint32_t w) {
       if (solid_.color[v] == solid_.color[w]) return 0.0;
       return static_cast<double>(glm::distance(to_oklab(solid_.color[v]), to_oklab(solid_.color[w])));

@@ -1,7 +1,11 @@
 // Strokes: what is cut along polylines adds up, closes, and is where geometry says.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -160,6 +164,30 @@ TEST(Stroke, CrinkledSlices) {
   const Cut result = cut(ball, std::vector<Knife>{parse_knife("crinkle:15mm")}, {.coarsest = 0.2, .finest = 0.05});
   expect_sound(result, volume_of(cut(ball, {})));
   EXPECT_GE(result.pieces.size(), 4u);
+}
+
+TEST(Stroke, IsSmoothWhereItTurnsALittleAndCreasedWhereItTurnsMuch) {
+  const Cut waves = cut(box(), std::vector{parse_knife("crinkle:20mm")});
+  const Cut zigzag =
+      cut(box(), std::vector{stroke_knife({{-0.05, 0.02}, {-0.01, 0.02}, {0.01, 0.04}, {0.05, 0.0399}})});
+  const auto normals_at_places = [](const CrossSection& section) {
+    std::map<std::array<float, 3>, std::set<std::array<float, 3>>> at;
+    for (std::size_t t = 0; t < section.triangle.size(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const glm::vec3 p = section.position[section.triangle[t][i]];
+        const glm::vec3 n = section.normal.empty()
+                                ? glm::vec3(section.faces[static_cast<std::size_t>(section.cut[t])].normal)
+                                : section.normal[t][static_cast<std::size_t>(i)];
+        at[{p.x, p.y, p.z}].insert({n.x, n.y, n.z});
+      }
+    }
+    std::size_t most = 0;
+    for (const auto& [place, normals] : at) most = std::max(most, normals.size());
+    return most;
+  };
+  ASSERT_GT(waves.section.faces.size(), 10u);
+  EXPECT_EQ(normals_at_places(waves.section), 1u) << "one normal to the bit, whichever facet it is seen on";
+  EXPECT_EQ(normals_at_places(zigzag.section), 2u) << "45 degrees are a crease";
 }
 
 TEST(Stroke, CrossingItselfIsAnError) {

@@ -25,7 +25,7 @@ ROAD = [
 
 # Each heavy package, the headers it is known by, and the only places that may know it. None may be a header.
 HEAVY = {
-    "CGAL": (r"CGAL/", r"generator/cut/\w+\.cpp|bench/baselines/tetrahedral_mesh\.cpp"),
+    "CGAL": (r"CGAL/", r"generator/cut/(carve/)?\w+\.cpp|bench/baselines/tetrahedral_mesh\.cpp"),
     "OpenMesh": (r"OpenMesh/", r"generator/(surface|scene)/\w+\.cpp|render/(style|gl)/\w+\.cpp"),
     "toml++": (r"toml(\+\+|plusplus)?(/|\.h)", r"generator/(template|scene)/\w+\.cpp"),
     "lib2geom": (r"2geom/", r"generator/template/\w+\.cpp"),

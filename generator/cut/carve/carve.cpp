@@ -1,0 +1,271 @@
+#include "generator/cut/carve/carve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "generator/base/disjoint_sets.h"
+#include "generator/cut/carve/knife_charts.h"
+#include "generator/cut/carve/knife_face.h"
+#include "generator/cut/carve/knife_regions.h"
+#include "generator/cut/carve/labels.h"
+#include "generator/cut/carve/meetings.h"
+#include "generator/cut/carve/split_surfaces.h"
+
+namespace pomona {
+
+namespace {
+
+struct Box {
+  glm::dvec3 low{1e300}, high{-1e300};
+  void add(const glm::dvec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  bool meets(const Box& o) const {
+    for (int i = 0; i < 3; ++i) {
+      if (low[i] > o.high[i] || high[i] < o.low[i]) return false;
+    }
+    return true;
+  }
+};
+
+Box box_of(const KnifeMesh& knife) {
+  Box box;
+  for (const KnifeMesh::Triangle& t : knife.triangle) {
+    for (const std::uint32_t p : t.corner) box.add(knife.point[p]);
+  }
+  return box;
+}
+
+Box box_of(const PlaceTriangle& t, const std::vector<glm::dvec3>& point) {
+  Box box;
+  for (const std::uint32_t p : t) box.add(point[p]);
+  return box;
+}
+
+PlaceTriangle places_of(const SkinTriangle& t, const SplitMesh& mesh) {
+  return {mesh.point_of[t.vertex[0]], mesh.point_of[t.vertex[1]], mesh.point_of[t.vertex[2]]};
+}
+
+/// All that bounds the fruit's parts: skins and cut faces.
+struct Boundaries {
+  std::vector<Corners> triangle;
+  std::vector<std::vector<CellBoundary>> boundary;           // per triangle
+  std::vector<std::vector<CellBoundary>> boundary_of_facet;  // per facet of the arranged fruit
+};
+
+/// How often the fruit's parts wind around places on the knife.
+class PartWindings {
+ public:
+  PartWindings(const Arrangement& all, const ExactPlaces& places, const FaceMesh& face, Boundaries boundaries)
+      : all_(all), places_(places), face_(face), boundaries_(std::move(boundaries)), part_of_(all.edge.size()) {
+    for (std::size_t f = all.fruit_count; f < all.facet.size(); ++f) {
+      const std::array<std::uint32_t, 3>& e = all.facet[f].edge;
+      part_of_.join(e[0], e[1]);
+      part_of_.join(e[1], e[2]);
+    }
+    for (std::uint32_t f = static_cast<std::uint32_t>(all.fruit_count); f < all.facet.size(); ++f) {
+      facet_of_.insert(facet_of_.end(), all.facet[f].mesh.triangle.size(), f);
+    }
+  }
+
+  /// Starts at the beginning of an edge along which no surface runs: both its sides lie in the same bodies.
+  KnownWindings near(std::uint32_t triangle) {
+    const std::uint32_t part = part_of_.root(all_.facet[facet_of_[triangle]].edge[0]);
+    KnownWindings fallback;
+    bool has_fallback = false;
+    for (std::uint32_t t = 0; t < facet_of_.size(); ++t) {
+      const Arrangement::Facet& facet = all_.facet[facet_of_[t]];
+      if (part_of_.root(facet.edge[0]) != part) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t from = face_.point[face_.mesh.triangle[t][static_cast<int>(i)]];
+        const std::uint32_t to = face_.point[face_.mesh.triangle[t][static_cast<int>((i + 1) % 3)]];
+        const int edge = beginning(facet, from, to);
+        if (edge < 0) continue;
+        if (!face_.mesh.constrained[t][i]) return {t, at(from, all_.edge[facet.edge[static_cast<std::size_t>(edge)]])};
+        if (!has_fallback) fallback = {t, at(from, all_.edge[facet.edge[static_cast<std::size_t>(edge)]])};
+        has_fallback = true;
+      }
+    }
+    return fallback;
+  }
+
+ private:
+  /// The edge of the facet of which the way is the beginning; or -1.
+  static int beginning(const Arrangement::Facet& facet, std::uint32_t from, std::uint32_t to) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (facet.corner[i] != from) continue;
+      const std::uint32_t second = facet.is_whole() ? facet.corner[(i + 1) % 3] : facet.mesh.chain[i][1];
+      return second == to ? static_cast<int>(i) : -1;
+    }
+    return -1;
+  }
+
+  std::vector<CellBoundary> at(std::uint32_t place, const Arrangement::Edge& edge) const {
+    std::vector<CellBoundary> inside;
+    for (std::size_t i = 0; i < boundaries_.triangle.size(); ++i) {
+      const int by = winding_of_fruit(boundaries_.triangle[i], places_.at(place));
+      if (by != 0) cross(inside, boundaries_.boundary[i], by);
+    }
+    for (const Arrangement::Crossing& c : edge.crossings) {
+      if (c.place == place)
+        cross(inside, boundaries_.boundary_of_facet[c.facet], place == edge.low ? c.sense : -c.sense);
+    }
+    return inside;
+  }
+
+  const Arrangement& all_;
+  const ExactPlaces& places_;
+  const FaceMesh& face_;
+  Boundaries boundaries_;
+  DisjointSets part_of_;                 // of edges
+  std::vector<std::uint32_t> facet_of_;  // per triangle of the face
+};
+
+class Carver {
+ public:
+  Carver(CutFruit& fruit, const ClosedKnife& knife, const DiffusionSurfaces& surfaces, const Bodies& bodies)
+      : fruit_(fruit), knife_(knife), surfaces_(surfaces), bodies_(bodies) {}
+
+  void run() {
+    take_triangles();
+    take_places();
+    const Arrangement all = arranged(fruit_triangle_, knife_triangle_, places_);
+    Boundaries boundaries = boundaries_of(all);
+    take_new_points(all);
+    const std::vector<std::vector<int>> winding = windings_of_knife(all, places_);
+    const KnifeTraces traces =
+        split_surfaces(fruit_, {all, winding, surface_, cap_, knife_.stride}, surfaces_, bodies_);
+
+    FaceMesh face = knife_face(all, knife_, traces, fruit_.mesh);
+    PartWindings windings(all, places_, face, std::move(boundaries));
+    const Regions regions = knife_regions(face, traces, knife_.stride, surfaces_, bodies_,
+                                          [&](std::uint32_t triangle) { return windings.near(triangle); });
+    find_charts(face, regions, knife_.number);
+    add_face(fruit_.section, face, regions, fruit_.mesh, surfaces_, traces.shared);
+  }
+
+ private:
+  /// Those near the knife.
+  void take_triangles() {
+    const Box box = box_of(knife_.mesh);
+    const std::vector<glm::dvec3>& point = fruit_.mesh.point;
+    const auto take = [&](const PlaceTriangle& t, std::uint32_t number, std::vector<std::uint32_t>& numbers) {
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || !box_of(t, point).meets(box)) return;
+      fruit_triangle_.push_back(t);
+      numbers.push_back(number);
+    };
+    for (std::uint32_t t = 0; t < fruit_.surface.size(); ++t)
+      take(places_of(fruit_.surface[t], fruit_.mesh), t, surface_);
+    for (std::uint32_t t = 0; t < fruit_.section.cap.size(); ++t) take(fruit_.section.cap[t].point, t, cap_);
+  }
+
+  void take_places() {
+    std::vector<std::uint8_t> known(fruit_.mesh.point.size(), 0);
+    for (const PlaceTriangle& t : fruit_triangle_) {
+      for (const std::uint32_t p : t) known[p] = 1;
+    }
+    for (std::size_t p = 0; p < known.size(); ++p) places_.append(fruit_.mesh.point[p], known[p] != 0);
+    std::vector<std::uint32_t> place;
+    for (const glm::dvec3& p : knife_.mesh.point) place.push_back(places_.number_of(p));
+    for (const KnifeMesh::Triangle& t : knife_.mesh.triangle) {
+      knife_triangle_.push_back({place[t.corner[0]], place[t.corner[1]], place[t.corner[2]]});
+    }
+  }
+
+  /// Before the fruit is split.
+  Boundaries boundaries_of(const Arrangement& all) const {
+    Boundaries boundaries;
+    boundaries.boundary_of_facet.resize(all.fruit_count);
+    const auto add = [&](const PlaceTriangle& t, std::vector<CellBoundary> boundary) {
+      const std::vector<glm::dvec3>& p = fruit_.mesh.point;
+      boundaries.triangle.push_back({p[t[0]], p[t[1]], p[t[2]]});
+      boundaries.boundary.push_back(std::move(boundary));
+    };
+    for (const SkinTriangle& t : fruit_.surface) {
+      if (surfaces_.is_boundary(t.source)) add(places_of(t, fruit_.mesh), boundary_of(t, bodies_));
+    }
+    for (const Cap& cap : fruit_.section.cap) add(cap.point, boundary_of(cap));
+    for (std::size_t i = 0; i < surface_.size(); ++i) {
+      const SkinTriangle& t = fruit_.surface[surface_[i]];
+      if (surfaces_.is_boundary(t.source)) boundaries.boundary_of_facet[i] = boundary_of(t, bodies_);
+    }
+    for (std::size_t i = 0; i < cap_.size(); ++i) {
+      boundaries.boundary_of_facet[surface_.size() + i] = boundary_of(fruit_.section.cap[cap_[i]]);
+    }
+    return boundaries;
+  }
+
+  /// All that lie on the knife count as lying on one more plane.
+  void take_new_points(const Arrangement& all) {
+    SplitMesh& mesh = fruit_.mesh;
+    const int plane = knife_.plane;
+    for (std::size_t p = mesh.point.size(); p < places_.count(); ++p) {
+      mesh.point.push_back(places_.at(static_cast<std::uint32_t>(p)));
+      mesh.planes_of.push_back(mesh.sets.with(0, plane));
+    }
+    const auto mark = [&](std::uint32_t p) { mesh.planes_of[p] = mesh.sets.with(mesh.planes_of[p], plane); };
+    for (const Arrangement::Segment& s : all.segment) {
+      mark(s.from);
+      mark(s.to);
+      for (const std::uint32_t p : s.places) mark(p);
+    }
+  }
+
+  CutFruit& fruit_;
+  const ClosedKnife& knife_;
+  const DiffusionSurfaces& surfaces_;
+  const Bodies& bodies_;
+  ExactPlaces places_;
+  std::vector<PlaceTriangle> fruit_triangle_, knife_triangle_;
+  std::vector<std::uint32_t> surface_, cap_;  // which of the fruit's triangles take part
+};
+
+}  // namespace
+
+void carve(CutFruit& fruit, const ClosedKnife& knife, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
+  if (!knife.mesh.triangle.empty()) Carver(fruit, knife, surfaces, bodies).run();
+}
+
+KnifeMesh refined_for(const CutFruit& fruit, KnifeMesh knife, const SizeLimits& limits) {
+  // Where the knife as it is meets the surfaces, and how fine these are there.
+  const Box box = box_of(knife);
+  Box whole;
+  std::vector<Corners> surface, own;
+  for (const SkinTriangle& t : fruit.surface) {
+    const PlaceTriangle p = places_of(t, fruit.mesh);
+    for (const std::uint32_t place : p) whole.add(fruit.mesh.point[place]);
+    if (!box_of(p, fruit.mesh.point).meets(box)) continue;
+    surface.push_back({fruit.mesh.point[p[0]], fruit.mesh.point[p[1]], fruit.mesh.point[p[2]]});
+  }
+  for (std::size_t t = 0; t < knife.triangle.size(); ++t) own.push_back(knife.corners(t));
+  struct Source {
+    glm::dvec3 place{0};
+    double size = 0;
+  };
+  std::vector<Source> sources;
+  for (const Meeting& m : meetings(surface, own)) {
+    const Corners& s = surface[m.fruit];
+    const double length = (glm::distance(s[0], s[1]) + glm::distance(s[1], s[2]) + glm::distance(s[2], s[0])) / 3;
+    sources.push_back({(s[0] + s[1] + s[2]) / 3.0, std::clamp(length, limits.finest, limits.coarsest)});
+  }
+  return refined(std::move(knife), [&](const glm::dvec3& p) {
+    const glm::dvec3 outside = glm::max(glm::max(whole.low - p, p - whole.high), glm::dvec3(0));
+    double size = limits.coarsest + glm::length(outside);
+    for (const Source& s : sources) {
+      const glm::dvec3 d = p - s.place;
+      const double room = (size - s.size) / limits.grading;
+      if (room <= 0 || glm::dot(d, d) >= room * room) continue;
+      size = s.size + limits.grading * glm::length(d);
+    }
+    return size;
+  });
+}
+
+}  // namespace pomona

@@ -1,0 +1,110 @@
+#include "generator/cut/carve/knife_charts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace pomona {
+
+namespace {
+
+/// Where normals add up to less than this share of the area, they have no mean direction worth looking along.
+constexpr double least_mean = 0.25;
+
+constexpr int most_partings = 8;
+
+class Charter {
+ public:
+  Charter(FaceMesh& face, int knife) : solid_(*face.solid), mesh_(face.mesh), knife_(knife) {
+    for (const glm::uvec3& t : mesh_.triangle) {
+      const glm::dvec3 &a = solid_.place[t.x], &b = solid_.place[t.y], &c = solid_.place[t.z];
+      area_.push_back(0.5 * glm::cross(b - a, c - a));
+    }
+  }
+
+  void run(const Regions& regions) {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> of_face;
+    for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
+      if (regions.is_section(t)) of_face[std::exchange(solid_.facet[t], 0)].push_back(t);
+    }
+    for (auto& [number, triangles] : of_face) part(std::move(triangles), 0);
+    if (solid_.frame.empty()) solid_.frame.emplace_back();
+  }
+
+ private:
+  void part(std::vector<std::uint32_t> triangles, int partings) {
+    if (triangles.empty()) return;
+    glm::dvec3 sum(0);
+    double area = 0;
+    for (const std::uint32_t t : triangles) {
+      sum += area_[t];
+      area += glm::length(area_[t]);
+    }
+    const double size = glm::length(sum);
+    const bool has_direction = size > least_mean * area;
+    const glm::dvec3 direction = has_direction ? sum / size : main_axis(triangles);
+    std::vector<std::uint32_t> seen, others;
+    for (const std::uint32_t t : triangles) (glm::dot(area_[t], direction) > 0 ? seen : others).push_back(t);
+    if (seen.empty() || partings >= most_partings) {
+      add(triangles, direction);
+      return;
+    }
+    add(seen, direction);
+    if (has_direction)
+      part(std::move(others), partings + 1);
+    else
+      part_away_from(direction, std::move(others), partings + 1);
+  }
+
+  /// The other half of what looks one way and the other along an axis.
+  void part_away_from(const glm::dvec3& axis, std::vector<std::uint32_t> triangles, int partings) {
+    std::vector<std::uint32_t> seen, others;
+    for (const std::uint32_t t : triangles) (glm::dot(area_[t], axis) < 0 ? seen : others).push_back(t);
+    if (!seen.empty()) add(seen, -axis);
+    part(std::move(others), partings);
+  }
+
+  /// The axis of the frame along which most of the area looks, one way or the other.
+  glm::dvec3 main_axis(const std::vector<std::uint32_t>& triangles) const {
+    glm::dvec3 along(0);
+    for (const std::uint32_t t : triangles) {
+      const double size = glm::length(area_[t]);
+      if (size > 0) along += area_[t] * area_[t] / size;
+    }
+    if (along.z >= along.x && along.z >= along.y) return {0, 0, 1};
+    return along.x >= along.y ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  }
+
+  void add(const std::vector<std::uint32_t>& triangles, const glm::dvec3& direction) {
+    glm::dvec3 middle(0);
+    double area = 0;
+    bool curved = false;
+    for (const std::uint32_t t : triangles) {
+      const double size = glm::length(area_[t]);
+      const glm::uvec3& c = mesh_.triangle[t];
+      middle += size / 3 * (solid_.place[c.x] + solid_.place[c.y] + solid_.place[c.z]);
+      area += size;
+      for (const glm::vec3& n : solid_.normal[t]) curved = curved || glm::distance(glm::dvec3(n), direction) > 1e-5;
+      solid_.facet[t] = static_cast<std::uint32_t>(solid_.frame.size());
+    }
+    CuttingPlane plane{direction, area > 0 ? glm::dot(direction, middle) / area : 0};
+    CutFace frame = frame_of(plane);
+    frame.knife = knife_;
+    frame.curved = curved;
+    solid_.frame.push_back(frame);
+  }
+
+  SolidFaces& solid_;
+  const TriangulatedPlane& mesh_;
+  int knife_;
+  std::vector<glm::dvec3> area_;  // per triangle, along its normal
+};
+
+}  // namespace
+
+void find_charts(FaceMesh& face, const Regions& regions, int knife) { Charter(face, knife).run(regions); }
+
+}  // namespace pomona

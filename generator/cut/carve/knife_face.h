@@ -1,0 +1,16 @@
+// The surface of a closed knife as a face of the section.
+#pragma once
+
+#include <vector>
+
+#include "generator/cut/carve/arrangement.h"
+#include "generator/cut/carve/carve.h"
+#include "generator/cut/carve/split_surfaces.h"
+
+namespace pomona {
+
+/// The knife's triangles as arranged with the fruit; facets are its smooth faces, still without frames
+/// (knife_charts.h). Points of the arrangement must be points of `mesh`.
+FaceMesh knife_face(const Arrangement& all, const ClosedKnife& knife, const KnifeTraces& traces, const SplitMesh& mesh);
+
+}  // namespace pomona

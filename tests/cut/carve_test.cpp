@@ -1,0 +1,309 @@
+// Cuts along closed surfaces.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/random.h"
+#include "generator/cut/cut.h"
+#include "generator/surface/bodies.h"
+#include "tests/cut/solid_shapes.h"
+#include "tests/shapes/seeded_fruit.h"
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+using shapes::solid_knife;
+
+constexpr double pi = 3.14159265358979323846;
+
+double whole_volume(const DiffusionSurfaces& surfaces) {
+  double sum = 0;
+  for (const Bodies::Body& body : find_bodies(surfaces).bodies) sum += body.volume;
+  return sum;
+}
+
+double volume_of(const Cut& cut) {
+  double sum = 0;
+  for (const CutPiece& piece : cut.pieces) sum += piece.volume;
+  return sum;
+}
+
+void expect_closed(const Cut& cut, double whole) {
+  for (std::size_t i = 0; i < cut.pieces.size(); ++i) EXPECT_TRUE(cut.pieces[i].closed) << "piece " << i;
+  EXPECT_NEAR(volume_of(cut) / whole, 1, 1e-6);
+}
+
+TEST(Carve, TakesABallOutOfABall) {
+  const DiffusionSurfaces fruit = shapes::sphere(0.05, 8, shapes::skin_paint());
+  const double whole = whole_volume(fruit);
+  const KnifeSolid ball = shapes::ball({0.05, 0.003, 0.002}, 0.02, 8);
+  const Cut result = cut(fruit, std::vector{solid_knife(ball)});
+  ASSERT_EQ(result.pieces.size(), 2u);
+  expect_closed(result, whole);
+  EXPECT_TRUE(result.warnings.empty());
+  EXPECT_GT(result.pieces[0].volume, result.pieces[1].volume) << "what is left comes first";
+  // The lens two balls have in common.
+  const double d = std::sqrt(0.05 * 0.05 + 0.003 * 0.003 + 0.002 * 0.002), R = 0.05, r = 0.02;
+  const double lens =
+      pi * (R + r - d) * (R + r - d) * (d * d + 2 * d * r - 3 * r * r + 2 * d * R + 6 * r * R - 3 * R * R) / (12 * d);
+  EXPECT_NEAR(result.pieces[1].volume / lens, 1, 0.06);
+}
+
+TEST(Carve, LeavesAHollowWhereTheKnifeIsInTheMiddle) {
+  const DiffusionSurfaces fruit = shapes::sphere(0.05, 8, shapes::skin_paint());
+  const double whole = whole_volume(fruit);
+  const Cut result = cut(fruit, std::vector{solid_knife(shapes::ball({0.01, 0, 0}, 0.02, 8))});
+  ASSERT_EQ(result.pieces.size(), 2u);
+  expect_closed(result, whole);
+  EXPECT_NEAR(result.pieces[1].volume, 4. / 3 * pi * 0.02 * 0.02 * 0.02, 1e-6);
+}
+
+TEST(Carve, SaysWhenAKnifeMisses) {
+  const DiffusionSurfaces fruit = shapes::sphere(0.05, 5, shapes::skin_paint());
+  for (const KnifeSolid& solid : {shapes::ball({0.1, 0, 0}, 0.02, 4), shapes::ball({0, 0, 0}, 0.2, 4)}) {
+    const Cut result = cut(fruit, std::vector{solid_knife(solid)});
+    ASSERT_EQ(result.pieces.size(), 1u);
+    EXPECT_TRUE(result.pieces[0].closed);
+    ASSERT_EQ(result.warnings.size(), 1u);
+    EXPECT_EQ(result.warnings[0], "knife \"solid\" misses the fruit");
+  }
+}
+
+TEST(Carve, GoesWithPlanesBeforeAndAfter) {
+  const DiffusionSurfaces fruit = shapes::nested_spheres(0.05, 0.02, 6);
+  const double whole = whole_volume(fruit);
+  const Knife ball = solid_knife(shapes::ball({0.03, 0.01, 0.004}, 0.03, 8));
+  for (const std::vector<Knife>& knives :
+       {std::vector{parse_knife("half"), ball}, std::vector{ball, parse_knife("half")},
+        std::vector{parse_knife("dice:20mm"), ball}, std::vector{parse_knife("crinkle:20mm"), ball},
+        std::vector{parse_knife("wedges:5"), ball},
+        std::vector{ball, solid_knife(shapes::ball({0.01, 0.03, 0.002}, 0.03, 8)), parse_knife("half")}}) {
+    const Cut result = cut(fruit, knives);
+    SCOPED_TRACE(knives.front().text + " " + knives.back().text);
+    EXPECT_GE(result.pieces.size(), 4u);
+    expect_closed(result, whole);
+  }
+}
+
+TEST(Carve, TakesACavityWithItsHome) {
+  // A ball inside, through which a rod of another body sticks out of the fruit.
+  const DiffusionSurfaces fruit =
+      joined(shapes::sphere(0.05, 8, shapes::skin_paint()),
+             shapes::box({-0.004, 0.01, -0.004}, {0.004, 0.07, 0.004}, 2, shapes::skin_paint()));
+  const double whole = whole_volume(fruit);
+  const Cut result = cut(fruit, std::vector{solid_knife(shapes::ball({0, 0, 0}, 0.045, 8))});
+  expect_closed(result, whole);
+  ASSERT_EQ(result.pieces.size(), 2u);
+  for (const CutPiece& piece : result.pieces) EXPECT_GT(piece.volume, 0);
+}
+
+TEST(Carve, CutsGrainsSheetsAndChambers) {
+  const DiffusionSurfaces fruit = shapes::seeded_fruit();
+  const double whole = whole_volume(fruit);
+  const Cut result =
+      cut(fruit, std::vector{parse_knife("half"), solid_knife(shapes::ball({0.02, 0.005, 0.003}, 0.025, 10)),
+                             solid_knife(shapes::rod({-0.01, -0.1, 0.002}, 0.012, 0.2, 24))});
+  EXPECT_GE(result.pieces.size(), 4u);
+  for (std::size_t i = 0; i < result.pieces.size(); ++i) EXPECT_TRUE(result.pieces[i].closed) << "piece " << i;
+  EXPECT_NEAR(volume_of(result) / whole, 1, 1e-6);
+}
+
+/// What is meant to be diffused once is there once, and other vertices at a place have a surface's colour.
+TEST(Carve, FacesShareTheVerticesWhereTheyMeet) {
+  const DiffusionSurfaces fruit = shapes::sphere(0.05, 6, shapes::skin_paint());
+  const Cut result =
+      cut(fruit, std::vector{parse_knife("half"), solid_knife(shapes::ball({0.03, 0.01, 0.004}, 0.03, 8))});
+  const CrossSection& section = result.section;
+  std::set<std::array<float, 3>> seen;
+  std::vector<std::set<int>> knives(section.position.size());
+  for (std::size_t t = 0; t < section.triangle.size(); ++t) {
+    const CutFace& face = section.faces[static_cast<std::size_t>(section.cut[t])];
+    for (int i = 0; i < 3; ++i) knives[section.triangle[t][i]].insert(face.knife);
+  }
+  int on_both = 0;
+  for (std::size_t v = 0; v < section.position.size(); ++v) {
+    if (!section.interior[v] || knives[v].empty()) continue;
+    const glm::vec3& p = section.position[v];
+    EXPECT_TRUE(seen.insert({p.x, p.y, p.z}).second);
+    on_both += knives[v].size() == 2 ? 1 : 0;
+  }
+  EXPECT_GT(on_both, 10);
+}
+
+TEST(Carve, ColorsBothSidesOfWhatItCuts) {
+  shapes::Paint core;
+  core.front = {0.1f, 0.2f, 0.7f};
+  core.back = {0.9f, 0.7f, 0.1f};
+  const DiffusionSurfaces fruit = shapes::nested_spheres(0.05, 0.02, 8, shapes::skin_paint(), core);
+  const Cut result = cut(fruit, std::vector{solid_knife(shapes::block({0.0021, -0.1, -0.1}, {0.1, 0.1, 0.1}))});
+  int fronts = 0, backs = 0;
+  const CrossSection& section = result.section;
+  for (std::size_t t = 0; t < section.triangle.size(); ++t) {
+    const glm::uvec3& c = section.triangle[t];
+    const double out = glm::length(section.position[c.x] + section.position[c.y] + section.position[c.z]) / 3;
+    for (int i = 0; i < 3; ++i) {
+      if (section.interior[c[i]] || glm::length(section.position[c[i]]) > 0.03f) continue;
+      const bool front = glm::distance(section.color[c[i]], core.front) < 1e-5f;
+      EXPECT_TRUE(front || glm::distance(section.color[c[i]], core.back) < 1e-5f);
+      if (std::fabs(out - 0.02) > 5e-4) {
+        EXPECT_EQ(front, out > 0.02);
+      }
+      (front ? fronts : backs) += 1;
+    }
+  }
+  EXPECT_GT(fronts, 100);
+  EXPECT_GT(backs, 100);
+}
+
+TEST(Carve, ShadesABowlSmoothlyAndKeepsCreases) {
+  const DiffusionSurfaces fruit = shapes::sphere(0.05, 8, shapes::skin_paint());
+  const glm::dvec3 center(0.05, 0.003, 0.002);
+  const Cut bowl = cut(fruit, std::vector{solid_knife(shapes::ball(center, 0.02, 8))});
+  ASSERT_EQ(bowl.section.faces.size(), 1u);
+  ASSERT_EQ(bowl.section.normal.size(), bowl.section.triangle.size());
+  for (std::size_t t = 0; t < bowl.section.triangle.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3 out = glm::normalize(glm::dvec3(bowl.section.position[bowl.section.triangle[t][i]]) - center);
+      EXPECT_GT(glm::dot(out, glm::dvec3(bowl.section.normal[t][static_cast<std::size_t>(i)])), 0.9995);
+    }
+  }
+
+  // A rod that ends within the fruit: its end is flat, and meets the side in a crease.
+  const Cut hole = cut(fruit, std::vector{solid_knife(shapes::rod({0.003, -0.02, 0.002}, 0.012, 0.2, 48))});
+  std::size_t level = 0, upright = 0;
+  for (const std::array<glm::vec3, 3>& normals : hole.section.normal) {
+    for (const glm::vec3& n : normals) {
+      EXPECT_NEAR(glm::length(n), 1, 1e-5);
+      (std::fabs(n.y) < 1e-3f ? level : upright) += 1;
+      if (std::fabs(n.y) >= 1e-3f) {
+        EXPECT_FLOAT_EQ(n.y, -1);
+      }
+    }
+  }
+  EXPECT_GT(level, 100u);
+  EXPECT_GT(upright, 100u);
+}
+
+TEST(Carve, IsFinerNextToTheSurfaces) {
+  const DiffusionSurfaces fruit = shapes::sphere(0.05, 60, shapes::skin_paint());
+  const Cut result = cut(fruit, std::vector{solid_knife(shapes::block({-0.1, 0.0051, -0.1}, {0.1, 0.1, 0.1}))});
+  double most_inside = 0, most_at_skin = 0;
+  for (const glm::uvec3& t : result.section.triangle) {
+    for (int i = 0; i < 3; ++i) {
+      const glm::vec3 &a = result.section.position[t[i]], &b = result.section.position[t[(i + 1) % 3]];
+      const double out = glm::length(0.5f * (a + b)), length = glm::distance(a, b);
+      if (out < 0.02) most_inside = std::max(most_inside, length);
+      if (out > 0.048) most_at_skin = std::max(most_at_skin, length);
+    }
+  }
+  const double size = glm::length(bounds_of(fruit).size());
+  EXPECT_LT(most_inside, 2 * size / 40);
+  EXPECT_GT(most_inside, 1.3 * most_at_skin);
+  EXPECT_LT(most_at_skin, 0.0035);  // 1.4 times: 1.4 mm, the fruit's own edges, and a third of 2 mm
+}
+
+TEST(Carve, IsTheSameForAnyNumberOfThreads) {
+  const DiffusionSurfaces fruit = shapes::nested_spheres(0.05, 0.02, 6);
+  const std::vector<Knife> knives{parse_knife("half"), solid_knife(shapes::ball({0.03, 0.01, 0.004}, 0.03, 8))};
+  CutOptions one, two;
+  one.threads = {1};
+  two.threads = {2};
+  const Cut a = cut(fruit, knives, one), b = cut(fruit, knives, two);
+  EXPECT_EQ(a.section.position, b.section.position);
+  EXPECT_EQ(a.section.triangle, b.section.triangle);
+  EXPECT_EQ(a.section.normal, b.section.normal);
+  ASSERT_EQ(a.pieces.size(), b.pieces.size());
+  for (std::size_t i = 0; i < a.pieces.size(); ++i) {
+    EXPECT_EQ(a.pieces[i].position, b.pieces[i].position);
+    EXPECT_EQ(a.pieces[i].triangle, b.pieces[i].triangle);
+  }
+}
+
+TEST(Carve, RefusesASurfaceWithAHole) {
+  KnifeSolid open = shapes::ball({0, 0, 0}, 0.02, 2);
+  open.triangle.pop_back();
+  EXPECT_THROW(cut(shapes::sphere(0.05, 2, shapes::skin_paint()), std::vector{solid_knife(open)}), Error);
+}
+
+std::vector<DiffusionSurfaces> fruits() {
+  return {
+      shapes::sphere(0.05, 5, shapes::skin_paint()),
+      shapes::torus(0.04, 0.015, 16, 9),
+      shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint()),
+      shapes::tilted(shapes::nested_spheres(0.05, 0.02, 5)),
+      shapes::hollow_ball(0.05, 0.044, 5),
+      joined(shapes::torus(0.04, 0.015, 16, 9), shapes::moved(shapes::torus(0.04, 0.015, 16, 9), {0.013, 0.007, 0})),
+  };
+}
+
+glm::dvec3 vertex_of(const DiffusionSurfaces& fruit, const RandomStream& random, std::uint64_t draw) {
+  return glm::dvec3(
+      fruit.position[static_cast<std::size_t>(random.uniform(draw) * static_cast<double>(fruit.vertex_count()))]);
+}
+
+/// By turns: somewhere; through a vertex of the fruit; with a face in a face of it; touching it; lying on it.
+KnifeSolid out_for_trouble(const DiffusionSurfaces& fruit, const RandomStream& random, std::uint64_t number) {
+  const std::uint64_t draw = 16 * number;
+  const auto some = [&](std::uint64_t i, double low, double high) {
+    return low + (high - low) * random.uniform(draw + i);
+  };
+  const Bounds bounds = bounds_of(fruit);
+  const glm::dvec3 place = bounds.low + glm::dvec3(some(0, 0, 1), some(1, 0, 1), some(2, 0, 1)) * bounds.size();
+  const double size = some(3, 0.1, 0.5) * glm::length(bounds.size());
+  const glm::dvec3 corner = vertex_of(fruit, random, draw + 4);
+  switch (number % 9) {
+    case 0:
+      return shapes::ball(place, size, 4);
+    case 1:
+      return shapes::block(place - 0.5 * size, place + 0.5 * size);
+    case 2:
+      return shapes::rod(place, 0.5 * size, size, 12);
+    case 3:
+      return shapes::ball(corner - glm::dvec3(size, 0, 0), size, 4);  // its tip is a vertex of the fruit
+    case 4:
+      return shapes::block(corner, corner + size);  // its corner is
+    case 5:
+      return shapes::block(glm::dvec3(bounds.low.x, place.y, place.z),
+                           glm::dvec3(bounds.low.x, place.y, place.z) + size);
+    case 6:
+      return shapes::block(bounds.low, bounds.high);
+    case 7:
+      return shapes::rod(glm::dvec3(corner.x - 0.5 * size, corner.y, corner.z), 0.5 * size, size, 8);
+    default: {
+      KnifeSolid own;  // the fruit's own first surface
+      for (const glm::vec3& p : fruit.position) own.point.emplace_back(p);
+      for (std::size_t t = 0; t < fruit.triangle_count(); ++t) {
+        if (fruit.surface[t] == fruit.surface[0]) own.triangle.push_back(fruit.triangle[t]);
+      }
+      return own;
+    }
+  }
+}
+
+TEST(Carve, NothingIsLostWhateverTheKnifeTouches) {
+  const RandomStream random({11, 0}, "test/carve");
+  int number = 0;
+  for (const DiffusionSurfaces& fruit : fruits()) {
+    const double whole = whole_volume(fruit);
+    for (std::uint64_t i = 0; i < 45; ++i) {
+      SCOPED_TRACE(testing::Message() << "fruit " << number << " knife " << i << " kind " << i % 9);
+      std::vector<Knife> knives{solid_knife(out_for_trouble(fruit, random, i))};
+      if (i % 4 == 1) knives.insert(knives.begin(), parse_knife("half"));
+      if (i % 4 == 2) knives.push_back(solid_knife(out_for_trouble(fruit, random, 1000 + 7 * i)));
+      const Cut result = cut(fruit, knives);
+      expect_closed(result, whole);
+      if (HasFailure()) return;
+    }
+    ++number;
+  }
+}
+
+}  // namespace
+}  // namespace pomona

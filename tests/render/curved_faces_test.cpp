@@ -1,0 +1,90 @@
+// Cut faces that are not flat: no lines between their facets, in space and on paper.
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "generator/scene/solid.h"
+#include "render/picture/section_ink.h"
+#include "render/picture/section_raster.h"
+#include "render/strokes/solid_edges.h"
+#include "tests/cut/solid_shapes.h"
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+DiffusionSurfaces ball_fruit() { return shapes::sphere(0.05, 10, shapes::skin_paint()); }
+
+std::vector<SharpEdge> lines_of(const Knife& knife, LineKind kind) {
+  const Cut result = cut(ball_fruit(), std::vector{knife});
+  std::vector<SharpEdge> found;
+  for (const Solid& solid : solids(result, result.section, Template{}, "fruit")) {
+    for (const SharpEdge& edge : solid_edges(solid).sharp) {
+      if (edge.kind == kind) found.push_back(edge);
+    }
+  }
+  return found;
+}
+
+TEST(CurvedFaces, HaveARimAndNoRidges) {
+  for (const Knife& knife :
+       {shapes::solid_knife(shapes::ball({0.04, 0.003, 0.002}, 0.02, 8)), parse_knife("crinkle:30mm")}) {
+    EXPECT_TRUE(lines_of(knife, LineKind::ridge).empty());
+    EXPECT_GT(lines_of(knife, LineKind::rim).size(), 40u);
+  }
+}
+
+TEST(CurvedFaces, HaveRidgesAtCreases) {
+  // A rod that ends within the fruit: 48 edges of its end and more, since the fruit cuts none of them, seen from both
+  // sides.
+  const auto ridges =
+      lines_of(shapes::solid_knife(shapes::rod({0.003, -0.02, 0.002}, 0.012, 0.2, 48)), LineKind::ridge);
+  EXPECT_GE(ridges.size(), 2 * 48u);
+  EXPECT_LT(ridges.size(), 2 * 200u);
+}
+
+TEST(CurvedFaces, OfAWaveHaveOneLineAroundThem) {
+  const CrossSection section = cut(ball_fruit(), std::vector{parse_knife("crinkle:40mm")}).section;
+  std::set<int> strokes;
+  for (const CutFace& face : section.faces) strokes.insert(face.stroke);
+  ASSERT_GT(section.faces.size(), 2 * strokes.size()) << "facets";
+  EXPECT_EQ(section_lines(section, lay_out(section, {400, 300}, 10)).size(), strokes.size());
+}
+
+TEST(CurvedFaces, TurnNoTriangleAway) {
+  for (const KnifeSolid& solid :
+       {shapes::ball({0.01, 0.003, 0.002}, 0.02, 8), shapes::rod({0.003, -0.1, 0.002}, 0.012, 0.2, 32)}) {
+    const CrossSection section = cut(ball_fruit(), std::vector{shapes::solid_knife(solid)}).section;
+    EXPECT_EQ(section.faces.size(), 2u) << "front and back";
+    const std::vector<PlacedFace> faces = lay_out(section, {400, 300}, 10);
+    for (std::size_t t = 0; t < section.triangle.size(); ++t) {
+      const PlacedFace& face = faces[static_cast<std::size_t>(section.cut[t])];
+      const glm::uvec3& c = section.triangle[t];
+      const glm::dvec2 a = face.to_paper(section.position[c.x]), b = face.to_paper(section.position[c.y]) - a,
+                       d = face.to_paper(section.position[c.z]) - a;
+      EXPECT_LT(b.x * d.y - b.y * d.x, 1e-3) << "counter-clockwise, with y down";
+    }
+  }
+}
+
+/// Each sample of a pixel counts once, even where a face lies on itself.
+TEST(CurvedFaces, AreNotBrighterWhereTheyLieOnThemselves) {
+  CrossSection section;
+  section.faces.resize(1);
+  for (const float z : {0.0f, 0.01f}) {
+    for (const glm::vec3& p : {glm::vec3(0, 0, z), glm::vec3(1, 0, z), glm::vec3(0, 1, z)}) {
+      section.position.push_back(p);
+      section.color.emplace_back(0.5f);
+    }
+  }
+  section.triangle = {{0, 1, 2}, {3, 4, 5}};
+  section.cut = {0, 0};
+  for (const SectionPixel& pixel : rasterised(section, lay_out(section, {40, 40}, 2), 40, 40, {})) {
+    EXPECT_NEAR(pixel.color_sum.x, 0.5 * pixel.samples, 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace pomona
