@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 
 #include <glm/geometric.hpp>
@@ -203,25 +204,80 @@ class Splitter {
   }
 
   /// All edges with both ends on one facet are taken as cut; where both sides are the same they cancel (see
-  /// segments.h). So chains close whatever the sides.
+  /// segments.h). So chains close whatever the sides, as long as these change at such edges only.
   void see_sides_of_stroke(const CutPlanes::Sheet& sheet) {
     near_.clear();
     for (const glm::dvec3& p : mesh_.point) near_.push_back(sheet.stroke->nearest(glm::dvec2(p)));
-    for (Triangle& t : mesh_.triangle) {
-      const double farthest = farthest_from(*sheet.stroke, t);
-      bool positive = farthest > 0;
-      if (std::fabs(farthest) <= planes_.tolerance) {
+    const std::vector<int> side = sides_to_stroke(sheet);
+    for (std::size_t index = 0; index < side.size(); ++index) {
+      Triangle& t = mesh_.triangle[index];
+      bool positive = side[index] > 0;
+      if (side[index] == 0) {
         plane_ = sheet.first + near_[mesh_.point_of[t.vertex[0]]].facet;
         positive = lies_with_positive_side(t);
       }
       const CutPlanes::Plane& first = planes_[sheet.first];
       t.sides = planes_.knives[static_cast<std::size_t>(first.knife)].seen(t.sides, first.in_knife, positive);
-      if (positive) continue;
+      if (!positive) cut_along_stroke(sheet, t);
+    }
+  }
+
+  void cut_along_stroke(const CutPlanes::Sheet& sheet, Triangle& t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t p = mesh_.point_of[t.vertex[i]], q = mesh_.point_of[t.vertex[next[i]]];
+      const int plane = facet_with(sheet, p, q);
+      if (plane < 0) continue;
+      t.cut_by[i] = mesh_.sets.with(t.cut_by[i], plane);
+      for (const std::uint32_t point : {p, q}) mesh_.planes_of[point] = mesh_.sets.with(mesh_.planes_of[point], plane);
+    }
+  }
+
+  /// Per triangle: 1, -1, or 0 for those that lie on the stroke. One that lies on it as far as can be told, but has an
+  /// edge along no facet, cuts off a corner of it by less than the tolerance: it goes with its neighbour across that
+  /// edge.
+  std::vector<int> sides_to_stroke(const CutPlanes::Sheet& sheet) const {
+    std::vector<int> side;
+    std::map<std::uint64_t, std::vector<std::size_t>> across;  // triangles at edges along no facet
+    for (const Triangle& t : mesh_.triangle) {
+      const double farthest = farthest_from(*sheet.stroke, t);
+      side.push_back(std::fabs(farthest) <= planes_.tolerance ? 0 : farthest > 0 ? 1 : -1);
+      if (side.back() != 0) continue;
       for (std::size_t i = 0; i < 3; ++i) {
-        const int plane = facet_with(sheet, mesh_.point_of[t.vertex[i]], mesh_.point_of[t.vertex[next[i]]]);
-        if (plane >= 0) t.cut_by[i] = mesh_.sets.with(t.cut_by[i], plane);
+        const std::uint32_t p = mesh_.point_of[t.vertex[i]], q = mesh_.point_of[t.vertex[next[i]]];
+        if (facet_with(sheet, p, q) < 0) across[edge_key(std::min(p, q), std::max(p, q))];
       }
     }
+    if (across.empty()) return side;
+
+    for (std::size_t t = 0; t < side.size(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Triangle& triangle = mesh_.triangle[t];
+        const auto [low, high] =
+            std::minmax(mesh_.point_of[triangle.vertex[i]], mesh_.point_of[triangle.vertex[next[i]]]);
+        const auto found = across.find(edge_key(low, high));
+        if (found != across.end()) found->second.push_back(t);
+      }
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const auto& [edge, triangles] : across) changed = take_side(triangles, side) || changed;
+    }
+    return side;
+  }
+
+  /// Gives the triangles at one edge that have no side the one that another of their surface has there.
+  bool take_side(const std::vector<std::size_t>& triangles, std::vector<int>& side) const {
+    bool changed = false;
+    for (const std::size_t t : triangles) {
+      for (const std::size_t other : triangles) {
+        const bool same_surface =
+            surfaces_.surface[mesh_.triangle[t].source] == surfaces_.surface[mesh_.triangle[other].source];
+        if (side[t] != 0 || side[other] == 0 || !same_surface) continue;
+        side[t] = side[other];
+        changed = true;
+      }
+    }
+    return changed;
   }
 
   /// Of a triangle that the stroke does not cross. One with all corners on the stroke spans a bend of it: then its
@@ -240,14 +296,12 @@ class Splitter {
     return farthest;
   }
 
-  /// The first facet that both points lie on, of which they are told; or -1.
-  int facet_with(const CutPlanes::Sheet& sheet, std::uint32_t p, std::uint32_t q) {
+  /// The first facet that both points lie on; or -1.
+  int facet_with(const CutPlanes::Sheet& sheet, std::uint32_t p, std::uint32_t q) const {
     if (std::fabs(near_[p].distance) > planes_.tolerance || std::fabs(near_[q].distance) > planes_.tolerance) return -1;
     const int from = std::max(0, near_[p].facet - 1), to = std::min(sheet.count - 1, near_[p].facet + 1);
     for (int plane = sheet.first + from; plane <= sheet.first + to; ++plane) {
-      if (!is_on_facet(plane, p) || !is_on_facet(plane, q)) continue;
-      for (const std::uint32_t point : {p, q}) mesh_.planes_of[point] = mesh_.sets.with(mesh_.planes_of[point], plane);
-      return plane;
+      if (is_on_facet(plane, p) && is_on_facet(plane, q)) return plane;
     }
     return -1;
   }

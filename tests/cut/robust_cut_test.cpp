@@ -73,6 +73,33 @@ TEST(RobustCut, OfStrokesAnywhereAndOverVertices) {
   }
 }
 
+/// What lies behind a vertex lies there but for the least bit that a float can tell.
+DiffusionSurfaces slim_body() {
+  DiffusionSurfaces body = shapes::sphere(0.09, 7, shapes::skin_paint());
+  for (glm::vec3& p : body.position) {
+    p.x *= 0.08f;
+    p.z *= 0.08f;
+    if (p.z < 0) p.x = std::nextafter(p.x, 1.0f);
+  }
+  return body;
+}
+
+/// Slight bends over one vertex, and past the one behind it by little more than what counts as the same place.
+TEST(RobustCut, OfStrokesThatBendOverVerticesAndAlmostOverOthers) {
+  const DiffusionSurfaces body = slim_body();
+  const CutOracle oracle(body);
+  for (std::size_t v = 0; v < body.vertex_count(); ++v) {
+    const glm::dvec2 bend(body.position[v]), way(0.03, 0.02);
+    for (const double turn : {0.03, 0.06, 0.12, 0.25}) {
+      Knife knife = parse_knife("half");
+      knife.kind = Knife::Kind::stroke;
+      knife.stroke = {bend - way, bend, bend + way + turn * glm::dvec2(-way.y, way.x)};
+      SCOPED_TRACE(std::to_string(v) + ", " + std::to_string(turn));
+      expect_right(oracle.facts({&knife, 1}));
+    }
+  }
+}
+
 /// A plane that misses a face of the box by less than a double resolves there is still told from one through it.
 TEST(RobustCut, TellsAFaceFromAPlaneNextToIt) {
   const DiffusionSurfaces box = shapes::box({0, 0, 0}, {1, 1, 1}, 2, shapes::skin_paint());

@@ -334,7 +334,11 @@ TEST(InnerLines, AreWhereTheColorJumps) {
   const std::vector<SharpEdge> lines = inner(pair);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].opacity, 1.0f);
+
+  // Facets of one curved face share their normals; faces that meet at an angle do not, and have a ridge.
   pair.cut_face = {0, 1};
+  EXPECT_EQ(inner(pair).size(), 1u);
+  for (std::size_t v = 3; v < 6; ++v) pair.normal[v] = {0, 1, 0};
   EXPECT_TRUE(inner(pair).empty());
 }
 
