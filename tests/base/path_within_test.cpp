@@ -1,4 +1,5 @@
 #include "generator/base/path_within.h"
+#include "tests/base/temporary_folder.h"
 
 #include <filesystem>
 #include <fstream>
@@ -15,18 +16,16 @@ namespace fs = std::filesystem;
 class PathWithin : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "pomona-path-XXXXXX").string();
-    outer_ = mkdtemp(pattern.data());
     fs::create_directories(inner() / "deep");
     std::ofstream(outer_ / "secret") << "x";
     std::ofstream(inner() / "here") << "x";
     fs::create_symlink(outer_ / "secret", inner() / "link-out");
     fs::create_symlink("here", inner() / "link-in");
   }
-  void TearDown() override { fs::remove_all(outer_); }
   fs::path inner() const { return outer_ / "inner"; }
 
-  fs::path outer_;
+  const TemporaryFolder folder_;
+  const fs::path outer_ = folder_.path();
 };
 
 TEST_F(PathWithin, leads_to_what_lies_in_the_folder_or_below) {

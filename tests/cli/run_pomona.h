@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/base/temporary_folder.h"
+
 namespace pomona::testing {
 
 struct Outcome {
@@ -15,21 +17,6 @@ struct Outcome {
 
 /// Runs pomona with these words in `folder`; standard output and error are caught.
 Outcome run_pomona(const std::vector<std::string>& words, const std::filesystem::path& folder = ".");
-
-/// A new empty folder, removed with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::string bytes_of(const std::filesystem::path& file);
 

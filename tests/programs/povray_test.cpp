@@ -11,6 +11,7 @@
 #include "render/export/output.h"
 #include "render/export/pov.h"
 #include "render/picture/png.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/render/export/named_solids.h"
 
 namespace pomona {
@@ -34,15 +35,13 @@ std::string without_experimental(std::string log) {
 
 /// Writes the scene into a folder of its own and runs `povray STEM.pov` there.
 Image rendered(const Scene& scene, const std::string& stem, const std::string& options = {}, const Style& style = {}) {
-  const fs::path folder = fs::path(testing::TempDir()) / ("pomona-povray-" + stem);
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const TemporaryFolder made;
+  const fs::path folder = made.path();
   for (const NamedFile& file : write_pov(scene, stem, {.style = style})) write_whole(folder / file.name, file.bytes);
   const std::string command = "cd '" + folder.string() + "' && povray " + stem + ".pov " + options + " >log 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << content(folder / "log");
   EXPECT_THAT(without_experimental(content(folder / "log")), ::testing::Not(::testing::HasSubstr("Warning:")));
   const Image image = read_png(content(folder / (stem + ".png")), stem + ".png");
-  fs::remove_all(folder);
   return image;
 }
 

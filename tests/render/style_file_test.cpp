@@ -11,6 +11,7 @@
 #include "generator/base/error.h"
 #include "generator/base/units.h"
 #include "render/style/shipped_styles.h"
+#include "tests/base/temporary_folder.h"
 
 namespace pomona {
 namespace {
@@ -126,10 +127,10 @@ TEST(StyleNamed, IsInkOrPlainOrAnErrorWithTheNearestName) {
 
 TEST(StyleFile, IsMissingOrTooLongWithAnError) {
   EXPECT_THROW(read_style("no/such/style.toml"), Error);
-  const auto file = std::filesystem::path(::testing::TempDir()) / "pomona_long_style.toml";
+  const TemporaryFolder folder;
+  const std::string file = folder / "long.toml";
   std::ofstream(file) << head << "# " << std::string(70000, 'x') << "\n";
   EXPECT_THROW(read_style(file), Error);
-  std::filesystem::remove(file);
 }
 
 }  // namespace

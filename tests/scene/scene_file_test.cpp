@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/error.h"
+#include "tests/base/temporary_folder.h"
 
 namespace pomona {
 namespace {
@@ -66,7 +67,8 @@ TEST(SceneFile, ReadsTheSalad) {
 
 /// A knife's drawing is looked for beside the scene, wherever the program runs.
 TEST(SceneFile, StrokesAreFoundFromItsFolder) {
-  const fs::path folder = fs::path(testing::TempDir()) / "pomona_scene_of_strokes";
+  const TemporaryFolder made;
+  const fs::path folder = made.path();
   fs::create_directories(folder / "drawings");
   std::ofstream(folder / "drawings/knives.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg">
 <path id="wave" d="M -10,-20 L 0,-25 10,-20"/>
@@ -88,7 +90,6 @@ TEST(SceneFile, StrokesAreFoundFromItsFolder) {
     EXPECT_THAT(text, testing::HasSubstr("knives.svg:3:"));
     EXPECT_THAT(text, testing::HasSubstr("crosses itself"));
   }
-  fs::remove_all(folder);
 }
 
 TEST(SceneFile, AMissingFileIsMissingInput) {

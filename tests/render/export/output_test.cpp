@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "generator/base/error.h"
+#include "tests/base/temporary_folder.h"
 
 namespace pomona {
 namespace {
@@ -18,14 +19,6 @@ using testing::UnorderedElementsAre;
 
 class Output : public testing::Test {
  protected:
-  void SetUp() override {
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = fs::path(testing::TempDir()) / ("pomona-output-" + test);
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string content(const std::string& name) const {
     std::ostringstream text;
     text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
@@ -48,7 +41,8 @@ class Output : public testing::Test {
     return ExitStatus::done;
   }
 
-  fs::path folder_;
+  const TemporaryFolder made_;
+  const fs::path folder_ = made_.path();
 };
 
 TEST_F(Output, ReplacesAFileWhole) {
