@@ -26,7 +26,6 @@ FruitSource from_surface_file(const std::filesystem::path& file, const SharedOpt
   source.fruit.title = words_of(source.name);
   source.grown.swept = times.time("read", [&] { return read_surfaces(file); });
   source.fruit.parts = source.grown.swept.part_names;
-  source.fruit.density = 1000;  // that of water: the file says nothing
   source.grown.sheets = times.time("sweep", [&] { return sheets(source.grown.swept); });
   return source;
 }

@@ -122,14 +122,12 @@ void read_bend_of(Template& fruit, const TomlValue& value) {
   fruit.bend = {};
 }
 
-constexpr double density_of_water = 1000;  // kg per cubic metre
-
 void read_head(const TomlTable& root, Template& fruit) {
   root.need("format").integer(1, 1, 1);
   fruit.name = read_name(root.need("name"), {});
   fruit.title = root.get("title").text(fruit.name);
   fruit.latin = root.get("latin").text();
-  fruit.density = root.get("density").number(density_of_water, {10, 20000});
+  fruit.density = root.get("density").number(fruit.density, {10, 20000});
   fruit.parts = read_parts(root.need("parts"));
 }
 

@@ -56,7 +56,7 @@ struct Template {
   RipenessSketch ripeness;
   BrowningSketch browning;
   Individual individual;  ///< set in variants
-  double density = 950;   ///< kg per cubic metre
+  double density = 1000;  ///< kg per cubic metre; that of water where nothing says otherwise
 };
 
 /// From the lowest to the highest point of all vertical curves, metres; 0 to 0 where there are none.
