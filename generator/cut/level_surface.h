@@ -30,8 +30,6 @@ class LevelSurface {
   explicit LevelSurface(const Values& period = {}) : period_(period) {}
 
   std::uint32_t add_vertex(const glm::dvec3& place, const Values& values);
-  const Values& values(std::uint32_t vertex) const { return values_[vertex]; }
-  void set_value(std::uint32_t vertex, std::size_t function, double value) { values_[vertex][function] = value; }
 
   /// A tetrahedron (a, b, c, d), d on the side from which a, b, c run counter-clockwise. `is_inside` is asked for each
   /// part, with the values at its corners; at those that a level made they are the level's to the bit.

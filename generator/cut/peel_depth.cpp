@@ -58,4 +58,12 @@ PeelDepth::Place PeelDepth::at(const glm::dvec3& point) const {
   return place;
 }
 
+double PeelDepth::from_what_stays(const glm::dvec3& point, double within) const {
+  double least = within;
+  for (const TriangleTree& body : stays_) least = std::min(least, outside_of(body, point, least).depth);
+  return least;
+}
+
+double PeelDepth::below_skin(const glm::dvec3& point) const { return -outside_of(skin(), point, INFINITY).depth; }
+
 }  // namespace pomona

@@ -21,6 +21,12 @@ class PeelDepth {
   };
   Place at(const glm::dvec3& point) const;
 
+  /// Metres from what stays, or `within` if that is farther off.
+  double from_what_stays(const glm::dvec3& point, double within) const;
+
+  /// Metres under the skin alone, negative outside, whatever stays.
+  double below_skin(const glm::dvec3& point) const;
+
   const TriangleTree& skin() const { return skin_.skin(); }
   /// Of the skin and of all that stays.
   const AxisBox& box() const { return box_; }

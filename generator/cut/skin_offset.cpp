@@ -27,6 +27,7 @@ constexpr double cells_on_skin = 3000;   // some 40 000 triangles
 constexpr double cells_in_strip = 6;     // so that a tetrahedron sees one turn of the ridge at most
 constexpr double ridge_share = 1 / 30.;  // of a strip's width
 constexpr double ridge_height = 1;       // out of the skin, in cells
+constexpr double ridge_distance = 4;     // from what stays, in cells: nearer, it would part crumbs from the peel
 constexpr double most_vertices = 6e6;
 
 double area_of(const TriangleTree& skin) {
@@ -64,14 +65,29 @@ class PeelGrid {
       low_[i] = depth_.box().low[i] - 0.5 * (cubes * cell_ - size) + shift * cell_;
     }
     measure();
+    if (options_.strip > 0) end_ridge_where_it_is_steep();
   }
 
-  KnifeSolid solid() {
-    if (options_.strip > 0) end_ridge_where_it_is_steep();
-    for_each_tetrahedron([&](const LevelSurface::Tetrahedron& t) { add(t); });
+  KnifeSolid solid() const {
+    LevelSurface surface({0, 0, 1});  // turns start anew
+    for (std::size_t i = 0; i < place_.size(); ++i) surface.add_vertex(place_[i], values_[i]);
+    for_each_tetrahedron([&](const LevelSurface::Tetrahedron& t) { add(surface, t); });
 
     // With a ridge, vertices may lie too near to each other to be moved.
-    return options_.strip > 0 ? surface_.solid() : settled(surface_.solid());
+    return options_.strip > 0 ? surface.solid() : settled(surface.solid());
+  }
+
+  /// Within two cells of these points. False if there was none to end.
+  bool end_ridge_near(const std::vector<glm::dvec3>& points) {
+    bool had_ridge = false;
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+      if (values_[i][ridge] < 0) continue;
+      const auto is_near = [&](const glm::dvec3& p) { return glm::distance(p, place_[i]) < 2 * cell_; };
+      if (!std::any_of(points.begin(), points.end(), is_near)) continue;
+      values_[i][ridge] = -cell_;
+      had_ridge = true;
+    }
+    return had_ridge;
   }
 
  private:
@@ -99,30 +115,34 @@ class PeelGrid {
   }
 
   void measure() {
-    std::vector<glm::dvec3> place;
     for (const double shift : {0.0, 0.5}) {
       const glm::ivec3 count = shift == 0 ? cubes_ + 1 : cubes_;
       for (int z = 0; z < count.z; ++z) {
         for (int y = 0; y < count.y; ++y) {
-          for (int x = 0; x < count.x; ++x) place.push_back(low_ + cell_ * (glm::dvec3(x, y, z) + shift));
+          for (int x = 0; x < count.x; ++x) place_.push_back(low_ + cell_ * (glm::dvec3(x, y, z) + shift));
         }
       }
     }
-    std::vector<LevelSurface::Values> values(place.size());
+    values_.resize(place_.size());
     const std::vector<double> far = depths_far_away();
-    parallel_for(place.size(), {}, [&](std::size_t i) {
-      const double known = far[block_of(place[i])];
-      values[i][depth] = std::isnan(known) ? pushed_off(place[i]) : known;
-      values[i][turns] = 0;
-      values[i][ridge] = -1;
-      if (options_.strip > 0) measure_ridge(place[i], values[i]);
+    parallel_for(place_.size(), {}, [&](std::size_t i) {
+      const double known = far[block_of(place_[i])];
+      values_[i][depth] = std::isnan(known) ? pushed_off(place_[i]) : known;
+      values_[i][turns] = 0;
+      values_[i][ridge] = -1;
+      if (options_.strip > 0) measure_ridge(place_[i], values_[i]);
     });
+    check_thickness();
+  }
+
+  /// Something of the fruit itself must be left, not of its stem alone.
+  void check_thickness() const {
     double deepest = 0;
-    for (std::size_t i = 0; i < place.size(); ++i) {
-      deepest = std::max(deepest, values[i][depth]);
-      surface_.add_vertex(place[i], values[i]);
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+      if (values_[i][depth] < deepest) continue;  // what lies under the skin is no deeper
+      deepest = std::max(deepest, depth_.below_skin(place_[i]));
+      if (deepest > options_.thickness) return;
     }
-    if (deepest > options_.thickness) return;
     throw Error(ExitStatus::usage, "a peel of " + in_millimetres(options_.thickness) + " is thicker than the fruit",
                 "its middle lies " + in_millimetres(deepest) + " under the skin");
   }
@@ -200,6 +220,9 @@ class PeelGrid {
     const double from_axis = std::sqrt(p.x * p.x + p.z * p.z);
     values[ridge] = std::min({values[depth] + ridge_height * cell_, along - 0.5 * options_.strip,
                               outline_.length() - 0.5 * options_.strip - along, from_axis - 3 * cell_});
+    if (values[ridge] < 0) return;
+    const double free = ridge_distance * cell_;
+    values[ridge] = std::min(values[ridge], depth_.from_what_stays(p, 2 * free) - free);
   }
 
   template <typename Visit>
@@ -226,21 +249,21 @@ class PeelGrid {
     for_each_tetrahedron([&](const LevelSurface::Tetrahedron& t) {
       for (const std::uint32_t a : t) {
         for (const std::uint32_t b : t) {
-          const LevelSurface::Values &at_a = surface_.values(a), &at_b = surface_.values(b);
+          const LevelSurface::Values &at_a = values_[a], &at_b = values_[b];
           if (at_a[ridge] < 0 || at_b[ridge] < 0) continue;
           if (std::fabs(std::fabs(at_a[turns] - at_b[turns]) - 0.5) < 0.15) steep.push_back(a);
         }
       }
     });
-    for (const std::uint32_t vertex : steep) surface_.set_value(vertex, ridge, -cell_);
+    for (const std::uint32_t vertex : steep) values_[vertex][ridge] = -cell_;
   }
 
-  void add(const LevelSurface::Tetrahedron& t) {
+  void add(LevelSurface& surface, const LevelSurface::Tetrahedron& t) const {
     const double half_ridge = 0.5 * ridge_share;
     int deep = 0;
     bool may_have_ridge = false;
     for (const std::uint32_t v : t) {
-      const LevelSurface::Values& values = surface_.values(v);
+      const LevelSurface::Values& values = values_[v];
       deep += values[depth] >= options_.thickness ? 1 : 0;
       may_have_ridge = may_have_ridge || values[ridge] >= 0;
     }
@@ -251,7 +274,7 @@ class PeelGrid {
       levels.push_back({ridge, 0});
       for (const double side : {-half_ridge, half_ridge}) levels.push_back({turns, side, ridge});
     }
-    surface_.add(t, levels, [&](const std::array<LevelSurface::Values, 4>& corners) {
+    surface.add(t, levels, [&](const std::array<LevelSurface::Values, 4>& corners) {
       const auto all = [&](const auto& holds) { return std::all_of(corners.begin(), corners.end(), holds); };
       return all([&](const LevelSurface::Values& c) { return c[depth] >= options_.thickness; }) ||
              all([&](const LevelSurface::Values& c) { return c[ridge] >= 0 && std::fabs(c[turns]) <= half_ridge; });
@@ -264,26 +287,35 @@ class PeelGrid {
   OutlinePlace outline_;
   glm::ivec3 cubes_{0};
   glm::dvec3 low_{0};
-  LevelSurface surface_{{0, 0, 1}};  // turns start anew
+
+  // Per vertex of the grid.
+  std::vector<glm::dvec3> place_;
+  std::vector<LevelSurface::Values> values_;
 };
 
-/// Every edge has two triangles, one each way. Two ends of a ridge may happen to touch along an edge.
-bool is_closed(const KnifeSolid& solid) {
+/// Ends of edges that have not two triangles: two ends of a ridge may happen to touch along an edge.
+std::vector<glm::dvec3> touching_points(const KnifeSolid& solid) {
+  std::vector<glm::dvec3> points;
   const std::vector<WeldedEdge> edges = sorted_edges(solid.triangle);
   for (std::size_t at = 0; at < edges.size();) {
     const std::size_t count = equal_edges(edges, at).size();
-    if (count != 2) return false;
+    if (count != 2) points.insert(points.end(), {solid.point[edges[at].low], solid.point[edges[at].high]});
     at += count;
   }
-  return true;
+  return points;
 }
 
 }  // namespace
 
 KnifeSolid peeled(const DiffusionSurfaces& surfaces, const PeelOptions& options) {
-  for (const double shift : {0.0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3}) {
-    KnifeSolid solid = PeelGrid(surfaces, options, shift).solid();
-    if (is_closed(solid)) return solid;
+  for (const double shift : {0.0, 0.1, -0.1}) {
+    PeelGrid grid(surfaces, options, shift);
+    while (true) {
+      KnifeSolid solid = grid.solid();
+      const std::vector<glm::dvec3> touching = touching_points(solid);
+      if (touching.empty()) return solid;
+      if (!grid.end_ridge_near(touching)) break;
+    }
   }
   throw Error(ExitStatus::usage, "this fruit cannot be peeled so: the peel would touch itself",
               "take another thickness, or another width of the strip");

@@ -17,6 +17,7 @@
 #include "generator/cut/solid_of_revolution.h"
 #include "generator/surface/crossings.h"
 #include "generator/surface/skin_depth.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {
@@ -136,8 +137,6 @@ TEST(SolidKnives, ABiteHasTeethAndIsWiderThanHigh) {
 class ProfileFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "pomona_profile_test";
-    std::filesystem::create_directories(folder_);
     std::ofstream(folder_ / "knife.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg">
       <path id="cone" d="M 0,0 L 10,-20 0,-20"/>
       <path id="bowl" d="M 12,-40 L 4,-10"/>
@@ -149,10 +148,9 @@ class ProfileFile : public testing::Test {
       <path id="lid" d="M 10,0 L 10,-20 5,-20 5,10"/>
     </svg>)";
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   KnifeSolid solid(const std::string& what) {
-    return knife_solid(parse_knife("revolve:knife.svg#" + what, folder_), ball_fruit());
+    return knife_solid(parse_knife("revolve:knife.svg#" + what, folder_.path()), ball_fruit());
   }
 
   std::string message(const std::string& what, ExitStatus status) {
@@ -166,7 +164,7 @@ class ProfileFile : public testing::Test {
     return {};
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder folder_;
 };
 
 /// [Pappus]: area times the way of its centre.
@@ -208,7 +206,7 @@ TEST_F(ProfileFile, SaysWhatIsWrongAndWhere) {
   message("cone,at=1,2", ExitStatus::usage);
   message("cone,axis=0,0,0", ExitStatus::usage);
   message("cone,axis=0,1,0,axis=1,0,0", ExitStatus::usage);
-  EXPECT_THROW(parse_knife("revolve:other.svg#cone", folder_), Error);
+  EXPECT_THROW(parse_knife("revolve:other.svg#cone", folder_.path()), Error);
 }
 
 /// The greatest difference of the depth from what it should be: at vertices and in the middles of triangles.
@@ -253,12 +251,14 @@ TEST(Peel, IsThatOfTheOutside) {
   expect_sound(inner);
 }
 
+DiffusionSurfaces ball_with_stem() {
+  return joined(ball_fruit(), shapes::box({-0.002, 0.06, -0.002}, {0.002, 0.09, 0.002}, 2, shapes::skin_paint()));
+}
+
 /// What sticks out stays, with a little skin around it; what is small is peeled off.
 TEST(Peel, LeavesTheStem) {
-  const DiffusionSurfaces fruit = ball_fruit();
-  const DiffusionSurfaces stem = shapes::box({-0.002, 0.06, -0.002}, {0.002, 0.09, 0.002}, 2, shapes::skin_paint());
   const DiffusionSurfaces seed = shapes::box({0.034, 0.034, -0.001}, {0.036, 0.036, 0.001}, 1, shapes::skin_paint());
-  const KnifeSolid inner = solid_of("peel:2mm", joined(joined(fruit, stem), seed));
+  const KnifeSolid inner = solid_of("peel:2mm", joined(ball_with_stem(), seed));
   expect_sound(inner);
   const Bounds bounds = bounds_of(as_surfaces(inner));
   EXPECT_GT(bounds.high.y, 0.0905);
@@ -292,6 +292,10 @@ TEST(Peel, SaysWhatCannotBePeeled) {
   EXPECT_THAT(message("peel:4cm", ball_fruit(), ExitStatus::usage),
               testing::AllOf(testing::HasSubstr("peel of 40 mm is thicker than the fruit"),
                              testing::HasSubstr("34.9 mm under the skin")));
+  EXPECT_THAT(message("peel:4cm", ball_with_stem(), ExitStatus::usage),
+              testing::AllOf(testing::HasSubstr("peel of 40 mm is thicker than the fruit"),
+                             testing::HasSubstr("its middle lies 34.")))
+      << "what stays is no fruit";
   EXPECT_THAT(message("peel:2mm,spiral=0.1mm", ball_fruit(), ExitStatus::usage), testing::HasSubstr("too narrow"));
   EXPECT_THAT(message("peel:2mm", shapes::open_sheet(0.1, 0.02, 2, shapes::skin_paint()), ExitStatus::bad_data),
               testing::HasSubstr("closed"));
