@@ -136,6 +136,12 @@ bool is_simple(const Curve& curve) {
   return true;
 }
 
+Curve joined_to_axis(Curve curve) {
+  if (curve.points.front().x > 0) curve.points.insert(curve.points.begin(), {0, curve.points.front().y});
+  if (curve.points.back().x > 0) curve.points.emplace_back(0, curve.points.back().y);
+  return curve;
+}
+
 bool encloses(const Curve& curve, const glm::dvec2& point) {
   int winding = 0;
   for (std::size_t e = 0; e < edge_count(curve); ++e) {

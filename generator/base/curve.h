@@ -33,6 +33,9 @@ Curve counter_clockwise(Curve curve);
 /// so intricate that its edges overlap in x more than 2^24 times counts as not simple.
 bool is_simple(const Curve& curve);
 
+/// An open curve beside the axis x = 0, its ends joined to the axis by level edges unless they are on it.
+Curve joined_to_axis(Curve curve);
+
 /// True if the closed curve winds around the point.
 bool encloses(const Curve& curve, const glm::dvec2& point);
 

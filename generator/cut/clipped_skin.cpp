@@ -25,6 +25,7 @@ class SkinClipper {
       if (is_boundary && surfaces_.is_hidden(t.source, SideOf::back)) std::swap(whole.vertex[1], whole.vertex[2]);
       add(whole);
     }
+    for (std::uint32_t& point : mesh_.point_of) point = faces_.same_as[point];
     return std::move(skin_);
   }
 

@@ -16,7 +16,7 @@ struct SkinTriangle {
   std::uint32_t cell = 0;
 };
 
-/// New vertices on edges are added to `mesh`.
+/// New vertices on edges are added to `mesh`, and of its points at one place every vertex names the first.
 std::vector<SkinTriangle> clipped_skin(SplitMesh& mesh, const FaceMeshes& faces, const DiffusionSurfaces& surfaces);
 
 /// The same of all surfaces; inner triangles are turned as they were.

@@ -123,9 +123,7 @@ void check_profile(Curve& curve, const Complaint& fail) {
   if (curve.points.size() < 3 && (curve.closed || high.x <= 0)) fail("encloses nothing", "draw it beside the axis");
 
   // The ends are joined to the axis: what they are joined by must not meet the profile either.
-  Curve whole = curve;
-  if (!curve.closed && whole.points.front().x > 0) whole.points.insert(whole.points.begin(), {0, curve.points[0].y});
-  if (!curve.closed && whole.points.back().x > 0) whole.points.emplace_back(0, curve.points.back().y);
+  Curve whole = curve.closed ? curve : joined_to_axis(curve);
   whole.closed = true;
   if (whole.points.size() < 3 || !is_simple(whole)) {
     fail("crosses itself", "a profile, its ends joined to the axis, must not meet itself");

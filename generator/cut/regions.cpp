@@ -19,17 +19,12 @@ class PatchFinder {
   PatchFinder(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies)
       : face_(face), surfaces_(surfaces), bodies_(bodies) {}
 
-  Regions find() {
+  OpenBodies find() {
     find_patches();
     find_open_bodies();
     find_windings();
     for (const std::int32_t body : open_) fill(body);
-    return std::move(regions_);
-  }
-
-  const std::vector<std::int32_t>& open_bodies() {
-    find_open_bodies();
-    return open_;
+    return {std::move(open_), std::move(regions_)};
   }
 
  private:
@@ -202,9 +197,7 @@ class PatchFinder {
 class CellFinder {
  public:
   CellFinder(const FaceMesh& face, const CutPlanes& planes, Regions& regions)
-      : face_(face), planes_(planes), regions_(regions), triangles_(regions.patch.size()) {
-    for (std::uint32_t t = 0; t < regions.patch_of.size(); ++t) triangles_[regions.patch_of[t]].push_back(t);
-  }
+      : face_(face), planes_(planes), regions_(regions), triangles_(triangles_of_patches(regions)) {}
 
   void find() {
     for (std::size_t p = 0; p < regions_.patch.size(); ++p) {
@@ -260,17 +253,19 @@ class CellFinder {
 
 }  // namespace
 
-Regions patches_in_open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
+OpenBodies open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
   return PatchFinder(face, surfaces, bodies).find();
 }
 
-std::vector<std::int32_t> open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
-  return PatchFinder(face, surfaces, bodies).open_bodies();
+std::vector<std::vector<std::uint32_t>> triangles_of_patches(const Regions& regions) {
+  std::vector<std::vector<std::uint32_t>> triangles(regions.patch.size());
+  for (std::uint32_t t = 0; t < regions.patch_of.size(); ++t) triangles[regions.patch_of[t]].push_back(t);
+  return triangles;
 }
 
 Regions find_regions(const FaceMesh& face, const CutPlanes& planes, const DiffusionSurfaces& surfaces,
                      const Bodies& bodies) {
-  Regions regions = PatchFinder(face, surfaces, bodies).find();
+  Regions regions = PatchFinder(face, surfaces, bodies).find().regions;
   CellFinder(face, planes, regions).find();
   return regions;
 }

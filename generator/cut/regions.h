@@ -38,12 +38,16 @@ struct Regions {
   bool is_section(std::size_t triangle) const { return patch[patch_of[triangle]].section; }
 };
 
-/// The patches of a closed surface, and what bodies lie there whose boundary does not close on it: these fill the
-/// patches to which they turn their visible side for the greater part. Nothing of other bodies, and no cells.
-Regions patches_in_open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies);
+/// Bodies whose boundary does not close on a face, ascending, and the patches of the face, of which these bodies fill
+/// those to which they turn their visible side for the greater part. Nothing of other bodies, and no cells.
+struct OpenBodies {
+  std::vector<std::int32_t> body;
+  Regions regions;
+};
+OpenBodies open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies);
 
-/// The bodies whose boundary does not close on the face, ascending.
-std::vector<std::int32_t> open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies);
+/// The triangles of every patch, ascending.
+std::vector<std::vector<std::uint32_t>> triangles_of_patches(const Regions& regions);
 
 /// A body whose boundary does not close in this plane has no winding: it fills the regions that its boundary parts from
 /// the outside and to which it turns its visible side for the greater part.

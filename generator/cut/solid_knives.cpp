@@ -62,12 +62,18 @@ KnifeSolid bite(const SolidShape& shape, const glm::dvec3& at) {
   return posed(revolved(half_circle(0.5 * shape.size, tolerance), options), pose);
 }
 
-/// A cylinder along the axis that stands out of the fruit at the top, and at the bottom unless it has a depth.
-KnifeSolid core(const SolidShape& shape, const DiffusionSurfaces& surfaces) {
+/// Upright at the fruit's origin, unless the knife says where.
+SolidPose pose_of(const SolidShape& shape) {
   SolidPose pose;
-  pose.at = shape.at.value_or(glm::dvec3(0));
+  pose.at = shape.at.value_or(pose.at);
   pose.axis = shape.axis.value_or(pose.axis);
   pose.up = level_beside(pose.axis);
+  return pose;
+}
+
+/// A cylinder along the axis that stands out of the fruit at the top, and at the bottom unless it has a depth.
+KnifeSolid core(const SolidShape& shape, const DiffusionSurfaces& surfaces) {
+  const SolidPose pose = pose_of(shape);
   double low = INFINITY, high = -INFINITY;
   for (const glm::uvec3& t : surfaces.triangle) {
     for (int i = 0; i < 3; ++i) {
@@ -87,11 +93,7 @@ KnifeSolid drawn(const Knife& knife) {
   const SolidShape& shape = knife.solid;
   double widest = 0;
   for (const glm::dvec2& p : shape.profile.points) widest = std::max(widest, p.x);
-  SolidPose pose;
-  pose.at = shape.at.value_or(glm::dvec3(0));
-  pose.axis = shape.axis.value_or(pose.axis);
-  pose.up = level_beside(pose.axis);
-  return posed(revolved(shape.profile, {.tolerance = 2 * roughness * widest}), pose);
+  return posed(revolved(shape.profile, {.tolerance = 2 * roughness * widest}), pose_of(shape));
 }
 
 }  // namespace

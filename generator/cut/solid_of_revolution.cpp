@@ -20,8 +20,7 @@ constexpr std::size_t most_triangles = 500000;
 /// A profile's region beside the axis, counter-clockwise: for one that was open, from the axis and back to it.
 Curve around_region(Curve profile) {
   if (!profile.closed) {
-    if (profile.points.front().x > 0) profile.points.insert(profile.points.begin(), {0, profile.points.front().y});
-    if (profile.points.back().x > 0) profile.points.emplace_back(0, profile.points.back().y);
+    profile = joined_to_axis(std::move(profile));
     profile.points.front().x = profile.points.back().x = 0;
   }
   if (signed_area({profile.points, true}) < 0) std::reverse(profile.points.begin(), profile.points.end());

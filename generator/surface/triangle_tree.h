@@ -7,8 +7,10 @@
 #include <span>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace pomona {
 
@@ -24,6 +26,11 @@ struct AxisBox {
   void add(const AxisBox& box) {
     low = glm::min(low, box.low);
     high = glm::max(high, box.high);
+  }
+
+  /// True if they have a point in common.
+  bool meets(const AxisBox& box) const {
+    return glm::all(glm::lessThanEqual(low, box.high)) && glm::all(glm::lessThanEqual(box.low, high));
   }
 };
 

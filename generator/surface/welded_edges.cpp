@@ -7,8 +7,9 @@ namespace pomona {
 namespace {
 
 /// A vertex as it is sorted; keys beside each other sort several times faster than keys looked up.
+template <typename Vec>
 struct Place {
-  glm::vec3 position;
+  Vec position;
   std::uint32_t vertex;
 
   bool operator<(const Place& other) const {
@@ -19,12 +20,11 @@ struct Place {
   }
 };
 
-}  // namespace
-
-std::vector<std::uint32_t> weld(std::span<const glm::vec3> positions) {
-  std::vector<Place> places;
+template <typename Vec>
+std::vector<std::uint32_t> first_at_place(std::span<const Vec> positions) {
+  std::vector<Place<Vec>> places;
   places.reserve(positions.size());
-  for (const glm::vec3& p : positions) places.push_back({p, static_cast<std::uint32_t>(places.size())});
+  for (const Vec& p : positions) places.push_back({p, static_cast<std::uint32_t>(places.size())});
   std::sort(places.begin(), places.end());
 
   std::vector<std::uint32_t> first(positions.size());
@@ -34,6 +34,11 @@ std::vector<std::uint32_t> weld(std::span<const glm::vec3> positions) {
   }
   return first;
 }
+
+}  // namespace
+
+std::vector<std::uint32_t> weld(std::span<const glm::vec3> positions) { return first_at_place(positions); }
+std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions) { return first_at_place(positions); }
 
 std::vector<glm::uvec3> welded_triangles(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
   const std::vector<std::uint32_t> first = weld(positions);

@@ -13,6 +13,7 @@ namespace pomona {
 
 /// For each vertex the smallest index among the vertices at the very same position (-0 equals 0).
 std::vector<std::uint32_t> weld(std::span<const glm::vec3> positions);
+std::vector<std::uint32_t> weld(std::span<const glm::dvec3> positions);
 
 /// Vertices after welding, for triangle corners.
 std::vector<glm::uvec3> welded_triangles(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);

@@ -3,48 +3,35 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "generator/base/disjoint_sets.h"
+#include "generator/cut/carve/fineness.h"
 #include "generator/cut/carve/knife_charts.h"
 #include "generator/cut/carve/knife_face.h"
 #include "generator/cut/carve/knife_regions.h"
 #include "generator/cut/carve/labels.h"
 #include "generator/cut/carve/meetings.h"
 #include "generator/cut/carve/split_surfaces.h"
+#include "generator/surface/triangle_tree.h"
 
 namespace pomona {
 
 namespace {
 
-struct Box {
-  glm::dvec3 low{1e300}, high{-1e300};
-  void add(const glm::dvec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  bool meets(const Box& o) const {
-    for (int i = 0; i < 3; ++i) {
-      if (low[i] > o.high[i] || high[i] < o.low[i]) return false;
-    }
-    return true;
-  }
-};
-
-Box box_of(const KnifeMesh& knife) {
-  Box box;
+AxisBox box_of(const KnifeMesh& knife) {
+  AxisBox box;
   for (const KnifeMesh::Triangle& t : knife.triangle) {
     for (const std::uint32_t p : t.corner) box.add(knife.point[p]);
   }
   return box;
 }
 
-Box box_of(const PlaceTriangle& t, const std::vector<glm::dvec3>& point) {
-  Box box;
+AxisBox box_of(const PlaceTriangle& t, const std::vector<glm::dvec3>& point) {
+  AxisBox box;
   for (const std::uint32_t p : t) box.add(point[p]);
   return box;
 }
@@ -154,7 +141,7 @@ class Carver {
  private:
   /// Those near the knife.
   void take_triangles() {
-    const Box box = box_of(knife_.mesh);
+    const AxisBox box = box_of(knife_.mesh);
     const std::vector<glm::dvec3>& point = fruit_.mesh.point;
     const auto take = [&](const PlaceTriangle& t, std::uint32_t number, std::vector<std::uint32_t>& numbers) {
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || !box_of(t, point).meets(box)) return;
@@ -235,8 +222,8 @@ void carve(CutFruit& fruit, const ClosedKnife& knife, const DiffusionSurfaces& s
 
 KnifeMesh refined_for(const CutFruit& fruit, KnifeMesh knife, const SizeLimits& limits) {
   // Where the knife as it is meets the surfaces, and how fine these are there.
-  const Box box = box_of(knife);
-  Box whole;
+  const AxisBox box = box_of(knife);
+  AxisBox whole;
   std::vector<Corners> surface, own;
   for (const SkinTriangle& t : fruit.surface) {
     const PlaceTriangle p = places_of(t, fruit.mesh);
@@ -245,26 +232,19 @@ KnifeMesh refined_for(const CutFruit& fruit, KnifeMesh knife, const SizeLimits& 
     surface.push_back({fruit.mesh.point[p[0]], fruit.mesh.point[p[1]], fruit.mesh.point[p[2]]});
   }
   for (std::size_t t = 0; t < knife.triangle.size(); ++t) own.push_back(knife.corners(t));
-  struct Source {
-    glm::dvec3 place{0};
-    double size = 0;
-  };
-  std::vector<Source> sources;
+  std::vector<FinenessSource> sources;
+  std::uint32_t last = 0;  // one more than the triangle of the latest source
   for (const Meeting& m : meetings(surface, own)) {
+    if (m.fruit + 1 == last) continue;
+    last = m.fruit + 1;
     const Corners& s = surface[m.fruit];
     const double length = (glm::distance(s[0], s[1]) + glm::distance(s[1], s[2]) + glm::distance(s[2], s[0])) / 3;
     sources.push_back({(s[0] + s[1] + s[2]) / 3.0, std::clamp(length, limits.finest, limits.coarsest)});
   }
+  const Fineness fineness(std::move(sources), limits.grading);
   return refined(std::move(knife), [&](const glm::dvec3& p) {
     const glm::dvec3 outside = glm::max(glm::max(whole.low - p, p - whole.high), glm::dvec3(0));
-    double size = limits.coarsest + glm::length(outside);
-    for (const Source& s : sources) {
-      const glm::dvec3 d = p - s.place;
-      const double room = (size - s.size) / limits.grading;
-      if (room <= 0 || glm::dot(d, d) >= room * room) continue;
-      size = s.size + limits.grading * glm::length(d);
-    }
-    return size;
+    return fineness.at(p, limits.coarsest + glm::length(outside));
   });
 }
 

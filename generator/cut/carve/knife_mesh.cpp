@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "generator/base/disjoint_sets.h"
 #include "generator/base/error.h"
 #include "generator/cut/crease.h"
+#include "generator/surface/welded_edges.h"
 
 namespace pomona {
 
@@ -32,7 +32,7 @@ glm::dvec3 unit(const glm::dvec3& v) {
 
 class MeshBuilder {
  public:
-  explicit MeshBuilder(const KnifeSolid& solid) { weld(solid); }
+  explicit MeshBuilder(const KnifeSolid& solid) { take(solid); }
 
   /// Every edge as often one way as the other.
   bool is_closed() const {
@@ -54,14 +54,12 @@ class MeshBuilder {
   }
 
  private:
-  void weld(const KnifeSolid& solid) {
-    std::map<std::tuple<double, double, double>, std::uint32_t> number_of;
-    std::vector<std::uint32_t> number;
-    for (const glm::dvec3& p : solid.point) {
-      const auto [entry, is_new] = number_of.try_emplace(std::tuple(p.x + 0.0, p.y + 0.0, p.z + 0.0),
-                                                         static_cast<std::uint32_t>(mesh_.point.size()));
-      if (is_new) mesh_.point.push_back(p);
-      number.push_back(entry->second);
+  void take(const KnifeSolid& solid) {
+    const std::vector<std::uint32_t> first = weld(solid.point);
+    std::vector<std::uint32_t> number(first.size());
+    for (std::size_t p = 0; p < first.size(); ++p) {
+      number[p] = first[p] == p ? static_cast<std::uint32_t>(mesh_.point.size()) : number[first[p]];
+      if (first[p] == p) mesh_.point.push_back(solid.point[p]);
     }
     for (const glm::uvec3& t : solid.triangle) {
       Triangle triangle;

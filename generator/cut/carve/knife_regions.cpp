@@ -35,8 +35,7 @@ class KnifeRegions {
   Regions find(Regions regions, const FirstWindings& first) {
     regions_ = std::move(regions);
     inside_.resize(regions_.patch.size());
-    triangles_.resize(regions_.patch.size());
-    for (std::uint32_t t = 0; t < regions_.patch_of.size(); ++t) triangles_[regions_.patch_of[t]].push_back(t);
+    triangles_ = triangles_of_patches(regions_);
     std::vector<std::uint8_t> reached(regions_.patch.size(), 0);
     for (std::uint32_t t = 0; t < regions_.patch_of.size(); ++t) {
       if (reached[regions_.patch_of[t]]) continue;
@@ -145,8 +144,8 @@ class KnifeRegions {
 
 Regions knife_regions(const FaceMesh& face, const KnifeTraces& traces, std::uint32_t stride,
                       const DiffusionSurfaces& surfaces, const Bodies& bodies, const FirstWindings& first) {
-  return KnifeRegions(face, traces, stride, open_bodies(face, surfaces, bodies))
-      .find(patches_in_open_bodies(face, surfaces, bodies), first);
+  OpenBodies open = open_bodies(face, surfaces, bodies);
+  return KnifeRegions(face, traces, stride, std::move(open.body)).find(std::move(open.regions), first);
 }
 
 }  // namespace pomona

@@ -163,7 +163,7 @@ class SectionSplitter {
         add_part(t, facet, facet.mesh.triangle[k], winding[k]);
       gone[t] = 1;
     }
-    leave_out(gone);
+    leave_out(section_, gone);
     split_segments();
   }
 
@@ -263,22 +263,6 @@ class SectionSplitter {
     std::array<glm::vec3, 3> at{};
     for (std::size_t i = 0; i < 3; ++i) at[i] = normal_at(t[i], facet, at_corners, point_);
     return at;
-  }
-
-  void leave_out(const std::vector<std::uint8_t>& gone) {
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < mesh_.triangle.size(); ++t) {
-      if (t < gone.size() && gone[t]) continue;
-      mesh_.triangle[kept] = mesh_.triangle[t];
-      mesh_.cut[kept] = mesh_.cut[t];
-      if (!mesh_.normal.empty()) mesh_.normal[kept] = mesh_.normal[t];
-      if (kept != t) section_.cap[kept] = std::move(section_.cap[t]);
-      ++kept;
-    }
-    mesh_.triangle.resize(kept);
-    mesh_.cut.resize(kept);
-    if (!mesh_.normal.empty()) mesh_.normal.resize(kept);
-    section_.cap.resize(kept);
   }
 
   void split_segments() {

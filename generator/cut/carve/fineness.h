@@ -1,0 +1,43 @@
+// How fine a closed knife's surface should be where.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/surface/triangle_tree.h"
+
+namespace pomona {
+
+/// A place, and the length that edges should have there, metres.
+struct FinenessSource {
+  glm::dvec3 place{0};
+  double size = 0;
+};
+
+/// Size as a function of place: the least over all sources of their size and the distance from them times the grading.
+/// The same for any order of the sources.
+class Fineness {
+ public:
+  /// `grading`: growth of the size per metre of distance.
+  Fineness(std::vector<FinenessSource> sources, double grading);
+
+  /// The size there, or `most` if that is less.
+  double at(const glm::dvec3& place, double most) const;
+
+ private:
+  struct Node {
+    AxisBox box;
+    double least = 0;         ///< size of all sources in it
+    std::uint32_t first = 0;  ///< leaf: first source; else: left child, which the right one follows
+    std::uint32_t count = 0;  ///< leaf: sources; else 0
+  };
+  void split(std::uint32_t node, std::uint32_t first, std::uint32_t count);
+
+  std::vector<FinenessSource> source_;
+  std::vector<Node> node_;
+  double grading_ = 0;
+};
+
+}  // namespace pomona
