@@ -1,5 +1,5 @@
 // The whole cut, stage by stage: intersection, triangulation, diffusion, pieces; with the memory it takes.
-//   whole_cut [--json] [--runs N] [--threads N] [NAME...]
+//   whole_cut [--json] [--runs N] [--triangles N] [--threads N] [NAME...]
 // Names are those of templates, and "bench" for the seeded fruit; none means all. Every fruit is measured in a
 // process of its own, so that its peak of memory is its own.
 #include <algorithm>
@@ -36,6 +36,7 @@ using Json = nlohmann::ordered_json;
 struct Settings {
   bool json = false;
   int runs = 7;
+  int triangles = 0;  ///< 0 = as many as the template asks for
   Threads threads{2};
   std::vector<std::string> names;
 };
@@ -54,9 +55,9 @@ bench::BenchCut cut_of_bench_model() {
   return {"slanted", knife};
 }
 
-Subject subject_of(const std::string& name) {
+Subject subject_of(const std::string& name, int triangles) {
   if (name == "bench") return {shapes::seeded_fruit(), {}, {cut_of_bench_model()}};
-  bench::BenchFruit fruit = bench::grow_fruit(name);
+  bench::BenchFruit fruit = bench::grow_fruit(name, triangles > 0 ? bench::detail_for(name, triangles) : 1);
   std::vector<bench::BenchCut> cuts = {{"half", parse_knife("half")},
                                        {"across", parse_knife("across")},
                                        {"wedges:6", parse_knife("wedges:6")},
@@ -127,8 +128,12 @@ class Stages {
                    [&](std::size_t f) { all[f] = find_regions(faces.faces[f], planes, surfaces, bodies); });
       return all;
     });
-    const Section section = step("assemble", [&] { return assemble(faces, regions, mesh, surfaces, planes); });
-    step("pieces", [&] { return pieces(mesh, faces, section, surfaces, options); });
+    const Section section =
+        step("assemble", [&] { return assemble(faces, regions, mesh, surfaces, settings_.threads); });
+    step("pieces", [&] {
+      const std::vector<SkinTriangle> skin = clipped_skin(mesh, faces, surfaces);
+      return pieces(mesh, skin, section, surfaces, options);
+    });
   }
 
   const Settings& settings_;
@@ -136,7 +141,7 @@ class Stages {
 };
 
 Json measured(const std::string& name, const Settings& settings) {
-  const Subject subject = subject_of(name);
+  const Subject subject = subject_of(name, settings.triangles);
   Json rows = Json::array();
   for (const bench::BenchCut& how : subject.cuts) {
     Json row = {{"fruit", name}, {"knife", how.name}};
@@ -211,6 +216,9 @@ int main(int argc, char** argv) {
                  "Names of templates, and \"bench\" for the seeded fruit; all if none is given");
   app.add_option("--runs", settings.runs, "Runs to take the median of")
       ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--triangles", settings.triangles, "About so many triangles a fruit; 0 = as the template asks for")
+      ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   app.add_option("--threads", settings.threads.count, "0 = all there are")->capture_default_str();
   app.add_flag("--json", settings.json, "Print JSON");

@@ -1,8 +1,6 @@
 #include "generator/cut/cut.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -10,6 +8,7 @@
 #include "generator/cut/pieces.h"
 #include "generator/cut/section.h"
 #include "generator/cut/solid_knives.h"
+#include "generator/surface/welded_edges.h"
 
 namespace pomona {
 
@@ -60,10 +59,9 @@ class Cutter {
     std::vector<Regions> regions(faces.faces.size());
     parallel_for(regions.size(), options_.threads,
                  [&](std::size_t f) { regions[f] = find_regions(faces.faces[f], planes_, surfaces_, bodies_); });
-    Section section = assemble_all(faces, regions, mesh, surfaces_);
+    Section section = assemble_all(faces, regions, mesh, surfaces_, options_.threads);
     std::vector<SkinTriangle> surface =
         has_solids() ? clipped_surfaces(mesh, faces, surfaces_) : clipped_skin(mesh, faces, surfaces_);
-    for (std::uint32_t& point : mesh.point_of) point = faces.same_as[point];
     return {std::move(mesh), std::move(surface), std::move(section)};
   }
 
@@ -77,7 +75,7 @@ class Cutter {
     const SizeLimits limits{options_.coarsest * size, options_.finest * size, options_.grading, options_.contrast};
     for (std::size_t k = 0; k < knives_.size(); ++k) {
       if (!knives_[k].is_solid()) continue;
-      weld(fruit);
+      join_points(fruit);
       ClosedKnife knife;
       knife.mesh = refined_for(fruit, knife_mesh(knife_solid(knives_[k], surfaces_), knives_[k].text), limits);
       knife.number = static_cast<int>(k);
@@ -90,14 +88,10 @@ class Cutter {
   }
 
   /// Points at one place to the bit become one.
-  static void weld(CutFruit& fruit) {
-    std::vector<std::uint32_t> first(fruit.mesh.point.size());
-    std::map<std::tuple<double, double, double>, std::uint32_t> there;
+  static void join_points(CutFruit& fruit) {
+    const std::vector<std::uint32_t> first = weld(fruit.mesh.point);
     for (std::uint32_t p = 0; p < first.size(); ++p) {
-      const glm::dvec3 at = fruit.mesh.point[p] + 0.0;
-      first[p] = there.try_emplace(std::tuple(at.x, at.y, at.z), p).first->second;
-      if (first[p] != p)
-        fruit.mesh.planes_of[first[p]] = std::max(fruit.mesh.planes_of[first[p]], fruit.mesh.planes_of[p]);
+      fruit.mesh.planes_of[first[p]] = std::max(fruit.mesh.planes_of[first[p]], fruit.mesh.planes_of[p]);
     }
     for (std::uint32_t& p : fruit.mesh.point_of) p = first[p];
     for (Cap& cap : fruit.section.cap) {

@@ -399,26 +399,26 @@ constexpr int line_grid = 48;
 /// The lines in which planes meet, as fine as the finer of their planes wants them.
 std::vector<CutLine> laid_out_lines(SplitMesh& mesh, const CutPlanes& planes,
                                     const std::vector<std::vector<Segment>>& segments, const Bounds& bounds,
-                                    const SizeLimits& limits) {
+                                    const SizeLimits& limits, Threads threads) {
   std::vector<CutLine> lines = cut_lines(mesh, planes, segments, bounds);
   if (lines.empty()) return lines;
   std::vector<CutFace> frames;
-  std::vector<SizeField> fields;
-  for (int k = 0; k < planes.count(); ++k) {
-    frames.push_back(frame_of(planes[k].plane));
+  for (int k = 0; k < planes.count(); ++k) frames.push_back(frame_of(planes[k].plane));
+  std::vector<std::optional<SizeField>> fields(frames.size());
+  parallel_for(fields.size(), threads, [&](std::size_t k) {
     std::vector<SizeSource> sources;
-    for (const Segment& s : segments[static_cast<std::size_t>(k)]) {
-      const glm::dvec2 a = to_face(frames.back(), mesh.point[s.from]), b = to_face(frames.back(), mesh.point[s.to]);
+    for (const Segment& s : segments[k]) {
+      const glm::dvec2 a = to_face(frames[k], mesh.point[s.from]), b = to_face(frames[k], mesh.point[s.to]);
       sources.push_back(source_of(s, mesh, limits.contrast));
       sources.back().a = a;
       sources.back().b = b;
       sources.back().size *= glm::distance(a, b);
     }
-    fields.emplace_back(sources, limits, line_grid);
-  }
+    fields[k].emplace(sources, limits, line_grid);
+  });
   const auto size = [&](int plane, const glm::dvec3& p) {
     const auto k = static_cast<std::size_t>(plane);
-    return fields[k].at(to_face(frames[k], p));
+    return fields[k]->at(to_face(frames[k], p));
   };
   for (CutLine& line : lines) subdivide(line, mesh, planes, size);
   return lines;
@@ -441,7 +441,7 @@ FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, const std::vect
   const Bounds bounds = bounds_of(surfaces);
   const double size = glm::length(bounds.size());
   const SizeLimits limits{options.coarsest * size, options.finest * size, options.grading, options.contrast};
-  std::vector<CutLine> lines = laid_out_lines(mesh, planes, segments, bounds, limits);
+  std::vector<CutLine> lines = laid_out_lines(mesh, planes, segments, bounds, limits, options.threads);
   const std::vector<std::vector<Segment>> of_sheet = by_sheet(planes, segments);
 
   // A crossing on a line is news to the other planes there: then all start again. Once is nearly always enough.

@@ -6,12 +6,13 @@
 #include <cstdlib>
 #include <map>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/disjoint_sets.h"
+#include "generator/base/parallel.h"
+#include "generator/cut/pair_numbers.h"
 #include "generator/cut/piece_groups.h"
 
 namespace pomona {
@@ -49,6 +50,7 @@ class EdgeBalance {
     add_edge(hb, hc);
     add_edge(hc, ha);
   }
+  void add(const EdgeBalance& other) { sum_ += other.sum_; }
   bool closed() const { return sum_ == 0; }
 
  private:
@@ -60,7 +62,7 @@ class PieceBuilder {
  public:
   PieceBuilder(const SplitMesh& mesh, const std::vector<SkinTriangle>& clipped, const Section& section,
                const DiffusionSurfaces& surfaces, const CutOptions& options)
-      : mesh_(mesh), section_(section), surfaces_(surfaces), options_(options) {
+      : mesh_(mesh), section_(section), surfaces_(surfaces), options_(options), nodes_(mesh.point.size()) {
     for (const SkinTriangle& t : clipped) {
       if (surfaces.is_boundary(t.source)) skin_.push_back(t);
     }
@@ -72,7 +74,8 @@ class PieceBuilder {
     std::vector<CutPiece> pieces(component_.size());
     fill_skins(pieces);
     fill_caps(pieces);
-    for (CutPiece& piece : pieces) measure(piece);
+    edges_.resize(pieces.size());
+    parallel_for(pieces.size(), options_.threads, [&](std::size_t i) { edges_[i] = measured(pieces[i]); });
     return ordered(grouped(std::move(pieces)));
   }
 
@@ -86,9 +89,9 @@ class PieceBuilder {
   /// A point on planes is one node per cell it touches; any other lies in one cell alone.
   std::uint32_t node(std::uint32_t cell, std::uint32_t point) {
     if (mesh_.planes_of[point] == 0) return point;
-    const auto [entry, is_new] = nodes_.try_emplace((std::uint64_t{cell} << 32) | point, sets_.count());
+    const auto [number, is_new] = nodes_.try_emplace(point, cell, static_cast<std::uint32_t>(sets_.count()));
     if (is_new) sets_.add();
-    return entry->second;
+    return number;
   }
 
   void connect() {
@@ -127,7 +130,7 @@ class PieceBuilder {
   }
 
   void fill_skins(std::vector<CutPiece>& pieces) {
-    std::unordered_map<std::uint64_t, std::uint32_t> vertex_of;  // (vertex, side, component) -> vertex of the piece
+    PairNumbers vertex_of(mesh_.point_of.size());  // (vertex, component and side) -> vertex of the piece
     for (std::size_t t = 0; t < skin_.size(); ++t) {
       const SkinTriangle& skin = skin_[t];
       const std::uint32_t component = component_at(node_of_skin_[t], skin.cell);
@@ -137,15 +140,15 @@ class PieceBuilder {
       glm::uvec3 triangle(0);
       for (int i = 0; i < 3; ++i) {
         const std::uint32_t v = skin.vertex[static_cast<std::size_t>(i)];
-        const std::uint64_t key = (((std::uint64_t{component} << 32) | v) << 1) | (front ? 1u : 0u);
-        const auto [entry, is_new] = vertex_of.try_emplace(key, piece.position.size());
+        const auto [number, is_new] = vertex_of.try_emplace(v, 2 * component + (front ? 1 : 0),
+                                                            static_cast<std::uint32_t>(piece.position.size()));
         if (is_new) {
           piece.position.push_back(position(mesh_.point_of[v]));
           piece.normal.push_back(mesh_.normal[v]);
           piece.color.push_back((front ? mesh_.front_color : mesh_.back_color)[v]);
           piece.part.push_back(part);
         }
-        triangle[i] = entry->second;
+        triangle[i] = number;
       }
       const auto& p = piece.position;
       if (p[triangle.x] == p[triangle.y] || p[triangle.y] == p[triangle.z] || p[triangle.z] == p[triangle.x]) continue;
@@ -167,7 +170,7 @@ class PieceBuilder {
     }
   }
 
-  void measure(CutPiece& piece) const {
+  EdgeBalance measured(CutPiece& piece) const {
     double volume = 0;
     EdgeBalance edges;
     for (const glm::uvec3& t : piece.triangle) {
@@ -183,17 +186,21 @@ class PieceBuilder {
       edges.add(a, b, c);
     }
     piece.volume = volume / 6;
-    piece.closed = edges.closed();
+    return edges;
   }
 
-  /// Parts that belong together become one; the others of a group are left empty.
-  std::vector<CutPiece> grouped(std::vector<CutPiece> parts) const {
+  /// Parts that belong together become one; the others of a group are left empty. Parts that are open may close each
+  /// other.
+  std::vector<CutPiece> grouped(std::vector<CutPiece> parts) {
     std::vector<std::uint32_t> cell;
     for (const Component& component : component_) cell.push_back(component.cell);
     const std::vector<std::uint32_t> group = piece_groups(parts, cell, section_.mesh);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (group[i] != i) absorb(parts[group[i]], std::exchange(parts[i], {}));
+      if (group[i] == i) continue;
+      absorb(parts[group[i]], std::exchange(parts[i], {}));
+      edges_[group[i]].add(edges_[i]);
     }
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i].closed = edges_[i].closed();
     return parts;
   }
 
@@ -208,7 +215,6 @@ class PieceBuilder {
     append(piece.surface, part.surface);
     append(piece.caps, part.caps);
     piece.volume += part.volume;
-    piece.closed = piece.closed && part.closed;
   }
 
   std::vector<CutPiece> ordered(std::vector<CutPiece> pieces) const {
@@ -235,21 +241,15 @@ class PieceBuilder {
   const CutOptions& options_;
 
   std::vector<SkinTriangle> skin_;
-  std::unordered_map<std::uint64_t, std::uint32_t> nodes_;
+  PairNumbers nodes_;                                      // (point, cell)
   DisjointSets sets_{0};                                   // of nodes
   std::vector<std::uint32_t> node_of_skin_, node_of_cap_;  // one of each triangle's; caps: two sides each
   std::vector<std::uint32_t> component_of_;                // per root node
   std::vector<Component> component_;
+  std::vector<EdgeBalance> edges_;  // per component
 };
 
 }  // namespace
-
-std::vector<CutPiece> pieces(SplitMesh& mesh, const FaceMeshes& faces, const Section& section,
-                             const DiffusionSurfaces& surfaces, const CutOptions& options) {
-  const std::vector<SkinTriangle> clipped = clipped_skin(mesh, faces, surfaces);
-  for (std::uint32_t& point : mesh.point_of) point = faces.same_as[point];
-  return pieces(mesh, clipped, section, surfaces, options);
-}
 
 std::vector<CutPiece> pieces(const SplitMesh& mesh, const std::vector<SkinTriangle>& clipped, const Section& section,
                              const DiffusionSurfaces& surfaces, const CutOptions& options) {

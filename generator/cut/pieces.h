@@ -9,12 +9,8 @@
 
 namespace pomona {
 
-/// New vertices on the skin's edges are added to `mesh`.
-std::vector<CutPiece> pieces(SplitMesh& mesh, const FaceMeshes& faces, const Section& section,
-                             const DiffusionSurfaces& surfaces, const CutOptions& options);
-
-/// Of surfaces that are clipped already; of their inner triangles nothing is taken. Points of the mesh that triangles
-/// and caps name are one for each place.
+/// Of surfaces that are clipped; of their inner triangles nothing is taken. Points of the mesh that triangles and caps
+/// name are one for each place.
 std::vector<CutPiece> pieces(const SplitMesh& mesh, const std::vector<SkinTriangle>& clipped, const Section& section,
                              const DiffusionSurfaces& surfaces, const CutOptions& options);
 

@@ -4,8 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
+#include "generator/base/parallel.h"
 #include "generator/cut/face_mesh.h"
 #include "generator/cut/regions.h"
 
@@ -25,12 +27,15 @@ struct Section {
 
 /// Without triangles that rounding to float closes to a line: their neighbours then meet there.
 Section assemble(const FaceMeshes& faces, const std::vector<Regions>& regions, const SplitMesh& mesh,
-                 const DiffusionSurfaces& surfaces, const CutPlanes& planes);
+                 const DiffusionSurfaces& surfaces, Threads threads = {});
 
 /// With them, for knives that are still to come.
 Section assemble_all(const FaceMeshes& faces, const std::vector<Regions>& regions, const SplitMesh& mesh,
-                     const DiffusionSurfaces& surfaces);
+                     const DiffusionSurfaces& surfaces, Threads threads);
 void leave_out_collapsed(Section& section);
+
+/// Without the triangles that are marked; there may be fewer marks than triangles.
+void leave_out(Section& section, std::span<const std::uint8_t> gone);
 
 /// Per point of the split mesh, the section's vertex to be diffused there that all its faces share.
 using SharedVertices = std::map<std::uint32_t, std::uint32_t>;

@@ -104,22 +104,29 @@ void SizeField::draw_sources() {
 
 namespace {
 
-/// Visits every cell of a grid after four of its neighbours, then again after the other four.
+/// Visits every cell of a grid after four of its neighbours, then again after the other four: calls
+/// pull(x, y, cell, neighbour, is_beside), the last false where they touch at a corner only.
 template <typename Pull>
 void sweep(int width, int height, const Pull& pull) {
-  const auto from = [&](int x, int y, int dx, int dy) {
-    if (x + dx >= 0 && x + dx < width && y + dy >= 0 && y + dy < height) pull(x, y, x + dx, y + dy);
-  };
+  const auto row = static_cast<std::size_t>(width);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      for (const auto& [dx, dy] : {std::pair(-1, 0), std::pair(-1, -1), std::pair(0, -1), std::pair(1, -1)})
-        from(x, y, dx, dy);
+      const std::size_t i = static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x);
+      if (x > 0) pull(x, y, i, i - 1, true);
+      if (y == 0) continue;
+      if (x > 0) pull(x, y, i, i - row - 1, false);
+      pull(x, y, i, i - row, true);
+      if (x + 1 < width) pull(x, y, i, i - row + 1, false);
     }
   }
   for (int y = height - 1; y >= 0; --y) {
     for (int x = width - 1; x >= 0; --x) {
-      for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(1, 1), std::pair(0, 1), std::pair(-1, 1)})
-        from(x, y, dx, dy);
+      const std::size_t i = static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x);
+      if (x + 1 < width) pull(x, y, i, i + 1, true);
+      if (y + 1 == height) continue;
+      if (x + 1 < width) pull(x, y, i, i + row + 1, false);
+      pull(x, y, i, i + row, true);
+      if (x > 0) pull(x, y, i, i + row - 1, false);
     }
   }
 }
@@ -128,8 +135,7 @@ void sweep(int width, int height, const Pull& pull) {
 
 /// Hands the nearest source on from cell to cell [Danielsson 1980].
 void SizeField::find_nearest() {
-  sweep(width_, height_, [&](int x, int y, int from_x, int from_y) {
-    const std::size_t to = index(x, y), from = index(from_x, from_y);
+  sweep(width_, height_, [&](int x, int y, std::size_t to, std::size_t from, bool) {
     if (nearest_[from] < 0 || nearest_[from] == nearest_[to]) return;
     const double distance = distance_to_segment(center(x, y), sources_[static_cast<std::size_t>(nearest_[from])]);
     if (distance >= distance_[to]) return;
@@ -178,10 +184,9 @@ void SizeField::measure_gap(const glm::dvec2& center, std::size_t cell, const gl
 /// way from side to side.)
 void SizeField::spread() {
   const double straight = limits_.grading * cell_, diagonal = std::sqrt(2.0) * straight;
-  sweep(width_, height_, [&](int x, int y, int from_x, int from_y) {
-    const std::size_t to = index(x, y), from = index(from_x, from_y);
-    size_[to] = std::min(size_[to], size_[from] + (x == from_x || y == from_y ? straight : diagonal));
-    if (on_source_[from] || (x != from_x && y != from_y)) return;
+  sweep(width_, height_, [&](int, int, std::size_t to, std::size_t from, bool is_beside) {
+    size_[to] = std::min(size_[to], size_[from] + (is_beside ? straight : diagonal));
+    if (on_source_[from] || !is_beside) return;
     gap_size_[to] = std::min(gap_size_[to], gap_size_[from] + straight);
   });
   for (std::size_t i = 0; i < size_.size(); ++i) size_[i] = std::min(size_[i], gap_size_[i]);

@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
-#include "generator/base/random.h"
 #include "generator/cut/cut.h"
 #include "generator/surface/bodies.h"
+#include "tests/cut/cut_checks.h"
 #include "tests/cut/solid_shapes.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/shapes.h"
@@ -19,6 +19,7 @@
 namespace pomona {
 namespace {
 
+using shapes::expect_whole;
 using shapes::solid_knife;
 
 constexpr double pi = 3.14159265358979323846;
@@ -29,24 +30,13 @@ double whole_volume(const DiffusionSurfaces& surfaces) {
   return sum;
 }
 
-double volume_of(const Cut& cut) {
-  double sum = 0;
-  for (const CutPiece& piece : cut.pieces) sum += piece.volume;
-  return sum;
-}
-
-void expect_closed(const Cut& cut, double whole) {
-  for (std::size_t i = 0; i < cut.pieces.size(); ++i) EXPECT_TRUE(cut.pieces[i].closed) << "piece " << i;
-  EXPECT_NEAR(volume_of(cut) / whole, 1, 1e-6);
-}
-
 TEST(Carve, TakesABallOutOfABall) {
   const DiffusionSurfaces fruit = shapes::sphere(0.05, 8, shapes::skin_paint());
   const double whole = whole_volume(fruit);
   const KnifeSolid ball = shapes::ball({0.05, 0.003, 0.002}, 0.02, 8);
   const Cut result = cut(fruit, std::vector{solid_knife(ball)});
   ASSERT_EQ(result.pieces.size(), 2u);
-  expect_closed(result, whole);
+  expect_whole(result, whole);
   EXPECT_TRUE(result.warnings.empty());
   EXPECT_GT(result.pieces[0].volume, result.pieces[1].volume) << "what is left comes first";
   // The lens two balls have in common.
@@ -61,7 +51,7 @@ TEST(Carve, LeavesAHollowWhereTheKnifeIsInTheMiddle) {
   const double whole = whole_volume(fruit);
   const Cut result = cut(fruit, std::vector{solid_knife(shapes::ball({0.01, 0, 0}, 0.02, 8))});
   ASSERT_EQ(result.pieces.size(), 2u);
-  expect_closed(result, whole);
+  expect_whole(result, whole);
   EXPECT_NEAR(result.pieces[1].volume, 4. / 3 * pi * 0.02 * 0.02 * 0.02, 1e-6);
 }
 
@@ -88,7 +78,7 @@ TEST(Carve, GoesWithPlanesBeforeAndAfter) {
     const Cut result = cut(fruit, knives);
     SCOPED_TRACE(knives.front().text + " " + knives.back().text);
     EXPECT_GE(result.pieces.size(), 4u);
-    expect_closed(result, whole);
+    expect_whole(result, whole);
   }
 }
 
@@ -99,7 +89,7 @@ TEST(Carve, TakesACavityWithItsHome) {
              shapes::box({-0.004, 0.01, -0.004}, {0.004, 0.07, 0.004}, 2, shapes::skin_paint()));
   const double whole = whole_volume(fruit);
   const Cut result = cut(fruit, std::vector{solid_knife(shapes::ball({0, 0, 0}, 0.045, 8))});
-  expect_closed(result, whole);
+  expect_whole(result, whole);
   ASSERT_EQ(result.pieces.size(), 2u);
   for (const CutPiece& piece : result.pieces) EXPECT_GT(piece.volume, 0);
 }
@@ -111,8 +101,7 @@ TEST(Carve, CutsGrainsSheetsAndChambers) {
       cut(fruit, std::vector{parse_knife("half"), solid_knife(shapes::ball({0.02, 0.005, 0.003}, 0.025, 10)),
                              solid_knife(shapes::rod({-0.01, -0.1, 0.002}, 0.012, 0.2, 24))});
   EXPECT_GE(result.pieces.size(), 4u);
-  for (std::size_t i = 0; i < result.pieces.size(); ++i) EXPECT_TRUE(result.pieces[i].closed) << "piece " << i;
-  EXPECT_NEAR(volume_of(result) / whole, 1, 1e-6);
+  expect_whole(result, whole);
 }
 
 /// What is meant to be diffused once is there once, and other vertices at a place have a surface's colour.
@@ -215,94 +204,13 @@ TEST(Carve, IsTheSameForAnyNumberOfThreads) {
   CutOptions one, two;
   one.threads = {1};
   two.threads = {2};
-  const Cut a = cut(fruit, knives, one), b = cut(fruit, knives, two);
-  EXPECT_EQ(a.section.position, b.section.position);
-  EXPECT_EQ(a.section.triangle, b.section.triangle);
-  EXPECT_EQ(a.section.normal, b.section.normal);
-  ASSERT_EQ(a.pieces.size(), b.pieces.size());
-  for (std::size_t i = 0; i < a.pieces.size(); ++i) {
-    EXPECT_EQ(a.pieces[i].position, b.pieces[i].position);
-    EXPECT_EQ(a.pieces[i].triangle, b.pieces[i].triangle);
-  }
+  shapes::expect_same(cut(fruit, knives, one), cut(fruit, knives, two));
 }
 
 TEST(Carve, RefusesASurfaceWithAHole) {
   KnifeSolid open = shapes::ball({0, 0, 0}, 0.02, 2);
   open.triangle.pop_back();
   EXPECT_THROW(cut(shapes::sphere(0.05, 2, shapes::skin_paint()), std::vector{solid_knife(open)}), Error);
-}
-
-std::vector<DiffusionSurfaces> fruits() {
-  return {
-      shapes::sphere(0.05, 5, shapes::skin_paint()),
-      shapes::torus(0.04, 0.015, 16, 9),
-      shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint()),
-      shapes::tilted(shapes::nested_spheres(0.05, 0.02, 5)),
-      shapes::hollow_ball(0.05, 0.044, 5),
-      joined(shapes::torus(0.04, 0.015, 16, 9), shapes::moved(shapes::torus(0.04, 0.015, 16, 9), {0.013, 0.007, 0})),
-  };
-}
-
-glm::dvec3 vertex_of(const DiffusionSurfaces& fruit, const RandomStream& random, std::uint64_t draw) {
-  return glm::dvec3(
-      fruit.position[static_cast<std::size_t>(random.uniform(draw) * static_cast<double>(fruit.vertex_count()))]);
-}
-
-/// By turns: somewhere; through a vertex of the fruit; with a face in a face of it; touching it; lying on it.
-KnifeSolid out_for_trouble(const DiffusionSurfaces& fruit, const RandomStream& random, std::uint64_t number) {
-  const std::uint64_t draw = 16 * number;
-  const auto some = [&](std::uint64_t i, double low, double high) {
-    return low + (high - low) * random.uniform(draw + i);
-  };
-  const Bounds bounds = bounds_of(fruit);
-  const glm::dvec3 place = bounds.low + glm::dvec3(some(0, 0, 1), some(1, 0, 1), some(2, 0, 1)) * bounds.size();
-  const double size = some(3, 0.1, 0.5) * glm::length(bounds.size());
-  const glm::dvec3 corner = vertex_of(fruit, random, draw + 4);
-  switch (number % 9) {
-    case 0:
-      return shapes::ball(place, size, 4);
-    case 1:
-      return shapes::block(place - 0.5 * size, place + 0.5 * size);
-    case 2:
-      return shapes::rod(place, 0.5 * size, size, 12);
-    case 3:
-      return shapes::ball(corner - glm::dvec3(size, 0, 0), size, 4);  // its tip is a vertex of the fruit
-    case 4:
-      return shapes::block(corner, corner + size);  // its corner is
-    case 5:
-      return shapes::block(glm::dvec3(bounds.low.x, place.y, place.z),
-                           glm::dvec3(bounds.low.x, place.y, place.z) + size);
-    case 6:
-      return shapes::block(bounds.low, bounds.high);
-    case 7:
-      return shapes::rod(glm::dvec3(corner.x - 0.5 * size, corner.y, corner.z), 0.5 * size, size, 8);
-    default: {
-      KnifeSolid own;  // the fruit's own first surface
-      for (const glm::vec3& p : fruit.position) own.point.emplace_back(p);
-      for (std::size_t t = 0; t < fruit.triangle_count(); ++t) {
-        if (fruit.surface[t] == fruit.surface[0]) own.triangle.push_back(fruit.triangle[t]);
-      }
-      return own;
-    }
-  }
-}
-
-TEST(Carve, NothingIsLostWhateverTheKnifeTouches) {
-  const RandomStream random({11, 0}, "test/carve");
-  int number = 0;
-  for (const DiffusionSurfaces& fruit : fruits()) {
-    const double whole = whole_volume(fruit);
-    for (std::uint64_t i = 0; i < 45; ++i) {
-      SCOPED_TRACE(testing::Message() << "fruit " << number << " knife " << i << " kind " << i % 9);
-      std::vector<Knife> knives{solid_knife(out_for_trouble(fruit, random, i))};
-      if (i % 4 == 1) knives.insert(knives.begin(), parse_knife("half"));
-      if (i % 4 == 2) knives.push_back(solid_knife(out_for_trouble(fruit, random, 1000 + 7 * i)));
-      const Cut result = cut(fruit, knives);
-      expect_closed(result, whole);
-      if (HasFailure()) return;
-    }
-    ++number;
-  }
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 
 #include "generator/cut/pieces.h"
 #include "generator/cut/section.h"
+#include "generator/surface/skin_depth.h"
+#include "tests/cut/solid_shapes.h"
 
 namespace pomona::oracle {
 
@@ -119,22 +121,37 @@ double CutOracle::volume_below(const CuttingPlane& plane) const {
   return static_cast<double>(volume / 6);
 }
 
+CutFacts CutOracle::facts_of_pieces(std::span<const CutPiece> pieces) const {
+  CutFacts facts;
+  double sum = 0;
+  for (const CutPiece& piece : pieces) {
+    ++facts.pieces;
+    facts.open_pieces += closed_ && !piece.closed;
+    sum += piece.volume;
+  }
+  if (closed_) facts.volume_error = std::fabs(sum - whole_) / whole_;
+  return facts;
+}
+
 CutFacts CutOracle::facts(std::span<const Knife> knives) const {
   CutOptions options;
   options.coarsest = 0.2;
   options.finest = 0.05;
   options.threads = {1};
+  if (std::any_of(knives.begin(), knives.end(), [](const Knife& knife) { return knife.is_solid(); })) {
+    return facts_of_pieces(cut(surfaces_, knives, options).pieces);
+  }
   const CutPlanes planes = placed(knives, bounds_of(surfaces_));
   SplitMesh mesh = split(surfaces_, planes);
   const std::vector<std::vector<Segment>> segments = cut_segments(mesh, surfaces_, planes.count());
-  CutFacts facts;
+  int open_chains = 0;
   for (const CutPlanes::Sheet& sheet : planes.sheets) {
     std::vector<Segment> chains;  // those of a stroke go on from facet to facet
     for (int k = sheet.first; k < sheet.first + sheet.count; ++k) {
       const std::vector<Segment>& in_plane = segments[static_cast<std::size_t>(k)];
       chains.insert(chains.end(), in_plane.begin(), in_plane.end());
     }
-    facts.open_chains += open_ends(chains, bodies_);
+    open_chains += open_ends(chains, bodies_);
   }
 
   const FaceMeshes faces = triangulate(mesh, planes, segments, surfaces_, bodies_, options);
@@ -144,28 +161,30 @@ CutFacts CutOracle::facts(std::span<const Knife> knives) const {
     regions.push_back(find_regions(face, planes, surfaces_, bodies_));
     area[static_cast<std::size_t>(face.plane)] = area_of(face, regions.back());
   }
+  double area_error = 0;
   for (int k = 0; k < planes.count(); ++k) {
     if (planes[k].same_as != k || !closed_ || planes.sheet_of(k).stroke) continue;
     const double error = std::fabs(area[static_cast<std::size_t>(k)] - area_in(planes[k].plane));
-    facts.area_error = std::max(facts.area_error, error / (size_ * size_));
+    area_error = std::max(area_error, error / (size_ * size_));
   }
 
-  const Section section = assemble(faces, regions, mesh, surfaces_, planes);
-  double sum = 0, sum_below = 0;
-  for (const CutPiece& piece : pieces(mesh, faces, section, surfaces_, options)) {
-    ++facts.pieces;
-    facts.open_pieces += closed_ && !piece.closed;
-    sum += piece.volume;
+  const Section section = assemble(faces, regions, mesh, surfaces_, options.threads);
+  const std::vector<SkinTriangle> skin = clipped_skin(mesh, faces, surfaces_);
+  const std::vector<CutPiece> all = pieces(mesh, skin, section, surfaces_, options);
+  CutFacts facts = facts_of_pieces(all);
+  facts.open_chains = open_chains;
+  facts.area_error = area_error;
+  if (planes.count() != 1 || !closed_) return facts;
+  double below = 0;
+  for (const CutPiece& piece : all) {
     double farthest = 0;
     for (const glm::vec3& p : piece.position) {
       const double d = signed_distance(planes[0].plane, glm::dvec3(p));
       if (std::fabs(d) > std::fabs(farthest)) farthest = d;
     }
-    if (farthest < 0) sum_below += piece.volume;
+    if (farthest < 0) below += piece.volume;
   }
-  if (!closed_) return facts;
-  facts.volume_error = std::fabs(sum - whole_) / whole_;
-  if (planes.count() == 1) facts.side_error = std::fabs(sum_below - volume_below(planes[0].plane)) / whole_;
+  facts.side_error = std::fabs(below - volume_below(planes[0].plane)) / whole_;
   return facts;
 }
 
@@ -266,6 +285,50 @@ Knife CutOracle::random_stroke(const RandomStream& random, std::uint64_t number)
   if (knife.stroke.size() == 1) knife.stroke.push_back(knife.stroke[0] + apart * way);
   knife.stroke = cleaned(knife.stroke);  // as those that are read
   return knife;
+}
+
+Knife CutOracle::random_solid(const RandomStream& random, std::uint64_t number) const {
+  const std::uint64_t draw = draws * number;
+  const Bounds bounds = bounds_of(surfaces_);
+  const auto share = [&](std::uint64_t i) { return random.uniform(draw + i); };
+  const glm::dvec3 place = bounds.low + glm::dvec3(share(0), share(1), share(2)) * bounds.size();
+  const double size = (0.1 + 0.4 * share(3)) * size_;
+  const glm::dvec3 vertex = corner(random, draw + 4);
+  using shapes::solid_knife;
+  switch (number % 9) {
+    case 0:
+      return solid_knife(shapes::ball(place, size, 4));
+    case 1:
+      return solid_knife(shapes::block(place - 0.5 * size, place + 0.5 * size));
+    case 2:
+      return solid_knife(shapes::rod(place, 0.5 * size, size, 12));
+    case 3:
+      return solid_knife(shapes::ball(vertex - glm::dvec3(size, 0, 0), size, 4));  // its tip is a vertex of the fruit
+    case 4:
+      return solid_knife(shapes::block(vertex, vertex + size));  // its corner is
+    case 5: {
+      const glm::dvec3 beside(bounds.low.x, place.y, place.z);
+      return solid_knife(shapes::block(beside, beside + size));
+    }
+    case 6:
+      return solid_knife(shapes::block(bounds.low, bounds.high));
+    case 7:
+      return solid_knife(shapes::rod(glm::dvec3(vertex.x - 0.5 * size, vertex.y, vertex.z), 0.5 * size, size, 8));
+    default:
+      return solid_knife(own_skin());
+  }
+}
+
+KnifeSolid CutOracle::own_skin() const {
+  const SkinDepth skin(surfaces_);
+  if (!skin.is_closed()) return shapes::block(bounds_of(surfaces_).low, bounds_of(surfaces_).high);
+  KnifeSolid own;
+  for (const TriangleTree::Corners& t : skin.skin().triangles()) {
+    const auto first = static_cast<std::uint32_t>(own.point.size());
+    own.point.insert(own.point.end(), t.begin(), t.end());
+    own.triangle.emplace_back(first, first + 1, first + 2);
+  }
+  return own;
 }
 
 }  // namespace pomona::oracle

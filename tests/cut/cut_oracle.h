@@ -22,12 +22,15 @@ struct CutFacts {
   int pieces = 0;
 };
 
-/// Whole planes only: half-planes of wedges have no area here.
+/// Of planes only whole ones: half-planes of wedges have no area here. With closed knives, pieces and volumes alone.
 class CutOracle {
  public:
   explicit CutOracle(const DiffusionSurfaces& surfaces);
 
   CutFacts facts(std::span<const Knife> knives) const;
+
+  /// The diagonal of the fruit's bounding box, metres.
+  double size() const { return size_; }
 
   /// A plane somewhere through the fruit.
   Knife random_plane(const RandomStream& random, std::uint64_t number) const;
@@ -39,9 +42,15 @@ class CutOracle {
   /// A stroke of up to twenty edges through the fruit, its corners anywhere or, by turns, over vertices of the fruit.
   Knife random_stroke(const RandomStream& random, std::uint64_t number) const;
 
+  /// A ball, a block or a rod, by turns: somewhere; through a vertex of the fruit; with a face that touches it; as
+  /// large as its bounding box; and the fruit's own skin.
+  Knife random_solid(const RandomStream& random, std::uint64_t number) const;
+
  private:
+  CutFacts facts_of_pieces(std::span<const CutPiece> pieces) const;
   double area_in(const CuttingPlane& plane) const;
   double volume_below(const CuttingPlane& plane) const;
+  KnifeSolid own_skin() const;
   glm::dvec3 corner(const RandomStream& random, std::uint64_t draw) const;
 
   const DiffusionSurfaces& surfaces_;

@@ -15,10 +15,14 @@
 
 #include "generator/base/random.h"
 #include "generator/base/units.h"
+#include "tests/cut/cut_checks.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {
 namespace {
+
+using shapes::expect_same;
+using shapes::volume_of;
 
 using shapes::signed_volume;
 
@@ -35,12 +39,6 @@ double area_of(const CrossSection& section) {
     const glm::dvec3 a(section.position[t.x]), b(section.position[t.y]), c(section.position[t.z]);
     sum += 0.5 * glm::length(glm::cross(b - a, c - a));
   }
-  return sum;
-}
-
-double volume_of(const Cut& cut) {
-  double sum = 0;
-  for (const CutPiece& piece : cut.pieces) sum += piece.volume;
   return sum;
 }
 
@@ -168,17 +166,6 @@ TEST(Cut, OverlappingBodiesAreOnePieceAndEachIsClosed) {
   EXPECT_EQ(cut_with(both, {}).pieces.size(), 1u);
   const DiffusionSurfaces apart = joined(ball, shapes::moved(ball, {0.2, 0, 0}));
   EXPECT_EQ(cut_with(apart, {"half"}).pieces.size(), 4u);
-}
-
-void expect_same(const Cut& first, const Cut& second) {
-  EXPECT_EQ(first.section.position, second.section.position);
-  EXPECT_EQ(first.section.triangle, second.section.triangle);
-  EXPECT_EQ(first.section.color, second.section.color);
-  ASSERT_EQ(first.pieces.size(), second.pieces.size());
-  for (std::size_t i = 0; i < first.pieces.size(); ++i) {
-    EXPECT_EQ(first.pieces[i].position, second.pieces[i].position);
-    EXPECT_EQ(first.pieces[i].triangle, second.pieces[i].triangle);
-  }
 }
 
 TEST(Cut, SameBytesTwice) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/random.h"
+#include "generator/base/reproducible.h"
+#include "tests/cut/cut_checks.h"
 #include "tests/cut/cut_oracle.h"
 #include "tests/shapes/shapes.h"
 
@@ -22,20 +24,9 @@ void expect_right(const CutFacts& facts) {
   EXPECT_EQ(facts.open_pieces, 0);
 }
 
-std::vector<DiffusionSurfaces> fruits() {
-  return {
-      shapes::sphere(0.05, 5, shapes::skin_paint()),
-      shapes::torus(0.04, 0.015, 16, 9),
-      shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint()),
-      shapes::tilted(shapes::nested_spheres(0.05, 0.02, 5)),
-      shapes::hollow_ball(0.05, 0.044, 5),
-      joined(shapes::torus(0.04, 0.015, 16, 9), shapes::moved(shapes::torus(0.04, 0.015, 16, 9), {0.013, 0.007, 0})),
-  };
-}
-
 TEST(RobustCut, OfPlanesOutForTrouble) {
   const RandomStream random({8, 0}, "test/robust");
-  for (const DiffusionSurfaces& fruit : fruits()) {
+  for (const DiffusionSurfaces& fruit : shapes::fruits_to_cut()) {
     const CutOracle oracle(fruit);
     for (std::uint64_t i = 0; i < 120; ++i) {
       const std::vector<Knife> knives{oracle.degenerate_plane(random, i)};
@@ -48,7 +39,7 @@ TEST(RobustCut, OfPlanesOutForTrouble) {
 
 TEST(RobustCut, OfRandomPlanesOneAndTwo) {
   const RandomStream random({9, 0}, "test/robust");
-  for (const DiffusionSurfaces& fruit : fruits()) {
+  for (const DiffusionSurfaces& fruit : shapes::fruits_to_cut()) {
     const CutOracle oracle(fruit);
     for (std::uint64_t i = 0; i < 60; ++i) {
       std::vector<Knife> knives{oracle.random_plane(random, 2 * i)};
@@ -62,7 +53,7 @@ TEST(RobustCut, OfRandomPlanesOneAndTwo) {
 
 TEST(RobustCut, OfStrokesAnywhereAndOverVertices) {
   const RandomStream random({10, 0}, "test/robust");
-  for (const DiffusionSurfaces& fruit : fruits()) {
+  for (const DiffusionSurfaces& fruit : shapes::fruits_to_cut()) {
     const CutOracle oracle(fruit);
     for (std::uint64_t i = 0; i < 30; ++i) {
       const std::vector<Knife> knives{oracle.random_stroke(random, i)};
@@ -71,6 +62,35 @@ TEST(RobustCut, OfStrokesAnywhereAndOverVertices) {
       if (HasFailure()) return;
     }
   }
+}
+
+TEST(RobustCut, OfClosedSurfacesOutForTrouble) {
+  const RandomStream random({11, 0}, "test/robust");
+  for (const DiffusionSurfaces& fruit : shapes::fruits_to_cut()) {
+    const CutOracle oracle(fruit);
+    for (std::uint64_t i = 0; i < 45; ++i) {
+      std::vector<Knife> knives{oracle.random_solid(random, i)};
+      if (i % 4 == 1) knives.insert(knives.begin(), parse_knife("half"));
+      if (i % 4 == 2) knives.push_back(oracle.random_solid(random, 1000 + 7 * i));
+      SCOPED_TRACE(i);
+      expect_right(oracle.facts(knives));
+      if (HasFailure()) return;
+    }
+  }
+}
+
+/// Of a knife as uneven as this fruit's own skin, halves of edges are rounded: it lies within and without the skin by
+/// turns, and in floats parts that are open by themselves close each other.
+TEST(RobustCut, AlongTheFruitsOwnSkin) {
+  DiffusionSurfaces fruit = shapes::sphere(0.05, 20, shapes::skin_paint());
+  for (glm::vec3& p : fruit.position) {
+    for (int i = 0; i < 3; ++i) {
+      p[i] *= 1 + 0.1f * static_cast<float>(reproducible::sin(3700 * static_cast<double>(p[(i + 1) % 3])));
+      if (std::fabs(p[i]) < 0.02f) p[i] *= 1e-3f;
+    }
+  }
+  const CutOracle oracle(fruit);
+  expect_right(oracle.facts(std::vector{oracle.random_solid(RandomStream({12, 0}, "test/robust"), 8)}));
 }
 
 /// What lies behind a vertex lies there but for the least bit that a float can tell.

@@ -17,10 +17,15 @@
 #include "generator/cut/cut.h"
 #include "generator/cut/read_stroke.h"
 #include "generator/cut/stroke.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/cut/cut_checks.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {
 namespace {
+
+using shapes::expect_whole;
+using shapes::volume_of;
 
 Knife stroke_knife(std::vector<glm::dvec2> points) {
   Knife knife;
@@ -28,17 +33,6 @@ Knife stroke_knife(std::vector<glm::dvec2> points) {
   knife.stroke = std::move(points);
   knife.text = "stroke";
   return knife;
-}
-
-double volume_of(const Cut& cut) {
-  double sum = 0;
-  for (const CutPiece& piece : cut.pieces) sum += piece.volume;
-  return sum;
-}
-
-void expect_sound(const Cut& cut, double whole) {
-  EXPECT_NEAR(volume_of(cut), whole, 1e-6 * whole);
-  for (std::size_t i = 0; i < cut.pieces.size(); ++i) EXPECT_TRUE(cut.pieces[i].closed) << "piece " << i;
 }
 
 DiffusionSurfaces box() { return shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint()); }
@@ -70,7 +64,7 @@ TEST(Stroke, AZigzagThroughABox) {
   const Cut result =
       cut(box(), std::vector<Knife>{stroke_knife({{-0.05, 0.02}, {-0.01, 0.03}, {0.01, 0.02}, {0.05, 0.03}})});
   ASSERT_EQ(result.pieces.size(), 2u);
-  expect_sound(result, box_volume);
+  expect_whole(result, box_volume);
   const auto height = [](double x) {
     if (x < -0.01) return 0.02 + (x + 0.05) / 4;
     return x < 0.01 ? 0.03 - (x + 0.01) / 2 : 0.02 + (x - 0.01) / 4;
@@ -88,7 +82,7 @@ TEST(Stroke, OverhangsAndEndsInsideTheFruit) {
       cut(ball,
           std::vector<Knife>{stroke_knife({{-0.02, 0.0}, {0.02, 0.0}, {0.02, 0.02}, {-0.015, 0.022}, {-0.01, 0.035}})});
   EXPECT_EQ(hook.pieces.size(), 2u);
-  expect_sound(hook, whole);
+  expect_whole(hook, whole);
 }
 
 TEST(Stroke, ComposesWithOtherKnives) {
@@ -101,7 +95,7 @@ TEST(Stroke, ComposesWithOtherKnives) {
                                            {wave, other},
                                            {parse_knife("slices:3"), other, parse_knife("plane:1,1,1,0.005")}}) {
     const Cut result = cut(fruit, knives);
-    expect_sound(result, whole);
+    expect_whole(result, whole);
     EXPECT_GE(result.pieces.size(), 4u);
   }
 }
@@ -131,7 +125,7 @@ TEST(Stroke, ManyThroughManyShapes) {
       if (points.size() < 2 || crosses_itself(points, {0, 0.025}, 0.2)) continue;
       SCOPED_TRACE(testing::Message() << "fruit " << f << ", stroke " << i);
       ++cuts;
-      expect_sound(cut(fruits[f], std::vector<Knife>{stroke_knife(points)}, {.coarsest = 0.2, .finest = 0.05}), whole);
+      expect_whole(cut(fruits[f], std::vector<Knife>{stroke_knife(points)}, {.coarsest = 0.2, .finest = 0.05}), whole);
       if (HasFailure()) return;
     }
   }
@@ -146,7 +140,7 @@ TEST(Stroke, MayHaveFacetsInOnePlane) {
     battlements.emplace_back(0.01 * (i + 1), low);
   }
   const Cut result = cut(box(), std::vector<Knife>{stroke_knife(battlements), parse_knife("across")});
-  expect_sound(result, box_volume);
+  expect_whole(result, box_volume);
   double below = 0;
   for (const CutPiece& piece : result.pieces) {
     for (const glm::vec3& p : piece.position) {
@@ -162,7 +156,7 @@ TEST(Stroke, MayHaveFacetsInOnePlane) {
 TEST(Stroke, CrinkledSlices) {
   const DiffusionSurfaces ball = shapes::sphere(0.03, 10, shapes::skin_paint());
   const Cut result = cut(ball, std::vector<Knife>{parse_knife("crinkle:15mm")}, {.coarsest = 0.2, .finest = 0.05});
-  expect_sound(result, volume_of(cut(ball, {})));
+  expect_whole(result, volume_of(cut(ball, {})));
   EXPECT_GE(result.pieces.size(), 4u);
 }
 
@@ -201,8 +195,6 @@ TEST(Stroke, CrossingItselfIsAnError) {
 class StrokeFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "pomona_stroke_test";
-    std::filesystem::create_directories(folder_);
     std::ofstream(folder_ / "knife.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg">
       <path id="wave" d="M -10,-20 L 0,-25 10,-20"/>
       <path id="loop" d="M 0,0 L 20,0 10,10 10,-10"/>
@@ -210,11 +202,10 @@ class StrokeFile : public testing::Test {
       <path id="two" d="M 0,0 L 20,0 M 10,10 L 10,20"/>
     </svg>)";
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   std::string message(const std::string& text, ExitStatus status) {
     try {
-      parse_knife(text, folder_);
+      parse_knife(text, folder_.path());
     } catch (const Error& error) {
       EXPECT_EQ(error.status(), status) << text;
       return error.what();
@@ -223,14 +214,14 @@ class StrokeFile : public testing::Test {
     return {};
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(StrokeFile, IsReadInMillimetresWithYUpwards) {
-  const Knife knife = parse_knife("stroke:knife.svg#wave", folder_);
+  const Knife knife = parse_knife("stroke:knife.svg#wave", folder_.path());
   ASSERT_EQ(knife.stroke.size(), 3u);
   EXPECT_NEAR(knife.stroke[1].y, 0.025, 1e-9);
-  EXPECT_NEAR(parse_knife("stroke:knife.svg#wave,scale=2mm", folder_).stroke[0].x, -0.02, 1e-9);
+  EXPECT_NEAR(parse_knife("stroke:knife.svg#wave,scale=2mm", folder_.path()).stroke[0].x, -0.02, 1e-9);
 }
 
 TEST_F(StrokeFile, SaysWhatIsWrongAndWhere) {
