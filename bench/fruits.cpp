@@ -1,6 +1,7 @@
 #include "bench/fruits.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -31,14 +32,25 @@ std::vector<std::string> fruit_names(const std::vector<std::string>& wanted) {
 
 std::filesystem::path template_path(const std::string& name) { return template_folder / (name + ".toml"); }
 
-BenchFruit grow_fruit(const std::string& name) {
+BenchFruit grow_fruit(const std::string& name, double detail) {
   BenchFruit fruit;
   fruit.name = name;
   fruit.drawn = read_template(template_path(name));
   GrowOptions how;
   how.as_drawn = true;
+  how.detail = detail;
   fruit.grown = grow(fruit.drawn, {}, how);
   return fruit;
+}
+
+double detail_for(const std::string& name, int triangles) {
+  double low = 0.1, high = 4;
+  for (int i = 0; i < 8; ++i) {
+    const double detail = std::sqrt(low * high);
+    const std::size_t count = grow_fruit(name, detail).grown.sheets.triangle_count();
+    (count > static_cast<std::size_t>(triangles) ? high : low) = detail;
+  }
+  return std::sqrt(low * high);
 }
 
 std::vector<BenchCut> standard_cuts(const DiffusionSurfaces& surfaces) {

@@ -24,7 +24,11 @@ std::vector<std::string> fruit_names(const std::vector<std::string>& wanted = {}
 /// Where the template of this name lies.
 std::filesystem::path template_path(const std::string& name);
 
-BenchFruit grow_fruit(const std::string& name);
+/// `detail`: as in SweepOptions.
+BenchFruit grow_fruit(const std::string& name, double detail = 1);
+
+/// The detail, from 0.1 to 4, at which the template has about so many triangles.
+double detail_for(const std::string& name, int triangles);
 
 /// The three cuts of the error atlas: half, across, and a slanted plane through the middle.
 struct BenchCut {
