@@ -15,20 +15,24 @@ namespace {
 
 constexpr double filled = 0.9;  // share of a picture's shorter side that its face takes
 
-/// The chart as a section of one face. Where vertices are doubled along an edge, a surface crosses the face.
+/// The chart as a section of one face: where this is in space if it is flat, else laid flat, in the plane z = 0. Where
+/// vertices are doubled along an edge, a surface crosses the face.
 CrossSection section_of(const Solid& solid, const Chart& chart) {
   CrossSection section;
   section.faces.resize(1);
   std::map<std::uint32_t, std::uint32_t> number_of;
   using Ends = std::pair<std::uint32_t, std::uint32_t>;
   std::map<Ends, Ends> edges;
+  std::map<std::uint32_t, std::uint32_t> first_at;  // a vertex of the section at each place of the chart
   for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
     glm::uvec3 t(0);
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t v = solid.triangle[chart.triangles[i]][k];
       const auto [entry, is_new] = number_of.try_emplace(v, static_cast<std::uint32_t>(section.position.size()));
       if (is_new) {
-        section.position.push_back(solid.position[v]);
+        const glm::dvec2& p = chart.flat[chart.corners[i][k]];
+        section.position.push_back(chart.frame ? solid.position[v] : glm::vec3(p.x, -p.y, 0));
+        first_at.try_emplace(chart.corners[i][k], entry->second);
         section.color.push_back(solid.color[v]);
       }
       t[k] = entry->second;
@@ -43,6 +47,13 @@ CrossSection section_of(const Solid& solid, const Chart& chart) {
       if (!is_new && entry->second != vertices)
         section.segments.push_back({{vertices.first, vertices.second}, 0, false});
     }
+  }
+
+  // Two more triangles at a seam, without an area: where three meet, there is no rim and no line.
+  for (const glm::uvec2& seam : chart.seams) {
+    const std::uint32_t a = first_at.at(seam.x), b = first_at.at(seam.y);
+    section.triangle.emplace_back(a, b, a);
+    section.cut.push_back(0);
   }
   return section;
 }
@@ -76,9 +87,10 @@ BakedInk baked_ink(const Solid& solid, const std::vector<Chart>& charts, std::si
       low;
 
   PlacedFace face;
-  face.right = own.right, face.up = own.up;
-  face.low = {own.origin.x, own.origin.y - own.size.y};
-  face.high = {own.origin.x + own.size.x, own.origin.y};
+  const Chart::Frame frame = own.frame.value_or(Chart::Frame{});
+  face.right = frame.right, face.up = frame.up;
+  face.low = {frame.origin.x, frame.origin.y - own.size.y};
+  face.high = {frame.origin.x + own.size.x, frame.origin.y};
   face.corner = atlas.corner[chart] - glm::dvec2(low);
   face.scale = atlas.texels_per_metre;
   face.shown = true;

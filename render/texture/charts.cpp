@@ -1,13 +1,17 @@
 #include "render/texture/charts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "generator/base/disjoint_sets.h"
-#include "render/texture/skin_regions.h"
+#include "generator/cut/crease.h"
+#include "render/texture/curved_regions.h"
 #include "render/texture/triangle_neighbors.h"
 
 namespace pomona {
@@ -39,29 +43,29 @@ Patch3 patch_of(const Solid& solid, const TriangleNeighbors& neighbors, const st
 
 /// Directions of a plane as its picture shows it, seen against the normal: upright where it stands, -Z upwards where
 /// it lies level and is seen from above, as section pictures have it.
-void look_at(Chart& chart, const glm::dvec3& normal) {
-  const glm::dvec3 above = std::abs(normal.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
-  chart.right = glm::normalize(glm::cross(above, normal));
-  chart.up = glm::cross(normal, chart.right);
-}
+struct View {
+  glm::dvec3 right, up;
 
-glm::dvec2 projected(const Chart& chart, const glm::dvec3& p) {
-  return {glm::dot(p, chart.right), glm::dot(p, chart.up)};
-}
+  explicit View(const glm::dvec3& normal) {
+    const glm::dvec3 above = std::abs(normal.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+    right = glm::normalize(glm::cross(above, normal));
+    up = glm::cross(normal, right);
+  }
 
-/// Puts places with y up into the chart: y down, from 0.
-void set_flat(Chart& chart, const std::vector<glm::dvec2>& y_up) {
+  std::vector<glm::dvec2> of(const Patch3& patch) const {
+    std::vector<glm::dvec2> flat;
+    for (const glm::dvec3& p : patch.point) flat.emplace_back(glm::dot(p, right), glm::dot(p, up));
+    return flat;
+  }
+};
+
+/// Puts places with y up into the chart: y down, from 0. Gives the place at which both are 0.
+glm::dvec2 set_flat(Chart& chart, const std::vector<glm::dvec2>& y_up) {
   glm::dvec2 low = y_up.front(), high = low;
   for (const glm::dvec2& p : y_up) low = glm::min(low, p), high = glm::max(high, p);
-  chart.origin = {low.x, high.y};
   chart.size = high - low;
   for (const glm::dvec2& p : y_up) chart.flat.emplace_back(p.x - low.x, high.y - p.y);
-}
-
-std::vector<glm::dvec2> projected(const Chart& chart, const Patch3& patch) {
-  std::vector<glm::dvec2> flat;
-  for (const glm::dvec3& p : patch.point) flat.push_back(projected(chart, p));
-  return flat;
+  return {low.x, high.y};
 }
 
 /// The parts of the cut faces, each connected across edges.
@@ -84,25 +88,47 @@ std::vector<Chart> cut_face_charts(const Solid& solid, const TriangleNeighbors& 
   return charts;
 }
 
-void lay_face_flat(const Solid& solid, const TriangleNeighbors& neighbors, Chart& chart) {
+glm::dvec3 mean_normal(const Solid& solid, const std::vector<std::uint32_t>& triangles) {
   glm::dvec3 normal(0);
-  for (const std::uint32_t t : chart.triangles) normal += area_vector(solid, t);
+  for (const std::uint32_t t : triangles) normal += area_vector(solid, t);
   const double length = std::sqrt(glm::dot(normal, normal));
-  look_at(chart, length > 0 ? normal / length : glm::dvec3(0, 0, 1));
-  const Patch3 patch = patch_of(solid, neighbors, chart.triangles);
-  chart.corners = patch.triangle;
-  set_flat(chart, projected(chart, patch));
+  return length > 0 ? normal / length : glm::dvec3(0, 0, 1);
 }
 
-/// One region of skin as one chart; where its projection covers itself, as several.
-std::vector<Chart> skin_charts(const Solid& solid, const TriangleNeighbors& neighbors, const SkinRegion& region) {
+/// A cut face whose points stray from its mean plane by less than this share of its size is flat.
+constexpr double flatness = 1e-4;
+
+bool is_flat(const Solid& solid, const std::vector<std::uint32_t>& triangles) {
+  const glm::dvec3 normal = mean_normal(solid, triangles);
+  glm::dvec3 low(solid.position[solid.triangle[triangles.front()].x]), high = low;
+  double lowest = glm::dot(low, normal), highest = lowest;
+  for (const std::uint32_t t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec3 p(solid.position[solid.triangle[t][k]]);
+      low = glm::min(low, p), high = glm::max(high, p);
+      lowest = std::min(lowest, glm::dot(p, normal)), highest = std::max(highest, glm::dot(p, normal));
+    }
+  }
+  return highest - lowest <= flatness * glm::distance(low, high);
+}
+
+void lay_face_flat(const Solid& solid, const TriangleNeighbors& neighbors, Chart& chart) {
+  const Patch3 patch = patch_of(solid, neighbors, chart.triangles);
+  chart.corners = patch.triangle;
+  const View view(mean_normal(solid, chart.triangles));
+  chart.frame = {view.right, view.up, set_flat(chart, view.of(patch))};
+}
+
+/// One region as one chart; where its projection covers itself, as several.
+std::vector<Chart> region_charts(const Solid& solid, const TriangleNeighbors& neighbors, const CurvedRegion& region) {
   std::vector<Chart> charts;
   std::vector<std::uint32_t> left = region.triangles;
+  const View view(region.normal);
   while (!left.empty()) {
     Chart chart;
-    look_at(chart, region.normal);
+    chart.cut_face = solid.cut_face[left.front()];
     const Patch3 whole = patch_of(solid, neighbors, left);
-    const std::vector<std::uint32_t> covering = overlapping(whole.triangle, projected(chart, whole));
+    const std::vector<std::uint32_t> covering = overlapping(whole.triangle, view.of(whole));
     std::vector<std::uint32_t> later;
     for (std::size_t i = 0, next = 0; i < left.size(); ++i) {
       const bool covers = next < covering.size() && covering[next] == i;
@@ -111,7 +137,7 @@ std::vector<Chart> skin_charts(const Solid& solid, const TriangleNeighbors& neig
     }
     const Patch3 patch = covering.empty() ? whole : patch_of(solid, neighbors, chart.triangles);
     chart.corners = patch.triangle;
-    const std::vector<glm::dvec2> start = projected(chart, patch);
+    const std::vector<glm::dvec2> start = view.of(patch);
     std::vector<glm::dvec2> flat = relaxed(patch, start);
     if (!overlapping(patch.triangle, flat).empty()) flat = start;
     set_flat(chart, flat);
@@ -122,18 +148,91 @@ std::vector<Chart> skin_charts(const Solid& solid, const TriangleNeighbors& neig
   return charts;
 }
 
+/// Finds where cut faces go on smoothly beyond their charts.
+class SeamFinder {
+ public:
+  SeamFinder(const Solid& solid, const TriangleNeighbors& neighbors) : solid_(solid), neighbors_(neighbors) {
+    for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
+      if (solid.cut_face[t] < 0) continue;
+      for (int k = 0; k < 3; ++k) uses_[edge(t, k)].push_back({t, k});
+    }
+  }
+
+  std::vector<glm::uvec2> seams_of(const Chart& chart) const {
+    std::vector<glm::uvec2> seams;
+    const std::set<std::uint32_t> own(chart.triangles.begin(), chart.triangles.end());
+    for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
+      const std::uint32_t t = chart.triangles[i];
+      for (int k = 0; k < 3; ++k) {
+        const std::int32_t neighbor = neighbors_.neighbor[t][k];
+        const bool goes_on = neighbor >= 0 ? !own.contains(static_cast<std::uint32_t>(neighbor)) : ends_smoothly(t, k);
+        if (goes_on) {
+          seams.emplace_back(chart.corners[i][k], chart.corners[i][(k + 1) % 3]);
+        }
+      }
+    }
+    return seams;
+  }
+
+ private:
+  struct Use {
+    std::uint32_t triangle = 0;
+    int edge = 0;
+  };
+
+  std::pair<std::uint32_t, std::uint32_t> edge(std::uint32_t t, int k) const {
+    const glm::uvec3& v = solid_.triangle[t];
+    return std::minmax(neighbors_.place_of[v[k]], neighbors_.place_of[v[(k + 1) % 3]]);
+  }
+
+  /// In another face of the same knife.
+  bool ends_smoothly(std::uint32_t t, int k) const {
+    const std::vector<Use>& beside = uses_.at(edge(t, k));
+    return std::any_of(beside.begin(), beside.end(), [&](const Use& u) {
+      return solid_.cut_face[u.triangle] != solid_.cut_face[t] && is_smooth({t, k}, u);
+    });
+  }
+
+  /// Triangles side by side run along their edge opposite ways.
+  bool is_smooth(const Use& a, const Use& b) const {
+    const glm::uvec3 &v = solid_.triangle[a.triangle], &w = solid_.triangle[b.triangle];
+    const std::uint32_t from = v[a.edge], to = v[(a.edge + 1) % 3], back_to = w[b.edge], back = w[(b.edge + 1) % 3];
+    const auto agree = [&](std::uint32_t p, std::uint32_t q) {
+      return neighbors_.place_of[p] == neighbors_.place_of[q] &&
+             static_cast<double>(glm::dot(solid_.normal[p], solid_.normal[q])) > smooth_cosine;
+    };
+    return agree(from, back) && agree(to, back_to);
+  }
+
+  const Solid& solid_;
+  const TriangleNeighbors& neighbors_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Use>> uses_;  // of cut triangles, by places
+};
+
 }  // namespace
 
 std::vector<Chart> charts_of(const Solid& solid, Threads threads) {
   const TriangleNeighbors neighbors = triangle_neighbors(solid);
-  std::vector<Chart> charts = cut_face_charts(solid, neighbors);
-  for (Chart& chart : charts) lay_face_flat(solid, neighbors, chart);
+  std::vector<Chart> charts;
+  std::vector<std::uint8_t> is_curved(solid.triangle.size(), 1);
+  for (Chart& chart : cut_face_charts(solid, neighbors)) {
+    if (!is_flat(solid, chart.triangles)) continue;
+    for (const std::uint32_t t : chart.triangles) is_curved[t] = 0;
+    lay_face_flat(solid, neighbors, chart);
+    charts.push_back(std::move(chart));
+  }
 
-  const std::vector<SkinRegion> regions = skin_regions(solid, neighbors);
-  std::vector<std::vector<Chart>> skins(regions.size());
-  parallel_for(regions.size(), threads, [&](std::size_t r) { skins[r] = skin_charts(solid, neighbors, regions[r]); });
-  for (std::vector<Chart>& of_region : skins) {
-    for (Chart& chart : of_region) charts.push_back(std::move(chart));
+  const std::vector<CurvedRegion> regions = curved_regions(solid, neighbors, is_curved);
+  std::vector<std::vector<Chart>> of_region(regions.size());
+  parallel_for(regions.size(), threads,
+               [&](std::size_t r) { of_region[r] = region_charts(solid, neighbors, regions[r]); });
+  for (std::vector<Chart>& of_one : of_region) {
+    for (Chart& chart : of_one) charts.push_back(std::move(chart));
+  }
+
+  const SeamFinder seams(solid, neighbors);
+  for (Chart& chart : charts) {
+    if (chart.cut_face >= 0) chart.seams = seams.seams_of(chart);
   }
   return charts;
 }

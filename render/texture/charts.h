@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -13,8 +14,8 @@
 
 namespace pomona {
 
-/// Connected triangles laid flat without lying on each other: a part of a cut face as it is, or a region of skin with
-/// little stretch. As seen from the air, x to the right and y down.
+/// Connected triangles laid flat without lying on each other: a part of a flat cut face as it is, or a region of skin
+/// or of a curved cut face with little stretch. As seen from the air, x to the right and y down.
 struct Chart {
   std::int32_t cut_face = -1;            ///< -1: skin
   std::vector<std::uint32_t> triangles;  ///< of the solid
@@ -23,9 +24,15 @@ struct Chart {
   glm::dvec2 size{0};                    ///< the greatest x and y
   Stretch stretch;
 
-  /// Of a cut face: directions in space of +x and of -y, and where its x = 0 and y = 0 lie along them.
-  glm::dvec3 right{1, 0, 0}, up{0, 1, 0};
-  glm::dvec2 origin{0};
+  /// Where a flat cut face lies: directions in space of +x and of -y, and how far x = 0 and y = 0 lie along them.
+  struct Frame {
+    glm::dvec3 right{1, 0, 0}, up{0, 1, 0};
+    glm::dvec2 origin{0};
+  };
+  std::optional<Frame> frame;  ///< of flat cut faces only
+
+  /// Of a cut face: edges (indices into `flat`) across which the cut goes on smoothly in another chart.
+  std::vector<glm::uvec2> seams;
 };
 
 /// Every triangle is in exactly one chart. The same for any number of threads.

@@ -4,14 +4,19 @@
 #include <gtest/gtest.h>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
 #include "generator/base/random.h"
+#include "generator/cut/cut.h"
 #include "render/texture/bake.h"
 #include "tests/render/half_ball.h"
+#include "tests/shapes/seeded_fruit.h"
 
 namespace pomona {
 namespace {
@@ -19,24 +24,76 @@ namespace {
 using named::ball;
 using named::half_ball;
 
+/// What is left of a fruit with grains, sheets and chambers where a ball and a corer have been.
+Solid hollowed() {
+  const DiffusionSurfaces fruit = shapes::seeded_fruit();
+  const Cut left =
+      cut(fruit, std::vector{parse_knife("ball:40mm,at=28mm,6mm,10mm"), parse_knife("core:12mm,at=-10mm,0,0")});
+  Template painted;
+  painted.parts = fruit.part_names;
+  return solids(left, left.section, painted, "fruit").front();
+}
+
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 TEST(Charts, HoldEveryTriangleOnceAndDoNotFold) {
-  for (const Solid& solid : {half_ball(), ball(32, 12)}) {
+  for (const Solid& solid : {half_ball(), ball(32, 12), hollowed()}) {
     std::vector<int> times(solid.triangle.size(), 0);
     for (const Chart& chart : charts_of(solid)) {
       ASSERT_EQ(chart.corners.size(), chart.triangles.size());
       for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
         ++times[chart.triangles[i]];
         const glm::uvec3& c = chart.corners[i];
-        EXPECT_LT(turn(chart.flat[c.x], chart.flat[c.y], chart.flat[c.z]), 0) << "y runs down: seen from the air";
+        EXPECT_LE(turn(chart.flat[c.x], chart.flat[c.y], chart.flat[c.z]), 0) << "y runs down: seen from the air";
       }
       EXPECT_TRUE(overlapping(chart.corners, chart.flat).empty());
     }
     for (const int n : times) EXPECT_EQ(n, 1);
   }
+}
+
+TEST(Charts, HardlyStretchCurvedCutFaces) {
+  int curved = 0;
+  for (const Chart& chart : charts_of(hollowed())) {
+    if (chart.cut_face < 0) continue;
+    EXPECT_LT(chart.stretch.mean, 1.2) << "half a ball as it is seen: 2";
+    ++curved;
+  }
+  EXPECT_GT(curved, 2);
+}
+
+/// Where a curved face is parted for its charts, nothing is to be drawn; where it ends at the skin, its rim is.
+TEST(Charts, KnowTheSeamsOfCurvedCutFaces) {
+  const Solid solid = hollowed();
+  const auto place = [&](std::uint32_t v) {
+    const glm::vec3& p = solid.position[v];
+    return std::array{p.x, p.y, p.z};
+  };
+  std::set<std::array<float, 3>> on_skin;
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+    for (int k = 0; k < 3 && solid.cut_face[t] < 0; ++k) on_skin.insert(place(solid.triangle[t][k]));
+  }
+  int seams = 0, rims = 0;
+  for (const Chart& chart : charts_of(solid)) {
+    if (chart.cut_face < 0) continue;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<std::uint32_t, 2>> border;  // ends in the solid
+    for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const auto edge = std::minmax(chart.corners[i][k], chart.corners[i][(k + 1) % 3]);
+        const glm::uvec3& v = solid.triangle[chart.triangles[i]];
+        if (!border.try_emplace(edge, std::array{v[k], v[(k + 1) % 3]}).second) border.erase(edge);
+      }
+    }
+    for (const glm::uvec2& seam : chart.seams) seams += static_cast<int>(border.erase(std::minmax(seam.x, seam.y)));
+    for (const auto& [edge, ends] : border) {
+      EXPECT_TRUE(on_skin.contains(place(ends[0])) && on_skin.contains(place(ends[1])));
+      ++rims;
+    }
+  }
+  EXPECT_GT(seams, 50);
+  EXPECT_GT(rims, 50);
 }
 
 TEST(Charts, LayCutFacesFlatAsTheyAre) {

@@ -148,6 +148,43 @@ TEST(TexturedGlb, HasThePaintOfThePicture) {
   EXPECT_LT(difference_in(style), 1.0) << "of 255, RMS";
 }
 
+/// In the middles of triangles of a bowl, and of the ball that was in it, that are larger than a few texels, the
+/// texture has the colour that is diffused there.
+TEST(TexturedGlb, CurvedFacesHaveTheColoursOfTheirPlaces) {
+  const glm::dvec3 center(0.028, 0.006, 0.01);
+  const double radius = 0.02;
+  Halves halves;
+  halves.knives = {parse_knife("ball:40mm,at=28mm,6mm,10mm")};
+  const Scene scene = halves.pieces();
+  ASSERT_EQ(scene.solids.size(), 2u);
+  const std::vector<BakedSolid> textured = all_baked(scene.solids, style_named("plain"), {.texels = 1024});
+  const double texel = std::max(textured[0].texel, textured[1].texel);
+  const named::Glb glb = named::read_glb(write_glb(scene, textured));
+  const std::unique_ptr<ColorField> field = halves.diffuser->field(halves.surfaces);
+  for (const named::GlbMesh& mesh : glb.meshes) {
+    std::vector<glm::vec3> middle;
+    std::vector<Color> seen;
+    for (const glm::uvec3& t : mesh.triangle) {
+      bool on_ball = true;
+      for (int k = 0; k < 3; ++k) {
+        on_ball = on_ball && std::abs(glm::distance(glm::dvec3(mesh.position[t[k]]), center) - radius) < 1e-4;
+      }
+      const glm::dvec3 a(mesh.position[t.x]), b(mesh.position[t.y]), c(mesh.position[t.z]);
+      if (!on_ball || 0.5 * glm::length(glm::cross(b - a, c - a)) < 4 * texel * texel) continue;
+      middle.push_back((mesh.position[t.x] + mesh.position[t.y] + mesh.position[t.z]) / 3.0f);
+      seen.push_back(looked_up(mesh, glm::dvec2(mesh.uv[t.x] + mesh.uv[t.y] + mesh.uv[t.z]) / 3.0));
+    }
+    EXPECT_GT(middle.size(), 1000u);
+    const DiffusedColors there = field->at(middle);
+    double sum = 0;
+    for (std::size_t i = 0; i < middle.size(); ++i) {
+      const glm::dvec3 d = glm::dvec3(to_srgb8(seen[i])) - glm::dvec3(to_srgb8(there.color[i]));
+      sum += glm::dot(d, d) / 3;
+    }
+    EXPECT_LT(std::sqrt(sum / static_cast<double>(middle.size())), 1.0) << mesh.name;
+  }
+}
+
 TEST(TexturedGlb, SaysHowTexturesAreLookedUp) {
   const Halves halves;
   const Scene scene = halves.pieces();

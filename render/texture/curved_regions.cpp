@@ -1,4 +1,4 @@
-#include "render/texture/skin_regions.h"
+#include "render/texture/curved_regions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +37,12 @@ struct Offer {
 
 class RegionGrowth {
  public:
-  RegionGrowth(const Solid& solid, const TriangleNeighbors& neighbors)
-      : solid_(solid), neighbors_(neighbors), normal_(solid.triangle.size()), area_(solid.triangle.size()) {
+  RegionGrowth(const Solid& solid, const TriangleNeighbors& neighbors, std::span<const std::uint8_t> is_curved)
+      : solid_(solid),
+        neighbors_(neighbors),
+        is_curved_(is_curved),
+        normal_(solid.triangle.size()),
+        area_(solid.triangle.size()) {
     for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
       const glm::uvec3& v = solid.triangle[t];
       const glm::dvec3 a(solid.position[v.x]), b(solid.position[v.y]), c(solid.position[v.z]);
@@ -49,18 +53,16 @@ class RegionGrowth {
     }
   }
 
-  std::vector<SkinRegion> grow() {
-    std::vector<SkinRegion> all;
+  std::vector<CurvedRegion> grow() {
+    std::vector<CurvedRegion> all;
     region_.assign(solid_.triangle.size(), none);
     for (const std::vector<std::uint32_t>& component : components()) {
-      for (SkinRegion& region : grow_component(component)) all.push_back(std::move(region));
+      for (CurvedRegion& region : grow_component(component)) all.push_back(std::move(region));
     }
     return all;
   }
 
  private:
-  bool is_skin(std::uint32_t t) const { return solid_.cut_face[t] < 0; }
-
   /// Triangles that hang together across edges, of those for which `wanted` says so.
   template <typename Wanted>
   std::vector<std::vector<std::uint32_t>> connected(const std::vector<std::uint32_t>& among, const Wanted& wanted) {
@@ -85,11 +87,11 @@ class RegionGrowth {
   }
 
   std::vector<std::vector<std::uint32_t>> components() {
-    std::vector<std::uint32_t> skin;
+    std::vector<std::uint32_t> curved;
     for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
-      if (is_skin(t)) skin.push_back(t);
+      if (is_curved_[t]) curved.push_back(t);
     }
-    return connected(skin, [](std::uint32_t) { return true; });
+    return connected(curved, [](std::uint32_t) { return true; });
   }
 
   /// Area-weighted mean normal, as long as the normals agree (1: all the same; 0: they cancel).
@@ -157,7 +159,7 @@ class RegionGrowth {
     return all;
   }
 
-  std::vector<SkinRegion> grow_component(const std::vector<std::uint32_t>& component) {
+  std::vector<CurvedRegion> grow_component(const std::vector<std::uint32_t>& component) {
     seeds_ = {seed_in(component)};
     flood_all(component);
     for (int i = 1; i < growths && seeds_.size() > 1; ++i) {
@@ -206,7 +208,7 @@ class RegionGrowth {
   }
 
   /// Small regions go into neighbours as long as the union can be laid flat.
-  std::vector<SkinRegion> joined_regions(const std::vector<std::uint32_t>& component) {
+  std::vector<CurvedRegion> joined_regions(const std::vector<std::uint32_t>& component) {
     std::vector<std::vector<std::uint32_t>> all = members(component);
     std::vector<std::int32_t> order(all.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::int32_t>(i);
@@ -222,7 +224,7 @@ class RegionGrowth {
         break;
       }
     }
-    std::vector<SkinRegion> regions;
+    std::vector<CurvedRegion> regions;
     for (std::vector<std::uint32_t>& triangles : all) {
       if (triangles.empty()) continue;
       // Where the mean is no good, the normal that it was grown around is.
@@ -235,6 +237,7 @@ class RegionGrowth {
 
   const Solid& solid_;
   const TriangleNeighbors& neighbors_;
+  std::span<const std::uint8_t> is_curved_;
   std::vector<glm::dvec3> normal_;
   std::vector<double> area_;
   std::vector<std::int32_t> region_;  // per triangle: its seed
@@ -245,8 +248,9 @@ class RegionGrowth {
 
 }  // namespace
 
-std::vector<SkinRegion> skin_regions(const Solid& solid, const TriangleNeighbors& neighbors) {
-  return RegionGrowth(solid, neighbors).grow();
+std::vector<CurvedRegion> curved_regions(const Solid& solid, const TriangleNeighbors& neighbors,
+                                         std::span<const std::uint8_t> is_curved) {
+  return RegionGrowth(solid, neighbors, is_curved).grow();
 }
 
 }  // namespace pomona

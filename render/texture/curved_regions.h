@@ -1,0 +1,25 @@
+// Skin and curved cut faces parted into regions that face one way, to be laid flat one by one.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "render/texture/triangle_neighbors.h"
+
+namespace pomona {
+
+struct CurvedRegion {
+  std::vector<std::uint32_t> triangles;  ///< of the solid, ascending
+  glm::dvec3 normal{0, 1, 0};            ///< unit; all triangles with an area face it by less than a right angle
+};
+
+/// Every triangle that `is_curved` marks in one region, each region connected and of one kind. Regions grow from their
+/// middle outwards in the order of their normals [variational shape approximation, Cohen-Steiner et al. 2004] up to 63
+/// degrees from it, are grown again from their mean normals, and joined where the union stays within 72 degrees.
+std::vector<CurvedRegion> curved_regions(const Solid& solid, const TriangleNeighbors& neighbors,
+                                         std::span<const std::uint8_t> is_curved);
+
+}  // namespace pomona
