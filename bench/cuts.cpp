@@ -18,6 +18,7 @@
 #include "cli/progress.h"
 #include "generator/base/disjoint_sets.h"
 #include "generator/base/parallel.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/surface/welded_edges.h"
 #include "render/export/output.h"
 #include "tests/cut/cut_oracle.h"

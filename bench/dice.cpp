@@ -14,6 +14,7 @@
 #include "bench/timing.h"
 #include "generator/cut/cut.h"
 #include "generator/cut/cut_planes.h"
+#include "generator/cut/parse_knife.h"
 
 namespace {
 

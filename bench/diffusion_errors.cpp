@@ -15,6 +15,7 @@
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "generator/cut/cut.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/diffusion/line_pmvc.h"
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "render/export/output.h"

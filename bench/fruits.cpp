@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/template/read_template.h"
 
 namespace pomona::bench {

@@ -23,6 +23,7 @@
 #include "bench/timing.h"
 #include "cli/progress.h"
 #include "generator/cut/cut.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/diffusion/harmonic_diffuser.h"
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "generator/surface/surface_file.h"

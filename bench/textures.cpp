@@ -13,6 +13,7 @@
 #include "bench/timing.h"
 #include "generator/base/error.h"
 #include "generator/cut/cut.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "generator/scene/section_colors.h"
 #include "generator/scene/solid.h"

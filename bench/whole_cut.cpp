@@ -22,6 +22,7 @@
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/cut/pieces.h"
 #include "generator/cut/section.h"
 #include "generator/diffusion/pmvc_diffuser.h"

@@ -16,6 +16,7 @@
 #include "cli/piece_list.h"
 #include "generator/base/error.h"
 #include "generator/cut/cut.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/cut/section_file.h"
 #include "generator/scene/brown.h"
 #include "generator/scene/explode.h"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/cut/knife.h"
+#include "generator/cut/placed_knife.h"
 #include "generator/cut/stroke.h"
 
 namespace pomona {

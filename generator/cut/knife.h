@@ -1,9 +1,6 @@
 // Knives: cutting surfaces by name.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,10 +8,10 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "generator/base/curve.h"
 #include "generator/cut/knife_solid.h"
-#include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
 
@@ -66,45 +63,10 @@ struct Knife {
   bool is_solid() const { return kind >= Kind::ball; }
 };
 
-/// Reads "half", "across", "plane:NX,NY,NZ,D", "wedges:N", "slices:4mm", "slices:8", "dice:12mm", "sticks:6mm",
-/// "crinkle:6mm", "stroke:FILE.svg#id,scale=2mm", "ball:24mm", "core:18mm", "bite:40mm", "revolve:FILE.svg#id",
-/// "peel:2mm", and their options (docs/commands.md). Files are looked for from `folder`.
-/// \throws Error (usage) that says what a knife looks like; of strokes and profiles also those of read_stroke.h.
-Knife parse_knife(std::string_view text, const std::filesystem::path& folder = {});
+/// Of slices, dice and sticks, in one direction.
+constexpr int most_slices = 1024;
 
-/// What a knife's cells depend on: the sides of its planes that a point has been seen to lie on.
-struct KnifeSides {
-  bool first = false;  ///< positive side of the first plane
-  /// Of how many planes, direction by direction; a pencil's taken in turn with one sense of rotation.
-  std::array<int, 3> positive{};
-};
-
-/// A knife laid at a fruit: planes, and the rule that makes cells of the sides they see. The planes of wedges form
-/// a pencil, in the order of their angle about the axis; the cut is then only the half of a plane on which two
-/// different cells meet (all of it where N is even).
-struct PlacedKnife {
-  std::vector<CuttingPlane> planes;
-  std::vector<std::uint8_t> reversed;   ///< 1 where a pencil's plane looks against the sense of rotation
-  std::vector<std::uint8_t> direction;  ///< 0..2: parallel planes have the same
-  std::array<int, 3> across{1, 1, 1};   ///< cells along each direction; of no meaning for a pencil
-  bool pencil = false;                  ///< all planes contain the axis x = z = 0
-  Knife knife;
-
-  /// Of a stroke: its points; of crinkled slices, those of one stroke after another, from below upwards. The planes are
-  /// then those of their edges, in this order, and what is "seen" is on which side of each stroke a point lies.
-  std::vector<std::vector<glm::dvec2>> strokes;
-
-  /// `before`, and that the point lies on that side of planes[plane].
-  KnifeSides seen(KnifeSides before, std::size_t plane, bool positive_side) const;
-
-  /// The cell of a point of which all planes' sides have been seen, in [0, cell_count()). Two points are parted by
-  /// this knife exactly if their cells differ.
-  int cell(const KnifeSides& sides) const;
-  int cell_count() const;
-};
-
-/// \throws Error (usage) for more than 1024 slices in one direction, slices thinner than 1/10 000 of the fruit, and
-/// strokes that cross themselves where their ends go on straight.
-PlacedKnife placed(const Knife& knife, const Bounds& bounds);
+/// \throws Error (usage), always: the knife that is written `text` cannot be, `why`, and what would do.
+[[noreturn]] void refuse_knife(std::string_view text, const std::string& why, const std::string& hint);
 
 }  // namespace pomona

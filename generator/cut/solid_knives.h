@@ -3,6 +3,7 @@
 
 #include "generator/cut/knife.h"
 #include "generator/cut/knife_solid.h"
+#include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/cut/cut_planes.h"
+#include "generator/cut/placed_knife.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {

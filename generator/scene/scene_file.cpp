@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/units.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/template/read_paint.h"
 #include "generator/template/svg_path.h"
 #include "generator/template/toml_document.h"

@@ -10,6 +10,7 @@
 
 #include "generator/base/error.h"
 #include "generator/cut/cut.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/surface/bodies.h"
 #include "tests/cut/cut_checks.h"
 #include "tests/cut/solid_shapes.h"

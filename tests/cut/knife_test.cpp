@@ -1,5 +1,7 @@
 // Knives: what users may write, and the planes and cells that come of it.
 #include "generator/cut/knife.h"
+#include "generator/cut/parse_knife.h"
+#include "generator/cut/placed_knife.h"
 
 #include <cmath>
 

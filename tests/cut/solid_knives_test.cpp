@@ -14,6 +14,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/units.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/cut/solid_of_revolution.h"
 #include "generator/surface/crossings.h"
 #include "generator/surface/skin_depth.h"

@@ -15,6 +15,7 @@
 #include "generator/base/error.h"
 #include "generator/base/random.h"
 #include "generator/cut/cut.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/cut/read_stroke.h"
 #include "generator/cut/stroke.h"
 #include "tests/base/temporary_folder.h"

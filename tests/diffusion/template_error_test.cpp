@@ -8,6 +8,7 @@
 
 #include "generator/base/color.h"
 #include "generator/cut/cut.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "generator/scene/grow.h"
 #include "generator/template/read_template.h"

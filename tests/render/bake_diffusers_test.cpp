@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/cut/cut.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/diffusion/harmonic_diffuser.h"
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "generator/scene/section_colors.h"

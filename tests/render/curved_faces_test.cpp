@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/cut/parse_knife.h"
 #include "generator/scene/solid.h"
 #include "render/picture/section_ink.h"
 #include "render/picture/section_raster.h"

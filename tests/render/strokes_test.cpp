@@ -12,6 +12,7 @@
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/cut/cut.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/scene/grow.h"
 #include "generator/scene/solid.h"
 #include "generator/template/read_template.h"

@@ -13,6 +13,7 @@
 
 #include "generator/cut/cut.h"
 #include "generator/cut/knife.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/surface/skin_depth.h"
 #include "tests/shapes/shapes.h"
 

@@ -11,6 +11,7 @@
 
 #include "generator/cut/cut.h"
 #include "generator/cut/knife.h"
+#include "generator/cut/parse_knife.h"
 #include "generator/scene/solid.h"
 #include "tests/shapes/shapes.h"
 

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/cut/parse_knife.h"
 #include "generator/scene/explode.h"
 #include "tests/shapes/shapes.h"
 

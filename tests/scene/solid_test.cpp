@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/cut/parse_knife.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {

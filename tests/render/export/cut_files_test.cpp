@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/cut/parse_knife.h"
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "generator/scene/grow.h"
 #include "generator/scene/scene.h"

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/cut/parse_knife.h"
 #include "generator/diffusion/pmvc_diffuser.h"
 #include "generator/scene/scene.h"
 #include "generator/scene/section_colors.h"
