@@ -145,6 +145,41 @@ TEST(Lines, AreTheSameForAnyNumberOfThreadsAndGoneWithoutInk) {
 INSTANTIATE_TEST_SUITE_P(Templates, Fruit, ::testing::Values("tomato", "onion", "pepper"),
                          [](const auto& tested) { return std::string(tested.param); });
 
+nlohmann::json pieces_of(const std::string& fruit, const std::string& knife, const std::string& threads) {
+  const TemporaryFolder folder;
+  expect_done(run_pomona(
+      with({"cut", fruit, "--knife", knife, "--threads", threads, "--pieces", "x.json", "-o", "x.ply"}, coarse),
+      folder.path()));
+  return nlohmann::json::parse(bytes_of(folder / "x.json"))["pieces"];
+}
+
+double volume_of(const nlohmann::json& pieces) {
+  double sum = 0;
+  for (const nlohmann::json& piece : pieces) sum += piece["volume"].get<double>();
+  return sum;
+}
+
+class Peel : public ::testing::TestWithParam<const char*> {};
+
+/// Whole or in a strip, a peel is one piece, what it came off another, and both are closed and add up.
+TEST_P(Peel, ComesOffInOnePiece) {
+  const double whole = volume_of(pieces_of(GetParam(), "half", "2"));
+  for (const char* knife : {"peel:1.5mm", "peel:1.5mm,spiral=12mm"}) {
+    const nlohmann::json pieces = pieces_of(GetParam(), knife, "1");
+    EXPECT_EQ(pieces, pieces_of(GetParam(), knife, "2"));
+    int large = 0;
+    for (const nlohmann::json& piece : pieces) {
+      EXPECT_TRUE(piece["closed"].get<bool>()) << knife;
+      large += piece["crumb"].get<bool>() ? 0 : 1;
+    }
+    EXPECT_EQ(large, 2) << knife;
+    EXPECT_NEAR(volume_of(pieces) / whole, 1, 1e-5) << knife;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Templates, Peel, ::testing::Values("apple", "lemon", "tomato"),
+                         [](const auto& entry) { return std::string(entry.param); });
+
 TEST(Cut, AKnifeThatMissesIsAWarning) {
   const TemporaryFolder folder;
   const Outcome outcome =
