@@ -84,7 +84,7 @@ variants: .bench ## a thousand variants of every template: out/variants.md and .
 	@mkdir -p out
 	build/bench/variants --out out/variants.md --json out/variants.json
 
-cuts: .bench ## 110 000 random and degenerate cuts of all templates: out/cuts.md and .json; stop it and it goes on later
+cuts: .bench ## 112 000 random and degenerate cuts of all templates, planes, strokes and closed knives: out/cuts.md and .json; stop it and it goes on later
 	cmake --build build --target cuts -j $(JOBS)
 	@mkdir -p out
 	build/bench/cuts --out out/cuts.md --json out/cuts.json
