@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "generator/cut/face_mesh.h"
+#include "generator/cut/face_meshes.h"
 
 namespace pomona {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "generator/cut/face_mesh.h"
+#include "generator/cut/face_meshes.h"
 #include "generator/cut/regions.h"
 
 namespace pomona {
