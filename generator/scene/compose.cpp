@@ -140,7 +140,7 @@ std::vector<CutPiece> picked(std::vector<CutPiece> cut, const PiecesDescription&
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < cut.size(); ++i) {
     const bool is_wanted = cut[i].volume >= pieces.smallest * whole && cut[i].volume <= pieces.largest * whole;
-    if (is_wanted && !cut[i].crumb && !cut[i].triangle.empty()) order.push_back(i);
+    if (is_wanted && !cut[i].crumb) order.push_back(i);
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cut[a].volume > cut[b].volume; });

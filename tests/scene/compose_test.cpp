@@ -60,6 +60,15 @@ TEST(Compose, CopiesShareOneSolid) {
   EXPECT_THAT(parts.items[1].name, testing::EndsWith(".copy-2"));
 }
 
+/// A ball out of the middle, and what is around it.
+TEST(Compose, PiecesWithoutSkinArePieces) {
+  const std::string balls =
+      "[[pieces]]\nname = \"ball\"\ntemplate = \"radish\"\nas_drawn = true\nknives = [\"ball:8mm,at=0,32mm,0\"]\n";
+  const SceneParts parts = make_parts(parse_scene(head + balls + "smallest = 0.001\n", "a.toml"), nullptr, coarse());
+  EXPECT_EQ(parts.solids.size(), 2u);
+  EXPECT_EQ(parts.items.size(), 2u);
+}
+
 TEST(Compose, ATemplateThatIsNotThereIsToldInTheScene) {
   ComposeOptions options;
   options.find_template = [](const std::string&) -> fs::path { throw Error(ExitStatus::input_missing, "no template"); };
