@@ -81,7 +81,9 @@ def knife_faults():
     fruits = {}
     for section in sections("knives").values():
         for command in commands(section):
-            fruit = re.search(r"\bcut (\w+)", command)[1]
+            if not (cut := re.search(r"\bcut (\w+)", command)):
+                continue
+            fruit = cut[1]
             for knife in re.findall(r"--knife ([a-z]+)", command):
                 fruits.setdefault(knife, set()).add(fruit)
     for row in re.findall(r"^\| (`.+?) \|", text_of("knives"), re.M):

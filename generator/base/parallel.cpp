@@ -1,6 +1,7 @@
 #include "generator/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -27,9 +28,11 @@ void parallel_for(std::size_t count, Threads threads, const std::function<void(s
   std::mutex mutex;
   std::size_t failed = std::numeric_limits<std::size_t>::max();
   std::exception_ptr failure;
+  std::atomic<std::size_t> next = 0;
   tbb::task_arena arena(width);
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t) {
+      const std::size_t i = next++;
       try {
         body(i);
       } catch (...) {

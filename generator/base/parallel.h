@@ -14,7 +14,8 @@ struct Threads {
 int resolved(Threads threads);
 
 /// Calls body(i) for i in [0, count), each once, on up to `threads` threads. The body must write only
-/// to places that belong to i. The exception of the smallest failing i is rethrown.
+/// to places that belong to i. They are begun in order: few long ones are shared best if the longest come first. The
+/// exception of the smallest failing i is rethrown.
 void parallel_for(std::size_t count, Threads threads, const std::function<void(std::size_t)>& body);
 
 }  // namespace pomona

@@ -88,13 +88,19 @@ FaceMeshes triangulate(SplitMesh& mesh, const CutPlanes& planes, const std::vect
   std::vector<CutLine> lines = laid_out_lines(mesh, planes, segments, bounds, limits, options.threads);
   const std::vector<std::vector<Segment>> of_sheet = by_sheet(planes, segments);
 
+  std::vector<std::size_t> largest_first(of_sheet.size());
+  std::iota(largest_first.begin(), largest_first.end(), std::size_t{0});
+  std::stable_sort(largest_first.begin(), largest_first.end(),
+                   [&](std::size_t a, std::size_t b) { return of_sheet[a].size() > of_sheet[b].size(); });
+
   // A crossing on a line is news to the other planes there: then all start again. Once is nearly always enough.
   for (int round = 1;; ++round) {
     FaceMeshes all;
     std::vector<Twins> twins;
     Unshared unshared;
     std::vector<std::optional<FaceBuilder>> builders(planes.sheets.size());
-    parallel_for(builders.size(), options.threads, [&](std::size_t sheet) {
+    parallel_for(builders.size(), options.threads, [&](std::size_t i) {
+      const std::size_t sheet = largest_first[i];
       if (of_sheet[sheet].empty()) return;
       FaceBuilder& builder = builders[sheet].emplace(mesh, planes, planes.sheets[sheet].first, of_sheet[sheet], lines);
       builder.conform(shortest_share * limits.finest);
