@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "generator/cut/cross_section.h"
-#include "render/picture/image.h"
+#include "generator/cut/section/cross_section.h"
+#include "render/image/image.h"
 
 namespace pomona::bench {
 

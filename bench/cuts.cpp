@@ -16,10 +16,10 @@
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "cli/progress.h"
-#include "generator/base/disjoint_sets.h"
 #include "generator/base/parallel.h"
-#include "generator/cut/parse_knife.h"
-#include "generator/surface/welded_edges.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/welded_edges.h"
 #include "render/export/output.h"
 #include "tests/cut/cut_oracle.h"
 

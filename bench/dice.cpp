@@ -13,8 +13,8 @@
 #include "bench/text_table.h"
 #include "bench/timing.h"
 #include "generator/cut/cut.h"
-#include "generator/cut/cut_planes.h"
-#include "generator/cut/parse_knife.h"
+#include "generator/knife/cut_planes.h"
+#include "generator/knife/parse_knife.h"
 
 namespace {
 

@@ -15,9 +15,9 @@
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "generator/cut/cut.h"
-#include "generator/cut/parse_knife.h"
-#include "generator/diffusion/line_pmvc.h"
-#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/pmvc/line_pmvc.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/knife/parse_knife.h"
 #include "render/export/output.h"
 #include "tests/shapes/seeded_fruit.h"
 

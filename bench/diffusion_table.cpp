@@ -7,9 +7,9 @@
 
 #include "bench/color_errors.h"
 #include "bench/timing.h"
-#include "generator/diffusion/cube_pmvc.h"
-#include "generator/diffusion/line_pmvc.h"
-#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/pmvc/cube_pmvc.h"
+#include "generator/diffusion/pmvc/line_pmvc.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "tests/shapes/seeded_fruit.h"
 
 namespace {

@@ -18,10 +18,10 @@
 #include "bench/walk_truth_store.h"
 #include "cli/progress.h"
 #include "generator/cut/cut.h"
-#include "generator/diffusion/harmonic_diffuser.h"
-#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/harmonic/harmonic_diffuser.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "render/export/output.h"
-#include "render/picture/png.h"
+#include "render/image/png.h"
 
 namespace {
 

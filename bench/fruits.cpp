@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
-#include "generator/cut/parse_knife.h"
-#include "generator/template/read_template.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/template/read/read_template.h"
 
 namespace pomona::bench {
 

@@ -16,7 +16,7 @@
 #include "bench/text_table.h"
 #include "bench/timing.h"
 #include "generator/cut/cut.h"
-#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "render/diffusion/gl_diffuser.h"
 
 namespace {

@@ -18,8 +18,8 @@
 #include "bench/text_table.h"
 #include "bench/timing.h"
 #include "generator/cut/cut.h"
+#include "generator/diffusion/harmonic/harmonic_diffuser.h"
 #include "generator/diffusion/harmonic/solve_field.h"
-#include "generator/diffusion/harmonic_diffuser.h"
 #include "generator/diffusion/surface_tree.h"
 #include "tests/shapes/seeded_fruit.h"
 

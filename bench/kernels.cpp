@@ -6,12 +6,12 @@
 #include <benchmark/benchmark.h>
 
 #include "generator/base/morton.h"
-#include "generator/diffusion/cube_pmvc.h"
-#include "generator/diffusion/group_boxes.h"
-#include "generator/diffusion/line_sweep.h"
 #include "generator/diffusion/nearest_side.h"
-#include "generator/diffusion/pmvc_diffuser.h"
-#include "generator/diffusion/relaxed_lines.h"
+#include "generator/diffusion/pmvc/cube_pmvc.h"
+#include "generator/diffusion/pmvc/group_boxes.h"
+#include "generator/diffusion/pmvc/line_sweep.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/diffusion/pmvc/relaxed_lines.h"
 #include "tests/shapes/seeded_fruit.h"
 
 namespace {

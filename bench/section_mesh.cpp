@@ -18,7 +18,7 @@
 #include "bench/text_table.h"
 #include "generator/base/random.h"
 #include "generator/cut/cut.h"
-#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
 
 namespace {
 

@@ -13,10 +13,10 @@
 #include "bench/timing.h"
 #include "generator/base/error.h"
 #include "generator/cut/cut.h"
-#include "generator/cut/parse_knife.h"
-#include "generator/diffusion/pmvc_diffuser.h"
-#include "generator/scene/section_colors.h"
-#include "generator/scene/solid.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/piece/section_colors.h"
+#include "generator/piece/solid.h"
 #include "render/texture/bake.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/surface/shells.h"
-#include "generator/surface/sweep.h"
+#include "generator/surface/sweep/sweep.h"
 #include "generator/template/unpainted.h"
 
 namespace pomona::bench {

@@ -20,7 +20,7 @@
 #include "bench/variant_distances.h"
 #include "cli/progress.h"
 #include "generator/base/parallel.h"
-#include "generator/template/read_template.h"
+#include "generator/template/read/read_template.h"
 #include "render/export/output.h"
 
 namespace {

@@ -15,7 +15,7 @@
 #include "bench/timing.h"
 #include "generator/base/error.h"
 #include "generator/cut/cut.h"
-#include "generator/diffusion/walk_on_spheres.h"
+#include "generator/diffusion/walk/walk_on_spheres.h"
 #include "tests/shapes/seeded_fruit.h"
 
 namespace {

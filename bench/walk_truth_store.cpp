@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/timing.h"
-#include "generator/diffusion/walk_on_spheres.h"
+#include "generator/diffusion/walk/walk_on_spheres.h"
 #include "render/export/output.h"
 
 namespace pomona::bench {

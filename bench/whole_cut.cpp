@@ -22,11 +22,11 @@
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
-#include "generator/cut/parse_knife.h"
 #include "generator/cut/pieces.h"
-#include "generator/cut/section.h"
-#include "generator/diffusion/pmvc_diffuser.h"
-#include "generator/scene/solid.h"
+#include "generator/cut/section/section.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/piece/solid.h"
 #include "tests/shapes/seeded_fruit.h"
 
 namespace {

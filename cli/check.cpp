@@ -12,10 +12,10 @@
 #include "cli/find_template.h"
 #include "generator/scene/scene_file.h"
 #include "generator/surface/bodies.h"
-#include "generator/surface/spots.h"
-#include "generator/surface/surface_file.h"
-#include "generator/surface/sweep.h"
-#include "generator/template/read_template.h"
+#include "generator/surface/file/surface_file.h"
+#include "generator/surface/sweep/spots.h"
+#include "generator/surface/sweep/sweep.h"
+#include "generator/template/read/read_template.h"
 #include "render/style/style_file.h"
 
 namespace pomona {

@@ -16,13 +16,13 @@
 #include "cli/piece_list.h"
 #include "generator/base/error.h"
 #include "generator/cut/cut.h"
-#include "generator/cut/parse_knife.h"
-#include "generator/cut/section_file.h"
-#include "generator/scene/brown.h"
+#include "generator/cut/section/section_file.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/piece/brown.h"
+#include "generator/piece/guided.h"
+#include "generator/piece/section_colors.h"
 #include "generator/scene/explode.h"
-#include "generator/scene/guided.h"
 #include "generator/scene/lay_out.h"
-#include "generator/scene/section_colors.h"
 
 namespace pomona {
 

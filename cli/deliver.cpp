@@ -15,7 +15,7 @@
 #include "render/export/svg.h"
 #include "render/gl/context.h"
 #include "render/gl/scene_picture.h"
-#include "render/picture/png.h"
+#include "render/image/png.h"
 #include "render/picture/section_picture.h"
 #include "render/picture/view_within.h"
 #include "render/strokes/scene_parts.h"

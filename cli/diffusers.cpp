@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "generator/base/error.h"
-#include "generator/diffusion/harmonic_diffuser.h"
-#include "generator/diffusion/pmvc_diffuser.h"
-#include "generator/diffusion/walk_diffuser.h"
+#include "generator/diffusion/harmonic/harmonic_diffuser.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/diffusion/walk/walk_diffuser.h"
 #include "render/diffusion/gl_diffuser.h"
 
 namespace pomona {

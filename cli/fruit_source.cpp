@@ -2,9 +2,9 @@
 
 #include "cli/find_template.h"
 #include "generator/base/error.h"
+#include "generator/surface/file/surface_file.h"
 #include "generator/surface/sheets.h"
-#include "generator/surface/surface_file.h"
-#include "generator/template/read_template.h"
+#include "generator/template/read/read_template.h"
 #include "render/plate/plate.h"
 
 namespace pomona {

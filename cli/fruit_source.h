@@ -6,7 +6,7 @@
 
 #include "cli/shared_options.h"
 #include "cli/stage_times.h"
-#include "generator/scene/grow.h"
+#include "generator/piece/grow.h"
 
 namespace pomona {
 

@@ -11,8 +11,8 @@
 #include "cli/fruit_source.h"
 #include "cli/outputs.h"
 #include "generator/cut/cut.h"
-#include "generator/scene/glass_surfaces.h"
-#include "generator/surface/surface_file.h"
+#include "generator/piece/glass_surfaces.h"
+#include "generator/surface/file/surface_file.h"
 
 namespace pomona {
 

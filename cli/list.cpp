@@ -9,7 +9,7 @@
 #include "cli/command.h"
 #include "cli/find_style.h"
 #include "cli/find_template.h"
-#include "generator/template/read_template.h"
+#include "generator/template/read/read_template.h"
 
 namespace pomona {
 

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/picture/png.h"
+#include "render/image/png.h"
 
 namespace pomona {
 

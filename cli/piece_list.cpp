@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "generator/scene/piece_facts.h"
+#include "generator/piece/piece_facts.h"
 
 namespace pomona {
 

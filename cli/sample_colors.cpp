@@ -13,9 +13,9 @@
 #include "cli/picture_file.h"
 #include "generator/base/color.h"
 #include "generator/base/error.h"
-#include "generator/template/read_template.h"
-#include "generator/template/sketch.h"
-#include "generator/template/toml_document.h"
+#include "generator/template/read/read_template.h"
+#include "generator/template/read/sketch.h"
+#include "generator/template/read/toml_document.h"
 
 namespace fs = std::filesystem;
 

@@ -14,7 +14,7 @@
 #include "cli/picture_file.h"
 #include "cli/sample_colors.h"
 #include "cli/starting_sketch.h"
-#include "generator/template/read_template.h"
+#include "generator/template/read/read_template.h"
 #include "render/export/output.h"
 
 namespace fs = std::filesystem;

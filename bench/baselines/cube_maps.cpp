@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "generator/diffusion/cube_directions.h"
 #include "generator/diffusion/nearest_side.h"
+#include "generator/diffusion/pmvc/cube_directions.h"
 #include "generator/diffusion/settled_colors.h"
 #include "render/gl/objects.h"
 #include "render/gl/program.h"

@@ -6,9 +6,9 @@
 
 #include "generator/cut/carve/carve.h"
 #include "generator/cut/pieces.h"
-#include "generator/cut/section.h"
-#include "generator/cut/solid_knives.h"
-#include "generator/surface/welded_edges.h"
+#include "generator/cut/section/section.h"
+#include "generator/knife/solid_knives.h"
+#include "generator/mesh/welded_edges.h"
 
 namespace pomona {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "generator/cut/enclosures.h"
+#include "generator/mesh/enclosures.h"
 
 namespace pomona {
 

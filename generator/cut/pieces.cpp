@@ -10,10 +10,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/base/disjoint_sets.h"
 #include "generator/base/parallel.h"
-#include "generator/cut/pair_numbers.h"
 #include "generator/cut/piece_groups.h"
+#include "generator/cut/section/pair_numbers.h"
+#include "generator/mesh/disjoint_sets.h"
 
 namespace pomona {
 

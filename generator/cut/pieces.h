@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "generator/cut/clipped_skin.h"
 #include "generator/cut/cut.h"
-#include "generator/cut/section.h"
+#include "generator/cut/section/clipped_skin.h"
+#include "generator/cut/section/section.h"
 
 namespace pomona {
 

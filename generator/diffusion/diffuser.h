@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "generator/cut/cross_section.h"
+#include "generator/cut/section/cross_section.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {

@@ -4,7 +4,7 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
-#include "generator/surface/sweep.h"
+#include "generator/surface/sweep/sweep.h"
 
 namespace pomona {
 

@@ -6,12 +6,12 @@
 #include <mutex>
 #include <numeric>
 
+#include "generator/piece/brown.h"
+#include "generator/piece/grow.h"
+#include "generator/piece/guided.h"
+#include "generator/piece/section_colors.h"
 #include "generator/scene/bowl.h"
-#include "generator/scene/brown.h"
-#include "generator/scene/grow.h"
-#include "generator/scene/guided.h"
-#include "generator/scene/section_colors.h"
-#include "generator/template/read_template.h"
+#include "generator/template/read/read_template.h"
 
 namespace pomona {
 

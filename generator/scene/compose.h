@@ -14,7 +14,7 @@
 #include "generator/diffusion/diffuser.h"
 #include "generator/scene/layout_file.h"
 #include "generator/scene/scene_file.h"
-#include "generator/scene/settle.h"
+#include "generator/scene/settle/settle.h"
 
 namespace pomona {
 

@@ -1,6 +1,6 @@
 #include "generator/scene/explode.h"
 
-#include "generator/scene/piece_facts.h"
+#include "generator/piece/piece_facts.h"
 
 namespace pomona {
 

@@ -4,18 +4,12 @@
 #include <string>
 #include <vector>
 
-#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
-#include "generator/scene/solid.h"
+#include "generator/piece/pose.h"
+#include "generator/piece/solid.h"
 
 namespace pomona {
-
-/// A rigid placement: p -> rotation * p + translation, metres.
-struct Pose {
-  glm::dquat rotation{1, 0, 0, 0};
-  glm::dvec3 translation{0};
-};
 
 struct Instance {
   int solid = 0;  ///< index into Scene::solids

@@ -9,11 +9,11 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/units.h"
-#include "generator/cut/parse_knife.h"
-#include "generator/template/read_paint.h"
-#include "generator/template/svg_path.h"
-#include "generator/template/toml_document.h"
-#include "generator/template/toml_limits.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/template/read/read_paint.h"
+#include "generator/template/read/svg_path.h"
+#include "generator/template/read/toml_document.h"
+#include "generator/template/read/toml_limits.h"
 
 namespace pomona {
 

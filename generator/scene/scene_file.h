@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "generator/base/error.h"
-#include "generator/cut/knife.h"
+#include "generator/knife/knife.h"
 #include "generator/scene/scene.h"
+#include "generator/template/read/toml_document.h"
 #include "generator/template/template.h"
-#include "generator/template/toml_document.h"
 
 namespace pomona {
 

@@ -8,8 +8,8 @@
 #include <glm/ext/vector_int3_sized.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/base/disjoint_sets.h"
-#include "generator/surface/meeting_boxes.h"
+#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/meeting_boxes.h"
 
 namespace pomona {
 

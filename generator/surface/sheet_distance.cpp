@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/surface/welded_edges.h"
+#include "generator/mesh/welded_edges.h"
 
 namespace pomona {
 

@@ -7,9 +7,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/base/disjoint_sets.h"
 #include "generator/base/reproducible.h"
-#include "generator/surface/welded_edges.h"
+#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/welded_edges.h"
 
 namespace pomona {
 

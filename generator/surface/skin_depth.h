@@ -1,8 +1,8 @@
 // How deep below its skin a place in a fruit lies: what fields of ripeness and browning go by.
 #pragma once
 
+#include "generator/mesh/triangle_tree.h"
 #include "generator/surface/diffusion_surfaces.h"
-#include "generator/surface/triangle_tree.h"
 
 namespace pomona {
 

@@ -1,7 +1,7 @@
 #include <glm/geometric.hpp>
 
+#include "generator/mesh/welded_edges.h"
 #include "generator/surface/bodies.h"
-#include "generator/surface/welded_edges.h"
 
 namespace pomona {
 

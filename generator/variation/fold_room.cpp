@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/reproducible.h"
-#include "generator/surface/profile.h"
+#include "generator/surface/sweep/profile.h"
 #include "generator/variation/fold_samples.h"
 #include "generator/variation/polar_curve.h"
 

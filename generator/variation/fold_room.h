@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/surface/profile.h"
+#include "generator/surface/sweep/profile.h"
 #include "generator/variation/layers.h"
 
 namespace pomona {

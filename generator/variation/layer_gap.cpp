@@ -5,7 +5,7 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
-#include "generator/surface/profile.h"
+#include "generator/surface/sweep/profile.h"
 #include "generator/variation/polar_curve.h"
 
 namespace pomona {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "generator/base/reproducible.h"
-#include "generator/surface/sweep.h"
+#include "generator/surface/sweep/sweep.h"
 #include "generator/template/unpainted.h"
 
 namespace pomona {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/compare/flip.h"
-#include "render/picture/png.h"
+#include "render/image/png.h"
 
 namespace pomona {
 

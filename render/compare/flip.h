@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "render/picture/image.h"
+#include "render/image/image.h"
 
 namespace pomona {
 

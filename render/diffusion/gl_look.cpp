@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "generator/base/error.h"
-#include "generator/diffusion/line_directions.h"
+#include "generator/diffusion/pmvc/line_directions.h"
 #include "render/gl/objects.h"
 
 namespace pomona {

@@ -11,7 +11,7 @@
 #include <glm/common.hpp>
 
 #include "generator/diffusion/used_parts.h"
-#include "generator/surface/float_box.h"
+#include "generator/mesh/float_box.h"
 
 namespace pomona {
 

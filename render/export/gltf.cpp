@@ -13,9 +13,9 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "generator/base/error.h"
-#include "generator/scene/piece_facts.h"
+#include "generator/piece/piece_facts.h"
 #include "render/export/pbr_look.h"
-#include "render/picture/png.h"
+#include "render/image/png.h"
 #include "render/picture/view_frame.h"
 
 namespace pomona {

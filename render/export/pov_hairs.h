@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "generator/scene/solid.h"
+#include "generator/piece/solid.h"
 
 namespace pomona::pov {
 

@@ -6,7 +6,7 @@
 
 #include "generator/base/base64.h"
 #include "generator/base/xml_text.h"
-#include "render/picture/png.h"
+#include "render/image/png.h"
 #include "render/picture/section_strokes.h"
 #include "render/picture/stroke_outline.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "generator/cut/cross_section.h"
+#include "generator/cut/section/cross_section.h"
 #include "render/picture/section_picture.h"
 #include "render/strokes/scene_strokes.h"
 #include "render/style/look.h"

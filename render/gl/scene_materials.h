@@ -6,7 +6,7 @@
 
 #include <glm/vec4.hpp>
 
-#include "generator/scene/solid.h"
+#include "generator/piece/solid.h"
 
 namespace pomona {
 

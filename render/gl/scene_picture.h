@@ -3,7 +3,7 @@
 
 #include "generator/scene/scene.h"
 #include "render/gl/context.h"
-#include "render/picture/image.h"
+#include "render/image/image.h"
 #include "render/style/style.h"
 
 namespace pomona {

@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/surface/welded_edges.h"
+#include "generator/mesh/welded_edges.h"
 #include "render/picture/chains.h"
 #include "render/picture/line_opacity.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/cut/cross_section.h"
+#include "generator/cut/section/cross_section.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/stroke.h"
 

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "generator/cut/cross_section.h"
+#include "generator/cut/section/cross_section.h"
 
 namespace pomona {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/cut/cross_section.h"
+#include "generator/cut/section/cross_section.h"
 #include "render/picture/section_layout.h"
 #include "render/plate/part_map.h"
 

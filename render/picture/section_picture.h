@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "generator/cut/cross_section.h"
+#include "generator/cut/section/cross_section.h"
 #include "generator/template/ink_style.h"
-#include "render/picture/image.h"
+#include "render/image/image.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/section_parts.h"
 #include "render/plate/plate.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "generator/cut/cross_section.h"
+#include "generator/cut/section/cross_section.h"
 #include "render/picture/section_layout.h"
 
 namespace pomona {

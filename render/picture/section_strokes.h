@@ -1,7 +1,7 @@
 // The pen strokes of a section's picture.
 #pragma once
 
-#include "generator/cut/cross_section.h"
+#include "generator/cut/section/cross_section.h"
 #include "generator/template/template.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/stroke.h"

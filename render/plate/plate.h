@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "render/image/image.h"
 #include "render/lettering/typeface.h"
-#include "render/picture/image.h"
 #include "render/plate/labels.h"
 #include "render/style/style.h"
 

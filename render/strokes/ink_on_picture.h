@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "render/picture/image.h"
+#include "render/image/image.h"
 #include "render/strokes/scene_strokes.h"
 
 namespace pomona {

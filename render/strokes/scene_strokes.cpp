@@ -8,7 +8,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
-#include "render/picture/image.h"
+#include "render/image/image.h"
 #include "render/strokes/long_runs.h"
 
 namespace pomona {

@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "generator/cut/detail_guide.h"
+#include "generator/cut/section/detail_guide.h"
 #include "generator/template/detail_sketch.h"
 
 namespace pomona {

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "generator/scene/solid.h"
+#include "generator/piece/solid.h"
 
 namespace pomona {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "generator/cut/detail_guide.h"
+#include "generator/cut/section/detail_guide.h"
 #include "generator/template/detail_sketch.h"
 #include "render/style/detail.h"
 #include "render/style/noise.h"

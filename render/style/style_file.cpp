@@ -4,8 +4,8 @@
 
 #include "generator/base/error.h"
 #include "generator/base/units.h"
-#include "generator/template/read_name.h"
-#include "generator/template/toml_document.h"
+#include "generator/template/read/read_name.h"
+#include "generator/template/read/toml_document.h"
 
 namespace pomona {
 

@@ -1,7 +1,7 @@
 // What no chart of an atlas owns.
 #pragma once
 
-#include "render/picture/image.h"
+#include "render/image/image.h"
 #include "render/texture/atlas.h"
 
 namespace pomona {

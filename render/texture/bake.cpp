@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "generator/scene/section_colors.h"
+#include "generator/piece/section_colors.h"
 #include "render/texture/atlas_gaps.h"
 #include "render/texture/baked_ink.h"
 #include "render/texture/chart_canvas.h"

@@ -7,8 +7,8 @@
 #include <glm/vec2.hpp>
 
 #include "generator/base/parallel.h"
-#include "generator/scene/solid.h"
-#include "render/picture/image.h"
+#include "generator/piece/solid.h"
+#include "render/image/image.h"
 #include "render/style/style.h"
 
 namespace pomona {

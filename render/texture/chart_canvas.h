@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "generator/base/color.h"
-#include "render/picture/image.h"
+#include "render/image/image.h"
 #include "render/texture/atlas.h"
 
 namespace pomona {

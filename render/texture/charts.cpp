@@ -9,8 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/base/disjoint_sets.h"
-#include "generator/cut/crease.h"
+#include "generator/knife/crease.h"
+#include "generator/mesh/disjoint_sets.h"
 #include "render/texture/curved_regions.h"
 #include "render/texture/triangle_neighbors.h"
 

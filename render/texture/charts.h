@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "generator/base/parallel.h"
-#include "generator/scene/solid.h"
+#include "generator/piece/solid.h"
 #include "render/texture/flatten.h"
 
 namespace pomona {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
-#include "generator/scene/section_colors.h"
+#include "generator/piece/section_colors.h"
 #include "render/style/look.h"
 #include "render/style/paint.h"
 #include "render/texture/texels.h"

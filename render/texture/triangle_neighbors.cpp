@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "generator/surface/welded_edges.h"
+#include "generator/mesh/welded_edges.h"
 
 namespace pomona {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "generator/scene/solid.h"
+#include "generator/piece/solid.h"
 
 namespace pomona {
 

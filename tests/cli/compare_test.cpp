@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/picture/png.h"
+#include "render/image/png.h"
 #include "tests/cli/run_pomona.h"
 
 namespace pomona::testing {

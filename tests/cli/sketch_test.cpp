@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/color.h"
-#include "generator/template/read_template.h"
-#include "render/picture/png.h"
+#include "generator/template/read/read_template.h"
+#include "render/image/png.h"
 #include "tests/cli/run_pomona.h"
 
 namespace fs = std::filesystem;

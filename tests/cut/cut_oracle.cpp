@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/cut/pieces.h"
-#include "generator/cut/section.h"
+#include "generator/cut/section/section.h"
 #include "generator/surface/skin_depth.h"
 #include "tests/cut/solid_shapes.h"
 
@@ -319,10 +319,10 @@ Knife CutOracle::random_solid(const RandomStream& random, std::uint64_t number) 
   }
 }
 
-KnifeSolid CutOracle::own_skin() const {
+ClosedSurface CutOracle::own_skin() const {
   const SkinDepth skin(surfaces_);
   if (!skin.is_closed()) return shapes::block(bounds_of(surfaces_).low, bounds_of(surfaces_).high);
-  KnifeSolid own;
+  ClosedSurface own;
   for (const TriangleTree::Corners& t : skin.skin().triangles()) {
     const auto first = static_cast<std::uint32_t>(own.point.size());
     own.point.insert(own.point.end(), t.begin(), t.end());

@@ -15,7 +15,7 @@
 
 #include "generator/base/random.h"
 #include "generator/base/units.h"
-#include "generator/cut/parse_knife.h"
+#include "generator/knife/parse_knife.h"
 #include "tests/cut/cut_checks.h"
 #include "tests/shapes/shapes.h"
 

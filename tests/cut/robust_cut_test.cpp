@@ -6,7 +6,7 @@
 
 #include "generator/base/random.h"
 #include "generator/base/reproducible.h"
-#include "generator/cut/parse_knife.h"
+#include "generator/knife/parse_knife.h"
 #include "tests/cut/cut_checks.h"
 #include "tests/cut/cut_oracle.h"
 #include "tests/shapes/shapes.h"

@@ -1,5 +1,5 @@
 // The section as PLY: the header the documentation promises, and bytes where it says they are.
-#include "generator/cut/section_file.h"
+#include "generator/cut/section/section_file.h"
 
 #include <cstring>
 

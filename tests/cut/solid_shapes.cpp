@@ -13,8 +13,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-KnifeSolid solid_of(const DiffusionSurfaces& surfaces) {
-  KnifeSolid solid;
+ClosedSurface solid_of(const DiffusionSurfaces& surfaces) {
+  ClosedSurface solid;
   for (const glm::vec3& p : surfaces.position) solid.point.emplace_back(p);
   solid.triangle = surfaces.triangle;
   return solid;
@@ -22,21 +22,21 @@ KnifeSolid solid_of(const DiffusionSurfaces& surfaces) {
 
 }  // namespace
 
-KnifeSolid ball(const glm::dvec3& center, double radius, int n) {
-  KnifeSolid solid = solid_of(sphere(1, n));
+ClosedSurface ball(const glm::dvec3& center, double radius, int n) {
+  ClosedSurface solid = solid_of(sphere(1, n));
   for (glm::dvec3& p : solid.point) p = center + radius * p;
   return solid;
 }
 
-KnifeSolid block(const glm::dvec3& low, const glm::dvec3& high) {
-  KnifeSolid solid = solid_of(box({0, 0, 0}, {1, 1, 1}));
+ClosedSurface block(const glm::dvec3& low, const glm::dvec3& high) {
+  ClosedSurface solid = solid_of(box({0, 0, 0}, {1, 1, 1}));
   for (glm::dvec3& p : solid.point)
     p = glm::dvec3(p.x > 0 ? high.x : low.x, p.y > 0 ? high.y : low.y, p.z > 0 ? high.z : low.z);
   return solid;
 }
 
-KnifeSolid rod(const glm::dvec3& bottom, double radius, double height, int around) {
-  KnifeSolid solid;
+ClosedSurface rod(const glm::dvec3& bottom, double radius, double height, int around) {
+  ClosedSurface solid;
   const glm::dvec3 top = bottom + glm::dvec3(0, height, 0);
   solid.point = {bottom, top};
   const auto n = static_cast<std::uint32_t>(around);
@@ -55,16 +55,16 @@ KnifeSolid rod(const glm::dvec3& bottom, double radius, double height, int aroun
   return solid;
 }
 
-KnifeSolid tilted(KnifeSolid solid) {
+ClosedSurface tilted(ClosedSurface solid) {
   const glm::dmat3 turn(glm::dvec3(0.36, 0.48, -0.8), glm::dvec3(-0.8, 0.6, 0), glm::dvec3(0.48, 0.64, 0.6));
   for (glm::dvec3& p : solid.point) p = turn * p;
   return solid;
 }
 
-Knife solid_knife(KnifeSolid solid) {
+Knife solid_knife(ClosedSurface solid) {
   Knife knife;
   knife.kind = Knife::Kind::surface;
-  knife.surface = std::make_shared<const KnifeSolid>(std::move(solid));
+  knife.surface = std::make_shared<const ClosedSurface>(std::move(solid));
   knife.text = "solid";
   return knife;
 }

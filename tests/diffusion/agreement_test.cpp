@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include "bench/baselines/tetrahedral_poisson.h"
-#include "generator/diffusion/harmonic_diffuser.h"
-#include "generator/diffusion/walk_on_spheres.h"
+#include "generator/diffusion/harmonic/harmonic_diffuser.h"
+#include "generator/diffusion/walk/walk_on_spheres.h"
 #include "tests/diffusion/fields.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/shapes.h"

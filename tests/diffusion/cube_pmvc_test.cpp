@@ -1,5 +1,5 @@
 // The reference against exact integrals [notes on positive mean values: linear precision, shell, P2, plates].
-#include "generator/diffusion/cube_pmvc.h"
+#include "generator/diffusion/pmvc/cube_pmvc.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/units.h"
-#include "generator/diffusion/cube_directions.h"
+#include "generator/diffusion/pmvc/cube_directions.h"
 #include "tests/diffusion/brute_force_pmvc.h"
 #include "tests/diffusion/fields.h"
 #include "tests/shapes/seeded_fruit.h"

@@ -10,7 +10,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/random.h"
-#include "generator/diffusion/harmonic_diffuser.h"
+#include "generator/diffusion/harmonic/harmonic_diffuser.h"
 #include "tests/diffusion/fields.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/shapes.h"

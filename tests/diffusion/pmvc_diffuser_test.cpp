@@ -1,5 +1,5 @@
 // What holds at every quality: bits, hull, parts, surfaces, misses, and inputs nobody should send.
-#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
 
 #include <algorithm>
 #include <cmath>

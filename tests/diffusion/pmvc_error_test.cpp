@@ -6,9 +6,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "generator/diffusion/line_directions.h"
-#include "generator/diffusion/pmvc_diffuser.h"
-#include "generator/diffusion/relaxed_lines.h"
+#include "generator/diffusion/pmvc/line_directions.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/diffusion/pmvc/relaxed_lines.h"
 #include "tests/diffusion/fields.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/shapes.h"

@@ -8,10 +8,10 @@
 
 #include "generator/base/color.h"
 #include "generator/cut/cut.h"
-#include "generator/cut/parse_knife.h"
-#include "generator/diffusion/pmvc_diffuser.h"
-#include "generator/scene/grow.h"
-#include "generator/template/read_template.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/piece/grow.h"
+#include "generator/template/read/read_template.h"
 #include "tests/diffusion/fields.h"
 
 namespace pomona {

@@ -7,7 +7,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/random.h"
-#include "generator/diffusion/walk_diffuser.h"
+#include "generator/diffusion/walk/walk_diffuser.h"
 #include "tests/diffusion/fields.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/shapes.h"

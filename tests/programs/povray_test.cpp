@@ -10,7 +10,7 @@
 
 #include "render/export/output.h"
 #include "render/export/pov.h"
-#include "render/picture/png.h"
+#include "render/image/png.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/render/export/named_solids.h"
 

@@ -14,7 +14,7 @@
 #include "generator/base/error.h"
 #include "generator/base/random.h"
 #include "generator/cut/cut.h"
-#include "generator/cut/parse_knife.h"
+#include "generator/knife/parse_knife.h"
 #include "render/texture/bake.h"
 #include "tests/render/half_ball.h"
 #include "tests/shapes/seeded_fruit.h"

@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 
 #include "generator/cut/cut.h"
-#include "generator/cut/parse_knife.h"
-#include "generator/diffusion/harmonic_diffuser.h"
-#include "generator/diffusion/pmvc_diffuser.h"
-#include "generator/scene/section_colors.h"
-#include "generator/scene/solid.h"
+#include "generator/diffusion/harmonic/harmonic_diffuser.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/piece/section_colors.h"
+#include "generator/piece/solid.h"
 #include "render/diffusion/gl_diffuser.h"
 #include "render/texture/bake.h"
 #include "tests/shapes/seeded_fruit.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
-#include "generator/scene/section_colors.h"
+#include "generator/piece/section_colors.h"
 #include "tests/render/half_ball.h"
 
 namespace pomona {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/error.h"
-#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "tests/diffusion/fields.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/shapes.h"

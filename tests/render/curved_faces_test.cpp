@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/cut/parse_knife.h"
-#include "generator/scene/solid.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/piece/solid.h"
 #include "render/picture/section_ink.h"
 #include "render/picture/section_raster.h"
 #include "render/strokes/solid_edges.h"
@@ -55,7 +55,7 @@ TEST(CurvedFaces, OfAWaveHaveOneLineAroundThem) {
 }
 
 TEST(CurvedFaces, TurnNoTriangleAway) {
-  for (const KnifeSolid& solid :
+  for (const ClosedSurface& solid :
        {shapes::ball({0.01, 0.003, 0.002}, 0.02, 8), shapes::rod({0.003, -0.1, 0.002}, 0.012, 0.2, 32)}) {
     const CrossSection section = cut(ball_fruit(), std::vector{shapes::solid_knife(solid)}).section;
     EXPECT_EQ(section.faces.size(), 2u) << "front and back";

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
-#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "render/diffusion/gl_diffuser.h"
 #include "render/diffusion/gl_pmvc.h"
 #include "tests/diffusion/fields.h"

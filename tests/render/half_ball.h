@@ -1,7 +1,7 @@
 // Solids for baking, small and known.
 #pragma once
 
-#include "generator/scene/solid.h"
+#include "generator/piece/solid.h"
 
 namespace pomona::named {
 

@@ -1,7 +1,7 @@
 // Made-up fruit for pictures: simple enough to know what every pixel should be.
 #pragma once
 
-#include "generator/cut/cross_section.h"
+#include "generator/cut/section/cross_section.h"
 #include "generator/scene/scene.h"
 
 namespace pomona::testing {

@@ -9,7 +9,7 @@
 
 #include "generator/base/error.h"
 #include "generator/cut/cut.h"
-#include "render/picture/png.h"
+#include "render/image/png.h"
 #include "render/picture/section_ink.h"
 #include "render/picture/section_layout.h"
 #include "tests/render/painted_shapes.h"

@@ -30,10 +30,10 @@ class Rules(unittest.TestCase):
         self.assertEqual(self.wrong_with(files), [])
 
     def test_includes_point_backwards(self):
-        surface = {"generator/surface/sweep.h": HEADER}
-        self.assert_fine(surface | {"generator/cut/cut.cpp": '#include "generator/surface/sweep.h"\n'})
+        surface = {"generator/surface/sweep/sweep.h": HEADER}
+        self.assert_fine(surface | {"generator/cut/cut.cpp": '#include "generator/surface/sweep/sweep.h"\n'})
         self.assert_wrong(
-            surface | {"generator/base/curve.cpp": '\n#include "generator/surface/sweep.h"\n'},
+            surface | {"generator/base/curve.cpp": '\n#include "generator/surface/sweep/sweep.h"\n'},
             "generator/base/curve.cpp:2",
             "ahead on the road",
         )
@@ -58,9 +58,9 @@ class Rules(unittest.TestCase):
 
     def test_heavy_packages_stay_where_they_belong(self):
         include = "#include <CGAL/Constrained_Delaunay_triangulation_2.h>\n"
-        self.assert_fine({"generator/cut/triangulate.cpp": include})
+        self.assert_fine({"generator/cut/plane/triangulate.cpp": include})
         self.assert_wrong({"generator/surface/bodies.cpp": include}, "generator/surface/bodies.cpp:1", "CGAL")
-        self.assert_wrong({"generator/cut/triangulate.h": HEADER + include}, "generator/cut/triangulate.h:3", "header")
+        self.assert_wrong({"generator/cut/plane/triangulate.h": HEADER + include}, "generator/cut/plane/triangulate.h:3", "header")
 
     def test_no_libm(self):
         for call in ("std::sin(x)", "glm::pow(x, y)", "::cosf(x)", "sin (x)", "std::hypot(x, y)"):

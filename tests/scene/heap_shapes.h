@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/scene/solid.h"
+#include "generator/piece/solid.h"
 
 namespace pomona::heap_shapes {
 

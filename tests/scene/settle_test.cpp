@@ -1,4 +1,4 @@
-#include "generator/scene/settle.h"
+#include "generator/scene/settle/settle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 
 #include "generator/base/units.h"
 #include "generator/surface/bodies.h"
-#include "generator/surface/grain_colors.h"
-#include "generator/surface/grain_shape.h"
-#include "generator/surface/grains.h"
+#include "generator/surface/grains/grain_colors.h"
+#include "generator/surface/grains/grain_shape.h"
+#include "generator/surface/grains/grains.h"
 #include "tests/surface/sketches.h"
 
 namespace pomona {

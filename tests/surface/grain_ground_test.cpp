@@ -10,8 +10,8 @@
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
-#include "generator/surface/dart_throwing.h"
-#include "generator/surface/grains.h"
+#include "generator/surface/grains/grains.h"
+#include "generator/surface/sweep/dart_throwing.h"
 #include "tests/surface/sketches.h"
 
 namespace pomona {

@@ -1,4 +1,4 @@
-#include "generator/surface/grains.h"
+#include "generator/surface/grains/grains.h"
 
 #include <cmath>
 

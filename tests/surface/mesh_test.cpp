@@ -1,5 +1,5 @@
 // Meshes from modelling tools: every door gives the same surfaces, and hostile files a clear error.
-#include "generator/surface/mesh_surfaces.h"
+#include "generator/surface/sweep/mesh_surfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +16,11 @@
 #include "generator/base/error.h"
 #include "generator/base/random.h"
 #include "generator/surface/bodies.h"
-#include "generator/surface/glb_file.h"
-#include "generator/surface/obj_file.h"
-#include "generator/surface/surface_file.h"
-#include "generator/surface/sweep.h"
-#include "generator/template/read_template.h"
+#include "generator/surface/file/glb_file.h"
+#include "generator/surface/file/obj_file.h"
+#include "generator/surface/file/surface_file.h"
+#include "generator/surface/sweep/sweep.h"
+#include "generator/template/read/read_template.h"
 #include "tests/shapes/shapes.h"
 #include "tests/surface/mesh_files.h"
 

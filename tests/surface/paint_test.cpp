@@ -11,9 +11,9 @@
 #include "generator/base/parallel.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
-#include "generator/surface/grid_place.h"
-#include "generator/surface/spots.h"
-#include "generator/surface/sweep.h"
+#include "generator/surface/sweep/grid_place.h"
+#include "generator/surface/sweep/spots.h"
+#include "generator/surface/sweep/sweep.h"
 #include "generator/variation/vary.h"
 #include "tests/surface/sketches.h"
 

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "generator/surface/bodies.h"
-#include "generator/surface/surface_file.h"
-#include "generator/surface/sweep.h"
+#include "generator/surface/file/surface_file.h"
+#include "generator/surface/sweep/sweep.h"
 #include "tests/shapes/shapes.h"
 #include "tests/surface/sketches.h"
 

@@ -1,4 +1,4 @@
-#include "generator/surface/surface_file.h"
+#include "generator/surface/file/surface_file.h"
 
 #include <array>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "generator/surface/sweep.h"
+#include "generator/surface/sweep/sweep.h"
 
 #include <cmath>
 #include <set>

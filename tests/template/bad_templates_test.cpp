@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/error.h"
-#include "generator/template/read_template.h"
+#include "generator/template/read/read_template.h"
 
 namespace pomona {
 namespace {

@@ -1,5 +1,5 @@
 // [[detail]]: good.toml with more at its end.
-#include "generator/template/read_detail.h"
+#include "generator/template/read/read_detail.h"
 
 #include <filesystem>
 #include <fstream>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/error.h"
-#include "generator/template/read_template.h"
+#include "generator/template/read/read_template.h"
 
 namespace pomona {
 namespace {

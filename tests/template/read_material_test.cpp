@@ -1,5 +1,5 @@
 // [material.PART]: good.toml with more at its end.
-#include "generator/template/read_material.h"
+#include "generator/template/read/read_material.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/units.h"
-#include "generator/template/read_template.h"
+#include "generator/template/read/read_template.h"
 
 namespace pomona {
 namespace {

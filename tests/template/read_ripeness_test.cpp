@@ -1,5 +1,5 @@
 // [ripeness], [browning] and the colours of [variation]: good.toml with more at its end.
-#include "generator/template/read_ripeness.h"
+#include "generator/template/read/read_ripeness.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "generator/template/read_template.h"
+#include "generator/template/read/read_template.h"
 
 #include <filesystem>
 #include <fstream>

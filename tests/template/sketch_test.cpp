@@ -1,4 +1,4 @@
-#include "generator/template/sketch.h"
+#include "generator/template/read/sketch.h"
 
 #include <algorithm>
 #include <clocale>

@@ -1,4 +1,4 @@
-#include "generator/template/svg_transform.h"
+#include "generator/template/read/svg_transform.h"
 
 #include <clocale>
 

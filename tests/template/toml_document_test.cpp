@@ -1,4 +1,4 @@
-#include "generator/template/toml_document.h"
+#include "generator/template/read/toml_document.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

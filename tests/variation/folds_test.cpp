@@ -8,7 +8,7 @@
 #include "generator/base/error.h"
 #include "generator/base/units.h"
 #include "generator/surface/crossings.h"
-#include "generator/surface/sweep.h"
+#include "generator/surface/sweep/sweep.h"
 #include "generator/variation/fold_blend.h"
 #include "generator/variation/fold_samples.h"
 #include "generator/variation/vary.h"

@@ -9,8 +9,8 @@
 
 #include "generator/surface/crossings.h"
 #include "generator/surface/shells.h"
-#include "generator/surface/sweep.h"
-#include "generator/template/read_template.h"
+#include "generator/surface/sweep/sweep.h"
+#include "generator/template/read/read_template.h"
 #include "generator/variation/vary.h"
 #include "generator/variation/vary_folds.h"
 #include "generator/variation/vary_loops.h"

@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/base/disjoint_sets.h"
 #include "generator/cut/carve/fineness.h"
 #include "generator/cut/carve/knife_charts.h"
 #include "generator/cut/carve/knife_face.h"
@@ -16,7 +15,8 @@
 #include "generator/cut/carve/labels.h"
 #include "generator/cut/carve/meetings.h"
 #include "generator/cut/carve/split_surfaces.h"
-#include "generator/surface/triangle_tree.h"
+#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/triangle_tree.h"
 
 namespace pomona {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "generator/cut/carve/cut_fruit.h"
-#include "generator/cut/carve/knife_mesh.h"
-#include "generator/cut/size_field.h"
+#include "generator/cut/section/cut_fruit.h"
+#include "generator/cut/section/size_field.h"
+#include "generator/knife/knife_mesh.h"
 
 namespace pomona {
 

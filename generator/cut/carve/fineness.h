@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "generator/surface/triangle_tree.h"
+#include "generator/mesh/triangle_tree.h"
 
 namespace pomona {
 

@@ -1,8 +1,8 @@
 // The surface of a closed knife in cut faces that can be looked at.
 #pragma once
 
-#include "generator/cut/face_mesh.h"
-#include "generator/cut/regions.h"
+#include "generator/cut/section/face_mesh.h"
+#include "generator/cut/section/regions.h"
 
 namespace pomona {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/cut/carve/arrangement.h"
-#include "generator/cut/carve/cut_fruit.h"
+#include "generator/cut/section/cut_fruit.h"
 
 namespace pomona {
 

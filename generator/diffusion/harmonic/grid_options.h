@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "generator/base/parallel.h"
-#include "generator/diffusion/harmonic_diffuser.h"
+#include "generator/diffusion/harmonic/harmonic_diffuser.h"
 
 namespace pomona {
 

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/base/disjoint_sets.h"
+#include "generator/mesh/disjoint_sets.h"
 
 namespace pomona {
 

@@ -11,13 +11,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/cut/parse_knife.h"
-#include "generator/diffusion/pmvc_diffuser.h"
-#include "generator/scene/grow.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/piece/grow.h"
 #include "generator/scene/scene.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/shell_geometry.h"
-#include "generator/template/read_template.h"
+#include "generator/template/read/read_template.h"
 #include "render/export/gltf.h"
 #include "render/export/ply.h"
 #include "tests/render/export/read_glb.h"

@@ -7,10 +7,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/cut/parse_knife.h"
-#include "generator/diffusion/pmvc_diffuser.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/piece/section_colors.h"
 #include "generator/scene/scene.h"
-#include "generator/scene/section_colors.h"
 #include "render/export/gltf.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/section_picture.h"

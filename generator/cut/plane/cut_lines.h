@@ -1,0 +1,48 @@
+// Lines in which cutting planes meet, the creases between a stroke's facets among them. Both planes must have the very
+// same points there: they are laid out once, before either plane is triangulated.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "generator/cut/section/segments.h"
+
+namespace pomona {
+
+struct CutLine {
+  std::vector<int> planes;  ///< the two that meet, or all that contain the axis; ascending
+  glm::dvec3 origin{0}, direction{0, 1, 0};
+  std::vector<std::uint32_t> points;  ///< of the split mesh, in order; at least two
+
+  /// Where the line ends because a facet does, along its direction; or infinity: then the first point, or the last,
+  /// lies outside the fruit.
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  bool begins_outside() const { return std::isinf(low); }
+  bool ends_outside() const { return std::isinf(high); }
+
+  /// True if what joins points[i - 1] and points[i] leads outside.
+  bool leads_outside(std::size_t i) const {
+    return (i == 1 && begins_outside()) || (i + 1 == points.size() && ends_outside());
+  }
+};
+
+/// Where the planes that have segments meet within `bounds`: with all points that surfaces have there, and those
+/// where three planes meet. New points are added to `mesh`.
+std::vector<CutLine> cut_lines(SplitMesh& mesh, const CutPlanes& planes,
+                               const std::vector<std::vector<Segment>>& segments, const Bounds& bounds);
+
+/// Adds points until neighbours are no farther apart than `size` says, which is asked with one of the line's planes
+/// and a place.
+void subdivide(CutLine& line, SplitMesh& mesh, const CutPlanes& planes,
+               const std::function<double(int, const glm::dvec3&)>& size);
+
+/// Adds given points of the split mesh at their place along the line.
+void insert(CutLine& line, const std::vector<std::uint32_t>& points, SplitMesh& mesh);
+
+/// The points of the line strictly between two of its points, on the way from the first to the second.
+std::vector<std::uint32_t> points_between(const CutLine& line, std::uint32_t from, std::uint32_t to);
+
+}  // namespace pomona

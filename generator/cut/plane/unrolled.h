@@ -1,0 +1,41 @@
+// Cutting sheets in two dimensions.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "generator/cut/section/cross_section.h"
+#include "generator/knife/cut_planes.h"
+
+namespace pomona {
+
+/// u and v upright where the plane is; for level planes u = +X, v = -Z.
+CutFace frame_of(const CuttingPlane& plane);
+glm::dvec2 to_face(const CutFace& face, const glm::dvec3& point);
+glm::dvec3 from_face(const CutFace& face, const glm::dvec2& point);
+
+/// A cutting sheet in two dimensions: a plane as it is, or the facets of a stroke side by side, u along the stroke and
+/// v = +Z.
+class Unrolled {
+ public:
+  Unrolled() = default;
+  Unrolled(const CutPlanes& planes, int sheet);
+
+  std::size_t facets() const { return frames_.size(); }
+  int facet_at(double u) const;
+  glm::dvec2 to_face(int facet, const glm::dvec3& point) const;
+  glm::dvec3 from_face(const glm::dvec2& point) const;
+  const CutFace& frame(int facet) const { return frames_[static_cast<std::size_t>(facet)]; }
+
+  /// Smooth over creases that are none to the eye (crease.h): there the same to the bit for both facets.
+  glm::vec3 normal_at(std::size_t facet, const glm::dvec2& point) const;
+
+ private:
+  void find_bends();
+
+  std::vector<CutFace> frames_;    // per facet
+  std::vector<glm::dvec3> bends_;  // of a stroke, where each facet begins: the normal there; 0 at a crease
+};
+
+}  // namespace pomona

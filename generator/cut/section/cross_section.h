@@ -1,0 +1,60 @@
+// The cross-section: triangulated cut faces with diffused colours (paper, section 3.2, Figure 3).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/base/color.h"
+#include "generator/cut/section/detail_guide.h"
+
+namespace pomona {
+
+/// Where one cut face lies. u, v, normal are orthonormal and right-handed; normal points to the knife's
+/// positive side.
+struct CutFace {
+  int knife = 0;
+  glm::dvec3 origin{0}, u{1, 0, 0}, v{0, 1, 0}, normal{0, 0, 1};
+
+  /// Facets of one stroke have the same number, others none. Unrolled they lie side by side, with `along` as the
+  /// origin's place along u.
+  int stroke = -1;
+  double along = 0;  ///< metres
+
+  bool curved = false;  ///< part of a closed knife's surface that is not flat; the normal is then its mean
+};
+
+/// A piece of a cut segment on the section, for ink: its two vertices on one side of it.
+struct CutSegment {
+  std::array<std::uint32_t, 2> vertex{};
+  std::int32_t surface = 0;  ///< index into surface_names
+  bool boundary = false;     ///< the rim of the section
+};
+
+/// All cut faces of a fruit, each once, as one mesh. A cut vertex is split into duplicate vertices, one for
+/// every fan of triangles between cut segments, each with the colour of the side it lies on; vertices where
+/// `interior` is 1 are to be coloured by diffusion. Vertices on a line where two cut faces meet belong to both.
+struct CrossSection {
+  std::vector<glm::vec3> position;
+  std::vector<Color> color;  ///< linear
+  std::vector<std::uint8_t> interior;
+  std::vector<std::int32_t> part;  ///< index into part_names
+  std::vector<DetailGuide> guide;  ///< empty where no detail asks for it
+
+  std::vector<glm::uvec3> triangle;  ///< counter-clockwise seen from the face's normal
+  std::vector<std::int32_t> cut;     ///< index into faces
+
+  /// Per triangle, of its corners: unit, as the faces' normals point; smooth where a face is curved. Empty where all
+  /// faces are flat.
+  std::vector<std::array<glm::vec3, 3>> normal;
+
+  std::vector<CutFace> faces;  ///< in cut order
+  std::vector<CutSegment> segments;
+  std::vector<std::string> part_names;
+  std::vector<std::string> surface_names;
+};
+
+}  // namespace pomona

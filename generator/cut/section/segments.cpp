@@ -1,0 +1,60 @@
+#include "generator/cut/section/segments.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace pomona {
+
+std::vector<Segment> without_mere_touches(std::vector<Segment> segments, const DiffusionSurfaces& surfaces) {
+  struct Entry {
+    std::uint32_t low, high;
+    std::int32_t surface;
+    bool boundary, forward;
+    std::uint32_t index;
+    auto key() const { return std::tie(low, high, surface, boundary); }
+  };
+  std::vector<Entry> entries;
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    const Segment& s = segments[i];
+    entries.push_back({std::min(s.from, s.to), std::max(s.from, s.to), surfaces.surface[s.source],
+                       surfaces.is_boundary(s.source), s.from < s.to, i});
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tuple(a.key(), !a.forward, a.index) < std::tuple(b.key(), !b.forward, b.index);
+  });
+
+  std::vector<std::uint8_t> keep(segments.size(), 1);
+  for (std::size_t i = 0; i < entries.size();) {
+    std::size_t forward = i, end;
+    while (forward < entries.size() && entries[forward].key() == entries[i].key() && entries[forward].forward)
+      ++forward;
+    for (end = forward; end < entries.size() && entries[end].key() == entries[i].key(); ++end) {
+    }
+    const std::size_t pairs = std::min(forward - i, end - forward);
+    for (std::size_t k = 0; k < pairs; ++k) keep[entries[i + k].index] = keep[entries[forward + k].index] = 0;
+    i = end;
+  }
+  std::vector<Segment> kept;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (keep[i]) kept.push_back(segments[i]);
+  }
+  return kept;
+}
+
+std::vector<std::vector<Segment>> cut_segments(const SplitMesh& mesh, const DiffusionSurfaces& surfaces, int planes) {
+  std::vector<std::vector<Segment>> segments(static_cast<std::size_t>(planes));
+  for (const SplitMesh::Triangle& t : mesh.triangle) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (t.cut_by[i] == 0) continue;
+      const std::uint32_t from = t.vertex[i], to = t.vertex[(i + 1) % 3];
+      for (const int plane : mesh.sets.planes_in(t.cut_by[i])) {
+        segments[static_cast<std::size_t>(plane)].push_back(
+            {mesh.point_of[from], mesh.point_of[to], from, to, t.source});
+      }
+    }
+  }
+  for (std::vector<Segment>& s : segments) s = without_mere_touches(std::move(s), surfaces);
+  return segments;
+}
+
+}  // namespace pomona

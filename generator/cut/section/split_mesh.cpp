@@ -1,0 +1,458 @@
+#include "generator/cut/section/split_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include <glm/geometric.hpp>
+
+#include "generator/knife/exact_side.h"
+#include "generator/mesh/welded_edges.h"
+
+namespace pomona {
+
+namespace {
+
+/// Corner numbers one and two on.
+constexpr std::array<std::size_t, 3> next{1, 2, 0}, after_next{2, 0, 1};
+
+class Splitter {
+ public:
+  Splitter(const DiffusionSurfaces& surfaces, const CutPlanes& planes)
+      : surfaces_(surfaces), planes_(planes), mesh_(planes) {}
+
+  SplitMesh split() {
+    take_input();
+    int plane = 0;
+    for (const PlacedKnife& knife : planes_.knives) {
+      const int end = plane + static_cast<int>(knife.planes.size());
+      while (plane < end) {
+        const CutPlanes::Sheet& sheet = planes_.sheet_of(plane);
+        if (sheet.stroke)
+          split_by_stroke(sheet);
+        else
+          split_by(plane);
+        plane += sheet.count;
+      }
+      for (SplitMesh::Triangle& t : mesh_.triangle) {
+        t.cell =
+            t.cell * static_cast<std::uint32_t>(knife.cell_count()) + static_cast<std::uint32_t>(knife.cell(t.sides));
+        t.sides = {};
+      }
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  using Triangle = SplitMesh::Triangle;
+
+  void take_input() {
+    const std::vector<std::uint32_t> welded = weld(surfaces_.position);
+    mesh_.point_of = welded;
+    mesh_.front_color = surfaces_.front_color;
+    mesh_.back_color = surfaces_.back_color;
+    mesh_.point.reserve(surfaces_.vertex_count() * 5 / 4);
+    for (const glm::vec3& p : surfaces_.position) mesh_.point.emplace_back(p);
+    mesh_.planes_of.resize(mesh_.point.size(), 0);
+    input_points_ = mesh_.point.size();
+    find_points_on_planes();
+
+    mesh_.triangle.reserve(surfaces_.triangle_count() * 5 / 4);
+    for (std::size_t t = 0; t < surfaces_.triangle_count(); ++t) {
+      const glm::uvec3& corner = surfaces_.triangle[t];
+      if (is_collapsed({welded[corner.x], welded[corner.y], welded[corner.z]})) continue;
+      Triangle triangle;
+      triangle.vertex = {corner.x, corner.y, corner.z};
+      triangle.source = static_cast<std::uint32_t>(t);
+      mesh_.triangle.push_back(triangle);
+    }
+    find_normals();
+  }
+
+  /// All before the first split: a point made between two that lie on a plane is then known to lie on it, too.
+  void find_points_on_planes() {
+    for (int plane = 0; plane < planes_.count(); ++plane) {
+      if (planes_[plane].same_as != plane) continue;
+      for (std::size_t p = 0; p < input_points_; ++p) {
+        if (exact_distance(planes_[plane].plane, mesh_.point[p]) != 0) continue;
+        mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], plane);
+      }
+    }
+  }
+
+  /// Area-weighted, of the boundary triangles that meet at a point.
+  void find_normals() {
+    std::vector<glm::dvec3> sum(mesh_.point.size(), glm::dvec3(0));
+    for (const Triangle& t : mesh_.triangle) {
+      if (!surfaces_.is_boundary(t.source)) continue;
+      const double to_air = surfaces_.is_hidden(t.source, SideOf::front) ? 1 : -1;
+      const glm::dvec3 normal = to_air * area_vector(t);
+      for (const std::uint32_t v : t.vertex) sum[mesh_.point_of[v]] += normal;
+    }
+    mesh_.normal.resize(mesh_.point_of.size(), glm::vec3(0));
+    for (std::size_t v = 0; v < mesh_.normal.size(); ++v) mesh_.normal[v] = unit(sum[mesh_.point_of[v]]);
+  }
+
+  static glm::vec3 unit(const glm::dvec3& v) {
+    const double size = glm::length(v);
+    return size > 0 ? glm::vec3(v / size) : glm::vec3(0);
+  }
+
+  glm::dvec3 area_vector(const Triangle& t) const {
+    const glm::dvec3& a = point_at(t.vertex[0]);
+    return glm::cross(point_at(t.vertex[1]) - a, point_at(t.vertex[2]) - a);
+  }
+
+  const glm::dvec3& point_at(std::uint32_t vertex) const { return mesh_.point[mesh_.point_of[vertex]]; }
+
+  void take_plane(int plane) {
+    plane_ = plane;
+    shared_ = planes_[plane].same_as;
+    find_sides();
+    new_points_.clear();
+    new_vertices_.clear();
+  }
+
+  static bool is_mixed(const std::array<int, 3>& side) {
+    return (side[0] < 0 || side[1] < 0 || side[2] < 0) && (side[0] > 0 || side[1] > 0 || side[2] > 0);
+  }
+
+  void split_by(int plane) {
+    take_plane(plane);
+    const std::size_t count = mesh_.triangle.size();
+    for (std::size_t t = 0; t < count; ++t) {
+      const std::array<int, 3> side = sides_of(mesh_.triangle[t]);
+      if (is_mixed(side)) {
+        split_triangle(t, side);
+      } else {
+        see_side(mesh_.triangle[t], side[0] + side[1] + side[2]);
+      }
+    }
+  }
+
+  // ---- Strokes ----
+
+  /// Facet by facet. Which side a triangle then lies on, and which edges follow the stroke, is found at the end.
+  void split_by_stroke(const CutPlanes::Sheet& sheet) {
+    in_stroke_ = true;
+    for (int i = 0; i < sheet.count; ++i) split_by_facet(sheet.first + i);
+    in_stroke_ = false;
+    see_sides_of_stroke(sheet);
+  }
+
+  /// Triangles that the facet reaches are split along the whole of its plane; their neighbours take over the points
+  /// that this puts on common edges, so that triangles go on meeting edge to edge.
+  void split_by_facet(int plane) {
+    take_plane(plane);
+    const std::size_t count = mesh_.triangle.size();
+    std::vector<std::size_t> not_reached;
+    for (std::size_t t = 0; t < count; ++t) {
+      const std::array<int, 3> side = sides_of(mesh_.triangle[t]);
+      if (!is_mixed(side)) continue;
+      if (is_reached(mesh_.triangle[t], side))
+        split_triangle(t, side);
+      else
+        not_reached.push_back(t);
+    }
+    for (const std::size_t t : not_reached) take_over_points(t);
+  }
+
+  /// True if the facet comes near the line in which its plane meets the triangle.
+  bool is_reached(const Triangle& t, const std::array<int, 3>& side) const {
+    const Stroke::Facet& facet = *planes_.facet(plane_);
+    double low = 1e300, high = -1e300;
+    const auto see = [&](const glm::dvec3& p) {
+      const double along = facet.along_of(glm::dvec2(p));
+      low = std::min(low, along);
+      high = std::max(high, along);
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = next[i];
+      const std::uint32_t p = mesh_.point_of[t.vertex[i]], q = mesh_.point_of[t.vertex[j]];
+      if (side[i] == 0) see(mesh_.point[p]);
+      if (side[i] * side[j] < 0) {
+        see(glm::mix(mesh_.point[p], mesh_.point[q], distance_[p] / (distance_[p] + distance_[q])));
+      }
+    }
+    const double margin = 1e4 * planes_.tolerance;
+    return high >= facet.from - margin && low <= facet.to + margin;
+  }
+
+  void take_over_points(std::size_t index) {
+    const Triangle whole = mesh_.triangle[index];
+    const std::array<int, 3> side = sides_of(whole);
+    int crossed = 0, known = 0;
+    std::size_t i = 0;
+    for (std::size_t e = 0; e < 3; ++e) {
+      if (side[e] * side[next[e]] >= 0) continue;
+      ++crossed;
+      const auto [low, high] = std::minmax(mesh_.point_of[whole.vertex[e]], mesh_.point_of[whole.vertex[next[e]]]);
+      if (!new_points_.contains(edge_key(low, high))) continue;
+      ++known;
+      i = e;
+    }
+    if (known == 0) return;
+    if (known == crossed) {
+      split_triangle(index, side);
+      return;
+    }
+    const std::size_t j = next[i], k = after_next[i];
+    const std::uint32_t m = vertex_between(whole.vertex[i], whole.vertex[j]);
+    replace(index, whole, {whole.vertex[i], m, whole.vertex[k]}, {whole.cut_by[i], 0, whole.cut_by[k]}, 0);
+    add(whole, {m, whole.vertex[j], whole.vertex[k]}, {whole.cut_by[i], whole.cut_by[j], 0}, 0);
+  }
+
+  /// All edges with both ends on one facet are taken as cut; where both sides are the same they cancel (see
+  /// segments.h). So chains close whatever the sides, as long as these change at such edges only.
+  void see_sides_of_stroke(const CutPlanes::Sheet& sheet) {
+    near_.clear();
+    for (const glm::dvec3& p : mesh_.point) near_.push_back(sheet.stroke->nearest(glm::dvec2(p)));
+    const std::vector<int> side = sides_to_stroke(sheet);
+    for (std::size_t index = 0; index < side.size(); ++index) {
+      Triangle& t = mesh_.triangle[index];
+      bool positive = side[index] > 0;
+      if (side[index] == 0) {
+        plane_ = sheet.first + near_[mesh_.point_of[t.vertex[0]]].facet;
+        positive = lies_with_positive_side(t);
+      }
+      const CutPlanes::Plane& first = planes_[sheet.first];
+      t.sides = planes_.knives[static_cast<std::size_t>(first.knife)].seen(t.sides, first.in_knife, positive);
+      if (!positive) cut_along_stroke(sheet, t);
+    }
+  }
+
+  void cut_along_stroke(const CutPlanes::Sheet& sheet, Triangle& t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t p = mesh_.point_of[t.vertex[i]], q = mesh_.point_of[t.vertex[next[i]]];
+      const int plane = facet_with(sheet, p, q);
+      if (plane < 0) continue;
+      t.cut_by[i] = mesh_.sets.with(t.cut_by[i], plane);
+      for (const std::uint32_t point : {p, q}) mesh_.planes_of[point] = mesh_.sets.with(mesh_.planes_of[point], plane);
+    }
+  }
+
+  /// Per triangle: 1, -1, or 0 for those that lie on the stroke. One that lies on it as far as can be told, but has an
+  /// edge along no facet, cuts off a corner of it by less than the tolerance: it goes with its neighbour across that
+  /// edge.
+  std::vector<int> sides_to_stroke(const CutPlanes::Sheet& sheet) const {
+    std::vector<int> side;
+    std::map<std::uint64_t, std::vector<std::size_t>> across;  // triangles at edges along no facet
+    for (const Triangle& t : mesh_.triangle) {
+      const double farthest = farthest_from(*sheet.stroke, t);
+      side.push_back(std::fabs(farthest) <= planes_.tolerance ? 0 : farthest > 0 ? 1 : -1);
+      if (side.back() != 0) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t p = mesh_.point_of[t.vertex[i]], q = mesh_.point_of[t.vertex[next[i]]];
+        if (facet_with(sheet, p, q) < 0) across[edge_key(std::min(p, q), std::max(p, q))];
+      }
+    }
+    if (across.empty()) return side;
+
+    for (std::size_t t = 0; t < side.size(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Triangle& triangle = mesh_.triangle[t];
+        const auto [low, high] =
+            std::minmax(mesh_.point_of[triangle.vertex[i]], mesh_.point_of[triangle.vertex[next[i]]]);
+        const auto found = across.find(edge_key(low, high));
+        if (found != across.end()) found->second.push_back(t);
+      }
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const auto& [edge, triangles] : across) changed = take_side(triangles, side) || changed;
+    }
+    return side;
+  }
+
+  /// Gives the triangles at one edge that have no side the one that another of their surface has there.
+  bool take_side(const std::vector<std::size_t>& triangles, std::vector<int>& side) const {
+    bool changed = false;
+    for (const std::size_t t : triangles) {
+      for (const std::size_t other : triangles) {
+        const bool same_surface =
+            surfaces_.surface[mesh_.triangle[t].source] == surfaces_.surface[mesh_.triangle[other].source];
+        if (side[t] != 0 || side[other] == 0 || !same_surface) continue;
+        side[t] = side[other];
+        changed = true;
+      }
+    }
+    return changed;
+  }
+
+  /// Of a triangle that the stroke does not cross. One with all corners on the stroke spans a bend of it: then its
+  /// middle and those of its edges are asked.
+  double farthest_from(const Stroke& stroke, const Triangle& t) const {
+    double farthest = 0;
+    const auto see = [&](double distance) {
+      if (std::fabs(distance) > std::fabs(farthest)) farthest = distance;
+    };
+    for (const std::uint32_t v : t.vertex) see(near_[mesh_.point_of[v]].distance);
+    if (std::fabs(farthest) > planes_.tolerance) return farthest;
+    const glm::dvec2 a(point_at(t.vertex[0])), b(point_at(t.vertex[1])), c(point_at(t.vertex[2]));
+    for (const glm::dvec2& p : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
+      see(stroke.nearest(p).distance);
+    }
+    return farthest;
+  }
+
+  /// The first facet that both points lie on; or -1.
+  int facet_with(const CutPlanes::Sheet& sheet, std::uint32_t p, std::uint32_t q) const {
+    if (std::fabs(near_[p].distance) > planes_.tolerance || std::fabs(near_[q].distance) > planes_.tolerance) return -1;
+    const int from = std::max(0, near_[p].facet - 1), to = std::min(sheet.count - 1, near_[p].facet + 1);
+    for (int plane = sheet.first + from; plane <= sheet.first + to; ++plane) {
+      if (is_on_facet(plane, p) && is_on_facet(plane, q)) return plane;
+    }
+    return -1;
+  }
+
+  bool is_on_facet(int plane, std::uint32_t point) const {
+    const glm::dvec3& place = mesh_.point[point];
+    return std::fabs(signed_distance(planes_[plane].plane, place)) <= planes_.tolerance &&
+           planes_.is_in_facet(plane, place);
+  }
+
+  // ---- What planes and strokes share ----
+
+  /// Exact for the input. Points this plane has made, or found, before lie on it, wherever rounding may have put them.
+  /// Planes that coincide see the same sides, but for their sense.
+  void find_sides() {
+    const CuttingPlane& plane = planes_[shared_].plane;
+    const int sense = planes_[plane_].turned ? -1 : 1;
+    distance_.resize(mesh_.point.size());
+    side_.resize(mesh_.point.size());
+    for (std::size_t p = 0; p < mesh_.point.size(); ++p) {
+      const glm::dvec3& point = mesh_.point[p];
+      double distance = p < input_points_ ? exact_distance(plane, point) : signed_distance(plane, point);
+      const bool known = mesh_.sets.has(mesh_.planes_of[p], shared_);
+      if (known || (p >= input_points_ && std::fabs(distance) <= planes_.rounding)) distance = 0;
+      if (!known && distance == 0) mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], shared_);
+      distance_[p] = std::fabs(distance);
+      side_[p] = static_cast<std::int8_t>(distance == 0 ? 0 : (distance > 0) == (sense > 0) ? 1 : -1);
+    }
+  }
+
+  std::array<int, 3> sides_of(const Triangle& t) const {
+    const auto side = [&](std::size_t i) { return int{side_[mesh_.point_of[t.vertex[i]]]}; };
+    return {side(0), side(1), side(2)};
+  }
+
+  /// The triangle lies on one side. `side` < 0: the negative one; 0: in the plane.
+  void see_side(Triangle& t, int side) {
+    if (in_stroke_) return;
+    const bool positive = side > 0 || (side == 0 && lies_with_positive_side(t));
+    t.sides = planes_.knives[static_cast<std::size_t>(planes_[plane_].knife)].seen(t.sides, planes_[plane_].in_knife,
+                                                                                   positive);
+    if (positive || shared_ != plane_) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool on_plane = side_[mesh_.point_of[t.vertex[i]]] == 0 && side_[mesh_.point_of[t.vertex[next[i]]]] == 0;
+      if (on_plane) t.cut_by[i] = mesh_.sets.with(t.cut_by[i], plane_);
+    }
+  }
+
+  /// A triangle in the plane goes with the solid it bounds, so that no piece is a mere film; others are positive.
+  bool lies_with_positive_side(const Triangle& t) const {
+    if (!surfaces_.is_boundary(t.source)) return true;
+    const double front_up = glm::dot(area_vector(t), planes_[plane_].plane.normal);
+    return surfaces_.is_hidden(t.source, SideOf::front) ? front_up < 0 : front_up > 0;
+  }
+
+  void split_triangle(std::size_t index, const std::array<int, 3>& side) {
+    // Turn it so that the corner that is alone on its side comes first - or, where one lies on the plane, that one.
+    const Triangle whole = mesh_.triangle[index];
+    std::size_t first = 0;
+    while (!(side[first] == 0 || (side[next[first]] == side[after_next[first]]))) ++first;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (side[i] == 0) first = i;
+    }
+    const std::size_t second = next[first], third = after_next[first];
+    const std::uint32_t a = whole.vertex[first], b = whole.vertex[second], c = whole.vertex[third];
+    const std::uint32_t ab = whole.cut_by[first], bc = whole.cut_by[second], ca = whole.cut_by[third];
+
+    if (side[first] == 0) {
+      const std::uint32_t m = vertex_between(b, c);
+      replace(index, whole, {a, b, m}, {ab, bc, 0}, side[second]);
+      add(whole, {a, m, c}, {0, bc, ca}, side[third]);
+      return;
+    }
+
+    // The corner, and the four-sided rest in two along its shorter diagonal.
+    const std::uint32_t p = vertex_between(a, b), q = vertex_between(a, c);
+    replace(index, whole, {a, p, q}, {ab, 0, ca}, side[first]);
+    const glm::dvec3 from_p = point_at(c) - point_at(p), from_q = point_at(b) - point_at(q);
+    if (glm::dot(from_p, from_p) <= glm::dot(from_q, from_q)) {
+      add(whole, {p, b, c}, {ab, bc, 0}, side[second]);
+      add(whole, {p, c, q}, {0, ca, 0}, side[second]);
+    } else {
+      add(whole, {p, b, q}, {ab, 0, 0}, side[second]);
+      add(whole, {b, c, q}, {bc, ca, 0}, side[second]);
+    }
+  }
+
+  void replace(std::size_t index, const Triangle& whole, const std::array<std::uint32_t, 3>& vertex,
+               const std::array<std::uint32_t, 3>& cut_by, int side) {
+    Triangle part = whole;
+    part.vertex = vertex;
+    part.cut_by = cut_by;
+    see_side(part, side);
+    mesh_.triangle[index] = part;
+  }
+
+  void add(const Triangle& whole, const std::array<std::uint32_t, 3>& vertex,
+           const std::array<std::uint32_t, 3>& cut_by, int side) {
+    mesh_.triangle.emplace_back();
+    replace(mesh_.triangle.size() - 1, whole, vertex, cut_by, side);
+  }
+
+  static std::uint64_t edge_key(std::uint32_t low, std::uint32_t high) { return (std::uint64_t{low} << 32) | high; }
+
+  /// The vertex where the plane meets the edge, the same for all triangles at the edge.
+  std::uint32_t vertex_between(std::uint32_t a, std::uint32_t b) {
+    if (mesh_.point_of[a] > mesh_.point_of[b]) std::swap(a, b);
+    const auto [entry, is_new] = new_vertices_.try_emplace(edge_key(a, b), mesh_.point_of.size());
+    if (!is_new) return entry->second;
+
+    const std::uint32_t p = mesh_.point_of[a], q = mesh_.point_of[b];
+    const double t = distance_[p] / (distance_[p] + distance_[q]);
+    const auto share = static_cast<float>(t);
+    mesh_.point_of.push_back(point_between(p, q, t));
+    mesh_.front_color.push_back(glm::mix(mesh_.front_color[a], mesh_.front_color[b], share));
+    mesh_.back_color.push_back(glm::mix(mesh_.back_color[a], mesh_.back_color[b], share));
+    mesh_.normal.push_back(unit(glm::mix(glm::dvec3(mesh_.normal[a]), glm::dvec3(mesh_.normal[b]), t)));
+    return entry->second;
+  }
+
+  std::uint32_t point_between(std::uint32_t p, std::uint32_t q, double t) {
+    const auto [entry, is_new] = new_points_.try_emplace(edge_key(p, q), mesh_.point.size());
+    if (!is_new) return entry->second;
+
+    // The new point lies on this plane, and on those that both ends lie on.
+    const std::uint32_t set = mesh_.sets.with(mesh_.sets.common(mesh_.planes_of[p], mesh_.planes_of[q]), shared_);
+    mesh_.point.push_back(settled(glm::mix(mesh_.point[p], mesh_.point[q], t), mesh_.sets.planes_in(set), planes_));
+    mesh_.planes_of.push_back(set);
+    distance_.push_back(0);
+    side_.push_back(0);
+    return entry->second;
+  }
+
+  const DiffusionSurfaces& surfaces_;
+  const CutPlanes& planes_;
+  SplitMesh mesh_;
+
+  // The plane at work, the one it coincides with, and where points lie to it.
+  int plane_ = 0, shared_ = 0;
+  std::size_t input_points_ = 0;
+  bool in_stroke_ = false;
+  std::vector<Stroke::Place> near_;  // per point
+  std::vector<double> distance_;     // without sign
+  std::vector<std::int8_t> side_;
+  std::unordered_map<std::uint64_t, std::uint32_t> new_points_, new_vertices_;
+};
+
+}  // namespace
+
+SplitMesh split(const DiffusionSurfaces& surfaces, const CutPlanes& planes) {
+  return Splitter(surfaces, planes).split();
+}
+
+}  // namespace pomona

@@ -1,0 +1,44 @@
+// One sweep: what all points see along one line, both ways.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "generator/diffusion/pmvc/line_directions.h"
+#include "generator/diffusion/pmvc/packed_surfaces.h"
+
+namespace pomona {
+
+struct GroupBoxes;
+struct SweepState;
+
+/// Sums over lines, one entry per point.
+struct SweepSums {
+  std::vector<glm::vec4> color_and_weight;  ///< sums of c / d and of 1 / d, d normalised
+  std::vector<float> part_weight;           ///< points x used parts
+};
+
+/// Projects points and triangles onto the plane across a line; every triangle tests the points it covers, found
+/// through a grid of bins; each point keeps the nearest hit ahead of it and behind it.
+///
+/// The edge functions of two triangles that share an edge are exact negatives of each other, and 0 counts as inside: no
+/// line slips through between them. Equal distances go to the smaller triangle index.
+class LineSweep {
+ public:
+  /// `points` are normalised. `surfaces` and `boxes` must outlive this.
+  LineSweep(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::span<const glm::vec3> points);
+  ~LineSweep();
+
+  /// Adds what is seen along `line` to `sums`, which has an entry for every point.
+  void add(const Line& line, SweepSums& sums);
+
+ private:
+  const PackedSurfaces& surfaces_;
+  const GroupBoxes& boxes_;
+  std::optional<glm::vec3> normal_;  ///< of the plane of the points, if they have one
+  std::unique_ptr<SweepState> state_;
+};
+
+}  // namespace pomona

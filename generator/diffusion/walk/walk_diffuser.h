@@ -1,0 +1,18 @@
+// True diffusion by walks on spheres: slow, and right within a standard error that it states.
+#pragma once
+
+#include "generator/diffusion/diffuser.h"
+#include "generator/diffusion/walk/walk_on_spheres.h"
+
+namespace pomona {
+
+/// In 1/255: 4, 1 or 0.3.
+double standard_error_of(Quality quality);
+
+/// Colours are harmonic: where nothing is painted, each is the mean of those around it [paper, section 3.2: "the
+/// solution of a Poisson equation"]. The progress of a batch counts the points of all its fruits. Same bits for any
+/// number of threads and on any x86-64.
+/// \throws Error (usage) unless the standard error to reach is above 0.
+std::unique_ptr<Diffuser> make_walk_diffuser(const WalkOptions& options = {});
+
+}  // namespace pomona

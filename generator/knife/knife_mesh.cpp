@@ -1,0 +1,246 @@
+#include "generator/knife/knife_mesh.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/knife/crease.h"
+#include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/welded_edges.h"
+
+namespace pomona {
+
+namespace {
+
+using Triangle = KnifeMesh::Triangle;
+
+constexpr std::array<std::size_t, 3> next{1, 2, 0}, after_next{2, 0, 1};
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+  const auto [low, high] = std::minmax(a, b);
+  return (std::uint64_t{low} << 32) | high;
+}
+
+glm::dvec3 unit(const glm::dvec3& v) {
+  const double size = glm::length(v);
+  return size > 0 ? v / size : glm::dvec3(0);
+}
+
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(const ClosedSurface& solid) { take(solid); }
+
+  /// Every edge as often one way as the other.
+  bool is_closed() const {
+    std::unordered_map<std::uint64_t, int> balance;
+    for (const Triangle& t : mesh_.triangle) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = t.corner[i], b = t.corner[next[i]];
+        balance[edge_key(a, b)] += a < b ? 1 : -1;
+      }
+    }
+    return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
+  }
+
+  KnifeMesh build() {
+    find_smooth_edges();
+    find_faces();
+    find_normals();
+    return std::move(mesh_);
+  }
+
+ private:
+  void take(const ClosedSurface& solid) {
+    const std::vector<std::uint32_t> first = weld(solid.point);
+    std::vector<std::uint32_t> number(first.size());
+    for (std::size_t p = 0; p < first.size(); ++p) {
+      number[p] = first[p] == p ? static_cast<std::uint32_t>(mesh_.point.size()) : number[first[p]];
+      if (first[p] == p) mesh_.point.push_back(solid.point[p]);
+    }
+    for (const glm::uvec3& t : solid.triangle) {
+      Triangle triangle;
+      triangle.corner = {number[t.x], number[t.y], number[t.z]};
+      const auto& c = triangle.corner;
+      if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) mesh_.triangle.push_back(triangle);
+    }
+  }
+
+  glm::dvec3 area_vector(std::size_t t) const {
+    const std::array<glm::dvec3, 3> c = mesh_.corners(t);
+    return glm::cross(c[1] - c[0], c[2] - c[0]);
+  }
+
+  void find_smooth_edges() {
+    for (std::size_t t = 0; t < mesh_.triangle.size(); ++t) normal_.push_back(unit(area_vector(t)));
+    std::unordered_map<std::uint64_t, Side> first_at;
+    for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
+      const auto& c = mesh_.triangle[t].corner;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const auto [entry, is_new] = first_at.try_emplace(edge_key(c[i], c[next[i]]), Side{t, i});
+        if (is_new) continue;
+        const Side& other = entry->second;
+        if (glm::dot(normal_[t], normal_[other.triangle]) > smooth_cosine) smooth_.push_back({{t, i}, other});
+      }
+    }
+  }
+
+  void find_faces() {
+    DisjointSets sets(mesh_.triangle.size());
+    for (const auto& [a, b] : smooth_) sets.join(a.triangle, b.triangle);
+    std::map<std::uint32_t, std::uint32_t> face_of;
+    for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
+      mesh_.triangle[t].face = face_of.try_emplace(sets.root(t), mesh_.faces).first->second;
+      mesh_.faces = static_cast<std::uint32_t>(face_of.size());
+    }
+  }
+
+  /// One for all corners that hang together around a point without a crease between them. Each counts by the angle it
+  /// has there, so that the normal does not depend on how a face was cut into triangles.
+  void find_normals() {
+    DisjointSets corners(3 * mesh_.triangle.size());
+    const auto corner_at = [&](std::uint32_t triangle, std::uint32_t point) {
+      const auto& c = mesh_.triangle[triangle].corner;
+      return 3 * triangle + static_cast<std::uint32_t>(std::find(c.begin(), c.end(), point) - c.begin());
+    };
+    for (const auto& [a, b] : smooth_) {
+      for (const std::size_t end : {std::size_t{a.edge}, next[a.edge]}) {
+        const std::uint32_t point = mesh_.triangle[a.triangle].corner[end];
+        corners.join(corner_at(a.triangle, point), corner_at(b.triangle, point));
+      }
+    }
+    std::vector<glm::dvec3> sum(corners.count(), glm::dvec3(0));
+    for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
+      const std::array<glm::dvec3, 3> c = mesh_.corners(t);
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        // The angle's versine in place of the angle: it needs no function that differs between processors.
+        const glm::dvec3 a = unit(c[next[i]] - c[i]), b = unit(c[after_next[i]] - c[i]);
+        sum[corners.root(3 * t + i)] += normal_[t] * (1 - glm::dot(a, b));
+      }
+    }
+    for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) mesh_.triangle[t].normal[i] = unit(sum[corners.root(3 * t + i)]);
+    }
+  }
+
+  struct Side {
+    std::uint32_t triangle = 0, edge = 0;
+  };
+  std::vector<glm::dvec3> normal_;             // per triangle
+  std::vector<std::pair<Side, Side>> smooth_;  // edges that are no creases, with their two triangles
+  KnifeMesh mesh_;
+};
+
+/// Halves edges: first those that are too long, and with an edge of a triangle always its longest, so that angles stay
+/// as they were [Rivara 1984].
+class Refiner {
+ public:
+  Refiner(KnifeMesh& mesh, const std::function<double(const glm::dvec3&)>& size) : mesh_(mesh), size_(size) {}
+
+  /// False if there was nothing to halve.
+  bool halve() {
+    middle_of_.clear();
+    for (const Triangle& t : mesh_.triangle) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (is_too_long(t.corner[i], t.corner[next[i]])) mark(t.corner[i], t.corner[next[i]]);
+      }
+    }
+    if (middle_of_.empty()) return false;
+    mark_longest();
+    std::vector<Triangle> whole;
+    whole.swap(mesh_.triangle);
+    for (const Triangle& t : whole) split(t);
+    return true;
+  }
+
+ private:
+  double length(std::uint32_t a, std::uint32_t b) const { return glm::distance(mesh_.point[a], mesh_.point[b]); }
+
+  bool is_too_long(std::uint32_t a, std::uint32_t b) {
+    const auto [entry, is_new] = known_.try_emplace(edge_key(a, b), false);
+    if (is_new) entry->second = length(a, b) > 1.4 * size_(0.5 * (mesh_.point[a] + mesh_.point[b]));
+    return entry->second;
+  }
+
+  void mark(std::uint32_t a, std::uint32_t b) {
+    const auto [entry, is_new] = middle_of_.try_emplace(edge_key(a, b), static_cast<std::uint32_t>(mesh_.point.size()));
+    if (is_new) mesh_.point.push_back(0.5 * (mesh_.point[a] + mesh_.point[b]));
+  }
+
+  bool is_marked(const Triangle& t, std::size_t i) const {
+    return middle_of_.contains(edge_key(t.corner[i], t.corner[next[i]]));
+  }
+
+  /// The longest edge; of two alike the same one for both triangles at it.
+  std::size_t longest(const Triangle& t) const {
+    std::size_t best = 0;
+    const auto order = [&](std::size_t i) {
+      return std::pair(length(t.corner[i], t.corner[next[i]]), edge_key(t.corner[i], t.corner[next[i]]));
+    };
+    for (std::size_t i = 1; i < 3; ++i) {
+      if (order(i) > order(best)) best = i;
+    }
+    return best;
+  }
+
+  void mark_longest() {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const Triangle& t : mesh_.triangle) {
+        if (!is_marked(t, 0) && !is_marked(t, 1) && !is_marked(t, 2)) continue;
+        const std::size_t i = longest(t);
+        if (is_marked(t, i)) continue;
+        mark(t.corner[i], t.corner[next[i]]);
+        changed = true;
+      }
+    }
+  }
+
+  /// In two at its longest edge, if any edge is marked; and the halves at what other edges are.
+  void split(const Triangle& t) {
+    std::size_t i = longest(t);
+    if (!is_marked(t, i)) {
+      i = 0;
+      while (i < 3 && !is_marked(t, i)) ++i;
+      if (i == 3) {
+        mesh_.triangle.push_back(t);
+        return;
+      }
+    }
+    const std::size_t j = next[i], k = after_next[i];
+    const std::uint32_t middle = middle_of_.at(edge_key(t.corner[i], t.corner[j]));
+    const glm::dvec3 normal = unit(t.normal[i] + t.normal[j]);
+    split({{t.corner[i], middle, t.corner[k]}, {t.normal[i], normal, t.normal[k]}, t.face});
+    split({{middle, t.corner[j], t.corner[k]}, {normal, t.normal[j], t.normal[k]}, t.face});
+  }
+
+  KnifeMesh& mesh_;
+  const std::function<double(const glm::dvec3&)>& size_;
+  std::unordered_map<std::uint64_t, bool> known_;
+  std::unordered_map<std::uint64_t, std::uint32_t> middle_of_;
+};
+
+}  // namespace
+
+KnifeMesh knife_mesh(const ClosedSurface& solid, const std::string& name) {
+  for (const glm::uvec3& t : solid.triangle) {
+    for (int i = 0; i < 3; ++i) {
+      if (t[i] >= solid.point.size()) throw Error(ExitStatus::bad_data, "knife \"" + name + "\" lacks points");
+    }
+  }
+  MeshBuilder builder(solid);
+  if (!builder.is_closed()) throw Error(ExitStatus::bad_data, "knife \"" + name + "\" is no closed surface");
+  return builder.build();
+}
+
+KnifeMesh refined(KnifeMesh mesh, const std::function<double(const glm::dvec3&)>& size) {
+  Refiner refiner(mesh, size);
+  while (refiner.halve()) {
+  }
+  return mesh;
+}
+
+}  // namespace pomona

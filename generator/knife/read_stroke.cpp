@@ -1,0 +1,143 @@
+#include "generator/knife/read_stroke.h"
+
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <system_error>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/nearest_name.h"
+#include "generator/knife/stroke.h"
+#include "generator/template/read/svg_drawing.h"
+#include "generator/template/read/svg_path.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
+constexpr std::size_t most_points = 4096;
+
+/// What is read: a word for messages, and how it is written.
+struct Wanted {
+  std::string what, hint;
+};
+
+std::string text_of(const std::filesystem::path& file, const Wanted& wanted) {
+  const auto fail = [&](ExitStatus status, const std::string& why) {
+    throw Error(status, {{{file.string(), 0, 0, ""}, "the " + wanted.what + "'s file " + why, wanted.hint}});
+  };
+  std::error_code wrong;
+  if (!std::filesystem::is_regular_file(file, wrong)) fail(ExitStatus::input_missing, "cannot be read");
+  if (std::filesystem::file_size(file, wrong) > most_bytes || wrong) {
+    fail(ExitStatus::bad_data, "is larger than 64 MiB");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+const SvgElement& element_called(const SvgDrawing& drawing, const std::string& id) {
+  std::vector<std::string> known;
+  for (const SvgElement& element : drawing.elements) {
+    if (!element.d) continue;
+    if (element.id == id || element.label == id) return element;
+    if (!element.id.empty()) known.push_back(element.id);
+    if (!element.label.empty()) known.push_back(element.label);
+  }
+  const std::optional<std::string> meant = nearest_name(id, known);
+  const std::string hint =
+      meant ? "did you mean \"" + *meant + "\"?" : "name a path in Inkscape's Objects dialog, or by its id";
+  throw Error(ExitStatus::bad_data,
+              {{{drawing.file, 0, 0, ""}, "there is no path \"" + id.substr(0, 200) + "\"", hint}});
+}
+
+/// Says what is wrong with the path at its place in the file.
+struct Complaint {
+  SourcePlace place;
+  std::string name;
+
+  [[noreturn]] void operator()(const std::string& what, const std::string& hint) const {
+    throw Error(ExitStatus::bad_data, {{place, name + " " + what, hint}});
+  }
+};
+
+/// The path's one curve, cleaned.
+Curve curve_of(const SvgElement& element, double scale, const Complaint& fail) {
+  if (!element.fault.empty()) fail(element.fault, "");
+  SvgPathOptions options;
+  options.unit = scale;
+  options.transform = element.to_page;
+  std::vector<Curve> curves = parse_svg_path(*element.d, options);
+  if (curves.size() != 1) fail("is not one line but " + std::to_string(curves.size()), "break the path apart");
+  Curve curve{cleaned(curves[0].points), curves[0].closed};
+  if (curve.points.size() < 2) fail("has no length", "draw a line");
+  if (curve.points.size() > most_points) fail("has more than 4096 points", "simplify the path");
+  return curve;
+}
+
+/// Reads the path and hands it to `check`, with what complains about it; all errors name the file and the place.
+template <typename Check>
+Curve read_curve(const std::filesystem::path& file, const std::string& id, double scale, const Wanted& wanted,
+                 const Check& check) {
+  const std::string name = wanted.what + " \"" + id.substr(0, 200) + "\"";
+  try {
+    const SvgDrawing drawing = parse_svg(text_of(file, wanted), file.string());
+    const SvgElement& element = element_called(drawing, id);
+    const Complaint fail{{drawing.file, element.line, element.column, ""}, name};
+    Curve curve = curve_of(element, scale, fail);
+    check(curve, fail);
+    return curve;
+  } catch (const BadSketch& bad) {
+    throw Error(ExitStatus::bad_data, bad.what(), bad.hint);
+  } catch (const BadPath& bad) {
+    throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, ""}, name + " " + bad.what(), bad.hint}});
+  }
+}
+
+void check_stroke(const Curve& curve, const Complaint& fail) {
+  if (curve.closed) fail("is closed", "a knife goes in on one side and out on the other: open the path");
+  if (crosses_itself(curve.points, {0, 0}, 0)) fail("crosses itself", "a knife's stroke must not meet itself");
+}
+
+/// Points next to the axis are put on it, so that it is exact which they are.
+void check_profile(Curve& curve, const Complaint& fail) {
+  glm::dvec2 low = curve.points.front(), high = low;
+  for (const glm::dvec2& p : curve.points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const double near = 1e-4 * glm::length(high - low);
+  for (glm::dvec2& p : curve.points) p.x = std::fabs(p.x) <= near ? 0 : p.x;
+
+  const std::size_t ends = curve.closed ? 0 : 1;
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const double x = curve.points[i].x;
+    if (x < 0) fail("crosses its axis, the drawing's x = 0", "draw it to the right of the axis");
+    if (x == 0 && i >= ends && i + ends < curve.points.size()) {
+      fail("meets its axis, the drawing's x = 0, on its way", "only the ends of an open path may lie on it");
+    }
+  }
+  if (curve.points.size() < 3 && (curve.closed || high.x <= 0)) fail("encloses nothing", "draw it beside the axis");
+
+  // The ends are joined to the axis: what they are joined by must not meet the profile either.
+  Curve whole = curve.closed ? curve : joined_to_axis(curve);
+  whole.closed = true;
+  if (whole.points.size() < 3 || !is_simple(whole)) {
+    fail("crosses itself", "a profile, its ends joined to the axis, must not meet itself");
+  }
+}
+
+}  // namespace
+
+std::vector<glm::dvec2> read_stroke(const std::filesystem::path& file, const std::string& id, double scale) {
+  return read_curve(file, id, scale, {"stroke", "a stroke is written stroke:FILE.svg#id"}, check_stroke).points;
+}
+
+Curve read_profile(const std::filesystem::path& file, const std::string& id, double scale) {
+  return read_curve(file, id, scale, {"profile", "a profile is written revolve:FILE.svg#id"}, check_profile);
+}
+
+}  // namespace pomona

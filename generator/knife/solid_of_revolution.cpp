@@ -1,0 +1,157 @@
+#include "generator/knife/solid_of_revolution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t most_triangles = 500000;
+
+/// A profile's region beside the axis, counter-clockwise: for one that was open, from the axis and back to it.
+Curve around_region(Curve profile) {
+  if (!profile.closed) {
+    profile = joined_to_axis(std::move(profile));
+    profile.points.front().x = profile.points.back().x = 0;
+  }
+  if (signed_area({profile.points, true}) < 0) std::reverse(profile.points.begin(), profile.points.end());
+  return profile;
+}
+
+/// Vertices around the axis, and the triangles between rows of them.
+class Revolution {
+ public:
+  explicit Revolution(const RevolveOptions& options) : options_(options) {}
+
+  ClosedSurface make(const Curve& region) {
+    const std::vector<glm::dvec2> points = in_rows(region);
+    check(points);
+    for (const glm::dvec2& p : points) add_row(p);
+    for (std::size_t i = 1; i < rows_.size(); ++i) join(rows_[i - 1], rows_[i]);
+    if (region.closed) join(rows_.back(), rows_.front());
+    return std::move(solid_);
+  }
+
+ private:
+  struct Row {
+    std::uint32_t first = 0, count = 1;  ///< one vertex on the axis, or a ring
+  };
+
+  /// The length of a chord that strays so far from a circle of this radius.
+  double chord(double radius) const { return std::sqrt(8 * radius * options_.tolerance); }
+
+  /// Straight edges get rows as well, so that triangles are at most three times as long as they are wide.
+  std::vector<glm::dvec2> in_rows(const Curve& region) const {
+    std::vector<glm::dvec2> rows{region.points.front()};
+    const std::size_t edges = region.points.size() - (region.closed ? 0 : 1);
+    for (std::size_t i = 0; i < edges; ++i) {
+      const glm::dvec2 a = region.points[i], b = region.points[(i + 1) % region.points.size()];
+      const double steps = std::clamp(std::ceil(glm::distance(a, b) / (3 * chord(std::max(a.x, b.x)))), 1.0, 1e5);
+      for (double k = 1; k <= steps; ++k) rows.push_back(k == steps ? b : a + k / steps * (b - a));
+    }
+    if (region.closed) rows.pop_back();
+    return rows;
+  }
+
+  void check(const std::vector<glm::dvec2>& rows) const {
+    double triangles = 0;
+    for (const glm::dvec2& p : rows) triangles += 2 * static_cast<double>(count_at(p.x));
+    if (triangles <= most_triangles) return;
+    throw Error(ExitStatus::usage, "a profile needs more than " + std::to_string(most_triangles) + " triangles",
+                "draw it with fewer points, or make it shorter beside its width");
+  }
+
+  /// Of a ring: a power of two, or three times one, for every tooth, or six of them.
+  std::uint32_t count_at(double radius) const {
+    if (radius == 0) return 1;
+    double wanted = pi * std::sqrt(radius / (2 * options_.tolerance));
+    if (options_.teeth > 0) {
+      const double bulge = radius * options_.scallop;
+      wanted = std::max(wanted, options_.teeth * pi * std::sqrt(bulge / (8 * options_.tolerance)));
+    }
+    std::uint32_t count = static_cast<std::uint32_t>(options_.teeth > 0 ? options_.teeth : 6);
+    while (count < wanted && count < most_triangles) {
+      if (1.5 * count >= wanted && count % 2 == 0) return count / 2 * 3;
+      count *= 2;
+    }
+    return count;
+  }
+
+  void add_row(const glm::dvec2& p) {
+    const Row row{static_cast<std::uint32_t>(solid_.point.size()), count_at(p.x)};
+    for (std::uint32_t i = 0; i < row.count; ++i) {
+      double turn = 2 * pi * i / row.count, radius = p.x;
+      if (options_.teeth > 0) {
+        radius *= 1 - options_.scallop * (1 - std::fabs(reproducible::sin(0.5 * options_.teeth * turn)));
+        turn += pi / options_.teeth;
+      }
+      solid_.point.emplace_back(radius * reproducible::cos(turn), p.y, -radius * reproducible::sin(turn));
+    }
+    rows_.push_back(row);
+  }
+
+  /// Goes round both rows at once; the one whose next vertex comes first takes a triangle.
+  void join(const Row& low, const Row& high) {
+    std::uint32_t i = 0, j = 0;
+    const auto at = [](const Row& row, std::uint32_t k) { return row.first + k % row.count; };
+    const std::uint32_t low_steps = low.count == 1 ? 0 : low.count, high_steps = high.count == 1 ? 0 : high.count;
+    while (i < low_steps || j < high_steps) {
+      const bool along_low =
+          j == high_steps || (i < low_steps && std::uint64_t{i + 1} * high.count <= std::uint64_t{j + 1} * low.count);
+      if (along_low) {
+        solid_.triangle.emplace_back(at(low, i), at(low, i + 1), at(high, j));
+        ++i;
+      } else {
+        solid_.triangle.emplace_back(at(low, i), at(high, j + 1), at(high, j));
+        ++j;
+      }
+    }
+  }
+
+  RevolveOptions options_;
+  ClosedSurface solid_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace
+
+ClosedSurface revolved(const Curve& profile, const RevolveOptions& options) {
+  return Revolution(options).make(around_region(profile));
+}
+
+Curve half_circle(double radius, double tolerance) {
+  const double step = std::sqrt(8 * tolerance / radius);
+  const int steps = std::max(4, static_cast<int>(std::ceil(pi / step)));
+  Curve profile;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = pi * i / steps;
+    profile.points.emplace_back(radius * reproducible::sin(angle), -radius * reproducible::cos(angle));
+  }
+  profile.points.front().x = profile.points.back().x = 0;
+  return profile;
+}
+
+ClosedSurface posed(ClosedSurface solid, const SolidPose& pose) {
+  const glm::dvec3 beside = glm::cross(pose.axis, pose.up);
+  for (glm::dvec3& p : solid.point) {
+    p = pose.at + p.x * beside + p.y * pose.axis + pose.height * p.z * pose.up;
+  }
+  return solid;
+}
+
+glm::dvec3 level_beside(const glm::dvec3& direction) {
+  const glm::dvec3 level(direction.z, 0, -direction.x);
+  const double length = glm::length(level);
+  return length > 1e-9 ? level / length : glm::dvec3(0, 0, 1);
+}
+
+}  // namespace pomona

@@ -1,0 +1,17 @@
+// A closed surface: a melon baller's ball, the offset of a skin, a level of a function.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace pomona {
+
+/// A closed surface without crossings that parts what lies inside it from what lies outside. Triangles run
+/// counter-clockwise seen from outside.
+struct ClosedSurface {
+  std::vector<glm::dvec3> point;  ///< metres
+  std::vector<glm::uvec3> triangle;
+};
+
+}  // namespace pomona

@@ -1,0 +1,91 @@
+#include "generator/mesh/enclosures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+
+namespace pomona {
+
+namespace {
+
+glm::dvec2 on_ground(const glm::dvec3& p) { return {p.x, p.z}; }
+
+/// True if the edge passes the point on its +x side. Taken from its lower z up, so that both triangles at an edge
+/// agree to the bit.
+bool passes(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
+  if ((a.y > p.y) == (b.y > p.y)) return false;
+  const glm::dvec2 &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
+  return p.x < low.x + (p.y - low.y) / (high.y - low.y) * (high.x - low.x);
+}
+
+/// +1 where the upward ray from p leaves through the triangle, -1 where it enters, 0 where it does not meet it.
+int crossing(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p) {
+  const glm::dvec2 a = on_ground(t[0]), b = on_ground(t[1]), c = on_ground(t[2]), q = on_ground(p);
+  if ((passes(a, b, q) != passes(b, c, q)) == passes(c, a, q)) return 0;
+  const glm::dvec2 ab = b - a, ac = c - a, aq = q - a;
+  const double area = ab.x * ac.y - ab.y * ac.x;
+  if (area == 0) return 0;
+  const double s = (aq.x * ac.y - aq.y * ac.x) / area, u = (ab.x * aq.y - ab.y * aq.x) / area;
+  const double height = t[0].y + s * (t[1].y - t[0].y) + u * (t[2].y - t[0].y);
+  if (height <= p.y) return 0;
+  return area < 0 ? 1 : -1;  // x and z turn against each other seen from above
+}
+
+}  // namespace
+
+Enclosures::Enclosures(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
+  if (triangles_.empty()) return;
+  glm::dvec2 high = low_ = on_ground(triangles_.front().corner[0]);
+  for (const Triangle& t : triangles_) {
+    for (const glm::dvec3& p : t.corner) {
+      low_ = glm::min(low_, on_ground(p));
+      high = glm::max(high, on_ground(p));
+    }
+  }
+  across_ = 1 + static_cast<int>(std::sqrt(static_cast<double>(triangles_.size()) / 4));
+  cell_ = glm::max(high - low_, glm::dvec2(1e-300)) / static_cast<double>(across_);
+
+  // List the triangles over each column, in their order.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> over;
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    const auto& c = triangles_[i].corner;
+    const glm::dvec2 from = glm::min(on_ground(c[0]), glm::min(on_ground(c[1]), on_ground(c[2])));
+    const glm::dvec2 to = glm::max(on_ground(c[0]), glm::max(on_ground(c[1]), on_ground(c[2])));
+    for (int z = column(from.y, 1); z <= column(to.y, 1); ++z) {
+      for (int x = column(from.x, 0); x <= column(to.x, 0); ++x) {
+        over.emplace_back(static_cast<std::uint32_t>(z * across_ + x), i);
+      }
+    }
+  }
+  start_.assign(static_cast<std::size_t>(across_) * static_cast<std::size_t>(across_) + 1, 0);
+  for (const auto& [at, triangle] : over) ++start_[at + 1];
+  for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+  entry_.resize(over.size());
+  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+  for (const auto& [at, triangle] : over) entry_[next[at]++] = triangle;
+}
+
+int Enclosures::column(double v, int axis) const {
+  return static_cast<int>(std::clamp((v - low_[axis]) / cell_[axis], 0.0, static_cast<double>(across_ - 1)));
+}
+
+std::vector<std::pair<std::uint32_t, int>> Enclosures::around(const glm::dvec3& point) const {
+  std::vector<std::pair<std::uint32_t, int>> windings;
+  if (triangles_.empty()) return windings;
+  const auto at = static_cast<std::size_t>(column(point.z, 1) * across_ + column(point.x, 0));
+  for (std::uint32_t k = start_[at]; k < start_[at + 1]; ++k) {
+    const Triangle& t = triangles_[entry_[k]];
+    const int by = crossing(t.corner, point);
+    if (by == 0) continue;
+    const auto place = std::lower_bound(windings.begin(), windings.end(), std::pair(t.mesh, -1000000));
+    if (place != windings.end() && place->first == t.mesh)
+      place->second += by;
+    else
+      windings.insert(place, {t.mesh, by});
+  }
+  std::erase_if(windings, [](const auto& w) { return w.second == 0; });
+  return windings;
+}
+
+}  // namespace pomona

@@ -1,0 +1,285 @@
+#include "generator/mesh/triangle_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "generator/mesh/triangle_distance.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::uint32_t leaf_size = 4;
+
+using Corners = TriangleTree::Corners;
+using Node = TriangleTree::Node;
+
+/// Nodes still to be visited. Halving 2^32 triangles makes 32 levels, each of which leaves one node behind.
+class NodeStack {
+ public:
+  bool empty() const { return size_ == 0; }
+  void push(std::uint32_t node) { nodes_[size_++] = node; }
+  std::uint32_t pop() { return nodes_[--size_]; }
+
+ private:
+  std::array<std::uint32_t, 64> nodes_;
+  std::size_t size_ = 0;
+};
+
+AxisBox box_of(const Corners& corners) {
+  AxisBox box;
+  for (const glm::dvec3& corner : corners) box.add(corner);
+  return box;
+}
+
+double squared_distance(const AxisBox& box, const glm::dvec3& point) {
+  const glm::dvec3 away = glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0));
+  return glm::dot(away, away);
+}
+
+AxisBox moved(AxisBox box, const glm::dvec3& offset) {
+  box.low += offset;
+  box.high += offset;
+  return box;
+}
+
+Corners moved(Corners corners, const glm::dvec3& offset) {
+  for (glm::dvec3& corner : corners) corner += offset;
+  return corners;
+}
+
+bool less(const glm::dvec3& a, const glm::dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+
+/// True if the ray from `point` along the axis `along` passes through the triangle, seen on the plane of the
+/// other two axes. The answers of triangles that share an edge agree on it, so closed meshes have no leaks.
+bool ray_passes(const Corners& t, const glm::dvec3& point, int along) {
+  const int u = (along + 1) % 3, v = (along + 2) % 3;
+  bool inside = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    glm::dvec3 a = t[i], b = t[(i + 1) % 3];
+    if ((a[u] > point[u]) == (b[u] > point[u])) continue;
+    if (a[u] > b[u]) std::swap(a, b);
+    if (a[v] + (b[v] - a[v]) * ((point[u] - a[u]) / (b[u] - a[u])) > point[v]) inside = !inside;
+  }
+  return inside;
+}
+
+/// Coordinate `along` of the triangle's plane over the point.
+double plane_at(const Corners& t, const glm::dvec3& normal, const glm::dvec3& point, int along) {
+  const glm::dvec3 away = point - t[0];
+  const double rest = glm::dot(normal, away) - normal[along] * away[along];
+  return t[0][along] - rest / normal[along];
+}
+
+}  // namespace
+
+double squared_distance(const AxisBox& a, const AxisBox& b) {
+  const glm::dvec3 away = glm::max(glm::max(a.low - b.high, b.low - a.high), glm::dvec3(0));
+  return glm::dot(away, away);
+}
+
+TriangleTree::TriangleTree(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangle) {
+  corners_.reserve(triangle.size());
+  for (const glm::uvec3& t : triangle) {
+    const Corners corners{glm::dvec3(position[t.x]), glm::dvec3(position[t.y]), glm::dvec3(position[t.z])};
+    corners_.push_back(corners);
+  }
+  nodes_.emplace_back();
+  split(0, 0, static_cast<std::uint32_t>(corners_.size()));
+  for (std::size_t i = nodes_.size(); i-- > 0;) fit(static_cast<std::uint32_t>(i));
+  own_corners();
+}
+
+void TriangleTree::own_corners() {
+  struct Use {
+    glm::dvec3 point;
+    std::size_t triangle, corner;
+  };
+  std::vector<Use> uses;
+  for (std::size_t i = 0; i < corners_.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) uses.push_back({corners_[i][k], i, k});
+  std::stable_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return less(a.point, b.point); });
+  owned_.assign(corners_.size(), 0);
+  for (std::size_t u = 0; u < uses.size(); ++u)
+    if (u == 0 || uses[u].point != uses[u - 1].point)
+      owned_[uses[u].triangle] = static_cast<std::uint8_t>(owned_[uses[u].triangle] | (1u << uses[u].corner));
+}
+
+TriangleTree TriangleTree::rotated(const glm::dquat& rotation) const {
+  TriangleTree turned = *this;
+  const glm::dmat3 matrix = glm::mat3_cast(rotation);
+  for (Corners& corners : turned.corners_)
+    for (glm::dvec3& corner : corners) corner = matrix * corner;
+  for (std::size_t i = nodes_.size(); i-- > 0;) turned.fit(static_cast<std::uint32_t>(i));
+  return turned;
+}
+
+/// Halves the triangles at the median along the axis on which their centres spread most.
+void TriangleTree::split(std::uint32_t node, std::uint32_t first, std::uint32_t count) {
+  nodes_[node].first = first;
+  nodes_[node].count = count;
+  if (count <= leaf_size) return;
+
+  AxisBox centers;
+  const auto center = [](const Corners& c) { return c[0] + c[1] + c[2]; };
+  for (std::uint32_t i = first; i < first + count; ++i) centers.add(center(corners_[i]));
+  const glm::dvec3 spread = centers.high - centers.low;
+  const int axis = spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
+  const auto begin = corners_.begin() + first;
+  std::stable_sort(begin, begin + count,
+                   [&](const Corners& a, const Corners& b) { return center(a)[axis] < center(b)[axis]; });
+
+  const auto left = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.resize(nodes_.size() + 2);
+  nodes_[node].first = left;
+  nodes_[node].count = 0;
+  split(left, first, count / 2);
+  split(left + 1, first + count / 2, count - count / 2);
+}
+
+void TriangleTree::fit(std::uint32_t index) {
+  Node& node = nodes_[index];
+  node.box = {};
+  if (node.count == 0 && !corners_.empty()) {
+    node.box.add(nodes_[node.first].box);
+    node.box.add(nodes_[node.first + 1].box);
+  }
+  for (std::uint32_t i = node.first; i < node.first + node.count; ++i) node.box.add(box_of(corners_[i]));
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, double within) const {
+  Nearest best;
+  double best_squared = within * within;
+  NodeStack stack;
+  if (!empty()) stack.push(0);
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.pop()];
+    if (squared_distance(node.box, point) >= best_squared) continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const glm::dvec3 on = nearest_on_triangle(point, corners_[i]);
+      const double d = glm::dot(on - point, on - point);
+      if (d < best_squared) best_squared = d, best = {std::sqrt(d), on};
+    }
+    if (node.count > 0) continue;
+
+    // Look into the nearer child first.
+    const double left = squared_distance(nodes_[node.first].box, point);
+    const double right = squared_distance(nodes_[node.first + 1].box, point);
+    stack.push(left < right ? node.first + 1 : node.first);
+    stack.push(left < right ? node.first : node.first + 1);
+  }
+  return best;
+}
+
+bool TriangleTree::contains(const glm::dvec3& point) const {
+  int winding = 0;
+  NodeStack stack;
+  if (!empty()) stack.push(0);
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.pop()];
+    const AxisBox& b = node.box;
+    if (b.high.x < point.x || b.high.y < point.y || b.low.y > point.y || b.high.z < point.z || b.low.z > point.z)
+      continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      if (!ray_passes(corners_[i], point, 0)) continue;
+      const glm::dvec3 normal = glm::cross(corners_[i][1] - corners_[i][0], corners_[i][2] - corners_[i][0]);
+      if (normal.x != 0 && plane_at(corners_[i], normal, point, 0) > point.x) winding += normal.x > 0 ? 1 : -1;
+    }
+    if (node.count > 0) continue;
+    stack.push(node.first);
+    stack.push(node.first + 1);
+  }
+  return winding > 0;
+}
+
+bool TriangleTree::is_near(const AxisBox& box) const {
+  NodeStack stack;
+  if (!empty()) stack.push(0);
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.pop()];
+    if (pomona::squared_distance(node.box, box) > 0) continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      if (pomona::squared_distance(box_of(corners_[i]), box) <= 0) return true;
+    if (node.count > 0) continue;
+    stack.push(node.first);
+    stack.push(node.first + 1);
+  }
+  return false;
+}
+
+double TriangleTree::height_below(const glm::dvec3& point) const {
+  double height = -std::numeric_limits<double>::infinity();
+  NodeStack stack;
+  if (!empty()) stack.push(0);
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.pop()];
+    const AxisBox& b = node.box;
+    if (b.low.y > point.y || b.high.x < point.x || b.low.x > point.x || b.high.z < point.z || b.low.z > point.z)
+      continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      if (!ray_passes(corners_[i], point, 1)) continue;
+      const glm::dvec3 normal = glm::cross(corners_[i][1] - corners_[i][0], corners_[i][2] - corners_[i][0]);
+      if (normal.y == 0) continue;
+      const double y = plane_at(corners_[i], normal, point, 1);
+      if (y <= point.y) height = std::max(height, y);
+    }
+    if (node.count > 0) continue;
+    stack.push(node.first);
+    stack.push(node.first + 1);
+  }
+  return height;
+}
+
+ClosestPair closest(const TriangleTree& a, const TriangleTree& b, const glm::dvec3& offset, double within) {
+  ClosestPair best;
+  double best_squared = within * within;
+  struct Task {
+    std::uint32_t a, b;
+    double bound;
+  };
+  std::vector<Task> stack;
+  const auto push = [&](std::uint32_t i, std::uint32_t j) {
+    const double bound = squared_distance(a.nodes()[i].box, moved(b.nodes()[j].box, offset));
+    if (bound < best_squared || (bound == 0 && best_squared > 0)) stack.push_back({i, j, bound});
+  };
+  if (!a.empty() && !b.empty()) push(0, 0);
+
+  while (!stack.empty() && best_squared > 0) {
+    const Task task = stack.back();
+    stack.pop_back();
+    if (task.bound >= best_squared) continue;
+    const Node& na = a.nodes()[task.a];
+    const Node& nb = b.nodes()[task.b];
+
+    // Two leaves: compare their triangles.
+    if (na.count > 0 && nb.count > 0) {
+      for (std::uint32_t j = nb.first; j < nb.first + nb.count; ++j) {
+        const Corners other = moved(b.triangles()[j], offset);
+        const AxisBox other_box = box_of(other);
+        for (std::uint32_t i = na.first; i < na.first + na.count; ++i) {
+          if (squared_distance(box_of(a.triangles()[i]), other_box) >= best_squared) continue;
+          const auto pair = nearest_on_triangles(a.triangles()[i], other);
+          const double d = glm::dot(pair[0] - pair[1], pair[0] - pair[1]);
+          if (d < best_squared) best_squared = d, best = {std::sqrt(d), pair[0], pair[1]};
+        }
+      }
+      continue;
+    }
+
+    // Open the larger of the two; the nearer child is looked at first.
+    const glm::dvec3 size_a = na.box.high - na.box.low, size_b = nb.box.high - nb.box.low;
+    const bool open_a = nb.count > 0 || (na.count == 0 && glm::dot(size_a, size_a) >= glm::dot(size_b, size_b));
+    const std::size_t before = stack.size();
+    for (std::uint32_t k = 0; k < 2; ++k) open_a ? push(na.first + k, task.b) : push(task.a, nb.first + k);
+    if (stack.size() == before + 2 && stack[before].bound < stack[before + 1].bound)
+      std::swap(stack[before], stack[before + 1]);
+  }
+  return best;
+}
+
+}  // namespace pomona

@@ -1,0 +1,22 @@
+// Browning: cut faces that have lain in air.
+#pragma once
+
+#include <span>
+
+#include "generator/cut/section/cross_section.h"
+#include "generator/diffusion/diffuser.h"
+#include "generator/surface/diffusion_surfaces.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// The section, its colours diffused, as brown as `fruit.individual` says: see BrowningSketch. The field is tied to
+/// the fruit, not to the cut: two cuts agree at every vertex where they meet. Only colours change, and only
+/// towards those of the sketch; at browning 0 they keep their bits. `surfaces`: those that were cut.
+CrossSection browned(CrossSection section, const DiffusionSurfaces& surfaces, const Template& fruit);
+
+/// The same for colours diffused at any points of cut faces, one per point.
+DiffusedColors browned(DiffusedColors colors, std::span<const glm::vec3> points, const DiffusionSurfaces& surfaces,
+                       const Template& fruit);
+
+}  // namespace pomona

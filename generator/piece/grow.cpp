@@ -1,0 +1,61 @@
+#include "generator/piece/grow.h"
+
+#include <utility>
+#include <variant>
+
+#include "generator/base/random.h"
+#include "generator/surface/grains/grains.h"
+#include "generator/surface/sheets.h"
+#include "generator/surface/skin_depth.h"
+#include "generator/surface/sweep/sweep.h"
+#include "generator/variation/individual_colors.h"
+#include "generator/variation/ripen.h"
+
+namespace pomona {
+
+namespace {
+
+/// Where nothing varies, and as drawn, noise and detail keep the drawing's pattern.
+std::uint32_t drawn_pattern(const Template& fruit, VariantKey key, const GrowOptions& options) {
+  if (options.as_drawn || std::holds_alternative<NoSymmetry>(fruit.symmetry)) return 0;
+  return 1 + static_cast<std::uint32_t>(RandomStream(key, "pattern").below(0, most_pattern));
+}
+
+/// The variant with colours, noise and detail of its own.
+Template colored_individual(Template variant, const Template& fruit, VariantKey key, const GrowOptions& options) {
+  const double amount = options.as_drawn || options.curves_only ? 0 : options.variation;
+  variant.individual =
+      drawn_individual(fruit, key, {.amount = amount, .ripeness = options.ripeness, .browning = options.browning});
+  variant.noise.pattern = drawn_pattern(fruit, key, options);
+  for (DetailSketch& detail : variant.details) detail.pattern = variant.noise.pattern;
+  return variant;
+}
+
+}  // namespace
+
+Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options) {
+  if (!options.as_drawn) return variant_of(Variation(fruit), key, options);
+  return colored_individual(options.folds ? with_folds(fruit, *options.folds) : fruit, fruit, key, options);
+}
+
+Template variant_of(const Variation& variation, VariantKey key, const GrowOptions& options) {
+  const Template& fruit = variation.drawn();
+  const VariationOptions how{.amount = options.variation, .folds = options.folds, .curves_only = options.curves_only};
+  return colored_individual(variation.draw(key, how).fruit, fruit, key, options);
+}
+
+GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options) {
+  const SweepOptions sweep_options{.detail = options.detail, .key = key};
+  GrownFruit grown;
+  grown.swept = sweep(variant, sweep_options);
+  grown.grains = scatter_grains(variant, key, sweep_options);
+  if (has_own_colors(variant)) {
+    const SkinDepth skin(grown.swept);
+    grown.swept = ripened(std::move(grown.swept), variant, skin);
+    grown.grains = ripened(std::move(grown.grains), variant, skin);
+  }
+  grown.sheets = joined(sheets(grown.swept), sheets(grown.grains));
+  return grown;
+}
+
+}  // namespace pomona

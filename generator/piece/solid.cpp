@@ -1,0 +1,130 @@
+#include "generator/piece/solid.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "generator/piece/guided.h"
+
+namespace pomona {
+
+namespace {
+
+/// Builds one solid: the skin first, then the cut faces.
+class SolidBuilder {
+ public:
+  SolidBuilder(const CutPiece& piece, const CrossSection& section, const Template& fruit)
+      : piece_(piece), section_(section), fruit_(fruit) {
+    solid_.part_names = section.part_names;
+    solid_.materials = materials_of(fruit, section.part_names);
+    solid_.noise = fruit.noise;
+    solid_.density = fruit.density;
+    solid_.details = fruit.details;
+    const auto on_skin = [](const DetailSketch& detail) { return detail.face == DetailFace::skin; };
+    guides_ = !section.guide.empty() || std::any_of(fruit.details.begin(), fruit.details.end(), on_skin);
+    solid_.ink = fruit.ink;
+    solid_.volume = piece.volume;
+    solid_.closed = piece.closed;
+    solid_.crumb = piece.crumb;
+  }
+
+  Solid build(std::string name) {
+    solid_.name = std::move(name);
+    take_skin();
+    for (const CutPiece::CapTriangle& cap : piece_.caps) add_cap(cap);
+    return std::move(solid_);
+  }
+
+ private:
+  static constexpr std::uint32_t unset = 0xffffffffu;
+
+  void take_skin() {
+    solid_.position = piece_.position;
+    solid_.normal = piece_.normal;
+    solid_.color = piece_.color;
+    solid_.part = piece_.part;
+    if (guides_) {
+      for (const std::int32_t part : piece_.part)
+        solid_.guide.push_back({.share = detail_shares(fruit_, DetailFace::skin, part, 0)});
+    }
+    solid_.triangle = piece_.triangle;
+    solid_.surface = piece_.surface;
+    solid_.cut_face.assign(piece_.triangle.size(), -1);
+  }
+
+  void add_cap(const CutPiece::CapTriangle& cap) {
+    const glm::uvec3& t = section_.triangle[cap.triangle];
+    const std::int32_t face = section_.cut[cap.triangle];
+    std::array<glm::vec3, 3> normal{};
+    normal.fill(glm::vec3(section_.faces[static_cast<std::size_t>(face)].normal));
+    if (!section_.normal.empty()) normal = section_.normal[cap.triangle];
+    glm::uvec3 corner(0);
+    for (int i = 0; i < 3; ++i) {
+      const glm::vec3& n = normal[static_cast<std::size_t>(i)];
+      corner[i] = vertex(t[i], face, cap.reversed ? -n : n);
+    }
+    solid_.triangle.emplace_back(corner.x, cap.reversed ? corner.z : corner.y, cap.reversed ? corner.y : corner.z);
+    solid_.cut_face.push_back(face);
+    solid_.surface.push_back(-1);
+  }
+
+  /// A vertex of the section as seen on one face: where faces meet, each has its own normal, and so has either side of
+  /// a crease within a curved face.
+  std::uint32_t vertex(std::uint32_t of_section, std::int32_t face, const glm::vec3& normal) {
+    if (static_cast<std::size_t>(face) >= vertex_on_face_.size())
+      vertex_on_face_.resize(static_cast<std::size_t>(face) + 1);
+    std::vector<std::uint32_t>& known = vertex_on_face_[static_cast<std::size_t>(face)];
+    if (known.empty()) known.assign(section_.position.size(), unset);
+    if (known[of_section] == unset) return known[of_section] = new_vertex(of_section, normal);
+    if (solid_.normal[known[of_section]] == normal) return known[of_section];
+    for (const std::uint32_t v : beyond_crease_[{face, of_section}]) {
+      if (solid_.normal[v] == normal) return v;
+    }
+    return beyond_crease_[{face, of_section}].emplace_back(new_vertex(of_section, normal));
+  }
+
+  std::uint32_t new_vertex(std::uint32_t of_section, const glm::vec3& normal) {
+    solid_.position.push_back(section_.position[of_section]);
+    solid_.normal.push_back(normal);
+    solid_.color.push_back(section_.color[of_section]);
+    solid_.part.push_back(section_.part[of_section]);
+    if (guides_) solid_.guide.push_back(section_.guide.empty() ? DetailGuide{} : section_.guide[of_section]);
+    return static_cast<std::uint32_t>(solid_.position.size() - 1);
+  }
+
+  const CutPiece& piece_;
+  const CrossSection& section_;
+  const Template& fruit_;
+  bool guides_ = false;
+  Solid solid_;
+  std::vector<std::vector<std::uint32_t>> vertex_on_face_;  // per face, per vertex of the section
+
+  /// Further vertices, by face and vertex of the section.
+  std::map<std::pair<std::int32_t, std::uint32_t>, std::vector<std::uint32_t>> beyond_crease_;
+};
+
+}  // namespace
+
+std::vector<MaterialSketch> materials_of(const Template& fruit, const std::vector<std::string>& part_names) {
+  std::vector<MaterialSketch> materials;
+  if (fruit.materials.empty()) return materials;
+  for (const std::string& name : part_names) {
+    const auto at =
+        static_cast<std::size_t>(std::find(fruit.parts.begin(), fruit.parts.end(), name) - fruit.parts.begin());
+    materials.push_back(at < fruit.materials.size() ? fruit.materials[at] : MaterialSketch{});
+  }
+  return materials;
+}
+
+std::vector<Solid> solids(const Cut& cut, const CrossSection& colored_section, const Template& fruit,
+                          const std::string& name) {
+  std::vector<Solid> all;
+  for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+    const std::string own = cut.pieces.size() == 1 ? name : name + ".piece-" + std::to_string(i + 1);
+    all.push_back(SolidBuilder(cut.pieces[i], colored_section, fruit).build(own));
+  }
+  return all;
+}
+
+}  // namespace pomona

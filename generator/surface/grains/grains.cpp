@@ -1,0 +1,158 @@
+#include "generator/surface/grains/grains.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/surface/grains/grain_colors.h"
+#include "generator/surface/grains/grain_shape.h"
+#include "generator/surface/sweep/dart_throwing.h"
+#include "generator/surface/sweep/grid_painter.h"
+#include "generator/surface/sweep/swept_grid.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr double most_grains = 20'000;
+
+[[noreturn]] void refuse(const Template& fruit, const GrainSketch& sketch, const std::string& why,
+                         const std::string& hint) {
+  SourcePlace place;
+  place.file = fruit.file.empty() ? fruit.name : fruit.file;
+  throw Error(ExitStatus::bad_data, {{place, "grains \"" + sketch.name + "\": " + why, hint}});
+}
+
+/// The longest way across the vertical drawing.
+double fruit_size(const Template& fruit) {
+  double size = 0;
+  for (const SurfaceSketch& sketch : fruit.surfaces) {
+    if (sketch.vertical.points.empty()) continue;
+    glm::dvec2 low = sketch.vertical.points.front(), high = low;
+    for (const glm::dvec2& p : sketch.vertical.points) {
+      low = glm::dvec2(std::min(low.x, p.x), std::min(low.y, p.y));
+      high = glm::dvec2(std::max(high.x, p.x), std::max(high.y, p.y));
+    }
+    size = std::max(size, glm::distance(low, high));
+  }
+  return size;
+}
+
+/// Copies of one painted grain.
+class GrainStamp {
+ public:
+  GrainStamp(const GrainForm& form, const Side& front, const Side& back, double blur) : shape_(unit_grain(form)) {
+    GridPainter(painted_, "", front, back, Ramp<double>::constant(blur)).append(shape_);
+  }
+
+  void append_to(DiffusionSurfaces& grains, const glm::dvec3& center, const GrainPose& pose, const GrainTint& tint,
+                 std::int32_t surface) const {
+    const auto first = static_cast<std::uint32_t>(grains.vertex_count());
+    for (std::size_t v = 0; v < shape_.position.size(); ++v) {
+      const glm::dvec3& p = shape_.position[v];
+      grains.position.emplace_back(center + pose.thickness * p.x + pose.length * p.y + pose.width * p.z);
+      grains.front_color.push_back(tinted(painted_.front_color[v], tint));
+      grains.back_color.push_back(tinted(painted_.back_color[v], tint));
+      grains.blur.push_back(painted_.blur[v]);
+      grains.front_hidden.push_back(painted_.front_hidden[v]);
+      grains.back_hidden.push_back(painted_.back_hidden[v]);
+    }
+    for (std::size_t t = 0; t < painted_.triangle_count(); ++t) {
+      grains.triangle.push_back(painted_.triangle[t] + glm::uvec3(first));
+      grains.surface.push_back(surface);
+      grains.front_part.push_back(painted_.front_part[t]);
+      grains.back_part.push_back(painted_.back_part[t]);
+    }
+  }
+
+ private:
+  SweptGrid shape_;
+  DiffusionSurfaces painted_;
+};
+
+Side repainted(Side side, const PaintedColor& color) {
+  side.color = color;
+  return side;
+}
+
+std::int32_t add_surface(DiffusionSurfaces& grains, const std::string& name) {
+  grains.surface_names.push_back(name);
+  return static_cast<std::int32_t>(grains.surface_names.size() - 1);
+}
+
+void append_grains(DiffusionSurfaces& grains, const GrainSketch& sketch, const std::vector<Dart>& darts,
+                   const GrainDraws& draws) {
+  std::vector<GrainStamp> stamps;  // one for each look, the sketch's own last
+  for (const GrainLook& look : sketch.looks) {
+    stamps.emplace_back(sketch.form, repainted(sketch.front, look.front), repainted(sketch.back, look.back),
+                        sketch.blur);
+  }
+  stamps.emplace_back(sketch.form, sketch.front, sketch.back, sketch.blur);
+  const std::int32_t surface = add_surface(grains, sketch.name);
+  for (const Dart& dart : darts) {
+    const GrainStamp& stamp = dart.pose.look < 0 ? stamps.back() : stamps[static_cast<std::size_t>(dart.pose.look)];
+    stamp.append_to(grains, dart.center, dart.pose, drawn_tint(sketch, dart.number, draws), surface);
+  }
+}
+
+/// A core in every grain that looks as its sketch says; those with another look have none.
+void append_cores(DiffusionSurfaces& grains, const GrainSketch& sketch, const GrainCore& core,
+                  const std::vector<Dart>& darts, const GrainDraws& draws) {
+  const GrainStamp stamp(core.form, core.front, core.back, core.blur);
+  const std::int32_t surface = add_surface(grains, sketch.name + "-core");
+  for (const Dart& dart : darts) {
+    if (dart.pose.look != GrainPose::own_look) continue;
+    GrainPose pose = dart.pose;
+    const glm::dvec3 center = dart.center + pose.length * (2 * core.shift);
+    pose.thickness *= core.form.thickness;
+    pose.length *= core.form.length;
+    pose.width *= core.form.width;
+    stamp.append_to(grains, center, pose, drawn_tint(sketch, dart.number, draws), surface);
+  }
+}
+
+/// Leaves out the grains of empty places.
+std::vector<Dart> filled(std::vector<Dart> darts, const GrainSketch& sketch, const GrainDraws& draws) {
+  if (sketch.ground.share >= 1) return darts;
+  std::erase_if(darts, [&](const Dart& dart) {
+    return draws.places.uniform(draws_per_candidate * dart.number + 6) >= sketch.ground.share;
+  });
+  return darts;
+}
+
+}  // namespace
+
+DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const SweepOptions& options) {
+  DiffusionSurfaces grains;
+  grains.part_names = fruit.parts;
+  const double size = fruit_size(fruit);
+  double expected = 0;
+  std::vector<std::vector<Dart>> thrown;
+  for (const GrainSketch& sketch : fruit.grains) {
+    // Refuse what would take too long before throwing the first dart.
+    if (!(sketch.spacing.poisson_radius >= 1e-3 * size)) {
+      refuse(fruit, sketch, "the Poisson radius is below 1/1000 of the fruit", "make it the distance between grains");
+    }
+    const GrainDraws draws = grain_draws(key, sketch.name);
+    const SurfaceSketch& surface = fruit.surfaces.at(static_cast<std::size_t>(sketch.surface));
+    const std::vector<GrainTarget> targets = grain_targets(swept_grids(fruit, surface, options), sketch, draws.folds);
+    expected += room_for_grains(targets, sketch);
+    if (expected > most_grains) refuse(fruit, sketch, "more than 20 000 grains", "make the Poisson radius larger");
+
+    std::vector<Dart> others;
+    for (const int kind : sketch.spacing.apart_from) {
+      const std::vector<Dart>& known = thrown.at(static_cast<std::size_t>(kind));
+      others.insert(others.end(), known.begin(), known.end());
+    }
+    thrown.push_back(filled(thrown_darts(targets, sketch, draws, others), sketch, draws));
+    append_grains(grains, sketch, thrown.back(), draws);
+    for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, thrown.back(), draws);
+  }
+  return grains;
+}
+
+}  // namespace pomona

@@ -1,0 +1,162 @@
+#include "generator/surface/sweep/mesh_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/reproducible.h"
+#include "generator/surface/file/glb_file.h"
+#include "generator/surface/file/obj_file.h"
+#include "generator/surface/file/plain_mesh.h"
+#include "generator/surface/file/surface_file.h"
+#include "generator/surface/sweep/grid_painter.h"
+
+namespace pomona {
+
+namespace {
+
+[[noreturn]] void refuse_mesh(const MeshSketch& mesh, const std::string& message, const std::string& hint) {
+  throw Error(ExitStatus::bad_data, {{{mesh.file->path, 0, 0, {}}, "mesh \"" + mesh.name + "\": " + message, hint}});
+}
+
+glm::dvec3 placed_point(const MeshSketch& mesh, const glm::dvec3& p) {
+  return (mesh.z_up ? glm::dvec3(p.x, p.z, -p.y) : p) * mesh.unit + mesh.at;
+}
+
+// ---- Surface files ----
+
+/// Only the triangles of one surface; vertices stay.
+DiffusionSurfaces picked_surface(DiffusionSurfaces all, const MeshSketch& mesh) {
+  if (std::find(all.surface_names.begin(), all.surface_names.end(), mesh.object) == all.surface_names.end()) {
+    refuse_mesh(mesh, "there is no surface \"" + mesh.object + "\" in the file",
+                "it has: " + listed_names(all.surface_names));
+  }
+  DiffusionSurfaces picked = all;
+  picked.triangle.clear();
+  picked.surface.clear();
+  picked.front_part.clear();
+  picked.back_part.clear();
+  for (std::size_t i = 0; i < all.triangle_count(); ++i) {
+    if (all.surface_names[static_cast<std::size_t>(all.surface[i])] != mesh.object) continue;
+    picked.triangle.push_back(all.triangle[i]);
+    picked.surface.push_back(0);
+    picked.front_part.push_back(all.front_part[i]);
+    picked.back_part.push_back(all.back_part[i]);
+  }
+  picked.surface_names = {mesh.object};
+  return picked;
+}
+
+/// The template's number for each part that the file's triangles have.
+void renumber_parts(DiffusionSurfaces& surfaces, const Template& fruit, const MeshSketch& mesh) {
+  const auto renumbered = [&](std::int32_t part) {
+    const std::string& name = surfaces.part_names[static_cast<std::size_t>(part)];
+    const auto found = std::find(fruit.parts.begin(), fruit.parts.end(), name);
+    if (found == fruit.parts.end()) {
+      refuse_mesh(mesh, "its part \"" + name.substr(0, 64) + "\" is not one of the template's parts",
+                  "add it to \"parts\", or name the file's parts by comments like \"part 0 flesh\"");
+    }
+    return static_cast<std::int32_t>(found - fruit.parts.begin());
+  };
+  for (std::int32_t& part : surfaces.front_part) part = renumbered(part);
+  for (std::int32_t& part : surfaces.back_part) part = renumbered(part);
+  surfaces.part_names = fruit.parts;
+}
+
+DiffusionSurfaces from_surface_file(const Template& fruit, const MeshSketch& mesh) {
+  DiffusionSurfaces surfaces = parse_surfaces(mesh.file->bytes, mesh.file->path);
+  if (!mesh.object.empty()) surfaces = picked_surface(std::move(surfaces), mesh);
+  renumber_parts(surfaces, fruit, mesh);
+  // A file that is not moved keeps every bit, the sign of zeros too: template and file are cut alike.
+  const bool is_moved = mesh.z_up || mesh.unit != 1 || mesh.at != glm::dvec3(0);
+  for (glm::vec3& p : surfaces.position) p = is_moved ? glm::vec3(placed_point(mesh, glm::dvec3(p))) : p;
+  for (float& blur : surfaces.blur) blur = static_cast<float>(static_cast<double>(blur) * mesh.unit);
+  for (glm::uvec3& t : surfaces.triangle) {
+    if (mesh.flip) std::swap(t.y, t.z);
+  }
+  return surfaces;
+}
+
+// ---- Plain meshes ----
+
+/// A surface file as a plain mesh; its front is what viewers show.
+PlainMesh plain_of(const MeshSketch& mesh) {
+  DiffusionSurfaces surfaces = parse_surfaces(mesh.file->bytes, mesh.file->path);
+  if (!mesh.object.empty()) surfaces = picked_surface(std::move(surfaces), mesh);
+  PlainMesh plain;
+  for (const glm::vec3& p : surfaces.position) plain.position.emplace_back(p);
+  plain.color = surfaces.front_color;
+  plain.triangle = surfaces.triangle;
+  return without_unused(plain);
+}
+
+PlainMesh read_plain(const MeshSketch& mesh) {
+  if (mesh.file->format == MeshFormat::obj) return parse_obj(mesh.file->bytes, mesh.file->path, mesh.object);
+  if (mesh.file->format == MeshFormat::glb) return parse_glb(mesh.file->bytes, mesh.file->path, mesh.object);
+  return plain_of(mesh);
+}
+
+double turn_about(double x, double z) { return x == 0 && z == 0 ? 0.0 : turn_of(reproducible::atan2(-z, x)); }
+
+/// Where each vertex lies in the ramps: as on a swept surface, but by height or distance, and by angle.
+SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
+  SweptGrid grid;
+  for (const glm::dvec3& p : plain.position) grid.position.push_back(placed_point(mesh, p));
+  glm::dvec3 low = grid.position.front(), high = low;
+  for (const glm::dvec3& p : grid.position) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+    grid.along.push_back(mesh.paint->ramps_from ? glm::distance(p, *mesh.paint->ramps_from) : p.y);
+  }
+  const auto [least, most] = std::minmax_element(grid.along.begin(), grid.along.end());
+  const double from = *least, range = *most - *least;
+  const glm::dvec3 middle = 0.5 * (low + high);
+  for (std::size_t i = 0; i < grid.position.size(); ++i) {
+    const glm::dvec3 p = grid.position[i] - middle;
+    grid.along[i] = range > 0 ? (grid.along[i] - from) / range : 0.0;
+    grid.around.push_back(turn_about(p.x, p.z));
+    grid.turn.emplace_back(turn_about(grid.position[i].x, grid.position[i].z));
+  }
+  grid.is_pole.assign(grid.position.size(), 0);
+  grid.fold.assign(grid.position.size(), 0);
+  grid.depth.assign(grid.position.size(), 1);
+  grid.triangle = plain.triangle;
+  for (glm::uvec3& t : grid.triangle) {
+    if (mesh.flip) std::swap(t.y, t.z);
+  }
+  return grid;
+}
+
+DiffusionSurfaces painted_mesh(const Template& fruit, const MeshSketch& mesh) {
+  const PlainMesh plain = read_plain(mesh);
+  const MeshPaint& paint = *mesh.paint;
+  if (plain.color.empty() && (paint.front_color_from_file || paint.back_color_from_file)) {
+    refuse_mesh(mesh, "the file has no colours at its vertices", "write \"color\" in the template's sides");
+  }
+  DiffusionSurfaces surfaces;
+  surfaces.part_names = fruit.parts;
+  GridPainter(surfaces, mesh.name, paint.front, paint.back, paint.blur).append(ramp_grid(plain, mesh));
+  if (paint.front_color_from_file) surfaces.front_color = plain.color;
+  if (paint.back_color_from_file) surfaces.back_color = plain.color;
+  return surfaces;
+}
+
+}  // namespace
+
+DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh) {
+  DiffusionSurfaces surfaces = mesh.paint ? painted_mesh(fruit, mesh) : from_surface_file(fruit, mesh);
+  // A mesh in the wrong unit is as good as nothing, or larger than a house.
+  constexpr double smallest = 1e-6, largest = 100;
+  const double size = glm::length(bounds_of(surfaces).size());
+  if (!(size >= smallest && size <= largest)) {
+    refuse_mesh(mesh, size < smallest ? "it has no size" : "it is larger than 100 m",
+                "state the length of one unit of the file, as in unit = \"1mm\"");
+  }
+  return surfaces;
+}
+
+}  // namespace pomona

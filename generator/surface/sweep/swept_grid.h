@@ -1,0 +1,55 @@
+// What a sweep makes of one sketch before colours: vertices that know where on the curves they lie.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/surface/sweep/sweep.h"
+
+namespace pomona {
+
+/// An azimuth, radians, as a share of the whole turn, [0, 1).
+double turn_of(double azimuth);
+
+/// Rings of vertices along the vertical curve, with a single vertex where a ring has shrunk to a point:
+/// id = 1 + (j - 1) n + i between two poles. A pure function of the counts, so all variants share it.
+struct SweptGrid {
+  std::vector<glm::dvec3> position;
+  std::vector<double> along;   ///< share of the vertical curve
+  std::vector<double> around;  ///< share of the horizontal curve, or of the fold; NaN never, 0 at poles
+  std::vector<std::uint8_t> is_pole;
+  std::vector<int> fold;      ///< the fold that begins or goes on here, from 0; 0 where there are none, and at poles
+                              ///< around the axis
+  std::vector<double> depth;  ///< in folds: 0 on the vertical curve's inner arc, 1 on its outer one; else 1
+  std::vector<std::optional<double>> turn;  ///< azimuth as a share of the whole turn; nothing on the axis. May be
+                                            ///< empty where it does not matter: in grains
+  int folds_around = 1;                     ///< so many folds meet in it, in a ring
+  std::vector<glm::uvec3> triangle;         ///< front outside
+};
+
+/// The grids of one surface: one around the axis, or one per fold that has a loop.
+/// \throws Error (bad_data) naming the surface.
+std::vector<SweptGrid> swept_grids(const Template& fruit, const SurfaceSketch& sketch, const SweepOptions& options);
+
+/// How a grid's rings hang together.
+struct GridShape {
+  int around = 0;
+  int rings = 0;  ///< poles included
+  bool starts_in_pole = false;
+  bool ends_in_pole = false;
+  bool closed_along = false;  ///< the last ring is followed by the first
+};
+
+/// Triangles for vertices that run around, then along upwards; front away from the axis.
+std::vector<glm::uvec3> grid_triangles(const GridShape& shape);
+
+SweptGrid swept_around_axis(const Template& fruit, const SurfaceSketch& sketch, int around, int along);
+std::vector<SweptGrid> swept_in_folds(const Template& fruit, const SurfaceSketch& sketch, int around, int along);
+
+/// Throws the Error for a surface that cannot be swept.
+[[noreturn]] void refuse(const Template& fruit, const SurfaceSketch& sketch, const std::string& why,
+                         const std::string& hint);
+
+}  // namespace pomona

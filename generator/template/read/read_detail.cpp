@@ -1,0 +1,116 @@
+#include "generator/template/read/read_detail.h"
+
+#include <algorithm>
+#include <string>
+
+#include "generator/template/read/read_depth.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t most_details = 2 * most_details_of_a_face;
+constexpr Within detail_size{5e-5, 0.1};   // metres
+constexpr Within detail_length{5e-5, 10};  // metres
+
+const std::vector<std::string> kind_names = {"fibres", "cells", "speckles", "streaks", "net"};
+const std::vector<std::string> run_names = {"none", "to_skin", "along", "around"};
+const std::vector<std::string> face_names = {"cut", "skin"};
+
+/// Where a kind is when nobody says.
+DetailFace usual_face(DetailKind kind) {
+  return kind == DetailKind::fibres || kind == DetailKind::cells ? DetailFace::cut : DetailFace::skin;
+}
+
+/// A part's name or several.
+std::vector<int> read_parts(const TomlValue& value, const Template& fruit) {
+  std::vector<int> parts;
+  if (fruit.parts.empty()) return parts;
+  if (!value.is(TomlNode::Kind::array)) {
+    if (value.given()) parts.push_back(value.choice(fruit.parts));
+    return parts;
+  }
+  for (const TomlValue& name : value.values()) parts.push_back(name.choice(fruit.parts));
+  if (parts.empty()) value.error("names no part");
+  return parts;
+}
+
+/// A length, or the least and the most.
+void read_sizes(const TomlValue& value, DetailSketch& detail) {
+  if (!value.is(TomlNode::Kind::array)) {
+    detail.size = detail.smallest = value.length(detail.size, detail_size);
+    return;
+  }
+  const std::vector<TomlValue> sizes = value.values();
+  if (sizes.size() != 2)
+    return value.error("has not two lengths", "write the least and the most: [\"0.3mm\", \"1mm\"]");
+  detail.smallest = sizes[0].length(detail.smallest, detail_size);
+  detail.size = sizes[1].length(detail.size, detail_size);
+  if (detail.smallest > detail.size) value.error("is least first, then most");
+}
+
+/// Towards a colour, or in a direction of OKLab.
+void read_change(const TomlTable& table, DetailSketch& detail) {
+  detail.amount = table.need("amount").number(0, {-1, 1});
+  const TomlValue color = table.get("color"), axis = table.get("axis");
+  if (color.given()) {
+    detail.color = color.color();
+    if (axis.given()) axis.error("is there beside a color", "keep one of them");
+    if (detail.amount < 0) table.get("amount").error("is below 0, and a color is gone towards", "write 0 to 1");
+  }
+  if (!axis.given()) return;
+  const std::vector<TomlValue> numbers = axis.values();
+  if (numbers.size() != 3) return axis.error("must have three numbers", "[1, 0, 0] is from dark to light");
+  for (int i = 0; i < 3; ++i)
+    detail.axis[i] = static_cast<float>(numbers[static_cast<std::size_t>(i)].number(0, {-1, 1}));
+  if (detail.axis == glm::vec3(0)) axis.error("has no direction", "[1, 0, 0] is from dark to light");
+}
+
+/// What scales the patterns that run around a fruit: its largest radius and half its height, as drawn.
+void measure(const Template& fruit, DetailSketch& detail) {
+  const HeightRange heights = drawn_heights(fruit);
+  if (heights.high > heights.low) detail.middle = 0.5 * (heights.high - heights.low);
+  double reach = 0;
+  for (const SurfaceSketch& surface : fruit.surfaces)
+    for (const glm::dvec2& point : surface.vertical.points) reach = std::max(reach, point.x);
+  if (reach > 0) detail.reach = reach;
+}
+
+DetailSketch read_detail(const TomlTable& table, const Template& fruit) {
+  DetailSketch detail;
+  detail.kind = static_cast<DetailKind>(table.need("kind").choice(kind_names));
+  detail.face = static_cast<DetailFace>(table.get("on").choice(face_names, static_cast<int>(usual_face(detail.kind))));
+  detail.parts = read_parts(table.need("part"), fruit);
+  read_sizes(table.need("size"), detail);
+  detail.run = static_cast<DetailRun>(table.get("run").choice(run_names));
+  detail.length = table.get("length").length(detail.size, detail_length);
+  if (table.has("length") && detail.run == DetailRun::none)
+    table.get("length").error("is along a run, and there is none", "write run = \"to_skin\", \"along\" or \"around\"");
+  detail.width = table.get("width").number(detail.width, {0, 1});
+  detail.density = table.get("density").number(detail.density, {0.01, 0.99});
+  detail.softness = table.get("softness").number(detail.softness, {0, 1});
+  detail.wander = table.get("wander").number(detail.wander, {0, 2});
+  detail.variety = table.get("variety").number(detail.variety, {0, 1});
+  read_change(table, detail);
+  if (table.has("near")) detail.near = table.get("near").color();
+  detail.near_within = table.get("near_within").number(detail.near_within, {1e-3, 10});
+  detail.depth = read_depth_ramp(table.get("depth"), 1, {0, 1});
+  measure(fruit, detail);
+  return detail;
+}
+
+}  // namespace
+
+std::vector<DetailSketch> read_details(const TomlValue& value, const Template& fruit) {
+  std::vector<DetailSketch> details;
+  int on_face[2] = {};
+  for (const TomlTable& table : value.tables(most_details)) {
+    details.push_back(read_detail(table, fruit));
+    if (++on_face[static_cast<int>(details.back().face)] != most_details_of_a_face + 1) continue;
+    table.error("is one too many",
+                "at most " + std::to_string(most_details_of_a_face) + " may be on cut faces, and as many on the skin");
+  }
+  return details;
+}
+
+}  // namespace pomona

@@ -1,0 +1,12 @@
+// One [[grains]] of a template file.
+#pragma once
+
+#include "generator/template/read/toml_document.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// `fruit` has its parts and surfaces already; the name is the caller's to check.
+GrainSketch read_grains(const TomlTable& table, const Template& fruit);
+
+}  // namespace pomona

@@ -1,0 +1,56 @@
+#include "generator/template/read/read_material.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr Within share{0, 1};
+constexpr Within strength{0, 4};
+
+Bloom read_bloom(const TomlTable& table) {
+  Bloom bloom;
+  bloom.cover = table.need("cover").number(0, share);
+  bloom.color = table.get("color").color(bloom.color);
+  bloom.rubbed = table.get("rubbed").number(bloom.rubbed, share);
+  bloom.patch_size = table.get("patch_size").length(bloom.patch_size, {5e-4, 1});
+  return bloom;
+}
+
+Fuzz read_fuzz(const TomlTable& table) {
+  Fuzz fuzz;
+  fuzz.length = table.need("length").length(0, {0, 0.05});
+  fuzz.density = table.get("density").number(fuzz.density, {0, 20});
+  fuzz.color = table.get("color").color(fuzz.color);
+  fuzz.lie = table.get("lie").number(fuzz.lie, share);
+  return fuzz;
+}
+
+Translucency read_translucency(const TomlTable& table) {
+  Translucency translucency;
+  translucency.depth = table.need("depth").length(0, {0, 1});
+  translucency.color = table.get("color").color(translucency.color);
+  return translucency;
+}
+
+MaterialSketch read_material(const TomlTable& table) {
+  MaterialSketch material;
+  material.gloss = table.get("gloss").number(material.gloss, strength);
+  material.roughness = table.get("roughness").number(material.roughness, {0.02, 1});
+  material.wet = table.get("wet").number(material.wet, strength);
+  if (table.has("bloom")) material.bloom = read_bloom(table.get("bloom").table());
+  if (table.has("fuzz")) material.fuzz = read_fuzz(table.get("fuzz").table());
+  if (table.has("translucency")) material.translucency = read_translucency(table.get("translucency").table());
+  return material;
+}
+
+}  // namespace
+
+std::vector<MaterialSketch> read_materials(const TomlTable& table, const std::vector<std::string>& parts) {
+  std::vector<MaterialSketch> materials;
+  for (const std::string& part : parts) {
+    materials.push_back(table.has(part) ? read_material(table.get(part).table()) : MaterialSketch{});
+  }
+  return materials;
+}
+
+}  // namespace pomona

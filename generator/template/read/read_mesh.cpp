@@ -1,0 +1,131 @@
+#include "generator/template/read/read_mesh.h"
+
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <system_error>
+
+#include "generator/base/path_within.h"
+#include "generator/template/read/read_paint.h"
+
+namespace fs = std::filesystem;
+
+namespace pomona {
+
+namespace {
+
+constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
+constexpr Within anywhere{-10, 10};  // metres
+
+std::optional<MeshFormat> format_of(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending == ".ply") return MeshFormat::ply;
+  if (ending == ".obj") return MeshFormat::obj;
+  if (ending == ".glb") return MeshFormat::glb;
+  return {};
+}
+
+/// The bytes of the file the value names; what is wrong with it is noted there.
+std::shared_ptr<const MeshFile> read_bytes(const TomlValue& value, const fs::path& folder) {
+  const fs::path file = folder / value.text();
+  const auto format = format_of(file);
+  if (!format) {
+    value.error("is no mesh that can be read", "export it as .ply, .obj or .glb");
+    return {};
+  }
+  if (fs::path(value.text()).is_absolute() || !path_within(folder, file)) {
+    value.error("leads out of the template's folder", "put the file beside the template");
+    return {};
+  }
+  std::error_code wrong;
+  if (!fs::is_regular_file(file, wrong)) {
+    value.error("cannot be read", "put the file beside the template");
+    return {};
+  }
+  const std::uintmax_t bytes = fs::file_size(file, wrong);
+  if (wrong || bytes > most_bytes) {
+    value.error("is larger than 64 MiB", "simplify the mesh");
+    return {};
+  }
+  auto read = std::make_shared<MeshFile>();
+  read->path = file.string();
+  read->format = *format;
+  read->bytes.resize(bytes);
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(read->bytes.data(), static_cast<std::streamsize>(bytes));
+  read->bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return read;
+}
+
+std::shared_ptr<const MeshFile> read_once(const TomlValue& value, const fs::path& folder,
+                                          const std::vector<MeshSketch>& known) {
+  if (!value.is(TomlNode::Kind::string)) {
+    value.text();  // notes that it is none, if it is there
+    return {};
+  }
+  const std::string path = (folder / value.text()).string();
+  for (const MeshSketch& mesh : known) {
+    if (mesh.file && mesh.file->path == path) return mesh.file;
+  }
+  return read_bytes(value, folder);
+}
+
+glm::dvec3 read_point(const TomlValue& value) {
+  glm::dvec3 point(0);
+  if (!value.given()) return point;
+  const std::vector<TomlValue> values = value.values();
+  if (values.size() != 3) {
+    value.error("must be three lengths, as in [\"0mm\", \"55mm\", \"0mm\"]");
+    return point;
+  }
+  for (int k = 0; k < 3; ++k) point[k] = values[static_cast<std::size_t>(k)].length(0, anywhere);
+  return point;
+}
+
+/// A side whose colour is left to the file where none is given.
+Side read_mesh_side(const TomlTable& table, const std::vector<std::string>& parts) {
+  if (table.has("color")) {
+    const Side side = read_surface_side(table, parts, {});
+    if (!side.spots.empty()) table.get("spots").error("need a drawn surface", "paint them in the modelling tool");
+    return side;
+  }
+  Side side = read_uncolored_side(table, parts);
+  side.color.along = Ramp<Color>::constant(Color(0.5f));  // ramps are never empty
+  return side;
+}
+
+MeshPaint read_mesh_paint(const TomlTable& table, const std::vector<std::string>& parts) {
+  MeshPaint paint;
+  const TomlTable front = table.need("front").table(), back = table.need("back").table();
+  paint.front = read_mesh_side(front, parts);
+  paint.back = read_mesh_side(back, parts);
+  paint.front_color_from_file = !front.has("color");
+  paint.back_color_from_file = !back.has("color");
+  if (paint.front.hidden && paint.back.hidden) {
+    table.error("has both sides hidden", "hide only the side that faces air");
+  }
+  paint.blur = read_painted_blur(table.get("blur"));
+  if (table.has("ramps_from")) paint.ramps_from = read_point(table.get("ramps_from"));
+  return paint;
+}
+
+}  // namespace
+
+MeshSketch read_mesh(const TomlTable& table, const std::vector<std::string>& parts, const fs::path& folder,
+                     const std::vector<MeshSketch>& known) {
+  MeshSketch mesh;
+  mesh.file = read_once(table.need("file"), folder, known);
+  mesh.object = table.get("object").text();
+  mesh.unit = table.get("unit").length(1, {1e-6, 1000});
+  mesh.z_up = table.get("up").choice({"y", "z"}) == 1;
+  mesh.flip = table.get("flip").boolean(false);
+  mesh.at = read_point(table.get("at"));
+
+  // Plain meshes need sides; surface files bring theirs, and may be painted over.
+  const bool is_plain = mesh.file && mesh.file->format != MeshFormat::ply;
+  const bool is_painted = table.has("front") || table.has("back") || table.has("blur") || table.has("ramps_from");
+  if (is_plain || is_painted) mesh.paint = read_mesh_paint(table, parts);
+  return mesh;
+}
+
+}  // namespace pomona

@@ -1,0 +1,66 @@
+// Ramps and painted sides as template files spell them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/template/read/read_stops.h"
+#include "generator/template/read/toml_document.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// A value, or stops [[0.0, value], [0.4, value], ...] that ascend within 0..1; `read` turns one TOML value into
+/// one of the ramp.
+template <typename Value, typename Read>
+Ramp<Value> read_ramp(const TomlValue& value, const Value& fallback, Read read) {
+  if (!value.is(TomlNode::Kind::array)) return Ramp<Value>::constant(value.given() ? read(value) : fallback);
+  const auto place = [](const TomlValue& at) { return at.number(0, {0, 1}); };
+  const Ramp<Value> ramp{read_stops<Value>(value, place, read,
+                                           {.one = "write [place, value] with a place from 0 to 1, as in [0.4, ...]",
+                                            .all = "write at least one, as in [[0.0, ...]]"})};
+  return ramp.stops.empty() ? Ramp<Value>::constant(fallback) : ramp;
+}
+
+/// The same for a whole turn: where there is no stop at 0 or none at 1, values go on evenly from the last stop over
+/// the seam to the first. A jump there needs a stop at both.
+template <typename Value, typename Read>
+Ramp<Value> read_turn(const TomlValue& value, const Value& fallback, Read read) {
+  Ramp<Value> ramp = read_ramp<Value>(value, fallback, read);
+  const auto first = ramp.stops.front(), last = ramp.stops.back();
+  const double after = 1 - last.at, gap = first.at + after;
+  if (gap > 0) {
+    // At one end there may be a stop; else evenly from the last over the seam to the first.
+    const auto share = static_cast<float>(after / gap);
+    const auto between = static_cast<Value>(last.value + (first.value - last.value) * share);
+    const Value seam = first.at == 0 ? first.value : last.at == 1 ? last.value : between;
+    if (first.at > 0) ramp.stops.insert(ramp.stops.begin(), {0.0, seam});
+    if (last.at < 1) ramp.stops.push_back({1.0, seam});
+  }
+  return ramp;
+}
+
+/// A length, a ramp of lengths along, or { along = ..., around = ..., turn = ... }.
+PaintedBlur read_painted_blur(const TomlValue& value);
+
+/// { part = "skin", color = ..., hidden = true }, the side of a grain. The colour is "#rrggbb", a ramp along, or
+/// { along = ..., around = ... }. `sample` and `stops` say where `pomona sketch --sample` took the colours along;
+/// here they are only checked.
+Side read_side(const TomlTable& table, const std::vector<std::string>& parts);
+
+/// Part and `hidden` alone, for what brings its colours along.
+Side read_uncolored_side(const TomlTable& table, const std::vector<std::string>& parts);
+
+/// The colour of such a side alone.
+PaintedColor read_painted_color(const TomlValue& value);
+
+/// What the paint of a surface has to fit.
+struct PaintedSurface {
+  SurfaceType type = SurfaceType::around_axis;
+  int folds = 0;  ///< 0: the fruit is cylindrical
+};
+
+/// The same with all that surfaces have and grains have not: the colour's `turn` and `folds`, `coats` and `spots`.
+Side read_surface_side(const TomlTable& table, const std::vector<std::string>& parts, const PaintedSurface& surface);
+
+}  // namespace pomona

@@ -1,0 +1,46 @@
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "generator/base/path_within.h"
+#include "generator/template/read/sketch.h"
+
+namespace fs = std::filesystem;
+
+namespace pomona {
+
+namespace {
+
+constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
+
+/// The SVG beside a template: nothing outside its folder, and no device or pipe.
+fs::path find_svg(const fs::path& folder, const std::string& name) {
+  const std::string quoted = "\"" + name.substr(0, 200) + "\"";
+  const fs::path file = folder / name;
+  if (fs::path(name).is_absolute() || !path_within(folder, file)) {
+    throw BadSketch(quoted + " leads out of the template's folder", "put the SVG beside the template");
+  }
+  std::error_code wrong;
+  if (!fs::is_regular_file(file, wrong)) {
+    throw BadSketch(quoted + " cannot be read", "put it beside the template; `pomona sketch` writes one to start from");
+  }
+  const std::uintmax_t bytes = fs::file_size(file, wrong);
+  if (wrong || bytes > most_bytes) {
+    throw BadSketch(quoted + " is larger than 64 MiB", "link the picture instead of embedding it");
+  }
+  return file;
+}
+
+}  // namespace
+
+Sketch read_sketch(const fs::path& folder, const std::string& name, std::optional<double> unit) {
+  const fs::path file = find_svg(folder, name);
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(fs::file_size(file), '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return {parse_svg(text, file.string()), unit};
+}
+
+}  // namespace pomona

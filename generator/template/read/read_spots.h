@@ -1,0 +1,15 @@
+// Spots and patches as template files spell them.
+#pragma once
+
+#include <vector>
+
+#include "generator/template/read/toml_document.h"
+#include "generator/template/spot_sketch.h"
+#include "generator/template/surface_sketch.h"
+
+namespace pomona {
+
+/// [{ place = [0.3, 200], size = "40mm", color = "#..." }, { spacing = "4mm", size = ["1mm", "2mm"], color = ... }].
+std::vector<SpotSketch> read_spots(const TomlValue& value, SurfaceType type);
+
+}  // namespace pomona

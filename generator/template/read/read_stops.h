@@ -1,0 +1,38 @@
+// Stops of ramps as template files spell them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/template/ramp.h"
+#include "generator/template/read/toml_document.h"
+
+namespace pomona {
+
+/// What to tell the author of a list of stops.
+struct StopHints {
+  std::string one;  ///< how a stop is written
+  std::string all;  ///< how the list is
+};
+
+/// [[place, value], ...] with ascending places; `read_at` turns one TOML value into a place, `read` one into a value.
+template <typename Value, typename ReadAt, typename Read>
+std::vector<typename Ramp<Value>::Stop> read_stops(const TomlValue& value, ReadAt read_at, Read read,
+                                                   const StopHints& hints) {
+  std::vector<typename Ramp<Value>::Stop> stops;
+  const std::vector<TomlValue> listed = value.values();
+  for (const TomlValue& stop : listed) {
+    const std::vector<TomlValue> pair = stop.values();
+    if (pair.size() != 2) {
+      stop.error("is not a stop", hints.one);
+      continue;
+    }
+    const double at = read_at(pair[0]);
+    if (!stops.empty() && at <= stops.back().at) pair[0].error("does not ascend", "sort the stops");
+    stops.push_back({at, read(pair[1])});
+  }
+  if (listed.empty() && value.is(TomlNode::Kind::array)) value.error("has no stops", hints.all);
+  return stops;
+}
+
+}  // namespace pomona

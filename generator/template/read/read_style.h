@@ -1,0 +1,13 @@
+// The [noise] and [ink] of a template file.
+#pragma once
+
+#include "generator/template/ink_style.h"
+#include "generator/template/noise_style.h"
+#include "generator/template/read/toml_document.h"
+
+namespace pomona {
+
+NoiseStyle read_noise(const TomlTable& table);
+InkStyle read_ink(const TomlTable& table);
+
+}  // namespace pomona

@@ -1,0 +1,36 @@
+// One [[surface]] of a template file.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "generator/template/read/read_curve.h"
+#include "generator/template/read/toml_document.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// Reads surfaces one after another; what they share is the drawing: its curves, parts and folds.
+class SurfaceReader {
+ public:
+  SurfaceReader(CurveReader curves, std::vector<std::string> parts, Symmetry symmetry)
+      : curves_(curves), parts_(std::move(parts)), symmetry_(std::move(symmetry)) {}
+
+  /// Notes what is wrong in the table's document. Vertical curves keep the height at which they were drawn.
+  SurfaceSketch read(const TomlTable& table);
+
+ private:
+  void read_vertical(const TomlTable& table, SurfaceSketch& sketch);
+  void read_around_axis(const TomlTable& table, SurfaceSketch& sketch);
+  void read_in_fold(const TomlTable& table, SurfaceSketch& sketch);
+  void read_fold_loop(const TomlValue& value, std::size_t fold, SurfaceSketch& sketch);
+  void read_fold_group(const TomlValue& value, SurfaceSketch& sketch);
+  void read_paint(const TomlTable& table, SurfaceSketch& sketch) const;
+
+  CurveReader curves_;
+  std::vector<std::string> parts_;
+  Symmetry symmetry_;
+};
+
+}  // namespace pomona

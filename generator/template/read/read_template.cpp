@@ -1,0 +1,189 @@
+#include "generator/template/read/read_template.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "generator/base/units.h"
+#include "generator/template/bend_strain.h"
+#include "generator/template/read/read_detail.h"
+#include "generator/template/read/read_grains.h"
+#include "generator/template/read/read_material.h"
+#include "generator/template/read/read_mesh.h"
+#include "generator/template/read/read_name.h"
+#include "generator/template/read/read_ripeness.h"
+#include "generator/template/read/read_style.h"
+#include "generator/template/read/read_surface.h"
+#include "generator/template/read/read_symmetry.h"
+#include "generator/template/read/read_variation.h"
+#include "generator/template/read/sketch.h"
+#include "generator/template/read/toml_document.h"
+#include "generator/template/read/toml_limits.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t most_surfaces = 64, most_meshes = 64, most_grain_kinds = 16, most_parts = 64;
+constexpr double most_triangles = 2e6;  // of all surfaces at detail 1
+
+/// The sketch the template names, if it names one that can be read.
+std::optional<Sketch> read_sketch_of(const TomlTable& root, const std::string& file, std::optional<double> unit) {
+  const TomlValue value = root.get("sketch");
+  if (!value.is(TomlNode::Kind::string)) {
+    value.text();  // notes that it is none, if it is there
+    return {};
+  }
+  try {
+    return read_sketch(std::filesystem::path(file).parent_path(), value.text(), unit);
+  } catch (const BadSketch& bad) {
+    value.error(bad.what(), bad.hint);
+    return {};
+  }
+}
+
+std::vector<std::string> read_parts(const TomlValue& value) {
+  std::vector<std::string> parts;
+  for (const TomlValue& part : value.values()) parts.push_back(read_name(part, parts));
+  if (parts.empty() && value.is(TomlNode::Kind::array)) value.error("is empty", "name what the fruit consists of");
+  if (parts.size() > most_parts) value.error("has more than " + std::to_string(most_parts) + " names");
+  return parts;
+}
+
+std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SurfaceReader reader) {
+  std::vector<SurfaceSketch> surfaces;
+  std::vector<std::string> names;
+  double triangles = 0;
+  const TomlValue drawn = root.has("mesh") ? root.get("surface") : root.need("surface");
+  if (!drawn.given()) return surfaces;
+  for (const TomlTable& table : drawn.tables(most_surfaces)) {
+    const TomlTable surface = table.called("surface \"" + table.get("name").text() + "\"");
+    names.push_back(read_name(surface.need("name"), names));
+    surfaces.push_back(reader.read(surface));
+    const SurfaceSketch& sketch = surfaces.back();
+    triangles +=
+        2.0 * sketch.around * sketch.along * static_cast<double>(std::max<std::size_t>(1, sketch.horizontal.size()));
+    if (triangles > most_triangles) {
+      surface.error("makes more than 2 000 000 triangles of the fruit", "lower \"around\" or \"along\"");
+      break;
+    }
+  }
+  return surfaces;
+}
+
+/// Names differ from those of drawn surfaces too.
+std::vector<MeshSketch> read_meshes(const TomlTable& root, const Template& fruit) {
+  std::vector<MeshSketch> meshes;
+  std::vector<std::string> names;
+  for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
+  const std::filesystem::path folder = std::filesystem::path(fruit.file).parent_path();
+  if (!root.has("mesh")) return meshes;
+  for (const TomlTable& table : root.get("mesh").tables(most_meshes)) {
+    const TomlTable mesh = table.called("mesh \"" + table.get("name").text() + "\"");
+    names.push_back(read_name(mesh.need("name"), names));
+    meshes.push_back(read_mesh(mesh, fruit.parts, folder, meshes));
+    meshes.back().name = names.back();
+  }
+  return meshes;
+}
+
+/// Curves need an axis: without symmetry there is none to draw them around.
+void check_symmetry(const TomlTable& root, const Template& fruit) {
+  if (!std::holds_alternative<NoSymmetry>(fruit.symmetry) || fruit.surfaces.empty()) return;
+  root.get("surface").error("is drawn, but the fruit has no symmetry",
+                            "write kind = \"cylindrical\" under [symmetry], or bring the surface as a [[mesh]]");
+}
+
+/// Moves all vertical curves up or down so that the lowest drawn point is at y = 0.
+void set_on_ground(std::vector<SurfaceSketch>& surfaces) {
+  bool found = false;
+  double lowest = 0;
+  for (const SurfaceSketch& surface : surfaces) {
+    for (const glm::dvec2& p : surface.vertical.points) {
+      lowest = found ? std::min(lowest, p.y) : p.y;
+      found = true;
+    }
+  }
+  for (SurfaceSketch& surface : surfaces) {
+    for (glm::dvec2& p : surface.vertical.points) p.y -= lowest;
+  }
+}
+
+/// The bend, which must leave room for what is drawn.
+void read_bend_of(Template& fruit, const TomlValue& value) {
+  fruit.bend = read_bend(value.table());
+  if (!fruit.meshes.empty())
+    return value.error("bends drawn curves only, but there are meshes", "bend them all in the modelling tool");
+  const BendStrain strain = bend_strain(fruit);
+  if (strain.pressing <= most_strain.pressing && strain.lean <= most_strain.lean) return;
+  const bool folds = strain.pressing > most_strain.pressing;
+  value.error(folds ? "folds the fruit where it is wide" : "turns the axis by more than 75 degrees from upright",
+              "make angle and swing smaller");
+  fruit.bend = {};
+}
+
+void read_head(const TomlTable& root, Template& fruit) {
+  root.need("format").integer(1, 1, 1);
+  fruit.name = read_name(root.need("name"), {});
+  fruit.title = root.get("title").text(fruit.name);
+  fruit.latin = root.get("latin").text();
+  fruit.density = root.get("density").number(fruit.density, {10, 20000});
+  fruit.parts = read_parts(root.need("parts"));
+}
+
+}  // namespace
+
+Template parse_template(std::string_view toml, const std::string& file) {
+  TomlDocument document(toml, file);
+  const TomlTable root = document.root();
+  Template fruit;
+  fruit.file = file;
+  read_head(root, fruit);
+
+  // Curves need the unit, and paint needs the parts: without them their own mistakes cannot be told.
+  const bool may_lack_unit = root.has("sketch") || (root.has("mesh") && !root.has("surface"));
+  const TomlValue unit_value = may_lack_unit ? root.get("unit") : root.need("unit");
+  const double unit = unit_value.length(1e-3, {1e-6, 1});
+  const std::optional<Sketch> sketch =
+      read_sketch_of(root, file, unit_value.given() ? std::optional<double>(unit) : std::nullopt);
+  fruit.symmetry = read_symmetry(root.need("symmetry").table(), sketch ? &*sketch : nullptr);
+  const CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
+  fruit.surfaces = read_surfaces(root, SurfaceReader(curves, fruit.parts, fruit.symmetry));
+  set_on_ground(fruit.surfaces);
+  fruit.meshes = read_meshes(root, fruit);
+  check_symmetry(root, fruit);
+
+  std::vector<std::string> names;
+  for (const TomlTable& table : root.get("grains").tables(most_grain_kinds)) {
+    const TomlTable grains = table.called("grains \"" + table.get("name").text() + "\"");
+    const std::string name = read_name(grains.need("name"), names);
+    names.push_back(name);
+    fruit.grains.push_back(read_grains(grains, fruit));
+    fruit.grains.back().name = name;
+  }
+  if (root.has("bend")) read_bend_of(fruit, root.get("bend"));
+  if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table());
+  if (root.has("material")) fruit.materials = read_materials(root.get("material").table(), fruit.parts);
+  if (root.has("noise")) fruit.noise = read_noise(root.get("noise").table());
+  if (root.has("detail")) fruit.details = read_details(root.get("detail"), fruit);
+  if (root.has("ink")) fruit.ink = read_ink(root.get("ink").table());
+  if (root.has("ripeness")) fruit.ripeness = read_ripeness(root.get("ripeness").table(), fruit);
+  if (root.has("browning")) fruit.browning = read_browning(root.get("browning").table(), fruit);
+  if (root.has("variation")) fruit.variation.color = read_color_variation(root.get("variation").table(), fruit);
+  document.throw_if_any();
+  return fruit;
+}
+
+Template read_template(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw Error(ExitStatus::input_missing, {{{file.string(), 0, 0, {}}, "cannot be read", {}}});
+  }
+  // One byte beyond the limit is enough to know that the file goes beyond it.
+  std::string text(TomlLimits{}.bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return parse_template(text, file.string());
+}
+
+}  // namespace pomona

@@ -1,0 +1,28 @@
+// How sketches name things, and how messages about them do.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "generator/template/read/sketch.h"
+
+namespace pomona {
+
+/// Names as people type them: "Side View", "side_view" and "side-view" are the same.
+inline std::string plain_name(std::string_view name) {
+  std::string result;
+  for (const char c : name) {
+    if (c == ' ' || c == '_') {
+      result += '-';
+    } else {
+      result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+  }
+  return result;
+}
+
+inline const char* name_of(SketchView view) { return view == SketchView::side ? "side view" : "top view"; }
+
+inline std::string quoted_name(const std::string& name) { return "\"" + name.substr(0, 60) + "\""; }
+
+}  // namespace pomona

@@ -1,0 +1,141 @@
+#include "render/image/png.h"
+
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include <png.h>
+#include <glm/vec4.hpp>
+
+#include "generator/base/error.h"
+
+namespace pomona {
+
+namespace {
+
+// libpng's own way out of errors is longjmp; an exception thrown from its callback unwinds this side only, so the
+// structures are owned by destructors here.
+[[noreturn]] void fail(png_structp png, png_const_charp message) {
+  const auto* name = static_cast<const std::string*>(png_get_error_ptr(png));
+  SourcePlace place;
+  place.file = *name;
+  throw Error(ExitStatus::bad_data, {Diagnostic{place, std::string("not a readable PNG: ") + message, ""}});
+}
+
+void ignore(png_structp, png_const_charp) {}
+
+struct Writer {
+  std::string name = "picture";
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &name, fail, ignore);
+  png_infop info = png_create_info_struct(png);
+  Writer() = default;
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+struct Reader {
+  std::string name;
+  std::string_view rest;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  Reader(const std::string& bytes, std::string file) : name(std::move(file)), rest(bytes) {
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &name, fail, ignore);
+    info = png_create_info_struct(png);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+void append(png_structp png, png_bytep data, png_size_t size) {
+  static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+}
+
+void take(png_structp png, png_bytep data, png_size_t size) {
+  auto& rest = *static_cast<std::string_view*>(png_get_io_ptr(png));
+  if (rest.size() < size) png_error(png, "it ends too early");
+  std::memcpy(data, rest.data(), size);
+  rest.remove_prefix(size);
+}
+
+}  // namespace
+
+std::string write_png(const Image& image) {
+  std::string bytes;
+  Writer writer;
+  png_set_write_fn(writer.png, &bytes, append, nullptr);
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+               8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+
+  // Fixed, so that the bytes do not depend on libpng's defaults; 6 is within 2 % of 9 at a fifth of the time.
+  png_set_compression_level(writer.png, 6);
+  png_set_compression_strategy(writer.png, 0);
+  png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
+
+  png_write_info(writer.png, writer.info);
+  for (int y = 0; y < image.height; ++y) {
+    png_write_row(writer.png, reinterpret_cast<png_const_bytep>(&image.at(0, y)));
+  }
+  png_write_end(writer.png, nullptr);
+  return bytes;
+}
+
+namespace {
+
+/// Whatever the file holds becomes eight-bit RGBA, or RGB without the opacity. The image has its size, but no pixels
+/// yet.
+Image start_reading(Reader& reader, bool with_opacity) {
+  png_set_read_fn(reader.png, &reader.rest, take);
+  png_set_user_limits(reader.png, max_picture_side, max_picture_side);
+  png_read_info(reader.png, reader.info);
+
+  png_set_expand(reader.png);
+  png_set_strip_16(reader.png);
+  if (with_opacity) {
+    png_set_add_alpha(reader.png, 255, PNG_FILLER_AFTER);
+  } else {
+    png_set_strip_alpha(reader.png);
+  }
+  png_set_gray_to_rgb(reader.png);
+  png_set_interlace_handling(reader.png);
+  png_read_update_info(reader.png, reader.info);
+  return {.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
+          .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
+          .pixels = {}};
+}
+
+/// Rows of `width` elements, one after another in `pixels`.
+void read_rows(Reader& reader, std::uint8_t* pixels, const Image& image, std::size_t bytes_each) {
+  std::vector<png_bytep> rows;
+  for (int y = 0; y < image.height; ++y) {
+    rows.push_back(pixels + static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) * bytes_each);
+  }
+  png_read_image(reader.png, rows.data());
+}
+
+}  // namespace
+
+Image read_png(const std::string& bytes, const std::string& name) {
+  Reader reader(bytes, name);
+  Image image = start_reading(reader, false);
+  image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
+  read_rows(reader, reinterpret_cast<std::uint8_t*>(image.pixels.data()), image, 3);
+  return image;
+}
+
+TransparentImage read_transparent_png(const std::string& bytes, const std::string& name) {
+  Reader reader(bytes, name);
+  TransparentImage result{start_reading(reader, true), {}};
+  std::vector<glm::u8vec4> pixels(static_cast<std::size_t>(result.image.width) * result.image.height);
+  read_rows(reader, reinterpret_cast<std::uint8_t*>(pixels.data()), result.image, 4);
+  for (const glm::u8vec4& pixel : pixels) {
+    result.image.pixels.emplace_back(pixel);
+    result.opacity.push_back(pixel.a);
+  }
+  return result;
+}
+
+}  // namespace pomona

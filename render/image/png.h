@@ -1,0 +1,28 @@
+// PNG files, by libpng.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "render/image/image.h"
+
+namespace pomona {
+
+/// The file's bytes: 8-bit RGB marked as sRGB, no time, the same for the same picture (filter and compression
+/// level are fixed).
+std::string write_png(const Image& image);
+
+/// \param name for messages.
+/// \throws Error (bad_data) for what is not a PNG, or is larger than max_picture_side either way.
+Image read_png(const std::string& bytes, const std::string& name);
+
+struct TransparentImage {
+  Image image;
+  std::vector<std::uint8_t> opacity;  ///< of each pixel, 0..255, by rows as in the image
+};
+
+/// As read_png(), and tells where the picture is transparent.
+TransparentImage read_transparent_png(const std::string& bytes, const std::string& name);
+
+}  // namespace pomona

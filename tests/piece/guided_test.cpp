@@ -1,0 +1,125 @@
+// Guides of texture detail on cut faces.
+#include "generator/piece/guided.h"
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "generator/cut/cut.h"
+#include "generator/knife/knife.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/piece/solid.h"
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+constexpr double radius = 0.03;
+
+Template detailed_fruit() {
+  Template fruit;
+  fruit.parts = {"skin", "flesh"};
+  DetailSketch rays;
+  rays.run = DetailRun::to_skin;
+  rays.parts = {1};
+  rays.amount = 0.5;
+  rays.depth = Ramp<double>{{{0.0, 0.0}, {0.01, 1.0}}};
+  DetailSketch veins = rays;
+  veins.run = DetailRun::along;
+  veins.depth = Ramp<double>::constant(0.5);
+  DetailSketch dots = rays;
+  dots.kind = DetailKind::speckles;
+  dots.face = DetailFace::skin;
+  dots.parts = {0};
+  dots.depth = Ramp<double>::constant(1);
+  fruit.details = {rays, dots, veins};
+  return fruit;
+}
+
+DiffusionSurfaces ball() { return shapes::sphere(radius, 24, shapes::skin_paint()); }
+
+CrossSection section_of(const DiffusionSurfaces& surfaces, const std::vector<std::string>& knives) {
+  std::vector<Knife> parsed;
+  for (const std::string& knife : knives) parsed.push_back(parse_knife(knife));
+  CrossSection section = cut(surfaces, parsed).section;
+  for (std::int32_t& part : section.part) part = 1;
+  return section;
+}
+
+TEST(Guided, costs_nothing_where_no_detail_asks) {
+  Template fruit = detailed_fruit();
+  fruit.details.clear();
+  EXPECT_TRUE(guided(section_of(ball(), {"half"}), ball(), fruit).guide.empty());
+  fruit.details = {detailed_fruit().details[1]};
+  EXPECT_TRUE(guided(section_of(ball(), {"half"}), ball(), fruit).guide.empty());
+  EXPECT_TRUE(guided(CrossSection{}, ball(), detailed_fruit()).guide.empty());
+}
+
+TEST(Guided, points_to_the_foot_on_the_skin) {
+  const DiffusionSurfaces surfaces = ball();
+  const CrossSection section = guided(section_of(surfaces, {"half"}), surfaces, detailed_fruit());
+  ASSERT_EQ(section.guide.size(), section.position.size());
+  const Bounds bounds = bounds_of(surfaces);
+  for (std::size_t v = 0; v < section.position.size(); ++v) {
+    const glm::dvec3 out = glm::dvec3(section.position[v]) - bounds.center();
+    const double away = glm::length(out);
+    if (away < 0.2 * radius) continue;  // around the middle all ways are as good
+    const glm::dvec3 foot = out + glm::dvec3(section.guide[v].to_skin);
+    EXPECT_NEAR(glm::length(foot), radius, 0.02 * radius);
+    EXPECT_GT(glm::dot(foot, out) / (glm::length(foot) * away), 0.995);
+    const double depth = radius - away;
+    EXPECT_NEAR(static_cast<double>(section.guide[v].share[0]), std::min(1.0, depth / 0.01), 0.08);
+    EXPECT_EQ(section.guide[v].share[1], 0.5f);
+    EXPECT_EQ(section.guide[v].share[2], 0.0f);
+  }
+}
+
+TEST(Guided, two_cuts_agree_where_they_share_a_place) {
+  const DiffusionSurfaces surfaces = ball();
+  std::map<std::tuple<float, float, float>, DetailGuide> known;
+  const CrossSection both = guided(section_of(surfaces, {"half", "across"}), surfaces, detailed_fruit());
+  const CrossSection one = guided(section_of(surfaces, {"half"}), surfaces, detailed_fruit());
+  const auto place = [](const glm::vec3& p) { return std::make_tuple(p.x, p.y, p.z); };
+  for (std::size_t v = 0; v < both.position.size(); ++v) {
+    const auto [entry, is_new] = known.try_emplace(place(both.position[v]), both.guide[v]);
+    // Two faces of one cut, to the bit.
+    EXPECT_EQ(entry->second.to_skin, both.guide[v].to_skin);
+    EXPECT_EQ(entry->second.layer, both.guide[v].layer);
+  }
+  int shared = 0;
+  for (std::size_t v = 0; v < one.position.size(); ++v) {
+    const auto found = known.find(place(one.position[v]));
+    if (found == known.end()) continue;
+    ++shared;
+    // Faces of different cuts within a millionth of the size: what is diffused with other places is summed otherwise.
+    EXPECT_LT(glm::distance(found->second.to_skin, one.guide[v].to_skin), 1e-6f * float(radius));
+    EXPECT_NEAR(found->second.layer, one.guide[v].layer, 1e-6f * float(radius));
+    EXPECT_EQ(found->second.share, one.guide[v].share);
+  }
+  EXPECT_GT(shared, 20);
+}
+
+TEST(Guided, goes_with_the_pieces) {
+  const DiffusionSurfaces surfaces = ball();
+  std::vector<Knife> knives = {parse_knife("half")};
+  Cut pieces = cut(surfaces, knives);
+  for (std::int32_t& part : pieces.section.part) part = 1;
+  const CrossSection section = guided(pieces.section, surfaces, detailed_fruit());
+  for (const Solid& solid : solids(pieces, section, detailed_fruit(), "ball")) {
+    ASSERT_EQ(solid.guide.size(), solid.position.size());
+    for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+      const DetailGuide& guide = solid.guide[solid.triangle[t].x];
+      EXPECT_EQ(guide.share[1], solid.cut_face[t] < 0 ? 0.0f : 0.5f);
+      if (solid.cut_face[t] < 0) {
+        EXPECT_EQ(guide.share[0], 1.0f);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pomona

@@ -1,0 +1,62 @@
+// What is said of pieces, and pieces moved apart.
+#include "generator/piece/piece_facts.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "generator/knife/parse_knife.h"
+#include "generator/scene/explode.h"
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+/// A box of 2 x 1 x 1 cm in eight dice.
+Scene dice() {
+  const DiffusionSurfaces box = shapes::box({0, 0, 0}, {0.02, 0.01, 0.01}, 2, shapes::skin_paint());
+  const Cut result = cut(box, std::vector<Knife>{parse_knife("dice:2")});
+  return gathered(solids(result, result.section, {}, "box"));
+}
+
+TEST(PieceFacts, OfADie) {
+  const Scene scene = dice();
+  ASSERT_EQ(scene.solids.size(), 8u);
+  const PieceFacts facts = facts_of(scene.solids[0]);
+  EXPECT_NEAR(facts.volume, 0.01 * 0.005 * 0.005, 1e-13);
+  EXPECT_NEAR(facts.mass, scene.solids[0].density * facts.volume, 1e-12);
+  EXPECT_LT(glm::distance(facts.center, glm::dvec3(0.005, 0.0025, 0.0025)), 1e-9);
+  EXPECT_LT(glm::distance(facts.low, glm::dvec3(0)), 1e-9);
+  EXPECT_LT(glm::distance(facts.high, glm::dvec3(0.01, 0.005, 0.005)), 1e-9);
+  EXPECT_EQ(facts.triangles, scene.solids[0].triangle.size());
+}
+
+/// In the piece list and in the extras of a .glb: both take it from the solid.
+TEST(PieceFacts, MassIsByTheTemplatesDensity) {
+  const DiffusionSurfaces box = shapes::box({0, 0, 0}, {0.02, 0.01, 0.01}, 2, shapes::skin_paint());
+  const Cut whole = cut(box, {});
+  Template dense;
+  dense.density = 840;
+  const std::vector<Solid> pieces = solids(whole, whole.section, dense, "box");
+  EXPECT_NEAR(facts_of(pieces.at(0)).mass, 840 * 2e-6, 1e-9);
+}
+
+TEST(PieceFacts, OfNothing) {
+  const PieceFacts facts = facts_of({});
+  EXPECT_EQ(facts.triangles, 0u);
+  EXPECT_EQ(facts.mass, 0);
+}
+
+TEST(Explode, MovesPiecesApartByTheFactor) {
+  const Scene together = dice(), apart = exploded(together, 1.5);
+  const glm::dvec3 middle(0.01, 0.005, 0.005);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const glm::dvec3 before = facts_of(together.solids[i]).center;
+    const glm::dvec3 after = before + apart.instances[i].pose.translation;
+    EXPECT_LT(glm::distance(after - middle, 1.5 * (before - middle)), 1e-9);
+  }
+  EXPECT_EQ(exploded(together, 1).instances[3].pose.translation, glm::dvec3(0));
+}
+
+}  // namespace
+}  // namespace pomona
