@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
-#include <optional>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,8 +23,8 @@
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
-#include "generator/cut/pieces.h"
-#include "generator/cut/section/section.h"
+#include "generator/cut/cut.h"
+#include "generator/cut/cut_observer.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/solid.h"
@@ -67,86 +68,63 @@ Subject subject_of(const std::string& name, int triangles) {
   return {std::move(fruit.grown.sheets), std::move(fruit.drawn), std::move(cuts)};
 }
 
-/// Times of the steps that cut() takes, one after another.
-class Stages {
+/// Times of the stages that cut() tells of, one list for each, run by run.
+class StageTimes final : public CutObserver {
  public:
-  explicit Stages(const Settings& settings) : settings_(settings) {}
+  void took(std::string_view stage, double milliseconds) override { times_[std::string(stage)] += milliseconds; }
 
-  Json measured(const Subject& subject, const bench::BenchCut& how) {
-    const std::vector<Knife> knives{how.knife};
-    for (int run = 0; run < settings_.runs; ++run) take(subject.sheets, knives);
-
-    Json row;
-    const Cut result = cut(subject.sheets, knives, {.threads = settings_.threads});
-    time(row, "cut", [&] { cut(subject.sheets, knives, {.threads = settings_.threads}); });
-    CrossSection section;
-    for (const auto& [name, quality] : {std::pair("draft", Quality::draft), std::pair("final", Quality::final)}) {
-      const auto diffuser = make_pmvc_diffuser({quality, settings_.threads});
-      time(row, name, [&] { section = colored(result.section, subject.sheets, *diffuser); });
-    }
-    time(row, "solids", [&] { solids(result, section, subject.fruit, "fruit"); });
-    for (auto& [name, times] : wall_) {
-      std::sort(times.begin(), times.end());
-      row["steps"][name] = times[times.size() / 2];
-    }
-    row["surface_triangles"] = subject.sheets.triangle_count();
-    row["interior_vertices"] = bench::interior_positions(section).size();
-    row["section_triangles"] = section.triangle.size();
-    row["pieces"] = result.pieces.size();
-    return row;
-  }
+  /// What has been told since the last call.
+  std::map<std::string, double> taken() { return std::exchange(times_, {}); }
 
  private:
-  void time(Json& row, const std::string& name, const std::function<void()>& work) const {
-    const bench::Duration spent = bench::median_time(settings_.runs, work);
-    row[name] = {{"wall_ms", spent.wall}, {"processor_ms", spent.processor}};
-  }
-
-  template <typename Work>
-  auto step(const std::string& name, const Work& work) {
-    std::optional<decltype(work())> result;
-    const bench::Duration spent = bench::time_of([&] { result.emplace(work()); });
-    const auto entry = std::find_if(wall_.begin(), wall_.end(), [&](const auto& w) { return w.first == name; });
-    if (entry == wall_.end()) {
-      wall_.emplace_back(name, std::vector<double>{spent.wall});
-    } else {
-      entry->second.push_back(spent.wall);
-    }
-    return std::move(*result);
-  }
-
-  void take(const DiffusionSurfaces& surfaces, const std::vector<Knife>& knives) {
-    const CutOptions options{.threads = settings_.threads};
-    const Bodies bodies = step("bodies", [&] { return find_bodies(surfaces); });
-    const CutPlanes planes = placed(knives, bounds_of(surfaces));
-    SplitMesh mesh = step("split", [&] { return split(surfaces, planes); });
-    auto segments = step("segments", [&] { return cut_segments(mesh, surfaces, planes.count()); });
-    const FaceMeshes faces =
-        step("triangulate", [&] { return triangulate(mesh, planes, std::move(segments), surfaces, bodies, options); });
-    const std::vector<Regions> regions = step("regions", [&] {
-      std::vector<Regions> all(faces.faces.size());
-      parallel_for(all.size(), settings_.threads,
-                   [&](std::size_t f) { all[f] = find_regions(faces.faces[f], planes, surfaces, bodies); });
-      return all;
-    });
-    const Section section =
-        step("assemble", [&] { return assemble(faces, regions, mesh, surfaces, settings_.threads); });
-    step("pieces", [&] {
-      const std::vector<SkinTriangle> skin = clipped_skin(mesh, faces, surfaces);
-      return pieces(mesh, skin, section, surfaces, options);
-    });
-  }
-
-  const Settings& settings_;
-  std::vector<std::pair<std::string, std::vector<double>>> wall_;
+  std::map<std::string, double> times_;
 };
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+Json measured(const Subject& subject, const bench::BenchCut& how, const Settings& settings) {
+  const std::vector<Knife> knives{how.knife};
+  const CutOptions options{.threads = settings.threads};
+  Json row;
+  const auto time = [&](const std::string& name, const std::function<void()>& work) {
+    const bench::Duration spent = bench::median_time(settings.runs, work);
+    row[name] = {{"wall_ms", spent.wall}, {"processor_ms", spent.processor}};
+  };
+
+  // The stages of the cut, and the cut as a whole.
+  std::map<std::string, std::vector<double>> stages;
+  StageTimes stage_times;
+  for (int run = 0; run < settings.runs; ++run) {
+    cut(subject.sheets, knives, options, &stage_times);
+    for (const auto& [stage, milliseconds] : stage_times.taken()) stages[stage].push_back(milliseconds);
+  }
+  for (const auto& [stage, milliseconds] : stages) row["steps"][stage] = median(milliseconds);
+  const Cut result = cut(subject.sheets, knives, options);
+  time("cut", [&] { cut(subject.sheets, knives, options); });
+
+  // What comes after it.
+  CrossSection section;
+  for (const auto& [name, quality] : {std::pair("draft", Quality::draft), std::pair("final", Quality::final)}) {
+    const auto diffuser = make_pmvc_diffuser({quality, settings.threads});
+    time(name, [&] { section = colored(result.section, subject.sheets, *diffuser); });
+  }
+  time("solids", [&] { solids(result.pieces, section, subject.fruit, "fruit"); });
+  row["surface_triangles"] = subject.sheets.triangle_count();
+  row["interior_vertices"] = bench::interior_positions(section).size();
+  row["section_triangles"] = section.triangle.size();
+  row["pieces"] = result.pieces.size();
+  return row;
+}
 
 Json measured(const std::string& name, const Settings& settings) {
   const Subject subject = subject_of(name, settings.triangles);
   Json rows = Json::array();
   for (const bench::BenchCut& how : subject.cuts) {
     Json row = {{"fruit", name}, {"knife", how.name}};
-    row.update(Stages(settings).measured(subject, how));
+    row.update(measured(subject, how, settings));
     row["peak_megabytes"] = bench::peak_megabytes();
     rows.push_back(std::move(row));
   }
@@ -176,8 +154,8 @@ Json measured_apart(const std::string& name, const Settings& settings) {
 
 void print(const Json& rows) {
   bench::TextTable table;
-  table.head = {"fruit, cut", "faces",   "inner", "bodies", "split",  "mesh",       "regions",    "section", "pieces",
-                "cut",        "cut cpu", "draft", "final",  "solids", "all, draft", "all, final", "MB"};
+  table.head = {"fruit, cut", "faces", "inner",   "bodies", "split", "mesh",   "regions",    "clip",       "section",
+                "pieces",     "cut",   "cut cpu", "draft",  "final", "solids", "all, draft", "all, final", "MB"};
   for (const Json& row : rows) {
     const Json& steps = row["steps"];
     const auto wall = [&](const char* what) { return row[what]["wall_ms"].get<double>(); };
@@ -187,9 +165,9 @@ void print(const Json& rows) {
         {row["fruit"].get<std::string>() + ", " + row["knife"].get<std::string>(),
          std::to_string(row["surface_triangles"].get<int>()), std::to_string(row["interior_vertices"].get<int>()),
          step("bodies"), bench::number(steps["split"].get<double>() + steps["segments"].get<double>(), 1),
-         step("triangulate"), step("regions"), step("assemble"), step("pieces"), bench::number(wall("cut"), 1),
-         bench::number(row["cut"]["processor_ms"], 1), bench::number(wall("draft"), 1), bench::number(wall("final"), 1),
-         bench::number(wall("solids"), 1), bench::number(rest + wall("draft"), 1),
+         step("triangulate"), step("regions"), step("clip"), step("assemble"), step("pieces"),
+         bench::number(wall("cut"), 1), bench::number(row["cut"]["processor_ms"], 1), bench::number(wall("draft"), 1),
+         bench::number(wall("final"), 1), bench::number(wall("solids"), 1), bench::number(rest + wall("draft"), 1),
          bench::number(rest + wall("final"), 1), bench::number(row["peak_megabytes"], 0)});
   }
   std::printf("Milliseconds by the clock, medians.\n\n%s", bench::markdown(table).c_str());

@@ -1,12 +1,21 @@
 #include "generator/cut/cut.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/parallel.h"
 #include "generator/cut/carve/carve.h"
+#include "generator/cut/cut_observer.h"
 #include "generator/cut/pieces.h"
-#include "generator/cut/section/section.h"
+#include "generator/cut/plane/clipped_surfaces.h"
+#include "generator/cut/plane/plane_regions.h"
+#include "generator/cut/plane/split.h"
+#include "generator/cut/plane/triangulate.h"
+#include "generator/cut/section/cut_fruit.h"
+#include "generator/cut/stage_watch.h"
+#include "generator/knife/knife_mesh.h"
 #include "generator/knife/solid_knives.h"
 #include "generator/mesh/welded_edges.h"
 
@@ -14,8 +23,8 @@ namespace pomona {
 
 namespace {
 
-void warn_of_misses(std::span<const Knife> knives, const CutPlanes& planes, const CrossSection& section,
-                    std::vector<std::string>& warnings) {
+std::vector<std::string> misses(std::span<const Knife> knives, const CutPlanes& planes, const CrossSection& section) {
+  std::vector<std::string> warnings;
   for (std::size_t k = 0; k < knives.size(); ++k) {
     const auto cuts = [&](const CutFace& face) { return face.knife == static_cast<int>(k); };
     const auto repeats = [&](const CutPlanes::Plane& p) {
@@ -25,91 +34,136 @@ void warn_of_misses(std::span<const Knife> knives, const CutPlanes& planes, cons
     if (std::any_of(planes.planes.begin(), planes.planes.end(), repeats)) continue;
     warnings.push_back("knife \"" + knives[k].text + "\" misses the fruit");
   }
+  return warnings;
 }
 
-/// Stage by stage: planes and strokes all at once, then closed knives one after another on what those have left.
+/// Points at one place to the bit become one.
+CutFruit with_joined_points(CutFruit fruit) {
+  SplitMesh& mesh = fruit.mesh;
+  mesh.same_as = weld(mesh.point);
+  const std::vector<std::uint32_t>& first = mesh.same_as;
+  for (std::uint32_t p = 0; p < first.size(); ++p) {
+    mesh.planes_of[first[p]] = std::max(mesh.planes_of[first[p]], mesh.planes_of[p]);
+  }
+  for (std::uint32_t& p : mesh.point_of) p = first[p];
+  for (Cap& cap : fruit.section.cap) {
+    for (std::uint32_t& p : cap.point) p = first[p];
+  }
+  return fruit;
+}
+
+/// The stages, one after another: planes and strokes all at once, then closed knives by turns on what those have left.
 class Cutter {
  public:
-  Cutter(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options)
-      : surfaces_(surfaces), knives_(knives), options_(options), planes_(placed(knives, bounds_of(surfaces))) {}
+  Cutter(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options,
+         CutObserver* observer)
+      : surfaces_(surfaces),
+        knives_(knives),
+        options_(options),
+        observer_(observer),
+        planes_(placed(knives, bounds_of(surfaces))) {}
 
   Cut run() {
-    CutFruit fruit = cut_by_planes();
-    cut_by_solids(fruit);
-    leave_out_collapsed(fruit.section);
+    CutFruit fruit = joined(cut_by_planes());
+    for (std::size_t k = 0; k < knives_.size(); ++k) {
+      if (knives_[k].is_solid()) fruit = joined(cut_by_closed_knife(std::move(fruit), k));
+    }
+    fruit.section = without_collapsed(std::move(fruit.section));
+
     Cut result;
-    result.pieces = pieces(fruit.mesh, fruit.surface, fruit.section, surfaces_, options_);
+    result.pieces = watched(observer_, "pieces", [&] { return pieces(fruit, surfaces_, options_); });
     result.warnings = bodies_.warnings;
-    warn_of_misses(knives_, planes_, fruit.section.mesh, result.warnings);
+    for (std::string& warning : misses(knives_, planes_, fruit.section.mesh)) {
+      result.warnings.push_back(std::move(warning));
+    }
     result.section = std::move(fruit.section.mesh);
     return result;
   }
 
  private:
-  CutFruit cut_by_planes() {
+  /// The bodies are found meanwhile.
+  SplitMesh split_surfaces() {
     SplitMesh mesh(planes_);
+    double bodies_took = 0, split_took = 0;
     parallel_for(2, options_.threads, [&](std::size_t i) {
+      const StopWatch watch;
       if (i == 0)
         bodies_ = find_bodies(surfaces_);
       else
         mesh = split(surfaces_, planes_);
+      (i == 0 ? bodies_took : split_took) = watch.milliseconds();
     });
-    const FaceMeshes faces =
-        triangulate(mesh, planes_, cut_segments(mesh, surfaces_, planes_.count()), surfaces_, bodies_, options_);
-    std::vector<Regions> regions(faces.faces.size());
-    parallel_for(regions.size(), options_.threads,
-                 [&](std::size_t f) { regions[f] = find_regions(faces.faces[f], planes_, surfaces_, bodies_); });
-    Section section = assemble_all(faces, regions, mesh, surfaces_, options_.threads);
-    std::vector<SkinTriangle> surface =
-        has_solids() ? clipped_surfaces(mesh, faces, surfaces_) : clipped_skin(mesh, faces, surfaces_);
-    return {std::move(mesh), std::move(surface), std::move(section)};
+    if (observer_) {
+      observer_->took("bodies", bodies_took);
+      observer_->took("split", split_took);
+    }
+    return mesh;
   }
 
-  bool has_solids() const {
+  Cutting cut_by_planes() {
+    SplitMesh mesh = split_surfaces();
+    const auto segments =
+        watched(observer_, "segments", [&] { return cut_segments(mesh, surfaces_, planes_.count()); });
+    if (observer_) observer_->sees(planes_, segments);
+
+    PlaneFaces made = watched(observer_, "triangulate", [&] {
+      return triangulate(std::move(mesh), planes_, segments, surfaces_, bodies_, options_);
+    });
+    std::vector<Regions> regions = watched(observer_, "regions", [&] {
+      std::vector<Regions> all(made.faces.size());
+      parallel_for(all.size(), options_.threads,
+                   [&](std::size_t f) { all[f] = plane_regions(made.faces[f], planes_, surfaces_, bodies_); });
+      return all;
+    });
+    ClippedSurfaces clipped = watched(observer_, "clip", [&] {
+      return clipped_surfaces(std::move(made.mesh), made.edge_point, surfaces_, {.inner_too = has_closed_knives()});
+    });
+    return {{std::move(clipped.mesh), std::move(clipped.surface), empty_section(surfaces_)},
+            std::move(made.faces),
+            std::move(regions),
+            {}};
+  }
+
+  bool has_closed_knives() const {
     return std::any_of(knives_.begin(), knives_.end(), [](const Knife& knife) { return knife.is_solid(); });
   }
 
-  void cut_by_solids(CutFruit& fruit) const {
-    if (!has_solids()) return;
+  Cutting cut_by_closed_knife(CutFruit fruit, std::size_t number) const {
     const double size = glm::length(bounds_of(surfaces_).size());
     const SizeLimits limits{options_.coarsest * size, options_.finest * size, options_.grading, options_.contrast};
-    for (std::size_t k = 0; k < knives_.size(); ++k) {
-      if (!knives_[k].is_solid()) continue;
-      join_points(fruit);
+    return watched(observer_, "carve", [&] {
+      fruit = with_joined_points(std::move(fruit));
+      const Knife& shape = knives_[number];
       ClosedKnife knife;
-      knife.mesh = refined_for(fruit, knife_mesh(knife_solid(knives_[k], surfaces_), knives_[k].text), limits);
-      knife.number = static_cast<int>(k);
+      knife.mesh = refined_for(fruit, knife_mesh(knife_solid(shape, surfaces_), shape.text), limits);
+      knife.number = static_cast<int>(number);
       knife.plane = planes_.count() + knife.number;
-      for (std::size_t later = k + 1; later < knives_.size(); ++later) {
+      for (std::size_t later = number + 1; later < knives_.size(); ++later) {
         knife.stride *= static_cast<std::uint32_t>(planes_.knives[later].cell_count());
       }
-      carve(fruit, knife, surfaces_, bodies_);
-    }
+      return carve(std::move(fruit), knife, surfaces_, bodies_);
+    });
   }
 
-  /// Points at one place to the bit become one.
-  static void join_points(CutFruit& fruit) {
-    const std::vector<std::uint32_t> first = weld(fruit.mesh.point);
-    for (std::uint32_t p = 0; p < first.size(); ++p) {
-      fruit.mesh.planes_of[first[p]] = std::max(fruit.mesh.planes_of[first[p]], fruit.mesh.planes_of[p]);
-    }
-    for (std::uint32_t& p : fruit.mesh.point_of) p = first[p];
-    for (Cap& cap : fruit.section.cap) {
-      for (std::uint32_t& p : cap.point) p = first[p];
-    }
+  /// The faces join the section.
+  CutFruit joined(Cutting cutting) const {
+    if (observer_) observer_->sees(planes_, cutting);
+    return watched(observer_, "assemble", [&] { return with_faces(std::move(cutting), surfaces_, options_.threads); });
   }
 
   const DiffusionSurfaces& surfaces_;
   std::span<const Knife> knives_;
   const CutOptions& options_;
+  CutObserver* observer_;  // or none
   const CutPlanes planes_;
   Bodies bodies_;
 };
 
 }  // namespace
 
-Cut cut(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options) {
-  return Cutter(surfaces, knives, options).run();
+Cut cut(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options,
+        CutObserver* observer) {
+  return Cutter(surfaces, knives, options, observer).run();
 }
 
 }  // namespace pomona

@@ -6,22 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "generator/base/parallel.h"
 #include "generator/cut/section/cross_section.h"
+#include "generator/cut/section/cut_options.h"
 #include "generator/knife/knife.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
-
-/// How finely the section is triangulated. Lengths are shares of the fruit's bounding-box diagonal.
-struct CutOptions {
-  double coarsest = 1.0 / 40;   ///< longest edge far from all surfaces
-  double finest = 1.0 / 400;    ///< edges next to the finest surfaces are not made shorter than this
-  double grading = 0.35;        ///< how fast edges may grow with the distance from cut segments
-  double contrast = 18 / 255.;  ///< difference of colours between two surfaces that needs no vertices between them
-  double crumb = 1e-6;          ///< share of the whole's volume below which a piece is a crumb
-  Threads threads{};            ///< the result does not depend on them
-};
 
 /// A piece before its cut faces have colours: which skin it keeps, and which triangles of the section.
 /// Vertices lie exactly where those of the section lie, so the piece closes by position.
@@ -51,8 +41,14 @@ struct Cut {
   std::vector<std::string> warnings;  ///< open boundaries, knives that miss
 };
 
+/// Looks at the stages (cut_observer.h).
+class CutObserver;
+
 /// Cuts with all knives, one after another; with none, the whole fruit as pieces. `surfaces` are what the
 /// diffuser sees: sheets() with grains.
-Cut cut(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options = {});
+/// \throws Error (usage) for knives that cannot be laid at this fruit: slices it cannot give, strokes along other
+/// knives' planes, peels thicker than it, more than ten thousand cells.
+Cut cut(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options = {},
+        CutObserver* observer = nullptr);
 
 }  // namespace pomona

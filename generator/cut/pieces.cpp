@@ -60,10 +60,13 @@ class EdgeBalance {
 
 class PieceBuilder {
  public:
-  PieceBuilder(const SplitMesh& mesh, const std::vector<SkinTriangle>& clipped, const Section& section,
-               const DiffusionSurfaces& surfaces, const CutOptions& options)
-      : mesh_(mesh), section_(section), surfaces_(surfaces), options_(options), nodes_(mesh.point.size()) {
-    for (const SkinTriangle& t : clipped) {
+  PieceBuilder(const CutFruit& fruit, const DiffusionSurfaces& surfaces, const CutOptions& options)
+      : mesh_(fruit.mesh),
+        section_(fruit.section),
+        surfaces_(surfaces),
+        options_(options),
+        nodes_(fruit.mesh.point.size()) {
+    for (const SurfaceTriangle& t : fruit.surface) {
       if (surfaces.is_boundary(t.source)) skin_.push_back(t);
     }
   }
@@ -96,14 +99,14 @@ class PieceBuilder {
 
   void connect() {
     sets_ = DisjointSets(mesh_.point.size());
-    for (const SkinTriangle& t : skin_) {
+    for (const SurfaceTriangle& t : skin_) {
       const std::uint32_t a = node(t.cell, mesh_.point_of[t.vertex[0]]);
       sets_.join(a, node(t.cell, mesh_.point_of[t.vertex[1]]));
       sets_.join(a, node(t.cell, mesh_.point_of[t.vertex[2]]));
       node_of_skin_.push_back(a);
     }
     for (const Cap& cap : section_.cap) {
-      for (const std::uint32_t cell : cap.cell) {
+      for (const std::uint32_t cell : cap.closing.cell) {
         const std::uint32_t a = node(cell, cap.point[0]);
         sets_.join(a, node(cell, cap.point[1]));
         sets_.join(a, node(cell, cap.point[2]));
@@ -125,14 +128,14 @@ class PieceBuilder {
     component_of_.assign(sets_.count(), unset);
     for (std::size_t t = 0; t < skin_.size(); ++t) component_at(node_of_skin_[t], skin_[t].cell);
     for (std::size_t c = 0; c < node_of_cap_.size(); ++c) {
-      component_at(node_of_cap_[c], section_.cap[c / 2].cell[c % 2]);
+      component_at(node_of_cap_[c], section_.cap[c / 2].closing.cell[c % 2]);
     }
   }
 
   void fill_skins(std::vector<CutPiece>& pieces) {
     PairNumbers vertex_of(mesh_.point_of.size());  // (vertex, component and side) -> vertex of the piece
     for (std::size_t t = 0; t < skin_.size(); ++t) {
-      const SkinTriangle& skin = skin_[t];
+      const SurfaceTriangle& skin = skin_[t];
       const std::uint32_t component = component_at(node_of_skin_[t], skin.cell);
       CutPiece& piece = pieces[component];
       const bool front = surfaces_.is_hidden(skin.source, SideOf::front);
@@ -161,8 +164,8 @@ class PieceBuilder {
   void fill_caps(std::vector<CutPiece>& pieces) {
     for (std::size_t c = 0; c < node_of_cap_.size(); ++c) {
       const Cap& cap = section_.cap[c / 2];
-      CutPiece& piece = pieces[component_at(node_of_cap_[c], cap.cell[c % 2])];
-      for (const BodyWinding& inside : cap.inside) {
+      CutPiece& piece = pieces[component_at(node_of_cap_[c], cap.closing.cell[c % 2])];
+      for (const BodyWinding& inside : cap.closing.inside) {
         const bool reversed = (c % 2 == 1) != (inside.winding < 0);
         for (int i = 0; i < std::abs(inside.winding); ++i)
           piece.caps.push_back({static_cast<std::uint32_t>(c / 2), reversed});
@@ -240,7 +243,7 @@ class PieceBuilder {
   const DiffusionSurfaces& surfaces_;
   const CutOptions& options_;
 
-  std::vector<SkinTriangle> skin_;
+  std::vector<SurfaceTriangle> skin_;
   PairNumbers nodes_;                                      // (point, cell)
   DisjointSets sets_{0};                                   // of nodes
   std::vector<std::uint32_t> node_of_skin_, node_of_cap_;  // one of each triangle's; caps: two sides each
@@ -251,9 +254,8 @@ class PieceBuilder {
 
 }  // namespace
 
-std::vector<CutPiece> pieces(const SplitMesh& mesh, const std::vector<SkinTriangle>& clipped, const Section& section,
-                             const DiffusionSurfaces& surfaces, const CutOptions& options) {
-  return PieceBuilder(mesh, clipped, section, surfaces, options).build();
+std::vector<CutPiece> pieces(const CutFruit& fruit, const DiffusionSurfaces& surfaces, const CutOptions& options) {
+  return PieceBuilder(fruit, surfaces, options).build();
 }
 
 }  // namespace pomona

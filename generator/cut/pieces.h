@@ -4,14 +4,12 @@
 #include <vector>
 
 #include "generator/cut/cut.h"
-#include "generator/cut/section/clipped_skin.h"
-#include "generator/cut/section/section.h"
+#include "generator/cut/section/cut_fruit.h"
+#include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
 
-/// Of surfaces that are clipped; of their inner triangles nothing is taken. Points of the mesh that triangles and caps
-/// name are one for each place.
-std::vector<CutPiece> pieces(const SplitMesh& mesh, const std::vector<SkinTriangle>& clipped, const Section& section,
-                             const DiffusionSurfaces& surfaces, const CutOptions& options);
+/// Of the fruit's inner surfaces nothing is taken.
+std::vector<CutPiece> pieces(const CutFruit& fruit, const DiffusionSurfaces& surfaces, const CutOptions& options);
 
 }  // namespace pomona

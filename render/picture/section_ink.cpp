@@ -74,7 +74,7 @@ double color_jump(const CrossSection& section, const EdgeUse& x, const EdgeUse& 
 
 std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::vector<std::uint32_t>& place) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> surface_of;
-  for (const CutSegment& segment : section.segments) {
+  for (const SectionSegment& segment : section.segments) {
     surface_of.emplace(std::minmax(place[segment.vertex[0]], place[segment.vertex[1]]), segment.surface);
   }
 

@@ -56,7 +56,7 @@ Rims rims_of(const PartMap& map, const CrossSection& section, const std::vector<
     for (int i = 0; i < 3; ++i) face_of[section.triangle[t][i]] = section.cut[t];
   }
   Rims rims;
-  for (const CutSegment& segment : section.segments) {
+  for (const SectionSegment& segment : section.segments) {
     const std::int32_t face = face_of[segment.vertex[0]];
     const auto part = outside.find(section.surface_names[segment.surface]);
     if (!segment.boundary || part == outside.end() || face < 0 || !faces[face].shown) continue;
@@ -109,7 +109,7 @@ std::vector<std::string> parts_in(const CrossSection& section, const OutsidePart
     if (part >= 0 && part < static_cast<std::int32_t>(section.part_names.size()))
       names.push_back(section.part_names[part]);
   }
-  for (const CutSegment& segment : section.segments) {
+  for (const SectionSegment& segment : section.segments) {
     const auto part = outside.find(section.surface_names[segment.surface]);
     if (segment.boundary && part != outside.end() &&
         std::find(names.begin(), names.end(), part->second) == names.end()) {

@@ -9,8 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/cut/pieces.h"
-#include "generator/cut/section/section.h"
+#include "generator/cut/cut_observer.h"
 #include "generator/surface/skin_depth.h"
 #include "tests/cut/solid_shapes.h"
 
@@ -64,21 +63,23 @@ void for_each_skin(const DiffusionSurfaces& surfaces, const Visit& visit) {
   }
 }
 
-double area_of(const FaceMesh& face, const Regions& regions) {
+/// Of what is section on a plane's face, seen along its normal.
+double area_of(const Face& face, const Regions& regions) {
   double area = 0;
-  for (std::size_t t = 0; t < face.mesh.triangle.size(); ++t) {
-    const Regions::Patch& patch = regions.patch[regions.patch_of[t]];
-    if (!patch.section) continue;
-    const glm::uvec3& c = face.mesh.triangle[t];
-    const glm::dvec2 a = face.mesh.point[c.y] - face.mesh.point[c.x], b = face.mesh.point[c.z] - face.mesh.point[c.x];
-    for (const BodyWinding& inside : patch.inside) area += inside.winding * 0.5 * (a.x * b.y - a.y * b.x);
+  for (std::size_t t = 0; t < face.triangle.size(); ++t) {
+    const glm::uvec3& c = face.triangle[t];
+    const glm::dvec3 across = glm::cross(face.place[c.y] - face.place[c.x], face.place[c.z] - face.place[c.x]);
+    const double own = 0.5 * glm::dot(across, face.frame[face.facet[t]].normal);
+    for (const Regions::Closing& closing : regions.closed_by(t)) {
+      for (const BodyWinding& inside : closing.inside) area += inside.winding * own;
+    }
   }
   return area;
 }
 
-int open_ends(const std::vector<Segment>& segments, const Bodies& bodies) {
+int open_ends(const std::vector<CutSegment>& segments, const Bodies& bodies) {
   std::map<std::pair<std::int32_t, std::uint32_t>, int> balance;
-  for (const Segment& s : segments) {
+  for (const CutSegment& s : segments) {
     const std::int32_t body = bodies.of_triangle[s.source];
     if (body == Bodies::none || !bodies.bodies[static_cast<std::size_t>(body)].closed) continue;
     ++balance[{body, s.from}];
@@ -86,6 +87,39 @@ int open_ends(const std::vector<Segment>& segments, const Bodies& bodies) {
   }
   return static_cast<int>(std::count_if(balance.begin(), balance.end(), [](const auto& b) { return b.second != 0; }));
 }
+
+/// Keeps of a cut's stages what there is to check.
+class Witness final : public CutObserver {
+ public:
+  explicit Witness(const Bodies& bodies) : bodies_(bodies) {}
+
+  int open_chains = 0;
+  CutPlanes planes;
+  std::vector<double> area;  // per plane
+
+  void sees(const CutPlanes& all_planes, const std::vector<std::vector<CutSegment>>& segments) override {
+    planes = all_planes;
+    area.assign(segments.size(), 0);
+    for (const CutPlanes::Sheet& sheet : planes.sheets) {
+      std::vector<CutSegment> chains;  // those of a stroke go on from facet to facet
+      for (int k = sheet.first; k < sheet.first + sheet.count; ++k) {
+        const std::vector<CutSegment>& in_plane = segments[static_cast<std::size_t>(k)];
+        chains.insert(chains.end(), in_plane.begin(), in_plane.end());
+      }
+      open_chains += open_ends(chains, bodies_);
+    }
+  }
+
+  void sees(const CutPlanes&, const Cutting& cutting) override {
+    for (std::size_t f = 0; f < cutting.faces.size(); ++f) {
+      const auto plane = static_cast<std::size_t>(cutting.faces[f].plane);
+      if (plane < area.size()) area[plane] = area_of(cutting.faces[f], cutting.regions[f]);
+    }
+  }
+
+ private:
+  const Bodies& bodies_;
+};
 
 }  // namespace
 
@@ -121,6 +155,20 @@ double CutOracle::volume_below(const CuttingPlane& plane) const {
   return static_cast<double>(volume / 6);
 }
 
+/// Of the pieces on the plane's negative side.
+double CutOracle::volume_below(std::span<const CutPiece> pieces, const CuttingPlane& plane) {
+  double below = 0;
+  for (const CutPiece& piece : pieces) {
+    double farthest = 0;
+    for (const glm::vec3& p : piece.position) {
+      const double d = signed_distance(plane, glm::dvec3(p));
+      if (std::fabs(d) > std::fabs(farthest)) farthest = d;
+    }
+    if (farthest < 0) below += piece.volume;
+  }
+  return below;
+}
+
 CutFacts CutOracle::facts_of_pieces(std::span<const CutPiece> pieces) const {
   CutFacts facts;
   double sum = 0;
@@ -138,53 +186,23 @@ CutFacts CutOracle::facts(std::span<const Knife> knives) const {
   options.coarsest = 0.2;
   options.finest = 0.05;
   options.threads = {1};
-  if (std::any_of(knives.begin(), knives.end(), [](const Knife& knife) { return knife.is_solid(); })) {
-    return facts_of_pieces(cut(surfaces_, knives, options).pieces);
-  }
-  const CutPlanes planes = placed(knives, bounds_of(surfaces_));
-  SplitMesh mesh = split(surfaces_, planes);
-  const std::vector<std::vector<Segment>> segments = cut_segments(mesh, surfaces_, planes.count());
-  int open_chains = 0;
-  for (const CutPlanes::Sheet& sheet : planes.sheets) {
-    std::vector<Segment> chains;  // those of a stroke go on from facet to facet
-    for (int k = sheet.first; k < sheet.first + sheet.count; ++k) {
-      const std::vector<Segment>& in_plane = segments[static_cast<std::size_t>(k)];
-      chains.insert(chains.end(), in_plane.begin(), in_plane.end());
-    }
-    open_chains += open_ends(chains, bodies_);
-  }
+  Witness witness(bodies_);
+  const Cut result = cut(surfaces_, knives, options, &witness);
+  CutFacts facts = facts_of_pieces(result.pieces);
+  facts.open_chains = witness.open_chains;
+  if (!closed_) return facts;
 
-  const FaceMeshes faces = triangulate(mesh, planes, segments, surfaces_, bodies_, options);
-  std::vector<Regions> regions;
-  std::vector<double> area(segments.size(), 0);
-  for (const FaceMesh& face : faces.faces) {
-    regions.push_back(find_regions(face, planes, surfaces_, bodies_));
-    area[static_cast<std::size_t>(face.plane)] = area_of(face, regions.back());
-  }
-  double area_error = 0;
+  // Areas, plane by plane, as planes have cut them: closed knives come later.
+  const CutPlanes& planes = witness.planes;
   for (int k = 0; k < planes.count(); ++k) {
-    if (planes[k].same_as != k || !closed_ || planes.sheet_of(k).stroke) continue;
-    const double error = std::fabs(area[static_cast<std::size_t>(k)] - area_in(planes[k].plane));
-    area_error = std::max(area_error, error / (size_ * size_));
+    if (planes[k].same_as != k || planes.sheet_of(k).stroke) continue;
+    const double error = std::fabs(witness.area[static_cast<std::size_t>(k)] - area_in(planes[k].plane));
+    facts.area_error = std::max(facts.area_error, error / (size_ * size_));
   }
 
-  const Section section = assemble(faces, regions, mesh, surfaces_, options.threads);
-  const std::vector<SkinTriangle> skin = clipped_skin(mesh, faces, surfaces_);
-  const std::vector<CutPiece> all = pieces(mesh, skin, section, surfaces_, options);
-  CutFacts facts = facts_of_pieces(all);
-  facts.open_chains = open_chains;
-  facts.area_error = area_error;
-  if (planes.count() != 1 || !closed_) return facts;
-  double below = 0;
-  for (const CutPiece& piece : all) {
-    double farthest = 0;
-    for (const glm::vec3& p : piece.position) {
-      const double d = signed_distance(planes[0].plane, glm::dvec3(p));
-      if (std::fabs(d) > std::fabs(farthest)) farthest = d;
-    }
-    if (farthest < 0) below += piece.volume;
-  }
-  facts.side_error = std::fabs(below - volume_below(planes[0].plane)) / whole_;
+  // What lies below a plane that is alone.
+  if (planes.count() != 1 || knives.size() != 1) return facts;
+  facts.side_error = std::fabs(volume_below(result.pieces, planes[0].plane) - volume_below(planes[0].plane)) / whole_;
   return facts;
 }
 

@@ -50,6 +50,7 @@ class CutOracle {
   CutFacts facts_of_pieces(std::span<const CutPiece> pieces) const;
   double area_in(const CuttingPlane& plane) const;
   double volume_below(const CuttingPlane& plane) const;
+  static double volume_below(std::span<const CutPiece> pieces, const CuttingPlane& plane);
   ClosedSurface own_skin() const;
   glm::dvec3 corner(const RandomStream& random, std::uint64_t draw) const;
 

@@ -135,7 +135,7 @@ TEST(PlateLabelsOfAThinSkin, PointAtItFromOutside) {
 TEST(AddRims, NamesTheOutsideOfASurfaceThatNoVertexBears) {
   const CrossSection section = testing::disc_section();
   std::vector<std::string> rim;
-  for (const CutSegment& segment : section.segments) {
+  for (const SectionSegment& segment : section.segments) {
     if (segment.boundary) rim.push_back(section.surface_names[segment.surface]);
   }
   ASSERT_FALSE(rim.empty());

@@ -60,7 +60,7 @@ class Rules(unittest.TestCase):
         include = "#include <CGAL/Constrained_Delaunay_triangulation_2.h>\n"
         self.assert_fine({"generator/cut/plane/triangulate.cpp": include})
         self.assert_wrong({"generator/surface/bodies.cpp": include}, "generator/surface/bodies.cpp:1", "CGAL")
-        self.assert_wrong({"generator/cut/plane/triangulate.h": HEADER + include}, "generator/cut/plane/triangulate.h:3", "header")
+        self.assert_wrong({"generator/cut/plane/plane_triangulation.h": HEADER + include}, "generator/cut/plane/plane_triangulation.h:3", "header")
 
     def test_no_libm(self):
         for call in ("std::sin(x)", "glm::pow(x, y)", "::cosf(x)", "sin (x)", "std::hypot(x, y)"):

@@ -14,8 +14,8 @@
 #include "generator/cut/carve/knife_regions.h"
 #include "generator/cut/carve/labels.h"
 #include "generator/cut/carve/meetings.h"
+#include "generator/cut/carve/part_windings.h"
 #include "generator/cut/carve/split_surfaces.h"
-#include "generator/mesh/disjoint_sets.h"
 #include "generator/mesh/triangle_tree.h"
 
 namespace pomona {
@@ -36,106 +36,37 @@ AxisBox box_of(const PlaceTriangle& t, const std::vector<glm::dvec3>& point) {
   return box;
 }
 
-PlaceTriangle places_of(const SkinTriangle& t, const SplitMesh& mesh) {
+PlaceTriangle places_of(const SurfaceTriangle& t, const SplitMesh& mesh) {
   return {mesh.point_of[t.vertex[0]], mesh.point_of[t.vertex[1]], mesh.point_of[t.vertex[2]]};
 }
 
-/// All that bounds the fruit's parts: skins and cut faces.
-struct Boundaries {
-  std::vector<Corners> triangle;
-  std::vector<std::vector<CellBoundary>> boundary;           // per triangle
-  std::vector<std::vector<CellBoundary>> boundary_of_facet;  // per facet of the arranged fruit
-};
-
-/// How often the fruit's parts wind around places on the knife.
-class PartWindings {
- public:
-  PartWindings(const Arrangement& all, const ExactPlaces& places, const FaceMesh& face, Boundaries boundaries)
-      : all_(all), places_(places), face_(face), boundaries_(std::move(boundaries)), part_of_(all.edge.size()) {
-    for (std::size_t f = all.fruit_count; f < all.facet.size(); ++f) {
-      const std::array<std::uint32_t, 3>& e = all.facet[f].edge;
-      part_of_.join(e[0], e[1]);
-      part_of_.join(e[1], e[2]);
-    }
-    for (std::uint32_t f = static_cast<std::uint32_t>(all.fruit_count); f < all.facet.size(); ++f) {
-      facet_of_.insert(facet_of_.end(), all.facet[f].mesh.triangle.size(), f);
-    }
-  }
-
-  /// Starts at the beginning of an edge along which no surface runs: both its sides lie in the same bodies.
-  KnownWindings near(std::uint32_t triangle) {
-    const std::uint32_t part = part_of_.root(all_.facet[facet_of_[triangle]].edge[0]);
-    KnownWindings fallback;
-    bool has_fallback = false;
-    for (std::uint32_t t = 0; t < facet_of_.size(); ++t) {
-      const Arrangement::Facet& facet = all_.facet[facet_of_[t]];
-      if (part_of_.root(facet.edge[0]) != part) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t from = face_.point[face_.mesh.triangle[t][static_cast<int>(i)]];
-        const std::uint32_t to = face_.point[face_.mesh.triangle[t][static_cast<int>((i + 1) % 3)]];
-        const int edge = beginning(facet, from, to);
-        if (edge < 0) continue;
-        if (!face_.mesh.constrained[t][i]) return {t, at(from, all_.edge[facet.edge[static_cast<std::size_t>(edge)]])};
-        if (!has_fallback) fallback = {t, at(from, all_.edge[facet.edge[static_cast<std::size_t>(edge)]])};
-        has_fallback = true;
-      }
-    }
-    return fallback;
-  }
-
- private:
-  /// The edge of the facet of which the way is the beginning; or -1.
-  static int beginning(const Arrangement::Facet& facet, std::uint32_t from, std::uint32_t to) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (facet.corner[i] != from) continue;
-      const std::uint32_t second = facet.is_whole() ? facet.corner[(i + 1) % 3] : facet.mesh.chain[i][1];
-      return second == to ? static_cast<int>(i) : -1;
-    }
-    return -1;
-  }
-
-  std::vector<CellBoundary> at(std::uint32_t place, const Arrangement::Edge& edge) const {
-    std::vector<CellBoundary> inside;
-    for (std::size_t i = 0; i < boundaries_.triangle.size(); ++i) {
-      const int by = winding_of_fruit(boundaries_.triangle[i], places_.at(place));
-      if (by != 0) cross(inside, boundaries_.boundary[i], by);
-    }
-    for (const Arrangement::Crossing& c : edge.crossings) {
-      if (c.place == place)
-        cross(inside, boundaries_.boundary_of_facet[c.facet], place == edge.low ? c.sense : -c.sense);
-    }
-    return inside;
-  }
-
-  const Arrangement& all_;
-  const ExactPlaces& places_;
-  const FaceMesh& face_;
-  Boundaries boundaries_;
-  DisjointSets part_of_;                 // of edges
-  std::vector<std::uint32_t> facet_of_;  // per triangle of the face
-};
-
+/// Arranges the fruit with the knife, splits it, and finds the face between.
 class Carver {
  public:
-  Carver(CutFruit& fruit, const ClosedKnife& knife, const DiffusionSurfaces& surfaces, const Bodies& bodies)
-      : fruit_(fruit), knife_(knife), surfaces_(surfaces), bodies_(bodies) {}
+  Carver(CutFruit fruit, const ClosedKnife& knife, const DiffusionSurfaces& surfaces, const Bodies& bodies)
+      : fruit_(std::move(fruit)), knife_(knife), surfaces_(surfaces), bodies_(bodies) {}
 
-  void run() {
+  Cutting run() {
     take_triangles();
     take_places();
     const Arrangement all = arranged(fruit_triangle_, knife_triangle_, places_);
     Boundaries boundaries = boundaries_of(all);
     take_new_points(all);
     const std::vector<std::vector<int>> winding = windings_of_knife(all, places_);
-    const KnifeTraces traces =
-        split_surfaces(fruit_, {all, winding, surface_, cap_, knife_.stride}, surfaces_, bodies_);
+    SplitFruit split =
+        split_surfaces(std::move(fruit_), {all, winding, surface_, cap_, knife_.stride}, surfaces_, bodies_);
 
-    FaceMesh face = knife_face(all, knife_, traces, fruit_.mesh);
+    // The knife's own surface, and what of the fruit lies on it.
+    Face face = knife_face(all, knife_, split.traces, split.fruit.mesh);
     PartWindings windings(all, places_, face, std::move(boundaries));
-    const Regions regions = knife_regions(face, traces, knife_.stride, surfaces_, bodies_,
-                                          [&](std::uint32_t triangle) { return windings.near(triangle); });
-    find_charts(face, regions, knife_.number);
-    add_face(fruit_.section, face, regions, fruit_.mesh, surfaces_, traces.shared);
+    Regions regions = knife_regions(face, split.traces, knife_.stride, surfaces_, bodies_,
+                                    [&](std::uint32_t triangle) { return windings.near(triangle); });
+    face = charted(std::move(face), regions, knife_.number);
+
+    Cutting cutting{std::move(split.fruit), {}, {}, std::move(split.traces.shared)};
+    cutting.faces.push_back(std::move(face));
+    cutting.regions.push_back(std::move(regions));
+    return cutting;
   }
 
  private:
@@ -175,12 +106,12 @@ class Carver {
       boundaries.triangle.push_back({p[t[0]], p[t[1]], p[t[2]]});
       boundaries.boundary.push_back(std::move(boundary));
     };
-    for (const SkinTriangle& t : fruit_.surface) {
+    for (const SurfaceTriangle& t : fruit_.surface) {
       if (surfaces_.is_boundary(t.source)) add(places_of(t, fruit_.mesh), boundary_of(t, bodies_));
     }
     for (const Cap& cap : fruit_.section.cap) add(cap.point, boundary_of(cap));
     for (std::size_t i = 0; i < surface_.size(); ++i) {
-      const SkinTriangle& t = fruit_.surface[surface_[i]];
+      const SurfaceTriangle& t = fruit_.surface[surface_[i]];
       if (surfaces_.is_boundary(t.source)) boundaries.boundary_of_facet[i] = boundary_of(t, bodies_);
     }
     for (std::size_t i = 0; i < cap_.size(); ++i) {
@@ -194,8 +125,7 @@ class Carver {
     SplitMesh& mesh = fruit_.mesh;
     const int plane = knife_.plane;
     for (std::size_t p = mesh.point.size(); p < places_.count(); ++p) {
-      mesh.point.push_back(places_.at(static_cast<std::uint32_t>(p)));
-      mesh.planes_of.push_back(mesh.sets.with(0, plane));
+      mesh.add_point(places_.at(static_cast<std::uint32_t>(p)), mesh.sets.with(0, plane));
     }
     const auto mark = [&](std::uint32_t p) { mesh.planes_of[p] = mesh.sets.with(mesh.planes_of[p], plane); };
     for (const Arrangement::Segment& s : all.segment) {
@@ -205,7 +135,7 @@ class Carver {
     }
   }
 
-  CutFruit& fruit_;
+  CutFruit fruit_;
   const ClosedKnife& knife_;
   const DiffusionSurfaces& surfaces_;
   const Bodies& bodies_;
@@ -216,8 +146,9 @@ class Carver {
 
 }  // namespace
 
-void carve(CutFruit& fruit, const ClosedKnife& knife, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
-  if (!knife.mesh.triangle.empty()) Carver(fruit, knife, surfaces, bodies).run();
+Cutting carve(CutFruit fruit, const ClosedKnife& knife, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
+  if (knife.mesh.triangle.empty()) return {std::move(fruit), {}, {}, {}};
+  return Carver(std::move(fruit), knife, surfaces, bodies).run();
 }
 
 KnifeMesh refined_for(const CutFruit& fruit, KnifeMesh knife, const SizeLimits& limits) {
@@ -225,7 +156,7 @@ KnifeMesh refined_for(const CutFruit& fruit, KnifeMesh knife, const SizeLimits& 
   const AxisBox box = box_of(knife);
   AxisBox whole;
   std::vector<Corners> surface, own;
-  for (const SkinTriangle& t : fruit.surface) {
+  for (const SurfaceTriangle& t : fruit.surface) {
     const PlaceTriangle p = places_of(t, fruit.mesh);
     for (const std::uint32_t place : p) whole.add(fruit.mesh.point[place]);
     if (!box_of(p, fruit.mesh.point).meets(box)) continue;

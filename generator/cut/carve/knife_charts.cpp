@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/cut/section/face_frame.h"
+
 namespace pomona {
 
 namespace {
@@ -16,22 +18,24 @@ constexpr double least_mean = 0.25;
 
 constexpr int most_partings = 8;
 
+/// Part by part: what looks one way on the whole, then the rest.
 class Charter {
  public:
-  Charter(FaceMesh& face, int knife) : solid_(*face.solid), mesh_(face.mesh), knife_(knife) {
-    for (const glm::uvec3& t : mesh_.triangle) {
-      const glm::dvec3 &a = solid_.place[t.x], &b = solid_.place[t.y], &c = solid_.place[t.z];
+  Charter(Face face, int knife) : face_(std::move(face)), knife_(knife) {
+    for (const glm::uvec3& t : face_.triangle) {
+      const glm::dvec3 &a = face_.place[t.x], &b = face_.place[t.y], &c = face_.place[t.z];
       area_.push_back(0.5 * glm::cross(b - a, c - a));
     }
   }
 
-  void run(const Regions& regions) {
+  Face run(const Regions& regions) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> of_face;
-    for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
-      if (regions.is_section(t)) of_face[std::exchange(solid_.facet[t], 0)].push_back(t);
+    for (std::uint32_t t = 0; t < face_.triangle.size(); ++t) {
+      if (regions.is_section(t)) of_face[std::exchange(face_.facet[t], 0)].push_back(t);
     }
     for (auto& [number, triangles] : of_face) part(std::move(triangles), 0);
-    if (solid_.frame.empty()) solid_.frame.emplace_back();
+    if (face_.frame.empty()) face_.frame.emplace_back();
+    return std::move(face_);
   }
 
  private:
@@ -84,27 +88,26 @@ class Charter {
     bool curved = false;
     for (const std::uint32_t t : triangles) {
       const double size = glm::length(area_[t]);
-      const glm::uvec3& c = mesh_.triangle[t];
-      middle += size / 3 * (solid_.place[c.x] + solid_.place[c.y] + solid_.place[c.z]);
+      const glm::uvec3& c = face_.triangle[t];
+      middle += size / 3 * (face_.place[c.x] + face_.place[c.y] + face_.place[c.z]);
       area += size;
-      for (const glm::vec3& n : solid_.normal[t]) curved = curved || glm::distance(glm::dvec3(n), direction) > 1e-5;
-      solid_.facet[t] = static_cast<std::uint32_t>(solid_.frame.size());
+      for (const glm::vec3& n : face_.normal[t]) curved = curved || glm::distance(glm::dvec3(n), direction) > 1e-5;
+      face_.facet[t] = static_cast<std::uint32_t>(face_.frame.size());
     }
     CuttingPlane plane{direction, area > 0 ? glm::dot(direction, middle) / area : 0};
     CutFace frame = frame_of(plane);
     frame.knife = knife_;
     frame.curved = curved;
-    solid_.frame.push_back(frame);
+    face_.frame.push_back(frame);
   }
 
-  SolidFaces& solid_;
-  const TriangulatedPlane& mesh_;
+  Face face_;
   int knife_;
   std::vector<glm::dvec3> area_;  // per triangle, along its normal
 };
 
 }  // namespace
 
-void find_charts(FaceMesh& face, const Regions& regions, int knife) { Charter(face, knife).run(regions); }
+Face charted(Face face, const Regions& regions, int knife) { return Charter(std::move(face), knife).run(regions); }
 
 }  // namespace pomona

@@ -18,14 +18,15 @@ namespace {
 
 using Way = std::pair<std::uint32_t, std::uint32_t>;
 
-class FaceBuilder {
+/// Triangle by triangle of the knife.
+class KnifeFaceBuilder {
  public:
-  FaceBuilder(const Arrangement& all, const ClosedKnife& knife, const KnifeTraces& traces, const SplitMesh& mesh)
+  KnifeFaceBuilder(const Arrangement& all, const ClosedKnife& knife, const KnifeTraces& traces, const SplitMesh& mesh)
       : all_(all), knife_(knife), traces_(traces), mesh_(mesh) {
-    face_.solid.emplace();
+    face_.plane = knife.plane;
   }
 
-  FaceMesh build() {
+  Face build() {
     for (std::size_t t = 0; t < knife_.mesh.triangle.size(); ++t) take(t);
     take_segments();
     for (const KnifeEdge& edge : traces_.edges) constrained_.insert(way_of(edge.from, edge.to));
@@ -34,13 +35,11 @@ class FaceBuilder {
   }
 
  private:
-  SolidFaces& solid() { return *face_.solid; }
-
   std::uint32_t vertex(std::uint32_t place) {
     const auto [entry, is_new] = vertex_of_.try_emplace(place, static_cast<std::uint32_t>(face_.point.size()));
     if (is_new) {
       face_.point.push_back(place);
-      solid().place.push_back(mesh_.point[place]);
+      face_.place.push_back(mesh_.point[place]);
     }
     return entry->second;
   }
@@ -49,11 +48,11 @@ class FaceBuilder {
     const Arrangement::Facet& facet = all_.facet[all_.fruit_count + number];
     const KnifeMesh::Triangle& whole = knife_.mesh.triangle[number];
     for (const PlaceTriangle& t : facet.mesh.triangle) {
-      face_.mesh.triangle.emplace_back(vertex(t[0]), vertex(t[1]), vertex(t[2]));
+      face_.triangle.emplace_back(vertex(t[0]), vertex(t[1]), vertex(t[2]));
       std::array<glm::vec3, 3> normal{};
       for (std::size_t i = 0; i < 3; ++i) normal[i] = normal_at(t[i], facet, whole.normal, mesh_.point);
-      solid().normal.push_back(normal);
-      solid().facet.push_back(whole.face);
+      face_.normal.push_back(normal);
+      face_.facet.push_back(whole.face);
     }
   }
 
@@ -62,16 +61,14 @@ class FaceBuilder {
   void take_segments() {
     face_.segment = traces_.segments;
     for (std::uint32_t s = 0; s < face_.segment.size(); ++s) {
-      const Segment& segment = face_.segment[s];
+      const CutSegment& segment = face_.segment[s];
       const auto from = vertex_of_.find(segment.from), to = vertex_of_.find(segment.to);
       if (from == vertex_of_.end() || to == vertex_of_.end()) continue;
       const auto [low, high] = std::minmax(from->second, to->second);
       face_.edges.push_back({low, high, s, from->second == low});
       constrained_.insert(way_of(segment.from, segment.to));
     }
-    std::sort(face_.edges.begin(), face_.edges.end(), [](const EdgeUse& a, const EdgeUse& b) {
-      return std::tie(a.low, a.high, a.segment) < std::tie(b.low, b.high, b.segment);
-    });
+    face_.sort_edges();
   }
 
   /// Two triangles at an edge are neighbours; of four, those that run it in opposite ways.
@@ -82,18 +79,15 @@ class FaceBuilder {
       std::uint32_t triangle = 0;
       std::size_t edge = 0;
     };
-    TriangulatedPlane& mesh = face_.mesh;
     std::vector<Side> sides;
-    mesh.neighbor.assign(mesh.triangle.size(),
-                         {TriangulatedPlane::none, TriangulatedPlane::none, TriangulatedPlane::none});
-    mesh.constrained.assign(mesh.triangle.size(), {0, 0, 0});
-    for (std::uint32_t t = 0; t < mesh.triangle.size(); ++t) {
+    face_.neighbor.assign(face_.triangle.size(), {Face::none, Face::none, Face::none});
+    face_.constrained.assign(face_.triangle.size(), {0, 0, 0});
+    for (std::uint32_t t = 0; t < face_.triangle.size(); ++t) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t p = mesh.triangle[t][static_cast<int>(i)],
-                            q = mesh.triangle[t][static_cast<int>((i + 1) % 3)];
+        const std::uint32_t p = face_.corner(t, i), q = face_.corner(t, i + 1);
         const auto [low, high] = std::minmax(p, q);
         sides.push_back({low, high, p == low, t, i});
-        mesh.constrained[t][i] = constrained_.contains(way_of(face_.point[p], face_.point[q])) ? 1 : 0;
+        face_.constrained[t][i] = constrained_.contains(way_of(face_.point[p], face_.point[q])) ? 1 : 0;
       }
     }
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
@@ -106,8 +100,8 @@ class FaceBuilder {
       }
       for (std::size_t k = 0; i + k < middle && middle + k < end; ++k) {
         const Side &a = sides[i + k], &b = sides[middle + k];
-        mesh.neighbor[a.triangle][a.edge] = static_cast<std::int32_t>(b.triangle);
-        mesh.neighbor[b.triangle][b.edge] = static_cast<std::int32_t>(a.triangle);
+        face_.neighbor[a.triangle][a.edge] = static_cast<std::int32_t>(b.triangle);
+        face_.neighbor[b.triangle][b.edge] = static_cast<std::int32_t>(a.triangle);
       }
       i = end;
     }
@@ -117,16 +111,15 @@ class FaceBuilder {
   const ClosedKnife& knife_;
   const KnifeTraces& traces_;
   const SplitMesh& mesh_;
-  FaceMesh face_;
+  Face face_;
   std::unordered_map<std::uint32_t, std::uint32_t> vertex_of_;  // by place
   std::set<Way> constrained_;
 };
 
 }  // namespace
 
-FaceMesh knife_face(const Arrangement& all, const ClosedKnife& knife, const KnifeTraces& traces,
-                    const SplitMesh& mesh) {
-  return FaceBuilder(all, knife, traces, mesh).build();
+Face knife_face(const Arrangement& all, const ClosedKnife& knife, const KnifeTraces& traces, const SplitMesh& mesh) {
+  return KnifeFaceBuilder(all, knife, traces, mesh).build();
 }
 
 }  // namespace pomona

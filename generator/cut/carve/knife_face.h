@@ -11,6 +11,6 @@ namespace pomona {
 
 /// The knife's triangles as arranged with the fruit; facets are its smooth faces, still without frames
 /// (knife_charts.h). Points of the arrangement must be points of `mesh`.
-FaceMesh knife_face(const Arrangement& all, const ClosedKnife& knife, const KnifeTraces& traces, const SplitMesh& mesh);
+Face knife_face(const Arrangement& all, const ClosedKnife& knife, const KnifeTraces& traces, const SplitMesh& mesh);
 
 }  // namespace pomona

@@ -1,9 +1,12 @@
 #include "generator/cut/carve/knife_regions.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <tuple>
 #include <utility>
+
+#include "generator/cut/section/face_patches.h"
 
 namespace pomona {
 
@@ -25,27 +28,26 @@ namespace {
 
 using Way = std::pair<std::uint32_t, std::uint32_t>;
 
+/// From patch to patch over the knife's surface.
 class KnifeRegions {
  public:
-  KnifeRegions(const FaceMesh& face, const KnifeTraces& traces, std::uint32_t stride, std::vector<std::int32_t> open)
-      : face_(face), stride_(stride), open_(std::move(open)) {
+  KnifeRegions(const Face& face, const KnifeTraces& traces, std::uint32_t stride, FacePatches patches)
+      : face_(face), stride_(stride), patches_(std::move(patches)), inside_(patches_.count()) {
     for (const KnifeEdge& e : traces.edges) edges_[std::minmax(e.from, e.to)].push_back(&e);
   }
 
-  Regions find(Regions regions, const FirstWindings& first) {
-    regions_ = std::move(regions);
-    inside_.resize(regions_.patch.size());
-    triangles_ = triangles_of_patches(regions_);
-    std::vector<std::uint8_t> reached(regions_.patch.size(), 0);
-    for (std::uint32_t t = 0; t < regions_.patch_of.size(); ++t) {
-      if (reached[regions_.patch_of[t]]) continue;
+  Regions find(const FirstWindings& first) {
+    std::vector<std::uint8_t> reached(patches_.count(), 0);
+    for (std::uint32_t t = 0; t < patches_.patch_of.size(); ++t) {
+      if (reached[patches_.patch_of[t]]) continue;
       KnownWindings known = first(t);
-      const std::uint32_t patch = regions_.patch_of[known.triangle];
+      const std::uint32_t patch = patches_.patch_of[known.triangle];
       inside_[patch] = std::move(known.inside);
       spread(patch, reached);
     }
-    for (std::uint32_t p = 0; p < regions_.patch.size(); ++p) close(p);
-    return std::move(regions_);
+    Regions regions = patches_.regions();
+    for (std::uint32_t p = 0; p < patches_.count(); ++p) regions.patch[p].closes = closed_by(p);
+    return regions;
   }
 
  private:
@@ -54,11 +56,11 @@ class KnifeRegions {
     reached[start] = 1;
     for (std::size_t next = 0; next < queue.size(); ++next) {
       const std::uint32_t from = queue[next];
-      for (const std::uint32_t t : triangles_[from]) {
+      for (const std::uint32_t t : patches_.triangle[from]) {
         for (std::size_t i = 0; i < 3; ++i) {
-          const std::int32_t other = face_.mesh.neighbor[t][i];
+          const std::int32_t other = face_.neighbor[t][i];
           if (other < 0) continue;
-          const std::uint32_t to = regions_.patch_of[static_cast<std::size_t>(other)];
+          const std::uint32_t to = patches_.patch_of[static_cast<std::size_t>(other)];
           if (reached[to]) continue;
           reached[to] = 1;
           inside_[to] = inside_[from];
@@ -72,9 +74,8 @@ class KnifeRegions {
   /// What passes through an edge of a triangle, and how often one comes from before it to behind on leaving the
   /// triangle, which lies left of its edges.
   std::vector<std::pair<const KnifeEdge*, int>> along(std::size_t triangle, std::size_t edge) const {
-    const glm::uvec3& t = face_.mesh.triangle[triangle];
-    const std::uint32_t from = face_.point[t[static_cast<int>(edge)]],
-                        to = face_.point[t[static_cast<int>((edge + 1) % 3)]];
+    const std::uint32_t from = face_.point[face_.corner(triangle, edge)],
+                        to = face_.point[face_.corner(triangle, edge + 1)];
     std::vector<std::pair<const KnifeEdge*, int>> all;
     const auto found = edges_.find(std::minmax(from, to));
     if (found == edges_.end()) return all;
@@ -82,46 +83,35 @@ class KnifeRegions {
     return all;
   }
 
-  bool is_open(std::int32_t body) const { return std::binary_search(open_.begin(), open_.end(), body); }
-
   /// Cell by cell; in nearly all patches there is one.
-  void close(std::uint32_t number) {
-    Regions::Patch& patch = regions_.patch[number];
+  std::vector<Regions::Closing> closed_by(std::uint32_t patch) const {
     std::map<std::uint32_t, std::vector<BodyWinding>> in_cell;
-    for (const CellBoundary& b : inside_[number]) {
-      if (!is_open(b.body)) in_cell[b.cell].push_back({b.body, b.winding});
+    for (const CellBoundary& b : inside_[patch]) {
+      if (!patches_.is_open(b.body)) in_cell[b.cell].push_back({b.body, b.winding});
     }
+
+    // Bodies that do not close have no winding that one could count: the patch itself says which fill it.
     std::vector<BodyWinding> open;
-    std::copy_if(patch.inside.begin(), patch.inside.end(), std::back_inserter(open),
-                 [&](const BodyWinding& w) { return is_open(w.body); });
+    std::copy_if(patches_.inside[patch].begin(), patches_.inside[patch].end(), std::back_inserter(open),
+                 [&](const BodyWinding& w) { return patches_.is_open(w.body); });
     if (!open.empty()) {
-      std::vector<BodyWinding>& all = in_cell[in_cell.empty() ? cell_beside(number) : in_cell.begin()->first];
+      std::vector<BodyWinding>& all = in_cell[in_cell.empty() ? cell_beside(patch) : in_cell.begin()->first];
       all.insert(all.end(), open.begin(), open.end());
       std::sort(all.begin(), all.end(), [](const BodyWinding& a, const BodyWinding& b) { return a.body < b.body; });
     }
-    patch.inside.clear();
-    for (auto& [cell, inside] : in_cell) {
-      const std::array<std::uint32_t, 2> sides{cell + stride_, cell};
-      if (patch.section) {
-        patch.also.push_back({sides, std::move(inside)});
-        continue;
-      }
-      patch.section = true;
-      patch.cell = sides;
-      patch.inside = std::move(inside);
-    }
+    std::vector<Regions::Closing> closes;
+    for (auto& [cell, inside] : in_cell) closes.push_back({{cell + stride_, cell}, std::move(inside)});
+    return closes;
   }
 
   /// The cell behind the longest boundary of an open body.
   std::uint32_t cell_beside(std::uint32_t patch) const {
     std::map<std::uint32_t, double> length;
-    for (const std::uint32_t t : triangles_[patch]) {
+    for (const std::uint32_t t : patches_.triangle[patch]) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const glm::uvec3& c = face_.mesh.triangle[t];
         for (const auto& [edge, times] : along(t, i)) {
           for (const CellBoundary& b : edge->boundary) {
-            if (times * b.winding < 0)
-              length[b.cell] += face_.distance(c[static_cast<int>(i)], c[static_cast<int>((i + 1) % 3)]);
+            if (times * b.winding < 0) length[b.cell] += distance(face_, face_.corner(t, i), face_.corner(t, i + 1));
           }
         }
       }
@@ -131,21 +121,18 @@ class KnifeRegions {
     return longest == length.end() ? 0 : longest->first;
   }
 
-  const FaceMesh& face_;
+  const Face& face_;
   std::uint32_t stride_;
-  std::vector<std::int32_t> open_;
+  FacePatches patches_;
   std::map<Way, std::vector<const KnifeEdge*>> edges_;
-  Regions regions_;
-  std::vector<std::vector<CellBoundary>> inside_;      // per patch
-  std::vector<std::vector<std::uint32_t>> triangles_;  // per patch
+  std::vector<std::vector<CellBoundary>> inside_;  // per patch
 };
 
 }  // namespace
 
-Regions knife_regions(const FaceMesh& face, const KnifeTraces& traces, std::uint32_t stride,
+Regions knife_regions(const Face& face, const KnifeTraces& traces, std::uint32_t stride,
                       const DiffusionSurfaces& surfaces, const Bodies& bodies, const FirstWindings& first) {
-  OpenBodies open = open_bodies(face, surfaces, bodies);
-  return KnifeRegions(face, traces, stride, std::move(open.body)).find(std::move(open.regions), first);
+  return KnifeRegions(face, traces, stride, patches_of(face, surfaces, bodies)).find(first);
 }
 
 }  // namespace pomona

@@ -39,11 +39,11 @@ class SurfaceSplitter {
         traces_(traces) {}
 
   void run() {
-    std::vector<SkinTriangle> added;
+    std::vector<SurfaceTriangle> added;
     std::vector<std::uint8_t> gone(triangles_.size(), 0);
     for (std::uint32_t f = 0; f < parts_.surface.size(); ++f) {
       const Facet& facet = parts_.all.facet[f];
-      SkinTriangle& whole = triangles_[parts_.surface[f]];
+      SurfaceTriangle& whole = triangles_[parts_.surface[f]];
       if (facet.is_whole()) {
         if (parts_.winding[f][0] > 0) whole.cell += parts_.stride;
         continue;
@@ -67,7 +67,7 @@ class SurfaceSplitter {
 
  private:
   /// The vertex at each place of a triangle.
-  void find_vertices(const SkinTriangle& whole, const Facet& facet) {
+  void find_vertices(const SurfaceTriangle& whole, const Facet& facet) {
     vertex_.clear();
     for (std::size_t i = 0; i < 3; ++i) vertex_[facet.corner[i]] = whole.vertex[i];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -88,12 +88,13 @@ class SurfaceSplitter {
     if (mesh_.point_of[a] > mesh_.point_of[b]) std::swap(a, b);
     const auto [entry, is_new] = made_.try_emplace({a, b, place}, static_cast<std::uint32_t>(mesh_.point_of.size()));
     if (!is_new) return entry->second;
-    const double t = share_between(point_at(a), point_at(b), mesh_.point[place]);
+    const double t = share_between(mesh_.place_of(a), mesh_.place_of(b), mesh_.point[place]);
     return add({a, b, b}, {1 - t, t, 0}, place);
   }
 
   std::uint32_t vertex_within(const std::array<std::uint32_t, 3>& v, std::uint32_t place) {
-    return add(v, weights_in({point_at(v[0]), point_at(v[1]), point_at(v[2])}, mesh_.point[place]), place);
+    return add(v, weights_in({mesh_.place_of(v[0]), mesh_.place_of(v[1]), mesh_.place_of(v[2])}, mesh_.point[place]),
+               place);
   }
 
   std::uint32_t add(const std::array<std::uint32_t, 3>& v, const Weights& weights, std::uint32_t place) {
@@ -105,17 +106,11 @@ class SurfaceSplitter {
       back += w * mesh_.back_color[v[i]];
       normal += w * mesh_.normal[v[i]];
     }
-    mesh_.point_of.push_back(place);
-    mesh_.front_color.push_back(front);
-    mesh_.back_color.push_back(back);
-    mesh_.normal.push_back(unit(normal));
-    return static_cast<std::uint32_t>(mesh_.point_of.size() - 1);
+    return mesh_.add_vertex(place, front, back, unit(normal));
   }
 
-  const glm::dvec3& point_at(std::uint32_t vertex) const { return mesh_.point[mesh_.point_of[vertex]]; }
-
   /// Segments run by the input's front, which triangles that face air may have turned away.
-  void take_segments(const SkinTriangle& whole, const Facet& facet) {
+  void take_segments(const SurfaceTriangle& whole, const Facet& facet) {
     const bool is_skin = surfaces_.is_boundary(whole.source);
     const bool turned = is_skin && surfaces_.is_hidden(whole.source, SideOf::back);
     for (std::size_t i = 3; i < facet.mesh.chain.size(); ++i) {
@@ -130,7 +125,7 @@ class SurfaceSplitter {
   }
 
   SplitMesh& mesh_;
-  std::vector<SkinTriangle>& triangles_;
+  std::vector<SurfaceTriangle>& triangles_;
   const FruitParts& parts_;
   const DiffusionSurfaces& surfaces_;
   const Bodies& bodies_;
@@ -163,13 +158,13 @@ class SectionSplitter {
         add_part(t, facet, facet.mesh.triangle[k], winding[k]);
       gone[t] = 1;
     }
-    leave_out(section_, gone);
+    section_ = without(std::move(section_), gone);
     split_segments();
   }
 
  private:
   void enter(Cap& cap) const {
-    for (std::uint32_t& cell : cap.cell) cell += parts_.stride;
+    for (std::uint32_t& cell : cap.closing.cell) cell += parts_.stride;
   }
 
   /// Edges that follow a surface have its colours on them.
@@ -178,7 +173,7 @@ class SectionSplitter {
     for (std::size_t t = 0; t < mesh_.triangle.size(); ++t) {
       for (int i = 0; i < 3; ++i) place_[mesh_.triangle[t][i]] = section_.cap[t].point[static_cast<std::size_t>(i)];
     }
-    for (const CutSegment& s : mesh_.segments) {
+    for (const SectionSegment& s : mesh_.segments) {
       on_surface_.insert(std::minmax(place_[s.vertex[0]], place_[s.vertex[1]]));
     }
   }
@@ -266,8 +261,8 @@ class SectionSplitter {
   }
 
   void split_segments() {
-    std::vector<CutSegment> all;
-    for (const CutSegment& s : mesh_.segments) {
+    std::vector<SectionSegment> all;
+    for (const SectionSegment& s : mesh_.segments) {
       std::vector<std::uint32_t> way{s.vertex[0]};
       if (const auto there = inner_.find({s.vertex[0], s.vertex[1]}); there != inner_.end()) {
         way.insert(way.end(), there->second.begin(), there->second.end());
@@ -295,27 +290,27 @@ class SectionSplitter {
 
 }  // namespace
 
-std::vector<CellBoundary> boundary_of(const SkinTriangle& skin, const Bodies& bodies) {
+std::vector<CellBoundary> boundary_of(const SurfaceTriangle& skin, const Bodies& bodies) {
   return {{skin.cell, bodies.of_triangle[skin.source], 1}};
 }
 
 /// Faces look to their positive side.
 std::vector<CellBoundary> boundary_of(const Cap& cap) {
   std::vector<CellBoundary> all;
-  for (const BodyWinding& w : cap.inside) {
-    all.push_back({cap.cell[0], w.body, w.winding});
-    all.push_back({cap.cell[1], w.body, -w.winding});
+  for (const BodyWinding& w : cap.closing.inside) {
+    all.push_back({cap.closing.cell[0], w.body, w.winding});
+    all.push_back({cap.closing.cell[1], w.body, -w.winding});
   }
   return all;
 }
 
-KnifeTraces split_surfaces(CutFruit& fruit, const FruitParts& parts, const DiffusionSurfaces& surfaces,
-                           const Bodies& bodies) {
-  KnifeTraces traces;
-  SurfaceSplitter(fruit, parts, surfaces, bodies, traces).run();
-  SectionSplitter(fruit, parts, traces).run();
-  traces.segments = without_mere_touches(std::move(traces.segments), surfaces);
-  return traces;
+SplitFruit split_surfaces(CutFruit fruit, const FruitParts& parts, const DiffusionSurfaces& surfaces,
+                          const Bodies& bodies) {
+  SplitFruit split{std::move(fruit), {}};
+  SurfaceSplitter(split.fruit, parts, surfaces, bodies, split.traces).run();
+  SectionSplitter(split.fruit, parts, split.traces).run();
+  split.traces.segments = without_mere_touches(std::move(split.traces.segments), surfaces);
+  return split;
 }
 
 }  // namespace pomona

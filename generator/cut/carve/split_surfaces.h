@@ -7,6 +7,7 @@
 
 #include "generator/cut/carve/arrangement.h"
 #include "generator/cut/section/cut_fruit.h"
+#include "generator/surface/bodies.h"
 
 namespace pomona {
 
@@ -25,14 +26,14 @@ struct KnifeEdge {
 };
 
 /// A boundary triangle of the fruit, or a triangle of its section, by what it bounds.
-std::vector<CellBoundary> boundary_of(const SkinTriangle& skin, const Bodies& bodies);
+std::vector<CellBoundary> boundary_of(const SurfaceTriangle& skin, const Bodies& bodies);
 std::vector<CellBoundary> boundary_of(const Cap& cap);
 
 /// What the fruit leaves on the knife's surface.
 struct KnifeTraces {
-  std::vector<Segment> segments;  ///< of surfaces
-  std::vector<KnifeEdge> edges;   ///< of skins and of earlier cut faces
-  SharedVertices shared;          ///< of earlier cut faces, where the knife's surface has its vertices, too
+  std::vector<CutSegment> segments;  ///< of surfaces
+  std::vector<KnifeEdge> edges;      ///< of skins and of earlier cut faces
+  SharedVertices shared;             ///< of earlier cut faces, where the knife's surface has its vertices, too
 };
 
 /// What of the fruit is arranged with the knife, and where its parts lie.
@@ -44,8 +45,13 @@ struct FruitParts {
   std::uint32_t stride = 1;                      ///< cells inside the knife have a number greater by this
 };
 
+struct SplitFruit {
+  CutFruit fruit;
+  KnifeTraces traces;
+};
+
 /// Points of the arrangement must be points of the fruit's mesh already.
-KnifeTraces split_surfaces(CutFruit& fruit, const FruitParts& parts, const DiffusionSurfaces& surfaces,
-                           const Bodies& bodies);
+SplitFruit split_surfaces(CutFruit fruit, const FruitParts& parts, const DiffusionSurfaces& surfaces,
+                          const Bodies& bodies);
 
 }  // namespace pomona

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -23,23 +24,29 @@ void sort_along(CutLine& line, const SplitMesh& mesh) {
   line.points.erase(std::unique(line.points.begin(), line.points.end()), line.points.end());
 }
 
+/// The planes that all its points lie on, as a set of the mesh's.
+std::uint32_t set_of(const CutLine& line, SplitMesh& mesh) {
+  return mesh.sets.with(mesh.sets.with(0, line.planes[0]), line.planes[1]);
+}
+
+/// Pair by pair of planes.
 class LineFinder {
  public:
-  LineFinder(SplitMesh& mesh, const CutPlanes& planes, const std::vector<std::vector<Segment>>& segments,
+  LineFinder(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
              const Bounds& bounds)
-      : mesh_(mesh), planes_(planes), center_(bounds.center()), reach_(0.5 * glm::length(bounds.size())) {
+      : mesh_(std::move(mesh)), planes_(planes), center_(bounds.center()), reach_(0.5 * glm::length(bounds.size())) {
     for (int k = 0; k < planes.count(); ++k) {
       if (!segments[static_cast<std::size_t>(k)].empty()) used_.push_back(k);
     }
   }
 
-  std::vector<CutLine> find() {
+  CutLines find() {
     find_lines();
     take_points();
     for (CutLine& line : lines_) add_meetings(line);
     for (CutLine& line : lines_) put_in_order(line);
     std::erase_if(lines_, [](const CutLine& line) { return line.points.size() < 2; });
-    return std::move(lines_);
+    return {std::move(mesh_), std::move(lines_)};
   }
 
  private:
@@ -139,8 +146,7 @@ class LineFinder {
       const std::uint32_t set = mesh_.sets.with(mesh_.sets.with(mesh_.sets.with(0, line.planes[0]), line.planes[1]), k);
       const auto [entry, is_new] = meeting_.try_emplace(set, static_cast<std::uint32_t>(mesh_.point.size()));
       if (is_new) {
-        mesh_.point.push_back(settled(place, mesh_.sets.planes_in(set), planes_));
-        mesh_.planes_of.push_back(set);
+        mesh_.add_point(settled(place, mesh_.sets.planes_in(set), planes_), set);
       }
       line.points.push_back(entry->second);
     }
@@ -153,21 +159,16 @@ class LineFinder {
   }
 
   void put_in_order(CutLine& line) {
-    const auto along = [&](std::uint32_t p) { return glm::dot(line.direction, mesh_.point[p] - line.origin); };
-    std::sort(line.points.begin(), line.points.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return along(a) != along(b) ? along(a) < along(b) : a < b; });
-    line.points.erase(std::unique(line.points.begin(), line.points.end()), line.points.end());
+    sort_along(line, mesh_);
     if (line.begins_outside()) line.points.insert(line.points.begin(), far_end(line, -1));
     if (line.ends_outside()) line.points.push_back(far_end(line, 1));
   }
 
   std::uint32_t far_end(const CutLine& line, double sense) {
-    mesh_.point.push_back(line.origin + line.direction * (sense * 1.5 * reach_));
-    mesh_.planes_of.push_back(mesh_.sets.with(mesh_.sets.with(0, line.planes[0]), line.planes[1]));
-    return static_cast<std::uint32_t>(mesh_.point.size() - 1);
+    return mesh_.add_point(line.origin + line.direction * (sense * 1.5 * reach_), set_of(line, mesh_));
   }
 
-  SplitMesh& mesh_;
+  SplitMesh mesh_;
   const CutPlanes& planes_;
   glm::dvec3 center_;
   double reach_;           // radius of a ball that holds the fruit
@@ -176,46 +177,50 @@ class LineFinder {
   std::map<std::uint32_t, std::uint32_t> meeting_;  // set of planes -> point
 };
 
-}  // namespace
-
-std::vector<CutLine> cut_lines(SplitMesh& mesh, const CutPlanes& planes,
-                               const std::vector<std::vector<Segment>>& segments, const Bounds& bounds) {
-  return LineFinder(mesh, planes, segments, bounds).find();
-}
-
-void subdivide(CutLine& line, SplitMesh& mesh, const CutPlanes& planes,
-               const std::function<double(int, const glm::dvec3&)>& size) {
-  const auto add = [&](const glm::dvec3& place) {
-    const std::uint32_t set = mesh.sets.with(mesh.sets.with(0, line.planes[0]), line.planes[1]);
-    mesh.point.push_back(settled(place, mesh.sets.planes_in(set), planes));
-    mesh.planes_of.push_back(set);
-    return static_cast<std::uint32_t>(mesh.point.size() - 1);
-  };
-
-  // Halve what is too long; what waits lies behind on the stack.
+/// Halves what is too long; what waits lies behind on the stack.
+std::vector<std::uint32_t> subdivided_points(const CutLine& line, SplitMesh& mesh, const CutPlanes& planes,
+                                             const SizeOnPlane& size) {
   std::vector<std::uint32_t> done{line.points.front()}, waiting(line.points.rbegin(), line.points.rend() - 1);
   while (!waiting.empty()) {
-    const glm::dvec3 &a = mesh.point[done.back()], &b = mesh.point[waiting.back()];
+    const glm::dvec3 a = mesh.point[done.back()], b = mesh.point[waiting.back()];
     const glm::dvec3 middle = 0.5 * (a + b);
     double longest = size(line.planes[0], middle);
     for (const int k : line.planes) longest = std::min(longest, size(k, middle));
     const bool outside = (done.size() == 1 && line.begins_outside()) || (waiting.size() == 1 && line.ends_outside());
     if (!outside && glm::distance(a, b) > 1.2 * longest) {
-      waiting.push_back(add(middle));
+      const std::uint32_t set = set_of(line, mesh);
+      waiting.push_back(mesh.add_point(settled(middle, mesh.sets.planes_in(set), planes), set));
     } else {
       done.push_back(waiting.back());
       waiting.pop_back();
     }
   }
-  line.points = std::move(done);
+  return done;
 }
 
-void insert(CutLine& line, const std::vector<std::uint32_t>& points, SplitMesh& mesh) {
-  for (const std::uint32_t p : points) {
-    mesh.planes_of[p] = mesh.sets.with(mesh.sets.with(mesh.planes_of[p], line.planes[0]), line.planes[1]);
-    line.points.push_back(p);
+}  // namespace
+
+CutLines cut_lines(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
+                   const Bounds& bounds) {
+  return LineFinder(std::move(mesh), planes, segments, bounds).find();
+}
+
+CutLines subdivided(CutLines all, const CutPlanes& planes, const SizeOnPlane& size) {
+  for (CutLine& line : all.lines) line.points = subdivided_points(line, all.mesh, planes, size);
+  return all;
+}
+
+CutLines with_points(CutLines all, const Unshared& points) {
+  SplitMesh& mesh = all.mesh;
+  for (const auto& [number, on_line] : points) {
+    CutLine& line = all.lines[number];
+    for (const std::uint32_t p : on_line) {
+      mesh.planes_of[p] = mesh.sets.with(mesh.sets.with(mesh.planes_of[p], line.planes[0]), line.planes[1]);
+      line.points.push_back(p);
+    }
+    sort_along(line, mesh);
   }
-  sort_along(line, mesh);
+  return all;
 }
 
 std::vector<std::uint32_t> points_between(const CutLine& line, std::uint32_t from, std::uint32_t to) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "generator/cut/section/segments.h"
@@ -29,18 +31,28 @@ struct CutLine {
   }
 };
 
+/// Lines, and the mesh with the points that they have put into it.
+struct CutLines {
+  SplitMesh mesh;
+  std::vector<CutLine> lines;
+};
+
 /// Where the planes that have segments meet within `bounds`: with all points that surfaces have there, and those
-/// where three planes meet. New points are added to `mesh`.
-std::vector<CutLine> cut_lines(SplitMesh& mesh, const CutPlanes& planes,
-                               const std::vector<std::vector<Segment>>& segments, const Bounds& bounds);
+/// where three planes meet.
+CutLines cut_lines(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
+                   const Bounds& bounds);
 
-/// Adds points until neighbours are no farther apart than `size` says, which is asked with one of the line's planes
-/// and a place.
-void subdivide(CutLine& line, SplitMesh& mesh, const CutPlanes& planes,
-               const std::function<double(int, const glm::dvec3&)>& size);
+/// The length that edges should have on one of the line's planes, at a place.
+using SizeOnPlane = std::function<double(int plane, const glm::dvec3& place)>;
 
-/// Adds given points of the split mesh at their place along the line.
-void insert(CutLine& line, const std::vector<std::uint32_t>& points, SplitMesh& mesh);
+/// With points added until neighbours are no farther apart than `size` says.
+CutLines subdivided(CutLines all, const CutPlanes& planes, const SizeOnPlane& size);
+
+/// Points of the split mesh that lie on a line, by its number, and are news to other planes there.
+using Unshared = std::map<std::size_t, std::vector<std::uint32_t>>;
+
+/// With these points at their places along their lines.
+CutLines with_points(CutLines all, const Unshared& points);
 
 /// The points of the line strictly between two of its points, on the way from the first to the second.
 std::vector<std::uint32_t> points_between(const CutLine& line, std::uint32_t from, std::uint32_t to);

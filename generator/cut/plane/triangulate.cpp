@@ -1,257 +1,148 @@
 #include "generator/cut/plane/triangulate.h"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
+#include <numeric>
+#include <optional>
 #include <utility>
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_plus_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <glm/geometric.hpp>
+
+#include "generator/base/parallel.h"
+#include "generator/cut/plane/blade_face.h"
+#include "generator/cut/plane/cut_lines.h"
+#include "generator/cut/section/face_frame.h"
+#include "generator/cut/section/segment_source.h"
+#include "generator/cut/section/size_field.h"
+#include "generator/mesh/disjoint_sets.h"
 
 namespace pomona {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using SegmentLists = std::vector<std::vector<CutSegment>>;
+using Builders = std::vector<std::optional<BladeFaceBuilder>>;
 
-/// Vertices know their number, -1 until they have one.
-struct VertexNumber {
-  std::int64_t value = -1;
-  bool steiner = false;  // made by conform()
+/// Constraints are not halved below this share of the finest size.
+constexpr double shortest_share = 0.25;
+
+constexpr int most_rounds = 4;
+
+/// Lines need their sizes only roughly, and there may be many planes.
+constexpr int line_grid = 48;
+
+/// The lines in which planes meet, as fine as the finer of their planes wants them.
+CutLines laid_out_lines(SplitMesh mesh, const CutPlanes& planes, const SegmentLists& segments, const Bounds& bounds,
+                        const SizeLimits& limits, Threads threads) {
+  CutLines all = cut_lines(std::move(mesh), planes, segments, bounds);
+  if (all.lines.empty()) return all;
+  std::vector<CutFace> frames;
+  for (int k = 0; k < planes.count(); ++k) frames.push_back(frame_of(planes[k].plane));
+  std::vector<std::optional<SizeField>> fields(frames.size());
+  parallel_for(fields.size(), threads, [&](std::size_t k) {
+    std::vector<SizeSource> sources;
+    for (const CutSegment& s : segments[k]) {
+      const glm::dvec2 a = to_face(frames[k], all.mesh.point[s.from]), b = to_face(frames[k], all.mesh.point[s.to]);
+      sources.push_back(source_of(s, all.mesh, limits.contrast));
+      sources.back().a = a;
+      sources.back().b = b;
+      sources.back().size *= glm::distance(a, b);
+    }
+    fields[k].emplace(sources, limits, line_grid);
+  });
+  return subdivided(std::move(all), planes, [&](int plane, const glm::dvec3& p) {
+    const auto k = static_cast<std::size_t>(plane);
+    return fields[k]->at(to_face(frames[k], p));
+  });
+}
+
+SegmentLists by_blade(const CutPlanes& planes, const SegmentLists& segments) {
+  SegmentLists of_blade(planes.sheets.size());
+  for (int k = 0; k < planes.count(); ++k) {
+    const std::vector<CutSegment>& of_plane = segments[static_cast<std::size_t>(k)];
+    std::vector<CutSegment>& all = of_blade[static_cast<std::size_t>(planes[k].sheet)];
+    all.insert(all.end(), of_plane.begin(), of_plane.end());
+  }
+  return of_blade;
+}
+
+/// The blades' numbers, those with most segments first: so threads are kept busy to the end.
+std::vector<std::size_t> largest_first(const SegmentLists& of_blade) {
+  std::vector<std::size_t> order(of_blade.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return of_blade[a].size() > of_blade[b].size(); });
+  return order;
+}
+
+/// For each of `count` points the first of those it shares its place with.
+std::vector<std::uint32_t> first_twins(std::size_t count, const std::vector<Twins>& pairs) {
+  DisjointSets places(count);
+  for (const auto& [a, b] : pairs) places.join(a, b);
+  std::vector<std::uint32_t> first(count);
+  for (std::uint32_t p = 0; p < count; ++p) first[p] = places.root(p);
+  return first;
+}
+
+/// What all blades add in one round.
+struct Round {
+  std::vector<Face> faces;
+  std::vector<EdgePoint> edge_point;
+  std::vector<Twins> twins;
+  Unshared unshared;
 };
-struct FaceNumber {
-  std::int32_t value = -1;
-};
 
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexNumber, Kernel>;
-using FaceBase =
-    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<FaceNumber, Kernel>>;
-using Delaunay =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-                                               CGAL::Exact_predicates_tag>;
-using Triangulation = CGAL::Constrained_triangulation_plus_2<Delaunay>;
-using Vertex = Triangulation::Vertex_handle;
-using Face = Triangulation::Face_handle;
-using Point = Triangulation::Point;
-
-Point to_point(const glm::dvec2& p) { return {p.x, p.y}; }
-glm::dvec2 to_vec(const Point& p) { return {p.x(), p.y()}; }
+/// The faces' points go into the mesh, blade after blade: their numbers do not depend on threads.
+Round finished(Builders builders, SplitMesh& mesh) {
+  Round round;
+  for (std::optional<BladeFaceBuilder>& builder : builders) {
+    if (!builder) continue;
+    BladeFace made = std::move(*builder).finish();
+    for (const BladeFace::NewPoint& p : made.point) mesh.add_point(p.place, mesh.sets.with(0, p.plane));
+    round.faces.push_back(std::move(made.face));
+    round.edge_point.insert(round.edge_point.end(), made.edge_point.begin(), made.edge_point.end());
+    round.twins.insert(round.twins.end(), made.twins.begin(), made.twins.end());
+    for (const auto& [line, points] : made.unshared) {
+      std::vector<std::uint32_t>& all = round.unshared[line];
+      all.insert(all.end(), points.begin(), points.end());
+    }
+  }
+  return round;
+}
 
 }  // namespace
 
-struct PlaneTriangulation::Data {
-  Triangulation mesh;
-  std::vector<Vertex> vertex;  // by number
-  std::vector<std::uint32_t> stand_in;
-  struct Kept {
-    Triangulation::Constraint_id id;
-    bool divisible = true;
-  };
-  std::vector<Kept> constraint;
+PlaneFaces triangulate(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
+                       const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options) {
+  const Bounds bounds = bounds_of(surfaces);
+  const double size = glm::length(bounds.size());
+  const SizeLimits limits{options.coarsest * size, options.finest * size, options.grading, options.contrast};
+  CutLines lines = laid_out_lines(std::move(mesh), planes, segments, bounds, limits, options.threads);
+  const SegmentLists of_blade = by_blade(planes, segments);
+  const std::vector<std::size_t> order = largest_first(of_blade);
 
-  /// Points that constraints made have no number yet: they get theirs in the order of the constraints.
-  void number_new_vertices() {
-    for (const Kept& kept : constraint) {
-      if (!kept.id.vl_ptr()) continue;
-      for (auto v = mesh.vertices_in_constraint_begin(kept.id); v != mesh.vertices_in_constraint_end(kept.id); ++v) {
-        if ((*v)->info().value >= 0) continue;
-        (*v)->info().value = static_cast<std::int64_t>(vertex.size());
-        vertex.push_back(*v);
-      }
+  // A crossing on a line is news to the other planes there: then all start again. Once is nearly always enough.
+  for (int number = 1;; ++number) {
+    Builders builders(of_blade.size());
+    parallel_for(builders.size(), options.threads, [&](std::size_t i) {
+      const std::size_t blade = order[i];
+      if (of_blade[blade].empty()) return;
+      const int plane = planes.sheets[blade].first;
+      BladeFaceBuilder& builder = builders[blade].emplace(lines.mesh, planes, plane, of_blade[blade], lines.lines);
+      builder.conform(shortest_share * limits.finest);
+      builder.sample(limits, surfaces, bodies);
+      builder.conform(shortest_share * limits.finest);
+      builder.update();
+    });
+    Round round = finished(std::move(builders), lines.mesh);
+    if (!round.unshared.empty() && number < most_rounds) {
+      lines = with_points(std::move(lines), round.unshared);
+      continue;
     }
+    std::sort(round.edge_point.begin(), round.edge_point.end());
+    round.edge_point.erase(std::unique(round.edge_point.begin(), round.edge_point.end()), round.edge_point.end());
+    lines.mesh.same_as = first_twins(lines.mesh.point.size(), round.twins);
+    return {std::move(lines.mesh), std::move(round.faces), std::move(round.edge_point)};
   }
-};
-
-PlaneTriangulation::PlaneTriangulation(std::span<const glm::dvec2> points, std::span<const PlaneConstraint> constraints)
-    : data_(std::make_unique<Data>()) {
-  Face hint;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vertex v = data_->mesh.insert(to_point(points[i]), hint);
-    hint = v->face();
-    if (v->info().value < 0) v->info().value = static_cast<std::int64_t>(i);
-    data_->vertex.push_back(v);
-    data_->stand_in.push_back(static_cast<std::uint32_t>(v->info().value));
-  }
-  for (const PlaneConstraint& c : constraints) {
-    const Vertex a = data_->vertex[c.a], b = data_->vertex[c.b];
-    data_->constraint.push_back(
-        {a == b ? Triangulation::Constraint_id(nullptr) : data_->mesh.insert_constraint(a, b), c.divisible});
-  }
-  data_->number_new_vertices();
-}
-
-PlaneTriangulation::~PlaneTriangulation() = default;
-
-void PlaneTriangulation::insert(std::span<const glm::dvec2> points) {
-  Face hint;
-  for (const glm::dvec2& p : points) {
-    const Vertex v = data_->mesh.insert(to_point(p), hint);
-    hint = v->face();
-    if (v->info().value >= 0) continue;
-    v->info().value = static_cast<std::int64_t>(data_->vertex.size());
-    data_->vertex.push_back(v);
-  }
-}
-
-TriangulatedPlane PlaneTriangulation::state() const {
-  const Triangulation& mesh = data_->mesh;
-  TriangulatedPlane state;
-  state.stand_in = data_->stand_in;
-  for (const Vertex v : data_->vertex) state.point.push_back(to_vec(v->point()));
-  for (const Data::Kept& kept : data_->constraint) {
-    state.chain.emplace_back();
-    if (!kept.id.vl_ptr()) continue;
-    for (auto v = mesh.vertices_in_constraint_begin(kept.id); v != mesh.vertices_in_constraint_end(kept.id); ++v) {
-      state.chain.back().push_back(static_cast<std::uint32_t>((*v)->info().value));
-    }
-  }
-
-  // Order the triangles by their corners, each from its smallest on.
-  struct Row {
-    std::array<std::uint32_t, 3> corner;
-    Face face;
-    int first;
-  };
-  std::vector<Row> rows;
-  for (const Face f : mesh.finite_face_handles()) {
-    const auto corner = [&](int i) { return static_cast<std::uint32_t>(f->vertex(i)->info().value); };
-    int first = 0;
-    for (int i = 1; i < 3; ++i) {
-      if (corner(i) < corner(first)) first = i;
-    }
-    rows.push_back({{corner(first), corner((first + 1) % 3), corner((first + 2) % 3)}, f, first});
-  }
-  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.corner < b.corner; });
-  for (const Face f : mesh.all_face_handles()) f->info().value = TriangulatedPlane::none;
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].face->info().value = static_cast<std::int32_t>(i);
-
-  // CGAL numbers an edge by the corner it does not touch.
-  for (const Row& row : rows) {
-    state.triangle.emplace_back(row.corner[0], row.corner[1], row.corner[2]);
-    std::array<std::int32_t, 3> neighbor{};
-    std::array<std::uint8_t, 3> constrained{};
-    for (int i = 0; i < 3; ++i) {
-      const int opposite = (row.first + i + 2) % 3;
-      neighbor[static_cast<std::size_t>(i)] = row.face->neighbor(opposite)->info().value;
-      constrained[static_cast<std::size_t>(i)] = row.face->is_constrained(opposite) ? 1 : 0;
-    }
-    state.neighbor.push_back(neighbor);
-    state.constrained.push_back(constrained);
-  }
-  return state;
-}
-
-std::vector<std::int32_t> PlaneTriangulation::locate(std::span<const glm::dvec2> points) const {
-  std::vector<std::int32_t> found;
-  Face hint;
-  for (const glm::dvec2& p : points) {
-    hint = data_->mesh.locate(to_point(p), hint);
-    found.push_back(hint == Face() ? TriangulatedPlane::none : hint->info().value);
-  }
-  return found;
-}
-
-namespace {
-
-/// Splits constraints that are no Delaunay edges.
-class Conformer {
- public:
-  Conformer(Triangulation& mesh, double shortest) : mesh_(mesh), shortest_(shortest) {}
-
-  void keep_whole(Vertex a, Vertex b) { whole_.insert(key(a, b)); }
-  void queue(Vertex a, Vertex b) { waiting_.emplace_back(a, b); }
-
-  void run() {
-    while (!waiting_.empty()) {
-      const auto [a, b] = waiting_.back();
-      waiting_.pop_back();
-      Face face;
-      int edge = 0;
-      if (!mesh_.is_edge(a, b, face, edge) || !face->is_constrained(edge) || whole_.contains(key(a, b))) continue;
-      if (needs_split(face, edge)) split(a, b, face, edge);
-    }
-  }
-
- private:
-  static std::pair<std::int64_t, std::int64_t> key(Vertex a, Vertex b) {
-    return std::minmax(a->info().value, b->info().value);
-  }
-
-  /// True if the corners across the edge see each other within one circle.
-  bool needs_split(Face face, int edge) const {
-    const Face other = face->neighbor(edge);
-    const Vertex across = other->vertex(mesh_.mirror_index(face, edge));
-    if (mesh_.is_infinite(face->vertex(edge)) || mesh_.is_infinite(across)) return false;
-    return mesh_.side_of_oriented_circle(face, across->point()) == CGAL::ON_POSITIVE_SIDE;
-  }
-
-  /// The middle; but at a power of two from an end where other constraints may meet, so that constraints at a small
-  /// angle do not split each other for ever (concentric shells: Ruppert 1995).
-  static glm::dvec2 split_point(Vertex a, Vertex b) {
-    glm::dvec2 from = to_vec(a->point()), to = to_vec(b->point());
-    if (a->info().steiner == b->info().steiner) return 0.5 * (from + to);
-    if (a->info().steiner) std::swap(from, to);
-    const double length = glm::distance(from, to);
-    int exponent = 0;
-    const double mantissa = std::frexp(length, &exponent);  // length = mantissa * 2^exponent, 0.5 <= mantissa < 1
-    const double distance = std::ldexp(mantissa < 0.75 ? 0.25 : 0.5, exponent);
-    return from + (to - from) * (distance / length);
-  }
-
-  void split(Vertex a, Vertex b, Face face, int edge) {
-    if (glm::distance(to_vec(a->point()), to_vec(b->point())) < 2 * shortest_) return;
-    const Point middle = to_point(split_point(a, b));
-
-    // Rounding may have put it beyond a very thin neighbour: then leave the edge alone.
-    const Point c = face->vertex(edge)->point(), d = mesh_.mirror_vertex(face, edge)->point();
-    const Point from = face->vertex(Triangulation::ccw(edge))->point(),
-                to = face->vertex(Triangulation::cw(edge))->point();
-    using CGAL::orientation;
-    if (orientation(from, middle, c) != CGAL::LEFT_TURN || orientation(middle, to, c) != CGAL::LEFT_TURN) return;
-    if (orientation(middle, from, d) != CGAL::LEFT_TURN || orientation(to, middle, d) != CGAL::LEFT_TURN) return;
-
-    const Vertex v = mesh_.insert(middle, Triangulation::EDGE, face, edge);
-    v->info().steiner = true;
-    queue(a, v);
-    queue(v, b);
-
-    // All that changed lies around the new vertex.
-    auto around = mesh_.incident_faces(v), first = around;
-    do {
-      const int opposite = around->index(v);
-      if (!mesh_.is_infinite(around) && around->is_constrained(opposite)) {
-        queue(around->vertex(Triangulation::ccw(opposite)), around->vertex(Triangulation::cw(opposite)));
-      }
-    } while (++around != first);
-  }
-
-  Triangulation& mesh_;
-  double shortest_;
-  std::vector<std::pair<Vertex, Vertex>> waiting_;
-  std::set<std::pair<std::int64_t, std::int64_t>> whole_;
-};
-
-}  // namespace
-
-void PlaneTriangulation::conform(double shortest) {
-  Conformer conformer(data_->mesh, shortest);
-  for (const Data::Kept& kept : data_->constraint) {
-    if (!kept.id.vl_ptr()) continue;
-    auto v = data_->mesh.vertices_in_constraint_begin(kept.id);
-    for (Vertex last = *v++; v != data_->mesh.vertices_in_constraint_end(kept.id); last = *v++) {
-      if (kept.divisible)
-        conformer.queue(last, *v);
-      else
-        conformer.keep_whole(last, *v);
-    }
-  }
-  conformer.run();
-  data_->number_new_vertices();
 }
 
 }  // namespace pomona

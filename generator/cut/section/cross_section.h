@@ -28,7 +28,7 @@ struct CutFace {
 };
 
 /// A piece of a cut segment on the section, for ink: its two vertices on one side of it.
-struct CutSegment {
+struct SectionSegment {
   std::array<std::uint32_t, 2> vertex{};
   std::int32_t surface = 0;  ///< index into surface_names
   bool boundary = false;     ///< the rim of the section
@@ -52,7 +52,7 @@ struct CrossSection {
   std::vector<std::array<glm::vec3, 3>> normal;
 
   std::vector<CutFace> faces;  ///< in cut order
-  std::vector<CutSegment> segments;
+  std::vector<SectionSegment> segments;
   std::vector<std::string> part_names;
   std::vector<std::string> surface_names;
 };

@@ -1,12 +1,9 @@
-// Which part of a cutting plane is section, inside which bodies, and between which cells.
+// Which part of a cut face is section, inside which bodies, and between which cells.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
-
-#include "generator/cut/section/face_mesh.h"
-#include "generator/surface/bodies.h"
 
 namespace pomona {
 
@@ -18,40 +15,24 @@ struct BodyWinding {
   bool operator==(const BodyWinding&) const = default;
 };
 
-/// Triangles that hang together across edges that are no constraint lie in the same bodies and cells.
+/// Triangles of a face that hang together across edges that are no constraint are one patch: they lie in the same
+/// bodies and between the same cells.
 struct Regions {
-  struct Patch {
+  /// What a patch closes: the parts that bodies have in two cells, one on either side of it.
+  struct Closing {
+    std::array<std::uint32_t, 2> cell{};  ///< on the face's negative and positive side
     std::vector<BodyWinding> inside;      ///< ascending by body, no zeros
-    std::array<std::uint32_t, 2> cell{};  ///< on the plane's negative and positive side
-    bool section = false;                 ///< inside a body, and between two different cells
-
-    /// On the surface of a closed knife: what else it closes, where rounding has laid layers of no thickness across.
-    struct Closing {
-      std::array<std::uint32_t, 2> cell{};
-      std::vector<BodyWinding> inside;
-    };
-    std::vector<Closing> also;
+  };
+  struct Patch {
+    /// Nearly always one, or none where the patch is no section. More where a closed knife runs along a skin, and
+    /// rounding has laid layers of no thickness across it.
+    std::vector<Closing> closes;
   };
   std::vector<Patch> patch;
   std::vector<std::uint32_t> patch_of;  ///< per triangle
 
-  bool is_section(std::size_t triangle) const { return patch[patch_of[triangle]].section; }
+  const std::vector<Closing>& closed_by(std::size_t triangle) const { return patch[patch_of[triangle]].closes; }
+  bool is_section(std::size_t triangle) const { return !closed_by(triangle).empty(); }
 };
-
-/// Bodies whose boundary does not close on a face, ascending, and the patches of the face, of which these bodies fill
-/// those to which they turn their visible side for the greater part. Nothing of other bodies, and no cells.
-struct OpenBodies {
-  std::vector<std::int32_t> body;
-  Regions regions;
-};
-OpenBodies open_bodies(const FaceMesh& face, const DiffusionSurfaces& surfaces, const Bodies& bodies);
-
-/// The triangles of every patch, ascending.
-std::vector<std::vector<std::uint32_t>> triangles_of_patches(const Regions& regions);
-
-/// A body whose boundary does not close in this plane has no winding: it fills the regions that its boundary parts from
-/// the outside and to which it turns its visible side for the greater part.
-Regions find_regions(const FaceMesh& face, const CutPlanes& planes, const DiffusionSurfaces& surfaces,
-                     const Bodies& bodies);
 
 }  // namespace pomona

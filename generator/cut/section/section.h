@@ -1,4 +1,4 @@
-// The cross-section put together from all triangulated planes (paper, Figure 3c).
+// The cross-section as it grows, face by face (paper, Figure 3c).
 #pragma once
 
 #include <array>
@@ -7,41 +7,33 @@
 #include <span>
 #include <vector>
 
-#include "generator/base/parallel.h"
-#include "generator/cut/plane/face_meshes.h"
-#include "generator/cut/section/regions.h"
+#include "generator/cut/section/cross_section.h"
+#include "generator/cut/section/face_part.h"
+#include "generator/cut/section/split_mesh.h"
+#include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
-
-/// A triangle of the section as pieces see it.
-struct Cap {
-  std::array<std::uint32_t, 3> point{};  ///< of the split mesh, first of those at one place
-  std::array<std::uint32_t, 2> cell{};   ///< on the face's negative and positive side
-  std::vector<BodyWinding> inside;
-};
 
 struct Section {
   CrossSection mesh;
   std::vector<Cap> cap;  ///< per triangle of the mesh
 };
 
-/// Without triangles that rounding to float closes to a line: their neighbours then meet there.
-Section assemble(const FaceMeshes& faces, const std::vector<Regions>& regions, const SplitMesh& mesh,
-                 const DiffusionSurfaces& surfaces, Threads threads = {});
-
-/// With them, for knives that are still to come.
-Section assemble_all(const FaceMeshes& faces, const std::vector<Regions>& regions, const SplitMesh& mesh,
-                     const DiffusionSurfaces& surfaces, Threads threads);
-void leave_out_collapsed(Section& section);
-
-/// Without the triangles that are marked; there may be fewer marks than triangles.
-void leave_out(Section& section, std::span<const std::uint8_t> gone);
+/// Of a fruit that nobody has cut yet.
+Section empty_section(const DiffusionSurfaces& surfaces);
 
 /// Per point of the split mesh, the section's vertex to be diffused there that all its faces share.
 using SharedVertices = std::map<std::uint32_t, std::uint32_t>;
 
-/// Adds one more face, which takes vertices to be diffused from `shared` where there are any.
-void add_face(Section& section, const FaceMesh& face, const Regions& regions, const SplitMesh& mesh,
-              const DiffusionSurfaces& surfaces, const SharedVertices& shared);
+/// With the parts of more faces, one after another, which take vertices to be diffused from `shared` where there are
+/// any.
+Section with_parts(Section section, std::vector<FacePart> parts, const SplitMesh& mesh, SharedVertices shared);
+
+/// Without the triangles that are marked; there may be fewer marks than triangles.
+Section without(Section section, std::span<const std::uint8_t> gone);
+
+/// Without triangles that rounding to float closes to a line: their neighbours then meet there. Knives that are still
+/// to come need them.
+Section without_collapsed(Section section);
 
 }  // namespace pomona

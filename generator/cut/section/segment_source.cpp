@@ -14,7 +14,7 @@ constexpr double plain_growth = 3;
 
 }  // namespace
 
-SizeSource source_of(const Segment& s, const SplitMesh& mesh, double contrast) {
+SizeSource source_of(const CutSegment& s, const SplitMesh& mesh, double contrast) {
   const Color &front_from = mesh.front_color[s.from_vertex], &front_to = mesh.front_color[s.to_vertex],
               &back_from = mesh.back_color[s.from_vertex], &back_to = mesh.back_color[s.to_vertex];
   const Color change = glm::max(glm::abs(front_to - front_from), glm::abs(back_to - back_from));

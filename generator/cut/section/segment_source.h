@@ -10,6 +10,6 @@ namespace pomona {
 /// What the size field is to know of a segment but for its place; `size` counts in edges' lengths. Colours that change
 /// by a quarter of `contrast` or more from edge to edge want edges as long as their own next to them, others longer
 /// ones.
-SizeSource source_of(const Segment& segment, const SplitMesh& mesh, double contrast);
+SizeSource source_of(const CutSegment& segment, const SplitMesh& mesh, double contrast);
 
 }  // namespace pomona

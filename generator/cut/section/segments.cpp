@@ -5,7 +5,7 @@
 
 namespace pomona {
 
-std::vector<Segment> without_mere_touches(std::vector<Segment> segments, const DiffusionSurfaces& surfaces) {
+std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, const DiffusionSurfaces& surfaces) {
   struct Entry {
     std::uint32_t low, high;
     std::int32_t surface;
@@ -15,7 +15,7 @@ std::vector<Segment> without_mere_touches(std::vector<Segment> segments, const D
   };
   std::vector<Entry> entries;
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    const Segment& s = segments[i];
+    const CutSegment& s = segments[i];
     entries.push_back({std::min(s.from, s.to), std::max(s.from, s.to), surfaces.surface[s.source],
                        surfaces.is_boundary(s.source), s.from < s.to, i});
   }
@@ -34,15 +34,16 @@ std::vector<Segment> without_mere_touches(std::vector<Segment> segments, const D
     for (std::size_t k = 0; k < pairs; ++k) keep[entries[i + k].index] = keep[entries[forward + k].index] = 0;
     i = end;
   }
-  std::vector<Segment> kept;
+  std::vector<CutSegment> kept;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (keep[i]) kept.push_back(segments[i]);
   }
   return kept;
 }
 
-std::vector<std::vector<Segment>> cut_segments(const SplitMesh& mesh, const DiffusionSurfaces& surfaces, int planes) {
-  std::vector<std::vector<Segment>> segments(static_cast<std::size_t>(planes));
+std::vector<std::vector<CutSegment>> cut_segments(const SplitMesh& mesh, const DiffusionSurfaces& surfaces,
+                                                  int planes) {
+  std::vector<std::vector<CutSegment>> segments(static_cast<std::size_t>(planes));
   for (const SplitMesh::Triangle& t : mesh.triangle) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (t.cut_by[i] == 0) continue;
@@ -53,7 +54,7 @@ std::vector<std::vector<Segment>> cut_segments(const SplitMesh& mesh, const Diff
       }
     }
   }
-  for (std::vector<Segment>& s : segments) s = without_mere_touches(std::move(s), surfaces);
+  for (std::vector<CutSegment>& s : segments) s = without_mere_touches(std::move(s), surfaces);
   return segments;
 }
 

@@ -1,4 +1,4 @@
-#include "generator/cut/section/clipped_skin.h"
+#include "generator/cut/plane/clipped_surfaces.h"
 
 #include <algorithm>
 #include <map>
@@ -12,26 +12,27 @@ namespace pomona {
 
 namespace {
 
-class SkinClipper {
+/// Splits triangle after triangle.
+class SurfaceClipper {
  public:
-  SkinClipper(SplitMesh& mesh, const FaceMeshes& faces, const DiffusionSurfaces& surfaces)
-      : mesh_(mesh), faces_(faces), surfaces_(surfaces) {}
+  SurfaceClipper(SplitMesh mesh, const std::vector<EdgePoint>& edge_points, const DiffusionSurfaces& surfaces)
+      : mesh_(std::move(mesh)), edge_points_(edge_points), surfaces_(surfaces) {}
 
-  std::vector<SkinTriangle> clip(bool inner_too) {
+  ClippedSurfaces clip(bool inner_too) {
     for (const SplitMesh::Triangle& t : mesh_.triangle) {
       const bool is_boundary = surfaces_.is_boundary(t.source);
       if (!is_boundary && !inner_too) continue;
-      SkinTriangle whole{t.vertex, t.source, t.cell};
+      SurfaceTriangle whole{t.vertex, t.source, t.cell};
       if (is_boundary && surfaces_.is_hidden(t.source, SideOf::back)) std::swap(whole.vertex[1], whole.vertex[2]);
       add(whole);
     }
-    for (std::uint32_t& point : mesh_.point_of) point = faces_.same_as[point];
-    return std::move(skin_);
+    for (std::uint32_t& point : mesh_.point_of) point = mesh_.same_as[point];
+    return {std::move(mesh_), std::move(clipped_)};
   }
 
  private:
   /// Fans the points of one edge out from the corner across; what that leaves on other edges, next.
-  void add(const SkinTriangle& t) {
+  void add(const SurfaceTriangle& t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = t.vertex[i], b = t.vertex[(i + 1) % 3], c = t.vertex[(i + 2) % 3];
       const std::vector<std::uint32_t> between = vertices_between(a, b);
@@ -44,7 +45,7 @@ class SkinClipper {
       add({{last, b, c}, t.source, t.cell});
       return;
     }
-    skin_.push_back(t);
+    clipped_.push_back(t);
   }
 
   /// The vertices on the edge from a to b, in that order. Only edges of the split mesh have any.
@@ -57,8 +58,8 @@ class SkinClipper {
     }
     std::vector<std::uint32_t> vertices;
     if (mesh_.planes_of[p] == 0 || mesh_.planes_of[q] == 0) return vertices;
-    const auto first = std::lower_bound(faces_.edge_point.begin(), faces_.edge_point.end(), EdgePoint{p, q, 0, 0});
-    for (auto e = first; e != faces_.edge_point.end() && e->low == p && e->high == q; ++e) {
+    const auto first = std::lower_bound(edge_points_.begin(), edge_points_.end(), EdgePoint{p, q, 0, 0});
+    for (auto e = first; e != edge_points_.end() && e->low == p && e->high == q; ++e) {
       vertices.push_back(vertex_at(a, b, *e));
     }
     return vertices;
@@ -68,31 +69,25 @@ class SkinClipper {
     const auto [entry, is_new] = made_.try_emplace({a, b, e.point}, static_cast<std::uint32_t>(mesh_.point_of.size()));
     if (!is_new) return entry->second;
     const auto share = static_cast<float>(e.share);
-    mesh_.point_of.push_back(e.point);
-    mesh_.front_color.push_back(glm::mix(mesh_.front_color[a], mesh_.front_color[b], share));
-    mesh_.back_color.push_back(glm::mix(mesh_.back_color[a], mesh_.back_color[b], share));
     const glm::vec3 normal = glm::mix(mesh_.normal[a], mesh_.normal[b], share);
     const float size = glm::length(normal);
-    mesh_.normal.push_back(size > 0 ? normal / size : normal);
-    return entry->second;
+    return mesh_.add_vertex(e.point, glm::mix(mesh_.front_color[a], mesh_.front_color[b], share),
+                            glm::mix(mesh_.back_color[a], mesh_.back_color[b], share),
+                            size > 0 ? normal / size : normal);
   }
 
-  SplitMesh& mesh_;
-  const FaceMeshes& faces_;
+  SplitMesh mesh_;
+  const std::vector<EdgePoint>& edge_points_;  // sorted
   const DiffusionSurfaces& surfaces_;
-  std::vector<SkinTriangle> skin_;
+  std::vector<SurfaceTriangle> clipped_;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> made_;
 };
 
 }  // namespace
 
-std::vector<SkinTriangle> clipped_skin(SplitMesh& mesh, const FaceMeshes& faces, const DiffusionSurfaces& surfaces) {
-  return SkinClipper(mesh, faces, surfaces).clip(false);
-}
-
-std::vector<SkinTriangle> clipped_surfaces(SplitMesh& mesh, const FaceMeshes& faces,
-                                           const DiffusionSurfaces& surfaces) {
-  return SkinClipper(mesh, faces, surfaces).clip(true);
+ClippedSurfaces clipped_surfaces(SplitMesh mesh, const std::vector<EdgePoint>& edge_points,
+                                 const DiffusionSurfaces& surfaces, const ClipOptions& options) {
+  return SurfaceClipper(std::move(mesh), edge_points, surfaces).clip(options.inner_too);
 }
 
 }  // namespace pomona

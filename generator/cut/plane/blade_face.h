@@ -1,4 +1,4 @@
-// One cutting sheet triangulated step by step.
+// The face that one blade cuts, triangulated step by step (paper, section 3.2, Figure 3b).
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,38 @@
 #include <glm/vec2.hpp>
 
 #include "generator/cut/plane/cut_lines.h"
-#include "generator/cut/plane/face_meshes.h"
+#include "generator/cut/plane/edge_point.h"
+#include "generator/cut/plane/plane_triangulation.h"
+#include "generator/cut/plane/unrolled_blade.h"
+#include "generator/cut/section/face.h"
 #include "generator/cut/section/size_field.h"
+#include "generator/surface/bodies.h"
 
 namespace pomona {
 
 /// Two points of the split mesh at one place.
 using Twins = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Points on lines that not all planes there know of.
-using Unshared = std::map<const CutLine*, std::vector<std::uint32_t>>;
+/// What one blade adds: its face, and what that makes of the split mesh.
+struct BladeFace {
+  /// A point that the triangulation made.
+  struct NewPoint {
+    glm::dvec3 place{0};
+    int plane = 0;  ///< it lies on
+  };
+  Face face;
+  std::vector<NewPoint> point;  ///< numbered from the end of the split mesh's
+  std::vector<EdgePoint> edge_point;
+  std::vector<Twins> twins;
+  Unshared unshared;
+};
 
-/// Triangulates one plane step by step: conform, sample, conform, update, finish.
-class FaceBuilder {
+/// Step by step: conform, sample, conform, update, finish.
+class BladeFaceBuilder {
  public:
-  FaceBuilder(const SplitMesh& mesh, const CutPlanes& planes, int plane, std::vector<Segment> segments,
-              const std::vector<CutLine>& lines);
+  /// \param plane the blade's, of a stroke the first facet's. \param segments of all its planes.
+  BladeFaceBuilder(const SplitMesh& mesh, const CutPlanes& planes, int plane, std::vector<CutSegment> segments,
+                   const std::vector<CutLine>& lines);
 
   void conform(double shortest) { triangulation_->conform(shortest); }
 
@@ -38,8 +54,8 @@ class FaceBuilder {
   /// Takes over the triangulation's present state.
   void update();
 
-  /// Makes new points of the triangulation points of `mesh`, the one that was built from.
-  FaceMesh finish(SplitMesh& mesh, FaceMeshes& all, std::vector<Twins>& twins, Unshared& unshared);
+  /// Nothing can be asked of the builder afterwards.
+  BladeFace finish() &&;
 
  private:
   /// An edge of the split mesh as constraints of the triangulation: one, or several where it runs along a line in which
@@ -51,7 +67,7 @@ class FaceBuilder {
 
   std::uint32_t vertex(std::uint32_t point);
 
-  /// The first facet of the sheet that the point lies on.
+  /// The first facet of the blade that the point lies on.
   int facet_of(std::uint32_t point) const;
 
   /// Points too near to each other for what CGAL computes of them become one.
@@ -59,7 +75,7 @@ class FaceBuilder {
 
   std::uint32_t constraint_between(std::uint32_t p, std::uint32_t q, bool divisible);
 
-  void take_line(const CutLine& line);
+  void take_line(std::size_t number);
 
   void take_segments();
 
@@ -87,25 +103,33 @@ class FaceBuilder {
   /// The end of a constraint that the vertex cannot be told from; or none.
   std::optional<std::uint32_t> near_end(std::uint32_t vertex_number, std::uint32_t constraint) const;
 
-  const glm::dvec2& uv(std::uint32_t v) const { return face_.mesh.point[v]; }
+  const glm::dvec2& uv(std::uint32_t v) const { return flat_.point[v]; }
+
+  void number_new_points();
+
+  /// Which facet each triangle lies on, and its normals.
+  void find_facets();
 
   /// Pairs of points that are one place: at equal coordinates, or next to a point of a line.
-  void list_twins(std::vector<Twins>& twins) const;
+  std::vector<Twins> twins() const;
 
   /// Points that crossing surfaces have put on lines after these were laid out. The other planes must have them too.
-  void list_unshared(Unshared& unshared) const;
+  Unshared unshared() const;
 
-  void list_edge_points(const MeshEdge& edge, std::vector<EdgePoint>& edge_points) const;
+  void list_edge_points(const MeshEdge& edge);
 
   const SplitMesh& mesh_;
   const CutPlanes& planes_;
-  FaceMesh face_;
+  UnrolledBlade blade_;
+  TriangulatedPlane flat_;  // the face in two dimensions; its triangles are the face's
+  BladeFace made_;
   double grid_ = 0;  // a power of two, less than the tolerance
-  std::vector<const CutLine*> lines_;
+  const std::vector<CutLine>& all_lines_;
+  std::vector<std::size_t> lines_;  // of the blade
   std::vector<glm::dvec2> uv_;
   std::vector<PlaneConstraint> constraint_;
-  std::vector<std::uint8_t> leads_outside_;                            // per constraint: the end of a line
-  std::vector<std::pair<const CutLine*, std::uint32_t>> line_pieces_;  // with their constraints
+  std::vector<std::uint8_t> leads_outside_;                         // per constraint: the end of a line
+  std::vector<std::pair<std::size_t, std::uint32_t>> line_pieces_;  // lines, and constraints that are part of them
   std::vector<MeshEdge> edge_;
   std::vector<std::uint32_t> edge_of_segment_;
   std::map<std::uint32_t, std::uint32_t> vertex_of_;

@@ -1,40 +1,39 @@
-#include "generator/cut/plane/face_builder.h"
+#include "generator/cut/plane/blade_face.h"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/cut/section/regions.h"
+#include "generator/cut/plane/plane_regions.h"
 #include "generator/cut/section/segment_source.h"
 
 namespace pomona {
 
-FaceBuilder::FaceBuilder(const SplitMesh& mesh, const CutPlanes& planes, int plane, std::vector<Segment> segments,
-                         const std::vector<CutLine>& lines)
-    : mesh_(mesh), planes_(planes) {
-  face_.plane = plane;
-  face_.sheet = Unrolled(planes, planes[plane].sheet);
+BladeFaceBuilder::BladeFaceBuilder(const SplitMesh& mesh, const CutPlanes& planes, int plane,
+                                   std::vector<CutSegment> segments, const std::vector<CutLine>& lines)
+    : mesh_(mesh), planes_(planes), all_lines_(lines) {
+  made_.face.plane = plane;
+  blade_ = UnrolledBlade(planes, planes[plane].sheet);
   int exponent = 0;
   std::frexp(planes.tolerance, &exponent);
   grid_ = std::ldexp(1.0, exponent - 6);
-  face_.segment = std::move(segments);
-  for (const CutLine& line : lines) {
-    const bool here = std::any_of(line.planes.begin(), line.planes.end(),
+  made_.face.segment = std::move(segments);
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    const bool here = std::any_of(lines[l].planes.begin(), lines[l].planes.end(),
                                   [&](int k) { return planes[k].sheet == planes[plane].sheet; });
-    if (here) take_line(line);
+    if (here) take_line(l);
   }
   take_segments();
   surround();
   triangulation_ = std::make_unique<PlaneTriangulation>(uv_, constraint_);
 }
 
-void FaceBuilder::sample(const SizeLimits& limits, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
+void BladeFaceBuilder::sample(const SizeLimits& limits, const DiffusionSurfaces& surfaces, const Bodies& bodies) {
   update();
   const std::vector<glm::dvec2> candidates = SizeField(sources(limits.contrast), limits).samples();
-  const Regions regions = find_regions(face_, planes_, surfaces, bodies);
+  const Regions regions = plane_regions(made_.face, planes_, surfaces, bodies);
   const std::vector<std::int32_t> triangle = triangulation_->locate(candidates);
   std::vector<glm::dvec2> chosen;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -45,40 +44,61 @@ void FaceBuilder::sample(const SizeLimits& limits, const DiffusionSurfaces& surf
   triangulation_->insert(chosen);
 }
 
-void FaceBuilder::update() {
-  face_.mesh = triangulation_->state();
-  face_.edges.clear();
-  for (std::uint32_t s = 0; s < face_.segment.size(); ++s) list_uses(s);
-  std::sort(face_.edges.begin(), face_.edges.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.low, a.high, a.segment) < std::tie(b.low, b.high, b.segment);
-  });
+void BladeFaceBuilder::update() {
+  flat_ = triangulation_->state();
+  Face& face = made_.face;
+  face.triangle = flat_.triangle;
+  face.neighbor = flat_.neighbor;
+  face.constrained = flat_.constrained;
+  face.place.clear();
+  for (const glm::dvec2& p : flat_.point) face.place.push_back(blade_.from_face(p));
+  face.edges.clear();
+  for (std::uint32_t s = 0; s < face.segment.size(); ++s) list_uses(s);
+  face.sort_edges();
 }
 
-FaceMesh FaceBuilder::finish(SplitMesh& mesh, FaceMeshes& all, std::vector<Twins>& twins, Unshared& unshared) {
-  for (std::size_t v = face_.point.size(); v < face_.mesh.point.size(); ++v) {
-    const glm::dvec2& place = face_.mesh.point[v];
-    const std::uint32_t set = mesh.sets.with(0, face_.plane + face_.sheet.facet_at(place.x));
-    face_.point.push_back(static_cast<std::uint32_t>(mesh.point.size()));
-    mesh.point.push_back(settled(face_.sheet.from_face(place), mesh.sets.planes_in(set), planes_));
-    mesh.planes_of.push_back(set);
+BladeFace BladeFaceBuilder::finish() && {
+  number_new_points();
+  find_facets();
+  for (const MeshEdge& edge : edge_) list_edge_points(edge);
+  made_.twins = twins();
+  made_.unshared = unshared();
+  return std::move(made_);
+}
+
+void BladeFaceBuilder::number_new_points() {
+  for (std::size_t v = made_.face.point.size(); v < flat_.point.size(); ++v) {
+    const int plane = made_.face.plane + blade_.facet_at(flat_.point[v].x);
+    made_.face.point.push_back(static_cast<std::uint32_t>(mesh_.point.size() + made_.point.size()));
+    made_.point.push_back({settled(made_.face.place[v], {plane}, planes_), plane});
   }
-  for (const MeshEdge& edge : edge_) list_edge_points(edge, all.edge_point);
-  list_twins(twins);
-  list_unshared(unshared);
-  return std::move(face_);
 }
 
-std::uint32_t FaceBuilder::vertex(std::uint32_t point) {
+/// No triangle reaches over a crease.
+void BladeFaceBuilder::find_facets() {
+  Face& face = made_.face;
+  for (std::size_t i = 0; i < blade_.facets(); ++i) face.frame.push_back(blade_.frame(static_cast<int>(i)));
+  for (const glm::uvec3& t : face.triangle) {
+    double u = 0;
+    for (int i = 0; i < 3; ++i) u += uv(t[i]).x / 3;
+    const auto facet = static_cast<std::size_t>(blade_.facet_at(u));
+    face.facet.push_back(static_cast<std::uint32_t>(facet));
+    face.normal.push_back(
+        {blade_.normal_at(facet, uv(t.x)), blade_.normal_at(facet, uv(t.y)), blade_.normal_at(facet, uv(t.z))});
+  }
+}
+
+std::uint32_t BladeFaceBuilder::vertex(std::uint32_t point) {
   const auto [entry, is_new] = vertex_of_.try_emplace(point, static_cast<std::uint32_t>(uv_.size()));
   if (is_new) {
-    uv_.push_back(snapped(face_.sheet.to_face(facet_of(point), mesh_.point[point])));
-    face_.point.push_back(point);
+    uv_.push_back(snapped(blade_.to_face(facet_of(point), mesh_.point[point])));
+    made_.face.point.push_back(point);
   }
   return entry->second;
 }
 
-int FaceBuilder::facet_of(std::uint32_t point) const {
-  const CutPlanes::Sheet& sheet = planes_.sheet_of(face_.plane);
+int BladeFaceBuilder::facet_of(std::uint32_t point) const {
+  const CutPlanes::Sheet& sheet = planes_.sheet_of(made_.face.plane);
   if (!sheet.stroke) return 0;
   for (const int k : mesh_.sets.planes_in(mesh_.planes_of[point])) {
     const bool here = k >= sheet.first && k < sheet.first + sheet.count;
@@ -87,7 +107,7 @@ int FaceBuilder::facet_of(std::uint32_t point) const {
   return sheet.stroke->nearest(glm::dvec2(mesh_.point[point])).facet;
 }
 
-std::uint32_t FaceBuilder::constraint_between(std::uint32_t p, std::uint32_t q, bool divisible) {
+std::uint32_t BladeFaceBuilder::constraint_between(std::uint32_t p, std::uint32_t q, bool divisible) {
   const auto [entry, is_new] =
       constraint_of_.try_emplace(std::minmax(p, q), static_cast<std::uint32_t>(constraint_.size()));
   if (is_new) {
@@ -97,18 +117,19 @@ std::uint32_t FaceBuilder::constraint_between(std::uint32_t p, std::uint32_t q, 
   return entry->second;
 }
 
-void FaceBuilder::take_line(const CutLine& line) {
+void BladeFaceBuilder::take_line(std::size_t number) {
+  const CutLine& line = all_lines_[number];
   for (std::size_t i = 1; i < line.points.size(); ++i) {
     const std::uint32_t c = constraint_between(line.points[i - 1], line.points[i], false);
     leads_outside_[c] = line.leads_outside(i) ? 1 : 0;
-    if (!line.leads_outside(i)) line_pieces_.emplace_back(&line, c);
+    if (!line.leads_outside(i)) line_pieces_.emplace_back(number, c);
   }
-  lines_.push_back(&line);
+  lines_.push_back(number);
 }
 
-void FaceBuilder::take_segments() {
+void BladeFaceBuilder::take_segments() {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edge_of;
-  for (const Segment& s : face_.segment) {
+  for (const CutSegment& s : made_.face.segment) {
     const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(s.from, s.to);
     const auto [entry, is_new] = edge_of.try_emplace(ends, static_cast<std::uint32_t>(edge_.size()));
     if (is_new) take_edge(ends.first, ends.second);
@@ -116,7 +137,7 @@ void FaceBuilder::take_segments() {
   }
 }
 
-void FaceBuilder::take_edge(std::uint32_t low, std::uint32_t high) {
+void BladeFaceBuilder::take_edge(std::uint32_t low, std::uint32_t high) {
   MeshEdge edge{low, high, {}};
   const CutLine* line = line_with(low, high);
   std::uint32_t last = low;
@@ -130,18 +151,19 @@ void FaceBuilder::take_edge(std::uint32_t low, std::uint32_t high) {
   edge_.push_back(std::move(edge));
 }
 
-const CutLine* FaceBuilder::line_with(std::uint32_t p, std::uint32_t q) {
+const CutLine* BladeFaceBuilder::line_with(std::uint32_t p, std::uint32_t q) {
   const auto lies_on = [&](std::uint32_t point, const CutLine& line) {
     const std::uint32_t set = mesh_.planes_of[point];
     return mesh_.sets.has(set, line.planes[0]) && mesh_.sets.has(set, line.planes[1]);
   };
-  for (const CutLine* line : lines_) {
-    if (lies_on(p, *line) && lies_on(q, *line)) return line;
+  for (const std::size_t number : lines_) {
+    const CutLine& line = all_lines_[number];
+    if (lies_on(p, line) && lies_on(q, line)) return &line;
   }
   return nullptr;
 }
 
-void FaceBuilder::surround() {
+void BladeFaceBuilder::surround() {
   glm::dvec2 low(0), high(0);
   for (std::size_t i = 0; i < uv_.size(); ++i) {
     low = i == 0 ? uv_[i] : glm::min(low, uv_[i]);
@@ -154,14 +176,14 @@ void FaceBuilder::surround() {
   }
 }
 
-std::vector<SizeSource> FaceBuilder::sources(double contrast) const {
+std::vector<SizeSource> BladeFaceBuilder::sources(double contrast) const {
   std::vector<SizeSource> sources;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-  std::vector<double> length_at(face_.mesh.point.size(), 0);
-  std::vector<int> count_at(face_.mesh.point.size(), 0);
+  std::vector<double> length_at(flat_.point.size(), 0);
+  std::vector<int> count_at(flat_.point.size(), 0);
   for (std::size_t c = 0; c < constraint_.size(); ++c) {
     if (leads_outside_[c]) continue;
-    const std::vector<std::uint32_t>& chain = face_.mesh.chain[c];
+    const std::vector<std::uint32_t>& chain = flat_.chain[c];
     for (std::size_t i = 1; i < chain.size(); ++i) {
       sources.push_back(source_along(chain[i - 1], chain[i], contrast));
       ends.emplace_back(chain[i - 1], chain[i]);
@@ -185,25 +207,25 @@ std::vector<SizeSource> FaceBuilder::sources(double contrast) const {
   return sources;
 }
 
-SizeSource FaceBuilder::source_along(std::uint32_t from, std::uint32_t to, double contrast) const {
+SizeSource BladeFaceBuilder::source_along(std::uint32_t from, std::uint32_t to, double contrast) const {
   SizeSource source;
-  const std::span<const EdgeUse> uses = face_.uses(from, to);
+  const std::span<const EdgeUse> uses = made_.face.uses(from, to);
   if (uses.empty()) {
     source.size = 1;
     source.has_color = false;
   } else {
-    source = source_of(face_.segment[uses.front().segment], mesh_, contrast);
+    source = source_of(made_.face.segment[uses.front().segment], mesh_, contrast);
     if (uses.front().forward != (from < to)) std::swap(source.left, source.right);
   }
-  source.a = face_.mesh.point[from];
-  source.b = face_.mesh.point[to];
+  source.a = flat_.point[from];
+  source.b = flat_.point[to];
   return source;
 }
 
-std::vector<std::uint32_t> FaceBuilder::chain_of(const MeshEdge& edge) const {
-  std::vector<std::uint32_t> all{face_.mesh.stand_in[vertex_of_.at(edge.low)]};
+std::vector<std::uint32_t> BladeFaceBuilder::chain_of(const MeshEdge& edge) const {
+  std::vector<std::uint32_t> all{flat_.stand_in[vertex_of_.at(edge.low)]};
   for (const std::uint32_t c : edge.constraint) {
-    std::vector<std::uint32_t> chain = face_.mesh.chain[c];
+    std::vector<std::uint32_t> chain = flat_.chain[c];
     if (chain.empty()) continue;
     if (chain.front() != all.back()) std::reverse(chain.begin(), chain.end());
     all.insert(all.end(), chain.begin() + 1, chain.end());
@@ -211,55 +233,63 @@ std::vector<std::uint32_t> FaceBuilder::chain_of(const MeshEdge& edge) const {
   return all;
 }
 
-void FaceBuilder::list_uses(std::uint32_t segment) {
-  const bool forward = face_.segment[segment].from < face_.segment[segment].to;
+void BladeFaceBuilder::list_uses(std::uint32_t segment) {
+  const bool forward = made_.face.segment[segment].from < made_.face.segment[segment].to;
   const std::vector<std::uint32_t> chain = chain_of(edge_[edge_of_segment_[segment]]);
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const std::uint32_t p = chain[i - 1], q = chain[i];
-    face_.edges.push_back({std::min(p, q), std::max(p, q), segment, forward == (p < q)});
+    made_.face.edges.push_back({std::min(p, q), std::max(p, q), segment, forward == (p < q)});
   }
 }
 
-std::span<const std::uint32_t> FaceBuilder::inner(const std::vector<std::uint32_t>& chain) {
+std::span<const std::uint32_t> BladeFaceBuilder::inner(const std::vector<std::uint32_t>& chain) {
   return chain.size() < 3 ? std::span<const std::uint32_t>() : std::span(chain).subspan(1, chain.size() - 2);
 }
 
-std::optional<std::uint32_t> FaceBuilder::near_end(std::uint32_t vertex_number, std::uint32_t constraint) const {
+std::optional<std::uint32_t> BladeFaceBuilder::near_end(std::uint32_t vertex_number, std::uint32_t constraint) const {
   for (const std::uint32_t end : {constraint_[constraint].a, constraint_[constraint].b}) {
     if (glm::distance(uv(vertex_number), uv(end)) <= planes_.tolerance) return end;
   }
   return std::nullopt;
 }
 
-void FaceBuilder::list_twins(std::vector<Twins>& twins) const {
-  for (std::size_t v = 0; v < face_.mesh.stand_in.size(); ++v) {
-    if (face_.mesh.stand_in[v] != v) twins.emplace_back(face_.point[face_.mesh.stand_in[v]], face_.point[v]);
+std::vector<Twins> BladeFaceBuilder::twins() const {
+  std::vector<Twins> found;
+  const std::vector<std::uint32_t>& point = made_.face.point;
+  for (std::size_t v = 0; v < flat_.stand_in.size(); ++v) {
+    if (flat_.stand_in[v] != v) found.emplace_back(point[flat_.stand_in[v]], point[v]);
   }
   for (const auto& [line, c] : line_pieces_) {
-    for (const std::uint32_t v : inner(face_.mesh.chain[c])) {
-      if (const auto end = near_end(v, c)) twins.emplace_back(face_.point[*end], face_.point[v]);
+    for (const std::uint32_t v : inner(flat_.chain[c])) {
+      if (const auto end = near_end(v, c)) found.emplace_back(point[*end], point[v]);
     }
   }
+  return found;
 }
 
-void FaceBuilder::list_unshared(Unshared& unshared) const {
+Unshared BladeFaceBuilder::unshared() const {
+  Unshared found;
   for (const auto& [line, c] : line_pieces_) {
-    for (const std::uint32_t v : inner(face_.mesh.chain[c])) {
-      if (!near_end(v, c)) unshared[line].push_back(face_.point[v]);
+    for (const std::uint32_t v : inner(flat_.chain[c])) {
+      if (!near_end(v, c)) found[line].push_back(made_.face.point[v]);
     }
   }
+  return found;
 }
 
-void FaceBuilder::list_edge_points(const MeshEdge& edge, std::vector<EdgePoint>& edge_points) const {
+void BladeFaceBuilder::list_edge_points(const MeshEdge& edge) {
+  const auto place_of = [&](std::uint32_t p) {
+    return p < mesh_.point.size() ? mesh_.point[p] : made_.point[p - mesh_.point.size()].place;
+  };
   const std::vector<std::uint32_t> chain = chain_of(edge);
   const glm::dvec3& start = mesh_.point[edge.low];
   const double length = glm::distance(start, mesh_.point[edge.high]);
   double share = 0;
   for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
-    const std::uint32_t point = face_.point[chain[i]];
-    const double measured = glm::distance(start, mesh_.point[point]) / length;
+    const std::uint32_t point = made_.face.point[chain[i]];
+    const double measured = glm::distance(start, place_of(point)) / length;
     share = std::max(measured, std::nextafter(share, 2.0));  // the order along the chain, whatever rounding says
-    edge_points.push_back({edge.low, edge.high, share, point});
+    made_.edge_point.push_back({edge.low, edge.high, share, point});
   }
 }
 

@@ -1,12 +1,13 @@
-#include "generator/cut/section/split_mesh.h"
+#include "generator/cut/plane/split.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 #include <unordered_map>
 
 #include <glm/geometric.hpp>
 
+#include "generator/cut/plane/stroke_sides.h"
 #include "generator/knife/exact_side.h"
 #include "generator/mesh/welded_edges.h"
 
@@ -55,6 +56,8 @@ class Splitter {
     mesh_.point.reserve(surfaces_.vertex_count() * 5 / 4);
     for (const glm::vec3& p : surfaces_.position) mesh_.point.emplace_back(p);
     mesh_.planes_of.resize(mesh_.point.size(), 0);
+    mesh_.same_as.resize(mesh_.point.size());
+    std::iota(mesh_.same_as.begin(), mesh_.same_as.end(), 0u);
     input_points_ = mesh_.point.size();
     find_points_on_planes();
 
@@ -100,11 +103,9 @@ class Splitter {
   }
 
   glm::dvec3 area_vector(const Triangle& t) const {
-    const glm::dvec3& a = point_at(t.vertex[0]);
-    return glm::cross(point_at(t.vertex[1]) - a, point_at(t.vertex[2]) - a);
+    const glm::dvec3& a = mesh_.place_of(t.vertex[0]);
+    return glm::cross(mesh_.place_of(t.vertex[1]) - a, mesh_.place_of(t.vertex[2]) - a);
   }
-
-  const glm::dvec3& point_at(std::uint32_t vertex) const { return mesh_.point[mesh_.point_of[vertex]]; }
 
   void take_plane(int plane) {
     plane_ = plane;
@@ -206,110 +207,29 @@ class Splitter {
   /// All edges with both ends on one facet are taken as cut; where both sides are the same they cancel (see
   /// segments.h). So chains close whatever the sides, as long as these change at such edges only.
   void see_sides_of_stroke(const CutPlanes::Sheet& sheet) {
-    near_.clear();
-    for (const glm::dvec3& p : mesh_.point) near_.push_back(sheet.stroke->nearest(glm::dvec2(p)));
-    const std::vector<int> side = sides_to_stroke(sheet);
+    const StrokeSides stroke(mesh_, planes_, sheet, surfaces_);
+    const std::vector<int> side = stroke.of_triangles();
     for (std::size_t index = 0; index < side.size(); ++index) {
       Triangle& t = mesh_.triangle[index];
       bool positive = side[index] > 0;
       if (side[index] == 0) {
-        plane_ = sheet.first + near_[mesh_.point_of[t.vertex[0]]].facet;
+        plane_ = stroke.facet_nearest_to(mesh_.point_of[t.vertex[0]]);
         positive = lies_with_positive_side(t);
       }
       const CutPlanes::Plane& first = planes_[sheet.first];
       t.sides = planes_.knives[static_cast<std::size_t>(first.knife)].seen(t.sides, first.in_knife, positive);
-      if (!positive) cut_along_stroke(sheet, t);
+      if (!positive) cut_along_stroke(stroke, t);
     }
   }
 
-  void cut_along_stroke(const CutPlanes::Sheet& sheet, Triangle& t) {
+  void cut_along_stroke(const StrokeSides& stroke, Triangle& t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t p = mesh_.point_of[t.vertex[i]], q = mesh_.point_of[t.vertex[next[i]]];
-      const int plane = facet_with(sheet, p, q);
+      const int plane = stroke.facet_with(p, q);
       if (plane < 0) continue;
       t.cut_by[i] = mesh_.sets.with(t.cut_by[i], plane);
       for (const std::uint32_t point : {p, q}) mesh_.planes_of[point] = mesh_.sets.with(mesh_.planes_of[point], plane);
     }
-  }
-
-  /// Per triangle: 1, -1, or 0 for those that lie on the stroke. One that lies on it as far as can be told, but has an
-  /// edge along no facet, cuts off a corner of it by less than the tolerance: it goes with its neighbour across that
-  /// edge.
-  std::vector<int> sides_to_stroke(const CutPlanes::Sheet& sheet) const {
-    std::vector<int> side;
-    std::map<std::uint64_t, std::vector<std::size_t>> across;  // triangles at edges along no facet
-    for (const Triangle& t : mesh_.triangle) {
-      const double farthest = farthest_from(*sheet.stroke, t);
-      side.push_back(std::fabs(farthest) <= planes_.tolerance ? 0 : farthest > 0 ? 1 : -1);
-      if (side.back() != 0) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t p = mesh_.point_of[t.vertex[i]], q = mesh_.point_of[t.vertex[next[i]]];
-        if (facet_with(sheet, p, q) < 0) across[edge_key(std::min(p, q), std::max(p, q))];
-      }
-    }
-    if (across.empty()) return side;
-
-    for (std::size_t t = 0; t < side.size(); ++t) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Triangle& triangle = mesh_.triangle[t];
-        const auto [low, high] =
-            std::minmax(mesh_.point_of[triangle.vertex[i]], mesh_.point_of[triangle.vertex[next[i]]]);
-        const auto found = across.find(edge_key(low, high));
-        if (found != across.end()) found->second.push_back(t);
-      }
-    }
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (const auto& [edge, triangles] : across) changed = take_side(triangles, side) || changed;
-    }
-    return side;
-  }
-
-  /// Gives the triangles at one edge that have no side the one that another of their surface has there.
-  bool take_side(const std::vector<std::size_t>& triangles, std::vector<int>& side) const {
-    bool changed = false;
-    for (const std::size_t t : triangles) {
-      for (const std::size_t other : triangles) {
-        const bool same_surface =
-            surfaces_.surface[mesh_.triangle[t].source] == surfaces_.surface[mesh_.triangle[other].source];
-        if (side[t] != 0 || side[other] == 0 || !same_surface) continue;
-        side[t] = side[other];
-        changed = true;
-      }
-    }
-    return changed;
-  }
-
-  /// Of a triangle that the stroke does not cross. One with all corners on the stroke spans a bend of it: then its
-  /// middle and those of its edges are asked.
-  double farthest_from(const Stroke& stroke, const Triangle& t) const {
-    double farthest = 0;
-    const auto see = [&](double distance) {
-      if (std::fabs(distance) > std::fabs(farthest)) farthest = distance;
-    };
-    for (const std::uint32_t v : t.vertex) see(near_[mesh_.point_of[v]].distance);
-    if (std::fabs(farthest) > planes_.tolerance) return farthest;
-    const glm::dvec2 a(point_at(t.vertex[0])), b(point_at(t.vertex[1])), c(point_at(t.vertex[2]));
-    for (const glm::dvec2& p : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
-      see(stroke.nearest(p).distance);
-    }
-    return farthest;
-  }
-
-  /// The first facet that both points lie on; or -1.
-  int facet_with(const CutPlanes::Sheet& sheet, std::uint32_t p, std::uint32_t q) const {
-    if (std::fabs(near_[p].distance) > planes_.tolerance || std::fabs(near_[q].distance) > planes_.tolerance) return -1;
-    const int from = std::max(0, near_[p].facet - 1), to = std::min(sheet.count - 1, near_[p].facet + 1);
-    for (int plane = sheet.first + from; plane <= sheet.first + to; ++plane) {
-      if (is_on_facet(plane, p) && is_on_facet(plane, q)) return plane;
-    }
-    return -1;
-  }
-
-  bool is_on_facet(int plane, std::uint32_t point) const {
-    const glm::dvec3& place = mesh_.point[point];
-    return std::fabs(signed_distance(planes_[plane].plane, place)) <= planes_.tolerance &&
-           planes_.is_in_facet(plane, place);
   }
 
   // ---- What planes and strokes share ----
@@ -379,7 +299,7 @@ class Splitter {
     // The corner, and the four-sided rest in two along its shorter diagonal.
     const std::uint32_t p = vertex_between(a, b), q = vertex_between(a, c);
     replace(index, whole, {a, p, q}, {ab, 0, ca}, side[first]);
-    const glm::dvec3 from_p = point_at(c) - point_at(p), from_q = point_at(b) - point_at(q);
+    const glm::dvec3 from_p = mesh_.place_of(c) - mesh_.place_of(p), from_q = mesh_.place_of(b) - mesh_.place_of(q);
     if (glm::dot(from_p, from_p) <= glm::dot(from_q, from_q)) {
       add(whole, {p, b, c}, {ab, bc, 0}, side[second]);
       add(whole, {p, c, q}, {0, ca, 0}, side[second]);
@@ -415,11 +335,10 @@ class Splitter {
     const std::uint32_t p = mesh_.point_of[a], q = mesh_.point_of[b];
     const double t = distance_[p] / (distance_[p] + distance_[q]);
     const auto share = static_cast<float>(t);
-    mesh_.point_of.push_back(point_between(p, q, t));
-    mesh_.front_color.push_back(glm::mix(mesh_.front_color[a], mesh_.front_color[b], share));
-    mesh_.back_color.push_back(glm::mix(mesh_.back_color[a], mesh_.back_color[b], share));
-    mesh_.normal.push_back(unit(glm::mix(glm::dvec3(mesh_.normal[a]), glm::dvec3(mesh_.normal[b]), t)));
-    return entry->second;
+    const Color front = glm::mix(mesh_.front_color[a], mesh_.front_color[b], share),
+                back = glm::mix(mesh_.back_color[a], mesh_.back_color[b], share);
+    const glm::vec3 to_air = unit(glm::mix(glm::dvec3(mesh_.normal[a]), glm::dvec3(mesh_.normal[b]), t));
+    return mesh_.add_vertex(point_between(p, q, t), front, back, to_air);
   }
 
   std::uint32_t point_between(std::uint32_t p, std::uint32_t q, double t) {
@@ -428,8 +347,7 @@ class Splitter {
 
     // The new point lies on this plane, and on those that both ends lie on.
     const std::uint32_t set = mesh_.sets.with(mesh_.sets.common(mesh_.planes_of[p], mesh_.planes_of[q]), shared_);
-    mesh_.point.push_back(settled(glm::mix(mesh_.point[p], mesh_.point[q], t), mesh_.sets.planes_in(set), planes_));
-    mesh_.planes_of.push_back(set);
+    mesh_.add_point(settled(glm::mix(mesh_.point[p], mesh_.point[q], t), mesh_.sets.planes_in(set), planes_), set);
     distance_.push_back(0);
     side_.push_back(0);
     return entry->second;
@@ -443,8 +361,7 @@ class Splitter {
   int plane_ = 0, shared_ = 0;
   std::size_t input_points_ = 0;
   bool in_stroke_ = false;
-  std::vector<Stroke::Place> near_;  // per point
-  std::vector<double> distance_;     // without sign
+  std::vector<double> distance_;  // without sign
   std::vector<std::int8_t> side_;
   std::unordered_map<std::uint64_t, std::uint32_t> new_points_, new_vertices_;
 };

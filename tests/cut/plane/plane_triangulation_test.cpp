@@ -1,5 +1,5 @@
 // Triangulations that keep segments, whatever these do to each other.
-#include "generator/cut/plane/triangulate.h"
+#include "generator/cut/plane/plane_triangulation.h"
 
 #include <cmath>
 

@@ -1,26 +1,21 @@
-// Cutting sheets in two dimensions.
+// Blades in two dimensions.
 #pragma once
 
 #include <vector>
 
 #include <glm/vec2.hpp>
 
-#include "generator/cut/section/cross_section.h"
+#include "generator/cut/section/face_frame.h"
 #include "generator/knife/cut_planes.h"
 
 namespace pomona {
 
-/// u and v upright where the plane is; for level planes u = +X, v = -Z.
-CutFace frame_of(const CuttingPlane& plane);
-glm::dvec2 to_face(const CutFace& face, const glm::dvec3& point);
-glm::dvec3 from_face(const CutFace& face, const glm::dvec2& point);
-
 /// A cutting sheet in two dimensions: a plane as it is, or the facets of a stroke side by side, u along the stroke and
 /// v = +Z.
-class Unrolled {
+class UnrolledBlade {
  public:
-  Unrolled() = default;
-  Unrolled(const CutPlanes& planes, int sheet);
+  UnrolledBlade() = default;
+  UnrolledBlade(const CutPlanes& planes, int sheet);
 
   std::size_t facets() const { return frames_.size(); }
   int facet_at(double u) const;

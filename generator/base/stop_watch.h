@@ -1,0 +1,19 @@
+// Time by the clock.
+#pragma once
+
+#include <chrono>
+
+namespace pomona {
+
+/// Runs from when it is made.
+class StopWatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace pomona

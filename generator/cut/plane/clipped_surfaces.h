@@ -1,0 +1,27 @@
+// The triangles of a split mesh, split once more where cut faces put points on their edges, so that surfaces and cut
+// faces meet vertex to vertex.
+#pragma once
+
+#include <vector>
+
+#include "generator/cut/plane/edge_point.h"
+#include "generator/cut/section/cut_fruit.h"
+#include "generator/cut/section/split_mesh.h"
+#include "generator/surface/diffusion_surfaces.h"
+
+namespace pomona {
+
+struct ClipOptions {
+  bool inner_too = false;  ///< all surfaces, for knives that are still to come; else the boundary alone
+};
+
+struct ClippedSurfaces {
+  SplitMesh mesh;  ///< with new vertices on edges; all name the points that stand for their places
+  std::vector<SurfaceTriangle> surface;
+};
+
+/// `edge_points` are sorted, each once.
+ClippedSurfaces clipped_surfaces(SplitMesh mesh, const std::vector<EdgePoint>& edge_points,
+                                 const DiffusionSurfaces& surfaces, const ClipOptions& options);
+
+}  // namespace pomona

@@ -1,0 +1,111 @@
+#include "generator/cut/plane/stroke_sides.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pomona {
+
+namespace {
+
+/// The corner after corner i.
+constexpr std::array<std::size_t, 3> next{1, 2, 0};
+
+std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
+  return (std::uint64_t{std::min(p, q)} << 32) | std::max(p, q);
+}
+
+}  // namespace
+
+StrokeSides::StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const CutPlanes::Sheet& stroke,
+                         const DiffusionSurfaces& surfaces)
+    : mesh_(mesh), planes_(planes), sheet_(stroke), surfaces_(surfaces) {
+  for (const glm::dvec3& p : mesh.point) near_.push_back(sheet_.stroke->nearest(glm::dvec2(p)));
+}
+
+std::vector<int> StrokeSides::of_triangles() const {
+  // By the farthest point of each.
+  std::vector<int> side;
+  for (const Triangle& t : mesh_.triangle) {
+    const double farthest = farthest_from(t);
+    side.push_back(std::fabs(farthest) <= planes_.tolerance ? 0 : farthest > 0 ? 1 : -1);
+  }
+
+  // Those that lie on the stroke and yet cut off a corner of it take their neighbours' side, until nothing changes.
+  const TrianglesAtEdge across = triangles_across(side);
+  for (bool changed = !across.empty(); changed;) {
+    changed = false;
+    for (const auto& [edge, triangles] : across) changed = take_side(triangles, side) || changed;
+  }
+  return side;
+}
+
+/// The triangles at each edge that one without a side has along no facet.
+StrokeSides::TrianglesAtEdge StrokeSides::triangles_across(const std::vector<int>& side) const {
+  TrianglesAtEdge across;
+  const auto for_each_edge = [&](std::size_t t, const auto& visit) {
+    const std::array<std::uint32_t, 3>& v = mesh_.triangle[t].vertex;
+    for (std::size_t i = 0; i < 3; ++i) visit(mesh_.point_of[v[i]], mesh_.point_of[v[next[i]]]);
+  };
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    if (side[t] != 0) continue;
+    for_each_edge(t, [&](std::uint32_t p, std::uint32_t q) {
+      if (facet_with(p, q) < 0) across[edge_key(p, q)];
+    });
+  }
+  if (across.empty()) return across;
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    for_each_edge(t, [&](std::uint32_t p, std::uint32_t q) {
+      if (const auto found = across.find(edge_key(p, q)); found != across.end()) found->second.push_back(t);
+    });
+  }
+  return across;
+}
+
+/// Gives the triangles at one edge that have no side the one that another of their surface has there.
+bool StrokeSides::take_side(const std::vector<std::size_t>& triangles, std::vector<int>& side) const {
+  bool changed = false;
+  for (const std::size_t t : triangles) {
+    for (const std::size_t other : triangles) {
+      const bool same_surface =
+          surfaces_.surface[mesh_.triangle[t].source] == surfaces_.surface[mesh_.triangle[other].source];
+      if (side[t] != 0 || side[other] == 0 || !same_surface) continue;
+      side[t] = side[other];
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+/// Of a triangle that the stroke does not cross. One with all corners on the stroke spans a bend of it: then its middle
+/// and those of its edges are asked.
+double StrokeSides::farthest_from(const Triangle& t) const {
+  double farthest = 0;
+  const auto see = [&](double distance) {
+    if (std::fabs(distance) > std::fabs(farthest)) farthest = distance;
+  };
+  for (const std::uint32_t v : t.vertex) see(near_[mesh_.point_of[v]].distance);
+  if (std::fabs(farthest) > planes_.tolerance) return farthest;
+  const glm::dvec2 a(mesh_.place_of(t.vertex[0])), b(mesh_.place_of(t.vertex[1])), c(mesh_.place_of(t.vertex[2]));
+  for (const glm::dvec2& p : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
+    see(sheet_.stroke->nearest(p).distance);
+  }
+  return farthest;
+}
+
+int StrokeSides::facet_with(std::uint32_t p, std::uint32_t q) const {
+  if (std::fabs(near_[p].distance) > planes_.tolerance || std::fabs(near_[q].distance) > planes_.tolerance) return -1;
+  const int from = std::max(0, near_[p].facet - 1), to = std::min(sheet_.count - 1, near_[p].facet + 1);
+  for (int plane = sheet_.first + from; plane <= sheet_.first + to; ++plane) {
+    if (is_on_facet(plane, p) && is_on_facet(plane, q)) return plane;
+  }
+  return -1;
+}
+
+bool StrokeSides::is_on_facet(int plane, std::uint32_t point) const {
+  const glm::dvec3& place = mesh_.point[point];
+  return std::fabs(signed_distance(planes_[plane].plane, place)) <= planes_.tolerance &&
+         planes_.is_in_facet(plane, place);
+}
+
+}  // namespace pomona

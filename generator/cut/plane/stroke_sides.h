@@ -1,0 +1,47 @@
+// On which side of a stroke the triangles of a split mesh lie, once none reaches over it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "generator/cut/section/split_mesh.h"
+#include "generator/surface/diffusion_surfaces.h"
+
+namespace pomona {
+
+/// Asks the distance from the stroke, with a tolerance: unlike a plane, a stroke has no side that holds everywhere.
+/// The mesh may gain planes while this is in use, but neither points nor triangles.
+class StrokeSides {
+ public:
+  StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const CutPlanes::Sheet& stroke,
+              const DiffusionSurfaces& surfaces);
+
+  /// Per triangle: 1, -1, or 0 for those that lie on the stroke. One that lies on it as far as can be told, but has an
+  /// edge along no facet, cuts off a corner of it by less than the tolerance: it goes with its neighbour across that
+  /// edge.
+  std::vector<int> of_triangles() const;
+
+  /// The first facet that both points lie on, as a plane; or -1.
+  int facet_with(std::uint32_t p, std::uint32_t q) const;
+
+  /// As a plane.
+  int facet_nearest_to(std::uint32_t point) const { return sheet_.first + near_[point].facet; }
+
+ private:
+  using Triangle = SplitMesh::Triangle;
+  using TrianglesAtEdge = std::map<std::uint64_t, std::vector<std::size_t>>;
+
+  TrianglesAtEdge triangles_across(const std::vector<int>& side) const;
+  bool take_side(const std::vector<std::size_t>& triangles, std::vector<int>& side) const;
+  double farthest_from(const Triangle& t) const;
+  bool is_on_facet(int plane, std::uint32_t point) const;
+
+  const SplitMesh& mesh_;
+  const CutPlanes& planes_;
+  const CutPlanes::Sheet& sheet_;
+  const DiffusionSurfaces& surfaces_;
+  std::vector<Stroke::Place> near_;  // per point
+};
+
+}  // namespace pomona

@@ -1,0 +1,18 @@
+// What can be chosen of a cut.
+#pragma once
+
+#include "generator/base/parallel.h"
+
+namespace pomona {
+
+/// How finely the section is triangulated. Lengths are shares of the fruit's bounding-box diagonal.
+struct CutOptions {
+  double coarsest = 1.0 / 40;   ///< longest edge far from all surfaces
+  double finest = 1.0 / 400;    ///< edges next to the finest surfaces are not made shorter than this
+  double grading = 0.35;        ///< how fast edges may grow with the distance from cut segments
+  double contrast = 18 / 255.;  ///< difference of colours between two surfaces that needs no vertices between them
+  double crumb = 1e-6;          ///< share of the whole's volume below which a piece is a crumb
+  Threads threads{};            ///< the result does not depend on them
+};
+
+}  // namespace pomona
