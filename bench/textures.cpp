@@ -12,11 +12,9 @@
 #include "bench/fruits.h"
 #include "bench/timing.h"
 #include "generator/base/error.h"
-#include "generator/cut/cut.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/section_colors.h"
-#include "generator/piece/solid.h"
+#include "generator/piece/slice.h"
 #include "render/texture/bake.h"
 
 namespace {
@@ -48,12 +46,10 @@ void measure(const std::string& name, const Settings& settings) {
   const bench::BenchFruit fruit = bench::grow_fruit(name);
   const auto diffuser = make_pmvc_diffuser({.threads = settings.threads});
   const std::vector<Knife> knives{parse_knife("half")};
-  const Cut result = cut(fruit.grown.sheets, knives, {.threads = settings.threads});
-  const CrossSection section = colored(result.section, fruit.grown.sheets, *diffuser);
-  std::vector<Solid> pieces = solids(result, section, fruit.drawn, name);
+  Slices slices = slice({fruit.grown, fruit.drawn, knives, name}, diffuser.get(),
+                        {.cut = {.threads = settings.threads}, .keep_section_colors = true});
+  std::vector<Solid> pieces = std::move(slices.pieces);
   pieces.resize(1);
-  pieces = with_section_colors(std::move(pieces),
-                               std::make_shared<const SectionColors>(fruit.grown.sheets, fruit.drawn, *diffuser));
   std::vector<BakedSolid> baked_solids;
   const bench::Duration time = bench::time_of([&] {
     baked_solids = all_baked(pieces, style_named("plain"), {.texels = settings.texels, .threads = settings.threads});

@@ -15,12 +15,9 @@
 #include "cli/outputs.h"
 #include "cli/piece_list.h"
 #include "generator/base/error.h"
-#include "generator/cut/cut.h"
 #include "generator/cut/section/section_file.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/brown.h"
-#include "generator/piece/guided.h"
-#include "generator/piece/section_colors.h"
+#include "generator/piece/slice.h"
 #include "generator/scene/explode.h"
 #include "generator/scene/lay_out.h"
 
@@ -45,13 +42,14 @@ std::vector<Format> formats_for(const CutCommand& command) {
   return {Format::ply, Format::glb, Format::pov, Format::png, Format::svg};
 }
 
-void write_section_files(const std::vector<Output>& outputs, const CrossSection& diffused, const CrossSection& styled,
-                         const Template& fruit, Delivery& delivery) {
+/// The section's file keeps what was diffused; its pictures show what pieces show.
+void write_section_files(const std::vector<Output>& outputs, const Slices& slices, const Template& fruit,
+                         Delivery& delivery) {
   for (const Output& output : outputs) {
     if (output.format == Format::ply) {
-      delivery.add(output.file, [&] { return write_section(diffused); });
+      delivery.add(output.file, [&] { return write_section(slices.section); });
     } else {
-      delivery.add_section_picture(output, styled, fruit);
+      delivery.add_section_picture(output, slices.styled, fruit);
     }
   }
 }
@@ -74,11 +72,12 @@ void write_piece_files(const CutCommand& command, const std::vector<Output>& out
   }
 }
 
-void count(const CrossSection& section, std::size_t pieces, StageTimes& times) {
+void count(const Slices& slices, StageTimes& times) {
+  const CrossSection& section = slices.section;
   times.count("interior_vertices", std::count(section.interior.begin(), section.interior.end(), 1));
   times.count("section_vertices", static_cast<std::int64_t>(section.position.size()));
   times.count("section_triangles", static_cast<std::int64_t>(section.triangle.size()));
-  times.count("pieces", static_cast<std::int64_t>(pieces));
+  times.count("pieces", static_cast<std::int64_t>(slices.piece_count));
 }
 
 ExitStatus cut_fruit(const CutCommand& command) {
@@ -95,27 +94,17 @@ ExitStatus cut_fruit(const CutCommand& command) {
 
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
-  const Cut result = delivery.times.time(
-      "cut", [&] { return cut(source.grown.sheets, knives, {.threads = {command.shared.threads}}); });
-  delivery.warn(result.warnings);
-  const CrossSection section =
-      delivery.times.time("diffuse", [&] { return colored(result.section, source.grown.sheets, *diffuser); });
-  count(section, result.pieces.size(), delivery.times);
-
-  // What lies in air turns brown; the section's file keeps what was diffused.
-  const CrossSection styled = delivery.times.time("style", [&] {
-    return guided(browned(section, source.grown.sheets, source.fruit), source.grown.swept, source.fruit);
-  });
+  Slices slices = slice({source.grown, source.fruit, knives, source.name}, diffuser.get(),
+                        {.cut = {.threads = {command.shared.threads}},
+                         .pieces = !command.section,
+                         .keep_section_colors = wants_textures(command.shared)});
+  delivery.times.add(slices.times);
+  delivery.warn(slices.warnings);
+  count(slices, delivery.times);
   if (command.section) {
-    write_section_files(outputs, section, styled, source.fruit, delivery);
+    write_section_files(outputs, slices, source.fruit, delivery);
   } else {
-    std::vector<Solid> pieces =
-        delivery.times.time("style", [&] { return solids(result, styled, source.fruit, source.name); });
-    if (wants_textures(command.shared)) {
-      pieces = with_section_colors(std::move(pieces),
-                                   std::make_shared<const SectionColors>(source.grown.sheets, source.fruit, *diffuser));
-    }
-    write_piece_files(command, outputs, std::move(pieces), delivery);
+    write_piece_files(command, outputs, std::move(slices.pieces), delivery);
   }
   delivery.finish();
   return ExitStatus::done;

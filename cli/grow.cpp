@@ -10,8 +10,8 @@
 #include "cli/deliver.h"
 #include "cli/fruit_source.h"
 #include "cli/outputs.h"
-#include "generator/cut/cut.h"
 #include "generator/piece/glass_surfaces.h"
+#include "generator/piece/slice.h"
 #include "generator/surface/file/surface_file.h"
 
 namespace pomona {
@@ -30,9 +30,10 @@ struct GrowCommand {
 /// The shells of the fruit, cavity walls included, with nothing inside; or all its surfaces as glass.
 std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Delivery& delivery) {
   if (as_glass) return glass_surfaces(source.grown, source.fruit, source.name);
-  const Cut whole = delivery.times.time("cut", [&] { return cut(source.grown.sheets, {}); });
+  Slices whole = slice({source.grown, source.fruit, {}, source.name}, nullptr);
+  delivery.times.add(whole.times);
   delivery.warn(whole.warnings);
-  return solids(whole, whole.section, source.fruit, source.name);
+  return std::move(whole.pieces);
 }
 
 ExitStatus grow_fruit(const GrowCommand& command) {

@@ -1,21 +1,10 @@
 #include "cli/stage_times.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
 
 namespace pomona {
-
-void StageTimes::add(const std::string& stage, double milliseconds) {
-  const auto found =
-      std::find_if(milliseconds_.begin(), milliseconds_.end(), [&](const auto& entry) { return entry.first == stage; });
-  if (found == milliseconds_.end()) {
-    milliseconds_.emplace_back(stage, milliseconds);
-  } else {
-    found->second += milliseconds;
-  }
-}
 
 void StageTimes::diffused_by(const std::string& diffuser, const std::string& device) {
   diffuser_ = diffuser;
@@ -24,7 +13,7 @@ void StageTimes::diffused_by(const std::string& diffuser, const std::string& dev
 
 std::string StageTimes::json(int threads) const {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-  for (const auto& [stage, milliseconds] : milliseconds_) stages[stage] = milliseconds;
+  for (const auto& [stage, milliseconds] : clock_.stages()) stages[stage] = milliseconds;
   nlohmann::ordered_json counts = nlohmann::ordered_json::object();
   for (const auto& [what, number] : counts_) counts[what] = number;
   nlohmann::ordered_json all = {{"stages", stages}, {"counts", counts}, {"threads", threads}};
@@ -39,7 +28,7 @@ std::string StageTimes::summary() const {
   std::string text;
   double total = 0;
   char buffer[96];
-  for (const auto& [stage, milliseconds] : milliseconds_) {
+  for (const auto& [stage, milliseconds] : clock_.stages()) {
     std::snprintf(buffer, sizeof buffer, "%s %.0f ms, ", stage.c_str(), milliseconds);
     text += buffer;
     total += milliseconds;

@@ -1,12 +1,12 @@
 // How long each stage of the road took, and what was counted: --stats and the last lines people see.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
-#include <vector>
+
+#include "generator/base/stage_clock.h"
 
 namespace pomona {
 
@@ -15,11 +15,11 @@ class StageTimes {
   /// Runs `work` and adds its wall time to `stage`.
   template <typename Work>
   auto time(const std::string& stage, Work&& work) {
-    const Timer timer(*this, stage);
-    return std::forward<Work>(work)();
+    return clock_.time(stage, std::forward<Work>(work));
   }
+  void add(const std::string& stage, double milliseconds) { clock_.add(stage, milliseconds); }
+  void add(const StageClock& clock) { clock_.add(clock); }
 
-  void add(const std::string& stage, double milliseconds);
   void count(const std::string& what, std::int64_t number) { counts_[what] += number; }
 
   /// Which diffuser colours the faces, and on what (Diffuser::device). A command without one names none.
@@ -32,18 +32,7 @@ class StageTimes {
   std::string summary() const;
 
  private:
-  struct Timer {
-    Timer(StageTimes& all, std::string name) : times(all), stage(std::move(name)) {}
-    ~Timer() {
-      const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-      times.add(stage, elapsed.count());
-    }
-    StageTimes& times;
-    std::string stage;
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  };
-
-  std::vector<std::pair<std::string, double>> milliseconds_;  ///< in order of first appearance
+  StageClock clock_;
   std::map<std::string, std::int64_t> counts_;
   std::string diffuser_, device_;
 };

@@ -117,12 +117,12 @@ std::vector<MaterialSketch> materials_of(const Template& fruit, const std::vecto
   return materials;
 }
 
-std::vector<Solid> solids(const Cut& cut, const CrossSection& colored_section, const Template& fruit,
+std::vector<Solid> solids(std::span<const CutPiece> pieces, const CrossSection& colored_section, const Template& fruit,
                           const std::string& name) {
   std::vector<Solid> all;
-  for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
-    const std::string own = cut.pieces.size() == 1 ? name : name + ".piece-" + std::to_string(i + 1);
-    all.push_back(SolidBuilder(cut.pieces[i], colored_section, fruit).build(own));
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::string own = pieces.size() == 1 ? name : name + ".piece-" + std::to_string(i + 1);
+    all.push_back(SolidBuilder(pieces[i], colored_section, fruit).build(own));
   }
   return all;
 }

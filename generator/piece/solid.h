@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,8 +55,9 @@ inline MaterialSketch material_of(const Solid& solid, std::int32_t part) {
 /// The template's materials, in the order of these parts.
 std::vector<MaterialSketch> materials_of(const Template& fruit, const std::vector<std::string>& part_names);
 
-/// The pieces of a cut whose section has been coloured. `name` becomes the prefix of theirs.
-std::vector<Solid> solids(const Cut& cut, const CrossSection& colored_section, const Template& fruit,
+/// The pieces of a cut, whose section has been coloured since. `name` becomes the prefix of theirs. slice() does all
+/// of it (slice.h).
+std::vector<Solid> solids(std::span<const CutPiece> pieces, const CrossSection& colored_section, const Template& fruit,
                           const std::string& name);
 
 }  // namespace pomona

@@ -4,6 +4,7 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "generator/piece/slice.h"
 #include "generator/surface/sweep/sweep.h"
 
 namespace pomona {
@@ -35,8 +36,9 @@ Template bowl_template(const BowlDescription& bowl) {
 
 Solid bowl_solid(const BowlDescription& bowl) {
   const Template clay = bowl_template(bowl);
-  const Cut whole = cut(sweep(clay), {});
-  std::vector<Solid> made = solids(whole, whole.section, clay, "bowl");
+  GrownFruit thrown;
+  thrown.sheets = sweep(clay);
+  std::vector<Solid> made = slice({thrown, clay, {}, "bowl"}, nullptr).pieces;
   if (made.size() != 1) throw Error(ExitStatus::bug, "the bowl is not one solid");
   made[0].name = "bowl";
   return std::move(made[0]);

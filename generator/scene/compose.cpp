@@ -1,45 +1,18 @@
 #include "generator/scene/compose.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <mutex>
 #include <numeric>
 
-#include "generator/piece/brown.h"
 #include "generator/piece/grow.h"
-#include "generator/piece/guided.h"
-#include "generator/piece/section_colors.h"
+#include "generator/piece/slice.h"
 #include "generator/scene/bowl.h"
 #include "generator/template/read/read_template.h"
 
 namespace pomona {
 
 namespace {
-
-/// Wall time of a thread's work on each stage.
-class Clock {
- public:
-  template <typename Work>
-  auto time(const char* stage, Work&& work) {
-    const auto start = std::chrono::steady_clock::now();
-    auto result = work();
-    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-    add(stage, elapsed.count());
-    return result;
-  }
-
-  void add(const std::string& stage, double milliseconds) {
-    for (auto& [name, sum] : stages_)
-      if (name == stage) return void(sum += milliseconds);
-    stages_.emplace_back(stage, milliseconds);
-  }
-
-  const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
-
- private:
-  std::vector<std::pair<std::string, double>> stages_;
-};
 
 /// Passes progress on, one call at a time.
 class Teller {
@@ -76,7 +49,7 @@ struct Made {
   std::vector<Solid> solids;
   std::vector<std::string> warnings;
   std::map<std::string, std::int64_t> counts;
-  Clock clock;
+  StageClock clock;
 };
 
 std::filesystem::path template_file(const SceneDescription& scene, const PiecesDescription& pieces,
@@ -133,56 +106,23 @@ std::vector<std::shared_ptr<const Variation>> made_ready(const SceneDescription&
   return ready;
 }
 
-/// The largest pieces that are worth keeping, in the order in which they were cut.
-std::vector<CutPiece> picked(std::vector<CutPiece> cut, const PiecesDescription& pieces) {
-  double whole = 0;
-  for (const CutPiece& piece : cut) whole += piece.volume;
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < cut.size(); ++i) {
-    const bool is_wanted = cut[i].volume >= pieces.smallest * whole && cut[i].volume <= pieces.largest * whole;
-    if (is_wanted && !cut[i].crumb) order.push_back(i);
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return cut[a].volume > cut[b].volume; });
-  if (pieces.take > 0 && order.size() > static_cast<std::size_t>(pieces.take))
-    order.resize(static_cast<std::size_t>(pieces.take));
-  std::sort(order.begin(), order.end());
-
-  std::vector<CutPiece> kept;
-  for (const std::size_t i : order) kept.push_back(std::move(cut[i]));
-  return kept;
-}
-
-/// Takes the mark off interior vertices that no piece shows: nobody will see their colours.
-void forget_unseen(Cut& cut) {
-  std::vector<std::uint8_t> seen(cut.section.position.size(), 0);
-  for (const CutPiece& piece : cut.pieces) {
-    for (const CutPiece::CapTriangle& cap : piece.caps) {
-      const glm::uvec3& t = cut.section.triangle[cap.triangle];
-      for (int k = 0; k < 3; ++k) seen[t[k]] = 1;
-    }
-  }
-  for (std::size_t v = 0; v < seen.size(); ++v) cut.section.interior[v] &= seen[v];
-}
-
 /// A value of the range, if there is one.
 std::optional<double> drawn_between(const std::optional<Within>& range, VariantKey key, const char* purpose) {
   if (!range) return {};
   return range->low + (range->high - range->low) * RandomStream(key, purpose).uniform(0);
 }
 
-/// A variant cut, its faces still without colours.
-struct CutVariant {
-  Template fruit;
+/// A variant as it has grown.
+struct GrownVariant {
+  Template variant;
   GrownFruit grown;
-  Cut cut;
-  Clock clock;
+  StageClock clock;
 };
 
 /// \param variation of the template; none for pieces as drawn.
-CutVariant cut_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
-                       const Template& fruit, const Variation* variation, const ComposeOptions& options) {
-  CutVariant made;
+GrownVariant grown_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
+                           const Template& fruit, const Variation* variation, const ComposeOptions& options) {
+  GrownVariant made;
   const VariantKey key = variant_key(scene, pieces, number);
   const GrowOptions how{.as_drawn = pieces.as_drawn,
                         .variation = pieces.variation * options.variation,
@@ -191,50 +131,35 @@ CutVariant cut_variant(const SceneDescription& scene, const PiecesDescription& p
                         .detail = options.detail,
                         .ripeness = drawn_between(pieces.ripeness, key, "scene/ripeness"),
                         .browning = drawn_between(pieces.browning, key, "scene/browning").value_or(0)};
-  made.fruit = made.clock.time(
+  made.variant = made.clock.time(
       "vary", [&] { return variation ? variant_of(*variation, key, how) : variant_of(fruit, key, how); });
-  made.grown = made.clock.time("sweep", [&] { return grow(made.fruit, key, how); });
-  made.cut = made.clock.time("cut", [&] { return cut(made.grown.sheets, pieces.knives, options.cut); });
-  made.cut.pieces = picked(std::move(made.cut.pieces), pieces);
-  forget_unseen(made.cut);
+  made.grown = made.clock.time("sweep", [&] { return grow(made.variant, key, how); });
   return made;
 }
 
-/// With the colours of all sections, diffused at once.
-std::vector<CutVariant> diffused(std::vector<CutVariant> variants, const Diffuser& diffuser) {
-  std::vector<CrossSection> sections;
-  std::vector<const DiffusionSurfaces*> surfaces;
-  for (CutVariant& variant : variants) {
-    sections.push_back(std::move(variant.cut.section));
-    surfaces.push_back(&variant.grown.sheets);
-  }
-  sections = colored(std::move(sections), surfaces, diffuser);
-  for (std::size_t i = 0; i < variants.size(); ++i) variants[i].cut.section = std::move(sections[i]);
-  return variants;
+std::string variant_name(const PiecesDescription& pieces, int number) {
+  return pieces.name + "-" + std::to_string(number + 1);
 }
 
-/// \param keep_colors_of the diffuser whose colours the solids are to remember; none if they need not.
-Made finished(CutVariant variant, const PiecesDescription& pieces, int number, const Diffuser* keep_colors_of) {
-  Made made;
-  made.clock = variant.clock;
-  const CrossSection& section = variant.cut.section;
+/// How an entry's variant is cut, and which of its pieces the scene takes.
+SliceTask task_of(const PiecesDescription& pieces, int number, const GrownVariant& made) {
+  return {.grown = made.grown,
+          .variant = made.variant,
+          .knives = pieces.knives,
+          .name = variant_name(pieces, number),
+          .choice = PieceChoice{.smallest = pieces.smallest, .largest = pieces.largest, .take = pieces.take}};
+}
+
+/// What the report tells of one variant.
+Made reported(Slices slices, const GrownVariant& variant, const std::string& name) {
+  Made made{std::move(slices.pieces), {}, {}, variant.clock};
+  made.clock.add(slices.times);
+  const CrossSection& section = slices.section;
   made.counts["surface_triangles"] += std::ssize(variant.grown.sheets.triangle);
   made.counts["section_triangles"] += std::ssize(section.triangle);
   made.counts["interior_vertices"] += std::count(section.interior.begin(), section.interior.end(), 1);
-
-  const std::string name = pieces.name + "-" + std::to_string(number + 1);
-  const CrossSection styled =
-      guided(browned(section, variant.grown.sheets, variant.fruit), variant.grown.swept, variant.fruit);
-  made.solids = solids(variant.cut, styled, variant.fruit, name);
   if (made.solids.empty()) made.warnings.push_back("pieces \"" + name + "\": nothing is left to take");
-  for (const std::string& warning : variant.cut.warnings) {
-    made.warnings.push_back("pieces \"" + name + "\": " + warning);
-  }
-  if (keep_colors_of) {
-    made.solids = with_section_colors(std::move(made.solids),
-                                      std::make_shared<const SectionColors>(std::move(variant.grown.sheets),
-                                                                            std::move(variant.fruit), *keep_colors_of));
-  }
+  for (const std::string& warning : slices.warnings) made.warnings.push_back("pieces \"" + name + "\": " + warning);
   return made;
 }
 
@@ -286,31 +211,35 @@ VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& p
 }
 
 SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {
-  Clock clock;
+  StageClock clock;
   const std::vector<Template> templates = clock.time("read", [&] { return read_templates(scene, options); });
   const auto ready = clock.time("vary", [&] { return made_ready(scene, templates); });
   std::vector<Task> tasks;
   for (std::size_t entry = 0; entry < scene.pieces.size(); ++entry)
     for (int number = 0; number < scene.pieces[entry].count; ++number) tasks.push_back({entry, number});
 
-  // As many variants at a time as fit into memory: each cut by itself, all coloured at once.
-  Clock diffusing;
+  // As many variants at a time as fit into memory: each grown by itself, all cut and coloured at once.
+  const SliceOptions how{
+      .cut = options.cut, .keep_section_colors = options.keep_section_colors, .threads = options.threads};
   Teller teller(options, "pieces", tasks.size());
   std::vector<Made> made(tasks.size());
   for (std::size_t first = 0; first < tasks.size(); first += variants_at_once) {
     const std::size_t count = std::min(variants_at_once, tasks.size() - first);
-    std::vector<CutVariant> variants(count);
+    std::vector<GrownVariant> variants(count);
     parallel_for(count, options.threads, [&](std::size_t i) {
       const auto& [entry, number] = tasks[first + i];
-      variants[i] = cut_variant(scene, scene.pieces[entry], number, templates[entry], ready[entry].get(), options);
+      variants[i] = grown_variant(scene, scene.pieces[entry], number, templates[entry], ready[entry].get(), options);
     });
-    if (diffuser) variants = diffusing.time("diffuse", [&] { return diffused(std::move(variants), *diffuser); });
-    parallel_for(count, options.threads, [&](std::size_t i) {
+    std::vector<SliceTask> to_slice;
+    for (std::size_t i = 0; i < count; ++i) {
       const auto& [entry, number] = tasks[first + i];
-      made[first + i] = finished(std::move(variants[i]), scene.pieces[entry], number,
-                                 options.keep_section_colors ? diffuser : nullptr);
+      to_slice.push_back(task_of(scene.pieces[entry], number, variants[i]));
+    }
+    std::vector<Slices> slices = slice(to_slice, diffuser, how);
+    for (std::size_t i = 0; i < count; ++i) {
+      made[first + i] = reported(std::move(slices[i]), variants[i], to_slice[i].name);
       teller.one_done();
-    });
+    }
   }
 
   // Gather them in the order of the file.
@@ -322,9 +251,8 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
     }
     for (const std::string& warning : made[i].warnings) parts.report.warnings.push_back(warning);
     for (const auto& [what, number] : made[i].counts) parts.report.counts[what] += number;
-    for (const auto& [stage, milliseconds] : made[i].clock.stages()) clock.add(stage, milliseconds);
+    clock.add(made[i].clock);
   }
-  for (const auto& [stage, milliseconds] : diffusing.stages()) clock.add(stage, milliseconds);
   if (scene.bowl) {
     parts.bowl = static_cast<int>(parts.solids.size());
     parts.solids.push_back(bowl_solid(*scene.bowl));
@@ -350,7 +278,7 @@ Scene placed(const SceneDescription& scene, const SceneParts& parts, const std::
 Composition compose(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {
   SceneParts parts = make_parts(scene, diffuser, options);
   Composition composition{{}, std::move(parts.report)};
-  Clock clock;
+  StageClock clock;
   Teller teller(options, "settle", 1);
   const std::vector<Pose> poses = clock.time("settle", [&] {
     return scene.layout.empty() ? settled_poses(scene, parts, options, composition.report) : layout_poses(scene, parts);

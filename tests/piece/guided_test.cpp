@@ -109,7 +109,7 @@ TEST(Guided, goes_with_the_pieces) {
   Cut pieces = cut(surfaces, knives);
   for (std::int32_t& part : pieces.section.part) part = 1;
   const CrossSection section = guided(pieces.section, surfaces, detailed_fruit());
-  for (const Solid& solid : solids(pieces, section, detailed_fruit(), "ball")) {
+  for (const Solid& solid : solids(pieces.pieces, section, detailed_fruit(), "ball")) {
     ASSERT_EQ(solid.guide.size(), solid.position.size());
     for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
       const DetailGuide& guide = solid.guide[solid.triangle[t].x];

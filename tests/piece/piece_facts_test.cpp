@@ -8,6 +8,7 @@
 #include "generator/knife/parse_knife.h"
 #include "generator/scene/explode.h"
 #include "tests/shapes/shapes.h"
+#include "tests/shapes/sliced.h"
 
 namespace pomona {
 namespace {
@@ -15,8 +16,7 @@ namespace {
 /// A box of 2 x 1 x 1 cm in eight dice.
 Scene dice() {
   const DiffusionSurfaces box = shapes::box({0, 0, 0}, {0.02, 0.01, 0.01}, 2, shapes::skin_paint());
-  const Cut result = cut(box, std::vector<Knife>{parse_knife("dice:2")});
-  return gathered(solids(result, result.section, {}, "box"));
+  return gathered(shapes::sliced(box, {parse_knife("dice:2")}).pieces);
 }
 
 TEST(PieceFacts, OfADie) {
@@ -34,10 +34,9 @@ TEST(PieceFacts, OfADie) {
 /// In the piece list and in the extras of a .glb: both take it from the solid.
 TEST(PieceFacts, MassIsByTheTemplatesDensity) {
   const DiffusionSurfaces box = shapes::box({0, 0, 0}, {0.02, 0.01, 0.01}, 2, shapes::skin_paint());
-  const Cut whole = cut(box, {});
   Template dense;
   dense.density = 840;
-  const std::vector<Solid> pieces = solids(whole, whole.section, dense, "box");
+  const std::vector<Solid> pieces = shapes::sliced(box, {}, dense).pieces;
   EXPECT_NEAR(facts_of(pieces.at(0)).mass, 840 * 2e-6, 1e-9);
 }
 

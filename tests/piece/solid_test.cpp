@@ -10,6 +10,7 @@
 
 #include "generator/knife/parse_knife.h"
 #include "tests/shapes/shapes.h"
+#include "tests/shapes/sliced.h"
 
 namespace pomona {
 namespace {
@@ -17,8 +18,7 @@ namespace {
 std::vector<Solid> cut_ball(const std::vector<std::string>& knives) {
   std::vector<Knife> parsed;
   for (const std::string& k : knives) parsed.push_back(parse_knife(k));
-  const Cut cut = pomona::cut(shapes::tilted(shapes::nested_spheres(0.05, 0.02, 8)), parsed);
-  return solids(cut, cut.section, {}, "ball");
+  return shapes::sliced(shapes::tilted(shapes::nested_spheres(0.05, 0.02, 8)), parsed).pieces;
 }
 
 TEST(Solids, FaceAirAndCloseAndHaveNormalsAlongTheirTriangles) {

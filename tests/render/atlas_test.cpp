@@ -13,11 +13,11 @@
 
 #include "generator/base/error.h"
 #include "generator/base/random.h"
-#include "generator/cut/cut.h"
 #include "generator/knife/parse_knife.h"
 #include "render/texture/bake.h"
 #include "tests/render/half_ball.h"
 #include "tests/shapes/seeded_fruit.h"
+#include "tests/shapes/sliced.h"
 
 namespace pomona {
 namespace {
@@ -28,11 +28,10 @@ using named::half_ball;
 /// What is left of a fruit with grains, sheets and chambers where a ball and a corer have been.
 Solid hollowed() {
   const DiffusionSurfaces fruit = shapes::seeded_fruit();
-  const Cut left =
-      cut(fruit, std::vector{parse_knife("ball:40mm,at=28mm,6mm,10mm"), parse_knife("core:12mm,at=-10mm,0,0")});
   Template painted;
   painted.parts = fruit.part_names;
-  return solids(left, left.section, painted, "fruit").front();
+  const std::vector<Knife> knives{parse_knife("ball:40mm,at=28mm,6mm,10mm"), parse_knife("core:12mm,at=-10mm,0,0")};
+  return shapes::sliced(fruit, knives, painted).pieces.front();
 }
 
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {

@@ -5,15 +5,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/cut/cut.h"
 #include "generator/diffusion/harmonic/harmonic_diffuser.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/section_colors.h"
-#include "generator/piece/solid.h"
 #include "render/diffusion/gl_diffuser.h"
 #include "render/texture/bake.h"
 #include "tests/shapes/seeded_fruit.h"
+#include "tests/shapes/sliced.h"
 
 namespace pomona {
 namespace {
@@ -23,12 +21,8 @@ BakedSolid half_baked_by(const Diffuser& diffuser) {
   Template fruit;
   fruit.parts = surfaces.part_names;
   const std::vector<Knife> knives{parse_knife("half")};
-  const Cut result = cut(surfaces, knives);
-  std::vector<Solid> pieces = solids(result, colored(result.section, surfaces, diffuser), fruit, "fruit");
-  pieces.resize(1);
-  const auto colors = std::make_shared<const SectionColors>(surfaces, fruit, diffuser);
-  pieces = with_section_colors(std::move(pieces), colors);
-  return baked(pieces.front(), style_named("plain"), {.texels = 96});
+  const Slices slices = shapes::sliced(surfaces, knives, fruit, &diffuser, {.keep_section_colors = true});
+  return baked(slices.pieces.front(), style_named("plain"), {.texels = 96});
 }
 
 struct Difference {

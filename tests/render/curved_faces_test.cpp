@@ -12,6 +12,7 @@
 #include "render/strokes/solid_edges.h"
 #include "tests/cut/solid_shapes.h"
 #include "tests/shapes/shapes.h"
+#include "tests/shapes/sliced.h"
 
 namespace pomona {
 namespace {
@@ -19,9 +20,8 @@ namespace {
 DiffusionSurfaces ball_fruit() { return shapes::sphere(0.05, 10, shapes::skin_paint()); }
 
 std::vector<SharpEdge> lines_of(const Knife& knife, LineKind kind) {
-  const Cut result = cut(ball_fruit(), std::vector{knife});
   std::vector<SharpEdge> found;
-  for (const Solid& solid : solids(result, result.section, Template{}, "fruit")) {
+  for (const Solid& solid : shapes::sliced(ball_fruit(), {knife}).pieces) {
     for (const SharpEdge& edge : solid_edges(solid).sharp) {
       if (edge.kind == kind) found.push_back(edge);
     }

@@ -11,10 +11,9 @@
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
-#include "generator/cut/cut.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/grow.h"
-#include "generator/piece/solid.h"
+#include "generator/piece/slice.h"
 #include "generator/template/read/read_template.h"
 #include "render/strokes/ink_on_picture.h"
 #include "render/strokes/lens.h"
@@ -259,8 +258,7 @@ Scene halves_of(const std::string& name) {
   as_drawn.as_drawn = true;
   const GrownFruit grown = grow(fruit, {}, as_drawn);
   const std::vector<Knife> knives{parse_knife("half")};
-  const Cut halves = cut(grown.sheets, knives);
-  Scene scene = gathered(solids(halves, halves.section, fruit, name));
+  Scene scene = gathered(slice({grown, fruit, knives, name}, nullptr).pieces);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     scene.instances[i].pose.translation.x += 0.07 * static_cast<double>(i);
   }

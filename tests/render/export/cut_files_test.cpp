@@ -22,6 +22,7 @@
 #include "render/export/ply.h"
 #include "tests/render/export/read_glb.h"
 #include "tests/shapes/seeded_fruit.h"
+#include "tests/shapes/sliced.h"
 
 namespace pomona {
 namespace {
@@ -37,18 +38,13 @@ struct Sample {
   DiffusionSurfaces surfaces;
   Template fruit;
 
-  CrossSection section_of(const Cut& cut) const {
-    return colored(cut.section, surfaces, *make_pmvc_diffuser({.quality = Quality::draft, .threads = {}}));
-  }
-  Cut cut_by(const std::vector<std::string>& words) const {
+  Slices sliced_by(const std::vector<std::string>& words) const {
     std::vector<Knife> knives;
     for (const std::string& word : words) knives.push_back(parse_knife(word));
-    return cut(surfaces, knives);
+    const auto diffuser = make_pmvc_diffuser({.quality = Quality::draft, .threads = {}});
+    return shapes::sliced(surfaces, knives, fruit, diffuser.get());
   }
-  Scene pieces(const std::vector<std::string>& words) const {
-    const Cut result = cut_by(words);
-    return gathered(solids(result, section_of(result), fruit, "fruit"));
-  }
+  Scene pieces(const std::vector<std::string>& words) const { return gathered(sliced_by(words).pieces); }
 };
 
 /// With grain in its colours, as a picture would show it.
@@ -142,7 +138,7 @@ std::map<Place, std::set<Look>> line_of(const CrossSection& section, int face) {
 
 TEST(CutFiles, FacesOfTwoKnivesAgreeToTheBitWhereTheyMeet) {
   const Sample sample = seeded();
-  const CrossSection section = sample.section_of(sample.cut_by({"half", "plane:0,1,0,0"}));
+  const CrossSection section = sample.sliced_by({"half", "plane:0,1,0,0"}).section;
   Looks by_half, by_across;
   for (std::size_t f = 0; f < section.faces.size(); ++f) {
     (section.faces[f].knife == 0 ? by_half : by_across).merge(line_of(section, static_cast<int>(f)));
@@ -155,8 +151,8 @@ TEST(CutFiles, FacesOfTwoKnivesAgreeToTheBitWhereTheyMeet) {
 /// together with those of other neighbours, so the last bits differ: by 0.0004 of 255 where this was written.
 TEST(CutFiles, ASecondKnifeHardlyChangesAColourOfTheFirst) {
   const Sample sample = seeded();
-  const CrossSection alone = sample.section_of(sample.cut_by({"half"}));
-  const CrossSection both = sample.section_of(sample.cut_by({"half", "plane:0,1,0,0"}));
+  const CrossSection alone = sample.sliced_by({"half"}).section;
+  const CrossSection both = sample.sliced_by({"half", "plane:0,1,0,0"}).section;
   std::map<Place, Color> known;
   for (std::size_t v = 0; v < alone.position.size(); ++v) {
     if (alone.interior[v] != 0) known[place_of(alone.position[v])] = alone.color[v];

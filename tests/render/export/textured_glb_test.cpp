@@ -9,13 +9,13 @@
 
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/piece/section_colors.h"
 #include "generator/scene/scene.h"
 #include "render/export/gltf.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/section_picture.h"
 #include "tests/render/export/read_glb.h"
 #include "tests/shapes/seeded_fruit.h"
+#include "tests/shapes/sliced.h"
 
 namespace pomona {
 namespace {
@@ -40,10 +40,7 @@ struct Halves {
   }
 
   Scene pieces() const {
-    const Cut result = cut(surfaces, knives);
-    const auto colors = std::make_shared<const SectionColors>(surfaces, fruit, *diffuser);
-    return gathered(
-        with_section_colors(solids(result, colored(result.section, surfaces, *diffuser), fruit, "fruit"), colors));
+    return gathered(shapes::sliced(surfaces, knives, fruit, diffuser.get(), {.keep_section_colors = true}).pieces);
   }
 };
 

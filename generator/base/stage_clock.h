@@ -1,0 +1,44 @@
+// How long each stage of the road took: what --stats tells.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/base/stop_watch.h"
+
+namespace pomona {
+
+/// Stages by name, in the order in which they first came. A value: threads have one each, and theirs are added up.
+class StageClock {
+ public:
+  /// What `work` returns; the time it takes is added to the stage, even if it throws.
+  template <typename Work>
+  auto time(const std::string& stage, Work&& work) {
+    const Running running{*this, stage, {}};
+    return std::forward<Work>(work)();
+  }
+
+  void add(const std::string& stage, double milliseconds) {
+    for (auto& [name, sum] : stages_) {
+      if (name == stage) return void(sum += milliseconds);
+    }
+    stages_.emplace_back(stage, milliseconds);
+  }
+  void add(const StageClock& other) {
+    for (const auto& [stage, milliseconds] : other.stages_) add(stage, milliseconds);
+  }
+
+  const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
+
+ private:
+  struct Running {
+    StageClock& clock;
+    const std::string& stage;
+    StopWatch watch;
+    ~Running() { clock.add(stage, watch.milliseconds()); }
+  };
+  std::vector<std::pair<std::string, double>> stages_;  // milliseconds
+};
+
+}  // namespace pomona

@@ -1,0 +1,98 @@
+// slice(): one fruit or many, the same pieces; what is not wanted is not diffused.
+#include <gtest/gtest.h>
+#include <algorithm>
+
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/knife/parse_knife.h"
+#include "tests/shapes/seeded_fruit.h"
+#include "tests/shapes/shapes.h"
+#include "tests/shapes/sliced.h"
+
+namespace pomona {
+namespace {
+
+const std::vector<Knife>& quarters() {
+  static const std::vector<Knife> knives{parse_knife("wedges:4")};
+  return knives;
+}
+
+std::size_t interior_vertices(const CrossSection& section) {
+  return static_cast<std::size_t>(std::count(section.interior.begin(), section.interior.end(), 1));
+}
+
+TEST(Slice, GivesManyFruitsWhatItGivesEachAlone) {
+  const DiffusionSurfaces seeded = shapes::seeded_fruit(), nested = shapes::nested_spheres(0.05, 0.02, 8);
+  const GrownFruit first{seeded, {}, seeded}, second{nested, {}, nested};
+  const Template plain;
+  const auto diffuser = make_pmvc_diffuser({.quality = Quality::draft, .threads = {}});
+  const std::vector<SliceTask> tasks{{first, plain, quarters(), "seeded"}, {second, plain, quarters(), "nested"}};
+  const std::vector<Slices> together = slice(tasks, diffuser.get());
+  ASSERT_EQ(together.size(), 2u);
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const Slices alone = slice(tasks[i], diffuser.get());
+    EXPECT_EQ(together[i].section.color, alone.section.color);
+    ASSERT_EQ(together[i].pieces.size(), alone.pieces.size());
+    for (std::size_t k = 0; k < alone.pieces.size(); ++k) {
+      EXPECT_EQ(together[i].pieces[k].name, alone.pieces[k].name);
+      EXPECT_EQ(together[i].pieces[k].position, alone.pieces[k].position);
+      EXPECT_EQ(together[i].pieces[k].color, alone.pieces[k].color);
+    }
+  }
+}
+
+TEST(Slice, TakesTheLargestPiecesThatAreChosen) {
+  const DiffusionSurfaces ball = shapes::sphere(0.05, 10, shapes::skin_paint());
+  const GrownFruit grown{ball, {}, ball};
+  const std::vector<Knife> knives{parse_knife("plane:0,1,0,10mm"), parse_knife("plane:0,1,0,40mm")};
+  const Template plain;
+  const Slices all = slice({grown, plain, knives, "ball"}, nullptr);
+  ASSERT_EQ(all.pieces.size(), 3u);
+  const Slices one = slice({grown, plain, knives, "ball", PieceChoice{.take = 1}}, nullptr);
+  ASSERT_EQ(one.pieces.size(), 1u);
+  EXPECT_EQ(one.pieces[0].name, "ball");
+  for (const Solid& piece : all.pieces) EXPECT_LE(piece.volume, one.pieces[0].volume);
+  const Slices small = slice({grown, plain, knives, "ball", PieceChoice{.largest = 0.5}}, nullptr);
+  EXPECT_EQ(small.pieces.size(), 2u);
+}
+
+TEST(Slice, DiffusesOnlyWhatChosenPiecesShow) {
+  const DiffusionSurfaces ball = shapes::sphere(0.05, 10, shapes::skin_paint());
+  const GrownFruit grown{ball, {}, ball};
+  const std::vector<Knife> knives{parse_knife("slices:9")};
+  const Template plain;
+  const Slices all = slice({grown, plain, knives, "ball"}, nullptr);
+  const Slices one = slice({grown, plain, knives, "ball", PieceChoice{.take = 1}}, nullptr);
+  EXPECT_LT(interior_vertices(one.section), interior_vertices(all.section) / 2);
+  EXPECT_GT(interior_vertices(one.section), 0u);
+}
+
+TEST(Slice, LeavesOutPiecesWhereTheSectionAloneIsWanted) {
+  const DiffusionSurfaces ball = shapes::sphere(0.05, 10, shapes::skin_paint());
+  const Slices slices = shapes::sliced(ball, quarters(), {}, nullptr, {.pieces = false});
+  EXPECT_TRUE(slices.pieces.empty());
+  EXPECT_EQ(slices.piece_count, 4u);
+  EXPECT_FALSE(slices.section.triangle.empty());
+}
+
+TEST(Slice, LeavesAFruitWithoutKnivesWhole) {
+  const DiffusionSurfaces ball = shapes::sphere(0.05, 10, shapes::skin_paint());
+  const Slices slices = shapes::sliced(ball, {});
+  ASSERT_EQ(slices.pieces.size(), 1u);
+  EXPECT_TRUE(slices.pieces[0].closed);
+  EXPECT_TRUE(slices.section.triangle.empty());
+}
+
+TEST(Slice, KeepsWhatColouredTheFacesWhenAsked) {
+  const DiffusionSurfaces ball = shapes::nested_spheres(0.05, 0.02, 8);
+  const auto diffuser = make_pmvc_diffuser({.quality = Quality::draft, .threads = {}});
+  for (const Solid& piece : shapes::sliced(ball, quarters(), {}, diffuser.get()).pieces) {
+    EXPECT_EQ(piece.section_colors, nullptr);
+  }
+  for (const Solid& piece :
+       shapes::sliced(ball, quarters(), {}, diffuser.get(), {.keep_section_colors = true}).pieces) {
+    EXPECT_NE(piece.section_colors, nullptr);
+  }
+}
+
+}  // namespace
+}  // namespace pomona
