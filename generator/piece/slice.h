@@ -30,7 +30,7 @@ struct SliceTask {
 };
 
 struct SliceOptions {
-  CutOptions cut;
+  CutOptions cut{};
   bool pieces = true;  ///< false where the section alone is wanted
   /// For textures: every piece keeps what coloured its cut faces (section_colors.h). The diffuser must then outlive
   /// the pieces.

@@ -49,10 +49,10 @@ TEST(Solids, FaceAirAndCloseAndHaveNormalsAlongTheirTriangles) {
 }
 
 TEST(Solids, AreNamedAfterTheirFruit) {
-  EXPECT_EQ(cut_ball({})[0].name, "ball");
+  EXPECT_EQ(cut_ball({})[0].name, "fruit");
   const std::vector<Solid> halves = cut_ball({"half"});
-  EXPECT_EQ(halves[0].name, "ball.piece-1");
-  EXPECT_EQ(halves[1].name, "ball.piece-2");
+  EXPECT_EQ(halves[0].name, "fruit.piece-1");
+  EXPECT_EQ(halves[1].name, "fruit.piece-2");
 }
 
 }  // namespace
