@@ -101,11 +101,13 @@ class Cutter {
   }
 
   Cutting cut_by_planes() {
+    // Where surfaces pass through the planes (paper, Figure 3a).
     SplitMesh mesh = split_surfaces();
     const auto segments =
         watched(observer_, "segments", [&] { return cut_segments(mesh, surfaces_, planes_.count()); });
     if (observer_) observer_->sees(planes_, segments);
 
+    // The faces, triangulated, and what of them is section between which cells (Figure 3b).
     PlaneFaces made = watched(observer_, "triangulate", [&] {
       return triangulate(std::move(mesh), planes_, segments, surfaces_, bodies_, options_);
     });
@@ -115,6 +117,8 @@ class Cutter {
                    [&](std::size_t f) { all[f] = plane_regions(made.faces[f], planes_, surfaces_, bodies_); });
       return all;
     });
+
+    // The surfaces, meeting the faces vertex to vertex.
     ClippedSurfaces clipped = watched(observer_, "clip", [&] {
       return clipped_surfaces(std::move(made.mesh), made.edge_point, surfaces_, {.inner_too = has_closed_knives()});
     });

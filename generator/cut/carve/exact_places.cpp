@@ -115,16 +115,21 @@ class FacetTriangulator {
   FacetMesh run() {
     FacetMesh result;
     result.chain.resize(3 + facet_.segments.size());
+
+    // A facet without area has no triangles: its chains lie on a line.
     if (!find_axes()) {
       for (std::size_t i = 0; i < result.chain.size(); ++i) result.chain[i] = chain_on_line(i);
       return result;
     }
+
+    // The corners, then all places and segments, which cross where they will.
     for (const std::uint32_t place : facet_.corner) insert(place);
     for (const std::uint32_t place : facet_.places) insert(place);
     for (std::size_t i = 0; i < 3; ++i) keep(facet_.corner[i], facet_.corner[(i + 1) % 3]);
     for (const std::array<std::uint32_t, 2>& s : facet_.segments) keep(s[0], s[1]);
     for (const Vertex v : mesh_.finite_vertex_handles()) name(v);
 
+    // Triangles and chains, in an order that does not depend on CGAL's.
     for (const auto face : mesh_.finite_face_handles()) {
       std::array<std::uint32_t, 3> t{};
       for (int i = 0; i < 3; ++i) t[static_cast<std::size_t>(i)] = face->vertex(i)->info().value;

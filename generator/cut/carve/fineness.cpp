@@ -30,6 +30,7 @@ Fineness::Fineness(std::vector<FinenessSource> sources, double grading)
 
 /// Halves at the median along the longest side.
 void Fineness::split(std::uint32_t node, std::uint32_t first, std::uint32_t count) {
+  // The node holds these sources.
   Node made;
   made.first = first;
   made.count = count;
@@ -42,6 +43,8 @@ void Fineness::split(std::uint32_t node, std::uint32_t first, std::uint32_t coun
     node_[node] = made;
     return;
   }
+
+  // Too many for a leaf: two halves take them over.
   const glm::dvec3 sides = made.box.high - made.box.low;
   const int axis = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
   const auto begin = source_.begin() + first;

@@ -40,6 +40,7 @@ class Charter {
 
  private:
   void part(std::vector<std::uint32_t> triangles, int partings) {
+    // The direction they look in on the whole, or, of a tube, the axis around which they look.
     if (triangles.empty()) return;
     glm::dvec3 sum(0);
     double area = 0;
@@ -50,6 +51,8 @@ class Charter {
     const double size = glm::length(sum);
     const bool has_direction = size > least_mean * area;
     const glm::dvec3 direction = has_direction ? sum / size : main_axis(triangles);
+
+    // What looks that way is one face; the rest is parted again.
     std::vector<std::uint32_t> seen, others;
     for (const std::uint32_t t : triangles) (glm::dot(area_[t], direction) > 0 ? seen : others).push_back(t);
     if (seen.empty() || partings >= most_partings) {

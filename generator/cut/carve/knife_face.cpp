@@ -79,6 +79,8 @@ class KnifeFaceBuilder {
       std::uint32_t triangle = 0;
       std::size_t edge = 0;
     };
+
+    // All sides of all triangles, with whether a surface or a crease follows them.
     std::vector<Side> sides;
     face_.neighbor.assign(face_.triangle.size(), {Face::none, Face::none, Face::none});
     face_.constrained.assign(face_.triangle.size(), {0, 0, 0});
@@ -90,6 +92,8 @@ class KnifeFaceBuilder {
         face_.constrained[t][i] = constrained_.contains(way_of(face_.point[p], face_.point[q])) ? 1 : 0;
       }
     }
+
+    // Sides of one edge come to lie side by side, forward ones first, and are paired.
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
       return std::tie(a.low, a.high, a.forward, a.triangle) < std::tie(b.low, b.high, b.forward, b.triangle);
     });

@@ -132,10 +132,13 @@ class Labeller {
 
   /// Asks how deep the facet's first corner lies, and goes on from the part that has the beginning of its first edge.
   void start(std::size_t number) {
+    // How deep the first corner lies, a vanishing step along the first edge.
     const Arrangement::Facet& facet = all_.facet[number];
     const std::uint32_t corner = facet.corner[0];
     std::uint32_t part = first_part_[number];
     int depth = winding_at(corner) + crossings_at(corner, all_.edge[facet.edge[0]]);
+
+    // Which part of the facet has the beginning of that edge, and what lies along it.
     if (!facet.is_whole()) {
       const std::uint32_t end = facet.mesh.chain[0][1];
       for (std::uint32_t k = 0; k < facet.mesh.triangle.size(); ++k) {
@@ -146,6 +149,8 @@ class Labeller {
       }
       depth += ways_of(facet).along(corner, end);
     }
+
+    // From part to part, over all that hangs together.
     label_[part] = depth;
     std::vector<std::uint32_t> stack{part};
     while (!stack.empty()) {

@@ -39,6 +39,7 @@ class SurfaceSplitter {
         traces_(traces) {}
 
   void run() {
+    // Triangles that the knife passes through are replaced by their parts; whole ones only change their cell.
     std::vector<SurfaceTriangle> added;
     std::vector<std::uint8_t> gone(triangles_.size(), 0);
     for (std::uint32_t f = 0; f < parts_.surface.size(); ++f) {
@@ -57,6 +58,8 @@ class SurfaceSplitter {
       }
       gone[parts_.surface[f]] = 1;
     }
+
+    // The parts come after what is left.
     std::size_t kept = 0;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       if (!gone[t]) triangles_[kept++] = triangles_[t];

@@ -177,6 +177,7 @@ void BladeFaceBuilder::surround() {
 }
 
 std::vector<SizeSource> BladeFaceBuilder::sources(double contrast) const {
+  // Every edge along a constraint, and how long the edges are that meet at each vertex.
   std::vector<SizeSource> sources;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
   std::vector<double> length_at(flat_.point.size(), 0);
@@ -193,6 +194,8 @@ std::vector<SizeSource> BladeFaceBuilder::sources(double contrast) const {
       }
     }
   }
+
+  // The mean of each edge and those beside it on its chain, if that is more than its own length.
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const double own = glm::distance(sources[i].a, sources[i].b);
     double sum = own;

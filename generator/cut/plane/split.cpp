@@ -49,6 +49,7 @@ class Splitter {
   using Triangle = SplitMesh::Triangle;
 
   void take_input() {
+    // Vertices as they are, points where they lie: those at one place name the first.
     const std::vector<std::uint32_t> welded = weld(surfaces_.position);
     mesh_.point_of = welded;
     mesh_.front_color = surfaces_.front_color;
@@ -61,6 +62,7 @@ class Splitter {
     input_points_ = mesh_.point.size();
     find_points_on_planes();
 
+    // Triangles that are more than a line.
     mesh_.triangle.reserve(surfaces_.triangle_count() * 5 / 4);
     for (std::size_t t = 0; t < surfaces_.triangle_count(); ++t) {
       const glm::uvec3& corner = surfaces_.triangle[t];
@@ -181,6 +183,7 @@ class Splitter {
   }
 
   void take_over_points(std::size_t index) {
+    // How many of its edges the plane passes through, and on how many the neighbours have put a point.
     const Triangle whole = mesh_.triangle[index];
     const std::array<int, 3> side = sides_of(whole);
     int crossed = 0, known = 0;
@@ -193,6 +196,8 @@ class Splitter {
       ++known;
       i = e;
     }
+
+    // With all of them it is split as its neighbours are; with one of two, from there to the corner across.
     if (known == 0) return;
     if (known == crossed) {
       split_triangle(index, side);

@@ -80,6 +80,7 @@ class FacePartBuilder {
 
   /// One vertex for every fan: with the sides' colours where it lies at a surface, else still to be diffused.
   void make_vertices() {
+    // What the surfaces along edges say of the fans at both ends.
     std::vector<SideColors> sides(fans_.count());
     for (std::size_t t = 0; t < triangle_count(); ++t) {
       if (!regions_.is_section(t)) continue;
@@ -91,6 +92,8 @@ class FacePartBuilder {
         }
       }
     }
+
+    // A vertex for each fan, in the order of the triangles: with the mean of its sides' colours, or none.
     vertex_of_fan_.assign(fans_.count(), unset);
     for (std::size_t t = 0; t < triangle_count(); ++t) {
       if (!regions_.is_section(t)) continue;

@@ -35,6 +35,8 @@ class PatchFinder {
 
   void find_patches() {
     found_.patch_of.assign(triangle_count(), unset);
+
+    // Each triangle that no patch has yet begins one, which spreads over edges that are no constraint.
     std::vector<std::uint32_t> stack;
     for (std::uint32_t seed = 0; seed < triangle_count(); ++seed) {
       if (found_.patch_of[seed] != unset) continue;
@@ -65,6 +67,8 @@ class PatchFinder {
       std::uint32_t vertex;
       int balance;
     };
+
+    // Where segments of each body begin, and where they end.
     std::vector<End> ends;
     for (const EdgeUse& use : face_.edges) {
       const std::int32_t body = bodies_.of_triangle[face_.segment[use.segment].source];
@@ -73,6 +77,8 @@ class PatchFinder {
       ends.push_back({body, use.low, -to_high});
       ends.push_back({body, use.high, to_high});
     }
+
+    // A body is open if they do not balance at some vertex.
     std::sort(ends.begin(), ends.end(),
               [](const End& a, const End& b) { return std::tie(a.body, a.vertex) < std::tie(b.body, b.vertex); });
     for (std::size_t i = 0; i < ends.size();) {
@@ -136,6 +142,7 @@ class PatchFinder {
 
   /// From patch to patch, starting outside: whoever crosses a boundary enters or leaves its body.
   void find_windings() {
+    // Patches at the rim of the triangulation lie outside everything.
     found_.inside.resize(found_.count());
     std::vector<std::uint8_t> reached(found_.count(), 0);
     std::vector<std::uint32_t> queue;
@@ -147,6 +154,8 @@ class PatchFinder {
         queue.push_back(p);
       }
     }
+
+    // Each patch that is reached tells its neighbours across the boundaries between them.
     for (std::size_t next = 0; next < queue.size(); ++next) {
       const std::uint32_t from = queue[next];
       for (const std::uint32_t t : found_.triangle[from]) {

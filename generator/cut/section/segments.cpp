@@ -13,6 +13,8 @@ std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, c
     std::uint32_t index;
     auto key() const { return std::tie(low, high, surface, boundary); }
   };
+
+  // Edges in order: those that one surface uses lie side by side, forward ones first.
   std::vector<Entry> entries;
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
     const CutSegment& s = segments[i];
@@ -23,6 +25,7 @@ std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, c
     return std::tuple(a.key(), !a.forward, a.index) < std::tuple(b.key(), !b.forward, b.index);
   });
 
+  // Of each edge as many forward uses as backward ones go.
   std::vector<std::uint8_t> keep(segments.size(), 1);
   for (std::size_t i = 0; i < entries.size();) {
     std::size_t forward = i, end;
@@ -34,6 +37,8 @@ std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, c
     for (std::size_t k = 0; k < pairs; ++k) keep[entries[i + k].index] = keep[entries[forward + k].index] = 0;
     i = end;
   }
+
+  // What is left keeps its order.
   std::vector<CutSegment> kept;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (keep[i]) kept.push_back(segments[i]);

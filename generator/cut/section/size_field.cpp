@@ -79,12 +79,15 @@ double SizeField::at(const glm::dvec2& p) const {
 }
 
 void SizeField::draw_sources() {
+  // Nothing is known of any cell.
   const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   size_.assign(cells, limits_.coarsest);
   gap_size_.assign(cells, limits_.coarsest);
   on_source_.assign(cells, 0);
   distance_.assign(cells, 1e300);
   nearest_.assign(cells, -1);
+
+  // Every cell that a source passes through takes its size, and the nearest source with colours.
   for (std::size_t s = 0; s < sources_.size(); ++s) {
     const double size = std::clamp(sources_[s].size, limits_.finest, limits_.coarsest);
     has_lines_ = has_lines_ || !sources_[s].has_color;
@@ -109,6 +112,8 @@ namespace {
 template <typename Pull>
 void sweep(int width, int height, const Pull& pull) {
   const auto row = static_cast<std::size_t>(width);
+
+  // From below and from the left.
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x);
@@ -119,6 +124,8 @@ void sweep(int width, int height, const Pull& pull) {
       if (x + 1 < width) pull(x, y, i, i - row + 1, false);
     }
   }
+
+  // From above and from the right.
   for (int y = height - 1; y >= 0; --y) {
     for (int x = width - 1; x >= 0; --x) {
       const std::size_t i = static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x);
