@@ -20,7 +20,8 @@ struct ArrangedShapes {
 
 std::vector<Corners> corners_of(const ClosedSurface& surface);
 
-/// Fruits and knives that touch in corners, edges and faces, all closed; then a ball and a ball in general position.
+/// Fruits and knives that touch in corners, edges and faces, all closed and convex; then balls in general position, and
+/// a fruit of two balls that pass through each other on the knife.
 struct FruitAndKnife {
   std::vector<Corners> fruit, knife;
 };

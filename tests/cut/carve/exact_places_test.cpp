@@ -79,6 +79,12 @@ TEST(ExactPlaces, AppendsWhetherOrNotSomethingLiesThere) {
   EXPECT_EQ(places.number_of({4, 5, 6}), 3u) << "what is not in use is not found";
 }
 
+TEST(ExactPlaces, FindsWhatWasAppendedWithAZeroOfTheOtherSign) {
+  ExactPlaces places;
+  places.append({-0.0, 1, 2});
+  EXPECT_EQ(places.number_of({0, 1, 2}), 0u);
+}
+
 TEST(ExactPlaces, MeetsAtOnePlaceByManyWays) {
   // The way up from (1, 1) through a plane that rises by a third per step: 1/3 and 2/3 have no doubles.
   ExactPlaces places;
@@ -157,6 +163,19 @@ TEST(ExactPlaces, KeepsSegmentsThatOverlapOrFollowAnEdge) {
   EXPECT_THAT(mesh.chain[5], ElementsAre(high, low));
   EXPECT_THAT(mesh.chain[6], ElementsAre(c));
   EXPECT_THAT(mesh.chain[0], ElementsAre(facet.corner[0], low, high, facet.corner[1]));
+}
+
+TEST(ExactPlaces, GivesEachOfTwoOppositeSegmentsItsOwnDirection) {
+  ExactPlaces places;
+  PatchedFacet facet = large_facet(places);
+  const std::uint32_t a = places.number_of({8, 4, 4}), b = places.number_of({4, 8, 4}),
+                      on = places.number_of({6, 6, 4});
+  facet.places = {on};
+  facet.segments = {{b, a}, {a, b}, {on, b}};
+  const FacetMesh mesh = places.triangulated(facet);
+  EXPECT_THAT(mesh.chain[3], ElementsAre(b, on, a));
+  EXPECT_THAT(mesh.chain[4], ElementsAre(a, on, b));
+  EXPECT_THAT(mesh.chain[5], ElementsAre(on, b));
 }
 
 TEST(ExactPlaces, CoversFacetsFullOfSegments) {
