@@ -1,0 +1,98 @@
+#include "generator/diffusion/harmonic/exterior.h"
+
+#include <deque>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "generator/base/random.h"
+#include "generator/diffusion/harmonic/cut_links.h"
+#include "tests/diffusion/harmonic/whole_shapes.h"
+
+namespace pomona {
+namespace {
+
+/// Three words of bits along x, the last not full.
+Lattice wide_lattice() {
+  Lattice lattice = shapes::whole_lattice();
+  lattice.count = {150, 5, 4};
+  return lattice;
+}
+
+/// Links that are open with some probability, the same from both ends.
+std::vector<std::uint8_t> random_links(const NodeRuns& runs, const Lattice& lattice, double share) {
+  const RandomStream random({}, "tests/open links");
+  std::vector<std::uint8_t> open(runs.node_count(), 0);
+  std::uint64_t n = 0;
+  for (const Node& node : shapes::nodes_of(lattice)) {
+    for (int d = 1; d < 6; d += 2) {
+      const Node other = shapes::beside(node, d);
+      const std::int32_t there = runs.node_at(other[0], other[1], other[2]);
+      if (there == NodeRuns::none || random.uniform(n++) > share) continue;
+      const auto from = static_cast<std::size_t>(runs.node_at(node[0], node[1], node[2]));
+      const auto to = static_cast<std::size_t>(there);
+      open[from] = static_cast<std::uint8_t>(open[from] | 1 << d);
+      open[to] = static_cast<std::uint8_t>(open[to] | 1 << (d ^ 1));
+    }
+  }
+  return open;
+}
+
+std::vector<std::uint8_t> reached_one_by_one(const NodeRuns& runs, const std::vector<std::uint8_t>& open) {
+  std::vector<std::uint8_t> marked(runs.size(), 0);
+  std::deque<Node> waiting{{0, 0, 0}};
+  marked[0] = 1;
+  while (!waiting.empty()) {
+    const Node node = waiting.front();
+    waiting.pop_front();
+    const auto here = static_cast<std::size_t>(runs.node_at(node[0], node[1], node[2]));
+    for (int d = 0; d < 6; ++d) {
+      if ((open[here] >> d & 1) == 0) continue;
+      const Node other = shapes::beside(node, d);
+      const auto there = static_cast<std::size_t>(runs.node_at(other[0], other[1], other[2]));
+      if (marked[there / 8] >> there % 8 & 1) continue;
+      marked[there / 8] = static_cast<std::uint8_t>(marked[there / 8] | 1 << there % 8);
+      waiting.push_back(other);
+    }
+  }
+  return marked;
+}
+
+TEST(Exterior, IsWhatLinksLeadToOneByOne) {
+  const Lattice lattice = wide_lattice();
+  const NodeRuns runs = all_node_runs(lattice.count);
+  for (const double share : {0.25, 0.3, 0.4, 1.0}) {
+    const std::vector<std::uint8_t> open = random_links(runs, lattice, share);
+    EXPECT_EQ(reached_from_corner(runs, open, {2}), reached_one_by_one(runs, open)) << share;
+  }
+}
+
+TEST(Exterior, LeavesOutWhatIsBehindASurface) {
+  for (const std::vector<Corners>& shape : shapes::convex_shapes()) {
+    const shapes::LinkedShapes linked(shapes::surfaces_of(shape), shapes::whole_lattice());
+    const std::vector<std::uint8_t> outside = reached_from_corner(linked.runs, linked.finder.open(), {1});
+    for (const Node& node : shapes::nodes_of(linked.lattice)) {
+      const auto number = static_cast<std::size_t>(linked.runs.node_at(node[0], node[1], node[2]));
+      const bool is_inside = shapes::holds(shape, shapes::place_of(linked.lattice, node));
+      EXPECT_NE((outside[number / 8] >> number % 8 & 1) != 0, is_inside);
+    }
+  }
+}
+
+TEST(Exterior, KeepsTheRunsThatHoldSomethingElse) {
+  const NodeRuns runs = all_node_runs({19, 2, 2});
+  std::vector<std::uint8_t> marked(runs.size(), 0xff);
+  marked[2] = 0b111;  // all three nodes in the lattice
+  marked[4] = 0b11110111;
+  marked[11] = 0b011;
+  const NodeRuns kept = runs_without(runs, marked);
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0].block, 1);
+  EXPECT_EQ(kept[0].y, 1);
+  EXPECT_EQ(kept[0].z, 0);
+  EXPECT_EQ(kept[1].block, 2);
+  EXPECT_EQ(kept[1].z, 1);
+}
+
+}  // namespace
+}  // namespace pomona

@@ -1,0 +1,114 @@
+#include "generator/diffusion/harmonic/solve_field.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "tests/diffusion/fields.h"
+#include "tests/diffusion/harmonic/whole_shapes.h"
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+GridOptions options_of(double spacing, int finer = 0) {
+  return {.spacing = spacing,
+          .cycles = 8,
+          .shift = glm::dvec3(0.3, 0.1, 0.7),
+          .finer = finer,
+          .reach = 1e-5,
+          .threads = {2}};
+}
+
+bool takes_part(const GridLevel& level, const Node& node) {
+  const std::int32_t number = level.runs.node_at(node[0], node[1], node[2]);
+  return number != NodeRuns::none && (level.links.open[static_cast<std::size_t>(number)] & takes_no_part) == 0;
+}
+
+const GridLevel& whole(const PreparedField& field) { return field.levels[field.patch_count]; }
+
+TEST(SolveField, LeavesOutTheAirAroundClosedSurfaces) {
+  const DiffusionSurfaces ball = shapes::sphere(1, 6);
+  for (const DiffusionSurfaces& surfaces : {ball, shapes::nested_spheres(1, 0.5, 6), shapes::hollow_ball(1, 0.5, 6)}) {
+    const PreparedField field = prepared_field(surfaces, options_of(0.1));
+    EXPECT_TRUE(field.is_sealed);
+    for (const Node& node : shapes::nodes_of(whole(field).lattice)) {
+      const double out = glm::length(shapes::place_of(whole(field).lattice, node));
+      if (out > 1 || out < 0.97) {
+        EXPECT_EQ(takes_part(whole(field), node), out < 1);
+      }
+    }
+  }
+}
+
+TEST(SolveField, KeepsTheAirAroundOpenSurfacesAndMoreOfIt) {
+  const DiffusionSurfaces sheet = shapes::open_sheet(1, 0, 3);
+  DiffusionSurfaces bowl = shapes::sphere(0.5, 4);
+  bowl.triangle.resize(bowl.triangle.size() - 20);
+  bowl.surface.resize(bowl.triangle.size());
+  bowl.front_part.resize(bowl.triangle.size());
+  bowl.back_part.resize(bowl.triangle.size());
+  for (const DiffusionSurfaces& surfaces : {sheet, bowl}) {
+    const PreparedField field = prepared_field(surfaces, options_of(0.05));
+    EXPECT_FALSE(field.is_sealed);
+    const Lattice& lattice = whole(field).lattice;
+    for (const Node& node : shapes::nodes_of(lattice)) EXPECT_TRUE(takes_part(whole(field), node));
+    const Bounds bounds = bounds_of(surfaces);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_LT(lattice.origin[axis], bounds.low[axis] - 0.24 * 1) << axis;
+  }
+}
+
+TEST(SolveField, HalvesTheGridFourTimes) {
+  const PreparedField field = prepared_field(shapes::sphere(1, 6), options_of(0.1));
+  ASSERT_EQ(field.patch_count, 0u);
+  ASSERT_EQ(field.levels.size(), 5u);
+  for (std::size_t l = 1; l < field.levels.size(); ++l) {
+    EXPECT_EQ(field.levels[l].lattice.spacing, 2 * field.levels[l - 1].lattice.spacing);
+    EXPECT_EQ(field.levels[l].rhs.size(), field.levels[l].runs.node_count());
+  }
+  EXPECT_NEAR(whole(field).lattice.spacing, 0.1, 1e-15);
+}
+
+TEST(SolveField, PutsPatchesAroundSeedsThatAreSmallForTheGrid) {
+  const auto with_seed = [](double radius) {
+    return joined(shapes::sphere(1, 6), shapes::moved(shapes::sphere(radius, 4), {0.2, 0.1, 0.3}));
+  };
+  // At most as often as asked, and only while the seed is thinner than 1.2 cells.
+  EXPECT_EQ(prepared_field(with_seed(0.03), options_of(0.1, 2)).patch_count, 2u);
+  EXPECT_EQ(prepared_field(with_seed(0.03), options_of(0.1, 1)).patch_count, 1u);
+  EXPECT_EQ(prepared_field(with_seed(0.03), options_of(0.1, 0)).patch_count, 0u);
+  EXPECT_EQ(prepared_field(with_seed(0.09), options_of(0.1, 2)).patch_count, 1u);
+  EXPECT_EQ(prepared_field(with_seed(0.2), options_of(0.1, 2)).patch_count, 0u);
+
+  const PreparedField field = prepared_field(with_seed(0.03), options_of(0.1, 2));
+  EXPECT_EQ(field.levels[0].lattice.spacing, whole(field).lattice.spacing / 4);
+  EXPECT_TRUE(field.levels[0].is_patch && field.levels[1].is_patch && !field.levels[2].is_patch);
+  // Nodes on a patch's border have their values from what is around it.
+  for (const std::size_t l : {0u, 1u}) {
+    std::size_t given = 0, own = 0;
+    for (const std::uint8_t open : field.levels[l].links.open) {
+      if (open & takes_no_part) continue;
+      (open & is_given ? given : own) += 1;
+    }
+    EXPECT_GT(given, 50u);
+    EXPECT_GT(own, given / 2);
+  }
+}
+
+TEST(SolveField, ReproducesLinearColours) {
+  const DiffusionSurfaces scene = shapes::tilted(fields::linear_scene());
+  const auto linear = [](const glm::dvec3& p) { return glm::dvec3(0.5 + 0.2 * p.x, 0.5 - 0.1 * p.y + 0.1 * p.z, 0.4); };
+  const DiffusionSurfaces painted = fields::painted_with(scene, linear);
+  const FieldLookUp look_up = solved_field(prepared_field(painted, options_of(0.12)), options_of(0.12));
+  for (const glm::vec3& p : fields::points_in_linear_scene()) {
+    const glm::vec3 inside = 0.57f * p;
+    const auto found = look_up.at(inside);
+    ASSERT_TRUE(found && found->side);
+    EXPECT_LT(glm::distance(glm::dvec3(found->color), linear(glm::dvec3(inside))), 2e-5);
+  }
+}
+
+}  // namespace
+}  // namespace pomona
