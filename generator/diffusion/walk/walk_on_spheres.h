@@ -20,7 +20,8 @@ struct WalkOptions {
   std::uint64_t seed = 0;
   Threads threads = {};
 
-  /// A point takes no more walks than this, whatever its standard error.
+  /// A point takes no more walks than this, whatever its standard error; but for the last two batches of twelve that
+  /// each half of its walks has begun.
   std::uint32_t most_walks = 4'000'000;
 
   /// Called with the points done and all points, from any thread, if given.

@@ -108,13 +108,17 @@ class PointWalks {
     }
 
     // So many that what is too rare to be met could not change the mean by more than the target.
-    const double pilot = std::max(least_batches, std::ceil(1.5 * contrast_ / target_ / batch_size));
+    const double pilot =
+        std::max(least_batches, std::ceil(std::min(most_batches(), 1.5 * contrast_ / target_ / batch_size)));
     grow(pilot, pilot);
     while (!is_known() && walks() < options_.most_walks) grow(wanted(0), wanted(1));
     return half_[0].hits() + half_[1].hits() > 0 ? mean() : on_nearest_side();
   }
 
  private:
+  /// Of each half.
+  double most_batches() const { return options_.most_walks / (2.0 * batch_size) + 1; }
+
   double walks() const { return batch_size * (half_[0].batches() + half_[1].batches()); }
 
   bool is_known() const { return half_[0].hits() > 0 && half_[1].hits() > 0 && variance() <= target_ * target_; }
@@ -136,7 +140,7 @@ class PointWalks {
   double wanted(int which) const {
     const WalkTally& half = half_[which];
     const WalkTally& other = half_[1 - which];
-    const double most = options_.most_walks / (2.0 * batch_size) + 1;
+    const double most = most_batches();
     if (half.hits() == 0 || other.hits() == 0) return std::min(most, 2 * half.batches());
 
     // Half the variance of one batch over n, and the square of the unmet over n, shall make the target's square.
