@@ -30,9 +30,14 @@ TEST(PieceGroups, KeepApartWhatIsApart) {
   EXPECT_THAT(piece_groups(parts, {0, 0, 0}, {}), ElementsAre(0, 1, 2));
 }
 
-TEST(PieceGroups, GiveAHollowToTheSmallestThatHoldsIt) {
+TEST(PieceGroups, GiveAHollowToWhatIsAroundIt) {
   const std::vector<CutPiece> parts{hollow_of(0.4, 0.6), box_of(5, 9), box_of(0, 1), hollow_of(6, 7)};
   EXPECT_THAT(piece_groups(parts, {0, 0, 0, 0}, {}), ElementsAre(0, 1, 0, 1));
+}
+
+TEST(PieceGroups, LeaveWhatLiesInAHollowByItself) {
+  const std::vector<CutPiece> parts{box_of(0, 10), hollow_of(1, 9), box_of(3, 6), hollow_of(4, 5)};
+  EXPECT_THAT(piece_groups(parts, {0, 0, 0, 0}, {}), ElementsAre(0, 0, 2, 2));
 }
 
 TEST(PieceGroups, BringTogetherWhatOverlaps) {

@@ -155,6 +155,19 @@ TEST(Pieces, AllHaveAVolumeAboveZero) {
   }
 }
 
+TEST(Pieces, AreCrumbsBelowAShareOfTheWhole) {
+  const double whole = 0.06 * 0.06 * 0.045;
+  for (const auto& [share, is_crumb] : {std::pair{0.5e-6, true}, {0.9e-6, true}, {1.2e-6, false}, {5e-6, false}}) {
+    // A corner of the box.
+    const double side = std::cbrt(share * whole);
+    const Cut result = cut(box_fruit(), std::vector{solid_knife(shapes::block(high - side, high + 0.01))});
+    ASSERT_EQ(result.pieces.size(), 2u);
+    EXPECT_FALSE(result.pieces[0].crumb);
+    EXPECT_NEAR(result.pieces[1].volume / whole / share, 1, 0.01);
+    EXPECT_EQ(result.pieces[1].crumb, is_crumb) << share;
+  }
+}
+
 DiffusionSurfaces mirrored(DiffusionSurfaces surfaces, int axis) {
   for (glm::vec3& p : surfaces.position) p[axis] = -p[axis];
   for (glm::uvec3& t : surfaces.triangle) std::swap(t.y, t.z);

@@ -36,9 +36,10 @@ std::vector<FruitAndKnife> fruits_and_knives() {
   const std::vector<Corners> knife = corners_of(ball({3.1, 2.3, 1.9}, 1.1, 4));
   std::vector<Corners> fruit = corners_of(ball({2, 2, 2}, 1.7, 3));
   all.push_back({fruit, knife});
-  const std::vector<Corners> second = corners_of(ball({2.6, 2.2, 2.1}, 1.5, 3));
+  const std::vector<Corners> second = corners_of(ball({2.2, 2.9, 2.1}, 1.5, 3));
   fruit.insert(fruit.end(), second.begin(), second.end());
   all.push_back({fruit, knife});
+  all.push_back({knife, fruit, false});
   return all;
 }
 

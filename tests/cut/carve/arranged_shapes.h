@@ -20,11 +20,13 @@ struct ArrangedShapes {
 
 std::vector<Corners> corners_of(const ClosedSurface& surface);
 
-/// Fruits and knives that touch in corners, edges and faces, all closed and convex; then balls in general position, and
-/// a fruit of two balls that pass through each other on the knife.
 struct FruitAndKnife {
   std::vector<Corners> fruit, knife;
+  bool knife_is_convex = true;
 };
+
+/// Closed shapes: convex ones that touch in corners, edges and faces; balls in general position; two balls that pass
+/// through each other, first as a fruit and then as a knife.
 std::vector<FruitAndKnife> fruits_and_knives();
 
 }  // namespace pomona::shapes
