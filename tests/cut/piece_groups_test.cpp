@@ -40,6 +40,15 @@ TEST(PieceGroups, LeaveWhatLiesInAHollowByItself) {
   EXPECT_THAT(piece_groups(parts, {0, 0, 0, 0}, {}), ElementsAre(0, 0, 2, 2));
 }
 
+/// Walls whose home is missing, and a part that is a box here and such a wall there, hold nothing.
+TEST(PieceGroups, TakeNothingIntoWhatIsInsideOut) {
+  EXPECT_THAT(piece_groups({hollow_of(0, 10), box_of(3, 4)}, {0, 0}, {}), ElementsAre(0, 1));
+  const CutPiece both = part_of(joined(shapes::box(glm::dvec3(20), glm::dvec3(40), 1),
+                                       shapes::turned_inside_out(shapes::box(glm::dvec3(0), glm::dvec3(10), 1))));
+  ASSERT_GT(both.volume, 0);
+  EXPECT_THAT(piece_groups({both, hollow_of(4, 5)}, {0, 0}, {}), ElementsAre(0, 1));
+}
+
 TEST(PieceGroups, BringTogetherWhatOverlaps) {
   const std::vector<CutPiece> parts{box_of(0, 1), box_of(3, 4), box_of(0.5, 2), box_of(1.7, 3.2)};
   EXPECT_THAT(piece_groups(parts, {0, 0, 0, 0}, {}), ElementsAre(0, 0, 0, 0));

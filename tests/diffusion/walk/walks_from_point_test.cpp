@@ -33,6 +33,8 @@ TEST(WalksFromPoint, KeepToTheStandardErrorTheyAreAskedFor) {
     EXPECT_GT(walked.standard_error, 0.5 * asked);
     EXPECT_NEAR(walked.color.r, truth, 4 * asked / 255 + 0.02);
     EXPECT_GT(walked.walks, 2 * last) << "four times as many for half the error";
+    // As many as draws of black and white with this chance would take, or fewer.
+    EXPECT_LT(walked.walks, 1.1 * truth * (1 - truth) * (255 / asked) * (255 / asked) + 200);
     EXPECT_EQ(walked.misses, 0u);
     last = walked.walks;
   }
