@@ -90,7 +90,7 @@ void add_truth(Subject& subject, const std::string& file) {
 
 /// A square of texels across the middle, two thirds as wide: inside every fruit there is.
 std::vector<glm::vec3> texels_across(const DiffusionSurfaces& surfaces) {
-  const Bounds bounds = bounds_of(surfaces);
+  const Box<double> bounds = bounds_of(surfaces);
   std::vector<glm::vec3> texels;
   for (int y = 0; y < texel_side; ++y) {
     for (int x = 0; x < texel_side; ++x) {

@@ -196,7 +196,7 @@ CubeMapColors cube_map_pmvc(const DiffusionSurfaces& surfaces, std::span<const g
                             const CubeMapOptions& options) {
   require_finite(points);
   const SurfaceTree tree = make_surface_tree(surfaces);
-  const Box& all = tree.levels.back().front();
+  const Box<double>& all = tree.levels.back().front();
   const glm::dvec3 middle = 0.5 * (all.low + all.high);
   const Plan plan = planned(surfaces, tree, middle, points);
 

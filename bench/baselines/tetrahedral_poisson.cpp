@@ -215,7 +215,7 @@ Solved solve(const System& system) {
 /// Finds the tetrahedron around a point by a grid of buckets.
 class Finder {
  public:
-  Finder(const TetrahedralMesh& mesh, const Box& box) : mesh_(mesh), low_(box.low) {
+  Finder(const TetrahedralMesh& mesh, const Box<double>& box) : mesh_(mesh), low_(box.low) {
     const double longest = std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
     along_ = std::max(1, static_cast<int>(std::cbrt(static_cast<double>(mesh.corner.size()))));
     per_length_ = along_ / longest;

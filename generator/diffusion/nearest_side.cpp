@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace pomona {
@@ -36,7 +35,7 @@ class Search {
 
   void try_triangle(std::uint32_t triangle) {
     const auto [a, b, c] = corners(surfaces_, triangle);
-    if (squared_distance({glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))}, point_) > squared_limit()) return;
+    if (squared_distance(box_around(a, b, c), point_) > squared_limit()) return;
     const glm::dvec3 place = nearest_on_triangle(point_, a, b, c);
     const double distance = glm::length(point_ - (place.x * a + place.y * b + place.z * c));
     if (distance > limit_ + tie_) return;

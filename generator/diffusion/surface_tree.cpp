@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
@@ -35,26 +34,16 @@ bool has_area(const DiffusionSurfaces& surfaces, std::uint32_t triangle) {
   return normal.x != 0 || normal.y != 0 || normal.z != 0;
 }
 
-void grow(Box& box, const Box& other) {
-  box.low = glm::min(box.low, other.low);
-  box.high = glm::max(box.high, other.high);
-}
-
-Box box_of(const DiffusionSurfaces& surfaces, std::uint32_t triangle) {
+Box<double> box_of(const DiffusionSurfaces& surfaces, std::uint32_t triangle) {
   const auto [a, b, c] = corners(surfaces, triangle);
-  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+  return box_around(a, b, c);
 }
 
 /// One box for every `step` of `count` things.
 template <typename BoxOf>
-std::vector<Box> boxes_over(std::size_t count, std::size_t step, const BoxOf& box_of_thing) {
-  std::vector<Box> boxes((count + step - 1) / step);
-  for (std::size_t i = 0; i < count; ++i) {
-    Box& box = boxes[i / step];
-    const Box thing = box_of_thing(i);
-    if (i % step == 0) box = thing;
-    grow(box, thing);
-  }
+std::vector<Box<double>> boxes_over(std::size_t count, std::size_t step, const BoxOf& box_of_thing) {
+  std::vector<Box<double>> boxes((count + step - 1) / step);
+  for (std::size_t i = 0; i < count; ++i) boxes[i / step].add(box_of_thing(i));
   return boxes;
 }
 
@@ -66,9 +55,8 @@ std::vector<std::uint32_t> along_curve(const DiffusionSurfaces& surfaces) {
   middles.reserve(surfaces.triangle_count());
   for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t) {
     if (!has_area(surfaces, t)) continue;
-    const Box box = box_of(surfaces, t);
     solid.push_back(t);
-    middles.push_back(0.5 * (box.low + box.high));
+    middles.push_back(box_of(surfaces, t).center());
   }
   if (solid.empty()) throw Error(ExitStatus::bad_data, "surfaces: there is no triangle with any area to diffuse from");
 
@@ -86,7 +74,7 @@ std::array<glm::dvec3, 3> corners(const DiffusionSurfaces& surfaces, std::uint32
 
 NearestChildren nearest_children(const SurfaceTree& tree, std::size_t level, std::size_t index, const glm::dvec3& point,
                                  double most) {
-  const std::vector<Box>& boxes = tree.levels[level - 1];
+  const std::vector<Box<double>>& boxes = tree.levels[level - 1];
   const std::size_t first = index * SurfaceTree::branching;
   const std::size_t end = std::min(first + SurfaceTree::branching, boxes.size());
   NearestChildren sorted;
@@ -114,11 +102,10 @@ SurfaceTree make_surface_tree(const DiffusionSurfaces& surfaces) {
   tree.levels.push_back(boxes_over(tree.order.size(), SurfaceTree::leaf_size,
                                    [&](std::size_t i) { return box_of(surfaces, tree.order[i]); }));
   while (tree.levels.back().size() > 1) {
-    const std::vector<Box>& below = tree.levels.back();
+    const std::vector<Box<double>>& below = tree.levels.back();
     tree.levels.push_back(boxes_over(below.size(), SurfaceTree::branching, [&](std::size_t i) { return below[i]; }));
   }
-  const Box& all = tree.levels.back().front();
-  tree.size = glm::length(all.high - all.low);
+  tree.size = glm::length(tree.levels.back().front().size());
   return tree;
 }
 

@@ -7,27 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "generator/mesh/box.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
 
-/// Axis-aligned, exact: its corners are coordinates of vertices.
-struct Box {
-  glm::dvec3 low{0}, high{0};
-};
-
 /// The triangle's corners, metres.
 std::array<glm::dvec3, 3> corners(const DiffusionSurfaces& surfaces, std::uint32_t triangle);
-
-/// Squared distance from a point to a box, 0 inside.
-inline double squared_distance(const Box& box, const glm::dvec3& point) {
-  const glm::dvec3 outside = glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0));
-  return glm::dot(outside, outside);
-}
 
 /// A tree over all triangles of some area, sorted along a Morton curve so that neighbours in `order` are
 /// neighbours in space. Leaf i holds order[leaf_size * i ...]; box i of level k + 1 holds the boxes
@@ -37,8 +25,8 @@ struct SurfaceTree {
   static constexpr std::size_t branching = 8;
 
   std::vector<std::uint32_t> order;
-  std::vector<std::vector<Box>> levels;
-  double size = 0;  ///< diagonal of the box around all, metres
+  std::vector<std::vector<Box<double>>> levels;  ///< exact: their corners are coordinates of vertices
+  double size = 0;                               ///< diagonal of the box around all, metres
 };
 
 /// The boxes of `level` - 1 inside box `index` of `level` (> 0), nearest to a point first, with their squared

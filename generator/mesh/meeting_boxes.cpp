@@ -17,9 +17,9 @@ struct Leaf {
   std::array<std::array<float, size>, 3> low{}, high{};
   std::array<std::uint32_t, size> index{};
   std::size_t count = 0;
-  FloatBox box;
+  Box<float> box;
 
-  void add(std::uint32_t i, const FloatBox& added) {
+  void add(std::uint32_t i, const Box<float>& added) {
     for (int axis = 0; axis < 3; ++axis) {
       low[axis][count] = added.low[axis];
       high[axis][count] = added.high[axis];
@@ -28,12 +28,12 @@ struct Leaf {
     box.add(added);
   }
 
-  FloatBox box_at(std::size_t i) const {
+  Box<float> box_at(std::size_t i) const {
     return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
   }
 
   /// Which of its boxes meet this one, as 0 or 1.
-  std::array<std::uint32_t, size> meeting(const FloatBox& other) const {
+  std::array<std::uint32_t, size> meeting(const Box<float>& other) const {
     std::array<std::uint32_t, size> meets{};
     for (std::size_t i = 0; i < size; ++i) {
       meets[i] = static_cast<std::uint32_t>(low[0][i] <= other.high.x) &
@@ -48,9 +48,9 @@ struct Leaf {
 };
 
 /// Along a Morton curve: what follows each other is near each other.
-std::vector<Leaf> leaves_of(const std::vector<FloatBox>& boxes) {
+std::vector<Leaf> leaves_of(const std::vector<Box<float>>& boxes) {
   std::vector<glm::dvec3> middles;
-  for (const FloatBox& box : boxes) middles.push_back(0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high)));
+  for (const Box<float>& box : boxes) middles.push_back(0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high)));
   std::vector<Leaf> leaves;
   for (const std::uint32_t i : morton_order(middles)) {
     if (leaves.empty() || leaves.back().count == Leaf::size) leaves.emplace_back();
@@ -62,7 +62,7 @@ std::vector<Leaf> leaves_of(const std::vector<FloatBox>& boxes) {
 /// A tree of boxes that is met with itself: leaves halved by their order, again and again.
 class BoxTree {
  public:
-  explicit BoxTree(const std::vector<FloatBox>& boxes) : leaves_(leaves_of(boxes)) {
+  explicit BoxTree(const std::vector<Box<float>>& boxes) : leaves_(leaves_of(boxes)) {
     if (!leaves_.empty()) build(0, static_cast<std::uint32_t>(leaves_.size()));
   }
 
@@ -73,7 +73,7 @@ class BoxTree {
 
  private:
   struct Node {
-    FloatBox box;
+    Box<float> box;
     std::uint32_t leaf = 0, count = 0;  ///< the first of its leaves, and how many
     std::uint32_t left = 0, right = 0;  ///< 0 where there is one leaf
   };
@@ -83,7 +83,7 @@ class BoxTree {
     nodes_.push_back({leaves_[first].box, first, count, 0, 0});
     if (count == 1) return index;
     const std::uint32_t left = build(first, count / 2), right = build(first + count / 2, count - count / 2);
-    FloatBox box = nodes_[left].box;
+    Box<float> box = nodes_[left].box;
     box.add(nodes_[right].box);
     nodes_[index] = {box, first, count, left, right};
     return index;
@@ -113,7 +113,7 @@ class BoxTree {
 
   void meet_leaves(const Leaf& a, const Leaf& b) {
     for (std::size_t i = 0; i < a.count; ++i) {
-      const FloatBox box = a.box_at(i);
+      const Box<float> box = a.box_at(i);
       if (box.meets(b.box)) add(a.index[i], b, b.meeting(box), 0);
     }
   }
@@ -131,7 +131,7 @@ class BoxTree {
 
 }  // namespace
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_boxes(const std::vector<FloatBox>& boxes) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_boxes(const std::vector<Box<float>>& boxes) {
   return BoxTree(boxes).meetings();
 }
 

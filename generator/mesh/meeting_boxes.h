@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "generator/mesh/float_box.h"
+#include "generator/mesh/box.h"
 
 namespace pomona {
 
 /// Every two different boxes that meet, once, the smaller index first; in an order that the boxes alone decide.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_boxes(const std::vector<FloatBox>& boxes);
+std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_boxes(const std::vector<Box<float>>& boxes);
 
 }  // namespace pomona

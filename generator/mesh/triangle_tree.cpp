@@ -5,7 +5,6 @@
 #include <numeric>
 #include <tuple>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "generator/mesh/triangle_distance.h"
@@ -31,22 +30,7 @@ class NodeStack {
   std::size_t size_ = 0;
 };
 
-AxisBox box_of(const Corners& corners) {
-  AxisBox box;
-  for (const glm::dvec3& corner : corners) box.add(corner);
-  return box;
-}
-
-double squared_distance(const AxisBox& box, const glm::dvec3& point) {
-  const glm::dvec3 away = glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0));
-  return glm::dot(away, away);
-}
-
-AxisBox moved(AxisBox box, const glm::dvec3& offset) {
-  box.low += offset;
-  box.high += offset;
-  return box;
-}
+Box<double> box_of(const Corners& t) { return box_around(t[0], t[1], t[2]); }
 
 Corners moved(Corners corners, const glm::dvec3& offset) {
   for (glm::dvec3& corner : corners) corner += offset;
@@ -77,11 +61,6 @@ double plane_at(const Corners& t, const glm::dvec3& normal, const glm::dvec3& po
 }
 
 }  // namespace
-
-double squared_distance(const AxisBox& a, const AxisBox& b) {
-  const glm::dvec3 away = glm::max(glm::max(a.low - b.high, b.low - a.high), glm::dvec3(0));
-  return glm::dot(away, away);
-}
 
 TriangleTree::TriangleTree(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangle) {
   corners_.reserve(triangle.size());
@@ -125,11 +104,10 @@ void TriangleTree::split(std::uint32_t node, std::uint32_t first, std::uint32_t 
   nodes_[node].count = count;
   if (count <= leaf_size) return;
 
-  AxisBox centers;
+  Box<double> centers;
   const auto center = [](const Corners& c) { return c[0] + c[1] + c[2]; };
   for (std::uint32_t i = first; i < first + count; ++i) centers.add(center(corners_[i]));
-  const glm::dvec3 spread = centers.high - centers.low;
-  const int axis = spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
+  const int axis = longest_axis(centers.size());
   const auto begin = corners_.begin() + first;
   std::stable_sort(begin, begin + count,
                    [&](const Corners& a, const Corners& b) { return center(a)[axis] < center(b)[axis]; });
@@ -182,7 +160,7 @@ bool TriangleTree::contains(const glm::dvec3& point) const {
   if (!empty()) stack.push(0);
   while (!stack.empty()) {
     const Node& node = nodes_[stack.pop()];
-    const AxisBox& b = node.box;
+    const Box<double>& b = node.box;
     if (b.high.x < point.x || b.high.y < point.y || b.low.y > point.y || b.high.z < point.z || b.low.z > point.z)
       continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
@@ -197,14 +175,14 @@ bool TriangleTree::contains(const glm::dvec3& point) const {
   return winding > 0;
 }
 
-bool TriangleTree::is_near(const AxisBox& box) const {
+bool TriangleTree::is_near(const Box<double>& box) const {
   NodeStack stack;
   if (!empty()) stack.push(0);
   while (!stack.empty()) {
     const Node& node = nodes_[stack.pop()];
-    if (pomona::squared_distance(node.box, box) > 0) continue;
+    if (squared_distance(node.box, box) > 0) continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      if (pomona::squared_distance(box_of(corners_[i]), box) <= 0) return true;
+      if (squared_distance(box_of(corners_[i]), box) <= 0) return true;
     if (node.count > 0) continue;
     stack.push(node.first);
     stack.push(node.first + 1);
@@ -218,7 +196,7 @@ double TriangleTree::height_below(const glm::dvec3& point) const {
   if (!empty()) stack.push(0);
   while (!stack.empty()) {
     const Node& node = nodes_[stack.pop()];
-    const AxisBox& b = node.box;
+    const Box<double>& b = node.box;
     if (b.low.y > point.y || b.high.x < point.x || b.low.x > point.x || b.high.z < point.z || b.low.z > point.z)
       continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
@@ -244,7 +222,7 @@ ClosestPair closest(const TriangleTree& a, const TriangleTree& b, const glm::dve
   };
   std::vector<Task> stack;
   const auto push = [&](std::uint32_t i, std::uint32_t j) {
-    const double bound = squared_distance(a.nodes()[i].box, moved(b.nodes()[j].box, offset));
+    const double bound = squared_distance(a.nodes()[i].box, b.nodes()[j].box.moved(offset));
     if (bound < best_squared || (bound == 0 && best_squared > 0)) stack.push_back({i, j, bound});
   };
   if (!a.empty() && !b.empty()) push(0, 0);
@@ -260,7 +238,7 @@ ClosestPair closest(const TriangleTree& a, const TriangleTree& b, const glm::dve
     if (na.count > 0 && nb.count > 0) {
       for (std::uint32_t j = nb.first; j < nb.first + nb.count; ++j) {
         const Corners other = moved(b.triangles()[j], offset);
-        const AxisBox other_box = box_of(other);
+        const Box<double> other_box = box_of(other);
         for (std::uint32_t i = na.first; i < na.first + na.count; ++i) {
           if (squared_distance(box_of(a.triangles()[i]), other_box) >= best_squared) continue;
           const auto pair = nearest_on_triangles(a.triangles()[i], other);
@@ -272,7 +250,7 @@ ClosestPair closest(const TriangleTree& a, const TriangleTree& b, const glm::dve
     }
 
     // Open the larger of the two; the nearer child is looked at first.
-    const glm::dvec3 size_a = na.box.high - na.box.low, size_b = nb.box.high - nb.box.low;
+    const glm::dvec3 size_a = na.box.size(), size_b = nb.box.size();
     const bool open_a = nb.count > 0 || (na.count == 0 && glm::dot(size_a, size_a) >= glm::dot(size_b, size_b));
     const std::size_t before = stack.size();
     for (std::uint32_t k = 0; k < 2; ++k) open_a ? push(na.first + k, task.b) : push(task.a, nb.first + k);

@@ -7,35 +7,14 @@
 #include <span>
 #include <vector>
 
-#include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vector_relational.hpp>
+
+#include "generator/mesh/box.h"
 
 namespace pomona {
 
-/// An axis-aligned box; empty (low above high) until something is put in.
-struct AxisBox {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-  void add(const glm::dvec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  void add(const AxisBox& box) {
-    low = glm::min(low, box.low);
-    high = glm::max(high, box.high);
-  }
-
-  /// True if they have a point in common.
-  bool meets(const AxisBox& box) const {
-    return glm::all(glm::lessThanEqual(low, box.high)) && glm::all(glm::lessThanEqual(box.low, high));
-  }
-};
-
-/// Squared distance between two boxes; 0 where they meet.
-double squared_distance(const AxisBox& a, const AxisBox& b);
+using AxisBox = Box<double>;
 
 /// Two meshes' nearest points; distance 0 where their triangles meet.
 struct ClosestPair {
@@ -47,7 +26,7 @@ class TriangleTree {
  public:
   using Corners = std::array<glm::dvec3, 3>;
   struct Node {
-    AxisBox box;
+    Box<double> box;
     std::uint32_t first = 0;  ///< leaf: first triangle; else: left child
     std::uint32_t count = 0;  ///< leaf: triangles; else 0, and the right child follows the left one
   };
@@ -63,7 +42,7 @@ class TriangleTree {
   TriangleTree rotated(const glm::dquat& rotation) const;
 
   bool empty() const { return corners_.empty(); }
-  const AxisBox& box() const { return nodes_.front().box; }
+  const Box<double>& box() const { return nodes_.front().box; }
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Corners>& triangles() const { return corners_; }
 
@@ -73,7 +52,7 @@ class TriangleTree {
   }
 
   /// True if the box meets that of any triangle. Where it does not, all of it is inside the mesh or all outside.
-  bool is_near(const AxisBox& box) const;
+  bool is_near(const Box<double>& box) const;
 
   /// The nearest point of the surface, if one is nearer than `within`.
   Nearest nearest(const glm::dvec3& point, double within = std::numeric_limits<double>::infinity()) const;

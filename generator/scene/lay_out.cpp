@@ -11,6 +11,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "generator/base/reproducible.h"
+#include "generator/mesh/box.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
@@ -56,18 +57,15 @@ glm::dquat shown(const Solid& solid) {
   return glm::normalize(glm::quat_cast(frame(shown_direction, up) * glm::transpose(frame(direction, up))));
 }
 
-Bounds turned_bounds(const Solid& solid, const glm::dquat& rotation) {
-  Bounds bounds;
-  for (std::size_t v = 0; v < solid.position.size(); ++v) {
-    const glm::dvec3 p = rotation * glm::dvec3(solid.position[v]);
-    bounds.low = v == 0 ? p : glm::min(bounds.low, p);
-    bounds.high = v == 0 ? p : glm::max(bounds.high, p);
-  }
+Box<double> turned_bounds(const Solid& solid, const glm::dquat& rotation) {
+  if (solid.position.empty()) return {glm::dvec3(0), glm::dvec3(0)};
+  Box<double> bounds;
+  for (const glm::vec3& p : solid.position) bounds.add(rotation * glm::dvec3(p));
   return bounds;
 }
 
 /// What a piece takes up on the table, seen from shown_direction: a tall one hides what lies behind it.
-glm::dvec2 footprint(const Bounds& bounds) {
+glm::dvec2 footprint(const Box<double>& bounds) {
   const double hidden_behind = bounds.size().y * shown_direction.z / shown_direction.y;
   return {bounds.size().x, bounds.size().z + hidden_behind};
 }
@@ -98,7 +96,7 @@ std::vector<std::size_t> by_size(const std::vector<glm::dvec2>& footprints) {
 
 Scene laid_out(const Scene& scene) {
   Scene table = scene;
-  std::vector<Bounds> bounds;
+  std::vector<Box<double>> bounds;
   std::vector<glm::dvec2> footprints;
   for (Instance& instance : table.instances) {
     const Solid& solid = table.solids[static_cast<std::size_t>(instance.solid)];

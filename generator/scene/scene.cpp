@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/reproducible.h"
+#include "generator/mesh/box.h"
 
 namespace pomona {
 
@@ -43,13 +44,9 @@ View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect)
   if (points.empty()) return view;
 
   // Look at the middle of what the camera's own axes span.
-  glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
-  for (const glm::dvec3& p : points) {
-    const glm::dvec3 seen(glm::dot(p, right), glm::dot(p, up), glm::dot(p, back));
-    low = glm::min(low, seen);
-    high = glm::max(high, seen);
-  }
-  const glm::dvec3 middle = 0.5 * (low + high);
+  Box<double> seen;
+  for (const glm::dvec3& p : points) seen.add({glm::dot(p, right), glm::dot(p, up), glm::dot(p, back)});
+  const glm::dvec3 middle = seen.center();
   view.target = right * middle.x + up * middle.y + back * middle.z;
 
   // Step back until every point is within the field.

@@ -22,7 +22,7 @@ __extension__ typedef __int128 Wide;
 constexpr double grid_steps = 1 << 29;
 
 std::vector<GridPoint> on_grid(const DiffusionSurfaces& surfaces) {
-  const Bounds bounds = bounds_of(surfaces);
+  const Box<double> bounds = bounds_of(surfaces);
   const glm::dvec3 size = bounds.size();
   const double longest = std::max({size.x, size.y, size.z});
   const double steps_per_metre = longest > 0 ? grid_steps / longest : 0;
@@ -95,12 +95,12 @@ std::vector<CrossingTriangles> crossing_triangles(const DiffusionSurfaces& surfa
   // Find where triangles could meet, and what is connected.
   const std::vector<GridPoint> points = on_grid(surfaces);
   DisjointSets pieces(surfaces.vertex_count());
-  std::vector<FloatBox> boxes;
+  std::vector<Box<float>> boxes;
   std::vector<GridTriangle> corners;
   for (const glm::uvec3& v : surfaces.triangle) {
     pieces.join(v.x, v.y);
     pieces.join(v.x, v.z);
-    FloatBox box;
+    Box<float> box;
     for (int i = 0; i < 3; ++i) box.add(glm::vec3(points[v[i]]));
     boxes.push_back(box);
     corners.push_back({points[v.x], points[v.y], points[v.z]});

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <glm/common.hpp>
-
 namespace pomona {
 
 bool DiffusionSurfaces::is_hidden(std::size_t triangle_index, SideOf side) const {
@@ -57,16 +55,11 @@ DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces
   return all;
 }
 
-Bounds bounds_of(const DiffusionSurfaces& surfaces) {
-  Bounds bounds;
-  bool first = true;
+Box<double> bounds_of(const DiffusionSurfaces& surfaces) {
+  if (surfaces.triangle.empty()) return {glm::dvec3(0), glm::dvec3(0)};
+  Box<double> bounds;
   for (const glm::uvec3& t : surfaces.triangle) {
-    for (int k = 0; k < 3; ++k) {
-      const glm::dvec3 p(surfaces.position[t[k]]);
-      bounds.low = first ? p : glm::min(bounds.low, p);
-      bounds.high = first ? p : glm::max(bounds.high, p);
-      first = false;
-    }
+    for (int k = 0; k < 3; ++k) bounds.add(glm::dvec3(surfaces.position[t[k]]));
   }
   return bounds;
 }

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "generator/base/color.h"
+#include "generator/mesh/box.h"
 
 namespace pomona {
 
@@ -47,12 +48,9 @@ struct DiffusionSurfaces {
 /// Both, one after the other; names merged (equal part names become one part, surfaces stay apart).
 DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces& second);
 
-/// Axis-aligned bounds of all vertices that a triangle uses; zero for no triangles.
-struct Bounds {
-  glm::dvec3 low{0}, high{0};
-  glm::dvec3 size() const { return high - low; }
-  glm::dvec3 center() const { return 0.5 * (low + high); }
-};
-Bounds bounds_of(const DiffusionSurfaces& surfaces);
+using Bounds = Box<double>;
+
+/// The box around all vertices that a triangle uses; a box of no size at zero for no triangles.
+Box<double> bounds_of(const DiffusionSurfaces& surfaces);
 
 }  // namespace pomona

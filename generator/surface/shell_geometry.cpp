@@ -18,12 +18,8 @@ namespace {
 glm::dvec3 at(const DiffusionSurfaces& surfaces, std::uint32_t vertex) { return glm::dvec3(surfaces.position[vertex]); }
 
 void measure(const DiffusionSurfaces& surfaces, Shell& shell) {
-  shell.bounds.low = shell.bounds.high = at(surfaces, shell.triangles.front().x);
   for (const glm::uvec3& t : shell.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      shell.bounds.low = glm::min(shell.bounds.low, at(surfaces, t[k]));
-      shell.bounds.high = glm::max(shell.bounds.high, at(surfaces, t[k]));
-    }
+    for (int k = 0; k < 3; ++k) shell.bounds.add(at(surfaces, t[k]));
   }
   const glm::dvec3 center = shell.bounds.center();
   for (const glm::uvec3& t : shell.triangles) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "generator/mesh/box.h"
 #include "generator/surface/shells.h"
 
 namespace pomona {
@@ -11,7 +12,7 @@ namespace pomona {
 /// One shell by itself.
 struct Shell {
   std::vector<glm::uvec3> triangles;  ///< welded, facing air
-  Bounds bounds;
+  Box<double> bounds;
   double volume = 0;  ///< cubic metres; negative where air is inside (a cavity wall)
   bool closed = true;
 };

@@ -11,7 +11,7 @@
 #include <glm/common.hpp>
 
 #include "generator/diffusion/used_parts.h"
-#include "generator/mesh/float_box.h"
+#include "generator/mesh/box.h"
 
 namespace pomona {
 
@@ -22,14 +22,14 @@ constexpr std::size_t most_in_leaf = 4;
 /// Boxes are this much larger than what they hold, normalised: more than what rounding does to a crossing.
 constexpr float slack = 0x1p-19f;
 
-float half_area(const FloatBox& box) {
-  const glm::vec3 size = box.high - box.low;
+float half_area(const Box<float>& box) {
+  const glm::vec3 size = box.size();
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
 /// A triangle on its way into the tree.
 struct Placed {
-  FloatBox box;
+  Box<float> box;
   glm::vec3 middle{0};
   std::uint32_t triangle = 0;
 };
@@ -44,8 +44,8 @@ int levels_for(std::size_t count) {
   return static_cast<int>(std::bit_width((count + most_in_leaf - 1) / most_in_leaf));
 }
 
-FloatBox bounds(std::span<const Placed> part) {
-  FloatBox box;
+Box<float> bounds(std::span<const Placed> part) {
+  Box<float> box;
   for (const Placed& p : part) box.add(p.box);
   return box;
 }
@@ -53,13 +53,13 @@ FloatBox bounds(std::span<const Placed> part) {
 /// Two parts of some triangles, the first `count` and the rest, with their boxes.
 struct Split {
   std::size_t count = 0;
-  FloatBox one, other;
+  Box<float> one, other;
 };
 
 /// Equal slices of a box, and what of the triangles has its middle in each.
 class Bins {
  public:
-  Bins(const FloatBox& box, int axis, std::span<const Placed> part)
+  Bins(const Box<float>& box, int axis, std::span<const Placed> part)
       : axis_(axis), low_(box.low[axis]), per_length_(bins * 0.9999f / (box.high[axis] - box.low[axis])) {
     for (const Placed& p : part) {
       const auto bin = static_cast<std::size_t>(bin_of(p));
@@ -73,7 +73,7 @@ class Bins {
   /// The border before which a bin goes into the first part, and that part: where rays have least work to do, by
   /// surface areas times triangles. A count of 0 if all are in one bin.
   std::pair<int, Split> best() const {
-    std::array<FloatBox, bins> after{};
+    std::array<Box<float>, bins> after{};
     std::array<std::size_t, bins> count_after{};
     for (std::size_t border = bins - 1; border > 0; --border) {
       if (border + 1 < bins) {
@@ -86,7 +86,7 @@ class Bins {
 
     std::pair<int, Split> best;
     float least = std::numeric_limits<float>::max();
-    FloatBox before;
+    Box<float> before;
     std::size_t count = 0;
     for (std::size_t border = 1; border < bins; ++border) {
       before.add(box_[border - 1]);
@@ -105,7 +105,7 @@ class Bins {
   static constexpr std::size_t bins = 16;
   int axis_;
   float low_, per_length_;
-  std::array<FloatBox, bins> box_{};
+  std::array<Box<float>, bins> box_{};
   std::array<std::size_t, bins> count_{};
 };
 
@@ -113,20 +113,20 @@ class TreeBuilder {
  public:
   explicit TreeBuilder(std::vector<Placed>& placed) : placed_(placed) {
     node_.reserve(placed.size() / 2 + 1);
-    const FloatBox all = bounds(placed_);
+    const Box<float> all = bounds(placed_);
     const int root = child(0, placed.size(), all, 0);
     if (root == 0) return;
 
     // So few triangles that they are one leaf: a root above it, with nothing beside it.
     node_.emplace_back();
-    set(0, root, all, ~0, FloatBox{});
+    set(0, root, all, ~0, Box<float>{});
   }
 
   std::vector<RayNode> take() { return std::move(node_); }
 
  private:
   /// Triangles [first, first + count) as a child of a node, `depth` below the root.
-  int child(std::size_t first, std::size_t count, const FloatBox& box, int depth) {
+  int child(std::size_t first, std::size_t count, const Box<float>& box, int depth) {
     if (count <= most_in_leaf) return ~static_cast<int>(8 * first + count);
     const std::size_t index = node_.size();
     node_.emplace_back();
@@ -137,15 +137,15 @@ class TreeBuilder {
     return static_cast<int>(index);
   }
 
-  void set(std::size_t index, int one, const FloatBox& box, int other, const FloatBox& other_box) {
+  void set(std::size_t index, int one, const Box<float>& box, int other, const Box<float>& other_box) {
     node_[index] = {bits(box.low - slack, static_cast<std::uint32_t>(one)), bits(box.high + slack, 0),
                     bits(other_box.low - slack, static_cast<std::uint32_t>(other)), bits(other_box.high + slack, 0)};
   }
 
   /// Puts the triangles of the first part first.
-  static Split split(std::span<Placed> part, const FloatBox& box, int depth) {
-    const glm::vec3 size = box.high - box.low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  static Split split(std::span<Placed> part, const Box<float>& box, int depth) {
+    const glm::vec3 size = box.size();
+    const int axis = longest_axis(size);
 
     // By surface area, unless all middles are in one bin or the tree gets too deep for halving.
     if (size[axis] > 0 && depth + levels_for(part.size()) < RaySurfaces::most_depth - 2) {
@@ -182,7 +182,7 @@ std::vector<Placed> placed_triangles(const DiffusionSurfaces& surfaces, const Su
     placed[i].triangle = tree.order[i];
     const glm::uvec3& corner = surfaces.triangle[tree.order[i]];
     for (int k = 0; k < 3; ++k) placed[i].box.add(positions[corner[k]]);
-    placed[i].middle = 0.5f * (placed[i].box.low + placed[i].box.high);
+    placed[i].middle = placed[i].box.center();
   }
   return placed;
 }
@@ -195,8 +195,7 @@ glm::vec3 RaySurfaces::normalized(const glm::vec3& point) const {
 
 RaySurfaces ray_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& tree) {
   RaySurfaces result;
-  const Box& all = tree.levels.back().front();
-  result.middle = 0.5 * (all.low + all.high);
+  result.middle = tree.levels.back().front().center();
   int exponent = 0;
   std::frexp(tree.size, &exponent);
   result.scale = std::ldexp(1.0, 1 - exponent);

@@ -13,6 +13,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "generator/base/error.h"
+#include "generator/mesh/box.h"
 #include "generator/piece/piece_facts.h"
 #include "render/export/pbr_look.h"
 #include "render/image/png.h"
@@ -255,8 +256,7 @@ int GlbModel::add_mesh(const Solid& solid, const StyledMesh& styled, std::option
   const int position = add_vertices(styled, primitive);
 
   // glTF wants the bounds of positions.
-  glm::vec3 low = styled.position.front(), high = low;
-  for (const glm::vec3& p : styled.position) low = glm::min(low, p), high = glm::max(high, p);
+  const auto [low, high] = box_around(styled.position);
   model_.accessors[position].minValues = {low.x, low.y, low.z};
   model_.accessors[position].maxValues = {high.x, high.y, high.z};
 

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "generator/mesh/box.h"
+
 namespace pomona {
 
 glm::mat4 matrix_of(const Pose& pose) {
@@ -16,13 +18,9 @@ glm::mat4 matrix_of(const Pose& pose) {
 
 SceneBall ball_around(const Scene& scene) {
   // The box of each solid, placed; then the box of all.
-  std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
-  for (const Solid& solid : scene.solids) {
-    glm::vec3 low(1e30f), high(-1e30f);
-    for (const glm::vec3& p : solid.position) low = glm::min(low, p), high = glm::max(high, p);
-    boxes.emplace_back(low, high);
-  }
-  glm::vec3 low(1e30f), high(-1e30f);
+  std::vector<Box<float>> boxes;
+  for (const Solid& solid : scene.solids) boxes.push_back(box_around(solid.position));
+  Box<float> all;
   for (const Instance& instance : scene.instances) {
     const auto& [a, b] = boxes[instance.solid];
     if (a.x > b.x) continue;
@@ -30,12 +28,11 @@ SceneBall ball_around(const Scene& scene) {
     for (int corner = 0; corner < 8; ++corner) {
       const glm::vec4 at((corner & 1) != 0 ? b.x : a.x, (corner & 2) != 0 ? b.y : a.y, (corner & 4) != 0 ? b.z : a.z,
                          1);
-      low = glm::min(low, glm::vec3(place * at));
-      high = glm::max(high, glm::vec3(place * at));
+      all.add(glm::vec3(place * at));
     }
   }
-  if (low.x > high.x) return {glm::vec3(0), 0.1f};
-  return {0.5f * (low + high), std::max(0.5f * glm::distance(low, high), 1e-4f)};
+  if (all.low.x > all.high.x) return {glm::vec3(0), 0.1f};
+  return {all.center(), std::max(0.5f * glm::length(all.size()), 1e-4f)};
 }
 
 SceneCamera camera_of(const Scene& scene, const SceneBall& ball, double aspect) {

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "generator/mesh/box.h"
+
 namespace pomona {
 
 namespace {
@@ -14,9 +16,8 @@ namespace {
 std::vector<double> radii_of(const Scene& scene) {
   std::vector<double> radii;
   for (const Solid& solid : scene.solids) {
-    glm::vec3 low(1e30f), high(-1e30f);
-    for (const glm::vec3& p : solid.position) low = glm::min(low, p), high = glm::max(high, p);
-    radii.push_back(solid.position.empty() ? 0.0 : 0.5 * static_cast<double>(glm::distance(low, high)));
+    const glm::vec3 size = box_around(solid.position).size();
+    radii.push_back(solid.position.empty() ? 0.0 : 0.5 * static_cast<double>(glm::length(size)));
   }
   return radii;
 }

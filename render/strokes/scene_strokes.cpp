@@ -8,6 +8,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
+#include "generator/mesh/box.h"
 #include "render/image/image.h"
 #include "render/strokes/long_runs.h"
 
@@ -26,9 +27,7 @@ double magnification(const StrokeOptions& options) {
 
 /// Half the diagonal of the solid's box, metres.
 double radius_of(const Solid& solid) {
-  glm::vec3 low(1e30f), high(-1e30f);
-  for (const glm::vec3& p : solid.position) low = glm::min(low, p), high = glm::max(high, p);
-  return solid.position.empty() ? 0.0 : 0.5 * static_cast<double>(glm::distance(low, high));
+  return solid.position.empty() ? 0.0 : 0.5 * static_cast<double>(glm::length(box_around(solid.position).size()));
 }
 
 /// Everything about one instance that lines depend on.

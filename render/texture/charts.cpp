@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/knife/crease.h"
+#include "generator/mesh/box.h"
 #include "generator/mesh/disjoint_sets.h"
 #include "render/texture/curved_regions.h"
 #include "render/texture/triangle_neighbors.h"
@@ -100,16 +101,16 @@ constexpr double flatness = 1e-4;
 
 bool is_flat(const Solid& solid, const std::vector<std::uint32_t>& triangles) {
   const glm::dvec3 normal = mean_normal(solid, triangles);
-  glm::dvec3 low(solid.position[solid.triangle[triangles.front()].x]), high = low;
-  double lowest = glm::dot(low, normal), highest = lowest;
+  Box<double> box;
+  double lowest = glm::dot(glm::dvec3(solid.position[solid.triangle[triangles.front()].x]), normal), highest = lowest;
   for (const std::uint32_t t : triangles) {
     for (int k = 0; k < 3; ++k) {
       const glm::dvec3 p(solid.position[solid.triangle[t][k]]);
-      low = glm::min(low, p), high = glm::max(high, p);
+      box.add(p);
       lowest = std::min(lowest, glm::dot(p, normal)), highest = std::max(highest, glm::dot(p, normal));
     }
   }
-  return highest - lowest <= flatness * glm::distance(low, high);
+  return highest - lowest <= flatness * glm::length(box.size());
 }
 
 void lay_face_flat(const Solid& solid, const TriangleNeighbors& neighbors, Chart& chart) {

@@ -63,7 +63,7 @@ TEST(Guided, points_to_the_foot_on_the_skin) {
   const DiffusionSurfaces surfaces = ball();
   const CrossSection section = guided(section_of(surfaces, {"half"}), surfaces, detailed_fruit());
   ASSERT_EQ(section.guide.size(), section.position.size());
-  const Bounds bounds = bounds_of(surfaces);
+  const Box<double> bounds = bounds_of(surfaces);
   for (std::size_t v = 0; v < section.position.size(); ++v) {
     const glm::dvec3 out = glm::dvec3(section.position[v]) - bounds.center();
     const double away = glm::length(out);

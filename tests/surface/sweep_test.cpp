@@ -73,7 +73,7 @@ TEST(Sweep, ABowlGoesUpOverTheRimAndDownInside) {
   const DiffusionSurfaces swept = sweep(fruit({bowl}));
   expect_one_closed_body(swept, pi * (0.05 * 0.05 * 0.1 - 0.03 * 0.03 * 0.08), 0.002);
   // Corners are kept: without them the volume would be less.
-  const Bounds bounds = bounds_of(swept);
+  const Box<double> bounds = bounds_of(swept);
   EXPECT_NEAR(bounds.size().y, 0.1, 1e-8);
 }
 
@@ -88,7 +88,7 @@ TEST(Sweep, OpenEndsAreOpenRims) {
 TEST(Sweep, AnglesRunFromXTowardsMinusZ) {
   // A loop with a bump at 90 degrees: it must show at -z.
   const Curve bumped = loop([](double a) { return 1 + (std::fabs(a - pi / 2) < 0.2 ? 0.3 : 0.0); });
-  const Bounds bounds = bounds_of(sweep(fruit({around_axis(meridian(0.04), bumped)})));
+  const Box<double> bounds = bounds_of(sweep(fruit({around_axis(meridian(0.04), bumped)})));
   EXPECT_GT(-bounds.low.z, 1.2 * bounds.high.z);
   const DiffusionSurfaces ball = sweep(fruit({around_axis(meridian(0.04), bumped)}));
   EXPECT_EQ(ball.position[1].z, 0);

@@ -7,7 +7,7 @@ namespace pomona {
 
 Lattice lattice_around(const DiffusionSurfaces& surfaces, double spacing, int margin, int halvings,
                        const glm::dvec3& shift) {
-  const Bounds bounds = bounds_of(surfaces);
+  const Box<double> bounds = bounds_of(surfaces);
   const int step = 1 << halvings;
   Lattice lattice;
   lattice.spacing = spacing;

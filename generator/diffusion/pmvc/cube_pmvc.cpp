@@ -22,7 +22,7 @@ glm::dvec3 on_face(int face, const glm::dvec3& p) {
   return {p[(axis + 1) % 3], p[(axis + 2) % 3], face % 2 == 0 ? p[axis] : -p[axis]};
 }
 
-Box on_face(int face, const Box& box) {
+Box<double> on_face(int face, const Box<double>& box) {
   const glm::dvec3 a = on_face(face, box.low), b = on_face(face, box.high);
   return {glm::min(a, b), glm::max(a, b)};
 }
@@ -99,11 +99,11 @@ class CubeView {
     for (std::size_t i = 0; i < inside.count; ++i) visit(level - 1, inside.child[i].second, point, faces);
   }
 
-  unsigned faces_that_see(const Box& box, const glm::dvec3& point, unsigned faces) {
+  unsigned faces_that_see(const Box<double>& box, const glm::dvec3& point, unsigned faces) {
     unsigned seeing = 0;
     for (int f = 0; f < face_count; ++f) {
       if ((faces >> f & 1U) == 0) continue;
-      const Box local = on_face(f, Box{box.low - point, box.high - point});
+      const Box<double> local = on_face(f, Box<double>{box.low - point, box.high - point});
       const Rectangle rectangle = rectangle_of(local);
       if (rectangle.is_empty()) continue;
       const bool hidden = local.low.z > 0 && is_covered(faces_[f], rectangle, 1 / local.low.z);
@@ -113,7 +113,7 @@ class CubeView {
   }
 
   /// The texels a box may cover: all of the face if it reaches behind the point.
-  Rectangle rectangle_of(const Box& box) const {
+  Rectangle rectangle_of(const Box<double>& box) const {
     if (box.high.z <= 0) return {};
     const double depth = box.high.z;
     if (box.low.x > depth || box.high.x < -depth || box.low.y > depth || box.high.y < -depth) return {};

@@ -4,17 +4,14 @@
 #include <limits>
 #include <utility>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include "generator/mesh/float_box.h"
+#include "generator/mesh/box.h"
 
 namespace pomona {
 
 namespace {
 
-FloatBox box_of(const TriangleGroup& group) {
-  FloatBox box;
+Box<float> box_of(const TriangleGroup& group) {
+  Box<float> box;
   for (int i = 0; i < TriangleGroup::size; ++i) {
     for (int k = 0; k < 3; ++k) {
       box.add({group.corner[3 * k][i], group.corner[3 * k + 1][i], group.corner[3 * k + 2][i]});
@@ -24,30 +21,25 @@ FloatBox box_of(const TriangleGroup& group) {
 }
 
 /// Boxes around runs of neighbouring points, few enough to compare every group with.
-std::vector<FloatBox> boxes_of(std::span<const glm::vec3> points) {
+std::vector<Box<float>> boxes_of(std::span<const glm::vec3> points) {
   constexpr std::size_t most_boxes = 64;
   const std::size_t run = (points.size() + most_boxes - 1) / most_boxes;
-  std::vector<FloatBox> boxes((points.size() + run - 1) / run);
+  std::vector<Box<float>> boxes((points.size() + run - 1) / run);
   for (std::size_t i = 0; i < points.size(); ++i) boxes[i / run].add(points[i]);
   return boxes;
-}
-
-float squared_distance(const FloatBox& a, const FloatBox& b) {
-  const glm::vec3 gap = glm::max(glm::max(a.low - b.high, b.low - a.high), glm::vec3(0));
-  return glm::dot(gap, gap);
 }
 
 }  // namespace
 
 GroupBoxes nearest_first(const PackedSurfaces& surfaces, std::span<const glm::vec3> points) {
   // Sort by distance, then by index.
-  const std::vector<FloatBox> near = boxes_of(points);
-  std::vector<FloatBox> boxes;
+  const std::vector<Box<float>> near = boxes_of(points);
+  std::vector<Box<float>> boxes;
   std::vector<std::pair<float, std::uint32_t>> sorted;
   for (const TriangleGroup& group : surfaces.groups) {
     boxes.push_back(box_of(group));
     float distance = std::numeric_limits<float>::infinity();
-    for (const FloatBox& box : near) distance = std::min(distance, squared_distance(box, boxes.back()));
+    for (const Box<float>& box : near) distance = std::min(distance, squared_distance(box, boxes.back()));
     sorted.emplace_back(distance, static_cast<std::uint32_t>(sorted.size()));
   }
   std::sort(sorted.begin(), sorted.end());
@@ -64,7 +56,7 @@ GroupBoxes nearest_first(const PackedSurfaces& surfaces, std::span<const glm::ve
     std::fill_n(middle.get(), padded, 1e30f);
     std::fill_n(half.get(), padded, 0.0f);
     for (std::size_t i = 0; i < sorted.size(); ++i) {
-      const FloatBox& box = boxes[sorted[i].second];
+      const Box<float>& box = boxes[sorted[i].second];
       middle[i] = 0.5f * (box.low[axis] + box.high[axis]);
       half[i] = 0.5f * (box.high[axis] - box.low[axis]);
     }

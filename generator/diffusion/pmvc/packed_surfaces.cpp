@@ -25,7 +25,7 @@ glm::vec3 PackedSurfaces::normalized(const glm::vec3& point) const {
 
 PackedSurfaces pack(const DiffusionSurfaces& surfaces, const SurfaceTree& tree) {
   PackedSurfaces packed;
-  const Box& all = tree.levels.back().front();
+  const Box<double>& all = tree.levels.back().front();
   packed.middle = 0.5 * (all.low + all.high);
   int exponent = 0;
   std::frexp(tree.size, &exponent);

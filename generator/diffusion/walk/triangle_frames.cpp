@@ -45,8 +45,7 @@ void put(FrameGroup& group, int lane, std::array<glm::dvec3, 3> corner, std::uin
 TriangleFrames make_triangle_frames(const DiffusionSurfaces& surfaces, const SurfaceTree& tree) {
   // Find the ball around all.
   TriangleFrames frames;
-  const Box& all = tree.levels.back().front();
-  frames.middle = 0.5 * (all.low + all.high);
+  frames.middle = tree.levels.back().front().center();
   double squared = 0;
   for (const std::uint32_t triangle : tree.order) {
     for (const glm::dvec3& corner : corners(surfaces, triangle)) {

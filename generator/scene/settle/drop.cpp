@@ -9,6 +9,7 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "generator/mesh/box.h"
 
 namespace pomona {
 
@@ -46,17 +47,17 @@ glm::dquat face_up(const glm::dvec3& up, const RandomStream& draw, std::uint64_t
   return about(target, 2 * pi * draw.uniform(n + 2)) * turn(glm::normalize(up), target);
 }
 
-AxisBox turned_box(const DropPiece& piece, const glm::dquat& rotation) {
-  AxisBox box;
+Box<double> turned_box(const DropPiece& piece, const glm::dquat& rotation) {
+  Box<double> box;
   for (const ConvexPart& part : piece.parts)
     for (const glm::dvec3& corner : part) box.add(rotation * corner);
   return box;
 }
 
 /// The lowest height for the box's lower face at which it clears all others.
-double clear_height(std::span<const AxisBox> others, const AxisBox& box, double lowest) {
+double clear_height(std::span<const Box<double>> others, const Box<double>& box, double lowest) {
   double height = lowest;
-  for (const AxisBox& other : others) {
+  for (const Box<double>& other : others) {
     const bool apart =
         other.high.x < box.low.x || other.low.x > box.high.x || other.high.z < box.low.z || other.low.z > box.high.z;
     if (!apart) height = std::max(height, other.high.y);
@@ -70,10 +71,9 @@ class Column {
   Column(const DropSpace& space, double air) : space_(space), air_(air) {}
 
   /// Moves the box to the lowest of a few places drawn from counter n on; returns how far.
-  glm::dvec3 placed(const AxisBox& box, bool beside, const RandomStream& draw, std::uint64_t n) {
+  glm::dvec3 placed(const Box<double>& box, bool beside, const RandomStream& draw, std::uint64_t n) {
     constexpr std::uint64_t tries = 6;
-    const glm::dvec3 middle = 0.5 * (box.low + box.high);
-    const glm::dvec3 size = box.high - box.low;
+    const glm::dvec3 middle = box.center(), size = box.size();
     const double radius = 0.5 * std::sqrt(size.x * size.x + size.z * size.z);
     const double inner = beside ? space_.radius + radius : 0;
     const double outer = beside ? space_.around : std::max(0.0, space_.radius - radius);
@@ -83,23 +83,17 @@ class Column {
       const double share = draw.uniform(n + 2 * k), angle = 2 * pi * draw.uniform(n + 2 * k + 1);
       const double r = std::sqrt(inner * inner + share * std::max(0.0, outer * outer - inner * inner));
       glm::dvec3 move(r * reproducible::cos(angle) - middle.x, 0, r * reproducible::sin(angle) - middle.z);
-      move.y = clear_height(boxes_, moved(box, move), beside ? 0 : space_.height) + air_ - box.low.y;
+      move.y = clear_height(boxes_, box.moved(move), beside ? 0 : space_.height) + air_ - box.low.y;
       if (move.y < best.y) best = move;
     }
-    boxes_.push_back(moved(box, best));
+    boxes_.push_back(box.moved(best));
     return best;
   }
 
  private:
-  static AxisBox moved(AxisBox box, const glm::dvec3& by) {
-    box.low += by;
-    box.high += by;
-    return box;
-  }
-
   DropSpace space_;
   double air_;  ///< between boxes, metres
-  std::vector<AxisBox> boxes_;
+  std::vector<Box<double>> boxes_;
 };
 
 /// Pieces by order, shuffled within it: a Fisher-Yates shuffle, then a stable sort.

@@ -9,13 +9,6 @@ namespace pomona {
 
 namespace {
 
-AxisBox world_box(const PlacedMesh& placed) {
-  AxisBox box = placed.mesh.box();
-  box.low += placed.at;
-  box.high += placed.at;
-  return box;
-}
-
 /// Looks for the deepest point of `a` inside `b`: among the vertices and triangle centres of `a`, part by part of
 /// its tree, leaving out parts that are wholly outside.
 class DepthSearch {
@@ -31,11 +24,11 @@ class DepthSearch {
  private:
   void visit(std::uint32_t index, bool is_inside) {
     const TriangleTree::Node& node = a_.nodes()[index];
-    const AxisBox box{node.box.low + offset_, node.box.high + offset_};
+    const Box<double> box = node.box.moved(offset_);
     if (!is_inside) {
       if (squared_distance(box, b_.box()) > 0) return;
       if (!b_.is_near(box)) {
-        if (!b_.contains(0.5 * (box.low + box.high))) return;
+        if (!b_.contains(box.center())) return;
         is_inside = true;
       }
     }
@@ -66,7 +59,7 @@ class DepthSearch {
 }  // namespace
 
 std::optional<Overlap> overlap(const PlacedMesh& a, const PlacedMesh& b) {
-  if (squared_distance(world_box(a), world_box(b)) > 0) return std::nullopt;
+  if (squared_distance(a.mesh.box().moved(a.at), b.mesh.box().moved(b.at)) > 0) return std::nullopt;
 
   // Surfaces apart: only a mesh wholly inside the other could overlap, and then any of its points is inside.
   const double touch = 1e-7 * std::min(a.size, b.size);
@@ -84,7 +77,8 @@ std::optional<Overlap> overlap(const PlacedMesh& a, const PlacedMesh& b) {
 }
 
 double distance(const PlacedMesh& a, const PlacedMesh& b, double within) {
-  if (squared_distance(world_box(a), world_box(b)) > within * within) return std::numeric_limits<double>::infinity();
+  if (squared_distance(a.mesh.box().moved(a.at), b.mesh.box().moved(b.at)) > within * within)
+    return std::numeric_limits<double>::infinity();
   return closest(a.mesh, b.mesh, b.at - a.at, within).distance;
 }
 

@@ -17,12 +17,7 @@ using Pair = std::pair<std::size_t, std::size_t>;
 /// has the index behind the last piece.
 std::vector<Pair> near_pairs(std::span<const PlacedMesh> pieces, const PlacedMesh& stand) {
   std::vector<Pair> pairs;
-  const auto grown = [](const PlacedMesh& placed) {
-    AxisBox box = placed.mesh.box();
-    box.low += placed.at;
-    box.high += placed.at;
-    return box;
-  };
+  const auto grown = [](const PlacedMesh& placed) { return placed.mesh.box().moved(placed.at); };
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t j = i + 1; j <= pieces.size(); ++j) {
       const PlacedMesh& other = j < pieces.size() ? pieces[j] : stand;

@@ -9,6 +9,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
+#include "generator/mesh/box.h"
 #include "generator/surface/file/glb_file.h"
 #include "generator/surface/file/obj_file.h"
 #include "generator/surface/file/plain_mesh.h"
@@ -106,15 +107,12 @@ double turn_about(double x, double z) { return x == 0 && z == 0 ? 0.0 : turn_of(
 SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
   SweptGrid grid;
   for (const glm::dvec3& p : plain.position) grid.position.push_back(placed_point(mesh, p));
-  glm::dvec3 low = grid.position.front(), high = low;
   for (const glm::dvec3& p : grid.position) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
     grid.along.push_back(mesh.paint->ramps_from ? glm::distance(p, *mesh.paint->ramps_from) : p.y);
   }
   const auto [least, most] = std::minmax_element(grid.along.begin(), grid.along.end());
   const double from = *least, range = *most - *least;
-  const glm::dvec3 middle = 0.5 * (low + high);
+  const glm::dvec3 middle = box_around(grid.position).center();
   for (std::size_t i = 0; i < grid.position.size(); ++i) {
     const glm::dvec3 p = grid.position[i] - middle;
     grid.along[i] = range > 0 ? (grid.along[i] - from) / range : 0.0;
