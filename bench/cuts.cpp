@@ -19,7 +19,7 @@
 #include "generator/base/parallel.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/mesh/disjoint_sets.h"
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/weld.h"
 #include "render/export/output.h"
 #include "tests/cut/cut_oracle.h"
 

@@ -6,7 +6,7 @@
 
 #include "generator/base/parallel.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/weld.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/skin_depth.h"
 

@@ -6,7 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
 
 namespace pomona {
 
@@ -19,14 +20,8 @@ class SheetDistances {
 
   std::vector<float> find() {
     start_with_blur();
-    std::vector<glm::uvec3> triangles;
-    for (const glm::uvec3& t : surfaces_.triangle) triangles.emplace_back(first_[t.x], first_[t.y], first_[t.z]);
-    const std::vector<WeldedEdge> edges = sorted_edges(triangles);
-    for (std::size_t at = 0; at < edges.size();) {
-      const std::span<const WeldedEdge> group = equal_edges(edges, at);
-      limit_at(group);
-      at += group.size();
-    }
+    for_each_edge(sorted_half_edges(welded_triangles(first_, surfaces_.triangle)),
+                  [&](std::span<const HalfEdge> edge) { limit_at(edge); });
     std::vector<float> distances(surfaces_.vertex_count());
     for (std::size_t v = 0; v < distances.size(); ++v) distances[v] = static_cast<float>(distance_[first_[v]]);
     return distances;
@@ -43,18 +38,18 @@ class SheetDistances {
     }
   }
 
-  void limit_at(std::span<const WeldedEdge> group) {
-    const std::uint32_t a = group.front().low, b = group.front().high;
+  void limit_at(std::span<const HalfEdge> edge) {
+    const std::uint32_t a = edge.front().low, b = edge.front().high;
     std::size_t boundary = 0;
     bool outwards = false, inwards = false;  // along the normal, against it
-    for (const WeldedEdge& edge : group) {
-      const bool is_boundary = surfaces_.is_boundary(edge.triangle);
+    for (const HalfEdge& h : edge) {
+      const bool is_boundary = surfaces_.is_boundary(h.triangle);
       boundary += is_boundary ? 1 : 0;
-      outwards = outwards || !is_boundary || surfaces_.is_hidden(edge.triangle, SideOf::back);
-      inwards = inwards || !is_boundary || surfaces_.is_hidden(edge.triangle, SideOf::front);
+      outwards = outwards || !is_boundary || surfaces_.is_hidden(h.triangle, SideOf::back);
+      inwards = inwards || !is_boundary || surfaces_.is_hidden(h.triangle, SideOf::front);
     }
-    const bool rim = group.size() == 1;
-    const bool changes = boundary != 0 && boundary != group.size();
+    const bool rim = edge.size() == 1;
+    const bool changes = boundary != 0 && boundary != edge.size();
     const double most = rim || changes ? 0 : farthest_unfolded(a, b, outwards, inwards);
     distance_[a] = std::min(distance_[a], most);
     distance_[b] = std::min(distance_[b], most);

@@ -9,7 +9,8 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/mesh/disjoint_sets.h"
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
 
 namespace pomona {
 
@@ -29,12 +30,7 @@ class ShellFinder {
 
   Shells find() {
     shells_.air_facing = air_facing_triangles();
-    const std::vector<WeldedEdge> edges = sorted_edges(boundary_only());
-    for (std::size_t first = 0; first < edges.size();) {
-      const std::span<const WeldedEdge> group = equal_edges(edges, first);
-      join_across(group);
-      first += group.size();
-    }
+    for_each_edge(sorted_half_edges(boundary_only()), [&](std::span<const HalfEdge> edge) { join_across(edge); });
     number_shells();
     adopt_collapsed_triangles();
     return std::move(shells_);
@@ -43,7 +39,7 @@ class ShellFinder {
  private:
   /// A triangle whose back is hidden faces air the other way round.
   std::vector<glm::uvec3> air_facing_triangles() const {
-    std::vector<glm::uvec3> triangles = welded_triangles(surfaces_.position, surfaces_.triangle);
+    std::vector<glm::uvec3> triangles = welded_triangles(weld(surfaces_.position), surfaces_.triangle);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (surfaces_.is_hidden(i, SideOf::back)) std::swap(triangles[i].y, triangles[i].z);
     }
@@ -59,34 +55,32 @@ class ShellFinder {
     return triangles;
   }
 
-  void join_across(std::span<const WeldedEdge> group) {
-    const auto forward = std::count_if(group.begin(), group.end(), [](const WeldedEdge& e) { return e.forward; });
-    const bool matched = 2 * static_cast<std::size_t>(forward) == group.size();
-    if (!matched) {
-      for (const WeldedEdge& e : group) open_[e.triangle] = 1;
+  void join_across(std::span<const HalfEdge> edge) {
+    if (balance(edge) != 0) {
+      for (const HalfEdge& h : edge) open_[h.triangle] = 1;
     }
     // So many triangles at one edge are no solid; keeping them together costs least.
     constexpr std::size_t crowd = 64;
-    if (group.size() <= 2 || group.size() > crowd) {
-      for (const WeldedEdge& e : group) sets_.join(group.front().triangle, e.triangle);
+    if (edge.size() <= 2 || edge.size() > crowd) {
+      for (const HalfEdge& h : edge) sets_.join(edge.front().triangle, h.triangle);
     } else {
-      join_wedges(leaves_around(group));
+      join_wedges(leaves_around(edge));
     }
   }
 
-  std::vector<Leaf> leaves_around(std::span<const WeldedEdge> group) const {
-    const glm::dvec3 low(surfaces_.position[group.front().low]);
-    const glm::dvec3 along = glm::normalize(glm::dvec3(surfaces_.position[group.front().high]) - low);
+  std::vector<Leaf> leaves_around(std::span<const HalfEdge> edge) const {
+    const glm::dvec3 low(surfaces_.position[edge.front().low]);
+    const glm::dvec3 along = glm::normalize(glm::dvec3(surfaces_.position[edge.front().high]) - low);
     glm::dvec3 zero_angle(0);
     std::vector<Leaf> leaves;
-    for (const WeldedEdge& e : group) {
-      const glm::uvec3& t = shells_.air_facing[e.triangle];
-      const std::uint32_t tip = t.x + t.y + t.z - e.low - e.high;
+    for (const HalfEdge& h : edge) {
+      const glm::uvec3& t = shells_.air_facing[h.triangle];
+      const std::uint32_t tip = t.x + t.y + t.z - h.low - h.high;
       const glm::dvec3 to_tip = glm::dvec3(surfaces_.position[tip]) - low;
       const glm::dvec3 across = to_tip - glm::dot(to_tip, along) * along;
       if (leaves.empty()) zero_angle = across;
       const double y = glm::dot(glm::cross(zero_angle, across), along);
-      leaves.push_back({reproducible::atan2(y, glm::dot(zero_angle, across)), e.forward, e.triangle});
+      leaves.push_back({reproducible::atan2(y, glm::dot(zero_angle, across)), h.forward, h.triangle});
     }
     // Solids that touch face to face end (forward) before the next one starts.
     std::sort(leaves.begin(), leaves.end(), [](const Leaf& l, const Leaf& r) {

@@ -1,6 +1,6 @@
 #include <glm/geometric.hpp>
 
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/weld.h"
 #include "generator/surface/bodies.h"
 
 namespace pomona {

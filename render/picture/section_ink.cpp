@@ -5,11 +5,13 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include <glm/geometric.hpp>
 
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
 #include "render/picture/chains.h"
 #include "render/picture/line_opacity.h"
 
@@ -17,15 +19,7 @@ namespace pomona {
 
 namespace {
 
-/// One triangle's share in an edge of a face, named by its welded ends (a < b). All facets of a stroke are one face:
-/// the first of them that has triangles.
-struct EdgeUse {
-  int face = 0, facet = 0;
-  std::uint32_t a = 0, b = 0;
-  std::uint32_t vertex_a = 0, vertex_b = 0, opposite = 0;
-  auto key() const { return std::tuple(face, a, b); }
-};
-
+/// All facets of a stroke are one face: the first of them that has triangles.
 std::vector<int> unrolled_faces(const CrossSection& section) {
   std::vector<int> whole(section.faces.size());
   std::iota(whole.begin(), whole.end(), 0);
@@ -37,23 +31,12 @@ std::vector<int> unrolled_faces(const CrossSection& section) {
   return whole;
 }
 
-std::vector<EdgeUse> edge_uses(const CrossSection& section, const std::vector<std::uint32_t>& place) {
+/// Of every triangle's sides, face by face.
+std::vector<HalfEdge> half_edges_of(const CrossSection& section, const std::vector<std::uint32_t>& place) {
   const std::vector<int> whole = unrolled_faces(section);
-  std::vector<EdgeUse> uses;
-  for (std::size_t t = 0; t < section.triangle.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t v = section.triangle[t][i];
-      const std::uint32_t w = section.triangle[t][(i + 1) % 3];
-      const std::uint32_t opposite = section.triangle[t][(i + 2) % 3];
-      if (place[v] == place[w]) continue;
-      const bool turned = place[v] > place[w];
-      const int facet = section.cut[t];
-      uses.push_back({whole[static_cast<std::size_t>(facet)], facet, place[turned ? w : v], place[turned ? v : w],
-                      turned ? w : v, turned ? v : w, opposite});
-    }
-  }
-  std::stable_sort(uses.begin(), uses.end(), [](const EdgeUse& x, const EdgeUse& y) { return x.key() < y.key(); });
-  return uses;
+  std::vector<std::int32_t> face;
+  for (const int facet : section.cut) face.push_back(whole[static_cast<std::size_t>(facet)]);
+  return sorted_half_edges(welded_triangles(place, section.triangle), {.kind = face, .of_collapsed = true});
 }
 
 /// Lines of one kind, to be chained together: those of a face's rim, or of one surface on it.
@@ -65,11 +48,12 @@ struct Bundle {
 };
 using BundleKey = std::tuple<int, int>;  // face; surface, or -1 for the rim
 
-double color_jump(const CrossSection& section, const EdgeUse& x, const EdgeUse& y) {
+double color_jump(const CrossSection& section, const HalfEdge& x, const HalfEdge& y) {
   const auto apart = [&](std::uint32_t v, std::uint32_t w) {
     return static_cast<double>(glm::distance(to_oklab(section.color[v]), to_oklab(section.color[w])));
   };
-  return 0.5 * (apart(x.vertex_a, y.vertex_a) + apart(x.vertex_b, y.vertex_b));
+  const glm::uvec2 v = ends_in(section.triangle, x), w = ends_in(section.triangle, y);
+  return 0.5 * (apart(v.x, w.x) + apart(v.y, w.y));
 }
 
 std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::vector<std::uint32_t>& place) {
@@ -80,23 +64,18 @@ std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::v
 
   // An edge with one triangle is the rim; with two, and on a cut segment, it is an inner line.
   std::map<BundleKey, Bundle> bundles;
-  const std::vector<EdgeUse> uses = edge_uses(section, place);
-  for (std::size_t i = 0; i < uses.size();) {
-    std::size_t j = i;
-    while (j < uses.size() && uses[j].key() == uses[i].key()) ++j;
-    const EdgeUse& use = uses[i];
-    const auto segment = surface_of.find({use.a, use.b});
-    const bool rim = j - i == 1;
-    const double opacity = rim ? 1.0 : j - i == 2 ? line_opacity(color_jump(section, use, uses[i + 1])) : 0.0;
-    if (opacity > 0 && (rim || segment != surface_of.end())) {
-      Bundle& bundle = bundles[{use.face, rim ? -1 : segment->second}];
-      bundle.links.push_back({use.a, use.b});
-      bundle.opacity.push_back(opacity);
-      bundle.opposite.push_back(use.opposite);
-      bundle.facet.push_back(use.facet);
-    }
-    i = j;
-  }
+  for_each_edge(half_edges_of(section, place), [&](std::span<const HalfEdge> edge) {
+    const HalfEdge& h = edge.front();
+    const auto segment = surface_of.find({h.low, h.high});
+    const bool rim = edge.size() == 1;
+    const double opacity = rim ? 1.0 : edge.size() == 2 ? line_opacity(color_jump(section, h, edge[1])) : 0.0;
+    if (!(opacity > 0) || (!rim && segment == surface_of.end())) return;
+    Bundle& bundle = bundles[{h.kind, rim ? -1 : segment->second}];
+    bundle.links.push_back({h.low, h.high});
+    bundle.opacity.push_back(opacity);
+    bundle.opposite.push_back(section.triangle[h.triangle][(h.side + 2) % 3]);
+    bundle.facet.push_back(section.cut[h.triangle]);
+  });
   return bundles;
 }
 

@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
 #include "render/picture/line_opacity.h"
 
 namespace pomona {
@@ -16,45 +18,29 @@ namespace {
 
 bool less(const glm::vec3& a, const glm::vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
-/// One triangle's side, named by the places of its ends.
-struct TriangleSide {
-  std::uint64_t key = 0;
-  std::uint32_t triangle = 0, side = 0;
-  auto order() const { return std::tie(key, triangle, side); }
-};
-
 class EdgeFinder {
  public:
   explicit EdgeFinder(const Solid& solid) : solid_(solid) {}
 
   SolidEdges found() {
     weld();
-    std::vector<TriangleSide> sides = sorted_sides();
-    for (std::size_t i = 0; i < sides.size();) {
-      std::size_t j = i;
-      while (j < sides.size() && sides[j].key == sides[i].key) ++j;
-      look_at(std::span(sides).subspan(i, j - i));
-      i = j;
-    }
+    const std::vector<glm::uvec3> triangles = welded_triangles(edges_.place, solid_.triangle);
+    for_each_edge(sorted_half_edges(triangles, {.of_collapsed = true}),
+                  [&](std::span<const HalfEdge> edge) { look_at(edge); });
     return std::move(edges_);
   }
 
  private:
   void weld();
-  std::vector<TriangleSide> sorted_sides() const;
-  void look_at(std::span<const TriangleSide> sides);
-  void look_at_pair(const TriangleSide& x, const TriangleSide& y);
-  void add(const TriangleSide& x, const TriangleSide& y, LineKind kind, double opacity = 1);
+  void look_at(std::span<const HalfEdge> sides);
+  void look_at_pair(const HalfEdge& x, const HalfEdge& y);
+  void add(const HalfEdge& x, const HalfEdge& y, LineKind kind, double opacity = 1);
 
-  bool is_cut(const TriangleSide& s) const { return solid_.cut_face[s.triangle] >= 0; }
-  /// The side's end that lies at the lower place, or the other one.
-  std::uint32_t end(const TriangleSide& s, bool lower) const {
-    const glm::uvec3& t = solid_.triangle[s.triangle];
-    const std::uint32_t v = t[static_cast<int>(s.side)], w = t[static_cast<int>((s.side + 1) % 3)];
-    return (edges_.place[v] < edges_.place[w]) == lower ? v : w;
-  }
-  glm::dvec3 face_normal(const TriangleSide& s) const {
-    const glm::uvec3& t = solid_.triangle[s.triangle];
+  bool is_cut(const HalfEdge& h) const { return solid_.cut_face[h.triangle] >= 0; }
+  /// The solid's vertices at the lower and at the higher place.
+  glm::uvec2 ends(const HalfEdge& h) const { return ends_in(solid_.triangle, h); }
+  glm::dvec3 face_normal(const HalfEdge& h) const {
+    const glm::uvec3& t = solid_.triangle[h.triangle];
     const glm::dvec3 a(solid_.position[t.x]), b(solid_.position[t.y]), c(solid_.position[t.z]);
     return glm::cross(b - a, c - a);
   }
@@ -63,6 +49,7 @@ class EdgeFinder {
   SolidEdges edges_;
 };
 
+/// Sorted by position and normal at once; of one position the vertex with the least normal stands for all.
 void EdgeFinder::weld() {
   std::vector<std::uint32_t> order(solid_.position.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -81,27 +68,13 @@ void EdgeFinder::weld() {
   }
 }
 
-std::vector<TriangleSide> EdgeFinder::sorted_sides() const {
-  std::vector<TriangleSide> sides;
-  sides.reserve(3 * solid_.triangle.size());
-  for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint64_t a = edges_.place[solid_.triangle[t][i]], b = edges_.place[solid_.triangle[t][(i + 1) % 3]];
-      if (a != b) sides.push_back({std::min(a, b) << 32 | std::max(a, b), t, static_cast<std::uint32_t>(i)});
-    }
-  }
-  std::sort(sides.begin(), sides.end(),
-            [](const TriangleSide& x, const TriangleSide& y) { return x.order() < y.order(); });
-  return sides;
-}
-
-void EdgeFinder::look_at(std::span<const TriangleSide> sides) {
+void EdgeFinder::look_at(std::span<const HalfEdge> sides) {
   if (sides.size() == 1) return add(sides[0], sides[0], LineKind::border);
   if (sides.size() == 2) return look_at_pair(sides[0], sides[1]);
 
   // Bodies that share a cut, or touch: what tells most about them.
-  const auto skin = std::find_if(sides.begin(), sides.end(), [&](const TriangleSide& s) { return !is_cut(s); });
-  const auto cut = std::find_if(sides.begin(), sides.end(), [&](const TriangleSide& s) { return is_cut(s); });
+  const auto skin = std::find_if(sides.begin(), sides.end(), [&](const HalfEdge& h) { return !is_cut(h); });
+  const auto cut = std::find_if(sides.begin(), sides.end(), [&](const HalfEdge& h) { return is_cut(h); });
   if (cut == sides.end()) return;
   if (skin != sides.end()) return add(*skin, *cut, LineKind::rim);
   for (std::size_t i = 1; i < sides.size(); ++i) {
@@ -111,9 +84,9 @@ void EdgeFinder::look_at(std::span<const TriangleSide> sides) {
   }
 }
 
-void EdgeFinder::look_at_pair(const TriangleSide& x, const TriangleSide& y) {
+void EdgeFinder::look_at_pair(const HalfEdge& x, const HalfEdge& y) {
   if (is_cut(x) != is_cut(y)) return add(x, y, LineKind::rim);
-  const std::uint32_t xa = end(x, true), xb = end(x, false), ya = end(y, true), yb = end(y, false);
+  const std::uint32_t xa = ends(x).x, xb = ends(x).y, ya = ends(y).x, yb = ends(y).y;
   if (is_cut(x)) {
     const bool smooth = edges_.smooth[xa] == edges_.smooth[ya] && edges_.smooth[xb] == edges_.smooth[yb];
     if (!smooth) return add(x, y, LineKind::ridge);
@@ -134,9 +107,8 @@ void EdgeFinder::look_at_pair(const TriangleSide& x, const TriangleSide& y) {
   if (!smooth) add(x, y, LineKind::fold);
 }
 
-void EdgeFinder::add(const TriangleSide& x, const TriangleSide& y, LineKind kind, double opacity) {
-  edges_.sharp.push_back({edges_.place[end(x, true)], edges_.place[end(x, false)], x.triangle, y.triangle, kind,
-                          static_cast<float>(opacity)});
+void EdgeFinder::add(const HalfEdge& x, const HalfEdge& y, LineKind kind, double opacity) {
+  edges_.sharp.push_back({x.low, x.high, x.triangle, y.triangle, kind, static_cast<float>(opacity)});
 }
 
 }  // namespace

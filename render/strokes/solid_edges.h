@@ -32,7 +32,7 @@ struct SharpEdge {
 };
 
 struct SolidEdges {
-  std::vector<std::uint32_t> place;   ///< per vertex: the first vertex at its position
+  std::vector<std::uint32_t> place;   ///< per vertex: the one that stands for all at its position
   std::vector<std::uint32_t> smooth;  ///< per vertex: the first one that has its normal as well
   std::vector<SharpEdge> sharp;       ///< in the order of their places
 };

@@ -1,9 +1,11 @@
 #include "render/texture/charts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -12,6 +14,8 @@
 #include "generator/knife/crease.h"
 #include "generator/mesh/box.h"
 #include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
 #include "render/texture/curved_regions.h"
 #include "render/texture/triangle_neighbors.h"
 
@@ -152,11 +156,15 @@ std::vector<Chart> region_charts(const Solid& solid, const TriangleNeighbors& ne
 /// Finds where cut faces go on smoothly beyond their charts.
 class SeamFinder {
  public:
-  SeamFinder(const Solid& solid, const TriangleNeighbors& neighbors) : solid_(solid), neighbors_(neighbors) {
-    for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
-      if (solid.cut_face[t] < 0) continue;
-      for (int k = 0; k < 3; ++k) uses_[edge(t, k)].push_back({t, k});
-    }
+  SeamFinder(const Solid& solid, const TriangleNeighbors& neighbors)
+      : solid_(solid), neighbors_(neighbors), ends_smoothly_(solid.triangle.size(), {false, false, false}) {
+    const std::vector<glm::uvec3> triangles = welded_triangles(neighbors.place_of, solid.triangle);
+    for_each_edge(sorted_half_edges(triangles, {.of_collapsed = true}), [&](std::span<const HalfEdge> edge) {
+      for (const HalfEdge& h : edge) {
+        ends_smoothly_[h.triangle][h.side] =
+            std::any_of(edge.begin(), edge.end(), [&](const HalfEdge& other) { return goes_on(h, other); });
+      }
+    });
   }
 
   std::vector<glm::uvec2> seams_of(const Chart& chart) const {
@@ -166,48 +174,28 @@ class SeamFinder {
       const std::uint32_t t = chart.triangles[i];
       for (int k = 0; k < 3; ++k) {
         const std::int32_t neighbor = neighbors_.neighbor[t][k];
-        const bool goes_on = neighbor >= 0 ? !own.contains(static_cast<std::uint32_t>(neighbor)) : ends_smoothly(t, k);
-        if (goes_on) {
-          seams.emplace_back(chart.corners[i][k], chart.corners[i][(k + 1) % 3]);
-        }
+        const bool is_seam = neighbor >= 0 ? !own.contains(static_cast<std::uint32_t>(neighbor)) : ends_smoothly_[t][k];
+        if (is_seam) seams.emplace_back(chart.corners[i][k], chart.corners[i][(k + 1) % 3]);
       }
     }
     return seams;
   }
 
  private:
-  struct Use {
-    std::uint32_t triangle = 0;
-    int edge = 0;
-  };
-
-  std::pair<std::uint32_t, std::uint32_t> edge(std::uint32_t t, int k) const {
-    const glm::uvec3& v = solid_.triangle[t];
-    return std::minmax(neighbors_.place_of[v[k]], neighbors_.place_of[v[(k + 1) % 3]]);
-  }
-
-  /// In another face of the same knife.
-  bool ends_smoothly(std::uint32_t t, int k) const {
-    const std::vector<Use>& beside = uses_.at(edge(t, k));
-    return std::any_of(beside.begin(), beside.end(), [&](const Use& u) {
-      return solid_.cut_face[u.triangle] != solid_.cut_face[t] && is_smooth({t, k}, u);
-    });
-  }
-
-  /// Triangles side by side run along their edge opposite ways.
-  bool is_smooth(const Use& a, const Use& b) const {
-    const glm::uvec3 &v = solid_.triangle[a.triangle], &w = solid_.triangle[b.triangle];
-    const std::uint32_t from = v[a.edge], to = v[(a.edge + 1) % 3], back_to = w[b.edge], back = w[(b.edge + 1) % 3];
+  /// In another face of the same knife. Triangles side by side run along their edge opposite ways.
+  bool goes_on(const HalfEdge& h, const HalfEdge& other) const {
+    const std::int32_t face = solid_.cut_face[h.triangle], other_face = solid_.cut_face[other.triangle];
+    if (face < 0 || other_face < 0 || face == other_face || h.forward == other.forward) return false;
+    const glm::uvec2 v = ends_in(solid_.triangle, h), w = ends_in(solid_.triangle, other);
     const auto agree = [&](std::uint32_t p, std::uint32_t q) {
-      return neighbors_.place_of[p] == neighbors_.place_of[q] &&
-             static_cast<double>(glm::dot(solid_.normal[p], solid_.normal[q])) > smooth_cosine;
+      return static_cast<double>(glm::dot(solid_.normal[p], solid_.normal[q])) > smooth_cosine;
     };
-    return agree(from, back) && agree(to, back_to);
+    return agree(v.x, w.x) && agree(v.y, w.y);
   }
 
   const Solid& solid_;
   const TriangleNeighbors& neighbors_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Use>> uses_;  // of cut triangles, by places
+  std::vector<std::array<bool, 3>> ends_smoothly_;  // per triangle, at its edge i to i + 1
 };
 
 }  // namespace
