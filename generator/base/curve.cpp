@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
+
 namespace pomona {
 
 namespace {
@@ -37,8 +39,6 @@ glm::dvec2 point_at_length(const Curve& curve, const std::vector<double>& at, do
   const glm::dvec2& b = end_of(curve, e);
   return share == 1.0 ? b : a + (b - a) * share;
 }
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) { return cross(b - a, c - a); }
 

@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include "generator/base/cross.h"
+
 namespace pomona {
 
 namespace {
@@ -24,9 +26,9 @@ int crossing(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p) {
   const glm::dvec2 a = on_ground(t[0]), b = on_ground(t[1]), c = on_ground(t[2]), q = on_ground(p);
   if ((passes(a, b, q) != passes(b, c, q)) == passes(c, a, q)) return 0;
   const glm::dvec2 ab = b - a, ac = c - a, aq = q - a;
-  const double area = ab.x * ac.y - ab.y * ac.x;
+  const double area = cross(ab, ac);
   if (area == 0) return 0;
-  const double s = (aq.x * ac.y - aq.y * ac.x) / area, u = (ab.x * aq.y - ab.y * aq.x) / area;
+  const double s = cross(aq, ac) / area, u = cross(ab, aq) / area;
   const double height = t[0].y + s * (t[1].y - t[0].y) + u * (t[2].y - t[0].y);
   if (height <= p.y) return 0;
   return area < 0 ? 1 : -1;  // x and z turn against each other seen from above

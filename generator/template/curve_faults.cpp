@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/base/cross.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 
@@ -15,7 +16,6 @@ using Fault = std::optional<CurveFault>;
 /// Rounding of an angle drawn exactly on a fold line.
 constexpr double angle_slack = 1e-6;
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 double dot(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.x + a.y * b.y; }
 
 Fault fault_of_loop(const Curve& loop) {

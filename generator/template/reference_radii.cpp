@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/template/template.h"
@@ -10,8 +11,6 @@
 namespace pomona {
 
 namespace {
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 glm::dvec2 direction(double azimuth) { return {reproducible::cos(azimuth), reproducible::sin(azimuth)}; }
 

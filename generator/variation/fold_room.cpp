@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
 #include "generator/base/reproducible.h"
 #include "generator/surface/sweep/profile.h"
 #include "generator/variation/fold_samples.h"
@@ -98,7 +99,6 @@ std::optional<bool> common_side(const std::vector<SweptPoint>& points, const Lay
 }
 
 bool cross_each_other(const Curve& a, const Curve& b) {
-  const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     const glm::dvec2 p = a.points[i], pq = a.points[(i + 1) % a.points.size()] - p;
     for (std::size_t j = 0; j < b.points.size(); ++j) {

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 
@@ -14,8 +15,6 @@ namespace {
 
 constexpr int steps_per_fold = 64;   // around the axis
 constexpr int points_per_loop = 64;  // within a fold
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Azimuths as shares of the fold that starts at `from`; the first lies within half a turn of `near`.
 PolarCurve canonical(const std::vector<glm::dvec2>& points, double from, double width, double near) {

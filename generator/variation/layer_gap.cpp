@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/base/cross.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/surface/sweep/profile.h"
@@ -16,8 +17,6 @@ namespace {
 constexpr double used_share = 0.8;
 
 constexpr int compared_azimuths = 180;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// True if the inner points of two segments meet at one point.
 bool cross_properly(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {

@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
 #include "generator/mesh/edges.h"
 #include "generator/mesh/weld.h"
 #include "render/picture/chains.h"
@@ -87,7 +88,7 @@ double side_of_face(const Chain& chain, const Bundle& bundle, const std::vector<
     const glm::dvec2 a = places[link.a];
     const glm::dvec2 d = places[link.b] - a;
     const glm::dvec2 c = places[bundle.opposite[chain.links[i]]] - a;
-    balance += (d.x * c.y - d.y * c.x) * (chain.forward[i] != 0 ? 1.0 : -1.0);
+    balance += cross(d, c) * (chain.forward[i] != 0 ? 1.0 : -1.0);
   }
   return balance > 0 ? -1.0 : 1.0;
 }

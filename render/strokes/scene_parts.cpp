@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/base/cross.h"
 #include "render/strokes/identity_buffer.h"
 
 namespace pomona {
@@ -15,7 +16,7 @@ std::uint32_t corner_at(const SeenSolid& seen, const glm::uvec3& triangle, const
   for (int i = 0; i < 3; ++i) {
     const glm::dvec2 a = glm::dvec2(seen.vertex[triangle[(i + 1) % 3]]) - place;
     const glm::dvec2 b = glm::dvec2(seen.vertex[triangle[(i + 2) % 3]]) - place;
-    share[static_cast<std::size_t>(i)] = a.x * b.y - a.y * b.x;
+    share[static_cast<std::size_t>(i)] = cross(a, b);
   }
   const double whole = share[0] + share[1] + share[2];
   for (double& s : share) s *= whole;

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
 #include "generator/base/error.h"
 
 namespace pomona {
@@ -28,8 +29,6 @@ struct Mask {
   bool has(int x, int y) const { return ((bits[static_cast<std::size_t>(y) * words() + x / 64] >> (x % 64)) & 1) != 0; }
   bool operator==(const Mask& o) const { return width == o.width && height == o.height && bits == o.bits; }
 };
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Whether a triangle comes within `slack` of the unit square at (x, y).
 bool touches(const std::array<glm::dvec2, 3>& p, int x, int y, double slack) {

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
+
 namespace pomona {
 
 namespace {
@@ -15,8 +17,6 @@ constexpr int most_sweeps = 120;
 constexpr double over_relaxation = 1.7;
 constexpr double at_rest = 2e-4;     // of the patch's size: the longest step of a sweep that ends the work
 constexpr double least_area = 0.05;  // of a triangle's own: flatter it may not become
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// A triangle by itself, laid flat as it is: its first corner at the origin, its second on the x axis.
 std::array<glm::dvec2, 3> at_rest_shape(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

@@ -9,6 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
+
 namespace pomona {
 
 namespace {
@@ -16,8 +18,6 @@ namespace {
 constexpr int subsamples = 4;        // 2 x 2, where colours jump
 constexpr float least_jump = 2e-3f;  // of a linear channel
 constexpr std::uint32_t unset = 0xffffffffu;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 using Corners2 = std::array<glm::dvec2, 3>;
 

@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
+
 namespace pomona {
 
 namespace {
@@ -33,8 +35,6 @@ std::optional<std::array<glm::dvec2, 3>> unrolled(const SweptGrid& grid, const g
   if (right - left > 0.5 || high - low > 0.5) return {};
   return corner;
 }
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 

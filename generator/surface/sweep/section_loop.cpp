@@ -7,14 +7,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 
 namespace pomona {
 
 namespace {
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Where a loop meets a ray from the axis.
 struct Crossing {
