@@ -84,14 +84,6 @@ RayHit outermost_hit(const Curve& curve, double azimuth) {
   return best;
 }
 
-RayHit innermost_hit(const Curve& curve, double azimuth) {
-  RayHit best;
-  for_hits(curve, azimuth, [&](const RayHit& hit) {
-    if (best.radius == 0 || hit.radius < best.radius) best = hit;
-  });
-  return best;
-}
-
 RadiusOf::RadiusOf(const Curve& loop) : loop_(counter_clockwise(loop)) {
   if (!is_star_shaped(loop_)) return;
   azimuth_ = to_polar(loop_.points).azimuth;

@@ -36,7 +36,6 @@ struct RayHit {
   double radius = 0;  ///< 0 if the ray meets nothing
 };
 RayHit outermost_hit(const Curve& curve, double azimuth);
-RayHit innermost_hit(const Curve& curve, double azimuth);
 
 /// Where rays from the axis leave a loop around it for good, looked up fast for star-shaped loops.
 class RadiusOf {
