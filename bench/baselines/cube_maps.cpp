@@ -10,7 +10,7 @@
 
 #include "generator/diffusion/nearest_side.h"
 #include "generator/diffusion/pmvc/cube_directions.h"
-#include "generator/diffusion/settled_colors.h"
+#include "generator/diffusion/resolved_colors.h"
 #include "render/gl/objects.h"
 #include "render/gl/program.h"
 

@@ -15,7 +15,7 @@
 
 #include "bench/baselines/tetrahedral_mesh.h"
 #include "generator/diffusion/nearest_side.h"
-#include "generator/diffusion/settled_colors.h"
+#include "generator/diffusion/resolved_colors.h"
 
 namespace pomona::bench {
 

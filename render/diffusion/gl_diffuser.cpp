@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "generator/base/error.h"
-#include "generator/diffusion/settled_colors.h"
+#include "generator/diffusion/resolved_colors.h"
 #include "render/diffusion/gl_pmvc.h"
 
 namespace pomona {
@@ -26,7 +26,7 @@ LineSampling sampling_of(Quality quality) {
   return {.lines = 12288};  // as many directions as the reference on the CPU
 }
 
-/// A fruit made ready: for the card, and for what the CPU settles.
+/// A fruit made ready: for the card, and for what the CPU resolves.
 struct PreparedFruit {
   SurfaceTree tree;
   ColorHull hull;
@@ -82,7 +82,7 @@ class GlField final : public ColorField {
     require_finite(points);
     const SightTask task{0, points};
     const auto values = engine_->values({&fruit_.rays, 1}, {&task, 1}, sampling_of(options_.quality));
-    return settled_colors(surfaces_, fruit_.tree, fruit_.hull, points, values.front(), options_.threads);
+    return resolved_colors(surfaces_, fruit_.tree, fruit_.hull, points, values.front(), options_.threads);
   }
 
  private:
@@ -126,7 +126,7 @@ class GlDiffuser final : public Diffuser {
     for (std::size_t t = 0; t < tasks.size(); ++t) {
       const PreparedFruit& fruit = fruits[sights[t].fruit];
       colors.push_back(
-          settled_colors(*tasks[t].surfaces, fruit.tree, fruit.hull, tasks[t].points, values[t], options_.threads));
+          resolved_colors(*tasks[t].surfaces, fruit.tree, fruit.hull, tasks[t].points, values[t], options_.threads));
     }
     return colors;
   }

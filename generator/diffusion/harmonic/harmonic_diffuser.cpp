@@ -12,7 +12,7 @@
 #include "generator/base/error.h"
 #include "generator/diffusion/harmonic/solve_field.h"
 #include "generator/diffusion/nearest_side.h"
-#include "generator/diffusion/settled_colors.h"
+#include "generator/diffusion/resolved_colors.h"
 
 namespace pomona {
 

@@ -3,7 +3,7 @@
 #include "generator/diffusion/pmvc/cube_pmvc.h"
 #include "generator/diffusion/pmvc/line_pmvc.h"
 #include "generator/diffusion/pmvc/relaxed_lines.h"
-#include "generator/diffusion/settled_colors.h"
+#include "generator/diffusion/resolved_colors.h"
 
 namespace pomona {
 
@@ -30,7 +30,7 @@ class PmvcField final : public ColorField {
 
   DiffusedColors at(std::span<const glm::vec3> points) const override {
     require_finite(points);
-    return settled_colors(surfaces_, tree_, hull_, points, values(points), options_.threads);
+    return resolved_colors(surfaces_, tree_, hull_, points, values(points), options_.threads);
   }
 
  private:

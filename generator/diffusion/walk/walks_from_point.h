@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "generator/diffusion/settled_colors.h"
+#include "generator/diffusion/resolved_colors.h"
 #include "generator/diffusion/surface_tree.h"
 #include "generator/diffusion/used_parts.h"
 #include "generator/diffusion/walk/empty_balls.h"

@@ -1,4 +1,4 @@
-// From positive mean values to colours: what every way of computing them leaves to settle.
+// From positive mean values to colours: what every way of computing them leaves open.
 #pragma once
 
 #include <span>
@@ -20,7 +20,7 @@ void require_finite(std::span<const glm::vec3> points);
 
 /// On a surface (within 1e-5 of the surfaces' size), and where nothing is seen, the nearest side decides; no colour
 /// leaves the hull. One value per point.
-DiffusedColors settled_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
-                              std::span<const glm::vec3> points, std::span<const PmvcValue> values, Threads threads);
+DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
+                               std::span<const glm::vec3> points, std::span<const PmvcValue> values, Threads threads);
 
 }  // namespace pomona

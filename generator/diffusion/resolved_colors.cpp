@@ -1,4 +1,4 @@
-#include "generator/diffusion/settled_colors.h"
+#include "generator/diffusion/resolved_colors.h"
 
 #include <cmath>
 #include <limits>
@@ -40,8 +40,8 @@ void require_finite(std::span<const glm::vec3> points) {
   }
 }
 
-DiffusedColors settled_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
-                              std::span<const glm::vec3> points, std::span<const PmvcValue> values, Threads threads) {
+DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
+                               std::span<const glm::vec3> points, std::span<const PmvcValue> values, Threads threads) {
   DiffusedColors colors{std::vector<Color>(points.size()), std::vector<std::int32_t>(points.size())};
   parallel_for(points.size(), threads, [&](std::size_t i) {
     const double radius = values[i].weight > 0 ? on_surface * tree.size : std::numeric_limits<double>::infinity();
