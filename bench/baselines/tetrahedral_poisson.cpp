@@ -16,6 +16,7 @@
 #include "bench/baselines/tetrahedral_mesh.h"
 #include "generator/diffusion/nearest_side.h"
 #include "generator/diffusion/resolved_colors.h"
+#include "generator/mesh/triangle_distance.h"
 
 namespace pomona::bench {
 
@@ -127,7 +128,7 @@ class Painter {
       const auto [a, b, c] = corners(surfaces_, at.triangle);
       const double facing = glm::dot(glm::normalize(glm::cross(b - a, c - a)), inwards);
       at.side = facing < 0 ? SideOf::back : SideOf::front;
-      at.barycentric = nearest_on_triangle(corner, a, b, c);
+      at.barycentric = nearest_weights(corner, a, b, c);
       if (std::fabs(facing) > 0.5 || share == 1.0) return color_of(surfaces_, at);
     }
     return glm::dvec3(0);

@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/mesh/triangle_distance.h"
+
 namespace pomona {
 
 namespace {
@@ -36,7 +38,7 @@ class Search {
   void try_triangle(std::uint32_t triangle) {
     const auto [a, b, c] = corners(surfaces_, triangle);
     if (squared_distance(box_around(a, b, c), point_) > squared_limit()) return;
-    const glm::dvec3 place = nearest_on_triangle(point_, a, b, c);
+    const glm::dvec3 place = nearest_weights(point_, a, b, c);
     const double distance = glm::length(point_ - (place.x * a + place.y * b + place.z * c));
     if (distance > limit_ + tie_) return;
 
@@ -61,33 +63,6 @@ class Search {
 };
 
 }  // namespace
-
-glm::dvec3 nearest_on_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  const glm::dvec3 ab = b - a, ac = c - a;
-
-  // At a, at b, or on the edge between them.
-  const double d1 = glm::dot(ab, p - a), d2 = glm::dot(ac, p - a);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const double d3 = glm::dot(ab, p - b), d4 = glm::dot(ac, p - b);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double on_c = d1 * d4 - d3 * d2;
-  if (on_c <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-
-  // At c, or on the edges that meet there.
-  const double d5 = glm::dot(ab, p - c), d6 = glm::dot(ac, p - c);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double on_b = d5 * d2 - d1 * d6;
-  if (on_b <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  const double on_a = d3 * d6 - d5 * d4;
-  if (on_a <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - w, w};
-  }
-
-  // Inside.
-  const double sum = on_a + on_b + on_c;
-  return {1 - on_b / sum - on_c / sum, on_b / sum, on_c / sum};
-}
 
 std::optional<SurfaceSide> nearest_side(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
                                         const glm::dvec3& point, double radius) {

@@ -17,9 +17,6 @@ struct SurfaceSide {
   double distance = 0;        ///< metres
 };
 
-/// Barycentric coordinates of the place on triangle abc nearest to p [Ericson, Real-Time Collision Detection, 5.1.5].
-glm::dvec3 nearest_on_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
-
 /// The nearest side within `radius` (metres), if there is any. Where several triangles are equally near (a
 /// shared edge or corner), the one faced most squarely wins, then the smallest index; a point in the plane of
 /// its triangle takes the front.

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/mesh/bounding_volume_hierarchy.h"
 #include "generator/mesh/triangle_distance.h"
 
 namespace pomona {
@@ -53,6 +54,17 @@ bool ray_passes(const Corners& t, const glm::dvec3& point, int along) {
   return inside;
 }
 
+/// Sorts the triangles along the axis on which their centres spread most; the first half is the left one.
+std::uint32_t halve(std::span<Corners> triangles) {
+  const auto center = [](const Corners& c) { return c[0] + c[1] + c[2]; };
+  Box<double> centers;
+  for (const Corners& corners : triangles) centers.add(center(corners));
+  const int axis = longest_axis(centers.size());
+  std::stable_sort(triangles.begin(), triangles.end(),
+                   [&](const Corners& a, const Corners& b) { return center(a)[axis] < center(b)[axis]; });
+  return static_cast<std::uint32_t>(triangles.size() / 2);
+}
+
 /// Coordinate `along` of the triangle's plane over the point.
 double plane_at(const Corners& t, const glm::dvec3& normal, const glm::dvec3& point, int along) {
   const glm::dvec3 away = point - t[0];
@@ -68,8 +80,10 @@ TriangleTree::TriangleTree(std::span<const glm::vec3> position, std::span<const 
     const Corners corners{glm::dvec3(position[t.x]), glm::dvec3(position[t.y]), glm::dvec3(position[t.z])};
     corners_.push_back(corners);
   }
-  nodes_.emplace_back();
-  split(0, 0, static_cast<std::uint32_t>(corners_.size()));
+  nodes_ = bounding_volume_hierarchy<Node>(static_cast<std::uint32_t>(corners_.size()), leaf_size,
+                                           [&](std::uint32_t first, std::uint32_t count) {
+                                             return halve({corners_.data() + first, count});
+                                           });
   for (std::size_t i = nodes_.size(); i-- > 0;) fit(static_cast<std::uint32_t>(i));
   own_corners();
 }
@@ -96,28 +110,6 @@ TriangleTree TriangleTree::rotated(const glm::dquat& rotation) const {
     for (glm::dvec3& corner : corners) corner = matrix * corner;
   for (std::size_t i = nodes_.size(); i-- > 0;) turned.fit(static_cast<std::uint32_t>(i));
   return turned;
-}
-
-/// Halves the triangles at the median along the axis on which their centres spread most.
-void TriangleTree::split(std::uint32_t node, std::uint32_t first, std::uint32_t count) {
-  nodes_[node].first = first;
-  nodes_[node].count = count;
-  if (count <= leaf_size) return;
-
-  Box<double> centers;
-  const auto center = [](const Corners& c) { return c[0] + c[1] + c[2]; };
-  for (std::uint32_t i = first; i < first + count; ++i) centers.add(center(corners_[i]));
-  const int axis = longest_axis(centers.size());
-  const auto begin = corners_.begin() + first;
-  std::stable_sort(begin, begin + count,
-                   [&](const Corners& a, const Corners& b) { return center(a)[axis] < center(b)[axis]; });
-
-  const auto left = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.resize(nodes_.size() + 2);
-  nodes_[node].first = left;
-  nodes_[node].count = 0;
-  split(left, first, count / 2);
-  split(left + 1, first + count / 2, count - count / 2);
 }
 
 void TriangleTree::fit(std::uint32_t index) {

@@ -1,4 +1,5 @@
-// A closed triangle mesh prepared for questions of nearness: a tree of boxes over its triangles.
+// A closed triangle mesh prepared for questions of nearness: a bounding volume hierarchy (BVH), boxes around boxes
+// around its triangles.
 #pragma once
 
 #include <array>
@@ -27,8 +28,8 @@ class TriangleTree {
   using Corners = std::array<glm::dvec3, 3>;
   struct Node {
     Box<double> box;
-    std::uint32_t first = 0;  ///< leaf: first triangle; else: left child
-    std::uint32_t count = 0;  ///< leaf: triangles; else 0, and the right child follows the left one
+    std::uint32_t first = 0;  ///< leaf: first triangle; else: left child, which the right one follows
+    std::uint32_t count = 0;  ///< leaf: triangles; else 0
   };
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
@@ -65,7 +66,6 @@ class TriangleTree {
   double height_below(const glm::dvec3& point) const;
 
  private:
-  void split(std::uint32_t node, std::uint32_t first, std::uint32_t count);
   void fit(std::uint32_t node);
   void own_corners();
 

@@ -10,6 +10,7 @@
 #include "generator/diffusion/nearest_side.h"
 #include "generator/diffusion/walk/walk_draws.h"
 #include "generator/diffusion/walk/walk_end.h"
+#include "generator/mesh/triangle_distance.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/shapes.h"
 
@@ -35,7 +36,7 @@ double true_distance(const DiffusionSurfaces& surfaces, const TriangleFrames& fr
   for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t) {
     auto [a, b, c] = corners(surfaces, t);
     a = frames.normalized(a), b = frames.normalized(b), c = frames.normalized(c);
-    const glm::dvec3 w = nearest_on_triangle(place, a, b, c);
+    const glm::dvec3 w = nearest_weights(place, a, b, c);
     least = std::min(least, glm::length(place - (w.x * a + w.y * b + w.z * c)));
   }
   return least;

@@ -9,6 +9,7 @@
 
 #include "generator/diffusion/harmonic/nearest_labels.h"
 #include "generator/diffusion/harmonic/short_rays.h"
+#include "generator/mesh/triangle_distance.h"
 
 namespace pomona {
 
@@ -165,7 +166,7 @@ std::optional<LookedUp> FieldLookUp::beside_surfaces(const Spot& spot, std::span
                             spot.scale * position_[corner.y] - spot.place,
                             spot.scale * position_[corner.z] - spot.place};
     rays.meet(seen, t);
-    const glm::vec3 weight = nearest_weights(seen);
+    const glm::vec3 weight = nearest_weights(glm::vec3(0), seen.a, seen.b, seen.c);
     const glm::vec3 place = weight.x * seen.a + weight.y * seen.b + weight.z * seen.c;
     const float squared = glm::dot(place, place);
     if (!(squared < nearest)) continue;

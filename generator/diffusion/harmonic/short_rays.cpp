@@ -59,26 +59,4 @@ std::optional<ShortRayHit> ShortRays::hit(int k) const {
   return ShortRayHit{four.fraction[lane], four.triangle[lane], {a, b, 1 - a - b}, four.sees_front[lane]};
 }
 
-glm::vec3 nearest_weights(const SeenTriangle& triangle) {
-  const glm::vec3 &a = triangle.a, &b = triangle.b, &c = triangle.c;
-  const glm::vec3 ab = b - a, ac = c - a;
-  const float d1 = -glm::dot(ab, a), d2 = -glm::dot(ac, a);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const float d3 = -glm::dot(ab, b), d4 = -glm::dot(ac, b);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const float on_c = d1 * d4 - d3 * d2;
-  if (on_c <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  const float d5 = -glm::dot(ab, c), d6 = -glm::dot(ac, c);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const float on_b = d5 * d2 - d1 * d6;
-  if (on_b <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  const float on_a = d3 * d6 - d5 * d4;
-  if (on_a <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const float w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - w, w};
-  }
-  const float sum = on_a + on_b + on_c;
-  return {1 - on_b / sum - on_c / sum, on_b / sum, on_c / sum};
-}
-
 }  // namespace pomona

@@ -50,8 +50,4 @@ class ShortRays {
   std::array<Four, 2> four_;
 };
 
-/// The place of a triangle nearest to the point, as weights of its corners [Ericson, Real-Time Collision Detection,
-/// 5.1.5].
-glm::vec3 nearest_weights(const SeenTriangle& triangle);
-
 }  // namespace pomona

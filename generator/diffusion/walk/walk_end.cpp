@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/mesh/triangle_distance.h"
+
 namespace pomona {
 
 namespace {
@@ -32,7 +34,7 @@ Candidate candidate_of(const DiffusionSurfaces& surfaces, const TriangleFrames& 
   Candidate found{.triangle = triangle, .corner = corners(surfaces, triangle)};
   for (glm::dvec3& corner : found.corner) corner = frames.normalized(corner);
   const auto& [a, b, c] = found.corner;
-  found.barycentric = nearest_on_triangle(point, a, b, c);
+  found.barycentric = nearest_weights(point, a, b, c);
   found.distance = glm::length(point - found.at(found.barycentric));
   found.height = glm::dot(point - a, glm::normalize(glm::cross(b - a, c - a)));
   return found;
