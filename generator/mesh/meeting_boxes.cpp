@@ -2,24 +2,25 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 
 #include "generator/base/morton.h"
+#include "generator/mesh/bounding_volume_hierarchy.h"
 
 namespace pomona {
 
 namespace {
 
 /// Neighbouring boxes, coordinate by coordinate, for comparing one box with all of them at once.
+template <typename T>
 struct Leaf {
   static constexpr std::size_t size = 8;
 
-  std::array<std::array<float, size>, 3> low{}, high{};
+  std::array<std::array<T, size>, 3> low{}, high{};
   std::array<std::uint32_t, size> index{};
   std::size_t count = 0;
-  Box<float> box;
+  Box<T> box;
 
-  void add(std::uint32_t i, const Box<float>& added) {
+  void add(std::uint32_t i, const Box<T>& added) {
     for (int axis = 0; axis < 3; ++axis) {
       low[axis][count] = added.low[axis];
       high[axis][count] = added.high[axis];
@@ -28,12 +29,12 @@ struct Leaf {
     box.add(added);
   }
 
-  Box<float> box_at(std::size_t i) const {
+  Box<T> box_at(std::size_t i) const {
     return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
   }
 
   /// Which of its boxes meet this one, as 0 or 1.
-  std::array<std::uint32_t, size> meeting(const Box<float>& other) const {
+  std::array<std::uint32_t, size> meeting(const Box<T>& other) const {
     std::array<std::uint32_t, size> meets{};
     for (std::size_t i = 0; i < size; ++i) {
       meets[i] = static_cast<std::uint32_t>(low[0][i] <= other.high.x) &
@@ -48,91 +49,110 @@ struct Leaf {
 };
 
 /// Along a Morton curve: what follows each other is near each other.
-std::vector<Leaf> leaves_of(const std::vector<Box<float>>& boxes) {
+template <typename T>
+std::vector<Leaf<T>> leaves_of(const std::vector<Box<T>>& boxes) {
   std::vector<glm::dvec3> middles;
-  for (const Box<float>& box : boxes) middles.push_back(0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high)));
-  std::vector<Leaf> leaves;
+  for (const Box<T>& box : boxes) middles.push_back(0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high)));
+  std::vector<Leaf<T>> leaves;
   for (const std::uint32_t i : morton_order(middles)) {
-    if (leaves.empty() || leaves.back().count == Leaf::size) leaves.emplace_back();
+    if (leaves.empty() || leaves.back().count == Leaf<T>::size) leaves.emplace_back();
     leaves.back().add(i, boxes[i]);
   }
   return leaves;
 }
 
-/// A tree of boxes that is met with itself: leaves halved by their order, again and again.
-class BoxTree {
- public:
-  explicit BoxTree(const std::vector<Box<float>>& boxes) : leaves_(leaves_of(boxes)) {
-    if (!leaves_.empty()) build(0, static_cast<std::uint32_t>(leaves_.size()));
+/// A hierarchy over leaves, halved by their order again and again.
+template <typename T>
+struct BoxTree {
+  struct Node {
+    Box<T> box;
+    std::uint32_t first = 0;   ///< its leaf; else its left child, which the right one follows
+    std::uint32_t count = 0;   ///< 1 where it is one leaf, else 0
+    std::uint32_t leaves = 1;  ///< below it
+  };
+
+  explicit BoxTree(const std::vector<Box<T>>& boxes) : leaf(leaves_of(boxes)) {
+    if (leaf.empty()) return;
+    node = bounding_volume_hierarchy<Node>(static_cast<std::uint32_t>(leaf.size()), 1,
+                                           [](std::uint32_t, std::uint32_t count) { return count / 2; });
+    for (std::size_t i = node.size(); i-- > 0;) {
+      Node& n = node[i];
+      n.box = n.count == 1 ? leaf[n.first].box : node[n.first].box;
+      if (n.count == 1) continue;
+      n.box.add(node[n.first + 1].box);
+      n.leaves = node[n.first].leaves + node[n.first + 1].leaves;
+    }
   }
 
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> meetings() {
-    if (!nodes_.empty()) meet_within(0);
-    return std::move(found_);
+  std::vector<Leaf<T>> leaf;
+  std::vector<Node> node;  ///< empty if there is no box
+};
+
+/// Meets the boxes of two trees, which may be one, and calls found(index of one, index of other) for each pair.
+template <typename T, typename Found>
+class Meetings {
+ public:
+  Meetings(const BoxTree<T>& one, const BoxTree<T>& other, const Found& found)
+      : one_(one), other_(other), found_(found) {}
+
+  /// Nodes of different trees, or different nodes of one tree.
+  void between(std::uint32_t a, std::uint32_t b) const {
+    const auto &m = one_.node[a], &n = other_.node[b];
+    if (!m.box.meets(n.box)) return;
+    if (m.count == 1 && n.count == 1) return leaves(one_.leaf[m.first], other_.leaf[n.first]);
+    // Take the larger one apart.
+    for (std::uint32_t k = 0; k < 2; ++k) m.leaves >= n.leaves ? between(m.first + k, b) : between(a, n.first + k);
+  }
+
+  /// A node of one tree with itself.
+  void within(std::uint32_t a) const {
+    const auto& node = one_.node[a];
+    if (node.count == 1) return inside(one_.leaf[node.first]);
+    within(node.first);
+    within(node.first + 1);
+    between(node.first, node.first + 1);
   }
 
  private:
-  struct Node {
-    Box<float> box;
-    std::uint32_t leaf = 0, count = 0;  ///< the first of its leaves, and how many
-    std::uint32_t left = 0, right = 0;  ///< 0 where there is one leaf
-  };
-
-  std::uint32_t build(std::uint32_t first, std::uint32_t count) {
-    const auto index = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({leaves_[first].box, first, count, 0, 0});
-    if (count == 1) return index;
-    const std::uint32_t left = build(first, count / 2), right = build(first + count / 2, count - count / 2);
-    Box<float> box = nodes_[left].box;
-    box.add(nodes_[right].box);
-    nodes_[index] = {box, first, count, left, right};
-    return index;
-  }
-
-  void meet_within(std::uint32_t index) {
-    const Node& node = nodes_[index];
-    if (node.count == 1) return meet_inside(leaves_[node.leaf]);
-    meet_within(node.left);
-    meet_within(node.right);
-    meet_between(node.left, node.right);
-  }
-
-  void meet_between(std::uint32_t a, std::uint32_t b) {
-    if (!nodes_[a].box.meets(nodes_[b].box)) return;
-    if (nodes_[a].count == 1 && nodes_[b].count == 1)
-      return meet_leaves(leaves_[nodes_[a].leaf], leaves_[nodes_[b].leaf]);
-    // Take the larger one apart.
-    if (nodes_[b].count > nodes_[a].count) std::swap(a, b);
-    meet_between(nodes_[a].left, b);
-    meet_between(nodes_[a].right, b);
-  }
-
-  void meet_inside(const Leaf& leaf) {
-    for (std::size_t i = 0; i < leaf.count; ++i) add(leaf.index[i], leaf, leaf.meeting(leaf.box_at(i)), i + 1);
-  }
-
-  void meet_leaves(const Leaf& a, const Leaf& b) {
+  void leaves(const Leaf<T>& a, const Leaf<T>& b) const {
     for (std::size_t i = 0; i < a.count; ++i) {
-      const Box<float> box = a.box_at(i);
+      const Box<T> box = a.box_at(i);
       if (box.meets(b.box)) add(a.index[i], b, b.meeting(box), 0);
     }
   }
 
-  void add(std::uint32_t one, const Leaf& leaf, const std::array<std::uint32_t, Leaf::size>& meets, std::size_t from) {
+  void inside(const Leaf<T>& leaf) const {
+    for (std::size_t i = 0; i < leaf.count; ++i) add(leaf.index[i], leaf, leaf.meeting(leaf.box_at(i)), i + 1);
+  }
+
+  void add(std::uint32_t index, const Leaf<T>& leaf, const std::array<std::uint32_t, Leaf<T>::size>& meets,
+           std::size_t from) const {
     for (std::size_t i = from; i < leaf.count; ++i) {
-      if (meets[i] != 0) found_.emplace_back(std::min(one, leaf.index[i]), std::max(one, leaf.index[i]));
+      if (meets[i] != 0) found_(index, leaf.index[i]);
     }
   }
 
-  std::vector<Leaf> leaves_;
-  std::vector<Node> nodes_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> found_;
+  const BoxTree<T>& one_;
+  const BoxTree<T>& other_;
+  const Found& found_;
 };
 
 }  // namespace
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_boxes(const std::vector<Box<float>>& boxes) {
-  return BoxTree(boxes).meetings();
+std::vector<BoxPair> meeting_boxes(const std::vector<Box<float>>& boxes) {
+  std::vector<BoxPair> pairs;
+  const BoxTree<float> tree(boxes);
+  const auto found = [&](std::uint32_t i, std::uint32_t j) { pairs.emplace_back(std::min(i, j), std::max(i, j)); };
+  if (!tree.node.empty()) Meetings(tree, tree, found).within(0);
+  return pairs;
+}
+
+std::vector<BoxPair> meeting_boxes(const std::vector<Box<double>>& one, const std::vector<Box<double>>& other) {
+  std::vector<BoxPair> pairs;
+  const BoxTree<double> a(one), b(other);
+  const auto found = [&](std::uint32_t i, std::uint32_t j) { pairs.emplace_back(i, j); };
+  if (!a.node.empty() && !b.node.empty()) Meetings(a, b, found).between(0, 0);
+  return pairs;
 }
 
 }  // namespace pomona

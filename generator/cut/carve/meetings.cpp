@@ -2,36 +2,22 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
-#include <CGAL/Bbox_3.h>
-#include <CGAL/box_intersection_d.h>
+#include "generator/mesh/meeting_boxes.h"
 
 namespace pomona {
 
 namespace {
 
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
-
-std::vector<Box> boxes_of(std::span<const Corners> triangles) {
-  std::vector<Box> boxes;
+std::vector<Box<double>> boxes_of(std::span<const Corners> triangles) {
+  std::vector<Box<double>> boxes;
   boxes.reserve(triangles.size());
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const Corners& t = triangles[i];
-    CGAL::Bbox_3 box;
-    for (const glm::dvec3& p : t) box += CGAL::Bbox_3(p.x, p.y, p.z, p.x, p.y, p.z);
-    boxes.emplace_back(box, i);
-  }
+  for (const Corners& t : triangles) boxes.push_back(box_around(t[0], t[1], t[2]));
   return boxes;
 }
 
-using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
-std::vector<Pair> near_pairs(std::span<const Corners> fruit, std::span<const Corners> knife) {
-  std::vector<Pair> pairs;
-  std::vector<Box> of_fruit = boxes_of(fruit), of_knife = boxes_of(knife);
-  CGAL::box_intersection_d(of_fruit.begin(), of_fruit.end(), of_knife.begin(), of_knife.end(),
-                           [&](const Box& f, const Box& k) { pairs.emplace_back(f.info(), k.info()); });
+std::vector<BoxPair> near_pairs(std::span<const Corners> fruit, std::span<const Corners> knife) {
+  std::vector<BoxPair> pairs = meeting_boxes(boxes_of(fruit), boxes_of(knife));
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
