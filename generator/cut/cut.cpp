@@ -17,7 +17,7 @@
 #include "generator/cut/stage_watch.h"
 #include "generator/knife/knife_mesh.h"
 #include "generator/knife/solid_knives.h"
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/weld.h"
 
 namespace pomona {
 

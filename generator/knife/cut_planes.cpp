@@ -57,7 +57,7 @@ bool CutPlanes::is_in_facet(int plane, const glm::dvec3& place) const {
   return along >= f->from - tolerance && along <= f->to + tolerance;
 }
 
-CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds) {
+CutPlanes placed(std::span<const Knife> knives, const Box<double>& bounds) {
   CutPlanes all;
   all.tolerance = tolerance_share * glm::length(bounds.size());
   all.rounding = rounding_share * std::fmax(glm::length(bounds.low), glm::length(bounds.high));

@@ -50,7 +50,7 @@ struct CutPlanes {
 
 /// \throws Error (usage) for slices the fruit cannot give, for strokes that run along other knives' planes, and where
 /// knives make more than ten thousand cells.
-CutPlanes placed(std::span<const Knife> knives, const Bounds& bounds);
+CutPlanes placed(std::span<const Knife> knives, const Box<double>& bounds);
 
 /// n.p - D in metres.
 double signed_distance(const CuttingPlane& plane, const glm::dvec3& point);

@@ -10,7 +10,8 @@
 #include "generator/base/error.h"
 #include "generator/knife/crease.h"
 #include "generator/mesh/disjoint_sets.h"
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
 
 namespace pomona {
 
@@ -36,14 +37,9 @@ class MeshBuilder {
 
   /// Every edge as often one way as the other.
   bool is_closed() const {
-    std::unordered_map<std::uint64_t, int> balance;
-    for (const Triangle& t : mesh_.triangle) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t a = t.corner[i], b = t.corner[next[i]];
-        balance[edge_key(a, b)] += a < b ? 1 : -1;
-      }
-    }
-    return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
+    std::vector<glm::uvec3> triangles;
+    for (const Triangle& t : mesh_.triangle) triangles.emplace_back(t.corner[0], t.corner[1], t.corner[2]);
+    return pomona::is_closed(triangles);
   }
 
   KnifeMesh build() {

@@ -29,13 +29,13 @@ class PeelDepth {
 
   const TriangleTree& skin() const { return skin_.skin(); }
   /// Of the skin and of all that stays.
-  const AxisBox& box() const { return box_; }
+  const Box<double>& box() const { return box_; }
 
  private:
   SkinDepth skin_;
   std::vector<TriangleTree> stays_;
   double kept_ = 0;  ///< what stays reaches as far as the depth `kept_` less the distance from it is more than the peel
-  AxisBox box_;
+  Box<double> box_;
 };
 
 }  // namespace pomona

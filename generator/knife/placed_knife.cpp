@@ -45,7 +45,7 @@ void place_wedges(PlacedKnife& placed, int count) {
 
 /// Planes across one axis. By count: equal slices. By thickness: as many whole slices as fit, centred, and the rest at
 /// both ends.
-void place_slices(PlacedKnife& placed, const Knife& knife, const Bounds& bounds, int axis) {
+void place_slices(PlacedKnife& placed, const Knife& knife, const Box<double>& bounds, int axis) {
   const double height = bounds.size()[axis];
   double thickness = knife.thickness;
   double whole = knife.count;
@@ -89,7 +89,7 @@ void place_strokes(PlacedKnife& placed, std::vector<std::vector<glm::dvec2>> str
   placed.across[0] = 1 + static_cast<int>(placed.strokes.size());
 }
 
-void place_stroke(PlacedKnife& placed, const Knife& knife, const Bounds& bounds) {
+void place_stroke(PlacedKnife& placed, const Knife& knife, const Box<double>& bounds) {
   if (crosses_itself(knife.stroke, glm::dvec2(bounds.center()), glm::length(bounds.size()))) {
     refuse_knife(knife.text, "crosses itself where its ends go on straight", "draw its ends on beyond the fruit");
   }
@@ -97,7 +97,7 @@ void place_stroke(PlacedKnife& placed, const Knife& knife, const Bounds& bounds)
 }
 
 /// Slices between waves that run along x. A wave is as long as a slice is thick, and a quarter as high.
-void place_crinkle(PlacedKnife& placed, const Knife& knife, const Bounds& bounds) {
+void place_crinkle(PlacedKnife& placed, const Knife& knife, const Box<double>& bounds) {
   constexpr int steps = 8;  // of a wave
   PlacedKnife level;
   place_slices(level, knife, bounds, 1);
@@ -120,7 +120,7 @@ void place_crinkle(PlacedKnife& placed, const Knife& knife, const Bounds& bounds
 
 }  // namespace
 
-PlacedKnife placed(const Knife& knife, const Bounds& bounds) {
+PlacedKnife placed(const Knife& knife, const Box<double>& bounds) {
   PlacedKnife placed;
   placed.knife = knife;
   switch (knife.kind) {

@@ -43,6 +43,6 @@ struct PlacedKnife {
 
 /// \throws Error (usage) for more than 1024 slices in one direction, slices thinner than 1/10 000 of the fruit, and
 /// strokes that cross themselves where their ends go on straight.
-PlacedKnife placed(const Knife& knife, const Bounds& bounds);
+PlacedKnife placed(const Knife& knife, const Box<double>& bounds);
 
 }  // namespace pomona

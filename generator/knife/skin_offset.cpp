@@ -15,8 +15,8 @@
 #include "generator/base/reproducible.h"
 #include "generator/knife/peel_depth.h"
 #include "generator/knife/spiral.h"
-#include "generator/mesh/level_surface.h"
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/edges.h"
+#include "generator/mesh/marching_tetrahedra.h"
 #include "generator/surface/crossings.h"
 
 namespace pomona {
@@ -296,12 +296,10 @@ class PeelGrid {
 /// Ends of edges that have not two triangles: two ends of a ridge may happen to touch along an edge.
 std::vector<glm::dvec3> touching_points(const ClosedSurface& solid) {
   std::vector<glm::dvec3> points;
-  const std::vector<WeldedEdge> edges = sorted_edges(solid.triangle);
-  for (std::size_t at = 0; at < edges.size();) {
-    const std::size_t count = equal_edges(edges, at).size();
-    if (count != 2) points.insert(points.end(), {solid.point[edges[at].low], solid.point[edges[at].high]});
-    at += count;
-  }
+  for_each_edge(sorted_half_edges(solid.triangle), [&](std::span<const HalfEdge> edge) {
+    const HalfEdge& h = edge.front();
+    if (edge.size() != 2) points.insert(points.end(), {solid.point[h.low], solid.point[h.high]});
+  });
   return points;
 }
 

@@ -22,7 +22,7 @@ constexpr double roughness = 5e-4;
 /// Where a level line through the middle, at half height, meets the front of the skin: where its bounds do, if it meets
 /// none.
 glm::dvec3 front_of(const DiffusionSurfaces& surfaces) {
-  const Bounds bounds = bounds_of(surfaces);
+  const Box<double> bounds = bounds_of(surfaces);
   const glm::dvec2 line(0, bounds.center().y);
   std::optional<double> front;
   for (std::size_t i = 0; i < surfaces.triangle_count(); ++i) {

@@ -5,14 +5,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 
 namespace pomona {
 
 namespace {
-
-double turn(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// The convex outline to the right of the axis, bottom to top [Andrew 1979].
 std::vector<glm::dvec2> convex_outline(std::vector<glm::dvec2> points) {
@@ -21,7 +20,7 @@ std::vector<glm::dvec2> convex_outline(std::vector<glm::dvec2> points) {
   std::vector<glm::dvec2> hull{{0, points.front().y}};
   points.emplace_back(0, points.back().y);
   for (const glm::dvec2& p : points) {
-    while (hull.size() > 1 && turn(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) hull.pop_back();
+    while (hull.size() > 1 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) hull.pop_back();
     if (p != hull.back()) hull.push_back(p);
   }
   return hull;
@@ -51,12 +50,12 @@ double OutlinePlace::along(const glm::dvec3& point) const {
   const glm::dvec2 way = glm::dvec2(std::sqrt(point.x * point.x + point.z * point.z), point.y) - from;
 
   // The first point of the outline that lies to the left of the ray; the edge before it is the one that is met.
-  const auto is_right = [&](const glm::dvec2& p) { return turn(way, p - from) < 0; };
+  const auto is_right = [&](const glm::dvec2& p) { return cross(way, p - from) < 0; };
   const auto after = std::partition_point(outline_.begin(), outline_.end(), is_right);
   if (after == outline_.begin()) return 0;
   if (after == outline_.end()) return length();
   const std::size_t i = static_cast<std::size_t>(after - outline_.begin());
-  const double before = -turn(way, outline_[i - 1] - from), beyond = turn(way, outline_[i] - from);
+  const double before = -cross(way, outline_[i - 1] - from), beyond = cross(way, outline_[i] - from);
   return along_[i - 1] + before / (before + beyond) * (along_[i] - along_[i - 1]);
 }
 

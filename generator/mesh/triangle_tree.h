@@ -15,8 +15,6 @@
 
 namespace pomona {
 
-using AxisBox = Box<double>;
-
 /// Two meshes' nearest points; distance 0 where their triangles meet.
 struct ClosestPair {
   double distance = std::numeric_limits<double>::infinity();

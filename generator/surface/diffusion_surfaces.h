@@ -48,8 +48,6 @@ struct DiffusionSurfaces {
 /// Both, one after the other; names merged (equal part names become one part, surfaces stay apart).
 DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces& second);
 
-using Bounds = Box<double>;
-
 /// The box around all vertices that a triangle uses; a box of no size at zero for no triangles.
 Box<double> bounds_of(const DiffusionSurfaces& surfaces);
 

@@ -231,7 +231,7 @@ glm::dvec3 CutOracle::corner(const RandomStream& random, std::uint64_t draw) con
 }
 
 Knife CutOracle::random_plane(const RandomStream& random, std::uint64_t number) const {
-  const Bounds bounds = bounds_of(surfaces_);
+  const Box<double> bounds = bounds_of(surfaces_);
   const std::uint64_t draw = draws * number;
   glm::dvec3 place(0);
   for (int i = 0; i < 3; ++i) {
@@ -269,7 +269,7 @@ Knife CutOracle::degenerate_plane(const RandomStream& random, std::uint64_t numb
       return knife_at(normal, farthest);
     }
     default: {
-      const Bounds bounds = bounds_of(surfaces_);
+      const Box<double> bounds = bounds_of(surfaces_);
       return knife_at(level, (random.below(draw + 6, 2) == 0 ? bounds.low : bounds.high)[axis]);
     }
   }
@@ -280,7 +280,7 @@ Knife CutOracle::degenerate_plane(const RandomStream& random, std::uint64_t numb
 
 Knife CutOracle::random_stroke(const RandomStream& random, std::uint64_t number) const {
   const std::uint64_t draw = stroke_draws * number;
-  const Bounds bounds = bounds_of(surfaces_);
+  const Box<double> bounds = bounds_of(surfaces_);
   glm::dvec2 way(random_direction(random, draw));
   way = glm::length(way) > 0 ? glm::normalize(way) : glm::dvec2(1, 0);
 
@@ -307,7 +307,7 @@ Knife CutOracle::random_stroke(const RandomStream& random, std::uint64_t number)
 
 Knife CutOracle::random_solid(const RandomStream& random, std::uint64_t number) const {
   const std::uint64_t draw = draws * number;
-  const Bounds bounds = bounds_of(surfaces_);
+  const Box<double> bounds = bounds_of(surfaces_);
   const auto share = [&](std::uint64_t i) { return random.uniform(draw + i); };
   const glm::dvec3 place = bounds.low + glm::dvec3(share(0), share(1), share(2)) * bounds.size();
   const double size = (0.1 + 0.4 * share(3)) * size_;

@@ -16,7 +16,7 @@
 namespace pomona {
 namespace {
 
-const Bounds box{{-0.05, 0, -0.04}, {0.05, 0.08, 0.04}};
+const Box<double> box{{-0.05, 0, -0.04}, {0.05, 0.08, 0.04}};
 
 int cell_at(const PlacedKnife& knife, const glm::dvec3& p) {
   KnifeSides sides;

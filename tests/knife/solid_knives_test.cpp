@@ -96,7 +96,7 @@ TEST(SolidKnives, ABallIsABallWhereTheFruitIsSeen) {
 TEST(SolidKnives, ACorerGoesThroughOrAsDeepAsAsked) {
   const ClosedSurface through = solid_of("core:18mm");
   EXPECT_GT(expect_sound(through), 0.1);
-  const Bounds bounds = bounds_of(as_surfaces(through));
+  const Box<double> bounds = bounds_of(as_surfaces(through));
   EXPECT_LT(bounds.low.y, -1e-3);
   EXPECT_GT(bounds.high.y, 0.071);
   const double cylinder = pi * 0.009 * 0.009 * bounds.size().y;
@@ -104,7 +104,7 @@ TEST(SolidKnives, ACorerGoesThroughOrAsDeepAsAsked) {
 
   EXPECT_NEAR(bounds_of(as_surfaces(solid_of("core:18mm,depth=4cm"))).low.y, 0.03, 1e-7);
   EXPECT_LT(bounds_of(as_surfaces(solid_of("core:18mm,depth=9cm"))).low.y, -1e-3) << "deeper than the fruit";
-  const Bounds level = bounds_of(as_surfaces(solid_of("core:10mm,at=0,3cm,0,axis=2,0,0")));
+  const Box<double> level = bounds_of(as_surfaces(solid_of("core:10mm,at=0,3cm,0,axis=2,0,0")));
   EXPECT_NEAR(level.center().y, 0.03, 1e-6);
   EXPECT_GT(level.high.x, 0.036);
 }
@@ -112,7 +112,7 @@ TEST(SolidKnives, ACorerGoesThroughOrAsDeepAsAsked) {
 TEST(SolidKnives, ABiteHasTeethAndIsWiderThanHigh) {
   const ClosedSurface bite = solid_of("bite:40mm");
   EXPECT_GT(expect_sound(bite), 0.03);
-  const Bounds bounds = bounds_of(as_surfaces(bite));
+  const Box<double> bounds = bounds_of(as_surfaces(bite));
   EXPECT_NEAR(bounds.size().x, 0.04, 5e-4);
   EXPECT_NEAR(bounds.size().y, 0.8 * 0.04, 5e-4);
   EXPECT_NEAR(bounds.low.z, 0.015, 1e-4);
@@ -185,7 +185,7 @@ TEST_F(ProfileFile, IsRevolved) {
 }
 
 TEST_F(ProfileFile, GoesWhereAskedAndIsScaled) {
-  const Bounds bounds = bounds_of(as_surfaces(solid("cone,scale=2mm,at=1cm,0,3cm,axis=1,0,0")));
+  const Box<double> bounds = bounds_of(as_surfaces(solid("cone,scale=2mm,at=1cm,0,3cm,axis=1,0,0")));
   EXPECT_NEAR(bounds.low.x, 0.01, 1e-7);
   EXPECT_NEAR(bounds.high.x, 0.05, 1e-7);
   EXPECT_NEAR(bounds.high.z, 0.05, 1e-5);
@@ -261,7 +261,7 @@ TEST(Peel, LeavesTheStem) {
   const DiffusionSurfaces seed = shapes::box({0.034, 0.034, -0.001}, {0.036, 0.036, 0.001}, 1, shapes::skin_paint());
   const ClosedSurface inner = solid_of("peel:2mm", joined(ball_with_stem(), seed));
   expect_sound(inner);
-  const Bounds bounds = bounds_of(as_surfaces(inner));
+  const Box<double> bounds = bounds_of(as_surfaces(inner));
   EXPECT_GT(bounds.high.y, 0.0905);
   EXPECT_NEAR(bounds.high.x, 0.033, 1e-4);
 }

@@ -22,16 +22,16 @@ namespace pomona {
 
 namespace {
 
-AxisBox box_of(const KnifeMesh& knife) {
-  AxisBox box;
+Box<double> box_of(const KnifeMesh& knife) {
+  Box<double> box;
   for (const KnifeMesh::Triangle& t : knife.triangle) {
     for (const std::uint32_t p : t.corner) box.add(knife.point[p]);
   }
   return box;
 }
 
-AxisBox box_of(const PlaceTriangle& t, const std::vector<glm::dvec3>& point) {
-  AxisBox box;
+Box<double> box_of(const PlaceTriangle& t, const std::vector<glm::dvec3>& point) {
+  Box<double> box;
   for (const std::uint32_t p : t) box.add(point[p]);
   return box;
 }
@@ -72,7 +72,7 @@ class Carver {
  private:
   /// Those near the knife.
   void take_triangles() {
-    const AxisBox box = box_of(knife_.mesh);
+    const Box<double> box = box_of(knife_.mesh);
     const std::vector<glm::dvec3>& point = fruit_.mesh.point;
     const auto take = [&](const PlaceTriangle& t, std::uint32_t number, std::vector<std::uint32_t>& numbers) {
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || !box_of(t, point).meets(box)) return;
@@ -153,8 +153,8 @@ Cutting carve(CutFruit fruit, const ClosedKnife& knife, const DiffusionSurfaces&
 
 KnifeMesh refined_for(const CutFruit& fruit, KnifeMesh knife, const SizeLimits& limits) {
   // Where the knife as it is meets the surfaces, and how fine these are there.
-  const AxisBox box = box_of(knife);
-  AxisBox whole;
+  const Box<double> box = box_of(knife);
+  Box<double> whole;
   std::vector<Corners> surface, own;
   for (const SurfaceTriangle& t : fruit.surface) {
     const PlaceTriangle p = places_of(t, fruit.mesh);

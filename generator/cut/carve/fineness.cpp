@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t leaf_size = 8;
 
-double distance(const AxisBox& box, const glm::dvec3& place) {
+double distance(const Box<double>& box, const glm::dvec3& place) {
   return glm::length(glm::max(glm::max(box.low - place, place - box.high), glm::dvec3(0)));
 }
 

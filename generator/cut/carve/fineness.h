@@ -28,7 +28,7 @@ class Fineness {
 
  private:
   struct Node {
-    AxisBox box;
+    Box<double> box;
     double least = 0;         ///< size of all sources in it
     std::uint32_t first = 0;  ///< leaf: first source; else: left child, which the right one follows
     std::uint32_t count = 0;  ///< leaf: sources; else 0

@@ -33,7 +33,7 @@ std::uint32_t set_of(const CutLine& line, SplitMesh& mesh) {
 class LineFinder {
  public:
   LineFinder(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
-             const Bounds& bounds)
+             const Box<double>& bounds)
       : mesh_(std::move(mesh)), planes_(planes), center_(bounds.center()), reach_(0.5 * glm::length(bounds.size())) {
     for (int k = 0; k < planes.count(); ++k) {
       if (!segments[static_cast<std::size_t>(k)].empty()) used_.push_back(k);
@@ -201,7 +201,7 @@ std::vector<std::uint32_t> subdivided_points(const CutLine& line, SplitMesh& mes
 }  // namespace
 
 CutLines cut_lines(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
-                   const Bounds& bounds) {
+                   const Box<double>& bounds) {
   return LineFinder(std::move(mesh), planes, segments, bounds).find();
 }
 

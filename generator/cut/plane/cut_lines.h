@@ -40,7 +40,7 @@ struct CutLines {
 /// Where the planes that have segments meet within `bounds`: with all points that surfaces have there, and those
 /// where three planes meet.
 CutLines cut_lines(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
-                   const Bounds& bounds);
+                   const Box<double>& bounds);
 
 /// The length that edges should have on one of the line's planes, at a place.
 using SizeOnPlane = std::function<double(int plane, const glm::dvec3& place)>;

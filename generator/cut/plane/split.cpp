@@ -9,7 +9,8 @@
 
 #include "generator/cut/plane/stroke_sides.h"
 #include "generator/knife/exact_side.h"
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
 
 namespace pomona {
 

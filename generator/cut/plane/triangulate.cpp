@@ -31,8 +31,8 @@ constexpr int most_rounds = 4;
 constexpr int line_grid = 48;
 
 /// The lines in which planes meet, as fine as the finer of their planes wants them.
-CutLines laid_out_lines(SplitMesh mesh, const CutPlanes& planes, const SegmentLists& segments, const Bounds& bounds,
-                        const SizeLimits& limits, Threads threads) {
+CutLines laid_out_lines(SplitMesh mesh, const CutPlanes& planes, const SegmentLists& segments,
+                        const Box<double>& bounds, const SizeLimits& limits, Threads threads) {
   CutLines all = cut_lines(std::move(mesh), planes, segments, bounds);
   if (all.lines.empty()) return all;
   std::vector<CutFace> frames;
@@ -113,7 +113,7 @@ Round finished(Builders builders, SplitMesh& mesh) {
 
 PlaneFaces triangulate(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
                        const DiffusionSurfaces& surfaces, const Bodies& bodies, const CutOptions& options) {
-  const Bounds bounds = bounds_of(surfaces);
+  const Box<double> bounds = bounds_of(surfaces);
   const double size = glm::length(bounds.size());
   const SizeLimits limits{options.coarsest * size, options.finest * size, options.grading, options.contrast};
   CutLines lines = laid_out_lines(std::move(mesh), planes, segments, bounds, limits, options.threads);

@@ -7,12 +7,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/cross.h"
 #include "generator/base/random.h"
 
 namespace pomona {
 namespace {
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 double area_of(const TriangulatedPlane& plane) {
   double sum = 0;

@@ -12,6 +12,7 @@
 #include "generator/base/random.h"
 #include "generator/diffusion/harmonic/nearest_labels.h"
 #include "generator/diffusion/nearest_side.h"
+#include "generator/mesh/triangle_distance.h"
 #include "tests/diffusion/fields.h"
 #include "tests/diffusion/harmonic/whole_shapes.h"
 #include "tests/shapes/shapes.h"
@@ -97,7 +98,7 @@ NearestPlace nearest_place(const DiffusionSurfaces& surfaces, const glm::dvec3& 
   NearestPlace nearest;
   for (const glm::uvec3& t : surfaces.triangle) {
     const glm::dvec3 a(surfaces.position[t.x]), b(surfaces.position[t.y]), c(surfaces.position[t.z]);
-    const glm::dvec3 weight = nearest_on_triangle(p, a, b, c);
+    const glm::dvec3 weight = nearest_weights(p, a, b, c);
     const glm::dvec3 place = weight.x * a + weight.y * b + weight.z * c;
     if (glm::distance(place, p) >= nearest.distance) continue;
     nearest = {glm::distance(place, p), place, glm::dot(glm::cross(b - a, c - a), p - a) > 0};

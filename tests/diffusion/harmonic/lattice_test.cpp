@@ -13,7 +13,7 @@ DiffusionSurfaces long_box() { return shapes::box({-0.3, 0.1, 0.2}, {1.4, 0.5, 0
 
 TEST(Lattice, KeepsItsMarginForAnyShift) {
   const DiffusionSurfaces box = long_box();
-  const Bounds bounds = bounds_of(box);
+  const Box<double> bounds = bounds_of(box);
   for (const double shift : {0.0, 0.3, 0.99, 1.7, -0.4}) {
     for (const int margin : {1, 3}) {
       const Lattice lattice = lattice_around(box, 0.1, margin, 3, glm::dvec3(shift, shift / 2, -shift));

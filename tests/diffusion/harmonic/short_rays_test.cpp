@@ -12,6 +12,7 @@
 #include <glm/matrix.hpp>
 
 #include "generator/base/random.h"
+#include "generator/mesh/triangle_distance.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {
@@ -149,7 +150,7 @@ double least_distance(const SeenTriangle& t) {
 TEST(ShortRays, NearestWeightsAreNoFartherThanAnyOthers) {
   std::array<int, 8> regions{};  // by which weights are 0
   for (const SeenTriangle& t : random_triangles(1000)) {
-    const glm::vec3 w = nearest_weights(t);
+    const glm::vec3 w = nearest_weights(glm::vec3(0), t.a, t.b, t.c);
     EXPECT_NEAR(w.x + w.y + w.z, 1, 1e-5);
     for (int k = 0; k < 3; ++k) EXPECT_GE(w[k], -1e-6f);
     const double away = glm::length(glm::dvec3(w.x * t.a + w.y * t.b + w.z * t.c));

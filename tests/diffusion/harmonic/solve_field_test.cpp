@@ -55,7 +55,7 @@ TEST(SolveField, KeepsTheAirAroundOpenSurfacesAndMoreOfIt) {
     EXPECT_FALSE(field.is_sealed);
     const Lattice& lattice = whole(field).lattice;
     for (const Node& node : shapes::nodes_of(lattice)) EXPECT_TRUE(takes_part(whole(field), node));
-    const Bounds bounds = bounds_of(surfaces);
+    const Box<double> bounds = bounds_of(surfaces);
     for (int axis = 0; axis < 3; ++axis) EXPECT_LT(lattice.origin[axis], bounds.low[axis] - 0.24 * 1) << axis;
   }
 }

@@ -9,6 +9,7 @@
 
 #include "generator/base/random.h"
 #include "generator/diffusion/nearest_side.h"
+#include "generator/mesh/triangle_distance.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {
@@ -37,7 +38,7 @@ double true_distance(const DiffusionSurfaces& surfaces, const TriangleFrames& fr
                      const glm::vec3& place) {
   auto [a, b, c] = corners(surfaces, triangle);
   a = frames.normalized(a), b = frames.normalized(b), c = frames.normalized(c);
-  const glm::dvec3 p(place), w = nearest_on_triangle(p, a, b, c);
+  const glm::dvec3 p(place), w = nearest_weights(p, a, b, c);
   return glm::length(p - (w.x * a + w.y * b + w.z * c));
 }
 

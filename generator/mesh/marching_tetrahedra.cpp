@@ -1,4 +1,4 @@
-#include "generator/mesh/level_surface.h"
+#include "generator/mesh/marching_tetrahedra.h"
 
 #include <algorithm>
 #include <cmath>
