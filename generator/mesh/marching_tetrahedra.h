@@ -1,6 +1,6 @@
-// Marching tetrahedra [Doi & Koide 1991], for levels of several functions at once: surfaces on which functions have given
-// values. Each tetrahedron is split along one level after the other, and the surface is what then lies between the parts
-// inside and those outside.
+// Marching tetrahedra [Doi & Koide 1991], for levels of several functions at once: surfaces on which functions have
+// given values. Each tetrahedron is split along one level after the other, and the surface is what then lies between
+// the parts inside and those outside.
 #pragma once
 
 #include <array>

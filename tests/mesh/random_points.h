@@ -1,0 +1,14 @@
+// Points that tests of geometry are tried at.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace pomona {
+
+/// Evenly spread over the cube from -size to size; others for another seed.
+std::vector<glm::dvec3> random_points(std::size_t count, double size, std::uint64_t seed = 1);
+
+}  // namespace pomona
