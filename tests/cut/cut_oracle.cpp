@@ -100,9 +100,9 @@ class Witness final : public CutObserver {
   void sees(const CutPlanes& all_planes, const std::vector<std::vector<CutSegment>>& segments) override {
     planes = all_planes;
     area.assign(segments.size(), 0);
-    for (const CutPlanes::Sheet& sheet : planes.sheets) {
+    for (const CutPlanes::Blade& blade : planes.blades) {
       std::vector<CutSegment> chains;  // those of a stroke go on from facet to facet
-      for (int k = sheet.first; k < sheet.first + sheet.count; ++k) {
+      for (int k = blade.first; k < blade.first + blade.count; ++k) {
         const std::vector<CutSegment>& in_plane = segments[static_cast<std::size_t>(k)];
         chains.insert(chains.end(), in_plane.begin(), in_plane.end());
       }
@@ -195,7 +195,7 @@ CutFacts CutOracle::facts(std::span<const Knife> knives) const {
   // Areas, plane by plane, as planes have cut them: closed knives come later.
   const CutPlanes& planes = witness.planes;
   for (int k = 0; k < planes.count(); ++k) {
-    if (planes[k].same_as != k || planes.sheet_of(k).stroke) continue;
+    if (planes[k].same_as != k || planes.blade_of(k).stroke) continue;
     const double error = std::fabs(witness.area[static_cast<std::size_t>(k)] - area_in(planes[k].plane));
     facts.area_error = std::max(facts.area_error, error / (size_ * size_));
   }
