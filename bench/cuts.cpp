@@ -92,10 +92,10 @@ DiffusionSurfaces thinned(const DiffusionSurfaces& fruit, int triangles) {
 
 /// By turns whole and in one strip.
 Knife random_peel(double size, const RandomStream& random, std::uint64_t number) {
-  Knife knife = parse_knife("peel:2mm");
-  knife.solid.size = size * (0.005 + 0.03 * random.uniform(2 * number));
-  if (number % 2 == 1) knife.solid.spiral = size * (0.1 + 0.15 * random.uniform(2 * number + 1));
-  return knife;
+  PeelKnife peel;
+  peel.thickness = size * (0.005 + 0.03 * random.uniform(2 * number));
+  if (number % 2 == 1) peel.strip = size * (0.1 + 0.15 * random.uniform(2 * number + 1));
+  return {ClosedCut(peel), "a random peel"};
 }
 
 std::vector<Knife> knives_of(const oracle::CutOracle& oracle, const std::string& kind, const std::string& fruit,

@@ -36,12 +36,11 @@ double time_of(const DiffusionSurfaces& fruit, const Knife& knife, Threads threa
   return bench::time_of([&] { cut(fruit, {&knife, 1}, {.threads = threads}); }).wall;
 }
 
-std::vector<Knife> planes_of(const Knife& dice, const DiffusionSurfaces& fruit) {
-  const CutPlanes planes = placed({&dice, 1}, bounds_of(fruit));
+std::vector<Knife> planes_one_by_one(const Knife& dice, const DiffusionSurfaces& fruit) {
+  const CutPlanes planes = cut_planes({&dice, 1}, bounds_of(fruit));
   std::vector<Knife> knives;
   for (const CutPlanes::Plane& plane : planes.planes) {
-    knives.push_back(parse_knife("plane:0,1,0,0"));
-    knives.back().plane = plane.plane;
+    knives.push_back({PlaneCut(PlaneKnife{plane.plane}), "a plane of the dice"});
   }
   return knives;
 }
@@ -49,7 +48,7 @@ std::vector<Knife> planes_of(const Knife& dice, const DiffusionSurfaces& fruit) 
 std::vector<std::string> measured(const std::string& name, const Options& options) {
   const DiffusionSurfaces fruit = bench::grow_fruit(name, bench::detail_for(name, options.triangles)).grown.sheets;
   const Knife dice = parse_knife("dice:4"), half = parse_knife("half"), across = parse_knife("across");
-  const std::vector<Knife> planes = planes_of(dice, fruit);
+  const std::vector<Knife> planes = planes_one_by_one(dice, fruit);
   std::vector<double> of_dice, of_plane, of_half, of_across, to_plane, to_half, to_across;
   for (int run = 0; run < options.runs; ++run) {
     double sum = 0;

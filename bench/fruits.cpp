@@ -56,8 +56,8 @@ double detail_for(const std::string& name, int triangles) {
 
 std::vector<BenchCut> standard_cuts(const DiffusionSurfaces& surfaces) {
   const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, 1, 0.2));
-  Knife slanted = parse_knife("plane:0,1,0,0");
-  slanted.plane = {normal, glm::dot(normal, bounds_of(surfaces).center())};
+  const CuttingPlane plane{normal, glm::dot(normal, bounds_of(surfaces).center())};
+  const Knife slanted{PlaneCut(PlaneKnife{plane}), "slanted"};
   return {{"half", parse_knife("half")}, {"across", parse_knife("across")}, {"slanted", slanted}};
 }
 

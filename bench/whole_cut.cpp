@@ -52,9 +52,8 @@ struct Subject {
 /// The plane of points_on_section_of_seeded_fruit(), as a knife: y = 5 % of the radius + 0.1 x + 0.03 z.
 bench::BenchCut cut_of_bench_model() {
   const glm::dvec3 normal(-0.1, 1, -0.03);
-  Knife knife = parse_knife("plane:0,1,0,0");
-  knife.plane = {glm::normalize(normal), 0.05 * 0.04 / glm::length(normal)};
-  return {"slanted", knife};
+  const CuttingPlane plane{glm::normalize(normal), 0.05 * 0.04 / glm::length(normal)};
+  return {"slanted", {PlaneCut(PlaneKnife{plane}), "slanted"}};
 }
 
 Subject subject_of(const std::string& name, int triangles) {

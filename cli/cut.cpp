@@ -16,6 +16,7 @@
 #include "cli/piece_list.h"
 #include "generator/base/error.h"
 #include "generator/cut/section/section_file.h"
+#include "generator/knife/knife_kinds.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/slice.h"
 #include "generator/scene/explode.h"
@@ -117,11 +118,7 @@ DeclaredCommand cut_command(CLI::App& app) {
   const auto options = std::make_shared<CutCommand>();
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
-  command
-      ->add_option(
-          "--knife", options->knives,
-          "half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm or slices:8, dice:12mm, sticks:6mm, crinkle:6mm, "
-          "stroke:FILE.svg#id; several cut one after another")
+  command->add_option("--knife", options->knives, "One of those below; several cut one after another")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -138,6 +135,7 @@ DeclaredCommand cut_command(CLI::App& app) {
   add_ripeness_option(*command, options->shared);
   add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);
+  command->footer("Knives, and along what they cut:\n" + knife_help());
   return {command, [options] { return cut_fruit(*options); }};
 }
 

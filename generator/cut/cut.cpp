@@ -15,8 +15,8 @@
 #include "generator/cut/plane/triangulate.h"
 #include "generator/cut/section/cut_fruit.h"
 #include "generator/cut/stage_watch.h"
+#include "generator/knife/closed_knives.h"
 #include "generator/knife/knife_mesh.h"
-#include "generator/knife/solid_knives.h"
 #include "generator/mesh/weld.h"
 
 namespace pomona {
@@ -61,12 +61,12 @@ class Cutter {
         knives_(knives),
         options_(options),
         observer_(observer),
-        planes_(placed(knives, bounds_of(surfaces))) {}
+        planes_(cut_planes(knives, bounds_of(surfaces))) {}
 
   Cut run() {
     CutFruit fruit = joined(cut_by_planes());
     for (std::size_t k = 0; k < knives_.size(); ++k) {
-      if (knives_[k].is_solid()) fruit = joined(cut_by_closed_knife(std::move(fruit), k));
+      if (knives_[k].is_closed()) fruit = joined(cut_by_closed_knife(std::move(fruit), k));
     }
     fruit.section = without_collapsed(std::move(fruit.section));
 
@@ -129,7 +129,7 @@ class Cutter {
   }
 
   bool has_closed_knives() const {
-    return std::any_of(knives_.begin(), knives_.end(), [](const Knife& knife) { return knife.is_solid(); });
+    return std::any_of(knives_.begin(), knives_.end(), [](const Knife& knife) { return knife.is_closed(); });
   }
 
   Cutting cut_by_closed_knife(CutFruit fruit, std::size_t number) const {
@@ -139,7 +139,8 @@ class Cutter {
       fruit = with_joined_points(std::move(fruit));
       const Knife& shape = knives_[number];
       ClosedKnife knife;
-      knife.mesh = refined_for(fruit, knife_mesh(knife_solid(shape, surfaces_), shape.text), limits);
+      knife.mesh =
+          refined_for(fruit, knife_mesh(surface_of(std::get<ClosedCut>(shape.cut), surfaces_), shape.text), limits);
       knife.number = static_cast<int>(number);
       knife.plane = planes_.count() + knife.number;
       for (std::size_t later = number + 1; later < knives_.size(); ++later) {

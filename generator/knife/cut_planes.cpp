@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -14,7 +16,8 @@ namespace {
 
 constexpr double most_cells = 1e4;
 
-/// Float coordinates resolve about 1e-7 of the size, doubles 1e-16: these lie between, nearer to the doubles.
+/// Shares of the fruit's size. A fruit's coordinates are floats, which resolve about 1e-7 of it; places are computed in
+/// doubles, which resolve 1e-16. What counts as one place lies between, nearer to the doubles.
 constexpr double tolerance_share = 1e-10, rounding_share = 1e-13;
 
 bool coincide(const CuttingPlane& a, const CuttingPlane& b, double tolerance) {
@@ -22,32 +25,24 @@ bool coincide(const CuttingPlane& a, const CuttingPlane& b, double tolerance) {
   return glm::length(glm::cross(a.normal, b.normal)) < 1e-12 && std::fabs(a.offset - sense * b.offset) <= tolerance;
 }
 
-/// Adds a plane to a sheet of its own, or to that of the stroke it is a facet of.
-void add_to_sheet(CutPlanes& all, CutPlanes::Plane& entry) {
-  const PlacedKnife& knife = all.knives[static_cast<std::size_t>(entry.knife)];
-  entry.sheet = static_cast<int>(all.sheets.size());
-  if (knife.strokes.empty()) {
-    all.sheets.push_back({all.count(), 1, std::nullopt});
-    return;
-  }
+/// The blade that a knife's plane begins, or none: facets of a stroke but the first are part of a blade begun before.
+/// `number`: of the plane among those of all knives.
+std::optional<CutPlanes::Blade> blade_begun(const KnifePlanes& knife, std::size_t in_knife, int number) {
+  if (knife.strokes.empty()) return CutPlanes::Blade{number, 1, std::nullopt};
   std::size_t first = 0;
   for (const std::vector<glm::dvec2>& points : knife.strokes) {
     const std::size_t facets = points.size() - 1;
-    if (entry.in_knife == first) {
-      all.sheets.push_back({all.count(), static_cast<int>(facets), Stroke(points)});
-      return;
-    }
-    if (entry.in_knife < first + facets) break;
+    if (in_knife == first) return CutPlanes::Blade{number, static_cast<int>(facets), Stroke(points)};
     first += facets;
   }
-  --entry.sheet;
+  return std::nullopt;
 }
 
 }  // namespace
 
 const Stroke::Facet* CutPlanes::facet(int plane) const {
-  const Sheet& sheet = sheet_of(plane);
-  return sheet.stroke ? &sheet.stroke->facet(plane - sheet.first) : nullptr;
+  const Blade& blade = blade_of(plane);
+  return blade.stroke ? &blade.stroke->facet(plane - blade.first) : nullptr;
 }
 
 bool CutPlanes::is_in_facet(int plane, const glm::dvec3& place) const {
@@ -57,40 +52,59 @@ bool CutPlanes::is_in_facet(int plane, const glm::dvec3& place) const {
   return along >= f->from - tolerance && along <= f->to + tolerance;
 }
 
-CutPlanes placed(std::span<const Knife> knives, const Box<double>& bounds) {
-  CutPlanes all;
-  all.tolerance = tolerance_share * glm::length(bounds.size());
-  all.rounding = rounding_share * std::fmax(glm::length(bounds.low), glm::length(bounds.high));
+namespace {
+
+/// \throws Error (usage) where the knives together make more cells than anybody can want.
+std::vector<KnifePlanes> laid(std::span<const Knife> knives, const Box<double>& bounds) {
+  std::vector<KnifePlanes> all;
   double cells = 1;
   for (const Knife& knife : knives) {
-    all.knives.push_back(placed(knife, bounds));
-    cells *= all.knives.back().cell_count();
+    all.push_back(planes_of(knife, bounds));
+    cells *= all.back().cell_count();
     if (cells > most_cells) {
       throw Error(ExitStatus::usage, "the knives together make more than ten thousand cells",
                   "take larger pieces, or fewer knives");
     }
   }
+  return all;
+}
 
+/// The first plane of an earlier knife that coincides with this one, which comes next, or null.
+/// \throws Error (usage) where one of the two is a facet of a stroke.
+const CutPlanes::Plane* earlier_same(const CutPlanes& all, const CutPlanes::Plane& plane) {
+  const auto same = std::find_if(all.planes.begin(), all.planes.end(), [&](const CutPlanes::Plane& earlier) {
+    return earlier.knife != plane.knife && coincide(earlier.plane, plane.plane, all.tolerance);
+  });
+  if (same == all.planes.end()) return nullptr;
+  const KnifePlanes& knife = all.knives[static_cast<std::size_t>(plane.knife)];
+  if (knife.strokes.empty() && !all.blade_of(same->same_as).stroke) return &*same;
+  throw Error(ExitStatus::usage, "knife \"" + knife.text + "\" runs along knife \"" +
+                                     all.knives[static_cast<std::size_t>(same->knife)].text +
+                                     "\" for a stretch: move one of them");
+}
+
+}  // namespace
+
+CutPlanes cut_planes(std::span<const Knife> knives, const Box<double>& bounds) {
+  CutPlanes all;
+  all.tolerance = tolerance_share * glm::length(bounds.size());
+  all.rounding = rounding_share * std::fmax(glm::length(bounds.low), glm::length(bounds.high));
+  all.knives = laid(knives, bounds);
   for (std::size_t k = 0; k < all.knives.size(); ++k) {
-    for (std::size_t i = 0; i < all.knives[k].planes.size(); ++i) {
-      const CuttingPlane& plane = all.knives[k].planes[i];
-      CutPlanes::Plane entry{plane, static_cast<int>(k), i, all.count(), false, false, 0};
-      const bool is_facet = !all.knives[k].strokes.empty();
-      entry.through_axis = plane.normal.y == 0 && plane.offset == 0 && !is_facet;
-      add_to_sheet(all, entry);
+    const KnifePlanes& knife = all.knives[k];
+    for (std::size_t i = 0; i < knife.planes.size(); ++i) {
+      CutPlanes::Plane entry{knife.planes[i], static_cast<int>(k), i, all.count(), false, false, 0};
+      entry.through_axis = entry.plane.normal.y == 0 && entry.plane.offset == 0 && knife.strokes.empty();
 
-      // Find an earlier knife's plane that is the same.
-      const auto same = std::find_if(all.planes.begin(), all.planes.end(), [&](const CutPlanes::Plane& earlier) {
-        return earlier.knife != entry.knife && coincide(earlier.plane, plane, all.tolerance);
-      });
-      if (same != all.planes.end() && (is_facet || all.sheet_of(same->same_as).stroke)) {
-        throw Error(ExitStatus::usage, "knife \"" + all.knives[k].knife.text + "\" runs along knife \"" +
-                                           all.knives[static_cast<std::size_t>(same->knife)].knife.text +
-                                           "\" for a stretch: move one of them");
+      // Facets of a stroke share the blade that its first one began.
+      if (std::optional<CutPlanes::Blade> blade = blade_begun(knife, i, all.count())) {
+        all.blades.push_back(std::move(*blade));
       }
-      if (same != all.planes.end()) {
+      entry.blade = static_cast<int>(all.blades.size()) - 1;
+
+      if (const CutPlanes::Plane* same = earlier_same(all, entry)) {
         entry.same_as = same->same_as;
-        entry.turned = glm::dot(all[entry.same_as].plane.normal, plane.normal) < 0;
+        entry.turned = glm::dot(all[same->same_as].plane.normal, entry.plane.normal) < 0;
       }
       all.planes.push_back(entry);
     }
@@ -102,7 +116,7 @@ double signed_distance(const CuttingPlane& plane, const glm::dvec3& point) {
   return glm::dot(plane.normal, point) - plane.offset;
 }
 
-glm::dvec3 settled(glm::dvec3 point, const std::vector<int>& on, const CutPlanes& planes) {
+glm::dvec3 snapped_to_planes(glm::dvec3 point, const std::vector<int>& on, const CutPlanes& planes) {
   int through_axis = 0;
   for (const int k : on) {
     const CuttingPlane& plane = planes[k].plane;
@@ -132,7 +146,7 @@ std::uint32_t PlaneSets::with(std::uint32_t set, int plane) {
   std::vector<int> larger = sets_[set];
   larger.insert(std::upper_bound(larger.begin(), larger.end(), plane), plane);
 
-  // Two planes of the pencil: all of it.
+  // Two planes through the axis meet in it, so the point lies on all planes through the axis.
   std::vector<int> on_axis;
   std::set_intersection(larger.begin(), larger.end(), axis_planes_.begin(), axis_planes_.end(),
                         std::back_inserter(on_axis));

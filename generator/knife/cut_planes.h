@@ -1,5 +1,4 @@
-// All planes that all knives bring, in cut order, what lies on which of them, and which of them are facets of one
-// stroke.
+// The planes of all knives in the order they cut: which coincide, which are facets of one blade, and sets of them.
 #pragma once
 
 #include <cstdint>
@@ -9,37 +8,37 @@
 #include <vector>
 
 #include "generator/knife/knife.h"
-#include "generator/knife/placed_knife.h"
+#include "generator/knife/knife_planes.h"
 #include "generator/knife/stroke.h"
 
 namespace pomona {
 
-/// The planes of all knives, one after another.
+/// The planes of all knives laid at one fruit, one after another. Closed knives have none.
 struct CutPlanes {
   struct Plane {
     CuttingPlane plane;
-    int knife = 0;             ///< index into knives
-    std::size_t in_knife = 0;  ///< index into that knife's planes
-    int same_as = 0;           ///< the first plane that coincides with this one: itself, or an earlier knife's
-    bool turned = false;       ///< looks against that one
-    bool through_axis = false;
-    int sheet = 0;  ///< index into sheets
+    int knife = 0;              ///< index into knives
+    std::size_t in_knife = 0;   ///< index into that knife's planes
+    int same_as = 0;            ///< the first plane that coincides with this one: itself, or an earlier knife's
+    bool turned = false;        ///< its normal points against that plane's
+    bool through_axis = false;  ///< contains the axis x = z = 0 and is no facet of a stroke
+    int blade = 0;              ///< index into blades
   };
   std::vector<Plane> planes;
 
-  /// What is triangulated as one: a plane, or all facets of a stroke, unrolled.
-  struct Sheet {
-    int first = 0, count = 1;      ///< its planes
+  /// One cutting surface of a knife, triangulated as one: a plane, or all facets of a stroke, unrolled.
+  struct Blade {
+    int first = 0, count = 1;      ///< its planes: planes[first] and those after it
     std::optional<Stroke> stroke;  ///< none for a plane
   };
-  std::vector<Sheet> sheets;
-  std::vector<PlacedKnife> knives;
+  std::vector<Blade> blades;
+  std::vector<KnifePlanes> knives;
   double tolerance = 0;  ///< metres; places no farther apart than this are one
   double rounding = 0;   ///< metres; computed points are no farther than this from where they should be
 
   int count() const { return static_cast<int>(planes.size()); }
   const Plane& operator[](int plane) const { return planes[static_cast<std::size_t>(plane)]; }
-  const Sheet& sheet_of(int plane) const { return sheets[static_cast<std::size_t>((*this)[plane].sheet)]; }
+  const Blade& blade_of(int plane) const { return blades[static_cast<std::size_t>((*this)[plane].blade)]; }
 
   /// The facet that a plane of a stroke is, or none.
   const Stroke::Facet* facet(int plane) const;
@@ -48,15 +47,16 @@ struct CutPlanes {
   bool is_in_facet(int plane, const glm::dvec3& place) const;
 };
 
-/// \throws Error (usage) for slices the fruit cannot give, for strokes that run along other knives' planes, and where
-/// knives make more than ten thousand cells.
-CutPlanes placed(std::span<const Knife> knives, const Box<double>& bounds);
+/// Lays all knives at a fruit with these bounds. \throws Error (usage) for slices the fruit cannot give, for strokes
+/// that run along other knives' planes, and where knives make more than ten thousand cells.
+CutPlanes cut_planes(std::span<const Knife> knives, const Box<double>& bounds);
 
 /// n.p - D in metres.
 double signed_distance(const CuttingPlane& plane, const glm::dvec3& point);
 
-/// The point with the coordinates that axis-aligned planes, or two planes through the axis, fix set to the bit.
-glm::dvec3 settled(glm::dvec3 point, const std::vector<int>& on, const CutPlanes& planes);
+/// The point, which lies `on` these planes up to rounding, with the coordinates set to the bit that they fix: an
+/// axis-aligned plane fixes one, two planes through the axis fix x and z.
+glm::dvec3 snapped_to_planes(glm::dvec3 point, const std::vector<int>& on, const CutPlanes& planes);
 
 /// Sets of planes by number, each kept once: which planes a point lies on, or an edge is cut by. Set 0 is empty.
 /// Planes through the axis meet in one line, so a set with two of them has all of them.

@@ -60,13 +60,15 @@ class Expansion {
 }  // namespace
 
 double exact_distance(const CuttingPlane& plane, const glm::dvec3& point) {
-  // Three products and three sums err by at most 4 roundings of the sum of magnitudes. Far above that six digits hold.
+  // Try plain doubles first. Three products and three sums err by at most 4 roundings of the sum of magnitudes; a
+  // distance a million times as large has its sign and six digits right.
   const glm::dvec3 terms = plane.normal * point;
   const double distance = terms.x + terms.y + terms.z - plane.offset;
   const double magnitude = std::fabs(terms.x) + std::fabs(terms.y) + std::fabs(terms.z) + std::fabs(plane.offset);
   const double error = 4 * std::numeric_limits<double>::epsilon() * magnitude;
   if (std::fabs(distance) > 1e6 * error) return distance;
 
+  // Else add up the products and what rounding took from them, without any error.
   Expansion sum;
   sum.add(-plane.offset);
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,10 +1,11 @@
-// Knives: cutting surfaces by name.
+// Knives: what users ask for, before it is known which fruit is cut.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -21,50 +22,93 @@ struct CuttingPlane {
   double offset = 0;           ///< metres
 };
 
-/// What the user says of a knife that cuts by a closed surface. Lengths in metres.
-struct SolidShape {
-  double size = 0;                 ///< ball, core: diameter; bite: width; peel: thickness
-  double depth = 0;                ///< core: from the top of the fruit; 0 = right through
-  double spiral = 0;               ///< peel: width of the strip; 0 = all in one
-  std::optional<glm::dvec3> at;    ///< where its middle goes, of a drawn profile its origin
-  std::optional<glm::dvec3> axis;  ///< of core and revolve, unit length
-  Curve profile;                   ///< revolve: distance from the axis, height
+/// How many slices a fruit is cut into, or how thick they are.
+struct SliceCount {
+  int count = 2;  ///< 2 to most_slices
 };
-
-/// One knife as the user wrote it. What it does may depend on the fruit's bounding box.
-struct Knife {
-  enum class Kind {
-    plane,
-    half,
-    across,
-    wedges,
-    slices,
-    dice,
-    sticks,
-    stroke,
-    crinkle,
-    // By a closed surface (solid_knives.h):
-    ball,
-    core,
-    bite,
-    revolve,
-    peel,
-    surface
-  };
-  Kind kind = Kind::half;
-  CuttingPlane plane;              ///< Kind::plane
-  int count = 0;                   ///< wedges; slices, dice and sticks by count
-  double thickness = 0;            ///< slices, dice, sticks and crinkled slices by thickness, metres; 0 = by count
-  std::vector<glm::dvec2> stroke;  ///< metres, seen along -Z
-  SolidShape solid;                ///< of those that cut by a closed surface
-  std::shared_ptr<const ClosedSurface> surface;  ///< Kind::surface
-  std::string text;                              ///< as written, for messages and metadata
-
-  bool is_solid() const { return kind >= Kind::ball; }
+struct SliceThickness {
+  double metres = 0;
 };
+using SliceSize = std::variant<SliceCount, SliceThickness>;
 
 /// Of slices, dice and sticks, in one direction.
 constexpr int most_slices = 1024;
+
+struct PlaneKnife {
+  CuttingPlane plane;
+};
+/// Along the plane z = 0.
+struct HalfKnife {};
+/// Along the level plane at half the height.
+struct AcrossKnife {};
+/// Along half-planes that begin at the axis, evenly spread.
+struct WedgeKnife {
+  int count = 2;
+};
+/// Along level planes.
+struct SliceKnife {
+  SliceSize size;
+};
+/// Along planes across x, y and z.
+struct DiceKnife {
+  SliceSize size;
+};
+/// Along planes across x and z.
+struct StickKnife {
+  SliceSize size;
+};
+/// Along a polyline, straight through the fruit.
+struct StrokeKnife {
+  std::vector<glm::dvec2> points;  ///< metres, seen along -Z; at least two, no two in a row equal
+};
+/// Between level waves that run along x.
+struct CrinkleKnife {
+  double thickness = 0;  ///< of a slice, metres
+};
+/// Knives that cut along planes, or facets of planes: all that knife_planes.h lays at a fruit.
+using PlaneCut = std::variant<HalfKnife, AcrossKnife, PlaneKnife, WedgeKnife, SliceKnife, DiceKnife, StickKnife,
+                              CrinkleKnife, StrokeKnife>;
+
+/// Where nothing is said of it, a knife goes to the front of the fruit, or upright to its axis.
+struct BallKnife {
+  double diameter = 0;           ///< metres
+  std::optional<glm::dvec3> at;  ///< of its middle, metres
+};
+struct CoreKnife {
+  double diameter = 0;             ///< metres
+  std::optional<double> depth;     ///< metres from the top of the fruit; right through without it
+  std::optional<glm::dvec3> at;    ///< a point of its axis, metres
+  std::optional<glm::dvec3> axis;  ///< unit length
+};
+/// A hollow with the marks of teeth.
+struct BiteKnife {
+  double width = 0;              ///< metres
+  std::optional<glm::dvec3> at;  ///< of its middle, metres
+};
+struct RevolveKnife {
+  Curve profile;                   ///< x is the distance from the axis, y the height along it, metres
+  std::optional<glm::dvec3> at;    ///< of the profile's origin, metres
+  std::optional<glm::dvec3> axis;  ///< unit length
+};
+struct PeelKnife {
+  double thickness = 0;         ///< metres
+  std::optional<double> strip;  ///< width of the strip as which the peel comes off, metres; in one without it
+};
+struct SurfaceKnife {
+  std::shared_ptr<const ClosedSurface> surface;  ///< never null
+};
+/// Closed knives: those that cut along a closed surface (closed_knives.h).
+using ClosedCut = std::variant<BallKnife, CoreKnife, BiteKnife, RevolveKnife, PeelKnife, SurfaceKnife>;
+
+using KnifeCut = std::variant<PlaneCut, ClosedCut>;
+
+/// One knife as the user wrote it. Where it cuts may depend on the fruit.
+struct Knife {
+  KnifeCut cut = PlaneCut(HalfKnife{});
+  std::string text = {};  ///< as written, for messages and metadata
+
+  bool is_closed() const { return std::holds_alternative<ClosedCut>(cut); }
+};
 
 /// \throws Error (usage), always: the knife that is written `text` cannot be, `why`, and what would do.
 [[noreturn]] void refuse_knife(std::string_view text, const std::string& why, const std::string& hint);

@@ -33,9 +33,9 @@ glm::dvec3 unit(const glm::dvec3& v) {
 
 class MeshBuilder {
  public:
-  explicit MeshBuilder(const ClosedSurface& solid) { take(solid); }
+  explicit MeshBuilder(const ClosedSurface& surface) { take(surface); }
 
-  /// Every edge as often one way as the other.
+  /// True if triangles run along every edge as often one way as the other.
   bool is_closed() const {
     std::vector<glm::uvec3> triangles;
     for (const Triangle& t : mesh_.triangle) triangles.emplace_back(t.corner[0], t.corner[1], t.corner[2]);
@@ -50,14 +50,17 @@ class MeshBuilder {
   }
 
  private:
-  void take(const ClosedSurface& solid) {
-    const std::vector<std::uint32_t> first = weld(solid.point);
+  void take(const ClosedSurface& surface) {
+    // Number the places where points lie, each once.
+    const std::vector<std::uint32_t> first = weld(surface.point);
     std::vector<std::uint32_t> number(first.size());
     for (std::size_t p = 0; p < first.size(); ++p) {
       number[p] = first[p] == p ? static_cast<std::uint32_t>(mesh_.point.size()) : number[first[p]];
-      if (first[p] == p) mesh_.point.push_back(solid.point[p]);
+      if (first[p] == p) mesh_.point.push_back(surface.point[p]);
     }
-    for (const glm::uvec3& t : solid.triangle) {
+
+    // Leave out triangles that thereby lose a corner: they have no area, and their neighbours close the gap.
+    for (const glm::uvec3& t : surface.triangle) {
       Triangle triangle;
       triangle.corner = {number[t.x], number[t.y], number[t.z]};
       const auto& c = triangle.corner;
@@ -65,11 +68,13 @@ class MeshBuilder {
     }
   }
 
+  /// Across the triangle, outwards, twice as long as its area is large.
   glm::dvec3 area_vector(std::size_t t) const {
     const std::array<glm::dvec3, 3> c = mesh_.corners(t);
     return glm::cross(c[1] - c[0], c[2] - c[0]);
   }
 
+  /// Edges at which two triangles meet without a crease. Where more than two meet, the first is paired with each other.
   void find_smooth_edges() {
     for (std::size_t t = 0; t < mesh_.triangle.size(); ++t) normal_.push_back(unit(area_vector(t)));
     std::unordered_map<std::uint64_t, Side> first_at;
@@ -84,6 +89,8 @@ class MeshBuilder {
     }
   }
 
+  /// Triangles that smooth edges join, directly or through others, become one face; faces are numbered in the order of
+  /// their first triangles.
   void find_faces() {
     DisjointSets sets(mesh_.triangle.size());
     for (const auto& [a, b] : smooth_) sets.join(a.triangle, b.triangle);
@@ -94,9 +101,10 @@ class MeshBuilder {
     }
   }
 
-  /// One for all corners that hang together around a point without a crease between them. Each counts by the angle it
-  /// has there, so that the normal does not depend on how a face was cut into triangles.
+  /// One normal for all corners that hang together around a point without a crease between them. Each triangle counts
+  /// by the angle it has there, so that the normal does not depend on how a face was cut into triangles.
   void find_normals() {
+    // Join the corners at both ends of every smooth edge.
     DisjointSets corners(3 * mesh_.triangle.size());
     const auto corner_at = [&](std::uint32_t triangle, std::uint32_t point) {
       const auto& c = mesh_.triangle[triangle].corner;
@@ -108,15 +116,18 @@ class MeshBuilder {
         corners.join(corner_at(a.triangle, point), corner_at(b.triangle, point));
       }
     }
+
+    // Sum the triangles' normals over joined corners, weighted by the angle's versine in place of the angle: the
+    // versine needs no function that differs between processors.
     std::vector<glm::dvec3> sum(corners.count(), glm::dvec3(0));
     for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
       const std::array<glm::dvec3, 3> c = mesh_.corners(t);
       for (std::uint32_t i = 0; i < 3; ++i) {
-        // The angle's versine in place of the angle: it needs no function that differs between processors.
         const glm::dvec3 a = unit(c[next[i]] - c[i]), b = unit(c[after_next[i]] - c[i]);
         sum[corners.root(3 * t + i)] += normal_[t] * (1 - glm::dot(a, b));
       }
     }
+
     for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
       for (std::uint32_t i = 0; i < 3; ++i) mesh_.triangle[t].normal[i] = unit(sum[corners.root(3 * t + i)]);
     }
@@ -130,14 +141,15 @@ class MeshBuilder {
   KnifeMesh mesh_;
 };
 
-/// Halves edges: first those that are too long, and with an edge of a triangle always its longest, so that angles stay
-/// as they were [Rivara 1984].
+/// Halves edges that are too long. Where an edge of a triangle is halved its longest is halved, too, so that triangles
+/// never get much thinner than they were [Rivara 1984].
 class Refiner {
  public:
   Refiner(KnifeMesh& mesh, const std::function<double(const glm::dvec3&)>& size) : mesh_(mesh), size_(size) {}
 
-  /// False if there was nothing to halve.
+  /// Halves once what is too long. False if there was nothing to halve.
   bool halve() {
+    // Mark the edges that are too long, and what must be halved with them.
     middle_of_.clear();
     for (const Triangle& t : mesh_.triangle) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -146,6 +158,8 @@ class Refiner {
     }
     if (middle_of_.empty()) return false;
     mark_longest();
+
+    // Split all triangles at their marked edges.
     std::vector<Triangle> whole;
     whole.swap(mesh_.triangle);
     for (const Triangle& t : whole) split(t);
@@ -161,6 +175,7 @@ class Refiner {
     return entry->second;
   }
 
+  /// Gives an edge a point in its middle, unless it has one.
   void mark(std::uint32_t a, std::uint32_t b) {
     const auto [entry, is_new] = middle_of_.try_emplace(edge_key(a, b), static_cast<std::uint32_t>(mesh_.point.size()));
     if (is_new) mesh_.point.push_back(0.5 * (mesh_.point[a] + mesh_.point[b]));
@@ -170,7 +185,7 @@ class Refiner {
     return middle_of_.contains(edge_key(t.corner[i], t.corner[next[i]]));
   }
 
-  /// The longest edge; of two alike the same one for both triangles at it.
+  /// The triangle's longest edge. Ties are broken by the edge's ends, so that both triangles at an edge agree.
   std::size_t longest(const Triangle& t) const {
     std::size_t best = 0;
     const auto order = [&](std::size_t i) {
@@ -182,6 +197,7 @@ class Refiner {
     return best;
   }
 
+  /// Marks the longest edge of each triangle that has a marked one, until that brings no more.
   void mark_longest() {
     for (bool changed = true; changed;) {
       changed = false;
@@ -195,8 +211,10 @@ class Refiner {
     }
   }
 
-  /// In two at its longest edge, if any edge is marked; and the halves at what other edges are.
+  /// Cuts a triangle in two at its longest marked edge, the halves at what other edges are marked, and adds what comes
+  /// of it to the mesh.
   void split(const Triangle& t) {
+    // Pick the longest edge. In a half of a triangle it need not be marked; then pick the first edge that is.
     std::size_t i = longest(t);
     if (!is_marked(t, i)) {
       i = 0;
@@ -206,6 +224,8 @@ class Refiner {
         return;
       }
     }
+
+    // The new corner's normal is that of the edge's middle.
     const std::size_t j = next[i], k = after_next[i];
     const std::uint32_t middle = middle_of_.at(edge_key(t.corner[i], t.corner[j]));
     const glm::dvec3 normal = unit(t.normal[i] + t.normal[j]);
@@ -215,19 +235,19 @@ class Refiner {
 
   KnifeMesh& mesh_;
   const std::function<double(const glm::dvec3&)>& size_;
-  std::unordered_map<std::uint64_t, bool> known_;
-  std::unordered_map<std::uint64_t, std::uint32_t> middle_of_;
+  std::unordered_map<std::uint64_t, bool> known_;               // per edge: whether it is too long
+  std::unordered_map<std::uint64_t, std::uint32_t> middle_of_;  // per marked edge: the point in its middle
 };
 
 }  // namespace
 
-KnifeMesh knife_mesh(const ClosedSurface& solid, const std::string& name) {
-  for (const glm::uvec3& t : solid.triangle) {
+KnifeMesh knife_mesh(const ClosedSurface& surface, const std::string& name) {
+  for (const glm::uvec3& t : surface.triangle) {
     for (int i = 0; i < 3; ++i) {
-      if (t[i] >= solid.point.size()) throw Error(ExitStatus::bad_data, "knife \"" + name + "\" lacks points");
+      if (t[i] >= surface.point.size()) throw Error(ExitStatus::bad_data, "knife \"" + name + "\" lacks points");
     }
   }
-  MeshBuilder builder(solid);
+  MeshBuilder builder(surface);
   if (!builder.is_closed()) throw Error(ExitStatus::bad_data, "knife \"" + name + "\" is no closed surface");
   return builder.build();
 }

@@ -13,11 +13,12 @@
 
 namespace pomona {
 
+/// A closed surface as triangles that share points, each corner with the normal to shade it by.
 struct KnifeMesh {
   struct Triangle {
     std::array<std::uint32_t, 3> corner{};  ///< points
-    std::array<glm::dvec3, 3> normal{};     ///< per corner, unit, pointing outside; the same where edges are no creases
-    std::uint32_t face = 0;                 ///< triangles that hang together across such edges belong to one face
+    std::array<glm::dvec3, 3> normal{};  ///< per corner, unit, pointing outside; equal across edges that are no crease
+    std::uint32_t face = 0;              ///< one for all triangles that hang together across edges that are no crease
   };
   std::vector<glm::dvec3> point;
   std::vector<Triangle> triangle;
@@ -29,11 +30,11 @@ struct KnifeMesh {
   }
 };
 
-/// Welded at equal positions.
-/// \throws Error (bad_data) for a solid that is not closed; it is called by `name`.
-KnifeMesh knife_mesh(const ClosedSurface& solid, const std::string& name);
+/// The surface with points at equal places made one, and triangles without area left out. What a crease is: crease.h.
+/// \throws Error (bad_data) for a surface that is not closed; the message calls the knife by `name`.
+KnifeMesh knife_mesh(const ClosedSurface& surface, const std::string& name);
 
-/// With edges halved until none is much longer than `size` says at its middle.
+/// The mesh with edges halved until none is longer than 1.4 times what `size` (metres) says at its middle.
 KnifeMesh refined(KnifeMesh mesh, const std::function<double(const glm::dvec3&)>& size);
 
 }  // namespace pomona

@@ -8,9 +8,8 @@
 
 namespace pomona {
 
-/// Reads "half", "across", "plane:NX,NY,NZ,D", "wedges:N", "slices:4mm", "slices:8", "dice:12mm", "sticks:6mm",
-/// "crinkle:6mm", "stroke:FILE.svg#id,scale=2mm", "ball:24mm", "core:18mm", "bite:40mm", "revolve:FILE.svg#id",
-/// "peel:2mm", and their options (docs/commands.md). Files are looked for from `folder`.
+/// Reads "half", "wedges:6", "slices:4mm", "core:18mm,depth=4cm" and all others of knife_kinds.h. Files are looked for
+/// from `folder`.
 /// \throws Error (usage) that says what a knife looks like; of strokes and profiles also those of read_stroke.h.
 Knife parse_knife(std::string_view text, const std::filesystem::path& folder = {});
 

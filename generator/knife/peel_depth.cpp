@@ -12,10 +12,12 @@ namespace pomona {
 
 namespace {
 
-constexpr double least_stem = 0.1;  // of the fruit's diagonal: seeds and achenes in the skin are peeled off with it
+/// Share of the fruit's diagonal from which on a body that sticks out stays. Seeds and achenes in the skin are smaller,
+/// and are peeled off with it.
+constexpr double least_stem = 0.1;
 
-/// Distance from the surface, negative on its inner side, and the direction in which it grows. Looked for up to
-/// `within`.
+/// The distance from a body's surface, metres, negative inside, as a "depth", and the direction in which it grows.
+/// Outside, surface farther than `within` is not looked for, and the distance is then infinite.
 PeelDepth::Place outside_of(const TriangleTree& body, const glm::dvec3& point, double within) {
   const bool inside = body.contains(point);
   const TriangleTree::Nearest near = inside ? body.nearest(point) : body.nearest(point, std::max(0.0, within));
@@ -24,6 +26,7 @@ PeelDepth::Place outside_of(const TriangleTree& body, const glm::dvec3& point, d
   return {distance, near.distance > 0 && std::isfinite(near.distance) ? way / near.distance : glm::dvec3(0)};
 }
 
+/// True if any triangle of the body begins outside the skin.
 bool sticks_out(const TriangleTree& body, const TriangleTree& skin) {
   return std::any_of(body.triangles().begin(), body.triangles().end(),
                      [&](const TriangleTree::Corners& t) { return !skin.contains(t[0]); });
@@ -37,6 +40,8 @@ PeelDepth::PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double
     throw Error(ExitStatus::bad_data, "a peeler needs a fruit whose skin is closed",
                 "see docs/formats.md on hidden sides");
   }
+
+  // Keep the bodies that are large and stick out. The main body itself, which is among the shells, is none of them.
   box_ = skin().box();
   const double size = glm::length(box_.high - box_.low);
   for (const Shell& shell : measured_shells(surfaces, find_shells(surfaces))) {
@@ -49,8 +54,11 @@ PeelDepth::PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double
 }
 
 PeelDepth::Place PeelDepth::at(const glm::dvec3& point) const {
+  // Below the main body's skin the depth is what the distance from it is outside, with the other sign.
   Place place = outside_of(skin(), point, INFINITY);
   place = {-place.depth, -place.deeper};
+
+  // What stays makes its surroundings as deep as the clearance asks for; the deepest counts.
   for (const TriangleTree& body : stays_) {
     const Place beyond = outside_of(body, point, kept_ - place.depth);
     if (kept_ - beyond.depth > place.depth) place = {kept_ - beyond.depth, -beyond.deeper};

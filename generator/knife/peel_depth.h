@@ -16,15 +16,15 @@ class PeelDepth {
   PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double clearance);
 
   struct Place {
-    double depth = 0;      ///< metres, negative outside; what stays counts as deeper than the peel
-    glm::dvec3 deeper{0};  ///< the direction in which it grows, unit length, or 0
+    double depth = 0;      ///< metres below the skin, negative outside; what stays counts as deeper than the peel
+    glm::dvec3 deeper{0};  ///< the direction in which the depth grows, unit length, or 0 where there is none
   };
   Place at(const glm::dvec3& point) const;
 
   /// Metres from what stays, or `within` if that is farther off.
   double from_what_stays(const glm::dvec3& point, double within) const;
 
-  /// Metres under the skin alone, negative outside, whatever stays.
+  /// Metres below the skin, negative outside, as if nothing but the main body were there.
   double below_skin(const glm::dvec3& point) const;
 
   const TriangleTree& skin() const { return skin_.skin(); }
@@ -34,7 +34,7 @@ class PeelDepth {
  private:
   SkinDepth skin_;
   std::vector<TriangleTree> stays_;
-  double kept_ = 0;  ///< what stays reaches as far as the depth `kept_` less the distance from it is more than the peel
+  double kept_ = 0;  ///< metres: the depth at the surface of what stays; farther off it is less by the distance
   Box<double> box_;
 };
 

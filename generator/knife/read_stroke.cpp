@@ -21,11 +21,12 @@ namespace {
 constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
 constexpr std::size_t most_points = 4096;
 
-/// What is read: a word for messages, and how it is written.
+/// What is read from a drawing: a word for it in messages ("stroke"), and a hint that says how it is written.
 struct Wanted {
   std::string what, hint;
 };
 
+/// The file's text. \throws Error for a file that cannot be read, or is too large to be a drawing.
 std::string text_of(const std::filesystem::path& file, const Wanted& wanted) {
   const auto fail = [&](ExitStatus status, const std::string& why) {
     throw Error(status, {{{file.string(), 0, 0, ""}, "the " + wanted.what + "'s file " + why, wanted.hint}});
@@ -39,6 +40,8 @@ std::string text_of(const std::filesystem::path& file, const Wanted& wanted) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// The path with this id or label. \throws Error (bad_data) where there is none, with the name that may have been
+/// meant.
 const SvgElement& element_called(const SvgDrawing& drawing, const std::string& id) {
   std::vector<std::string> known;
   for (const SvgElement& element : drawing.elements) {
@@ -102,8 +105,9 @@ void check_stroke(const Curve& curve, const Complaint& fail) {
   if (crosses_itself(curve.points, {0, 0}, 0)) fail("crosses itself", "a knife's stroke must not meet itself");
 }
 
-/// Points next to the axis are put on it, so that it is exact which they are.
+/// Puts points next to the axis on it, so that which points lie on it is exact, and refuses what cannot be revolved.
 void check_profile(Curve& curve, const Complaint& fail) {
+  // Put points on the axis that are nearer to it than a ten thousandth of the profile's extent.
   glm::dvec2 low = curve.points.front(), high = low;
   for (const glm::dvec2& p : curve.points) {
     low = glm::min(low, p);
@@ -112,6 +116,7 @@ void check_profile(Curve& curve, const Complaint& fail) {
   const double near = 1e-4 * glm::length(high - low);
   for (glm::dvec2& p : curve.points) p.x = std::fabs(p.x) <= near ? 0 : p.x;
 
+  // Only the ends of an open profile may lie on the axis, and nothing beyond it.
   const std::size_t ends = curve.closed ? 0 : 1;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const double x = curve.points[i].x;
@@ -122,7 +127,7 @@ void check_profile(Curve& curve, const Complaint& fail) {
   }
   if (curve.points.size() < 3 && (curve.closed || high.x <= 0)) fail("encloses nothing", "draw it beside the axis");
 
-  // The ends are joined to the axis: what they are joined by must not meet the profile either.
+  // The ends of an open profile are joined to the axis by level lines, which must not meet the profile either.
   Curve whole = curve.closed ? curve : joined_to_axis(curve);
   whole.closed = true;
   if (whole.points.size() < 3 || !is_simple(whole)) {

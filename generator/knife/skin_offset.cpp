@@ -38,17 +38,19 @@ double area_of(const TriangleTree& skin) {
   return area;
 }
 
-/// The cell's edge, metres.
+/// The edge of the grid's cubes, metres: as fine as the skin is large, and as a strip is narrow.
 double cell_of(const DiffusionSurfaces& surfaces, const PeelOptions& options) {
   const double cell = std::sqrt(area_of(SkinDepth(surfaces).skin()) / cells_on_skin);
   return options.strip > 0 ? std::min(cell, options.strip / cells_in_strip) : cell;
 }
 
-/// Cubes with vertices at their corners and in their middles; a tetrahedron for each edge of a face between two cubes,
-/// with both their middles: its edges differ by 15 % in length only.
+/// Space around a fruit as tetrahedra (a body-centred cubic lattice), and at each of their vertices what decides
+/// whether it is left by the peeler; the surface is found by marching tetrahedra (LevelSurface). Vertices are the
+/// corners of cubes and their middles. Each edge of a face between two cubes makes a tetrahedron with both their
+/// middles, whose edges differ by 15 % in length only.
 class PeelGrid {
  public:
-  /// `shift`: of the grid, in cells.
+  /// `shift` moves the whole grid, in cells.
   PeelGrid(const DiffusionSurfaces& surfaces, const PeelOptions& options, double shift)
       : options_(options),
         cell_(cell_of(surfaces, options)),
@@ -68,16 +70,17 @@ class PeelGrid {
     if (options_.strip > 0) end_ridge_where_it_is_steep();
   }
 
-  ClosedSurface solid() const {
-    LevelSurface surface({0, 0, 1});  // turns start anew
+  /// The surface of what the peeler leaves.
+  ClosedSurface surface() const {
+    LevelSurface surface({0, 0, 1});  // turns start anew after each, depth and ridge do not
     for (std::size_t i = 0; i < place_.size(); ++i) surface.add_vertex(place_[i], values_[i]);
     for_each_tetrahedron([&](const LevelSurface::Tetrahedron& t) { add(surface, t); });
 
-    // With a ridge, vertices may lie too near to each other to be moved.
-    return options_.strip > 0 ? surface.solid() : settled(surface.solid());
+    // Beside a ridge vertices may lie too near to each other to be moved.
+    return options_.strip > 0 ? surface.solid() : moved_onto_offset(surface.solid());
   }
 
-  /// Within two cells of these points. False if there was none to end.
+  /// Takes the ridge away within two cells of these points. False if there was none.
   bool end_ridge_near(const std::vector<glm::dvec3>& points) {
     bool had_ridge = false;
     for (std::size_t i = 0; i < place_.size(); ++i) {
@@ -91,11 +94,12 @@ class PeelGrid {
   }
 
  private:
+  /// What is known at each vertex, as numbers of LevelSurface's functions.
   enum : std::size_t {
-    depth,
-    ridge,
-    turns
-  };  // what is known at each vertex; `ridge`: not negative where one may stand
+    depth,  // metres below the skin
+    ridge,  // not negative where a ridge may stand, metres
+    turns   // from the middle of the nearest ridge
+  };
 
   [[noreturn]] void fail_too_fine() const {
     const double least = cells_in_strip * reproducible::cbrt(2.0 * volume_of_box() / most_vertices);
@@ -114,6 +118,7 @@ class PeelGrid {
     return corner(cubes_) + 1 + static_cast<std::uint32_t>(at.x + cubes_.x * (at.y + cubes_.y * at.z));
   }
 
+  /// Lays out the vertices, first all corners, then all middles, and finds what is known at each.
   void measure() {
     for (const double shift : {0.0, 0.5}) {
       const glm::ivec3 count = shift == 0 ? cubes_ + 1 : cubes_;
@@ -123,6 +128,8 @@ class PeelGrid {
         }
       }
     }
+
+    // Far from the surface a block's depth does for all its vertices; near it vertices are measured, and pushed off.
     values_.resize(place_.size());
     const std::vector<double> far = depths_far_away();
     parallel_for(place_.size(), {}, [&](std::size_t i) {
@@ -147,8 +154,8 @@ class PeelGrid {
                 "its middle lies " + in_millimetres(deepest) + " under the skin");
   }
 
-  /// Blocks of four cubes each way. What is asked of a place is on which side of two depths it lies, and how deep it is
-  /// next to them: the depth in the middle of a block that is far from both will do for all of it.
+  /// The grid in blocks of four cubes each way. Exact depths are only needed between the top of a ridge and the offset,
+  /// and a cell beyond: in a block that is farther off, the depth of its middle does for all its vertices.
   static constexpr int block = 4;
   glm::ivec3 blocks() const { return cubes_ / block + 1; }
   std::size_t block_of(const glm::dvec3& place) const {
@@ -156,7 +163,7 @@ class PeelGrid {
     return static_cast<std::size_t>(at.x + blocks().x * (at.y + blocks().y * at.z));
   }
 
-  /// Per block: the depth of its middle, or not a number where it is near.
+  /// Per block: the depth of its middle, or not a number for a block that is near.
   std::vector<double> depths_far_away() const {
     const glm::ivec3 count = blocks();
     std::vector<double> depths(static_cast<std::size_t>(count.x) * count.y * count.z);
@@ -171,8 +178,9 @@ class PeelGrid {
     return depths;
   }
 
-  /// The depth there. Places next to the surface move away from it, across it, to a quarter of a cell, so that it gets
-  /// no slivers; they stay where they are if that does not take them away.
+  /// The depth at a vertex. One that is nearer to the offset than a quarter of a cell is moved away from it to that
+  /// distance, so that the surface gets no slivers there. It stays where it is where the move does not help, in
+  /// creases.
   double pushed_off(glm::dvec3& place) const {
     const PeelDepth::Place known = depth_.at(place);
     const double above = known.depth - options_.thickness, wanted = 0.25 * cell_;
@@ -187,33 +195,37 @@ class PeelGrid {
     return there;
   }
 
-  /// The points of the offset next to those that were found as if depth were linear in a cell; where triangles would
-  /// cross, in creases, they stay.
-  ClosedSurface settled(const ClosedSurface& found) const {
-    ClosedSurface solid = found;
-    parallel_for(solid.point.size(), {}, [&](std::size_t i) {
+  /// The surface was found as if depth were linear in a tetrahedron. This moves its points to where the depth is the
+  /// peel's thickness indeed, by a twentieth of a cell at most.
+  ClosedSurface moved_onto_offset(const ClosedSurface& found) const {
+    ClosedSurface moved = found;
+    parallel_for(moved.point.size(), {}, [&](std::size_t i) {
       const PeelDepth::Place known = depth_.at(found.point[i]);
       const double way = std::clamp(options_.thickness - known.depth, -0.05 * cell_, 0.05 * cell_);
-      solid.point[i] += way * known.deeper;
+      moved.point[i] += way * known.deeper;
     });
+
+    // Where triangles cross then, in creases, their points go back to where they were found.
     while (true) {
       DiffusionSurfaces surfaces;
-      surfaces.position.assign(solid.point.begin(), solid.point.end());
-      surfaces.triangle = solid.triangle;
+      surfaces.position.assign(moved.point.begin(), moved.point.end());
+      surfaces.triangle = moved.triangle;
       bool moved_back = false;
       for (const CrossingTriangles& crossing : crossing_triangles(surfaces)) {
         for (const std::uint32_t t : {crossing.first, crossing.second}) {
           for (int i = 0; i < 3; ++i) {
-            glm::dvec3& p = solid.point[solid.triangle[t][i]];
-            moved_back = moved_back || p != found.point[solid.triangle[t][i]];
-            p = found.point[solid.triangle[t][i]];
+            glm::dvec3& p = moved.point[moved.triangle[t][i]];
+            moved_back = moved_back || p != found.point[moved.triangle[t][i]];
+            p = found.point[moved.triangle[t][i]];
           }
         }
       }
-      if (!moved_back) return solid;
+      if (!moved_back) return moved;
     }
   }
 
+  /// A ridge stands between the surface and a little above the skin, half a strip from either pole and beside the axis
+  /// itself, and not next to what stays.
   void measure_ridge(const glm::dvec3& p, LevelSurface::Values& values) const {
     const double along = outline_.along(p);
     values[turns] = turns_from_ridge(along, p, options_.strip);
@@ -258,7 +270,9 @@ class PeelGrid {
     for (const std::uint32_t vertex : steep) values_[vertex][ridge] = -cell_;
   }
 
+  /// Adds the part of a tetrahedron that the peeler leaves: what is deeper than the peel, and the ridge.
   void add(LevelSurface& surface, const LevelSurface::Tetrahedron& t) const {
+    // Most tetrahedra are inside or outside as a whole.
     const double half_ridge = 0.5 * ridge_share;
     int deep = 0;
     bool may_have_ridge = false;
@@ -269,6 +283,7 @@ class PeelGrid {
     }
     if (deep == 4 || (deep == 0 && !may_have_ridge)) return;
 
+    // Split the others at the peel's depth, and where a ridge may stand, at its end and at both its sides.
     std::vector<LevelSurface::Level> levels{{depth, options_.thickness}};
     if (options_.strip > 0) {
       levels.push_back({ridge, 0});
@@ -293,12 +308,12 @@ class PeelGrid {
   std::vector<LevelSurface::Values> values_;
 };
 
-/// Ends of edges that have not two triangles: two ends of a ridge may happen to touch along an edge.
-std::vector<glm::dvec3> touching_points(const ClosedSurface& solid) {
+/// The ends of edges at which more than two triangles meet: two turns of a ridge may happen to touch along an edge.
+std::vector<glm::dvec3> touching_points(const ClosedSurface& surface) {
   std::vector<glm::dvec3> points;
-  for_each_edge(sorted_half_edges(solid.triangle), [&](std::span<const HalfEdge> edge) {
+  for_each_edge(sorted_half_edges(surface.triangle), [&](std::span<const HalfEdge> edge) {
     const HalfEdge& h = edge.front();
-    if (edge.size() != 2) points.insert(points.end(), {solid.point[h.low], solid.point[h.high]});
+    if (edge.size() != 2) points.insert(points.end(), {surface.point[h.low], surface.point[h.high]});
   });
   return points;
 }
@@ -306,12 +321,13 @@ std::vector<glm::dvec3> touching_points(const ClosedSurface& solid) {
 }  // namespace
 
 ClosedSurface peeled(const DiffusionSurfaces& surfaces, const PeelOptions& options) {
+  // A ridge that touches itself ends there; where that does not help, the grid is shifted.
   for (const double shift : {0.0, 0.1, -0.1}) {
     PeelGrid grid(surfaces, options, shift);
     while (true) {
-      ClosedSurface solid = grid.solid();
-      const std::vector<glm::dvec3> touching = touching_points(solid);
-      if (touching.empty()) return solid;
+      ClosedSurface surface = grid.surface();
+      const std::vector<glm::dvec3> touching = touching_points(surface);
+      if (touching.empty()) return surface;
       if (!grid.end_ridge_near(touching)) break;
     }
   }

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t most_triangles = 500000;
 
-/// A profile's region beside the axis, counter-clockwise: for one that was open, from the axis and back to it.
+/// The outline of the region between a profile and the axis, counter-clockwise. Of an open profile it begins and ends
+/// on the axis and stays an open curve; a closed one is its own outline.
 Curve around_region(Curve profile) {
   if (!profile.closed) {
     profile = joined_to_axis(std::move(profile));
@@ -27,13 +28,13 @@ Curve around_region(Curve profile) {
   return profile;
 }
 
-/// Vertices around the axis, and the triangles between rows of them.
+/// Turns an outline about the axis: each of its points becomes a row of vertices, and triangles go between rows.
 class Revolution {
  public:
   explicit Revolution(const RevolveOptions& options) : options_(options) {}
 
   ClosedSurface make(const Curve& region) {
-    const std::vector<glm::dvec2> points = in_rows(region);
+    const std::vector<glm::dvec2> points = rows_of(region);
     check(points);
     for (const glm::dvec2& p : points) add_row(p);
     for (std::size_t i = 1; i < rows_.size(); ++i) join(rows_[i - 1], rows_[i]);
@@ -49,8 +50,8 @@ class Revolution {
   /// The length of a chord that strays so far from a circle of this radius.
   double chord(double radius) const { return std::sqrt(8 * radius * options_.tolerance); }
 
-  /// Straight edges get rows as well, so that triangles are at most three times as long as they are wide.
-  std::vector<glm::dvec2> in_rows(const Curve& region) const {
+  /// The outline's points, and more on its straight edges, so that triangles are at most three times as long as wide.
+  std::vector<glm::dvec2> rows_of(const Curve& region) const {
     std::vector<glm::dvec2> rows{region.points.front()};
     const std::size_t edges = region.points.size() - (region.closed ? 0 : 1);
     for (std::size_t i = 0; i < edges; ++i) {
@@ -62,6 +63,7 @@ class Revolution {
     return rows;
   }
 
+  /// \throws Error (usage) for more triangles than can be cut with in reasonable time.
   void check(const std::vector<glm::dvec2>& rows) const {
     double triangles = 0;
     for (const glm::dvec2& p : rows) triangles += 2 * static_cast<double>(count_at(p.x));
@@ -70,14 +72,19 @@ class Revolution {
                 "draw it with fewer points, or make it shorter beside its width");
   }
 
-  /// Of a ring: a power of two, or three times one, for every tooth, or six of them.
+  /// How many vertices a ring of this radius has: six, or one for each tooth, times a power of two, or half as many
+  /// again. Rings of similar radii then have equally many, and their triangles are alike.
   std::uint32_t count_at(double radius) const {
     if (radius == 0) return 1;
+
+    // A chord, or a tooth's bulge where that is finer, strays from its circle by the tolerance.
     double wanted = pi * std::sqrt(radius / (2 * options_.tolerance));
     if (options_.teeth > 0) {
       const double bulge = radius * options_.scallop;
       wanted = std::max(wanted, options_.teeth * pi * std::sqrt(bulge / (8 * options_.tolerance)));
     }
+
+    // Take the smallest multiple that is enough.
     std::uint32_t count = static_cast<std::uint32_t>(options_.teeth > 0 ? options_.teeth : 6);
     while (count < wanted && count < most_triangles) {
       if (1.5 * count >= wanted && count % 2 == 0) return count / 2 * 3;
@@ -99,7 +106,8 @@ class Revolution {
     rows_.push_back(row);
   }
 
-  /// Goes round both rows at once; the one whose next vertex comes first takes a triangle.
+  /// Triangles between two rows. Goes round both at once: the row whose next vertex comes first, by its share of the
+  /// full turn, takes the next triangle. A row that is one vertex on the axis takes none.
   void join(const Row& low, const Row& high) {
     std::uint32_t i = 0, j = 0;
     const auto at = [](const Row& row, std::uint32_t k) { return row.first + k % row.count; };

@@ -29,6 +29,7 @@ std::vector<glm::dvec2> convex_outline(std::vector<glm::dvec2> points) {
 }  // namespace
 
 OutlinePlace::OutlinePlace(const TriangleTree& skin) {
+  // Turn all vertices into one half-plane about the axis.
   std::vector<glm::dvec2> points;
   double widest = 0;
   for (const TriangleTree::Corners& t : skin.triangles()) {
@@ -36,9 +37,13 @@ OutlinePlace::OutlinePlace(const TriangleTree& skin) {
   }
   for (const glm::dvec2& p : points) widest = std::max(widest, p.x);
   outline_ = convex_outline(std::move(points));
+
+  // The middle ends as far from either pole as the outline's largest distance from the axis, so that all parts of the
+  // outline are seen from about as far. In a fruit that is at least as wide as high it is one point.
   const double middle = 0.5 * (outline_.front().y + outline_.back().y);
   low_middle_ = std::min(middle, outline_.front().y + widest);
   high_middle_ = std::max(middle, outline_.back().y - widest);
+
   along_.push_back(0);
   for (std::size_t i = 1; i < outline_.size(); ++i) {
     along_.push_back(along_.back() + glm::distance(outline_[i - 1], outline_[i]));

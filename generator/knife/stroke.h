@@ -12,13 +12,14 @@ namespace pomona {
 /// facet of the cutting surface.
 class Stroke {
  public:
-  /// At least two points, no two in a row equal.
+  /// `points`: metres, at least two, no two in a row equal.
   explicit Stroke(std::vector<glm::dvec2> points);
 
   struct Place {
     double distance = 0;  ///< metres, positive to the right of the stroke
-    int facet = 0;        ///< the nearest
+    int facet = 0;        ///< the one that is nearest
   };
+  /// How far a point lies from the stroke, and on which side.
   Place nearest(const glm::dvec2& point) const;
 
   int facets() const { return static_cast<int>(facets_.size()); }
@@ -27,8 +28,9 @@ class Stroke {
   struct Facet {
     glm::dvec2 start{0}, direction{1, 0};
     double from = 0, to = 0;
-    double along = 0;  ///< of its start, from the stroke's first point
+    double along = 0;  ///< metres from the stroke's first point to the facet's start
 
+    /// Metres from the start to the foot of the point's perpendicular.
     double along_of(const glm::dvec2& point) const;
   };
   const Facet& facet(int i) const { return facets_[static_cast<std::size_t>(i)]; }
@@ -37,7 +39,8 @@ class Stroke {
   std::vector<Facet> facets_;
 };
 
-/// Without points that lie nearer to the last than a ten thousandth of the whole, or in line with their neighbours.
+/// The polyline without points that are nearer to the one before than a ten thousandth of the whole's extent, or in
+/// line with their neighbours. Its ends stay.
 std::vector<glm::dvec2> cleaned(const std::vector<glm::dvec2>& points);
 
 /// True if the stroke crosses or touches itself, or where its ends go on straight within `reach` of the middle.

@@ -98,6 +98,13 @@ TEST(Help, IsPrintedByEveryCommand) {
   }
 }
 
+TEST(Help, OfCutNamesEveryKnife) {
+  const Outcome outcome = run_pomona({"cut", "-h"});
+  for (const char* knife : {"half", "dice:12mm, dice:4", "stroke:FILE.svg#id", "ball:24mm", "peel:2mm", ",depth=4cm"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(knife));
+  }
+}
+
 TEST(List, PrintsALineForEachTemplateFromAnyFolder) {
   const TemporaryFolder elsewhere;
   const Outcome outcome = run_pomona({"list"}, elsewhere.path());

@@ -100,9 +100,9 @@ class Witness final : public CutObserver {
   void sees(const CutPlanes& all_planes, const std::vector<std::vector<CutSegment>>& segments) override {
     planes = all_planes;
     area.assign(segments.size(), 0);
-    for (const CutPlanes::Sheet& sheet : planes.sheets) {
+    for (const CutPlanes::Blade& blade : planes.blades) {
       std::vector<CutSegment> chains;  // those of a stroke go on from facet to facet
-      for (int k = sheet.first; k < sheet.first + sheet.count; ++k) {
+      for (int k = blade.first; k < blade.first + blade.count; ++k) {
         const std::vector<CutSegment>& in_plane = segments[static_cast<std::size_t>(k)];
         chains.insert(chains.end(), in_plane.begin(), in_plane.end());
       }
@@ -195,7 +195,7 @@ CutFacts CutOracle::facts(std::span<const Knife> knives) const {
   // Areas, plane by plane, as planes have cut them: closed knives come later.
   const CutPlanes& planes = witness.planes;
   for (int k = 0; k < planes.count(); ++k) {
-    if (planes[k].same_as != k || planes.sheet_of(k).stroke) continue;
+    if (planes[k].same_as != k || planes.blade_of(k).stroke) continue;
     const double error = std::fabs(witness.area[static_cast<std::size_t>(k)] - area_in(planes[k].plane));
     facts.area_error = std::max(facts.area_error, error / (size_ * size_));
   }
@@ -213,12 +213,7 @@ glm::dvec3 random_direction(const RandomStream& random, std::uint64_t draw) {
   return glm::length(d) > 0 ? glm::normalize(d) : glm::dvec3(0, 1, 0);
 }
 
-Knife knife_at(const glm::dvec3& normal, double offset) {
-  Knife knife;
-  knife.kind = Knife::Kind::plane;
-  knife.plane = {normal, offset};
-  return knife;
-}
+Knife knife_at(const glm::dvec3& normal, double offset) { return {PlaneCut(PlaneKnife{{normal, offset}})}; }
 
 constexpr std::uint64_t draws = 16;         // per plane
 constexpr std::uint64_t stroke_draws = 64;  // per stroke
@@ -294,15 +289,13 @@ Knife CutOracle::random_stroke(const RandomStream& random, std::uint64_t number)
   std::sort(corners.begin(), corners.end(), [&](const glm::dvec2& a, const glm::dvec2& b) {
     return std::pair(glm::dot(way, a), a.x) < std::pair(glm::dot(way, b), b.x);
   });
-  Knife knife;
-  knife.kind = Knife::Kind::stroke;
+  std::vector<glm::dvec2> stroke;
   const double apart = 0.01 * glm::length(bounds.size());
   for (const glm::dvec2& p : corners) {
-    if (knife.stroke.empty() || glm::dot(way, p - knife.stroke.back()) > apart) knife.stroke.push_back(p);
+    if (stroke.empty() || glm::dot(way, p - stroke.back()) > apart) stroke.push_back(p);
   }
-  if (knife.stroke.size() == 1) knife.stroke.push_back(knife.stroke[0] + apart * way);
-  knife.stroke = cleaned(knife.stroke);  // as those that are read
-  return knife;
+  if (stroke.size() == 1) stroke.push_back(stroke[0] + apart * way);
+  return {PlaneCut(StrokeKnife{cleaned(stroke)})};  // as those that are read
 }
 
 Knife CutOracle::random_solid(const RandomStream& random, std::uint64_t number) const {

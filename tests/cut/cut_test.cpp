@@ -324,10 +324,7 @@ TEST(Cut, RandomKnivesOnManyShapes) {
         if (generic) d += 0.01 * random.uniform(draw + 3);
         draw += 4;
         if (glm::length(n) < 0.1) n = {0, 1, 0};
-        Knife knife;
-        knife.kind = Knife::Kind::plane;
-        knife.plane = {glm::normalize(n), d};
-        knives.push_back(knife);
+        knives.push_back({PlaneCut(PlaneKnife{{glm::normalize(n), d}})});
         for (int axis = 0; axis < 3; ++axis) text += std::to_string(n[axis]) + ",";
         text += std::to_string(d) + " ";
       }
@@ -349,9 +346,7 @@ TEST(Cut, BoxThroughVerticesEdgesAndFaces) {
         if (x == 0 && y == 0 && z == 0) continue;
         for (int d = -2; d <= 4; ++d) {
           const double length = std::sqrt(x * x + y * y + z * z);
-          Knife knife = parse_knife("half");
-          knife.kind = Knife::Kind::plane;
-          knife.plane = {glm::dvec3(x, y, z) / length, d / length};
+          const Knife knife{PlaneCut(PlaneKnife{{glm::dvec3(x, y, z) / length, d / length}})};
           const Cut cut = pomona::cut(box, std::vector<Knife>{knife}, {.coarsest = 0.2, .finest = 0.05});
           SCOPED_TRACE(::testing::PrintToString(std::vector<int>{x, y, z, d}));
           expect_sound(cut, 8);

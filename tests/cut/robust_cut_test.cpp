@@ -112,9 +112,8 @@ TEST(RobustCut, OfStrokesThatBendOverVerticesAndAlmostOverOthers) {
   for (std::size_t v = 0; v < body.vertex_count(); ++v) {
     const glm::dvec2 bend(body.position[v]), way(0.03, 0.02);
     for (const double turn : {0.03, 0.06, 0.12, 0.25}) {
-      Knife knife = parse_knife("half");
-      knife.kind = Knife::Kind::stroke;
-      knife.stroke = {bend - way, bend, bend + way + turn * glm::dvec2(-way.y, way.x)};
+      const glm::dvec2 end = bend + way + turn * glm::dvec2(-way.y, way.x);
+      const Knife knife{PlaneCut(StrokeKnife{{bend - way, bend, end}})};
       SCOPED_TRACE(std::to_string(v) + ", " + std::to_string(turn));
       expect_right(oracle.facts({&knife, 1}));
     }
@@ -127,9 +126,7 @@ TEST(RobustCut, TellsAFaceFromAPlaneNextToIt) {
   const CutOracle oracle(box);
   for (const double offset : {0.0, 1e-300, -1e-300, 1e-17, 1.0, std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0)}) {
     SCOPED_TRACE(offset);
-    Knife knife = parse_knife("half");
-    knife.kind = Knife::Kind::plane;
-    knife.plane = {{0, 1, 0}, offset};
+    const Knife knife{PlaneCut(PlaneKnife{{{0, 1, 0}, offset}})};
     const CutFacts facts = oracle.facts(std::vector<Knife>{knife});
     expect_right(facts);
     EXPECT_EQ(facts.pieces, offset > 0 && offset < 1 ? 2 : 1);

@@ -62,11 +62,7 @@ ClosedSurface tilted(ClosedSurface solid) {
 }
 
 Knife solid_knife(ClosedSurface solid) {
-  Knife knife;
-  knife.kind = Knife::Kind::surface;
-  knife.surface = std::make_shared<const ClosedSurface>(std::move(solid));
-  knife.text = "solid";
-  return knife;
+  return {ClosedCut(SurfaceKnife{std::make_shared<const ClosedSurface>(std::move(solid))}), "solid"};
 }
 
 }  // namespace pomona::shapes

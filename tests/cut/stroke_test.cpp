@@ -28,13 +28,7 @@ namespace {
 using shapes::expect_whole;
 using shapes::volume_of;
 
-Knife stroke_knife(std::vector<glm::dvec2> points) {
-  Knife knife;
-  knife.kind = Knife::Kind::stroke;
-  knife.stroke = std::move(points);
-  knife.text = "stroke";
-  return knife;
-}
+Knife stroke_knife(std::vector<glm::dvec2> points) { return {PlaneCut(StrokeKnife{std::move(points)}), "stroke"}; }
 
 DiffusionSurfaces box() { return shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint()); }
 constexpr double box_volume = 0.06 * 0.05 * 0.06;
@@ -219,10 +213,12 @@ class StrokeFile : public testing::Test {
 };
 
 TEST_F(StrokeFile, IsReadInMillimetresWithYUpwards) {
-  const Knife knife = parse_knife("stroke:knife.svg#wave", folder_.path());
-  ASSERT_EQ(knife.stroke.size(), 3u);
-  EXPECT_NEAR(knife.stroke[1].y, 0.025, 1e-9);
-  EXPECT_NEAR(parse_knife("stroke:knife.svg#wave,scale=2mm", folder_.path()).stroke[0].x, -0.02, 1e-9);
+  const auto points = [&](const std::string& text) {
+    return std::get<StrokeKnife>(std::get<PlaneCut>(parse_knife(text, folder_.path()).cut)).points;
+  };
+  ASSERT_EQ(points("stroke:knife.svg#wave").size(), 3u);
+  EXPECT_NEAR(points("stroke:knife.svg#wave")[1].y, 0.025, 1e-9);
+  EXPECT_NEAR(points("stroke:knife.svg#wave,scale=2mm")[0].x, -0.02, 1e-9);
 }
 
 TEST_F(StrokeFile, SaysWhatIsWrongAndWhere) {

@@ -44,9 +44,9 @@ TEST_P(TemplateError, IsWhatDraftAndFinalPromise) {
   how.as_drawn = true;
   const std::string path = std::string(POMONA_SOURCE_DIR "/templates/") + GetParam() + ".toml";
   const DiffusionSurfaces surfaces = grow(read_template(path), {}, how).sheets;
-  Knife slanted = parse_knife("plane:0,1,0,0");
-  slanted.plane.normal = glm::normalize(glm::dvec3(0.3, 1, 0.2));
-  slanted.plane.offset = glm::dot(slanted.plane.normal, bounds_of(surfaces).center());
+  CuttingPlane plane{glm::normalize(glm::dvec3(0.3, 1, 0.2))};
+  plane.offset = glm::dot(plane.normal, bounds_of(surfaces).center());
+  const Knife slanted{PlaneCut(PlaneKnife{plane}), "slanted"};
   for (const Knife& knife : {parse_knife("half"), slanted}) {
     SCOPED_TRACE(knife.text);
     const std::vector<glm::vec3> points = some_interior(cut(surfaces, {&knife, 1}).section, 60);

@@ -1,7 +1,7 @@
 // Knives: what users may write, and the planes and cells that come of it.
 #include "generator/knife/knife.h"
+#include "generator/knife/knife_planes.h"
 #include "generator/knife/parse_knife.h"
-#include "generator/knife/placed_knife.h"
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ namespace {
 
 const Box<double> box{{-0.05, 0, -0.04}, {0.05, 0.08, 0.04}};
 
-int cell_at(const PlacedKnife& knife, const glm::dvec3& p) {
+int cell_at(const KnifePlanes& knife, const glm::dvec3& p) {
   KnifeSides sides;
   for (std::size_t i = 0; i < knife.planes.size(); ++i) {
     sides = knife.seen(sides, i, glm::dot(knife.planes[i].normal, p) >= knife.planes[i].offset);
@@ -65,17 +65,19 @@ TEST(Knife, BadOnesAreUsageErrorsThatSayWhatAKnifeIs) {
 }
 
 TEST(Knife, PlaneHasAUnitNormalAndADistanceInAnyUnit) {
-  const Knife knife = parse_knife("plane:0,3,4,2cm");
-  EXPECT_NEAR(knife.plane.normal.y, 0.6, 1e-15);
-  EXPECT_NEAR(knife.plane.normal.z, 0.8, 1e-15);
-  EXPECT_DOUBLE_EQ(knife.plane.offset, 0.02);
-  EXPECT_NEAR(parse_knife("plane:0,1e-300,0,1").plane.normal.y, 1, 1e-15);
+  const auto plane = [](const char* text) {
+    return std::get<PlaneKnife>(std::get<PlaneCut>(parse_knife(text).cut)).plane;
+  };
+  EXPECT_NEAR(plane("plane:0,3,4,2cm").normal.y, 0.6, 1e-15);
+  EXPECT_NEAR(plane("plane:0,3,4,2cm").normal.z, 0.8, 1e-15);
+  EXPECT_DOUBLE_EQ(plane("plane:0,3,4,2cm").offset, 0.02);
+  EXPECT_NEAR(plane("plane:0,1e-300,0,1").normal.y, 1, 1e-15);
 }
 
 TEST(Knife, WedgesAreTheSectorsOfATurn) {
   for (const int n : {2, 3, 4, 5, 6, 7, 12, 359, 360}) {
     SCOPED_TRACE(n);
-    const PlacedKnife knife = placed(parse_knife("wedges:" + std::to_string(n)), box);
+    const KnifePlanes knife = planes_of(parse_knife("wedges:" + std::to_string(n)), box);
     EXPECT_EQ(knife.cell_count(), n);
     for (int i = 0; i < n; ++i) {
       for (const double share : {0.02, 0.5, 0.98}) {
@@ -87,31 +89,31 @@ TEST(Knife, WedgesAreTheSectorsOfATurn) {
 }
 
 TEST(Knife, QuarterTurnsLieOnTheAxes) {
-  const PlacedKnife knife = placed(parse_knife("wedges:4"), box);
+  const KnifePlanes knife = planes_of(parse_knife("wedges:4"), box);
   ASSERT_EQ(knife.planes.size(), 2u);
   EXPECT_EQ(knife.planes[0].normal, glm::dvec3(0, 0, -1));
   EXPECT_EQ(knife.planes[1].normal, glm::dvec3(-1, 0, 0));
 }
 
 TEST(Knife, SlicesAreCentred) {
-  const PlacedKnife eight = placed(parse_knife("slices:8"), box);
+  const KnifePlanes eight = planes_of(parse_knife("slices:8"), box);
   ASSERT_EQ(eight.planes.size(), 7u);
   EXPECT_NEAR(eight.planes[3].offset, 0.04, 1e-15);
   EXPECT_NEAR(eight.planes[0].offset, 0.01, 1e-15);
 
   // 80 mm hold eight slices of 9 mm, and 4 mm are left over at either end.
-  const PlacedKnife thick = placed(parse_knife("slices:9mm"), box);
+  const KnifePlanes thick = planes_of(parse_knife("slices:9mm"), box);
   ASSERT_EQ(thick.planes.size(), 9u);
   EXPECT_NEAR(thick.planes[0].offset, 0.004, 1e-15);
   EXPECT_NEAR(thick.planes[8].offset, 0.076, 1e-15);
 
   // Where they fit exactly, no plane lies on the ends.
-  EXPECT_EQ(placed(parse_knife("slices:10mm"), box).planes.size(), 7u);
-  EXPECT_THROW(placed(parse_knife("slices:0.001mm"), box), Error);
+  EXPECT_EQ(planes_of(parse_knife("slices:10mm"), box).planes.size(), 7u);
+  EXPECT_THROW(planes_of(parse_knife("slices:0.001mm"), box), Error);
 }
 
 TEST(Knife, DiceAndSticksAreSlicesInSeveralDirections) {
-  const PlacedKnife dice = placed(parse_knife("dice:4"), box);
+  const KnifePlanes dice = planes_of(parse_knife("dice:4"), box);
   EXPECT_EQ(dice.planes.size(), 9u);
   EXPECT_EQ(dice.cell_count(), 64);
   EXPECT_EQ(cell_at(dice, {-0.04, 0.01, -0.03}), 0);
@@ -119,17 +121,17 @@ TEST(Knife, DiceAndSticksAreSlicesInSeveralDirections) {
   EXPECT_EQ(cell_at(dice, {-0.04, 0.07, -0.03}), 12);
   EXPECT_EQ(cell_at(dice, {0.04, 0.07, 0.03}), 63);
 
-  const PlacedKnife sticks = placed(parse_knife("sticks:30mm"), box);
+  const KnifePlanes sticks = planes_of(parse_knife("sticks:30mm"), box);
   EXPECT_EQ(sticks.cell_count(), 5 * 4);
   for (const CuttingPlane& plane : sticks.planes) EXPECT_EQ(plane.normal.y, 0);
-  EXPECT_THROW(placed(parse_knife("dice:0.001mm"), box), Error);
+  EXPECT_THROW(planes_of(parse_knife("dice:0.001mm"), box), Error);
 }
 
 TEST(Knife, SidesNumberTheCells) {
-  const PlacedKnife slices = placed(parse_knife("slices:4"), box);
+  const KnifePlanes slices = planes_of(parse_knife("slices:4"), box);
   EXPECT_EQ(cell_at(slices, {0, 0.01, 0}), 0);
   EXPECT_EQ(cell_at(slices, {0, 0.07, 0}), 3);
-  const PlacedKnife half = placed(parse_knife("half"), box);
+  const KnifePlanes half = planes_of(parse_knife("half"), box);
   EXPECT_EQ(cell_at(half, {0, 0, -1}), 0);
   EXPECT_EQ(cell_at(half, {0, 0, 0}), 1);
 }

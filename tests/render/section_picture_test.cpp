@@ -43,9 +43,7 @@ TEST(SectionPicture, InksTheRim) {
 
 /// They are one face, unrolled, and its rim is as long.
 TEST(SectionPicture, InksNoLineBetweenTheFacetsOfAStroke) {
-  Knife knife;
-  knife.kind = Knife::Kind::stroke;
-  knife.stroke = {{-0.05, 0.02}, {0, 0.03}, {0.05, 0.02}};
+  const Knife knife{PlaneCut(StrokeKnife{{{-0.05, 0.02}, {0, 0.03}, {0.05, 0.02}}})};
   const DiffusionSurfaces box = shapes::box({-0.03, 0, -0.02}, {0.03, 0.05, 0.04}, 3, shapes::skin_paint());
   const CrossSection section = cut(box, std::vector<Knife>{knife}).section;
   const std::vector<PlacedFace> faces = lay_out(section, {400, 300}, 10);

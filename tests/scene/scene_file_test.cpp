@@ -80,7 +80,8 @@ TEST(SceneFile, StrokesAreFoundFromItsFolder) {
             << "knives = [\"stroke:drawings/knives.svg#" << id << "\"]\n";
         return read_scene(folder / "dish.toml");
       };
-  EXPECT_EQ(scene("wave").pieces.at(0).knives.at(0).stroke.size(), 3u);
+  const KnifeCut cut = scene("wave").pieces.at(0).knives.at(0).cut;
+  EXPECT_EQ(std::get<StrokeKnife>(std::get<PlaneCut>(cut)).points.size(), 3u);
   try {
     scene("loop");
     ADD_FAILURE() << "was read";

@@ -15,14 +15,14 @@ BladeFaceBuilder::BladeFaceBuilder(const SplitMesh& mesh, const CutPlanes& plane
                                    std::vector<CutSegment> segments, const std::vector<CutLine>& lines)
     : mesh_(mesh), planes_(planes), all_lines_(lines) {
   made_.face.plane = plane;
-  blade_ = UnrolledBlade(planes, planes[plane].sheet);
+  blade_ = UnrolledBlade(planes, planes[plane].blade);
   int exponent = 0;
   std::frexp(planes.tolerance, &exponent);
   grid_ = std::ldexp(1.0, exponent - 6);
   made_.face.segment = std::move(segments);
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const bool here = std::any_of(lines[l].planes.begin(), lines[l].planes.end(),
-                                  [&](int k) { return planes[k].sheet == planes[plane].sheet; });
+                                  [&](int k) { return planes[k].blade == planes[plane].blade; });
     if (here) take_line(l);
   }
   take_segments();
@@ -70,7 +70,7 @@ void BladeFaceBuilder::number_new_points() {
   for (std::size_t v = made_.face.point.size(); v < flat_.point.size(); ++v) {
     const int plane = made_.face.plane + blade_.facet_at(flat_.point[v].x);
     made_.face.point.push_back(static_cast<std::uint32_t>(mesh_.point.size() + made_.point.size()));
-    made_.point.push_back({settled(made_.face.place[v], {plane}, planes_), plane});
+    made_.point.push_back({snapped_to_planes(made_.face.place[v], {plane}, planes_), plane});
   }
 }
 
@@ -98,13 +98,13 @@ std::uint32_t BladeFaceBuilder::vertex(std::uint32_t point) {
 }
 
 int BladeFaceBuilder::facet_of(std::uint32_t point) const {
-  const CutPlanes::Sheet& sheet = planes_.sheet_of(made_.face.plane);
-  if (!sheet.stroke) return 0;
+  const CutPlanes::Blade& blade = planes_.blade_of(made_.face.plane);
+  if (!blade.stroke) return 0;
   for (const int k : mesh_.sets.planes_in(mesh_.planes_of[point])) {
-    const bool here = k >= sheet.first && k < sheet.first + sheet.count;
-    if (here && planes_.is_in_facet(k, mesh_.point[point])) return k - sheet.first;
+    const bool here = k >= blade.first && k < blade.first + blade.count;
+    if (here && planes_.is_in_facet(k, mesh_.point[point])) return k - blade.first;
   }
-  return sheet.stroke->nearest(glm::dvec2(mesh_.point[point])).facet;
+  return blade.stroke->nearest(glm::dvec2(mesh_.point[point])).facet;
 }
 
 std::uint32_t BladeFaceBuilder::constraint_between(std::uint32_t p, std::uint32_t q, bool divisible) {

@@ -58,7 +58,7 @@ class LineFinder {
         if (planes_[a].through_axis && planes_[b].through_axis) {
           if (!has_axis) add_axis();
           has_axis = true;
-        } else if (planes_[a].sheet != planes_[b].sheet || b == a + 1) {
+        } else if (planes_[a].blade != planes_[b].blade || b == a + 1) {
           add_line(a, b);
         }
       }
@@ -87,7 +87,7 @@ class LineFinder {
     line.planes = {a, b};
     line.origin = center_ + foot;
     line.direction = across / std::sqrt(square);
-    if (planes_[a].sheet == planes_[b].sheet || (clip(line, a) && clip(line, b))) lines_.push_back(line);
+    if (planes_[a].blade == planes_[b].blade || (clip(line, a) && clip(line, b))) lines_.push_back(line);
   }
 
   /// To the stretch in which the plane is a facet; false if nothing of the line is left.
@@ -146,7 +146,7 @@ class LineFinder {
       const std::uint32_t set = mesh_.sets.with(mesh_.sets.with(mesh_.sets.with(0, line.planes[0]), line.planes[1]), k);
       const auto [entry, is_new] = meeting_.try_emplace(set, static_cast<std::uint32_t>(mesh_.point.size()));
       if (is_new) {
-        mesh_.add_point(settled(place, mesh_.sets.planes_in(set), planes_), set);
+        mesh_.add_point(snapped_to_planes(place, mesh_.sets.planes_in(set), planes_), set);
       }
       line.points.push_back(entry->second);
     }
@@ -155,7 +155,7 @@ class LineFinder {
   /// Of a stroke's facets, neighbours alone.
   bool may_meet(const CutLine& line, int plane) const {
     return std::all_of(line.planes.begin(), line.planes.end(),
-                       [&](int k) { return planes_[k].sheet != planes_[plane].sheet || std::abs(k - plane) == 1; });
+                       [&](int k) { return planes_[k].blade != planes_[plane].blade || std::abs(k - plane) == 1; });
   }
 
   void put_in_order(CutLine& line) {
@@ -189,7 +189,7 @@ std::vector<std::uint32_t> subdivided_points(const CutLine& line, SplitMesh& mes
     const bool outside = (done.size() == 1 && line.begins_outside()) || (waiting.size() == 1 && line.ends_outside());
     if (!outside && glm::distance(a, b) > 1.2 * longest) {
       const std::uint32_t set = set_of(line, mesh);
-      waiting.push_back(mesh.add_point(settled(middle, mesh.sets.planes_in(set), planes), set));
+      waiting.push_back(mesh.add_point(snapped_to_planes(middle, mesh.sets.planes_in(set), planes), set));
     } else {
       done.push_back(waiting.back());
       waiting.pop_back();

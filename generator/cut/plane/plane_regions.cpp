@@ -32,11 +32,11 @@ class CellFinder {
   std::array<std::uint32_t, 2> cells_beside(std::size_t patch) const {
     std::array<std::uint32_t, 2> cells{0, 0};
     int plane = 0;
-    for (const PlacedKnife& knife : planes_.knives) {
+    for (const KnifePlanes& knife : planes_.knives) {
       std::array<KnifeSides, 2> sides{};
       for (std::size_t i = 0; i < knife.planes.size(); ++i, ++plane) {
         const CutPlanes::Plane& entry = planes_[plane];
-        if (planes_.sheet_of(plane).first != plane) continue;  // a stroke is seen with its first facet
+        if (planes_.blade_of(plane).first != plane) continue;  // a stroke is seen with its first facet
         const bool own = entry.same_as == face_.plane;
         const bool positive = own ? entry.turned : lies_on_positive_side(patch, plane);
         sides[0] = knife.seen(sides[0], i, positive);
@@ -52,12 +52,12 @@ class CellFinder {
 
   /// No plane or stroke passes through a patch, so the vertex farthest from it tells the side.
   bool lies_on_positive_side(std::size_t patch, int plane) const {
-    const CutPlanes::Sheet& sheet = planes_.sheet_of(plane);
+    const CutPlanes::Blade& blade = planes_.blade_of(plane);
     double farthest = 0;
     for (const std::uint32_t t : patches_.triangle[patch]) {
       for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3& place = face_.place[face_.corner(t, i)];
-        const double d = sheet.stroke ? sheet.stroke->nearest(glm::dvec2(place)).distance
+        const double d = blade.stroke ? blade.stroke->nearest(glm::dvec2(place)).distance
                                       : signed_distance(planes_[plane].plane, place);
         if (std::fabs(d) > std::fabs(farthest)) farthest = d;
       }

@@ -27,15 +27,15 @@ class Splitter {
   SplitMesh split() {
     take_input();
     int plane = 0;
-    for (const PlacedKnife& knife : planes_.knives) {
+    for (const KnifePlanes& knife : planes_.knives) {
       const int end = plane + static_cast<int>(knife.planes.size());
       while (plane < end) {
-        const CutPlanes::Sheet& sheet = planes_.sheet_of(plane);
-        if (sheet.stroke)
-          split_by_stroke(sheet);
+        const CutPlanes::Blade& blade = planes_.blade_of(plane);
+        if (blade.stroke)
+          split_by_stroke(blade);
         else
           split_by(plane);
-        plane += sheet.count;
+        plane += blade.count;
       }
       for (SplitMesh::Triangle& t : mesh_.triangle) {
         t.cell =
@@ -138,11 +138,11 @@ class Splitter {
   // ---- Strokes ----
 
   /// Facet by facet. Which side a triangle then lies on, and which edges follow the stroke, is found at the end.
-  void split_by_stroke(const CutPlanes::Sheet& sheet) {
+  void split_by_stroke(const CutPlanes::Blade& blade) {
     in_stroke_ = true;
-    for (int i = 0; i < sheet.count; ++i) split_by_facet(sheet.first + i);
+    for (int i = 0; i < blade.count; ++i) split_by_facet(blade.first + i);
     in_stroke_ = false;
-    see_sides_of_stroke(sheet);
+    see_sides_of_stroke(blade);
   }
 
   /// Triangles that the facet reaches are split along the whole of its plane; their neighbours take over the points
@@ -212,8 +212,8 @@ class Splitter {
 
   /// All edges with both ends on one facet are taken as cut; where both sides are the same they cancel (see
   /// segments.h). So chains close whatever the sides, as long as these change at such edges only.
-  void see_sides_of_stroke(const CutPlanes::Sheet& sheet) {
-    const StrokeSides stroke(mesh_, planes_, sheet, surfaces_);
+  void see_sides_of_stroke(const CutPlanes::Blade& blade) {
+    const StrokeSides stroke(mesh_, planes_, blade, surfaces_);
     const std::vector<int> side = stroke.of_triangles();
     for (std::size_t index = 0; index < side.size(); ++index) {
       Triangle& t = mesh_.triangle[index];
@@ -222,7 +222,7 @@ class Splitter {
         plane_ = stroke.facet_nearest_to(mesh_.point_of[t.vertex[0]]);
         positive = lies_with_positive_side(t);
       }
-      const CutPlanes::Plane& first = planes_[sheet.first];
+      const CutPlanes::Plane& first = planes_[blade.first];
       t.sides = planes_.knives[static_cast<std::size_t>(first.knife)].seen(t.sides, first.in_knife, positive);
       if (!positive) cut_along_stroke(stroke, t);
     }
@@ -353,7 +353,8 @@ class Splitter {
 
     // The new point lies on this plane, and on those that both ends lie on.
     const std::uint32_t set = mesh_.sets.with(mesh_.sets.common(mesh_.planes_of[p], mesh_.planes_of[q]), shared_);
-    mesh_.add_point(settled(glm::mix(mesh_.point[p], mesh_.point[q], t), mesh_.sets.planes_in(set), planes_), set);
+    mesh_.add_point(snapped_to_planes(glm::mix(mesh_.point[p], mesh_.point[q], t), mesh_.sets.planes_in(set), planes_),
+                    set);
     distance_.push_back(0);
     side_.push_back(0);
     return entry->second;

@@ -17,10 +17,10 @@ std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
 
 }  // namespace
 
-StrokeSides::StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const CutPlanes::Sheet& stroke,
+StrokeSides::StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const CutPlanes::Blade& stroke,
                          const DiffusionSurfaces& surfaces)
-    : mesh_(mesh), planes_(planes), sheet_(stroke), surfaces_(surfaces) {
-  for (const glm::dvec3& p : mesh.point) near_.push_back(sheet_.stroke->nearest(glm::dvec2(p)));
+    : mesh_(mesh), planes_(planes), blade_(stroke), surfaces_(surfaces) {
+  for (const glm::dvec3& p : mesh.point) near_.push_back(blade_.stroke->nearest(glm::dvec2(p)));
 }
 
 std::vector<int> StrokeSides::of_triangles() const {
@@ -88,15 +88,15 @@ double StrokeSides::farthest_from(const Triangle& t) const {
   if (std::fabs(farthest) > planes_.tolerance) return farthest;
   const glm::dvec2 a(mesh_.place_of(t.vertex[0])), b(mesh_.place_of(t.vertex[1])), c(mesh_.place_of(t.vertex[2]));
   for (const glm::dvec2& p : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
-    see(sheet_.stroke->nearest(p).distance);
+    see(blade_.stroke->nearest(p).distance);
   }
   return farthest;
 }
 
 int StrokeSides::facet_with(std::uint32_t p, std::uint32_t q) const {
   if (std::fabs(near_[p].distance) > planes_.tolerance || std::fabs(near_[q].distance) > planes_.tolerance) return -1;
-  const int from = std::max(0, near_[p].facet - 1), to = std::min(sheet_.count - 1, near_[p].facet + 1);
-  for (int plane = sheet_.first + from; plane <= sheet_.first + to; ++plane) {
+  const int from = std::max(0, near_[p].facet - 1), to = std::min(blade_.count - 1, near_[p].facet + 1);
+  for (int plane = blade_.first + from; plane <= blade_.first + to; ++plane) {
     if (is_on_facet(plane, p) && is_on_facet(plane, q)) return plane;
   }
   return -1;

@@ -14,7 +14,7 @@ namespace pomona {
 /// The mesh may gain planes while this is in use, but neither points nor triangles.
 class StrokeSides {
  public:
-  StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const CutPlanes::Sheet& stroke,
+  StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const CutPlanes::Blade& stroke,
               const DiffusionSurfaces& surfaces);
 
   /// Per triangle: 1, -1, or 0 for those that lie on the stroke. One that lies on it as far as can be told, but has an
@@ -26,7 +26,7 @@ class StrokeSides {
   int facet_with(std::uint32_t p, std::uint32_t q) const;
 
   /// As a plane.
-  int facet_nearest_to(std::uint32_t point) const { return sheet_.first + near_[point].facet; }
+  int facet_nearest_to(std::uint32_t point) const { return blade_.first + near_[point].facet; }
 
  private:
   using Triangle = SplitMesh::Triangle;
@@ -39,7 +39,7 @@ class StrokeSides {
 
   const SplitMesh& mesh_;
   const CutPlanes& planes_;
-  const CutPlanes::Sheet& sheet_;
+  const CutPlanes::Blade& blade_;
   const DiffusionSurfaces& surfaces_;
   std::vector<Stroke::Place> near_;  // per point
 };

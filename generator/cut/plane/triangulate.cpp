@@ -56,10 +56,10 @@ CutLines laid_out_lines(SplitMesh mesh, const CutPlanes& planes, const SegmentLi
 }
 
 SegmentLists by_blade(const CutPlanes& planes, const SegmentLists& segments) {
-  SegmentLists of_blade(planes.sheets.size());
+  SegmentLists of_blade(planes.blades.size());
   for (int k = 0; k < planes.count(); ++k) {
     const std::vector<CutSegment>& of_plane = segments[static_cast<std::size_t>(k)];
-    std::vector<CutSegment>& all = of_blade[static_cast<std::size_t>(planes[k].sheet)];
+    std::vector<CutSegment>& all = of_blade[static_cast<std::size_t>(planes[k].blade)];
     all.insert(all.end(), of_plane.begin(), of_plane.end());
   }
   return of_blade;
@@ -126,7 +126,7 @@ PlaneFaces triangulate(SplitMesh mesh, const CutPlanes& planes, const std::vecto
     parallel_for(builders.size(), options.threads, [&](std::size_t i) {
       const std::size_t blade = order[i];
       if (of_blade[blade].empty()) return;
-      const int plane = planes.sheets[blade].first;
+      const int plane = planes.blades[blade].first;
       BladeFaceBuilder& builder = builders[blade].emplace(lines.mesh, planes, plane, of_blade[blade], lines.lines);
       builder.conform(shortest_share * limits.finest);
       builder.sample(limits, surfaces, bodies);

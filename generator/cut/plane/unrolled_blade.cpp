@@ -10,8 +10,8 @@
 
 namespace pomona {
 
-UnrolledBlade::UnrolledBlade(const CutPlanes& planes, int sheet) {
-  const CutPlanes::Sheet& all = planes.sheets[static_cast<std::size_t>(sheet)];
+UnrolledBlade::UnrolledBlade(const CutPlanes& planes, int blade) {
+  const CutPlanes::Blade& all = planes.blades[static_cast<std::size_t>(blade)];
   for (int i = 0; i < all.count; ++i) {
     const int plane = all.first + i;
     CutFace frame = frame_of(planes[plane].plane);
@@ -19,7 +19,7 @@ UnrolledBlade::UnrolledBlade(const CutPlanes& planes, int sheet) {
       frame.origin = glm::dvec3(facet->start, 0);
       frame.u = glm::dvec3(facet->direction, 0);
       frame.v = {0, 0, 1};
-      frame.stroke = sheet;
+      frame.stroke = blade;
       frame.along = facet->along;
     }
     frame.knife = planes[plane].knife;

@@ -10,12 +10,12 @@
 
 namespace pomona {
 
-/// A cutting sheet in two dimensions: a plane as it is, or the facets of a stroke side by side, u along the stroke and
+/// A cutting blade in two dimensions: a plane as it is, or the facets of a stroke side by side, u along the stroke and
 /// v = +Z.
 class UnrolledBlade {
  public:
   UnrolledBlade() = default;
-  UnrolledBlade(const CutPlanes& planes, int sheet);
+  UnrolledBlade(const CutPlanes& planes, int blade);
 
   std::size_t facets() const { return frames_.size(); }
   int facet_at(double u) const;

@@ -9,7 +9,7 @@
 
 #include "generator/base/color.h"
 #include "generator/knife/cut_planes.h"
-#include "generator/knife/placed_knife.h"
+#include "generator/knife/knife_planes.h"
 
 namespace pomona {
 

@@ -1,4 +1,4 @@
-// Knives that cut by a closed surface, laid at a fruit: balls, corers, bites, drawn profiles and peelers.
+// Closed knives laid at a fruit: balls, corers, bites, drawn profiles and peelers become closed surfaces.
 #pragma once
 
 #include "generator/knife/knife.h"
@@ -9,7 +9,7 @@ namespace pomona {
 
 /// The closed surface along which this knife cuts. What lies inside it is, for a peeler, the fruit that is left, and
 /// what is taken out for all others. \throws Error (usage) for what cannot be cut: a peel thicker than the fruit, a
-/// corer shorter than it needs to be, a surface that would cross itself, and (bad_data) a skin that is open.
-ClosedSurface knife_solid(const Knife& knife, const DiffusionSurfaces& surfaces);
+/// profile that needs too many triangles, and (bad_data) a peel of a skin that is open.
+ClosedSurface surface_of(const ClosedCut& knife, const DiffusionSurfaces& surfaces);
 
 }  // namespace pomona

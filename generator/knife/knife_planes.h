@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "generator/knife/knife.h"
@@ -13,20 +14,22 @@ namespace pomona {
 /// What a knife's cells depend on: the sides of its planes that a point has been seen to lie on.
 struct KnifeSides {
   bool first = false;  ///< positive side of the first plane
-  /// Of how many planes, direction by direction; a pencil's taken in turn with one sense of rotation.
+  /// On the positive side of how many planes the point lies, direction by direction. A pencil's reversed planes are
+  /// counted where it lies on their negative side.
   std::array<int, 3> positive{};
 };
 
-/// A knife laid at a fruit: planes, and the rule that makes cells of the sides they see. The planes of wedges form
+/// The planes of one knife at a fruit, and the rule that makes cells of the sides they see. The planes of wedges form
 /// a pencil, in the order of their angle about the axis; the cut is then only the half of a plane on which two
-/// different cells meet (all of it where N is even).
-struct PlacedKnife {
+/// different cells meet (all of it where N is even). A closed knife has no planes and two cells: until its surface is
+/// laid on (closed_knives.h) everything lies in the first.
+struct KnifePlanes {
   std::vector<CuttingPlane> planes;
   std::vector<std::uint8_t> reversed;   ///< 1 where a pencil's plane looks against the sense of rotation
   std::vector<std::uint8_t> direction;  ///< 0..2: parallel planes have the same
   std::array<int, 3> across{1, 1, 1};   ///< cells along each direction; of no meaning for a pencil
-  bool pencil = false;                  ///< all planes contain the axis x = z = 0
-  Knife knife;
+  int wedges = 0;                       ///< of a pencil, whose planes all contain the axis x = z = 0; else 0
+  std::string text;                     ///< the knife as written, for messages
 
   /// Of a stroke: its points; of crinkled slices, those of one stroke after another, from below upwards. The planes are
   /// then those of their edges, in this order, and what is "seen" is on which side of each stroke a point lies.
@@ -41,8 +44,9 @@ struct PlacedKnife {
   int cell_count() const;
 };
 
+/// Lays the knife at a fruit with these bounds.
 /// \throws Error (usage) for more than 1024 slices in one direction, slices thinner than 1/10 000 of the fruit, and
 /// strokes that cross themselves where their ends go on straight.
-PlacedKnife placed(const Knife& knife, const Box<double>& bounds);
+KnifePlanes planes_of(const Knife& knife, const Box<double>& bounds);
 
 }  // namespace pomona

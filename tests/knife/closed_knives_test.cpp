@@ -1,11 +1,10 @@
 // Closed surfaces that knives cut by: closed, outward, free of crossings, as large and as deep as they should be.
-#include "generator/knife/solid_knives.h"
+#include "generator/knife/closed_knives.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,6 +18,7 @@
 #include "generator/surface/crossings.h"
 #include "generator/surface/skin_depth.h"
 #include "tests/base/temporary_folder.h"
+#include "tests/knife/closed_surface_checks.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {
@@ -29,42 +29,13 @@ DiffusionSurfaces as_surfaces(const ClosedSurface& solid) {
   return shapes::painted(std::move(position), solid.triangle, {});
 }
 
-double volume_of(const ClosedSurface& solid) {
-  double volume = 0;
-  for (const glm::uvec3& t : solid.triangle) {
-    volume += glm::dot(solid.point[t.x], glm::cross(solid.point[t.y], solid.point[t.z])) / 6;
-  }
-  return volume;
-}
-
-double area_of(const ClosedSurface& solid) { return shapes::area(as_surfaces(solid)); }
-
-/// Every edge twice, once each way; every vertex used; outward; nothing crosses; the thinnest triangle's height.
-double expect_sound(const ClosedSurface& solid) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  std::vector<int> used(solid.point.size(), 0);
-  double thinnest = 1;  // least height by longest edge
-  for (const glm::uvec3& t : solid.triangle) {
-    double longest = 0;
-    for (int i = 0; i < 3; ++i) {
-      ++edges[{t[i], t[(i + 1) % 3]}];
-      ++used[t[i]];
-      longest = std::max(longest, glm::distance(solid.point[t[i]], solid.point[t[(i + 1) % 3]]));
-    }
-    const glm::dvec3 a = solid.point[t.x];
-    const double area = glm::length(glm::cross(solid.point[t.y] - a, solid.point[t.z] - a));
-    thinnest = std::min(thinnest, area / (longest * longest));
-  }
-  int unmatched = 0;
-  for (const auto& [edge, count] : edges) {
-    const auto back = edges.find({edge.second, edge.first});
-    unmatched += count != 1 || back == edges.end();
-  }
-  EXPECT_EQ(unmatched, 0) << "of " << edges.size();
-  EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
-  EXPECT_GT(volume_of(solid), 0);
-  EXPECT_EQ(crossing_triangles(as_surfaces(solid)).size(), 0u);
-  return thinnest;
+/// Expects a surface that is closed, faces outwards and does not cross itself; returns how thin its thinnest triangle
+/// is.
+double expect_sound(const ClosedSurface& surface) {
+  EXPECT_TRUE(is_closed(surface));
+  EXPECT_GT(volume_of(surface), 0);
+  EXPECT_EQ(crossing_triangles(as_surfaces(surface)).size(), 0u);
+  return thinnest_of(surface);
 }
 
 DiffusionSurfaces ball_fruit(double radius = 0.035) {
@@ -72,12 +43,12 @@ DiffusionSurfaces ball_fruit(double radius = 0.035) {
 }
 
 ClosedSurface solid_of(const std::string& knife, const DiffusionSurfaces& fruit = ball_fruit()) {
-  return knife_solid(parse_knife(knife), fruit);
+  return surface_of(std::get<ClosedCut>(parse_knife(knife).cut), fruit);
 }
 
 glm::dvec3 middle_of(const ClosedSurface& solid) { return bounds_of(as_surfaces(solid)).center(); }
 
-TEST(SolidKnives, ABallIsABallWhereTheFruitIsSeen) {
+TEST(ClosedKnives, ABallIsABallWhereTheFruitIsSeen) {
   const ClosedSurface ball = solid_of("ball:24mm");
   EXPECT_GT(expect_sound(ball), 0.1) << "slivers";
   EXPECT_NEAR(volume_of(ball), 4. / 3 * pi * std::pow(0.012, 3), area_of(ball) * 0.000024);
@@ -93,7 +64,7 @@ TEST(SolidKnives, ABallIsABallWhereTheFruitIsSeen) {
   EXPECT_NEAR(glm::distance(middle_of(solid_of("ball:3cm,at=1cm,2cm,-3mm")), {0.01, 0.02, -0.003}), 0, 1e-7);
 }
 
-TEST(SolidKnives, ACorerGoesThroughOrAsDeepAsAsked) {
+TEST(ClosedKnives, ACorerGoesThroughOrAsDeepAsAsked) {
   const ClosedSurface through = solid_of("core:18mm");
   EXPECT_GT(expect_sound(through), 0.1);
   const Box<double> bounds = bounds_of(as_surfaces(through));
@@ -109,7 +80,7 @@ TEST(SolidKnives, ACorerGoesThroughOrAsDeepAsAsked) {
   EXPECT_GT(level.high.x, 0.036);
 }
 
-TEST(SolidKnives, ABiteHasTeethAndIsWiderThanHigh) {
+TEST(ClosedKnives, ABiteHasTeethAndIsWiderThanHigh) {
   const ClosedSurface bite = solid_of("bite:40mm");
   EXPECT_GT(expect_sound(bite), 0.03);
   const Box<double> bounds = bounds_of(as_surfaces(bite));
@@ -151,7 +122,7 @@ class ProfileFile : public testing::Test {
   }
 
   ClosedSurface solid(const std::string& what) {
-    return knife_solid(parse_knife("revolve:knife.svg#" + what, folder_.path()), ball_fruit());
+    return surface_of(std::get<ClosedCut>(parse_knife("revolve:knife.svg#" + what, folder_.path()).cut), ball_fruit());
   }
 
   std::string message(const std::string& what, ExitStatus status) {
@@ -302,7 +273,7 @@ TEST(Peel, SaysWhatCannotBePeeled) {
               testing::HasSubstr("closed"));
 }
 
-TEST(SolidKnives, BadOnesAreUsageErrors) {
+TEST(ClosedKnives, BadOnesAreUsageErrors) {
   for (const char* text : {"ball",
                            "ball:",
                            "ball:0mm",

@@ -1,0 +1,37 @@
+// The one table of knives: what each is called, how it is written, and what it does in a line.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/knife/knife.h"
+
+namespace pomona {
+
+/// One kind of knife as users write it: NAME, or NAME:VALUE, or NAME:VALUE,OPTION=...
+struct KnifeKind {
+  std::string name;                  ///< "core"
+  std::vector<std::string> written;  ///< every way to write it, without options: "core:18mm"
+  std::vector<std::string> options;  ///< each as one would write it: "depth=4cm"
+  std::string help;                  ///< along what it cuts, in one line
+
+  /// Reads what follows the colon. Files are looked for from `folder`.
+  /// \throws BadKnife (knife_options.h); those that read files also what read_stroke.h says.
+  KnifeCut (*read)(const KnifeKind& kind, std::string_view value, const std::filesystem::path& folder);
+
+  bool takes_value() const { return written.front() != name; }
+};
+
+/// All there are, simple ones first.
+const std::vector<KnifeKind>& knife_kinds();
+
+/// All ways to write a knife, for hints: "half, across, plane:NX,NY,NZ,D, ...".
+std::string known_knives();
+
+/// The table as lines of text for a terminal, each ending in a line break: how a knife is written, what it does,
+/// options.
+std::string knife_help();
+
+}  // namespace pomona
