@@ -70,7 +70,7 @@ TEST(FrameDistance, FindsTheLeastAmongGroupsAndStopsNoSooner) {
       least = std::min(least, own);
     }
     std::sort(near.begin(), near.end(), [](const NearGroup& a, const NearGroup& b) { return a.distance < b.distance; });
-    // Box<double> seen from elsewhere are wrong by the way to there, which `reach` allows for.
+    // Bounds seen from elsewhere are wrong by the way to there, which `reach` allows for.
     for (const float reach : {1e-6f, 0.3f}) {
       std::vector<NearGroup> bounds = near;
       for (NearGroup& bound : bounds) bound.distance += 0.99f * reach;
