@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang .bench table1 error-atlas variants cuts picture bench clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang .bench benches table1 error-atlas variants cuts picture bench hashes clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -24,7 +24,7 @@ build: ## the program, at build/pomona
 	@cmake --build build --target pomona -j $(JOBS)
 
 test: ## all tests that need nothing but Debian's libraries
-	@scripts/setup.sh build test
+	@scripts/setup.sh build test bench
 	cmake --preset test
 	cmake --build build -j $(JOBS)
 	ctest --test-dir build --output-on-failure -j $(JOBS)
@@ -59,16 +59,24 @@ sanitize: ## the tests again, under AddressSanitizer and UndefinedBehaviorSaniti
 	cmake --build build-sanitize -j $(JOBS)
 	ctest --preset sanitize -j $(JOBS)
 
-clang: ## the tests again, compiled by clang
+# The tests that ask for the same bits, the goldens, and hashes of one fruit's files against those of the other compiler.
+clang: build ## all of it compiled by clang: the same bytes?
 	@scripts/setup.sh build test clang
 	cmake --preset clang
 	cmake --build build-clang -j $(JOBS)
-	ctest --test-dir build-clang --output-on-failure -j $(JOBS)
+	ctest --test-dir build-clang --output-on-failure -j $(JOBS) -R 'golden|[Bb]its|[Bb]yte|Thread|Random|Reproducible|Agreement'
+	@mkdir -p out && rm -f out/gcc.tsv out/clang.tsv
+	scripts/hashes.py make build/pomona out/gcc.tsv --only "tomato 7"
+	scripts/hashes.py make build-clang/pomona out/clang.tsv --only "tomato 7"
+	scripts/hashes.py compare out/gcc.tsv out/clang.tsv
 
 # One build for all measurements; each has its own target.
 .bench:
 	@scripts/setup.sh build test bench
 	cmake --preset bench
+
+benches: .bench ## compiles everything that measures, into build/bench, and runs none of it
+	cmake --build build -j $(JOBS)
 
 table1: .bench ## Table 1 of the paper, on this machine: out/table1.md and .json
 	cmake --build build --target table1 -j $(JOBS)
@@ -96,6 +104,10 @@ picture: .bench ## how long a picture of the salad in 1920x1080 takes, and how m
 bench: .bench ## everything that measures, built into build/bench; runs the kernels
 	cmake --build build -j $(JOBS)
 	build/bench/kernels
+
+hashes: build ## SHA-256 of all that the program writes, out/hashes.tsv: to compare with scripts/hashes.py before and after a step
+	@mkdir -p out
+	scripts/hashes.py make build/pomona out/hashes.tsv
 
 clean: ## removes what was built, keeps out/
 	rm -rf build build-sanitize build-clang

@@ -14,16 +14,28 @@ if(POMONA_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+# ccache would not keep what includes a precompiled header unless told that it may: ccache's manual, "Precompiled headers".
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()
 
-# pomona_library(base SOURCES a.cpp b.cpp DEPENDS pomona_x PRIVATE_DEPENDS heavy::package)
-# One static library a folder. DEPENDS is seen by users of the headers; a heavy package is PRIVATE.
+# Half of the compiler's time goes into reading the same headers, and much of the rest into compiling what they hold
+# once more for every file (docs/building.md). So a folder's sources are compiled some ten at once.
+function(pomona_together name)
+  if(POMONA_UNITY)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  endif()
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# pomona_library(base SOURCES a.cpp b.cpp ALONE b.cpp DEPENDS pomona_x PRIVATE_DEPENDS heavy::package)
+# One static library a folder. DEPENDS is seen by users of the headers; a heavy package is PRIVATE. Sources named ALONE
+# are never compiled together with others: they include a heavy package, or name something as another source does.
 function(pomona_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;ALONE;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(pomona_${name} STATIC ${ARG_SOURCES})
+  pomona_together(pomona_${name} ${ARG_ALONE})
   target_include_directories(pomona_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_compile_options(pomona_${name} PRIVATE ${POMONA_FLAGS})
   target_link_libraries(pomona_${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
@@ -32,8 +44,9 @@ endfunction()
 # pomona_program(pomona SOURCES main.cpp DEPENDS pomona_export PRIVATE_DEPENDS CLI11::CLI11)
 # The program itself; it comes to lie at the top of the build folder.
 function(pomona_program name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;ALONE;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  pomona_together(${name} ${ARG_ALONE})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(${name} PRIVATE ${POMONA_FLAGS})
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} ${ARG_PRIVATE_DEPENDS})
@@ -41,13 +54,17 @@ function(pomona_program name)
 endfunction()
 
 # pomona_test(sweep_test SOURCES sweep_test.cpp DEPENDS pomona_surface)
-# One GoogleTest program; its cases appear in ctest one by one.
+# One GoogleTest program; its cases appear in ctest one by one. What it tests is compiled as ever; the test itself with
+# less optimisation, and with the headers of tests/test_headers.h compiled once for all tests.
 function(pomona_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
-  target_compile_options(${name} PRIVATE ${POMONA_FLAGS})
+  target_compile_options(${name} PRIVATE ${POMONA_FLAGS} -O1)
   target_compile_definitions(${name} PRIVATE POMONA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gmock GTest::gtest_main)
+  if(POMONA_UNITY)
+    target_precompile_headers(${name} REUSE_FROM pomona_test_headers)
+  endif()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()
 

@@ -211,7 +211,8 @@ class FacetTriangulator {
     all.insert(all.end(), facet_.places.begin(), facet_.places.end());
     std::sort(all.begin(), all.end(), less);
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    const auto [low, high] = less(from, to) ? std::pair(from, to) : std::pair(to, from);
+    const std::uint32_t low = less(from, to) ? from : to;
+    const std::uint32_t high = low == from ? to : from;
     std::erase_if(all, [&](std::uint32_t place) { return less(place, low) || less(high, place); });
     if (low != from) std::reverse(all.begin(), all.end());
     return all;

@@ -86,7 +86,7 @@ class SurfaceClipper {
 }  // namespace
 
 ClippedSurfaces clipped_surfaces(SplitMesh mesh, const std::vector<EdgePoint>& edge_points,
-                                 const DiffusionSurfaces& surfaces, const ClipOptions& options) {
+                                 const DiffusionSurfaces& surfaces, const SurfaceClipOptions& options) {
   return SurfaceClipper(std::move(mesh), edge_points, surfaces).clip(options.inner_too);
 }
 

@@ -11,7 +11,7 @@
 
 namespace pomona {
 
-struct ClipOptions {
+struct SurfaceClipOptions {
   bool inner_too = false;  ///< all surfaces, for knives that are still to come; else the boundary alone
 };
 
@@ -22,6 +22,6 @@ struct ClippedSurfaces {
 
 /// `edge_points` are sorted, each once.
 ClippedSurfaces clipped_surfaces(SplitMesh mesh, const std::vector<EdgePoint>& edge_points,
-                                 const DiffusionSurfaces& surfaces, const ClipOptions& options);
+                                 const DiffusionSurfaces& surfaces, const SurfaceClipOptions& options);
 
 }  // namespace pomona

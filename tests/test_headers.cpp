@@ -1,0 +1,1 @@
+// Nothing of its own: CMake precompiles test_headers.h along with a source.
