@@ -19,12 +19,8 @@ namespace {
 
 constexpr int most_wedges = 360;
 
-constexpr const char* known_knives =
-    "a knife is one of: half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm, slices:8, dice:12mm, sticks:6mm, "
-    "crinkle:6mm, stroke:FILE.svg#id, ball:24mm, core:18mm, bite:40mm, revolve:FILE.svg#id, peel:2mm";
-
-[[noreturn]] void fail(std::string_view text, const std::string& why, const std::string& hint = known_knives) {
-  refuse_knife(text, why, hint);
+[[noreturn]] void fail(std::string_view text, const std::string& why, const std::string& hint = "") {
+  refuse_knife(text, why, hint.empty() ? "a knife is one of: " + knives_as_written() : hint);
 }
 
 /// A whole number as users write counts: digits alone.
@@ -227,6 +223,11 @@ constexpr SizedKnife sized_knives[] = {{"ball", Knife::Kind::ball, "a diameter s
                                        {"peel", Knife::Kind::peel, "a thickness such as 2mm"}};
 
 }  // namespace
+
+std::string knives_as_written() {
+  return "half, across, plane:NX,NY,NZ,D, wedges:N, slices:4mm, slices:8, dice:12mm, sticks:6mm, crinkle:6mm, "
+         "stroke:FILE.svg#id, ball:24mm, core:18mm, bite:40mm, revolve:FILE.svg#id, peel:2mm";
+}
 
 Knife parse_knife(std::string_view text, const std::filesystem::path& folder) {
   const std::size_t colon = text.find(':');

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "generator/knife/knife.h"
 
 namespace pomona {
+
+/// An example of every knife there is, as users write them: "half, across, ..., peel:2mm".
+std::string knives_as_written();
 
 /// Reads "half", "across", "plane:NX,NY,NZ,D", "wedges:N", "slices:4mm", "slices:8", "dice:12mm", "sticks:6mm",
 /// "crinkle:6mm", "stroke:FILE.svg#id,scale=2mm", "ball:24mm", "core:18mm", "bite:40mm", "revolve:FILE.svg#id",
