@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang .bench benches table1 error-atlas variants cuts picture bench hashes clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang .bench benches table1 error-atlas variants cuts picture bench hashes install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -108,6 +108,25 @@ bench: .bench ## everything that measures, built into build/bench; runs the kern
 hashes: build ## SHA-256 of all that the program writes, out/hashes.tsv: to compare with scripts/hashes.py before and after a step
 	@mkdir -p out
 	scripts/hashes.py make build/pomona out/hashes.tsv
+
+install: ## program, templates, scenes, manual page, completions, library: PREFIX=/usr/local DESTDIR=
+	@scripts/setup.sh build
+	@cmake --preset program >build.log 2>&1 || { cat build.log; exit 1; }; rm -f build.log
+	@cmake --build build --target pomona pages pomona_archive -j $(JOBS)
+	@DESTDIR="$(DESTDIR)" cmake --install build --prefix "$(or $(PREFIX),/usr/local)" >build/install.log || { cat build/install.log; exit 1; }
+	@echo "installed into $(DESTDIR)$(or $(PREFIX),/usr/local)"
+
+package: build ## the program as build/package/pomona_*.deb
+	@scripts/setup.sh build package
+	@cmake --build build --target pages -j $(JOBS)
+	@cd build && cpack
+
+test-package: ## installs the .deb in a bare Debian 12 in a folder, and runs the README's commands there; needs root
+	@scripts/setup.sh build test package
+	cmake --preset test-programs
+	cmake --build build --target pomona pages -j $(JOBS)
+	cd build && cpack
+	ctest --test-dir build --output-on-failure -L package
 
 clean: ## removes what was built, keeps out/
 	rm -rf build build-sanitize build-clang

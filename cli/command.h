@@ -27,6 +27,7 @@ DeclaredCommand grow_command(CLI::App& app);
 DeclaredCommand cut_command(CLI::App& app);
 DeclaredCommand scene_command(CLI::App& app);
 DeclaredCommand compare_command(CLI::App& app);
+DeclaredCommand pages_command(CLI::App& app);
 
 /// Parses the line, runs the command, prints what went wrong, and returns the exit status.
 int run(const std::vector<Command>& commands, int argc, char** argv);

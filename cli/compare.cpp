@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
-#include "cli/find_template.h"
 #include "cli/outputs.h"
 #include "cli/picture_file.h"
+#include "cli/program_folders.h"
 #include "render/compare/comparison.h"
 #include "render/compare/comparison_page.h"
 #include "render/compare/heat_map.h"
@@ -105,8 +105,10 @@ DeclaredCommand compare_command(CLI::App& app) {
   const auto options = std::make_shared<CompareCommand>();
   command->add_option("REFERENCE", options->reference, "A picture (.png) as it should be")->required();
   command->add_option("RESULT", options->result, "The picture to look at")->required();
-  command->add_option("--tolerance", options->tolerance,
-                      "exact (the default), or close: what OpenGL's drivers and POV-Ray may differ by");
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "exact (the default), or close: what OpenGL's drivers and POV-Ray may differ by")
+      ->type_name("TEXT:{exact,close}");
   command->add_option("--usual", options->usual, "Difference, of 255, that any pixel may have")
       ->check(CLI::Range(0, 255));
   command->add_option("--exceptions", options->exceptions, "Percentage of pixels that may differ by more")
@@ -116,8 +118,8 @@ DeclaredCommand compare_command(CLI::App& app) {
   command->add_option("--flip", options->flip, "Largest mean FLIP, 0 to 1")->check(CLI::Range(0.0, 1.0));
   command->add_option("--ppd", options->pixels_per_degree, "Pixels per degree of the eye's field; the default is 67")
       ->check(CLI::Range(5.0, 500.0));
-  command->add_option("--map", options->map, "Write FLIP's map as a picture (.png)");
-  command->add_option("--html", options->html, "Write a page that shows both, and the map");
+  command->add_option("--map", options->map, "Write FLIP's map as a picture (.png)")->type_name("FILE");
+  command->add_option("--html", options->html, "Write a page that shows both, and the map")->type_name("FILE");
   command->add_option("--threads", options->threads, "Threads to use; 0 = all there are")->check(CLI::Range(0, 1024));
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->add_flag("--json", options->json, "Print the figures as JSON");

@@ -119,10 +119,12 @@ DeclaredCommand cut_command(CLI::App& app) {
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
   command->add_option("--knife", options->knives, "One of those below; several cut one after another")
+      ->type_name("KNIFE")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("-o,--output", options->outputs, "What to write: .ply, .glb, .pov, .png or .svg")
+      ->type_name("FILE")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -130,8 +132,8 @@ DeclaredCommand cut_command(CLI::App& app) {
   command->add_flag("--section", options->section, "The bare section instead of pieces (.ply, .png or .svg)");
   command->add_option("--explode", options->explode, "Move pieces apart: their distance from the middle times this")
       ->check(CLI::Range(1.0, 10.0));
-  command->add_option("--pieces", options->pieces,
-                      "Also write what there is to know of each piece to this file (JSON)");
+  command->add_option("--pieces", options->pieces, "Also write what there is to know of each piece to this file (JSON)")
+      ->type_name("FILE");
   add_ripeness_option(*command, options->shared);
   add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);

@@ -2,7 +2,6 @@
 
 #include <map>
 
-#include "cli/find_template.h"
 #include "cli/program_folders.h"
 #include "render/style/style_file.h"
 

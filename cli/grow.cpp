@@ -68,6 +68,7 @@ DeclaredCommand grow_command(CLI::App& app) {
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
   command->add_option("-o,--output", options->outputs, "What to write: .ply (surfaces), .glb, .pov, .png or .svg")
+      ->type_name("FILE")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

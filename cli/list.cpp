@@ -1,4 +1,4 @@
-// pomona list: what can be grown, and the styles to draw it in.
+// pomona list: what can be grown, the scenes, and the styles to draw them in.
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -9,6 +9,8 @@
 #include "cli/command.h"
 #include "cli/find_style.h"
 #include "cli/find_template.h"
+#include "cli/program_folders.h"
+#include "generator/scene/scene_file.h"
 #include "generator/template/read/read_template.h"
 
 namespace pomona {
@@ -37,7 +39,19 @@ ExitStatus list_styles(bool json) {
   return ExitStatus::done;
 }
 
-ExitStatus list(bool json) {
+ExitStatus list_scenes(bool json) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const auto& file : own_files("scenes")) {
+    const SceneDescription scene = read_scene(file);
+    const std::string name = file.stem().string();
+    all.push_back({{"name", name}, {"title", scene.title}});
+    if (!json) std::printf("%s\t%s\n", name.c_str(), scene.title.c_str());
+  }
+  if (json) std::printf("%s\n", all.dump(2).c_str());
+  return ExitStatus::done;
+}
+
+ExitStatus list_templates(bool json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   std::vector<Diagnostic> wrong;
   for (const auto& file : all_templates()) {
@@ -59,12 +73,17 @@ ExitStatus list(bool json) {
 }  // namespace
 
 DeclaredCommand list_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("list", "Print the templates: name, symmetry, parts; or the styles");
+  CLI::App* command = app.add_subcommand("list", "Print the templates: name, symmetry, parts; or the scenes or styles");
   const auto json = std::make_shared<bool>(false);
+  const auto scenes = std::make_shared<bool>(false);
   const auto styles = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print them as JSON");
-  command->add_flag("--styles", *styles, "Print the styles instead: name, title");
-  return {command, [json, styles] { return *styles ? list_styles(*json) : list(*json); }};
+  CLI::Option* asks_for_scenes = command->add_flag("--scenes", *scenes, "Print the scenes instead: name, title");
+  command->add_flag("--styles", *styles, "Print the styles instead: name, title")->excludes(asks_for_scenes);
+  return {command, [json, scenes, styles] {
+            if (*scenes) return list_scenes(*json);
+            return *styles ? list_styles(*json) : list_templates(*json);
+          }};
 }
 
 }  // namespace pomona

@@ -1,25 +1,92 @@
 #include "cli/program_folders.h"
 
+#include <sys/auxv.h>
+
+#include <map>
+
+#include "generator/base/error.h"
+#include "generator/base/nearest_name.h"
+
 namespace fs = std::filesystem;
 
 namespace pomona {
 
+namespace {
+
+/// All there are, in the order they are looked in.
+std::vector<fs::path> candidates(const std::string& kind) {
+  std::vector<fs::path> folders = program_folders(kind);
+  folders.insert(folders.end(), {kind, "."});
+  return folders;
+}
+
+/// The running file; where /proc is not mounted (a bare chroot), by what it was started as.
+fs::path this_program() {
+  std::error_code failed;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+  if (!failed) return program;
+  const auto* started_as = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+  return started_as != nullptr ? fs::weakly_canonical(started_as, failed) : fs::path();
+}
+
+bool is_path(const std::string& text) {
+  return text.find('/') != std::string::npos || text.ends_with(".toml") || text.ends_with(".ply");
+}
+
+}  // namespace
+
 std::vector<fs::path> program_folders(const std::string& kind) {
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path root = program.parent_path().parent_path();
+  const fs::path root = this_program().parent_path().parent_path();
   return {root / kind, root / "share" / "pomona" / kind};
 }
 
 std::vector<fs::path> searched_folders(const std::string& kind) {
-  std::vector<fs::path> candidates = program_folders(kind);
-  candidates.insert(candidates.end(), {kind, "."});
   std::vector<fs::path> folders;
-  for (const fs::path& folder : candidates) {
+  for (const fs::path& folder : candidates(kind)) {
     std::error_code ignored;
     if (fs::is_directory(folder, ignored)) folders.push_back(folder);
   }
   return folders;
+}
+
+std::string where_looked(const std::string& kind) {
+  std::string text = "looked in ";
+  for (const fs::path& folder : program_folders(kind)) text += folder.string() + ", ";
+  return text + kind + "/ and the current folder";
+}
+
+std::vector<fs::path> own_files(const std::string& kind) {
+  std::map<std::string, fs::path> by_name;
+  for (const fs::path& folder : program_folders(kind)) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+      if (entry.path().extension() == ".toml") by_name.try_emplace(entry.path().stem().string(), entry.path());
+    }
+  }
+  std::vector<fs::path> files;
+  for (const auto& [name, file] : by_name) files.push_back(file);
+  return files;
+}
+
+fs::path existing_file(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_regular_file(path, ignored)) return path;
+  throw Error(ExitStatus::input_missing, {{{path, 0, 0, {}}, "there is no such file", {}}});
+}
+
+fs::path find_file(const std::string& kind, const std::string& name_or_path) {
+  if (is_path(name_or_path)) return existing_file(name_or_path);
+  std::error_code ignored;
+  for (const fs::path& folder : searched_folders(kind)) {
+    const fs::path file = folder / (name_or_path + ".toml");
+    if (fs::is_regular_file(file, ignored)) return file;
+  }
+
+  std::vector<std::string> known;
+  for (const fs::path& file : own_files(kind)) known.push_back(file.stem().string());
+  const auto near = nearest_name(name_or_path, known);
+  throw Error(ExitStatus::input_missing, "there is no " + kind.substr(0, kind.size() - 1) + " \"" + name_or_path + "\"",
+              near ? "did you mean " + *near + "?" : where_looked(kind) + "; a path works too");
 }
 
 }  // namespace pomona

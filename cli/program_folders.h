@@ -9,10 +9,23 @@ namespace pomona {
 
 /// build/pomona lies beside templates/; an installed bin/pomona beside share/pomona/templates. Whether they are there
 /// is not looked at.
-/// \param kind "templates" or "styles"
+/// \param kind "templates", "scenes" or "styles"
 std::vector<std::filesystem::path> program_folders(const std::string& kind);
 
 /// Those that are there, and after them a folder of that kind within the current one, and the current one itself.
 std::vector<std::filesystem::path> searched_folders(const std::string& kind);
+
+/// A hint for when nothing of that kind is found: "looked in A, B and C".
+std::string where_looked(const std::string& kind);
+
+/// The program's own files (.toml) of that kind, sorted by name; those of an earlier folder hide later ones.
+std::vector<std::filesystem::path> own_files(const std::string& kind);
+
+/// The path itself. \throws Error (input_missing) if there is no such file.
+std::filesystem::path existing_file(const std::string& path);
+
+/// The file behind a name ("tomato" is tomato.toml in searched_folders(kind)), or behind a path (it has a slash, or
+/// ends in .toml or .ply). \throws Error (input_missing) with the nearest known name, or with where was looked.
+std::filesystem::path find_file(const std::string& kind, const std::string& name_or_path);
 
 }  // namespace pomona

@@ -11,6 +11,7 @@
 #include "cli/diffusers.h"
 #include "cli/find_template.h"
 #include "cli/outputs.h"
+#include "cli/program_folders.h"
 #include "generator/scene/compose.h"
 #include "generator/scene/layout_file.h"
 #include "generator/scene/scene_file.h"
@@ -20,7 +21,7 @@ namespace pomona {
 namespace {
 
 struct SceneCommand {
-  std::string file;
+  std::string scene;
   std::vector<std::string> outputs;
   SharedOptions shared;
 };
@@ -51,10 +52,11 @@ ExitStatus compose_scene(const SceneCommand& command) {
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
-  SceneDescription description = delivery.times.time("read", [&] { return read_scene(existing_file(command.file)); });
+  const std::filesystem::path file = find_file("scenes", command.scene);
+  SceneDescription description = delivery.times.time("read", [&] { return read_scene(file); });
   if (command.shared.seed_given) description.seed = command.shared.seed;
   delivery.set_default_size({description.width, description.height});
-  if (!description.style.empty()) delivery.set_default_style(style_of(description, command.file));
+  if (!description.style.empty()) delivery.set_default_style(style_of(description, file));
   Composition composition = compose(description, diffuser.get(), compose_options(command.shared, delivery.progress));
   if (!description.paper) composition.scene.paper = delivery.style().paper;
   for (const auto& [stage, milliseconds] : composition.report.stages) delivery.times.add(stage, milliseconds);
@@ -77,10 +79,12 @@ ExitStatus compose_scene(const SceneCommand& command) {
 DeclaredCommand scene_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("scene", "Compose a scene: many cut variants, settled");
   const auto options = std::make_shared<SceneCommand>();
-  command->add_option("FILE", options->file, "A scene file (scenes/salad.toml)")->required();
+  command->add_option("SCENE", options->scene, "A name from `pomona list --scenes`, or a scene file (.toml)")
+      ->required();
   command
       ->add_option("-o,--output", options->outputs,
                    "What to write: .glb, .pov, .png, .svg, .ply, or .json (the layout)")
+      ->type_name("FILE")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

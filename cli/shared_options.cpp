@@ -1,6 +1,6 @@
 #include "cli/shared_options.h"
 
-#include <map>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +11,27 @@
 namespace pomona {
 
 namespace {
+
+struct NamedView {
+  std::string_view name;
+  glm::dvec3 direction;
+};
+constexpr NamedView named_views[] = {
+    {"front", {0, 0, 1}},
+    {"back", {0, 0, -1}},
+    {"left", {-1, 0, 0}},
+    {"right", {1, 0, 0}},
+    {"top", {0, 1, 0}},
+    {"bottom", {0, -1, 0}},
+    {"three-quarter", {0.5, 0.55, 1}},
+};
+
+/// As CLI11 writes a choice; the words in braces are what shells complete (cli/pages).
+std::string view_names() {
+  std::string names;
+  for (const NamedView& view : named_views) names.append(names.empty() ? "" : ",").append(view.name);
+  return "VIEW:{" + names + "}";
+}
 
 /// CLI11 would read -1 as the largest seed there is.
 std::string no_seed(const std::string& text) {
@@ -45,8 +66,10 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--detail", options.detail, "Tessellation of the surfaces, relative to the template's")
       ->check(CLI::Range(0.1, 4.0))
       ->capture_default_str();
-  command.add_option("--style", options.style,
-                     "Look of pictures: a name from `pomona list --styles` or a style file (.toml); ink unless said");
+  command
+      .add_option("--style", options.style,
+                  "Look of pictures: a name from `pomona list --styles` or a style file (.toml); ink unless said")
+      ->type_name("STYLE");
   command.add_option("--texture", options.texture, "Bake colours into a texture of N x N texels instead of vertices")
       ->check(CLI::Range(64, 8192));
   command
@@ -54,10 +77,9 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
                   "Bake colours into textures with texels of this size (0.2mm) instead of a size of their own")
       ->excludes("--texture");
   command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");
-  command.add_option("--view", options.view,
-                     "Where pictures look from: front, back, left, right, top, bottom, three-quarter or "
-                     "AZIMUTH,ELEVATION in degrees");
-  command.add_option("--stats", options.stats, "Write times and counts to this JSON file");
+  command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
+      ->type_name(view_names());
+  command.add_option("--stats", options.stats, "Write times and counts to this JSON file")->type_name("FILE");
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
   command.add_flag("--json", options.json, "Print the result as JSON");
 }
@@ -106,14 +128,9 @@ double texel_size(const SharedOptions& options) {
 
 std::optional<glm::dvec3> view_direction(const SharedOptions& options) {
   if (options.view.empty()) return std::nullopt;
-  static const std::map<std::string, glm::dvec3> named = {{"front", {0, 0, 1}},
-                                                          {"back", {0, 0, -1}},
-                                                          {"left", {-1, 0, 0}},
-                                                          {"right", {1, 0, 0}},
-                                                          {"top", {0, 1, 0}},
-                                                          {"bottom", {0, -1, 0}},
-                                                          {"three-quarter", {0.5, 0.55, 1}}};
-  if (const auto found = named.find(options.view); found != named.end()) return found->second;
+  for (const NamedView& view : named_views) {
+    if (options.view == view.name) return view.direction;
+  }
 
   const std::size_t comma = options.view.find(',');
   const auto azimuth = parse_number(options.view.substr(0, comma));

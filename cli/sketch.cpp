@@ -9,9 +9,9 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
-#include "cli/find_template.h"
 #include "cli/outputs.h"
 #include "cli/picture_file.h"
+#include "cli/program_folders.h"
 #include "cli/sample_colors.h"
 #include "cli/starting_sketch.h"
 #include "generator/template/read/read_template.h"
@@ -107,6 +107,7 @@ DeclaredCommand sketch_command(CLI::App& app) {
   command
       ->add_option("--picture", options->pictures,
                    "A picture (.png) to draw over: once for the side view, a second time for the top view")
+      ->type_name("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   CLI::Option* folds =

@@ -39,6 +39,7 @@ function(pomona_library name)
   target_include_directories(pomona_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_compile_options(pomona_${name} PRIVATE ${POMONA_FLAGS})
   target_link_libraries(pomona_${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
+  set_property(GLOBAL APPEND PROPERTY POMONA_LIBRARIES pomona_${name})
 endfunction()
 
 # pomona_program(pomona SOURCES main.cpp DEPENDS pomona_export PRIVATE_DEPENDS CLI11::CLI11)

@@ -66,7 +66,7 @@ HEAVY = {
     "TBB": (r"(tbb|oneapi/tbb)/", r"generator/base/parallel\.cpp"),
     "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),
     "Random123": (r"Random123/", r"generator/base/random\.cpp"),
-    "CLI11": (r"CLI/", r"(cli|bench)/\w+\.(cpp|h)"),
+    "CLI11": (r"CLI/", r"(cli|bench)/(pages/)?\w+\.(cpp|h)"),
 }
 HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 

@@ -1,0 +1,84 @@
+#include "cli/pages/completion.h"
+#include "cli/pages/names_asked_for.h"
+
+namespace pomona {
+
+namespace {
+
+/// For within '...' and, in zsh's specifications, where brackets and colons divide.
+std::string quoted(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\'') {
+      result += "'\\''";
+      continue;
+    }
+    if (c == '[' || c == ']' || c == ':' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+/// ":FILE:_files": what a value is, and how it is completed.
+std::string action(const TypedOption& option) {
+  const std::string what = ":" + quoted(option.value) + ":";
+  if (option.value == "KNIFE") return what + "_pomona_knives";
+  if (!names_asked_for(option.value).empty()) return what + "_pomona_" + option.value;
+  if (takes_files(option)) return what + "_files";
+  std::string words;
+  for (const std::string& word : option.words) words += (words.empty() ? "" : " ") + word;
+  return what + (words.empty() ? " " : "(" + words + ")");
+}
+
+/// The arguments of _arguments, a line each.
+std::string specifications(const TypedCommand& command) {
+  std::string text;
+  for (const TypedOption& option : command.options) {
+    if (option.names.empty()) text += " \\\n        '" + std::string(option.repeated ? "*" : "") + action(option) + "'";
+    for (const std::string& name : option.names) {
+      text += " \\\n        '" + std::string(option.repeated ? "*" : "") + name + "[" + quoted(option.help) + "]" +
+              (option.value.empty() ? "" : action(option)) + "'";
+    }
+  }
+  return text;
+}
+
+/// A function that completes names, and files as well.
+std::string names_function(const std::string& value) {
+  return "_pomona_" + value + "() {\n  local -a names\n  names=(${(f)\"$(" + names_asked_for(value) +
+         ")\"})\n  _alternative \"names:" + value + ":($names)\" 'files:file:_files'\n}\n";
+}
+
+/// Knives go on after their colon.
+std::string knives_function(std::span<const TypedCommand> commands) {
+  std::string words;
+  for (const TypedCommand& command : commands) {
+    for (const TypedOption& option : command.options) {
+      if (option.value != "KNIFE" || !words.empty()) continue;
+      for (const std::string& word : option.words) words += " " + word;
+    }
+  }
+  return "_pomona_knives() {\n  compadd -S '' --" + words + "\n}\n";
+}
+
+}  // namespace
+
+std::string zsh_completion(std::span<const TypedCommand> commands) {
+  std::string text = "#compdef pomona\n# Made from the program's options by `pomona pages zsh`.\n";
+  for (const char* value : {"TEMPLATE", "SCENE", "STYLE"}) text += names_function(value);
+  text += knives_function(commands);
+
+  text += "_pomona() {\n  local context state line\n  typeset -A opt_args\n  _arguments -C" +
+          specifications(commands.front()) + " \\\n        '1: :->command' '*:: :->rest'\n";
+  text += "  if [[ $state == command ]]; then\n    local -a commands\n    commands=(";
+  for (const TypedCommand& command : commands.subspan(1)) {
+    text += "\n      '" + command.name + ":" + quoted(command.help) + "'";
+  }
+  text += ")\n    _describe command commands\n    return\n  fi\n  case $words[1] in\n";
+  for (const TypedCommand& command : commands.subspan(1)) {
+    text += "    " + command.name + ") _arguments" + specifications(command) + " ;;\n";
+  }
+  return text + "  esac\n}\nif [[ $funcstack[1] == _pomona ]]; then _pomona \"$@\"; else compdef _pomona pomona; fi\n";
+}
+
+}  // namespace pomona

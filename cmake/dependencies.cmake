@@ -1,0 +1,7 @@
+# What a program that links Pomona's archive needs besides: used when Pomona is built, and by find_package(Pomona).
+# Header-only packages are not among them; CGAL, for one, leaves behind only the libraries of its numbers.
+include(CMakeFindDependencyMacro)
+find_dependency(glm)
+find_dependency(PkgConfig)
+pkg_check_modules(POMONA_NEEDS REQUIRED IMPORTED_TARGET
+  tbb sleef libhwy gmp mpfr bullet-float64 tinygltf tomlplusplus pugixml 2geom libpng)
