@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks the rules of the house that a compiler does not: which folder may include which, where heavy
 packages stay, how files are named, and that nothing in the road rests on the C library's functions or on
-randomness that is not ours.
+randomness that is not ours. And what a reader relies on: every folder of the road has a README, which names no file
+that is not there.
 
     check_sources.py ROOT      prints "file:line: what is wrong", and exits with 1 if anything is
 """
@@ -186,8 +187,48 @@ def check(root):
     return wrong
 
 
+# Below these every folder that holds sources has a README of its own; tests and benches have one each for the whole.
+EXPLAINED = ("generator", "render", "cli")
+EXPLAINED_AS_A_WHOLE = ("tests", "bench")
+MAY_BE_EXPLAINED = ("shaders", "scripts", "scenes", "styles")
+
+# A file named in backticks: `pieces.h`, `section/face.h`, `generator/cut/cut.h`.
+NAMED_FILE = re.compile(r"`([\w./-]+\.(?:h|cpp|py|sh|glsl|toml|txt|md))`")
+
+
+def holds_sources(folder):
+    return any(path.suffix in (".h", ".cpp") for path in folder.rglob("*"))
+
+
+def folders_to_explain(root):
+    for top in EXPLAINED:
+        yield from (p for p in [root / top, *(root / top).rglob("*")] if p.is_dir() and holds_sources(p))
+    yield from (root / top for top in EXPLAINED_AS_A_WHOLE if holds_sources(root / top))
+
+
+def names_a_file(root, folder, named):
+    """Whether the README of a folder may name it: by its way from there or from the root, or by its name alone if it
+    lies in the folder or below."""
+    if (folder / named).is_file() or (root / named).is_file() and "/" in named:
+        return True
+    return "/" not in named and any(path.is_file() for path in folder.rglob(named))
+
+
+def check_readmes(root):
+    """All folders of the road without a README, and all that READMEs name and is not there, as "file:line: what"."""
+    root = pathlib.Path(root)
+    missing = [folder for folder in folders_to_explain(root) if not (folder / "README.md").is_file()]
+    wrong = [f"{p.relative_to(root).as_posix()}:1: no README.md that tells its road" for p in missing]
+    tops = EXPLAINED + EXPLAINED_AS_A_WHOLE + MAY_BE_EXPLAINED
+    for path in [p for top in tops for p in (root / top).rglob("README.md")]:
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            absent = [n for n in NAMED_FILE.findall(line) if not names_a_file(root, path.parent, n)]
+            wrong += [f"{path.relative_to(root).as_posix()}:{number}: there is no `{named}`" for named in absent]
+    return sorted(wrong)
+
+
 def main():
-    wrong = check(sys.argv[1])
+    wrong = check(sys.argv[1]) + check_readmes(sys.argv[1])
     print("\n".join(wrong))
     return 1 if wrong else 0
 

@@ -11,14 +11,16 @@ import check_sources
 HEADER = "// What it is.\n#pragma once\n"
 
 
-class Rules(unittest.TestCase):
+class Tree(unittest.TestCase):
+    check = staticmethod(check_sources.check)
+
     def wrong_with(self, files):
         with tempfile.TemporaryDirectory() as folder:
             for name, text in files.items():
                 path = pathlib.Path(folder) / name
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text, encoding="utf-8")
-            return check_sources.check(folder)
+            return self.check(folder)
 
     def assert_wrong(self, files, place, words):
         wrong = self.wrong_with(files)
@@ -29,6 +31,8 @@ class Rules(unittest.TestCase):
     def assert_fine(self, files):
         self.assertEqual(self.wrong_with(files), [])
 
+
+class Rules(Tree):
     def test_includes_point_backwards(self):
         surface = {"generator/surface/sweep/sweep.h": HEADER}
         self.assert_fine(surface | {"generator/cut/cut.cpp": '#include "generator/surface/sweep/sweep.h"\n'})
@@ -82,6 +86,29 @@ class Rules(unittest.TestCase):
     def test_headers_say_what_they_are_and_come_once(self):
         self.assert_wrong({"cli/a.h": "#pragma once\n"}, "cli/a.h:1", "comment")
         self.assert_wrong({"cli/a.h": "// What it is.\n"}, "cli/a.h:1", "#pragma once")
+
+
+class Readmes(Tree):
+    check = staticmethod(check_sources.check_readmes)
+
+    ROOM = {"cli/README.md": "Start with `main.cpp`.\n", "cli/main.cpp": ""}
+
+    def test_every_folder_of_the_road_has_one(self):
+        self.assert_fine(self.ROOM)
+        self.assert_wrong({"cli/main.cpp": ""}, "cli:1", "no README.md")
+        self.assert_wrong(self.ROOM | {"cli/pages/page.h": HEADER}, "cli/pages:1", "no README.md")
+        self.assert_fine(self.ROOM | {"cli/templates/fruit.toml": "", "shaders/noise.glsl": ""})
+
+    def test_tests_and_benches_have_one_for_the_whole(self):
+        self.assert_wrong({"tests/cut/cut_test.cpp": ""}, "tests:1", "no README.md")
+        self.assert_fine({"tests/cut/cut_test.cpp": "", "tests/README.md": ""})
+
+    def test_they_name_only_what_is_there(self):
+        for named in ("main.cpp", "page.h", "pages/page.h", "cli/pages/page.h", "docs/commands.md"):
+            files = {"cli/pages/page.h": HEADER, "cli/pages/README.md": "", "docs/commands.md": ""}
+            self.assert_fine(self.ROOM | files | {"cli/README.md": f"See `{named}`.\n"})
+        for named in ("gone.cpp", "pages/gone.h", "generator/cut/gone.h", "../docs/gone.md"):
+            self.assert_wrong(self.ROOM | {"cli/README.md": f"\nSee `{named}`.\n"}, "cli/README.md:2", named)
 
 
 if __name__ == "__main__":

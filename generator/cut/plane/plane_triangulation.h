@@ -1,4 +1,4 @@
-// Triangulations of one cutting plane that keep given segments. The one door to CGAL.
+// Triangulations of one cutting plane that keep given segments: what planes need of CGAL, and nobody else sees of it.
 #pragma once
 
 #include <array>
