@@ -43,9 +43,8 @@ std::vector<glm::vec3> points_on_cut(const DiffusionSurfaces& surfaces, const Kn
 
 /// Half, across, and a slanted plane through the middle.
 std::vector<Knife> knives_for(const DiffusionSurfaces& surfaces) {
-  Knife slanted = parse_knife("plane:0,1,0,0");
-  slanted.plane.normal = glm::normalize(glm::dvec3(0.3, 1, 0.2));
-  slanted.plane.offset = glm::dot(slanted.plane.normal, bounds_of(surfaces).center());
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, 1, 0.2));
+  const Knife slanted{PlaneCut(PlaneKnife{{normal, glm::dot(normal, bounds_of(surfaces).center())}})};
   return {parse_knife("half"), parse_knife("across"), slanted};
 }
 

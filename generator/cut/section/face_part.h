@@ -20,8 +20,7 @@ struct Cap {
   Regions::Closing closing;
 };
 
-/// Vertices are numbered from 0.
-/// One face's share of a section, its vertices numbered from 0.
+/// Duplicate vertices, one for each fan of triangles between cut segments, numbered from 0.
 struct FacePart {
   struct Vertex {
     std::uint32_t point = 0;  ///< of the split mesh, the one that stands for its place
