@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang .bench benches table1 error-atlas variants cuts picture bench hashes install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang .bench benches table1 error-atlas variants cuts lod picture bench hashes install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -96,6 +96,10 @@ cuts: .bench ## 112 000 random and degenerate cuts of all templates, planes, str
 	cmake --build build --target cuts -j $(JOBS)
 	@mkdir -p out
 	build/bench/cuts --out out/cuts.md --json out/cuts.json
+
+lod: .bench ## levels of detail of half of every fruit: how far off they are, how long they take
+	cmake --build build --target lod -j $(JOBS)
+	build/bench/lod
 
 picture: .bench ## how long a picture of the salad in 1920x1080 takes, and how much memory
 	cmake --build build --target picture -j $(JOBS)

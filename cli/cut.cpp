@@ -86,6 +86,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   std::vector<Knife> knives;
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command));
+  check_levels(command.shared.lod, outputs);
   if (command.section && (command.explode > 1 || !command.pieces.empty())) {
     throw Error(ExitStatus::usage, "--explode and --pieces are about pieces: leave out --section");
   }

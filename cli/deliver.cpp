@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/find_style.h"
+#include "cli/scene_levels.h"
 #include "cli/version.h"
 #include "generator/base/error.h"
+#include "generator/piece/lod/levels_of_detail.h"
 #include "render/export/gltf.h"
 #include "render/export/ply.h"
 #include "render/export/pov.h"
@@ -97,13 +99,33 @@ void Delivery::add(const Output& output, const Scene& scene) {
   }
 }
 
+/// Nothing unless --lod asks for it.
+std::vector<std::vector<Solid>> Delivery::levels_of(const Scene& scene) {
+  if (options_.lod == 0) return {};
+  const LodOptions how{.levels = options_.lod, .threads = {options_.threads}};
+  std::vector<std::vector<Solid>> levels = times.time("lod", [&] { return all_levels_of_detail(scene.solids, how); });
+  const LevelCounts counts = level_counts(scene.solids, levels, options_.lod);
+  for (std::size_t level = 0; level < counts.triangles.size(); ++level)
+    times.count("lod_" + std::to_string(level) + "_triangles", static_cast<std::int64_t>(counts.triangles[level]));
+  warn(level_warnings(counts));
+  return levels;
+}
+
 void Delivery::add_glb(const Output& output, const Scene& scene) {
   const ExportOptions options = export_options(options_, style_);
-  if (!wants_textures(options_)) return add(output.file, [&] { return write_glb(scene, options); });
+  const std::vector<std::vector<Solid>> levels = levels_of(scene);
+  if (!wants_textures(options_)) return add(output.file, [&] { return write_glb(scene, options, levels); });
 
   BakeOptions how{.texel = texel_, .threads = {options_.threads}};
   if (options_.texture > 0) how.texels = options_.texture;
   const std::vector<BakedSolid> baked_solids = times.time("bake", [&] { return all_baked(scene.solids, style_, how); });
+  const auto coarser = times.time("bake", [&] { return baked_levels(levels, style_, how); });
+  count_texels(baked_solids);
+  for (const std::vector<BakedSolid>& of_solid : coarser) count_texels(of_solid);
+  add(output.file, [&] { return write_glb(scene, baked_solids, options, coarser); });
+}
+
+void Delivery::count_texels(const std::vector<BakedSolid>& baked_solids) {
   std::int64_t texels = 0, diffused = 0;
   for (const BakedSolid& solid : baked_solids) {
     texels += static_cast<std::int64_t>(solid.texture.width) * solid.texture.height;
@@ -111,7 +133,6 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
   }
   times.count("texels", texels);
   times.count("diffused_texels", diffused);
-  add(output.file, [&] { return write_glb(scene, baked_solids, options); });
 }
 
 std::optional<Plate> Delivery::plate_for(const Scene& scene, const PictureSize& size) const {

@@ -15,6 +15,7 @@
 #include "render/export/output.h"
 #include "render/plate/plate.h"
 #include "render/style/style.h"
+#include "render/texture/bake.h"
 
 namespace pomona {
 
@@ -61,6 +62,8 @@ class Delivery {
   std::optional<Plate> plate_for(const Scene& scene, const PictureSize& size) const;
   Scene fitted(Scene scene, const PictureSize& size, const std::optional<Plate>& plate) const;
   void add_glb(const Output& output, const Scene& scene);
+  std::vector<std::vector<Solid>> levels_of(const Scene& scene);
+  void count_texels(const std::vector<BakedSolid>& baked_solids);
   void say_what_was_written();
 
   const SharedOptions& options_;

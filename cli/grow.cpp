@@ -39,6 +39,7 @@ std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Deliver
 ExitStatus grow_fruit(const GrowCommand& command) {
   const std::vector<Output> outputs =
       parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg});
+  check_levels(command.shared.lod, outputs);
   Delivery delivery(command.shared);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
 

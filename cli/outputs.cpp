@@ -68,4 +68,10 @@ std::vector<Output> parse_outputs(const std::vector<std::string>& names, const s
   return outputs;
 }
 
+void check_levels(int levels, const std::vector<Output>& outputs) {
+  const auto is_glb = [](const Output& output) { return output.format == Format::glb; };
+  if (levels > 0 && std::none_of(outputs.begin(), outputs.end(), is_glb))
+    throw Error(ExitStatus::usage, "--lod is about .glb: no output is one", "add -o FILE.glb");
+}
+
 }  // namespace pomona

@@ -19,6 +19,9 @@ struct Output {
 /// not exist or cannot be written to.
 std::vector<Output> parse_outputs(const std::vector<std::string>& names, const std::vector<Format>& allowed);
 
+/// \throws Error (usage) if levels of detail are asked for, and no output holds them.
+void check_levels(int levels, const std::vector<Output>& outputs);
+
 /// An absent or read-only folder is told now, not after minutes of work. \throws Error (cannot_create)
 void check_folder(const std::filesystem::path& file);
 

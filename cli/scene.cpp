@@ -48,6 +48,7 @@ std::string style_of(const SceneDescription& scene, const std::filesystem::path&
 ExitStatus compose_scene(const SceneCommand& command) {
   const std::vector<Output> outputs =
       parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg, Format::json});
+  check_levels(command.shared.lod, outputs);
   Delivery delivery(command.shared);
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());

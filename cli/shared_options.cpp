@@ -76,6 +76,10 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
       .add_option("--texel", options.texel,
                   "Bake colours into textures with texels of this size (0.2mm) instead of a size of their own")
       ->excludes("--texture");
+  command
+      .add_option("--lod", options.lod,
+                  ".glb: each solid at so many further levels of detail, with a half, a quarter, ... of the triangles")
+      ->check(CLI::Range(1, 6));
   command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
       ->type_name(view_names());

@@ -32,6 +32,7 @@ struct SharedOptions {
   std::string style;  ///< name or path; none = what the scene says, or ink
   int texture = 0;    ///< texels along an atlas's edge; 0 = not said
   std::string texel;  ///< size of a texel, with its unit
+  int lod = 0;        ///< further levels of detail
   std::string size;
   std::string view;
   std::string stats;

@@ -61,7 +61,8 @@ class GlbModel {
   /// `texture`: of add_texture(), or nothing where vertices have colours.
   int add_mesh(const Solid& solid, const StyledMesh& styled, std::optional<int> texture = {});
   int add_texture(const Solid& solid, const Image& picture);
-  void add_instance(const Instance& instance, int mesh);
+  /// `meshes`: of the solid and of its coarser levels.
+  void add_instance(const Instance& instance, const std::vector<int>& meshes);
   void add_camera(const View& view);
   void set_provenance(const std::string& text);
   std::string bytes();
@@ -74,7 +75,9 @@ class GlbModel {
   int add_indices(const std::vector<glm::uvec3>& triangle, std::size_t vertices);
   int add_material(const Solid& solid, const PbrLook& look, std::optional<int> texture);
   void add_extensions(tinygltf::Material& material, const PbrLook& look);
+  int add_node(tinygltf::Node node);
   void add_root(tinygltf::Node node);
+  void use_extension(const std::string& name);
 
   tinygltf::Model model_;
   std::map<std::tuple<bool, float, PbrLook, std::optional<int>>, int> materials_;
@@ -140,12 +143,16 @@ tinygltf::Value value_of(const std::array<double, 3>& color) {
   return tinygltf::Value(numbers);
 }
 
+void GlbModel::use_extension(const std::string& name) {
+  std::vector<std::string>& used = model_.extensionsUsed;
+  if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+}
+
 /// What glTF itself cannot say. No viewer needs to understand it.
 void GlbModel::add_extensions(tinygltf::Material& material, const PbrLook& look) {
   const auto add = [&](const std::string& name, const tinygltf::Value::Object& factors) {
     material.extensions[name] = tinygltf::Value(factors);
-    std::vector<std::string>& used = model_.extensionsUsed;
-    if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+    use_extension(name);
   };
   if (look.specular < 1) add("KHR_materials_specular", {{"specularFactor", tinygltf::Value(look.specular)}});
   if (look.clearcoat > 0) {
@@ -273,10 +280,12 @@ int GlbModel::add_mesh(const Solid& solid, const StyledMesh& styled, std::option
   return static_cast<int>(model_.meshes.size()) - 1;
 }
 
-void GlbModel::add_root(tinygltf::Node node) {
-  model_.scenes[0].nodes.push_back(static_cast<int>(model_.nodes.size()));
+int GlbModel::add_node(tinygltf::Node node) {
   model_.nodes.push_back(std::move(node));
+  return static_cast<int>(model_.nodes.size()) - 1;
 }
+
+void GlbModel::add_root(tinygltf::Node node) { model_.scenes[0].nodes.push_back(add_node(std::move(node))); }
 
 std::vector<double> xyzw(const glm::dquat& rotation) {
   const double length = std::sqrt(glm::dot(rotation, rotation));
@@ -284,13 +293,37 @@ std::vector<double> xyzw(const glm::dquat& rotation) {
   return {rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length};
 }
 
-void GlbModel::add_instance(const Instance& instance, int mesh) {
+/// The share of the screen down to which each level serves: a tenth for the solid, and half of it for each coarser
+/// level; the coarsest serves down to nothing.
+tinygltf::Value screen_coverage(std::size_t levels) {
+  tinygltf::Value::Array shares;
+  double share = 0.1;
+  for (std::size_t level = 0; level + 1 < levels; ++level, share /= 2) shares.emplace_back(share);
+  shares.emplace_back(0.0);
+  return tinygltf::Value(shares);
+}
+
+void GlbModel::add_instance(const Instance& instance, const std::vector<int>& meshes) {
   tinygltf::Node node;
   node.name = instance.name;
-  node.mesh = mesh;
+  node.mesh = meshes.front();
   const glm::dvec3& t = instance.pose.translation;
   if (instance.pose.rotation != glm::dquat(1, 0, 0, 0)) node.rotation = xyzw(instance.pose.rotation);
   if (t != glm::dvec3(0)) node.translation = {t.x, t.y, t.z};
+
+  // A level takes the node's place, so it has its pose; outside the scene nobody shows it who does not know why.
+  tinygltf::Value::Array ids;
+  for (std::size_t level = 1; level < meshes.size(); ++level) {
+    tinygltf::Node coarser = node;
+    coarser.name = instance.name + "_LOD" + std::to_string(level);
+    coarser.mesh = meshes[level];
+    ids.emplace_back(add_node(std::move(coarser)));
+  }
+  if (!ids.empty()) {
+    use_extension("MSFT_lod");
+    node.extensions["MSFT_lod"] = tinygltf::Value(tinygltf::Value::Object{{"ids", tinygltf::Value(ids)}});
+    node.extras = tinygltf::Value(tinygltf::Value::Object{{"MSFT_screencoverage", screen_coverage(meshes.size())}});
+  }
   add_root(std::move(node));
 }
 
@@ -327,12 +360,14 @@ std::string GlbModel::bytes() {
   return std::move(stream).str();
 }
 
-/// Nodes, camera and what made it, around meshes that are there already (-1: a solid without triangles, which
-/// glTF cannot hold).
-std::string finished(GlbModel& model, const Scene& scene, const std::vector<int>& mesh_of, const std::string& text) {
+/// Per solid: its mesh, then those of its coarser levels; none of a solid without triangles, which glTF cannot hold.
+using MeshesOfSolids = std::vector<std::vector<int>>;
+
+/// Nodes, camera and what made it, around meshes that are there already.
+std::string finished(GlbModel& model, const Scene& scene, const MeshesOfSolids& meshes_of, const std::string& text) {
   for (const Instance& instance : scene.instances) {
-    const int mesh = mesh_of.at(instance.solid);
-    if (mesh >= 0) model.add_instance(instance, mesh);
+    const std::vector<int>& meshes = meshes_of.at(instance.solid);
+    if (!meshes.empty()) model.add_instance(instance, meshes);
   }
   model.add_camera(scene.view);
   model.set_provenance(text);
@@ -343,31 +378,44 @@ void check_parts(const Solid& solid) {
   if (solid.part_names.size() > 65536) throw Error(ExitStatus::bad_data, solid.name + ": too many parts for glTF");
 }
 
-}  // namespace
-
-std::string write_glb(const Scene& scene, const ExportOptions& options) {
-  const std::vector<StyledMesh> styled = styled_meshes(scene, options);
-  GlbModel model;
-  std::vector<int> mesh_of(styled.size(), -1);
-  for (std::size_t i = 0; i < styled.size(); ++i) {
-    const Solid& solid = scene.solids[i];
-    check_parts(solid);
-    if (!styled[i].triangle.empty()) mesh_of[i] = model.add_mesh(solid, styled[i]);
-  }
-  return finished(model, scene, mesh_of, options.provenance);
+void add_styled(GlbModel& model, const Solid& solid, const StyledMesh& styled, std::vector<int>& meshes) {
+  check_parts(solid);
+  if (!styled.triangle.empty()) meshes.push_back(model.add_mesh(solid, styled));
 }
 
-std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, const ExportOptions& options) {
+void add_textured(GlbModel& model, const BakedSolid& baked, std::vector<int>& meshes) {
+  check_parts(baked.solid);
+  const StyledMesh mesh = textured_mesh(baked);
+  if (mesh.triangle.empty()) return;
+  meshes.push_back(model.add_mesh(baked.solid, mesh, model.add_texture(baked.solid, baked.texture)));
+}
+
+}  // namespace
+
+std::string write_glb(const Scene& scene, const ExportOptions& options, std::span<const std::vector<Solid>> levels) {
   GlbModel model;
-  std::vector<int> mesh_of(baked.size(), -1);
-  for (std::size_t i = 0; i < baked.size(); ++i) {
-    const Solid& solid = baked[i].solid;
-    check_parts(solid);
-    const StyledMesh mesh = textured_mesh(baked[i]);
-    if (mesh.triangle.empty()) continue;
-    mesh_of[i] = model.add_mesh(solid, mesh, model.add_texture(solid, baked[i].texture));
+  MeshesOfSolids meshes(scene.solids.size());
+  const std::vector<StyledMesh> styled = styled_meshes(scene, options);
+  for (std::size_t i = 0; i < styled.size(); ++i) {
+    add_styled(model, scene.solids[i], styled[i], meshes[i]);
+    if (i >= levels.size()) continue;
+    const std::vector<StyledMesh> coarser = styled_meshes(levels[i], options);
+    for (std::size_t level = 0; level < coarser.size(); ++level)
+      add_styled(model, levels[i][level], coarser[level], meshes[i]);
   }
-  return finished(model, scene, mesh_of, options.provenance);
+  return finished(model, scene, meshes, options.provenance);
+}
+
+std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, const ExportOptions& options,
+                      std::span<const std::vector<BakedSolid>> levels) {
+  GlbModel model;
+  MeshesOfSolids meshes(baked.size());
+  for (std::size_t i = 0; i < baked.size(); ++i) {
+    add_textured(model, baked[i], meshes[i]);
+    if (i >= levels.size()) continue;
+    for (const BakedSolid& coarser : levels[i]) add_textured(model, coarser, meshes[i]);
+  }
+  return finished(model, scene, meshes, options.provenance);
 }
 
 }  // namespace pomona

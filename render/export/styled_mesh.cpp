@@ -131,15 +131,18 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
 
 }  // namespace
 
-std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& options) {
-  std::vector<StyledMesh> meshes(scene.solids.size());
+std::vector<StyledMesh> styled_meshes(std::span<const Solid> solids, const ExportOptions& options) {
+  std::vector<StyledMesh> meshes(solids.size());
   parallel_for(meshes.size(), options.threads, [&](std::size_t i) {
-    meshes[i] = welded(scene.solids[i], {});
-    const Solid& solid = scene.solids[i];
-    const Look look = options.style.noise ? Look(solid.noise, solid.details) : Look();
+    meshes[i] = welded(solids[i], {});
+    const Look look = options.style.noise ? Look(solids[i].noise, solids[i].details) : Look();
     meshes[i].color = styled_colors(meshes[i], look, Paint(options.style));
   });
   return meshes;
+}
+
+std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& options) {
+  return styled_meshes(scene.solids, options);
 }
 
 StyledMesh textured_mesh(const BakedSolid& baked) { return welded(baked.solid, baked.uv); }

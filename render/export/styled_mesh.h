@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,10 @@ struct StyledMesh {
   std::vector<std::int32_t> cut_face;  ///< per triangle, as in Solid
 };
 
-/// One mesh per solid of the scene, in their order.
+/// One mesh per solid, in their order.
+std::vector<StyledMesh> styled_meshes(std::span<const Solid> solids, const ExportOptions& options);
+
+/// Of the scene's solids.
 std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& options);
 
 /// A baked solid: the texture has the colours and their noise; `color` is left as it was.

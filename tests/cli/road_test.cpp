@@ -42,6 +42,22 @@ TEST_P(Fruit, GivesTheSameBytesWithOneAndTwoThreads) {
   }
 }
 
+TEST_P(Fruit, LevelsOfDetailDoNotDependOnThreadsAndAreCounted) {
+  const TemporaryFolder folder;
+  for (const char* threads : {"1", "2"}) {
+    const std::string stem = std::string("x") + threads;
+    expect_done(run_pomona(with({"cut", GetParam(), "--knife", "half", "--threads", threads, "--lod", "2", "-o",
+                                 stem + ".glb", "--stats", stem + ".json"},
+                                coarse),
+                           folder.path()));
+  }
+  EXPECT_EQ(bytes_of(folder / "x1.glb"), bytes_of(folder / "x2.glb"));
+  EXPECT_THAT(bytes_of(folder / "x1.glb"), HasSubstr("_LOD2"));
+  const auto counts = nlohmann::json::parse(bytes_of(folder / "x1.json")).at("counts");
+  EXPECT_LT(counts.at("lod_1_triangles").get<int>(), counts.at("lod_0_triangles").get<int>());
+  EXPECT_LT(counts.at("lod_2_triangles").get<int>(), counts.at("lod_1_triangles").get<int>());
+}
+
 TEST_P(Fruit, SeedsDifferAndShareTheirConnectivity) {
   const TemporaryFolder folder;
   for (const char* seed : {"0", "1", "2"}) {

@@ -15,6 +15,9 @@ for fruit in tomato onion pepper; do
 done
 "$program" grow tomato --surfaces --quiet -o tomato-surfaces.glb
 "$program" cut tomato --knife across --texture 256 --quiet -o tomato-textured.glb
+"$program" grow apple --lod 2 --quiet -o apple-levels.glb
+"$program" cut kiwi --knife half --lod 3 --quiet -o kiwi-levels.glb
+"$program" cut tomato --knife across --texture 256 --lod 2 --quiet -o tomato-textured-levels.glb
 "$program" scene "$repository/scenes/salad.toml" --quiet -o salad.glb -o salad.pov
 
 # Megabytes that docs and users count on.

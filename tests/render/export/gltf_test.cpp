@@ -51,6 +51,37 @@ TEST(Gltf, SharesAMeshBetweenInstancesAndKeepsTheirPoses) {
   EXPECT_LT(glm::length(glm::dvec3(glb.nodes[1].matrix * glm::dvec4(corner, 1)) - expected), 1e-12);
 }
 
+TEST(Gltf, LevelsAreNodesOutsideTheSceneInTheirInstancesPlaces) {
+  // Of the box two levels, of the leaf none, of the see-through ball one.
+  const Scene scene = named::mixed();
+  std::vector<std::vector<Solid>> levels(scene.solids.size());
+  levels[0] = {scene.solids[0], scene.solids[0]};
+  levels[0][1].triangle.resize(4);
+  levels.back() = {scene.solids.back()};
+  const named::Glb glb = named::read_glb(write_glb(scene, {}, levels));
+  EXPECT_THAT(glb.extensions_used, testing::Contains("MSFT_lod"));
+  EXPECT_THAT(glb.extensions_required, testing::IsEmpty()) << "who does not know levels shows the solids";
+
+  std::size_t shown = 0;
+  for (const named::GlbNode& node : glb.nodes) {
+    if (!node.is_in_scene) continue;
+    ++shown;
+    for (std::size_t k = 0; k < node.levels.size(); ++k) {
+      const named::GlbNode& level = glb.nodes.at(node.levels[k]);
+      EXPECT_EQ(level.name, node.name + "_LOD" + std::to_string(k + 1));
+      EXPECT_EQ(level.matrix, node.matrix);
+      EXPECT_FALSE(level.is_in_scene);
+      EXPECT_NE(level.mesh, node.mesh);
+    }
+    EXPECT_EQ(node.screen_coverage.size(), node.levels.empty() ? 0 : node.levels.size() + 1);
+  }
+  EXPECT_EQ(shown, 5u);
+  EXPECT_THAT(glb.nodes[2].levels, ElementsAre(0, 1)) << "the box";
+  EXPECT_THAT(glb.nodes[2].screen_coverage, ElementsAre(0.1, 0.05, 0.0));
+  EXPECT_EQ(glb.meshes[glb.nodes[1].mesh].triangle.size(), 4u);
+  EXPECT_EQ(glb.nodes[3].mesh, glb.nodes[0].mesh) << "the second box shares the meshes of levels, too";
+}
+
 TEST(Gltf, LooksWhereTheSceneLooks) {
   const Scene scene = named::axes_of_balls();
   const named::GlbNode camera = named::read_glb(write_glb(scene)).nodes.back();

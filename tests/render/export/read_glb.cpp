@@ -83,7 +83,16 @@ GlbMesh mesh_from(const tinygltf::Model& model, const tinygltf::Mesh& source) {
 }
 
 GlbNode node_from(const tinygltf::Node& source) {
-  GlbNode node{source.name, source.mesh, source.camera, glm::dmat4(1)};
+  GlbNode node{.name = source.name, .mesh = source.mesh, .camera = source.camera, .levels = {}, .screen_coverage = {}};
+  if (const auto lod = source.extensions.find("MSFT_lod"); lod != source.extensions.end()) {
+    const tinygltf::Value& ids = lod->second.Get("ids");
+    for (int i = 0; i < static_cast<int>(ids.ArrayLen()); ++i) node.levels.push_back(ids.Get(i).GetNumberAsInt());
+  }
+  if (source.extras.Has("MSFT_screencoverage")) {
+    const tinygltf::Value& shares = source.extras.Get("MSFT_screencoverage");
+    for (int i = 0; i < static_cast<int>(shares.ArrayLen()); ++i)
+      node.screen_coverage.push_back(shares.Get(i).GetNumberAsDouble());
+  }
   if (!source.rotation.empty()) {
     const std::vector<double>& q = source.rotation;
     node.matrix = glm::mat4_cast(glm::dquat(q.at(3), q.at(0), q.at(1), q.at(2)));
@@ -107,6 +116,9 @@ Glb read_glb(const std::string& bytes) {
   Glb glb;
   for (const tinygltf::Mesh& mesh : model.meshes) glb.meshes.push_back(mesh_from(model, mesh));
   for (const tinygltf::Node& node : model.nodes) glb.nodes.push_back(node_from(node));
+  for (const int node : model.scenes.at(0).nodes) glb.nodes.at(node).is_in_scene = true;
+  glb.extensions_used = model.extensionsUsed;
+  glb.extensions_required = model.extensionsRequired;
   if (!model.cameras.empty()) glb.vertical_field = model.cameras[0].perspective.yfov;
   const tinygltf::Value& extras = model.scenes.at(0).extras;
   if (extras.Has("provenance")) glb.provenance = extras.Get("provenance").Get<std::string>();

@@ -32,6 +32,9 @@ struct GlbNode {
   int mesh = -1;
   int camera = -1;
   glm::dmat4 matrix{1};
+  bool is_in_scene = false;
+  std::vector<int> levels;              ///< nodes that MSFT_lod names
+  std::vector<double> screen_coverage;  ///< MSFT_screencoverage
 };
 
 struct Glb {
@@ -39,6 +42,7 @@ struct Glb {
   std::vector<GlbNode> nodes;
   double vertical_field = 0;
   std::string provenance;
+  std::vector<std::string> extensions_used, extensions_required;
 };
 
 /// \throws std::runtime_error with what the reader says.

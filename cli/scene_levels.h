@@ -1,0 +1,29 @@
+// The coarser levels of detail of a scene's solids, for --lod.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "generator/piece/solid.h"
+#include "render/texture/bake.h"
+
+namespace pomona {
+
+/// How many triangles all solids have together at each level, from the solids themselves (level 0) on. A solid whose
+/// levels end early counts with its coarsest one.
+struct LevelCounts {
+  std::vector<std::size_t> wanted, triangles;
+};
+LevelCounts level_counts(std::span<const Solid> solids, std::span<const std::vector<Solid>> levels, int count);
+
+/// A line for each level that has a tenth more triangles than it should.
+std::vector<std::string> level_warnings(const LevelCounts& counts);
+
+/// The levels with their colours in textures: with half as many texels along a side, or texels twice as large, for
+/// every second level.
+std::vector<std::vector<BakedSolid>> baked_levels(std::span<const std::vector<Solid>> levels, const Style& style,
+                                                  const BakeOptions& options);
+
+}  // namespace pomona
