@@ -4,7 +4,8 @@
 #include <span>
 
 #include "generator/mesh/disjoint_sets.h"
-#include "generator/mesh/welded_edges.h"
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
 
 namespace pomona {
 namespace {
@@ -12,15 +13,15 @@ namespace {
 constexpr std::uint32_t unset = 0xffffffffu;
 
 /// True if an edge has at most one triangle for either direction.
-bool is_manifold(std::span<const WeldedEdge> edge) {
+bool is_manifold(std::span<const HalfEdge> edge) {
   return edge.size() < 2 || (edge.size() == 2 && edge[0].forward != edge[1].forward);
 }
 
 class FanBuilder {
  public:
   explicit FanBuilder(const Solid& solid)
-      : place_(welded_triangles(solid.position, solid.triangle)),
-        edges_(sorted_edges(place_)),
+      : place_(welded_triangles(weld(solid.position), solid.triangle)),
+        edges_(sorted_half_edges(place_)),
         is_frozen_(place_.size(), 0),
         corners_(3 * place_.size()),
         fans_at_(solid.position.size(), 0),
@@ -37,13 +38,11 @@ class FanBuilder {
  private:
   /// Triangles at an edge that a half-edge structure cannot hold stay as they are, and so do their corners.
   void freeze() {
-    for (std::size_t e = 0; e < edges_.size();) {
-      const auto edge = equal_edges(edges_, e);
-      for (const WeldedEdge& side : edge) {
+    for_each_edge(edges_, [&](std::span<const HalfEdge> edge) {
+      for (const HalfEdge& side : edge) {
         if (!is_manifold(edge)) is_frozen_[side.triangle] = 1;
       }
-      e += edge.size();
-    }
+    });
     for (std::uint32_t t = 0; t < place_.size(); ++t) {
       if (is_frozen_[t] == 0) continue;
       fans_.frozen.push_back(t);
@@ -57,13 +56,11 @@ class FanBuilder {
   }
 
   void join_corners() {
-    for (std::size_t e = 0; e < edges_.size();) {
-      const auto edge = equal_edges(edges_, e);
-      e += edge.size();
-      if (edge.size() != 2 || is_frozen_[edge[0].triangle] != 0 || is_frozen_[edge[1].triangle] != 0) continue;
+    for_each_edge(edges_, [&](std::span<const HalfEdge> edge) {
+      if (edge.size() != 2 || is_frozen_[edge[0].triangle] != 0 || is_frozen_[edge[1].triangle] != 0) return;
       for (const std::uint32_t place : {edge[0].low, edge[0].high})
         corners_.join(corner_at(edge[0].triangle, place), corner_at(edge[1].triangle, place));
-    }
+    });
   }
 
   /// In the order in which triangles first use them.
@@ -92,7 +89,7 @@ class FanBuilder {
   }
 
   std::vector<glm::uvec3> place_;
-  std::vector<WeldedEdge> edges_;
+  std::vector<HalfEdge> edges_;
   std::vector<std::uint8_t> is_frozen_;  // per triangle
   DisjointSets corners_;
   std::vector<std::uint32_t> fans_at_;  // per place: how many fans
