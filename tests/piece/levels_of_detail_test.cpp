@@ -166,11 +166,17 @@ TEST_P(RealLevels, HoldWhatIsPromised) {
   expect_the_same_again(solid, levels);
 }
 
-INSTANTIATE_TEST_SUITE_P(Fruits, RealLevels,
-                         testing::Values(RealPiece{"apple", "half"}, RealPiece{"kiwi", "half"},
-                                         RealPiece{"onion", "half"}, RealPiece{"pepper", "half"},
-                                         RealPiece{"kidney", "half"}, RealPiece{"strawberry", "half"},
-                                         RealPiece{"kiwi", ""}));
+/// Under a sanitizer a piece takes minutes, and memory is used in the same way on all of them: one is enough there.
+std::vector<RealPiece> real_pieces() {
+#ifdef __SANITIZE_ADDRESS__
+  return {{"apple", "half"}};
+#else
+  return {{"apple", "half"},  {"kiwi", "half"},       {"onion", "half"}, {"pepper", "half"},
+          {"kidney", "half"}, {"strawberry", "half"}, {"kiwi", ""}};
+#endif
+}
+
+INSTANTIATE_TEST_SUITE_P(Fruits, RealLevels, testing::ValuesIn(real_pieces()));
 
 Solid ball() { return solid_of(shapes::sphere(0.03, 24, shapes::skin_paint())); }
 
