@@ -26,6 +26,7 @@ struct Keyed {
 };
 
 std::vector<Keyed> codes_of(std::span<const glm::dvec3> points) {
+  // Each side of the points' box has as many steps as the bits of one axis can count.
   glm::dvec3 low = points.front(), high = points.front();
   for (const glm::dvec3& p : points) {
     low = glm::min(low, p);
@@ -37,6 +38,7 @@ std::vector<Keyed> codes_of(std::span<const glm::dvec3> points) {
     if (high[axis] > low[axis]) per_length[axis] = steps / (high[axis] - low[axis]);
   }
 
+  // In a code the bits of the three coordinates take turns.
   std::vector<Keyed> keyed;
   keyed.reserve(points.size());
   for (const glm::dvec3& p : points) {

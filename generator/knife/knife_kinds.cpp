@@ -172,6 +172,7 @@ KnifeCut read_peel(const KnifeKind& kind, string_view value, const path&) {
 
 std::vector<KnifeKind> make_kinds() {
   return {
+      // These knives cut along planes, waves and drawn strokes.
       {"half", {"half"}, {}, "the plane z = 0", read_plain<HalfKnife>},
       {"across", {"across"}, {}, "the level plane at half the height", read_plain<AcrossKnife>},
       {"plane", {"plane:NX,NY,NZ,D"}, {}, "the points p with n.p = D, D a length along n", read_plane},
@@ -197,6 +198,7 @@ std::vector<KnifeKind> make_kinds() {
        {"scale=2mm"},
        "a path drawn as seen from the front, straight through; one SVG unit is 1 mm",
        read_stroke_knife},
+      // These knives cut along a closed surface.
       {"ball", {"ball:24mm"}, {"at=X,Y,Z"}, "a ball of this diameter, at the front of the skin", read_ball},
       {"core",
        {"core:18mm"},

@@ -183,6 +183,7 @@ bool TriangleTree::is_near(const Box<double>& box) const {
 }
 
 double TriangleTree::height_below(const glm::dvec3& point) const {
+  // Boxes that lie above the point, or beside the ray down from it, hold nothing that counts.
   double height = -std::numeric_limits<double>::infinity();
   NodeStack stack;
   if (!empty()) stack.push(0);
@@ -191,6 +192,8 @@ double TriangleTree::height_below(const glm::dvec3& point) const {
     const Box<double>& b = node.box;
     if (b.low.y > point.y || b.high.x < point.x || b.low.x > point.x || b.high.z < point.z || b.low.z > point.z)
       continue;
+
+    // Of a leaf's triangles, the highest crossing that is not above the point counts.
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       if (!ray_passes(corners_[i], point, 1)) continue;
       const glm::dvec3 normal = glm::cross(corners_[i][1] - corners_[i][0], corners_[i][2] - corners_[i][0]);
@@ -198,6 +201,8 @@ double TriangleTree::height_below(const glm::dvec3& point) const {
       const double y = plane_at(corners_[i], normal, point, 1);
       if (y <= point.y) height = std::max(height, y);
     }
+
+    // A node that is no leaf has two children, side by side.
     if (node.count > 0) continue;
     stack.push(node.first);
     stack.push(node.first + 1);

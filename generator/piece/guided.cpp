@@ -85,6 +85,7 @@ std::vector<glm::vec3> ways_out(const DiffusionSurfaces& layers, const Places& p
 
 /// The depth of the layer at each place: every surface has one, its vertices' mean.
 std::vector<float> layers_at(const DiffusionSurfaces& layers, const SkinDepth& skin, const Places& places) {
+  // Each surface gets its mean depth over the corners of its triangles; the greatest becomes the unit.
   std::vector<double> depth(layers.vertex_count());
   parallel_for(depth.size(), {}, [&](std::size_t v) { depth[v] = skin.depth(layers.position[v]); });
   std::vector<double> sum(layers.surface_names.size(), 0.0);
@@ -97,6 +98,7 @@ std::vector<float> layers_at(const DiffusionSurfaces& layers, const SkinDepth& s
   double deepest = 1e-9;
   for (std::size_t s = 0; s < sum.size(); ++s) deepest = std::max(deepest, sum[s] /= std::max(count[s], 1));
 
+  // Depths are diffused as colours, in shares of the greatest.
   std::vector<Color> value(layers.vertex_count(), Color(0));
   for (std::size_t t = 0; t < layers.triangle_count(); ++t) {
     const double share = sum[static_cast<std::size_t>(layers.surface[t])] / deepest;

@@ -10,12 +10,14 @@
 namespace pomona {
 
 Template bowl_template(const BowlDescription& bowl) {
+  // A bowl is described as a fruit is, with parts and an axis.
   Template clay;
   clay.name = "bowl";
   clay.title = "Bowl";
   clay.symmetry = CylindricalSymmetry{};
   clay.parts = {"glaze", "clay"};
 
+  // The only surface is the profile, swept along a circle.
   SurfaceSketch wall;
   wall.name = "wall";
   wall.vertical = bowl.profile;
@@ -26,6 +28,8 @@ Template bowl_template(const BowlDescription& bowl) {
   }
   wall.horizontal = {circle};
   wall.roundness = Ramp<double>::constant(1);
+
+  // Both sides have the bowl's colour; the front is hidden, for it faces air.
   wall.front = {.part = 0, .color = {.along = bowl.color}, .hidden = true};
   wall.back = {.part = 1, .color = {.along = bowl.color}};
   wall.around = bowl.around;

@@ -203,6 +203,7 @@ class SceneReader {
   }
 
   PiecesDescription read_entry(const TomlTable& unnamed) {
+    // Messages call the entry by its name, which no other entry may have.
     PiecesDescription pieces;
     const TomlTable table = unnamed.called("pieces \"" + unnamed.get("name").text() + "\"");
     pieces.name = read_plain_name(table.need("name"));
@@ -210,6 +211,8 @@ class SceneReader {
       if (other.name == pieces.name && !pieces.name.empty())
         table.get("name").error("\"" + pieces.name + "\" is there already", "give it a name of its own");
     }
+
+    // The next keys say which fruit it is, how many variants there are and how far they are from the drawing.
     const TomlValue fruit = table.need("template");
     pieces.template_name = fruit.text();
     pieces.template_place = fruit.place();
@@ -222,12 +225,16 @@ class SceneReader {
       table.get("variation").error("has no effect on what is as drawn", "keep \"variation\" or \"as_drawn\"");
     pieces.ripeness = read_range(table.get("ripeness"), {0, 2});
     pieces.browning = read_range(table.get("browning"), {0, 1});
+
+    // Then come the knives, and which of the pieces are placed how often.
     pieces.knives = read_knives(table.get("knives"), std::filesystem::path(file_).parent_path());
     pieces.take = table.get("take").integer(0, 0, most_pieces);
     pieces.copies = table.get("copies").integer(1, 1, 1000);
     pieces.smallest = table.get("smallest").number(pieces.smallest, {0, 1});
     pieces.largest = table.get("largest").number(pieces.largest, {0, 1});
     if (pieces.largest < pieces.smallest) table.get("largest").error("is below \"smallest\"", "exchange them");
+
+    // The last keys say when and where the pieces fall.
     pieces.order = table.get("order").integer(0, -1000, 1000);
     pieces.face_up = table.get("face_up").boolean(false);
     pieces.beside = table.get("beside").boolean(false);

@@ -173,10 +173,12 @@ bool FoldRoom::sides_kept(const Template& variant, std::size_t fold, const Chamb
 }
 
 std::vector<bool> FoldRoom::is_sound(const Template& variant) const {
+  // Each fold is judged by itself.
   const auto& symmetry = std::get<FoldSymmetry>(variant.symmetry);
   const std::vector<double> widths = fold_widths(symmetry);
   std::vector<bool> sound;
   for (std::size_t k = 0; k < widths.size(); ++k) {
+    // Layers must stay apart, all across the fold.
     std::vector<double> azimuths;
     for (std::size_t i = 0; i <= azimuths_per_fold; ++i) {
       azimuths.push_back(symmetry.fold_angles[k] + widths[k] * static_cast<double>(i) / azimuths_per_fold);
@@ -187,6 +189,8 @@ std::vector<bool> FoldRoom::is_sound(const Template& variant) const {
       layer_swells.push_back(swells(sketch.horizontal.front(), reference_radii(sketch).outer, azimuths));
     }
     bool fits = are_apart(layers_, layer_swells);
+
+    // Chambers must stay on their sides of the layers, and within or beside each other as they were drawn.
     for (const ChamberSide& side : sides_) fits = fits && sides_kept(variant, k, side);
     for (const Neighbours& pair : neighbours_) {
       const Curve& first = variant.surfaces[pair.first].horizontal[k];

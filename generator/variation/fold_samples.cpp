@@ -67,6 +67,7 @@ void rotate_by(std::vector<double>& values, std::size_t shift) {
 void align(std::vector<PolarCurve>& samples) {
   std::vector<glm::dvec2> reference;
   for (int round = 0; round < 5; ++round) {
+    // Each loop is turned to where it lies nearest to the reference, which at first is the first of them.
     bool moved = false;
     std::vector<glm::dvec2> sum(points_per_loop, glm::dvec2(0));
     double count = 0;
@@ -81,6 +82,8 @@ void align(std::vector<PolarCurve>& samples) {
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += points[i];
       count += 1;
     }
+
+    // The mean of the turned loops is the next reference.
     if (!moved) return;
     reference = sum;
     for (glm::dvec2& p : reference) p /= count;
@@ -97,12 +100,14 @@ std::vector<FoldSamples> fold_samples(const Template& fruit) {
     const SurfaceSketch& surface = fruit.surfaces[s];
     FoldSamples samples{s, surface.type == SurfaceType::in_fold, std::vector<PolarCurve>(lines.size())};
     if (samples.closed) {
+      // A surface in folds gives each loop whole; a fold may be without one.
       for (std::size_t k = 0; k < std::min(lines.size(), surface.horizontal.size()); ++k) {
         const Curve& loop = surface.horizontal[k];
         if (loop.points.size() >= 3) samples.fold[k] = closed_sample(loop, lines[k], widths[k]);
       }
       align(samples.fold);
     } else {
+      // A curve around the axis is parted at the fold lines; one that does not vary gives no samples.
       if (!surface.varies || surface.horizontal.empty() || !encloses(surface.horizontal.front(), {0, 0})) continue;
       const Curve loop = counter_clockwise(surface.horizontal.front());
       for (std::size_t k = 0; k < lines.size(); ++k) samples.fold[k] = open_sample(loop, lines[k], widths[k]);

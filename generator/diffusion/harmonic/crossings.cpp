@@ -119,6 +119,7 @@ class Crosser {
   }
 
   void cross_line(const Projected& p, const std::array<std::int64_t, 3>& edge, std::int64_t b, std::int64_t c) {
+    // Find where on the triangle the line meets it, and how far along the line that is, in nodes.
     const auto a = static_cast<std::size_t>(p.axis);
     std::array<double, 3> weight{};
     double depth = 0;
@@ -128,12 +129,15 @@ class Crosser {
     }
     depth /= static_cast<double>(std::int64_t{1} << bits_);
 
+    // Find the link that is crossed, if it belongs to the lattice and has an end in this range of planes.
     Node node{};
     node[(a + 1) % 3] = static_cast<int>(b);
     node[(a + 2) % 3] = static_cast<int>(c);
     node[a] = link_at(p, depth, node);
     if (node[a] < 0 || node[a] + 1 >= count_[a]) return;
     if (a == 2 && (node[2] + 1 < first_z_ || node[2] >= end_z_)) return;
+
+    // The link is kept with the crossing's distance from its node, in links.
     const double theta = std::clamp(depth - node[a], 0.0, 1.0);
     found_.push_back({triangle_,
                       node,

@@ -82,10 +82,13 @@ FieldLookUp::FieldLookUp(const SnappedSurfaces& snapped, SolvedGrids solved, Cel
 }
 
 FieldLookUp::Spot FieldLookUp::spot_in(const SolvedGrid& grid, const glm::vec3& point) const {
+  // Note the grid's spacing, and how many of its cells make up the side of one of the last grid's.
   Spot spot;
   spot.spacing = grid.lattice.spacing;
   spot.scale =
       static_cast<float>(grid.lattice.count[0] - 1) / static_cast<float>(solved_.grids.back().lattice.count[0] - 1);
+
+  // Find the cell that has the point; outside the grid there is none.
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const double place = (static_cast<double>(point[axis]) - grid.lattice.origin[axis]) / grid.lattice.spacing;
@@ -95,6 +98,8 @@ FieldLookUp::Spot FieldLookUp::spot_in(const SolvedGrid& grid, const glm::vec3& 
     spot.within[axis] = static_cast<float>(place - low);
     spot.place[axis] = static_cast<float>(place);
   }
+
+  // Collect the nodes of the cell that have a value; the cell is whole if all eight do.
   spot.is_whole = true;
   for (int k = 0; k < 8; ++k) {
     const std::int32_t node =

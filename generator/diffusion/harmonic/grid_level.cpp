@@ -110,10 +110,13 @@ bool is_plain_below(const GridLevel& fine, const NodeRun& run) {
 
 /// A coarse node's links: open where both fine halves are, else cut where the nearer half is.
 void add_coarse_node(const GridLevel& fine, const Node& at, std::size_t node, CutLinks& part, std::uint8_t& open) {
+  // What the fine grid does not have, or leaves out, takes no part here either.
   const std::int32_t found = fine.runs.node_at(2 * at[0], 2 * at[1], 2 * at[2]);
   const auto here = static_cast<std::size_t>(found);
   open = takes_no_part;
   if (found == NodeRuns::none || (fine.links.open[here] & takes_no_part)) return;
+
+  // Two fine links make one coarse link: a cut in the second lies half a link further on.
   CutNode cut{static_cast<std::uint32_t>(node), static_cast<std::uint32_t>(part.cut.size()), 0};
   open = 0;
   for (int d = 0; d < 6; ++d) {
@@ -134,11 +137,13 @@ void add_coarse_node(const GridLevel& fine, const Node& at, std::size_t node, Cu
 }
 
 CutLinks coarser_links(const GridLevel& fine, const NodeRuns& coarse_runs, Threads threads) {
+  // Each range of planes writes its cut nodes into a part of its own.
   const auto ranges = coarse_runs.ranges_of_planes(range_count);
   CutLinks links;
   links.open.resize(coarse_runs.node_count());
   std::vector<CutLinks> parts(ranges.size());
   parallel_for(ranges.size(), threads, [&](std::size_t i) {
+    // Where a glance shows that a whole run is open, its nodes need no look at each link.
     for (std::size_t r = ranges[i].first; r < ranges[i].second; ++r) {
       const NodeRun& run = coarse_runs[r];
       const bool is_plain = is_plain_below(fine, run);
@@ -152,6 +157,8 @@ CutLinks coarser_links(const GridLevel& fine, const NodeRuns& coarse_runs, Threa
       }
     }
   });
+
+  // The parts are joined in the order of the ranges, so that threads make no difference.
   append(links, parts);
   return links;
 }

@@ -110,17 +110,21 @@ class Levels {
   }
 
   std::vector<GridLevel> patches() const {
+    // Only small bodies may ask for finer grids.
     std::vector<GridLevel> levels;
     if (options_.finer == 0) return levels;
     const auto bodies = small_bodies(*snapped_.surfaces, longest_small_body * lattice_.spacing);
     Lattice coarse = lattice_;
     PatchNodes around;
     for (int i = 0; i < options_.finer; ++i) {
+      // Take the bodies for which this grid is still too coarse.
       std::vector<std::uint32_t> triangles;
       for (const SmallBody& body : bodies) {
         if (body.half_thickness >= cells_per_half_thickness * coarse.spacing) continue;
         triangles.insert(triangles.end(), body.triangle.begin(), body.triangle.end());
       }
+
+      // Lay a patch of half the spacing around these bodies, within the patch before it.
       const Lattice fine = halved(coarse);
       if (triangles.empty() || *std::max_element(fine.count.begin(), fine.count.end()) > most_nodes) break;
       std::sort(triangles.begin(), triangles.end());

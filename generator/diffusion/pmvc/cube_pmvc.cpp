@@ -216,6 +216,7 @@ class CubeView {
 
   /// Gives the last candidate the texels where it is the nearest.
   void fill(Face& face, const Rectangle& rectangle) const {
+    // What all texels of a row have in common is added up once for the row.
     const Candidate& candidate = face.candidates.back();
     const auto index = static_cast<std::int32_t>(face.candidates.size()) - 1;
     bool won = false;
@@ -224,6 +225,8 @@ class CubeView {
       const auto along_row = [&](const glm::dvec3& f) { return f.y * v + f.z; };
       const double row_0 = along_row(candidate.edge[0]), row_1 = along_row(candidate.edge[1]);
       const double row_2 = along_row(candidate.edge[2]), row_depth = along_row(candidate.inverse_depth);
+
+      // A texel is the candidate's if its direction passes inside all three edges, and meets nothing nearer.
       for (int x = rectangle.left; x <= rectangle.right; ++x) {
         const double u = directions_.middle[static_cast<std::size_t>(x)];
         if (candidate.edge[0].x * u + row_0 < 0 || candidate.edge[1].x * u + row_1 < 0 ||
@@ -238,6 +241,8 @@ class CubeView {
         won = true;
       }
     }
+
+    // What tiles remember of their farthest texel may no longer hold.
     if (won) mark_stale(face, rectangle);
   }
 

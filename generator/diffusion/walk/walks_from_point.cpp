@@ -157,9 +157,12 @@ class PointWalks {
   }
 
   void add_batch(int which) {
+    // Each batch draws numbers of its own, however many batches the other half has.
     const auto index = 2 * static_cast<std::uint64_t>(half_[which].batches()) + static_cast<std::uint64_t>(which);
     Draws turn(stream_, index << 32 | batch_size << 28);
     const std::array<glm::dvec3, batch_size> direction = random_icosahedron(turn);
+
+    // The walks set out together: towards the corners of an icosahedron or, from outside, back on the outer sphere.
     std::vector<Walker> walkers;
     for (std::size_t i = 0; i < batch_size; ++i) {
       Walker walker{.draws = Draws(stream_, index << 32 | i << 28)};
@@ -169,6 +172,7 @@ class PointWalks {
     }
     walk_to_end(ground_.balls, stop_, walkers);
 
+    // Each walk that arrived brings the colour of the side it met; those that escaped bring nothing.
     WalkBatch batch;
     for (const Walker& walker : walkers) {
       if (walker.state != Walker::State::arrived) continue;

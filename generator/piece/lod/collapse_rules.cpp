@@ -273,6 +273,7 @@ std::optional<double> CollapseRules::cost_of_removed(const Removed& removed, con
 }
 
 void CollapseRules::collapse(const CollapseRing& ring) {
+  // At a border two edges become one, which takes over the fans that lay along both.
   const std::optional<Change> change = change_by(ring);
   if (!change) return;
   if (change->border_end) {
@@ -282,8 +283,11 @@ void CollapseRules::collapse(const CollapseRing& ring) {
     gone_from_[std::minmax(ring.spoke[0], *change->border_end)] = std::move(gone);
   }
   for (const Sector& sector : change->sectors) {
+    // Ask where faces go and what they have to take over while they are still as they were.
     const std::vector<Target> targets = targets_of(ring, sector);
     const std::vector<Removed> removed = removed_in(ring, sector);
+
+    // Some faces vanish, the others turn to the other vertex, and each takes over what is gone nearest to it.
     for (const std::uint32_t face : sector.lost) {
       face_[face].is_there = false;
       face_[face].removed.clear();

@@ -177,6 +177,7 @@ class Settling {
   const Shape& shape(const SettleItem& item) const { return shapes_[static_cast<std::size_t>(item.solid)]; }
 
   Piled fallen(int number) const {
+    // Where each piece begins to fall is drawn anew for each attempt.
     std::vector<DropPiece> drops;
     for (const SettleItem& item : items_) {
       const Shape& s = shape(item);
@@ -186,6 +187,7 @@ class Settling {
     const DropSpace space = drop_space();
     const std::vector<Pose> starts = drop_poses(drops, space, draw);
 
+    // The bodies start there; if there is a bowl, a wall keeps them over it.
     std::vector<PileBody> bodies;
     const Funnel funnel{table_.rim_height > 0 ? space.radius : 0, 0.9 * table_.rim_height};
     double sizes = 0;
@@ -194,6 +196,8 @@ class Settling {
       bodies.push_back({s.parts, s.center_of_mass, s.mass, starts[i]});
       sizes += s.size;
     }
+
+    // Unless a unit is given, it is the mean size of the bodies.
     PileOptions pile_options = options_.pile;
     if (pile_options.unit <= 0 && !items_.empty()) pile_options.unit = sizes / double(items_.size());
     return pile(bodies, table_.profile, funnel, pile_options);

@@ -74,12 +74,15 @@ bool leave_image(tinygltf::Image*, int, std::string*, std::string*, int, int, co
 }
 
 tinygltf::Model parse_model(std::string_view bytes, const std::string& file) {
+  // Nothing but these bytes is read: images are left alone, and no other file can be found.
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(leave_image, nullptr);
   reader.SetFsCallbacks(
       {[](const std::string&, void*) { return false; }, [](const std::string& path, void*) { return path; },
        [](std::vector<unsigned char>*, std::string*, const std::string&, void*) { return false; },
        [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }, nullptr});
+
+  // What the reader throws is an error like those it returns.
   tinygltf::Model model;
   std::string error, warning;
   bool is_good = false;
@@ -91,6 +94,8 @@ tinygltf::Model parse_model(std::string_view bytes, const std::string& file) {
     error = thrown.what();
   }
   if (is_good) return model;
+
+  // The reader's message may quote the file: only the first line is shown, and only what can be printed.
   std::string why = error.substr(0, std::min<std::size_t>(error.find('\n'), 200));
   for (char& c : why) c = c < ' ' || c > '~' ? '?' : c;
   refuse(file, "", "is no glTF that can be read" + (why.empty() ? "" : ": " + why));
@@ -287,6 +292,7 @@ class GlbReader {
   }
 
   void append_triangles(const tinygltf::Primitive& primitive, std::size_t first, bool mirrored) {
+    // Without indices, each three vertices in turn are a triangle.
     const std::size_t vertices = mesh_.position.size() - first;
     std::optional<Values> indices;
     if (primitive.indices >= 0) indices = values_of(primitive.indices, "indices");
@@ -294,10 +300,14 @@ class GlbReader {
                     !component_of(*indices, 0, 0))) {
       refuse(file_, element_ + ", indices", "they must be whole numbers");
     }
+
+    // Too many triangles are refused before any is read.
     const std::size_t count = (indices ? indices->count : vertices) / 3;
     if (count > most_mesh_triangles - mesh_.triangle.size()) {
       refuse(file_, element_, "more than 2 000 000 triangles", "simplify the mesh");
     }
+
+    // A mirrored triangle would turn its back: two of its corners change places.
     for (std::size_t i = 0; i < count; ++i) {
       glm::uvec3 corners(0);
       for (std::size_t k = 0; k < 3; ++k) {

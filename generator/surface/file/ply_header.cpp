@@ -36,8 +36,11 @@ class HeaderParser {
   HeaderParser(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
   PlyHeader parse() {
+    // The first line tells that this is a PLY file.
     next_line();
     if (word() != "ply") fail("this is no PLY file", "its first line must be \"ply\"");
+
+    // Each line begins with its keyword, up to the one that ends the header.
     bool has_format = false;
     while (true) {
       next_line();
@@ -56,6 +59,8 @@ class HeaderParser {
         fail("\"" + printable(keyword) + "\" has no meaning in a PLY header");
       }
     }
+
+    // Without a format the values could not be read, which begin right behind the header.
     if (!has_format) fail("the header has no format line");
     header_.size = line_end_;
     return std::move(header_);

@@ -105,7 +105,10 @@ class SurfaceReader {
   using Setter = std::function<void(Vertex&, double)>;
 
   Setter setter_of(const PlyProperty& property) const {
+    // Properties that are lists say nothing of a vertex.
     if (property.count_type) return {};
+
+    // Positions and colours are vectors, each of three properties.
     struct Channels {
       std::array<std::string_view, 3> names;
       glm::vec3 Vertex::*values;
@@ -120,6 +123,8 @@ class SurfaceReader {
         };
       }
     }
+
+    // Colours for viewers have a full scale that depends on their type; the rest are single values.
     if (const std::optional<int> k = channel_of(property, {"red", "green", "blue"})) {
       const double white = full_scale(property.type);
       return [this, k = *k, white](Vertex& v, double value) { v.srgb[k] = number(value, 1e6) / white; };
@@ -153,6 +158,7 @@ class SurfaceReader {
   }
 
   void read_vertices() {
+    // Find what each property sets, and which colours the file has.
     std::vector<Setter> setters;
     for (const PlyProperty& property : vertices_->properties) setters.push_back(setter_of(property));
     const bool has_srgb = has(*vertices_, {"red", "green", "blue"});
@@ -164,6 +170,8 @@ class SurfaceReader {
     for (std::uint64_t i = 0; i < vertices_->count; ++i) {
       ply_.start_item(*vertices_, i);
       Vertex vertex;
+
+      // Properties that set nothing are passed over.
       for (std::size_t k = 0; k < setters.size(); ++k) {
         const PlyProperty& property = vertices_->properties[k];
         if (setters[k]) {
@@ -172,6 +180,8 @@ class SurfaceReader {
           ply_.skip(property);
         }
       }
+
+      // A front without a colour takes what viewers show, or is grey; a back without one is like its front.
       if (!has_front) vertex.front = has_srgb ? linear(vertex.srgb) : grey;
       if (!has_back) vertex.back = vertex.front;
       append(vertex);

@@ -47,6 +47,7 @@ glm::dvec3 shaped(GrainShape shape, const glm::dvec3& p) {
 }  // namespace
 
 SweptGrid unit_grain(const GrainForm& form) {
+  // Vertices are points of the unit sphere, as the shape carries them, with their places in the ramps.
   const int around = std::max(3, form.around), rings = std::max(3, form.along);
   SweptGrid grain;
   const auto append = [&](const glm::dvec3& on_sphere, double narrow, int ring, int spoke) {
@@ -56,6 +57,8 @@ SweptGrid unit_grain(const GrainForm& form) {
     grain.around.push_back(static_cast<double>(spoke) / around);
     grain.is_pole.push_back(ring == 0 || ring == rings - 1 ? 1 : 0);
   };
+
+  // The rings follow from pole to pole; the last pole is the tip, towards which a pointed grain narrows.
   append({0, -1, 0}, 1, 0, 0);
   for (int j = 1; j + 1 < rings; ++j) {
     const double from_tip = pi * (1 - static_cast<double>(j) / (rings - 1));
@@ -66,6 +69,8 @@ SweptGrid unit_grain(const GrainForm& form) {
     }
   }
   append({0, 1, 0}, narrowing(0, form.pointedness), rings - 1, 0);
+
+  // A grain lies in no fold, and so its depth is 1 everywhere.
   grain.fold.assign(grain.position.size(), 0);
   grain.depth.assign(grain.position.size(), 1);
   grain.triangle = grid_triangles({around, rings, true, true, false});

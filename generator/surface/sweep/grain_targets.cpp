@@ -22,6 +22,7 @@ bool in_band(const SweptGrid& grid, const glm::uvec3& t, const GrainGround& grou
 /// Places around for the corners of one triangle that do not jump where the horizontal curve starts again. Poles lie
 /// at every place around; they get the mean of the others.
 std::array<double, 3> places_around(const SweptGrid& grid, const glm::uvec3& t) {
+  // Corners more than half the way apart lie to both sides of where the curve starts again.
   std::array<double, 3> around{};
   double least = 1, most = 0;
   for (int k = 0; k < 3; ++k) {
@@ -29,6 +30,8 @@ std::array<double, 3> places_around(const SweptGrid& grid, const glm::uvec3& t) 
     least = std::min(least, grid.around[t[k]]);
     most = std::max(most, grid.around[t[k]]);
   }
+
+  // If they do, places behind the start count on from 1.
   double sum = 0;
   int count = 0;
   for (int k = 0; k < 3; ++k) {

@@ -105,11 +105,14 @@ double turn_about(double x, double z) { return x == 0 && z == 0 ? 0.0 : turn_of(
 
 /// Where each vertex lies in the ramps: as on a swept surface, but by height or distance, and by angle.
 SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
+  // Ramps along follow the height, or the distance from a given point.
   SweptGrid grid;
   for (const glm::dvec3& p : plain.position) grid.position.push_back(placed_point(mesh, p));
   for (const glm::dvec3& p : grid.position) {
     grid.along.push_back(mesh.paint->ramps_from ? glm::distance(p, *mesh.paint->ramps_from) : p.y);
   }
+
+  // Along runs from 0 to 1; around is the angle about the mesh's own middle, the turn that about the axis.
   const auto [least, most] = std::minmax_element(grid.along.begin(), grid.along.end());
   const double from = *least, range = *most - *least;
   const glm::dvec3 middle = box_around(grid.position).center();
@@ -119,6 +122,8 @@ SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
     grid.around.push_back(turn_about(p.x, p.z));
     grid.turn.emplace_back(turn_about(grid.position[i].x, grid.position[i].z));
   }
+
+  // A mesh has no poles and no folds.
   grid.is_pole.assign(grid.position.size(), 0);
   grid.fold.assign(grid.position.size(), 0);
   grid.depth.assign(grid.position.size(), 1);

@@ -117,6 +117,7 @@ SweptGrid swept_fold(const FoldLoop& loop, const ProfileArcs& arcs, double taper
 }  // namespace
 
 std::vector<SweptGrid> swept_in_folds(const Template& fruit, const SurfaceSketch& sketch, int around, int along) {
+  // All folds together need a list of loops, one for each, and a closed profile on the right of the axis.
   const auto* folds = std::get_if<FoldSymmetry>(&fruit.symmetry);
   if (!folds || sketch.horizontal.size() != folds->fold_angles.size()) {
     refuse(fruit, sketch, "a surface in a fold needs one horizontal curve for each fold", "draw one loop in each fold");
@@ -128,11 +129,13 @@ std::vector<SweptGrid> swept_in_folds(const Template& fruit, const SurfaceSketch
     if (p.x < 0) refuse(fruit, sketch, "the vertical curve crosses the axis", "draw it on the right of the axis");
   }
 
+  // A loop's place between these radii is its place between the two halves of the profile.
   const ReferenceRadii reference = reference_radii(sketch);
   if (!(reference.outer > reference.inner)) {
     refuse(fruit, sketch, "the horizontal curves have no depth", "draw closed loops");
   }
 
+  // Each fold's loop is swept by itself; a fold may be without one.
   const ProfileArcs arcs = sampled_arcs(sketch.vertical, along);
   std::vector<SweptGrid> grids;
   for (std::size_t k = 0; k < sketch.horizontal.size(); ++k) {

@@ -77,10 +77,13 @@ void measure(const Template& fruit, DetailSketch& detail) {
 }
 
 DetailSketch read_detail(const TomlTable& table, const Template& fruit) {
+  // A detail has a kind, and lies on the cut faces or the skin of some parts.
   DetailSketch detail;
   detail.kind = static_cast<DetailKind>(table.need("kind").choice(kind_names));
   detail.face = static_cast<DetailFace>(table.get("on").choice(face_names, static_cast<int>(usual_face(detail.kind))));
   detail.parts = read_parts(table.need("part"), fruit);
+
+  // The next keys say how large its marks are, which way they run, how dense they are and how they differ.
   read_sizes(table.need("size"), detail);
   detail.run = static_cast<DetailRun>(table.get("run").choice(run_names));
   detail.length = table.get("length").length(detail.size, detail_length);
@@ -91,6 +94,8 @@ DetailSketch read_detail(const TomlTable& table, const Template& fruit) {
   detail.softness = table.get("softness").number(detail.softness, {0, 1});
   detail.wander = table.get("wander").number(detail.wander, {0, 2});
   detail.variety = table.get("variety").number(detail.variety, {0, 1});
+
+  // The last keys say what it does to colours, near which of them, and how deep below the skin.
   read_change(table, detail);
   if (table.has("near")) detail.near = table.get("near").color();
   detail.near_within = table.get("near_within").number(detail.near_within, {1e-3, 10});

@@ -146,6 +146,7 @@ std::vector<GrainLook> read_looks(const TomlTable& table, const GrainSketch& gra
 }
 
 GrainCore read_core(const TomlTable& table, const std::vector<std::string>& parts) {
+  // The core's sizes are shares of the grain's: one for all three, or one for each.
   GrainCore core;
   const TomlValue scale = table.need("scale");
   const Within within{0.01, 1};
@@ -161,10 +162,14 @@ GrainCore read_core(const TomlTable& table, const std::vector<std::string>& part
   } else {
     core.form.length = core.form.width = core.form.thickness = scale.number(0.5, within);
   }
+
+  // Shifted along the grain, the core must stay within it.
   core.shift = table.get("shift").number(0, {-0.5, 0.5});
   if (core.form.length + 2 * std::fabs(core.shift) > 1 + 1e-9) {
     table.error("sticks out of its grain", "make it shorter, or shift it less");
   }
+
+  // The core's form and sides are written like those of the grain itself.
   read_shape(table, core.form);
   core.front = read_grain_side(table, "front", parts);
   core.back = read_grain_side(table, "back", parts);

@@ -27,6 +27,7 @@ std::optional<MeshFormat> format_of(const fs::path& file) {
 
 /// The bytes of the file the value names; what is wrong with it is noted there.
 std::shared_ptr<const MeshFile> read_bytes(const TomlValue& value, const fs::path& folder) {
+  // Only meshes are read, and only from the template's folder.
   const fs::path file = folder / value.text();
   const auto format = format_of(file);
   if (!format) {
@@ -37,6 +38,8 @@ std::shared_ptr<const MeshFile> read_bytes(const TomlValue& value, const fs::pat
     value.error("leads out of the template's folder", "put the file beside the template");
     return {};
   }
+
+  // It must be a file, and not one that fills the memory.
   std::error_code wrong;
   if (!fs::is_regular_file(file, wrong)) {
     value.error("cannot be read", "put the file beside the template");
@@ -47,6 +50,8 @@ std::shared_ptr<const MeshFile> read_bytes(const TomlValue& value, const fs::pat
     value.error("is larger than 64 MiB", "simplify the mesh");
     return {};
   }
+
+  // The file may have become shorter since it was measured.
   auto read = std::make_shared<MeshFile>();
   read->path = file.string();
   read->format = *format;

@@ -63,6 +63,7 @@ double Sketch::turn_of_folds(const glm::dvec2& axis) const {
 }
 
 std::vector<double> Sketch::fold_angles(int folds) const {
+  // A number that is left out means that a line is missing.
   const int count = count_folds();
   const auto& named = view_of(SketchView::top).named;
   for (int later = count + 2; later <= 64; ++later) {
@@ -71,12 +72,16 @@ std::vector<double> Sketch::fold_angles(int folds) const {
                         ", though " + quoted_name(fold_name(later)) + " is there",
                     "draw it from the axis outwards, or number the fold lines anew, against the clock");
   }
+
+  // There may be no fold lines; else there is one for each fold.
   if (count == 0) return {};
   if (count != folds) {
     throw BadSketch("has fold lines numbered 1 to " + std::to_string(count) + " in " + drawing_.file +
                         ", but the fruit has " + std::to_string(folds) + " folds",
                     "draw one line for each fold, from the axis outwards, numbered against the clock");
   }
+
+  // Each line must lie beyond the one before it, and none may come round to the first again.
   const glm::dvec2 axis = top_axis();
   const double turn = turn_of_folds(axis) * (180 / pi);
   std::vector<double> angles;

@@ -10,6 +10,7 @@
 namespace pomona {
 
 Sketch::View Sketch::find_view(SketchView view) const {
+  // The layer is the one group that has the view's name, as its label or its id.
   View result;
   for (const SvgElement& element : drawing_.elements) {
     const std::string wanted = plain_name(name_of(view));
@@ -23,6 +24,7 @@ Sketch::View Sketch::find_view(SketchView view) const {
   }
   if (!result.layer) return result;
 
+  // What is drawn in the layer can be called by its label or its id.
   const SvgElement* const first = drawing_.elements.data();
   for (const SvgElement* e = result.layer + 1; e < first + result.layer->end; ++e) {
     const std::string label = plain_name(e->label), id = plain_name(e->id);
@@ -63,6 +65,7 @@ const SvgElement& Sketch::find(SketchView view, const std::string& name) const {
 
 /// It may be misspelt, or lie elsewhere.
 void Sketch::fail_missing(SketchView view, const std::string& name) const {
+  // One of the names that are there may be meant.
   const View& in = view_of(view);
   std::vector<std::string> known;
   for (const auto& [key, elements] : in.named) {
@@ -71,6 +74,8 @@ void Sketch::fail_missing(SketchView view, const std::string& name) const {
   }
   const auto near = name.size() <= 64 ? nearest_name(name, known) : std::nullopt;
   const std::string question = near ? "did you mean \"" + *near + "\"?" : "";
+
+  // The curve may be drawn in the other view.
   const SketchView other = view == SketchView::side ? SketchView::top : SketchView::side;
   const View& elsewhere = views_[other == SketchView::side ? 0 : 1];
   const std::string missing = quoted_name(name) + " is missing in the " + name_of(view);
@@ -81,6 +86,8 @@ void Sketch::fail_missing(SketchView view, const std::string& name) const {
                         place_of(drawing_, *there->second.front()),
                     move);
   }
+
+  // It may also be drawn outside both views.
   if (const SvgElement* stray = outside_the_views(name)) {
     throw BadSketch(missing + "; one of that name is drawn outside both layers at " + place_of(drawing_, *stray), move);
   }

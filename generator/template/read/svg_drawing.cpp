@@ -180,10 +180,13 @@ std::string place_of(const SvgDrawing& drawing, const SvgElement& element) {
 }
 
 SvgDrawing parse_svg(std::string_view text, const std::string& file) {
+  // Compressed drawings and those that are too large are refused before they are parsed.
   if (text.starts_with("\x1f\x8b")) {
     throw BadSketch(file + ": it is compressed (.svgz)", "save it from Inkscape as \"Inkscape SVG\" (.svg)");
   }
   check_size(text, file);
+
+  // The text must be XML; errors are told by line and column.
   pugi::xml_document document;
   const unsigned options = pugi::parse_minimal | pugi::parse_escapes | pugi::parse_wconv_attribute;
   const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size(), options, pugi::encoding_utf8);
@@ -194,6 +197,7 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
                     "save it from Inkscape as \"Inkscape SVG\"");
   }
 
+  // The drawing is made of the elements below the root.
   SvgDrawing drawing;
   drawing.file = file;
   const pugi::xml_node root = document.document_element();

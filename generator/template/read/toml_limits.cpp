@@ -61,6 +61,7 @@ class Scanner {
 
   void count(char c) {
     switch (c) {
+      // Brackets nest, and each has commas of its own.
       case '[':
       case '{':
         commas_.push_back(0);
@@ -72,6 +73,7 @@ class Scanner {
       case '}':
         if (!commas_.empty()) commas_.pop_back();
         break;
+      // Commas, equals signs and ends of lines each count as a value.
       case ',':
         key_dots_ = 0;
         count_value();
@@ -79,6 +81,7 @@ class Scanner {
           refuse_number("an array holds more values than ", static_cast<long>(limits_.array_values));
         }
         break;
+      // Each dot of a key opens a table within a table.
       case '.':
         if (++key_dots_ >= limits_.depth) refuse_number("a dotted key nests deeper than ", limits_.depth);
         break;
