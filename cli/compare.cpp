@@ -103,6 +103,8 @@ ExitStatus compare(const CompareCommand& command) {
 DeclaredCommand compare_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("compare", "Tell whether two pictures are the same: status 0 or 1");
   const auto options = std::make_shared<CompareCommand>();
+
+  // Two pictures, and how much they may differ by.
   command->add_option("REFERENCE", options->reference, "A picture (.png) as it should be")->required();
   command->add_option("RESULT", options->result, "The picture to look at")->required();
   command
@@ -115,11 +117,15 @@ DeclaredCommand compare_command(CLI::App& app) {
       ->check(CLI::Range(0.0, 100.0));
   command->add_option("--never", options->never, "Difference, of 255, that no pixel may exceed")
       ->check(CLI::Range(0, 255));
+
+  // FLIP judges them as the eye would; its map shows where they differ.
   command->add_option("--flip", options->flip, "Largest mean FLIP, 0 to 1")->check(CLI::Range(0.0, 1.0));
   command->add_option("--ppd", options->pixels_per_degree, "Pixels per degree of the eye's field; the default is 67")
       ->check(CLI::Range(5.0, 500.0));
   command->add_option("--map", options->map, "Write FLIP's map as a picture (.png)")->type_name("FILE");
   command->add_option("--html", options->html, "Write a page that shows both, and the map")->type_name("FILE");
+
+  // How it runs, and what it prints.
   command->add_option("--threads", options->threads, "Threads to use; 0 = all there are")->check(CLI::Range(0, 1024));
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->add_flag("--json", options->json, "Print the figures as JSON");

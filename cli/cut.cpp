@@ -117,6 +117,8 @@ ExitStatus cut_fruit(const CutCommand& command) {
 DeclaredCommand cut_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("cut", "Cut a fruit into pieces, or show the bare section");
   const auto options = std::make_shared<CutCommand>();
+
+  // What is cut, along what, and into which files.
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
   command->add_option("--knife", options->knives, "One of those below; several cut one after another")
@@ -129,12 +131,16 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+
+  // What to make of the cut.
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
   command->add_flag("--section", options->section, "The bare section instead of pieces (.ply, .png or .svg)");
   command->add_option("--explode", options->explode, "Move pieces apart: their distance from the middle times this")
       ->check(CLI::Range(1.0, 10.0));
   command->add_option("--pieces", options->pieces, "Also write what there is to know of each piece to this file (JSON)")
       ->type_name("FILE");
+
+  // Options that other commands have too.
   add_ripeness_option(*command, options->shared);
   add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);

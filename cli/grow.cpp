@@ -37,12 +37,14 @@ std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Deliver
 }
 
 ExitStatus grow_fruit(const GrowCommand& command) {
+  // Outputs that cannot be are refused before anything is grown.
   const std::vector<Output> outputs =
       parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg});
   check_levels(command.shared.lod, outputs);
   Delivery delivery(command.shared);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
 
+  // The drawn surfaces go out as they are; all other outputs share one scene of the whole fruit.
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
   std::optional<Scene> scene;
   for (const Output& output : outputs) {

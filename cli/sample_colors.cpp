@@ -256,6 +256,7 @@ std::string edited(std::string text, std::vector<Edit> edits) {
 
 /// Reads only what sampling needs; other mistakes are told by whoever reads the whole template.
 std::vector<Edit> sampled_edits(const std::string& text, const fs::path& file) {
+  // A sketch that cannot be read is noted where the template names it.
   TomlDocument document(text, file.string());
   const TomlTable root = document.root();
   const TomlValue named = root.need("sketch");
@@ -265,6 +266,8 @@ std::vector<Edit> sampled_edits(const std::string& text, const fs::path& file) {
   } catch (const BadSketch& bad) {
     named.error(bad.what(), bad.hint);
   }
+
+  // The sides of all surfaces and grains, in the template's order within each kind.
   std::vector<Edit> edits;
   if (sketch) {
     Sampler sampler(text, *sketch, file.parent_path());

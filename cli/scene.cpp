@@ -46,6 +46,7 @@ std::string style_of(const SceneDescription& scene, const std::filesystem::path&
 }
 
 ExitStatus compose_scene(const SceneCommand& command) {
+  // Outputs that cannot be are refused before anything is composed.
   const std::vector<Output> outputs =
       parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg, Format::json});
   check_levels(command.shared.lod, outputs);
@@ -53,6 +54,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
+  // The scene says what the command leaves open: seed, size and style.
   const std::filesystem::path file = find_file("scenes", command.scene);
   SceneDescription description = delivery.times.time("read", [&] { return read_scene(file); });
   if (command.shared.seed_given) description.seed = command.shared.seed;
@@ -60,6 +62,8 @@ ExitStatus compose_scene(const SceneCommand& command) {
   if (!description.style.empty()) delivery.set_default_style(style_of(description, file));
   Composition composition = compose(description, diffuser.get(), compose_options(command.shared, delivery.progress));
   if (!description.paper) composition.scene.paper = delivery.style().paper;
+
+  // The composition's figures go into --stats; its layout, or itself, into the outputs.
   for (const auto& [stage, milliseconds] : composition.report.stages) delivery.times.add(stage, milliseconds);
   for (const auto& [what, number] : composition.report.counts) delivery.times.count(what, number);
   delivery.warn(composition.report.warnings);

@@ -42,6 +42,7 @@ std::string no_seed(const std::string& text) {
 }  // namespace
 
 void add_shared_options(CLI::App& command, SharedOptions& options) {
+  // Which variant of the fruit.
   command.add_option("--seed", options.seed, "Variant to grow; 0 = as drawn")
       ->check(no_seed)
       ->capture_default_str()
@@ -51,6 +52,8 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
       ->capture_default_str();
   command.add_flag("--curves-only", options.curves_only,
                    "Vary the horizontal curves alone, as in the paper, whatever the template says");
+
+  // How it is computed, and how finely.
   command.add_option("--threads", options.threads, "Threads to use; 0 = all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
@@ -66,6 +69,8 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--detail", options.detail, "Tessellation of the surfaces, relative to the template's")
       ->check(CLI::Range(0.1, 4.0))
       ->capture_default_str();
+
+  // What files look like inside: styles, textures, levels of detail, pictures.
   command
       .add_option("--style", options.style,
                   "Look of pictures: a name from `pomona list --styles` or a style file (.toml); ink unless said")
@@ -83,6 +88,8 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
       ->type_name(view_names());
+
+  // What is told besides.
   command.add_option("--stats", options.stats, "Write times and counts to this JSON file")->type_name("FILE");
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
   command.add_flag("--json", options.json, "Print the result as JSON");

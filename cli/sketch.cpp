@@ -73,6 +73,7 @@ void refuse_existing(const fs::path& file) {
 }
 
 ExitStatus start(const SketchCommand& command) {
+  // Both files must be possible before either is made.
   const fs::path toml = command.file, svg = fs::path(toml).replace_extension(".svg");
   StartingSketchOptions options;
   options.name = name_for(toml);
@@ -83,6 +84,8 @@ ExitStatus start(const SketchCommand& command) {
     refuse_existing(toml);
     refuse_existing(svg);
   }
+
+  // Pictures are linked to, by their path from the sketch's folder.
   if (command.pictures.size() > 2) {
     throw Error(ExitStatus::usage, "--picture: there are two views, so two pictures are the most");
   }
@@ -90,6 +93,8 @@ ExitStatus start(const SketchCommand& command) {
     const LinkedPicture linked = linked_picture(existing_file(name), toml.parent_path());
     options.pictures.push_back({linked.href, linked.size});
   }
+
+  // The drawing and the template appear together, or neither does.
   StartingSketch made = starting_sketch(options);
   const std::vector<OutputFile> files = {{svg, std::move(made.svg)}, {toml, std::move(made.toml)}};
   write_whole(files);

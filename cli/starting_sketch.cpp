@@ -107,6 +107,7 @@ std::string layer(const std::string& label, const std::string& id, const std::st
 }
 
 std::string side_view(const StartingSketchOptions& options) {
+  // What every sketch has: its picture, if any, the axis, a scale and three curves, each from the axis to the axis.
   const auto from = [](const glm::dvec2& step, const char* rest) {
     return "M " + point(side_axis + step) + " " + rest;
   };
@@ -119,6 +120,7 @@ std::string side_view(const StartingSketchOptions& options) {
                from({0, -5}, "c 14,0 34,-13 34,-35 0,-20 -12,-34 -23,-34 -4,0 -8,4 -11,6"));
   text += path("side-core", "core", "#6a8c2a", from({0, -10}, "c 5,0 8,-8 8,-28 0,-16 -2,-26 -8,-28"));
   if (!options.pictures.empty()) {
+    // The line along which the picture's colours are taken lies just inside the skin.
     text += path("side-colors", "skin colours", "#8020c0",
                  from({2, -2}, "c 16,0 36,-15 36,-38 0,-23 -14,-38 -26,-38 -4,0 -6,3 -9,5"));
   }
@@ -130,6 +132,7 @@ std::string side_view(const StartingSketchOptions& options) {
 }
 
 std::string top_view(const StartingSketchOptions& options) {
+  // The picture, the axis and the scale; fold lines where the walls are.
   const int folds = options.folds.value_or(0);
   std::string text = picture(options, 1, top_axis);
   text +=
@@ -141,6 +144,8 @@ std::string top_view(const StartingSketchOptions& options) {
     const std::string name = std::to_string(k + 1);
     text += guide("fold-" + name, "fold " + name, top_axis, around_top(46, 2 * pi * k / folds));
   }
+
+  // Loops around the axis, then the chambers in a group of their own.
   text += path("top-skin", "skin", "#c04020", outline(outer_radius, folds));
   text += path("top-flesh", "flesh", "#d89a2a", outline(0.85 * outer_radius, folds));
   if (folds == 0) return layer("top view", "layer-top", text);
@@ -196,6 +201,7 @@ std::string ramp(const StartingSketchOptions& options, const std::string& line, 
 }
 
 std::string toml_text(const StartingSketchOptions& options) {
+  // The head tells where curves and colours come from.
   const bool folds = options.folds.has_value();
   std::string text = "#:schema ./template.schema.json\n# Curves are drawn in " + options.name +
                      ".svg: \"#skin\" is the curve labelled \"skin\" there.\n";
@@ -203,9 +209,13 @@ std::string toml_text(const StartingSketchOptions& options) {
     text +=
         "# `pomona sketch " + options.name + ".toml --sample` takes the colours with a \"sample\" from its pictures.\n";
   }
+
+  // Names, parts and symmetry.
   text += "format = 1\nname = \"" + options.name + "\"\ntitle = \"" + options.name + "\"\nsketch = \"" + options.name +
           ".svg\"\nparts = [\"skin\", \"flesh\", \"core\"" + (folds ? ", \"gel\"" : "") + "]\n\n[symmetry]\n";
   text += folds ? "kind = \"folds\"\nfolds = " + std::to_string(*options.folds) + "\n" : "kind = \"cylindrical\"\n";
+
+  // The surfaces from the outside inwards: skin, flesh and core, and chambers in a fruit with folds.
   text += R"toml(
 # The skin. Outside it is air: that side is hidden.
 [[surface]]

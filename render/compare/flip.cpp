@@ -102,6 +102,7 @@ std::vector<double> lengths(const Plane& x, const Plane& y) {
 }
 
 SeenBand seen(const Image& image, int first, int rows, const Filters& filters) {
+  // Each channel as far as the eye resolves it; for blue and yellow that takes two filters.
   const std::array<Plane, 4> planes = channels(image, first, rows, filters);
   const auto blurred = [&](std::size_t channel, const Kernel& kernel) {
     return filtered(planes[channel], kernel, kernel, filters.reach);
@@ -110,11 +111,14 @@ SeenBand seen(const Image& image, int first, int rows, const Filters& filters) {
   const Plane wide = blurred(2, filters.contrast.blue_yellow_wide);
   const Plane narrow = blurred(2, filters.contrast.blue_yellow_narrow);
 
+  // The colours that are left, in the space in which their distances are taken.
   SeenBand band;
   for (std::size_t i = 0; i < light.value.size(); ++i) {
     const glm::dvec3 rgb = linear_from_opponent({light.value[i], red_green.value[i], wide.value[i] + narrow.value[i]});
     band.color.push_back(hunt_lab_from_linear(glm::clamp(rgb, 0.0, 1.0)));
   }
+
+  // Edges and points of the luminance, which the eye is drawn to.
   const auto derivatives = [&](const Kernel& kernel) {
     return lengths(filtered(planes[3], kernel, filters.feature.smooth, filters.reach),
                    filtered(planes[3], filters.feature.smooth, kernel, filters.reach));
@@ -152,6 +156,8 @@ FlipMap flip(const Image& reference, const Image& result, const FlipOptions& opt
   if (reference.width != result.width || reference.height != result.height) {
     throw Error(ExitStatus::bad_data, "pictures of different sizes have no FLIP");
   }
+
+  // Filters and tables that all bands share.
   Filters filters{contrast_kernels(options.pixels_per_degree), feature_kernels(options.pixels_per_degree)};
   filters.reach = std::max(filters.contrast.radius, filters.feature.radius);
   for (std::size_t i = 0; i < filters.linear.size(); ++i) {
@@ -159,6 +165,7 @@ FlipMap flip(const Image& reference, const Image& result, const FlipOptions& opt
   }
   const double largest = largest_bent_distance();
 
+  // In bands of rows, so that little is held at a time.
   FlipMap map{reference.width, reference.height, std::vector<float>(reference.pixels.size())};
   const auto bands = static_cast<std::size_t>((reference.height + band_rows - 1) / band_rows);
   parallel_for(bands, options.threads, [&](std::size_t band) {

@@ -73,6 +73,7 @@ class Bins {
   /// The border before which a bin goes into the first part, and that part: where rays have least work to do, by
   /// surface areas times triangles. A count of 0 if all are in one bin.
   std::pair<int, Split> best() const {
+    // From the last bin backwards: what lies behind each border.
     std::array<Box<float>, bins> after{};
     std::array<std::size_t, bins> count_after{};
     for (std::size_t border = bins - 1; border > 0; --border) {
@@ -84,6 +85,7 @@ class Bins {
       count_after[border] += count_[border];
     }
 
+    // From the first bin onwards: the border at which the work is least.
     std::pair<int, Split> best;
     float least = std::numeric_limits<float>::max();
     Box<float> before;

@@ -213,10 +213,13 @@ int GlbModel::add_texture(const Solid& solid, const Image& picture) {
 }
 
 tinygltf::Value extras_of(const Solid& solid) {
+  // The names that the vertices' part numbers stand for.
   tinygltf::Value::Array parts;
   for (const std::string& part : solid.part_names) parts.emplace_back(part);
   tinygltf::Value::Object extras;
   extras["parts"] = tinygltf::Value(parts);
+
+  // What a game or a simulation asks of a body, and how the piece came to be.
   const PieceFacts facts = facts_of(solid);
   const auto point = [](const glm::dvec3& p) {
     return tinygltf::Value(tinygltf::Value::Array{tinygltf::Value(p.x), tinygltf::Value(p.y), tinygltf::Value(p.z)});

@@ -102,6 +102,8 @@ VertexBits vertex_bits(const Solid& solid, const glm::vec3& normal, const glm::v
 StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
   const std::vector<glm::vec3> normals = unit_normals(solid);
   StyledMesh mesh;
+
+  // A vertex is new unless all its bits are known; cut faces and skin share none.
   std::unordered_map<VertexBits, std::uint32_t, HashOfBits> known;
   const auto number_of = [&](std::uint32_t v, bool cut) {
     const VertexBits bits = vertex_bits(solid, normals[v], uv.empty() ? glm::vec2(0) : uv[v], v, cut);
@@ -117,6 +119,8 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
     }
     return entry->second;
   };
+
+  // Triangles with two corners at one place are left out.
   for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
     const glm::uvec3& old = solid.triangle[t];
     const glm::vec3 &p = solid.position[old.x], &q = solid.position[old.y], &r = solid.position[old.z];

@@ -143,6 +143,7 @@ void ScenePainter::cast_shadows() {
 }
 
 void ScenePainter::draw_surfaces() {
+  // Where nothing is drawn, there is no colour, no id, and all depth.
   const Surfaces& surfaces = targets_.opaque;
   const std::array<const GlTexture*, 3> colors{&surfaces.albedo, &surfaces.normal_line, &surfaces.ids};
   const GlFramebuffer target(gl_, colors, &surfaces.depth);
@@ -155,6 +156,7 @@ void ScenePainter::draw_surfaces() {
   gl_->ClearBufferuiv(GL_COLOR, 2, no_id.data());
   gl_->ClearBufferfv(GL_DEPTH, 0, &far);
 
+  // All opaque solids, then the ground they stand on.
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_LESS);
   solids_.triangle_tags().bind(0);
@@ -273,10 +275,13 @@ void ScenePainter::look_for_light() {
 
 /// How much sunlight passes through each place, from what is nearest to the light and what is farthest from it.
 void ScenePainter::look_through() {
+  // Besides what is nearest to the light, this pass alone needs what is farthest from it.
   cast_far_shadows(targets_.far_shadow.emplace(gl_, GL_DEPTH_COMPONENT32F, shadow_side, shadow_side));
   const glm::ivec2 size(options_.width, options_.height);
   targets_.arrives.emplace(gl_, GL_RGBA16F, size.x, size.y);
   targets_.leaves.emplace(gl_, GL_RGBA16F, size.x, size.y);
+
+  // Depths from both maps, with colours and materials that say how much passes.
   const Program program(gl_, "fullscreen.vert.glsl", "through.frag.glsl");
   program.use();
   set_camera(program, targets_.opaque);
@@ -291,6 +296,8 @@ void ScenePainter::look_through() {
   targets_.far_shadow->bind(5);
   targets_.opaque.albedo.bind(6);
   solids_.materials().bind(7);
+
+  // One pass finds how much light arrives at each place, and how much would leave beyond it.
   const std::array<const GlTexture*, 2> both{&*targets_.arrives, &*targets_.leaves};
   fill(GlFramebuffer(gl_, both, nullptr), size);
   gl_.check("light through the fruit");
@@ -313,6 +320,7 @@ void ScenePainter::cast_far_shadows(const GlTexture& map) {
 
 /// Hairs stand before ink: they are found on a layer of their own.
 void ScenePainter::draw_hairs() {
+  // Solids hide hairs; hairs hide nothing and are blended over each other.
   const GlTexture& layer = targets_.hairs.emplace(gl_, GL_RGBA16F, targets_.samples.x, targets_.samples.y);
   const std::array<const GlTexture*, 1> colors{&layer};
   const GlFramebuffer target(gl_, colors, &targets_.opaque.depth);
@@ -324,6 +332,7 @@ void ScenePainter::draw_hairs() {
   gl_->Enable(GL_BLEND);
   gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
+  // A hair is lit as the skin there is, and covers as much of a sample as it is wide.
   const Program program(gl_, "hair.vert.glsl", "hair.frag.glsl");
   program.use();
   program.set("projection", camera_.projection * camera_.view);
@@ -355,6 +364,7 @@ void ScenePainter::bind_materials(const Program& program) const {
 }
 
 void ScenePainter::compose() {
+  // What is nearest, its colour, and the light on it.
   const std::array<const GlTexture*, 1> colors{&targets_.picture};
   const GlFramebuffer target(gl_, colors, nullptr);
   const GlTexture* const details = solids_.detail_styles();
@@ -365,6 +375,8 @@ void ScenePainter::compose() {
   program.set("light", 5);
   targets_.opaque.albedo.bind(4);
   targets_.light[0].bind(5);
+
+  // Noise and detail, materials, and what is see-through, as far as the scene has any.
   program.set("noise_styles", 7);
   solids_.noise_styles().bind(7);
   if (details) {
@@ -376,6 +388,8 @@ void ScenePainter::compose() {
   program.set("see_through", targets_.glass ? 1 : 0);
   program.set("glass", 9);
   if (targets_.glass) targets_.glass->bind(9);
+
+  // Paper, paint and shadow, as the style has them.
   program.set("pixel_angle", 2.0f * camera_.tangent.y / static_cast<float>(options_.height));
   program.set("paper", scene_.paper);
   program.set("grain", static_cast<float>(style_.grain));
@@ -383,6 +397,8 @@ void ScenePainter::compose() {
   program.set("paint", glm::vec3(style_.saturation, style_.lightness, style_.grain * style_.granulation));
   program.set("shadow_color", style_.shadow.color);
   program.set("light_strengths", glm::vec2(style_.light.strength, style_.light.ambient));
+
+  // How glossy surfaces are, and where eye and light are.
   program.set("gloss", static_cast<float>(style_.gloss));
   program.set("camera_to_scene", glm::inverse(camera_.view));
   program.set("to_light", light_.to_light);

@@ -46,6 +46,7 @@ void append(const Hair& hair, Gathered& all) {
 }
 
 void append(const Solid& solid, const std::vector<Hair>& hairs, bool with_noise, Gathered& all) {
+  // Where the solid begins in the shared buffers, and how much of them is its own.
   UploadedSolids::Part part;
   part.indices = static_cast<GLsizei>(3 * solid.triangle.size());
   part.first_index = 3 * all.triangle.size();
@@ -54,6 +55,7 @@ void append(const Solid& solid, const std::vector<Hair>& hairs, bool with_noise,
   part.first_hair_vertex = static_cast<GLint>(all.hair_position.size());
   part.hair_vertices = static_cast<GLsizei>(4 * hairs.size());
 
+  // Vertices, triangles and hairs go behind those of the solids before.
   all.position.insert(all.position.end(), solid.position.begin(), solid.position.end());
   all.normal.insert(all.normal.end(), solid.normal.begin(), solid.normal.end());
   all.color.insert(all.color.end(), solid.color.begin(), solid.color.end());
@@ -63,6 +65,8 @@ void append(const Solid& solid, const std::vector<Hair>& hairs, bool with_noise,
   all.material.insert(all.material.end(), materials.begin(), materials.end());
   all.translucent = all.translucent || lets_light_in(solid);
   for (const Hair& hair : hairs) append(hair, all);
+
+  // The styles of its noise, which stay plain where the picture has none.
   const std::vector<glm::vec4> texels = noise_texels(with_noise ? solid.noise : NoiseStyle{});
   all.noise.insert(all.noise.end(), texels.begin(), texels.end());
   all.parts.push_back(part);
@@ -124,6 +128,7 @@ std::vector<glm::vec4> noise_texels(const NoiseStyle& style) {
 }
 
 UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& style) {
+  // Shaders find a triangle's tag in a buffer texture, which has a largest size.
   const Gathered all = gathered_solids(scene, style);
   GLint most = 0;
   gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
@@ -133,6 +138,7 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
                                           std::to_string(most));
   }
 
+  // A buffer that a texture reads is made before the texture; all other buffers are made in place.
   GlBuffer tag_buffer(gl, GL_TEXTURE_BUFFER, all.tag);
   GlTexture tags(gl, GL_R16UI, tag_buffer);
   GlBuffer noise_buffer(gl, GL_TEXTURE_BUFFER, all.noise);
@@ -161,6 +167,8 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
       .hairs = GlVertexArray(gl),
       .guides = {},
   };
+
+  // Vertex attributes by the numbers that the shaders know them by; guides have an array of their own.
   solids.solids.attach(0, 3, solids.position);
   solids.solids.attach(1, 3, solids.normal);
   solids.solids.attach(2, 3, solids.color);

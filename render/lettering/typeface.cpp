@@ -53,11 +53,14 @@ class Words {
 
 /// Path data of M, L, C and Z, y up, to closed lines of ems, y down.
 Outline read_outline(Words& words, double units) {
+  // Font units, y up, become ems, y down.
   const auto point = [&] {
     const int x = words.number<int>(10);
     const int y = words.number<int>(10);
     return glm::dvec2(x / units, -y / units);
   };
+
+  // Every M begins a line; curves become straight pieces, and all lines close by themselves.
   Outline outline;
   for (char sign = words.sign(); sign != 0; sign = words.sign()) {
     if (sign == 'M') outline.emplace_back().push_back(point());

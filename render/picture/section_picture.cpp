@@ -72,6 +72,8 @@ Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& fac
     for (int x = 0; x < options.width; ++x) {
       const std::size_t i = row * options.width + x;
       const SectionPixel& pixel = pixels[i];
+
+      // The fruit covers the paper by the share of the pixel's samples that lie in it.
       Color color = paper.at(x, y);
       if (pixel.samples > 0) {
         const PlacedFace& face = faces[pixel.face];
@@ -83,6 +85,8 @@ Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& fac
         const Color fruit = paper.painted(fresh, x, y);
         color += (fruit - color) * (static_cast<float>(pixel.samples) / section_samples);
       }
+
+      // Ink lies over both: inner lines first, the rim above them.
       if (style.ink) {
         color += (ink_color - color) * static_cast<float>(layers.inner.at(x, y) * style.inner_opacity);
         color += (ink_color - color) * static_cast<float>(layers.rim.at(x, y));

@@ -37,6 +37,7 @@ bool owns_edge(const FixedPoint& a, const FixedPoint& b) { return a.y == b.y ? b
 std::vector<PaperTriangle> on_paper(const CrossSection& section, const std::vector<PlacedFace>& faces) {
   std::vector<PaperTriangle> triangles;
   for (std::size_t t = 0; t < section.triangle.size(); ++t) {
+    // Corners go to the nearest fixed point; faces that are not shown are left out.
     PaperTriangle triangle{.face = section.cut[t]};
     if (!faces[triangle.face].shown) continue;
     for (int i = 0; i < 3; ++i) {
@@ -47,6 +48,8 @@ std::vector<PaperTriangle> on_paper(const CrossSection& section, const std::vect
       triangle.color[i] = section.color[v];
       triangle.vertex[i] = v;
     }
+
+    // All triangles turn the same way, and those without area cover nothing.
     triangle.area = side(triangle.corner[0], triangle.corner[1], triangle.corner[2]);
     if (triangle.area < 0) {
       std::swap(triangle.corner[1], triangle.corner[2]);

@@ -40,14 +40,17 @@ PenPoint point_of(const PenLine& line, std::size_t i) {
 
 /// Points about `spacing` apart along the line; a closed line comes back with its first point repeated at the end.
 std::vector<PenPoint> evenly_spaced(const PenLine& line, double spacing) {
+  // All corners, the first again at the end of a closed line.
   std::vector<PenPoint> corners;
   for (std::size_t i = 0; i < line.points.size(); ++i) corners.push_back(point_of(line, i));
   if (line.closed) corners.push_back(PenPoint(corners.front()));
 
+  // The line's length says how many steps there are, at least two.
   double total = 0;
   for (std::size_t i = 1; i < corners.size(); ++i) total += size_of(corners[i].at - corners[i - 1].at);
   const int steps = std::max(2, static_cast<int>(std::ceil(total / spacing)));
 
+  // Along the line once, with points at equal lengths.
   std::vector<PenPoint> even;
   double walked = 0;
   std::size_t i = 1;

@@ -28,6 +28,7 @@ double off_straight(const StrokePoint& a, const StrokePoint& b, const StrokePoin
 /// The points worth a node [Douglas & Peucker 1973]: curves between them follow what straight lines would miss by up to
 /// eight times the tolerance.
 std::vector<std::size_t> nodes_worth(const std::vector<StrokePoint>& stroke) {
+  // Both ends are nodes; so is, span by span, the point that strays most, if it strays far enough.
   std::vector<std::uint8_t> worth(stroke.size(), 0);
   worth.front() = worth.back() = 1;
   std::vector<std::pair<std::size_t, std::size_t>> spans{{0, stroke.size() - 1}};
@@ -44,6 +45,8 @@ std::vector<std::size_t> nodes_worth(const std::vector<StrokePoint>& stroke) {
     worth[at] = 1;
     spans.insert(spans.end(), {{first, at}, {at, last}});
   }
+
+  // The nodes in the stroke's order.
   std::vector<std::size_t> nodes;
   for (std::size_t i = 0; i < worth.size(); ++i) {
     if (worth[i] != 0) nodes.push_back(i);

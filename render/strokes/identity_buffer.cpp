@@ -62,11 +62,13 @@ std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std
 }
 
 void draw_triangle(const SeenTriangle& t, const TriangleName& name, int top, int bottom, IdentityBuffer& buffer) {
+  // The pixels of its box, and the way round it is seen.
   const PixelSpan columns(t.low(0), t.high(0), buffer.width);
   const PixelSpan rows(t.low(1), t.high(1), buffer.height);
   const double turn = t.area > 0 ? 1 : -1;
   for (int y = std::max(rows.first, top); y <= std::min(rows.last, bottom); ++y) {
     for (int x = columns.first; x <= columns.last; ++x) {
+      // A pixel is inside if its middle lies on the inner side of all three edges.
       const double px = x + 0.5, py = y + 0.5;
       std::array<double, 3> share{};
       bool inside = true;
@@ -76,6 +78,8 @@ void draw_triangle(const SeenTriangle& t, const TriangleName& name, int top, int
         inside = inside && share[i] >= 0;
       }
       if (!inside) continue;
+
+      // Nearness is linear on the picture; what is nearer than all before it gives the pixel its name.
       const double sum = share[0] * t.corner[0].z + share[1] * t.corner[1].z + share[2] * t.corner[2].z;
       const auto nearness = static_cast<float>(sum / (turn * t.area));
       const std::size_t i = static_cast<std::size_t>(y) * buffer.width + x;

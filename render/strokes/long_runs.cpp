@@ -86,6 +86,7 @@ class DrawnPlaces {
 
 /// What of the run no line lies beside, and a little more at each end where one does.
 std::vector<VisibleRun> free_stretches(const VisibleRun& run, const DrawnPlaces& drawn, double reach) {
+  // Where no line lies beside the run; stretches too short to tell go with what is around them.
   const std::size_t count = run.points.size();
   std::vector<std::uint8_t> keep(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -95,6 +96,7 @@ std::vector<VisibleRun> free_stretches(const VisibleRun& run, const DrawnPlaces&
   close_gaps(keep, 0, 3 * reach, run.closed);
   if (std::find(keep.begin(), keep.end(), 1) == keep.end()) return {};
 
+  // Kept stretches reach a little into what is not kept, and very short ones are dropped.
   const auto more = static_cast<std::size_t>(1.5 * reach);
   std::vector<std::uint8_t> wider = keep;
   for (std::size_t i = 0; i < count; ++i) {
@@ -158,6 +160,7 @@ struct Joint {
 };
 
 std::vector<Joint> possible_joints(const std::vector<VisibleRun>& runs, double reach) {
+  // Ends that may be joined lie together in this order, and from left to right.
   std::vector<RunEnd> ends;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].closed || runs[i].points.size() < 2) continue;
@@ -168,6 +171,7 @@ std::vector<Joint> possible_joints(const std::vector<VisibleRun>& runs, double r
     return std::tuple(group(x), x.at.x, x.run, x.front) < std::tuple(group(y), y.at.x, y.run, y.front);
   });
 
+  // Two ends that are near and point at each other, within 60 degrees.
   std::vector<Joint> joints;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (std::size_t j = i + 1; j < ends.size(); ++j) {
@@ -180,6 +184,8 @@ std::vector<Joint> possible_joints(const std::vector<VisibleRun>& runs, double r
       joints.push_back({1 - straight + 0.3 * gap / reach, std::min(a, b), std::max(a, b)});
     }
   }
+
+  // The best come first; ties go by number.
   std::sort(joints.begin(), joints.end(), [](const Joint& x, const Joint& y) {
     return std::tie(x.badness, x.a, x.b) < std::tie(y.badness, y.a, y.b);
   });

@@ -26,10 +26,12 @@ std::uint32_t corner_at(const SeenSolid& seen, const glm::uvec3& triangle, const
 }  // namespace
 
 PartMap scene_parts(const Scene& scene, int width, int height, Threads threads) {
+  // Parts go by the names that the first solid has for them.
   PartMap map{width, height, std::vector<std::int32_t>(static_cast<std::size_t>(width) * height, -1), {}};
   if (scene.solids.empty()) return map;
   map.names = scene.solids[0].part_names;
 
+  // What is foremost at each pixel.
   const Lens lens(scene.view, width, height);
   std::vector<SeenSolid> seen(scene.instances.size());
   parallel_for(seen.size(), threads, [&](std::size_t i) {
@@ -37,6 +39,7 @@ PartMap scene_parts(const Scene& scene, int width, int height, Threads threads) 
   });
   const IdentityBuffer foremost = identity_buffer(scene, seen, lens, threads);
 
+  // There, the part of the triangle's corner that has the largest share in the pixel's middle.
   parallel_for(static_cast<std::size_t>(height), threads, [&](std::size_t y) {
     for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
       const std::size_t pixel = y * static_cast<std::size_t>(width) + x;

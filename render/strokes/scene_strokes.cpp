@@ -112,6 +112,7 @@ std::vector<VisibleRun> Draughtsman::runs(const IdentityBuffer& buffer, const st
 }
 
 std::vector<SceneStroke> Draughtsman::strokes() {
+  // Each instance as it is seen, and the pens that draw it.
   sitters_.resize(scene_.instances.size());
   parallel_for(sitters_.size(), threads_, [&](std::size_t i) { sitters_[i] = sitter(i); });
   std::vector<SeenSolid> seen;
@@ -121,6 +122,7 @@ std::vector<SceneStroke> Draughtsman::strokes() {
     pens.push_back(one.pen);
   }
 
+  // Visible lines, joined before and after those beside others are thinned; inner ones come first.
   const IdentityBuffer buffer = identity_buffer(scene_, seen, lens_, threads_);
   std::vector<VisibleRun> lines = runs(buffer, seen);
   lines = without_overlaps(joined_runs(std::move(lines), 0.004 * side_), pens, lens_.width(), lens_.height());
@@ -128,6 +130,7 @@ std::vector<SceneStroke> Draughtsman::strokes() {
   std::stable_sort(lines.begin(), lines.end(),
                    [](const VisibleRun& a, const VisibleRun& b) { return is_inner(a.kind) > is_inner(b.kind); });
 
+  // Strokes that have come to nothing are dropped.
   std::vector<SceneStroke> result(lines.size());
   parallel_for(lines.size(), threads_, [&](std::size_t i) { result[i] = stroke(lines[i], buffer); });
   std::erase_if(result, [](const SceneStroke& s) { return s.points.empty(); });

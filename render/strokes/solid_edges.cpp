@@ -86,6 +86,8 @@ void EdgeFinder::look_at(std::span<const HalfEdge> sides) {
 
 void EdgeFinder::look_at_pair(const HalfEdge& x, const HalfEdge& y) {
   if (is_cut(x) != is_cut(y)) return add(x, y, LineKind::rim);
+
+  // Between two parts of a cut: a ridge where it bends, else an inner line where the colours change.
   const std::uint32_t xa = ends(x).x, xb = ends(x).y, ya = ends(y).x, yb = ends(y).y;
   if (is_cut(x)) {
     const bool smooth = edges_.smooth[xa] == edges_.smooth[ya] && edges_.smooth[xb] == edges_.smooth[yb];
@@ -99,6 +101,7 @@ void EdgeFinder::look_at_pair(const HalfEdge& x, const HalfEdge& y) {
     return;
   }
 
+  // Between two parts of the skin: a seam, a crease beyond 60 degrees, or a fold where normals part.
   if (solid_.surface[x.triangle] != solid_.surface[y.triangle]) return add(x, y, LineKind::seam);
   const glm::dvec3 m = face_normal(x), n = face_normal(y);
   const double mn = glm::dot(m, n), sharp = 0.25 * glm::dot(m, m) * glm::dot(n, n);

@@ -45,14 +45,19 @@ SteppedLine LineWalker::stepped(const ObjectLine& line) const {
   SteppedLine result{.run = {.points = {}, .closed = line.closed, .kind = line.kind, .instance = line.instance},
                      .slope = {},
                      .on_picture = {}};
+
+  // A closed line has one more edge, from its last point to its first.
   const std::size_t count = line.points.size();
   const std::size_t edges = line.closed ? count : count - 1;
   for (std::size_t i = 0; i < edges; ++i) {
+    // An edge on the picture takes steps of at most a pixel; any other takes one.
     const LinePoint &a = line.points[i], &b = line.points[(i + 1) % count];
     const bool seen = is_near_picture(a.seen) && is_near_picture(b.seen);
     const double length = glm::distance(glm::dvec2(a.seen), glm::dvec2(b.seen));
     const int steps = seen ? std::max(1, static_cast<int>(std::ceil(length))) : 1;
     const bool last = !line.closed && i + 1 == edges;
+
+    // An edge leaves its far end to the next one, unless it is the last of an open line.
     for (int k = 0; k < steps + (last ? 1 : 0); ++k) {
       const double t = static_cast<double>(k) / steps;
       const glm::dvec3 at = a.seen + (b.seen - a.seen) * t;

@@ -111,12 +111,15 @@ PatternValue Pattern::operator()(const glm::dvec3& position, const DetailGuide& 
 
 /// \param fine how much of what is finer than the size is shown.
 PatternValue Pattern::at(glm::dvec3 point, double fine) const {
+  // Noise carries places off, so that the pattern wanders.
   point = turned(point);
   const std::uint32_t seed = shape_.seed;
   if (detail_.wander > 0) {
     const double a = gradient_noise(point * 0.45, seed + 1), b = gradient_noise(point * 0.45 + 7.3, seed + 2);
     point += 1.6 * detail_.wander * glm::dvec3(a, b, -a);
   }
+
+  // Fibres and streaks are where noise passes a threshold; the other kinds are dots, or borders of cells.
   switch (detail_.kind) {
     case DetailKind::fibres:
     case DetailKind::streaks: {

@@ -40,10 +40,12 @@ Look::Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details) : 
 bool Look::is_plain() const { return modulation_.bands() == 0 && details_[0].empty() && details_[1].empty(); }
 
 Color Look::operator()(const Color& unmodulated, const LookPlace& place) const {
+  // Noise first; without a guide that is all.
   const Color modulated = modulation_(unmodulated, place.position, place.footprint);
   const glm::vec4& share = place.guide.share;
   if (share == glm::vec4(0)) return modulated;
 
+  // Then the details in their order. OKLab is worked out only once a detail needs it.
   const std::vector<Detail>& details = this->details(place.face);
   std::optional<glm::dvec3> plain, lab;
   for (std::size_t i = 0; i < details.size(); ++i) {
@@ -58,6 +60,8 @@ Color Look::operator()(const Color& unmodulated, const LookPlace& place) const {
     *lab += value.share * weight * way;
     lab->x += value.tone * std::fabs(weight) * tone_step;
   }
+
+  // Colours that no detail has touched stay as noise has left them, bit for bit.
   if (!lab) return modulated;
   const Color result = from_oklab(glm::vec3(*lab));
   return {std::clamp(result.r, 0.0f, 1.0f), std::clamp(result.g, 0.0f, 1.0f), std::clamp(result.b, 0.0f, 1.0f)};

@@ -45,6 +45,7 @@ bool touches(const std::array<glm::dvec2, 3>& p, int x, int y, double slack) {
 /// The blocks whose texels a bilinear look-up reads, at the scale `blocks_per_metre`: with the chart's lower corner in
 /// the middle of block (0, 0), a look-up at p reads block floor(p) and its right and lower neighbours.
 Mask mask_of(const Chart& chart, double blocks_per_metre) {
+  // The blocks in which a look-up may lie: those that a triangle touches.
   constexpr double slack = 1e-3;
   const glm::ivec2 cells(glm::floor(chart.size * blocks_per_metre + slack) + 1.0);
   Mask touched(cells.x, cells.y);
@@ -59,6 +60,8 @@ Mask mask_of(const Chart& chart, double blocks_per_metre) {
       }
     }
   }
+
+  // From each of them a look-up also reads the blocks to the right and below.
   Mask mask(cells.x + 1, cells.y + 1);
   for (int y = 0; y < cells.y; ++y) {
     for (int x = 0; x < cells.x; ++x) {
@@ -154,6 +157,7 @@ class Packer {
   }
 
   std::optional<Atlas> into(const glm::ivec2& size) const {
+    // A size with fewer blocks than are wanted is not tried.
     const int block = 1 << mip_levels_;
     Atlas atlas{
         .size = size, .mip_levels = mip_levels_, .texels_per_metre = scale_, .corner = {}, .speck = {}, .owner = {}};
@@ -162,6 +166,7 @@ class Packer {
     for (const Mask& mask : masks_) wanted += mask.count;
     if (wanted > static_cast<std::int64_t>(blocks.x) * blocks.y) return std::nullopt;
 
+    // Each mask at the first place where it fits; one like the mask before it can only come after that.
     Field field(blocks);
     atlas.corner.resize(charts_.size());
     atlas.speck.resize(charts_.size());

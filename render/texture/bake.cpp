@@ -103,6 +103,7 @@ class Baker {
   }
 
   void add_chart(std::size_t c) {
+    // A vertex is copied for each chart it is in, since every chart has its own place in the texture.
     Solid& out = result_.solid;
     const Chart& chart = charts_[c];
     std::map<std::uint32_t, std::uint32_t> known;
@@ -122,6 +123,8 @@ class Baker {
         const glm::dvec2 texel = atlas_.texel(charts_, c, chart.corners[i][k]);
         result_.uv.emplace_back(texel / glm::dvec2(atlas_.size));
       }
+
+      // Triangles keep what they say about the surface.
       out.triangle.push_back(copied);
       out.cut_face.push_back(solid_.cut_face[t]);
       out.surface.push_back(solid_.surface[t]);

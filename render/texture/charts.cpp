@@ -126,6 +126,7 @@ void lay_face_flat(const Solid& solid, const TriangleNeighbors& neighbors, Chart
 
 /// One region as one chart; where its projection covers itself, as several.
 std::vector<Chart> region_charts(const Solid& solid, const TriangleNeighbors& neighbors, const CurvedRegion& region) {
+  // What lies on other triangles, seen along the normal, waits for a later chart.
   std::vector<Chart> charts;
   std::vector<std::uint32_t> left = region.triangles;
   const View view(region.normal);
@@ -140,6 +141,8 @@ std::vector<Chart> region_charts(const Solid& solid, const TriangleNeighbors& ne
       (covers ? later : chart.triangles).push_back(left[i]);
       next += covers ? 1 : 0;
     }
+
+    // Laid flat with little stretch, unless that makes the chart lie on itself: then it stays as it is seen.
     const Patch3 patch = covering.empty() ? whole : patch_of(solid, neighbors, chart.triangles);
     chart.corners = patch.triangle;
     const std::vector<glm::dvec2> start = view.of(patch);
@@ -201,6 +204,7 @@ class SeamFinder {
 }  // namespace
 
 std::vector<Chart> charts_of(const Solid& solid, Threads threads) {
+  // Flat cut faces lie as they are.
   const TriangleNeighbors neighbors = triangle_neighbors(solid);
   std::vector<Chart> charts;
   std::vector<std::uint8_t> is_curved(solid.triangle.size(), 1);
@@ -211,6 +215,7 @@ std::vector<Chart> charts_of(const Solid& solid, Threads threads) {
     charts.push_back(std::move(chart));
   }
 
+  // All else is curved: regions side by side, their charts in the regions' order.
   const std::vector<CurvedRegion> regions = curved_regions(solid, neighbors, is_curved);
   std::vector<std::vector<Chart>> of_region(regions.size());
   parallel_for(regions.size(), threads,
@@ -219,6 +224,7 @@ std::vector<Chart> charts_of(const Solid& solid, Threads threads) {
     for (Chart& chart : of_one) charts.push_back(std::move(chart));
   }
 
+  // Where a cut goes on smoothly beyond its chart.
   const SeamFinder seams(solid, neighbors);
   for (Chart& chart : charts) {
     if (chart.cut_face >= 0) chart.seams = seams.seams_of(chart);

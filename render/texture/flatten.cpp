@@ -96,6 +96,7 @@ class Relaxation {
 
   /// Moves one point, as far as no triangle around it turns over or gets too flat; how far it went.
   double move(std::uint32_t p) {
+    // Where the triangles around the point want it, in the mean.
     glm::dvec2 sum(0);
     double weight = 0;
     for (std::size_t i = first_[p]; i < first_[p + 1]; ++i) {
@@ -109,6 +110,8 @@ class Relaxation {
       }
     }
     if (!(weight > 0)) return 0;
+
+    // A step there and beyond; a half, a quarter or an eighth of it if a triangle forbids more, or none.
     const glm::dvec2 from = flat_[p];
     glm::dvec2 step = over_relaxation * (sum / weight - from);
     for (int halving = 0; halving < 4; ++halving, step *= 0.5) {
@@ -228,10 +231,13 @@ std::vector<glm::dvec2> relaxed(const Patch3& patch, std::vector<glm::dvec2> pro
 }
 
 std::vector<std::uint32_t> overlapping(std::span<const glm::uvec3> triangles, std::span<const glm::dvec2> flat) {
+  // The size of the whole: the slack is a share of it.
   TriangleGrid grid(triangles, flat);
   double size = 0;
   for (const glm::dvec2& p : flat) size = std::max({size, std::abs(p.x - flat[0].x), std::abs(p.y - flat[0].y)});
   std::vector<std::uint32_t> found;
+
+  // Each triangle is held against those laid down before it, and is laid down itself if it covers none.
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const auto own = grid.corners(t);
     if (!(cross(own[1] - own[0], own[2] - own[0]) > 0)) continue;
