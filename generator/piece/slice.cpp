@@ -98,6 +98,7 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
       slices.styled = guided(browned(slices.section, task.grown.sheets, task.variant), task.grown.swept, task.variant);
       if (options.pieces) slices.pieces = finished(cuts[i].pieces, slices.styled, task, diffuser, options);
     });
+    if (options.one_done) options.one_done();
   });
   return all;
 }

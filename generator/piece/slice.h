@@ -1,6 +1,7 @@
 // From a grown fruit and knives to coloured, browned, guided pieces: the second half of the road in one verb.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,7 +36,8 @@ struct SliceOptions {
   /// For textures: every piece keeps what coloured its cut faces (section_colors.h). The diffuser must then outlive
   /// the pieces.
   bool keep_section_colors = false;
-  Threads threads{};  ///< for many fruits at once; the result does not depend on them
+  Threads threads{};                    ///< for many fruits at once; the result does not depend on them
+  std::function<void()> one_done = {};  ///< called for each fruit when it is finished, by any thread
 };
 
 struct Slices {

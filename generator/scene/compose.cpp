@@ -17,20 +17,21 @@ namespace {
 /// Passes progress on, one call at a time.
 class Teller {
  public:
-  Teller(const ComposeOptions& options, std::string stage, std::size_t total)
-      : options_(options), stage_(std::move(stage)), total_(total) {
+  /// \param steps in which each of the items is made.
+  Teller(const ComposeOptions& options, std::string stage, std::size_t total, std::size_t steps = 1)
+      : options_(options), stage_(std::move(stage)), total_(total), steps_(steps) {
     if (options_.progress) options_.progress(stage_, 0, total_);
   }
-  void one_done() {
+  void step_done() {
     const std::lock_guard lock(mutex_);
     ++done_;
-    if (options_.progress) options_.progress(stage_, done_, total_);
+    if (options_.progress) options_.progress(stage_, done_ / steps_, total_);
   }
 
  private:
   const ComposeOptions& options_;
   std::string stage_;
-  std::size_t total_, done_ = 0;
+  std::size_t total_, steps_, done_ = 0;
   std::mutex mutex_;
 };
 
@@ -219,9 +220,11 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
     for (int number = 0; number < scene.pieces[entry].count; ++number) tasks.push_back({entry, number});
 
   // As many variants at a time as fit into memory: each grown by itself, all cut and coloured at once.
-  const SliceOptions how{
-      .cut = options.cut, .keep_section_colors = options.keep_section_colors, .threads = options.threads};
-  Teller teller(options, "pieces", tasks.size());
+  Teller teller(options, "pieces", tasks.size(), 2);
+  const SliceOptions how{.cut = options.cut,
+                         .keep_section_colors = options.keep_section_colors,
+                         .threads = options.threads,
+                         .one_done = [&] { teller.step_done(); }};
   std::vector<Made> made(tasks.size());
   for (std::size_t first = 0; first < tasks.size(); first += variants_at_once) {
     const std::size_t count = std::min(variants_at_once, tasks.size() - first);
@@ -229,6 +232,7 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
     parallel_for(count, options.threads, [&](std::size_t i) {
       const auto& [entry, number] = tasks[first + i];
       variants[i] = grown_variant(scene, scene.pieces[entry], number, templates[entry], ready[entry].get(), options);
+      teller.step_done();
     });
     std::vector<SliceTask> to_slice;
     for (std::size_t i = 0; i < count; ++i) {
@@ -238,7 +242,6 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
     std::vector<Slices> slices = slice(to_slice, diffuser, how);
     for (std::size_t i = 0; i < count; ++i) {
       made[first + i] = reported(std::move(slices[i]), variants[i], to_slice[i].name);
-      teller.one_done();
     }
   }
 
@@ -283,7 +286,7 @@ Composition compose(const SceneDescription& scene, const Diffuser* diffuser, con
   const std::vector<Pose> poses = clock.time("settle", [&] {
     return scene.layout.empty() ? settled_poses(scene, parts, options, composition.report) : layout_poses(scene, parts);
   });
-  teller.one_done();
+  teller.step_done();
   composition.report.stages.push_back(clock.stages().front());
   composition.scene = placed(scene, parts, poses);
   return composition;

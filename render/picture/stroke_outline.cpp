@@ -26,7 +26,7 @@ double off_straight(const StrokePoint& a, const StrokePoint& b, const StrokePoin
 }
 
 /// The points worth a node [Douglas & Peucker 1973]: curves between them follow what straight lines would miss by up to
-/// eight times the tolerance.
+/// four times the tolerance.
 std::vector<std::size_t> nodes_worth(const std::vector<StrokePoint>& stroke) {
   // Both ends are nodes; so is, span by span, the point that strays most, if it strays far enough.
   std::vector<std::uint8_t> worth(stroke.size(), 0);

@@ -4,10 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "generator/mesh/bounding_volume_hierarchy.h"
 
 namespace pomona {
 
@@ -19,43 +23,40 @@ double distance(const Box<double>& box, const glm::dvec3& place) {
   return glm::length(glm::max(glm::max(box.low - place, place - box.high), glm::dvec3(0)));
 }
 
+/// Puts the sources of the lower half along their longest side first; how many these are.
+std::uint32_t halved(std::span<FinenessSource> sources) {
+  Box<double> box;
+  for (const FinenessSource& source : sources) box.add(source.place);
+  const glm::dvec3 sides = box.size();
+  const int axis = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
+  const auto half = static_cast<std::uint32_t>(sources.size() / 2);
+  std::nth_element(sources.begin(), sources.begin() + half, sources.end(),
+                   [&](const FinenessSource& a, const FinenessSource& b) { return a.place[axis] < b.place[axis]; });
+  return half;
+}
+
 }  // namespace
 
 Fineness::Fineness(std::vector<FinenessSource> sources, double grading)
     : source_(std::move(sources)), grading_(grading) {
   if (source_.empty()) return;
-  node_.emplace_back();
-  split(0, 0, static_cast<std::uint32_t>(source_.size()));
+  node_ = bounding_volume_hierarchy<Node>(
+      static_cast<std::uint32_t>(source_.size()), leaf_size,
+      [&](std::uint32_t first, std::uint32_t count) { return halved(std::span(source_).subspan(first, count)); });
+  for (std::size_t node = node_.size(); node-- > 0;) fill(node_[node]);
 }
 
-/// Halves at the median along the longest side.
-void Fineness::split(std::uint32_t node, std::uint32_t first, std::uint32_t count) {
-  // The node holds these sources.
-  Node made;
-  made.first = first;
-  made.count = count;
-  made.least = source_[first].size;
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    made.box.add(source_[i].place);
-    made.least = std::min(made.least, source_[i].size);
+void Fineness::fill(Node& node) const {
+  node.least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+    node.box.add(source_[i].place);
+    node.least = std::min(node.least, source_[i].size);
   }
-  if (count <= leaf_size) {
-    node_[node] = made;
-    return;
+  if (node.count > 0) return;
+  for (const Node& child : {node_[node.first], node_[node.first + 1]}) {
+    node.box.add(child.box);
+    node.least = std::min(node.least, child.least);
   }
-
-  // Too many for a leaf: two halves take them over.
-  const glm::dvec3 sides = made.box.high - made.box.low;
-  const int axis = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
-  const auto begin = source_.begin() + first;
-  std::nth_element(begin, begin + count / 2, begin + count,
-                   [&](const FinenessSource& a, const FinenessSource& b) { return a.place[axis] < b.place[axis]; });
-  made.first = static_cast<std::uint32_t>(node_.size());
-  made.count = 0;
-  node_[node] = made;
-  node_.resize(node_.size() + 2);
-  split(made.first, first, count / 2);
-  split(made.first + 1, first + count / 2, count - count / 2);
 }
 
 double Fineness::at(const glm::dvec3& place, double most) const {

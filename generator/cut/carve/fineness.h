@@ -33,7 +33,9 @@ class Fineness {
     std::uint32_t first = 0;  ///< leaf: first source; else: left child, which the right one follows
     std::uint32_t count = 0;  ///< leaf: sources; else 0
   };
-  void split(std::uint32_t node, std::uint32_t first, std::uint32_t count);
+
+  /// From its sources or children, which must be filled already.
+  void fill(Node& node) const;
 
   std::vector<FinenessSource> source_;
   std::vector<Node> node_;

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <tuple>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "generator/cut/carve/facet_normals.h"
+#include "generator/mesh/edges.h"
 
 namespace pomona {
 
@@ -73,42 +74,25 @@ class KnifeFaceBuilder {
 
   /// Two triangles at an edge are neighbours; of four, those that run it in opposite ways.
   void find_neighbors() {
-    struct Side {
-      std::uint32_t low = 0, high = 0;
-      bool forward = false;
-      std::uint32_t triangle = 0;
-      std::size_t edge = 0;
-    };
-
-    // All sides of all triangles, with whether a surface or a crease follows them.
-    std::vector<Side> sides;
+    // Whether a surface or a crease follows a side.
     face_.neighbor.assign(face_.triangle.size(), {Face::none, Face::none, Face::none});
     face_.constrained.assign(face_.triangle.size(), {0, 0, 0});
     for (std::uint32_t t = 0; t < face_.triangle.size(); ++t) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t p = face_.corner(t, i), q = face_.corner(t, i + 1);
-        const auto [low, high] = std::minmax(p, q);
-        sides.push_back({low, high, p == low, t, i});
-        face_.constrained[t][i] = constrained_.contains(way_of(face_.point[p], face_.point[q])) ? 1 : 0;
+        const Way way = way_of(face_.point[face_.corner(t, i)], face_.point[face_.corner(t, i + 1)]);
+        face_.constrained[t][i] = constrained_.contains(way) ? 1 : 0;
       }
     }
 
-    // Sides of one edge come to lie side by side, forward ones first, and are paired.
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-      return std::tie(a.low, a.high, a.forward, a.triangle) < std::tie(b.low, b.high, b.forward, b.triangle);
+    // Of each edge the sides that run it forward are paired with those that run it back, in the triangles' order.
+    for_each_edge(sorted_half_edges(face_.triangle, {.of_collapsed = true}), [&](std::span<const HalfEdge> edge) {
+      std::vector<HalfEdge> forward, back;
+      for (const HalfEdge& side : edge) (side.forward ? forward : back).push_back(side);
+      for (std::size_t k = 0; k < std::min(forward.size(), back.size()); ++k) {
+        face_.neighbor[forward[k].triangle][forward[k].side] = static_cast<std::int32_t>(back[k].triangle);
+        face_.neighbor[back[k].triangle][back[k].side] = static_cast<std::int32_t>(forward[k].triangle);
+      }
     });
-    for (std::size_t i = 0; i < sides.size();) {
-      std::size_t middle = i, end = i;
-      for (; end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high; ++end) {
-        middle += sides[end].forward ? 0 : 1;
-      }
-      for (std::size_t k = 0; i + k < middle && middle + k < end; ++k) {
-        const Side &a = sides[i + k], &b = sides[middle + k];
-        face_.neighbor[a.triangle][a.edge] = static_cast<std::int32_t>(b.triangle);
-        face_.neighbor[b.triangle][b.edge] = static_cast<std::int32_t>(a.triangle);
-      }
-      i = end;
-    }
   }
 
   const Arrangement& all_;

@@ -57,19 +57,19 @@ void BladeFaceBuilder::update() {
   face.sort_edges();
 }
 
-BladeFace BladeFaceBuilder::finish() && {
-  number_new_points();
+BladeFace BladeFaceBuilder::finish(std::uint32_t first_new) && {
+  number_new_points(first_new);
   find_facets();
-  for (const MeshEdge& edge : edge_) list_edge_points(edge);
+  for (const MeshEdge& edge : edge_) list_edge_points(edge, first_new);
   made_.twins = twins();
   made_.unshared = unshared();
   return std::move(made_);
 }
 
-void BladeFaceBuilder::number_new_points() {
+void BladeFaceBuilder::number_new_points(std::uint32_t first_new) {
   for (std::size_t v = made_.face.point.size(); v < flat_.point.size(); ++v) {
     const int plane = made_.face.plane + blade_.facet_at(flat_.point[v].x);
-    made_.face.point.push_back(static_cast<std::uint32_t>(mesh_.point.size() + made_.point.size()));
+    made_.face.point.push_back(first_new + static_cast<std::uint32_t>(made_.point.size()));
     made_.point.push_back({snapped_to_planes(made_.face.place[v], {plane}, planes_), plane});
   }
 }
@@ -280,9 +280,9 @@ Unshared BladeFaceBuilder::unshared() const {
   return found;
 }
 
-void BladeFaceBuilder::list_edge_points(const MeshEdge& edge) {
+void BladeFaceBuilder::list_edge_points(const MeshEdge& edge, std::uint32_t first_new) {
   const auto place_of = [&](std::uint32_t p) {
-    return p < mesh_.point.size() ? mesh_.point[p] : made_.point[p - mesh_.point.size()].place;
+    return p < first_new ? mesh_.point[p] : made_.point[p - first_new].place;
   };
   const std::vector<std::uint32_t> chain = chain_of(edge);
   const glm::dvec3& start = mesh_.point[edge.low];

@@ -33,7 +33,7 @@ struct BladeFace {
     int plane = 0;  ///< it lies on
   };
   Face face;
-  std::vector<NewPoint> point;  ///< numbered from the end of the split mesh's
+  std::vector<NewPoint> point;  ///< numbered from what finish() was told
   std::vector<EdgePoint> edge_point;
   std::vector<Twins> twins;
   Unshared unshared;
@@ -55,7 +55,8 @@ class BladeFaceBuilder {
   void update();
 
   /// Nothing can be asked of the builder afterwards.
-  BladeFace finish() &&;
+  /// \param first_new number of the first new point; at least the split mesh's size.
+  BladeFace finish(std::uint32_t first_new) &&;
 
  private:
   /// An edge of the split mesh as constraints of the triangulation: one, or several where it runs along a line in which
@@ -105,7 +106,7 @@ class BladeFaceBuilder {
 
   const glm::dvec2& uv(std::uint32_t v) const { return flat_.point[v]; }
 
-  void number_new_points();
+  void number_new_points(std::uint32_t first_new);
 
   /// Which facet each triangle lies on, and its normals.
   void find_facets();
@@ -116,7 +117,7 @@ class BladeFaceBuilder {
   /// Points that crossing surfaces have put on lines after these were laid out. The other planes must have them too.
   Unshared unshared() const;
 
-  void list_edge_points(const MeshEdge& edge);
+  void list_edge_points(const MeshEdge& edge, std::uint32_t first_new);
 
   const SplitMesh& mesh_;
   const CutPlanes& planes_;

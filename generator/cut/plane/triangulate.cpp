@@ -85,25 +85,26 @@ std::vector<std::uint32_t> first_twins(std::size_t count, const std::vector<Twin
 
 /// What all blades add in one round.
 struct Round {
+  std::vector<BladeFace::NewPoint> point;
   std::vector<Face> faces;
   std::vector<EdgePoint> edge_point;
   std::vector<Twins> twins;
   Unshared unshared;
 };
 
-/// The faces' points go into the mesh, blade after blade: their numbers do not depend on threads.
-Round finished(Builders builders, SplitMesh& mesh) {
+/// Gathered blade after blade: the new points' numbers, which go on from the mesh's `points`, do not depend on threads.
+Round finished(Builders builders, std::size_t points) {
   Round round;
   for (std::optional<BladeFaceBuilder>& builder : builders) {
     if (!builder) continue;
-    BladeFace made = std::move(*builder).finish();
-    for (const BladeFace::NewPoint& p : made.point) mesh.add_point(p.place, mesh.sets.with(0, p.plane));
+    BladeFace made = std::move(*builder).finish(static_cast<std::uint32_t>(points + round.point.size()));
+    round.point.insert(round.point.end(), made.point.begin(), made.point.end());
     round.faces.push_back(std::move(made.face));
     round.edge_point.insert(round.edge_point.end(), made.edge_point.begin(), made.edge_point.end());
     round.twins.insert(round.twins.end(), made.twins.begin(), made.twins.end());
-    for (const auto& [line, points] : made.unshared) {
+    for (const auto& [line, of_line] : made.unshared) {
       std::vector<std::uint32_t>& all = round.unshared[line];
-      all.insert(all.end(), points.begin(), points.end());
+      all.insert(all.end(), of_line.begin(), of_line.end());
     }
   }
   return round;
@@ -133,7 +134,8 @@ PlaneFaces triangulate(SplitMesh mesh, const CutPlanes& planes, const std::vecto
       builder.conform(shortest_share * limits.finest);
       builder.update();
     });
-    Round round = finished(std::move(builders), lines.mesh);
+    Round round = finished(std::move(builders), lines.mesh.point.size());
+    for (const BladeFace::NewPoint& p : round.point) lines.mesh.add_point(p.place, lines.mesh.sets.with(0, p.plane));
     if (!round.unshared.empty() && number < most_rounds) {
       lines = with_points(std::move(lines), round.unshared);
       continue;
