@@ -7,6 +7,7 @@
 #include "generator/variation/fold_blend.h"
 #include "generator/variation/fold_draw.h"
 #include "generator/variation/fold_samples.h"
+#include "generator/variation/species_key.h"
 
 namespace pomona::bench {
 
@@ -258,8 +259,8 @@ FoldStatistics fold_statistics(const Template& fruit, const VariantSettings& set
     SurfaceDraws surface(samples);
     if (!surface.can_vary()) continue;
     for (std::size_t v = 0; v < variants.size(); ++v) {
-      std::vector<FoldDraw> draws =
-          drawn_folds(samples.fold.size(), {v + 1, 0}, settings.how.amount, static_cast<int>(variants[v].folds.size()));
+      std::vector<FoldDraw> draws = drawn_folds(samples.fold.size(), species_key({v + 1, 0}, fruit.name),
+                                                settings.how.amount, static_cast<int>(variants[v].folds.size()));
       for (std::size_t k = 0; k < draws.size(); ++k) draws[k].rung = variants[v].folds[k].rung;
       surface.add(draws);
     }

@@ -1,6 +1,7 @@
 #include "bench/variant_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 
 #include <glm/geometric.hpp>
@@ -62,15 +63,36 @@ VariantFacts VariantChecks::facts(int seed) const {
   facts.crossing_curves = crossing_curves(variant.fruit);
   facts.crossings = new_crossings(swept);
   facts.open_shells = std::max(0, open_shells_of(swept) - open_shells_);
-  facts.connected_as_drawn = swept.triangle == drawn_.triangle && swept.surface == drawn_.surface;
-  facts.some_positions = some_of(swept.position);
+  const bool has_drawn_counts = swept.triangle == drawn_.triangle;
+  const DiffusionSurfaces like = has_drawn_counts ? drawn_ : sweep(unpainted(drawn_like(variant.fruit)));
+  facts.connected_as_drawn = swept.triangle == like.triangle && swept.surface == like.surface;
+  facts.some_positions = some_of(has_drawn_counts ? swept.position : positions(seed));
+  const glm::dvec3 sides = bounds_of(swept).size();
+  facts.size = std::log(glm::length(sides));
+  facts.slenderness = std::log(sides.y / std::max(sides.x, sides.z));
   facts.folds = variant.folds;
   facts.loops = loop_shapes(variant.fruit);
   return facts;
 }
 
 std::vector<glm::vec3> VariantChecks::positions(int seed) const {
-  return sweep(unpainted(variation_.draw({static_cast<std::uint64_t>(seed), 0}, settings_.how).fruit)).position;
+  VariationOptions how = settings_.how;
+  how.drawn_counts = true;
+  return sweep(unpainted(variation_.draw({static_cast<std::uint64_t>(seed), 0}, how).fruit)).position;
+}
+
+/// The drawing with as many folds as the variant, and without the surfaces that it lacks.
+Template VariantChecks::drawn_like(const Template& variant) const {
+  const int folds = fold_count(variant);
+  Template drawn = folds == fold_count(fruit_) ? fruit_ : with_folds(fruit_, folds);
+  for (std::size_t s = 0; s < drawn.surfaces.size(); ++s) {
+    SurfaceSketch& surface = drawn.surfaces[s];
+    surface.reference = reference_radii(surface);
+    for (std::size_t loop = 0; loop < surface.horizontal.size(); ++loop) {
+      if (variant.surfaces[s].horizontal[loop].points.empty()) surface.horizontal[loop].points.clear();
+    }
+  }
+  return drawn;
 }
 
 std::vector<std::string> VariantChecks::crossing_curves(const Template& variant) const {

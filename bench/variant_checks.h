@@ -27,10 +27,12 @@ struct VariantFacts {
   std::vector<std::string> crossing_curves;  ///< surfaces with a curve that meets itself and is none such as drawn
   std::map<std::string, int> crossings;      ///< "skin x core": pairs of triangles, where the drawing has none
   int open_shells = 0;                       ///< more than as drawn
-  bool connected_as_drawn = true;            ///< the same triangles; with other folds, as the drawn folds in turn
+  /// The same triangles as the drawing; with other folds, as the drawn folds in turn; without the surfaces left out.
+  bool connected_as_drawn = true;
+  double size = 0, slenderness = 0;  ///< logarithms: of the bounds' diagonal in metres, of height over greater width
   std::vector<FoldReport> folds;
   std::vector<LoopShape> loops;
-  std::vector<glm::vec3> some_positions;                 ///< at most 1024 vertices, the same of all variants
+  std::vector<glm::vec3> some_positions;                 ///< at most 1024 vertices, of the variant with drawn counts
   double vary_milliseconds = 0, sweep_milliseconds = 0;  ///< processor time
 };
 
@@ -41,7 +43,7 @@ class VariantChecks {
 
   VariantFacts facts(int seed) const;
 
-  /// Every vertex of a variant.
+  /// Every vertex of a variant with as many folds and surfaces as drawn.
   std::vector<glm::vec3> positions(int seed) const;
 
   std::size_t triangle_count() const { return drawn_.triangle_count(); }
@@ -49,6 +51,7 @@ class VariantChecks {
   double size() const { return size_; }  ///< metres: the diagonal of the drawing's bounds
 
  private:
+  Template drawn_like(const Template& variant) const;
   std::vector<std::string> crossing_curves(const Template& variant) const;
   std::map<std::string, int> new_crossings(const DiffusionSurfaces& variant) const;
 

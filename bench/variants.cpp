@@ -1,7 +1,9 @@
 // Variants by the thousand: whether anything crosses, stays open or is connected otherwise; whether folds and loops are
-// drawn as the sample says; how unlike each other variants are. docs/variation.md shows what it prints.
+// drawn as the sample says; how unlike each other variants are, and whether species vary by themselves.
+// docs/variation.md shows what it prints.
 //   variants [FRUIT...] [--count N] [--natural] [--out FILE] [--json FILE] [--threads N]
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -15,6 +17,7 @@
 #include "bench/fold_statistics.h"
 #include "bench/fruits.h"
 #include "bench/loop_statistics.h"
+#include "bench/species_correlation.h"
 #include "bench/text_table.h"
 #include "bench/variant_checks.h"
 #include "bench/variant_distances.h"
@@ -39,6 +42,10 @@ struct Options {
 
 /// The distance that no two variants at variation 1 come nearer than, in percent of the size.
 constexpr double stated_distance = 0.01;
+
+/// No two species' sizes or proportions are correlated by more, over this many seeds or more.
+constexpr double stated_correlation = 0.15;
+constexpr int seeds_for_correlation = 1000;
 
 std::vector<VariantFacts> all_facts(const VariantChecks& checks, const VariantSettings& settings, Threads threads) {
   std::vector<VariantFacts> facts(static_cast<std::size_t>(settings.count));
@@ -132,6 +139,10 @@ Json measured(const std::string& name, const Template& fruit, const VariantSetti
               {"distance", distances_of(checks, facts)},
               {"vary_milliseconds", vary_milliseconds},
               {"sweep_milliseconds", sweep_milliseconds}};
+  for (const VariantFacts& variant : facts) {
+    row["size"].push_back(variant.size);
+    row["slenderness"].push_back(variant.slenderness);
+  }
   if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) {
     std::vector<std::vector<LoopShape>> loops;
     for (const VariantFacts& variant : facts) loops.push_back(variant.loops);
@@ -191,6 +202,36 @@ TextTable soundness(const std::vector<Json>& rows) {
   return table;
 }
 
+/// Of natural variants: "size" or "slenderness".
+std::vector<SpeciesPair> correlations(const std::vector<Json>& rows, const char* quantity) {
+  std::vector<SpeciesSeries> species;
+  for (const Json& row : rows) {
+    if (!is_natural(row)) continue;
+    species.push_back({row["fruit"], row[quantity].get<std::vector<double>>()});
+    if (species.back().values.size() != species.front().values.size()) return {};
+  }
+  return most_correlated(species);
+}
+
+TextTable independence(const std::vector<Json>& rows) {
+  TextTable table{{"", "of size, most", "with", "of height over width, most", "with"}, {}};
+  const std::vector<SpeciesPair> size = correlations(rows, "size"), slenderness = correlations(rows, "slenderness");
+  for (std::size_t i = 0; i < std::min(size.size(), slenderness.size()); ++i) {
+    table.rows.push_back({size[i].first, number(size[i].correlation, 3), size[i].second,
+                          number(slenderness[i].correlation, 3), slenderness[i].second});
+  }
+  return table;
+}
+
+bool vary_by_themselves(const std::vector<Json>& rows) {
+  for (const char* quantity : {"size", "slenderness"}) {
+    for (const SpeciesPair& pair : correlations(rows, quantity)) {
+      if (std::abs(pair.correlation) > stated_correlation) return false;
+    }
+  }
+  return true;
+}
+
 /// Percent throughout.
 TextTable blending(const std::vector<Json>& rows) {
   TextTable table{{"", "mean: error", "by chance", "covariance: error", "by chance", "variance unclipped", "clipped",
@@ -246,6 +287,7 @@ std::string text_of(const std::vector<Json>& rows) {
   return "Natural variants (--variation 1)\n\n" + markdown(soundness(natural)) +
          "\nWild variants, and other numbers of folds\n\n" + markdown(soundness(other)) + "\nBlended folds, %\n\n" +
          markdown(blending(rows)) + "\nSynthesised loops\n\n" + markdown(synthesis(rows)) +
+         "\nCorrelation between species at equal seeds\n\n" + markdown(independence(rows)) +
          "\nWhat crosses that does not as drawn\n\n" + defect_list(rows);
 }
 
@@ -284,7 +326,8 @@ int make_report(const Options& options) {
   const std::string text = text_of(rows);
   if (!options.out.empty()) write_whole(options.out, text);
   std::printf("%s", text.c_str());
-  return std::all_of(rows.begin(), rows.end(), is_sound) ? 0 : 1;
+  const bool independent = options.count < seeds_for_correlation || vary_by_themselves(rows);
+  return independent && std::all_of(rows.begin(), rows.end(), is_sound) ? 0 : 1;
 }
 
 }  // namespace

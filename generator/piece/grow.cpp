@@ -10,6 +10,7 @@
 #include "generator/surface/sweep/sweep.h"
 #include "generator/variation/individual_colors.h"
 #include "generator/variation/ripen.h"
+#include "generator/variation/species_key.h"
 
 namespace pomona {
 
@@ -22,7 +23,8 @@ std::uint32_t drawn_pattern(const Template& fruit, VariantKey key, const GrowOpt
 }
 
 /// The variant with colours, noise and detail of its own.
-Template colored_individual(Template variant, const Template& fruit, VariantKey key, const GrowOptions& options) {
+Template colored_individual(Template variant, const Template& fruit, VariantKey users_key, const GrowOptions& options) {
+  const VariantKey key = species_key(users_key, fruit.name);
   const double amount = options.as_drawn || options.curves_only ? 0 : options.variation;
   variant.individual =
       drawn_individual(fruit, key, {.amount = amount, .ripeness = options.ripeness, .browning = options.browning});
@@ -44,7 +46,8 @@ Template variant_of(const Variation& variation, VariantKey key, const GrowOption
   return colored_individual(variation.draw(key, how).fruit, fruit, key, options);
 }
 
-GrownFruit grow(const Template& variant, VariantKey key, const GrowOptions& options) {
+GrownFruit grow(const Template& variant, VariantKey users_key, const GrowOptions& options) {
+  const VariantKey key = species_key(users_key, variant.name);
   const SweepOptions sweep_options{.detail = options.detail, .key = key};
   GrownFruit grown;
   grown.swept = sweep(variant, sweep_options);

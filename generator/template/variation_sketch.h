@@ -2,6 +2,7 @@
 #pragma once
 
 #include "generator/template/color_variation.h"
+#include "generator/template/count_variation.h"
 
 namespace pomona {
 
@@ -17,6 +18,7 @@ struct VariationSketch {
   double size = 0;     ///< standard deviation of the logarithm of the size
   double profile = 0;  ///< standard deviation of the logarithm of height over width; other proportions follow
   BendVariation bend{};
+  CountVariation counts{};
   ColorVariation color{};
 };
 

@@ -14,8 +14,8 @@ namespace pomona {
 std::vector<double> principal_weights(std::span<const double> z);
 
 struct ClipOptions {
-  double gain = 1;             ///< times the samples' standard deviation
-  double extrapolation = 0.2;  ///< no sample counts less than minus this; 0 = convex blends only
+  double gain = 1;           ///< times the samples' standard deviation
+  double extrapolation = 1;  ///< no sample counts less than minus this; 0 = convex blends only
 };
 
 /// The weights times the gain, shrunk until they lie in the likeliest 95 % of draws and no sample counts less than

@@ -30,6 +30,8 @@ class Variation {
   Variant draw(VariantKey key, const VariationOptions& options = {}) const;
 
  private:
+  static bool has_drawn_counts(const VariationOptions& options);
+
   Variant with_varied_curves(VariantKey key, const VariationOptions& options) const;
 
   Template with_varied_body(const Template& variant, VariantKey key, const VariationOptions& options) const;

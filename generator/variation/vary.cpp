@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "generator/base/error.h"
+#include "generator/variation/species_key.h"
 #include "generator/variation/variation.h"
 #include "generator/variation/vary_body.h"
+#include "generator/variation/vary_counts.h"
 
 namespace pomona {
 
@@ -47,9 +49,15 @@ Variant Variation::draw(VariantKey key, const VariationOptions& options) const {
   }
   if (options.folds) check_folds(fruit_, *options.folds);
   if (std::holds_alternative<NoSymmetry>(fruit_.symmetry)) return {fruit_, {}};
-  Variant variant = with_varied_curves(key, options);
-  variant.fruit = with_varied_body(variant.fruit, key, options);
+  const VariantKey own = species_key(key, fruit_.name);
+  Variant variant = with_varied_curves(own, options);
+  variant.fruit = with_varied_body(variant.fruit, own, options);
+  if (!has_drawn_counts(options)) variant.fruit = with_varied_presence(std::move(variant.fruit), own, options.amount);
   return variant;
+}
+
+bool Variation::has_drawn_counts(const VariationOptions& options) {
+  return options.drawn_counts || options.curves_only;
 }
 
 Template Variation::with_varied_body(const Template& variant, VariantKey key, const VariationOptions& options) const {
@@ -65,8 +73,8 @@ Template Variation::with_varied_body(const Template& variant, VariantKey key, co
 
 Variant Variation::with_varied_curves(VariantKey key, const VariationOptions& options) const {
   if (const auto* loops = std::get_if<LoopVariation>(&curves_)) return {loops->draw(key, options.amount), {}};
-  FoldVariant variant =
-      std::get<FoldVariation>(curves_).draw(key, options.amount, options.folds.value_or(fold_count(fruit_)));
+  const int natural = has_drawn_counts(options) ? fold_count(fruit_) : varied_folds(fruit_, key, options.amount);
+  FoldVariant variant = std::get<FoldVariation>(curves_).draw(key, options.amount, options.folds.value_or(natural));
   return {std::move(variant.fruit), std::move(variant.folds)};
 }
 

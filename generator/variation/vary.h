@@ -1,6 +1,6 @@
 // Variation: from a template to a variant of it (paper, section 4.2, Figure 8). Curves change, and beyond the paper
-// what the template's [variation] names (vary_body.h); the surfaces swept from template and variant share their
-// connectivity (unless the number of folds differs).
+// what the template's [variation] names (vary_body.h, vary_counts.h). The surfaces swept from template and variant have
+// the same triangles where the counts are equal: those of folds, and of surfaces that not all individuals have.
 #pragma once
 
 #include <optional>
@@ -14,6 +14,7 @@ struct VariationOptions {
   double amount = 1.0;            ///< 0 = as drawn up to a turn, 1 = natural, 2 = wild
   std::optional<int> folds = {};  ///< another number of folds than drawn, 1..64 (N-fold templates only)
   bool curves_only = false;       ///< vary the horizontal curves alone, as in the paper, whatever the template says
+  bool drawn_counts = false;      ///< as many folds and surfaces as drawn, whatever the template says
 };
 
 /// The variant for `key`: De Bonet synthesis of all loops together for cylindrical symmetry, blending of fold

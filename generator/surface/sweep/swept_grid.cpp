@@ -58,6 +58,12 @@ class GridIndex {
   GridShape shape_;
 };
 
+/// Variants may lack a surface (variation/vary_counts.h): its loops are there, but empty.
+bool is_left_out(const SurfaceSketch& sketch) {
+  const auto is_empty = [](const Curve& loop) { return loop.points.empty(); };
+  return sketch.reference && std::all_of(sketch.horizontal.begin(), sketch.horizontal.end(), is_empty);
+}
+
 }  // namespace
 
 std::vector<glm::uvec3> grid_triangles(const GridShape& shape) {
@@ -85,6 +91,7 @@ std::vector<SweptGrid> swept_grids(const Template& fruit, const SurfaceSketch& s
   if (sketch.vertical.points.size() < (sketch.vertical.closed ? 3u : 2u) || !(length(sketch.vertical) > 0)) {
     refuse(fruit, sketch, "the vertical curve has no length", "draw it from the surface's bottom to its top");
   }
+  if (is_left_out(sketch)) return {};
   if (sketch.type == SurfaceType::in_fold) return in_place(fruit, swept_in_folds(fruit, sketch, around, along));
   return in_place(fruit, {swept_around_axis(fruit, sketch, around, along)});
 }

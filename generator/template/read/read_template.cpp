@@ -162,7 +162,7 @@ Template parse_template(std::string_view toml, const std::string& file) {
     fruit.grains.back().name = name;
   }
   if (root.has("bend")) read_bend_of(fruit, root.get("bend"));
-  if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table());
+  if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table(), fruit);
   if (root.has("material")) fruit.materials = read_materials(root.get("material").table(), fruit.parts);
   if (root.has("noise")) fruit.noise = read_noise(root.get("noise").table());
   if (root.has("detail")) fruit.details = read_details(root.get("detail"), fruit);

@@ -1,5 +1,10 @@
 #include "generator/template/read/read_variation.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+
 namespace pomona {
 
 namespace {
@@ -12,13 +17,65 @@ BendVariation read_bend_variation(const TomlTable& table) {
   return bend;
 }
 
-}  // namespace
+constexpr int most_folds = 64;
 
-VariationSketch read_variation(const TomlTable& table) {
+/// One [number, share] of the folds.
+CountVariation::Folds read_folds(const TomlValue& value) {
+  const std::vector<TomlValue> pair = value.values();
+  if (pair.size() != 2) {
+    value.error("must be a number of folds and its share of the fruits", "write [5, 0.9]");
+    return {};
+  }
+  return {pair[0].integer(1, 1, most_folds), pair[1].number(0, {0, 1})};
+}
+
+/// How often each number of folds is seen: [[4, 0.1], [5, 0.9]].
+std::vector<CountVariation::Folds> read_fold_counts(const TomlValue& value, const Template& fruit) {
+  std::vector<CountVariation::Folds> counts;
+  if (!std::holds_alternative<FoldSymmetry>(fruit.symmetry)) {
+    value.error("is given, but the fruit has no folds", "leave it out");
+    return {};
+  }
+  double total = 0;
+  for (const TomlValue& entry : value.values()) {
+    counts.push_back(read_folds(entry));
+    total += counts.back().share;
+    if (counts.size() > most_folds) {
+      value.error("has more than " + std::to_string(most_folds) + " numbers of folds");
+      return {};
+    }
+  }
+  if (std::abs(total - 1) > 1e-6) value.error("has shares that do not add up to 1");
+  return counts;
+}
+
+/// Which share of the folds, or of the fruits, has a surface: { seed = 0.8 }.
+std::vector<CountVariation::Presence> read_presence(const TomlTable& table, const Template& fruit) {
+  std::vector<CountVariation::Presence> present;
+  for (const std::string& name : table.keys()) {
+    const TomlValue value = table.get(name);
+    const auto known = std::find_if(fruit.surfaces.begin(), fruit.surfaces.end(),
+                                    [&](const SurfaceSketch& surface) { return surface.name == name; });
+    if (known == fruit.surfaces.end()) value.error("is not the name of a surface");
+    present.push_back({static_cast<int>(known - fruit.surfaces.begin()), value.number(1, {0, 1})});
+  }
+  return present;
+}
+
+VariationSketch without_counts(const TomlTable& table) {
   VariationSketch variation;
   variation.size = table.get("size").number(0, {0, 0.25});
   variation.profile = table.get("profile").number(0, {0, 0.25});
   if (table.has("bend")) variation.bend = read_bend_variation(table.get("bend").table());
+  return variation;
+}
+
+}  // namespace
+
+VariationSketch read_variation(const TomlTable& table, const Template& fruit) {
+  VariationSketch variation = without_counts(table);
+  if (table.has("folds")) variation.counts.folds = read_fold_counts(table.get("folds"), fruit);
+  if (table.has("present")) variation.counts.present = read_presence(table.get("present").table(), fruit);
   return variation;
 }
 

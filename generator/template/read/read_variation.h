@@ -3,11 +3,12 @@
 
 #include "generator/template/axis_bend.h"
 #include "generator/template/read/toml_document.h"
-#include "generator/template/variation_sketch.h"
+#include "generator/template/template.h"
 
 namespace pomona {
 
-VariationSketch read_variation(const TomlTable& table);
+/// All but colours, which are read last (read_ripeness.h). `fruit` has its symmetry and surfaces already.
+VariationSketch read_variation(const TomlTable& table, const Template& fruit);
 AxisBend read_bend(const TomlTable& table);
 
 }  // namespace pomona
