@@ -31,6 +31,17 @@ int open_shells_of(const DiffusionSurfaces& surfaces) {
   return static_cast<int>(std::count(shells.closed.begin(), shells.closed.end(), 0));
 }
 
+std::vector<std::ptrdiff_t> triangles_of(const DiffusionSurfaces& surfaces) {
+  std::vector<std::ptrdiff_t> counts(surfaces.surface_names.size(), 0);
+  for (const std::int32_t surface : surfaces.surface) ++counts[static_cast<std::size_t>(surface)];
+  return counts;
+}
+
+std::ptrdiff_t loops_of(const SurfaceSketch& sketch) {
+  return std::count_if(sketch.horizontal.begin(), sketch.horizontal.end(),
+                       [](const Curve& loop) { return !loop.points.empty(); });
+}
+
 /// At most 1024, evenly among the indices.
 std::vector<glm::vec3> some_of(const std::vector<glm::vec3>& positions) {
   const std::size_t step = (positions.size() + 1023) / 1024;
@@ -63,10 +74,10 @@ VariantFacts VariantChecks::facts(int seed) const {
   facts.crossing_curves = crossing_curves(variant.fruit);
   facts.crossings = new_crossings(swept);
   facts.open_shells = std::max(0, open_shells_of(swept) - open_shells_);
-  const bool has_drawn_counts = swept.triangle == drawn_.triangle;
-  const DiffusionSurfaces like = has_drawn_counts ? drawn_ : sweep(unpainted(drawn_like(variant.fruit)));
-  facts.connected_as_drawn = swept.triangle == like.triangle && swept.surface == like.surface;
-  facts.some_positions = some_of(has_drawn_counts ? swept.position : positions(seed));
+  const DiffusionSurfaces same_counts = swept.triangle == drawn_.triangle ? swept : with_drawn_counts(seed);
+  facts.connected_as_drawn = same_counts.triangle == drawn_.triangle && same_counts.surface == drawn_.surface &&
+                             has_loops_as_drawn(variant.fruit, swept);
+  facts.some_positions = some_of(same_counts.position);
   const glm::dvec3 sides = bounds_of(swept).size();
   facts.size = std::log(glm::length(sides));
   facts.slenderness = std::log(sides.y / std::max(sides.x, sides.z));
@@ -75,24 +86,21 @@ VariantFacts VariantChecks::facts(int seed) const {
   return facts;
 }
 
-std::vector<glm::vec3> VariantChecks::positions(int seed) const {
+std::vector<glm::vec3> VariantChecks::positions(int seed) const { return with_drawn_counts(seed).position; }
+
+DiffusionSurfaces VariantChecks::with_drawn_counts(int seed) const {
   VariationOptions how = settings_.how;
   how.drawn_counts = true;
-  return sweep(unpainted(variation_.draw({static_cast<std::uint64_t>(seed), 0}, how).fruit)).position;
+  return sweep(unpainted(variation_.draw({static_cast<std::uint64_t>(seed), 0}, how).fruit));
 }
 
-/// The drawing with as many folds as the variant, and without the surfaces that it lacks.
-Template VariantChecks::drawn_like(const Template& variant) const {
-  const int folds = fold_count(variant);
-  Template drawn = folds == fold_count(fruit_) ? fruit_ : with_folds(fruit_, folds);
+bool VariantChecks::has_loops_as_drawn(const Template& variant, const DiffusionSurfaces& swept) const {
+  const Template drawn = with_folds(fruit_, fold_count(variant));
+  const std::vector<std::ptrdiff_t> of_drawn = triangles_of(sweep(unpainted(drawn))), found = triangles_of(swept);
   for (std::size_t s = 0; s < drawn.surfaces.size(); ++s) {
-    SurfaceSketch& surface = drawn.surfaces[s];
-    surface.reference = reference_radii(surface);
-    for (std::size_t loop = 0; loop < surface.horizontal.size(); ++loop) {
-      if (variant.surfaces[s].horizontal[loop].points.empty()) surface.horizontal[loop].points.clear();
-    }
+    if (found[s] * loops_of(drawn.surfaces[s]) != of_drawn[s] * loops_of(variant.surfaces[s])) return false;
   }
-  return drawn;
+  return true;
 }
 
 std::vector<std::string> VariantChecks::crossing_curves(const Template& variant) const {

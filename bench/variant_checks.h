@@ -27,7 +27,7 @@ struct VariantFacts {
   std::vector<std::string> crossing_curves;  ///< surfaces with a curve that meets itself and is none such as drawn
   std::map<std::string, int> crossings;      ///< "skin x core": pairs of triangles, where the drawing has none
   int open_shells = 0;                       ///< more than as drawn
-  /// The same triangles as the drawing; with other folds, as the drawn folds in turn; without the surfaces left out.
+  /// With the counts of the drawing the same triangles; with others as many for each loop as the drawn folds in turn.
   bool connected_as_drawn = true;
   double size = 0, slenderness = 0;  ///< logarithms: of the bounds' diagonal in metres, of height over greater width
   std::vector<FoldReport> folds;
@@ -51,7 +51,8 @@ class VariantChecks {
   double size() const { return size_; }  ///< metres: the diagonal of the drawing's bounds
 
  private:
-  Template drawn_like(const Template& variant) const;
+  DiffusionSurfaces with_drawn_counts(int seed) const;
+  bool has_loops_as_drawn(const Template& variant, const DiffusionSurfaces& swept) const;
   std::vector<std::string> crossing_curves(const Template& variant) const;
   std::map<std::string, int> new_crossings(const DiffusionSurfaces& variant) const;
 

@@ -30,7 +30,7 @@ std::vector<double> coefficients(const FoldDraw& draw, const std::vector<bool>& 
   double reach = draw.rung >= FoldDraw::mean_rung ? 0 : 1;
   for (int rung = 0; rung < std::min(draw.rung, FoldDraw::mean_rung); ++rung) reach *= 0.75;
 
-  // Mix with the drawn fold.
+  // Mix with the drawn fold, or where that is not there with the mean.
   const double share = draw.rung == FoldDraw::drawn_rung ? 0 : std::min(1.0, draw.amount);
   std::vector<double> result(present.size(), 0.0);
   std::size_t next = 0;
@@ -38,7 +38,13 @@ std::vector<double> coefficients(const FoldDraw& draw, const std::vector<bool>& 
     if (!present[i]) continue;
     result[i] = share * (1 / static_cast<double>(z.size()) + reach * weights[next++]);
   }
-  if (present[draw.source]) result[draw.source] += 1 - share;
+  if (present[draw.source]) {
+    result[draw.source] += 1 - share;
+  } else {
+    for (std::size_t i = 0; i < present.size(); ++i) {
+      if (present[i]) result[i] += (1 - share) / static_cast<double>(z.size());
+    }
+  }
   return result;
 }
 

@@ -52,7 +52,7 @@ Variant Variation::draw(VariantKey key, const VariationOptions& options) const {
   const VariantKey own = species_key(key, fruit_.name);
   Variant variant = with_varied_curves(own, options);
   variant.fruit = with_varied_body(variant.fruit, own, options);
-  if (!has_drawn_counts(options)) variant.fruit = with_varied_presence(std::move(variant.fruit), own, options.amount);
+  if (!has_drawn_counts(options)) variant.fruit = with_varied_layers(std::move(variant.fruit), own, options.amount);
   return variant;
 }
 
@@ -74,7 +74,8 @@ Template Variation::with_varied_body(const Template& variant, VariantKey key, co
 Variant Variation::with_varied_curves(VariantKey key, const VariationOptions& options) const {
   if (const auto* loops = std::get_if<LoopVariation>(&curves_)) return {loops->draw(key, options.amount), {}};
   const int natural = has_drawn_counts(options) ? fold_count(fruit_) : varied_folds(fruit_, key, options.amount);
-  FoldVariant variant = std::get<FoldVariation>(curves_).draw(key, options.amount, options.folds.value_or(natural));
+  FoldVariant variant = std::get<FoldVariation>(curves_).draw(key, options.amount, options.folds.value_or(natural),
+                                                              has_drawn_counts(options));
   return {std::move(variant.fruit), std::move(variant.folds)};
 }
 

@@ -17,18 +17,25 @@ int varied_folds(const Template& fruit, VariantKey key, double amount) {
   return drawn;
 }
 
-Template with_varied_presence(Template variant, VariantKey key, double amount) {
-  const double natural = std::min(1.0, amount);
-  for (const CountVariation::Presence& presence : variant.variation.counts.present) {
-    SurfaceSketch& surface = variant.surfaces[static_cast<std::size_t>(presence.surface)];
-    const RandomStream random(key, "vary/counts/" + surface.name);
-    const double share = 1 - natural * (1 - presence.share);
+std::vector<bool> varied_presence(const Template& fruit, int surface, std::vector<bool> as_drawn, VariantKey key,
+                                  double amount) {
+  const std::vector<CountVariation::Presence>& all = fruit.variation.counts.present;
+  const auto presence = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.surface == surface; });
+  if (presence == all.end()) return as_drawn;
+  const RandomStream random(key, "vary/counts/" + fruit.surfaces[static_cast<std::size_t>(surface)].name);
+  for (std::size_t loop = 0; loop < as_drawn.size(); ++loop) {
+    if (random.uniform(2 * loop + 1) < amount) as_drawn[loop] = random.uniform(2 * loop) < presence->share;
+  }
+  return as_drawn;
+}
 
-    // What is left keeps the scale that all loops together gave the vertical curve.
+Template with_varied_layers(Template variant, VariantKey key, double amount) {
+  for (std::size_t s = 0; s < variant.surfaces.size(); ++s) {
+    SurfaceSketch& surface = variant.surfaces[s];
+    if (surface.type != SurfaceType::around_axis) continue;
+    if (varied_presence(variant, static_cast<int>(s), {true}, key, amount).front()) continue;
     surface.reference = reference_radii(surface);
-    for (std::size_t loop = 0; loop < surface.horizontal.size(); ++loop) {
-      if (random.uniform(loop) >= share) surface.horizontal[loop].points.clear();
-    }
+    surface.horizontal.front().points.clear();
   }
   return variant;
 }

@@ -2,6 +2,8 @@
 // section 4.2.
 #pragma once
 
+#include <vector>
+
 #include "generator/base/random.h"
 #include "generator/template/template.h"
 
@@ -10,8 +12,13 @@ namespace pomona {
 /// How many folds the variant has by the template's [variation]. With an amount below 1 so many more are as drawn.
 int varied_folds(const Template& fruit, VariantKey key, double amount);
 
-/// The variant without the surfaces, or without the loops of folds, that its [variation] leaves out. Surfaces keep
-/// their numbers; one that is left out has empty loops.
-Template with_varied_presence(Template variant, VariantKey key, double amount);
+/// Which loops of a surface the variant has: those that it would have as drawn, unless the template says that not all
+/// have it. With an amount below 1 so many more are as drawn.
+std::vector<bool> varied_presence(const Template& fruit, int surface, std::vector<bool> as_drawn, VariantKey key,
+                                  double amount);
+
+/// The variant without the surfaces around the axis that its [variation] leaves out. They keep their numbers, but their
+/// loops are empty.
+Template with_varied_layers(Template variant, VariantKey key, double amount);
 
 }  // namespace pomona

@@ -11,6 +11,7 @@
 #include "generator/variation/fold_form.h"
 #include "generator/variation/fold_room.h"
 #include "generator/variation/fold_samples.h"
+#include "generator/variation/vary_counts.h"
 
 namespace pomona {
 
@@ -53,11 +54,15 @@ PolarCurve placed(PolarCurve sample, double from, double width) {
 }
 
 /// Blends the folds of one surface: samples for each fold to be made, empty where there is to be none.
-std::vector<PolarCurve> blended_folds(const FoldSamples& samples, const std::vector<FoldDraw>& draws) {
+/// \param bearing whether the fold is to have the surface. One that has stepped down to a drawn fold without it has
+/// not.
+std::vector<PolarCurve> blended_folds(const FoldSamples& samples, const std::vector<FoldDraw>& draws,
+                                      const std::vector<bool>& bearing) {
   const std::vector<bool> present = presence(samples);
   std::vector<PolarCurve> folds;
-  for (const FoldDraw& draw : draws) {
-    const bool here = present[draw.source];
+  for (std::size_t k = 0; k < draws.size(); ++k) {
+    const FoldDraw& draw = draws[k];
+    const bool here = bearing[k] && (present[draw.source] || draw.rung < FoldDraw::drawn_rung);
     folds.push_back(here ? blended(samples.fold, coefficients(draw, present)) : PolarCurve{});
   }
   if (!samples.closed) join(folds);
@@ -100,15 +105,41 @@ struct Candidate {
   std::vector<std::vector<PolarCurve>> folds;  ///< for each of Drawing::samples, in the pie-shaped space
 };
 
-Candidate candidate(const Drawing& drawing, const std::vector<FoldDraw>& draws) {
+/// For each of Drawing::samples, for each fold: whether it is there.
+using Bearing = std::vector<std::vector<bool>>;
+
+/// As in the drawn folds in turn.
+Bearing drawn_bearing(const Drawing& drawing, const std::vector<FoldDraw>& draws) {
+  Bearing bearing;
+  for (const FoldSamples& samples : drawing.samples) {
+    const std::vector<bool> present = presence(samples);
+    std::vector<bool>& folds = bearing.emplace_back();
+    for (const FoldDraw& draw : draws) folds.push_back(present[draw.source]);
+  }
+  return bearing;
+}
+
+/// Drawn at random where the template says that not all folds have a surface.
+Bearing varied_bearing(const Drawing& drawing, const std::vector<FoldDraw>& draws, VariantKey key, double amount) {
+  Bearing bearing = drawn_bearing(drawing, draws);
+  for (std::size_t s = 0; s < bearing.size(); ++s) {
+    const std::size_t surface = drawing.samples[s].surface;
+    if (!drawing.samples[s].closed) continue;
+    bearing[s] = varied_presence(drawing.fruit, static_cast<int>(surface), bearing[s], key, amount);
+  }
+  return bearing;
+}
+
+Candidate candidate(const Drawing& drawing, const std::vector<FoldDraw>& draws, const Bearing& bearing) {
   Candidate result{drawing.fruit, {}};
   const double first = std::get<FoldSymmetry>(drawing.fruit.symmetry).fold_angles.front();
   const std::vector<double> widths = blended_widths(drawing.widths, draws);
   const FoldSymmetry symmetry = symmetry_of(first, widths);
-  for (const FoldSamples& samples : drawing.samples) {
+  for (std::size_t s = 0; s < drawing.samples.size(); ++s) {
+    const FoldSamples& samples = drawing.samples[s];
     SurfaceSketch& surface = result.fruit.surfaces[samples.surface];
     surface.reference = reference_radii(surface);
-    result.folds.push_back(blended_folds(samples, surface.varies ? draws : as_drawn(draws)));
+    result.folds.push_back(blended_folds(samples, surface.varies ? draws : as_drawn(draws), bearing[s]));
     surface.horizontal = loops_of(result.folds.back(), symmetry, widths, samples.closed);
   }
   result.fruit.symmetry = symmetry;
@@ -185,14 +216,15 @@ struct FoldVariation::Prepared {
 FoldVariation::FoldVariation(const Template& fruit, SweptCheck swept)
     : prepared_(std::make_shared<Prepared>(fruit, std::move(swept))) {}
 
-FoldVariant FoldVariation::draw(VariantKey key, double amount, int folds) const {
+FoldVariant FoldVariation::draw(VariantKey key, double amount, int folds, bool drawn_counts) const {
   // Draw once; then only ever step towards the drawing, so that there is an end.
   const auto& [drawing, requirements] = *prepared_;
   std::vector<FoldDraw> draws = drawn_folds(drawing.widths.size(), key, amount, folds);
-  Candidate result = candidate(drawing, draws);
+  const Bearing bearing = drawn_counts ? drawn_bearing(drawing, draws) : varied_bearing(drawing, draws, key, amount);
+  Candidate result = candidate(drawing, draws, bearing);
   std::vector<bool> sound = requirements.are_met(result);
   while (!Requirements::all_of(sound) && step_down(draws, sound)) {
-    result = candidate(drawing, draws);
+    result = candidate(drawing, draws, bearing);
     sound = requirements.are_met(result);
   }
 
@@ -204,7 +236,8 @@ FoldVariant FoldVariation::draw(VariantKey key, double amount, int folds) const 
 Template repeat_folds(const Template& fruit, int folds) {
   if (folds == fold_count(fruit)) return fruit;
   const Drawing drawing(fruit);
-  return candidate(drawing, as_drawn(drawn_folds(drawing.widths.size(), {}, 0, folds))).fruit;
+  const std::vector<FoldDraw> draws = as_drawn(drawn_folds(drawing.widths.size(), {}, 0, folds));
+  return candidate(drawing, draws, drawn_bearing(drawing, draws)).fruit;
 }
 
 }  // namespace pomona

@@ -34,7 +34,8 @@ class FoldVariation {
 
   /// One set of weights per fold serves everything in it, so that a chamber follows the wall around it. Below amount 1
   /// a fold is a mixture of the drawn one (in turn, if there are more or fewer folds than drawn) and the blend.
-  FoldVariant draw(VariantKey key, double amount, int folds) const;
+  /// \param drawn_counts whether folds have the same surfaces as the drawn ones, whatever the template says.
+  FoldVariant draw(VariantKey key, double amount, int folds, bool drawn_counts = false) const;
 
  private:
   struct Prepared;

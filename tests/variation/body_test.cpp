@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Everything varies, far more than any fruit does.
-constexpr VariationSketch wild{.size = 0.25, .profile = 0.2, .bend = {.angle = 0.7, .swing = 0.7, .around = true}};
+const VariationSketch wild{.size = 0.25, .profile = 0.2, .bend = {.angle = 0.7, .swing = 0.7, .around = true}};
 
 Template varying(Template fruit, const VariationSketch& variation = wild) {
   fruit.variation = variation;

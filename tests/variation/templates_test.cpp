@@ -60,7 +60,7 @@ Sample sample_of(const std::string& name, std::uint64_t count) {
     const FoldVariation variation(sample.fruit);
     const int folds = fold_count(sample.fruit);
     for (std::uint64_t seed = 1; seed <= count; ++seed) {
-      sample.variants.push_back(variation.draw({seed, 0}, 1, folds).fruit);
+      sample.variants.push_back(variation.draw({seed, 0}, 1, folds, true).fruit);
     }
   }
   return sample;
