@@ -45,7 +45,8 @@ CutLines cut_lines(SplitMesh mesh, const CutPlanes& planes, const std::vector<st
 /// The length that edges should have on one of the line's planes, at a place.
 using SizeOnPlane = std::function<double(int plane, const glm::dvec3& place)>;
 
-/// With points added until neighbours are no farther apart than `size` says.
+/// With points added until neighbours are no farther apart than 1.2 times what `size` says between them, on the plane
+/// that asks for least; but for what leads outside.
 CutLines subdivided(CutLines all, const CutPlanes& planes, const SizeOnPlane& size);
 
 /// Points of the split mesh that lie on a line, by its number, and are news to other planes there.
