@@ -112,6 +112,11 @@ std::vector<CarvingCase> carving_cases() {
        nested_spheres(0.05, 0.02, 4),
        {parse_knife("wedges:4")},
        tilted(block({0, 0, 0}, {0.05, 0.05, 0.05}))},
+      {"common wall",
+       joined(box({-0.04, -0.03, -0.03}, {0, 0.03, 0.03}, 2, skin_paint()),
+              box({0, -0.02, -0.025}, {0.03, 0.02, 0.025}, 1, skin_paint())),
+       {},
+       ball({0.002, 0.003, 0.001}, 0.015, 4)},
       {"two parts", ball_of_flesh, {}, together(scoop, ball({-0.02, 0.003, 0.001}, 0.013, 3))},
       {"face in face",
        box({-0.03125, -0.03125, -0.03125}, {0.03125, 0.03125, 0.03125}, 2, skin_paint()),
@@ -239,6 +244,12 @@ int winding_around(std::span<const Corners> triangles, const glm::dvec3& place) 
 
 glm::dvec3 area_of(const Corners& triangle) {
   return 0.5 * glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+}
+
+bool is_collapsed(const Corners& triangle) {
+  double longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(triangle[i], triangle[(i + 1) % 3]));
+  return 2 * glm::length(area_of(triangle)) < 1e-14 * longest;
 }
 
 }  // namespace pomona::shapes

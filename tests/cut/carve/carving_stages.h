@@ -27,8 +27,9 @@ struct CarvingCase {
   ClosedSurface knife;
 };
 
-/// Bowls, a hollow and a tube; through bodies with a core, with a cavity and through each other; where planes and
-/// another closed knife have cut before; a knife of two parts, and one with a face in a face of the fruit.
+/// Bowls, a hollow and a tube; through bodies with a core, with a cavity, through each other and with a common wall;
+/// where planes and another closed knife have cut before; a knife of two parts, and one with a face in a face of the
+/// fruit.
 std::vector<CarvingCase> carving_cases();
 
 /// The case that is called so.
@@ -77,5 +78,8 @@ int winding_around(std::span<const Corners> triangles, const glm::dvec3& place);
 
 /// Half the product of two edges: the area, along the normal.
 glm::dvec3 area_of(const Corners& triangle);
+
+/// True where rounding has closed a triangle to a line: then it has no front.
+bool is_collapsed(const Corners& triangle);
 
 }  // namespace pomona::shapes

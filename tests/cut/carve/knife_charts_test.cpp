@@ -73,10 +73,12 @@ std::vector<Uncharted> uncharted_faces() {
   return all;
 }
 
-glm::dvec3 area_of(const Face& face, std::size_t triangle) {
+Corners corners_of(const Face& face, std::size_t triangle) {
   const glm::uvec3& t = face.triangle[triangle];
-  return shapes::area_of({face.place[t.x], face.place[t.y], face.place[t.z]});
+  return {face.place[t.x], face.place[t.y], face.place[t.z]};
 }
+
+glm::dvec3 area_of(const Face& face, std::size_t triangle) { return shapes::area_of(corners_of(face, triangle)); }
 
 /// Chart by chart, the triangles of the section.
 std::vector<std::vector<std::size_t>> charts_of(const Face& face, const Regions& regions) {
@@ -95,6 +97,7 @@ TEST(KnifeCharts, TurnNoTriangleAway) {
       if (!before.regions.is_section(t)) continue;
       ++section;
       ASSERT_LT(face.facet[t], face.frame.size());
+      if (shapes::is_collapsed(corners_of(face, t))) continue;
       EXPECT_GT(glm::dot(area_of(face, t), face.frame[face.facet[t]].normal), 0);
     }
     EXPECT_GT(section, 0u);
@@ -129,7 +132,7 @@ TEST(KnifeCharts, HaveFramesThroughTheirMiddles) {
         for (int i = 0; i < 3; ++i) height += own / 3 * glm::dot(frame.normal, face.place[v[i]] - frame.origin);
         area += own;
       }
-      EXPECT_NEAR(height / area, 0, 1e-12);
+      EXPECT_LE(std::abs(height), 1e-12 * area);
     }
   }
 }

@@ -19,10 +19,12 @@ using shapes::CarvingCase;
 using shapes::CarvingStages;
 using Way = std::pair<std::uint32_t, std::uint32_t>;
 
-glm::dvec3 area_of(const Face& face, std::size_t triangle) {
+Corners corners_of(const Face& face, std::size_t triangle) {
   const glm::uvec3& t = face.triangle[triangle];
-  return shapes::area_of({face.place[t.x], face.place[t.y], face.place[t.z]});
+  return {face.place[t.x], face.place[t.y], face.place[t.z]};
 }
+
+glm::dvec3 area_of(const Face& face, std::size_t triangle) { return shapes::area_of(corners_of(face, triangle)); }
 
 TEST(KnifeFace, CoversEveryTriangleOfTheKnifeWithItsParts) {
   for (const CarvingCase& of : shapes::carving_cases()) {
@@ -35,7 +37,9 @@ TEST(KnifeFace, CoversEveryTriangleOfTheKnifeWithItsParts) {
       glm::dvec3 sum(0);
       const std::size_t end = next + stages.all.facet[stages.all.fruit_count + k].mesh.triangle.size();
       for (; next < end; ++next) {
-        EXPECT_GT(glm::dot(area_of(face, next), whole), 0);
+        if (!shapes::is_collapsed(corners_of(face, next))) {
+          EXPECT_GT(glm::dot(area_of(face, next), whole), 0);
+        }
         EXPECT_EQ(face.facet[next], stages.knife.mesh.triangle[k].face);
         sum += area_of(face, next);
       }
@@ -87,22 +91,27 @@ TEST(KnifeFace, NeighborsAreMutualAndRunTheirEdgeTheOtherWay) {
   }
 }
 
-/// At the edge that two blocks have in common four triangles meet.
+/// At the edge that two blocks have in common four triangles meet. In whichever order these come, two that run it the
+/// same way are no neighbours.
 TEST(KnifeFace, PairsTheFourTrianglesAtAnEdgeOfTwoSolids) {
   CarvingCase of = shapes::carving_case("bowl");
-  of.knife = shapes::block({0.01, 0.002, -0.02}, {0.03, 0.02, 0.02});
-  ClosedSurface second = shapes::block({0.03, 0.02, -0.02}, {0.06, 0.03, 0.02});
-  for (const glm::uvec3& t : second.triangle) of.knife.triangle.push_back(t + 8u);
-  of.knife.point.insert(of.knife.point.end(), second.point.begin(), second.point.end());
-  const CarvingStages stages(of);
-  expect_neighbors_meet(stages.face);
-  std::map<Way, int> triangles_at;
-  for (const glm::uvec3& t : stages.face.triangle) {
-    for (int i = 0; i < 3; ++i) ++triangles_at[std::minmax({t[i], t[(i + 1) % 3]})];
+  ClosedSurface both = shapes::block({0.01, 0.002, -0.02}, {0.03, 0.02, 0.02});
+  const ClosedSurface second = shapes::block({0.03, 0.02, -0.02}, {0.06, 0.03, 0.02});
+  for (const glm::uvec3& t : second.triangle) both.triangle.push_back(t + 8u);
+  both.point.insert(both.point.end(), second.point.begin(), second.point.end());
+  for (const std::size_t stride : {1u, 5u, 7u, 11u, 13u}) {
+    of.knife = both;
+    for (std::size_t t = 0; t < both.triangle.size(); ++t)
+      of.knife.triangle[t] = both.triangle[stride * t % both.triangle.size()];
+    const CarvingStages stages(of);
+    expect_neighbors_meet(stages.face);
+    std::map<Way, int> triangles_at;
+    for (const glm::uvec3& t : stages.face.triangle) {
+      for (int i = 0; i < 3; ++i) ++triangles_at[std::minmax({t[i], t[(i + 1) % 3]})];
+    }
+    const auto of_four = [](const auto& entry) { return entry.second == 4; };
+    EXPECT_TRUE(std::any_of(triangles_at.begin(), triangles_at.end(), of_four));
   }
-  int of_four = 0;
-  for (const auto& [way, count] : triangles_at) of_four += count == 4 ? 1 : 0;
-  EXPECT_GT(of_four, 0);
 }
 
 /// The ways of all traces by places of the arrangement, from low to high.

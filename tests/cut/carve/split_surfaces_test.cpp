@@ -104,6 +104,7 @@ TEST(SplitSurfaces, SectionsAddUpToTheFacesTheyArePartsOf) {
 
 /// Asked next to all three corners and in the middle: the knife winds around all of them, or around none.
 void expect_on_one_side(const CarvingStages& stages, const Corners& corners, std::uint32_t cell) {
+  if (shapes::is_collapsed(corners)) return;
   const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
   const int inside = static_cast<int>(cell % 2);
   EXPECT_EQ(stages.winding_of_knife_at(middle), inside);
@@ -181,13 +182,14 @@ glm::dvec3 normal_of(const DiffusionSurfaces& surfaces, std::uint32_t triangle) 
   return shapes::area_of({surfaces.position[v.x], surfaces.position[v.y], surfaces.position[v.z]});
 }
 
-/// The normals of the knife's triangles that have both places.
+/// The normals of the knife's triangles that have both places; 0 for those that are closed to a line.
 std::vector<glm::dvec3> normals_at(const Face& face, std::uint32_t from, std::uint32_t to) {
   std::vector<glm::dvec3> all;
   for (const glm::uvec3& t : face.triangle) {
     const std::array<std::uint32_t, 3> at{face.point[t.x], face.point[t.y], face.point[t.z]};
     if (std::count(at.begin(), at.end(), from) + std::count(at.begin(), at.end(), to) != 2) continue;
-    all.push_back(glm::normalize(shapes::area_of({face.place[t.x], face.place[t.y], face.place[t.z]})));
+    const Corners corners{face.place[t.x], face.place[t.y], face.place[t.z]};
+    all.push_back(shapes::is_collapsed(corners) ? glm::dvec3(0) : glm::normalize(shapes::area_of(corners)));
   }
   return all;
 }
@@ -207,7 +209,9 @@ TEST(SplitSurfaces, TracesLieOnBothAndKeepFrontsToTheirLeft) {
       const std::vector<glm::dvec3> knife = normals_at(stages.face, s.from, s.to);
       ASSERT_EQ(knife.size(), 2u) << "a side of two triangles of the knife";
       for (const glm::dvec3& normal : knife) EXPECT_GT(glm::dot(glm::cross(front, normal), way), -1e-12);
-      EXPECT_GT(glm::dot(glm::cross(front, knife[0] + knife[1]), way), 0);
+      if (knife[0] != glm::dvec3(0) || knife[1] != glm::dvec3(0)) {
+        EXPECT_GT(glm::dot(glm::cross(front, knife[0] + knife[1]), way), 0);
+      }
       EXPECT_EQ(mesh.point_of[s.from_vertex], s.from);
       EXPECT_EQ(mesh.point_of[s.to_vertex], s.to);
       const glm::dvec3 corner = stages.surfaces.position[stages.surfaces.triangle[s.source].x];
@@ -262,7 +266,7 @@ TEST(SplitSurfaces, MixColorsAndNormalsByPlace) {
       for (const std::uint32_t v : t.vertex) {
         EXPECT_TRUE(is_near(mesh.front_color[v], shapes::front_color_at(mesh.place_of(v))));
         EXPECT_TRUE(is_near(mesh.back_color[v], shapes::back_color_at(mesh.place_of(v))));
-        if (!stages.surfaces.is_boundary(t.source)) continue;
+        if (!stages.surfaces.is_boundary(t.source) || shapes::is_collapsed(corners_of(t, mesh))) continue;
         EXPECT_NEAR(glm::length(mesh.normal[v]), 1, 1e-5);
         EXPECT_GT(glm::dot(glm::dvec3(mesh.normal[v]), shapes::area_of(corners_of(t, mesh))), 0);
       }
