@@ -99,30 +99,44 @@ class PatchFinder {
 
   /// Joins the patches that an open body's boundary leaves together, and takes those it mostly shows its inside.
   void fill(std::int32_t body) {
+    // What hangs together around the boundary's ends, and what of it reaches the rim.
     const auto patches = static_cast<std::uint32_t>(found_.count());
     DisjointSets sets(patches);
-    std::vector<double> visible(patches, 0);  // length of visible less that of hidden sides
-    std::vector<std::uint8_t> outside(patches, 0);
     for (std::size_t t = 0; t < triangle_count(); ++t) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t here = found_.patch_of[t];
-        const int inside_here = side_of_body(body, t, i);
-        visible[here] += inside_here * distance(face_, ends_of(t, i).first, ends_of(t, i).second);
-        if (face_.neighbor[t][i] < 0) outside[here] = 1;
-        if (face_.neighbor[t][i] < 0 || inside_here != 0) continue;
-        sets.join(here, found_.patch_of[static_cast<std::size_t>(face_.neighbor[t][i])]);
+        if (face_.neighbor[t][i] < 0 || side_of_body(body, t, i) != 0) continue;
+        sets.join(found_.patch_of[t], found_.patch_of[static_cast<std::size_t>(face_.neighbor[t][i])]);
       }
     }
-    for (std::uint32_t p = 0; p < patches; ++p) {
-      const std::uint32_t root = sets.root(p);
-      if (root == p) continue;
-      visible[root] += visible[p];
-      outside[root] = outside[root] | outside[p];
+    std::vector<std::uint8_t> outside(patches, 0);
+    for (std::size_t t = 0; t < triangle_count(); ++t) {
+      for (const std::int32_t other : face_.neighbor[t]) {
+        if (other < 0) outside[sets.root(found_.patch_of[t])] = 1;
+      }
     }
+
+    const std::vector<double> visible = visible_less_hidden(body, sets);
     for (std::uint32_t p = 0; p < patches; ++p) {
       const std::uint32_t root = sets.root(p);
       if (!outside[root] && visible[root] > 0) change(found_.inside[p], body, 1);
     }
+  }
+
+  /// Per set of patches, by its root: the length of the body's visible less that of its hidden sides. Where both sides
+  /// of the boundary lie in the set they make up for each other, and are left out: rounding would decide.
+  std::vector<double> visible_less_hidden(std::int32_t body, DisjointSets sets) const {
+    std::vector<double> visible(found_.count(), 0);
+    for (std::size_t t = 0; t < triangle_count(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int inside_here = side_of_body(body, t, i);
+        if (inside_here == 0) continue;
+        const std::uint32_t here = sets.root(found_.patch_of[t]);
+        const std::int32_t other = face_.neighbor[t][i];
+        if (other >= 0 && sets.root(found_.patch_of[static_cast<std::size_t>(other)]) == here) continue;
+        visible[here] += inside_here * distance(face_, ends_of(t, i).first, ends_of(t, i).second);
+      }
+    }
+    return visible;
   }
 
   /// Of how many of the body's segments along the edge the triangle lies inside, less those it lies outside of.

@@ -181,6 +181,12 @@ TEST(KnifeCharts, OfABlockAreItsSixFlatFaces) {
     }
   }
   EXPECT_EQ(seen.size(), 6u);
+
+  // Turned, its normals are rounded, and its faces as flat as before.
+  const Uncharted turned = uncharted(shapes::tilted(shapes::block(low, high)));
+  const Face turned_face = charted(turned.face, turned.regions, 0);
+  EXPECT_EQ(turned_face.frame.size(), 6u);
+  for (const CutFace& frame : turned_face.frame) EXPECT_FALSE(frame.curved);
 }
 
 TEST(KnifeCharts, LeaveTheTrianglesAsTheyAre) {

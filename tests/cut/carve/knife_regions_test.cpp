@@ -108,6 +108,40 @@ TEST(KnifeRegions, OfAKnifeInTheMiddleAreAllSection) {
   EXPECT_EQ(fillings(regions.patch[0].closes), (std::vector<Filling>{{1, 0, 0, 1}}));
 }
 
+/// The case with one triangle of its fruit left out.
+CarvingCase with_hole(CarvingCase of, std::size_t triangle) {
+  DiffusionSurfaces& surfaces = of.surfaces;
+  const auto leave_out = [&](auto& all) { all.erase(all.begin() + static_cast<std::ptrdiff_t>(triangle)); };
+  leave_out(surfaces.triangle);
+  leave_out(surfaces.surface);
+  leave_out(surfaces.front_part);
+  leave_out(surfaces.back_part);
+  return of;
+}
+
+/// The boundary of an open body parts the knife's surface, or ends on it: what it does not part from the outside is not
+/// filled, whatever rounding makes of lengths.
+TEST(KnifeRegions, FillOpenBodiesWhereTheirBoundaryCloses) {
+  int closed = 0, open = 0;
+  for (int step = 0; step < 4; ++step) {
+    CarvingCase of = shapes::carving_case("bowl");
+    for (glm::dvec3& p : of.knife.point) p += static_cast<double>(step) * glm::dvec3(0.0004, 0.0007, 0.0005);
+    const CarvingStages whole(of);
+    for (std::size_t hole = 0; hole < of.surfaces.triangle_count(); hole += 3) {
+      CarvingStages stages(with_hole(of, hole));
+      const Regions regions = stages.regions();
+      const bool is_parted = stages.split.traces.edges.size() == whole.split.traces.edges.size();
+      (is_parted ? closed : open) += 1;
+      for (std::size_t t = 0; t < stages.face.triangle.size(); ++t) {
+        const bool is_inside = !whole.inside_at(stages.middle(t)).empty();
+        EXPECT_EQ(regions.is_section(t), is_parted && is_inside) << hole;
+      }
+    }
+  }
+  EXPECT_GT(closed, 100);
+  EXPECT_GT(open, 10);
+}
+
 TEST(Cross, TakesBackWhatItAdded) {
   const RandomStream random({7, 0}, "tests/cross");
   std::vector<CellBoundary> inside;
