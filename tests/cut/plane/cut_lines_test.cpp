@@ -67,8 +67,10 @@ std::vector<Lines> lines_of_knives() {
   all.emplace_back("even wedges", ball, std::vector{parse_knife("wedges:6"), oblique({1, 3, -1}, 0.004)});
   all.emplace_back("oblique", generic,
                    std::vector{oblique({1, 2, 3}, 0.004), oblique({-2, 1, 0.5}, -0.003), oblique({0.3, -0.2, 1}, 0.002),
-                               oblique({1, -1, 0.1}, 0.01)});
-  all.emplace_back("stroke", generic, std::vector{bent, parse_knife("half"), oblique({0.2, 1, 0.3}, 0.003)});
+                               oblique({1, -1, 0.1}, 0.01), parse_knife("half")});
+  all.emplace_back(
+      "stroke", generic,
+      std::vector{bent, parse_knife("half"), oblique({0.2, 1, 0.3}, 0.003), oblique({-1.5, 1, 0.1}, 0.0139)});
   all.emplace_back("strokes", generic, std::vector{bent, stroke({{-0.011, 0.04}, {0.002, -0.001}, {0.015, -0.04}})});
   all.emplace_back("two fruits", joined(ball, shapes::moved(ball, {0.03, 0.01, 0.02})),
                    std::vector{parse_knife("sticks:3"), parse_knife("half")});
@@ -147,11 +149,11 @@ TEST(CutLines, HoldAllPointsThatSurfacesHaveOnTwoPlanes) {
   }
 }
 
-/// Worked out by Cramer's rule, for every three planes without a line in common.
+/// Worked out by Cramer's rule, for every three planes without a line in common; of strokes only where all three facets
+/// reach.
 TEST(CutLines, OfThreePlanesHaveTheOnePointWhereTheyMeet) {
   int meetings = 0;
   for (const Lines& lines : lines_of_knives()) {
-    if (lines.name == "stroke" || lines.name == "strokes") continue;
     SCOPED_TRACE(lines.name);
     std::map<std::array<int, 3>, std::set<std::uint32_t>> met;
     const CutPlanes& planes = lines.planes;
@@ -166,6 +168,8 @@ TEST(CutLines, OfThreePlanesHaveTheOnePointWhereTheyMeet) {
         if (std::fabs(volume) < 1e-6) continue;
         const glm::dvec3 place = (p.offset * qr + q.offset * rp + r.offset * pq) / volume;
         if (glm::distance(place, lines.bounds.center()) > 0.999 * reach) continue;
+        const auto is_beside = [&](int plane) { return !planes.is_in_facet(plane, place); };
+        if (is_beside(k) || std::any_of(line.planes.begin(), line.planes.end(), is_beside)) continue;
         std::vector<std::uint32_t> there;
         for (const std::uint32_t point : line.points) {
           if (glm::distance(lines.all.mesh.point[point], place) < 1e-12) there.push_back(point);
@@ -222,6 +226,19 @@ TEST(CutLines, EndOutsideTheFruitOrWithTheirFacets) {
   }
   EXPECT_GT(outside, 40);
   EXPECT_GT(within, 100);
+}
+
+/// What lines add to the mesh lies on them, and on no facet that does not reach there.
+TEST(CutLines, AddNoPointForNothing) {
+  for (const Lines& lines : lines_of_knives()) {
+    SCOPED_TRACE(lines.name);
+    for (std::uint32_t p = static_cast<std::uint32_t>(lines.surface_points); p < lines.all.mesh.point.size(); ++p) {
+      EXPECT_TRUE(std::any_of(lines.all.lines.begin(), lines.all.lines.end(),
+                              [&](const CutLine& line) { return has(line.points, p); }));
+      for (const int k : lines.all.mesh.sets.planes_in(lines.all.mesh.planes_of[p]))
+        EXPECT_TRUE(lines.planes.is_in_facet(k, lines.all.mesh.point[p]));
+    }
+  }
 }
 
 TEST(CutLines, OfWedgesAreOneAxis) {
@@ -302,7 +319,8 @@ TEST(CutLines, TakeMorePointsIntoTheirOrderEachOnce) {
       const CutLine& line = before.lines[n];
       for (std::size_t i = line.points.size() - 1; i > 0; --i) {
         const glm::dvec3 middle = 0.5 * (before.mesh.point[line.points[i]] + before.mesh.point[line.points[i - 1]]);
-        const std::uint32_t p = before.mesh.add_point(middle, before.mesh.sets.with(0, line.planes.back()));
+        const std::uint32_t p =
+            before.mesh.add_point(middle, before.mesh.sets.with(0, i % 2 == 0 ? line.planes[0] : line.planes[1]));
         more[n].insert(more[n].end(), i % 2 == 0 ? 2 : 1, p);
       }
       more[n].push_back(line.points.front());
