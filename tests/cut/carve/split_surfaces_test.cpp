@@ -78,6 +78,8 @@ TEST(SplitSurfaces, SectionsAddUpToTheFacesTheyArePartsOf) {
   for (const CarvingCase& of : shapes::carving_cases()) {
     SCOPED_TRACE(of.name);
     const CarvingStages stages(of);
+
+    // Before and after, by face and the cells on either side.
     std::array<std::map<std::tuple<std::int32_t, std::uint32_t, std::uint32_t>, Areas>, 2> all;
     for (const std::size_t i : {0u, 1u}) {
       const CutFruit& fruit = i == 0 ? stages.fruit : stages.split.fruit;
@@ -92,6 +94,8 @@ TEST(SplitSurfaces, SectionsAddUpToTheFacesTheyArePartsOf) {
         areas.size += size_of(own);
       }
     }
+
+    // Both are the same, up to rounding.
     ASSERT_EQ(all[0].size(), all[1].size());
     faces += all[0].size();
     for (const auto& [key, areas] : all[0]) {
@@ -148,6 +152,8 @@ TEST(SplitSurfaces, BoundariesCloseEveryPartOfABody) {
     SCOPED_TRACE(of.name);
     const CarvingStages stages(of);
     const CutFruit& fruit = stages.split.fruit;
+
+    // Part by part, by cell and body: what bounds it, and the volume within.
     std::map<Way, Balance> balance;
     std::map<Way, double> volume;
     const auto add = [&](const auto& points, const Corners& corners, const std::vector<CellBoundary>& boundary) {
@@ -163,6 +169,7 @@ TEST(SplitSurfaces, BoundariesCloseEveryPartOfABody) {
     }
     for (const Cap& cap : fruit.section.cap) add(cap.point, corners_of(cap, fruit.mesh), boundary_of(cap));
 
+    // All parts close, and are the whole together.
     double whole = 0;
     for (const auto& [part, of_part] : balance) {
       EXPECT_TRUE(of_part.is_even()) << part.first << " " << part.second;
@@ -242,6 +249,8 @@ TEST(SplitSurfaces, PartInsideFromOutsideAlongTracesAlone) {
       const Cap& cap = fruit.section.cap[t];
       add(cap.point, sections + fruit.section.mesh.cut[t], cap.closing.cell[0]);
     }
+
+    // What has triangles on both sides has as many on either, and is what traces name.
     std::set<Way> mixed, traced;
     for (const auto& [key, count] : sides) {
       if (count[0] == 0 || count[1] == 0) continue;
@@ -263,6 +272,8 @@ TEST(SplitSurfaces, GiveTheKnifeTheEdgesOfSkinsAndFacesInTheirWay) {
     SCOPED_TRACE(of.name);
     const CarvingStages stages(of);
     const CutFruit& fruit = stages.split.fruit;
+
+    // Ways of triangles inside the knife, and against those of triangles outside.
     std::map<Way, int> inside, wanted, found;
     std::set<Way> outside;
     const auto add = [&](const auto& p, std::uint32_t cell) {
@@ -276,6 +287,8 @@ TEST(SplitSurfaces, GiveTheKnifeTheEdgesOfSkinsAndFacesInTheirWay) {
       if (stages.surfaces.is_boundary(t.source)) add(points_of(t, fruit.mesh), t.cell);
     }
     for (const Cap& cap : fruit.section.cap) add(cap.point, cap.closing.cell[0]);
+
+    // Where both meet there is an edge.
     for (const auto& [way, count] : inside) {
       if (outside.contains(way)) wanted[way] = count;
     }
@@ -362,6 +375,8 @@ TEST(SplitSurfaces, SplitInkWithTheSection) {
     const auto length = [](const CrossSection& section, const SectionSegment& s) {
       return glm::distance(glm::dvec3(section.position[s.vertex[0]]), glm::dvec3(section.position[s.vertex[1]]));
     };
+
+    // Lengths by surface.
     std::map<std::pair<std::int32_t, bool>, double> was, is;
     for (const SectionSegment& s : before.segments) was[{s.surface, s.boundary}] += length(before, s);
     for (const SectionSegment& s : after.segments) {

@@ -161,6 +161,8 @@ TEST(CutLines, OfThreePlanesHaveTheOnePointWhereTheyMeet) {
     for (const CutLine& line : lines.all.lines) {
       for (int k = 0; k < planes.count(); ++k) {
         if (std::count(line.planes.begin(), line.planes.end(), k) > 0 || !lines.is_used(k)) continue;
+
+        // Where the line meets one more plane, if it does within the fruit.
         const CuttingPlane &p = planes[line.planes[0]].plane, &q = planes[line.planes[1]].plane, &r = planes[k].plane;
         const glm::dvec3 qr = glm::cross(q.normal, r.normal), rp = glm::cross(r.normal, p.normal),
                          pq = glm::cross(p.normal, q.normal);
@@ -170,6 +172,8 @@ TEST(CutLines, OfThreePlanesHaveTheOnePointWhereTheyMeet) {
         if (glm::distance(place, lines.bounds.center()) > 0.999 * reach) continue;
         const auto is_beside = [&](int plane) { return !planes.is_in_facet(plane, place); };
         if (is_beside(k) || std::any_of(line.planes.begin(), line.planes.end(), is_beside)) continue;
+
+        // The line has one point there, which lies on that plane.
         std::vector<std::uint32_t> there;
         for (const std::uint32_t point : line.points) {
           if (glm::distance(lines.all.mesh.point[point], place) < 1e-12) there.push_back(point);
@@ -297,10 +301,12 @@ TEST(CutLines, AreSubdividedAsFineAsTheFinestOfTheirPlanesWants) {
         if (has(before.points, line.points[i - 1]) && has(before.points, line.points[i])) continue;
         EXPECT_GT(glm::distance(a, b), 0.5 * size);
       }
+
+      // All that were there are, in their order.
       std::vector<std::uint32_t> old;
       std::copy_if(line.points.begin(), line.points.end(), std::back_inserter(old),
                    [&](std::uint32_t p) { return p < lines.all.mesh.point.size(); });
-      EXPECT_EQ(old, before.points) << "all that were there, in their order";
+      EXPECT_EQ(old, before.points);
       expect_on_planes(lines, line, fine);
       added += line.points.size() - before.points.size();
     }
@@ -325,6 +331,8 @@ TEST(CutLines, TakeMorePointsIntoTheirOrderEachOnce) {
       }
       more[n].push_back(line.points.front());
     }
+
+    // Every other line has all of them.
     const CutLines after = with_points(before, more);
     for (std::size_t n = 0; n < after.lines.size(); ++n) {
       const CutLine& line = after.lines[n];
