@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants cuts lod picture bench hashes install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod picture bench hashes install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -94,6 +94,10 @@ variants: .bench ## a thousand variants of every template: out/variants.md and .
 	cmake --build build --target variants -j $(JOBS)
 	@mkdir -p out
 	build/bench/variants --out out/variants.md --json out/variants.json
+
+road: .bench ## a new variant of every template, halved, to the bytes of its .glb: time by stage, and memory, on one thread
+	cmake --build build --target road -j $(JOBS)
+	build/bench/road
 
 cuts: .bench ## 112 000 random and degenerate cuts of all templates, planes, strokes and closed knives: out/cuts.md and .json; stop it and it goes on later
 	cmake --build build --target cuts -j $(JOBS)

@@ -6,14 +6,10 @@
 #include <cstdio>
 #include <functional>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
@@ -21,6 +17,7 @@
 
 #include "bench/exit_status.h"
 #include "bench/fruits.h"
+#include "bench/own_process.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
 #include "generator/cut/cut.h"
@@ -132,23 +129,7 @@ Json measured(const std::string& name, const Settings& settings) {
 
 /// The same in a process of its own.
 Json measured_apart(const std::string& name, const Settings& settings) {
-  int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no process");
-  if (child == 0) {
-    const std::string text = measured(name, settings).dump();
-    const bool sent = write(ends[1], text.data(), text.size()) == static_cast<ssize_t>(text.size());
-    _exit(sent ? 0 : 1);
-  }
-  close(ends[1]);
-  std::string text;
-  char buffer[4096];
-  for (ssize_t got; (got = read(ends[0], buffer, sizeof buffer)) > 0;)
-    text.append(buffer, static_cast<std::size_t>(got));
-  close(ends[0]);
-  waitpid(child, nullptr, 0);
-  return Json::parse(text);
+  return Json::parse(bench::in_own_process([&] { return measured(name, settings).dump(); }));
 }
 
 void print(const Json& rows) {
