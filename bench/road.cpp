@@ -57,7 +57,7 @@ StageClock walk_road(const std::string& name, std::uint64_t seed, const Knife& k
   const Template drawn = clock.time("read", [&] { return read_template(bench::template_path(name)); });
   const Variation ready = clock.time("ready", [&] { return Variation(drawn); });
   const Template fruit = clock.time("vary", [&] { return variant_of(ready, key); });
-  const GrownFruit grown = clock.time("sweep", [&] { return grow(fruit, key); });
+  const GrownFruit grown = clock.time("sweep", [&] { return grow(fruit, key, {.threads = {1}}); });
   Slices slices = slice({grown, fruit, knives, name}, &diffuser, {.cut = {.threads = {1}}, .threads = {1}});
   clock.add(slices.times);
   const std::string bytes = clock.time("write", [&] {
@@ -152,7 +152,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   app.add_option("--quality", settings.qualities, "draft or final; both if not given")
-      ->check(CLI::IsMember({"draft", "final"}));
+      ->check(CLI::IsMember({"draft", "final"}))
+      ->allow_extra_args(false);
   app.add_option("--knife", settings.knife, "What cuts it")->capture_default_str();
   app.add_flag("--json", settings.json, "Print JSON");
   CLI11_PARSE(app, argc, argv);

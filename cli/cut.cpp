@@ -99,7 +99,8 @@ ExitStatus cut_fruit(const CutCommand& command) {
   Slices slices = slice({source.grown, source.fruit, knives, source.name}, diffuser.get(),
                         {.cut = {.threads = {command.shared.threads}},
                          .pieces = !command.section,
-                         .keep_section_colors = wants_textures(command.shared)});
+                         .keep_section_colors = wants_textures(command.shared),
+                         .threads = {command.shared.threads}});
   delivery.times.add(slices.times);
   delivery.warn(slices.warnings);
   count(slices, delivery.times);

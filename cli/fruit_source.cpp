@@ -45,7 +45,8 @@ FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& opt
                                  .folds = folds,
                                  .detail = options.detail,
                                  .ripeness = options.ripeness,
-                                 .browning = options.browning};
+                                 .browning = options.browning,
+                                 .threads = {options.threads}};
   FruitSource source;
   source.name = file.stem().string();
   const Template drawn = times.time("read", [&] { return read_template(file); });

@@ -69,10 +69,10 @@ bool turns_brown(const Template& fruit) { return fruit.individual.browning != 0 
 
 }  // namespace
 
-CrossSection browned(CrossSection section, const DiffusionSurfaces& surfaces, const Template& fruit) {
+CrossSection browned(CrossSection section, const DiffusionSurfaces& surfaces, const Template& fruit, Threads threads) {
   if (!turns_brown(fruit) || section.position.empty()) return section;
   const Browning browning(surfaces, fruit);
-  parallel_for(section.position.size(), {}, [&](std::size_t v) {
+  parallel_for(section.position.size(), threads, [&](std::size_t v) {
     section.color[v] = browning(section.color[v], section.part[v], glm::dvec3(section.position[v]));
   });
   return section;

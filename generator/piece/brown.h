@@ -13,7 +13,8 @@ namespace pomona {
 /// The section, its colours diffused, as brown as `fruit.individual` says: see BrowningSketch. The field is tied to
 /// the fruit, not to the cut: two cuts agree at every vertex where they meet. Only colours change, and only
 /// towards those of the sketch; at browning 0 they keep their bits. `surfaces`: those that were cut.
-CrossSection browned(CrossSection section, const DiffusionSurfaces& surfaces, const Template& fruit);
+CrossSection browned(CrossSection section, const DiffusionSurfaces& surfaces, const Template& fruit,
+                     Threads threads = {});
 
 /// The same for colours diffused at any points of cut faces, one per point.
 DiffusedColors browned(DiffusedColors colors, std::span<const glm::vec3> points, const DiffusionSurfaces& surfaces,

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "generator/base/parallel.h"
 #include "generator/base/random.h"
 #include "generator/surface/diffusion_surfaces.h"
 #include "generator/template/template.h"
@@ -14,10 +15,11 @@ struct GrowOptions {
   bool as_drawn = false;                ///< keep the drawn curves, whatever the key; grains still follow the key
   double variation = 1.0;               ///< 0..2, see VariationOptions::amount
   bool curves_only = false;             ///< see VariationOptions
-  std::optional<int> folds;             ///< another number of folds than drawn
+  std::optional<int> folds = {};        ///< another number of folds than drawn
   double detail = 1.0;                  ///< see SweepOptions
   std::optional<double> ripeness = {};  ///< 0..2 instead of what the key draws
   double browning = 0;                  ///< 0..1, of cut faces
+  Threads threads = {};                 ///< no result depends on them
 };
 
 /// The template's variant for `key`, with patterns of noise and detail of its own; with as_drawn the template itself,

@@ -1,6 +1,7 @@
 #include "generator/piece/guided.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -64,18 +65,19 @@ Places places_of(const std::vector<glm::vec3>& vertices) {
   return places;
 }
 
-std::vector<Color> diffused(DiffusionSurfaces layers, const std::vector<Color>& value, const Places& places) {
+std::vector<Color> diffused(DiffusionSurfaces layers, const std::vector<Color>& value, const Places& places,
+                            Threads threads) {
   layers.front_color = layers.back_color = value;
   // Guides are smooth: the fewest directions do.
-  return make_pmvc_diffuser({.quality = Quality::draft, .threads = {}})->diffuse(layers, places.position).color;
+  return make_pmvc_diffuser({.quality = Quality::draft, .threads = threads})->diffuse(layers, places.position).color;
 }
 
 /// Unit vectors across the layers, outwards. They travel as colours, which are 0 to 1.
-std::vector<glm::vec3> ways_out(const DiffusionSurfaces& layers, const Places& places) {
+std::vector<glm::vec3> ways_out(const DiffusionSurfaces& layers, const Places& places, Threads threads) {
   std::vector<Color> value = vertex_normals(layers);
   for (Color& normal : value) normal = 0.5f * normal + 0.5f;
   std::vector<glm::vec3> ways;
-  for (const Color& color : diffused(layers, value, places)) {
+  for (const Color& color : diffused(layers, value, places, threads)) {
     const glm::vec3 way = 2.0f * color - 1.0f;
     const float length = glm::length(way);
     ways.push_back(length > 1e-6f ? way / length : glm::vec3(0));
@@ -83,11 +85,16 @@ std::vector<glm::vec3> ways_out(const DiffusionSurfaces& layers, const Places& p
   return ways;
 }
 
+std::vector<double> depths_of(const std::vector<glm::vec3>& points, const SkinDepth& skin, Threads threads) {
+  const std::vector<glm::dvec3> places(points.begin(), points.end());
+  return skin.depths(places, std::numeric_limits<double>::infinity(), threads);
+}
+
 /// The depth of the layer at each place: every surface has one, its vertices' mean.
-std::vector<float> layers_at(const DiffusionSurfaces& layers, const SkinDepth& skin, const Places& places) {
+std::vector<float> layers_at(const DiffusionSurfaces& layers, const SkinDepth& skin, const Places& places,
+                             Threads threads) {
   // Each surface gets its mean depth over the corners of its triangles; the greatest becomes the unit.
-  std::vector<double> depth(layers.vertex_count());
-  parallel_for(depth.size(), {}, [&](std::size_t v) { depth[v] = skin.depth(layers.position[v]); });
+  const std::vector<double> depth = depths_of(layers.position, skin, threads);
   std::vector<double> sum(layers.surface_names.size(), 0.0);
   std::vector<int> count(sum.size(), 0);
   for (std::size_t t = 0; t < layers.triangle_count(); ++t) {
@@ -105,7 +112,8 @@ std::vector<float> layers_at(const DiffusionSurfaces& layers, const SkinDepth& s
     for (int k = 0; k < 3; ++k) value[layers.triangle[t][k]] = Color(static_cast<float>(share));
   }
   std::vector<float> at;
-  for (const Color& color : diffused(layers, value, places)) at.push_back(static_cast<float>(deepest) * color.r);
+  for (const Color& color : diffused(layers, value, places, threads))
+    at.push_back(static_cast<float>(deepest) * color.r);
   return at;
 }
 
@@ -122,12 +130,11 @@ glm::vec4 detail_shares(const Template& fruit, DetailFace face, std::int32_t par
   return share;
 }
 
-CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const Template& fruit) {
+CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const Template& fruit, Threads threads) {
   if (section.position.empty() || !has_details_on(fruit, DetailFace::cut)) return section;
   const Places places = places_of(section.position);
   const SkinDepth skin(swept);
-  std::vector<double> depth(places.position.size());
-  parallel_for(depth.size(), {}, [&](std::size_t i) { depth[i] = skin.depth(places.position[i]); });
+  const std::vector<double> depth = depths_of(places.position, skin, threads);
 
   // Only what a detail asks for is diffused.
   const DiffusionSurfaces layers = layers_of(swept, fruit);
@@ -135,8 +142,8 @@ CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const 
   const bool along = any_runs(fruit, {DetailRun::along, DetailRun::around});
   std::vector<glm::vec3> ways(places.position.size(), glm::vec3(0));
   std::vector<float> layer(places.position.size(), 0.0f);
-  if (!layers.triangle.empty() && across) ways = ways_out(layers, places);
-  if (!layers.triangle.empty() && along) layer = layers_at(layers, skin, places);
+  if (!layers.triangle.empty() && across) ways = ways_out(layers, places, threads);
+  if (!layers.triangle.empty() && along) layer = layers_at(layers, skin, places, threads);
 
   section.guide.resize(section.position.size());
   for (std::size_t v = 0; v < section.guide.size(); ++v) {

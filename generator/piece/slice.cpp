@@ -95,7 +95,8 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
     slices.section = std::move(sections[i]);
     slices.piece_count = cuts[i].pieces.size();
     slices.times.time("style", [&] {
-      slices.styled = guided(browned(slices.section, task.grown.sheets, task.variant), task.grown.swept, task.variant);
+      slices.styled = guided(browned(slices.section, task.grown.sheets, task.variant, options.threads),
+                             task.grown.swept, task.variant, options.threads);
       if (options.pieces) slices.pieces = finished(cuts[i].pieces, slices.styled, task, diffuser, options);
     });
     if (options.one_done) options.one_done();

@@ -14,10 +14,16 @@ SkinDepth::SkinDepth(const DiffusionSurfaces& surfaces) {
   });
   if (skin == shells.end()) return;
   skin_ = TriangleTree(surfaces.position, skin->triangles);
+  distance_ = DistanceTree(skin_);
   closed_ = skin->closed;
 }
 
-double SkinDepth::depth(const glm::dvec3& point) const { return skin_.empty() ? 0 : skin_.nearest(point).distance; }
+double SkinDepth::depth(const glm::dvec3& point) const { return skin_.empty() ? 0 : distance_.nearest(point).distance; }
+
+std::vector<double> SkinDepth::depths(std::span<const glm::dvec3> points, double reach, Threads threads) const {
+  if (skin_.empty()) return std::vector<double>(points.size(), 0.0);
+  return distance_.distances(points, reach, threads);
+}
 
 double SkinDepth::height(const glm::dvec3& point) const {
   if (skin_.empty()) return 0;

@@ -1,6 +1,12 @@
 // How deep below its skin a place in a fruit lies: what fields of ripeness and browning go by.
 #pragma once
 
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "generator/base/parallel.h"
+#include "generator/mesh/distance_tree.h"
 #include "generator/mesh/triangle_tree.h"
 #include "generator/surface/diffusion_surfaces.h"
 
@@ -14,6 +20,10 @@ class SkinDepth {
   /// Distance to the skin, metres; 0 on it, and everywhere if there is none.
   double depth(const glm::dvec3& point) const;
 
+  /// Of many points, best in an order in which neighbours follow each other; `reach` where it is no less.
+  std::vector<double> depths(std::span<const glm::dvec3> points, double reach = std::numeric_limits<double>::infinity(),
+                             Threads threads = {}) const;
+
   /// 0 at the lowest point of the skin, 1 at its highest, within that between and beyond; 0 if there is none.
   double height(const glm::dvec3& point) const;
 
@@ -23,6 +33,7 @@ class SkinDepth {
 
  private:
   TriangleTree skin_;
+  DistanceTree distance_;
   bool closed_ = false;
 };
 

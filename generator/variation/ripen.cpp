@@ -79,10 +79,11 @@ class Ripener {
         front_part_(parts_of_vertices(surfaces_, SideOf::front)),
         back_part_(parts_of_vertices(surfaces_, SideOf::back)) {}
 
-  DiffusionSurfaces ripen() {
+  DiffusionSurfaces ripen(Threads threads) {
     find_parts();
-    parallel_for(surfaces_.vertex_count(), {}, [&](std::size_t v) {
-      const double lateness = needs_place(v) ? lateness_at(glm::dvec3(surfaces_.position[v])) : 0;
+    const std::vector<double> depth = depths(threads);
+    parallel_for(surfaces_.vertex_count(), threads, [&](std::size_t v) {
+      const double lateness = needs_place(v) ? lateness_at(glm::dvec3(surfaces_.position[v]), depth[v]) : 0;
       surfaces_.front_color[v] = changed(surfaces_.front_color[v], front_part_[v], lateness);
       surfaces_.back_color[v] = changed(surfaces_.back_color[v], back_part_[v], lateness);
     });
@@ -115,9 +116,26 @@ class Ripener {
 
   bool needs_place(std::size_t v) const { return ripening_of(front_part_[v]) || ripening_of(back_part_[v]); }
 
-  double lateness_at(const glm::dvec3& place) const {
+  /// Of the vertices that ripen by their place; where lateness stops changing, depths are no longer told apart.
+  std::vector<double> depths(Threads threads) const {
+    std::vector<double> depth(surfaces_.vertex_count(), 0.0);
+    const auto& stops = fruit_.ripeness.depth.stops;
+    if (stops.size() < 2) return depth;
+    std::vector<std::size_t> vertices;
+    std::vector<glm::dvec3> places;
+    for (std::size_t v = 0; v < depth.size(); ++v) {
+      if (!needs_place(v)) continue;
+      vertices.push_back(v);
+      places.emplace_back(surfaces_.position[v]);
+    }
+    const std::vector<double> found = skin_.depths(places, stops.back().at, threads);
+    for (std::size_t i = 0; i < vertices.size(); ++i) depth[vertices[i]] = found[i];
+    return depth;
+  }
+
+  double lateness_at(const glm::dvec3& place, double depth) const {
     const RipenessSketch& sketch = fruit_.ripeness;
-    double lateness = sketch.height(skin_.height(place)) + sketch.depth(skin_.depth(place));
+    double lateness = sketch.height(skin_.height(place)) + sketch.depth(depth);
     if (sketch.patches > 0)
       lateness += sketch.patches * gradient_noise(place / sketch.patch_size, fruit_.individual.patches);
     return lateness;
@@ -157,9 +175,9 @@ bool has_own_colors(const Template& fruit) {
   return (individual.ripeness != 1 && fruit.ripeness.declared()) || !individual.shifts.empty();
 }
 
-DiffusionSurfaces ripened(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin) {
+DiffusionSurfaces ripened(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin, Threads threads) {
   if (!has_own_colors(fruit)) return surfaces;
-  return Ripener(std::move(surfaces), fruit, skin).ripen();
+  return Ripener(std::move(surfaces), fruit, skin).ripen(threads);
 }
 
 }  // namespace pomona

@@ -1,6 +1,7 @@
 // Ripening: from surfaces in their drawn colours to those of an individual.
 #pragma once
 
+#include "generator/base/parallel.h"
 #include "generator/surface/diffusion_surfaces.h"
 #include "generator/surface/skin_depth.h"
 #include "generator/template/template.h"
@@ -13,7 +14,8 @@ double own_ripeness(double ripeness, double lateness, double spread);
 /// The surfaces, fresh from the sweep, in the colours of `fruit.individual`: every side's colour ripens by its part,
 /// its depth below the skin and its height, and takes the shift of its part. Colours stay within 0..1 a channel.
 /// What neither changes keeps its bits; an individual as drawn, all of them. `skin`: of the whole fruit.
-DiffusionSurfaces ripened(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin);
+DiffusionSurfaces ripened(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin,
+                          Threads threads = {});
 
 /// True if `ripened` changes anything.
 bool has_own_colors(const Template& fruit);
