@@ -2,73 +2,141 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace pomona {
 
 /// Balls in cells of space. Each has a diameter of its own; two of them meet if their centres are nearer than the
-/// mean of their diameters. Balls of like diameter share a level, whose cells are about as wide.
+/// mean of their diameters. Balls of like diameter share a level, whose cells are wide enough for what meets one
+/// to lie in a few of them.
 class DartCells {
  public:
-  /// `width` of the finest cells: the smallest usual diameter.
+  /// `width`: the smallest usual diameter.
   explicit DartCells(double width) : width_(width) {}
 
   void add(const glm::dvec3& center, double diameter, std::size_t index) {
     const std::size_t at = level_of(diameter);
     if (levels_.size() <= at) levels_.resize(at + 1);
     levels_[at].largest = std::max(levels_[at].largest, diameter);
-    levels_[at].indices.emplace(cell_of(center, width_of(at)), index);
+    levels_[at].cells.add(cell_of(center, width_of(at)), {center, diameter, index});
   }
+
+  void clear() { levels_.clear(); }
 
   /// True if the question is answered with yes for any ball that may meet the given one.
   template <typename Question>
   bool any_meets(const glm::dvec3& center, double diameter, const Question& question) const {
     for (std::size_t at = 0; at < levels_.size(); ++at) {
       const Level& level = levels_[at];
-      if (level.indices.empty()) continue;
+      if (level.cells.empty()) continue;
       const double width = width_of(at);
-      const auto reach = static_cast<std::int64_t>(std::ceil(0.5 * (diameter + level.largest) / width));
-      const Cell cell = cell_of(center, width);
-      for (std::int64_t x = cell[0] - reach; x <= cell[0] + reach; ++x) {
-        for (std::int64_t y = cell[1] - reach; y <= cell[1] + reach; ++y) {
-          const Cell last{x, y, cell[2] + reach};
-          const auto from = level.indices.lower_bound(Cell{x, y, cell[2] - reach});
-          for (auto it = from; it != level.indices.end() && it->first <= last; ++it) {
-            if (question(it->second)) return true;
-          }
-        }
-      }
+      const double reach = margin * 0.5 * (diameter + level.largest);
+      const auto meets = [&](const Ball& ball) {
+        const double mean = 0.5 * (diameter + ball.diameter);
+        const glm::dvec3 away = ball.center - center;
+        return glm::dot(away, away) < margin * mean * mean && question(ball.index);
+      };
+      if (any_between(level.cells, cell_of(center - reach, width), cell_of(center + reach, width), meets)) return true;
     }
     return false;
   }
 
  private:
-  using Cell = std::array<std::int64_t, 3>;
-  struct Level {
-    double largest = 0;  ///< diameter
-    std::multimap<Cell, std::size_t> indices;
+  struct Cell {
+    std::int64_t x = 0, y = 0, z = 0;
+    bool operator==(const Cell&) const = default;
   };
 
-  double width_of(std::size_t level) const { return width_ * static_cast<double>(std::uint64_t{1} << level); }
+  /// Balls a little farther apart are asked about, too: those who ask decide exactly.
+  static constexpr double margin = 1.002;
+
+  struct Ball {
+    glm::dvec3 center;
+    double diameter;
+    std::size_t index;
+  };
+
+  /// What lies in which cell, hashed: chains of entries, the last added first.
+  class Cells {
+   public:
+    bool empty() const { return entries_.empty(); }
+
+    void add(const Cell& cell, const Ball& ball) {
+      entries_.push_back({cell, ball, none});
+      if (entries_.size() > newest_.size()) return rehash();
+      chain(static_cast<std::uint32_t>(entries_.size() - 1));
+    }
+
+    template <typename Question>
+    bool any_in(const Cell& cell, const Question& question) const {
+      for (std::uint32_t i = newest_[place_of(cell)]; i != none; i = entries_[i].before) {
+        if (entries_[i].cell == cell && question(entries_[i].ball)) return true;
+      }
+      return false;
+    }
+
+   private:
+    static constexpr std::uint32_t none = 0xffffffffu;
+    struct Entry {
+      Cell cell;
+      Ball ball;
+      std::uint32_t before;  ///< of the same place in the table
+    };
+
+    std::size_t place_of(const Cell& cell) const {
+      std::uint64_t hash = 0;
+      for (const std::int64_t at : {cell.x, cell.y, cell.z})
+        hash = (hash ^ static_cast<std::uint64_t>(at)) * 0x9e3779b97f4a7c15u;
+      return static_cast<std::size_t>(hash >> 32) & (newest_.size() - 1);
+    }
+
+    void chain(std::uint32_t entry) {
+      std::uint32_t& newest = newest_[place_of(entries_[entry].cell)];
+      entries_[entry].before = newest;
+      newest = entry;
+    }
+
+    /// With room for four times as many.
+    void rehash() {
+      newest_.assign(std::max<std::size_t>(64, 4 * newest_.size()), none);
+      for (std::size_t i = 0; i < entries_.size(); ++i) chain(static_cast<std::uint32_t>(i));
+    }
+
+    std::vector<Entry> entries_;
+    std::vector<std::uint32_t> newest_;  ///< per hash; as many as a power of two
+  };
+
+  struct Level {
+    double largest = 0;  ///< diameter
+    Cells cells;
+  };
+
+  template <typename Question>
+  static bool any_between(const Cells& cells, const Cell& low, const Cell& high, const Question& question) {
+    for (std::int64_t x = low.x; x <= high.x; ++x)
+      for (std::int64_t y = low.y; y <= high.y; ++y)
+        for (std::int64_t z = low.z; z <= high.z; ++z)
+          if (cells.any_in({x, y, z}, question)) return true;
+    return false;
+  }
+
+  /// Of a level's cells: no ball in it is wider.
+  double width_of(std::size_t level) const { return 2 * width_ * static_cast<double>(std::uint64_t{1} << level); }
 
   std::size_t level_of(double diameter) const {
     std::size_t level = 0;
-    while (level < 40 && diameter >= 2 * width_of(level)) ++level;
+    while (level < 40 && diameter >= width_of(level)) ++level;
     return level;
   }
 
   static Cell cell_of(const glm::dvec3& p, double width) {
-    Cell cell;
-    for (int k = 0; k < 3; ++k) {
-      cell[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(std::floor(p[k] / width));
-    }
-    return cell;
+    const auto at = [&](double coordinate) { return static_cast<std::int64_t>(std::floor(coordinate / width)); };
+    return {at(p.x), at(p.y), at(p.z)};
   }
 
   double width_;

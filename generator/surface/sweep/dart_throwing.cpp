@@ -26,7 +26,8 @@ class DartThrower {
         others_(others),
         cells_(radius_),
         other_cells_(radius_),
-        bodies_(radius_) {
+        bodies_(radius_),
+        fresh_cells_(radius_) {
     for (std::size_t i = 0; i < others.size(); ++i) {
       other_cells_.add(others[i].center, others[i].spacing, i);
       if (sketch.spacing.solid) bodies_.add(others[i].center, diameter(others[i].pose), i);
@@ -45,11 +46,16 @@ class DartThrower {
   }
 
  private:
+  struct Pending {
+    GrainTarget target;
+    bool aimed_at = false;  ///< and found not to be taken
+  };
+
   void add_target(GrainTarget target) {
     target.most = most_density(sketch_, target);
     const double weight = area_of(target) * target.most;
     if (!(weight > 0)) return;
-    target.weight_before = weight_;
+    weight_before_.push_back(weight_);
     weight_ += weight;
     targets_.push_back(target);
   }
@@ -69,10 +75,8 @@ class DartThrower {
   std::optional<Dart> candidate(std::uint64_t n) const {
     // A triangle by its weight, a point in it evenly [Osada et al. 2002].
     const double weight = draws_.places.uniform(draws_per_candidate * n) * weight_;
-    const auto after =
-        std::upper_bound(targets_.begin(), targets_.end(), weight,
-                         [](double wanted, const GrainTarget& target) { return wanted < target.weight_before; });
-    const GrainTarget& target = *(after - 1);
+    const auto after = std::upper_bound(weight_before_.begin(), weight_before_.end(), weight);
+    const GrainTarget& target = targets_[static_cast<std::size_t>(after - weight_before_.begin()) - 1];
     const double root = std::sqrt(draws_.places.uniform(draws_per_candidate * n + 1));
     const double share = draws_.places.uniform(draws_per_candidate * n + 2);
     const GrainPlace far = blend(target.corner[1], 1 - share, target.corner[2], share);
@@ -106,15 +110,17 @@ class DartThrower {
   /// Halves the targets along their longest edges down to an eighth of their spacing, and leaves out those that lie
   /// within the reach of one dart.
   void aim_at_free_places() {
-    std::vector<GrainTarget> pending = std::move(targets_);
+    std::vector<Pending> pending;
+    for (const GrainTarget& target : targets_) pending.push_back({target, has_aimed_});
     targets_.clear();
+    weight_before_.clear();
     weight_ = 0;
     std::size_t splits_left = 4'000'000;  // slivers could go on much longer
     while (!pending.empty()) {
-      GrainTarget target = pending.back();
+      auto [target, aimed_at] = pending.back();
       pending.pop_back();
       target.most = most_density(sketch_, target);
-      if (target.most <= 0 || is_taken(target)) continue;
+      if (target.most <= 0 || is_taken(target, aimed_at)) continue;
       const std::size_t edge = longest_edge(target);
       const GrainPlace &a = target.corner[edge], &b = target.corner[(edge + 1) % 3];
       if (splits_left == 0 || glm::distance(a.position, b.position) < radius_ / std::sqrt(target.most) / 8) {
@@ -123,11 +129,13 @@ class DartThrower {
       }
       --splits_left;
       const GrainPlace middle = blend(a, 0.5, b, 0.5);
-      pending.push_back(target);
-      pending.back().corner[edge] = middle;
-      pending.push_back(target);
-      pending.back().corner[(edge + 1) % 3] = middle;
+      pending.push_back({target, false});
+      pending.back().target.corner[edge] = middle;
+      pending.push_back({target, false});
+      pending.back().target.corner[(edge + 1) % 3] = middle;
     }
+    fresh_cells_.clear();
+    has_aimed_ = true;
   }
 
   static std::size_t longest_edge(const GrainTarget& target) {
@@ -138,8 +146,9 @@ class DartThrower {
     return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   }
 
-  /// True only if no candidate in the target could be free, even where its spacing is smallest.
-  bool is_taken(const GrainTarget& target) const {
+  /// True only if no candidate in the target could be free, even where its spacing is smallest. Of what was aimed at
+  /// before, the darts of that time are known not to reach all.
+  bool is_taken(const GrainTarget& target, bool aimed_at) const {
     std::array<Dart, 3> dart;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::optional<Dart> at_corner = dart_at(target.corner[k], target.most);
@@ -150,7 +159,9 @@ class DartThrower {
       return std::all_of(dart.begin(), dart.end(),
                          [&](const Dart& corner) { return is_too_near(known, corner, any_facing); });
     };
-    return any_near(dart[0], covers);
+    if (!aimed_at) return any_near(dart[0], covers);
+    return fresh_cells_.any_meets(dart[0].center, dart[0].spacing,
+                                  [&](std::size_t i) { return covers(darts_[i], sketch_.spacing.any_facing); });
   }
 
   bool is_free(const Dart& dart) const {
@@ -184,6 +195,7 @@ class DartThrower {
 
   void keep(const Dart& dart) {
     cells_.add(dart.center, dart.spacing, darts_.size());
+    fresh_cells_.add(dart.center, dart.spacing, darts_.size());
     if (sketch_.spacing.solid) bodies_.add(dart.center, diameter(dart.pose), others_.size() + darts_.size());
     darts_.push_back(dart);
   }
@@ -193,9 +205,12 @@ class DartThrower {
   const GrainDraws& draws_;
   std::span<const Dart> others_;
   std::vector<GrainTarget> targets_;
+  std::vector<double> weight_before_;  ///< per target: area times `most` of all before it
   double weight_ = 0;
   std::uint64_t next_candidate_ = 0;
   DartCells cells_, other_cells_, bodies_;
+  DartCells fresh_cells_;   ///< the darts since the last aim
+  bool has_aimed_ = false;  ///< then all targets are those of the last aim
   std::vector<Dart> darts_;
 };
 

@@ -82,6 +82,10 @@ int drawn_look(const GrainSketch& sketch, double draw) {
   return GrainPose::own_look;
 }
 
+double least_radius(const GrainPose& pose) {
+  return std::min({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
+}
+
 /// Columns whose sum of squares is the ellipsoid's matrix.
 glm::dmat3 spread(const GrainPose& pose) {
   const auto square = [](const glm::dvec3& a) { return glm::dmat3(a * a.x, a * a.y, a * a.z); };
@@ -122,12 +126,16 @@ GrainPose grain_pose(const GrainSketch& sketch, const GrainSeat& seat, const Gra
 
 bool ellipsoids_overlap(const glm::dvec3& center, const GrainPose& pose, const glm::dvec3& other_center,
                         const GrainPose& other) {
+  // Their inner balls meet.
+  const glm::dvec3 away = other_center - center;
+  const double inner = 0.999 * (least_radius(pose) + least_radius(other));
+  if (glm::dot(away, away) < inner * inner) return true;
+
   // They are apart if the contact function, concave in t, reaches 1 anywhere.
   const glm::dmat3 mine = spread(pose), theirs = spread(other);
-  const glm::dvec3 between = other_center - center;
   const auto contact = [&](double t) {
     const glm::dmat3 blend = mine * (1 - t) + theirs * t;
-    return t * (1 - t) * glm::dot(between, glm::inverse(blend) * between);
+    return t * (1 - t) * glm::dot(away, glm::inverse(blend) * away);
   };
   double low = 0, high = 1;
   for (int step = 0; step < 24; ++step) {

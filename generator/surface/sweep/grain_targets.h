@@ -23,9 +23,8 @@ GrainPlace blend(const GrainPlace& a, double share_a, const GrainPlace& b, doubl
 /// A triangle where grains may grow, or a piece of one.
 struct GrainTarget {
   std::array<GrainPlace, 3> corner;
-  glm::dvec3 uphill{0};      ///< the way `along` grows
-  double most = 1;           ///< no less than the density at any place
-  double weight_before = 0;  ///< area times `most` of all targets before this one
+  glm::dvec3 uphill{0};  ///< the way `along` grows
+  double most = 1;       ///< no less than the density at any place
 };
 
 double area_of(const GrainTarget& target);
