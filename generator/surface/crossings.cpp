@@ -29,6 +29,7 @@ std::vector<GridPoint> on_grid(const DiffusionSurfaces& surfaces) {
   // Vertices that no triangle uses may lie anywhere.
   const auto step = [](double at) { return at >= 0 ? std::llround(std::min(at, grid_steps)) : 0; };
   std::vector<GridPoint> points;
+  points.reserve(surfaces.position.size());
   for (const glm::vec3& p : surfaces.position) {
     const glm::dvec3 at = (glm::dvec3(p) - bounds.low) * steps_per_metre;
     points.emplace_back(step(at.x), step(at.y), step(at.z));
@@ -36,25 +37,42 @@ std::vector<GridPoint> on_grid(const DiffusionSurfaces& surfaces) {
   return points;
 }
 
-/// On which side of the triangle a point lies: 1, 0 or -1.
+/// A triangle's plane, and on which side of it points lie.
+class Plane {
+ public:
+  Plane(const GridPoint& a, const GridPoint& b, const GridPoint& c)
+      : a_(a), b_(b), c_(c), u_(b - a), v_(c - a), normal_(glm::cross(glm::dvec3(u_), glm::dvec3(v_))) {}
+
+  /// 1, 0 or -1.
+  int side_of(const GridPoint& p) const {
+    // In doubles first: differences are exact, and all rounding after them stays below 2^42.
+    const GridPoint w = p - a_;
+    const double estimate = glm::dot(normal_, glm::dvec3(w));
+    if (std::abs(estimate) > 0x1p44) return estimate > 0 ? 1 : -1;
+
+    // Most triangles that are near each other share a corner.
+    if (p == a_ || p == b_ || p == c_) return 0;
+    const Wide volume = static_cast<Wide>(u_.y * v_.z - u_.z * v_.y) * w.x +
+                        static_cast<Wide>(u_.z * v_.x - u_.x * v_.z) * w.y +
+                        static_cast<Wide>(u_.x * v_.y - u_.y * v_.x) * w.z;
+    return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
+  }
+
+ private:
+  const GridPoint &a_, &b_, &c_;
+  GridPoint u_, v_;
+  glm::dvec3 normal_;
+};
+
 int side_of(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& p) {
-  const GridPoint u = b - a, v = c - a, w = p - a;
-
-  // In doubles first: differences are exact, and all rounding after them stays below 2^42.
-  const glm::dvec3 du(u), dv(v), dw(w);
-  const double estimate = glm::dot(glm::cross(du, dv), dw);
-  if (std::abs(estimate) > 0x1p44) return estimate > 0 ? 1 : -1;
-
-  const Wide volume = static_cast<Wide>(u.y * v.z - u.z * v.y) * w.x + static_cast<Wide>(u.z * v.x - u.x * v.z) * w.y +
-                      static_cast<Wide>(u.x * v.y - u.y * v.x) * w.z;
-  return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
+  return Plane(a, b, c).side_of(p);
 }
 
 using Sides = std::array<int, 3>;
 
-Sides sides_of(const GridTriangle& plane, const GridTriangle& t) {
-  const auto side = [&](const GridPoint& p) { return side_of(plane[0], plane[1], plane[2], p); };
-  return {side(t[0]), side(t[1]), side(t[2])};
+Sides sides_of(const GridTriangle& triangle, const GridTriangle& t) {
+  const Plane plane(triangle[0], triangle[1], triangle[2]);
+  return {plane.side_of(t[0]), plane.side_of(t[1]), plane.side_of(t[2])};
 }
 
 bool on_both(const Sides& sides) {
@@ -97,6 +115,8 @@ std::vector<CrossingTriangles> crossing_triangles(const DiffusionSurfaces& surfa
   DisjointSets pieces(surfaces.vertex_count());
   std::vector<Box<float>> boxes;
   std::vector<GridTriangle> corners;
+  boxes.reserve(surfaces.triangle_count());
+  corners.reserve(surfaces.triangle_count());
   for (const glm::uvec3& v : surfaces.triangle) {
     pieces.join(v.x, v.y);
     pieces.join(v.x, v.z);

@@ -1,6 +1,8 @@
 #include "generator/variation/swept_check.h"
 
 #include <algorithm>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include "generator/base/reproducible.h"
@@ -24,21 +26,45 @@ DiffusionSurfaces straight(Template fruit) {
   return sweep(unpainted(std::move(fruit)));
 }
 
+std::set<CrossingKind> crossing_kinds(const DiffusionSurfaces& surfaces) {
+  return kinds_of(surfaces, crossing_triangles(surfaces));
+}
+
 }  // namespace
 
-SweptCheck::SweptCheck(const Template& drawn) {
-  const DiffusionSurfaces surfaces = straight(drawn);
-  straight_ = as_drawn_ = kinds_of(surfaces, crossing_triangles(surfaces));
-  if (drawn.bend.is_straight()) return;
-  const DiffusionSurfaces bent = sweep(unpainted(drawn));
-  as_drawn_ = kinds_of(bent, crossing_triangles(bent));
+/// What crosses in the drawing, found when it is first asked for, by whichever thread.
+class SweptCheck::Drawing {
+ public:
+  explicit Drawing(const Template& drawn) : drawn_(drawn) {}
+
+  const std::set<CrossingKind>& straight() const {
+    std::call_once(straight_once_, [&] { straight_ = crossing_kinds(pomona::straight(drawn_)); });
+    return straight_;
+  }
+
+  /// Bent as it is.
+  const std::set<CrossingKind>& as_drawn() const {
+    if (drawn_.bend.is_straight()) return straight();
+    std::call_once(bent_once_, [&] { bent_ = crossing_kinds(sweep(unpainted(drawn_))); });
+    return bent_;
+  }
+
+ private:
+  Template drawn_;
+  mutable std::once_flag straight_once_, bent_once_;
+  mutable std::set<CrossingKind> straight_, bent_;
+};
+
+SweptCheck::SweptCheck(const Template& drawn) : drawing_(std::make_shared<Drawing>(drawn)) {
+  // Sweeping tells whether that can be done at all.
+  straight(drawn);
 }
 
 std::vector<double> SweptCheck::new_crossings(const Template& variant) const {
   const DiffusionSurfaces surfaces = straight(variant);
   std::vector<double> azimuths;
   for (const CrossingTriangles& crossing : crossing_triangles(surfaces)) {
-    if (straight_.contains(kind_of(surfaces, crossing))) continue;
+    if (drawing_->straight().contains(kind_of(surfaces, crossing))) continue;
     azimuths.push_back(azimuth_of(surfaces, crossing.first));
     azimuths.push_back(azimuth_of(surfaces, crossing.second));
   }
@@ -46,9 +72,10 @@ std::vector<double> SweptCheck::new_crossings(const Template& variant) const {
 }
 
 bool SweptCheck::crosses_anew(const Template& variant) const {
-  const DiffusionSurfaces surfaces = sweep(unpainted(variant));
-  const std::set<CrossingKind> kinds = kinds_of(surfaces, crossing_triangles(surfaces));
-  return !std::includes(as_drawn_.begin(), as_drawn_.end(), kinds.begin(), kinds.end());
+  const std::set<CrossingKind> kinds = crossing_kinds(sweep(unpainted(variant)));
+  if (kinds.empty()) return false;
+  const std::set<CrossingKind>& known = drawing_->as_drawn();
+  return !std::includes(known.begin(), known.end(), kinds.begin(), kinds.end());
 }
 
 }  // namespace pomona

@@ -1,7 +1,7 @@
 // Whether what is swept from a variant crosses where the drawing does not.
 #pragma once
 
-#include <set>
+#include <memory>
 #include <vector>
 
 #include "generator/surface/crossings.h"
@@ -10,7 +10,8 @@
 namespace pomona {
 
 /// Curves that keep apart may still be swept into surfaces that cross, by a facet's width. Looks at the swept triangles
-/// themselves, at detail 1: two surfaces may only cross in a variant if they do so in the drawing.
+/// themselves, at detail 1: two surfaces may only cross in a variant if they do so in the drawing. What crosses there
+/// is looked for once a variant has crossings: most have none. Copies share it.
 class SweptCheck {
  public:
   /// \throws Error (bad_data) if the drawing cannot be swept.
@@ -24,7 +25,8 @@ class SweptCheck {
   bool crosses_anew(const Template& variant) const;
 
  private:
-  std::set<CrossingKind> straight_, as_drawn_;
+  class Drawing;
+  std::shared_ptr<const Drawing> drawing_;
 };
 
 }  // namespace pomona
