@@ -5,6 +5,39 @@
 
 namespace pomona {
 
+namespace {
+
+/// Counted, not compared: vertices are numbered without many gaps.
+std::vector<HalfEdge> by_low_end(const std::vector<HalfEdge>& edges) {
+  std::uint32_t last = 0;
+  for (const HalfEdge& h : edges) last = std::max(last, h.low);
+  std::vector<HalfEdge> sorted(edges);
+  if (last > 64 * edges.size()) {
+    std::stable_sort(sorted.begin(), sorted.end(), [](const HalfEdge& a, const HalfEdge& b) { return a.low < b.low; });
+    return sorted;
+  }
+  std::vector<std::size_t> place(std::size_t{last} + 2, 0);
+  for (const HalfEdge& h : edges) ++place[h.low + 1];
+  for (std::size_t i = 1; i < place.size(); ++i) place[i] += place[i - 1];
+  for (const HalfEdge& h : edges) sorted[place[h.low]++] = h;
+  return sorted;
+}
+
+/// Those of one low end: mostly a handful.
+void sort_by_high_end(std::span<HalfEdge> edges) {
+  constexpr std::size_t handful = 16;
+  const auto is_before = [](const HalfEdge& a, const HalfEdge& b) { return a.high < b.high; };
+  if (edges.size() > handful) return std::stable_sort(edges.begin(), edges.end(), is_before);
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const HalfEdge moved = edges[i];
+    std::size_t at = i;
+    for (; at > 0 && moved.high < edges[at - 1].high; --at) edges[at] = edges[at - 1];
+    edges[at] = moved;
+  }
+}
+
+}  // namespace
+
 std::vector<HalfEdge> sorted_half_edges(std::span<const glm::uvec3> triangles, const HalfEdgeOptions& options) {
   std::vector<HalfEdge> sorted;
   sorted.reserve(3 * triangles.size());
@@ -19,8 +52,17 @@ std::vector<HalfEdge> sorted_half_edges(std::span<const glm::uvec3> triangles, c
           {kind, std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(i), static_cast<std::uint8_t>(k), a < b});
     }
   }
-  const auto order = [](const HalfEdge& h) { return std::tie(h.kind, h.low, h.high, h.triangle, h.side); };
-  std::sort(sorted.begin(), sorted.end(), [&](const HalfEdge& a, const HalfEdge& b) { return order(a) < order(b); });
+
+  // They came by triangle and side, and each sort keeps that order among equals.
+  sorted = by_low_end(sorted);
+  for (std::size_t first = 0, end = 0; first < sorted.size(); first = end) {
+    while (end < sorted.size() && sorted[end].low == sorted[first].low) ++end;
+    sort_by_high_end({sorted.data() + first, end - first});
+  }
+  if (!options.kind.empty()) {
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const HalfEdge& a, const HalfEdge& b) { return a.kind < b.kind; });
+  }
   return sorted;
 }
 

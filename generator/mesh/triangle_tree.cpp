@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "generator/mesh/bounding_volume_hierarchy.h"
 #include "generator/mesh/triangle_distance.h"
+#include "generator/mesh/weld.h"
 
 namespace pomona {
 
@@ -38,8 +38,6 @@ Corners moved(Corners corners, const glm::dvec3& offset) {
   return corners;
 }
 
-bool less(const glm::dvec3& a, const glm::dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
-
 /// True if the ray from `point` along the axis `along` passes through the triangle, seen on the plane of the
 /// other two axes. The answers of triangles that share an edge agree on it, so closed meshes have no leaks.
 bool ray_passes(const Corners& t, const glm::dvec3& point, int along) {
@@ -59,9 +57,16 @@ std::uint32_t halve(std::span<Corners> triangles) {
   const auto center = [](const Corners& c) { return c[0] + c[1] + c[2]; };
   Box<double> centers;
   for (const Corners& corners : triangles) centers.add(center(corners));
+
+  // Keys are sorted, which are smaller than triangles; of equal ones the first stays first.
   const int axis = longest_axis(centers.size());
-  std::stable_sort(triangles.begin(), triangles.end(),
-                   [&](const Corners& a, const Corners& b) { return center(a)[axis] < center(b)[axis]; });
+  std::vector<std::pair<double, std::uint32_t>> keys;
+  keys.reserve(triangles.size());
+  for (const Corners& corners : triangles)
+    keys.emplace_back(center(corners)[axis], static_cast<std::uint32_t>(keys.size()));
+  std::sort(keys.begin(), keys.end());
+  const std::vector<Corners> before(triangles.begin(), triangles.end());
+  for (std::size_t i = 0; i < keys.size(); ++i) triangles[i] = before[keys[i].second];
   return static_cast<std::uint32_t>(triangles.size() / 2);
 }
 
@@ -89,18 +94,13 @@ TriangleTree::TriangleTree(std::span<const glm::vec3> position, std::span<const 
 }
 
 void TriangleTree::own_corners() {
-  struct Use {
-    glm::dvec3 point;
-    std::size_t triangle, corner;
-  };
-  std::vector<Use> uses;
-  for (std::size_t i = 0; i < corners_.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) uses.push_back({corners_[i][k], i, k});
-  std::stable_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return less(a.point, b.point); });
+  std::vector<glm::dvec3> corners;
+  corners.reserve(3 * corners_.size());
+  for (const Corners& triangle : corners_) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  const std::vector<std::uint32_t> first = weld(corners);
   owned_.assign(corners_.size(), 0);
-  for (std::size_t u = 0; u < uses.size(); ++u)
-    if (u == 0 || uses[u].point != uses[u - 1].point)
-      owned_[uses[u].triangle] = static_cast<std::uint8_t>(owned_[uses[u].triangle] | (1u << uses[u].corner));
+  for (std::size_t i = 0; i < first.size(); ++i)
+    if (first[i] == i) owned_[i / 3] = static_cast<std::uint8_t>(owned_[i / 3] | (1u << i % 3));
 }
 
 TriangleTree TriangleTree::rotated(const glm::dquat& rotation) const {

@@ -1,7 +1,13 @@
 #include "generator/mesh/edges.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
 #include <gtest/gtest.h>
 
+#include "generator/base/random.h"
 #include "generator/mesh/weld.h"
 #include "tests/shapes/shapes.h"
 
@@ -28,6 +34,39 @@ std::size_t vertex_count(const DiffusionSurfaces& surfaces) {
 TEST(Weld, LetsTheFirstVertexStandForAllAtOnePlace) {
   const std::vector<glm::vec3> positions{{1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {-0.0f, 0, -0.0f}, {1, 0, 1e-30f}};
   EXPECT_EQ(weld(positions), (std::vector<std::uint32_t>{0, 1, 0, 1, 4}));
+}
+
+TEST(Weld, FindsWhatTryingAllVerticesFinds) {
+  const RandomStream random({1, 0}, "places");
+  std::vector<glm::vec3> places;
+  for (std::uint64_t i = 0; i < 2000; ++i)
+    places.emplace_back(random.below(3 * i, 9), -static_cast<float>(random.below(3 * i + 1, 9)),
+                        random.below(3 * i + 2, 9));
+  places[3] = {0.0f, -0.0f, 0.0f}, places[7] = {-0.0f, 0.0f, -0.0f};
+  const std::vector<std::uint32_t> first = weld(places);
+  const std::vector<glm::dvec3> wide(places.begin(), places.end());
+  EXPECT_EQ(weld(wide), first);
+  for (std::size_t v = 0; v < places.size(); ++v)
+    EXPECT_EQ(first[v], std::find(places.begin(), places.end(), places[v]) - places.begin());
+}
+
+TEST(Edges, AreInTheOrderThatComparingThemGives) {
+  // A few corners in many triangles, many corners with gaps between them, and kinds.
+  const RandomStream random({2, 0}, "triangles");
+  for (const std::uint64_t vertices : {5u, 40u, 900u, 4000000000u}) {
+    std::vector<glm::uvec3> triangles;
+    std::vector<std::int32_t> kind;
+    for (std::uint64_t i = 0; i < 700; ++i) {
+      triangles.emplace_back(random.below(4 * i, vertices), random.below(4 * i + 1, vertices),
+                             random.below(4 * i + 2, vertices));
+      kind.push_back(static_cast<std::int32_t>(random.below(4 * i + 3, 5)) - 2);
+    }
+    const std::vector<HalfEdge> sorted = sorted_half_edges(triangles, {.kind = kind, .of_collapsed = true});
+    EXPECT_GT(sorted.size(), 1000u);
+    const auto order = [](const HalfEdge& h) { return std::tie(h.kind, h.low, h.high, h.triangle, h.side); };
+    EXPECT_TRUE(std::is_sorted(sorted.begin(), sorted.end(),
+                               [&](const HalfEdge& a, const HalfEdge& b) { return order(a) < order(b); }));
+  }
 }
 
 TEST(Edges, AreAsManyAsEulersFormulaSays) {
