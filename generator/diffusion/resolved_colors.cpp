@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 
 #include "generator/base/error.h"
-#include "generator/diffusion/nearest_side.h"
 
 namespace pomona {
 
@@ -40,17 +39,35 @@ void require_finite(std::span<const glm::vec3> points) {
   }
 }
 
+SidesOfPoints sides_on_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
+                                std::span<const glm::vec3> points, Threads threads) {
+  SidesOfPoints sides(points.size());
+  parallel_for(points.size(), threads, [&](std::size_t i) {
+    sides[i] = nearest_side(surfaces, tree, glm::dvec3(points[i]), on_surface * tree.size);
+  });
+  return sides;
+}
+
 DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
-                               std::span<const glm::vec3> points, std::span<const PmvcValue> values, Threads threads) {
+                               std::span<const glm::vec3> points, const SidesOfPoints& sides,
+                               std::span<const PmvcValue> values, Threads threads) {
+  constexpr double anywhere = std::numeric_limits<double>::infinity();
   DiffusedColors colors{std::vector<Color>(points.size()), std::vector<std::int32_t>(points.size())};
   parallel_for(points.size(), threads, [&](std::size_t i) {
-    const double radius = values[i].weight > 0 ? on_surface * tree.size : std::numeric_limits<double>::infinity();
-    const std::optional<SurfaceSide> nearest = nearest_side(surfaces, tree, glm::dvec3(points[i]), radius);
+    const bool sees_nothing = !sides[i] && !(values[i].weight > 0);
+    const std::optional<SurfaceSide> nearest =
+        sees_nothing ? nearest_side(surfaces, tree, glm::dvec3(points[i]), anywhere) : sides[i];
     const Color color(nearest ? color_of(surfaces, *nearest) : values[i].color);
     colors.color[i] = glm::clamp(color, hull.low, hull.high);
     colors.part[i] = nearest ? part_of(surfaces, *nearest) : values[i].part;
   });
   return colors;
+}
+
+DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
+                               std::span<const glm::vec3> points, std::span<const PmvcValue> values, Threads threads) {
+  return resolved_colors(surfaces, tree, hull, points, sides_on_surfaces(surfaces, tree, points, threads), values,
+                         threads);
 }
 
 }  // namespace pomona

@@ -1,9 +1,12 @@
 // From positive mean values to colours: what every way of computing them leaves open.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "generator/diffusion/diffuser.h"
+#include "generator/diffusion/nearest_side.h"
 #include "generator/diffusion/pmvc_value.h"
 #include "generator/diffusion/surface_tree.h"
 
@@ -18,8 +21,18 @@ ColorHull hull_of(const DiffusionSurfaces& surfaces, const SurfaceTree& tree);
 /// \throws Error (bad_data) if a coordinate is not finite.
 void require_finite(std::span<const glm::vec3> points);
 
-/// On a surface (within 1e-5 of the surfaces' size), and where nothing is seen, the nearest side decides; no colour
-/// leaves the hull. One value per point.
+/// Per point the side of the surface on which it lies, within 1e-5 of the surfaces' size. It decides: such points need
+/// no value.
+using SidesOfPoints = std::vector<std::optional<SurfaceSide>>;
+SidesOfPoints sides_on_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
+                                std::span<const glm::vec3> points, Threads threads);
+
+/// On a surface, and where nothing is seen, the nearest side decides; no colour leaves the hull. One value per point.
+DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
+                               std::span<const glm::vec3> points, const SidesOfPoints& sides,
+                               std::span<const PmvcValue> values, Threads threads);
+
+/// The same where nobody has asked for the sides before.
 DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
                                std::span<const glm::vec3> points, std::span<const PmvcValue> values, Threads threads);
 
