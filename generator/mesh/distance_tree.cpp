@@ -47,8 +47,8 @@ DistanceTree::DistanceTree(const TriangleTree& tree) : corners_(tree.triangles()
 
 DistanceTree::Boxes DistanceTree::empty_boxes() {
   Boxes boxes{};
-  for (Lanes& low : boxes.low) low.fill(std::numeric_limits<float>::max());
-  for (Lanes& high : boxes.high) high.fill(std::numeric_limits<float>::lowest());
+  for (Lanes& low : boxes.low) low = Lanes{} + std::numeric_limits<float>::max();
+  for (Lanes& high : boxes.high) high = Lanes{} + std::numeric_limits<float>::lowest();
   return boxes;
 }
 
@@ -109,23 +109,18 @@ DistanceTree::Below DistanceTree::pack(const TriangleTree& tree, const TriangleT
 }
 
 DistanceTree::Lanes DistanceTree::Boxes::squared_distances(const std::array<float, 3>& point) const {
+  const auto outside = [](Lanes below, Lanes above) {
+    const Lanes farther = below > above ? below : above;
+    return farther > 0.0f ? farther : Lanes{};
+  };
   Lanes squared{}, along{};
   for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t i = 0; i < width; ++i) {
-      const float below = low[k][i] - point[k], above = point[k] - high[k][i];
-      const float outside = below > above ? below : above;
-      const float apart = outside > 0.0f ? outside : 0.0f;
-      squared[i] += apart * apart;
-      along[i] += normal[k][i] * point[k];
-    }
+    const Lanes apart = outside(low[k] - point[k], point[k] - high[k]);
+    squared += apart * apart;
+    along += normal[k] * point[k];
   }
-  for (std::size_t i = 0; i < width; ++i) {
-    const float below = slab_low[i] - along[i], above = along[i] - slab_high[i];
-    const float outside = below > above ? below : above;
-    const float apart = outside > 0.0f ? outside : 0.0f;
-    squared[i] = apart * apart > squared[i] ? apart * apart : squared[i];
-  }
-  return squared;
+  const Lanes apart = outside(slab_low - along, along - slab_high);
+  return apart * apart > squared ? apart * apart : squared;
 }
 
 TriangleTree::Nearest DistanceTree::nearest(const glm::dvec3& point, double within) const {

@@ -34,7 +34,8 @@ class DistanceTree {
  private:
   static constexpr std::size_t width = 4;
   static constexpr std::uint32_t is_triangle = 0x80000000u;
-  using Lanes = std::array<float, width>;
+  /// Four at once on every x86-64 (GCC and Clang: "vector extensions").
+  typedef float Lanes __attribute__((vector_size(4 * sizeof(float))));
 
   /// Four boxes, coordinate by coordinate; empty ones, which nothing is near, where there are fewer.
   struct Boxes {

@@ -53,9 +53,9 @@ GrownFruit grow(const Template& variant, VariantKey users_key, const GrowOptions
   grown.swept = sweep(variant, sweep_options);
   grown.grains = scatter_grains(variant, key, sweep_options);
   if (has_own_colors(variant)) {
-    const SkinDepth skin(grown.swept);
-    grown.swept = ripened(std::move(grown.swept), variant, skin, options.threads);
-    grown.grains = ripened(std::move(grown.grains), variant, skin, options.threads);
+    grown.skin = std::make_shared<const SkinDepth>(grown.swept);
+    grown.swept = ripened(std::move(grown.swept), variant, *grown.skin, options.threads);
+    grown.grains = ripened(std::move(grown.grains), variant, *grown.skin, options.threads);
   }
   grown.sheets = joined(sheets(grown.swept), sheets(grown.grains));
   return grown;

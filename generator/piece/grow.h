@@ -1,11 +1,13 @@
 // From a template and a seed to everything the diffuser sees: the first half of the road in one verb.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "generator/base/parallel.h"
 #include "generator/base/random.h"
 #include "generator/surface/diffusion_surfaces.h"
+#include "generator/surface/skin_depth.h"
 #include "generator/template/template.h"
 #include "generator/variation/variation.h"
 
@@ -34,6 +36,9 @@ struct GrownFruit {
   DiffusionSurfaces swept;   ///< as drawn or varied: blur not split, no grains
   DiffusionSurfaces grains;  ///< blur not split
   DiffusionSurfaces sheets;  ///< everything the diffuser sees: blur split, grains included
+
+  /// Of `swept`, where growing has made it already; else none.
+  std::shared_ptr<const SkinDepth> skin = {};
 };
 
 /// Sweeps a variant, ripens its colours, splits its blur and scatters its grains.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -90,11 +91,29 @@ std::vector<double> depths_of(const std::vector<glm::vec3>& points, const SkinDe
   return skin.depths(places, std::numeric_limits<double>::infinity(), threads);
 }
 
+/// Of every vertex that is a triangle's corner.
+std::vector<double> corner_depths(const DiffusionSurfaces& layers, const SkinDepth& skin, Threads threads) {
+  std::vector<std::uint8_t> is_corner(layers.vertex_count(), 0);
+  for (const glm::uvec3& t : layers.triangle)
+    for (int k = 0; k < 3; ++k) is_corner[t[k]] = 1;
+  std::vector<std::size_t> corners;
+  std::vector<glm::vec3> places;
+  for (std::size_t v = 0; v < is_corner.size(); ++v) {
+    if (is_corner[v] == 0) continue;
+    corners.push_back(v);
+    places.push_back(layers.position[v]);
+  }
+  const std::vector<double> found = depths_of(places, skin, threads);
+  std::vector<double> depth(layers.vertex_count(), 0.0);
+  for (std::size_t i = 0; i < corners.size(); ++i) depth[corners[i]] = found[i];
+  return depth;
+}
+
 /// The depth of the layer at each place: every surface has one, its vertices' mean.
 std::vector<float> layers_at(const DiffusionSurfaces& layers, const SkinDepth& skin, const Places& places,
                              Threads threads) {
   // Each surface gets its mean depth over the corners of its triangles; the greatest becomes the unit.
-  const std::vector<double> depth = depths_of(layers.position, skin, threads);
+  const std::vector<double> depth = corner_depths(layers, skin, threads);
   std::vector<double> sum(layers.surface_names.size(), 0.0);
   std::vector<int> count(sum.size(), 0);
   for (std::size_t t = 0; t < layers.triangle_count(); ++t) {
@@ -130,10 +149,12 @@ glm::vec4 detail_shares(const Template& fruit, DetailFace face, std::int32_t par
   return share;
 }
 
-CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const Template& fruit, Threads threads) {
+CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const Template& fruit, Threads threads,
+                    const SkinDepth* known) {
   if (section.position.empty() || !has_details_on(fruit, DetailFace::cut)) return section;
   const Places places = places_of(section.position);
-  const SkinDepth skin(swept);
+  const std::optional<SkinDepth> own = known == nullptr ? std::optional<SkinDepth>(swept) : std::nullopt;
+  const SkinDepth& skin = own ? *own : *known;
   const std::vector<double> depth = depths_of(places.position, skin, threads);
 
   // Only what a detail asks for is diffused.

@@ -4,6 +4,7 @@
 #include "generator/base/parallel.h"
 #include "generator/cut/section/cross_section.h"
 #include "generator/surface/diffusion_surfaces.h"
+#include "generator/surface/skin_depth.h"
 #include "generator/template/template.h"
 
 namespace pomona {
@@ -12,7 +13,9 @@ namespace pomona {
 /// it came. The way across the layers is the diffused normal of the surfaces around the axis, as long as the place is
 /// deep; the layer is the diffused mean depth of those surfaces. A guide depends on its place alone, so two cuts agree.
 /// \param swept all surfaces before blur is split.
-CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const Template& fruit, Threads threads = {});
+/// \param known their skin, if somebody has it; the result is the same.
+CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const Template& fruit, Threads threads = {},
+                    const SkinDepth* known = nullptr);
 
 /// How much each detail of that kind of face counts for a part at a depth below the skin, metres.
 glm::vec4 detail_shares(const Template& fruit, DetailFace face, std::int32_t part, double depth);

@@ -96,7 +96,7 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
     slices.piece_count = cuts[i].pieces.size();
     slices.times.time("style", [&] {
       slices.styled = guided(browned(slices.section, task.grown.sheets, task.variant, options.threads),
-                             task.grown.swept, task.variant, options.threads);
+                             task.grown.swept, task.variant, options.threads, task.grown.skin.get());
       if (options.pieces) slices.pieces = finished(cuts[i].pieces, slices.styled, task, diffuser, options);
     });
     if (options.one_done) options.one_done();
