@@ -59,6 +59,20 @@ TEST(Guided, costs_nothing_where_no_detail_asks) {
   EXPECT_TRUE(guided(CrossSection{}, ball(), detailed_fruit()).guide.empty());
 }
 
+TEST(Guided, comes_out_the_same_where_the_skin_is_known_before_and_on_any_threads) {
+  const DiffusionSurfaces surfaces = ball();
+  const SkinDepth skin(surfaces);
+  const CrossSection own = guided(section_of(surfaces, {"half"}), surfaces, detailed_fruit());
+  const CrossSection known = guided(section_of(surfaces, {"half"}), surfaces, detailed_fruit(), {1}, &skin);
+  ASSERT_EQ(own.guide.size(), own.position.size());
+  ASSERT_EQ(known.guide.size(), own.guide.size());
+  for (std::size_t v = 0; v < own.guide.size(); ++v) {
+    EXPECT_EQ(known.guide[v].to_skin, own.guide[v].to_skin);
+    EXPECT_EQ(known.guide[v].layer, own.guide[v].layer);
+    EXPECT_EQ(known.guide[v].share, own.guide[v].share);
+  }
+}
+
 TEST(Guided, points_to_the_foot_on_the_skin) {
   const DiffusionSurfaces surfaces = ball();
   const CrossSection section = guided(section_of(surfaces, {"half"}), surfaces, detailed_fruit());
