@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod picture bench hashes install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench hashes install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -107,6 +107,11 @@ cuts: .bench ## 112 000 random and degenerate cuts of all templates, planes, str
 lod: .bench ## levels of detail of half of every fruit: how far off they are, how long they take
 	cmake --build build --target lod -j $(JOBS)
 	build/bench/lod
+
+textures: .bench ## textures of half of every fruit at 512 texels, and of a tomato's six wedges at 1024: time, and how far from every texel diffused by itself
+	cmake --build build --target textures -j $(JOBS)
+	build/bench/textures --texels 512 --truth
+	build/bench/textures --texels 1024 --knife wedges:6 --truth tomato
 
 picture: .bench ## how long a picture of the salad in 1920x1080 takes, and how much memory
 	cmake --build build --target picture -j $(JOBS)

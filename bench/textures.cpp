@@ -1,7 +1,10 @@
 // Baking: texels a second, charts and how well the atlas is filled.
-//   textures [--texels N] [--threads N] [NAME...]
-// Names are those of templates; none means all. Each is cut in half and baked, plain, on the CPU.
+//   textures [--texels N] [--threads N] [--knife KNIFE] [--draft] [--truth] [NAME...]
+// Names are those of templates; none means all. Each is cut, in half unless --knife says otherwise, and its pieces are
+// baked, plain, on the CPU. --truth bakes them once more with every texel diffused by itself, which takes long, and
+// tells by how much the two differ.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -24,6 +27,9 @@ using namespace pomona;
 struct Settings {
   int texels = 1024;
   Threads threads{2};
+  std::string knife = "half";
+  Quality quality = Quality::final;
+  bool truth = false;
   std::vector<std::string> names;
 };
 
@@ -35,6 +41,12 @@ Settings settings_from(int argc, char** argv) {
       settings.texels = std::clamp(std::atoi(argv[++i]), 64, 8192);
     } else if (word == "--threads" && i + 1 < argc) {
       settings.threads.count = std::clamp(std::atoi(argv[++i]), 0, 1024);
+    } else if (word == "--knife" && i + 1 < argc) {
+      settings.knife = argv[++i];
+    } else if (word == "--draft") {
+      settings.quality = Quality::draft;
+    } else if (word == "--truth") {
+      settings.truth = true;
     } else {
       settings.names.push_back(word);
     }
@@ -42,23 +54,65 @@ Settings settings_from(int argc, char** argv) {
   return settings;
 }
 
+/// How far apart two sets of textures are, of 255.
+struct Difference {
+  double rms = 0;
+  int largest = 0;
+  std::size_t beyond_4 = 0;  ///< texels
+};
+
+Difference difference_of(const std::vector<BakedSolid>& a, const std::vector<BakedSolid>& b) {
+  Difference found;
+  double count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t p = 0; p < a[i].texture.pixels.size(); ++p) {
+      const glm::ivec3 d = glm::abs(glm::ivec3(a[i].texture.pixels[p]) - glm::ivec3(b[i].texture.pixels[p]));
+      const int most = std::max({d.x, d.y, d.z});
+      found.rms += d.x * d.x + d.y * d.y + d.z * d.z;
+      found.largest = std::max(found.largest, most);
+      found.beyond_4 += most > 4 ? 1 : 0;
+    }
+    count += 3 * static_cast<double>(a[i].texture.pixels.size());
+  }
+  found.rms = std::sqrt(found.rms / count);
+  return found;
+}
+
 void measure(const std::string& name, const Settings& settings) {
+  // The pieces.
   const bench::BenchFruit fruit = bench::grow_fruit(name);
-  const auto diffuser = make_pmvc_diffuser({.threads = settings.threads});
-  const std::vector<Knife> knives{parse_knife("half")};
-  Slices slices = slice({fruit.grown, fruit.drawn, knives, name}, diffuser.get(),
-                        {.cut = {.threads = settings.threads}, .keep_section_colors = true});
-  std::vector<Solid> pieces = std::move(slices.pieces);
-  pieces.resize(1);
-  std::vector<BakedSolid> baked_solids;
-  const bench::Duration time = bench::time_of([&] {
-    baked_solids = all_baked(pieces, style_named("plain"), {.texels = settings.texels, .threads = settings.threads});
-  });
-  const BakedSolid& solid = baked_solids.front();
-  std::printf("| %-11s | %6zu | %7zu | %7.2f | %7.2f | %7.0f | %5d | %4.2f | %5.2f | %3.0f %% | %d |\n", name.c_str(),
-              fruit.grown.sheets.triangle_count(), solid.diffused, time.wall * 1e-3, time.processor * 1e-3,
-              static_cast<double>(solid.diffused) / std::max(1e-3, time.processor), solid.charts, solid.mean_stretch,
-              solid.worst_stretch, 100 * solid.filled, solid.mip_levels);
+  const auto diffuser = make_pmvc_diffuser({.quality = settings.quality, .threads = settings.threads});
+  const std::vector<Knife> knives{parse_knife(settings.knife)};
+  const std::vector<Solid> pieces = slice({fruit.grown, fruit.drawn, knives, name}, diffuser.get(),
+                                          {.cut = {.threads = settings.threads}, .keep_section_colors = true})
+                                        .pieces;
+
+  // Their textures.
+  std::vector<BakedSolid> found;
+  const Style style = style_named("plain");
+  BakeOptions options{.texels = settings.texels, .threads = settings.threads};
+  const bench::Duration time = bench::time_of([&] { found = all_baked(pieces, style, options); });
+  std::size_t texels = 0, points = 0;
+  int charts = 0;
+  for (const BakedSolid& solid : found) {
+    texels += solid.texture.pixels.size(), points += solid.diffused, charts += solid.charts;
+  }
+  const BakedSolid& first = found.front();
+  std::printf("| %-11s | %6zu | %3zu | %8zu | %7zu | %6.2f | %6.2f | %5d | %4.2f | %7.2f | %3.0f %% | %d |",
+              name.c_str(), fruit.grown.sheets.triangle_count(), found.size(), texels, points, time.wall * 1e-3,
+              time.processor * 1e-3, charts, first.mean_stretch, first.worst_stretch, 100 * first.filled,
+              first.mip_levels);
+
+  // What they stand for.
+  if (settings.truth) {
+    options.every_texel = true;
+    std::vector<BakedSolid> truth;
+    const bench::Duration long_time = bench::time_of([&] { truth = all_baked(pieces, style, options); });
+    const Difference difference = difference_of(found, truth);
+    std::printf(" %6.2f | %.2f | %d | %zu |", long_time.processor * 1e-3, difference.rms, difference.largest,
+                difference.beyond_4);
+  }
+  std::printf("\n");
   std::fflush(stdout);
 }
 
@@ -66,8 +120,12 @@ void measure(const std::string& name, const Settings& settings) {
 
 int main(int argc, char** argv) {
   const Settings settings = settings_from(argc, argv);
-  std::printf("| fruit | triangles | texels diffused | wall s | processor s | diffused per processor ms | charts | ");
-  std::printf("mean stretch | worst | filled | mip levels |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  std::printf("| fruit | triangles | pieces | texels | points diffused | wall s | processor s | charts | ");
+  std::printf("mean stretch | worst | filled | mip levels |");
+  if (settings.truth) std::printf(" processor s, every texel | RMS of 255 | largest | texels beyond 4 |");
+  std::printf("\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
+  if (settings.truth) std::printf("--:|--:|--:|--:|");
+  std::printf("\n");
   try {
     for (const std::string& name : bench::fruit_names(settings.names)) measure(name, settings);
   } catch (const Error& error) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -26,6 +27,45 @@ namespace {
 
 std::uint8_t to_byte(double value) { return static_cast<std::uint8_t>(std::floor(value * 255.0 + 0.5)); }
 
+/// The bytes of linear values, looked up: what to_byte(srgb_from_linear(value)) gives, for every float.
+class Encoder {
+ public:
+  Encoder() {
+    // The least float of each byte, by halving what lies between the bits of 0 and of 1.
+    for (std::size_t byte = 1; byte < least_.size(); ++byte) {
+      std::uint32_t below = std::bit_cast<std::uint32_t>(least_[byte - 1]), at = std::bit_cast<std::uint32_t>(1.0f);
+      while (at - below > 1) {
+        const std::uint32_t middle = below + (at - below) / 2;
+        const double encoded = srgb_from_linear(static_cast<double>(std::bit_cast<float>(middle)));
+        (to_byte(encoded) < byte ? below : at) = middle;
+      }
+      least_[byte] = std::bit_cast<float>(at);
+    }
+
+    // Where to begin to look: the byte of the least value of each cell.
+    std::uint8_t byte = 0;
+    for (std::size_t cell = 0; cell < start_.size(); ++cell) {
+      const float value = std::bit_cast<float>(static_cast<std::uint32_t>(cell + first_cell) << cell_shift);
+      while (byte < 255 && value >= least_[byte + 1U]) ++byte;
+      start_[cell] = byte;
+    }
+  }
+
+  std::uint8_t operator()(float linear) const {
+    if (!(linear >= least_[1])) return 0;
+    if (linear >= least_[255]) return 255;
+    std::uint8_t byte = start_[(std::bit_cast<std::uint32_t>(linear) >> cell_shift) - first_cell];
+    while (linear >= least_[byte + 1U]) ++byte;
+    return byte;
+  }
+
+ private:
+  // Cells are what floats share in their exponent and the first seven bits after it, from 2^-13, which is black, to 1.
+  static constexpr std::uint32_t cell_shift = 16, first_cell = (127 - 13) << 7, cells = 13 << 7;
+  std::array<float, 256> least_{};
+  std::array<std::uint8_t, cells> start_{};
+};
+
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -36,12 +76,18 @@ int hex_digit(char c) {
 }  // namespace
 
 glm::u8vec3 to_srgb8(const Color& color) {
-  return {to_byte(srgb_from_linear(color.r)), to_byte(srgb_from_linear(color.g)), to_byte(srgb_from_linear(color.b))};
+  static const Encoder encoder;
+  return {encoder(color.r), encoder(color.g), encoder(color.b)};
 }
 
 Color from_srgb8(const glm::u8vec3& srgb) {
-  return {static_cast<float>(linear_from_srgb(srgb.r / 255.0)), static_cast<float>(linear_from_srgb(srgb.g / 255.0)),
-          static_cast<float>(linear_from_srgb(srgb.b / 255.0))};
+  static const std::array<float, 256> decoded = [] {
+    std::array<float, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i)
+      table[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / 255.0));
+    return table;
+  }();
+  return {decoded[srgb.r], decoded[srgb.g], decoded[srgb.b]};
 }
 
 std::optional<Color> parse_color(std::string_view text) {
@@ -69,9 +115,9 @@ std::string to_hex(const Color& color) {
 
 glm::vec3 to_oklab(const Color& color) {
   const double r = color.r, g = color.g, b = color.b;
-  const double l = reproducible::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
-  const double m = reproducible::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
-  const double s = reproducible::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+  const auto [l, m, s, unused] = reproducible::cbrt({0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b,
+                                                     0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b,
+                                                     0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b, 1.0});
   return {static_cast<float>(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s),
           static_cast<float>(1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s),
           static_cast<float>(0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s)};

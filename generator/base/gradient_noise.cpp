@@ -28,9 +28,16 @@ double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 
+/// std::floor, which is a call on the plainest x86-64.
+double floored(double x) {
+  if (!(std::fabs(x) < 1e9)) return std::floor(x);
+  const auto whole = static_cast<double>(static_cast<std::int32_t>(x));
+  return whole > x ? whole - 1 : whole;
+}
+
 /// `mask`: which bits of z count; all of them unless the lattice closes around an axis.
 double lattice_noise(const glm::dvec3& point, std::uint32_t seed, std::int32_t mask) {
-  const double fx = std::floor(point.x), fy = std::floor(point.y), fz = std::floor(point.z);
+  const double fx = floored(point.x), fy = floored(point.y), fz = floored(point.z);
   const std::int32_t ix = lattice_cell(fx), iy = lattice_cell(fy), iz = lattice_cell(fz);
   const double x = point.x - fx, y = point.y - fy, z = point.z - fz;
 

@@ -1,5 +1,6 @@
 #include "generator/base/reproducible.h"
 
+#include <emmintrin.h>
 #include <sleef.h>
 
 namespace pomona::reproducible {
@@ -12,5 +13,12 @@ double exp(double x) { return Sleef_cinz_expd1_u10purec(x); }
 double log(double x) { return Sleef_cinz_logd1_u10purec(x); }
 double pow(double base, double exponent) { return Sleef_cinz_powd1_u10purec(base, exponent); }
 double cbrt(double x) { return Sleef_cinz_cbrtd1_u10purec(x); }
+
+std::array<double, 4> cbrt(const std::array<double, 4>& x) {
+  std::array<double, 4> root{};
+  _mm_storeu_pd(&root[0], Sleef_cinz_cbrtd2_u10sse2(_mm_loadu_pd(&x[0])));
+  _mm_storeu_pd(&root[2], Sleef_cinz_cbrtd2_u10sse2(_mm_loadu_pd(&x[2])));
+  return root;
+}
 
 }  // namespace pomona::reproducible

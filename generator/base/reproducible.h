@@ -4,6 +4,8 @@
 // operations, within 1 unit in the last place.
 #pragma once
 
+#include <array>
+
 namespace pomona::reproducible {
 
 double sin(double radians);
@@ -14,5 +16,8 @@ double exp(double x);
 double log(double x);
 double pow(double base, double exponent);
 double cbrt(double x);
+
+/// Four at once, each with the bits that it has alone, in half the time.
+std::array<double, 4> cbrt(const std::array<double, 4>& x);
 
 }  // namespace pomona::reproducible

@@ -199,7 +199,7 @@ int GlbModel::smooth_sampler() {
 
 int GlbModel::add_texture(const Solid& solid, const Image& picture) {
   // The PNG goes into the buffer: handed over as pixels, tinygltf would write it as a data URI.
-  const std::string png = write_png(picture);
+  const std::string png = write_png(picture, PngPacking::fast);
   tinygltf::Image image;
   image.name = solid.name;
   image.mimeType = "image/png";

@@ -62,7 +62,14 @@ void take(png_structp png, png_bytep data, png_size_t size) {
 
 }  // namespace
 
-std::string write_png(const Image& image) {
+namespace {
+
+// zlib's strategies: Z_DEFAULT_STRATEGY and Z_RLE.
+constexpr int any_matches = 0, run_lengths = 3;
+
+}  // namespace
+
+std::string write_png(const Image& image, PngPacking packing) {
   std::string bytes;
   Writer writer;
   png_set_write_fn(writer.png, &bytes, append, nullptr);
@@ -70,9 +77,10 @@ std::string write_png(const Image& image) {
                8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
 
-  // Fixed, so that the bytes do not depend on libpng's defaults; 6 is within 2 % of 9 at a fifth of the time.
+  // Fixed, so that the bytes do not depend on libpng's defaults; 6 is within 2 % of 9 at a fifth of the time. Runs of
+  // equal bytes alone are found faster still.
   png_set_compression_level(writer.png, 6);
-  png_set_compression_strategy(writer.png, 0);
+  png_set_compression_strategy(writer.png, packing == PngPacking::fast ? run_lengths : any_matches);
   png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
 
   png_write_info(writer.png, writer.info);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "generator/piece/section_colors.h"
@@ -18,16 +19,18 @@ namespace {
 
 class Baker {
  public:
-  Baker(const Solid& solid, const Style& style, const BakeOptions& options, const ColorField* field)
+  Baker(const Solid& solid, const Style& style, const BakeOptions& options)
       : solid_(solid),
         style_(style),
         options_(options),
         charts_(charts_of(solid, options.threads)),
         atlas_(options.texel > 0 ? atlas_of_texel(charts_, options.texel, options.mip_levels)
-                                 : atlas_of_side(charts_, options.texels, options.mip_levels)),
-        colors_(solid, style, field, 1 / atlas_.texels_per_metre, options.threads) {}
+                                 : atlas_of_side(charts_, options.texels, options.mip_levels)) {}
 
-  BakedSolid bake() {
+  double texel() const { return 1 / atlas_.texels_per_metre; }
+
+  BakedSolid bake(const SampleColors::OfCutFaces& of_cut_faces) {
+    colors_.emplace(solid_, style_, of_cut_faces, texel(), options_.threads);
     Image& image = result_.texture;
     image = {atlas_.size.x, atlas_.size.y,
              std::vector<glm::u8vec3>(static_cast<std::size_t>(atlas_.size.x) * atlas_.size.y)};
@@ -62,11 +65,11 @@ class Baker {
       samples.insert(samples.end(), own.begin(), own.end());
       begin.push_back(samples.size());
     }
-    const std::vector<Color> colors = colors_.of(samples);
+    const std::vector<Color> colors = colors_->of(samples);
     parallel_for(of_chart.size(), options_.threads, [&](std::size_t i) {
       ChartCanvas canvas(atlas_, first + i);
       draw(canvas, of_chart[i], colors.data() + begin[i]);
-      if (of_chart[i].empty()) canvas.fill_with(colors_.mean_of(charts_[first + i]));
+      if (of_chart[i].empty()) canvas.fill_with(colors_->mean_of(charts_[first + i]));
       if (style_.ink && charts_[first + i].cut_face >= 0 && !of_chart[i].empty()) ink(canvas, first + i);
       canvas.fill();
       canvas.write(result_.texture);
@@ -136,7 +139,7 @@ class Baker {
     result_.texel = 1 / atlas_.texels_per_metre;
     result_.charts = static_cast<int>(charts_.size());
     result_.filled = filled_share(charts_, atlas_);
-    result_.diffused = colors_.diffused();
+    result_.diffused = colors_->diffused();
     double area = 0, sum = 0;
     for (const Chart& chart : charts_) {
       if (chart.cut_face >= 0) continue;
@@ -152,21 +155,51 @@ class Baker {
   const BakeOptions& options_;
   std::vector<Chart> charts_;
   Atlas atlas_;
-  SampleColors colors_;
+  std::optional<SampleColors> colors_;
   BakedSolid result_;
 };
 
-BakedSolid baked_with(const Solid& solid, const Style& style, const BakeOptions& options, const ColorField* field) {
-  if (solid.triangle.empty()) {
-    BakedSolid nothing;
-    nothing.solid = solid;
-    return nothing;
-  }
-  return Baker(solid, style, options, field).bake();
-}
-
 bool has_cut_face(const Solid& solid) {
   return std::any_of(solid.cut_face.begin(), solid.cut_face.end(), [](auto face) { return face >= 0; });
+}
+
+/// What diffuses its texels; null where nothing is to be diffused.
+const SectionColors* section_colors_of(const Solid& solid) {
+  return has_cut_face(solid) ? solid.section_colors.get() : nullptr;
+}
+
+/// Solids whose cut faces the same surfaces have coloured.
+std::vector<BakedSolid> baked_together(std::span<const Solid> solids, const SectionColors* colors, const Style& style,
+                                       const BakeOptions& options) {
+  // Where everything lies.
+  std::vector<std::optional<Baker>> bakers(solids.size());
+  std::vector<FaceColorTask> tasks;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    if (solids[i].triangle.empty()) continue;
+    bakers[i].emplace(solids[i], style, options);
+    tasks.push_back({&solids[i], bakers[i]->texel()});
+  }
+
+  // What all of them diffuse.
+  const std::unique_ptr<ColorField> field = colors != nullptr ? colors->field() : nullptr;
+  DiffusedFaces faces;
+  if (field && !options.every_texel) faces = diffused_faces(tasks, *field);
+
+  // One by one.
+  std::vector<BakedSolid> result(solids.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    if (!bakers[i]) {
+      result[i].solid = solids[i];
+      continue;
+    }
+    SampleColors::OfCutFaces of_cut_faces{.field = options.every_texel ? field.get() : nullptr};
+    if (!faces.of_solid.empty()) of_cut_faces.faces = &faces.of_solid[next++];
+    result[i] = bakers[i]->bake(of_cut_faces);
+    bakers[i].reset();
+  }
+  if (!faces.of_solid.empty()) result.front().diffused = faces.points;
+  return result;
 }
 
 }  // namespace
@@ -177,14 +210,14 @@ BakedSolid baked(const Solid& solid, const Style& style, const BakeOptions& opti
 
 std::vector<BakedSolid> all_baked(std::span<const Solid> solids, const Style& style, const BakeOptions& options) {
   std::vector<BakedSolid> result;
-  const SectionColors* last = nullptr;
-  std::unique_ptr<ColorField> field;
-  for (const Solid& solid : solids) {
+  for (std::size_t first = 0; first < solids.size();) {
     // Pieces of one fruit follow one another.
-    const SectionColors* const own = has_cut_face(solid) ? solid.section_colors.get() : nullptr;
-    if (own != last) field = own ? own->field() : nullptr;
-    last = own;
-    result.push_back(baked_with(solid, style, options, field.get()));
+    const SectionColors* const own = section_colors_of(solids[first]);
+    std::size_t end = first + 1;
+    while (end < solids.size() && own != nullptr && section_colors_of(solids[end]) == own) ++end;
+    for (BakedSolid& baked_solid : baked_together(solids.subspan(first, end - first), own, style, options))
+      result.push_back(std::move(baked_solid));
+    first = end;
   }
   return result;
 }

@@ -17,6 +17,7 @@ struct BakeOptions {
   int texels = 1024;   ///< along the texture's edge; a multiple of 2^mip_levels keeps all of these
   double texel = 0;    ///< metres: if above 0 the texture is as large as that asks for, and `texels` means nothing
   int mip_levels = 3;  ///< down to which no chart takes on another one's colours
+  bool every_texel = false;  ///< diffuses each by itself, as a measure for others; slow
   Threads threads{};
 };
 
@@ -32,16 +33,16 @@ struct BakedSolid {
   double filled = 0;        ///< share of the texture that shows something
   double mean_stretch = 1;  ///< of skin, see Stretch
   double worst_stretch = 1;
-  std::size_t diffused = 0;  ///< points at which colours were diffused
+  std::size_t diffused = 0;  ///< points at which colours were diffused, of solids of one fruit all with the first
 };
 
 /// The same bytes for the same solid, on any machine and for any number of threads, unless the solid's diffuser is
-/// OpenGL. Texels of cut faces are diffused at their own places if the solid has `section_colors`; all others
-/// interpolate the colours of vertices. Means of colours are taken in linear light.
+/// OpenGL. Texels of cut faces have the colours diffused around them if the solid has `section_colors` (face_colors.h);
+/// all others interpolate the colours of vertices. Means of colours are taken in linear light.
 /// \throws Error (usage) if there are too few texels, or `texel` asks for too many.
 BakedSolid baked(const Solid& solid, const Style& style, const BakeOptions& options = {});
 
-/// Many solids; those that share their section_colors share what diffuses them. One texture each.
+/// Many solids, one texture each; those beside each other that share their section_colors are diffused together.
 std::vector<BakedSolid> all_baked(std::span<const Solid> solids, const Style& style, const BakeOptions& options = {});
 
 }  // namespace pomona

@@ -20,10 +20,10 @@ void for_chunk(std::size_t chunk, std::size_t count, const Visit& visit) {
 
 }  // namespace
 
-SampleColors::SampleColors(const Solid& solid, const Style& style, const ColorField* field, double texel,
+SampleColors::SampleColors(const Solid& solid, const Style& style, const OfCutFaces& of_cut_faces, double texel,
                            Threads threads)
     : solid_(solid),
-      field_(field),
+      of_cut_faces_(of_cut_faces),
       look_(style.noise ? Look(solid.noise, solid.details) : Look()),
       paint_(style),
       texel_(texel),
@@ -81,8 +81,12 @@ LookPlace SampleColors::look_place(const TexelSample& sample) const {
   return seen;
 }
 
-/// Right on skin, and on the rim of a cut face, whose vertices have the colours of the surfaces they lie on.
+/// Between vertices, which is right on skin and on the rim of a cut face, whose vertices have the colours of the
+/// surfaces they lie on; elsewhere on cut faces between the points that were diffused.
 Color SampleColors::interpolated(const TexelSample& sample) const {
+  const bool within_face = !sample.outside && solid_.cut_face[sample.triangle] >= 0;
+  if (of_cut_faces_.faces != nullptr && within_face) return of_cut_faces_.faces->at(sample.triangle, sample.weight);
+
   const glm::uvec3& v = solid_.triangle[sample.triangle];
   return Color(sample.weight.x * glm::dvec3(solid_.color[v.x]) + sample.weight.y * glm::dvec3(solid_.color[v.y]) +
                sample.weight.z * glm::dvec3(solid_.color[v.z]));
@@ -91,14 +95,14 @@ Color SampleColors::interpolated(const TexelSample& sample) const {
 void SampleColors::diffuse(const std::vector<TexelSample>& samples, const std::vector<glm::vec3>& points,
                            std::vector<Color>& colors) {
   std::vector<std::size_t> wanted;
-  for (std::size_t i = 0; field_ != nullptr && i < samples.size(); ++i) {
+  for (std::size_t i = 0; of_cut_faces_.field != nullptr && i < samples.size(); ++i) {
     if (!samples[i].outside && solid_.cut_face[samples[i].triangle] >= 0) wanted.push_back(i);
   }
   for (std::size_t first = 0; first < wanted.size(); first += at_once) {
     std::vector<glm::vec3> at;
     const std::size_t end = std::min(wanted.size(), first + at_once);
     for (std::size_t i = first; i < end; ++i) at.push_back(points[wanted[i]]);
-    const DiffusedColors found = field_->at(at);
+    const DiffusedColors found = of_cut_faces_.field->at(at);
     for (std::size_t i = first; i < end; ++i) colors[wanted[i]] = found.color[i - first];
   }
   diffused_ += wanted.size();

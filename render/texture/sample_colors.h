@@ -8,17 +8,24 @@
 #include "generator/piece/section_colors.h"
 #include "render/style/look.h"
 #include "render/style/paint.h"
+#include "render/texture/face_colors.h"
 #include "render/texture/texels.h"
 
 namespace pomona {
 
 class SampleColors {
  public:
-  /// Samples that are diffused at once: enough that what a diffuser does once per call does not count.
-  static constexpr std::size_t at_once = 2'000'000;
+  /// Samples that are coloured at once: enough for many threads, and few enough for their memory not to count.
+  static constexpr std::size_t at_once = 300'000;
 
-  /// \param field what colours cut faces; null: what lies at their vertices. \param texel size, metres
-  SampleColors(const Solid& solid, const Style& style, const ColorField* field, double texel, Threads threads);
+  /// What colours cut faces: both null: what lies at their vertices.
+  struct OfCutFaces {
+    const FaceColors* faces = nullptr;  ///< diffused at some points
+    const ColorField* field = nullptr;  ///< to be diffused at each sample
+  };
+
+  /// \param texel size, metres
+  SampleColors(const Solid& solid, const Style& style, const OfCutFaces& of_cut_faces, double texel, Threads threads);
 
   /// Linear, one per sample.
   std::vector<Color> of(const std::vector<TexelSample>& samples);
@@ -37,7 +44,7 @@ class SampleColors {
                std::vector<Color>& colors);
 
   const Solid& solid_;
-  const ColorField* field_;
+  OfCutFaces of_cut_faces_;
   Look look_;
   Paint paint_;
   double texel_;

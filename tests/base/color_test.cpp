@@ -15,6 +15,22 @@ TEST(Color, every_byte_survives_the_way_to_linear_and_back) {
   }
 }
 
+TEST(Color, bytes_are_those_of_the_curve_on_either_side_of_every_step) {
+  const auto byte_of = [](float linear) {
+    return static_cast<int>(std::floor(srgb_from_linear(static_cast<double>(linear)) * 255.0 + 0.5));
+  };
+  for (int i = 0; i < 255; ++i) {
+    const auto step = static_cast<float>(linear_from_srgb((i + 0.5) / 255.0));
+    float below = step, above = step;
+    for (int k = 0; k < 100; ++k) {
+      below = std::nextafter(below, 0.0f), above = std::nextafter(above, 1.0f);
+      const glm::u8vec3 found = to_srgb8({below, step, above});
+      EXPECT_EQ(glm::ivec3(found), glm::ivec3(byte_of(below), byte_of(step), byte_of(above))) << i;
+    }
+  }
+  EXPECT_EQ(to_srgb8({-1.0f, 2.0f, 1e-40f}), glm::u8vec3(0, 255, 0));
+}
+
 TEST(Color, the_transfer_curve_is_that_of_the_standard) {
   EXPECT_EQ(srgb_from_linear(0.0), 0.0);
   EXPECT_NEAR(srgb_from_linear(1.0), 1.0, 1e-15);

