@@ -63,9 +63,8 @@ ExitStatus finish(const RunReport& report, const BatchCommand& command, Workplac
 
 ExitStatus make_batch(const BatchCommand& command) {
   // Everything that can be wrong with the words and the file is told before anything is written.
-  const RunOptions options{.shard = parse_shard(command.shard),
-                           .threads = {command.threads},
-                           .memory = parse_memory(command.memory)};
+  const RunOptions options{
+      .shard = parse_shard(command.shard), .threads = {command.threads}, .memory = parse_memory(command.memory)};
   const BatchPlan plan =
       planned(read_batch(find_file("scenes", command.batch)), {.find = find_template, .all = all_templates});
   const std::string record = batch_record(plan, std::string("pomona ") + version);

@@ -88,7 +88,8 @@ ExitStatus list_templates(bool json) {
 }  // namespace
 
 DeclaredCommand list_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("list", "Print the templates: name, symmetry, parts; or the scenes, batches or styles");
+  CLI::App* command =
+      app.add_subcommand("list", "Print the templates: name, symmetry, parts; or the scenes, batches or styles");
   const auto json = std::make_shared<bool>(false);
   const auto scenes = std::make_shared<bool>(false);
   const auto styles = std::make_shared<bool>(false);

@@ -32,8 +32,9 @@ void print_json(const AssembleReport& report) {
 
 ExitStatus merge(const MergeCommand& command) {
   if (batch_record_in(command.folder).empty())
-    throw Error(ExitStatus::input_missing,
-                {{{command.folder, 0, 0, {}}, "holds no batch", "pomona batch makes one: its folder has a batch.json"}});
+    throw Error(
+        ExitStatus::input_missing,
+        {{{command.folder, 0, 0, {}}, "holds no batch", "pomona batch makes one: its folder has a batch.json"}});
   Progress progress(command.quiet);
   Workplace workplace(command.folder, {});
   const AssembleReport report = assemble(workplace);

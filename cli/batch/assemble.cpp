@@ -47,8 +47,8 @@ FinishedItem item_at(const fs::path& folder, const std::string& item) {
 /// A line for each item, so that tools of lines can read it, too.
 void write_manifest(const Workplace::Writer& write, const fs::path& folder, const std::string& record,
                     const RecordedBatch& batch, const AssembleReport& report) {
-  write("{\"format\":1,\n\"batch\":" + nlohmann::ordered_json::parse(record).dump() + ",\n\"failed\":" +
-        std::to_string(report.failed.size()) + ",\n\"items\":[");
+  write("{\"format\":1,\n\"batch\":" + nlohmann::ordered_json::parse(record).dump() +
+        ",\n\"failed\":" + std::to_string(report.failed.size()) + ",\n\"items\":[");
   const char* separator = "\n";
   for_items(batch, [&](const std::string& item) {
     std::string line = item_at(folder, item).record;
@@ -77,7 +77,8 @@ std::string batch_record_in(const fs::path& folder) {
   if (!stream) return {};
   std::string text(longest_record, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) throw Error(ExitStatus::io_error, {{{(folder / "batch.json").string(), 0, 0, {}}, "cannot be read", {}}});
+  if (stream.bad())
+    throw Error(ExitStatus::io_error, {{{(folder / "batch.json").string(), 0, 0, {}}, "cannot be read", {}}});
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
 }
@@ -88,9 +89,8 @@ AssembleReport assemble(Workplace& workplace) {
   const RecordedBatch batch = parse_batch_record(record, (folder / "batch.json").string());
   AssembleReport report = surveyed(folder, batch);
   if (report.missing > 0) return report;
-  workplace.put_file("manifest.json", [&](const Workplace::Writer& write) {
-    write_manifest(write, folder, record, batch, report);
-  });
+  workplace.put_file("manifest.json",
+                     [&](const Workplace::Writer& write) { write_manifest(write, folder, record, batch, report); });
   workplace.put_file("index.html", [&](const Workplace::Writer& write) { write_page(write, folder, batch); });
   return report;
 }

@@ -20,7 +20,8 @@ std::optional<FinishedItem> finished_item(const fs::path& folder, const std::str
   } catch (const Error&) {
     return {};
   }
-  const bool is_one_line = found.record.ends_with('\n') && std::count(found.record.begin(), found.record.end(), '\n') == 1;
+  const bool is_one_line =
+      found.record.ends_with('\n') && std::count(found.record.begin(), found.record.end(), '\n') == 1;
   if (found.facts.item != item || !is_one_line) return {};
 
   for (const RecordedFile& listed : found.facts.files) {

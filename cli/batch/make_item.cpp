@@ -56,9 +56,12 @@ Scene pieces_of(const BatchEntry& entry, const GrownVariant& grown, const BatchI
   return scene;
 }
 
-std::string glb(const Scene& scene, const BatchItem& item, const ExportOptions& options) {
+/// \param meshes of the scene's solids, where they are at hand.
+std::string glb(const Scene& scene, std::span<const StyledMesh> meshes, const BatchItem& item,
+                const ExportOptions& options) {
   std::vector<std::vector<Solid>> levels;
   if (item.lod > 0) levels = all_levels_of_detail(scene.solids, {.levels = item.lod, .threads = alone});
+  if (item.texture == 0 && !meshes.empty()) return write_glb(scene, meshes, options, levels);
   if (item.texture == 0) return write_glb(scene, options, levels);
   const BakeOptions how{.texels = item.texture, .threads = alone};
   const std::vector<BakedSolid> baked = all_baked(scene.solids, options.style, how);
@@ -79,24 +82,28 @@ std::string svg(Scene scene, const ExportOptions& options) {
   return write_svg(scene, strokes(scene, options.style), drawing_width, drawing_height, options.provenance);
 }
 
-std::string thumbnail(const Scene& laid, const AssetOptions& assets, const ExportOptions& options) {
-  return write_png(draw_thumbnail(laid, styled_meshes(laid, options), options.style,
-                                  {.size = assets.thumbnail, .on_paper = assets.thumbnail_on_paper}));
+std::string thumbnail(const Scene& laid, std::span<const StyledMesh> meshes, const AssetOptions& assets,
+                      const Style& style) {
+  return write_png(
+      draw_thumbnail(laid, meshes, style, {.size = assets.thumbnail, .on_paper = assets.thumbnail_on_paper}));
 }
 
 std::vector<NamedFile> asset_files(const AssetOptions& assets, const BatchItem& item, const Scene& scene,
                                    const std::string& name, const ExportOptions& options) {
+  // A thumbnail shows the pieces elsewhere, but their meshes are the same.
   std::vector<NamedFile> files;
   const Scene laid = laid_out(scene);
+  const std::vector<StyledMesh> meshes =
+      assets.thumbnail > 0 ? styled_meshes(scene, options) : std::vector<StyledMesh>();
   for (const AssetFormat format : assets.formats) {
     const std::string file = name + "." + name_of(format);
-    if (format == AssetFormat::glb) files.push_back({file, glb(scene, item, options)});
+    if (format == AssetFormat::glb) files.push_back({file, glb(scene, meshes, item, options)});
     if (format == AssetFormat::ply) files.push_back({file, write_solids(scene, options)});
     if (format == AssetFormat::svg) files.push_back({file, svg(laid, options)});
     if (format != AssetFormat::pov) continue;
     for (NamedFile& part : pov(scene, name, options)) files.push_back(std::move(part));
   }
-  if (assets.thumbnail > 0) files.push_back({"thumbnail.png", thumbnail(laid, assets, options)});
+  if (assets.thumbnail > 0) files.push_back({"thumbnail.png", thumbnail(laid, meshes, assets, options.style)});
   return files;
 }
 
@@ -126,9 +133,8 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Grown
                    const std::string& growing_error, const BatchItem& item, const Style& style) {
   const PlannedEntry& entry = plan.entries[which.entry];
   const std::string& name = plan.templates[which.fruit].name;
-  MadeItem made{.item = entry.wanted.name + "/" + item_folder(entry.items(), item.number),
-                .files = {},
-                .error = growing_error};
+  MadeItem made{
+      .item = entry.wanted.name + "/" + item_folder(entry.items(), item.number), .files = {}, .error = growing_error};
   ItemOutcome outcome;
   Scene scene;
   try {

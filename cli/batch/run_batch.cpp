@@ -60,9 +60,7 @@ class VariantsOfShard {
  public:
   VariantsOfShard(const BatchPlan& plan, const Shard& shard) : shard_(shard), all_(plan.variants()) {}
 
-  std::size_t size() const {
-    return static_cast<std::size_t>((all_ - shard_.number + shard_.count) / shard_.count);
-  }
+  std::size_t size() const { return static_cast<std::size_t>((all_ - shard_.number + shard_.count) / shard_.count); }
   /// Its number among all variants of the batch.
   std::int64_t operator[](std::size_t i) const {
     return shard_.number - 1 + static_cast<std::int64_t>(i) * shard_.count;
@@ -120,7 +118,8 @@ class Run {
   }
 
  private:
-  /// All items of one individual that are not there yet. What cannot be written ends the run, and nothing else is begun.
+  /// All items of one individual that are not there yet. What cannot be written ends the run, and nothing else is
+  /// begun.
   void make_variant(std::int64_t number) {
     if (stopped_ || interrupted_) return;
     if (signals_.any()) {

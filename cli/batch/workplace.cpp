@@ -22,7 +22,8 @@ namespace {
 
 /// Whether the name still leads to the file that was opened: whoever finished last may have removed it meanwhile.
 bool is_still_there(const Descriptor& file, const fs::path& path) {
-  struct stat opened {}, named {};
+  struct stat opened {
+  }, named{};
   if (::fstat(file.number(), &opened) != 0 || ::stat(path.c_str(), &named) != 0) return false;
   return opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }

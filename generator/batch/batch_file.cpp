@@ -130,8 +130,9 @@ class BatchReader {
     read_variants(table, entry);
     read_list(table.get("folds"), entry.folds,
               [](const TomlValue& value) { return std::optional(value.integer(1, 1, 64)); });
-    read_list(table.get("ripeness"), entry.ripeness,
-              [](const TomlValue& value) { return std::optional(value.number(1, {0, 2})); });
+    read_list(table.get("ripeness"), entry.ripeness, [](const TomlValue& value) {
+      return std::optional(value.number(1, {0, 2}));
+    });
 
     // What happens to it, and what is written.
     read_list(table.get("browning"), entry.browning, [](const TomlValue& value) { return value.number(0, {0, 1}); });

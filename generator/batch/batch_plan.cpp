@@ -57,8 +57,8 @@ void count(PlannedEntry& entry, std::size_t templates) {
 }
 
 void check_size(const PlannedEntry& entry, std::int64_t before) {
-  const std::int64_t items = product(
-      {static_cast<std::size_t>(entry.variants), static_cast<std::size_t>(entry.items_of_a_variant)});
+  const std::int64_t items =
+      product({static_cast<std::size_t>(entry.variants), static_cast<std::size_t>(entry.items_of_a_variant)});
   if (before + items <= most_batch_items) return;
   throw Error(ExitStatus::bad_data, {{entry.wanted.place,
                                       "entry \"" + entry.wanted.name + "\" takes the batch beyond " +
@@ -69,8 +69,7 @@ void check_size(const PlannedEntry& entry, std::int64_t before) {
 /// Refuses an entry that asks of a template what that does not declare.
 void check_fits(const BatchEntry& entry, const PlannedTemplate& found) {
   const auto refuse = [&](const std::string& why) {
-    throw Error(ExitStatus::bad_data, {{entry.place,
-                                        "entry \"" + entry.name + "\": \"" + found.name + "\" " + why,
+    throw Error(ExitStatus::bad_data, {{entry.place, "entry \"" + entry.name + "\": \"" + found.name + "\" " + why,
                                         "give the templates that do an entry of their own"}});
   };
   const Template& fruit = found.fruit;
@@ -159,9 +158,8 @@ BatchVariant variant_at(const BatchPlan& plan, std::int64_t index) {
   const std::size_t individual = rest, templates = entry.templates.size();
   const std::size_t of_each = wanted.seeds.empty() ? static_cast<std::size_t>(wanted.count) : wanted.seeds.size();
   variant.fruit = entry.templates[wanted.total > 0 ? individual % templates : individual / of_each];
-  variant.seed = wanted.seeds.empty()
-                     ? new_seed(plan.batch.seed, wanted.name, static_cast<std::int64_t>(individual))
-                     : wanted.seeds[individual % of_each];
+  variant.seed = wanted.seeds.empty() ? new_seed(plan.batch.seed, wanted.name, static_cast<std::int64_t>(individual))
+                                      : wanted.seeds[individual % of_each];
   return variant;
 }
 

@@ -52,9 +52,9 @@ BatchPlan planned(BatchDescription batch, const TemplateSource& source);
 /// One individual of an entry: grown once, whatever is then done to it.
 struct BatchVariant {
   std::size_t entry = 0;
-  std::int64_t number = 0;    ///< within the entry, from 0
-  std::size_t fruit = 0;      ///< index into BatchPlan::templates
-  std::uint64_t seed = 0;     ///< as `pomona cut --seed` takes it; 0 = as drawn. New ones have at most 53 bits
+  std::int64_t number = 0;  ///< within the entry, from 0
+  std::size_t fruit = 0;    ///< index into BatchPlan::templates
+  std::uint64_t seed = 0;   ///< as `pomona cut --seed` takes it; 0 = as drawn. New ones have at most 53 bits
   std::optional<int> folds;
   std::optional<double> ripeness;
 };
@@ -74,8 +74,8 @@ struct BatchItem {
 /// The items of a variant, in their order.
 std::vector<BatchItem> items_of(const PlannedEntry& entry, const BatchVariant& variant);
 
-/// Where an item lies within the folder of an entry with so many: "042", or "012/042" among more than a thousand. No folder has
-/// more than a thousand.
+/// Where an item lies within the folder of an entry with so many: "042", or "012/042" among more than a thousand. No
+/// folder has more than a thousand.
 std::string item_folder(std::int64_t items, std::int64_t number);
 
 }  // namespace pomona

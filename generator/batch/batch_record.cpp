@@ -109,8 +109,14 @@ double number_at(const JsonNode& node, std::string_view key, double most) {
 
 std::string batch_record(const BatchPlan& plan, const std::string& program) {
   const BatchDescription& batch = plan.batch;
-  Json json = {{"format", 1},         {"program", program},    {"name", batch.name},         {"title", batch.title},
-               {"seed", batch.seed}, {"items", plan.items()}, {"templates", Json::array()}, {"drawings", Json::array()},
+  Json json = {{"format", 1},
+               {"program", program},
+               {"name", batch.name},
+               {"title", batch.title},
+               {"seed", batch.seed},
+               {"items", plan.items()},
+               {"templates", Json::array()},
+               {"drawings", Json::array()},
                {"entries", Json::array()}};
   for (const PlannedTemplate& fruit : plan.templates)
     json["templates"].push_back({{"name", fruit.name}, {"sha256", fruit.sha256}});

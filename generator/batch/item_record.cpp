@@ -16,9 +16,11 @@ Json numbers(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json piece_of(const Solid& solid) {
   const PieceFacts facts = facts_of(solid);
-  return {{"name", solid.name},          {"volume", facts.volume},      {"mass", facts.mass},
-          {"center", numbers(facts.center)}, {"low", numbers(facts.low)}, {"high", numbers(facts.high)},
-          {"triangles", facts.triangles}, {"closed", solid.closed},      {"crumb", solid.crumb}};
+  return {{"name", solid.name},           {"volume", facts.volume},
+          {"mass", facts.mass},           {"center", numbers(facts.center)},
+          {"low", numbers(facts.low)},    {"high", numbers(facts.high)},
+          {"triangles", facts.triangles}, {"closed", solid.closed},
+          {"crumb", solid.crumb}};
 }
 
 /// What made the item: enough to make it again by hand with `pomona cut`.
@@ -73,7 +75,8 @@ std::uint64_t whole_at(const JsonNode& node, std::string_view key) {
 
 RecordedFile file_of(const JsonNode& node) {
   RecordedFile file{text_at(node, "name"), whole_at(node, "bytes"), text_at(node, "sha256")};
-  const bool leads_elsewhere = file.name.empty() || file.name.front() == '.' || file.name.find('/') != std::string::npos;
+  const bool leads_elsewhere =
+      file.name.empty() || file.name.front() == '.' || file.name.find('/') != std::string::npos;
   if (leads_elsewhere) fail(node.place, "has no plain name");
   return file;
 }

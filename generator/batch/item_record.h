@@ -31,12 +31,12 @@ std::string item_record(const BatchPlan& plan, const BatchVariant& variant, cons
 
 /// What is read back of it.
 struct RecordedItem {
-  std::string item;           ///< its folder: "halves/042"
+  std::string item;  ///< its folder: "halves/042"
   std::string template_name;
   std::uint64_t seed = 0;
-  std::string knives;         ///< parted by spaces
+  std::string knives;  ///< parted by spaces
   std::size_t pieces = 0;
-  double volume = 0;          ///< of all pieces, cubic metres
+  double volume = 0;  ///< of all pieces, cubic metres
   std::vector<RecordedFile> files;
   std::string error;
 };

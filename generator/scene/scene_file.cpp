@@ -230,7 +230,9 @@ class SceneReader {
 
 SceneDescription parse_scene(std::string_view toml, const std::string& file) { return SceneReader(toml, file).read(); }
 
-SceneDescription read_scene(const std::filesystem::path& file) { return parse_scene(read_toml_text(file), file.string()); }
+SceneDescription read_scene(const std::filesystem::path& file) {
+  return parse_scene(read_toml_text(file), file.string());
+}
 
 bool is_scene_file(const std::filesystem::path& file) {
   if (file.extension() != ".toml") return false;

@@ -41,8 +41,7 @@ void write_all(const Descriptor& file, std::string_view bytes, const fs::path& m
 }
 
 void bring_to_disk(Descriptor& file, const fs::path& meant) {
-  if (::fsync(file.number()) != 0 || !file.close())
-    fail_at(ExitStatus::io_error, meant, "cannot be written", errno);
+  if (::fsync(file.number()) != 0 || !file.close()) fail_at(ExitStatus::io_error, meant, "cannot be written", errno);
 }
 
 void sync_folder(const fs::path& folder) {

@@ -51,8 +51,10 @@ void for_covered_samples(const std::array<ProjectedPoint, 3>& corners, int side,
     }
     for (std::int64_t x = begin; x <= end; ++x) {
       if ((inside[0] | inside[1] | inside[2]) >= 0)
-        visit(static_cast<int>(x), static_cast<int>(y),
-              glm::dvec3(static_cast<double>(inside[0]), static_cast<double>(inside[1]), static_cast<double>(inside[2])) * share);
+        visit(
+            static_cast<int>(x), static_cast<int>(y),
+            glm::dvec3(static_cast<double>(inside[0]), static_cast<double>(inside[1]), static_cast<double>(inside[2])) *
+                share);
       for (int k = 0; k < 3; ++k) inside[k] += step[k];
     }
   }

@@ -64,12 +64,11 @@ std::vector<float> ground_shadow(const Scene& scene, std::span<const StyledMesh>
 
   // From the light: long, and softer the softer the light is.
   const glm::dvec3 to_light = light_direction(projection.frame(), style.light.azimuth, style.light.elevation);
-  std::vector<float> shadow = softened(thrown(scene, meshes, projection, to_light, side), side,
-                                       radius(0.008 + 0.03 * style.light.softness));
+  std::vector<float> shadow =
+      softened(thrown(scene, meshes, projection, to_light, side), side, radius(0.008 + 0.03 * style.light.softness));
 
   // From above: close to the pieces.
-  const std::vector<float> contact =
-      softened(thrown(scene, meshes, projection, {0, 1, 0}, side), side, radius(0.012));
+  const std::vector<float> contact = softened(thrown(scene, meshes, projection, {0, 1, 0}, side), side, radius(0.012));
   const auto strength = static_cast<float>(style.shadow.strength);
   for (std::size_t i = 0; i < shadow.size(); ++i) {
     const float dark = 1 - (1 - 0.42f * shadow[i]) * (1 - 0.30f * contact[i]);

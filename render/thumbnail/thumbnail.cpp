@@ -1,7 +1,7 @@
 #include "render/thumbnail/thumbnail.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -33,7 +33,8 @@ void draw_instance(const Scene& scene, std::size_t index, std::span<const Styled
   }
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
     // Of what is closed, the far side is never seen.
-    const GridCorner &a = corners[mesh.triangle[t].x], &b = corners[mesh.triangle[t].y], &c = corners[mesh.triangle[t].z];
+    const GridCorner &a = corners[mesh.triangle[t].x], &b = corners[mesh.triangle[t].y],
+                     &c = corners[mesh.triangle[t].z];
     const double turn = (b.at.x - a.at.x) * (c.at.y - a.at.y) - (b.at.y - a.at.y) * (c.at.x - a.at.x);
     if (solid.closed && turn >= 0) continue;
     grid.draw({a, b, c}, owner_of(index, mesh.cut_face[t] >= 0));
@@ -63,21 +64,45 @@ Covered pixel_of(const SampleGrid& grid, const std::vector<std::uint32_t>& ink, 
   return pixel;
 }
 
+/// to_srgb8() by looking up where it takes its steps: a picture has more pixels than an sRGB channel has values.
+class SrgbSteps {
+ public:
+  SrgbSteps() {
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+      steps_[i] = static_cast<float>(linear_from_srgb((static_cast<double>(i) + 0.5) / 255));
+  }
+  glm::u8vec3 operator()(const Color& color) const {
+    glm::u8vec3 srgb;
+    for (int k = 0; k < 3; ++k)
+      srgb[k] = static_cast<std::uint8_t>(std::upper_bound(steps_.begin(), steps_.end(), color[k]) - steps_.begin());
+    return srgb;
+  }
+
+ private:
+  std::array<float, 255> steps_{};
+};
+
 /// What is covered over the shadow, and that over paper if there is some. Straight opacity, as PNG wants it.
 void put(const Covered& covered, float shadow, const std::optional<Color>& paper, const Color& shade,
-         TransparentImage& result) {
+         const SrgbSteps& srgb, TransparentImage& result) {
   const float rest = 1 - covered.share;
   if (paper) {
     const Color ground = glm::mix(*paper, *paper * shade, shadow);
-    result.image.pixels.push_back(to_srgb8(covered.color + rest * ground));
+    result.image.pixels.push_back(srgb(covered.color + rest * ground));
     result.opacity.push_back(255);
     return;
   }
   // A shadow on an unknown ground is a dark veil.
   const float veil = rest * shadow, opacity = covered.share + veil;
   const Color color = opacity > 0 ? (covered.color + veil * 0.06f * shade) / opacity : Color(0);
-  result.image.pixels.push_back(to_srgb8(color));
-  result.opacity.push_back(static_cast<std::uint8_t>(std::lround(255 * std::min(opacity, 1.0f))));
+  result.image.pixels.push_back(srgb(color));
+  result.opacity.push_back(static_cast<std::uint8_t>(255 * std::min(opacity, 1.0f) + 0.5f));
+}
+
+/// Shadows fade out towards the picture's edges, where they would be cut off.
+float fading(int x, int y, int size) {
+  const int from_edge = std::min(std::min(x, y), size - 1 - std::max(x, y));
+  return std::min(1.0f, static_cast<float>(from_edge) / (0.08f * static_cast<float>(size)));
 }
 
 std::vector<Color> ink_colors(const Scene& scene, const Style& style) {
@@ -103,15 +128,17 @@ TransparentImage draw_thumbnail(const Scene& scene, std::span<const StyledMesh> 
 
   // Finer lines than a picture's: a thumbnail is looked at from near.
   std::vector<std::uint32_t> ink;
-  if (style.ink) ink = outlines(grid, {.outer = 0.7 * style.outline_width * side, .rim = 0.4 * style.outline_width * side});
+  if (style.ink)
+    ink = outlines(grid, {.outer = 0.7 * style.outline_width * side, .rim = 0.4 * style.outline_width * side});
   const std::vector<Color> inks = ink_colors(scene, style);
 
   TransparentImage result{{options.size, options.size, {}}, {}};
+  const SrgbSteps srgb;
   const std::optional<Color> paper = options.on_paper ? std::optional(style.paper) : std::nullopt;
   for (int y = 0; y < options.size; ++y) {
     for (int x = 0; x < options.size; ++x) {
-      const float dark = shadow[static_cast<std::size_t>(y) * options.size + x];
-      put(pixel_of(grid, ink, inks, x, y), dark, paper, style.shadow.color, result);
+      const float dark = fading(x, y, options.size) * shadow[static_cast<std::size_t>(y) * options.size + x];
+      put(pixel_of(grid, ink, inks, x, y), dark, paper, style.shadow.color, srgb, result);
     }
   }
   return result;

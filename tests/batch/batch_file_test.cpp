@@ -90,11 +90,11 @@ quality = "reference"
 }
 
 TEST(BatchFile, TellsMissingTemplatesAtTheirPlace) {
-  const auto batch = parse_batch("[batch]\nformat = 1\nname = \"b\"\n[[entry]]\nname = \"a\"\ncount = 1\ntemplates = [\"x\"]\n", "b.toml");
-  const TemplateSource nothing{.find = [](const std::string&) -> fs::path {
-                                 throw Error(ExitStatus::input_missing, "there is no template");
-                               },
-                               .all = {}};
+  const auto batch = parse_batch(
+      "[batch]\nformat = 1\nname = \"b\"\n[[entry]]\nname = \"a\"\ncount = 1\ntemplates = [\"x\"]\n", "b.toml");
+  const TemplateSource nothing{
+      .find = [](const std::string&) -> fs::path { throw Error(ExitStatus::input_missing, "there is no template"); },
+      .all = {}};
   try {
     planned(batch, nothing);
     FAIL() << "was planned";

@@ -25,7 +25,10 @@ BatchPlan plan_of(const std::string& entries, int seed = 1) {
   const std::string head = "[batch]\nformat = 1\nname = \"b\"\nseed = " + std::to_string(seed) + "\n";
   return planned(parse_batch(head + entries, "b.toml"),
                  {.find = [](const std::string& name) { return templates / (name + ".toml"); },
-                  .all = [] { return std::vector<fs::path>{templates / "kiwi.toml", templates / "radish.toml"}; }});
+                  .all =
+                      [] {
+                        return std::vector<fs::path>{templates / "kiwi.toml", templates / "radish.toml"};
+                      }});
 }
 
 std::string entry(const std::string& name, const std::string& rest) {
@@ -33,9 +36,11 @@ std::string entry(const std::string& name, const std::string& rest) {
 }
 
 TEST(BatchPlan, MultipliesItsLists) {
-  const BatchPlan plan = plan_of(entry("a", "templates = [\"tomato\", \"pepper\"]\nseeds = [1, 2, 3]\nfolds = [3, 4]\n"
-                                            "ripeness = [0.5, 1, 1.5]\nknives = [\"half\", \"across\"]\n"
-                                            "quality = [\"draft\", \"final\"]\nlod = [0, 1]\nformats = [\"glb\", \"ply\"]\n"));
+  const BatchPlan plan =
+      plan_of(entry("a",
+                    "templates = [\"tomato\", \"pepper\"]\nseeds = [1, 2, 3]\nfolds = [3, 4]\n"
+                    "ripeness = [0.5, 1, 1.5]\nknives = [\"half\", \"across\"]\n"
+                    "quality = [\"draft\", \"final\"]\nlod = [0, 1]\nformats = [\"glb\", \"ply\"]\n"));
   EXPECT_EQ(plan.variants(), 2 * 3 * 2 * 3);
   EXPECT_EQ(plan.items(), plan.variants() * 2 * 2 * 2);
 
@@ -89,7 +94,8 @@ TEST(BatchPlan, NoFolderHasMoreThanAThousandEntries) {
 }
 
 TEST(BatchPlan, HoldsTenMillionItems) {
-  const BatchPlan plan = plan_of(entry("a", "templates = \"kiwi\"\ncount = 5000000\nknives = [\"half\", \"across\"]\n"));
+  const BatchPlan plan =
+      plan_of(entry("a", "templates = \"kiwi\"\ncount = 5000000\nknives = [\"half\", \"across\"]\n"));
   EXPECT_EQ(plan.items(), 10000000);
   EXPECT_EQ(items_of(plan.entries[0], variant_at(plan, 4999999)).back().number, 9999999);
 }

@@ -1,7 +1,7 @@
-// A library to load before others (LD_PRELOAD): lets the n-th call that changes a folder's files fail, or kills the process
-// there. For tests of what a batch leaves behind.
+// A library to load before others (LD_PRELOAD): lets the n-th call that changes a folder's files fail, or kills the
+// process there. For tests of what a batch leaves behind.
 //
-//   POMONA_FAIL_FOLDER   calls on what lies below this folder are counted
+//   POMONA_FAIL_FOLDER   calls on this folder, a whole path, and what lies below are counted
 //   POMONA_FAIL_CALL     only these: open, mkdir, write, fsync, close, rename, unlink, rmdir; "any" is all
 //   POMONA_FAIL_AT       the number of the call, from 1; 0 = none
 //   POMONA_FAIL_WITH     "kill", or an errno: then this call and all later ones fail
@@ -49,8 +49,10 @@ Plan& plan() {
 }
 
 /// Whether this call is to fail; errno says how.
-bool fails(const char* call, const std::string& path) {
+bool fails(const char* call, std::string path) {
   Plan& p = plan();
+  char here[PATH_MAX];
+  if (!path.empty() && path[0] != '/' && getcwd(here, sizeof here) != nullptr) path = std::string(here) + "/" + path;
   if (p.folder.empty() || path.compare(0, p.folder.size(), p.folder) != 0) return false;
   if (p.call != "any" && p.call != call) return false;
   const long number = ++p.calls;

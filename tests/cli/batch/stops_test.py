@@ -17,7 +17,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from batches import SMALL, pomona, tree  # noqa: E402
 
-PROGRAM, SHIM, KILLS = sys.argv[1], pathlib.Path(sys.argv[2]), int(sys.argv[3])
+PROGRAM, SHIM, KILLS = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), int(sys.argv[3])
 STATUSES = {73, 74}  # cannot create, cannot write: docs/commands.md
 
 
@@ -41,7 +41,7 @@ class Stops:
             sys.exit(f"{what}: status {result.returncode}, not {status}\n{result.stderr}")
 
     def failing(self, call, at, how, *words, count=""):
-        return self.batch(*words, POMONA_FAIL_FOLDER="out", POMONA_FAIL_CALL=call, POMONA_FAIL_AT=at, POMONA_FAIL_WITH=how,
+        return self.batch(*words, POMONA_FAIL_FOLDER=self.out, POMONA_FAIL_CALL=call, POMONA_FAIL_AT=at, POMONA_FAIL_WITH=how,
                           POMONA_FAIL_COUNT=count)
 
     def calls(self, call, *words):
@@ -103,7 +103,7 @@ class Stops:
             self.failing("any", at, "kill", "--shard", "1/2")
             self.check(self.batch("--shard", "2/2"), 0, "the other shard")
             self.check(self.batch("--shard", "1/2", "--resume"), 0, "the killed shard")
-            pomona(PROGRAM, "merge", "out", folder=self.folder, shim=SHIM, POMONA_FAIL_FOLDER="out", POMONA_FAIL_CALL="any",
+            pomona(PROGRAM, "merge", "out", folder=self.folder, shim=SHIM, POMONA_FAIL_FOLDER=self.out, POMONA_FAIL_CALL="any",
                    POMONA_FAIL_AT=at - 2, POMONA_FAIL_WITH="kill")
             self.check(pomona(PROGRAM, "merge", "out", folder=self.folder), 0, "merge")
             if tree(self.out) != self.expected:
