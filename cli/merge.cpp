@@ -35,17 +35,18 @@ ExitStatus merge(const MergeCommand& command) {
     throw Error(
         ExitStatus::input_missing,
         {{{command.folder, 0, 0, {}}, "holds no batch", "pomona batch makes one: its folder has a batch.json"}});
+
+  // Nobody else may be at work in the folder meanwhile.
   Progress progress(command.quiet);
   Workplace workplace(command.folder, {});
   const AssembleReport report = assemble(workplace);
   if (command.json) print_json(report);
 
-  // What is missing and what has failed is told even to those who want to hear of errors alone.
-  for (const std::string& item : report.first_missing) std::fprintf(stderr, "%s: error: missing\n", item.c_str());
+  // What is missing, and what has failed.
+  for (const std::string& item : report.first_missing) progress.error(item + ": error: missing");
   const auto named = static_cast<std::int64_t>(report.first_missing.size());
-  if (report.missing > named) std::fprintf(stderr, "and %lld more\n", static_cast<long long>(report.missing - named));
-  for (const FailedItem& failed : report.failed)
-    std::fprintf(stderr, "%s: error: %s\n", failed.item.c_str(), failed.reason.c_str());
+  if (report.missing > named) progress.error("and " + std::to_string(report.missing - named) + " more");
+  for (const FailedItem& failed : report.failed) progress.error(failed.item + ": error: " + failed.reason);
   if (report.missing > 0) {
     progress.line(std::to_string(report.missing) + " of " + std::to_string(report.items) +
                   " items are missing: run their shards with --resume, or all with `pomona batch --resume`");

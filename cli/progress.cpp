@@ -48,7 +48,10 @@ void Progress::draw_bar(const std::string& stage, std::size_t done, std::size_t 
 }
 
 void Progress::line(const std::string& text) {
-  if (quiet_) return;
+  if (!quiet_) error(text);
+}
+
+void Progress::error(const std::string& text) {
   const std::lock_guard lock(mutex_);
   clear_bar();
   std::fprintf(stderr, "%s\n", text.c_str());

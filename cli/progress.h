@@ -26,6 +26,9 @@ class Progress {
   /// A line of its own, such as a warning; never lost in the bar.
   void line(const std::string& text);
 
+  /// The same for what is told even to those who want to hear of errors alone.
+  void error(const std::string& text);
+
  private:
   void clear_bar();
   void draw_bar(const std::string& stage, std::size_t done, std::size_t total, const std::string& text);

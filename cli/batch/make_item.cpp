@@ -135,6 +135,8 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Grown
   const std::string& name = plan.templates[which.fruit].name;
   MadeItem made{
       .item = entry.wanted.name + "/" + item_folder(entry.items(), item.number), .files = {}, .error = growing_error};
+
+  // Cut it and make its files; whatever goes wrong with that is this item's alone.
   ItemOutcome outcome;
   Scene scene;
   try {
@@ -152,6 +154,8 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Grown
   } catch (const std::exception& error) {
     made.error = reason_of(error);
   }
+
+  // The record is all that is left of an item that failed.
   if (!made.error.empty()) {
     made.files.clear();
     outcome = {.error = made.error};
@@ -164,7 +168,7 @@ std::uint64_t memory_of_an_item(const PlannedEntry& entry) {
   constexpr std::uint64_t megabyte = 1'000'000;
   const AssetOptions& assets = entry.wanted.assets;
   const double detail = std::max(1.0, assets.detail * assets.detail);
-  const auto surfaces = static_cast<std::uint64_t>(100 * detail) * megabyte;
+  const auto surfaces = static_cast<std::uint64_t>(80 * detail) * megabyte;
   const auto side = static_cast<std::uint64_t>(assets.thumbnail);
   const auto texels = static_cast<std::uint64_t>(*std::max_element(assets.textures.begin(), assets.textures.end()));
   constexpr std::uint64_t of_a_texel = 200, of_a_pixel = 640;

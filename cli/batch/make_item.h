@@ -40,8 +40,7 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Grown
 /// What went wrong, in words that are the same each time.
 std::string reason_of(const std::exception& error);
 
-/// An estimate of the memory that an item takes while it is made, bytes: 100 MB at a detail of 1 (measured: at most 86,
-/// docs/batch.md), 40 MB for a thumbnail of 256 pixels, and what textures take.
+/// An estimate of the memory that an item takes while it is made, bytes. docs/batch.md says what it rests on.
 std::uint64_t memory_of_an_item(const PlannedEntry& entry);
 
 }  // namespace pomona

@@ -173,7 +173,7 @@ class Run {
         failed_.push_back({{variant, item.number}, {made.item, made.error}});
       }
     }
-    if (!made.error.empty()) progress_.line(made.item + ": error: " + made.error);
+    if (!made.error.empty()) progress_.error(made.item + ": error: " + made.error);
     tell();
   }
 

@@ -170,7 +170,7 @@ class Failures(Sandbox):
         # Radishes have no room for so many slices: that is only known once they have grown.
         text = SMALL.replace('name = "test"', 'name = "failing"').replace("seeds = 3", 'seeds = 3\nknives = ["half", "slices:0.01mm"]')
         (self.path / "failing.toml").write_text(text)
-        result = self.run_batch(batch="failing.toml", status=1)
+        result = self.run_batch("--quiet", batch="failing.toml", status=1)
         manifest = json.loads((self.path / "out/manifest.json").read_text())
         failed = [item for item in manifest["items"] if "error" in item]
         self.assertEqual([item["knives"] for item in failed], [["slices:0.01mm"]])

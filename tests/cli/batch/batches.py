@@ -28,6 +28,9 @@ seeds = 3
 formats = ["ply", "pov", "svg"]
 """
 
+# The least that has two entries and all kinds of files: three items.
+TINY = SMALL.replace('["radish", "cherry"]', '"radish"').replace('knives = ["half", ["half", "across"]]', 'knives = "half"')
+
 
 def pomona(program, *words, folder=".", shim=None, **environment):
     """How `pomona` ended with these words: a CompletedProcess, its output as text."""

@@ -15,7 +15,7 @@ import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from batches import SMALL, pomona, tree  # noqa: E402
+from batches import TINY, pomona, tree  # noqa: E402
 
 PROGRAM, SHIM, KILLS = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), int(sys.argv[3])
 STATUSES = {73, 74}  # cannot create, cannot write: docs/commands.md
@@ -25,7 +25,7 @@ class Stops:
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
         self.out = self.folder / "out"
-        (self.folder / "small.toml").write_text(SMALL)
+        (self.folder / "small.toml").write_text(TINY)
         began = time.monotonic()
         self.check(self.batch(), 0, "undisturbed")
         self.seconds = time.monotonic() - began
@@ -68,7 +68,7 @@ class Stops:
     def killed_at_calls(self, kills):
         """At every k-th of the calls that change something; the last runs are themselves resumed ones."""
         total = self.calls("any")
-        step = max(1, total // max(1, kills))
+        step = max(1, -(-total // kills))
         moments = list(range(1, total + 1, step))
         for at in moments:
             shutil.rmtree(self.out, ignore_errors=True)
@@ -140,9 +140,10 @@ def tree_hash(path):
 def main():
     with tempfile.TemporaryDirectory(prefix="pomona-test-") as folder:
         stops = Stops(folder)
-        print(f"an undisturbed run takes {stops.seconds:.2f} s")
-        print(f"{stops.killed_at_calls(KILLS // 2)} kills at calls: all went on, same bytes")
-        print(f"{stops.killed_at_random(KILLS // 2)} kills at random moments: all went on, same bytes")
+        print(f"an undisturbed run takes {stops.seconds:.2f} s", flush=True)
+        at_calls = stops.killed_at_calls(KILLS // 2)
+        print(f"{at_calls} kills at calls: all went on, same bytes", flush=True)
+        print(f"{stops.killed_at_random(KILLS - at_calls)} kills at random moments: all went on, same bytes", flush=True)
         print(f"{stops.killed_shards()} kills of shards and merges: same bytes")
         print(f"{stops.failing_calls()} failing calls: documented statuses, nothing damaged, all went on")
 
