@@ -87,8 +87,10 @@ class Stops:
             if self.random.random() < 0.4:
                 shutil.rmtree(self.out, ignore_errors=True)
             run = subprocess.Popen([PROGRAM, "batch", "small.toml", "-o", "out", "--resume", "--quiet"], cwd=self.folder)
-            time.sleep(self.random.uniform(0, 1.2 * self.seconds))
-            run.kill()
+            try:
+                run.wait(timeout=self.random.uniform(0, self.seconds))
+            except subprocess.TimeoutExpired:
+                run.kill()
             killed += run.wait() == -9
             self.nothing_is_half_there(f"random kill {killed}")
             if self.random.random() < 0.3:
