@@ -14,7 +14,7 @@ SampleGrid::SampleGrid(int side)
     : side_(side), nearness_(samples_of(side), 0.0f), owner_(samples_of(side), 0), color_(samples_of(side)) {}
 
 void SampleGrid::draw(const std::array<GridCorner, 3>& corners, std::uint32_t owner) {
-  const auto& [a, b, c] = corners;
+  const GridCorner &a = corners[0], &b = corners[1], &c = corners[2];
   const glm::dvec3 nearness(a.at.nearness, b.at.nearness, c.at.nearness);
   for_covered_samples({a.at, b.at, c.at}, side_, [&](int x, int y, const glm::dvec3& weight) {
     const std::size_t i = index(x, y);
