@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench hashes install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench batch-bench batch-stops hashes install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -14,7 +14,7 @@ gallery: build ## the pictures of README.md and templates/README.md; FRUIT="okra
 	@scripts/gallery.sh build/pomona docs/pictures $(FRUIT)
 	@scripts/gallery.py write
 
-figures: build ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures) those of that page
+figures: build ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures, batch) those of that page
 	@scripts/setup.sh gallery
 	@scripts/figures.py make build/pomona $(or $(PAGE),figures) $(FIGURE)
 
@@ -120,6 +120,15 @@ picture: .bench ## how long a picture of the salad in 1920x1080 takes, and how m
 bench: .bench ## everything that measures, built into build/bench; runs the kernels
 	cmake --build build -j $(JOBS)
 	build/bench/kernels
+
+batch-bench: build ## how many items a batch makes in a second, on 1 and 2 threads, and how much memory: 10, 100 and 1000 of them
+	@scripts/measure_batch.py build/pomona
+
+batch-stops: ## a batch killed 500 times, at random moments and at every k-th call; each time it goes on to the same bytes
+	@scripts/setup.sh build test bench
+	cmake --preset test
+	cmake --build build --target pomona failing_calls -j $(JOBS)
+	tests/cli/batch/stops_test.py build/pomona $$(find build -name libfailing_calls.so) 500
 
 hashes: build ## SHA-256 of all that the program writes, out/hashes.tsv: to compare with scripts/hashes.py before and after a step
 	@mkdir -p out

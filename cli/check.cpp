@@ -10,6 +10,7 @@
 
 #include "cli/command.h"
 #include "cli/find_template.h"
+#include "generator/batch/batch_plan.h"
 #include "generator/scene/scene_file.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/file/surface_file.h"
@@ -33,6 +34,10 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
   if (file.extension() == ".ply") return find_bodies(read_surfaces(file)).warnings;
   if (is_scene_file(file)) {
     read_scene(file);
+    return {};
+  }
+  if (is_batch_file(file)) {
+    planned(read_batch(file), {.find = find_template, .all = all_templates});
     return {};
   }
   if (is_style_file(file)) {

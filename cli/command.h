@@ -26,6 +26,8 @@ DeclaredCommand sketch_command(CLI::App& app);
 DeclaredCommand grow_command(CLI::App& app);
 DeclaredCommand cut_command(CLI::App& app);
 DeclaredCommand scene_command(CLI::App& app);
+DeclaredCommand batch_command(CLI::App& app);
+DeclaredCommand merge_command(CLI::App& app);
 DeclaredCommand compare_command(CLI::App& app);
 DeclaredCommand pages_command(CLI::App& app);
 

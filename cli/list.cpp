@@ -1,4 +1,4 @@
-// pomona list: what can be grown, the scenes, and the styles to draw them in.
+// pomona list: what can be grown, the scenes, the batches, and the styles to draw in.
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -10,6 +10,7 @@
 #include "cli/find_style.h"
 #include "cli/find_template.h"
 #include "cli/program_folders.h"
+#include "generator/batch/batch_file.h"
 #include "generator/scene/scene_file.h"
 #include "generator/template/read/read_template.h"
 
@@ -42,10 +43,24 @@ ExitStatus list_styles(bool json) {
 ExitStatus list_scenes(bool json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const auto& file : own_files("scenes")) {
+    if (is_batch_file(file)) continue;
     const SceneDescription scene = read_scene(file);
     const std::string name = file.stem().string();
     all.push_back({{"name", name}, {"title", scene.title}});
     if (!json) std::printf("%s\t%s\n", name.c_str(), scene.title.c_str());
+  }
+  if (json) std::printf("%s\n", all.dump(2).c_str());
+  return ExitStatus::done;
+}
+
+ExitStatus list_batches(bool json) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const auto& file : own_files("scenes")) {
+    if (!is_batch_file(file)) continue;
+    const BatchDescription batch = read_batch(file);
+    const std::string name = file.stem().string();
+    all.push_back({{"name", name}, {"title", batch.title}});
+    if (!json) std::printf("%s\t%s\n", name.c_str(), batch.title.c_str());
   }
   if (json) std::printf("%s\n", all.dump(2).c_str());
   return ExitStatus::done;
@@ -73,15 +88,21 @@ ExitStatus list_templates(bool json) {
 }  // namespace
 
 DeclaredCommand list_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("list", "Print the templates: name, symmetry, parts; or the scenes or styles");
+  CLI::App* command =
+      app.add_subcommand("list", "Print the templates: name, symmetry, parts; or the scenes, batches or styles");
   const auto json = std::make_shared<bool>(false);
   const auto scenes = std::make_shared<bool>(false);
   const auto styles = std::make_shared<bool>(false);
+  const auto batches = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print them as JSON");
   CLI::Option* asks_for_scenes = command->add_flag("--scenes", *scenes, "Print the scenes instead: name, title");
-  command->add_flag("--styles", *styles, "Print the styles instead: name, title")->excludes(asks_for_scenes);
-  return {command, [json, scenes, styles] {
+  CLI::Option* asks_for_styles = command->add_flag("--styles", *styles, "Print the styles instead: name, title");
+  CLI::Option* asks_for_batches = command->add_flag("--batches", *batches, "Print the batches instead: name, title");
+  asks_for_styles->excludes(asks_for_scenes);
+  asks_for_batches->excludes(asks_for_scenes)->excludes(asks_for_styles);
+  return {command, [json, scenes, styles, batches] {
             if (*scenes) return list_scenes(*json);
+            if (*batches) return list_batches(*json);
             return *styles ? list_styles(*json) : list_templates(*json);
           }};
 }

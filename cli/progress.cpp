@@ -24,16 +24,34 @@ void Progress::report(const std::string& stage, std::size_t done, std::size_t to
     last_stage_ = stage;
     return;
   }
+  draw_bar(stage, done, total, std::to_string(done) + "/" + std::to_string(total));
+}
+
+void Progress::report_text(const std::string& stage, std::size_t done, std::size_t total, const std::string& text) {
+  if (quiet_ || total == 0) return;
+  const std::lock_guard lock(mutex_);
+  if (terminal_) return draw_bar(stage, done, total, text);
+  constexpr double between_lines = 10e3;  // milliseconds
+  const double now = since_start_.milliseconds();
+  if (now - last_line_ < between_lines) return;
+  last_line_ = now;
+  std::fprintf(stderr, "%s %s\n", stage.c_str(), text.c_str());
+}
+
+void Progress::draw_bar(const std::string& stage, std::size_t done, std::size_t total, const std::string& text) {
   constexpr std::size_t width = 30;
   const std::size_t filled = width * done / total;
-  std::fprintf(stderr, "\r\033[K%-8s [%s%s] %zu/%zu", stage.c_str(), std::string(filled, '=').c_str(),
-               std::string(width - filled, ' ').c_str(), done, total);
+  std::fprintf(stderr, "\r\033[K%-8s [%s%s] %s", stage.c_str(), std::string(filled, '=').c_str(),
+               std::string(width - filled, ' ').c_str(), text.c_str());
   std::fflush(stderr);
   bar_shown_ = true;
 }
 
 void Progress::line(const std::string& text) {
-  if (quiet_) return;
+  if (!quiet_) error(text);
+}
+
+void Progress::error(const std::string& text) {
   const std::lock_guard lock(mutex_);
   clear_bar();
   std::fprintf(stderr, "%s\n", text.c_str());

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <string>
 
+#include "generator/base/stop_watch.h"
+
 namespace pomona {
 
 class Progress {
@@ -18,17 +20,26 @@ class Progress {
   /// `done` of `total` items of `stage`. May be called from any thread.
   void report(const std::string& stage, std::size_t done, std::size_t total);
 
+  /// The same with words of one's own after the bar; where there is no terminal, they are a line every ten seconds.
+  void report_text(const std::string& stage, std::size_t done, std::size_t total, const std::string& text);
+
   /// A line of its own, such as a warning; never lost in the bar.
   void line(const std::string& text);
 
+  /// The same for what is told even to those who want to hear of errors alone.
+  void error(const std::string& text);
+
  private:
   void clear_bar();
+  void draw_bar(const std::string& stage, std::size_t done, std::size_t total, const std::string& text);
 
   std::mutex mutex_;
   bool quiet_;
   bool terminal_;
   bool bar_shown_ = false;
   std::string last_stage_;
+  StopWatch since_start_;
+  double last_line_ = 0;  ///< milliseconds since the start
 };
 
 }  // namespace pomona

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The pictures of pages under docs, made by the commands that stand on them.
 
-    figures.py make PROGRAM [PAGE [HEADING]]   runs the commands of a page (figures, knives, style, textures), or those below
+    figures.py make PROGRAM [PAGE [HEADING]]   runs the commands of a page (figures, knives, style, textures, batch), or those below
                                                one heading ("8" is "Figure 8"), with this program as pomona
     figures.py check                           says what is missing or made by no command; exits with 1 if anything is
 """
@@ -13,7 +13,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ("figures", "knives", "style", "textures")
+PAGES = ("figures", "knives", "style", "textures", "batch")
 FIGURES = [f"Figure {number}" for number in range(1, 14)]
 
 

@@ -69,7 +69,8 @@ std::vector<TypedCommand> command_line(const CLI::App& app) {
 }
 
 bool takes_files(const TypedOption& option) {
-  static constexpr std::array kinds = {"FILE", "TEMPLATE", "SCENE", "STYLE", "REFERENCE", "RESULT", "KNIFE"};
+  static constexpr std::array kinds = {"FILE",      "TEMPLATE", "SCENE", "BATCH", "STYLE",
+                                       "REFERENCE", "RESULT",   "KNIFE", "FOLDER"};
   return std::find(kinds.begin(), kinds.end(), option.value) != kinds.end();
 }
 

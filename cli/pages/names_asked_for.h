@@ -9,6 +9,7 @@ namespace pomona {
 inline std::string names_asked_for(const std::string& value) {
   if (value == "TEMPLATE") return "pomona list 2>/dev/null | cut -f1";
   if (value == "SCENE") return "pomona list --scenes 2>/dev/null | cut -f1";
+  if (value == "BATCH") return "pomona list --batches 2>/dev/null | cut -f1";
   if (value == "STYLE") return "pomona list --styles 2>/dev/null | cut -f1";
   return "";
 }

@@ -65,7 +65,7 @@ std::string knives_function(std::span<const TypedCommand> commands) {
 
 std::string zsh_completion(std::span<const TypedCommand> commands) {
   std::string text = "#compdef pomona\n# Made from the program's options by `pomona pages zsh`.\n";
-  for (const char* value : {"TEMPLATE", "SCENE", "STYLE"}) text += names_function(value);
+  for (const char* value : {"TEMPLATE", "SCENE", "BATCH", "STYLE"}) text += names_function(value);
   text += knives_function(commands);
 
   text += "_pomona() {\n  local context state line\n  typeset -A opt_args\n  _arguments -C" +

@@ -9,29 +9,18 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/units.h"
-#include "generator/knife/parse_knife.h"
+#include "generator/knife/read_knife.h"
+#include "generator/scene/plain_name.h"
+#include "generator/scene/toml_text.h"
 #include "generator/template/read/read_paint.h"
 #include "generator/template/read/svg_path.h"
 #include "generator/template/read/toml_document.h"
-#include "generator/template/read/toml_limits.h"
 
 namespace pomona {
 
 namespace {
 
 constexpr int most_pieces = 4096;  // of one entry, and of the scene
-
-bool is_plain_name(const std::string& name) {
-  const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
-  return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), plain);
-}
-
-std::string read_plain_name(const TomlValue& value, const std::string& fallback = {}) {
-  const std::string name = value.text(fallback);
-  if (value.is(TomlNode::Kind::string) && !is_plain_name(name))
-    value.error("\"" + name.substr(0, 40) + "\" is not a plain name", "use a-z, 0-9, - and _, at most 64 of them");
-  return name;
-}
 
 glm::dvec3 read_vector(const TomlValue& value, Within within, const glm::dvec3& fallback) {
   if (!value.given()) return fallback;
@@ -112,16 +101,7 @@ BowlDescription read_bowl(const TomlTable& table) {
 std::vector<Knife> read_knives(const TomlValue& value, const std::filesystem::path& folder) {
   std::vector<Knife> knives;
   for (const TomlValue& text : value.values()) {
-    const std::string knife = text.text();
-    if (!text.is(TomlNode::Kind::string)) continue;
-    try {
-      knives.push_back(parse_knife(knife, folder));
-    } catch (const Error& error) {
-      // A drawing may be wrong in a file of its own.
-      const Diagnostic& what = error.diagnostics().front();
-      const bool elsewhere = !what.place.file.empty();
-      text.error(elsewhere ? to_string({what.place, what.message, {}}) : what.message, what.hint);
-    }
+    if (const std::optional<Knife> knife = read_knife(text, folder)) knives.push_back(*knife);
   }
   return knives;
 }
@@ -246,22 +226,13 @@ class SceneReader {
   SceneDescription scene_;
 };
 
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
-    throw Error(ExitStatus::input_missing, {{{file.string(), 0, 0, {}}, "cannot be read", {}}});
-  // One byte beyond the limit is enough to know that the file goes beyond it.
-  std::string text(TomlLimits{}.bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
-}
-
 }  // namespace
 
 SceneDescription parse_scene(std::string_view toml, const std::string& file) { return SceneReader(toml, file).read(); }
 
-SceneDescription read_scene(const std::filesystem::path& file) { return parse_scene(read_text(file), file.string()); }
+SceneDescription read_scene(const std::filesystem::path& file) {
+  return parse_scene(read_toml_text(file), file.string());
+}
 
 bool is_scene_file(const std::filesystem::path& file) {
   if (file.extension() != ".toml") return false;

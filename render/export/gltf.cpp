@@ -396,9 +396,13 @@ void add_textured(GlbModel& model, const BakedSolid& baked, std::vector<int>& me
 }  // namespace
 
 std::string write_glb(const Scene& scene, const ExportOptions& options, std::span<const std::vector<Solid>> levels) {
+  return write_glb(scene, styled_meshes(scene, options), options, levels);
+}
+
+std::string write_glb(const Scene& scene, std::span<const StyledMesh> styled, const ExportOptions& options,
+                      std::span<const std::vector<Solid>> levels) {
   GlbModel model;
   MeshesOfSolids meshes(scene.solids.size());
-  const std::vector<StyledMesh> styled = styled_meshes(scene, options);
   for (std::size_t i = 0; i < styled.size(); ++i) {
     add_styled(model, scene.solids[i], styled[i], meshes[i]);
     if (i >= levels.size()) continue;

@@ -18,6 +18,10 @@ namespace pomona {
 std::string write_glb(const Scene& scene, const ExportOptions& options = {},
                       std::span<const std::vector<Solid>> levels = {});
 
+/// The same for who has the solids' meshes already: `styled` is what styled_meshes() makes of the scene.
+std::string write_glb(const Scene& scene, std::span<const StyledMesh> styled, const ExportOptions& options,
+                      std::span<const std::vector<Solid>> levels = {});
+
 /// The same with the colours in textures: `baked` has one entry per solid of the scene. TEXCOORD_0 takes the place
 /// of COLOR_0, and every solid has a material of its own.
 std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, const ExportOptions& options = {},

@@ -17,6 +17,11 @@ struct Image {
   const glm::u8vec3& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
+struct TransparentImage {
+  Image image;
+  std::vector<std::uint8_t> opacity;  ///< of each pixel, 0..255, by rows as in the image
+};
+
 /// Longest side of a picture Pomona draws; what OpenGL implementations can hold as a texture.
 constexpr int max_picture_side = 16384;
 

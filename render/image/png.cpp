@@ -67,14 +67,14 @@ namespace {
 // zlib's strategies: Z_DEFAULT_STRATEGY and Z_RLE.
 constexpr int any_matches = 0, run_lengths = 3;
 
-}  // namespace
-
-std::string write_png(const Image& image, PngPacking packing) {
+/// Rows of `channels` bytes a pixel, one after another: 3 for RGB, 4 with opacity.
+std::string write_rows(const std::uint8_t* rows, int width, int height, int channels, PngPacking packing) {
   std::string bytes;
   Writer writer;
   png_set_write_fn(writer.png, &bytes, append, nullptr);
-  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
-               8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
+               channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
 
   // Fixed, so that the bytes do not depend on libpng's defaults; 6 is within 2 % of 9 at a fifth of the time. Runs of
@@ -84,11 +84,24 @@ std::string write_png(const Image& image, PngPacking packing) {
   png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
 
   png_write_info(writer.png, writer.info);
-  for (int y = 0; y < image.height; ++y) {
-    png_write_row(writer.png, reinterpret_cast<png_const_bytep>(&image.at(0, y)));
-  }
+  const std::size_t row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
+  for (int y = 0; y < height; ++y) png_write_row(writer.png, rows + static_cast<std::size_t>(y) * row);
   png_write_end(writer.png, nullptr);
   return bytes;
+}
+
+}  // namespace
+
+std::string write_png(const Image& image, PngPacking packing) {
+  return write_rows(reinterpret_cast<const std::uint8_t*>(image.pixels.data()), image.width, image.height, 3, packing);
+}
+
+std::string write_png(const TransparentImage& image) {
+  std::vector<glm::u8vec4> pixels;
+  pixels.reserve(image.opacity.size());
+  for (std::size_t i = 0; i < image.opacity.size(); ++i) pixels.emplace_back(image.image.pixels[i], image.opacity[i]);
+  return write_rows(reinterpret_cast<const std::uint8_t*>(pixels.data()), image.image.width, image.image.height, 4,
+                    PngPacking::small);
 }
 
 namespace {

@@ -19,14 +19,12 @@ enum class PngPacking {
 /// level are fixed).
 std::string write_png(const Image& image, PngPacking packing = PngPacking::small);
 
+/// The same with opacity: 8-bit RGBA.
+std::string write_png(const TransparentImage& image);
+
 /// \param name for messages.
 /// \throws Error (bad_data) for what is not a PNG, or is larger than max_picture_side either way.
 Image read_png(const std::string& bytes, const std::string& name);
-
-struct TransparentImage {
-  Image image;
-  std::vector<std::uint8_t> opacity;  ///< of each pixel, 0..255, by rows as in the image
-};
 
 /// As read_png(), and tells where the picture is transparent.
 TransparentImage read_transparent_png(const std::string& bytes, const std::string& name);

@@ -1,4 +1,4 @@
-// Every malformed template, scene and surface file of the tests, through the program: a clear error with a
+// Every malformed template, scene, batch and surface file of the tests, through the program: a clear error with a
 // position, the documented status, nothing written, no crash.
 #include <regex>
 
@@ -14,7 +14,7 @@ namespace {
 
 std::vector<fs::path> bad_files() {
   std::vector<fs::path> files;
-  for (const char* folder : {"template", "scene", "surface"}) {
+  for (const char* folder : {"template", "scene", "batch", "surface"}) {
     const fs::path bad = fs::path(POMONA_SOURCE_DIR) / "tests" / folder / "bad";
     for (const auto& entry : fs::directory_iterator(bad)) {
       const fs::path extension = entry.path().extension();

@@ -30,11 +30,11 @@ class InstalledTree(unittest.TestCase):
     def pomona(self, *words, status=0):
         return run(self.program, *words, folder=self.folder.name, status=status)
 
-    def test_knows_all_templates_scenes_and_styles(self):
-        for kind, *option in (("templates",), ("scenes", "--scenes"), ("styles", "--styles")):
-            there = {file.stem for file in (SOURCE / kind).glob("*.toml")}
-            listed = {line.split("\t")[0] for line in self.pomona("list", *option).splitlines()}
-            self.assertEqual(listed, there, kind)
+    def test_knows_all_templates_scenes_batches_and_styles(self):
+        for kind, *options in (("templates", ""), ("scenes", "--scenes", "--batches"), ("styles", "--styles")):
+            there = sorted(file.stem for file in (SOURCE / kind).glob("*.toml"))
+            listed = [line.split("\t")[0] for option in options for line in self.pomona("list", *option.split()).splitlines()]
+            self.assertEqual(sorted(listed), there, kind)
             for schema in (SOURCE / kind).glob("*.schema.json"):
                 self.assertTrue((self.tree / "share/pomona" / kind / schema.name).is_file(), schema)
 

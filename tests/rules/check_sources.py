@@ -36,6 +36,7 @@ ROAD = [
     "generator/piece/lod",
     "generator/scene/settle",
     "generator/scene",
+    "generator/batch",
     "render/image",
     "render/style",
     "render/lettering",
@@ -47,6 +48,7 @@ ROAD = [
     "render/gl",
     "render/diffusion",
     "render/export",
+    "render/thumbnail",
     "cli",
 ]
 
@@ -67,13 +69,14 @@ HEAVY = {
     "Eigen": (r"Eigen/", r"tests/\w+/\w+\.cpp|bench/baselines/tetrahedral_poisson\.cpp"),
     "TBB": (r"(tbb|oneapi/tbb)/", r"generator/base/parallel\.cpp"),
     "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),
+    "Nettle": (r"nettle/", r"generator/base/sha256\.cpp"),
     "Random123": (r"Random123/", r"generator/base/random\.cpp"),
     "CLI11": (r"CLI/", r"(cli|bench)/(pages/)?\w+\.(cpp|h)"),
 }
 HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 
 # Folders whose values end up in files that must be the same on every machine.
-REPRODUCIBLE = ("generator/", "render/style/", "render/image/", "render/picture/", "render/compare/", "render/export/")
+REPRODUCIBLE = ("generator/", "render/style/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/")
 
 LIBM = "a?(?:sin|cos|tan)h?|atan2|sincos|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erf|tgamma|lgamma|fma"
 FORBIDDEN = [

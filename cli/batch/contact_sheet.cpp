@@ -1,0 +1,44 @@
+#include "cli/batch/contact_sheet.h"
+
+#include <nlohmann/json.hpp>
+
+#include "generator/base/xml_text.h"
+
+namespace pomona {
+
+namespace {
+
+/// `text` with each `mark` in it replaced.
+std::string with(std::string text, const std::string& mark, const std::string& replacement) {
+  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + replacement.size()))
+    text.replace(at, mark.size(), replacement);
+  return text;
+}
+
+/// Nothing in it ends a script element or begins a comment.
+std::string safe_in_script(const std::string& json) { return with(json, "<", "\\u003c"); }
+
+}  // namespace
+
+ContactSheet::ContactSheet(const RecordedBatch& batch) {
+  // The title last: what stands in it is no mark of ours.
+  const std::string page(contact_sheet_files().front().text);
+  const std::string mark = "@ITEMS@";
+  const std::size_t at = page.find(mark);
+  const std::string about = safe_in_script(
+      nlohmann::ordered_json({{"name", batch.name}, {"program", batch.program}, {"seed", batch.seed}}).dump());
+  before_ = with(with(page.substr(0, at), "@BATCH@", about), "@TITLE@", xml_escaped(batch.title));
+  after_ = page.substr(at + mark.size());
+}
+
+std::string ContactSheet::row(const RecordedItem& item) {
+  nlohmann::ordered_json files = nlohmann::ordered_json::array();
+  for (const RecordedFile& file : item.files) files.push_back(file.name);
+  // Thousandths of a millilitre are more than anybody sorts by.
+  const double millilitres = static_cast<double>(static_cast<std::int64_t>(item.volume * 1e9)) / 1e3;
+  const nlohmann::ordered_json row = {item.item,   item.template_name, item.seed, item.knives,
+                                      item.pieces, millilitres,        files,     item.error};
+  return safe_in_script(row.dump());
+}
+
+}  // namespace pomona

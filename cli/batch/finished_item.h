@@ -1,0 +1,21 @@
+// An item as it lies on disk.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "generator/batch/item_record.h"
+
+namespace pomona {
+
+struct FinishedItem {
+  std::string record;  ///< item.json, with its line break
+  RecordedItem facts;
+};
+
+/// Nothing if the item is not there, or not whole: its record must name it, and every file must have the size that the
+/// record says.
+std::optional<FinishedItem> finished_item(const std::filesystem::path& folder, const std::string& item);
+
+}  // namespace pomona

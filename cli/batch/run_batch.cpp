@@ -1,0 +1,225 @@
+#include "cli/batch/run_batch.h"
+
+#include <csignal>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "cli/batch/finished_item.h"
+#include "cli/batch/make_item.h"
+#include "cli/batch/memory_budget.h"
+#include "generator/base/error.h"
+#include "generator/base/stop_watch.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
+
+/// Signals with which people and schedulers end a program wait while this lives, and can be asked for.
+class PendingSignals {
+ public:
+  PendingSignals() {
+    sigset_t ending;
+    sigemptyset(&ending);
+    for (const int signal : ending_signals) sigaddset(&ending, signal);
+    pthread_sigmask(SIG_BLOCK, &ending, &before_);
+  }
+  ~PendingSignals() {
+    // They have been heeded: they must not end the program once more.
+    const timespec at_once{0, 0};
+    sigset_t ending;
+    sigemptyset(&ending);
+    for (const int signal : ending_signals) sigaddset(&ending, signal);
+    while (any() && sigtimedwait(&ending, nullptr, &at_once) > 0) {
+    }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  PendingSignals(const PendingSignals&) = delete;
+  PendingSignals& operator=(const PendingSignals&) = delete;
+
+  bool any() const {
+    sigset_t pending;
+    sigpending(&pending);
+    return std::any_of(std::begin(ending_signals), std::end(ending_signals),
+                       [&](int signal) { return sigismember(&pending, signal) == 1; });
+  }
+
+ private:
+  sigset_t before_;
+};
+
+/// The shard's variants: every count-th of all.
+class VariantsOfShard {
+ public:
+  VariantsOfShard(const BatchPlan& plan, const Shard& shard) : shard_(shard), all_(plan.variants()) {}
+
+  std::size_t size() const { return static_cast<std::size_t>((all_ - shard_.number + shard_.count) / shard_.count); }
+  /// Its number among all variants of the batch.
+  std::int64_t operator[](std::size_t i) const {
+    return shard_.number - 1 + static_cast<std::int64_t>(i) * shard_.count;
+  }
+
+ private:
+  Shard shard_;
+  std::int64_t all_;
+};
+
+std::string path_of(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item) {
+  const PlannedEntry& entry = plan.entries[variant.entry];
+  return entry.wanted.name + "/" + item_folder(entry.items(), item.number);
+}
+
+/// A template made ready for its variants, or why it cannot be.
+struct ReadyTemplate {
+  std::optional<Variation> variation;
+  std::string error;
+};
+
+std::vector<ReadyTemplate> made_ready(const BatchPlan& plan, Threads threads) {
+  std::vector<ReadyTemplate> ready(plan.templates.size());
+  parallel_for(ready.size(), threads, [&](std::size_t i) {
+    try {
+      ready[i].variation.emplace(plan.templates[i].fruit);
+    } catch (const std::exception& error) {
+      ready[i].error = reason_of(error);
+    }
+  });
+  return ready;
+}
+
+class Run {
+ public:
+  Run(const BatchPlan& plan, const Style& style, Workplace& workplace, const RunOptions& options, Progress& progress)
+      : plan_(plan), style_(style), workplace_(workplace), progress_(progress), budget_(options.memory) {
+    const VariantsOfShard variants(plan, options.shard);
+    for (std::size_t i = 0; i < variants.size(); ++i)
+      tally_.total += plan.entries[variant_at(plan, variants[i]).entry].items_of_a_variant;
+  }
+
+  RunReport all(const RunOptions& options) {
+    const VariantsOfShard numbers(plan_, options.shard);
+    ready_ = made_ready(plan_, options.threads);
+    tell();
+    parallel_for(numbers.size(), options.threads, [&](std::size_t i) { make_variant(numbers[i]); });
+    if (interrupted_)
+      throw Error(ExitStatus::locked, "interrupted, with " + progress_text(tally_), "--resume goes on from here");
+    tally_.seconds = watch_.milliseconds() * 1e-3;
+    std::sort(failed_.begin(), failed_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    RunReport report{tally_, {}};
+    for (auto& [order, failed] : failed_) report.failed.push_back(std::move(failed));
+    return report;
+  }
+
+ private:
+  /// All items of one individual that are not there yet. What cannot be written ends the run, and nothing else is
+  /// begun.
+  void make_variant(std::int64_t number) {
+    if (stopped_ || interrupted_) return;
+    if (signals_.any()) {
+      interrupted_ = true;
+      return;
+    }
+    try {
+      const BatchVariant which = variant_at(plan_, number);
+      const std::vector<BatchItem> missing = without_finished(which, items_of(plan_.entries[which.entry], which));
+      if (!missing.empty()) make_items(number, which, missing);
+    } catch (...) {
+      stopped_ = true;
+      throw;
+    }
+  }
+
+  std::vector<BatchItem> without_finished(const BatchVariant& which, const std::vector<BatchItem>& items) {
+    std::vector<BatchItem> missing;
+    for (const BatchItem& item : items) {
+      const auto found = finished_item(workplace_.folder(), path_of(plan_, which, item));
+      if (!found || !found->facts.error.empty()) missing.push_back(item);
+    }
+    const std::lock_guard lock(mutex_);
+    tally_.found += static_cast<std::int64_t>(items.size() - missing.size());
+    return missing;
+  }
+
+  void make_items(std::int64_t number, const BatchVariant& which, const std::vector<BatchItem>& items) {
+    const MemoryBudget::Loan memory(budget_, memory_of_an_item(plan_.entries[which.entry]));
+    const ReadyTemplate& ready = ready_[which.fruit];
+    std::optional<GrownVariant> grown;
+    std::string error = ready.error;
+    try {
+      if (ready.variation) grown.emplace(plan_, *ready.variation, which);
+    } catch (const std::exception& failure) {
+      error = reason_of(failure);
+    }
+    for (const BatchItem& item : items) {
+      const MadeItem made = make_item(plan_, which, grown ? &*grown : nullptr, error, item, style_);
+      workplace_.put_item(made.item, made.files);
+      note(number, item, made);
+    }
+  }
+
+  void note(std::int64_t variant, const BatchItem& item, const MadeItem& made) {
+    {
+      const std::lock_guard lock(mutex_);
+      ++tally_.made;
+      if (!made.error.empty()) {
+        ++tally_.failed;
+        failed_.push_back({{variant, item.number}, {made.item, made.error}});
+      }
+    }
+    if (!made.error.empty()) progress_.error(made.item + ": error: " + made.error);
+    tell();
+  }
+
+  void tell() {
+    Tally now;
+    {
+      const std::lock_guard lock(mutex_);
+      tally_.seconds = watch_.milliseconds() * 1e-3;
+      now = tally_;
+    }
+    progress_.report_text("batch", static_cast<std::size_t>(now.done()), static_cast<std::size_t>(now.total),
+                          progress_text(now));
+  }
+
+  const BatchPlan& plan_;
+  const Style& style_;
+  Workplace& workplace_;
+  Progress& progress_;
+  PendingSignals signals_;
+  MemoryBudget budget_;
+  std::vector<ReadyTemplate> ready_;
+  StopWatch watch_;
+  std::atomic<bool> stopped_ = false, interrupted_ = false;
+
+  std::mutex mutex_;
+  Tally tally_;
+  std::vector<std::pair<std::pair<std::int64_t, std::int64_t>, FailedItem>> failed_;
+};
+
+}  // namespace
+
+RunReport run_batch(const BatchPlan& plan, const Style& style, Workplace& workplace, const RunOptions& options,
+                    Progress& progress) {
+  return Run(plan, style, workplace, options, progress).all(options);
+}
+
+bool has_any_item(const BatchPlan& plan, const std::filesystem::path& folder, const Shard& shard) {
+  const VariantsOfShard variants(plan, shard);
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    const BatchVariant variant = variant_at(plan, variants[i]);
+    for (const BatchItem& item : items_of(plan.entries[variant.entry], variant)) {
+      std::error_code ignored;
+      if (std::filesystem::exists(folder / path_of(plan, variant, item), ignored)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace pomona

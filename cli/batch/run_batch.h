@@ -1,0 +1,41 @@
+// Making a batch, or a shard of one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/batch/tally.h"
+#include "cli/batch/workplace.h"
+#include "cli/progress.h"
+#include "generator/base/parallel.h"
+#include "generator/batch/batch_plan.h"
+#include "render/style/style.h"
+
+namespace pomona {
+
+struct RunOptions {
+  Shard shard;
+  Threads threads;
+  std::uint64_t memory = 0;  ///< bytes that items under way may take together; 0 = no limit
+};
+
+struct FailedItem {
+  std::string item, reason;
+};
+
+struct RunReport {
+  Tally tally;
+  std::vector<FailedItem> failed;  ///< in the order of the items
+};
+
+/// Makes what is not there yet. Items that fail are noted, and leave a record; SIGINT, SIGTERM and SIGHUP end the run
+/// after the items under way.
+/// \throws Error (cannot_create, io_error) if something cannot be written, (locked) if it was ended by a signal. What
+/// is whole by then stays.
+RunReport run_batch(const BatchPlan& plan, const Style& style, Workplace& workplace, const RunOptions& options,
+                    Progress& progress);
+
+/// Whether any item of the shard is there.
+bool has_any_item(const BatchPlan& plan, const std::filesystem::path& folder, const Shard& shard);
+
+}  // namespace pomona

@@ -1,0 +1,17 @@
+// What `pomona batch` is told in words: shards and sizes of memory.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "cli/batch/workplace.h"
+
+namespace pomona {
+
+/// "3/8"; "" is the whole. \throws Error (usage) for what is none, and for a number out of range.
+Shard parse_shard(const std::string& text);
+
+/// "2GB", "500MB": bytes, by thousands; "" is 0. \throws Error (usage)
+std::uint64_t parse_memory(const std::string& text);
+
+}  // namespace pomona

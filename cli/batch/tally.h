@@ -1,0 +1,27 @@
+// How far a batch is, in words.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace pomona {
+
+struct Tally {
+  std::int64_t total = 0;   ///< items of this run's share
+  std::int64_t found = 0;   ///< that were there already
+  std::int64_t made = 0;    ///< by this run, failed ones too
+  std::int64_t failed = 0;  ///< of these
+  double seconds = 0;       ///< since the run began
+
+  std::int64_t done() const { return found + made; }
+  double per_second() const { return seconds > 0 ? static_cast<double>(made) / seconds : 0; }
+};
+
+/// "120/500, 2 failed, 8.3 a second, 46 s left"
+std::string progress_text(const Tally& tally);
+
+/// "3 s", "4 min", "5.2 h"
+std::string duration_text(double seconds);
+
+}  // namespace pomona

@@ -1,0 +1,137 @@
+#include "cli/batch/workplace.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace pomona {
+
+namespace {
+
+[[noreturn]] void refuse_busy(const fs::path& folder) {
+  throw Error(ExitStatus::locked, {{{folder.string(), 0, 0, {}},
+                                    "another run is at work on it",
+                                    "wait for it, or give every run a --shard of its own"}});
+}
+
+/// Whether the name still leads to the file that was opened: whoever finished last may have removed it meanwhile.
+bool is_still_there(const Descriptor& file, const fs::path& path) {
+  struct stat opened {
+  }, named{};
+  if (::fstat(file.number(), &opened) != 0 || ::stat(path.c_str(), &named) != 0) return false;
+  return opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+void make_folder(const fs::path& path) {
+  if (::mkdir(path.c_str(), 0777) == 0) return sync_folder(path.has_parent_path() ? path.parent_path() : ".");
+  const int error = errno;
+  std::error_code ignored;
+  if (error != EEXIST || !fs::is_directory(path, ignored))
+    fail_at(ExitStatus::cannot_create, path, "cannot be created", error == EEXIST ? ENOTDIR : error);
+}
+
+/// The lock file, made where it is not there, and locked. \param kind LOCK_SH or LOCK_EX.
+/// \throws Error (locked) if another run has it.
+Descriptor locked(const fs::path& path, const fs::path& folder, int kind) {
+  for (;;) {
+    make_folder(path.parent_path());
+    Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    if (!file.is_open() && errno == ENOENT) continue;  // its folder has just been removed
+    if (!file.is_open()) fail_at(ExitStatus::cannot_create, path, "cannot be created", errno);
+    if (::flock(file.number(), kind | LOCK_NB) != 0) {
+      if (errno == EWOULDBLOCK) refuse_busy(folder);
+      if (errno != EINTR) fail_at(ExitStatus::io_error, path, "cannot be locked", errno);
+    } else if (is_still_there(file, path)) {
+      return file;
+    }
+  }
+}
+
+/// A folder whose path ends in a slash is the same without it.
+fs::path without_slash(fs::path folder) { return folder.has_filename() ? folder : folder.parent_path(); }
+
+}  // namespace
+
+Workplace::Workplace(fs::path folder, const Shard& shard)
+    : folder_(without_slash(std::move(folder))), hidden_(folder_ / ".pomona") {
+  const std::string part = std::to_string(shard.number) + "-of-" + std::to_string(shard.count);
+  lock_name_ = part + ".lock";
+  staging_ = hidden_ / part;
+  make_folder(folder_);
+
+  // Shards share the folder; a whole batch and a merge have it alone.
+  whole_.emplace(locked(hidden_ / "lock", folder_, shard.count > 1 ? LOCK_SH : LOCK_EX));
+  own_.emplace(locked(hidden_ / lock_name_, folder_, LOCK_EX));
+
+  // What killed runs have left.
+  std::error_code failed;
+  fs::remove_all(staging_, failed);
+  if (shard.count == 1) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(hidden_, failed))
+      if (entry.is_directory(failed)) fs::remove_all(entry.path(), failed);
+  }
+  make_folder(staging_);
+}
+
+Workplace::~Workplace() {
+  // Whoever is last removes everything; a lock on a file that is gone is no lock (is_still_there).
+  std::error_code ignored;
+  fs::remove_all(staging_, ignored);
+  ::unlink((hidden_ / lock_name_).c_str());
+  if (::flock(whole_->number(), LOCK_EX | LOCK_NB) == 0) fs::remove_all(hidden_, ignored);
+}
+
+fs::path Workplace::new_place() { return staging_ / std::to_string(next_++); }
+
+void Workplace::make_folders(const std::string& item) {
+  for (std::size_t slash = item.find('/'); slash != std::string::npos; slash = item.find('/', slash + 1))
+    make_folder(folder_ / item.substr(0, slash));
+}
+
+void Workplace::put_item(const std::string& item, std::span<const NamedFile> files) {
+  // All of it, down to the disk, where nobody looks.
+  const fs::path made = new_place(), place = folder_ / item;
+  make_folder(made);
+  for (const NamedFile& file : files) {
+    Descriptor opened = create_file(made / file.name, place / file.name);
+    if (!opened.is_open()) fail_at(ExitStatus::cannot_create, place / file.name, "cannot be created", EEXIST);
+    write_all(opened, file.bytes, place / file.name);
+    bring_to_disk(opened, place / file.name);
+  }
+  sync_folder(made);
+
+  // Into its place, from which an item that failed or is not whole goes away.
+  make_folders(item);
+  std::error_code failed;
+  fs::remove_all(place, failed);
+  move_into_place(made, place);
+  sync_folder(place.parent_path());
+}
+
+void Workplace::put_file(const std::string& name, const std::function<void(const Writer&)>& write) {
+  const fs::path made = new_place(), place = folder_ / name;
+  Descriptor opened = create_file(made, place);
+  if (!opened.is_open()) fail_at(ExitStatus::cannot_create, place, "cannot be created", EEXIST);
+
+  // A quarter of a megabyte at a time.
+  constexpr std::size_t enough = std::size_t{1} << 18;
+  std::string waiting;
+  write([&](std::string_view bytes) {
+    waiting += bytes;
+    if (waiting.size() < enough) return;
+    write_all(opened, waiting, place);
+    waiting.clear();
+  });
+  write_all(opened, waiting, place);
+  bring_to_disk(opened, place);
+  move_into_place(made, place);
+  sync_folder(folder_);
+}
+
+}  // namespace pomona

@@ -1,0 +1,55 @@
+// A batch's folder while runs work on it: locks, and a place where items are made until they are whole.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "render/export/durable_file.h"
+#include "render/export/pov.h"
+
+namespace pomona {
+
+/// Which share of a batch a run makes: part `number` of `count`, from 1.
+struct Shard {
+  int number = 1, count = 1;
+};
+
+/// Everything temporary lies in FOLDER/.pomona: a lock for the folder, which shards share and other runs have alone; a
+/// lock for each shard; and a folder of each shard, in which its items are made. Locks are the kernel's (flock): they
+/// end with the process that holds them. What a killed run has left there is removed by the next run of the same shard,
+/// and by whoever has the folder alone.
+class Workplace {
+ public:
+  /// Makes the folder if it is not there. \throws Error (locked) if another run is at work on the same items,
+  /// (cannot_create) where it cannot be made.
+  Workplace(std::filesystem::path folder, const Shard& shard);
+  ~Workplace();
+  Workplace(const Workplace&) = delete;
+  Workplace& operator=(const Workplace&) = delete;
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+  /// Makes the folder `item` with these files in it, whole or not at all, in place of what is there. From any thread.
+  /// \throws Error (cannot_create, io_error)
+  void put_item(const std::string& item, std::span<const NamedFile> files);
+
+  /// Writes the file `name` of the folder as `write` asks for it, piece by piece; whole or not at all.
+  using Writer = std::function<void(std::string_view)>;
+  void put_file(const std::string& name, const std::function<void(const Writer&)>& write);
+
+ private:
+  std::filesystem::path new_place();
+  void make_folders(const std::string& item);
+
+  std::filesystem::path folder_, hidden_, staging_;
+  std::string lock_name_;
+  std::optional<Descriptor> whole_, own_;
+  std::atomic<std::uint64_t> next_ = 0;
+};
+
+}  // namespace pomona

@@ -1,0 +1,205 @@
+#include "generator/batch/batch_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <utility>
+
+#include "generator/batch/batch_limits.h"
+#include "generator/knife/read_knife.h"
+#include "generator/scene/plain_name.h"
+#include "generator/scene/toml_text.h"
+#include "generator/template/read/toml_document.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr int largest_seed = std::numeric_limits<int>::max();
+
+/// A list of values, or one value alone; nothing where there is none.
+std::vector<TomlValue> one_or_many(const TomlValue& value) {
+  if (!value.given()) return {};
+  if (!value.is(TomlNode::Kind::array)) return {value};
+  std::vector<TomlValue> values = value.values();
+  if (values.empty()) value.error("is empty", "leave it out, or write at least one");
+  return values;
+}
+
+/// Each read by `read`; what stood there before where nothing is given. No two may be the same: their items would be.
+template <typename Value, typename Read>
+void read_list(const TomlValue& list, std::vector<Value>& values, Read&& read) {
+  const std::vector<TomlValue> given = one_or_many(list);
+  if (given.empty()) return;
+  values.clear();
+  for (const TomlValue& value : given) {
+    const Value next = read(value);
+    if (std::find(values.begin(), values.end(), next) != values.end()) {
+      value.error("is there already", "leave one of them out");
+    } else {
+      values.push_back(next);
+    }
+  }
+}
+
+AssetFormat read_format(const TomlValue& value) {
+  if (value.is(TomlNode::Kind::string) && value.text() == "png") {
+    value.error("\"png\" is no format of a batch: OpenGL draws it otherwise on every machine",
+                "thumbnail = 256 draws a picture of each item");
+    return AssetFormat::glb;
+  }
+  return static_cast<AssetFormat>(value.choice({"glb", "ply", "pov", "svg"}));
+}
+
+AssetOptions read_assets(const TomlTable& table, AssetOptions assets) {
+  // What is written ...
+  read_list(table.get("formats"), assets.formats, read_format);
+  read_list(table.get("quality"), assets.qualities, [](const TomlValue& value) {
+    return static_cast<Quality>(value.choice({"draft", "final", "reference"}));
+  });
+  read_list(table.get("texture"), assets.textures, [](const TomlValue& value) {
+    const int texels = value.integer(0, 0, 8192);
+    if (texels > 0 && texels < 64) value.error("is below 64 texels", "0 leaves colours on vertices");
+    return texels;
+  });
+  read_list(table.get("lod"), assets.lods, [](const TomlValue& value) { return value.integer(0, 0, 6); });
+
+  // ... and how finely.
+  assets.detail = table.get("detail").number(assets.detail, {0.1, 4});
+  assets.variation = table.get("variation").number(assets.variation, {0, 2});
+  assets.thumbnail = table.get("thumbnail").integer(assets.thumbnail, 0, 1024);
+  if (table.has("thumbnail") && assets.thumbnail > 0 && assets.thumbnail < 16)
+    table.get("thumbnail").error("is below 16 pixels", "0 draws none");
+  assets.thumbnail_on_paper =
+      table.get("thumbnail_ground").choice({"transparent", "paper"}, assets.thumbnail_on_paper ? 1 : 0) == 1;
+
+  // Texture and levels of detail are .glb's alone.
+  const bool has_glb = std::count(assets.formats.begin(), assets.formats.end(), AssetFormat::glb) > 0;
+  for (const char* key : {"texture", "lod"}) {
+    if (table.has(key) && !has_glb) table.get(key).error("is about .glb: no format is one", "add \"glb\" to formats");
+  }
+  return assets;
+}
+
+/// One knife, or several that cut one after another; none leave the fruit whole.
+std::vector<Knife> read_knives(const TomlValue& alternative, const std::filesystem::path& folder) {
+  std::vector<Knife> knives;
+  const bool many = alternative.is(TomlNode::Kind::array);
+  for (const TomlValue& value : many ? alternative.values() : std::vector<TomlValue>{alternative}) {
+    if (const std::optional<Knife> knife = read_knife(value, folder)) knives.push_back(*knife);
+  }
+  return knives;
+}
+
+class BatchReader {
+ public:
+  BatchReader(std::string_view toml, const std::string& file) : document_(toml, file), file_(file) {}
+
+  BatchDescription read() {
+    const TomlTable root = document_.root();
+    const TomlTable table = root.need("batch").table();
+    batch_.file = file_;
+    table.need("format").integer(1, 1, 1);
+    batch_.name = read_plain_name(table.need("name"));
+    batch_.title = table.get("title").text(batch_.name);
+    batch_.seed = static_cast<std::uint64_t>(table.get("seed").integer(0, 0, largest_seed));
+    const AssetOptions usual = read_assets(table, {});
+
+    const std::vector<TomlTable> entries = root.need("entry").tables(most_batch_entries);
+    if (root.has("entry") && entries.empty()) root.get("entry").error("is empty", "say what to make: [[entry]]");
+    for (const TomlTable& entry : entries) batch_.entries.push_back(read_entry(entry, usual));
+    document_.throw_if_any();
+    return std::move(batch_);
+  }
+
+ private:
+  BatchEntry read_entry(const TomlTable& unnamed, const AssetOptions& usual) {
+    // Messages call the entry by its name, which no other entry may have.
+    BatchEntry entry;
+    const TomlTable table = unnamed.called("entry \"" + unnamed.get("name").text() + "\"");
+    const TomlValue name = table.need("name");
+    entry.name = read_plain_name(name);
+    entry.place = name.place();
+    for (const BatchEntry& other : batch_.entries) {
+      if (other.name == entry.name && !entry.name.empty())
+        name.error("\"" + entry.name + "\" is there already", "give it a name of its own");
+    }
+
+    // Which fruit, and which individuals of it.
+    read_templates(table, entry);
+    read_variants(table, entry);
+    read_list(table.get("folds"), entry.folds,
+              [](const TomlValue& value) { return std::optional(value.integer(1, 1, 64)); });
+    read_list(table.get("ripeness"), entry.ripeness, [](const TomlValue& value) {
+      return std::optional(value.number(1, {0, 2}));
+    });
+
+    // What happens to it, and what is written.
+    read_list(table.get("browning"), entry.browning, [](const TomlValue& value) { return value.number(0, {0, 1}); });
+    const std::vector<TomlValue> alternatives = one_or_many(table.get("knives"));
+    if (!alternatives.empty()) entry.knives.clear();
+    for (const TomlValue& alternative : alternatives)
+      entry.knives.push_back(read_knives(alternative, std::filesystem::path(file_).parent_path()));
+    entry.assets = read_assets(table, usual);
+    return entry;
+  }
+
+  void read_templates(const TomlTable& table, BatchEntry& entry) {
+    const TomlValue wanted = table.need("templates");
+    entry.all_templates = wanted.is(TomlNode::Kind::string) && wanted.text() == "all";
+    if (entry.all_templates) return;
+    for (const TomlValue& value : one_or_many(wanted)) {
+      const std::string name = value.text();
+      const auto is_known = [&](const TemplateWanted& other) { return other.name == name; };
+      if (value.is(TomlNode::Kind::string) && name.empty()) value.error("is empty");
+      if (std::any_of(entry.templates.begin(), entry.templates.end(), is_known))
+        value.error("\"" + name + "\" is there already", "leave one of them out");
+      entry.templates.push_back({name, value.place()});
+    }
+  }
+
+  void read_variants(const TomlTable& table, BatchEntry& entry) {
+    read_list(table.get("seeds"), entry.seeds,
+              [](const TomlValue& value) { return static_cast<std::uint64_t>(value.integer(0, 0, largest_seed)); });
+    entry.count = table.get("count").integer(0, 1, most_batch_items);
+    entry.total = table.get("total").integer(0, 1, most_batch_items);
+    const int given = (table.has("seeds") ? 1 : 0) + (table.has("count") ? 1 : 0) + (table.has("total") ? 1 : 0);
+    if (given != 1)
+      table.error("needs \"seeds\", \"count\" or \"total\", and one of them alone",
+                  "count = 10 is ten new variants of each template, total = 10 ten of all templates in turn");
+  }
+
+  TomlDocument document_;
+  std::string file_;
+  BatchDescription batch_;
+};
+
+}  // namespace
+
+const char* name_of(AssetFormat format) {
+  constexpr const char* names[] = {"glb", "ply", "pov", "svg"};
+  return names[static_cast<std::size_t>(format)];
+}
+
+const char* name_of(Quality quality) {
+  constexpr const char* names[] = {"draft", "final", "reference"};
+  return names[static_cast<std::size_t>(quality)];
+}
+
+BatchDescription parse_batch(std::string_view toml, const std::string& file) { return BatchReader(toml, file).read(); }
+
+BatchDescription read_batch(const std::filesystem::path& file) {
+  return parse_batch(read_toml_text(file), file.string());
+}
+
+bool is_batch_file(const std::filesystem::path& file) {
+  if (file.extension() != ".toml") return false;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    line.erase(0, line.find_first_not_of(" \t"));
+    if (line.starts_with("[batch]") || line.starts_with("[[entry]]")) return true;
+  }
+  return false;
+}
+
+}  // namespace pomona

@@ -1,0 +1,77 @@
+// Batch files: which fruit, how many, cut how, written as what. Read like templates, with the same kind of errors.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/base/error.h"
+#include "generator/diffusion/diffuser.h"
+#include "generator/knife/knife.h"
+
+namespace pomona {
+
+/// The files of an item.
+enum class AssetFormat { glb, ply, pov, svg };
+
+/// As files' endings and batch files say it: "glb".
+const char* name_of(AssetFormat format);
+const char* name_of(Quality quality);
+
+struct TemplateWanted {
+  std::string name;
+  SourcePlace place;
+};
+
+/// How finely an item is made, and as what; what [batch] says holds for all entries that say nothing else.
+struct AssetOptions {
+  std::vector<AssetFormat> formats{AssetFormat::glb};  ///< a file of each
+  std::vector<Quality> qualities{Quality::draft};
+  std::vector<int> textures{0};  ///< texels along a texture's edge; 0 = colours on vertices
+  std::vector<int> lods{0};      ///< further levels of detail
+  double detail = 1;             ///< see SweepOptions
+  double variation = 1;          ///< 0..2, see VariationOptions::amount
+  int thumbnail = 0;             ///< pixels along its edge; 0 = none
+  bool thumbnail_on_paper = false;
+};
+
+/// Everything that is a list multiplies, but for the formats.
+struct BatchEntry {
+  std::string name;
+  SourcePlace place;
+  bool all_templates = false;
+  std::vector<TemplateWanted> templates;
+
+  // One of the three says which variants.
+  std::vector<std::uint64_t> seeds;  ///< these of each template, as on the command line
+  int count = 0;                     ///< so many new ones of each template
+  int total = 0;                     ///< so many new ones, of the templates in turn
+
+  // Empty optionals are what the variant draws or has.
+  std::vector<std::optional<int>> folds{std::nullopt};
+  std::vector<std::optional<double>> ripeness{std::nullopt};
+  std::vector<double> browning{0};
+  std::vector<std::vector<Knife>> knives{{}};  ///< alternatives, each of knives that cut one after another
+  AssetOptions assets;
+};
+
+struct BatchDescription {
+  std::string file;  ///< for messages
+  std::string name, title;
+  std::uint64_t seed = 0;
+  std::vector<BatchEntry> entries;
+};
+
+/// \throws Error (bad_data) with all that is wrong, unknown keys included, ordered by position.
+BatchDescription parse_batch(std::string_view toml, const std::string& file);
+
+/// The same from disk. \throws Error (input_missing) if it cannot be read.
+BatchDescription read_batch(const std::filesystem::path& file);
+
+/// True for a .toml file with a table [batch] or an [[entry]]: a batch, no scene and no template.
+bool is_batch_file(const std::filesystem::path& file);
+
+}  // namespace pomona

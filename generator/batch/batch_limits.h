@@ -1,0 +1,11 @@
+// How large a batch may be.
+#pragma once
+
+#include <cstddef>
+
+namespace pomona {
+
+constexpr int most_batch_items = 10'000'000;
+constexpr std::size_t most_batch_entries = 1000;
+
+}  // namespace pomona

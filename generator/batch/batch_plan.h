@@ -1,0 +1,81 @@
+// A batch ready to be made: its templates read, its lists multiplied. Items are not stored; each is worked out from its
+// number, so that ten million of them cost nothing.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/batch/batch_file.h"
+#include "generator/template/template.h"
+#include "generator/variation/variation.h"
+
+namespace pomona {
+
+struct PlannedTemplate {
+  std::string name;    ///< without folder and ending
+  std::string sha256;  ///< of its file and of all files that it names
+  Template fruit;
+};
+
+/// An entry whose templates have been found.
+struct PlannedEntry {
+  BatchEntry wanted;
+  std::vector<std::size_t> templates;   ///< indices into BatchPlan::templates
+  std::int64_t variants = 0;            ///< individuals to grow
+  std::int64_t items_of_a_variant = 0;  ///< each individual is cut, browned and written in so many ways
+  std::int64_t items() const { return variants * items_of_a_variant; }
+};
+
+struct BatchPlan {
+  BatchDescription batch;
+  std::vector<PlannedTemplate> templates;  ///< each once
+  std::vector<PlannedEntry> entries;
+  std::int64_t variants() const;
+  std::int64_t items() const;
+};
+
+/// Where templates are found: as on the command line.
+struct TemplateSource {
+  std::function<std::filesystem::path(const std::string&)> find;
+  std::function<std::vector<std::filesystem::path>()> all;
+};
+
+/// \throws Error (bad_data) with the entry's place if there are more than most_batch_items, or if a template does not
+/// have what the entry asks of it; (input_missing) with the place of a name that is no template.
+BatchPlan planned(BatchDescription batch, const TemplateSource& source);
+
+/// One individual of an entry: grown once, whatever is then done to it.
+struct BatchVariant {
+  std::size_t entry = 0;
+  std::int64_t number = 0;  ///< within the entry, from 0
+  std::size_t fruit = 0;    ///< index into BatchPlan::templates
+  std::uint64_t seed = 0;   ///< as `pomona cut --seed` takes it; 0 = as drawn. New ones have at most 53 bits
+  std::optional<int> folds;
+  std::optional<double> ripeness;
+};
+
+/// \param index 0 up to BatchPlan::variants(), over all entries in their order.
+BatchVariant variant_at(const BatchPlan& plan, std::int64_t index);
+
+/// One item: a folder of files.
+struct BatchItem {
+  std::int64_t number = 0;  ///< within the entry, from 0
+  std::size_t knives = 0;   ///< index into BatchEntry::knives
+  double browning = 0;
+  Quality quality = Quality::draft;
+  int texture = 0, lod = 0;
+};
+
+/// The items of a variant, in their order.
+std::vector<BatchItem> items_of(const PlannedEntry& entry, const BatchVariant& variant);
+
+/// Where an item lies within the folder of an entry with so many: "042", or "012/042" among more than a thousand. No
+/// folder has more than a thousand.
+std::string item_folder(std::int64_t items, std::int64_t number);
+
+}  // namespace pomona

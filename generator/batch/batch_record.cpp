@@ -1,0 +1,156 @@
+#include "generator/batch/batch_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "generator/base/sha256.h"
+#include "generator/batch/batch_limits.h"
+#include "generator/scene/json_node.h"
+
+namespace pomona {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// Absent values become null.
+template <typename Value>
+Json list_of(const std::vector<std::optional<Value>>& values) {
+  Json list = Json::array();
+  for (const std::optional<Value>& value : values) list.push_back(value ? Json(*value) : Json(nullptr));
+  return list;
+}
+
+template <typename Named>
+Json names_of(const std::vector<Named>& values) {
+  Json list = Json::array();
+  for (const Named value : values) list.push_back(name_of(value));
+  return list;
+}
+
+Json knives_of(const BatchEntry& entry) {
+  Json alternatives = Json::array();
+  for (const std::vector<Knife>& knives : entry.knives) {
+    Json texts = Json::array();
+    for (const Knife& knife : knives) texts.push_back(knife.text);
+    alternatives.push_back(texts);
+  }
+  return alternatives;
+}
+
+Json entry_of(const BatchPlan& plan, const PlannedEntry& entry) {
+  const BatchEntry& wanted = entry.wanted;
+  const AssetOptions& assets = wanted.assets;
+  Json json = {{"name", wanted.name}, {"items", entry.items()}, {"templates", Json::array()}};
+  for (const std::size_t index : entry.templates) json["templates"].push_back(plan.templates[index].name);
+
+  // Which variants ...
+  if (!wanted.seeds.empty()) json["seeds"] = wanted.seeds;
+  if (wanted.count > 0) json["count"] = wanted.count;
+  if (wanted.total > 0) json["total"] = wanted.total;
+  json["folds"] = list_of(wanted.folds);
+  json["ripeness"] = list_of(wanted.ripeness);
+
+  // ... and what becomes of them.
+  json["browning"] = wanted.browning;
+  json["knives"] = knives_of(wanted);
+  json["formats"] = names_of(assets.formats);
+  json["quality"] = names_of(assets.qualities);
+  json["texture"] = assets.textures;
+  json["lod"] = assets.lods;
+  json["detail"] = assets.detail;
+  json["variation"] = assets.variation;
+  json["thumbnail"] = assets.thumbnail;
+  json["thumbnail_ground"] = assets.thumbnail_on_paper ? "paper" : "transparent";
+  return json;
+}
+
+/// The files that knives name ("stroke:strokes.svg#wave"), from the batch's folder, sorted by name.
+std::map<std::string, std::string> drawings_of(const BatchDescription& batch) {
+  std::map<std::string, std::string> drawings;
+  for (const BatchEntry& entry : batch.entries) {
+    for (const std::vector<Knife>& knives : entry.knives) {
+      for (const Knife& knife : knives) {
+        const std::size_t begin = knife.text.find(':') + 1, end = knife.text.find('#');
+        if (begin == 0 || end == std::string::npos || end < begin) continue;
+        const std::string name = knife.text.substr(begin, end - begin);
+        std::ifstream stream(fs::path(batch.file).parent_path() / name, std::ios::binary);
+        drawings[name] = sha256(std::string(std::istreambuf_iterator<char>(stream), {}));
+      }
+    }
+  }
+  return drawings;
+}
+
+[[noreturn]] void fail(const SourcePlace& place, const std::string& message) {
+  throw Error(ExitStatus::bad_data, {{place, message, "pomona wrote this file; make the batch again"}});
+}
+
+std::string text_at(const JsonNode& node, std::string_view key) {
+  const JsonNode& value = node.need(key);
+  if (value.kind != JsonNode::Kind::string) fail(value.place, "should be a text");
+  return value.text;
+}
+
+double number_at(const JsonNode& node, std::string_view key, double most) {
+  const JsonNode& value = node.need(key);
+  const bool is_whole = value.kind == JsonNode::Kind::number && value.number == std::floor(value.number);
+  if (!is_whole || value.number < 0 || value.number > most) fail(value.place, "should be a whole number");
+  return value.number;
+}
+
+}  // namespace
+
+std::string batch_record(const BatchPlan& plan, const std::string& program) {
+  const BatchDescription& batch = plan.batch;
+  Json json = {{"format", 1},
+               {"program", program},
+               {"name", batch.name},
+               {"title", batch.title},
+               {"seed", batch.seed},
+               {"items", plan.items()},
+               {"templates", Json::array()},
+               {"drawings", Json::array()},
+               {"entries", Json::array()}};
+  for (const PlannedTemplate& fruit : plan.templates)
+    json["templates"].push_back({{"name", fruit.name}, {"sha256", fruit.sha256}});
+  for (const auto& [file, hash] : drawings_of(batch)) json["drawings"].push_back({{"file", file}, {"sha256", hash}});
+  for (const PlannedEntry& entry : plan.entries) json["entries"].push_back(entry_of(plan, entry));
+  return json.dump(1) + "\n";
+}
+
+std::int64_t RecordedBatch::items() const {
+  std::int64_t sum = 0;
+  for (const RecordedEntry& entry : entries) sum += entry.items;
+  return sum;
+}
+
+RecordedBatch parse_batch_record(const std::string& json, const std::string& file) {
+  const JsonNode root = parse_json(json, file);
+  number_at(root, "format", 1);
+  RecordedBatch batch{.program = text_at(root, "program"),
+                      .name = text_at(root, "name"),
+                      .title = text_at(root, "title"),
+                      .seed = static_cast<std::uint64_t>(number_at(root, "seed", 0x1p53)),
+                      .entries = {}};
+  const JsonNode& entries = root.need("entries");
+  if (entries.kind != JsonNode::Kind::array || entries.items.size() > most_batch_entries)
+    fail(entries.place, "should be a list of entries");
+  for (const JsonNode& entry : entries.items) {
+    // A name becomes a folder's: it must not lead elsewhere.
+    const std::string name = text_at(entry, "name");
+    const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
+    if (name.empty() || !std::all_of(name.begin(), name.end(), plain)) fail(entry.place, "has no plain name");
+    batch.entries.push_back({name, static_cast<std::int64_t>(number_at(entry, "items", most_batch_items))});
+  }
+  if (batch.items() > most_batch_items) fail(entries.place, "has too many items");
+  return batch;
+}
+
+}  // namespace pomona

@@ -1,0 +1,31 @@
+// batch.json: what a batch's folder says of the batch it holds. Two batches with the same record make the same bytes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "generator/batch/batch_plan.h"
+
+namespace pomona {
+
+/// Everything that the items' bytes depend on, as JSON. \param program "pomona 0.2.0".
+std::string batch_record(const BatchPlan& plan, const std::string& program);
+
+/// What is read back, so that a folder can be merged without its batch file.
+struct RecordedEntry {
+  std::string name;
+  std::int64_t items = 0;
+};
+struct RecordedBatch {
+  std::string program, name, title;
+  std::uint64_t seed = 0;
+  std::vector<RecordedEntry> entries;
+  std::int64_t items() const;
+};
+
+/// \throws Error (bad_data) with line and column if it is no record.
+RecordedBatch parse_batch_record(const std::string& json, const std::string& file);
+
+}  // namespace pomona

@@ -1,0 +1,114 @@
+#include "generator/batch/item_record.h"
+
+#include <nlohmann/json.hpp>
+
+#include "generator/base/error.h"
+#include "generator/piece/piece_facts.h"
+#include "generator/scene/json_node.h"
+
+namespace pomona {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numbers(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json piece_of(const Solid& solid) {
+  const PieceFacts facts = facts_of(solid);
+  return {{"name", solid.name},           {"volume", facts.volume},
+          {"mass", facts.mass},           {"center", numbers(facts.center)},
+          {"low", numbers(facts.low)},    {"high", numbers(facts.high)},
+          {"triangles", facts.triangles}, {"closed", solid.closed},
+          {"crumb", solid.crumb}};
+}
+
+/// What made the item: enough to make it again by hand with `pomona cut`.
+Json recipe(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item) {
+  const PlannedEntry& entry = plan.entries[variant.entry];
+  const PlannedTemplate& fruit = plan.templates[variant.fruit];
+  Json json = {{"item", entry.wanted.name + "/" + item_folder(entry.items(), item.number)},
+               {"entry", entry.wanted.name},
+               {"number", item.number},
+               {"template", fruit.name},
+               {"template_sha256", fruit.sha256},
+               {"seed", variant.seed}};
+  if (variant.folds) json["folds"] = *variant.folds;
+  if (variant.ripeness) json["ripeness"] = *variant.ripeness;
+  json["knives"] = Json::array();
+  for (const Knife& knife : entry.wanted.knives[item.knives]) json["knives"].push_back(knife.text);
+  if (item.browning > 0) json["browning"] = item.browning;
+  json["quality"] = name_of(item.quality);
+  if (item.texture > 0) json["texture"] = item.texture;
+  if (item.lod > 0) json["lod"] = item.lod;
+  return json;
+}
+
+const JsonNode* find(const JsonNode& node, std::string_view key) {
+  for (std::size_t i = 0; i < node.keys.size(); ++i)
+    if (node.keys[i] == key) return &node.items[i];
+  return nullptr;
+}
+
+[[noreturn]] void fail(const SourcePlace& place, const std::string& message) {
+  throw Error(ExitStatus::bad_data, {{place, message, "remove the item's folder, and go on with --resume"}});
+}
+
+std::string text_at(const JsonNode& node, std::string_view key) {
+  const JsonNode& value = node.need(key);
+  if (value.kind != JsonNode::Kind::string) fail(value.place, "should be a text");
+  return value.text;
+}
+
+double number_at(const JsonNode& node, std::string_view key) {
+  const JsonNode& value = node.need(key);
+  if (value.kind != JsonNode::Kind::number) fail(value.place, "should be a number");
+  return value.number;
+}
+
+/// Sizes and numbers that may be cast: whole, from 0 to what a double holds exactly.
+std::uint64_t whole_at(const JsonNode& node, std::string_view key) {
+  const double value = number_at(node, key);
+  if (!(value >= 0 && value <= 0x1p53)) fail(node.need(key).place, "should be a whole number");
+  return static_cast<std::uint64_t>(value);
+}
+
+RecordedFile file_of(const JsonNode& node) {
+  RecordedFile file{text_at(node, "name"), whole_at(node, "bytes"), text_at(node, "sha256")};
+  const bool leads_elsewhere =
+      file.name.empty() || file.name.front() == '.' || file.name.find('/') != std::string::npos;
+  if (leads_elsewhere) fail(node.place, "has no plain name");
+  return file;
+}
+
+}  // namespace
+
+std::string item_record(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item,
+                        const ItemOutcome& outcome) {
+  Json json = recipe(plan, variant, item);
+  if (!outcome.error.empty()) json["error"] = outcome.error;
+  json["pieces"] = Json::array();
+  for (const Solid& solid : outcome.pieces) json["pieces"].push_back(piece_of(solid));
+  json["warnings"] = outcome.warnings;
+  json["files"] = Json::array();
+  for (const RecordedFile& file : outcome.files)
+    json["files"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+RecordedItem parse_item_record(const std::string& json, const std::string& file) {
+  const JsonNode root = parse_json(json, file);
+  RecordedItem item{.item = text_at(root, "item"),
+                    .template_name = text_at(root, "template"),
+                    .seed = whole_at(root, "seed"),
+                    .knives = {},
+                    .files = {},
+                    .error = find(root, "error") ? text_at(root, "error") : std::string()};
+  for (const JsonNode& knife : root.need("knives").items) item.knives += (item.knives.empty() ? "" : " ") + knife.text;
+  for (const JsonNode& piece : root.need("pieces").items) item.volume += number_at(piece, "volume");
+  item.pieces = root.need("pieces").items.size();
+  for (const JsonNode& node : root.need("files").items) item.files.push_back(file_of(node));
+  return item;
+}
+
+}  // namespace pomona

@@ -1,0 +1,47 @@
+// item.json: what there is to know of one item. It lies in the item's folder; a batch's manifest is all of them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "generator/batch/batch_plan.h"
+#include "generator/piece/solid.h"
+
+namespace pomona {
+
+struct RecordedFile {
+  std::string name;
+  std::uint64_t bytes = 0;
+  std::string sha256;
+};
+
+/// What came of an item: its pieces and files, or why there are none.
+struct ItemOutcome {
+  std::span<const Solid> pieces = {};
+  std::vector<RecordedFile> files = {};
+  std::vector<std::string> warnings = {};
+  std::string error = {};
+};
+
+/// One line of JSON, with a line break.
+std::string item_record(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item,
+                        const ItemOutcome& outcome);
+
+/// What is read back of it.
+struct RecordedItem {
+  std::string item;  ///< its folder: "halves/042"
+  std::string template_name;
+  std::uint64_t seed = 0;
+  std::string knives;  ///< parted by spaces
+  std::size_t pieces = 0;
+  double volume = 0;  ///< of all pieces, cubic metres
+  std::vector<RecordedFile> files;
+  std::string error;
+};
+
+/// \throws Error (bad_data) with line and column if it is no record.
+RecordedItem parse_item_record(const std::string& json, const std::string& file);
+
+}  // namespace pomona

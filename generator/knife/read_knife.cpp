@@ -1,0 +1,21 @@
+#include "generator/knife/read_knife.h"
+
+#include "generator/knife/parse_knife.h"
+
+namespace pomona {
+
+std::optional<Knife> read_knife(const TomlValue& value, const std::filesystem::path& folder) {
+  const std::string text = value.text();
+  if (!value.is(TomlNode::Kind::string)) return {};
+  try {
+    return parse_knife(text, folder);
+  } catch (const Error& error) {
+    // A drawing may be wrong in a file of its own.
+    const Diagnostic& what = error.diagnostics().front();
+    const bool elsewhere = !what.place.file.empty();
+    value.error(elsewhere ? to_string({what.place, what.message, {}}) : what.message, what.hint);
+    return {};
+  }
+}
+
+}  // namespace pomona

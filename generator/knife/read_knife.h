@@ -1,0 +1,16 @@
+// A knife as a scene or a batch file names it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "generator/knife/knife.h"
+#include "generator/template/read/toml_document.h"
+
+namespace pomona {
+
+/// As parse_knife() reads it; what is wrong with it is noted at the value, and nothing comes back. Files that knives
+/// name are looked for from `folder`.
+std::optional<Knife> read_knife(const TomlValue& value, const std::filesystem::path& folder);
+
+}  // namespace pomona

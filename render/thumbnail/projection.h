@@ -1,0 +1,31 @@
+// Where a scene's points come to lie on a square picture.
+#pragma once
+
+#include "generator/scene/scene.h"
+#include "render/picture/view_frame.h"
+
+namespace pomona {
+
+/// On the picture; `nearness` is one over the distance along the line of sight, larger for what is nearer. Linear on
+/// the picture across a triangle.
+struct ProjectedPoint {
+  double x = 0, y = 0;  ///< samples, from the upper left
+  double nearness = 0;  ///< per metre
+};
+
+class Projection {
+ public:
+  /// \param side of the picture, samples.
+  Projection(const View& view, int side);
+
+  ProjectedPoint operator()(const glm::dvec3& point) const;
+  const ViewFrame& frame() const { return frame_; }
+
+ private:
+  ViewFrame frame_;
+  glm::dvec3 eye_;
+  double middle_;  ///< samples
+  double scale_;   ///< samples per unit of slope
+};
+
+}  // namespace pomona

@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""How fast batches are made: items in a second on 1 and 2 threads, processor time for each, and memory. New variants of all
+templates in turn, halved, at draft, as .glb with vertex colours and a thumbnail of 256 pixels.
+
+    measure_batch.py PROGRAM [ITEMS ...]      10, 100 and 1000 of them unless said
+"""
+
+import os
+import pathlib
+import sys
+import tempfile
+import time
+
+BATCH = """
+[batch]
+format = 1
+name = "bench"
+seed = 1
+
+[[entry]]
+name = "halves"
+templates = "all"
+total = {items}
+knives = "half"
+formats = "glb"
+thumbnail = 256
+"""
+
+
+def measured(words):
+    """Seconds by the clock, seconds of the processor, and the most memory (MB) of a program."""
+    began = time.monotonic()
+    child = os.spawnv(os.P_NOWAIT, words[0], words)
+    _, status, usage = os.wait4(child, 0)
+    if status != 0:
+        sys.exit(f"measure_batch: error: {' '.join(words)} ended with {status}")
+    return time.monotonic() - began, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+def main():
+    program = str(pathlib.Path(sys.argv[1]).resolve())
+    sizes = [int(word) for word in sys.argv[2:]] or [10, 100, 1000]
+    print("| items | threads | time | items a second | processor time of an item | memory |")
+    print("|--:|--:|--:|--:|--:|--:|")
+    for items in sizes:
+        for threads in (1, 2):
+            with tempfile.TemporaryDirectory(prefix="pomona-batch-") as folder:
+                file = pathlib.Path(folder, "bench.toml")
+                file.write_text(BATCH.format(items=items))
+                words = [program, "batch", str(file), "-o", f"{folder}/out", "--threads", str(threads), "--quiet"]
+                seconds, processor, memory = measured(words)
+            print(f"| {items} | {threads} | {seconds:.1f} s | {items / seconds:.2f} | {1000 * processor / items:.0f} ms | "
+                  f"{memory:.0f} MB |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
