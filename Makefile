@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench batch-bench batch-stops hashes install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench batch-bench batch-scale batch-stops hashes install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -123,6 +123,9 @@ bench: .bench ## everything that measures, built into build/bench; runs the kern
 
 batch-bench: build ## how many items a batch makes in a second, on 1 and 2 threads, and how much memory: 10, 100 and 1000 of them
 	@scripts/measure_batch.py build/pomona
+
+batch-scale: build ## what a hundred thousand items cost beside the making: bytes, manifest, merge, status
+	@scripts/many_items.py build/pomona out/many_items 100000
 
 batch-stops: ## a batch killed 500 times, at random moments and at every k-th call; each time it goes on to the same bytes
 	@scripts/setup.sh build test bench

@@ -30,6 +30,13 @@ struct BatchCommand {
   int threads = 0;
 };
 
+bool holds_anything(const fs::path& folder) {
+  std::error_code failed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed))
+    if (entry.path().filename() != ".pomona") return true;
+  return false;
+}
+
 /// A folder that holds anything but this very batch is not touched.
 void check_folder_of(const fs::path& folder, const std::string& record, bool resume, const BatchPlan& plan,
                      const Shard& shard) {
@@ -40,13 +47,14 @@ void check_folder_of(const fs::path& folder, const std::string& record, bool res
   };
   if (!fs::is_directory(folder, failed)) refuse("is no folder", "");
 
-  // Another batch, or something else altogether.
-  const std::string there = batch_record_in(folder);
-  if (there.empty()) {
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed))
-      if (entry.path().filename() != ".pomona") refuse("is not empty, and holds no batch", "name a folder of its own");
-    return;
+  // Another batch, or something else altogether. A shard that begins at the same time may write batch.json between two
+  // looks, but nothing before it.
+  std::string there = batch_record_in(folder);
+  if (there.empty() && holds_anything(folder)) {
+    there = batch_record_in(folder);
+    if (there.empty()) refuse("is not empty, and holds no batch", "name a folder of its own");
   }
+  if (there.empty()) return;
   if (there != record) refuse("holds " + difference(there, record), "name another folder, or remove this one");
   if (!resume && has_any_item(plan, folder, shard))
     refuse("holds items of this batch already", "--resume keeps them and makes what is missing");

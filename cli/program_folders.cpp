@@ -20,7 +20,12 @@ std::vector<fs::path> candidates(const std::string& kind) {
   return folders;
 }
 
-/// The running file; where /proc is not mounted (a bare chroot), by what it was started as.
+bool is_path(const std::string& text) {
+  return text.find('/') != std::string::npos || text.ends_with(".toml") || text.ends_with(".ply");
+}
+
+}  // namespace
+
 fs::path this_program() {
   std::error_code failed;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed);
@@ -28,12 +33,6 @@ fs::path this_program() {
   const auto* started_as = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
   return started_as != nullptr ? fs::weakly_canonical(started_as, failed) : fs::path();
 }
-
-bool is_path(const std::string& text) {
-  return text.find('/') != std::string::npos || text.ends_with(".toml") || text.ends_with(".ply");
-}
-
-}  // namespace
 
 std::vector<fs::path> program_folders(const std::string& kind) {
   const fs::path root = this_program().parent_path().parent_path();

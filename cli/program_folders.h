@@ -7,6 +7,9 @@
 
 namespace pomona {
 
+/// The running program's file; where /proc is not mounted (a bare chroot), by what it was started as.
+std::filesystem::path this_program();
+
 /// build/pomona lies beside templates/; an installed bin/pomona beside share/pomona/templates. Whether they are there
 /// is not looked at.
 /// \param kind "templates", "scenes" or "styles"

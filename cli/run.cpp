@@ -44,7 +44,11 @@ std::vector<std::string> option_names(const CLI::App& app) {
 /// What to say after a parse error: the nearest option for a mistyped one, and where help is.
 std::string hint_for(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const CLI::App* asked = &app;
-  for (const CLI::App* sub : app.get_subcommands()) asked = sub;
+  std::string words = "pomona";
+  while (!asked->get_subcommands().empty()) {
+    asked = asked->get_subcommands().back();
+    words += " " + asked->get_name();
+  }
   std::string hint;
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const std::vector<std::string> known = option_names(*asked);
@@ -54,7 +58,7 @@ std::string hint_for(const CLI::App& app, const CLI::ParseError& error, int argc
       if (const auto near = nearest_name(word, known)) hint = "did you mean " + *near + "? ";
     }
   }
-  return hint + "see `" + (asked == &app ? "pomona" : "pomona " + asked->get_name()) + " -h`";
+  return hint + "see `" + words + " -h`";
 }
 
 /// A first word that is no command is told as such; CLI11 only says that a subcommand is missing.

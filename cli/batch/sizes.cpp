@@ -12,8 +12,6 @@ namespace pomona {
 
 namespace {
 
-constexpr int most_shards = 1'000'000;
-
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -24,7 +24,7 @@ std::string values_of(const TypedCommand& command) {
   for (const TypedOption& option : command.options) {
     if (option.names.empty() || option.value.empty()) continue;
     std::string pattern;
-    for (const std::string& name : option.names) pattern += (pattern.empty() ? "" : "|") + command.name + name;
+    for (const std::string& name : option.names) pattern += (pattern.empty() ? "'" : "|'") + command.name + "'" + name;
     text += branch(pattern, option);
   }
   return text;
@@ -38,9 +38,11 @@ std::string names_of(const TypedCommand& command) {
 
 /// What stands where no option's value does: an option, or a word known by its place.
 std::string places_of(const TypedCommand& command) {
-  std::string text = "    " + command.name + "-*) words='" + names_of(command) + "' ;;\n";
+  const std::string name = "'" + command.name + "'";
+  if (!command.parts.empty()) return "    '" + command.name + " '*) words='" + joined(command.parts) + "' ;;\n";
+  const std::string text = "    " + name + "-*) words='" + names_of(command) + "' ;;\n";
   for (const TypedOption& option : command.options) {
-    if (option.names.empty()) return text + branch(command.name + "*", option);
+    if (option.names.empty()) return text + branch(name + "*", option);
   }
   return text;
 }
@@ -52,7 +54,7 @@ _pomona() {
   # bash takes "--view=top" for three words.
   if [[ $word == = ]]; then word=''; elif [[ $before == = ]]; then before=${COMP_WORDS[COMP_CWORD-2]}; fi
   for ((i = 1; i < COMP_CWORD; ++i)); do
-    case ${COMP_WORDS[i]} in
+    case $command${COMP_WORDS[i]} in
 )";
 
 constexpr const char* middle = R"(    esac
@@ -77,14 +79,20 @@ complete -F _pomona pomona
 std::string bash_completion(std::span<const TypedCommand> commands) {
   const TypedCommand& program = commands.front();
   std::vector<std::string> names;
-  for (const TypedCommand& command : commands.subspan(1)) names.push_back(command.name);
-
   std::string text = begin;
-  for (const std::string& name : names) text += "      " + name + ") command=" + name + "; break ;;\n";
+  for (const TypedCommand& command : commands.subspan(1)) {
+    if (!is_part(command)) names.push_back(command.name);
+    const bool goes_on = !command.parts.empty();
+    text += "      '" + command.name + "') command='" + command.name + (goes_on ? " ' ;;\n" : "'; break ;;\n");
+  }
   text += middle;
   for (const TypedCommand& command : commands.subspan(1)) text += values_of(command);
   text += between_cases;
-  for (const TypedCommand& command : commands.subspan(1)) text += places_of(command);
+  // A part's name begins with the whole's: parts are asked for first.
+  for (const TypedCommand& command : commands.subspan(1))
+    if (command.parts.empty()) text += places_of(command);
+  for (const TypedCommand& command : commands.subspan(1))
+    if (!command.parts.empty()) text += places_of(command);
   return text + "    *) words='" + joined(names) + " " + names_of(program) + "' ;;\n" + end;
 }
 

@@ -54,8 +54,8 @@ TypedOption typed_option(const CLI::Option& declared) {
   return option;
 }
 
-TypedCommand typed_command(const CLI::App& app) {
-  TypedCommand command{app.get_name(), app.get_description(), {}, app.get_footer()};
+TypedCommand typed_command(const CLI::App& app, const std::string& before = "") {
+  TypedCommand command{before + app.get_name(), app.get_description(), {}, app.get_footer()};
   for (const CLI::Option* option : app.get_options()) command.options.push_back(typed_option(*option));
   return command;
 }
@@ -64,9 +64,18 @@ TypedCommand typed_command(const CLI::App& app) {
 
 std::vector<TypedCommand> command_line(const CLI::App& app) {
   std::vector<TypedCommand> commands = {typed_command(app)};
-  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(typed_command(*command));
+  for (const CLI::App* command : app.get_subcommands({})) {
+    const std::size_t whole = commands.size();
+    commands.push_back(typed_command(*command));
+    for (const CLI::App* part : command->get_subcommands({})) {
+      commands[whole].parts.push_back(part->get_name());
+      commands.push_back(typed_command(*part, command->get_name() + " "));
+    }
+  }
   return commands;
 }
+
+bool is_part(const TypedCommand& command) { return command.name.find(' ') != std::string::npos; }
 
 bool takes_files(const TypedOption& option) {
   static constexpr std::array kinds = {"FILE",      "TEMPLATE", "SCENE", "BATCH", "STYLE",

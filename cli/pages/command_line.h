@@ -22,14 +22,18 @@ struct TypedOption {
 };
 
 struct TypedCommand {
-  std::string name;
+  std::string name;  ///< "cut"; of a command within another, both: "farm slurm"
   std::string help;
   std::vector<TypedOption> options;
-  std::string more;  ///< what its help ends with, line by line: the knives
+  std::string more;                     ///< what its help ends with, line by line: the knives
+  std::vector<std::string> parts = {};  ///< last words of the commands within it, one of which must follow
 };
 
-/// The program itself, whose options stand before any command, and after it the commands.
+/// The program itself, whose options stand before any command, and after it the commands, each before those within it.
 std::vector<TypedCommand> command_line(const CLI::App& app);
+
+/// Whether it stands within another: its name has two words.
+bool is_part(const TypedCommand& command);
 
 /// Whether the name of an existing or new file may follow.
 bool takes_files(const TypedOption& option);

@@ -90,7 +90,8 @@ std::string manual_page(std::span<const TypedCommand> commands, const std::strin
   const TypedCommand& program = commands.front();
   std::string page = ".TH POMONA 1 \"\" \"pomona " + version + "\" \"User Commands\"\n";
   page += ".SH NAME\npomona \\- grows fruit and vegetables that can be cut anywhere\n.SH SYNOPSIS\n";
-  for (const TypedCommand& command : commands.subspan(1)) page += synopsis(command);
+  for (const TypedCommand& command : commands.subspan(1))
+    if (command.parts.empty()) page += synopsis(command);
   page += ".SH DESCRIPTION\n" + escaped(program.help) + "\n";
   for (const TypedOption& option : program.options) page += option_entry(option);
   for (const TypedCommand& command : commands.subspan(1)) {

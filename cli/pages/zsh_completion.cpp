@@ -61,6 +61,19 @@ std::string knives_function(std::span<const TypedCommand> commands) {
   return "_pomona_knives() {\n  compadd -S '' --" + words + "\n}\n";
 }
 
+/// A command of parts: which of them, and then what that takes.
+std::string parts_of(const TypedCommand& whole, std::span<const TypedCommand> commands) {
+  std::string text = "_arguments -C '1:command:(", names;
+  for (const std::string& part : whole.parts) names += (names.empty() ? "" : " ") + part;
+  text += names + ")' '*:: :->part'\n      [[ $state == part ]] && case $words[1] in\n";
+  for (const TypedCommand& command : commands) {
+    if (!command.name.starts_with(whole.name + " ")) continue;
+    text +=
+        "        " + command.name.substr(whole.name.size() + 1) + ") _arguments" + specifications(command) + " ;;\n";
+  }
+  return text + "      esac";
+}
+
 }  // namespace
 
 std::string zsh_completion(std::span<const TypedCommand> commands) {
@@ -72,11 +85,15 @@ std::string zsh_completion(std::span<const TypedCommand> commands) {
           specifications(commands.front()) + " \\\n        '1: :->command' '*:: :->rest'\n";
   text += "  if [[ $state == command ]]; then\n    local -a commands\n    commands=(";
   for (const TypedCommand& command : commands.subspan(1)) {
+    if (is_part(command)) continue;
     text += "\n      '" + command.name + ":" + quoted(command.help) + "'";
   }
   text += ")\n    _describe command commands\n    return\n  fi\n  case $words[1] in\n";
   for (const TypedCommand& command : commands.subspan(1)) {
-    text += "    " + command.name + ") _arguments" + specifications(command) + " ;;\n";
+    if (is_part(command)) continue;
+    const bool of_parts = !command.parts.empty();
+    text += "    " + command.name + ") " +
+            (of_parts ? parts_of(command, commands) : "_arguments" + specifications(command)) + " ;;\n";
   }
   return text + "  esac\n}\nif [[ $funcstack[1] == _pomona ]]; then _pomona \"$@\"; else compdef _pomona pomona; fi\n";
 }

@@ -105,6 +105,18 @@ double number_at(const JsonNode& node, std::string_view key, double most) {
   return value.number;
 }
 
+/// What the lists that multiply after an individual is grown come to; see items_of().
+std::int64_t items_of_a_variant(const JsonNode& entry) {
+  std::int64_t items = 1;
+  for (const char* list : {"knives", "browning", "quality", "texture", "lod"}) {
+    const JsonNode& values = entry.need(list);
+    if (values.kind != JsonNode::Kind::array || values.items.empty()) fail(values.place, "should be a list");
+    items *= static_cast<std::int64_t>(values.items.size());
+    if (items > most_batch_items) fail(values.place, "has too many items");
+  }
+  return items;
+}
+
 }  // namespace
 
 std::string batch_record(const BatchPlan& plan, const std::string& program) {
@@ -147,7 +159,8 @@ RecordedBatch parse_batch_record(const std::string& json, const std::string& fil
     const std::string name = text_at(entry, "name");
     const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
     if (name.empty() || !std::all_of(name.begin(), name.end(), plain)) fail(entry.place, "has no plain name");
-    batch.entries.push_back({name, static_cast<std::int64_t>(number_at(entry, "items", most_batch_items))});
+    batch.entries.push_back(
+        {name, static_cast<std::int64_t>(number_at(entry, "items", most_batch_items)), items_of_a_variant(entry)});
   }
   if (batch.items() > most_batch_items) fail(entries.place, "has too many items");
   return batch;

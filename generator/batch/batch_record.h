@@ -17,6 +17,7 @@ std::string batch_record(const BatchPlan& plan, const std::string& program);
 struct RecordedEntry {
   std::string name;
   std::int64_t items = 0;
+  std::int64_t items_of_a_variant = 1;  ///< items that one individual comes to; shards share out individuals
 };
 struct RecordedBatch {
   std::string program, name, title;

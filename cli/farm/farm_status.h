@@ -1,0 +1,33 @@
+// Where a batch on a farm stands: its folder and its queue, side by side.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/farm/farm_folder.h"
+#include "cli/farm/shard_progress.h"
+#include "cli/farm/slurm_queue.h"
+
+namespace pomona {
+
+struct FarmStatus {
+  std::filesystem::path folder;
+  BatchProgress batch;
+  QueuedJobs jobs;
+  QueueState queue;
+
+  /// Every item is there, none has failed, and the shards are merged.
+  bool is_complete() const;
+};
+
+/// One of "running", "waiting" (in the queue), "stopped" (its lock is left, and nobody holds it), "missing" (items are,
+/// and nobody is at work on them), "failed" (all are there, some failed), "done". \param shard from 1
+std::string shard_state(const FarmStatus& status, int shard);
+
+/// A line for each shard and one for all: shard, state, done, failed, missing, what Slurm says; columns with a heading.
+std::string as_table(const FarmStatus& status);
+
+/// The same for programs.
+std::string as_json(const FarmStatus& status);
+
+}  // namespace pomona
