@@ -153,8 +153,9 @@ class Settling {
       for (std::size_t i = starts.size() > movable_waves ? starts[starts.size() - movable_waves] : 0; i < done; ++i)
         raise(order[i], map);
       starts.push_back(done);
-      const std::size_t end = std::min(order.size(), done + pieces_in_wave(order[done]));
-      for (; done < end; ++done) place(order[done], 0, map);
+      // Who finds no room has to wait until this wave has come to rest; who then finds none has to stay out.
+      const std::size_t first = done, end = std::min(order.size(), done + pieces_in_wave(order[done]));
+      while (done < end && (place(order[done], 0, map) || done == first)) ++done;
       settle_heap();
     }
   }
@@ -169,15 +170,15 @@ class Settling {
     if (heap_.bodies()[item].state != BodyState::out) map.raise(heap_.bodies()[item]);
   }
 
-  /// Turned as drawn, over the lowest of the places drawn, lifted until it is clear of all.
-  void place(std::size_t item, std::uint64_t round, HeightMap& map) {
+  /// Turned as drawn, over the lowest of the places drawn, lifted until it is clear of all. False if there is no room.
+  bool place(std::size_t item, std::uint64_t round, HeightMap& map) {
     const std::uint64_t counter = draws_per_drop * (item + round * items_.size());
     const glm::dvec3 up = items_[item].face_up ? shape(item).up : glm::dvec3(0);
     RigidBody body(shape(item), drawn_rotation(up, draw_, counter), glm::dvec3(0));
     DropRing ring = ring_of(item);
     if (round > 0 && in_bowl(item)) ring.outer *= 0.7;  // away from the rim, where room is more often found
     const std::optional<glm::dvec3> at = drawn_place(body, map, ring, draw_, counter + 8);
-    if (!at) return;  // no room: told when all is measured
+    if (!at) return false;
     body.center = *at + glm::dvec3(0, 0.05 * unit_, 0);
     body.refresh();
 
@@ -192,6 +193,7 @@ class Settling {
     }
     map.raise(body);
     heap_.put(item, body);
+    return true;
   }
 
   void settle_heap() {
@@ -235,7 +237,10 @@ class Settling {
       std::vector<std::uint8_t> is_bad(items_.size());
       parallel_for(items_.size(), options_.threads, [&](std::size_t i) {
         const RigidBody& body = heap_.bodies()[i];
-        if (body.state == BodyState::out) return;
+        if (body.state == BodyState::out) {
+          is_bad[i] = 1;
+          return;
+        }
         const double clear = heap_.clearance(i, body, 2 * most_gap * body.shape->size);
         const bool bad = clear > most_gap * body.shape->size || clear < -most_depth * body.shape->size;
         is_bad[i] = bad || is_outside(i, body.pose()) ? 1 : 0;
