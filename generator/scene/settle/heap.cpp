@@ -75,6 +75,9 @@ void Heap::take_out(std::size_t place) {
     beside.still_steps = 0;
   }
   bodies_[place].state = BodyState::out;
+
+  // What comes back to this place is another body: nothing that was known of pairs with the old one holds for it.
+  std::erase_if(pairs_, [&](const Pair& pair) { return pair.first == place || pair.second == place; });
   pairs_known_ = false;
 }
 
