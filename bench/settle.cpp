@@ -167,8 +167,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s %zu of %zu\n", stage.c_str(), done, total);
       };
     }
-    bench::TextTable table{{"pieces", "s", "processor s", "ms a piece", "peak MB", "steps", "dropped again",
-                            "over 2 %", "worst gap, %", "worst overlap, %", "poses"},
+    bench::TextTable table{{"pieces", "s", "processor s", "ms a piece", "peak MB", "steps", "dropped again", "over 2 %",
+                            "worst gap, %", "worst overlap, %", "poses"},
                            {}};
     for (const std::size_t count : counts) {
       bench::add_row(parts, count, options, table);

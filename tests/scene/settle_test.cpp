@@ -125,7 +125,8 @@ TEST(Settle, PiecesWithoutRoomAreNamed) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), ExitStatus::some_items_failed);
-    EXPECT_THAT(error.what(), testing::ContainsRegex("piece \"piece-[0-9]+\" (finds no room in|lies outside) the bowl"));
+    EXPECT_THAT(error.what(),
+                testing::ContainsRegex("piece \"piece-[0-9]+\" (finds no room in|lies outside) the bowl"));
   }
 }
 

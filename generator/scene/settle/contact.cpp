@@ -75,8 +75,8 @@ template <typename SampleOf>
 std::vector<Candidate> chosen(const std::vector<Candidate>& from, std::size_t most, float margin,
                               const std::vector<Contact>& before, const SampleOf& sample_of) {
   if (from.empty()) return {};
-  const auto deepest = std::min_element(from.begin(), from.end(),
-                                        [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  const auto deepest =
+      std::min_element(from.begin(), from.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
   const float range = std::max(1e-9f, margin - deepest->distance);
   std::vector<float> weight(from.size()), away(from.size(), std::numeric_limits<float>::max());
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -103,8 +103,8 @@ std::vector<Candidate> chosen(const std::vector<Candidate>& from, std::size_t mo
 /// Hands on the impulse of the same contact a step ago.
 void remember(std::vector<Contact>& contacts, const std::vector<Contact>& before) {
   for (Contact& contact : contacts) {
-    const auto same = std::find_if(before.begin(), before.end(),
-                                   [&](const Contact& old) { return old.sample == contact.sample; });
+    const auto same =
+        std::find_if(before.begin(), before.end(), [&](const Contact& old) { return old.sample == contact.sample; });
     if (same == before.end()) continue;
     contact.impulse = same->impulse;
     contact.lasting = true;
@@ -151,16 +151,19 @@ std::vector<Contact> contacts_with(const Dish& dish, const RigidBody& body, floa
 float distance_between(const RigidBody& a, const RigidBody& b, float within) {
   float nearest = within;
   const auto keep = [&](const Candidate& c) { nearest = std::min(nearest, c.distance); };
-  search(a.shape->samples, seen_from(b, a), [&](const auto& p) { return b.shape->distance.value(p); }, within, keep);
-  search(b.shape->samples, seen_from(a, b), [&](const auto& p) { return a.shape->distance.value(p); }, within, keep);
+  search(
+      a.shape->samples, seen_from(b, a), [&](const auto& p) { return b.shape->distance.value(p); }, within, keep);
+  search(
+      b.shape->samples, seen_from(a, b), [&](const auto& p) { return a.shape->distance.value(p); }, within, keep);
   return nearest;
 }
 
 float distance_to(const Dish& dish, const RigidBody& body, float within) {
   float nearest = within;
   const Frame frame{body.matrix, glm::vec3(body.center)};
-  search(body.shape->samples, frame, [&](const auto& p) { return dish.distance(p); }, within,
-         [&](const Candidate& c) { nearest = std::min(nearest, c.distance); });
+  search(
+      body.shape->samples, frame, [&](const auto& p) { return dish.distance(p); }, within,
+      [&](const Candidate& c) { nearest = std::min(nearest, c.distance); });
   return nearest;
 }
 

@@ -11,13 +11,13 @@
 namespace pomona {
 
 struct Contact {
-  int sample = 0;         ///< which it is, from step to step
-  glm::vec3 point{0};     ///< metres
-  glm::vec3 normal{0};    ///< pushes the first body off the second
-  float distance = 0;     ///< metres, negative where they overlap
-  glm::vec3 impulse{0};   ///< that the last step ended with, for the next one to start from
-  bool lasting = false;   ///< it was one at the last step too
-  bool presses = false;   ///< the step ended with a push, not only near
+  int sample = 0;        ///< which it is, from step to step
+  glm::vec3 point{0};    ///< metres
+  glm::vec3 normal{0};   ///< pushes the first body off the second
+  float distance = 0;    ///< metres, negative where they overlap
+  glm::vec3 impulse{0};  ///< that the last step ended with, for the next one to start from
+  bool lasting = false;  ///< it was one at the last step too
+  bool presses = false;  ///< the step ended with a push, not only near
 };
 
 /// Contacts nearer than `margin`, four at most on either body: the deepest, and others far from it and each other.

@@ -12,9 +12,9 @@
 namespace pomona {
 
 struct DishOptions {
-  double cell = 0.002;    ///< metres: width of the field's cells
-  double around = 0.1;    ///< metres beside and above the bowl that the field has to cover
-  double ground = 1;      ///< metres: the ground's mesh reaches at least so far
+  double cell = 0.002;  ///< metres: width of the field's cells
+  double around = 0.1;  ///< metres beside and above the bowl that the field has to cover
+  double ground = 1;    ///< metres: the ground's mesh reaches at least so far
 };
 
 /// Turned about the y axis; the ground is y = 0. It is known by its upper side: below that all is solid.

@@ -75,8 +75,7 @@ void FitCheck::remember(std::span<const Pose> poses, std::vector<Pair>& pairs) c
   const auto stays = [&](std::size_t piece) { return piece == poses.size() || same(poses[piece], measured_[piece]); };
   auto known = measured_pairs_.begin();
   for (Pair& pair : pairs) {
-    while (known != measured_pairs_.end() &&
-           std::tie(known->first, known->second) < std::tie(pair.first, pair.second))
+    while (known != measured_pairs_.end() && std::tie(known->first, known->second) < std::tie(pair.first, pair.second))
       ++known;
     const bool is_same = known != measured_pairs_.end() && known->first == pair.first && known->second == pair.second;
     if (is_same && stays(pair.first) && stays(pair.second)) pair = *known;

@@ -133,9 +133,7 @@ void Heap::find_pairs() {
   std::vector<Pair> found;
   auto known = pairs_.begin();
   const auto add = [&](std::size_t first, std::size_t second) {
-    const auto is_before = [&](const Pair& p) {
-      return p.first != first ? p.first < first : p.second < second;
-    };
+    const auto is_before = [&](const Pair& p) { return p.first != first ? p.first < first : p.second < second; };
     while (known != pairs_.end() && is_before(*known)) ++known;
     if (known != pairs_.end() && known->first == first && known->second == second) {
       found.push_back(std::move(*known));
@@ -160,8 +158,7 @@ void Heap::find_contacts(Pair& pair) const {
   const double margin = options_.margin * unit_ + a.speed;
   if (pair.second == dish_place) {
     const bool is_far = dish_.distance(glm::vec3(a.center)) > static_cast<float>(a.shape->radius + margin);
-    pair.contact = is_far ? std::vector<Contact>{}
-                          : contacts_with(dish_, a, static_cast<float>(margin), pair.contact);
+    pair.contact = is_far ? std::vector<Contact>{} : contacts_with(dish_, a, static_cast<float>(margin), pair.contact);
     return;
   }
   const RigidBody& b = bodies_[pair.second];
@@ -207,8 +204,7 @@ void Heap::step(double keep_velocity, double keep_spin) {
     if (is_active(pairs_[k].first) || is_active(pairs_[k].second)) moving.push_back(k);
   constexpr std::size_t block = 64;
   parallel_for((moving.size() + block - 1) / block, threads_, [&](std::size_t b) {
-    for (std::size_t k = b * block; k < std::min(moving.size(), (b + 1) * block); ++k)
-      find_contacts(pairs_[moving[k]]);
+    for (std::size_t k = b * block; k < std::min(moving.size(), (b + 1) * block); ++k) find_contacts(pairs_[moving[k]]);
   });
   std::erase_if(moving, [&](std::size_t k) { return pairs_[k].contact.empty(); });
   let_act(moving);

@@ -21,21 +21,21 @@ struct Funnel {
 
 /// Lengths in units, which are the pieces' mean size; times in steps.
 struct HeapOptions {
-  double friction = 0.6;      ///< of every two surfaces, at rest;
-  double slippery = 0.2;      ///< while they fall: heaps become compact and firm, where friction would leave arches
-  double gravity = 0.002;     ///< a step a step; more jams wedges
-  double fastest = 0.06;      ///< a step: less than the thinnest piece is thick
-  double margin = 0.02;       ///< contacts are known when they are so near
-  double slop = 0.002;        ///< an overlap that is left alone
-  double push = 0.03;         ///< at most so much of an overlap is taken out in a step,
-  double push_share = 0.25;   ///< or this share of it
-  double pressed = 0.01;      ///< of a piece's size: what overlaps more may not rest
-  double still = 0.0015;      ///< a step: slower bodies count as still,
-  int still_steps = 10;       ///< and fall asleep after so many steps
-  double slack = 0.1;         ///< bodies move so far before neighbours are looked for anew
-  int sweeps = 20;            ///< over all contacts, a step,
-  int relaxing_sweeps = 3;    ///< and after the move
-  int most_steps = 400;       ///< for one wave
+  double friction = 0.6;     ///< of every two surfaces, at rest;
+  double slippery = 0.2;     ///< while they fall: heaps become compact and firm, where friction would leave arches
+  double gravity = 0.002;    ///< a step a step; more jams wedges
+  double fastest = 0.06;     ///< a step: less than the thinnest piece is thick
+  double margin = 0.02;      ///< contacts are known when they are so near
+  double slop = 0.002;       ///< an overlap that is left alone
+  double push = 0.03;        ///< at most so much of an overlap is taken out in a step,
+  double push_share = 0.25;  ///< or this share of it
+  double pressed = 0.01;     ///< of a piece's size: what overlaps more may not rest
+  double still = 0.0015;     ///< a step: slower bodies count as still,
+  int still_steps = 10;      ///< and fall asleep after so many steps
+  double slack = 0.1;        ///< bodies move so far before neighbours are looked for anew
+  int sweeps = 20;           ///< over all contacts, a step,
+  int relaxing_sweeps = 3;   ///< and after the move
+  int most_steps = 400;      ///< for one wave
 };
 
 /// Rigid bodies over a dish. The same bits for any number of threads: contacts are found in parallel, each pair's for
@@ -78,8 +78,8 @@ class Heap {
   struct Pair {
     std::size_t first = 0, second = 0;  ///< places; the dish has one of its own
     std::vector<Contact> contact;
-    double clear = 0;                         ///< metres that the two may move before they can touch
-    double first_way = 0, second_way = 0;     ///< of the bodies, when that was known
+    double clear = 0;                      ///< metres that the two may move before they can touch
+    double first_way = 0, second_way = 0;  ///< of the bodies, when that was known
   };
   using Places = std::vector<std::size_t>;
 
@@ -107,11 +107,11 @@ class Heap {
   std::vector<RigidBody> bodies_;
   std::vector<Pair> pairs_;
   bool pairs_known_ = false;
-  double moved_ = 0;    ///< since the pairs were found, at most, metres
-  int pressed_ = 0;     ///< pairs that overlap by more than may rest
-  NearBodies frozen_;   ///< where these lie,
+  double moved_ = 0;   ///< since the pairs were found, at most, metres
+  int pressed_ = 0;    ///< pairs that overlap by more than may rest
+  NearBodies frozen_;  ///< where these lie,
   bool frozen_known_ = true;
-  NearBodies loose_;    ///< and all others, when the pairs were found or they were put in
+  NearBodies loose_;  ///< and all others, when the pairs were found or they were put in
 };
 
 }  // namespace pomona

@@ -4,8 +4,7 @@
 
 namespace pomona {
 
-NearBodies::NearBodies(double cell, std::size_t expected)
-    : width_(cell), buckets_(std::bit_ceil(2 * expected + 64)) {}
+NearBodies::NearBodies(double cell, std::size_t expected) : width_(cell), buckets_(std::bit_ceil(2 * expected + 64)) {}
 
 void NearBodies::add(std::size_t body, const glm::dvec3& center) {
   const glm::i64vec3 cell = cell_of(center);

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <glm/common.hpp>
-#include <glm/vec3.hpp>
 #include <glm/fwd.hpp>
+#include <glm/vec3.hpp>
 
 namespace pomona {
 

@@ -45,9 +45,9 @@ void weigh(PieceShape& shape, const WeldedMesh& mesh, const glm::dvec3& middle) 
     const glm::dvec3 sum = a + b + c;
     six_volumes += v;
     moment += sum * (0.25 * v);
-    second += (glm::outerProduct(a, a) + glm::outerProduct(b, b) + glm::outerProduct(c, c) +
-               glm::outerProduct(sum, sum)) *
-              (v / 120);
+    second +=
+        (glm::outerProduct(a, a) + glm::outerProduct(b, b) + glm::outerProduct(c, c) + glm::outerProduct(sum, sum)) *
+        (v / 120);
   }
 
   // A mesh without volume counts as a light ball.
@@ -70,8 +70,8 @@ void weigh(PieceShape& shape, const WeldedMesh& mesh, const glm::dvec3& middle) 
 double area_of(const WeldedMesh& mesh) {
   double area = 0;
   for (const glm::uvec3& t : mesh.triangle)
-    area += 0.5 * glm::length(glm::cross(mesh.position[t.y] - mesh.position[t.x],
-                                         mesh.position[t.z] - mesh.position[t.x]));
+    area +=
+        0.5 * glm::length(glm::cross(mesh.position[t.y] - mesh.position[t.x], mesh.position[t.z] - mesh.position[t.x]));
   return area;
 }
 

@@ -20,8 +20,7 @@ void RigidBody::refresh() {
 
   // The box around the turned box.
   const glm::vec3 middle = matrix * shape->box.center() + glm::vec3(center), half = 0.5f * shape->box.size();
-  const glm::vec3 reach =
-      glm::abs(matrix[0]) * half.x + glm::abs(matrix[1]) * half.y + glm::abs(matrix[2]) * half.z;
+  const glm::vec3 reach = glm::abs(matrix[0]) * half.x + glm::abs(matrix[1]) * half.y + glm::abs(matrix[2]) * half.z;
   box = {middle - reach, middle + reach};
 }
 
@@ -39,8 +38,6 @@ void RigidBody::stop() {
   speed = 0;
 }
 
-double RigidBody::motion() const {
-  return std::max(glm::length(velocity), 0.5 * shape->radius * glm::length(spin));
-}
+double RigidBody::motion() const { return std::max(glm::length(velocity), 0.5 * shape->radius * glm::length(spin)); }
 
 }  // namespace pomona

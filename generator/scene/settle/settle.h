@@ -30,10 +30,10 @@ struct SettleOptions {
   double most_penetration = 0.02;  ///< what a settled piece may have, measured on the real meshes,
   double most_of_few = 0.05;       ///< and what one may have of so many
   std::size_t few_of = 200;
-  double fill = 0.92;    ///< share of the rim's radius into which pieces are dropped
-  double spread = 0;     ///< metres: without a bowl, drops within so far of the axis; 0 = 4 times the widest
-  double around = 1.8;   ///< pieces beside the bowl lie within this many of its radii
-  int attempts = 5;      ///< how often what lies badly is dropped, the first time counted
+  double fill = 0.92;   ///< share of the rim's radius into which pieces are dropped
+  double spread = 0;    ///< metres: without a bowl, drops within so far of the axis; 0 = 4 times the widest
+  double around = 1.8;  ///< pieces beside the bowl lie within this many of its radii
+  int attempts = 5;     ///< how often what lies badly is dropped, the first time counted
   HeapOptions heap{};
   Threads threads{};
   /// Told from the calling thread how many pieces of a stage are done: "settle", then "measure".
@@ -44,8 +44,8 @@ struct Settled {
   std::vector<Pose> poses;  ///< one per item, rounded to 1e-6 so that a file holds them exactly
   std::vector<Fit> fits;    ///< measured at those poses
   int attempts = 0;
-  int steps = 0;               ///< of the simulation
-  std::size_t again = 0;       ///< so often a single piece was taken out and dropped once more
+  int steps = 0;          ///< of the simulation
+  std::size_t again = 0;  ///< so often a single piece was taken out and dropped once more
 };
 
 /// Drops the items, in an order and from places drawn from the seed, into the bowl, which stands on the ground

@@ -45,9 +45,7 @@ std::vector<glm::vec3> thinned(const std::vector<glm::vec3>& points, float spaci
   struct Entry {
     std::array<int, 3> cell;
     std::size_t point;
-    bool operator<(const Entry& other) const {
-      return cell != other.cell ? cell < other.cell : point < other.point;
-    }
+    bool operator<(const Entry& other) const { return cell != other.cell ? cell < other.cell : point < other.point; }
   };
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < points.size(); ++i) {
