@@ -60,7 +60,7 @@ glm::dquat drawn_rotation(const glm::dvec3& up, const RandomStream& draw, std::u
 
 std::optional<glm::dvec3> drawn_place(const RigidBody& turned, const HeightMap& heap, const DropRing& ring,
                                       const RandomStream& draw, std::uint64_t n) {
-  constexpr std::uint64_t usual = 6, most = 24;  // more only while none is low enough
+  constexpr std::uint64_t usual = 12, most = 24;  // more only while none is low enough
   constexpr double steepest = 0.7;
   std::optional<glm::dvec3> best;
   for (std::uint64_t k = 0; k < most && (k < usual || !best); ++k) {

@@ -105,7 +105,8 @@ class Settling {
 
   DropRing ring_of(std::size_t item) const {
     const double radius = shape(item).radius, rim = dish_.rim_radius();
-    if (in_bowl(item)) return {0, std::max(0.0, options_.fill * rim - radius), rim, dish_.rim_height()};
+    // A piece may begin leaning on the wall: it slides down, and heaps spread as wide as the bowl is.
+    if (in_bowl(item)) return {0, std::max(0.0, options_.fill * rim - 0.65 * radius), rim, dish_.rim_height()};
     if (items_[item].beside) return {rim + radius, options_.around * std::max(rim, 2 * widest_)};
     return {0, std::max(0.0, spread() - radius)};
   }
