@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench batch-bench batch-scale batch-stops hashes install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops hashes install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -116,6 +116,10 @@ textures: .bench ## textures of half of every fruit at 512 texels, and of a toma
 picture: .bench ## how long a picture of the salad in 1920x1080 takes, and how much memory
 	cmake --build build --target picture -j $(JOBS)
 	build/bench/picture
+
+settle: .bench ## 30 to 10 000 pieces settled in a bowl: time, memory, gaps and overlaps; some minutes
+	cmake --build build --target settle_bench -j $(JOBS)
+	build/bench/settle
 
 bench: .bench ## everything that measures, built into build/bench; runs the kernels
 	cmake --build build -j $(JOBS)

@@ -181,13 +181,15 @@ std::vector<Pose> settled_poses(const SceneDescription& scene, const SceneParts&
   how.spread = scene.spread;
   how.around = scene.around;
   how.attempts = scene.attempts;
-  how.pile.friction = scene.friction;
+  how.heap.friction = scene.friction;
   how.threads = options.threads;
+  how.progress = options.progress;
   const Solid* const bowl = parts.bowl ? &parts.solids[static_cast<std::size_t>(*parts.bowl)] : nullptr;
   Settled settled = settle(parts.solids, parts.items, bowl, how);
   report.fits = std::move(settled.fits);
   report.counts["settle_attempts"] = settled.attempts;
   report.counts["settle_steps"] = settled.steps;
+  report.counts["settle_again"] = static_cast<std::int64_t>(settled.again);
   if (bowl) settled.poses.insert(settled.poses.begin(), Pose{});
   return std::move(settled.poses);
 }
@@ -282,11 +284,9 @@ Composition compose(const SceneDescription& scene, const Diffuser* diffuser, con
   SceneParts parts = make_parts(scene, diffuser, options);
   Composition composition{{}, std::move(parts.report)};
   StageClock clock;
-  Teller teller(options, "settle", 1);
   const std::vector<Pose> poses = clock.time("settle", [&] {
     return scene.layout.empty() ? settled_poses(scene, parts, options, composition.report) : layout_poses(scene, parts);
   });
-  teller.step_done();
   composition.report.stages.push_back(clock.stages().front());
   composition.scene = placed(scene, parts, poses);
   return composition;

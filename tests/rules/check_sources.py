@@ -59,7 +59,6 @@ HEAVY = {
     "toml++": (r"toml(\+\+|plusplus)?(/|\.h)", r"generator/(template/read|scene)/\w+\.cpp"),
     "lib2geom": (r"2geom/", r"generator/template/read/\w+\.cpp"),
     "pugixml": (r"pugixml\.hpp", r"generator/template/read/\w+\.cpp"),
-    "Bullet": (r"(bullet/)?(bt\w+\.h|Bullet\w*/|LinearMath/)", r"generator/(mesh|scene/settle)/\w+\.cpp"),
     "tinygltf": (r"tiny_gltf\.h", r"generator/surface/file/glb_file\.cpp|render/export/gltf\.cpp|tests/render/export/read_glb\.cpp"),
     "libpng": (r"png\.h", r"render/image/\w+\.cpp|tests/\w+/\w+\.cpp"),
     "EGL": (r"EGL/", r"render/gl/\w+\.cpp"),

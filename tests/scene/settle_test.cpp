@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -74,6 +75,59 @@ TEST(Settle, IsTheSameForAnyNumberOfThreads) {
   two.seed = 7;
   const Settled other = settle(solids, repeated(2, 3), &bowl, two);
   EXPECT_FALSE(same(a.poses[0], other.poses[0]));
+}
+
+TEST(Settle, ASecondHeapAtTheSameTimeChangesNothing) {
+  const std::vector<Solid> solids{heap_shapes::ring(0.03, 0.02, 0.008), heap_shapes::wedge(0.03, 90)};
+  const Solid bowl = heap_shapes::bowl(0.12, 0.06);
+  const Settled alone = settle(solids, repeated(2, 3), &bowl);
+  std::vector<Settled> heaps(2);
+  parallel_for(heaps.size(), {2}, [&](std::size_t i) { heaps[i] = settle(solids, repeated(2, 3), &bowl); });
+  for (const Settled& heap : heaps)
+    for (std::size_t i = 0; i < alone.poses.size(); ++i) EXPECT_TRUE(same(heap.poses[i], alone.poses[i])) << i;
+}
+
+/// Three waves and more; those below are frozen by the time the last ones fall.
+TEST(Settle, ManyLayersFit) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.02), heap_shapes::wedge(0.025, 120)};
+  const Solid bowl = heap_shapes::bowl(0.13, 0.1);
+  const Settled settled = settle(solids, repeated(2, 40), &bowl);
+  expect_fit(settled);
+  const auto outside = [&](const Pose& pose) {
+    return std::hypot(pose.translation.x, pose.translation.z) > 0.13 || pose.translation.y < 0;
+  };
+  EXPECT_EQ(std::count_if(settled.poses.begin(), settled.poses.end(), outside), 0);
+}
+
+TEST(Settle, TellsHowFarItIs) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.02)};
+  const Solid bowl = heap_shapes::bowl(0.12, 0.06);
+  std::map<std::string, std::vector<std::size_t>> told;
+  SettleOptions options;
+  options.progress = [&](const std::string& stage, std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, 12u);
+    told[stage].push_back(done);
+  };
+  settle(solids, repeated(1, 12), &bowl, options);
+  for (const char* stage : {"settle", "measure"}) {
+    ASSERT_FALSE(told[stage].empty()) << stage;
+    EXPECT_TRUE(std::is_sorted(told[stage].begin(), told[stage].end())) << stage;
+    EXPECT_EQ(told[stage].back(), 12u) << stage;
+  }
+}
+
+TEST(Settle, PiecesWithoutRoomAreNamed) {
+  // Sixty balls of 2 cm radius in a bowl that holds a dozen.
+  const std::vector<Solid> solids{heap_shapes::ball(0.02)};
+  const Solid bowl = heap_shapes::bowl(0.07, 0.03);
+  try {
+    settle(solids, repeated(1, 60), &bowl, {.attempts = 2});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::some_items_failed);
+    EXPECT_THAT(error.what(),
+                testing::ContainsRegex("piece \"piece-[0-9]+\" (finds no room in|lies outside) the bowl"));
+  }
 }
 
 TEST(Settle, SaysWhichPieceDoesNotFit) {

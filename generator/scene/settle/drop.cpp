@@ -2,21 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
-#include "generator/mesh/box.h"
 
 namespace pomona {
 
 namespace {
-
-/// Draws of one piece: a block of counters to itself.
-constexpr std::uint64_t draws_per_piece = 16;
 
 /// Uniform over all rotations [Shoemake 1992].
 glm::dquat any_rotation(const RandomStream& draw, std::uint64_t n) {
@@ -47,79 +42,40 @@ glm::dquat face_up(const glm::dvec3& up, const RandomStream& draw, std::uint64_t
   return about(target, 2 * pi * draw.uniform(n + 2)) * turn(glm::normalize(up), target);
 }
 
-Box<double> turned_box(const DropPiece& piece, const glm::dquat& rotation) {
-  Box<double> box;
-  for (const ConvexPart& part : piece.parts)
-    for (const glm::dvec3& corner : part) box.add(rotation * corner);
-  return box;
-}
-
-/// The lowest height for the box's lower face at which it clears all others.
-double clear_height(std::span<const Box<double>> others, const Box<double>& box, double lowest) {
-  double height = lowest;
-  for (const Box<double>& other : others) {
-    const bool apart =
-        other.high.x < box.low.x || other.low.x > box.high.x || other.high.z < box.low.z || other.low.z > box.high.z;
-    if (!apart) height = std::max(height, other.high.y);
-  }
-  return height;
-}
-
-/// Where boxes of pieces have been put so far, and where the next one may go.
-class Column {
- public:
-  Column(const DropSpace& space, double air) : space_(space), air_(air) {}
-
-  /// Moves the box to the lowest of a few places drawn from counter n on; returns how far.
-  glm::dvec3 placed(const Box<double>& box, bool beside, const RandomStream& draw, std::uint64_t n) {
-    constexpr std::uint64_t tries = 6;
-    const glm::dvec3 middle = box.center(), size = box.size();
-    const double radius = 0.5 * std::sqrt(size.x * size.x + size.z * size.z);
-    const double inner = beside ? space_.radius + radius : 0;
-    const double outer = beside ? space_.around : std::max(0.0, space_.radius - radius);
-    glm::dvec3 best(0, std::numeric_limits<double>::infinity(), 0);
-    for (std::uint64_t k = 0; k < tries; ++k) {
-      // Square roots of uniform numbers fill a disc evenly.
-      const double share = draw.uniform(n + 2 * k), angle = 2 * pi * draw.uniform(n + 2 * k + 1);
-      const double r = std::sqrt(inner * inner + share * std::max(0.0, outer * outer - inner * inner));
-      glm::dvec3 move(r * reproducible::cos(angle) - middle.x, 0, r * reproducible::sin(angle) - middle.z);
-      move.y = clear_height(boxes_, box.moved(move), beside ? 0 : space_.height) + air_ - box.low.y;
-      if (move.y < best.y) best = move;
-    }
-    boxes_.push_back(box.moved(best));
-    return best;
-  }
-
- private:
-  DropSpace space_;
-  double air_;  ///< between boxes, metres
-  std::vector<Box<double>> boxes_;
-};
-
-/// Pieces by order, shuffled within it: a Fisher-Yates shuffle, then a stable sort.
-std::vector<std::size_t> dropping_order(std::span<const DropPiece> pieces, const RandomStream& draw) {
-  std::vector<std::size_t> order(pieces.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::uint64_t shuffle = draws_per_piece * pieces.size();
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[draw.below(shuffle + i, i)]);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return pieces[a].order < pieces[b].order; });
-  return order;
-}
-
 }  // namespace
 
-std::vector<Pose> drop_poses(std::span<const DropPiece> pieces, const DropSpace& space, const RandomStream& draw) {
-  std::vector<Pose> poses(pieces.size());
-  Column column(space, 0.01 * space.radius);
-  for (const std::size_t i : dropping_order(pieces, draw)) {
-    const DropPiece& piece = pieces[i];
-    const std::uint64_t n = draws_per_piece * i;
-    const bool any = piece.up == glm::dvec3(0);
-    poses[i].rotation = any ? any_rotation(draw, n) : face_up(piece.up, draw, n);
-    poses[i].translation = column.placed(turned_box(piece, poses[i].rotation), piece.beside, draw, n + 3);
+std::vector<std::size_t> dropping_order(std::span<const int> order, const RandomStream& draw) {
+  // A Fisher-Yates shuffle, then a stable sort.
+  constexpr std::uint64_t behind_all_drops = std::uint64_t{1} << 40;
+  std::vector<std::size_t> pieces(order.size());
+  std::iota(pieces.begin(), pieces.end(), std::size_t{0});
+  for (std::size_t i = pieces.size(); i > 1; --i) std::swap(pieces[i - 1], pieces[draw.below(behind_all_drops + i, i)]);
+  std::stable_sort(pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) { return order[a] < order[b]; });
+  return pieces;
+}
+
+glm::dquat drawn_rotation(const glm::dvec3& up, const RandomStream& draw, std::uint64_t n) {
+  return up == glm::dvec3(0) ? any_rotation(draw, n) : face_up(up, draw, n);
+}
+
+std::optional<glm::dvec3> drawn_place(const RigidBody& turned, const HeightMap& heap, const DropRing& ring,
+                                      const RandomStream& draw, std::uint64_t n) {
+  constexpr std::uint64_t usual = 12, most = 24;  // more only while none is low enough
+  constexpr double steepest = 0.7;
+  std::optional<glm::dvec3> best;
+  for (std::uint64_t k = 0; k < most && (k < usual || !best); ++k) {
+    // Square roots of uniform numbers fill a ring evenly.
+    const double share = draw.uniform(n + 2 * k), angle = 2 * pi * draw.uniform(n + 2 * k + 1);
+    const double radius =
+        std::sqrt(ring.inner * ring.inner + share * std::max(0.0, ring.outer * ring.outer - ring.inner * ring.inner));
+    const glm::vec2 at(static_cast<float>(radius * reproducible::cos(angle)),
+                       static_cast<float>(radius * reproducible::sin(angle)));
+    const double height = heap.resting_height(turned, at.x, at.y);
+    const double lowest = height + (static_cast<double>(turned.box.low.y) - turned.center.y);
+    if (ring.rim_radius > 0 && lowest > ring.rim_height + steepest * (ring.rim_radius - radius)) continue;
+    if (!best || height < best->y) best = glm::dvec3(at.x, height, at.y);
   }
-  return poses;
+  return best;
 }
 
 }  // namespace pomona

@@ -1,31 +1,40 @@
-// Where pieces are let go: above the bowl, none touching another.
+// Where and how pieces are let go.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
 #include "generator/base/random.h"
-#include "generator/piece/pose.h"
-#include "generator/scene/settle/convex_parts.h"
+#include "generator/scene/settle/height_map.h"
+#include "generator/scene/settle/rigid_body.h"
 
 namespace pomona {
 
-/// What is dropped, and the direction in its frame that should come to lie upwards.
-struct DropPiece {
-  std::span<const ConvexPart> parts;
-  glm::dvec3 up{0};  ///< zero: any
-  int order = 0;
-  bool beside = false;
+/// Draws of one piece for one drop: a block of counters to itself.
+constexpr std::uint64_t draws_per_drop = 64;
+
+/// The pieces in the order in which they fall: lower ones of `order` first, within these as drawn.
+std::vector<std::size_t> dropping_order(std::span<const int> order, const RandomStream& draw);
+
+/// Any rotation, each as likely; or, where `up` is not zero, one that turns it towards the sky, up to a slight tilt.
+/// Draws from counter n on.
+glm::dquat drawn_rotation(const glm::dvec3& up, const RandomStream& draw, std::uint64_t n);
+
+/// A ring around the axis into which pieces are dropped.
+struct DropRing {
+  double inner = 0, outer = 0;  ///< metres from the axis, of their centres
+  double rim_radius = 0;        ///< no piece starts above a cone that rises inwards from this circle at the steepest
+  double rim_height = 0;        ///< slope at which pieces lie on each other; a radius of 0: there is no such cone
 };
 
-/// The space they are dropped into, about the axis.
-struct DropSpace {
-  double radius = 0;  ///< of the bowl's opening
-  double height = 0;  ///< of its rim
-  double around = 0;  ///< pieces beside it start within this distance from the axis
-};
-
-/// One pose each: lower orders lower, within an order as drawn; of a few places drawn for a piece the lowest free one.
-std::vector<Pose> drop_poses(std::span<const DropPiece> pieces, const DropSpace& space, const RandomStream& draw);
+/// The lowest of a few places drawn in the ring, for the centre of a turned body; none if all are above the cone. Draws
+/// from counter n on.
+std::optional<glm::dvec3> drawn_place(const RigidBody& turned, const HeightMap& heap, const DropRing& ring,
+                                      const RandomStream& draw, std::uint64_t n);
 
 }  // namespace pomona

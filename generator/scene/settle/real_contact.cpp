@@ -82,21 +82,4 @@ double distance(const PlacedMesh& a, const PlacedMesh& b, double within) {
   return closest(a.mesh, b.mesh, b.at - a.at, within).distance;
 }
 
-std::vector<Fit> measure_fits(std::span<const PlacedMesh> pieces, const PlacedMesh& stand, Threads threads) {
-  std::vector<Fit> fits(pieces.size());
-  parallel_for(pieces.size(), threads, [&](std::size_t i) {
-    const PlacedMesh& piece = pieces[i];
-    double gap = 4 * piece.size;
-    double depth = 0;
-    for (std::size_t j = 0; j <= pieces.size(); ++j) {
-      if (j == i) continue;
-      const PlacedMesh& other = j < pieces.size() ? pieces[j] : stand;
-      gap = std::min(gap, distance(piece, other, gap));
-      if (const auto inside = overlap(piece, other)) gap = 0, depth = std::max(depth, inside->depth);
-    }
-    fits[i] = {gap / piece.size, depth / piece.size};
-  });
-  return fits;
-}
-
 }  // namespace pomona

@@ -1,11 +1,8 @@
-// How real meshes, not their convex parts, touch: what a pile is judged by.
+// How real meshes touch: what a heap is judged by.
 #pragma once
 
 #include <optional>
-#include <span>
-#include <vector>
 
-#include "generator/base/parallel.h"
 #include "generator/mesh/triangle_tree.h"
 
 namespace pomona {
@@ -29,15 +26,5 @@ std::optional<Overlap> overlap(const PlacedMesh& a, const PlacedMesh& b);
 
 /// The distance between the surfaces if it is below `within`, else infinity.
 double distance(const PlacedMesh& a, const PlacedMesh& b, double within);
-
-/// How one piece fits into a pile, as shares of its size. Penetration: the deepest overlap with any other
-/// mesh. Gap: the distance to the nearest other mesh, which is what keeps it from falling; 0 if they overlap.
-struct Fit {
-  double gap = 0;
-  double penetration = 0;
-};
-
-/// One fit per piece, among the others and the stand.
-std::vector<Fit> measure_fits(std::span<const PlacedMesh> pieces, const PlacedMesh& stand, Threads threads = {});
 
 }  // namespace pomona

@@ -1,0 +1,130 @@
+#include "generator/scene/settle/piece_shape.h"
+
+#include <algorithm>
+#include <map>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "generator/mesh/weld.h"
+
+namespace pomona {
+
+namespace {
+
+/// A mesh in which every place is one vertex.
+struct WeldedMesh {
+  std::vector<glm::dvec3> position;
+  std::vector<glm::uvec3> triangle;
+};
+
+WeldedMesh welded(const Solid& solid) {
+  const std::vector<std::uint32_t> first = weld(solid.position);
+  WeldedMesh mesh;
+  std::vector<std::uint32_t> number(first.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i] == i) {
+      number[i] = static_cast<std::uint32_t>(mesh.position.size());
+      mesh.position.emplace_back(solid.position[i]);
+    } else {
+      number[i] = number[first[i]];
+    }
+  }
+  mesh.triangle = welded_triangles(number, solid.triangle);
+  return mesh;
+}
+
+/// Mass, centre and inertia of what the mesh bounds: tetrahedra to the middle of its box, summed with their signs.
+void weigh(PieceShape& shape, const WeldedMesh& mesh, const glm::dvec3& middle) {
+  double six_volumes = 0;
+  glm::dvec3 moment(0);
+  glm::dmat3 second(0);  // the sum of x x^T
+  for (const glm::uvec3& t : mesh.triangle) {
+    const glm::dvec3 a = mesh.position[t.x] - middle, b = mesh.position[t.y] - middle, c = mesh.position[t.z] - middle;
+    const double v = glm::dot(a, glm::cross(b, c));
+    const glm::dvec3 sum = a + b + c;
+    six_volumes += v;
+    moment += sum * (0.25 * v);
+    second +=
+        (glm::outerProduct(a, a) + glm::outerProduct(b, b) + glm::outerProduct(c, c) + glm::outerProduct(sum, sum)) *
+        (v / 120);
+  }
+
+  // A mesh without volume counts as a light ball.
+  const double cube = shape.size * shape.size * shape.size, volume = six_volumes / 6;
+  if (volume <= 1e-4 * cube) {
+    shape.center = middle;
+    shape.mass = 1e-3 * cube;
+    shape.inverse_inertia = glm::dmat3(1 / (0.05 * shape.mass * shape.size * shape.size));
+    return;
+  }
+  const glm::dvec3 away = moment / six_volumes;
+  shape.center = middle + away;
+  shape.mass = volume;
+  second -= volume * glm::outerProduct(away, away);
+  const double trace = second[0][0] + second[1][1] + second[2][2];
+  const double least = 1e-3 * volume * shape.size * shape.size;  // thin things do not spin for nothing
+  shape.inverse_inertia = glm::inverse(glm::dmat3(trace + least) - second);
+}
+
+double area_of(const WeldedMesh& mesh) {
+  double area = 0;
+  for (const glm::uvec3& t : mesh.triangle)
+    area +=
+        0.5 * glm::length(glm::cross(mesh.position[t.y] - mesh.position[t.x], mesh.position[t.z] - mesh.position[t.x]));
+  return area;
+}
+
+/// The direction that the largest cut face looks; zero where there is none.
+glm::dvec3 largest_face(const Solid& solid) {
+  std::map<std::int32_t, glm::dvec3> areas;
+  for (std::size_t i = 0; i < solid.triangle.size(); ++i) {
+    if (i >= solid.cut_face.size() || solid.cut_face[i] < 0) continue;
+    const glm::uvec3& t = solid.triangle[i];
+    const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
+    areas.try_emplace(solid.cut_face[i], 0.0).first->second += glm::cross(b - a, c - a);
+  }
+  glm::dvec3 best(0);
+  for (const auto& [face, area] : areas)
+    if (glm::dot(area, area) > glm::dot(best, best)) best = area;
+  return best == glm::dvec3(0) ? best : glm::normalize(best);
+}
+
+Box<double> box_of(const Solid& solid) {
+  Box<double> box;
+  for (const glm::uvec3& t : solid.triangle)
+    for (int k = 0; k < 3; ++k) box.add(glm::dvec3(solid.position[t[k]]));
+  return box;
+}
+
+}  // namespace
+
+double size_of(const Solid& solid) { return solid.triangle.empty() ? 0 : glm::length(box_of(solid).size()); }
+
+PieceShape piece_shape(const Solid& solid, double unit, int cells) {
+  // Weigh it where it is, then move it to its centre of mass.
+  PieceShape shape;
+  WeldedMesh mesh = welded(solid);
+  const Box<double> box = box_of(solid);
+  shape.size = glm::length(box.size());
+  shape.up = largest_face(solid);
+  weigh(shape, mesh, box.center());
+  for (glm::dvec3& p : mesh.position) {
+    p -= shape.center;
+    shape.radius = std::max(shape.radius, glm::length(p));
+  }
+  const Box<double> moved = box.moved(-shape.center);
+  shape.box = {glm::vec3(moved.low), glm::vec3(moved.high)};
+
+  // Grid and samples are fine enough for thin walls: two cells and three samples find them.
+  shape.thickness = 2 * shape.mass / area_of(mesh);
+  shape.distance = DistanceGrid(mesh.position, mesh.triangle,
+                                {.cells = cells, .finest = 0.6 * shape.thickness, .most_cells = 10 * cells});
+  const double seen = std::min(unit, shape.size);
+  shape.samples = surface_samples(mesh.position, mesh.triangle,
+                                  {.along_edges = std::min(seen / 45, 0.5 * shape.thickness),
+                                   .elsewhere = std::min(seen / 16, 1.5 * shape.thickness)});
+  return shape;
+}
+
+}  // namespace pomona

@@ -1,0 +1,59 @@
+#include "generator/scene/settle/fit_check.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/scene/heap_shapes.h"
+
+namespace pomona {
+namespace {
+
+/// A floor whose upper side is y = 0.
+PlacedMesh floor() {
+  const Solid slab = heap_shapes::ring(0.5, 0.001, 0.02);
+  return {TriangleTree(slab.position, slab.triangle), {0, -0.01, 0}, 1};
+}
+
+Pose at(double x, double y) { return {glm::dquat(1, 0, 0, 0), {x, y, 0}}; }
+
+TEST(FitCheck, MeasuresGapsAndOverlapsOfBalls) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.02)};
+  const PlacedMesh stand = floor();
+  FitCheck check(solids, {0, 0, 0}, stand, {});
+  const double size = glm::length(glm::dvec3(0.04));
+
+  // One on the floor with a gap of 1 mm; two that overlap by 2 mm, high above it.
+  const std::vector<Pose> poses{at(0.2, 0.021), at(0, 0.1), at(0.038, 0.1)};
+  const std::vector<Fit> fits = check.measure(poses);
+  EXPECT_NEAR(fits[0].gap * size, 0.001, 1e-4);
+  EXPECT_EQ(fits[0].penetration, 0);
+  for (const std::size_t i : {1u, 2u}) {
+    EXPECT_EQ(fits[i].gap, 0);
+    EXPECT_NEAR(fits[i].penetration * size, 0.002, 2e-4);
+  }
+}
+
+TEST(FitCheck, LooksNoFartherThanItSays) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.02)};
+  const PlacedMesh stand = floor();
+  FitCheck check(solids, {0}, stand, {});
+  EXPECT_EQ(check.measure(std::vector<Pose>{at(0, 0.2)})[0].gap, farthest_gap);
+}
+
+/// What it remembers makes no difference.
+TEST(FitCheck, MeasuresTheSameAgainAndAfterMoves) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.02), heap_shapes::wedge(0.03, 90)};
+  const PlacedMesh stand = floor();
+  const std::vector<Pose> before{at(0, 0.02), at(0.035, 0.03), at(0.09, 0.02), at(0.2, 0.5)};
+  std::vector<Pose> after = before;
+  after[3] = at(0.06, 0.021);
+  FitCheck twice(solids, {0, 1, 0, 1}, stand, {1}), fresh(solids, {0, 1, 0, 1}, stand, {2});
+  twice.measure(before);
+  const std::vector<Fit> remembered = twice.measure(after), anew = fresh.measure(after);
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(remembered[i].gap, anew[i].gap) << i;
+    EXPECT_EQ(remembered[i].penetration, anew[i].penetration) << i;
+  }
+}
+
+}  // namespace
+}  // namespace pomona

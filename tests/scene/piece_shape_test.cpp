@@ -1,0 +1,69 @@
+#include "generator/scene/settle/piece_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "generator/base/random.h"
+#include "generator/base/units.h"
+#include "generator/mesh/triangle_tree.h"
+#include "tests/scene/heap_shapes.h"
+
+namespace pomona {
+namespace {
+
+std::vector<Solid> shapes() {
+  return {heap_shapes::ball(0.02), heap_shapes::wedge(0.03, 70), heap_shapes::ring(0.035, 0.029, 0.006)};
+}
+
+/// Random points in the box around a shape, grown by a tenth.
+std::vector<glm::vec3> points_about(const PieceShape& shape) {
+  const RandomStream draw({5, 0}, "tests/points");
+  const glm::vec3 size = 1.1f * shape.box.size(), low = shape.box.center() - 0.5f * size;
+  std::vector<glm::vec3> points;
+  for (std::uint64_t i = 0; i < 3000; i += 3)
+    points.push_back(low + size * glm::vec3(draw.uniform(i), draw.uniform(i + 1), draw.uniform(i + 2)));
+  return points;
+}
+
+TEST(PieceShape, ABallWeighsWhatItsMeshBounds) {
+  const PieceShape shape = piece_shape(heap_shapes::ball(0.02), 0.035);
+  const double mass = 4.0 / 3 * pi * 0.02 * 0.02 * 0.02;
+  EXPECT_NEAR(shape.mass, mass, 0.02 * mass);
+  EXPECT_LT(glm::length(shape.center), 1e-6);
+  EXPECT_NEAR(1 / shape.inverse_inertia[0][0], 0.4 * mass * 0.02 * 0.02, 0.05 * 0.4 * mass * 0.02 * 0.02);
+}
+
+TEST(PieceShape, TheGridKnowsDistancesToTheRealMesh) {
+  for (const Solid& solid : shapes()) {
+    const PieceShape shape = piece_shape(solid, 0.05);
+    const TriangleTree tree(solid.position, solid.triangle);
+    for (const glm::vec3& p : points_about(shape)) {
+      const glm::dvec3 there = glm::dvec3(p) + shape.center;
+      const double distance = (tree.contains(there) ? -1 : 1) * tree.nearest(there).distance;
+      EXPECT_NEAR(shape.distance.value(p), distance, 0.015 * shape.size) << solid.name;
+    }
+  }
+}
+
+TEST(PieceShape, SamplesLieOnTheSurfaceAndInTheirBalls) {
+  for (const Solid& solid : shapes()) {
+    const PieceShape shape = piece_shape(solid, 0.05);
+    ASSERT_GT(shape.samples.point.size(), 50u) << solid.name;
+    const TriangleTree tree(solid.position, solid.triangle);
+    for (const glm::vec3& p : shape.samples.point)
+      EXPECT_LT(tree.nearest(glm::dvec3(p) + shape.center).distance, 1e-6) << solid.name;
+    int covered = 0;
+    for (const SampleBall& ball : shape.samples.ball) {
+      covered += ball.count;
+      for (int i = ball.first; i < ball.first + ball.count; ++i)
+        EXPECT_LE(glm::distance(shape.samples.point[static_cast<std::size_t>(i)], ball.center), ball.radius * 1.0001f);
+    }
+    EXPECT_EQ(covered, std::ssize(shape.samples.point)) << solid.name;
+  }
+}
+
+}  // namespace
+}  // namespace pomona
