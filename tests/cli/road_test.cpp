@@ -60,9 +60,13 @@ TEST_P(Fruit, LevelsOfDetailDoNotDependOnThreadsAndAreCounted) {
 
 TEST_P(Fruit, SeedsDifferAndShareTheirConnectivity) {
   const TemporaryFolder folder;
+  // Counts of folds and layers vary, too, unless they are fixed.
+  const std::vector<std::string> fixed =
+      std::string(GetParam()) == "pepper" ? std::vector<std::string>{"--folds", "4"} : std::vector<std::string>{};
   for (const char* seed : {"0", "1", "2"}) {
-    expect_done(run_pomona(with({"grow", GetParam(), "--seed", seed, "-o", std::string(seed) + ".ply"}, coarse),
-                           folder.path()));
+    std::vector<std::string> words{"grow", GetParam(), "--seed", seed, "-o", std::string(seed) + ".ply"};
+    words.insert(words.end(), fixed.begin(), fixed.end());
+    expect_done(run_pomona(with(words, coarse), folder.path()));
   }
   const std::string drawn = bytes_of(folder / "0.ply"), one = bytes_of(folder / "1.ply"),
                     two = bytes_of(folder / "2.ply");
