@@ -11,12 +11,10 @@
 #include "cli/batch/report.h"
 #include "cli/batch/run_batch.h"
 #include "cli/batch/sizes.h"
+#include "cli/batch/wanted_batch.h"
 #include "cli/command.h"
-#include "cli/find_template.h"
 #include "cli/program_folders.h"
-#include "cli/version.h"
 #include "generator/base/error.h"
-#include "generator/batch/batch_record.h"
 
 namespace pomona {
 
@@ -55,7 +53,7 @@ void check_folder_of(const fs::path& folder, const std::string& record, bool res
     if (there.empty()) refuse("is not empty, and holds no batch", "name a folder of its own");
   }
   if (there.empty()) return;
-  if (there != record) refuse("holds " + difference(there, record), "name another folder, or remove this one");
+  check_holds_no_other(folder, there, record);
   if (!resume && has_any_item(plan, folder, shard))
     refuse("holds items of this batch already", "--resume keeps them and makes what is missing");
 }
@@ -73,9 +71,8 @@ ExitStatus make_batch(const BatchCommand& command) {
   // Everything that can be wrong with the words and the file is told before anything is written.
   const RunOptions options{
       .shard = parse_shard(command.shard), .threads = {command.threads}, .memory = parse_memory(command.memory)};
-  const BatchPlan plan =
-      planned(read_batch(find_file("scenes", command.batch)), {.find = find_template, .all = all_templates});
-  const std::string record = batch_record(plan, std::string("pomona ") + version);
+  const BatchPlan plan = wanted_batch(find_file("scenes", command.batch));
+  const std::string record = record_of(plan);
   const fs::path folder = command.output;
   check_folder_of(folder, record, command.resume, plan, options.shard);
 

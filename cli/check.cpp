@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/batch/wanted_batch.h"
 #include "cli/command.h"
 #include "cli/find_template.h"
-#include "generator/batch/batch_plan.h"
 #include "generator/scene/scene_file.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/file/surface_file.h"
@@ -37,7 +37,7 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
     return {};
   }
   if (is_batch_file(file)) {
-    planned(read_batch(file), {.find = find_template, .all = all_templates});
+    wanted_batch(file);
     return {};
   }
   if (is_style_file(file)) {

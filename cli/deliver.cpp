@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/ending_signals.h"
 #include "cli/find_style.h"
 #include "cli/scene_levels.h"
 #include "cli/version.h"
@@ -31,9 +32,7 @@ namespace {
 class HeldSignals {
  public:
   HeldSignals() {
-    sigset_t ending;
-    sigemptyset(&ending);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ending, signal);
+    const sigset_t ending = set_of_ending_signals();
     pthread_sigmask(SIG_BLOCK, &ending, &before_);
   }
   ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }

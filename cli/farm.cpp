@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/batch/assemble.h"
-#include "cli/batch/report.h"
 #include "cli/batch/sizes.h"
+#include "cli/batch/wanted_batch.h"
 #include "cli/command.h"
 #include "cli/farm/farm_folder.h"
 #include "cli/farm/farm_job.h"
@@ -17,11 +17,8 @@
 #include "cli/farm/shell_words.h"
 #include "cli/farm/slurm_queue.h"
 #include "cli/farm/slurm_scripts.h"
-#include "cli/find_template.h"
 #include "cli/program_folders.h"
-#include "cli/version.h"
 #include "generator/base/error.h"
-#include "generator/batch/batch_record.h"
 #include "render/export/output.h"
 
 namespace pomona {
@@ -66,12 +63,8 @@ FarmJob job_for(const JobOptions& options) {
                     .works_in = fs::current_path(),
                     .tasks = options.tasks,
                     .memory = options.memory};
-  const BatchPlan plan = planned(read_batch(job.batch), {.find = find_template, .all = all_templates});
-  const std::string wanted = batch_record(plan, std::string("pomona ") + version), there = batch_record_in(job.output);
-  if (!there.empty() && there != wanted)
-    throw Error(ExitStatus::cannot_create, {{{job.output.string(), 0, 0, {}},
-                                             "holds " + difference(there, wanted),
-                                             "name another folder, or remove this one"}});
+  const std::string wanted = record_of(wanted_batch(job.batch));
+  check_holds_no_other(job.output, batch_record_in(job.output), wanted);
   return job;
 }
 

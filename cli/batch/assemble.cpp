@@ -8,6 +8,7 @@
 #include "cli/batch/contact_sheet.h"
 #include "cli/batch/finished_item.h"
 #include "generator/base/error.h"
+#include "generator/base/first_bytes.h"
 #include "generator/batch/batch_record.h"
 
 namespace fs = std::filesystem;
@@ -22,7 +23,7 @@ constexpr std::size_t longest_record = std::size_t{64} << 20;  // bytes
 /// Calls `visit` with each item's folder, in the order of the batch.
 void for_items(const RecordedBatch& batch, const std::function<void(const std::string&)>& visit) {
   for (const RecordedEntry& entry : batch.entries)
-    for (std::int64_t n = 0; n < entry.items; ++n) visit(entry.name + "/" + item_folder(entry.items, n));
+    for (std::int64_t n = 0; n < entry.items; ++n) visit(item_path(entry.name, entry.items, n));
 }
 
 AssembleReport surveyed(const fs::path& folder, const RecordedBatch& batch) {
@@ -75,11 +76,9 @@ void write_page(const Workplace::Writer& write, const fs::path& folder, const Re
 std::string batch_record_in(const fs::path& folder) {
   std::ifstream stream(folder / "batch.json", std::ios::binary);
   if (!stream) return {};
-  std::string text(longest_record, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text = first_bytes(stream, longest_record);
   if (stream.bad())
     throw Error(ExitStatus::io_error, {{{(folder / "batch.json").string(), 0, 0, {}}, "cannot be read", {}}});
-  text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
 }
 

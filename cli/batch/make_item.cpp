@@ -133,8 +133,7 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Grown
                    const std::string& growing_error, const BatchItem& item, const Style& style) {
   const PlannedEntry& entry = plan.entries[which.entry];
   const std::string& name = plan.templates[which.fruit].name;
-  MadeItem made{
-      .item = entry.wanted.name + "/" + item_folder(entry.items(), item.number), .files = {}, .error = growing_error};
+  MadeItem made{.item = item_path(entry.wanted.name, entry.items(), item.number), .files = {}, .error = growing_error};
 
   // Cut it and make its files; whatever goes wrong with that is this item's alone.
   ItemOutcome outcome;

@@ -30,16 +30,4 @@ std::string report_as_json(const RunReport& report) {
   return json.dump(2);
 }
 
-std::string difference(const std::string& there, const std::string& wanted) {
-  const auto old_one = nlohmann::json::parse(there, nullptr, false), new_one = nlohmann::json::parse(wanted);
-  if (!old_one.is_object()) return "a batch.json that cannot be read";
-  const auto told = [&](const char* key) { return old_one.value(key, nlohmann::json()).dump(); };
-  const auto differs = [&](const char* key) { return old_one.value(key, nlohmann::json()) != new_one.at(key); };
-  if (differs("name")) return "another batch, " + told("name");
-  if (differs("program")) return "a batch of another version, " + told("program");
-  if (differs("seed")) return "this batch with another seed, " + told("seed");
-  if (differs("templates")) return "this batch with templates that have changed since";
-  return "this batch as its file was before it was changed";
-}
-
 }  // namespace pomona

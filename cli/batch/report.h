@@ -13,7 +13,4 @@ std::string summary(const RunReport& report, const std::string& folder);
 /// The same for programs.
 std::string report_as_json(const RunReport& report);
 
-/// In what the batch that a folder holds differs from the one wanted, both as batch.json: `another batch, "small"`.
-std::string difference(const std::string& there, const std::string& wanted);
-
 }  // namespace pomona

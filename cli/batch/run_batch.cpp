@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "cli/batch/finished_item.h"
 #include "cli/batch/make_item.h"
 #include "cli/batch/memory_budget.h"
+#include "cli/ending_signals.h"
 #include "generator/base/error.h"
 #include "generator/base/stop_watch.h"
 
@@ -20,24 +20,14 @@ namespace pomona {
 
 namespace {
 
-constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
-
 /// Signals with which people and schedulers end a program wait while this lives, and can be asked for.
 class PendingSignals {
  public:
-  PendingSignals() {
-    sigset_t ending;
-    sigemptyset(&ending);
-    for (const int signal : ending_signals) sigaddset(&ending, signal);
-    pthread_sigmask(SIG_BLOCK, &ending, &before_);
-  }
+  PendingSignals() { pthread_sigmask(SIG_BLOCK, &ending_, &before_); }
   ~PendingSignals() {
     // They have been heeded: they must not end the program once more.
     const timespec at_once{0, 0};
-    sigset_t ending;
-    sigemptyset(&ending);
-    for (const int signal : ending_signals) sigaddset(&ending, signal);
-    while (any() && sigtimedwait(&ending, nullptr, &at_once) > 0) {
+    while (any() && sigtimedwait(&ending_, nullptr, &at_once) > 0) {
     }
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
@@ -52,7 +42,7 @@ class PendingSignals {
   }
 
  private:
-  sigset_t before_;
+  sigset_t ending_ = set_of_ending_signals(), before_{};
 };
 
 /// The shard's variants: every count-th of all.
@@ -73,31 +63,44 @@ class VariantsOfShard {
 
 std::string path_of(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item) {
   const PlannedEntry& entry = plan.entries[variant.entry];
-  return entry.wanted.name + "/" + item_folder(entry.items(), item.number);
+  return item_path(entry.wanted.name, entry.items(), item.number);
 }
 
-/// A template made ready for its variants, or why it cannot be.
-struct ReadyTemplate {
-  std::optional<Variation> variation;
-  std::string error;
+/// Templates made ready for their variants when the first of these is wanted: a share of a batch, or what is left of
+/// it, may need few of them.
+class ReadyTemplates {
+ public:
+  /// One of them, or why it cannot be made ready.
+  struct Ready {
+    std::optional<Variation> variation;
+    std::string error;
+  };
+
+  explicit ReadyTemplates(const BatchPlan& plan)
+      : plan_(plan), once_(plan.templates.size()), ready_(plan.templates.size()) {}
+
+  /// By any thread; the others wait for the one that makes it.
+  const Ready& of(std::size_t fruit) {
+    std::call_once(once_[fruit], [&] {
+      try {
+        ready_[fruit].variation.emplace(plan_.templates[fruit].fruit);
+      } catch (const std::exception& error) {
+        ready_[fruit].error = reason_of(error);
+      }
+    });
+    return ready_[fruit];
+  }
+
+ private:
+  const BatchPlan& plan_;
+  std::vector<std::once_flag> once_;
+  std::vector<Ready> ready_;
 };
-
-std::vector<ReadyTemplate> made_ready(const BatchPlan& plan, Threads threads) {
-  std::vector<ReadyTemplate> ready(plan.templates.size());
-  parallel_for(ready.size(), threads, [&](std::size_t i) {
-    try {
-      ready[i].variation.emplace(plan.templates[i].fruit);
-    } catch (const std::exception& error) {
-      ready[i].error = reason_of(error);
-    }
-  });
-  return ready;
-}
 
 class Run {
  public:
   Run(const BatchPlan& plan, const Style& style, Workplace& workplace, const RunOptions& options, Progress& progress)
-      : plan_(plan), style_(style), workplace_(workplace), progress_(progress), budget_(options.memory) {
+      : plan_(plan), style_(style), workplace_(workplace), progress_(progress), budget_(options.memory), ready_(plan) {
     const VariantsOfShard variants(plan, options.shard);
     for (std::size_t i = 0; i < variants.size(); ++i)
       tally_.total += plan.entries[variant_at(plan, variants[i]).entry].items_of_a_variant;
@@ -105,7 +108,6 @@ class Run {
 
   RunReport all(const RunOptions& options) {
     const VariantsOfShard numbers(plan_, options.shard);
-    ready_ = made_ready(plan_, options.threads);
     tell();
     parallel_for(numbers.size(), options.threads, [&](std::size_t i) { make_variant(numbers[i]); });
     if (interrupted_)
@@ -149,7 +151,7 @@ class Run {
 
   void make_items(std::int64_t number, const BatchVariant& which, const std::vector<BatchItem>& items) {
     const MemoryBudget::Loan memory(budget_, memory_of_an_item(plan_.entries[which.entry]));
-    const ReadyTemplate& ready = ready_[which.fruit];
+    const ReadyTemplates::Ready& ready = ready_.of(which.fruit);
     std::optional<GrownVariant> grown;
     std::string error = ready.error;
     try {
@@ -194,7 +196,7 @@ class Run {
   Progress& progress_;
   PendingSignals signals_;
   MemoryBudget budget_;
-  std::vector<ReadyTemplate> ready_;
+  ReadyTemplates ready_;
   StopWatch watch_;
   std::atomic<bool> stopped_ = false, interrupted_ = false;
 

@@ -8,6 +8,7 @@
 
 #include "cli/batch/sizes.h"
 #include "generator/base/error.h"
+#include "generator/base/first_bytes.h"
 #include "generator/scene/json_node.h"
 #include "render/export/output.h"
 
@@ -22,10 +23,7 @@ constexpr std::size_t longest_record = std::size_t{1} << 20;  // bytes
 /// Empty if there is no such file; what is longer than any record is cut off, and found wrong by who reads it.
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  std::string text(longest_record, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
+  return first_bytes(stream, longest_record);
 }
 
 [[noreturn]] void fail(const fs::path& file, const std::string& message) {

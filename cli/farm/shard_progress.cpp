@@ -24,7 +24,7 @@ std::vector<Found> look_at(const fs::path& folder, const RecordedEntry& entry, s
                            Threads threads) {
   std::vector<Found> found(static_cast<std::size_t>(count));
   parallel_for(found.size(), threads, [&](std::size_t i) {
-    const std::string item = entry.name + "/" + item_folder(entry.items, first + static_cast<std::int64_t>(i));
+    const std::string item = item_path(entry.name, entry.items, first + static_cast<std::int64_t>(i));
     const auto there = finished_item(folder, item);
     if (there) found[i] = there->facts.error.empty() ? Found::done : Found::failed;
   });

@@ -77,6 +77,12 @@ bool has_spike(const Curve& curve) {
 
 }  // namespace
 
+double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
+  const glm::dvec2 ab = b - a;
+  const double share = glm::dot(p - a, ab) / glm::dot(ab, ab);
+  return glm::distance(p, a + ab * std::fmin(1, std::fmax(0, share)));
+}
+
 double length(const Curve& curve) { return arc_lengths(curve).back(); }
 
 double signed_area(const Curve& curve) {

@@ -16,6 +16,9 @@ struct Curve {
 
 double length(const Curve& curve);
 
+/// From a point to the nearest place between a and b, which may be one.
+double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b);
+
 /// Enclosed area, positive for counter-clockwise closed curves.
 double signed_area(const Curve& curve);
 

@@ -1,15 +1,15 @@
 #include "generator/batch/batch_file.h"
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <utility>
 
 #include "generator/batch/batch_limits.h"
 #include "generator/knife/read_knife.h"
-#include "generator/scene/plain_name.h"
-#include "generator/scene/toml_text.h"
+#include "generator/template/read/read_name.h"
 #include "generator/template/read/toml_document.h"
+#include "generator/template/read/toml_text.h"
+#include "generator/template/template.h"
 
 namespace pomona {
 
@@ -82,13 +82,9 @@ AssetOptions read_assets(const TomlTable& table, AssetOptions assets) {
 }
 
 /// One knife, or several that cut one after another; none leave the fruit whole.
-std::vector<Knife> read_knives(const TomlValue& alternative, const std::filesystem::path& folder) {
-  std::vector<Knife> knives;
-  const bool many = alternative.is(TomlNode::Kind::array);
-  for (const TomlValue& value : many ? alternative.values() : std::vector<TomlValue>{alternative}) {
-    if (const std::optional<Knife> knife = read_knife(value, folder)) knives.push_back(*knife);
-  }
-  return knives;
+std::vector<Knife> read_alternative(const TomlValue& knives, const std::filesystem::path& folder) {
+  if (knives.is(TomlNode::Kind::array)) return read_knives(knives.values(), folder);
+  return read_knives({&knives, 1}, folder);
 }
 
 class BatchReader {
@@ -100,7 +96,7 @@ class BatchReader {
     const TomlTable table = root.need("batch").table();
     batch_.file = file_;
     table.need("format").integer(1, 1, 1);
-    batch_.name = read_plain_name(table.need("name"));
+    batch_.name = read_name(table.need("name"), {});
     batch_.title = table.get("title").text(batch_.name);
     batch_.seed = static_cast<std::uint64_t>(table.get("seed").integer(0, 0, largest_seed));
     const AssetOptions usual = read_assets(table, {});
@@ -118,18 +114,15 @@ class BatchReader {
     BatchEntry entry;
     const TomlTable table = unnamed.called("entry \"" + unnamed.get("name").text() + "\"");
     const TomlValue name = table.need("name");
-    entry.name = read_plain_name(name);
+    entry.name = read_name(name, names_);
     entry.place = name.place();
-    for (const BatchEntry& other : batch_.entries) {
-      if (other.name == entry.name && !entry.name.empty())
-        name.error("\"" + entry.name + "\" is there already", "give it a name of its own");
-    }
+    names_.push_back(entry.name);
 
     // Which fruit, and which individuals of it.
     read_templates(table, entry);
     read_variants(table, entry);
     read_list(table.get("folds"), entry.folds,
-              [](const TomlValue& value) { return std::optional(value.integer(1, 1, 64)); });
+              [](const TomlValue& value) { return std::optional(value.integer(1, 1, most_folds)); });
     read_list(table.get("ripeness"), entry.ripeness, [](const TomlValue& value) {
       return std::optional(value.number(1, {0, 2}));
     });
@@ -139,7 +132,7 @@ class BatchReader {
     const std::vector<TomlValue> alternatives = one_or_many(table.get("knives"));
     if (!alternatives.empty()) entry.knives.clear();
     for (const TomlValue& alternative : alternatives)
-      entry.knives.push_back(read_knives(alternative, std::filesystem::path(file_).parent_path()));
+      entry.knives.push_back(read_alternative(alternative, std::filesystem::path(file_).parent_path()));
     entry.assets = read_assets(table, usual);
     return entry;
   }
@@ -172,6 +165,7 @@ class BatchReader {
   TomlDocument document_;
   std::string file_;
   BatchDescription batch_;
+  std::vector<std::string> names_;  ///< of the entries so far
 };
 
 }  // namespace
@@ -192,14 +186,6 @@ BatchDescription read_batch(const std::filesystem::path& file) {
   return parse_batch(read_toml_text(file), file.string());
 }
 
-bool is_batch_file(const std::filesystem::path& file) {
-  if (file.extension() != ".toml") return false;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
-    line.erase(0, line.find_first_not_of(" \t"));
-    if (line.starts_with("[batch]") || line.starts_with("[[entry]]")) return true;
-  }
-  return false;
-}
+bool is_batch_file(const std::filesystem::path& file) { return has_toml_heading(file, {"[batch]", "[[entry]]"}); }
 
 }  // namespace pomona

@@ -183,4 +183,8 @@ std::string item_folder(std::int64_t items, std::int64_t number) {
   return digits;
 }
 
+std::string item_path(const std::string& entry, std::int64_t items, std::int64_t number) {
+  return entry + "/" + item_folder(items, number);
+}
+
 }  // namespace pomona

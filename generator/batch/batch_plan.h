@@ -78,4 +78,7 @@ std::vector<BatchItem> items_of(const PlannedEntry& entry, const BatchVariant& v
 /// folder has more than a thousand.
 std::string item_folder(std::int64_t items, std::int64_t number);
 
+/// The same from the batch's folder, "halves/042": the name by which manifests know an item.
+std::string item_path(const std::string& entry, std::int64_t items, std::int64_t number);
+
 }  // namespace pomona

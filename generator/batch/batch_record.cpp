@@ -10,7 +10,8 @@
 
 #include "generator/base/sha256.h"
 #include "generator/batch/batch_limits.h"
-#include "generator/scene/json_node.h"
+#include "generator/batch/record_fields.h"
+#include "generator/template/read/read_name.h"
 
 namespace pomona {
 
@@ -88,15 +89,9 @@ std::map<std::string, std::string> drawings_of(const BatchDescription& batch) {
   return drawings;
 }
 
-[[noreturn]] void fail(const SourcePlace& place, const std::string& message) {
-  throw Error(ExitStatus::bad_data, {{place, message, "pomona wrote this file; make the batch again"}});
-}
+constexpr const char* hint = "pomona wrote this file; make the batch again";
 
-std::string text_at(const JsonNode& node, std::string_view key) {
-  const JsonNode& value = node.need(key);
-  if (value.kind != JsonNode::Kind::string) fail(value.place, "should be a text");
-  return value.text;
-}
+[[noreturn]] void fail(const SourcePlace& place, const std::string& message) { refuse_record(place, message, hint); }
 
 double number_at(const JsonNode& node, std::string_view key, double most) {
   const JsonNode& value = node.need(key);
@@ -146,9 +141,9 @@ std::int64_t RecordedBatch::items() const {
 RecordedBatch parse_batch_record(const std::string& json, const std::string& file) {
   const JsonNode root = parse_json(json, file);
   number_at(root, "format", 1);
-  RecordedBatch batch{.program = text_at(root, "program"),
-                      .name = text_at(root, "name"),
-                      .title = text_at(root, "title"),
+  RecordedBatch batch{.program = text_at(root, "program", hint),
+                      .name = text_at(root, "name", hint),
+                      .title = text_at(root, "title", hint),
                       .seed = static_cast<std::uint64_t>(number_at(root, "seed", 0x1p53)),
                       .entries = {}};
   const JsonNode& entries = root.need("entries");
@@ -156,9 +151,8 @@ RecordedBatch parse_batch_record(const std::string& json, const std::string& fil
     fail(entries.place, "should be a list of entries");
   for (const JsonNode& entry : entries.items) {
     // A name becomes a folder's: it must not lead elsewhere.
-    const std::string name = text_at(entry, "name");
-    const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
-    if (name.empty() || !std::all_of(name.begin(), name.end(), plain)) fail(entry.place, "has no plain name");
+    const std::string name = text_at(entry, "name", hint);
+    if (!is_plain_name(name)) fail(entry.place, "has no plain name");
     batch.entries.push_back(
         {name, static_cast<std::int64_t>(number_at(entry, "items", most_batch_items)), items_of_a_variant(entry)});
   }

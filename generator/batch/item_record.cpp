@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
+#include "generator/batch/record_fields.h"
 #include "generator/piece/piece_facts.h"
-#include "generator/scene/json_node.h"
 
 namespace pomona {
 
@@ -27,7 +27,7 @@ Json piece_of(const Solid& solid) {
 Json recipe(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item) {
   const PlannedEntry& entry = plan.entries[variant.entry];
   const PlannedTemplate& fruit = plan.templates[variant.fruit];
-  Json json = {{"item", entry.wanted.name + "/" + item_folder(entry.items(), item.number)},
+  Json json = {{"item", item_path(entry.wanted.name, entry.items(), item.number)},
                {"entry", entry.wanted.name},
                {"number", item.number},
                {"template", fruit.name},
@@ -50,15 +50,9 @@ const JsonNode* find(const JsonNode& node, std::string_view key) {
   return nullptr;
 }
 
-[[noreturn]] void fail(const SourcePlace& place, const std::string& message) {
-  throw Error(ExitStatus::bad_data, {{place, message, "remove the item's folder, and go on with --resume"}});
-}
+constexpr const char* hint = "remove the item's folder, and go on with --resume";
 
-std::string text_at(const JsonNode& node, std::string_view key) {
-  const JsonNode& value = node.need(key);
-  if (value.kind != JsonNode::Kind::string) fail(value.place, "should be a text");
-  return value.text;
-}
+[[noreturn]] void fail(const SourcePlace& place, const std::string& message) { refuse_record(place, message, hint); }
 
 double number_at(const JsonNode& node, std::string_view key) {
   const JsonNode& value = node.need(key);
@@ -74,7 +68,7 @@ std::uint64_t whole_at(const JsonNode& node, std::string_view key) {
 }
 
 RecordedFile file_of(const JsonNode& node) {
-  RecordedFile file{text_at(node, "name"), whole_at(node, "bytes"), text_at(node, "sha256")};
+  RecordedFile file{text_at(node, "name", hint), whole_at(node, "bytes"), text_at(node, "sha256", hint)};
   const bool leads_elsewhere =
       file.name.empty() || file.name.front() == '.' || file.name.find('/') != std::string::npos;
   if (leads_elsewhere) fail(node.place, "has no plain name");
@@ -98,12 +92,12 @@ std::string item_record(const BatchPlan& plan, const BatchVariant& variant, cons
 
 RecordedItem parse_item_record(const std::string& json, const std::string& file) {
   const JsonNode root = parse_json(json, file);
-  RecordedItem item{.item = text_at(root, "item"),
-                    .template_name = text_at(root, "template"),
+  RecordedItem item{.item = text_at(root, "item", hint),
+                    .template_name = text_at(root, "template", hint),
                     .seed = whole_at(root, "seed"),
                     .knives = {},
                     .files = {},
-                    .error = find(root, "error") ? text_at(root, "error") : std::string()};
+                    .error = find(root, "error") ? text_at(root, "error", hint) : std::string()};
   for (const JsonNode& knife : root.need("knives").items) item.knives += (item.knives.empty() ? "" : " ") + knife.text;
   for (const JsonNode& piece : root.need("pieces").items) item.volume += number_at(piece, "volume");
   item.pieces = root.need("pieces").items.size();

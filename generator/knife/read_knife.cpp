@@ -18,4 +18,12 @@ std::optional<Knife> read_knife(const TomlValue& value, const std::filesystem::p
   }
 }
 
+std::vector<Knife> read_knives(std::span<const TomlValue> values, const std::filesystem::path& folder) {
+  std::vector<Knife> knives;
+  for (const TomlValue& value : values) {
+    if (const std::optional<Knife> knife = read_knife(value, folder)) knives.push_back(*knife);
+  }
+  return knives;
+}
+
 }  // namespace pomona

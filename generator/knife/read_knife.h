@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "generator/knife/knife.h"
 #include "generator/template/read/toml_document.h"
@@ -12,5 +14,8 @@ namespace pomona {
 /// As parse_knife() reads it; what is wrong with it is noted at the value, and nothing comes back. Files that knives
 /// name are looked for from `folder`.
 std::optional<Knife> read_knife(const TomlValue& value, const std::filesystem::path& folder);
+
+/// Those of them that can be read.
+std::vector<Knife> read_knives(std::span<const TomlValue> values, const std::filesystem::path& folder);
 
 }  // namespace pomona

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/mesh/bounding_volume_hierarchy.h"
+#include "generator/mesh/ray_passes.h"
 #include "generator/mesh/triangle_distance.h"
 #include "generator/mesh/weld.h"
 
@@ -36,20 +37,6 @@ Box<double> box_of(const Corners& t) { return box_around(t[0], t[1], t[2]); }
 Corners moved(Corners corners, const glm::dvec3& offset) {
   for (glm::dvec3& corner : corners) corner += offset;
   return corners;
-}
-
-/// True if the ray from `point` along the axis `along` passes through the triangle, seen on the plane of the
-/// other two axes. The answers of triangles that share an edge agree on it, so closed meshes have no leaks.
-bool ray_passes(const Corners& t, const glm::dvec3& point, int along) {
-  const int u = (along + 1) % 3, v = (along + 2) % 3;
-  bool inside = false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    glm::dvec3 a = t[i], b = t[(i + 1) % 3];
-    if ((a[u] > point[u]) == (b[u] > point[u])) continue;
-    if (a[u] > b[u]) std::swap(a, b);
-    if (a[v] + (b[v] - a[v]) * ((point[u] - a[u]) / (b[u] - a[u])) > point[v]) inside = !inside;
-  }
-  return inside;
 }
 
 /// Sorts the triangles along the axis on which their centres spread most; the first half is the left one.

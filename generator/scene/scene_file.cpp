@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -10,11 +9,11 @@
 
 #include "generator/base/units.h"
 #include "generator/knife/read_knife.h"
-#include "generator/scene/plain_name.h"
-#include "generator/scene/toml_text.h"
+#include "generator/template/read/read_name.h"
 #include "generator/template/read/read_paint.h"
 #include "generator/template/read/svg_path.h"
 #include "generator/template/read/toml_document.h"
+#include "generator/template/read/toml_text.h"
 
 namespace pomona {
 
@@ -97,15 +96,6 @@ BowlDescription read_bowl(const TomlTable& table) {
   return bowl;
 }
 
-/// Files that knives name are looked for from `folder`.
-std::vector<Knife> read_knives(const TomlValue& value, const std::filesystem::path& folder) {
-  std::vector<Knife> knives;
-  for (const TomlValue& text : value.values()) {
-    if (const std::optional<Knife> knife = read_knife(text, folder)) knives.push_back(*knife);
-  }
-  return knives;
-}
-
 /// A number, or the two ends of a range to draw from, [0.6, 1.4].
 std::optional<Within> read_range(const TomlValue& value, Within within) {
   if (!value.given()) return {};
@@ -131,7 +121,7 @@ class SceneReader {
     const TomlTable root = document_.root();
     scene_.file = file_;
     root.need("format").integer(1, 1, 1);
-    scene_.name = read_plain_name(root.need("name"));
+    scene_.name = read_name(root.need("name"), {});
     scene_.title = root.get("title").text(scene_.name);
     scene_.seed = static_cast<std::uint64_t>(root.get("seed").integer(0, 0, std::numeric_limits<int>::max()));
     if (root.has("paper")) scene_.paper = root.get("paper").color();
@@ -186,11 +176,8 @@ class SceneReader {
     // Messages call the entry by its name, which no other entry may have.
     PiecesDescription pieces;
     const TomlTable table = unnamed.called("pieces \"" + unnamed.get("name").text() + "\"");
-    pieces.name = read_plain_name(table.need("name"));
-    for (const PiecesDescription& other : scene_.pieces) {
-      if (other.name == pieces.name && !pieces.name.empty())
-        table.get("name").error("\"" + pieces.name + "\" is there already", "give it a name of its own");
-    }
+    pieces.name = read_name(table.need("name"), names_);
+    names_.push_back(pieces.name);
 
     // The next keys say which fruit it is, how many variants there are and how far they are from the drawing.
     const TomlValue fruit = table.need("template");
@@ -199,7 +186,7 @@ class SceneReader {
     if (fruit.is(TomlNode::Kind::string) && pieces.template_name.empty()) fruit.error("is empty");
     pieces.count = table.get("count").integer(1, 1, most_pieces);
     pieces.as_drawn = table.get("as_drawn").boolean(false);
-    if (table.has("folds")) pieces.folds = table.get("folds").integer(1, 1, 64);
+    if (table.has("folds")) pieces.folds = table.get("folds").integer(1, 1, most_folds);
     pieces.variation = table.get("variation").number(1, {0, 2});
     if (pieces.as_drawn && table.has("variation"))
       table.get("variation").error("has no effect on what is as drawn", "keep \"variation\" or \"as_drawn\"");
@@ -207,7 +194,7 @@ class SceneReader {
     pieces.browning = read_range(table.get("browning"), {0, 1});
 
     // Then come the knives, and which of the pieces are placed how often.
-    pieces.knives = read_knives(table.get("knives"), std::filesystem::path(file_).parent_path());
+    pieces.knives = read_knives(table.get("knives").values(), std::filesystem::path(file_).parent_path());
     pieces.take = table.get("take").integer(0, 0, most_pieces);
     pieces.copies = table.get("copies").integer(1, 1, 1000);
     pieces.smallest = table.get("smallest").number(pieces.smallest, {0, 1});
@@ -224,6 +211,7 @@ class SceneReader {
   TomlDocument document_;
   std::string file_;
   SceneDescription scene_;
+  std::vector<std::string> names_;  ///< of the entries so far
 };
 
 }  // namespace
@@ -234,14 +222,6 @@ SceneDescription read_scene(const std::filesystem::path& file) {
   return parse_scene(read_toml_text(file), file.string());
 }
 
-bool is_scene_file(const std::filesystem::path& file) {
-  if (file.extension() != ".toml") return false;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
-    line.erase(0, line.find_first_not_of(" \t"));
-    if (line.starts_with("[[pieces]]") || line.starts_with("[bowl]")) return true;
-  }
-  return false;
-}
+bool is_scene_file(const std::filesystem::path& file) { return has_toml_heading(file, {"[[pieces]]", "[bowl]"}); }
 
 }  // namespace pomona

@@ -65,6 +65,9 @@ struct HeightRange {
 };
 HeightRange drawn_heights(const Template& fruit);
 
+/// Of any fruit, drawn or asked for.
+constexpr int most_folds = 64;
+
 /// Folds, or 1 where there are none.
 int fold_count(const Template& fruit);
 

@@ -13,8 +13,6 @@ namespace pomona {
 
 namespace {
 
-constexpr int most_folds = 64;
-
 void check_folds(const Template& fruit, int folds) {
   if (!std::holds_alternative<FoldSymmetry>(fruit.symmetry)) {
     throw Error(ExitStatus::usage, "template \"" + fruit.name + "\" has no folds to change",

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "generator/base/error.h"
+#include "generator/base/first_bytes.h"
 #include "generator/base/units.h"
 #include "generator/template/read/read_name.h"
 #include "generator/template/read/toml_document.h"
@@ -90,10 +91,7 @@ Style read_style(const std::filesystem::path& file) {
   if (!stream || std::filesystem::is_directory(file))
     throw Error(ExitStatus::input_missing, {{{file.string(), 0, 0, {}}, "cannot be read", {}}});
 
-  // One byte beyond the limit is enough to know that the file goes beyond it.
-  std::string text(most_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  const std::string text = first_bytes(stream, most_bytes + 1);
   if (text.size() > most_bytes)
     throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, {}}, "is longer than 64 KiB: no style is", {}}});
   return parse_style(text, file.string());

@@ -64,38 +64,20 @@ Covered pixel_of(const SampleGrid& grid, const std::vector<std::uint32_t>& ink, 
   return pixel;
 }
 
-/// to_srgb8() by looking up where it takes its steps: a picture has more pixels than an sRGB channel has values.
-class SrgbSteps {
- public:
-  SrgbSteps() {
-    for (std::size_t i = 0; i < steps_.size(); ++i)
-      steps_[i] = static_cast<float>(linear_from_srgb((static_cast<double>(i) + 0.5) / 255));
-  }
-  glm::u8vec3 operator()(const Color& color) const {
-    glm::u8vec3 srgb;
-    for (int k = 0; k < 3; ++k)
-      srgb[k] = static_cast<std::uint8_t>(std::upper_bound(steps_.begin(), steps_.end(), color[k]) - steps_.begin());
-    return srgb;
-  }
-
- private:
-  std::array<float, 255> steps_{};
-};
-
 /// What is covered over the shadow, and that over paper if there is some. Straight opacity, as PNG wants it.
 void put(const Covered& covered, float shadow, const std::optional<Color>& paper, const Color& shade,
-         const SrgbSteps& srgb, TransparentImage& result) {
+         TransparentImage& result) {
   const float rest = 1 - covered.share;
   if (paper) {
     const Color ground = glm::mix(*paper, *paper * shade, shadow);
-    result.image.pixels.push_back(srgb(covered.color + rest * ground));
+    result.image.pixels.push_back(to_srgb8(covered.color + rest * ground));
     result.opacity.push_back(255);
     return;
   }
   // A shadow on an unknown ground is a dark veil.
   const float veil = rest * shadow, opacity = covered.share + veil;
   const Color color = opacity > 0 ? (covered.color + veil * 0.06f * shade) / opacity : Color(0);
-  result.image.pixels.push_back(srgb(color));
+  result.image.pixels.push_back(to_srgb8(color));
   result.opacity.push_back(static_cast<std::uint8_t>(255 * std::min(opacity, 1.0f) + 0.5f));
 }
 
@@ -133,12 +115,11 @@ TransparentImage draw_thumbnail(const Scene& scene, std::span<const StyledMesh> 
   const std::vector<Color> inks = ink_colors(scene, style);
 
   TransparentImage result{{options.size, options.size, {}}, {}};
-  const SrgbSteps srgb;
   const std::optional<Color> paper = options.on_paper ? std::optional(style.paper) : std::nullopt;
   for (int y = 0; y < options.size; ++y) {
     for (int x = 0; x < options.size; ++x) {
       const float dark = fading(x, y, options.size) * shadow[static_cast<std::size_t>(y) * options.size + x];
-      put(pixel_of(grid, ink, inks, x, y), dark, paper, style.shadow.color, srgb, result);
+      put(pixel_of(grid, ink, inks, x, y), dark, paper, style.shadow.color, result);
     }
   }
   return result;

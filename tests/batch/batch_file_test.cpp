@@ -8,6 +8,7 @@
 
 #include "generator/base/error.h"
 #include "generator/batch/batch_plan.h"
+#include "tests/base/bad_files.h"
 
 namespace pomona {
 namespace {
@@ -24,27 +25,9 @@ TemplateSource of_the_tree() {
   return {.find = [](const std::string& name) { return source_dir / "templates" / (name + ".toml"); }, .all = {}};
 }
 
-/// Each file's first line says what is expected: "# expects LINE:COLUMN: part of the message".
 TEST(BatchFile, BadBatchesAreToldWhereAndWhy) {
-  int files = 0;
-  for (const auto& entry : fs::directory_iterator(source_dir / "tests/batch/bad")) {
-    SCOPED_TRACE(entry.path().filename().string());
-    std::string expected;
-    std::getline(std::ifstream(entry.path()) >> std::ws, expected);
-    const std::string place = expected.substr(10, expected.find(": ") - 10);
-    const std::string message = expected.substr(expected.find(": ") + 2);
-    ++files;
-    try {
-      planned(read_batch(entry.path()), of_the_tree());
-      ADD_FAILURE() << "was read";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.status(), ExitStatus::bad_data);
-      const std::string text = to_string(error.diagnostics().front());
-      EXPECT_THAT(text, StartsWith(entry.path().string() + ":" + place + ":"));
-      EXPECT_THAT(text, HasSubstr(message));
-    }
-  }
-  EXPECT_GE(files, 16);
+  const auto read = [](const fs::path& file) { planned(read_batch(file), of_the_tree()); };
+  EXPECT_GE(expect_told_where_and_why(source_dir / "tests/batch/bad", read), 16);
 }
 
 TEST(BatchFile, ReadsTheShippedBatches) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/error.h"
+#include "tests/base/bad_files.h"
 #include "tests/base/temporary_folder.h"
 
 namespace pomona {
@@ -18,27 +19,9 @@ namespace fs = std::filesystem;
 
 const fs::path source_dir = POMONA_SOURCE_DIR;
 
-/// Each file's first line says what is expected: "# expects LINE:COLUMN: part of the message".
 TEST(SceneFile, BadScenesAreToldWhereAndWhy) {
-  int files = 0;
-  for (const auto& entry : fs::directory_iterator(source_dir / "tests/scene/bad")) {
-    SCOPED_TRACE(entry.path().filename().string());
-    std::string expected;
-    std::getline(std::ifstream(entry.path()) >> std::ws, expected);
-    const std::string place = expected.substr(10, expected.find(": ") - 10);
-    const std::string message = expected.substr(expected.find(": ") + 2);
-    ++files;
-    try {
-      read_scene(entry.path());
-      ADD_FAILURE() << "was read";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.status(), ExitStatus::bad_data);
-      const std::string text = to_string(error.diagnostics().front());
-      EXPECT_THAT(text, testing::StartsWith(entry.path().string() + ":" + place + ":"));
-      EXPECT_THAT(text, testing::HasSubstr(message));
-    }
-  }
-  EXPECT_GE(files, 12);
+  const auto read = [](const fs::path& file) { read_scene(file); };
+  EXPECT_GE(expect_told_where_and_why(source_dir / "tests/scene/bad", read), 12);
 }
 
 TEST(SceneFile, ReadsTheSalad) {

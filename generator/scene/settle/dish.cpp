@@ -6,19 +6,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/base/curve.h"
 #include "generator/scene/settle/stand_profile.h"
 
 namespace pomona {
-
-namespace {
-
-double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
-  const glm::dvec2 ab = b - a;
-  const double share = glm::dot(p - a, ab) / std::max(1e-30, glm::dot(ab, ab));
-  return glm::distance(p, a + ab * std::clamp(share, 0.0, 1.0));
-}
-
-}  // namespace
 
 Dish::Dish(const Solid* bowl, const DishOptions& options) {
   if (bowl) {

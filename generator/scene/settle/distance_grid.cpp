@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/reproducible.h"
+#include "generator/mesh/ray_passes.h"
 #include "generator/mesh/triangle_distance.h"
 
 namespace pomona {
@@ -16,20 +17,6 @@ namespace pomona {
 namespace {
 
 constexpr float unknown = 1e30f;
-
-/// Whether a line along an axis passes through the triangle, seen on the plane of the other two axes. The answers of
-/// triangles that share an edge agree on it.
-bool line_passes(const TriangleCorners& t, const glm::dvec3& point, int along) {
-  const int u = (along + 1) % 3, v = (along + 2) % 3;
-  bool inside = false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    glm::dvec3 a = t[i], b = t[(i + 1) % 3];
-    if ((a[u] > point[u]) == (b[u] > point[u])) continue;
-    if (a[u] > b[u]) std::swap(a, b);
-    if (a[v] + (b[v] - a[v]) * ((point[u] - a[u]) / (b[u] - a[u])) > point[v]) inside = !inside;
-  }
-  return inside;
-}
 
 float squared(const glm::vec3& v) { return glm::dot(v, v); }
 
@@ -158,7 +145,7 @@ void DistanceGrid::sign(const Mesh& mesh) {
           glm::dvec3 p = origin;
           p[u] += width * iu;
           p[v] += width * iv;
-          if (!line_passes(t, p, along)) continue;
+          if (!ray_passes(t, p, along)) continue;
           const double lean = normal[u] * (p[u] - t[0][u]) + normal[v] * (p[v] - t[0][v]);
           const double height = t[0][along] - lean / normal[along];
           const int last = std::min(static_cast<int>(std::ceil((height - p[along]) / width)) - 1, count_[along] - 1);

@@ -207,19 +207,17 @@ void Heap::step(double keep_velocity, double keep_spin) {
     for (std::size_t k = b * block; k < std::min(moving.size(), (b + 1) * block); ++k) find_contacts(pairs_[moving[k]]);
   });
   std::erase_if(moving, [&](std::size_t k) { return pairs_[k].contact.empty(); });
-  let_act(moving);
+  let_act(active, moving);
   rest(active, moving);
 }
 
 /// Finds the impulses, moves the bodies, and takes out of their velocities what only parted them.
-void Heap::let_act(const Places& touching) {
+void Heap::let_act(const Places& active, const Places& touching) {
   // What does not move shares one motion, the last.
   std::vector<Motion> motions;
-  Places active, motion(bodies_.size(), 0);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!is_active(i)) continue;
-    motion[i] = active.size();
-    active.push_back(i);
+  Places motion(bodies_.size(), 0);
+  for (const std::size_t i : active) {
+    motion[i] = motions.size();
     motions.push_back(motion_of(bodies_[i]));
   }
   const std::size_t fixed = motions.size();

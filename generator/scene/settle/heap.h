@@ -88,7 +88,7 @@ class Heap {
   void find_pairs();
   std::vector<std::size_t> partners_of(std::size_t place) const;
   void find_contacts(Pair& pair) const;
-  void let_act(const Places& touching);
+  void let_act(const Places& active, const Places& touching);
   void move(const Places& active);
   void rest(const Places& active, const Places& touching);
   void keep_in_funnel(RigidBody& body) const;

@@ -117,16 +117,20 @@ class Settling {
     return {dish_, half, unit_ / 9};
   }
 
-  /// So many pieces cover the ring once.
-  std::size_t pieces_in_wave(std::size_t first) const {
-    constexpr std::size_t least = 12;
-    const DropRing ring = ring_of(first);
+  /// Of the pieces, as they lie flat.
+  double mean_footprint() const {
     double footprint = 0;
     for (std::size_t i = 0; i < items_.size(); ++i) {
       const glm::dvec3 size(shape(i).box.size());
       footprint += std::max({size.x * size.y, size.y * size.z, size.z * size.x});
     }
-    footprint /= static_cast<double>(items_.size());
+    return footprint / static_cast<double>(items_.size());
+  }
+
+  /// So many pieces cover the ring once.
+  std::size_t pieces_in_wave(std::size_t first, double footprint) const {
+    constexpr std::size_t least = 12;
+    const DropRing ring = ring_of(first);
     const double area = pi * (ring.outer + 0.5 * unit_) * (ring.outer + 0.5 * unit_) - pi * ring.inner * ring.inner;
     return std::max(least, static_cast<std::size_t>(0.8 * area / footprint));
   }
@@ -142,6 +146,7 @@ class Settling {
     std::vector<int> orders;
     for (const SettleItem& item : items_) orders.push_back(item.order);
     const std::vector<std::size_t> order = dropping_order(orders, draw_);
+    const double footprint = mean_footprint();
     std::vector<std::size_t> starts;
     heap_.set_funnel(funnel());
     HeightMap frozen = empty_map();
@@ -155,7 +160,7 @@ class Settling {
         raise(order[i], map);
       starts.push_back(done);
       // Who finds no room has to wait until this wave has come to rest; who then finds none has to stay out.
-      const std::size_t first = done, end = std::min(order.size(), done + pieces_in_wave(order[done]));
+      const std::size_t first = done, end = std::min(order.size(), done + pieces_in_wave(order[done], footprint));
       while (done < end && (place(order[done], 0, map) || done == first)) ++done;
       settle_heap();
     }

@@ -4,15 +4,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/curve.h"
+
 namespace pomona {
 
 namespace {
-
-double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
-  const glm::dvec2 ab = b - a;
-  const double share = glm::dot(p - a, ab) / glm::dot(ab, ab);
-  return glm::distance(p, a + ab * std::fmin(1, std::fmax(0, share)));
-}
 
 /// Appends the points that the stretch behind `first`, up to `last`, needs [Douglas & Peucker 1973].
 void simplify(const std::vector<glm::dvec2>& samples, std::size_t first, std::size_t last, double tolerance,

@@ -4,14 +4,10 @@
 
 namespace pomona {
 
-namespace {
-
 bool is_plain_name(const std::string& name) {
   const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
   return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), plain);
 }
-
-}  // namespace
 
 std::string read_name(const TomlValue& value, const std::vector<std::string>& taken) {
   const std::string name = value.text();

@@ -1,4 +1,4 @@
-// Names of surfaces, parts and grains as template files spell them.
+// Names as template, scene and batch files spell them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,10 @@
 
 namespace pomona {
 
-/// A name for files and messages: a-z, 0-9, - and _, at most 64 of them; `taken` are those it must differ from.
+/// True for a name that may stand in files' names and messages: a-z, 0-9, - and _, at most 64 of them.
+bool is_plain_name(const std::string& name);
+
+/// A plain name; `taken` are those it must differ from.
 std::string read_name(const TomlValue& value, const std::vector<std::string>& taken);
 
 }  // namespace pomona

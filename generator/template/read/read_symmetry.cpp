@@ -10,8 +10,6 @@ namespace pomona {
 
 namespace {
 
-constexpr int most_folds = 64;
-
 std::vector<double> even_angles(int count) {
   std::vector<double> angles;
   for (int k = 0; k < count; ++k) angles.push_back(2 * pi * k / count);

@@ -1,8 +1,6 @@
 #include "generator/template/read/read_template.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "generator/base/units.h"
 #include "generator/template/bend_strain.h"
@@ -18,7 +16,7 @@
 #include "generator/template/read/read_variation.h"
 #include "generator/template/read/sketch.h"
 #include "generator/template/read/toml_document.h"
-#include "generator/template/read/toml_limits.h"
+#include "generator/template/read/toml_text.h"
 
 namespace pomona {
 
@@ -175,15 +173,7 @@ Template parse_template(std::string_view toml, const std::string& file) {
 }
 
 Template read_template(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw Error(ExitStatus::input_missing, {{{file.string(), 0, 0, {}}, "cannot be read", {}}});
-  }
-  // One byte beyond the limit is enough to know that the file goes beyond it.
-  std::string text(TomlLimits{}.bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return parse_template(text, file.string());
+  return parse_template(read_toml_text(file), file.string());
 }
 
 }  // namespace pomona

@@ -18,8 +18,6 @@ BendVariation read_bend_variation(const TomlTable& table) {
   return bend;
 }
 
-constexpr int most_folds = 64;
-
 /// One [number, share] of the folds. What is no such pair has a share that is no number.
 CountVariation::Folds read_folds(const TomlValue& value) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
