@@ -1,6 +1,5 @@
 #include "cli/deliver.h"
 
-#include <csignal>
 #include <cstdio>
 #include <utility>
 
@@ -27,21 +26,6 @@
 namespace pomona {
 
 namespace {
-
-/// Holds back the signals with which people and schedulers end a program.
-class HeldSignals {
- public:
-  HeldSignals() {
-    const sigset_t ending = set_of_ending_signals();
-    pthread_sigmask(SIG_BLOCK, &ending, &before_);
-  }
-  ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  HeldSignals(const HeldSignals&) = delete;
-  HeldSignals& operator=(const HeldSignals&) = delete;
-
- private:
-  sigset_t before_;
-};
 
 ExportOptions export_options(const SharedOptions& options, const Style& style) {
   return {.style = style,
@@ -228,7 +212,8 @@ void Delivery::say_what_was_written() {
     for (const OutputFile& file : files_) {
       result["files"].push_back({{"path", file.path.string()}, {"bytes", file.bytes.size()}});
     }
-    std::printf("%s\n", result.dump(2).c_str());
+    // A name that is not UTF-8 cannot be said in JSON otherwise.
+    std::printf("%s\n", result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     return;
   }
   for (const OutputFile& file : files_) {

@@ -1,17 +1,25 @@
-// The signals with which people and schedulers end a program.
+// The signals with which people and schedulers end a program: SIGINT, SIGTERM and SIGHUP.
 #pragma once
-
-#include <csignal>
 
 namespace pomona {
 
-constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
+/// From now on these signals end the program at once, whichever thread they reach, except while HeldSignals lives.
+/// A signal that is ignored (nohup) stays ignored. Called once, before there are threads.
+void heed_ending_signals();
 
-inline sigset_t set_of_ending_signals() {
-  sigset_t ending;
-  sigemptyset(&ending);
-  for (const int signal : ending_signals) sigaddset(&ending, signal);
-  return ending;
-}
+/// Holds them back, in all threads. One that has come in the meantime ends the program when the last of these goes.
+class HeldSignals {
+ public:
+  HeldSignals();
+  ~HeldSignals();
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+
+  /// Whether one has come.
+  bool any() const;
+
+  /// What it asks for has been done: it need not end the program any more.
+  void forget();
+};
 
 }  // namespace pomona

@@ -1,7 +1,5 @@
 #include "cli/batch/run_batch.h"
 
-#include <csignal>
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -19,31 +17,6 @@
 namespace pomona {
 
 namespace {
-
-/// Signals with which people and schedulers end a program wait while this lives, and can be asked for.
-class PendingSignals {
- public:
-  PendingSignals() { pthread_sigmask(SIG_BLOCK, &ending_, &before_); }
-  ~PendingSignals() {
-    // They have been heeded: they must not end the program once more.
-    const timespec at_once{0, 0};
-    while (any() && sigtimedwait(&ending_, nullptr, &at_once) > 0) {
-    }
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  PendingSignals(const PendingSignals&) = delete;
-  PendingSignals& operator=(const PendingSignals&) = delete;
-
-  bool any() const {
-    sigset_t pending;
-    sigpending(&pending);
-    return std::any_of(std::begin(ending_signals), std::end(ending_signals),
-                       [&](int signal) { return sigismember(&pending, signal) == 1; });
-  }
-
- private:
-  sigset_t ending_ = set_of_ending_signals(), before_{};
-};
 
 /// The shard's variants: every count-th of all.
 class VariantsOfShard {
@@ -194,7 +167,7 @@ class Run {
   const Style& style_;
   Workplace& workplace_;
   Progress& progress_;
-  PendingSignals signals_;
+  HeldSignals signals_;
   MemoryBudget budget_;
   ReadyTemplates ready_;
   StopWatch watch_;

@@ -14,6 +14,11 @@ Descriptor::~Descriptor() {
   if (number_ >= 0) ::close(number_);
 }
 
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  std::swap(number_, other.number_);
+  return *this;
+}
+
 bool Descriptor::close() { return ::close(std::exchange(number_, -1)) == 0; }
 
 void fail_at(ExitStatus status, const fs::path& path, const std::string& what, int error) {
@@ -23,8 +28,8 @@ void fail_at(ExitStatus status, const fs::path& path, const std::string& what, i
   throw Error(status, {Diagnostic{place, what + ": " + why, {}}});
 }
 
-Descriptor create_file(const fs::path& path, const fs::path& meant) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+Descriptor create_file(const fs::path& path, const fs::path& meant, unsigned mode) {
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, static_cast<mode_t>(mode)));
   if (!file.is_open() && errno != EEXIST) fail_at(ExitStatus::cannot_create, meant, "cannot be created", errno);
   return file;
 }

@@ -18,7 +18,7 @@ class Descriptor {
   ~Descriptor();
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
+  Descriptor& operator=(Descriptor&& other) noexcept;
 
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
@@ -35,8 +35,9 @@ class Descriptor {
 [[noreturn]] void fail_at(ExitStatus status, const std::filesystem::path& path, const std::string& what, int error);
 
 /// A new file, open for writing; not open, with errno EEXIST, if there is one of this name.
-/// \param meant what messages call it. \throws Error (cannot_create)
-Descriptor create_file(const std::filesystem::path& path, const std::filesystem::path& meant);
+/// \param meant what messages call it. \param mode permissions, less the process's mask.
+/// \throws Error (cannot_create)
+Descriptor create_file(const std::filesystem::path& path, const std::filesystem::path& meant, unsigned mode = 0666);
 
 /// \throws Error (io_error)
 void write_all(const Descriptor& file, std::string_view bytes, const std::filesystem::path& meant);

@@ -3,65 +3,103 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
 #include <cerrno>
+#include <csignal>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "generator/base/error.h"
 #include "render/export/durable_file.h"
+#include "render/export/set_folder.h"
 
 namespace pomona {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Files written beside their destinations, and what is still to do with them. What is not put into place
-/// goes away with this.
-class Staging {
- public:
-  Staging() = default;
-  ~Staging() {
-    for (const Staged& file : staged_) ::unlink(file.temporary.c_str());
+/// What a path leads to, links followed, so that what a link names is replaced and not the link, even if it names
+/// nothing yet.
+fs::path followed(const fs::path& path) {
+  constexpr int most_links = 40;  // as many as Linux follows
+  fs::path found = path;
+  std::error_code failed;
+  for (int n = 0; fs::is_symlink(found, failed); ++n) {
+    if (n == most_links) fail_at(ExitStatus::cannot_create, path, "cannot be created", ELOOP);
+    const fs::path names = fs::read_symlink(found, failed);
+    if (failed) fail_at(ExitStatus::cannot_create, path, "cannot be created", failed.value());
+    found = names.is_absolute() ? names : found.parent_path() / names;
   }
-  Staging(const Staging&) = delete;
-  Staging& operator=(const Staging&) = delete;
+  return found;
+}
 
-  void add(const OutputFile& file);
-  void put_into_place();
+/// Files on their way into place, folder by folder. What is not put into place goes away with this.
+class FileSet {
+ public:
+  void add(const OutputFile& file) {
+    const fs::path destination = followed(file.path);
+    const fs::path folder = destination.has_parent_path() ? destination.parent_path() : fs::path(".");
+    folder_for(folder, file.path).add(destination.filename().native(), file.bytes);
+    ++size_;
+  }
+
+  void put_into_place() {
+    // A renaming is all or nothing by itself; several need a record, by which a later run finishes what a kill cuts off.
+    const bool recorded = size_ > 1;
+    if (recorded) record();
+    try {
+      for (SetFolder& folder : folders_) folder.put_into_place();
+    } catch (const Error&) {
+      for (SetFolder& folder : folders_) folder.undo(recorded);
+      throw;
+    }
+    // The first folder leads: it goes last.
+    while (!folders_.empty()) {
+      folders_.back().settle();
+      folders_.pop_back();
+    }
+  }
 
  private:
-  struct Staged {
-    fs::path temporary, destination;
-  };
-  std::vector<Staged> staged_;
+  SetFolder& folder_for(const fs::path& folder, const fs::path& meant) {
+    for (SetFolder& known : folders_) {
+      std::error_code failed;
+      if (fs::equivalent(known.folder(), folder, failed)) return known;
+    }
+    return folders_.emplace_back(folder, meant);
+  }
+
+  void record() {
+    for (SetFolder& folder : folders_) folder.keep_old();
+    const fs::path leader = fs::absolute(folders_.front().record_path());
+    std::vector<fs::path> followers;
+    for (std::size_t i = 1; i < folders_.size(); ++i) {
+      folders_[i].write_record(leader, {});
+      followers.push_back(fs::absolute(folders_[i].record_path()));
+    }
+    folders_.front().write_record({}, followers);
+  }
+
+  std::vector<SetFolder> folders_;
+  std::size_t size_ = 0;
 };
 
-void Staging::add(const OutputFile& file) {
-  // Follow a link, so that what it names is replaced and not the link.
-  std::error_code ignored;
-  const bool is_link = fs::is_symlink(file.path, ignored);
-  const fs::path destination = is_link ? fs::weakly_canonical(file.path) : file.path;
-
-  // Take a name that nobody else has, not even another machine that shares the folder.
-  for (int n = 0;; ++n) {
-    const std::string name = ".pomona-" + std::to_string(::getpid()) + "-" + std::to_string(n) + ".part";
-    const fs::path temporary = destination.parent_path() / name;
-    Descriptor descriptor = create_file(temporary, file.path);
-    if (!descriptor.is_open()) continue;
-    staged_.push_back({temporary, destination});
-    write_all(descriptor, file.bytes, file.path);
-    return bring_to_disk(descriptor, file.path);
+/// While this lives, a reader that leaves its pipe is an error like others and no end without a word.
+class WithoutPipeSignal {
+ public:
+  WithoutPipeSignal() {
+    struct sigaction ignored {};
+    ignored.sa_handler = SIG_IGN;
+    ::sigaction(SIGPIPE, &ignored, &before_);
   }
-}
+  ~WithoutPipeSignal() { ::sigaction(SIGPIPE, &before_, nullptr); }
+  WithoutPipeSignal(const WithoutPipeSignal&) = delete;
+  WithoutPipeSignal& operator=(const WithoutPipeSignal&) = delete;
 
-void Staging::put_into_place() {
-  while (!staged_.empty()) {
-    const auto [temporary, destination] = staged_.front();
-    move_into_place(temporary, destination);
-    staged_.erase(staged_.begin());
-    sync_folder(destination.has_parent_path() ? destination.parent_path() : fs::path("."));
-  }
-}
+ private:
+  struct sigaction before_ {};
+};
 
 enum class Destination { ordinary, device };
 
@@ -69,7 +107,10 @@ enum class Destination { ordinary, device };
 Destination checked(const fs::path& path) {
   struct stat about {};
   if (path.filename().empty()) fail_at(ExitStatus::cannot_create, path, "cannot be created", EISDIR);
-  if (::stat(path.c_str(), &about) != 0) return Destination::ordinary;
+  if (::stat(path.c_str(), &about) != 0) {
+    if (errno == ELOOP || errno == ENAMETOOLONG) fail_at(ExitStatus::cannot_create, path, "cannot be created", errno);
+    return Destination::ordinary;
+  }
   if (S_ISDIR(about.st_mode)) fail_at(ExitStatus::cannot_create, path, "cannot be created", EISDIR);
   return S_ISREG(about.st_mode) ? Destination::ordinary : Destination::device;
 }
@@ -84,16 +125,17 @@ void write_to_device(const OutputFile& file) {
 }  // namespace
 
 void write_whole(std::span<const OutputFile> files) {
-  Staging staging;
+  const WithoutPipeSignal no_signal;
+  FileSet set;
   std::vector<const OutputFile*> for_devices;
   for (const OutputFile& file : files) {
     if (checked(file.path) == Destination::device)
       for_devices.push_back(&file);
     else
-      staging.add(file);
+      set.add(file);
   }
   for (const OutputFile* file : for_devices) write_to_device(*file);
-  staging.put_into_place();
+  set.put_into_place();
 }
 
 void write_whole(const fs::path& path, std::string bytes) {

@@ -2,9 +2,10 @@
 // process there. For tests of what a batch leaves behind.
 //
 //   POMONA_FAIL_FOLDER   calls on this folder, a whole path, and what lies below are counted
-//   POMONA_FAIL_CALL     only these: open, mkdir, write, fsync, close, rename, unlink, rmdir; "any" is all
+//   POMONA_FAIL_CALL     only these: open, mkdir, write, fsync, close, rename, link, unlink, rmdir; "any" is all
 //   POMONA_FAIL_AT       the number of the call, from 1; 0 = none
 //   POMONA_FAIL_WITH     "kill", or an errno: then this call and all later ones fail
+//   POMONA_FAIL_ONCE     "1": only this call fails
 //   POMONA_FAIL_COUNT    a file that the number of calls is written to at the end
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -31,6 +32,7 @@ std::string variable(const char* name) {
 struct Plan {
   std::string folder = variable("POMONA_FAIL_FOLDER"), call = variable("POMONA_FAIL_CALL"),
               with = variable("POMONA_FAIL_WITH"), count = variable("POMONA_FAIL_COUNT");
+  bool once = variable("POMONA_FAIL_ONCE") == "1";
   long at = std::atol(variable("POMONA_FAIL_AT").c_str());
   std::atomic<long> calls = 0;
 
@@ -56,7 +58,7 @@ bool fails(const char* call, std::string path) {
   if (p.folder.empty() || path.compare(0, p.folder.size(), p.folder) != 0) return false;
   if (p.call != "any" && p.call != call) return false;
   const long number = ++p.calls;
-  if (p.at == 0 || number < p.at) return false;
+  if (p.at == 0 || number < p.at || (p.once && number > p.at)) return false;
   if (p.with == "kill") raise(SIGKILL);
   errno = std::atoi(p.with.c_str());
   return true;
@@ -133,6 +135,11 @@ int close(int descriptor) {
 int rename(const char* from, const char* to) {
   if (fails("rename", to)) return -1;
   return real<int (*)(const char*, const char*)>("rename")(from, to);
+}
+
+int link(const char* from, const char* to) {
+  if (fails("link", to)) return -1;
+  return real<int (*)(const char*, const char*)>("link")(from, to);
 }
 
 int unlink(const char* path) {
