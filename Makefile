@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops hashes install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops hashes install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -130,6 +130,12 @@ batch-bench: build ## how many items a batch makes in a second, on 1 and 2 threa
 
 batch-scale: build ## what a hundred thousand items cost beside the making: bytes, manifest, merge, status
 	@scripts/many_items.py build/pomona out/many_items 100000
+
+stops: ## a run that writes files stopped 500 times, by signals, kills and failing calls: nothing is ever half there
+	@scripts/setup.sh build test bench
+	cmake --preset test
+	cmake --build build --target pomona failing_calls -j $(JOBS)
+	tests/cli/stops_test.py build/pomona $$(find build -name libfailing_calls.so) 500
 
 batch-stops: ## a batch killed 500 times, at random moments and at every k-th call; each time it goes on to the same bytes
 	@scripts/setup.sh build test bench

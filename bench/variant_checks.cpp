@@ -95,7 +95,8 @@ DiffusionSurfaces VariantChecks::with_drawn_counts(int seed) const {
 }
 
 bool VariantChecks::has_loops_as_drawn(const Template& variant, const DiffusionSurfaces& swept) const {
-  const Template drawn = with_folds(fruit_, fold_count(variant));
+  const bool has_folds = std::holds_alternative<FoldSymmetry>(fruit_.symmetry);
+  const Template drawn = has_folds ? with_folds(fruit_, fold_count(variant)) : fruit_;
   const std::vector<std::ptrdiff_t> of_drawn = triangles_of(sweep(unpainted(drawn))), found = triangles_of(swept);
   for (std::size_t s = 0; s < drawn.surfaces.size(); ++s) {
     if (found[s] * loops_of(drawn.surfaces[s]) != of_drawn[s] * loops_of(variant.surfaces[s])) return false;

@@ -13,6 +13,7 @@
 #include "cli/batch/sizes.h"
 #include "cli/batch/wanted_batch.h"
 #include "cli/command.h"
+#include "cli/option_checks.h"
 #include "cli/program_folders.h"
 #include "generator/base/error.h"
 
@@ -104,7 +105,7 @@ DeclaredCommand batch_command(CLI::App& app) {
   command->add_option("--memory", options->memory, "What items under way may take together (2GB); no limit unless said")
       ->type_name("SIZE");
   command->add_option("--threads", options->threads, "Threads to use; 0 = all. The result does not depend on it")
-      ->check(CLI::Range(0, 1024))
+      ->check(whole_between(0, 1024))
       ->capture_default_str();
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->add_flag("--json", options->json, "Print the result as JSON");

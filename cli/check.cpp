@@ -83,7 +83,8 @@ ExitStatus check(const CheckCommand& command) {
       }
     }
   }
-  if (command.json) std::printf("%s\n", found.dump(2).c_str());
+  if (command.json)
+    std::printf("%s\n", found.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
   return status;
 }
 
@@ -91,11 +92,11 @@ ExitStatus check(const CheckCommand& command) {
 
 DeclaredCommand check_command(CLI::App& app) {
   CLI::App* command =
-      app.add_subcommand("check", "Check templates, scenes, styles and surface files; all errors at once");
+      app.add_subcommand("check", "Check templates, scenes, batches, styles and surface files; all errors at once");
   const auto options = std::make_shared<CheckCommand>();
   command
       ->add_option("FILE", options->files,
-                   "Names from `pomona list`, templates, scenes, styles or surface files (.ply)")
+                   "Names from `pomona list`, templates, scenes, batches, styles or surface files (.ply)")
       ->required();
   command->add_flag("--json", options->json, "Print what was found as JSON");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/option_checks.h"
 #include "cli/outputs.h"
 #include "cli/picture_file.h"
 #include "cli/program_folders.h"
@@ -112,21 +113,22 @@ DeclaredCommand compare_command(CLI::App& app) {
                    "exact (the default), or close: what OpenGL's drivers and POV-Ray may differ by")
       ->type_name("TEXT:{exact,close}");
   command->add_option("--usual", options->usual, "Difference, of 255, that any pixel may have")
-      ->check(CLI::Range(0, 255));
+      ->check(whole_between(0, 255));
   command->add_option("--exceptions", options->exceptions, "Percentage of pixels that may differ by more")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(between(0.0, 100.0));
   command->add_option("--never", options->never, "Difference, of 255, that no pixel may exceed")
-      ->check(CLI::Range(0, 255));
+      ->check(whole_between(0, 255));
 
   // FLIP judges them as the eye would; its map shows where they differ.
-  command->add_option("--flip", options->flip, "Largest mean FLIP, 0 to 1")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--flip", options->flip, "Largest mean FLIP, 0 to 1")->check(between(0.0, 1.0));
   command->add_option("--ppd", options->pixels_per_degree, "Pixels per degree of the eye's field; the default is 67")
-      ->check(CLI::Range(5.0, 500.0));
+      ->check(between(5.0, 500.0));
   command->add_option("--map", options->map, "Write FLIP's map as a picture (.png)")->type_name("FILE");
   command->add_option("--html", options->html, "Write a page that shows both, and the map")->type_name("FILE");
 
   // How it runs, and what it prints.
-  command->add_option("--threads", options->threads, "Threads to use; 0 = all there are")->check(CLI::Range(0, 1024));
+  command->add_option("--threads", options->threads, "Threads to use; 0 = all there are")
+      ->check(whole_between(0, 1024));
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->add_flag("--json", options->json, "Print the figures as JSON");
   return {command, [options] { return compare(*options); }};

@@ -12,6 +12,7 @@
 #include "cli/deliver.h"
 #include "cli/diffusers.h"
 #include "cli/fruit_source.h"
+#include "cli/option_checks.h"
 #include "cli/outputs.h"
 #include "cli/piece_list.h"
 #include "generator/base/error.h"
@@ -40,7 +41,7 @@ struct CutCommand {
 /// A bare section has no solid to put into a scene format.
 std::vector<Format> formats_for(const CutCommand& command) {
   if (command.section) return {Format::ply, Format::png, Format::svg};
-  return {Format::ply, Format::glb, Format::pov, Format::png, Format::svg};
+  return {Format::ply, Format::glb, Format::obj, Format::stl, Format::pov, Format::png, Format::svg};
 }
 
 /// The section's file keeps what was diffused; its pictures show what pieces show.
@@ -85,12 +86,14 @@ ExitStatus cut_fruit(const CutCommand& command) {
   // Everything that can be wrong with the words is told before the work begins.
   std::vector<Knife> knives;
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
-  const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command));
+  const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command), command.shared.format);
   check_levels(command.shared.lod, outputs);
   if (command.section && (command.explode > 1 || !command.pieces.empty())) {
     throw Error(ExitStatus::usage, "--explode and --pieces are about pieces: leave out --section");
   }
+  if (!command.pieces.empty()) check_other_file("--pieces", command.pieces, outputs);
   Delivery delivery(command.shared);
+  delivery.warn(idle_options(command.shared, outputs));
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
@@ -127,17 +130,19 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("-o,--output", options->outputs, "What to write: .ply, .glb, .pov, .png or .svg")
+  command
+      ->add_option("-o,--output", options->outputs,
+                   "What to write: .ply, .glb, .obj, .stl, .pov, .png or .svg; - is standard output")
       ->type_name("FILE")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
   // What to make of the cut.
-  command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
+  command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
   command->add_flag("--section", options->section, "The bare section instead of pieces (.ply, .png or .svg)");
   command->add_option("--explode", options->explode, "Move pieces apart: their distance from the middle times this")
-      ->check(CLI::Range(1.0, 10.0));
+      ->check(between(1.0, 10.0));
   command->add_option("--pieces", options->pieces, "Also write what there is to know of each piece to this file (JSON)")
       ->type_name("FILE");
 

@@ -12,8 +12,10 @@
 #include "generator/base/error.h"
 #include "generator/piece/lod/levels_of_detail.h"
 #include "render/export/gltf.h"
+#include "render/export/obj.h"
 #include "render/export/ply.h"
 #include "render/export/pov.h"
+#include "render/export/stl.h"
 #include "render/export/svg.h"
 #include "render/gl/context.h"
 #include "render/gl/scene_picture.h"
@@ -71,6 +73,10 @@ void Delivery::add(const Output& output, const Scene& scene) {
       return add(output.file, [&] { return write_solids(scene, options); });
     case Format::glb:
       return add_glb(output, scene);
+    case Format::obj:
+      return add(output.file, [&] { return write_obj(scene, options); });
+    case Format::stl:
+      return add(output.file, [&] { return write_stl(scene); });
     case Format::pov:
       return add_pov(output, scene);
     case Format::png:

@@ -17,6 +17,7 @@
 #include "cli/farm/shell_words.h"
 #include "cli/farm/slurm_queue.h"
 #include "cli/farm/slurm_scripts.h"
+#include "cli/option_checks.h"
 #include "cli/program_folders.h"
 #include "generator/base/error.h"
 #include "render/export/output.h"
@@ -149,7 +150,7 @@ void declare_job(CLI::App& command, JobOptions& options) {
       ->type_name("FOLDER")
       ->required();
   command.add_option("--tasks", options.tasks, "Shards to make of it")
-      ->check(CLI::Range(1, most_shards))
+      ->check(whole_between(1, most_shards))
       ->capture_default_str();
   command.add_option("--memory", options.memory, "What items under way in a task may take together (2GB)")
       ->type_name("SIZE");
@@ -162,10 +163,10 @@ std::function<ExitStatus()> declare_slurm(CLI::App& command) {
   declare_job(command, *options);
   command.add_flag("--dry-run", options->dry_run, "Write the scripts, and submit nothing");
   command.add_option("--at-once", options->slurm.at_once, "Most tasks that run at a time; 0 = as many as Slurm likes")
-      ->check(CLI::Range(0, most_shards))
+      ->check(whole_between(0, most_shards))
       ->capture_default_str();
   command.add_option("--retries", options->slurm.retries, "How often a task that was disturbed tries again by itself")
-      ->check(CLI::Range(0, 100))
+      ->check(whole_between(0, 100))
       ->capture_default_str();
   command.add_option("--sbatch", options->slurm.sbatch, "A further option for sbatch: --sbatch=--partition=night")
       ->type_name("OPTION")
@@ -178,7 +179,7 @@ std::function<ExitStatus()> declare_lines(CLI::App& command) {
   const auto options = std::make_shared<LinesCommand>();
   declare_job(command, *options);
   CLI::Option* threads = command.add_option("--threads", options->threads, "Threads of each command; 0 = all")
-                             ->check(CLI::Range(0, 1024))
+                             ->check(whole_between(0, 1024))
                              ->capture_default_str();
   command.add_flag("--opencue", options->for_opencue, "Take as many threads as OpenCue gives the frame")
       ->excludes(threads);
@@ -189,9 +190,9 @@ std::function<ExitStatus()> declare_status(CLI::App& command) {
   const auto options = std::make_shared<StatusCommand>();
   command.add_option("FOLDER", options->folder, "The folder that the batch is made in")->required();
   command.add_option("--tasks", options->tasks, "Shards it is made in; what Slurm was given unless said")
-      ->check(CLI::Range(1, most_shards));
+      ->check(whole_between(1, most_shards));
   command.add_option("--threads", options->threads, "Threads to read with; 0 = all")
-      ->check(CLI::Range(0, 1024))
+      ->check(whole_between(0, 1024))
       ->capture_default_str();
   command.add_flag("--json", options->json, "Print it as JSON");
   return [options] { return print_status(*options); };

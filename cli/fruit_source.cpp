@@ -1,5 +1,6 @@
 #include "cli/fruit_source.h"
 
+#include "cli/file_kind.h"
 #include "cli/find_template.h"
 #include "generator/base/error.h"
 #include "generator/surface/file/surface_file.h"
@@ -27,6 +28,7 @@ FruitSource from_surface_file(const std::filesystem::path& file, const SharedOpt
   source.grown.swept = times.time("read", [&] { return read_surfaces(file); });
   source.fruit.parts = source.grown.swept.part_names;
   source.grown.sheets = times.time("sweep", [&] { return sheets(source.grown.swept); });
+  times.count("surface_triangles", static_cast<std::int64_t>(source.grown.sheets.triangle_count()));
   return source;
 }
 
@@ -35,6 +37,7 @@ FruitSource from_surface_file(const std::filesystem::path& file, const SharedOpt
 FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& options, std::optional<int> folds,
                        StageTimes& times) {
   const std::filesystem::path file = find_template(name_or_path);
+  check_kind(file, FileKind::fruit);
   if (file.extension() == ".ply") return from_surface_file(file, options, folds, times);
 
   // Seed 0 on the command line is the template as drawn.

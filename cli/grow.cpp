@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/deliver.h"
 #include "cli/fruit_source.h"
+#include "cli/option_checks.h"
 #include "cli/outputs.h"
 #include "generator/piece/glass_surfaces.h"
 #include "generator/piece/slice.h"
@@ -38,10 +39,12 @@ std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Deliver
 
 ExitStatus grow_fruit(const GrowCommand& command) {
   // Outputs that cannot be are refused before anything is grown.
-  const std::vector<Output> outputs =
-      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg});
+  const std::vector<Output> outputs = parse_outputs(
+      command.outputs, {Format::ply, Format::glb, Format::obj, Format::stl, Format::pov, Format::png, Format::svg},
+      command.shared.format);
   check_levels(command.shared.lod, outputs);
   Delivery delivery(command.shared);
+  delivery.warn(idle_options(command.shared, outputs));
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
 
   // The drawn surfaces go out as they are; all other outputs share one scene of the whole fruit.
@@ -70,12 +73,14 @@ DeclaredCommand grow_command(CLI::App& app) {
   const auto options = std::make_shared<GrowCommand>();
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
-  command->add_option("-o,--output", options->outputs, "What to write: .ply (surfaces), .glb, .pov, .png or .svg")
+  command
+      ->add_option("-o,--output", options->outputs,
+                   "What to write: .ply (surfaces), .glb, .obj, .stl, .pov, .png or .svg; - is standard output")
       ->type_name("FILE")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
+  command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
   command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");
   command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
   add_ripeness_option(*command, options->shared);

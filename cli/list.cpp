@@ -1,5 +1,6 @@
 // pomona list: what can be grown, the scenes, the batches, and the styles to draw in.
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -69,7 +70,9 @@ ExitStatus list_batches(bool json) {
 ExitStatus list_templates(bool json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   std::vector<Diagnostic> wrong;
-  for (const auto& file : all_templates()) {
+  std::vector<std::filesystem::path> files = all_templates();
+  for (const std::filesystem::path& own : own_templates()) files.push_back(own);
+  for (const auto& file : files) {
     try {
       const Template fruit = read_template(file);
       const std::string name = file.stem().string();

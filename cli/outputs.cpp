@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <optional>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "generator/base/error.h"
@@ -16,8 +18,10 @@ namespace pomona {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, Format>, 6> endings = {{{".ply", Format::ply},
+constexpr std::array<std::pair<const char*, Format>, 8> endings = {{{".ply", Format::ply},
                                                                     {".glb", Format::glb},
+                                                                    {".obj", Format::obj},
+                                                                    {".stl", Format::stl},
                                                                     {".pov", Format::pov},
                                                                     {".png", Format::png},
                                                                     {".svg", Format::svg},
@@ -32,6 +36,15 @@ std::string list_of(const std::vector<Format>& allowed) {
   return list;
 }
 
+/// Endings are taken in capitals, too.
+std::optional<Format> format_of(std::string ending) {
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (const auto& [known, format] : endings)
+    if (ending == known) return format;
+  return std::nullopt;
+}
+
 }  // namespace
 
 void check_folder(const fs::path& file) {
@@ -41,31 +54,68 @@ void check_folder(const fs::path& file) {
     throw Error(ExitStatus::cannot_create,
                 {{{file.string(), 0, 0, {}}, "its folder does not exist", "mkdir -p " + folder.string()}});
   }
-  if (access(folder.c_str(), W_OK) != 0 || fs::is_directory(file, ignored)) {
-    throw Error(ExitStatus::cannot_create, {{{file.string(), 0, 0, {}}, "it cannot be created there", {}}});
+  const int refused = fs::is_directory(file, ignored) ? EISDIR : access(folder.c_str(), W_OK) != 0 ? errno : 0;
+  if (refused != 0) {
+    const std::string why = std::error_code(refused, std::generic_category()).message();
+    throw Error(ExitStatus::cannot_create, {{{file.string(), 0, 0, {}}, "it cannot be created there: " + why, {}}});
   }
 }
 
-std::vector<Output> parse_outputs(const std::vector<std::string>& names, const std::vector<Format>& allowed) {
+std::vector<Output> parse_outputs(const std::vector<std::string>& names, const std::vector<Format>& allowed,
+                                  const std::string& format) {
   std::vector<Output> outputs;
   std::set<std::string> seen;
   for (const std::string& name : names) {
+    const bool to_standard_output = name == "-";
+    if (to_standard_output && format.empty())
+      throw Error(ExitStatus::usage, "-o - is standard output, which has no ending",
+                  "add --format glb, or another one");
     const fs::path file = name;
-    std::optional<Format> format;
-    for (const auto& [ending, candidate] : endings) {
-      if (file.extension() == ending) format = candidate;
-    }
-    if (!format || std::find(allowed.begin(), allowed.end(), *format) == allowed.end()) {
-      throw Error(ExitStatus::usage, "-o " + name + ": this command cannot write that",
+    const std::optional<Format> wanted = format_of(to_standard_output ? "." + format : file.extension().string());
+    if (!wanted || std::find(allowed.begin(), allowed.end(), *wanted) == allowed.end()) {
+      throw Error(ExitStatus::usage,
+                  (to_standard_output ? "--format " + format : "-o " + name) + ": this command cannot write that",
                   "it writes " + list_of(allowed));
     }
     if (!seen.insert(file.lexically_normal().string()).second) {
       throw Error(ExitStatus::usage, "-o " + name + " is given twice");
     }
-    check_folder(file);
-    outputs.push_back({file, *format});
+    if (to_standard_output && *wanted == Format::pov)
+      throw Error(ExitStatus::usage, "--format pov makes two files, and standard output is one", "write -o FILE.pov");
+    if (!to_standard_output) check_folder(file);
+    outputs.push_back({file, *wanted});
   }
+  if (!format.empty() && !seen.contains("-"))
+    throw Error(ExitStatus::usage, "--format is about standard output, and no output is that", "add -o -");
   return outputs;
+}
+
+std::vector<std::string> idle_options(const SharedOptions& options, const std::vector<Output>& outputs) {
+  const auto any = [&](std::initializer_list<Format> formats) {
+    return std::any_of(outputs.begin(), outputs.end(), [&](const Output& output) {
+      return std::find(formats.begin(), formats.end(), output.format) != formats.end();
+    });
+  };
+  const auto is_standard_output = [](const Output& output) { return output.file == "-"; };
+  if (options.json && std::any_of(outputs.begin(), outputs.end(), is_standard_output))
+    throw Error(ExitStatus::usage, "--json and -o - both write to standard output", "leave out one of them");
+
+  std::vector<std::string> warnings;
+  if (wants_textures(options) && !any({Format::glb}))
+    warnings.push_back("--texture and --texel are about .glb: no output is one, and nothing is baked");
+  if (!options.size.empty() && !any({Format::png, Format::svg}))
+    warnings.push_back("--size is about pictures: no output is one");
+  if (!options.view.empty() && !any({Format::png, Format::svg}))
+    warnings.push_back("--view is about pictures: no output is one");
+  return warnings;
+}
+
+void check_other_file(const std::string& option, const std::string& file, const std::vector<Output>& outputs) {
+  for (const Output& output : outputs) {
+    if (output.file.lexically_normal() == fs::path(file).lexically_normal())
+      throw Error(ExitStatus::usage, option + " " + file + " is an output already", "give it a name of its own");
+  }
+  check_folder(file);
 }
 
 void check_levels(int levels, const std::vector<Output>& outputs) {

@@ -5,22 +5,33 @@
 #include <string>
 #include <vector>
 
+#include "cli/shared_options.h"
+
 namespace pomona {
 
-enum class Format { ply, glb, pov, png, svg, json };
+enum class Format { ply, glb, obj, stl, pov, png, svg, json };
 
 struct Output {
   std::filesystem::path file;
   Format format = Format::glb;
 };
 
-/// One output per name; `allowed` are the formats this command writes.
+/// One output per name; `allowed` are the formats this command writes. The name "-" is standard output.
+/// \param format what goes to standard output, as an ending without its dot; empty: not said.
 /// \throws Error (usage) for another ending or the same file twice, Error (cannot_create) where the folder does
 /// not exist or cannot be written to.
-std::vector<Output> parse_outputs(const std::vector<std::string>& names, const std::vector<Format>& allowed);
+std::vector<Output> parse_outputs(const std::vector<std::string>& names, const std::vector<Format>& allowed,
+                                  const std::string& format = {});
+
+/// Options that none of the outputs can heed, such as a texture where no output has one: a warning for each.
+/// \throws Error (usage) where --json and an output both want standard output.
+std::vector<std::string> idle_options(const SharedOptions& options, const std::vector<Output>& outputs);
 
 /// \throws Error (usage) if levels of detail are asked for, and no output holds them.
 void check_levels(int levels, const std::vector<Output>& outputs);
+
+/// A further file, named by `option`, which must be none of the outputs. \throws Error (usage, cannot_create)
+void check_other_file(const std::string& option, const std::string& file, const std::vector<Output>& outputs);
 
 /// An absent or read-only folder is told now, not after minutes of work. \throws Error (cannot_create)
 void check_folder(const std::filesystem::path& file);

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/option_checks.h"
 #include "cli/pages/command_line.h"
 #include "cli/pages/completion.h"
 #include "cli/pages/manual_page.h"
@@ -28,7 +29,7 @@ std::string page(const std::string& kind, const std::vector<TypedCommand>& comma
 DeclaredCommand pages_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("pages", "Print the manual page, or what a shell completes");
   const auto kind = std::make_shared<std::string>();
-  command->add_option("KIND", *kind, "What to print")->required()->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
+  command->add_option("KIND", *kind, "What to print")->required()->check(one_of({"man", "bash", "zsh", "fish"}));
   return {command, [kind, &app] {
             std::fputs(page(*kind, command_line(app)).c_str(), stdout);
             return ExitStatus::done;

@@ -69,8 +69,15 @@ std::vector<fs::path> own_files(const std::string& kind) {
 
 fs::path existing_file(const std::string& path) {
   std::error_code ignored;
-  if (fs::is_regular_file(path, ignored)) return path;
-  throw Error(ExitStatus::input_missing, {{{path, 0, 0, {}}, "there is no such file", {}}});
+  const fs::file_status found = fs::status(path, ignored);
+  if (fs::is_regular_file(found)) return path;
+  std::string why = "there is no such file";
+  if (fs::is_directory(found)) {
+    why = "is a folder, not a file";
+  } else if (fs::exists(found)) {
+    why = "is a device or a pipe, not a file";
+  }
+  throw Error(ExitStatus::input_missing, {{{path, 0, 0, {}}, why, {}}});
 }
 
 fs::path find_file(const std::string& kind, const std::string& name_or_path) {

@@ -1,12 +1,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -41,35 +46,92 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-/// What to say after a parse error: the nearest option for a mistyped one, and where help is.
-std::string hint_for(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
-  const CLI::App* asked = &app;
-  std::string words = "pomona";
-  while (!asked->get_subcommands().empty()) {
-    asked = asked->get_subcommands().back();
-    words += " " + asked->get_name();
-  }
-  std::string hint;
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    const std::vector<std::string> known = option_names(*asked);
-    for (int i = 1; i < argc; ++i) {
-      const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-      if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
-      if (const auto near = nearest_name(word, known)) hint = "did you mean " + *near + "? ";
-    }
-  }
-  return hint + "see `" + words + " -h`";
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
 }
 
-/// A first word that is no command is told as such; CLI11 only says that a subcommand is missing.
-std::optional<std::string> unknown_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+/// The (sub)command that the first words name, and how many words that takes.
+struct NamedCommand {
+  const CLI::App* app = nullptr;
+  std::string words;  ///< "pomona farm slurm"
+  int next = 1;       ///< index of the first word that is not part of the name
+};
+
+NamedCommand named_command(const CLI::App& app, const std::vector<std::string>& arguments) {
+  NamedCommand named{&app, "pomona"};
+  for (; named.next < std::ssize(arguments); ++named.next) {
+    const std::string& word = arguments[static_cast<std::size_t>(named.next)];
+    const std::vector<const CLI::App*> parts = named.app->get_subcommands({});
+    const auto part =
+        std::find_if(parts.begin(), parts.end(), [&](const CLI::App* p) { return p->get_name() == word; });
+    if (part == parts.end()) break;
+    named.app = *part;
+    named.words += " " + word;
+  }
+  return named;
+}
+
+/// A first word that is no command, or none at all, is told as such; CLI11 only says that a subcommand is missing.
+std::optional<std::string> fault_of_command(const NamedCommand& named, const std::vector<std::string>& arguments) {
   std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
-  if (std::find(known.begin(), known.end(), argv[1]) != known.end()) return std::nullopt;
-  const auto near = nearest_name(argv[1], known);
-  return std::string("error: there is no command \"") + argv[1] +
-         "\"\n  hint: " + (near ? "did you mean " + *near + "?" : "see `pomona -h`");
+  for (const CLI::App* command : named.app->get_subcommands({})) known.push_back(command->get_name());
+  if (known.empty()) return {};
+  if (named.next == std::ssize(arguments))
+    return "error: a subcommand is missing\n  hint: " + named.words + " needs one of " + joined(known, ", ");
+
+  const std::string& word = arguments[static_cast<std::size_t>(named.next)];
+  if (word.starts_with("-")) return {};
+  const auto near = nearest_name(word, known);
+  return "error: there is no command \"" + named.words.substr(std::string("pomona").size()).append(" ").substr(1) +
+         word + "\"\n  hint: " + (near ? "did you mean " + *near + "?" : "see `" + named.words + " -h`");
+}
+
+/// A mistyped option hides the one that was meant, which may be one that is needed: it is told first.
+std::optional<std::string> fault_of_options(const NamedCommand& named, const std::vector<std::string>& arguments) {
+  const std::vector<std::string> known = option_names(*named.app);
+  for (std::size_t i = static_cast<std::size_t>(named.next); i < arguments.size() && arguments[i] != "--"; ++i) {
+    const std::string word = arguments[i].substr(0, arguments[i].find('='));
+    if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
+    const auto near = nearest_name(word, known);
+    return "error: there is no option " + word + "\n  hint: " + (near ? "did you mean " + *near + "? " : "") + "see `" +
+           named.words + " -h`";
+  }
+  return {};
+}
+
+/// What is wrong with the words, as far as it can be said better than by the parser.
+std::string fault_of(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& arguments) {
+  const NamedCommand named = named_command(app, arguments);
+  if (const auto fault = fault_of_command(named, arguments)) return *fault;
+  if (const auto fault = fault_of_options(named, arguments)) return *fault;
+  std::string what = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    what = "not expected: " + joined(app.remaining(true), " ");
+  return "error: " + what + "\n  hint: see `" + named.words + " -h`";
+}
+
+/// The words as the parser knows them: `pomona help cut` is `pomona cut -h`, `pomona version` is `pomona --version`.
+std::vector<std::string> parser_words(int argc, char** argv) {
+  std::vector<std::string> words(argv, argv + argc);
+  if (words.size() > 1 && words[1] == "help") {
+    words.erase(words.begin() + 1);
+    words.push_back("-h");
+  } else if (words.size() > 1 && words[1] == "version") {
+    words[1] = "--version";
+  }
+  return words;
+}
+
+/// Whether all that was printed has arrived; a full disk tells only now.
+ExitStatus printed(ExitStatus status) {
+  std::cout.flush();
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return status;
+  const std::string why = errno != 0 ? ": " + std::error_code(errno, std::generic_category()).message() : "";
+  print_error("standard output: error: cannot be written" + why);
+  return status == ExitStatus::done ? ExitStatus::io_error : status;
 }
 
 ExitStatus run_action(const std::function<ExitStatus()>& action) {
@@ -80,6 +142,7 @@ ExitStatus run_action(const std::function<ExitStatus()>& action) {
     return error.status();
   } catch (const std::bad_alloc&) {
     print_error("error: out of memory\n  hint: a smaller --detail or --size needs less");
+    return ExitStatus::out_of_memory;
   } catch (const std::exception& error) {
     print_error(std::string("error: this is a bug in pomona: ") + error.what());
   }
@@ -90,24 +153,26 @@ ExitStatus run_action(const std::function<ExitStatus()>& action) {
 
 int run(const std::vector<Command>& commands, int argc, char** argv) {
   CLI::App app("Grows fruit and vegetables that can be cut anywhere, and fills scenes with them.", "pomona");
-  app.set_version_flag("--version", std::string("pomona ") + version);
+  app.set_version_flag("-V,--version", std::string("pomona ") + version);
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   std::vector<DeclaredCommand> declared;
   for (const Command command : commands) declared.push_back(command(app));
 
+  const std::vector<std::string> words = parser_words(argc, argv);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> reversed(words.rbegin(), words.rend());
+    if (!reversed.empty()) reversed.pop_back();
+    app.parse(std::move(reversed));
   } catch (const CLI::Success& asked_for_text) {
-    return app.exit(asked_for_text);  // -h or --version
+    app.exit(asked_for_text);  // -h or --version
+    return static_cast<int>(printed(ExitStatus::done));
   } catch (const CLI::ParseError& error) {
-    const auto unknown = unknown_command(app, argc, argv);
-    print_error(unknown ? *unknown
-                        : std::string("error: ") + error.what() + "\n  hint: " + hint_for(app, error, argc, argv));
+    print_error(fault_of(app, error, words));
     return static_cast<int>(ExitStatus::usage);
   }
   for (const DeclaredCommand& command : declared) {
-    if (command.subcommand->parsed()) return static_cast<int>(run_action(command.action));
+    if (command.subcommand->parsed()) return static_cast<int>(printed(run_action(command.action)));
   }
   return static_cast<int>(ExitStatus::usage);
 }

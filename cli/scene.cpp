@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/deliver.h"
 #include "cli/diffusers.h"
+#include "cli/file_kind.h"
 #include "cli/find_template.h"
 #include "cli/outputs.h"
 #include "cli/program_folders.h"
@@ -47,15 +48,19 @@ std::string style_of(const SceneDescription& scene, const std::filesystem::path&
 
 ExitStatus compose_scene(const SceneCommand& command) {
   // Outputs that cannot be are refused before anything is composed.
-  const std::vector<Output> outputs =
-      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg, Format::json});
+  const std::vector<Output> outputs = parse_outputs(
+      command.outputs,
+      {Format::ply, Format::glb, Format::obj, Format::stl, Format::pov, Format::png, Format::svg, Format::json},
+      command.shared.format);
   check_levels(command.shared.lod, outputs);
   Delivery delivery(command.shared);
+  delivery.warn(idle_options(command.shared, outputs));
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
   // The scene says what the command leaves open: seed, size and style.
   const std::filesystem::path file = find_file("scenes", command.scene);
+  check_kind(file, FileKind::scene);
   SceneDescription description = delivery.times.time("read", [&] { return read_scene(file); });
   if (command.shared.seed_given) description.seed = command.shared.seed;
   delivery.set_default_size({description.width, description.height});
@@ -88,7 +93,7 @@ DeclaredCommand scene_command(CLI::App& app) {
       ->required();
   command
       ->add_option("-o,--output", options->outputs,
-                   "What to write: .glb, .pov, .png, .svg, .ply, or .json (the layout)")
+                   "What to write: .glb, .pov, .png, .svg, .ply, .obj, .stl, or .json (the layout)")
       ->type_name("FILE")
       ->required()
       ->expected(1)

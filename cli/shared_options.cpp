@@ -1,9 +1,13 @@
 #include "cli/shared_options.h"
 
+#include <charconv>
+#include <cstdint>
 #include <string_view>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 
+#include "cli/option_checks.h"
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
@@ -33,10 +37,12 @@ std::string view_names() {
   return "VIEW:{" + names + "}";
 }
 
-/// CLI11 would read -1 as the largest seed there is.
+/// CLI11 would read -1, and whatever has more than 64 bits, as the largest seed there is.
 std::string no_seed(const std::string& text) {
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits ? "" : "--seed: \"" + text + "\" is not a whole number from 0";
+  std::uint64_t seed = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  const bool fits = fault == std::errc() && end == text.data() + text.size();
+  return fits ? "" : "\"" + text + "\" is not a whole number from 0 to 18446744073709551615";
 }
 
 }  // namespace
@@ -48,26 +54,26 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
       ->capture_default_str()
       ->each([&options](const std::string&) { options.seed_given = true; });
   command.add_option("--variation", options.variation, "How far variants stray: 0 = as drawn, 1 = natural, 2 = wild")
-      ->check(CLI::Range(0.0, 2.0))
+      ->check(between(0.0, 2.0))
       ->capture_default_str();
   command.add_flag("--curves-only", options.curves_only,
                    "Vary the horizontal curves alone, as in the paper, whatever the template says");
 
   // How it is computed, and how finely.
   command.add_option("--threads", options.threads, "Threads to use; 0 = all. The result does not depend on it")
-      ->check(CLI::Range(0, 1024))
+      ->check(whole_between(0, 1024))
       ->capture_default_str();
   command
       .add_option(
           "--diffuser", options.diffuser,
           "How colour diffuses: cpu = positive mean values, gl = the same by OpenGL, auto = gl on a graphics card")
-      ->check(CLI::IsMember({"cpu", "gl", "harmonic", "walk", "auto"}))
+      ->check(one_of({"cpu", "gl", "harmonic", "walk", "auto"}))
       ->capture_default_str();
   command.add_option("--quality", options.quality, "The error of the diffusion, nothing else")
-      ->check(CLI::IsMember({"draft", "final", "reference"}))
+      ->check(one_of({"draft", "final", "reference"}))
       ->capture_default_str();
   command.add_option("--detail", options.detail, "Tessellation of the surfaces, relative to the template's")
-      ->check(CLI::Range(0.1, 4.0))
+      ->check(between(0.1, 4.0))
       ->capture_default_str();
 
   // What files look like inside: styles, textures, levels of detail, pictures.
@@ -76,7 +82,7 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
                   "Look of pictures: a name from `pomona list --styles` or a style file (.toml); ink unless said")
       ->type_name("STYLE");
   command.add_option("--texture", options.texture, "Bake colours into a texture of N x N texels instead of vertices")
-      ->check(CLI::Range(64, 8192));
+      ->check(whole_between(64, 8192));
   command
       .add_option("--texel", options.texel,
                   "Bake colours into textures with texels of this size (0.2mm) instead of a size of their own")
@@ -84,10 +90,13 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command
       .add_option("--lod", options.lod,
                   ".glb: each solid at so many further levels of detail, with a half, a quarter, ... of the triangles")
-      ->check(CLI::Range(1, 6));
+      ->check(whole_between(1, 6));
   command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
       ->type_name(view_names());
+
+  command.add_option("--format", options.format, "What -o - writes to standard output: an ending without its dot")
+      ->type_name("FORMAT");
 
   // What is told besides.
   command.add_option("--stats", options.stats, "Write times and counts to this JSON file")->type_name("FILE");
@@ -99,14 +108,14 @@ void add_ripeness_option(CLI::App& command, SharedOptions& options) {
   command
       .add_option("--ripeness", options.ripeness,
                   "0 = unripe, 1 = as drawn, 2 = overripe, where the template says how it ripens")
-      ->check(CLI::Range(0.0, 2.0));
+      ->check(between(0.0, 2.0));
 }
 
 void add_browning_option(CLI::App& command, SharedOptions& options) {
   command
       .add_option("--browning", options.browning,
                   "How long the cut faces have lain in air: 0 = just cut, 1 = long, where the template says how")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(between(0.0, 1.0))
       ->capture_default_str();
 }
 
@@ -130,6 +139,8 @@ bool wants_textures(const SharedOptions& options) { return options.texture > 0 |
 double texel_size(const SharedOptions& options) {
   if (options.texel.empty()) return 0;
   const std::optional<double> size = parse_length(options.texel);
+  if (parse_number(options.texel))
+    throw Error(ExitStatus::usage, "--texel " + options.texel + " has no unit", "write " + options.texel + "mm");
   if (!size || !(*size > 0)) {
     throw Error(ExitStatus::usage, "--texel " + options.texel + " is not the size of a texel",
                 "write a length above 0: 0.2mm");

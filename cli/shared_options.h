@@ -36,6 +36,7 @@ struct SharedOptions {
   std::string size;
   std::string view;
   std::string stats;
+  std::string format;  ///< of standard output, where an output is "-"
   bool quiet = false;
   bool json = false;
   std::optional<double> ripeness;  ///< of one fruit; scenes say it in their file

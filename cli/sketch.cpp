@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/option_checks.h"
 #include "cli/outputs.h"
 #include "cli/picture_file.h"
 #include "cli/program_folders.h"
@@ -116,7 +117,7 @@ DeclaredCommand sketch_command(CLI::App& app) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   CLI::Option* folds =
-      command->add_option("--folds", options->folds, "The fruit repeats itself so often")->check(CLI::Range(1, 64));
+      command->add_option("--folds", options->folds, "The fruit repeats itself so often")->check(whole_between(1, 64));
   command->add_flag("--cylindrical", options->cylindrical, "The fruit looks the same from all sides (the default)")
       ->excludes(folds);
   command->add_flag("--sample", options->sample, "Take the colours of FILE, which is there, from the picture anew");

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/file_kind.h"
 #include "cli/find_template.h"
 #include "cli/version.h"
 #include "generator/base/error.h"
@@ -27,6 +28,7 @@ std::string difference(const std::string& there, const std::string& wanted) {
 }  // namespace
 
 BatchPlan wanted_batch(const std::filesystem::path& file) {
+  check_kind(file, FileKind::batch);
   return planned(read_batch(file), {.find = find_template, .all = all_templates});
 }
 

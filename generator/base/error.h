@@ -16,6 +16,7 @@ enum class ExitStatus : int {
   input_missing = 66,
   helper_missing = 69,
   bug = 70,
+  out_of_memory = 71,
   cannot_create = 73,
   io_error = 74,
   locked = 75,

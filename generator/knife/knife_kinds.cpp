@@ -77,8 +77,12 @@ SliceSize parse_slices(string_view value) {
     if (*count > most_slices) throw BadKnife(too_many);
     return SliceCount{*count};
   }
+  // A number that is no count would be metres, which nobody means.
+  if (parse_number(value))
+    throw BadKnife("has no unit", "write " + std::string(value) + "mm, or a whole number of slices");
   const std::optional<double> thickness = parse_length(value);
-  if (!thickness || !(*thickness > 0)) throw BadKnife("needs a thickness such as 4mm, or a count");
+  if (!thickness || !(*thickness > 0))
+    throw BadKnife("needs a thickness such as 4mm, or a count", "lengths are in mm, cm or m");
   return SliceThickness{*thickness};
 }
 
@@ -144,7 +148,11 @@ struct SizeAndOptions {
 SizeAndOptions parse_sized(const KnifeKind& kind, string_view value, const std::string& what) {
   const std::vector<string_view> words = split_at_commas(value);
   const std::optional<double> size = parse_length(words[0]);
-  if (!size || !(*size > 0) || *size > largest_knife) throw BadKnife("needs " + what + ", above 0 and up to 10m");
+  if (!size || !(*size > 0) || *size > largest_knife) {
+    const bool bare = parse_number(words[0]).value_or(0) > largest_knife;
+    throw BadKnife("needs " + what + ", above 0 and up to 10m",
+                   bare ? "without a unit it is metres: write " + std::string(words[0]) + "mm" : "");
+  }
   return {*size, KnifeOptions(std::span(words).subspan(1), kind.options)};
 }
 

@@ -37,6 +37,7 @@ std::string text_of(const std::filesystem::path& file, const Wanted& wanted) {
     fail(ExitStatus::bad_data, "is larger than 64 MiB");
   }
   std::ifstream stream(file, std::ios::binary);
+  if (!stream) fail(ExitStatus::input_missing, "cannot be read");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

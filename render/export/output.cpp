@@ -45,7 +45,8 @@ class FileSet {
   }
 
   void put_into_place() {
-    // A renaming is all or nothing by itself; several need a record, by which a later run finishes what a kill cuts off.
+    // A renaming is all or nothing by itself; several need a record, by which a later run finishes what a kill cuts
+    // off.
     const bool recorded = size_ > 1;
     if (recorded) record();
     try {
@@ -115,7 +116,15 @@ Destination checked(const fs::path& path) {
   return S_ISREG(about.st_mode) ? Destination::ordinary : Destination::device;
 }
 
+/// Programs write there for those who read on.
+bool is_standard_output(const OutputFile& file) { return file.path == "-"; }
+
 void write_to_device(const OutputFile& file) {
+  if (is_standard_output(file)) {
+    const Descriptor descriptor(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
+    if (!descriptor.is_open()) fail_at(ExitStatus::io_error, "standard output", "cannot be written", errno);
+    return write_all(descriptor, file.bytes, "standard output");
+  }
   Descriptor descriptor(::open(file.path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!descriptor.is_open()) fail_at(ExitStatus::cannot_create, file.path, "cannot be opened", errno);
   write_all(descriptor, file.bytes, file.path);
@@ -129,7 +138,7 @@ void write_whole(std::span<const OutputFile> files) {
   FileSet set;
   std::vector<const OutputFile*> for_devices;
   for (const OutputFile& file : files) {
-    if (checked(file.path) == Destination::device)
+    if (is_standard_output(file) || checked(file.path) == Destination::device)
       for_devices.push_back(&file);
     else
       set.add(file);

@@ -16,7 +16,7 @@ struct OutputFile {
 /// renaming. If anything fails, renaming included, all destinations are as they were and nothing is left behind. If
 /// the process is killed, each file is whole, old or new, and the next run that writes into that folder puts the
 /// rest into place, too, or clears it away. A file that is replaced keeps its permissions. What is there and is no
-/// ordinary file (a device, a pipe) is written to directly.
+/// ordinary file (a device, a pipe) is written to directly, as is standard output, whose path is "-".
 /// \throws Error (cannot_create) where a file cannot be made, (io_error) where it cannot be written.
 void write_whole(std::span<const OutputFile> files);
 

@@ -79,8 +79,8 @@ void remove_remains(const fs::path& folder, const std::string& stem) {
   ::unlink((folder / (stem + std::string(record_ending))).c_str());
 }
 
-/// A record that a dead run has left, locked by us; nothing if its run lives, or if it is not ours alone to have written: who
-/// may write here and is not us could otherwise have files moved in our name.
+/// A record that a dead run has left, locked by us; nothing if its run lives, or if it is not ours alone to have
+/// written: who may write here and is not us could otherwise have files moved in our name.
 struct LeftRecord {
   fs::path folder;
   std::string stem;
@@ -121,8 +121,7 @@ void recover_decided(const LeftRecord& leading) {
   for (const LeftRecord& share : shares) done = done && finish(share.folder, share.stem, *share.record);
   if (!done) {
     bool undone = undo_members(leading.folder, leading.stem, *leading.record);
-    for (const LeftRecord& share : shares)
-      undone = undo_members(share.folder, share.stem, *share.record) && undone;
+    for (const LeftRecord& share : shares) undone = undo_members(share.folder, share.stem, *share.record) && undone;
     if (!undone) return;  // it can be tried again
   }
   for (const LeftRecord& share : shares) remove_remains(share.folder, share.stem);

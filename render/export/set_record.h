@@ -12,9 +12,9 @@ namespace pomona {
 
 /// One of the files. Number n of a set waits under the name "STEM-n.part"; what it replaces is kept as "STEM-n.old".
 struct SetMember {
-  std::string name;        ///< of the destination, within the folder
+  std::string name;         ///< of the destination, within the folder
   std::uint64_t inode = 0;  ///< of the new file: after a renaming it still tells whose the destination is
-  bool replaces = false;   ///< there was a file of this name
+  bool replaces = false;    ///< there was a file of this name
 };
 
 /// A folder's share of a set. Of several folders one leads: the set counts as decided once its record is whole.

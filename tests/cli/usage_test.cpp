@@ -1,6 +1,11 @@
 // What users mistype, and what the program answers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 #include "tests/cli/run_pomona.h"
 
@@ -32,11 +37,58 @@ TEST_P(Mistakes, GetAClearErrorAndTheDocumentedStatus) {
 INSTANTIATE_TEST_SUITE_P(
     CommandLine, Mistakes,
     ::testing::Values(
-        Mistake{"NoCommand", {}, 64, "subcommand"},
+        Mistake{"NoCommand", {}, 64, "hint: pomona needs one of list, check,"},
+        Mistake{"NoPartOfACommand", {"farm"}, 64, "hint: pomona farm needs one of slurm,"},
+        Mistake{"UnknownPartOfACommand", {"farm", "slrum", "x.toml"}, 64, "did you mean slurm?"},
         Mistake{"UnknownCommand", {"gorw", "tomato", "-o", "x.ply"}, 64, "gorw"},
         Mistake{"MistypedOption", {"grow", "tomato", "--sede", "3", "-o", "x.ply"}, 64, "did you mean --seed"},
         Mistake{"NoOutput", {"grow", "tomato"}, 64, "--output"},
-        Mistake{"UnknownEnding", {"grow", "tomato", "-o", "x.obj"}, 64, ".ply .glb .pov .png"},
+        Mistake{"MistypedOptionThatIsNeeded",
+                {"cut", "tomato", "--knive", "half", "-o", "x.ply"},
+                64,
+                "did you mean --knife?"},
+        Mistake{"MistypedOutput", {"grow", "tomato", "--ouput", "x.glb"}, 64, "there is no option --ouput"},
+        Mistake{"WordTooMany", {"grow", "tomato", "lemon", "-o", "x.glb"}, 64, "not expected: lemon"},
+        Mistake{"MistypedWord", {"grow", "tomato", "--quality", "darft", "-o", "x.glb"}, 64, "did you mean draft?"},
+        Mistake{"DetailIsNoNumber", {"grow", "tomato", "--detail", "nan", "-o", "x.glb"}, 64, "number from 0.1 to 4"},
+        Mistake{"VariationIsNoNumber", {"grow", "tomato", "--variation", "nan", "-o", "x.glb"}, 64, "from 0 to 2"},
+        Mistake{"ExplodeIsNoNumber",
+                {"cut", "tomato", "--knife", "half", "--explode", "nan", "-o", "x.glb"},
+                64,
+                "1 to 10"},
+        Mistake{
+            "PixelsPerDegreeAreNoNumber", {"compare", "x.png", "x.png", "--ppd", "nan"}, 64, "number from 5 to 500"},
+        Mistake{
+            "HalfAThread", {"grow", "tomato", "--threads", "1.5", "-o", "x.glb"}, 64, "whole number from 0 to 1024"},
+        Mistake{"SeedBeyond64Bits", {"grow", "tomato", "--seed", "18446744073709551616", "-o", "x.glb"}, 64, "--seed"},
+        Mistake{"SlicesWithoutUnit", {"cut", "tomato", "--knife", "slices:4.5", "-o", "x.glb"}, 64, "write 4.5mm"},
+        Mistake{"TexelWithoutUnit", {"grow", "tomato", "--texel", "0.2", "-o", "x.glb"}, 64, "write 0.2mm"},
+        Mistake{"BallOfMetres", {"cut", "tomato", "--knife", "ball:24", "-o", "x.glb"}, 64, "write 24mm"},
+        Mistake{"UnknownUnit", {"cut", "tomato", "--knife", "slices:4in", "-o", "x.glb"}, 64, "mm, cm or m"},
+        Mistake{"TemplateAsScene",
+                {"scene", POMONA_SOURCE_DIR "/templates/tomato.toml", "-o", "x.glb"},
+                65,
+                "is a template"},
+        Mistake{"SceneAsFruit",
+                {"cut", POMONA_SOURCE_DIR "/scenes/salad.toml", "--knife", "half", "-o", "x.glb"},
+                65,
+                "pomona scene takes scenes"},
+        Mistake{"SceneAsBatch", {"batch", POMONA_SOURCE_DIR "/scenes/salad.toml", "-o", "x"}, 65, "is a scene"},
+        Mistake{"StandardOutputOfNoFormat", {"grow", "tomato", "-o", "-"}, 64, "--format glb"},
+        Mistake{"FormatOfNothing", {"grow", "tomato", "--format", "glb", "-o", "x.ply"}, 64, "add -o -"},
+        Mistake{
+            "StandardOutputTwice", {"grow", "tomato", "--json", "--format", "ply", "-o", "-"}, 64, "standard output"},
+        Mistake{"PiecesAreAnOutput",
+                {"cut", "tomato", "--knife", "half", "--pieces", "./x.glb", "-o", "x.glb"},
+                64,
+                "is an output already"},
+        Mistake{"PiecesInNoFolder",
+                {"cut", "tomato", "--knife", "half", "--pieces", "no/x.json", "-o", "x.glb"},
+                73,
+                "mkdir -p no"},
+        Mistake{"FolderAsOutput", {"grow", "tomato", "-o", "/tmp/../tmp"}, 64, "cannot write that"},
+        Mistake{"DeviceAsTemplate", {"grow", "/dev/null", "-o", "x.ply"}, 66, "is a device or a pipe"},
+        Mistake{"UnknownEnding", {"grow", "tomato", "-o", "x.jpg"}, 64, ".ply .glb .obj .stl .pov .png"},
         Mistake{"SameOutputTwice", {"grow", "tomato", "-o", "x.ply", "-o", "./x.ply"}, 64, "twice"},
         Mistake{"NoLevels", {"grow", "tomato", "--lod", "0", "-o", "x.glb"}, 64, "--lod"},
         Mistake{"NineLevels", {"cut", "tomato", "--knife", "half", "--lod", "9", "-o", "x.glb"}, 64, "--lod"},
@@ -105,6 +157,16 @@ TEST(Help, IsPrintedByEveryCommand) {
   }
 }
 
+TEST(Help, AnswersToTheWordsPeopleTry) {
+  EXPECT_EQ(run_pomona({"help", "cut"}).out, run_pomona({"cut", "-h"}).out);
+  EXPECT_EQ(run_pomona({"help"}).out, run_pomona({"-h"}).out);
+  for (const char* word : {"version", "-V"}) {
+    const Outcome outcome = run_pomona({word});
+    EXPECT_EQ(outcome.status, 0) << word;
+    EXPECT_EQ(outcome.out, run_pomona({"--version"}).out);
+  }
+}
+
 TEST(Help, OfCutNamesEveryKnife) {
   const Outcome outcome = run_pomona({"cut", "-h"});
   for (const char* knife : {"half", "dice:12mm, dice:4", "stroke:FILE.svg#id", "ball:24mm", "peel:2mm", ",depth=4cm"}) {
@@ -119,6 +181,70 @@ TEST(List, PrintsALineForEachTemplateFromAnyFolder) {
   for (const char* line : {"tomato\t5-fold\t", "onion\tcylindrical\t", "pepper\t4-fold\t"}) {
     EXPECT_THAT(outcome.out, HasSubstr(line));
   }
+}
+
+TEST(List, NamesOnesOwnTemplatesAfterTheProgramsAndNothingElse) {
+  const TemporaryFolder folder;
+  const std::filesystem::path sources = POMONA_SOURCE_DIR;
+  std::filesystem::create_directory(folder.path() / "templates");
+  std::filesystem::copy(sources / "templates/radish.toml", folder.path() / "my_radish.toml");
+  std::filesystem::copy(sources / "templates/radish.toml", folder.path() / "templates/our_radish.toml");
+  std::filesystem::copy(sources / "scenes/salad.toml", folder.path() / "my_salad.toml");
+  const Outcome outcome = run_pomona({"list"}, folder.path());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\nmy_radish\t"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nour_radish\t"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("my_salad")));
+  EXPECT_GT(outcome.out.find("my_radish"), outcome.out.find("watermelon"));
+}
+
+TEST(StandardOutput, TakesTheBytesOfTheFile) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> grow = {"grow", "radish", "--detail", "0.1", "--quiet", "-o"};
+  for (const char* format : {"ply", "glb", "obj", "stl"}) {
+    std::vector<std::string> file = grow, stream = grow;
+    file.push_back(std::string("x.") + format);
+    stream.insert(stream.end(), {"-", "--format", format});
+    ASSERT_EQ(run_pomona(file, folder.path()).status, 0);
+    const Outcome outcome = run_pomona(stream, folder.path());
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out == bytes_of(folder.path() / file.back())) << format;
+  }
+}
+
+TEST(StandardOutput, ThatIsFullEndsWithItsStatus) {
+  for (const std::string words :
+       {"list", "--version", "check tomato", "grow radish --detail 0.1 --quiet -o - --format ply"}) {
+    const int status = std::system((POMONA_PROGRAM " " + words + " >/dev/full 2>/dev/null").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 74) << words;
+  }
+}
+
+TEST(Outputs, WarnOfOptionsThatHaveNoEffect) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_pomona(
+      {"grow", "radish", "--detail", "0.1", "--texture", "256", "--view", "top", "--size", "80x60", "-o", "X.OBJ"},
+      folder.path());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* option : {"--texture", "--view", "--size"})
+    EXPECT_THAT(outcome.err, HasSubstr(std::string("warning: ") + option));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "X.OBJ"));
+}
+
+TEST(Outputs, MayHaveNamesThatAreNoUtf8) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_pomona({"grow", "radish", "--detail", "0.1", "--json", "-o", "b\xff.ply"}, folder.path());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\"bytes\""));
+}
+
+TEST(Errors, ShowNoControlCharacters) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "x.toml") << "[symmetry]\n\"\\u001b[2J\" = 1\n";
+  const Outcome outcome = run_pomona({"check", "x.toml"}, folder.path());
+  EXPECT_EQ(outcome.status, 65);
+  EXPECT_THAT(outcome.err, HasSubstr("\\x1b[2J"));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("\x1b")));
 }
 
 TEST(Check, PassesEveryTemplateAndSceneOfTheTree) {

@@ -1,10 +1,12 @@
 #include "generator/surface/file/surface_file.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -107,6 +109,50 @@ TEST(SurfaceFile, AllEncodingsAgree) {
   expect_equal(parse_surfaces(foreign_file("ascii", "\r\n"), "a.ply"), ascii);
   expect_equal(parse_surfaces(foreign_file("binary_little_endian", "\n"), "a.ply"), ascii);
   expect_equal(parse_surfaces(foreign_file("binary_big_endian", "\n"), "a.ply"), ascii);
+}
+
+/// A tetrahedron whose corners are the last of so many vertices; its faces name them in the scalar type `Index`.
+template <typename Index>
+std::string tetrahedron_at_the_end(const std::string& type, std::uint32_t vertices) {
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(vertices) +
+                      "\nproperty float x\nproperty float y\nproperty float z\nelement face 4\nproperty list " + type +
+                      " " + type + " vertex_indices\nend_header\n";
+  const auto put = [&](auto value) {
+    char raw[sizeof(value)];
+    std::memcpy(raw, &value, sizeof(value));
+    bytes.append(raw, sizeof(value));
+  };
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    const std::uint32_t corner = v + 4 >= vertices ? v + 4 - vertices : 0;
+    for (std::uint32_t axis = 1; axis <= 3; ++axis) put(corner == axis ? 0.1f : 0.0f);
+  }
+  constexpr std::array<std::array<std::uint32_t, 3>, 4> faces{{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  for (const auto& face : faces) {
+    put(static_cast<Index>(3));
+    for (const std::uint32_t corner : face) put(static_cast<Index>(vertices - 4 + corner));
+  }
+  return bytes;
+}
+
+/// The highest index that a type can say must not be taken for a negative one.
+template <typename Index>
+void expect_tetrahedron(const std::vector<std::string>& types) {
+  const auto highest = static_cast<std::uint64_t>(std::numeric_limits<Index>::max());
+  const auto vertices = static_cast<std::uint32_t>(std::min<std::uint64_t>(highest + 1, 70'000));
+  for (const std::string& type : types) {
+    const DiffusionSurfaces read = parse_surfaces(tetrahedron_at_the_end<Index>(type, vertices), "a.ply");
+    ASSERT_EQ(read.triangle_count(), 4u) << type;
+    EXPECT_NEAR(find_bodies(read).bodies.at(0).volume, 1e-3 / 6, 1e-9) << type;
+  }
+}
+
+TEST(SurfaceFile, EveryWholeScalarTypeCountsToItsEnd) {
+  expect_tetrahedron<std::int8_t>({"char", "int8"});
+  expect_tetrahedron<std::uint8_t>({"uchar", "uint8"});
+  expect_tetrahedron<std::int16_t>({"short", "int16"});
+  expect_tetrahedron<std::uint16_t>({"ushort", "uint16"});
+  expect_tetrahedron<std::int32_t>({"int", "int32"});
+  expect_tetrahedron<std::uint32_t>({"uint", "uint32"});
 }
 
 TEST(SurfaceFile, WithoutFlagsTheOutermostShellIsSkin) {

@@ -39,7 +39,9 @@ Sketch read_sketch(const fs::path& folder, const std::string& name, std::optiona
   std::ifstream stream(file, std::ios::binary);
   std::string text(fs::file_size(file), '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (static_cast<std::size_t>(stream.gcount()) != text.size())
+    throw BadSketch("\"" + name + "\" cannot be read to its end",
+                    "see whether it is whole, and whether you may read it");
   return {parse_svg(text, file.string()), unit};
 }
 

@@ -13,7 +13,9 @@ std::string read_toml_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file))
     throw Error(ExitStatus::input_missing, {{{file.string(), 0, 0, {}}, "cannot be read", {}}});
-  return first_bytes(stream, TomlLimits{}.bytes + 1);
+  std::string text = first_bytes(stream, TomlLimits{}.bytes + 1);
+  if (stream.bad()) throw Error(ExitStatus::io_error, {{{file.string(), 0, 0, {}}, "cannot be read to its end", {}}});
+  return text;
 }
 
 bool has_toml_heading(const std::filesystem::path& file, std::initializer_list<std::string_view> headings) {

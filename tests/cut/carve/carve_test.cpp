@@ -83,6 +83,28 @@ TEST(Carve, GoesWithPlanesBeforeAndAfter) {
   }
 }
 
+/// Edges along an axis, corners in the knife's own planes: where ties decide, no piece may come out inside out, and
+/// what is the same on both sides must be the same.
+TEST(Carve, PartsABoxWhoseEdgesLieInTheKnives) {
+  const DiffusionSurfaces box = shapes::box({-0.015, -0.015, -0.015}, {0.015, 0.015, 0.015}, 2, shapes::skin_paint());
+  for (const char* ball :
+       {"ball:6mm,at=0.7cm,0,0", "ball:6mm,at=0,0.7cm,0", "ball:10mm,at=0,0,0", "ball:6mm,at=1.5cm,0,0"}) {
+    SCOPED_TRACE(ball);
+    const Cut result = cut(box, std::vector{parse_knife("half"), parse_knife(ball)});
+    expect_whole(result, whole_volume(box));
+    ASSERT_EQ(result.pieces.size(), 4u);
+    std::vector<double> volumes;
+    for (const CutPiece& piece : result.pieces) {
+      EXPECT_GT(piece.volume, 0);
+      EXPECT_TRUE(piece.closed);
+      volumes.push_back(piece.volume);
+    }
+    std::sort(volumes.begin(), volumes.end());
+    EXPECT_NEAR(volumes[0] / volumes[1], 1, 1e-3) << "two halves of what the ball takes";
+    EXPECT_NEAR(volumes[2] / volumes[3], 1, 1e-6) << "two halves of what it leaves";
+  }
+}
+
 TEST(Carve, TakesACavityWithItsHome) {
   // A ball inside, through which a rod of another body sticks out of the fruit.
   const DiffusionSurfaces fruit =

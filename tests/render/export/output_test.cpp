@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "generator/base/error.h"
+#include "render/export/set_record.h"
 #include "tests/base/temporary_folder.h"
 
 namespace pomona {
@@ -90,6 +91,89 @@ TEST_F(Output, KeepsALinkAndReplacesWhatItNames) {
   write_whole(folder_ / "link", "new");
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
   EXPECT_EQ(content("a"), "new");
+}
+
+TEST_F(Output, MakesWhatALinkNamesThatNamesNothingYet) {
+  fs::create_symlink("later", folder_ / "link");
+  write_whole(folder_ / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(content("later"), "new");
+}
+
+TEST_F(Output, RefusesLinksThatLeadInACircle) {
+  fs::create_symlink("b", folder_ / "a");
+  fs::create_symlink("a", folder_ / "b");
+  EXPECT_EQ(status_of({{folder_ / "a", "new"}}), ExitStatus::cannot_create);
+}
+
+TEST_F(Output, KeepsWhatIsPrivatePrivate) {
+  write_whole(folder_ / "a", "old");
+  fs::permissions(folder_ / "a", fs::perms::owner_read | fs::perms::owner_write);
+  write_whole(std::vector<OutputFile>{{folder_ / "a", "new"}, {folder_ / "b", "new"}});
+  EXPECT_EQ(content("a"), "new");
+  EXPECT_EQ(fs::status(folder_ / "a").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+/// A later run must not act on what others have put where all may write.
+TEST_F(Output, LeavesRecordsAloneThatOthersCanWrite) {
+  SetRecord record;
+  record.members.push_back({"victim", 0, true});
+  write_whole(folder_ / "victim", "mine");
+  std::ofstream(folder_ / ".pomona-1-0.set", std::ios::binary) << record_bytes(record);
+  std::ofstream(folder_ / ".pomona-1-0-0.part") << "theirs";
+  fs::permissions(folder_ / ".pomona-1-0.set", fs::perms::all);
+  write_whole(folder_ / "a", "new");
+  EXPECT_EQ(content("victim"), "mine");
+  EXPECT_EQ(content(".pomona-1-0-0.part"), "theirs");
+}
+
+TEST_F(Output, FinishesWhatADeadRunHadDecided) {
+  SetRecord record;
+  record.members = {{"a", 0, true}, {"b", 0, false}};
+  write_whole(folder_ / "a", "old");
+  std::ofstream(folder_ / ".pomona-1-0.set", std::ios::binary) << record_bytes(record);
+  fs::permissions(folder_ / ".pomona-1-0.set", fs::perms::owner_read | fs::perms::owner_write);
+  std::ofstream(folder_ / ".pomona-1-0-0.part") << "new a";
+  std::ofstream(folder_ / ".pomona-1-0-1.part") << "new b";
+  write_whole(folder_ / "c", "new c");
+  EXPECT_EQ(content("a"), "new a");
+  EXPECT_EQ(content("b"), "new b");
+  EXPECT_THAT(names(), UnorderedElementsAre("a", "b", "c"));
+}
+
+TEST_F(Output, ClearsAwayWhatADeadRunHadNotDecided) {
+  write_whole(folder_ / "a", "old");
+  SetRecord record;
+  record.members = {{"a", 0, true}};
+  const std::string whole = record_bytes(record);
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    std::ofstream(folder_ / ".pomona-1-0.set", std::ios::binary) << whole.substr(0, size);
+    fs::permissions(folder_ / ".pomona-1-0.set", fs::perms::owner_read | fs::perms::owner_write);
+    std::ofstream(folder_ / ".pomona-1-0-0.part") << "new";
+    write_whole(folder_ / "c", "new c");
+    ASSERT_EQ(content("a"), "old") << "cut off after " << size << " bytes";
+    ASSERT_THAT(names(), UnorderedElementsAre("a", "c"));
+  }
+}
+
+TEST(SetRecord, ReadsBackWhateverItsNames) {
+  SetRecord record;
+  record.leader = "/tmp/with a\nline/x.set";
+  record.followers = {"/tmp/b.set", "/c"};
+  record.members = {{"a\xff.glb", 17, true}, {"b", 18446744073709551615u, false}};
+  const auto read = parse_record(record_bytes(record) + std::string(undo_mark));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(record_bytes(*read), record_bytes(record));
+  EXPECT_TRUE(read->undone);
+  EXPECT_FALSE(parse_record(record_bytes(record))->undone);
+}
+
+TEST(SetRecord, LeadsToNoOtherFolder) {
+  for (const char* name : {"../a", "a/b", "..", ".", ""}) {
+    SetRecord record;
+    record.members = {{name, 1, true}};
+    EXPECT_FALSE(parse_record(record_bytes(record)).has_value()) << name;
+  }
 }
 
 TEST_F(Output, WritesToDevices) {

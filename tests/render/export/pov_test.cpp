@@ -1,8 +1,11 @@
 #include "render/export/pov.h"
 
 #include <gmock/gmock.h>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <regex>
 
 #include <glm/geometric.hpp>
 
@@ -142,6 +145,27 @@ TEST(Pov, EachMaterialHasAFinish) {
   const std::vector<NamedFile> plain = write_pov(named::mixed(), "x");
   EXPECT_THAT(plain[0].bytes, Not(HasSubstr("Subsurface")));
   EXPECT_THAT(plain[1].bytes, Not(HasSubstr("Finish_")));
+}
+
+/// The box's cut face is number 0, its first: it has the flesh's finish and not the skin's.
+TEST(Pov, TheFirstCutFaceHasTheFinishOfFlesh) {
+  const Scene scene = named::with_materials();
+  const Solid& box = scene.solids[0];
+  const auto cut = std::count(box.cut_face.begin(), box.cut_face.end(), 0);
+  ASSERT_EQ(cut, 2);
+  const std::string meshes = write_pov(scene, "x")[1].bytes;
+  // The finish of each texture, then the textures of each triangle.
+  const std::string mesh =
+      meshes.substr(meshes.find("#declare Mesh_0 "), meshes.find("\n}\n") - meshes.find("#declare Mesh_0 "));
+  std::vector<std::string> finishes;
+  const std::regex texture("finish\\{(\\w+)\\}\\}"), face("<\\d+,\\d+,\\d+>,(\\d+),(\\d+),(\\d+)");
+  for (std::sregex_iterator at(mesh.begin(), mesh.end(), texture), end; at != end; ++at) finishes.push_back((*at)[1]);
+  std::map<std::string, std::ptrdiff_t> triangles;
+  for (std::sregex_iterator at(mesh.begin(), mesh.end(), face), end; at != end; ++at)
+    ++triangles[finishes.at(std::stoul((*at)[1]))];
+  std::vector<std::ptrdiff_t> counts;
+  for (const auto& [finish, count] : triangles) counts.push_back(count);
+  EXPECT_THAT(counts, testing::UnorderedElementsAre(cut, 12 - cut));
 }
 
 TEST(Pov, TheUnitFitsTheView) {

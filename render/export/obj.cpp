@@ -1,0 +1,78 @@
+#include "render/export/obj.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+
+#include <glm/gtc/quaternion.hpp>
+
+namespace pomona {
+
+namespace {
+
+/// " 0.25": the shortest text that reads back as this number.
+void append(std::string& text, float number) {
+  char digits[32];
+  const auto [end, fault] = std::to_chars(digits, digits + sizeof digits, number);
+  text.push_back(' ');
+  text.append(digits, end);
+}
+
+void append(std::string& text, const glm::vec3& vector) {
+  for (int axis = 0; axis < 3; ++axis) append(text, vector[axis]);
+}
+
+/// A name is one word: what blanks part would be several.
+std::string one_word(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');
+  return name;
+}
+
+void append_vertices(std::string& text, const StyledMesh& mesh, const Pose& pose) {
+  const bool stays = pose.rotation == glm::dquat(1, 0, 0, 0) && pose.translation == glm::dvec3(0);
+  for (std::size_t v = 0; v < mesh.position.size(); ++v) {
+    const glm::vec3 place =
+        stays ? mesh.position[v] : glm::vec3(pose.rotation * glm::dvec3(mesh.position[v]) + pose.translation);
+    text += "v";
+    append(text, place);
+    const auto color = to_srgb8(mesh.color[v]);
+    for (int channel = 0; channel < 3; ++channel) append(text, static_cast<float>(color[channel]) / 255.0f);
+    text += '\n';
+  }
+  for (const glm::vec3& normal : mesh.normal) {
+    text += "vn";
+    append(text, stays ? normal : glm::vec3(pose.rotation * glm::dvec3(normal)));
+    text += '\n';
+  }
+}
+
+/// \param first number of the mesh's first vertex, from 1, in the whole file.
+void append_faces(std::string& text, const StyledMesh& mesh, std::uint64_t first) {
+  for (const glm::uvec3& triangle : mesh.triangle) {
+    text += 'f';
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::string number = std::to_string(first + triangle[corner]);
+      text += ' ' + number + "//" + number;
+    }
+    text += '\n';
+  }
+}
+
+}  // namespace
+
+std::string write_obj(const Scene& scene, const ExportOptions& options) {
+  const std::vector<StyledMesh> meshes = styled_meshes(scene, options);
+  std::string text = "# made by Pomona, in metres\n";
+  std::uint64_t first = 1;
+  for (const Instance& instance : scene.instances) {
+    const StyledMesh& mesh = meshes[static_cast<std::size_t>(instance.solid)];
+    text += "o " + one_word(instance.name) + "\n";
+    append_vertices(text, mesh, instance.pose);
+    append_faces(text, mesh, first);
+    first += mesh.position.size();
+  }
+  return text;
+}
+
+}  // namespace pomona

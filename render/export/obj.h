@@ -1,0 +1,15 @@
+// Solids as Wavefront OBJ: the oldest door to modelling tools (docs/formats.md).
+#pragma once
+
+#include <string>
+
+#include "render/export/styled_mesh.h"
+
+namespace pomona {
+
+/// The text of an OBJ with every instance of the scene, where it lies, in metres: `o` with its name, `v` with a
+/// colour (sRGB, 0 to 1) after the place, `vn`, and `f` with both. Numbers are written so that they read back as the
+/// same bits.
+std::string write_obj(const Scene& scene, const ExportOptions& options = {});
+
+}  // namespace pomona

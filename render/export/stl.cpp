@@ -1,0 +1,66 @@
+#include "render/export/stl.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "generator/base/error.h"
+
+namespace pomona {
+
+namespace {
+
+// A header of 80 bytes and the number of triangles; then 50 bytes for each.
+constexpr std::size_t header_bytes = 80, triangle_bytes = 50;
+constexpr std::string_view header = "Pomona, in millimetres";  // it must not begin with "solid", as STL in ASCII does
+
+constexpr double millimetres = 1e3;
+
+void append(std::string& bytes, const glm::vec3& vector) {
+  char raw[sizeof vector];
+  std::memcpy(raw, &vector, sizeof vector);
+  bytes.append(raw, sizeof vector);
+}
+
+void append_instance(std::string& bytes, const Solid& solid, const Pose& pose, std::uint32_t& count) {
+  for (const glm::uvec3& triangle : solid.triangle) {
+    std::array<glm::vec3, 3> corner;
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3 place = pose.rotation * glm::dvec3(solid.position[triangle[i]]) + pose.translation;
+      corner[static_cast<std::size_t>(i)] = glm::vec3(place * millimetres);
+    }
+    const glm::dvec3 normal =
+        glm::cross(glm::dvec3(corner[1]) - glm::dvec3(corner[0]), glm::dvec3(corner[2]) - glm::dvec3(corner[0]));
+    const double length = glm::length(normal);
+    if (!(length > 0)) continue;
+    append(bytes, glm::vec3(normal / length));
+    for (const glm::vec3& place : corner) append(bytes, place);
+    bytes.append(2, '\0');  // an attribute that nobody agrees about
+    ++count;
+  }
+}
+
+}  // namespace
+
+std::string write_stl(const Scene& scene) {
+  std::uint64_t most = 0;
+  for (const Instance& instance : scene.instances)
+    most += scene.solids[static_cast<std::size_t>(instance.solid)].triangle.size();
+  if (most > UINT32_MAX)
+    throw Error(ExitStatus::bad_data,
+                "an STL holds 4294967295 triangles at most, and the scene has " + std::to_string(most));
+
+  std::string bytes(header);
+  bytes.resize(header_bytes + sizeof(std::uint32_t), '\0');
+  bytes.reserve(bytes.size() + most * triangle_bytes);
+  std::uint32_t count = 0;
+  for (const Instance& instance : scene.instances)
+    append_instance(bytes, scene.solids[static_cast<std::size_t>(instance.solid)], instance.pose, count);
+  std::memcpy(bytes.data() + header_bytes, &count, sizeof count);
+  return bytes;
+}
+
+}  // namespace pomona
