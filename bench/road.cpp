@@ -17,6 +17,7 @@
 #include "bench/own_process.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
+#include "generator/base/free_memory.h"
 #include "generator/base/stage_clock.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
@@ -162,6 +163,7 @@ int main(int argc, char** argv) {
   app.add_option("--knife", settings.knife, "What cuts it")->capture_default_str();
   app.add_flag("--json", settings.json, "Print JSON");
   CLI11_PARSE(app, argc, argv);
+  keep_free_memory();  // as the program does
   if (settings.qualities.empty()) settings.qualities = {"draft", "final"};
   return bench::exit_status_of([&] { return make_report(settings); });
 }

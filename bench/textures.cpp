@@ -14,6 +14,7 @@
 
 #include "bench/fruits.h"
 #include "bench/timing.h"
+#include "generator/base/free_memory.h"
 #include "generator/base/error.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
@@ -120,6 +121,7 @@ void measure(const std::string& name, const Settings& settings) {
 
 int main(int argc, char** argv) {
   const Settings settings = settings_from(argc, argv);
+  keep_free_memory();  // as the program does
   std::printf("| fruit | triangles | pieces | texels | points diffused | wall s | processor s | charts | ");
   std::printf("mean stretch | worst | filled | mip levels |");
   if (settings.truth) std::printf(" processor s, every texel | RMS of 255 | largest | texels beyond 4 |");

@@ -13,4 +13,12 @@ void give_back_free_memory() {
 #endif
 }
 
+void keep_free_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+  mallopt(M_TOP_PAD, 4 << 20);
+#endif
+}
+
 }  // namespace pomona

@@ -48,20 +48,33 @@ SidesOfPoints sides_on_surfaces(const DiffusionSurfaces& surfaces, const Surface
   return sides;
 }
 
+SidesOfPoints sides_where_known(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
+                                std::span<const glm::vec3> points, SidesOfPoints sides,
+                                std::span<const PmvcValue> values, Threads threads) {
+  constexpr double anywhere = std::numeric_limits<double>::infinity();
+  parallel_for(points.size(), threads, [&](std::size_t i) {
+    const bool sees_nothing = !sides[i] && !(values[i].weight > 0);
+    if (sees_nothing) sides[i] = nearest_side(surfaces, tree, glm::dvec3(points[i]), anywhere);
+  });
+  return sides;
+}
+
+DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const ColorHull& hull, const SidesOfPoints& known,
+                               std::span<const PmvcValue> values, Threads threads) {
+  DiffusedColors colors{std::vector<Color>(known.size()), std::vector<std::int32_t>(known.size())};
+  parallel_for(known.size(), threads, [&](std::size_t i) {
+    const Color color(known[i] ? color_of(surfaces, *known[i]) : values[i].color);
+    colors.color[i] = glm::clamp(color, hull.low, hull.high);
+    colors.part[i] = known[i] ? part_of(surfaces, *known[i]) : values[i].part;
+  });
+  return colors;
+}
+
 DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
                                std::span<const glm::vec3> points, const SidesOfPoints& sides,
                                std::span<const PmvcValue> values, Threads threads) {
-  constexpr double anywhere = std::numeric_limits<double>::infinity();
-  DiffusedColors colors{std::vector<Color>(points.size()), std::vector<std::int32_t>(points.size())};
-  parallel_for(points.size(), threads, [&](std::size_t i) {
-    const bool sees_nothing = !sides[i] && !(values[i].weight > 0);
-    const std::optional<SurfaceSide> nearest =
-        sees_nothing ? nearest_side(surfaces, tree, glm::dvec3(points[i]), anywhere) : sides[i];
-    const Color color(nearest ? color_of(surfaces, *nearest) : values[i].color);
-    colors.color[i] = glm::clamp(color, hull.low, hull.high);
-    colors.part[i] = nearest ? part_of(surfaces, *nearest) : values[i].part;
-  });
-  return colors;
+  return resolved_colors(surfaces, hull, sides_where_known(surfaces, tree, points, sides, values, threads), values,
+                         threads);
 }
 
 DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,

@@ -27,6 +27,15 @@ using SidesOfPoints = std::vector<std::optional<SurfaceSide>>;
 SidesOfPoints sides_on_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
                                 std::span<const glm::vec3> points, Threads threads);
 
+/// Beside these, the nearest side of points that see nothing. One value per point.
+SidesOfPoints sides_where_known(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
+                                std::span<const glm::vec3> points, SidesOfPoints sides,
+                                std::span<const PmvcValue> values, Threads threads);
+
+/// Where a side is known it decides, else the value; no colour leaves the hull. One side and value per point.
+DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const ColorHull& hull, const SidesOfPoints& known,
+                               std::span<const PmvcValue> values, Threads threads);
+
 /// On a surface, and where nothing is seen, the nearest side decides; no colour leaves the hull. One value per point.
 DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
                                std::span<const glm::vec3> points, const SidesOfPoints& sides,

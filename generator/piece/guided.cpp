@@ -1,14 +1,15 @@
 #include "generator/piece/guided.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/parallel.h"
-#include "generator/diffusion/pmvc/pmvc_diffuser.h"
-#include "generator/mesh/weld.h"
+#include "generator/diffusion/pmvc/diffused_values.h"
+#include "generator/piece/guide_places.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/skin_depth.h"
 
@@ -16,15 +17,17 @@ namespace pomona {
 
 namespace {
 
-bool any_runs(const Template& fruit, std::initializer_list<DetailRun> runs) {
-  return std::any_of(fruit.details.begin(), fruit.details.end(), [&](const DetailSketch& detail) {
-    return detail.face == DetailFace::cut && std::find(runs.begin(), runs.end(), detail.run) != runs.end();
-  });
+bool runs_within_layers(const CutDetail& detail) {
+  return detail.sketch->run == DetailRun::along || detail.sketch->run == DetailRun::around;
 }
 
-bool has_details_on(const Template& fruit, DetailFace face) {
-  return std::any_of(fruit.details.begin(), fruit.details.end(),
-                     [&](const DetailSketch& detail) { return detail.face == face; });
+bool runs_anywhere(const CutDetail& detail) { return detail.sketch->run != DetailRun::none; }
+
+template <typename Question>
+std::vector<CutDetail> which(const std::vector<CutDetail>& details, const Question& question) {
+  std::vector<CutDetail> some;
+  std::copy_if(details.begin(), details.end(), std::back_inserter(some), question);
+  return some;
 }
 
 /// The surfaces that lie around the axis, layer around layer. What lies in folds, and grains, would turn the way
@@ -47,43 +50,6 @@ DiffusionSurfaces layers_of(const DiffusionSurfaces& swept, const Template& frui
   });
   if (layers.triangle.empty()) add_if([&](std::size_t t) { return swept.is_boundary(t); });
   return layers;
-}
-
-/// Equal positions once: what is asked of the diffuser.
-struct Places {
-  std::vector<glm::vec3> position;
-  std::vector<std::uint32_t> of_vertex;
-};
-
-Places places_of(const std::vector<glm::vec3>& vertices) {
-  const std::vector<std::uint32_t> first = weld(vertices);
-  Places places{.position = {}, .of_vertex = std::vector<std::uint32_t>(vertices.size())};
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    if (first[v] == v) places.position.push_back(vertices[v]);
-    places.of_vertex[v] =
-        first[v] == v ? static_cast<std::uint32_t>(places.position.size() - 1) : places.of_vertex[first[v]];
-  }
-  return places;
-}
-
-std::vector<Color> diffused(DiffusionSurfaces layers, const std::vector<Color>& value, const Places& places,
-                            Threads threads) {
-  layers.front_color = layers.back_color = value;
-  // Guides are smooth: the fewest directions do.
-  return make_pmvc_diffuser({.quality = Quality::draft, .threads = threads})->diffuse(layers, places.position).color;
-}
-
-/// Unit vectors across the layers, outwards. They travel as colours, which are 0 to 1.
-std::vector<glm::vec3> ways_out(const DiffusionSurfaces& layers, const Places& places, Threads threads) {
-  std::vector<Color> value = vertex_normals(layers);
-  for (Color& normal : value) normal = 0.5f * normal + 0.5f;
-  std::vector<glm::vec3> ways;
-  for (const Color& color : diffused(layers, value, places, threads)) {
-    const glm::vec3 way = 2.0f * color - 1.0f;
-    const float length = glm::length(way);
-    ways.push_back(length > 1e-6f ? way / length : glm::vec3(0));
-  }
-  return ways;
 }
 
 std::vector<double> depths_of(const std::vector<glm::vec3>& points, const SkinDepth& skin, Threads threads) {
@@ -109,10 +75,13 @@ std::vector<double> corner_depths(const DiffusionSurfaces& layers, const SkinDep
   return depth;
 }
 
-/// The depth of the layer at each place: every surface has one, its vertices' mean.
-std::vector<float> layers_at(const DiffusionSurfaces& layers, const SkinDepth& skin, const Places& places,
-                             Threads threads) {
-  // Each surface gets its mean depth over the corners of its triangles; the greatest becomes the unit.
+/// Every surface has one depth, its vertices' mean.
+struct LayerDepths {
+  std::vector<float> share;  ///< per vertex, of the deepest; 0 at vertices of no triangle
+  double deepest = 0;        ///< metres
+};
+
+LayerDepths layer_depths(const DiffusionSurfaces& layers, const SkinDepth& skin, Threads threads) {
   const std::vector<double> depth = corner_depths(layers, skin, threads);
   std::vector<double> sum(layers.surface_names.size(), 0.0);
   std::vector<int> count(sum.size(), 0);
@@ -121,19 +90,40 @@ std::vector<float> layers_at(const DiffusionSurfaces& layers, const SkinDepth& s
     for (int k = 0; k < 3; ++k) sum[surface] += depth[layers.triangle[t][k]];
     count[surface] += 3;
   }
-  double deepest = 1e-9;
-  for (std::size_t s = 0; s < sum.size(); ++s) deepest = std::max(deepest, sum[s] /= std::max(count[s], 1));
-
-  // Depths are diffused as colours, in shares of the greatest.
-  std::vector<Color> value(layers.vertex_count(), Color(0));
+  LayerDepths found{std::vector<float>(layers.vertex_count(), 0.0f), 1e-9};
+  for (std::size_t s = 0; s < sum.size(); ++s) found.deepest = std::max(found.deepest, sum[s] /= std::max(count[s], 1));
   for (std::size_t t = 0; t < layers.triangle_count(); ++t) {
-    const double share = sum[static_cast<std::size_t>(layers.surface[t])] / deepest;
-    for (int k = 0; k < 3; ++k) value[layers.triangle[t][k]] = Color(static_cast<float>(share));
+    const double share = sum[static_cast<std::size_t>(layers.surface[t])] / found.deepest;
+    for (int k = 0; k < 3; ++k) found.share[layers.triangle[t][k]] = static_cast<float>(share);
   }
-  std::vector<float> at;
-  for (const Color& color : diffused(layers, value, places, threads))
-    at.push_back(static_cast<float>(deepest) * color.r);
-  return at;
+  return found;
+}
+
+/// Per place: the unit vector across the layers, outwards, and the layer's depth, metres. Zero where nobody asks.
+std::vector<glm::vec4> ways_and_layers(const DiffusionSurfaces& swept, const Template& fruit, const SkinDepth& skin,
+                                       const GuidePlaces& places, const std::vector<std::uint8_t>& wanted,
+                                       bool with_layers, Threads threads) {
+  std::vector<glm::vec4> found(places.position.size(), glm::vec4(0));
+  const ChosenPlaces asked = chosen(places, wanted);
+  const DiffusionSurfaces layers = layers_of(swept, fruit);
+  if (layers.triangle.empty() || asked.position.empty()) return found;
+
+  // What is diffused lies between 0 and 1: normals halved, depths as shares of the greatest.
+  std::vector<glm::vec4> value;
+  for (const Color& normal : vertex_normals(layers)) value.emplace_back(0.5f * normal + 0.5f, 0.0f);
+  LayerDepths depth;
+  if (with_layers) {
+    depth = layer_depths(layers, skin, threads);
+    for (std::size_t v = 0; v < value.size(); ++v) value[v].w = depth.share[v];
+  }
+  const std::vector<glm::vec4> diffused = diffused_values(layers, value, asked.position, threads);
+  for (std::size_t i = 0; i < diffused.size(); ++i) {
+    const glm::vec3 way = 2.0f * glm::vec3(diffused[i]) - 1.0f;
+    const float length = glm::length(way);
+    found[asked.place[i]] = {length > 1e-6f ? way / length : glm::vec3(0),
+                             static_cast<float>(depth.deepest) * diffused[i].w};
+  }
+  return found;
 }
 
 }  // namespace
@@ -151,26 +141,31 @@ glm::vec4 detail_shares(const Template& fruit, DetailFace face, std::int32_t par
 
 CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const Template& fruit, Threads threads,
                     const SkinDepth* known) {
-  if (section.position.empty() || !has_details_on(fruit, DetailFace::cut)) return section;
-  const Places places = places_of(section.position);
+  const std::vector<CutDetail> details = cut_details(fruit);
+  if (section.position.empty() || details.empty()) return section;
+  const GuidePlaces places = guide_places(section.position);
   const std::optional<SkinDepth> own = known == nullptr ? std::optional<SkinDepth>(swept) : std::nullopt;
   const SkinDepth& skin = own ? *own : *known;
-  const std::vector<double> depth = depths_of(places.position, skin, threads);
 
-  // Only what a detail asks for is diffused.
-  const DiffusionSurfaces layers = layers_of(swept, fruit);
-  const bool across = any_runs(fruit, {DetailRun::to_skin, DetailRun::along, DetailRun::around});
-  const bool along = any_runs(fruit, {DetailRun::along, DetailRun::around});
-  std::vector<glm::vec3> ways(places.position.size(), glm::vec3(0));
-  std::vector<float> layer(places.position.size(), 0.0f);
-  if (!layers.triangle.empty() && across) ways = ways_out(layers, places, threads);
-  if (!layers.triangle.empty() && along) layer = layers_at(layers, skin, places, threads);
-
+  // How deep the places lie at which any detail may count, and how much each does.
+  const ChosenPlaces near = chosen(places, places_by_part(section, details, places));
+  const std::vector<double> found = depths_of(near.position, skin, threads);
+  std::vector<double> depth(places.position.size(), 0.0);
+  for (std::size_t i = 0; i < found.size(); ++i) depth[near.place[i]] = found[i];
   section.guide.resize(section.position.size());
+  for (std::size_t v = 0; v < section.guide.size(); ++v)
+    section.guide[v].share = detail_shares(fruit, DetailFace::cut, section.part[v], depth[places.of_vertex[v]]);
+
+  // Where those count that run in a direction, it is diffused.
+  if (std::none_of(details.begin(), details.end(), runs_anywhere)) return section;
+  const bool with_layers = std::any_of(details.begin(), details.end(), runs_within_layers);
+  const std::vector<glm::vec4> run =
+      ways_and_layers(swept, fruit, skin, places, places_by_share(section, which(details, runs_anywhere), places),
+                      with_layers, threads);
   for (std::size_t v = 0; v < section.guide.size(); ++v) {
     const std::uint32_t i = places.of_vertex[v];
-    section.guide[v] = {ways[i] * static_cast<float>(depth[i]), layer[i],
-                        detail_shares(fruit, DetailFace::cut, section.part[v], depth[i])};
+    section.guide[v].to_skin = glm::vec3(run[i]) * static_cast<float>(depth[i]);
+    section.guide[v].layer = run[i].w;
   }
   return section;
 }

@@ -11,7 +11,8 @@ namespace pomona {
 
 /// Gives every vertex of a coloured section its guide, if the template has details for cut faces; else the section as
 /// it came. The way across the layers is the diffused normal of the surfaces around the axis, as long as the place is
-/// deep; the layer is the diffused mean depth of those surfaces. A guide depends on its place alone, so two cuts agree.
+/// deep; the layer is the diffused mean depth of those surfaces. Both are 0 where no detail counts, nor near by.
+/// Elsewhere a guide depends on its place alone, so two cuts agree.
 /// \param swept all surfaces before blur is split.
 /// \param known their skin, if somebody has it; the result is the same.
 CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const Template& fruit, Threads threads = {},

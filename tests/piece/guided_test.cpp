@@ -117,6 +117,47 @@ TEST(Guided, two_cuts_agree_where_they_share_a_place) {
   EXPECT_GT(shared, 20);
 }
 
+/// The ball's section, of which only the middle is flesh.
+CrossSection section_with_a_core() {
+  CrossSection section = section_of(ball(), {"half"});
+  const glm::dvec3 middle = bounds_of(ball()).center();
+  for (std::size_t v = 0; v < section.part.size(); ++v)
+    section.part[v] = glm::length(glm::dvec3(section.position[v]) - middle) < 0.4 * radius ? 1 : 0;
+  return section;
+}
+
+TEST(Guided, left_out_is_only_what_nobody_asks_for) {
+  // Details of flesh alone, and such as count everywhere.
+  Template core = detailed_fruit(), everywhere = detailed_fruit();
+  for (DetailSketch& detail : everywhere.details) detail.parts = {0, 1};
+  const CrossSection some = guided(section_with_a_core(), ball(), core);
+  const CrossSection all = guided(section_with_a_core(), ball(), everywhere);
+
+  // Corners of the triangles in which the core's guides are blended are as ever; far from them there are none.
+  std::vector<std::uint8_t> blended(some.position.size(), 0);
+  for (const glm::uvec3& t : some.triangle) {
+    if (some.part[t.x] != 1 && some.part[t.y] != 1 && some.part[t.z] != 1) continue;
+    for (int k = 0; k < 3; ++k) blended[t[k]] = 1;
+  }
+  int as_ever = 0, none = 0;
+  for (std::size_t v = 0; v < some.guide.size(); ++v) {
+    if (blended[v] != 0) {
+      EXPECT_LT(glm::distance(some.guide[v].to_skin, all.guide[v].to_skin), 1e-6f * float(radius));
+      EXPECT_NEAR(some.guide[v].layer, all.guide[v].layer, 1e-6f * float(radius));
+      ++as_ever;
+    }
+    if (some.guide[v].to_skin == glm::vec3(0) && all.guide[v].to_skin != glm::vec3(0)) {
+      EXPECT_EQ(some.guide[v].share, glm::vec4(0));
+      ++none;
+    }
+    if (some.part[v] == 1) {
+      EXPECT_EQ(some.guide[v].share, all.guide[v].share);
+    }
+  }
+  EXPECT_GT(as_ever, 10);
+  EXPECT_GT(none, 10);
+}
+
 TEST(Guided, goes_with_the_pieces) {
   const DiffusionSurfaces surfaces = ball();
   std::vector<Knife> knives = {parse_knife("half")};

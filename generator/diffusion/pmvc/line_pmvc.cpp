@@ -47,6 +47,7 @@ BlockSums swept(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::sp
                 std::span<const Line> lines, bool wants_scatter) {
   BlockSums block;
   block.sums.color_and_weight.assign(points.size(), glm::vec4(0));
+  block.sums.fourth.assign(surfaces.fourth.empty() ? 0 : points.size(), 0);
   block.sums.part_weight.assign(points.size() * surfaces.used_parts.size(), 0);
   if (wants_scatter) {
     block.scatter.squares.assign(points.size(), glm::vec4(0));
@@ -80,6 +81,7 @@ std::vector<BlockSums> sweep_blocks(const PackedSurfaces& surfaces, std::span<co
 /// Sums over all blocks, one entry per point.
 struct Totals {
   std::vector<glm::dvec4> color_and_weight;
+  std::vector<double> fourth;
   std::vector<double> part_weight;  ///< points x used parts
   std::vector<int> lines;           ///< that were looked along
 };
@@ -90,6 +92,7 @@ void add_blocks(std::span<const BlockSums> blocks, std::span<const std::size_t> 
   for (const BlockSums& block : blocks) {
     for (std::size_t i = 0; i < place.size(); ++i) {
       totals.color_and_weight[place[i]] += glm::dvec4(block.sums.color_and_weight[i]);
+      if (!block.sums.fourth.empty()) totals.fourth[place[i]] += static_cast<double>(block.sums.fourth[i]);
       for (std::size_t p = 0; p < parts; ++p) {
         totals.part_weight[place[i] * parts + p] += static_cast<double>(block.sums.part_weight[i * parts + p]);
       }
@@ -129,7 +132,7 @@ PmvcValue value_of(const PackedSurfaces& surfaces, const Totals& totals, std::si
   PmvcValue value;
   value.part =
       surfaces.used_parts[static_cast<std::size_t>(std::max_element(part_weight, part_weight + parts) - part_weight)];
-  if (sum.w > 0) value.color = glm::dvec3(sum) / sum.w;
+  if (sum.w > 0) value.color = glm::dvec3(sum) / sum.w, value.fourth = totals.fourth[point] / sum.w;
   value.weight = sum.w * (2 * pi / totals.lines[point]) * surfaces.scale;
   return value;
 }
@@ -138,8 +141,8 @@ PmvcValue value_of(const PackedSurfaces& surfaces, const Totals& totals, std::si
 std::vector<PmvcValue> batch_pmvc(const PackedSurfaces& surfaces, std::span<const glm::vec3> points,
                                   const LinePlan& plan, Threads threads) {
   const std::size_t parts = surfaces.used_parts.size();
-  Totals totals{std::vector<glm::dvec4>(points.size(), glm::dvec4(0)), std::vector<double>(points.size() * parts, 0),
-                std::vector<int>(points.size(), 0)};
+  Totals totals{std::vector<glm::dvec4>(points.size(), glm::dvec4(0)), std::vector<double>(points.size(), 0),
+                std::vector<double>(points.size() * parts, 0), std::vector<int>(points.size(), 0)};
 
   // All points.
   std::vector<std::size_t> place(points.size());
@@ -169,8 +172,10 @@ std::vector<PmvcValue> batch_pmvc(const PackedSurfaces& surfaces, std::span<cons
 }  // namespace
 
 std::vector<PmvcValue> line_pmvc(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
-                                 std::span<const glm::vec3> points, const LinePlan& plan, Threads threads) {
-  const PackedSurfaces packed = pack(surfaces, tree);
+                                 std::span<const glm::vec3> points, const LinePlan& plan, Threads threads,
+                                 std::span<const float> fourth) {
+  PackedSurfaces packed = pack(surfaces, tree);
+  packed.fourth.assign(fourth.begin(), fourth.end());
 
   // As many points at a time as keep the blocks' sums small.
   const std::size_t sums_per_point =

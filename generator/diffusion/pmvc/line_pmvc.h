@@ -26,9 +26,11 @@ struct LinePlan {
 };
 
 /// Positive mean values from two directions for every line, the same for all points. Lines are summed in fixed blocks
-/// and blocks in order, so that the threads have no influence.
+/// and blocks in order, so that the threads have no influence. `fourth` is nothing, or for every vertex a further value
+/// that spreads like a colour.
 /// \throws Error (bad_data) if more than 1024 parts are used.
 std::vector<PmvcValue> line_pmvc(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
-                                 std::span<const glm::vec3> points, const LinePlan& plan, Threads threads = {});
+                                 std::span<const glm::vec3> points, const LinePlan& plan, Threads threads = {},
+                                 std::span<const float> fourth = {});
 
 }  // namespace pomona

@@ -17,6 +17,7 @@ struct SweepState;
 /// Sums over lines, one entry per point.
 struct SweepSums {
   std::vector<glm::vec4> color_and_weight;  ///< sums of c / d and of 1 / d, d normalised
+  std::vector<float> fourth;                ///< likewise of the surfaces' fourth value; empty where they have none
   std::vector<float> part_weight;           ///< points x used parts
 };
 

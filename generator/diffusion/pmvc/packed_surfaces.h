@@ -26,6 +26,7 @@ struct PackedSurfaces {
   // One entry per vertex: linear colour, and 1, so that a weighted sum carries its weight along.
   std::vector<glm::vec4> front_color;
   std::vector<glm::vec4> back_color;
+  std::vector<float> fourth;  ///< a further value, the same on both sides; empty where there is none
   std::vector<std::array<std::int32_t, 3>> triangle;
 
   // One entry per triangle: index into used_parts.

@@ -3,6 +3,7 @@
 #include "generator/diffusion/pmvc/cube_pmvc.h"
 #include "generator/diffusion/pmvc/line_pmvc.h"
 #include "generator/diffusion/pmvc/relaxed_lines.h"
+#include "generator/diffusion/pmvc/values_off_surfaces.h"
 #include "generator/diffusion/resolved_colors.h"
 
 namespace pomona {
@@ -31,23 +32,12 @@ class PmvcField final : public ColorField {
   DiffusedColors at(std::span<const glm::vec3> points) const override {
     require_finite(points);
     const SidesOfPoints sides = sides_on_surfaces(surfaces_, tree_, points, options_.threads);
-    return resolved_colors(surfaces_, tree_, hull_, points, sides, values_off(sides, points), options_.threads);
+    const auto values_at = [&](std::span<const glm::vec3> off) { return values(off); };
+    return resolved_colors(surfaces_, tree_, hull_, points, sides, values_off_surfaces(sides, points, values_at),
+                           options_.threads);
   }
 
  private:
-  /// One for each point, but nothing for those that lie on a surface.
-  std::vector<PmvcValue> values_off(const SidesOfPoints& sides, std::span<const glm::vec3> points) const {
-    std::vector<glm::vec3> off;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (!sides[i]) off.push_back(points[i]);
-    const std::vector<PmvcValue> found = values(off);
-    std::vector<PmvcValue> all(points.size());
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (!sides[i]) all[i] = found[next++];
-    return all;
-  }
-
   std::vector<PmvcValue> values(std::span<const glm::vec3> points) const {
     if (options_.quality == Quality::reference) {
       return cube_pmvc(surfaces_, tree_, points, reference_texels, options_.threads);
