@@ -34,6 +34,7 @@ struct CutCommand {
   std::optional<int> folds;
   bool section = false;
   double explode = 1;
+  bool crumbs = false;
   std::string pieces;
   SharedOptions shared;
 };
@@ -99,7 +100,12 @@ ExitStatus cut_fruit(const CutCommand& command) {
 
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
-  Slices slices = slice({source.grown, source.fruit, knives, source.name}, diffuser.get(),
+  Slices slices = slice({.grown = source.grown,
+                         .variant = source.fruit,
+                         .knives = knives,
+                         .name = source.name,
+                         .crumbs = command.crumbs},
+                        diffuser.get(),
                         {.cut = {.threads = {command.shared.threads}},
                          .pieces = !command.section,
                          .keep_section_colors = wants_textures(command.shared),
@@ -143,6 +149,7 @@ DeclaredCommand cut_command(CLI::App& app) {
   command->add_flag("--section", options->section, "The bare section instead of pieces (.ply, .png or .svg)");
   command->add_option("--explode", options->explode, "Move pieces apart: their distance from the middle times this")
       ->check(between(1.0, 10.0));
+  command->add_flag("--crumbs", options->crumbs, "Keep bits below a millionth of the fruit as pieces of their own");
   command->add_option("--pieces", options->pieces, "Also write what there is to know of each piece to this file (JSON)")
       ->type_name("FILE");
 

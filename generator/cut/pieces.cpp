@@ -13,6 +13,7 @@
 #include "generator/base/parallel.h"
 #include "generator/cut/piece_groups.h"
 #include "generator/cut/section/pair_numbers.h"
+#include "generator/cut/stray_bits.h"
 #include "generator/mesh/disjoint_sets.h"
 
 namespace pomona {
@@ -197,14 +198,19 @@ class PieceBuilder {
   std::vector<CutPiece> grouped(std::vector<CutPiece> parts) {
     std::vector<std::uint32_t> cell;
     for (const Component& component : component_) cell.push_back(component.cell);
-    const std::vector<std::uint32_t> group = piece_groups(parts, cell, section_.mesh);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (group[i] == i) continue;
-      absorb(parts[group[i]], std::exchange(parts[i], {}));
-      edges_[group[i]].add(edges_[i]);
-    }
+    join(parts, piece_groups(parts, cell, section_.mesh));
+    join(parts, homes_of_bits(parts, cell, section_.mesh));
     for (std::size_t i = 0; i < parts.size(); ++i) parts[i].closed = edges_[i].closed();
     return parts;
+  }
+
+  /// \param home of each part; a home is its own.
+  void join(std::vector<CutPiece>& parts, const std::vector<std::uint32_t>& home) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (home[i] == i) continue;
+      absorb(parts[home[i]], std::exchange(parts[i], {}));
+      edges_[home[i]].add(std::exchange(edges_[i], {}));
+    }
   }
 
   static void absorb(CutPiece& piece, const CutPiece& part) {

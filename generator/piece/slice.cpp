@@ -13,6 +13,29 @@ namespace pomona {
 
 namespace {
 
+/// Without crumbs, the smallest first, as long as what goes is less than a crumb together.
+std::vector<CutPiece> without_crumbs(std::vector<CutPiece> cut, double crumb) {
+  double whole = 0;
+  std::vector<std::size_t> crumbs;
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    whole += cut[i].volume;
+    if (cut[i].crumb) crumbs.push_back(i);
+  }
+  std::stable_sort(crumbs.begin(), crumbs.end(),
+                   [&](std::size_t a, std::size_t b) { return cut[a].volume < cut[b].volume; });
+  double left_out = 0;
+  std::vector<std::uint8_t> goes(cut.size(), 0);
+  for (const std::size_t i : crumbs) {
+    left_out += cut[i].volume;
+    if (left_out >= crumb * whole) break;
+    goes[i] = 1;
+  }
+  std::vector<CutPiece> kept;
+  for (std::size_t i = 0; i < cut.size(); ++i)
+    if (!goes[i]) kept.push_back(std::move(cut[i]));
+  return kept;
+}
+
 /// The largest that are wanted, in the order in which they were cut. Crumbs never are.
 std::vector<CutPiece> chosen(std::vector<CutPiece> cut, const PieceChoice& choice) {
   double whole = 0;
@@ -50,6 +73,7 @@ Cut without_unseen(Cut cut) {
 /// With the faces still without colours.
 Cut cut_open(const SliceTask& task, const CutOptions& options) {
   Cut result = cut(task.grown.sheets, task.knives, options);
+  if (!task.crumbs) result.pieces = without_crumbs(std::move(result.pieces), options.crumb);
   if (!task.choice) return result;
   result.pieces = chosen(std::move(result.pieces), *task.choice);
   return without_unseen(std::move(result));

@@ -27,7 +27,8 @@ struct SliceTask {
   const Template& variant;                 ///< that it was grown from: how it turns brown, its detail, its materials
   std::span<const Knife> knives = {};      ///< one after another; none leave it whole
   std::string name = "fruit";              ///< becomes the prefix of the pieces' names
-  std::optional<PieceChoice> choice = {};  ///< none: all pieces, crumbs too
+  std::optional<PieceChoice> choice = {};  ///< none: all pieces
+  bool crumbs = false;                     ///< whether crumbs are kept: they are less than CutOptions::crumb together
 };
 
 struct SliceOptions {

@@ -55,6 +55,27 @@ TEST(Slice, TakesTheLargestPiecesThatAreChosen) {
   EXPECT_EQ(small.pieces.size(), 2u);
 }
 
+/// A corner too small to matter goes, unless it is asked for; what matters together does not.
+TEST(Slice, LeavesOutCrumbsThatAreLessThanOneTogether) {
+  const DiffusionSurfaces box = shapes::box(glm::dvec3(-0.03), glm::dvec3(0.03), 2, shapes::skin_paint());
+  const GrownFruit grown{box, {}, box};
+  const Template plain;
+  const std::vector<Knife> knives{parse_knife("half"), parse_knife("plane:1,1,1,0.0516"), parse_knife("plane:-1,1,1,0.0516")};
+  const SliceTask without{.grown = grown, .variant = plain, .knives = knives, .name = "box"};
+  SliceTask with = without;
+  with.crumbs = true;
+  const auto crumbs = [](const Slices& slices) {
+    return std::count_if(slices.pieces.begin(), slices.pieces.end(), [](const Solid& piece) { return piece.crumb; });
+  };
+  const Slices kept = slice(with, nullptr), left = slice(without, nullptr);
+  ASSERT_EQ(crumbs(kept), 2);
+  EXPECT_EQ(crumbs(left), 0);
+  EXPECT_EQ(left.pieces.size() + 2, kept.pieces.size());
+  double gone = 0, whole = 0;
+  for (const Solid& piece : kept.pieces) whole += piece.volume, gone += piece.crumb ? piece.volume : 0;
+  EXPECT_LT(gone, 1e-6 * whole);
+}
+
 TEST(Slice, DiffusesOnlyWhatChosenPiecesShow) {
   const DiffusionSurfaces ball = shapes::sphere(0.05, 10, shapes::skin_paint());
   const GrownFruit grown{ball, {}, ball};

@@ -1,0 +1,56 @@
+// Bits that hang together with nothing stay with the piece they lie on.
+#include "generator/cut/stray_bits.h"
+
+#include <gtest/gtest.h>
+
+#include "generator/cut/cut.h"
+#include "generator/knife/parse_knife.h"
+#include "tests/cut/cut_checks.h"
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+constexpr double side = 0.06, bit_side = 0.004;
+
+/// A box of 6 cm and, `gap` metres above it on the front half, a bit of 4 mm, 1/3375 of its volume.
+DiffusionSurfaces box_with_bit(double gap, double size = bit_side) {
+  return joined(shapes::box(glm::dvec3(-side / 2), glm::dvec3(side / 2), 8, shapes::skin_paint()),
+                shapes::box({0, side / 2 + gap, 0.01}, {size, side / 2 + gap + size, 0.01 + size}, 2,
+                            shapes::skin_paint()));
+}
+
+Cut halves(const DiffusionSurfaces& fruit) { return cut(fruit, std::vector{parse_knife("half")}); }
+
+TEST(StrayBits, StayWithThePieceTheyLieOn) {
+  const Cut result = halves(box_with_bit(0.0005));
+  const double half = side * side * side / 2, bit = bit_side * bit_side * bit_side;
+  shapes::expect_whole(result, 2 * half + bit);
+  ASSERT_EQ(result.pieces.size(), 2u) << "a half is one of two pieces";
+  const auto [less, more] = std::minmax(result.pieces[0].volume, result.pieces[1].volume);
+  EXPECT_NEAR(less, half, 1e-9);
+  EXPECT_NEAR(more, half + bit, 1e-9);
+}
+
+TEST(StrayBits, ArePiecesWhereNothingIsNear) {
+  EXPECT_EQ(halves(box_with_bit(0.01)).pieces.size(), 3u);
+}
+
+TEST(StrayBits, AreNoLargerThanAThousandth) {
+  EXPECT_EQ(halves(box_with_bit(0.0005, 0.0058)).pieces.size(), 2u);  // 0.9 of a thousandth
+  EXPECT_EQ(halves(box_with_bit(0.0005, 0.0062)).pieces.size(), 3u);  // 1.1
+}
+
+TEST(StrayBits, StayOnTheirSideOfTheKnife) {
+  // The plane runs through the bit: either half of it stays with its half of the box.
+  const DiffusionSurfaces fruit =
+      joined(shapes::box(glm::dvec3(-side / 2), glm::dvec3(side / 2), 8, shapes::skin_paint()),
+             shapes::box({0, side / 2 + 0.0005, -0.001}, {0.004, side / 2 + 0.0045, 0.003}, 2, shapes::skin_paint()));
+  const Cut result = halves(fruit);
+  ASSERT_EQ(result.pieces.size(), 2u);
+  const auto [less, more] = std::minmax(result.pieces[0].volume, result.pieces[1].volume);
+  EXPECT_NEAR(more - less, 0.004 * 0.004 * 0.002, 1e-10);
+}
+
+}  // namespace
+}  // namespace pomona
