@@ -83,9 +83,16 @@ void set_down(RigidBody& body, const Dish& dish, const glm::dvec3& away) {
   clear_at(above);
 }
 
+/// The box around a piece as it is turned: by its samples, because that of its body is one around a turned box.
+Box<double> tight_box(const RigidBody& body) {
+  Box<double> box;
+  for (const glm::vec3& sample : body.shape->samples.point) box.add(glm::dvec3(body.matrix * sample) + body.center);
+  return box;
+}
+
 /// With the middle of its box over a place, on the dish.
 Start set_at(RigidBody body, const glm::dvec3& place, const Dish& dish) {
-  const glm::dvec3 middle(body.box.center());
+  const glm::dvec3 middle(tight_box(body).center());
   const double above = dish.rim_height() - static_cast<double>(body.box.low.y) + 0.01 * body.shape->size;
   body.center += glm::dvec3(place.x - middle.x, above, place.z - middle.z);
   body.refresh();
@@ -99,10 +106,11 @@ std::size_t columns_of(const Arrangement& how, std::size_t pieces) {
 }
 
 /// How far the body reaches to either side along the arrangement's rows, and across them.
-glm::dvec2 extent(const RigidBody& body, const Arrangement& how) {
-  const double c = std::fabs(reproducible::cos(how.turn)), s = std::fabs(reproducible::sin(how.turn));
-  const glm::dvec3 size(body.box.size());
-  return {c * size.x + s * size.z, s * size.x + c * size.z};
+glm::dvec2 extent(RigidBody body, const Arrangement& how) {
+  body.rotation = turn_about(upwards, -how.turn) * body.rotation;
+  body.refresh();
+  const glm::dvec3 size = tight_box(body).size();
+  return {size.x, size.z};
 }
 
 Starts in_rows(const std::vector<RigidBody>& bodies, const Arrangement& how, const Dish& dish, Threads threads) {
@@ -186,6 +194,14 @@ class UpperSide {
   std::vector<double> area_;  ///< of all up to here
 };
 
+/// Nothing of it hangs over the border.
+bool lies_within(const RigidBody& body, const Dish& dish) {
+  const auto& points = body.shape->samples.point;
+  return std::all_of(points.begin(), points.end(), [&](const glm::vec3& sample) {
+    return dish.covers(glm::dvec3(body.matrix * sample) + body.center);
+  });
+}
+
 Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how,
                  const Dish& dish, const RandomStream& draw, const ArrangeOptions& options) {
   constexpr std::uint64_t most_tries = 60, before_tries = 16;
@@ -205,7 +221,7 @@ Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>&
       body.center = spot.at + spot.normal * body.shape->radius;
       body.refresh();
       set_down(body, dish, spot.normal);
-      bool is_free = true;
+      bool is_free = lies_within(body, dish);
       near.visit(body.center, [&](std::size_t other) {
         const auto gap = static_cast<float>(how.gap);
         is_free = is_free && distance_between(body, set[other], gap + 1e-6f) > gap;
@@ -260,14 +276,14 @@ Starts in_order_of_cut(std::span<const Arranged> pieces, const Arrangement& how,
     double length = 0;
     std::vector<double> middle;
     for (const std::size_t i : fruit) {
-      const glm::dvec3 thickness = glm::dvec3(RigidBody(*pieces[i].shape, along, glm::dvec3(0)).box.size());
+      const glm::dvec3 thickness = tight_box(RigidBody(*pieces[i].shape, along, glm::dvec3(0))).size();
       const double share = thickness.x / reproducible::cos(how.lean) + how.gap;
       bodies.emplace_back(*pieces[i].shape, leaning * along, glm::dvec3(0));
       middle.push_back(length + 0.5 * share);
       length += share;
     }
     for (std::size_t k = 0; k < fruit.size(); ++k) {
-      const glm::dvec3 center(bodies[k].box.center());
+      const glm::dvec3 center = tight_box(bodies[k]).center();
       const glm::dvec3 place = in_dish(how, middle[k] - 0.5 * length - center.x, line - center.z);
       RigidBody body(*pieces[fruit[k]].shape, heading * bodies[k].rotation, {place.x, 0, place.z});
       body.center.y = dish.rim_height() - static_cast<double>(body.box.low.y) + 0.01 * body.shape->size;
