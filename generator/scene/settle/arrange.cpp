@@ -83,6 +83,19 @@ void set_down(RigidBody& body, const Dish& dish, const glm::dvec3& away) {
   clear_at(above);
 }
 
+/// Out of the dish by all vertices: samples miss the tip of what is pointed.
+void lift_out(RigidBody& body, const Solid& solid, const Dish& dish, const glm::dvec3& away) {
+  constexpr double near_enough = 1e-5;  // metres
+  for (int step = 0; step < 20; ++step) {
+    float clear = 1;
+    for (const glm::vec3& p : solid.position)
+      clear = std::min(clear, dish.distance(glm::vec3(body.rotation * (glm::dvec3(p) - body.shape->center) + body.center)));
+    if (clear > -near_enough) return;
+    body.center -= away * static_cast<double>(clear);
+    body.refresh();
+  }
+}
+
 /// The box around a piece as it is turned: by its samples, because that of its body is one around a turned box.
 Box<double> tight_box(const RigidBody& body) {
   Box<double> box;
@@ -91,12 +104,13 @@ Box<double> tight_box(const RigidBody& body) {
 }
 
 /// With the middle of its box over a place, on the dish.
-Start set_at(RigidBody body, const glm::dvec3& place, const Dish& dish) {
+Start set_at(RigidBody body, const Solid& solid, const glm::dvec3& place, const Dish& dish) {
   const glm::dvec3 middle(tight_box(body).center());
   const double above = dish.rim_height() - static_cast<double>(body.box.low.y) + 0.01 * body.shape->size;
   body.center += glm::dvec3(place.x - middle.x, above, place.z - middle.z);
   body.refresh();
   set_down(body, dish, upwards);
+  lift_out(body, solid, dish, upwards);
   return {body.rotation, body.center};
 }
 
@@ -113,7 +127,7 @@ glm::dvec2 extent(RigidBody body, const Arrangement& how) {
   return {size.x, size.z};
 }
 
-Starts in_rows(const std::vector<RigidBody>& bodies, const Arrangement& how, const Dish& dish, Threads threads) {
+Starts in_rows(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how, const Dish& dish, Threads threads) {
   // How long each row is, and how wide.
   const std::size_t columns = columns_of(how, bodies.size());
   struct Row {
@@ -141,11 +155,11 @@ Starts in_rows(const std::vector<RigidBody>& bodies, const Arrangement& how, con
     if (i % columns + 1 == columns) across += row.width + how.gap;
   }
   Starts starts(bodies.size());
-  parallel_for(bodies.size(), threads, [&](std::size_t i) { starts[i] = set_at(bodies[i], places[i], dish); });
+  parallel_for(bodies.size(), threads, [&](std::size_t i) { starts[i] = set_at(bodies[i], *pieces[i].solid, places[i], dish); });
   return starts;
 }
 
-Starts in_grid(const std::vector<RigidBody>& bodies, const Arrangement& how, const Dish& dish, Threads threads) {
+Starts in_grid(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how, const Dish& dish, Threads threads) {
   const std::size_t columns = columns_of(how, bodies.size()), rows = (bodies.size() + columns - 1) / columns;
   Starts starts(bodies.size());
   parallel_for(bodies.size(), threads, [&](std::size_t i) {
@@ -154,7 +168,7 @@ Starts in_grid(const std::vector<RigidBody>& bodies, const Arrangement& how, con
     };
     const glm::dvec3 place =
         in_dish(how, knot(i % columns, columns) * how.spacing.x, knot(i / columns, rows) * how.spacing.y);
-    starts[i] = set_at(bodies[i], place, dish);
+    starts[i] = set_at(bodies[i], *pieces[i].solid, place, dish);
   });
   return starts;
 }
@@ -221,6 +235,7 @@ Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>&
       body.center = spot.at + spot.normal * body.shape->radius;
       body.refresh();
       set_down(body, dish, spot.normal);
+      lift_out(body, *pieces[i].solid, dish, spot.normal);
       bool is_free = lies_within(body, dish);
       near.visit(body.center, [&](std::size_t other) {
         const auto gap = static_cast<float>(how.gap);
@@ -305,8 +320,8 @@ Starts arranged(std::span<const Arranged> pieces, const Arrangement& how, const 
   if (pieces.empty() || how.kind == ArrangementKind::heap) return Starts(pieces.size());
   if (how.kind == ArrangementKind::as_cut) return in_order_of_cut(pieces, how, dish);
   const std::vector<RigidBody> bodies = turned(pieces, draw, options);
-  if (how.kind == ArrangementKind::rows) return in_rows(bodies, how, dish, options.threads);
-  if (how.kind == ArrangementKind::grid) return in_grid(bodies, how, dish, options.threads);
+  if (how.kind == ArrangementKind::rows) return in_rows(pieces, bodies, how, dish, options.threads);
+  if (how.kind == ArrangementKind::grid) return in_grid(pieces, bodies, how, dish, options.threads);
   return scattered(pieces, bodies, how, dish, draw, options);
 }
 

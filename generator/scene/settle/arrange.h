@@ -29,6 +29,7 @@ enum class Attitude : std::uint8_t {
 struct Arranged {
   std::size_t piece = 0;  ///< its number, which draws are made by
   const PieceShape* shape = nullptr;
+  const Solid* solid = nullptr;
   Attitude attitude = Attitude::any;
   int fruit = 0;  ///< pieces of one cut fruit have the same; their shapes know where in it they were
 };

@@ -143,7 +143,7 @@ class Settling {
         const SettleItem& item = items_[i];
         if (item.arrangement != static_cast<int>(k) || how.kind == ArrangementKind::heap) continue;
         const Attitude attitude = item.upright ? Attitude::upright : item.face_up ? Attitude::face_up : Attitude::any;
-        pieces.push_back({i, &shape(i), attitude, item.fruit});
+        pieces.push_back({i, &shape(i), &solids_[static_cast<std::size_t>(item.solid)], attitude, item.fruit});
       }
       if (pieces.empty()) continue;
       if (how.kind == ArrangementKind::scatter && !has_upper_side(dish_))
