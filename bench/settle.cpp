@@ -102,7 +102,7 @@ std::vector<SettleItem> repeated(const SceneParts& parts, std::size_t count) {
 
 /// As full with so many pieces as the scene's bowl is with its own.
 Solid scaled_bowl(const SceneParts& parts, std::size_t count) {
-  Solid bowl = parts.solids[static_cast<std::size_t>(*parts.bowl)];
+  Solid bowl = parts.solids[static_cast<std::size_t>(parts.dishes.at(0).solid)];
   const double share = static_cast<double>(count) / static_cast<double>(parts.items.size());
   const auto scale = static_cast<float>(reproducible::cbrt(share));
   for (glm::vec3& p : bowl.position) p *= scale;

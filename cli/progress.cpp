@@ -18,13 +18,30 @@ void Progress::clear_bar() {
 void Progress::report(const std::string& stage, std::size_t done, std::size_t total) {
   if (quiet_ || total == 0) return;
   const std::lock_guard lock(mutex_);
-  if (!terminal_) {
+  if (stage != last_stage_) {
     // One line when a stage begins is enough in a log.
-    if (stage != last_stage_) std::fprintf(stderr, "%s (%zu)\n", stage.c_str(), total);
+    if (!terminal_) std::fprintf(stderr, "%s (%zu)\n", stage.c_str(), total);
     last_stage_ = stage;
-    return;
+    stage_began_ = since_start_.milliseconds();
+    done_before_ = done;
   }
-  draw_bar(stage, done, total, std::to_string(done) + "/" + std::to_string(total));
+  if (!terminal_) return;
+  draw_bar(stage, done, total, std::to_string(done) + "/" + std::to_string(total) + time_left(done, total));
+}
+
+/// As long for each item as for those of this stage so far; nothing before that says much.
+std::string Progress::time_left(std::size_t done, std::size_t total) const {
+  constexpr double too_early = 2e3;  // milliseconds
+  const double passed = since_start_.milliseconds() - stage_began_;
+  if (done <= done_before_ || done >= total || passed < too_early) return {};
+  const double left = passed * static_cast<double>(total - done) / static_cast<double>(done - done_before_) / 1e3;
+  char text[48];
+  if (left < 90) {
+    std::snprintf(text, sizeof text, ", %.0f s left", left);
+  } else {
+    std::snprintf(text, sizeof text, ", %.0f min left", left / 60);
+  }
+  return text;
 }
 
 void Progress::report_text(const std::string& stage, std::size_t done, std::size_t total, const std::string& text) {

@@ -17,7 +17,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of `total` items of `stage`. May be called from any thread.
+  /// `done` of `total` items of `stage`, and about how long the rest will take. May be called from any thread.
   void report(const std::string& stage, std::size_t done, std::size_t total);
 
   /// The same with words of one's own after the bar; where there is no terminal, they are a line every ten seconds.
@@ -31,6 +31,7 @@ class Progress {
 
  private:
   void clear_bar();
+  std::string time_left(std::size_t done, std::size_t total) const;
   void draw_bar(const std::string& stage, std::size_t done, std::size_t total, const std::string& text);
 
   std::mutex mutex_;
@@ -38,6 +39,8 @@ class Progress {
   bool terminal_;
   bool bar_shown_ = false;
   std::string last_stage_;
+  double stage_began_ = 0;      ///< milliseconds since the start,
+  std::size_t done_before_ = 0;  ///< and how many items were done by then
   StopWatch since_start_;
   double last_line_ = 0;  ///< milliseconds since the start
 };

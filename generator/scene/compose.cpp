@@ -1,202 +1,17 @@
 #include "generator/scene/compose.h"
 
-#include <algorithm>
-#include <memory>
-#include <mutex>
-#include <numeric>
+#include <utility>
 
-#include "generator/piece/grow.h"
-#include "generator/piece/slice.h"
-#include "generator/scene/bowl.h"
-#include "generator/template/read/read_template.h"
+#include "generator/scene/layout_file.h"
+#include "generator/scene/settle_heaps.h"
 
 namespace pomona {
 
 namespace {
 
-/// Passes progress on, one call at a time.
-class Teller {
- public:
-  /// \param steps in which each of the items is made.
-  Teller(const ComposeOptions& options, std::string stage, std::size_t total, std::size_t steps = 1)
-      : options_(options), stage_(std::move(stage)), total_(total), steps_(steps) {
-    if (options_.progress) options_.progress(stage_, 0, total_);
-  }
-  void step_done() {
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    if (options_.progress) options_.progress(stage_, done_ / steps_, total_);
-  }
-
- private:
-  const ComposeOptions& options_;
-  std::string stage_;
-  std::size_t total_, steps_, done_ = 0;
-  std::mutex mutex_;
-};
-
-/// How many variants are held between cutting and writing: a batch that fills a graphics card, in a few hundred
-/// megabytes.
-constexpr std::size_t variants_at_once = 64;
-
-/// One variant to be made: entry and number in it.
-struct Task {
-  std::size_t entry = 0;
-  int number = 0;
-};
-
-/// What came of it.
-struct Made {
-  std::vector<Solid> solids;
-  std::vector<std::string> warnings;
-  std::map<std::string, std::int64_t> counts;
-  StageClock clock;
-};
-
-std::filesystem::path template_file(const SceneDescription& scene, const PiecesDescription& pieces,
-                                    const ComposeOptions& options) {
-  const std::filesystem::path beside = std::filesystem::path(scene.file).parent_path() / pieces.template_name;
-  if (std::filesystem::is_regular_file(beside)) return beside;
-  try {
-    if (options.find_template) return options.find_template(pieces.template_name);
-  } catch (const Error& error) {
-    const Diagnostic& what = error.diagnostics().front();
-    throw Error(error.status(), {{pieces.template_place, what.message, what.hint}});
-  }
-  throw Error(ExitStatus::input_missing,
-              {{pieces.template_place, "there is no template \"" + pieces.template_name + "\"", {}}});
-}
-
-/// Refuses an entry that asks of its template what that does not declare.
-void check_fits(const PiecesDescription& pieces, const Template& fruit) {
-  const auto refuse = [&](const std::string& why) {
-    throw Error(
-        ExitStatus::bad_data,
-        {{pieces.template_place, "pieces \"" + pieces.name + "\": \"" + pieces.template_name + "\" " + why, {}}});
-  };
-  if (pieces.folds && !std::holds_alternative<FoldSymmetry>(fruit.symmetry)) refuse("has no folds");
-  if (pieces.ripeness && !fruit.ripeness.declared()) refuse("does not say how it ripens");
-  if (pieces.browning && !fruit.browning.declared()) refuse("does not say how it turns brown");
-}
-
-/// One template per entry; the same file is read once.
-std::vector<Template> read_templates(const SceneDescription& scene, const ComposeOptions& options) {
-  std::vector<Template> templates;
-  std::vector<std::filesystem::path> files;
-  for (const PiecesDescription& pieces : scene.pieces) {
-    files.push_back(template_file(scene, pieces, options));
-    const auto known = std::find(files.begin(), files.end() - 1, files.back()) - files.begin();
-    templates.push_back(known + 1 < std::ssize(files) ? templates[static_cast<std::size_t>(known)]
-                                                      : read_template(files.back()));
-    check_fits(pieces, templates.back());
-  }
-  return templates;
-}
-
-/// For each entry that wants variants its template made ready for them, once for all entries with the same template.
-std::vector<std::shared_ptr<const Variation>> made_ready(const SceneDescription& scene,
-                                                         const std::vector<Template>& templates) {
-  std::vector<std::shared_ptr<const Variation>> ready(templates.size());
-  for (std::size_t entry = 0; entry < ready.size(); ++entry) {
-    if (scene.pieces[entry].as_drawn) continue;
-    for (std::size_t known = 0; known < entry && !ready[entry]; ++known) {
-      if (scene.pieces[known].template_name == scene.pieces[entry].template_name) ready[entry] = ready[known];
-    }
-    if (!ready[entry]) ready[entry] = std::make_shared<Variation>(templates[entry]);
-  }
-  return ready;
-}
-
-/// A value of the range, if there is one.
-std::optional<double> drawn_between(const std::optional<Within>& range, VariantKey key, const char* purpose) {
-  if (!range) return {};
-  return range->low + (range->high - range->low) * RandomStream(key, purpose).uniform(0);
-}
-
-/// A variant as it has grown.
-struct GrownVariant {
-  Template variant;
-  GrownFruit grown;
-  StageClock clock;
-};
-
-/// \param variation of the template; none for pieces as drawn.
-GrownVariant grown_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
-                           const Template& fruit, const Variation* variation, const ComposeOptions& options) {
-  GrownVariant made;
-  const VariantKey key = variant_key(scene, pieces, number);
-  const GrowOptions how{.as_drawn = pieces.as_drawn,
-                        .variation = pieces.variation * options.variation,
-                        .curves_only = options.curves_only,
-                        .folds = pieces.folds,
-                        .detail = options.detail,
-                        .ripeness = drawn_between(pieces.ripeness, key, "scene/ripeness"),
-                        .browning = drawn_between(pieces.browning, key, "scene/browning").value_or(0)};
-  made.variant = made.clock.time(
-      "vary", [&] { return variation ? variant_of(*variation, key, how) : variant_of(fruit, key, how); });
-  made.grown = made.clock.time("sweep", [&] { return grow(made.variant, key, how); });
-  return made;
-}
-
-std::string variant_name(const PiecesDescription& pieces, int number) {
-  return pieces.name + "-" + std::to_string(number + 1);
-}
-
-/// How an entry's variant is cut, and which of its pieces the scene takes.
-SliceTask task_of(const PiecesDescription& pieces, int number, const GrownVariant& made) {
-  return {.grown = made.grown,
-          .variant = made.variant,
-          .knives = pieces.knives,
-          .name = variant_name(pieces, number),
-          .choice = PieceChoice{.smallest = pieces.smallest, .largest = pieces.largest, .take = pieces.take}};
-}
-
-/// What the report tells of one variant.
-Made reported(Slices slices, const GrownVariant& variant, const std::string& name) {
-  Made made{std::move(slices.pieces), {}, {}, variant.clock};
-  made.clock.add(slices.times);
-  const CrossSection& section = slices.section;
-  made.counts["surface_triangles"] += std::ssize(variant.grown.sheets.triangle);
-  made.counts["section_triangles"] += std::ssize(section.triangle);
-  made.counts["interior_vertices"] += std::count(section.interior.begin(), section.interior.end(), 1);
-  if (made.solids.empty()) made.warnings.push_back("pieces \"" + name + "\": nothing is left to take");
-  for (const std::string& warning : slices.warnings) made.warnings.push_back("pieces \"" + name + "\": " + warning);
-  return made;
-}
-
-void add_items(const PiecesDescription& pieces, int solid, const std::string& name, std::vector<SettleItem>& items) {
-  for (int copy = 0; copy < pieces.copies; ++copy) {
-    SettleItem item{
-        .solid = solid, .name = name, .order = pieces.order, .face_up = pieces.face_up, .beside = pieces.beside};
-    if (copy > 0) item.name += ".copy-" + std::to_string(copy + 1);
-    items.push_back(item);
-  }
-}
-
-std::vector<Pose> settled_poses(const SceneDescription& scene, const SceneParts& parts, const ComposeOptions& options,
-                                ComposeReport& report) {
-  SettleOptions how;
-  how.seed = scene.seed;
-  how.fill = scene.fill;
-  how.spread = scene.spread;
-  how.around = scene.around;
-  how.attempts = scene.attempts;
-  how.heap.friction = scene.friction;
-  how.threads = options.threads;
-  how.progress = options.progress;
-  const Solid* const bowl = parts.bowl ? &parts.solids[static_cast<std::size_t>(*parts.bowl)] : nullptr;
-  Settled settled = settle(parts.solids, parts.items, bowl, how);
-  report.fits = std::move(settled.fits);
-  report.counts["settle_attempts"] = settled.attempts;
-  report.counts["settle_steps"] = settled.steps;
-  report.counts["settle_again"] = static_cast<std::int64_t>(settled.again);
-  if (bowl) settled.poses.insert(settled.poses.begin(), Pose{});
-  return std::move(settled.poses);
-}
-
 std::vector<Instance> unplaced(const SceneParts& parts) {
   std::vector<Instance> instances;
-  if (parts.bowl) instances.push_back({*parts.bowl, {}, "bowl"});
+  for (const ScenePlacedDish& dish : parts.dishes) instances.push_back({dish.solid, {}, dish.name});
   for (const SettleItem& item : parts.items) instances.push_back({item.solid, {}, item.name});
   return instances;
 }
@@ -206,74 +21,25 @@ std::vector<Pose> layout_poses(const SceneDescription& scene, const SceneParts& 
   return poses_for(read_layout(file), parts.solids, unplaced(parts));
 }
 
+std::vector<Pose> settled_poses(const SceneDescription& scene, const SceneParts& parts, const ComposeOptions& options,
+                                ComposeReport& report) {
+  SettledHeaps settled = settled_heaps(scene, parts, options);
+  report.fits = std::move(settled.fits);
+  report.counts["settle_attempts"] = settled.attempts;
+  report.counts["settle_steps"] = settled.steps;
+  report.counts["settle_again"] = static_cast<std::int64_t>(settled.again);
+  report.counts["heaps"] = static_cast<std::int64_t>(settled.heaps);
+  return std::move(settled.poses);
+}
+
 }  // namespace
 
-VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& pieces, int n) {
-  const RandomStream names({0, static_cast<std::uint64_t>(n)}, "scene/pieces/" + pieces.name);
-  return {scene.seed, names.bits(0) >> 32};
-}
-
-SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {
-  StageClock clock;
-  const std::vector<Template> templates = clock.time("read", [&] { return read_templates(scene, options); });
-  const auto ready = clock.time("vary", [&] { return made_ready(scene, templates); });
-  std::vector<Task> tasks;
-  for (std::size_t entry = 0; entry < scene.pieces.size(); ++entry)
-    for (int number = 0; number < scene.pieces[entry].count; ++number) tasks.push_back({entry, number});
-
-  // As many variants at a time as fit into memory: each grown by itself, all cut and coloured at once.
-  Teller teller(options, "pieces", tasks.size(), 2);
-  const SliceOptions how{.cut = options.cut,
-                         .keep_section_colors = options.keep_section_colors,
-                         .threads = options.threads,
-                         .one_done = [&] { teller.step_done(); }};
-  std::vector<Made> made(tasks.size());
-  for (std::size_t first = 0; first < tasks.size(); first += variants_at_once) {
-    const std::size_t count = std::min(variants_at_once, tasks.size() - first);
-    std::vector<GrownVariant> variants(count);
-    parallel_for(count, options.threads, [&](std::size_t i) {
-      const auto& [entry, number] = tasks[first + i];
-      variants[i] = grown_variant(scene, scene.pieces[entry], number, templates[entry], ready[entry].get(), options);
-      teller.step_done();
-    });
-    std::vector<SliceTask> to_slice;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& [entry, number] = tasks[first + i];
-      to_slice.push_back(task_of(scene.pieces[entry], number, variants[i]));
-    }
-    std::vector<Slices> slices = slice(to_slice, diffuser, how);
-    for (std::size_t i = 0; i < count; ++i) {
-      made[first + i] = reported(std::move(slices[i]), variants[i], to_slice[i].name);
-    }
-  }
-
-  // Gather them in the order of the file.
-  SceneParts parts;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    for (Solid& solid : made[i].solids) {
-      add_items(scene.pieces[tasks[i].entry], static_cast<int>(parts.solids.size()), solid.name, parts.items);
-      parts.solids.push_back(std::move(solid));
-    }
-    for (const std::string& warning : made[i].warnings) parts.report.warnings.push_back(warning);
-    for (const auto& [what, number] : made[i].counts) parts.report.counts[what] += number;
-    clock.add(made[i].clock);
-  }
-  if (scene.bowl) {
-    parts.bowl = static_cast<int>(parts.solids.size());
-    parts.solids.push_back(bowl_solid(*scene.bowl));
-  }
-  parts.report.counts["variants"] = std::ssize(tasks);
-  parts.report.counts["pieces"] = std::ssize(parts.items);
-  parts.report.stages = clock.stages();
-  return parts;
-}
-
-Scene placed(const SceneDescription& scene, const SceneParts& parts, const std::vector<Pose>& poses) {
+Scene placed(const SceneDescription& scene, SceneParts parts, const std::vector<Pose>& poses) {
   Scene result;
-  result.solids = parts.solids;
+  result.instances = unplaced(parts);
+  result.solids = std::move(parts.solids);
   if (scene.paper) result.paper = *scene.paper;
   result.ground = scene.ground;
-  result.instances = unplaced(parts);
   for (std::size_t i = 0; i < result.instances.size(); ++i) result.instances[i].pose = poses[i];
   result.view.vertical_field = scene.vertical_field;
   result.view = scene.view ? *scene.view : fitted_view(result, scene.view_direction);
@@ -288,7 +54,7 @@ Composition compose(const SceneDescription& scene, const Diffuser* diffuser, con
     return scene.layout.empty() ? settled_poses(scene, parts, options, composition.report) : layout_poses(scene, parts);
   });
   composition.report.stages.push_back(clock.stages().front());
-  composition.scene = placed(scene, parts, poses);
+  composition.scene = placed(scene, std::move(parts), poses);
   return composition;
 }
 

@@ -7,11 +7,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/base/units.h"
 #include "generator/knife/read_knife.h"
+#include "generator/scene/read_arrangement.h"
+#include "generator/scene/read_dish.h"
 #include "generator/template/read/read_name.h"
-#include "generator/template/read/read_paint.h"
-#include "generator/template/read/svg_path.h"
 #include "generator/template/read/toml_document.h"
 #include "generator/template/read/toml_text.h"
 
@@ -19,7 +18,8 @@ namespace pomona {
 
 namespace {
 
-constexpr int most_pieces = 4096;  // of one entry, and of the scene
+constexpr int most_variants = 4096;    // of one entry, and of the scene
+constexpr int most_pieces = 100'000;  // of an entry, and of the scene
 
 glm::dvec3 read_vector(const TomlValue& value, Within within, const glm::dvec3& fallback) {
   if (!value.given()) return fallback;
@@ -44,56 +44,6 @@ void read_view(const TomlTable& table, SceneDescription& scene) {
                   scene.vertical_field};
   if (view.eye == view.target) table.error("looks from its target at itself", "move the eye away");
   scene.view = view;
-}
-
-/// A profile that can be turned: one open simple line from the axis to the axis, in the right half plane.
-std::string fault_of_profile(const std::vector<Curve>& curves) {
-  if (curves.size() != 1) return "must be one line";
-  const Curve& curve = curves[0];
-  if (curve.closed || curve.points.size() < 4) return "must be an open line of some length";
-  if (curve.points.front().x != 0 || curve.points.back().x != 0) return "must begin and end on the axis, x = 0";
-  for (std::size_t i = 1; i + 1 < curve.points.size(); ++i)
-    if (!(curve.points[i].x > 0)) return "must lie right of the axis, x > 0, between its ends";
-  if (!is_simple(curve)) return "crosses itself";
-  double area = 0;  // counter-clockwise: up the outside, down the inside
-  for (std::size_t i = 1; i < curve.points.size(); ++i)
-    area += curve.points[i - 1].x * curve.points[i].y - curve.points[i].x * curve.points[i - 1].y;
-  if (!(area > 0)) return "must go up along the outside and come down along the inside";
-  for (const glm::dvec2& p : curve.points)
-    if (std::max(p.x, std::fabs(p.y)) > 10) return "lies more than 10 m from the axis";
-  return {};
-}
-
-Curve read_profile(const TomlValue& value, double unit) {
-  if (!value.is(TomlNode::Kind::string)) {
-    value.text();  // notes that it is none
-    return {};
-  }
-  try {
-    std::vector<Curve> curves = parse_svg_path(value.text(), {.unit = unit});
-    const std::string fault = fault_of_profile(curves);
-    if (!fault.empty()) {
-      value.error(fault, "draw the clay from the axis below, up the outside, over the rim and down the inside");
-      return {};
-    }
-    double lowest = curves[0].points[0].y;
-    for (const glm::dvec2& p : curves[0].points) lowest = std::min(lowest, p.y);
-    for (glm::dvec2& p : curves[0].points) p.y -= lowest;
-    return std::move(curves[0]);
-  } catch (const BadPath& bad) {
-    value.error(bad.what(), bad.hint);
-    return {};
-  }
-}
-
-BowlDescription read_bowl(const TomlTable& table) {
-  BowlDescription bowl;
-  const double unit = table.get("unit").length(1e-3, {1e-6, 1});
-  bowl.profile = read_profile(table.need("profile"), unit);
-  bowl.color = read_ramp<Color>(table.get("color"), Color(0.8f), [](const TomlValue& v) { return v.color(); });
-  bowl.around = table.get("around").integer(bowl.around, 16, 512);
-  bowl.along = table.get("along").integer(bowl.along, 16, 512);
-  return bowl;
 }
 
 /// A number, or the two ends of a range to draw from, [0.6, 1.4].
@@ -130,10 +80,14 @@ class SceneReader {
     read_size(root.get("size"));
     read_view(root.get("view").table(), scene_);
     if (root.has("bowl")) scene_.bowl = read_bowl(root.get("bowl").table());
+    scene_.bowl_place = root.get("bowl").place();
+    scene_.dishes = read_dishes(root.get("dishes"), std::filesystem::path(file_).parent_path(), {"bowl"});
+    scene_.total = root.get("total").integer(0, 1, most_pieces);
     scene_.layout = root.get("layout").text();
     scene_.layout_place = root.get("layout").place();
     read_settling(root.get("settle").table());
     read_pieces(root.need("pieces"));
+    check_shares(root.get("total"));
     document_.throw_if_any();
     return std::move(scene_);
   }
@@ -161,15 +115,47 @@ class SceneReader {
   void read_pieces(const TomlValue& value) {
     const std::vector<TomlTable> entries = value.tables();
     if (value.given() && entries.empty()) value.error("is empty", "say what lies in the dish: [[pieces]]");
-    int total = 0;
+    int variants = 0;
     for (const TomlTable& entry : entries) {
       scene_.pieces.push_back(read_entry(entry));
-      total += scene_.pieces.back().count;
-      if (total > most_pieces) {
-        entry.error("makes more than " + std::to_string(most_pieces) + " variants of the scene", "lower \"count\"");
+      variants += scene_.pieces.back().count;
+      if (variants > most_variants) {
+        entry.error("makes more than " + std::to_string(most_variants) + " variants of the scene", "lower \"count\"");
         return;
       }
     }
+  }
+
+  /// A total is dealt out by shares, and shares are of a total.
+  void check_shares(const TomlValue& total) const {
+    const bool some = std::any_of(scene_.pieces.begin(), scene_.pieces.end(), [](const auto& p) { return p.share > 0; });
+    if (total.given() && !some) total.error("is of no use where no entry has a \"share\"", "write share = 1 in one");
+  }
+
+  /// Which dish the pieces lie in or on.
+  void read_dish_of(const TomlTable& table, PiecesDescription& pieces) {
+    const TomlValue in = table.get("in"), on = table.get("on");
+    if (in.given() && on.given()) on.error("and \"in\" exclude each other", "keep one of them");
+    if (!in.given() && !on.given()) return;
+    const TomlValue named = on.given() ? on : in;
+    pieces.on_top = on.given();
+    pieces.dish = named.text();
+    if (named.is(TomlNode::Kind::string) && pieces.beside) named.error("and \"beside\" exclude each other", {});
+    if (pieces.dish == "bowl" && scene_.bowl && !on.given()) {
+      pieces.dish.clear();
+      return;
+    }
+    const auto same = [&](const DishDescription& dish) { return dish.name == pieces.dish; };
+    const auto dish = std::find_if(scene_.dishes.begin(), scene_.dishes.end(), same);
+    if (dish == scene_.dishes.end()) {
+      if (named.is(TomlNode::Kind::string)) named.error("names no dish of this scene", "describe it: [[dishes]]");
+      return;
+    }
+    if (!dish->part_of.empty())
+      named.error("is a part of \"" + dish->part_of + "\"", "name \"" + dish->part_of + "\" instead");
+    for (const PiecesDescription& other : scene_.pieces)
+      if (other.dish == pieces.dish && other.on_top != pieces.on_top)
+        named.error("is said to be \"in\" and \"on\" the same dish", "\"" + other.name + "\" is the other way");
   }
 
   PiecesDescription read_entry(const TomlTable& unnamed) {
@@ -177,6 +163,7 @@ class SceneReader {
     PiecesDescription pieces;
     const TomlTable table = unnamed.called("pieces \"" + unnamed.get("name").text() + "\"");
     pieces.name = read_name(table.need("name"), names_);
+    pieces.place = table.get("name").place();
     names_.push_back(pieces.name);
 
     // The next keys say which fruit it is, how many variants there are and how far they are from the drawing.
@@ -184,19 +171,28 @@ class SceneReader {
     pieces.template_name = fruit.text();
     pieces.template_place = fruit.place();
     if (fruit.is(TomlNode::Kind::string) && pieces.template_name.empty()) fruit.error("is empty");
-    pieces.count = table.get("count").integer(1, 1, most_pieces);
+    pieces.count = table.get("count").integer(1, 1, most_variants);
     pieces.as_drawn = table.get("as_drawn").boolean(false);
     if (table.has("folds")) pieces.folds = table.get("folds").integer(1, 1, most_folds);
     pieces.variation = table.get("variation").number(1, {0, 2});
     if (pieces.as_drawn && table.has("variation"))
       table.get("variation").error("has no effect on what is as drawn", "keep \"variation\" or \"as_drawn\"");
+    pieces.detail = table.get("detail").number(1, {0.1, 4});
+    pieces.size = read_range(table.get("size"), {0.05, 20});
     pieces.ripeness = read_range(table.get("ripeness"), {0, 2});
     pieces.browning = read_range(table.get("browning"), {0, 1});
 
     // Then come the knives, and which of the pieces are placed how often.
     pieces.knives = read_knives(table.get("knives").values(), std::filesystem::path(file_).parent_path());
-    pieces.take = table.get("take").integer(0, 0, most_pieces);
-    pieces.copies = table.get("copies").integer(1, 1, 1000);
+    pieces.take = table.get("take").integer(0, 0, most_variants);
+    pieces.copies = table.get("copies").integer(1, 1, 10000);
+    pieces.total = table.get("total").integer(0, 1, most_pieces);
+    pieces.share = table.get("share").number(0, {1e-6, 1e6});
+    if (pieces.share > 0 && scene_.total == 0)
+      table.get("share").error("is of a total that the scene does not say", "write total = 300 before all [[pieces]]");
+    for (const char* other : {"copies", "share"})
+      if (pieces.total > 0 && table.has(other)) table.get(other).error("and \"total\" exclude each other", {});
+    if (pieces.share > 0 && table.has("copies")) table.get("copies").error("and \"share\" exclude each other", {});
     pieces.smallest = table.get("smallest").number(pieces.smallest, {0, 1});
     pieces.largest = table.get("largest").number(pieces.largest, {0, 1});
     if (pieces.largest < pieces.smallest) table.get("largest").error("is below \"smallest\"", "exchange them");
@@ -204,7 +200,11 @@ class SceneReader {
     // The last keys say when and where the pieces fall.
     pieces.order = table.get("order").integer(0, -1000, 1000);
     pieces.face_up = table.get("face_up").boolean(false);
+    pieces.upright = table.get("upright").boolean(false);
+    if (pieces.upright && pieces.face_up) table.get("upright").error("and \"face_up\" exclude each other", {});
     pieces.beside = table.get("beside").boolean(false);
+    read_dish_of(table, pieces);
+    if (table.has("where")) pieces.where = read_arrangement(table.get("where").table());
     return pieces;
   }
 
@@ -222,6 +222,6 @@ SceneDescription read_scene(const std::filesystem::path& file) {
   return parse_scene(read_toml_text(file), file.string());
 }
 
-bool is_scene_file(const std::filesystem::path& file) { return has_toml_heading(file, {"[[pieces]]", "[bowl]"}); }
+bool is_scene_file(const std::filesystem::path& file) { return has_toml_heading(file, {"[[pieces]]", "[bowl]", "[[dishes]]"}); }
 
 }  // namespace pomona

@@ -60,6 +60,60 @@ Solid ring(double outer, double inner, double height) {
 
 Solid wedge(double radius, double degrees) { return revolved(arc(radius, 16), false, 12, radians(degrees), "wedge"); }
 
+Solid disc(double radius, double height) {
+  Solid solid = revolved({{0, 0}, {radius, 0}, {radius, height}, {0, height}}, false, 32, 2 * pi, "disc");
+  for (const glm::uvec3& t : solid.triangle) {
+    const auto at = [&](unsigned i) { return solid.position[i].y; };
+    const bool is_flat = at(t.x) == at(t.y) && at(t.y) == at(t.z);
+    solid.cut_face.push_back(!is_flat ? -1 : at(t.x) > 0 ? 1 : 0);
+  }
+  return solid;
+}
+
+namespace {
+
+/// The eight corners of a box, and its faces outwards.
+void add_box(Solid& solid, const glm::dvec3& low, const glm::dvec3& high) {
+  const auto first = static_cast<unsigned>(solid.position.size());
+  for (unsigned i = 0; i < 8; ++i)
+    solid.position.emplace_back((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
+                                (i & 4) != 0 ? high.z : low.z);
+  const unsigned faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  for (const auto& f : faces) {
+    solid.triangle.push_back(glm::uvec3(f[0], f[1], f[2]) + first);
+    solid.triangle.push_back(glm::uvec3(f[0], f[2], f[3]) + first);
+  }
+}
+
+}  // namespace
+
+Solid slab(const glm::dvec3& size) {
+  Solid solid;
+  solid.name = "slab";
+  add_box(solid, {-0.5 * size.x, 0, -0.5 * size.z}, {0.5 * size.x, size.y, 0.5 * size.z});
+  return solid;
+}
+
+Solid tray(const glm::dvec3& size, double wall) {
+  Solid solid = slab({size.x, wall, size.z});
+  solid.name = "tray";
+  const double x = 0.5 * size.x, z = 0.5 * size.z;
+  add_box(solid, {-x, 0, -z}, {-x + wall, size.y, z});
+  add_box(solid, {x - wall, 0, -z}, {x, size.y, z});
+  add_box(solid, {-x, 0, -z}, {x, size.y, -z + wall});
+  add_box(solid, {-x, 0, z - wall}, {x, size.y, z});
+  return solid;
+}
+
+Solid upright_sheet(double size) {
+  Solid solid;
+  solid.name = "sheet";
+  const auto s = static_cast<float>(size);
+  solid.position = {{0, 0, 0}, {s, 0, 0}, {s, s, 0}, {0, s, 0}};
+  solid.triangle = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
+  return solid;
+}
+
 Solid bowl(double radius, double depth) {
   constexpr double wall = 0.005;
   std::vector<glm::dvec2> profile;

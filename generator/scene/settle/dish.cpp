@@ -11,7 +11,8 @@
 
 namespace pomona {
 
-Dish::Dish(const Solid* bowl, const DishOptions& options) {
+Dish::Dish(const DishForm& dish, const DishOptions& options) {
+  const Solid* const bowl = dish.solid;
   if (bowl) {
     for (const glm::vec3& p : bowl->position) {
       const double radius = std::sqrt(static_cast<double>(p.x) * p.x + static_cast<double>(p.z) * p.z);
@@ -20,7 +21,22 @@ Dish::Dish(const Solid* bowl, const DishOptions& options) {
     }
   }
   lay_ground(bowl, options.ground);
-  if (has_bowl()) bake(options);
+  if (has_bowl() && dish.turned) bake(options);
+  if (has_bowl() && !dish.turned)
+    form_ = std::make_shared<const MeshDish>(*bowl, TriangleTree(bowl->position, bowl->triangle), dish.on_top);
+}
+
+bool Dish::holds() const {
+  if (!has_bowl()) return true;
+  if (form_) return !form_->places().empty();
+  constexpr double shallowest = 0.05;  // of the rim's height
+  return turned_height(0) < (1 - shallowest) * rim_height_;
+}
+
+bool Dish::covers(const glm::dvec3& point) const {
+  if (!has_bowl()) return true;
+  if (form_) return form_->covers(point.x, point.z);
+  return point.x * point.x + point.z * point.z <= rim_radius_ * rim_radius_;
 }
 
 /// The ground is a slab with its upper face at y = 0.
@@ -60,12 +76,17 @@ void Dish::bake(const DishOptions& options) {
       double nearest = 2 * reach;
       for (std::size_t k = 1; k < profile_.size(); ++k)
         nearest = std::min(nearest, distance_to_segment(point, profile_[k - 1], profile_[k]));
-      values_.push_back(static_cast<float>(point.y < height(point.x) ? -nearest : nearest));
+      values_.push_back(static_cast<float>(point.y < turned_height(point.x) ? -nearest : nearest));
     }
   }
 }
 
-double Dish::height(double radius) const {
+double Dish::height(double x, double z) const {
+  if (!has_bowl()) return 0;
+  return form_ ? form_->height(x, z) : turned_height(std::sqrt(x * x + z * z));
+}
+
+double Dish::turned_height(double radius) const {
   const auto next = std::find_if(profile_.begin(), profile_.end(), [&](const auto& p) { return p.x >= radius; });
   if (next == profile_.end()) return 0;
   if (next == profile_.begin()) return next->y;
@@ -87,11 +108,13 @@ float Dish::field(float radius, float height) const {
 }
 
 float Dish::distance(const glm::vec3& point) const {
+  if (form_) return std::min(form_->distance(point), point.y);
   return has_bowl() ? field(std::sqrt(point.x * point.x + point.z * point.z), point.y) : point.y;
 }
 
 glm::vec3 Dish::direction(const glm::vec3& point) const {
   const glm::vec3 upwards(0, 1, 0);
+  if (form_) return form_->distance(point) < point.y ? form_->direction(point) : upwards;
   const float radius = std::sqrt(point.x * point.x + point.z * point.z);
   if (!has_bowl() || radius < 1e-6f) return upwards;
   const float e = 0.5f * cell_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <glm/geometric.hpp>
@@ -21,28 +22,54 @@ glm::dquat any_rotation(const RandomStream& draw, std::uint64_t n) {
           high * reproducible::sin(b)};
 }
 
-glm::dquat about(const glm::dvec3& axis, double angle) {
-  return {reproducible::cos(0.5 * angle), axis * reproducible::sin(0.5 * angle)};
-}
-
-/// The shortest turn that takes one unit direction to another.
-glm::dquat turn(const glm::dvec3& from, const glm::dvec3& to) {
-  const double w = 1 + glm::dot(from, to);
-  if (w > 1e-9) return glm::normalize(glm::dquat(w, glm::cross(from, to)));
-  const glm::dvec3 side = std::fabs(from.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  return {0, glm::normalize(glm::cross(from, side))};
-}
-
 /// `up` towards the sky, up to a slight tilt, and any turn about it.
 glm::dquat face_up(const glm::dvec3& up, const RandomStream& draw, std::uint64_t n) {
   constexpr double most_tilt = 0.35;
   const double tilt = most_tilt * draw.uniform(n), heading = 2 * pi * draw.uniform(n + 1);
   const glm::dvec3 target(reproducible::sin(tilt) * reproducible::cos(heading), reproducible::cos(tilt),
                           reproducible::sin(tilt) * reproducible::sin(heading));
-  return about(target, 2 * pi * draw.uniform(n + 2)) * turn(glm::normalize(up), target);
+  return turn_about(target, 2 * pi * draw.uniform(n + 2)) * turn_between(glm::normalize(up), target);
+}
+
+/// A place, and how high the lowest point of a piece may begin there.
+struct Spot {
+  glm::vec2 at{0};
+  double highest = std::numeric_limits<double>::infinity();
+};
+
+constexpr double steepest = 0.7;
+
+Spot spot_in(const DropRing& ring, double share, double turn) {
+  // Square roots of uniform numbers fill a ring evenly.
+  const double angle = 2 * pi * turn;
+  const double radius =
+      std::sqrt(ring.inner * ring.inner + share * std::max(0.0, ring.outer * ring.outer - ring.inner * ring.inner));
+  Spot spot;
+  spot.at = {static_cast<float>(ring.middle.x + radius * reproducible::cos(angle)),
+             static_cast<float>(ring.middle.y + radius * reproducible::sin(angle))};
+  const double out = ring.middle == glm::dvec2(0) ? radius : static_cast<double>(glm::length(spot.at));
+  if (ring.rim_radius > 0) spot.highest = ring.rim_height + steepest * (ring.rim_radius - out);
+  return spot;
+}
+
+Spot spot_in(const DropCells& cells, double share, double) {
+  const auto last = static_cast<double>(cells.size() - 1);
+  const MeshDish::Place& place = cells[static_cast<std::size_t>(std::min(last, share * static_cast<double>(cells.size())))];
+  return {glm::vec2(place.at), place.level + steepest * place.inset};
 }
 
 }  // namespace
+
+glm::dquat turn_about(const glm::dvec3& axis, double radians) {
+  return {reproducible::cos(0.5 * radians), axis * reproducible::sin(0.5 * radians)};
+}
+
+glm::dquat turn_between(const glm::dvec3& from, const glm::dvec3& to) {
+  const double w = 1 + glm::dot(from, to);
+  if (w > 1e-9) return glm::normalize(glm::dquat(w, glm::cross(from, to)));
+  const glm::dvec3 side = std::fabs(from.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  return {0, glm::normalize(glm::cross(from, side))};
+}
 
 std::vector<std::size_t> dropping_order(std::span<const int> order, const RandomStream& draw) {
   // A Fisher-Yates shuffle, then a stable sort.
@@ -58,22 +85,18 @@ glm::dquat drawn_rotation(const glm::dvec3& up, const RandomStream& draw, std::u
   return up == glm::dvec3(0) ? any_rotation(draw, n) : face_up(up, draw, n);
 }
 
-std::optional<glm::dvec3> drawn_place(const RigidBody& turned, const HeightMap& heap, const DropRing& ring,
+std::optional<glm::dvec3> drawn_place(const RigidBody& turned, const HeightMap& heap, const DropArea& area,
                                       const RandomStream& draw, std::uint64_t n) {
   constexpr std::uint64_t usual = 12, most = 24;  // more only while none is low enough
-  constexpr double steepest = 0.7;
+  if (const auto* cells = std::get_if<DropCells>(&area); cells && cells->empty()) return {};
   std::optional<glm::dvec3> best;
   for (std::uint64_t k = 0; k < most && (k < usual || !best); ++k) {
-    // Square roots of uniform numbers fill a ring evenly.
-    const double share = draw.uniform(n + 2 * k), angle = 2 * pi * draw.uniform(n + 2 * k + 1);
-    const double radius =
-        std::sqrt(ring.inner * ring.inner + share * std::max(0.0, ring.outer * ring.outer - ring.inner * ring.inner));
-    const glm::vec2 at(static_cast<float>(radius * reproducible::cos(angle)),
-                       static_cast<float>(radius * reproducible::sin(angle)));
-    const double height = heap.resting_height(turned, at.x, at.y);
+    const double share = draw.uniform(n + 2 * k), turn = draw.uniform(n + 2 * k + 1);
+    const Spot spot = std::visit([&](const auto& each) { return spot_in(each, share, turn); }, area);
+    const double height = heap.resting_height(turned, spot.at.x, spot.at.y);
     const double lowest = height + (static_cast<double>(turned.box.low.y) - turned.center.y);
-    if (ring.rim_radius > 0 && lowest > ring.rim_height + steepest * (ring.rim_radius - radius)) continue;
-    if (!best || height < best->y) best = glm::dvec3(at.x, height, at.y);
+    if (lowest > spot.highest) continue;
+    if (!best || height < best->y) best = glm::dvec3(spot.at.x, height, spot.at.y);
   }
   return best;
 }

@@ -56,6 +56,11 @@ void Heap::freeze(std::size_t place) {
   frozen_known_ = pairs_known_ = false;
 }
 
+void Heap::fix(std::size_t place) {
+  freeze(place);
+  bodies_[place].is_fixed = true;
+}
+
 void Heap::wake() {
   for (RigidBody& body : bodies_)
     if (body.state == BodyState::asleep) body.state = BodyState::active, body.still_steps = 0;
@@ -66,6 +71,7 @@ void Heap::take_out(std::size_t place) {
   find_frozen();
   for (const std::size_t other : partners_of(place)) {
     RigidBody& beside = bodies_[other];
+    if (beside.is_fixed) continue;
     if (!boxes_near(bodies_[place], beside, static_cast<float>(0.05 * unit_))) continue;
     if (beside.state == BodyState::frozen) {
       frozen_known_ = false;
@@ -269,7 +275,16 @@ void Heap::let_act(const Places& active, const Places& touching) {
 }
 
 void Heap::keep_in_funnel(RigidBody& body) const {
-  if (funnel_.radius <= 0 || body.center.y < funnel_.low) return;
+  if (body.center.y < funnel_.low) return;
+  if (funnel_.from != funnel_.to) {
+    const double radius = body.shape->radius;
+    for (const int axis : {0, 2}) {
+      double& velocity = body.velocity[axis];
+      if (body.center[axis] + radius > funnel_.to[axis / 2]) velocity = std::min(velocity, 0.0);
+      if (body.center[axis] - radius < funnel_.from[axis / 2]) velocity = std::max(velocity, 0.0);
+    }
+  }
+  if (funnel_.radius <= 0) return;
   const glm::dvec3 outwards(body.center.x, 0, body.center.z);
   const double distance = glm::length(outwards);
   if (distance <= 0 || distance + body.shape->radius < funnel_.radius) return;

@@ -13,10 +13,11 @@
 
 namespace pomona {
 
-/// A round wall that keeps falling bodies over the bowl.
+/// A wall that keeps falling bodies over their dish: a round one, or four.
 struct Funnel {
-  double radius = 0;  ///< metres about the axis; 0 = no funnel
-  double low = 0;     ///< its lower end, metres above the ground
+  double radius = 0;           ///< metres about the axis; 0 = no round one
+  double low = 0;              ///< its lower end, metres above the ground
+  glm::dvec2 from{0}, to{0};   ///< of four walls, x and z; equal: there are none
 };
 
 /// Lengths in units, which are the pieces' mean size; times in steps.
@@ -57,6 +58,9 @@ class Heap {
 
   /// Nothing moves it any more, unless one beside it is taken out.
   void freeze(std::size_t place);
+
+  /// Nothing moves it ever.
+  void fix(std::size_t place);
 
   /// All that is asleep moves again.
   void wake();

@@ -8,13 +8,20 @@ namespace pomona {
 
 HeightMap::HeightMap(const Dish& dish, double half, double cell)
     : half_(static_cast<float>(half)), cell_(static_cast<float>(cell)), count_(static_cast<int>(2 * half / cell) + 2) {
-  // The corner of a cell that is farthest out is the highest, as dishes go.
+  // The corner of a cell that is farthest out is the highest, as bowls go. Of other dishes all are asked.
   const auto farthest = [&](int i) { return std::fabs((i + 0.5) * cell - half) + 0.5 * cell; };
+  const auto highest = [&](double x, double z) {
+    double height = dish.height(x + 0.5 * cell, z + 0.5 * cell);
+    for (const double s : {0.0, 1.0})
+      for (const double t : {0.0, 1.0}) height = std::max(height, dish.height(x + s * cell, z + t * cell));
+    return height;
+  };
   height_.reserve(static_cast<std::size_t>(count_) * static_cast<std::size_t>(count_));
   for (int j = 0; j < count_; ++j) {
     for (int i = 0; i < count_; ++i) {
-      const double x = farthest(i), z = farthest(j);
-      height_.push_back(static_cast<float>(dish.has_bowl() ? dish.height(std::sqrt(x * x + z * z)) : 0));
+      const double height =
+          dish.form() ? highest(i * cell - half, j * cell - half) : dish.height(farthest(i), farthest(j));
+      height_.push_back(static_cast<float>(height));
     }
   }
 }

@@ -1,0 +1,38 @@
+// What a scene file says of a dish: something turned on the wheel, or a mesh, that pieces lie in or on, or that only
+// stands there (docs/formats.md).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "generator/base/curve.h"
+#include "generator/base/error.h"
+#include "generator/scene/mesh_solid.h"
+#include "generator/template/ramp.h"
+
+namespace pomona {
+
+/// A dish turned on the potter's wheel: the profile of its clay, metres, from the axis below, along the outside
+/// up over the rim and down the inside to the axis again. Stands on y = 0.
+struct BowlDescription {
+  Curve profile;
+  Ramp<Color> color = Ramp<Color>::constant(Color(0.8f));  ///< along the profile
+  int around = 96, along = 96;                             ///< vertices
+};
+
+/// One of [[dishes]].
+struct DishDescription {
+  std::string name;                       ///< unique in the scene
+  SourcePlace place;                      ///< of its name
+  std::optional<BowlDescription> turned;  ///< else a mesh
+  std::string mesh;                       ///< path from the scene's folder
+  SourcePlace mesh_place;
+  MeshSolidOptions as_solid{};
+  glm::dvec3 at{0};       ///< metres
+  double turn = 0;        ///< radians about the vertical
+  std::string part_of;    ///< pieces know both as one: this stands in or on that one
+};
+
+}  // namespace pomona

@@ -1,0 +1,51 @@
+#include "generator/scene/dish_solids.h"
+
+#include <utility>
+
+#include "generator/base/error.h"
+#include "generator/surface/file/plain_mesh_file.h"
+
+namespace pomona {
+
+namespace {
+
+bool made_alike(const DishDescription& a, const DishDescription& b) {
+  const MeshSolidOptions &x = a.as_solid, &y = b.as_solid;
+  return !a.turned && !b.turned && a.mesh == b.mesh && x.unit == y.unit && x.z_up == y.z_up && x.color == y.color &&
+         x.material.gloss == y.material.gloss && x.material.roughness == y.material.roughness;
+}
+
+/// "crate.obj:12:3: ..." where the place is known.
+std::string told(const Diagnostic& what) {
+  std::string text = to_string({what.place, what.message, {}});
+  const std::string error = "error: ";
+  const auto at = text.find(error);
+  return at == std::string::npos ? text : text.erase(at, error.size());
+}
+
+/// What is wrong with the file is told with the place in the scene that names it.
+Solid solid_of_mesh(const DishDescription& dish, const std::filesystem::path& folder) {
+  try {
+    Solid solid = mesh_solid(read_plain_mesh(folder / dish.mesh), dish.name, dish.as_solid);
+    if (!solid.triangle.empty()) return solid;
+    throw Error(ExitStatus::bad_data, "the mesh has no area", "export a mesh with triangles");
+  } catch (const Error& error) {
+    const Diagnostic& what = error.diagnostics().front();
+    throw Error(error.status(), {{dish.mesh_place, "dish \"" + dish.name + "\": " + told(what), what.hint}});
+  }
+}
+
+}  // namespace
+
+std::size_t DishSolids::index_of(const DishDescription& dish) {
+  for (std::size_t k = 0; k < known_.size(); ++k)
+    if (made_alike(known_[k], dish)) return k;
+  Solid solid = dish.turned ? bowl_solid(*dish.turned) : solid_of_mesh(dish, folder_);
+  solid.name = dish.name;
+  if (dish.turned) solid.materials.assign(solid.part_names.size(), dish.as_solid.material);
+  known_.push_back(dish);
+  solids_.push_back(std::move(solid));
+  return solids_.size() - 1;
+}
+
+}  // namespace pomona

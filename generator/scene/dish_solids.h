@@ -1,0 +1,31 @@
+// Dishes as solids: turned like any fruit, or out of a mesh file.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "generator/scene/bowl.h"
+#include "generator/scene/dish_description.h"
+
+namespace pomona {
+
+/// Makes each kind of dish once.
+class DishSolids {
+ public:
+  /// \param folder of the scene, which holds the meshes.
+  explicit DishSolids(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// The number of the solid of this dish; made, and named after it, if none was made alike before.
+  /// \throws Error (bad_data), (input_missing) at the place where the scene names the mesh.
+  std::size_t index_of(const DishDescription& dish);
+
+  const Solid& solid(std::size_t index) const { return solids_[index]; }
+
+ private:
+  std::filesystem::path folder_;
+  std::vector<DishDescription> known_;  ///< one a solid
+  std::vector<Solid> solids_;
+};
+
+}  // namespace pomona

@@ -1,0 +1,328 @@
+#include "generator/scene/settle/arrange.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+#include "generator/scene/settle/drop.h"
+#include "generator/scene/settle/near_bodies.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::uint64_t draws_per_piece = 256;
+constexpr glm::dvec3 upwards(0, 1, 0);
+
+using Starts = std::vector<std::optional<Start>>;
+
+/// From the arrangement's own frame to the dish's.
+glm::dvec3 in_dish(const Arrangement& how, double along, double across) {
+  const double c = reproducible::cos(how.turn), s = reproducible::sin(how.turn);
+  return {how.at.x + c * along + s * across, 0, how.at.y - s * along + c * across};
+}
+
+/// How a piece lies after it has fallen alone onto the ground, turned as drawn.
+glm::dquat at_rest(const Arranged& piece, const RandomStream& draw, std::uint64_t n, const ArrangeOptions& options) {
+  const Dish ground(DishForm{}, {.ground = 8 * options.widest});
+  Heap alone(ground, 1, options.unit, options.widest, options.heap, {1});
+  const PieceShape& shape = *piece.shape;
+  alone.put(0, RigidBody(shape, drawn_rotation(glm::dvec3(0), draw, n), glm::dvec3(0, 1.02 * shape.radius, 0)));
+  alone.settle();
+  return alone.bodies()[0].rotation;
+}
+
+glm::dquat attitude_of(const Arranged& piece, const RandomStream& draw, const ArrangeOptions& options) {
+  const std::uint64_t n = draws_per_piece * piece.piece;
+  const glm::dquat heading = turn_about(upwards, 2 * pi * draw.uniform(n + 8));
+  if (piece.attitude == Attitude::upright) return heading;
+  const glm::dvec3& face = piece.shape->up;
+  if (piece.attitude == Attitude::face_up && face != glm::dvec3(0)) return heading * turn_between(face, upwards);
+  return heading * at_rest(piece, draw, n, options);
+}
+
+/// All pieces turned as they are to lie, about the origin.
+std::vector<RigidBody> turned(std::span<const Arranged> pieces, const RandomStream& draw,
+                              const ArrangeOptions& options) {
+  std::vector<RigidBody> bodies(pieces.size());
+  parallel_for(pieces.size(), options.threads, [&](std::size_t i) {
+    bodies[i] = RigidBody(*pieces[i].shape, attitude_of(pieces[i], draw, options), glm::dvec3(0));
+  });
+  return bodies;
+}
+
+/// Moved along a direction until it touches the dish: out of it first, then towards it by what it is clear of it, and
+/// where it slides along a wall by a little.
+void set_down(RigidBody& body, const Dish& dish, const glm::dvec3& away) {
+  constexpr double least_step = 3e-4, near_enough = 1e-5;  // metres
+  const auto clear_at = [&](const glm::dvec3& center) {
+    body.center = center;
+    body.refresh();
+    return static_cast<double>(distance_to(dish, body, 1.0f));
+  };
+  double clear = clear_at(body.center);
+  for (int step = 0; step < 100 && clear <= 0; ++step) clear = clear_at(body.center + away * (least_step - clear));
+  glm::dvec3 above = body.center;
+  for (int step = 0; step < 10000 && clear > near_enough; ++step) {
+    above = body.center;
+    clear = clear_at(above - away * std::max(clear, least_step));
+  }
+
+  // The last step may have gone too far.
+  glm::dvec3 below = body.center;
+  if (clear >= -near_enough) return;
+  while (glm::distance(above, below) > near_enough) {
+    const glm::dvec3 middle = 0.5 * (above + below);
+    (clear_at(middle) > 0 ? above : below) = middle;
+  }
+  clear_at(above);
+}
+
+/// Out of the dish by all vertices: samples miss the tip of what is pointed.
+void lift_out(RigidBody& body, const Solid& solid, const Dish& dish, const glm::dvec3& away) {
+  constexpr double near_enough = 1e-5;  // metres
+  for (int step = 0; step < 20; ++step) {
+    float clear = 1;
+    for (const glm::vec3& p : solid.position)
+      clear = std::min(clear, dish.distance(glm::vec3(body.rotation * (glm::dvec3(p) - body.shape->center) + body.center)));
+    if (clear > -near_enough) return;
+    body.center -= away * static_cast<double>(clear);
+    body.refresh();
+  }
+}
+
+/// The box around a piece as it is turned: by its samples, because that of its body is one around a turned box.
+Box<double> tight_box(const RigidBody& body) {
+  Box<double> box;
+  for (const glm::vec3& sample : body.shape->samples.point) box.add(glm::dvec3(body.matrix * sample) + body.center);
+  return box;
+}
+
+/// With the middle of its box over a place, on the dish.
+Start set_at(RigidBody body, const Solid& solid, const glm::dvec3& place, const Dish& dish) {
+  const glm::dvec3 middle(tight_box(body).center());
+  const double above = dish.rim_height() - static_cast<double>(body.box.low.y) + 0.01 * body.shape->size;
+  body.center += glm::dvec3(place.x - middle.x, above, place.z - middle.z);
+  body.refresh();
+  set_down(body, dish, upwards);
+  lift_out(body, solid, dish, upwards);
+  return {body.rotation, body.center};
+}
+
+std::size_t columns_of(const Arrangement& how, std::size_t pieces) {
+  if (how.columns > 0) return static_cast<std::size_t>(how.columns);
+  return static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(pieces))));
+}
+
+/// How far the body reaches to either side along the arrangement's rows, and across them.
+glm::dvec2 extent(RigidBody body, const Arrangement& how) {
+  body.rotation = turn_about(upwards, -how.turn) * body.rotation;
+  body.refresh();
+  const glm::dvec3 size = tight_box(body).size();
+  return {size.x, size.z};
+}
+
+Starts in_rows(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how, const Dish& dish, Threads threads) {
+  // How long each row is, and how wide.
+  const std::size_t columns = columns_of(how, bodies.size());
+  struct Row {
+    double length = 0, width = 0;
+  };
+  std::vector<Row> rows((bodies.size() + columns - 1) / columns);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    Row& row = rows[i / columns];
+    const glm::dvec2 size = extent(bodies[i], how);
+    row.length += size.x + (i % columns > 0 ? how.gap : 0);
+    row.width = std::max(row.width, size.y);
+  }
+  double all = how.gap * static_cast<double>(rows.size() - 1);
+  for (const Row& row : rows) all += row.width;
+
+  // Each row is centred, and so are the rows.
+  std::vector<glm::dvec3> places;
+  double across = -0.5 * all, along = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Row& row = rows[i / columns];
+    if (i % columns == 0) along = -0.5 * row.length;
+    const double width = extent(bodies[i], how).x;
+    places.push_back(in_dish(how, along + 0.5 * width, across + 0.5 * row.width));
+    along += width + how.gap;
+    if (i % columns + 1 == columns) across += row.width + how.gap;
+  }
+  Starts starts(bodies.size());
+  parallel_for(bodies.size(), threads, [&](std::size_t i) { starts[i] = set_at(bodies[i], *pieces[i].solid, places[i], dish); });
+  return starts;
+}
+
+Starts in_grid(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how, const Dish& dish, Threads threads) {
+  const std::size_t columns = columns_of(how, bodies.size()), rows = (bodies.size() + columns - 1) / columns;
+  Starts starts(bodies.size());
+  parallel_for(bodies.size(), threads, [&](std::size_t i) {
+    const auto knot = [](std::size_t k, std::size_t count) {
+      return static_cast<double>(k) - 0.5 * static_cast<double>(count - 1);
+    };
+    const glm::dvec3 place =
+        in_dish(how, knot(i % columns, columns) * how.spacing.x, knot(i / columns, rows) * how.spacing.y);
+    starts[i] = set_at(bodies[i], *pieces[i].solid, place, dish);
+  });
+  return starts;
+}
+
+/// The triangles of a mesh that look upwards, to draw places on.
+class UpperSide {
+ public:
+  explicit UpperSide(const TriangleTree& mesh, const MeshDish* form) {
+    constexpr double least_slope = 0.2;
+    for (const TriangleTree::Corners& t : mesh.triangles()) {
+      const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+      const double twice_area = glm::length(normal);
+      if (!(normal.y > least_slope * twice_area)) continue;
+      // What lies under something else is no upper side.
+      const glm::dvec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+      if (form == nullptr || middle.y < form->box().low.y - 1e-9 || !form->covers(middle.x, middle.z)) continue;
+      if (mesh.height_below({middle.x + 1e-7, form->box().high.y + 1, middle.z + 1e-7}) > middle.y + 1e-4) continue;
+      corners_.push_back(t);
+      area_.push_back((area_.empty() ? 0 : area_.back()) + 0.5 * twice_area);
+    }
+  }
+  bool empty() const { return area_.empty(); }
+
+  struct Spot {
+    glm::dvec3 at, normal;
+  };
+  Spot spot(double share, double u, double v) const {
+    const auto found = std::upper_bound(area_.begin(), area_.end(), share * area_.back());
+    const TriangleTree::Corners& t = corners_[static_cast<std::size_t>(std::min(found, area_.end() - 1) - area_.begin())];
+    const double root = std::sqrt(u);  // even over the triangle
+    return {(1 - root) * t[0] + root * (1 - v) * t[1] + root * v * t[2],
+            glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]))};
+  }
+
+ private:
+  std::vector<TriangleTree::Corners> corners_;
+  std::vector<double> area_;  ///< of all up to here
+};
+
+/// Nothing of it hangs over the border.
+bool lies_within(const RigidBody& body, const Dish& dish) {
+  const auto& points = body.shape->samples.point;
+  return std::all_of(points.begin(), points.end(), [&](const glm::vec3& sample) {
+    return dish.covers(glm::dvec3(body.matrix * sample) + body.center);
+  });
+}
+
+Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how,
+                 const Dish& dish, const RandomStream& draw, const ArrangeOptions& options) {
+  constexpr std::uint64_t most_tries = 60, before_tries = 16;
+  const UpperSide upper(dish.mesh().mesh, dish.form());
+  Starts starts(bodies.size());
+  if (upper.empty()) return starts;
+  std::vector<RigidBody> set(bodies.size());
+  NearBodies near(2 * options.widest + how.gap, bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::uint64_t n = draws_per_piece * pieces[i].piece + before_tries;
+    for (std::uint64_t k = 0; k < most_tries && !starts[i]; ++k) {
+      // Upright on the slope, a little above the place drawn, then down onto it.
+      const UpperSide::Spot spot =
+          upper.spot(draw.uniform(n + 3 * k), draw.uniform(n + 3 * k + 1), draw.uniform(n + 3 * k + 2));
+      RigidBody body = bodies[i];
+      body.rotation = turn_between(upwards, spot.normal) * body.rotation;
+      body.center = spot.at + spot.normal * body.shape->radius;
+      body.refresh();
+      set_down(body, dish, spot.normal);
+      lift_out(body, *pieces[i].solid, dish, spot.normal);
+      bool is_free = lies_within(body, dish);
+      near.visit(body.center, [&](std::size_t other) {
+        const auto gap = static_cast<float>(how.gap);
+        is_free = is_free && distance_between(body, set[other], gap + 1e-6f) > gap;
+      });
+      if (!is_free) continue;
+      set[i] = body;
+      near.add(i, body.center);
+      starts[i] = Start{body.rotation, body.center};
+    }
+  }
+  return starts;
+}
+
+/// The direction across most of a fruit's slices: that of its largest cut face, towards the first axis it has any of.
+glm::dvec3 cutting_direction(std::span<const Arranged> pieces, const std::vector<std::size_t>& fruit) {
+  double largest = -1;
+  glm::dvec3 direction = upwards;
+  for (const std::size_t i : fruit) {
+    if (pieces[i].shape->up == glm::dvec3(0) || pieces[i].shape->size <= largest) continue;
+    largest = pieces[i].shape->size;
+    direction = pieces[i].shape->up;
+  }
+  for (const int axis : {1, 0, 2}) {
+    if (std::fabs(direction[axis]) < 1e-3) continue;
+    return direction[axis] < 0 ? -direction : direction;
+  }
+  return direction;
+}
+
+/// Each fruit lies along a line, its pieces pulled apart as they lean backwards.
+Starts in_order_of_cut(std::span<const Arranged> pieces, const Arrangement& how, const Dish& dish) {
+  std::map<int, std::vector<std::size_t>> fruits;
+  for (std::size_t i = 0; i < pieces.size(); ++i) fruits[pieces[i].fruit].push_back(i);
+  double widest = 0;
+  for (const Arranged& piece : pieces) widest = std::max(widest, 2 * piece.shape->radius);
+  const double pitch = how.line > 0 ? how.line : widest + how.gap;
+  const glm::dquat heading = turn_about(upwards, how.turn);
+  const glm::dquat leaning = turn_about({0, 0, 1}, how.lean);
+
+  Starts starts(pieces.size());
+  double line = -0.5 * pitch * static_cast<double>(fruits.size() - 1);
+  for (auto& [number, fruit] : fruits) {
+    // The direction of the cuts along the line, with the fruit's axis or front upwards.
+    const glm::dvec3 direction = cutting_direction(pieces, fruit);
+    const glm::dquat along = turn_between(direction, {1, 0, 0});
+    std::stable_sort(fruit.begin(), fruit.end(), [&](std::size_t a, std::size_t b) {
+      return glm::dot(pieces[a].shape->center, direction) < glm::dot(pieces[b].shape->center, direction);
+    });
+
+    // One behind the other: as far apart as their boxes ask for when they lean alike.
+    std::vector<RigidBody> bodies;
+    double length = 0;
+    std::vector<double> middle;
+    for (const std::size_t i : fruit) {
+      const glm::dvec3 thickness = tight_box(RigidBody(*pieces[i].shape, along, glm::dvec3(0))).size();
+      const double share = thickness.x / reproducible::cos(how.lean) + how.gap;
+      bodies.emplace_back(*pieces[i].shape, leaning * along, glm::dvec3(0));
+      middle.push_back(length + 0.5 * share);
+      length += share;
+    }
+    for (std::size_t k = 0; k < fruit.size(); ++k) {
+      const glm::dvec3 center = tight_box(bodies[k]).center();
+      const glm::dvec3 place = in_dish(how, middle[k] - 0.5 * length - center.x, line - center.z);
+      RigidBody body(*pieces[fruit[k]].shape, heading * bodies[k].rotation, {place.x, 0, place.z});
+      body.center.y = dish.rim_height() - static_cast<double>(body.box.low.y) + 0.01 * body.shape->size;
+      body.refresh();
+      set_down(body, dish, upwards);
+      starts[fruit[k]] = Start{body.rotation, body.center};
+    }
+    line += pitch;
+  }
+  return starts;
+}
+
+}  // namespace
+
+bool has_upper_side(const Dish& dish) { return !UpperSide(dish.mesh().mesh, dish.form()).empty(); }
+
+Starts arranged(std::span<const Arranged> pieces, const Arrangement& how, const Dish& dish, const RandomStream& draw,
+                const ArrangeOptions& options) {
+  if (pieces.empty() || how.kind == ArrangementKind::heap) return Starts(pieces.size());
+  if (how.kind == ArrangementKind::as_cut) return in_order_of_cut(pieces, how, dish);
+  const std::vector<RigidBody> bodies = turned(pieces, draw, options);
+  if (how.kind == ArrangementKind::rows) return in_rows(pieces, bodies, how, dish, options.threads);
+  if (how.kind == ArrangementKind::grid) return in_grid(pieces, bodies, how, dish, options.threads);
+  return scattered(pieces, bodies, how, dish, draw, options);
+}
+
+}  // namespace pomona

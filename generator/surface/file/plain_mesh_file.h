@@ -1,0 +1,15 @@
+// A plain mesh from disk, whatever it is written as.
+#pragma once
+
+#include <filesystem>
+
+#include "generator/surface/file/plain_mesh.h"
+
+namespace pomona {
+
+/// Reads .obj, .glb or .ply; of surfaces the front's colour. Vertices that no triangle uses are left out.
+/// \throws Error (bad_data) for another ending, more than 64 MiB, or with the place in the file, (input_missing) if it
+/// cannot be read.
+PlainMesh read_plain_mesh(const std::filesystem::path& file);
+
+}  // namespace pomona
