@@ -34,6 +34,8 @@ struct CutCommand {
   bool section = false;
   double explode = 1;
   std::string pieces;
+  int piece = 0;
+  std::string faces = "fine";
   SharedOptions shared;
 };
 
@@ -57,10 +59,6 @@ void write_section_files(const std::vector<Output>& outputs, const Slices& slice
 
 void write_piece_files(const CutCommand& command, const std::vector<Output>& outputs, std::vector<Solid> pieces,
                        Delivery& delivery) {
-  for (Solid& piece : pieces) {
-    piece.seed = command.shared.seed;
-    for (const std::string& knife : command.knives) piece.knife += (piece.knife.empty() ? "" : " ") + knife;
-  }
   Scene in_place = gathered(std::move(pieces));
   in_place.paper = delivery.style().paper;
   if (!command.pieces.empty()) delivery.add(command.pieces, [&] { return piece_list(in_place); });
@@ -87,8 +85,8 @@ ExitStatus cut_fruit(const CutCommand& command) {
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command));
   check_levels(command.shared.lod, outputs);
-  if (command.section && (command.explode > 1 || !command.pieces.empty())) {
-    throw Error(ExitStatus::usage, "--explode and --pieces are about pieces: leave out --section");
+  if (command.section && (command.explode > 1 || command.piece > 0 || !command.pieces.empty())) {
+    throw Error(ExitStatus::usage, "--explode, --piece and --pieces are about pieces: leave out --section");
   }
   Delivery delivery(command.shared);
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
@@ -96,11 +94,14 @@ ExitStatus cut_fruit(const CutCommand& command) {
 
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
-  Slices slices = slice({source.grown, source.fruit, knives, source.name}, diffuser.get(),
-                        {.cut = {.threads = {command.shared.threads}},
+  CutOptions how = command.faces == "coarse" ? coarse_cut : CutOptions{};
+  how.threads = {command.shared.threads};
+  Slices slices = slice(slice_task(source, knives, command.piece), diffuser.get(),
+                        {.cut = how,
                          .pieces = !command.section,
                          .keep_section_colors = wants_textures(command.shared),
                          .threads = {command.shared.threads}});
+  check_piece(command.piece, slices);
   delivery.times.add(slices.times);
   delivery.warn(slices.warnings);
   count(slices, delivery.times);
@@ -138,10 +139,17 @@ DeclaredCommand cut_command(CLI::App& app) {
   command->add_flag("--section", options->section, "The bare section instead of pieces (.ply, .png or .svg)");
   command->add_option("--explode", options->explode, "Move pieces apart: their distance from the middle times this")
       ->check(CLI::Range(1.0, 10.0));
+  command->add_option("--piece", options->piece, "This piece alone, as numbered in the order of cutting")
+      ->check(CLI::Range(1, 1000000));
+  command
+      ->add_option("--faces", options->faces, "How finely cut faces are triangulated; scenes have coarse ones")
+      ->check(CLI::IsMember({"fine", "coarse"}))
+      ->capture_default_str();
   command->add_option("--pieces", options->pieces, "Also write what there is to know of each piece to this file (JSON)")
       ->type_name("FILE");
 
   // Options that other commands have too.
+  add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
   add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);

@@ -24,13 +24,15 @@ struct GrowCommand {
   std::optional<int> folds;
   bool sheets = false;
   bool surfaces = false;
+  int piece = 0;
   SharedOptions shared;
 };
 
 /// The shells of the fruit, cavity walls included, with nothing inside; or all its surfaces as glass.
-std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Delivery& delivery) {
-  if (as_glass) return glass_surfaces(source.grown, source.fruit, source.name);
-  Slices whole = slice({source.grown, source.fruit, {}, source.name}, nullptr);
+std::vector<Solid> whole_fruit(const FruitSource& source, const GrowCommand& command, Delivery& delivery) {
+  if (command.surfaces) return glass_surfaces(source.grown, source.fruit, source.name);
+  Slices whole = slice(slice_task(source, {}, command.piece), nullptr);
+  check_piece(command.piece, whole);
   delivery.times.add(whole.times);
   delivery.warn(whole.warnings);
   return std::move(whole.pieces);
@@ -54,7 +56,7 @@ ExitStatus grow_fruit(const GrowCommand& command) {
       continue;
     }
     if (!scene) {
-      scene = gathered(whole_fruit(source, command.surfaces, delivery));
+      scene = gathered(whole_fruit(source, command, delivery));
       scene->paper = delivery.style().paper;
     }
     delivery.add(output, *scene);
@@ -78,6 +80,8 @@ DeclaredCommand grow_command(CLI::App& app) {
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(CLI::Range(1, 64));
   command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");
   command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
+  command->add_option("--piece", options->piece, "Of a fruit in several bodies, this one alone")->check(CLI::Range(1, 1000000));
+  add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
   add_shared_options(*command, options->shared);
   return {command, [options] { return grow_fruit(*options); }};

@@ -33,10 +33,14 @@ std::string view_names() {
   return "VIEW:{" + names + "}";
 }
 
-/// CLI11 would read -1 as the largest seed there is.
-std::string no_seed(const std::string& text) {
+/// CLI11 would read -1 as the largest number there is.
+std::string no_count(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits ? "" : "--seed: \"" + text + "\" is not a whole number from 0";
+  return digits ? "" : "\"" + text + "\" is not a whole number from 0";
+}
+std::string no_seed(const std::string& text) {
+  const std::string wrong = no_count(text);
+  return wrong.empty() ? "" : "--seed: " + wrong;
 }
 
 }  // namespace
@@ -93,6 +97,17 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--stats", options.stats, "Write times and counts to this JSON file")->type_name("FILE");
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
   command.add_flag("--json", options.json, "Print the result as JSON");
+}
+
+void add_index_options(CLI::App& command, SharedOptions& options) {
+  command
+      .add_option("--index", options.index,
+                  "Which of the seed's variants, as files of scenes and batches tell it; with it seed 0 is a variant")
+      ->check([](const std::string& text) {
+        const std::string wrong = no_count(text);
+        return wrong.empty() ? "" : "--index: " + wrong;
+      });
+  command.add_flag("--as-drawn", options.as_drawn, "The curves as drawn, whatever the seed; grains follow it");
 }
 
 void add_ripeness_option(CLI::App& command, SharedOptions& options) {

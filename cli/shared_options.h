@@ -23,6 +23,8 @@ struct PictureSize {
 struct SharedOptions {
   std::uint64_t seed = 0;
   bool seed_given = false;
+  std::optional<std::uint64_t> index;  ///< of the variant in its scene; for commands that grow one fruit
+  bool as_drawn = false;               ///< likewise
   double variation = 1.0;
   bool curves_only = false;
   int threads = 0;
@@ -44,6 +46,9 @@ struct SharedOptions {
 
 /// Declares them all on a command. `options` must outlive the parsing.
 void add_shared_options(CLI::App& command, SharedOptions& options);
+
+/// --index and --as-drawn, for commands that grow one fruit.
+void add_index_options(CLI::App& command, SharedOptions& options);
 
 /// --ripeness, for commands that grow one fruit.
 void add_ripeness_option(CLI::App& command, SharedOptions& options);

@@ -38,18 +38,26 @@ GrowOptions grow_options(const BatchPlan& plan, const BatchVariant& which) {
           .ripeness = which.ripeness};
 }
 
+/// The template as the entry calls it.
+std::string source_of(const BatchPlan& plan, const BatchVariant& which) {
+  const PlannedEntry& entry = plan.entries[which.entry];
+  const auto at = std::find(entry.templates.begin(), entry.templates.end(), which.fruit) - entry.templates.begin();
+  const auto number = static_cast<std::size_t>(at);
+  const std::vector<TemplateWanted>& wanted = entry.wanted.templates;
+  return number < wanted.size() ? source_word(wanted[number].name) : plan.templates[which.fruit].name;
+}
+
 /// The pieces where they grew, as `pomona cut` has them, too.
 Scene pieces_of(const BatchEntry& entry, const GrownVariant& grown, const BatchItem& item, const std::string& name,
                 const Diffuser& diffuser, const Style& style, std::vector<std::string>& warnings) {
   Template variant = grown.variant();
   variant.individual.browning = item.browning;
+  PieceOrigin origin = grown.origin();
+  origin.growing.browning = item.browning;
   const std::vector<Knife>& knives = entry.knives[item.knives];
-  Slices slices = slice({grown.grown(), variant, knives, name}, &diffuser,
+  Slices slices = slice({.grown = grown.grown(), .variant = variant, .knives = knives, .name = name, .origin = origin},
+                        &diffuser,
                         {.cut = {.threads = alone}, .keep_section_colors = item.texture > 0, .threads = alone});
-  for (Solid& piece : slices.pieces) {
-    piece.seed = grown.which().seed;
-    for (const Knife& knife : knives) piece.knife += (piece.knife.empty() ? "" : " ") + knife.text;
-  }
   warnings = std::move(slices.warnings);
   Scene scene = gathered(std::move(slices.pieces));
   scene.paper = style.paper;
@@ -121,6 +129,7 @@ GrownVariant::GrownVariant(const BatchPlan& plan, const Variation& variation, co
   const VariantKey key{which.seed, 0};
   variant_ = how.as_drawn ? variant_of(variation.drawn(), key, how) : variant_of(variation, key, how);
   grown_ = grow(variant_, key, how);
+  origin_ = {.source = source_of(plan, which), .key = key, .growing = how};
 }
 
 std::string reason_of(const std::exception& error) {

@@ -13,8 +13,14 @@ namespace pomona {
 
 namespace {
 
-/// The largest that are wanted, in the order in which they were cut. Crumbs never are.
-std::vector<CutPiece> chosen(std::vector<CutPiece> cut, const PieceChoice& choice) {
+/// Which of the pieces are wanted, in the order in which they were cut.
+std::vector<std::size_t> chosen(const std::vector<CutPiece>& cut, const PieceChoice& choice) {
+  if (choice.only > 0) {
+    const auto only = static_cast<std::size_t>(choice.only - 1);
+    return only < cut.size() ? std::vector<std::size_t>{only} : std::vector<std::size_t>{};
+  }
+
+  // The largest; crumbs never are.
   double whole = 0;
   for (const CutPiece& piece : cut) whole += piece.volume;
   std::vector<std::size_t> order;
@@ -28,10 +34,33 @@ std::vector<CutPiece> chosen(std::vector<CutPiece> cut, const PieceChoice& choic
     order.resize(static_cast<std::size_t>(choice.take));
   }
   std::sort(order.begin(), order.end());
+  return order;
+}
 
+/// What a cut has left of a fruit.
+struct OpenedFruit {
+  Cut cut;                      ///< with the pieces that are wanted
+  std::vector<int> number;      ///< of each of them in the order of cutting, from 1
+  std::size_t piece_count = 0;  ///< wanted or not
+};
+
+OpenedFruit opened(Cut cut) {
+  OpenedFruit fruit{std::move(cut), {}, 0};
+  fruit.piece_count = fruit.cut.pieces.size();
+  for (std::size_t i = 0; i < fruit.piece_count; ++i) fruit.number.push_back(static_cast<int>(i + 1));
+  return fruit;
+}
+
+OpenedFruit with_chosen(OpenedFruit fruit, const PieceChoice& choice) {
+  const std::vector<std::size_t> order = chosen(fruit.cut.pieces, choice);
   std::vector<CutPiece> kept;
-  for (const std::size_t i : order) kept.push_back(std::move(cut[i]));
-  return kept;
+  fruit.number.clear();
+  for (const std::size_t i : order) {
+    kept.push_back(std::move(fruit.cut.pieces[i]));
+    fruit.number.push_back(static_cast<int>(i + 1));
+  }
+  fruit.cut.pieces = std::move(kept);
+  return fruit;
 }
 
 /// Takes the mark off interior vertices that no piece shows: nobody will see their colours.
@@ -48,17 +77,35 @@ Cut without_unseen(Cut cut) {
 }
 
 /// With the faces still without colours.
-Cut cut_open(const SliceTask& task, const CutOptions& options) {
-  Cut result = cut(task.grown.sheets, task.knives, options);
-  if (!task.choice) return result;
-  result.pieces = chosen(std::move(result.pieces), *task.choice);
-  return without_unseen(std::move(result));
+OpenedFruit cut_open(const SliceTask& task, const CutOptions& options) {
+  OpenedFruit fruit = opened(cut(task.grown.sheets, task.knives, options));
+  if (!task.choice) return fruit;
+  fruit = with_chosen(std::move(fruit), *task.choice);
+  fruit.cut = without_unseen(std::move(fruit.cut));
+  return fruit;
+}
+
+/// The task's origin, with how this was cut. What no command of the program cuts has none.
+PieceOrigin origin_of(const SliceTask& task, const CutOptions& how) {
+  PieceOrigin origin = task.origin;
+  origin.fruit = task.variant.name;
+  origin.variant = task.name;
+  origin.knives.clear();
+  for (const Knife& knife : task.knives) origin.knives.push_back(knife.text);
+  origin.coarse = !same_cut(how, CutOptions{});
+  if (origin.coarse && !same_cut(how, coarse_cut)) origin.source.clear();
+  return origin;
 }
 
 /// The pieces of one fruit as solids.
-std::vector<Solid> finished(std::span<const CutPiece> cut, const CrossSection& styled, const SliceTask& task,
+std::vector<Solid> finished(const OpenedFruit& fruit, const CrossSection& styled, const SliceTask& task,
                             const Diffuser* diffuser, const SliceOptions& options) {
-  std::vector<Solid> pieces = solids(cut, styled, task.variant, task.name);
+  std::vector<Solid> pieces = solids(fruit.cut.pieces, styled, task.variant, task.name);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    pieces[i].origin = origin_of(task, options.cut);
+    pieces[i].origin.number = fruit.number[i];
+    pieces[i].origin.pieces = static_cast<int>(fruit.piece_count);
+  }
   if (!options.keep_section_colors || diffuser == nullptr) return pieces;
   return with_section_colors(std::move(pieces),
                              std::make_shared<const SectionColors>(task.grown.sheets, task.variant, *diffuser));
@@ -71,16 +118,16 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
   if (tasks.empty()) return all;
 
   // Each fruit cut by itself, the faces still without colours.
-  std::vector<Cut> cuts(tasks.size());
+  std::vector<OpenedFruit> fruits(tasks.size());
   parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
-    cuts[i] = all[i].times.time("cut", [&] { return cut_open(tasks[i], options.cut); });
+    fruits[i] = all[i].times.time("cut", [&] { return cut_open(tasks[i], options.cut); });
   });
 
   // The colours of all faces, one batch.
   std::vector<CrossSection> sections;
   std::vector<const DiffusionSurfaces*> surfaces;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    sections.push_back(std::move(cuts[i].section));
+    sections.push_back(std::move(fruits[i].cut.section));
     surfaces.push_back(&tasks[i].grown.sheets);
   }
   if (diffuser) {
@@ -91,13 +138,13 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
   parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
     const SliceTask& task = tasks[i];
     Slices& slices = all[i];
-    slices.warnings = std::move(cuts[i].warnings);
+    slices.warnings = std::move(fruits[i].cut.warnings);
     slices.section = std::move(sections[i]);
-    slices.piece_count = cuts[i].pieces.size();
+    slices.piece_count = fruits[i].cut.pieces.size();
     slices.times.time("style", [&] {
       slices.styled = guided(browned(slices.section, task.grown.sheets, task.variant, options.threads),
                              task.grown.swept, task.variant, options.threads, task.grown.skin.get());
-      if (options.pieces) slices.pieces = finished(cuts[i].pieces, slices.styled, task, diffuser, options);
+      if (options.pieces) slices.pieces = finished(fruits[i], slices.styled, task, diffuser, options);
     });
     if (options.one_done) options.one_done();
   });

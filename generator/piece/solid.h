@@ -11,6 +11,7 @@
 
 #include "generator/base/color.h"
 #include "generator/cut/cut.h"
+#include "generator/piece/piece_origin.h"
 #include "generator/template/template.h"
 
 namespace pomona {
@@ -37,8 +38,7 @@ struct Solid {
   float opacity = 1.0f;    ///< below 1 where one sees through it, looking at right angles
   double volume = 0;       ///< cubic metres
   double density = 1000;   ///< kilograms per cubic metre; that of water, as long as nothing says otherwise
-  std::uint64_t seed = 0;  ///< of the variant it was cut from
-  std::string knife;       ///< the knives that cut it, one after another, parted by spaces
+  PieceOrigin origin;
   bool closed = true;
   bool crumb = false;
 

@@ -117,6 +117,7 @@ std::optional<double> drawn_between(const std::optional<Within>& range, VariantK
 struct GrownVariant {
   Template variant;
   GrownFruit grown;
+  PieceOrigin origin;
   StageClock clock;
 };
 
@@ -135,6 +136,7 @@ GrownVariant grown_variant(const SceneDescription& scene, const PiecesDescriptio
   made.variant = made.clock.time(
       "vary", [&] { return variation ? variant_of(*variation, key, how) : variant_of(fruit, key, how); });
   made.grown = made.clock.time("sweep", [&] { return grow(made.variant, key, how); });
+  made.origin = {.source = source_word(pieces.template_name), .key = key, .growing = how, .entry = pieces.name};
   return made;
 }
 
@@ -148,7 +150,8 @@ SliceTask task_of(const PiecesDescription& pieces, int number, const GrownVarian
           .variant = made.variant,
           .knives = pieces.knives,
           .name = variant_name(pieces, number),
-          .choice = PieceChoice{.smallest = pieces.smallest, .largest = pieces.largest, .take = pieces.take}};
+          .choice = PieceChoice{.smallest = pieces.smallest, .largest = pieces.largest, .take = pieces.take},
+          .origin = made.origin};
 }
 
 /// What the report tells of one variant.
