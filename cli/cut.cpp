@@ -42,7 +42,7 @@ struct CutCommand {
 /// A bare section has no solid to put into a scene format.
 std::vector<Format> formats_for(const CutCommand& command) {
   if (command.section) return {Format::ply, Format::png, Format::svg};
-  return {Format::ply, Format::glb, Format::pov, Format::png, Format::svg};
+  return {Format::ply, Format::glb, Format::usda, Format::pov, Format::png, Format::svg};
 }
 
 /// The section's file keeps what was diffused; its pictures show what pieces show.
@@ -84,7 +84,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   std::vector<Knife> knives;
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command));
-  check_levels(command.shared.lod, outputs);
+  check_exports(command.shared, outputs);
   if (command.section && (command.explode > 1 || command.piece > 0 || !command.pieces.empty())) {
     throw Error(ExitStatus::usage, "--explode, --piece and --pieces are about pieces: leave out --section");
   }
@@ -128,7 +128,7 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("-o,--output", options->outputs, "What to write: .ply, .glb, .pov, .png or .svg")
+  command->add_option("-o,--output", options->outputs, "What to write: .ply, .glb, .usda, .pov, .png or .svg")
       ->type_name("FILE")
       ->required()
       ->expected(1)

@@ -41,8 +41,8 @@ std::vector<Solid> whole_fruit(const FruitSource& source, const GrowCommand& com
 ExitStatus grow_fruit(const GrowCommand& command) {
   // Outputs that cannot be are refused before anything is grown.
   const std::vector<Output> outputs =
-      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg});
-  check_levels(command.shared.lod, outputs);
+      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::usda, Format::pov, Format::png, Format::svg});
+  check_exports(command.shared, outputs);
   Delivery delivery(command.shared);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
 
@@ -72,7 +72,7 @@ DeclaredCommand grow_command(CLI::App& app) {
   const auto options = std::make_shared<GrowCommand>();
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
-  command->add_option("-o,--output", options->outputs, "What to write: .ply (surfaces), .glb, .pov, .png or .svg")
+  command->add_option("-o,--output", options->outputs, "What to write: .ply (surfaces), .glb, .usda, .pov, .png or .svg")
       ->type_name("FILE")
       ->required()
       ->expected(1)

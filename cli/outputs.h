@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-enum class Format { ply, glb, pov, png, svg, json };
+enum class Format { ply, glb, usda, pov, png, svg, json };
 
 struct Output {
   std::filesystem::path file;
@@ -19,8 +19,9 @@ struct Output {
 /// not exist or cannot be written to.
 std::vector<Output> parse_outputs(const std::vector<std::string>& names, const std::vector<Format>& allowed);
 
-/// \throws Error (usage) if levels of detail are asked for, and no output holds them.
-void check_levels(int levels, const std::vector<Output>& outputs);
+/// \param option "--lod": what was asked for. \param holding the formats that heed it.
+/// \throws Error (usage) if no output is one of them.
+void check_heeded(const std::string& option, const std::vector<Format>& holding, const std::vector<Output>& outputs);
 
 /// An absent or read-only folder is told now, not after minutes of work. \throws Error (cannot_create)
 void check_folder(const std::filesystem::path& file);

@@ -48,8 +48,8 @@ std::string style_of(const SceneDescription& scene, const std::filesystem::path&
 ExitStatus compose_scene(const SceneCommand& command) {
   // Outputs that cannot be are refused before anything is composed.
   const std::vector<Output> outputs =
-      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg, Format::json});
-  check_levels(command.shared.lod, outputs);
+      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::usda, Format::pov, Format::png, Format::svg, Format::json});
+  check_exports(command.shared, outputs);
   Delivery delivery(command.shared);
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
@@ -88,7 +88,7 @@ DeclaredCommand scene_command(CLI::App& app) {
       ->required();
   command
       ->add_option("-o,--output", options->outputs,
-                   "What to write: .glb, .pov, .png, .svg, .ply, or .json (the layout)")
+                   "What to write: .glb, .usda, .pov, .png, .svg, .ply, or .json (the layout)")
       ->type_name("FILE")
       ->required()
       ->expected(1)

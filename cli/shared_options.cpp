@@ -89,6 +89,13 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
       .add_option("--lod", options.lod,
                   ".glb: each solid at so many further levels of detail, with a half, a quarter, ... of the triangles")
       ->check(CLI::Range(1, 6));
+  command
+      .add_option("--engine", options.engine,
+                  ".glb: names as this engine's importer expects them, and convex hulls to collide with")
+      ->check(CLI::IsMember({"godot", "unreal", "unity"}));
+  command.add_flag("--instances", options.instances,
+                   ".glb, .usda: pieces that repeat are one node with many places, one prim");
+  command.add_flag("--feature-ids", options.feature_ids, ".glb: parts as EXT_mesh_features, too");
   command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
       ->type_name(view_names());

@@ -13,7 +13,7 @@
 #include "generator/piece/lod/levels_of_detail.h"
 #include "generator/piece/slice.h"
 #include "generator/scene/lay_out.h"
-#include "render/export/gltf.h"
+#include "render/export/gltf/write_glb.h"
 #include "render/export/ply.h"
 #include "render/export/svg.h"
 #include "render/image/png.h"
@@ -115,6 +115,15 @@ std::vector<NamedFile> asset_files(const AssetOptions& assets, const BatchItem& 
   return files;
 }
 
+/// As Delivery's: the item is what `pomona cut` makes with the same words.
+std::string command_words(const BatchItem& item) {
+  std::string words;
+  if (item.quality != Quality::final) words += std::string(" --quality ") + name_of(item.quality);
+  if (item.texture > 0) words += " --texture " + std::to_string(item.texture);
+  if (item.lod > 0) words += " --lod " + std::to_string(item.lod);
+  return words;
+}
+
 std::vector<RecordedFile> recorded(const std::vector<NamedFile>& files) {
   std::vector<RecordedFile> records;
   for (const NamedFile& file : files) records.push_back({file.name, file.bytes.size(), sha256(file.bytes)});
@@ -154,6 +163,7 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Grown
       const ExportOptions options{
           .style = style,
           .provenance = std::string("pomona ") + version + ", seed " + std::to_string(which.seed),
+          .command_words = command_words(item),
           .threads = alone};
       made.files = asset_files(entry.wanted.assets, item, scene, name, options);
       outcome.pieces = scene.solids;

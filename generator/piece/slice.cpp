@@ -41,13 +41,17 @@ std::vector<std::size_t> chosen(const std::vector<CutPiece>& cut, const PieceCho
 struct OpenedFruit {
   Cut cut;                      ///< with the pieces that are wanted
   std::vector<int> number;      ///< of each of them in the order of cutting, from 1
+  std::vector<std::uint8_t> on_skin = {};  ///< per part: whether any piece, wanted or not, has it on its skin
   std::size_t piece_count = 0;  ///< wanted or not
 };
 
 OpenedFruit opened(Cut cut) {
-  OpenedFruit fruit{std::move(cut), {}, 0};
+  OpenedFruit fruit{.cut = std::move(cut), .number = {}};
   fruit.piece_count = fruit.cut.pieces.size();
   for (std::size_t i = 0; i < fruit.piece_count; ++i) fruit.number.push_back(static_cast<int>(i + 1));
+  fruit.on_skin.resize(fruit.cut.section.part_names.size());
+  for (const CutPiece& piece : fruit.cut.pieces)
+    for (const std::int32_t part : piece.part) fruit.on_skin.at(static_cast<std::size_t>(part)) = 1;
   return fruit;
 }
 
@@ -103,6 +107,7 @@ std::vector<Solid> finished(const OpenedFruit& fruit, const CrossSection& styled
   std::vector<Solid> pieces = solids(fruit.cut.pieces, styled, task.variant, task.name);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     pieces[i].origin = origin_of(task, options.cut);
+    pieces[i].on_skin = fruit.on_skin;
     pieces[i].origin.number = fruit.number[i];
     pieces[i].origin.pieces = static_cast<int>(fruit.piece_count);
   }

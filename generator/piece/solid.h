@@ -32,6 +32,7 @@ struct Solid {
   std::vector<std::int32_t> surface;   ///< per triangle: surface for skin, -1 on cut faces; for ink
   std::vector<std::string> part_names;
   std::vector<MaterialSketch> materials;  ///< per part; fewer: the others have the default
+  std::vector<std::uint8_t> on_skin;      ///< per part: whether the whole fruit shows it; empty where nobody knows
   NoiseStyle noise;
   std::vector<DetailSketch> details;
   InkStyle ink;
