@@ -25,7 +25,7 @@
 #include "generator/piece/slice.h"
 #include "generator/scene/scene.h"
 #include "generator/template/read/read_template.h"
-#include "render/export/gltf.h"
+#include "render/export/gltf/write_glb.h"
 
 namespace {
 

@@ -36,13 +36,15 @@ struct CutCommand {
   double explode = 1;
   bool crumbs = false;
   std::string pieces;
+  int piece = 0;
+  std::string faces = "fine";
   SharedOptions shared;
 };
 
 /// A bare section has no solid to put into a scene format.
 std::vector<Format> formats_for(const CutCommand& command) {
   if (command.section) return {Format::ply, Format::png, Format::svg};
-  return {Format::ply, Format::glb, Format::obj, Format::stl, Format::pov, Format::png, Format::svg};
+  return {Format::ply, Format::glb, Format::usda, Format::obj, Format::stl, Format::pov, Format::png, Format::svg};
 }
 
 /// The section's file keeps what was diffused; its pictures show what pieces show.
@@ -59,10 +61,6 @@ void write_section_files(const std::vector<Output>& outputs, const Slices& slice
 
 void write_piece_files(const CutCommand& command, const std::vector<Output>& outputs, std::vector<Solid> pieces,
                        Delivery& delivery) {
-  for (Solid& piece : pieces) {
-    piece.seed = command.shared.seed;
-    for (const std::string& knife : command.knives) piece.knife += (piece.knife.empty() ? "" : " ") + knife;
-  }
   Scene in_place = gathered(std::move(pieces));
   in_place.paper = delivery.style().paper;
   if (!command.pieces.empty()) delivery.add(command.pieces, [&] { return piece_list(in_place); });
@@ -88,9 +86,9 @@ ExitStatus cut_fruit(const CutCommand& command) {
   std::vector<Knife> knives;
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command), command.shared.format);
-  check_levels(command.shared.lod, outputs);
-  if (command.section && (command.explode > 1 || !command.pieces.empty())) {
-    throw Error(ExitStatus::usage, "--explode and --pieces are about pieces: leave out --section");
+  check_exports(command.shared, outputs);
+  if (command.section && (command.explode > 1 || command.piece > 0 || !command.pieces.empty())) {
+    throw Error(ExitStatus::usage, "--explode, --piece and --pieces are about pieces: leave out --section");
   }
   if (!command.pieces.empty()) check_other_file("--pieces", command.pieces, outputs);
   Delivery delivery(command.shared);
@@ -100,16 +98,16 @@ ExitStatus cut_fruit(const CutCommand& command) {
 
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
-  Slices slices = slice({.grown = source.grown,
-                         .variant = source.fruit,
-                         .knives = knives,
-                         .name = source.name,
-                         .crumbs = command.crumbs},
-                        diffuser.get(),
-                        {.cut = {.threads = {command.shared.threads}},
+  CutOptions how = command.faces == "coarse" ? coarse_cut : CutOptions{};
+  how.threads = {command.shared.threads};
+  SliceTask task = slice_task(source, knives, command.piece);
+  task.crumbs = command.crumbs;
+  Slices slices = slice(task, diffuser.get(),
+                        {.cut = how,
                          .pieces = !command.section,
                          .keep_section_colors = wants_textures(command.shared),
                          .threads = {command.shared.threads}});
+  check_piece(command.piece, slices);
   delivery.times.add(slices.times);
   delivery.warn(slices.warnings);
   count(slices, delivery.times);
@@ -138,7 +136,7 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       ->add_option("-o,--output", options->outputs,
-                   "What to write: .ply, .glb, .obj, .stl, .pov, .png or .svg; - is standard output")
+                   "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png or .svg; - is standard output")
       ->type_name("FILE")
       ->required()
       ->expected(1)
@@ -150,10 +148,17 @@ DeclaredCommand cut_command(CLI::App& app) {
   command->add_option("--explode", options->explode, "Move pieces apart: their distance from the middle times this")
       ->check(between(1.0, 10.0));
   command->add_flag("--crumbs", options->crumbs, "Keep bits below a millionth of the fruit as pieces of their own");
+  command->add_option("--piece", options->piece, "This piece alone, as numbered in the order of cutting")
+      ->check(whole_between(1, 1000000));
+  command
+      ->add_option("--faces", options->faces, "How finely cut faces are triangulated; scenes have coarse ones")
+      ->check(one_of({"fine", "coarse"}))
+      ->capture_default_str();
   command->add_option("--pieces", options->pieces, "Also write what there is to know of each piece to this file (JSON)")
       ->type_name("FILE");
 
   // Options that other commands have too.
+  add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
   add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);

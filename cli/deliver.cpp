@@ -10,13 +10,16 @@
 #include "cli/scene_levels.h"
 #include "cli/version.h"
 #include "generator/base/error.h"
+#include "generator/base/shell_words.h"
 #include "generator/piece/lod/levels_of_detail.h"
-#include "render/export/gltf.h"
+#include "generator/piece/piece_origin.h"
+#include "render/export/gltf/write_glb.h"
 #include "render/export/obj.h"
 #include "render/export/ply.h"
 #include "render/export/pov.h"
 #include "render/export/stl.h"
 #include "render/export/svg.h"
+#include "render/export/usd/write_usda.h"
 #include "render/gl/context.h"
 #include "render/gl/scene_picture.h"
 #include "render/image/png.h"
@@ -29,10 +32,10 @@ namespace pomona {
 
 namespace {
 
-ExportOptions export_options(const SharedOptions& options, const Style& style) {
-  return {.style = style,
-          .provenance = std::string("pomona ") + version + ", seed " + std::to_string(options.seed),
-          .threads = {options.threads}};
+Engine engine_called(const std::string& name) {
+  if (name == "godot") return Engine::godot;
+  if (name == "unreal") return Engine::unreal;
+  return name == "unity" ? Engine::unity : Engine::any;
 }
 
 /// The parts that face the air around the fruit, by their surfaces' names.
@@ -48,10 +51,22 @@ OutsideParts outside_parts(const Template& fruit) {
 
 }  // namespace
 
+void check_exports(const SharedOptions& options, const std::vector<Output>& outputs) {
+  if (options.lod > 0) check_heeded("--lod", {Format::glb, Format::usda}, outputs);
+  if (!options.engine.empty()) check_heeded("--engine", {Format::glb}, outputs);
+  if (options.instances) check_heeded("--instances", {Format::glb, Format::usda}, outputs);
+  if (options.feature_ids) check_heeded("--feature-ids", {Format::glb}, outputs);
+  if (options.instances && (options.engine == "godot" || options.engine == "unreal")) {
+    throw Error(ExitStatus::usage, "--instances: " + options.engine + " does not read EXT_mesh_gpu_instancing",
+                "leave it out: the meshes of pieces that repeat are shared anyway");
+  }
+}
+
 Delivery::Delivery(const SharedOptions& options)
     : progress(options.quiet),
       options_(options),
       style_(find_style(options.style.empty() ? "ink" : options.style)),
+      style_word_(source_word(options.style)),
       size_(picture_size(options)),
       view_(view_direction(options)),
       texel_(texel_size(options)) {
@@ -59,7 +74,35 @@ Delivery::Delivery(const SharedOptions& options)
 }
 
 void Delivery::set_default_style(const std::string& name_or_path) {
-  if (options_.style.empty()) style_ = find_style(name_or_path);
+  if (!options_.style.empty()) return;
+  style_ = find_style(name_or_path);
+  style_word_ = source_word(name_or_path);
+}
+
+/// What colours pieces, and as what: the words of a command that makes one of them again.
+std::string Delivery::command_words() const {
+  const SharedOptions usual;
+  std::string words;
+  const auto add = [&](const char* option, const std::string& value, const std::string& usual_value) {
+    if (value != usual_value) words += std::string(" ") + option + " " + shell_word(value);
+  };
+  add("--quality", options_.quality, usual.quality);
+  add("--diffuser", options_.diffuser, usual.diffuser);
+  add("--style", style_word_.empty() ? "ink" : style_word_, "ink");
+  add("--texture", std::to_string(options_.texture), std::to_string(usual.texture));
+  add("--texel", options_.texel, usual.texel);
+  add("--lod", std::to_string(options_.lod), std::to_string(usual.lod));
+  return words;
+}
+
+ExportOptions Delivery::export_options() const {
+  return {.style = style_,
+          .provenance = std::string("pomona ") + version + ", seed " + std::to_string(options_.seed),
+          .command_words = command_words(),
+          .threads = {options_.threads},
+          .instances = options_.instances,
+          .feature_ids = options_.feature_ids,
+          .engine = engine_called(options_.engine)};
 }
 
 void Delivery::add(const std::filesystem::path& file, const std::function<std::string()>& make) {
@@ -67,7 +110,7 @@ void Delivery::add(const std::filesystem::path& file, const std::function<std::s
 }
 
 void Delivery::add(const Output& output, const Scene& scene) {
-  const ExportOptions options = export_options(options_, style_);
+  const ExportOptions options = export_options();
   switch (output.format) {
     case Format::ply:
       return add(output.file, [&] { return write_solids(scene, options); });
@@ -77,6 +120,8 @@ void Delivery::add(const Output& output, const Scene& scene) {
       return add(output.file, [&] { return write_obj(scene, options); });
     case Format::stl:
       return add(output.file, [&] { return write_stl(scene); });
+    case Format::usda:
+      return add_usda(output, scene);
     case Format::pov:
       return add_pov(output, scene);
     case Format::png:
@@ -101,7 +146,7 @@ std::vector<std::vector<Solid>> Delivery::levels_of(const Scene& scene) {
 }
 
 void Delivery::add_glb(const Output& output, const Scene& scene) {
-  const ExportOptions options = export_options(options_, style_);
+  const ExportOptions options = export_options();
   const std::vector<std::vector<Solid>> levels = levels_of(scene);
   if (!wants_textures(options_)) return add(output.file, [&] { return write_glb(scene, options, levels); });
 
@@ -112,6 +157,11 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
   count_texels(baked_solids);
   for (const std::vector<BakedSolid>& of_solid : coarser) count_texels(of_solid);
   add(output.file, [&] { return write_glb(scene, baked_solids, options, coarser); });
+}
+
+void Delivery::add_usda(const Output& output, const Scene& scene) {
+  const std::vector<std::vector<Solid>> levels = levels_of(scene);
+  add(output.file, [&] { return write_usda(scene, export_options(), levels); });
 }
 
 void Delivery::count_texels(const std::vector<BakedSolid>& baked_solids) {
@@ -166,7 +216,7 @@ void Delivery::add_lines(const Output& output, const Scene& scene) {
   const StrokeOptions options{.width = size.width, .height = size.height, .threads = {options_.threads}};
   const std::vector<SceneStroke> strokes = times.time("style", [&] { return scene_strokes(seen, style_, options); });
   if (!style_.ink) warn({"the style " + style_.name + " has no ink: " + output.file.string() + " holds no lines"});
-  const std::string made_by = export_options(options_, style_).provenance;
+  const std::string made_by = export_options().provenance;
   const std::vector<PlateLayer> around = plate_layers(plate, seen, size);
   add(output.file, [&] { return write_svg(seen, strokes, size.width, size.height, made_by, around); });
 }
@@ -177,7 +227,7 @@ void Delivery::add_pov(const Output& output, const Scene& scene) {
   const StrokeOptions options{.width = ink.width, .height = ink.height, .threads = {options_.threads}};
   ink.strokes = times.time("style", [&] { return scene_strokes(scene, style_, options); });
   const std::string stem = output.file.stem().string();
-  const ExportOptions as_mesh = export_options(options_, style_);
+  const ExportOptions as_mesh = export_options();
   for (NamedFile& file : times.time("write", [&] { return write_pov(scene, stem, as_mesh, ink); })) {
     files_.push_back({output.file.parent_path() / file.name, std::move(file.bytes)});
   }
@@ -192,7 +242,7 @@ void Delivery::add_section_picture(const Output& output, const CrossSection& sec
                                       .threads = {options_.threads}};
   const Look look(fruit.noise, fruit.details);
   if (output.format == Format::svg) {
-    const std::string made_by = export_options(options_, style_).provenance;
+    const std::string made_by = export_options().provenance;
     return add(output.file, [&] { return write_section_svg(section, look, fruit.ink, style_, options, made_by); });
   }
   const Image image = times.time("style", [&] { return draw_section(section, look, fruit.ink, style_, options); });

@@ -13,11 +13,15 @@
 #include "cli/stage_times.h"
 #include "generator/scene/scene.h"
 #include "render/export/output.h"
+#include "render/export/styled_mesh.h"
 #include "render/plate/plate.h"
 #include "render/style/style.h"
 #include "render/texture/bake.h"
 
 namespace pomona {
+
+/// \throws Error (usage) if something is asked for that no output holds, or that does not go together.
+void check_exports(const SharedOptions& options, const std::vector<Output>& outputs);
 
 /// Collects a command's outputs and writes them together: all of them appear, or none.
 class Delivery {
@@ -61,13 +65,18 @@ class Delivery {
                                               const PictureSize& size);
   std::optional<Plate> plate_for(const Scene& scene, const PictureSize& size) const;
   Scene fitted(Scene scene, const PictureSize& size, const std::optional<Plate>& plate) const;
+  void add_usda(const Output& output, const Scene& scene);
   void add_glb(const Output& output, const Scene& scene);
   std::vector<std::vector<Solid>> levels_of(const Scene& scene);
   void count_texels(const std::vector<BakedSolid>& baked_solids);
   void say_what_was_written();
 
+  ExportOptions export_options() const;
+  std::string command_words() const;
+
   const SharedOptions& options_;
   Style style_;
+  std::string style_word_;  ///< what names it; empty = the default
   std::optional<PlateText> plate_text_;
   PictureSize default_size_{960, 720};
   std::optional<PictureSize> size_;

@@ -14,7 +14,7 @@
 #include "cli/farm/farm_folder.h"
 #include "cli/farm/farm_job.h"
 #include "cli/farm/farm_status.h"
-#include "cli/farm/shell_words.h"
+#include "generator/base/shell_words.h"
 #include "cli/farm/slurm_queue.h"
 #include "cli/farm/slurm_scripts.h"
 #include "cli/option_checks.h"

@@ -29,10 +29,25 @@ FruitSource from_surface_file(const std::filesystem::path& file, const SharedOpt
   source.fruit.parts = source.grown.swept.part_names;
   source.grown.sheets = times.time("sweep", [&] { return sheets(source.grown.swept); });
   times.count("surface_triangles", static_cast<std::int64_t>(source.grown.sheets.triangle_count()));
+  source.origin = {.source = source_word(file.string()), .growing = {.as_drawn = true}};
   return source;
 }
 
 }  // namespace
+
+SliceTask slice_task(const FruitSource& source, std::span<const Knife> knives, int piece) {
+  SliceTask task{
+      .grown = source.grown, .variant = source.fruit, .knives = knives, .name = source.name, .origin = source.origin};
+  if (piece == 0) return task;
+  task.name += ".piece-" + std::to_string(piece);
+  task.choice = PieceChoice{.only = piece};
+  return task;
+}
+
+void check_piece(int piece, const Slices& slices) {
+  if (piece == 0 || slices.piece_count > 0) return;
+  throw Error(ExitStatus::usage, "--piece " + std::to_string(piece) + ": there are fewer pieces");
+}
 
 FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& options, std::optional<int> folds,
                        StageTimes& times) {
@@ -40,21 +55,23 @@ FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& opt
   check_kind(file, FileKind::fruit);
   if (file.extension() == ".ply") return from_surface_file(file, options, folds, times);
 
-  // Seed 0 on the command line is the template as drawn.
-  const VariantKey key{options.seed, 0};
-  const GrowOptions grow_options{.as_drawn = options.seed == 0,
+  // Seed 0 on the command line is the template as drawn; with an index it is a variant, as in scenes.
+  const VariantKey key{options.seed, options.index.value_or(0)};
+  const GrowOptions grow_options{.as_drawn = options.as_drawn || (options.seed == 0 && !options.index),
                                  .variation = options.variation,
                                  .curves_only = options.curves_only,
                                  .folds = folds,
                                  .detail = options.detail,
                                  .ripeness = options.ripeness,
                                  .browning = options.browning,
+                                 .scale = options.scale,
                                  .threads = {options.threads}};
   FruitSource source;
   source.name = file.stem().string();
   const Template drawn = times.time("read", [&] { return read_template(file); });
   source.fruit = times.time("vary", [&] { return variant_of(drawn, key, grow_options); });
   source.grown = times.time("sweep", [&] { return grow(source.fruit, key, grow_options); });
+  source.origin = {.source = source_word(name_or_path), .key = key, .growing = grow_options};
   times.count("surface_triangles", static_cast<std::int64_t>(source.grown.sheets.triangle_count()));
   return source;
 }

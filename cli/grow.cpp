@@ -25,13 +25,15 @@ struct GrowCommand {
   std::optional<int> folds;
   bool sheets = false;
   bool surfaces = false;
+  int piece = 0;
   SharedOptions shared;
 };
 
 /// The shells of the fruit, cavity walls included, with nothing inside; or all its surfaces as glass.
-std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Delivery& delivery) {
-  if (as_glass) return glass_surfaces(source.grown, source.fruit, source.name);
-  Slices whole = slice({source.grown, source.fruit, {}, source.name}, nullptr);
+std::vector<Solid> whole_fruit(const FruitSource& source, const GrowCommand& command, Delivery& delivery) {
+  if (command.surfaces) return glass_surfaces(source.grown, source.fruit, source.name);
+  Slices whole = slice(slice_task(source, {}, command.piece), nullptr);
+  check_piece(command.piece, whole);
   delivery.times.add(whole.times);
   delivery.warn(whole.warnings);
   return std::move(whole.pieces);
@@ -39,10 +41,11 @@ std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Deliver
 
 ExitStatus grow_fruit(const GrowCommand& command) {
   // Outputs that cannot be are refused before anything is grown.
-  const std::vector<Output> outputs = parse_outputs(
-      command.outputs, {Format::ply, Format::glb, Format::obj, Format::stl, Format::pov, Format::png, Format::svg},
-      command.shared.format);
-  check_levels(command.shared.lod, outputs);
+  const std::vector<Output> outputs =
+      parse_outputs(command.outputs,
+                    {Format::ply, Format::glb, Format::usda, Format::obj, Format::stl, Format::pov, Format::png, Format::svg},
+                    command.shared.format);
+  check_exports(command.shared, outputs);
   Delivery delivery(command.shared);
   delivery.warn(idle_options(command.shared, outputs));
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
@@ -57,7 +60,7 @@ ExitStatus grow_fruit(const GrowCommand& command) {
       continue;
     }
     if (!scene) {
-      scene = gathered(whole_fruit(source, command.surfaces, delivery));
+      scene = gathered(whole_fruit(source, command, delivery));
       scene->paper = delivery.style().paper;
     }
     delivery.add(output, *scene);
@@ -75,7 +78,7 @@ DeclaredCommand grow_command(CLI::App& app) {
       ->required();
   command
       ->add_option("-o,--output", options->outputs,
-                   "What to write: .ply (surfaces), .glb, .obj, .stl, .pov, .png or .svg; - is standard output")
+                   "What to write: .ply (surfaces), .glb, .usda, .obj, .stl, .pov, .png or .svg; - is standard output")
       ->type_name("FILE")
       ->required()
       ->expected(1)
@@ -83,6 +86,8 @@ DeclaredCommand grow_command(CLI::App& app) {
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
   command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");
   command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
+  command->add_option("--piece", options->piece, "Of a fruit in several bodies, this one alone")->check(CLI::Range(1, 1000000));
+  add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
   add_shared_options(*command, options->shared);
   return {command, [options] { return grow_fruit(*options); }};

@@ -18,8 +18,9 @@ namespace pomona {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, Format>, 8> endings = {{{".ply", Format::ply},
+constexpr std::array<std::pair<const char*, Format>, 9> endings = {{{".ply", Format::ply},
                                                                     {".glb", Format::glb},
+                                                                    {".usda", Format::usda},
                                                                     {".obj", Format::obj},
                                                                     {".stl", Format::stl},
                                                                     {".pov", Format::pov},
@@ -118,10 +119,14 @@ void check_other_file(const std::string& option, const std::string& file, const 
   check_folder(file);
 }
 
-void check_levels(int levels, const std::vector<Output>& outputs) {
-  const auto is_glb = [](const Output& output) { return output.format == Format::glb; };
-  if (levels > 0 && std::none_of(outputs.begin(), outputs.end(), is_glb))
-    throw Error(ExitStatus::usage, "--lod is about .glb: no output is one", "add -o FILE.glb");
+void check_heeded(const std::string& option, const std::vector<Format>& holding, const std::vector<Output>& outputs) {
+  const auto heeds = [&](const Output& output) {
+    return std::find(holding.begin(), holding.end(), output.format) != holding.end();
+  };
+  if (std::any_of(outputs.begin(), outputs.end(), heeds)) return;
+  const std::string list = list_of(holding);
+  throw Error(ExitStatus::usage, option + " is about " + list + ": no output is one",
+              "add -o FILE" + list.substr(0, list.find(' ')));
 }
 
 }  // namespace pomona

@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-enum class Format { ply, glb, obj, stl, pov, png, svg, json };
+enum class Format { ply, glb, usda, obj, stl, pov, png, svg, json };
 
 struct Output {
   std::filesystem::path file;
@@ -27,8 +27,9 @@ std::vector<Output> parse_outputs(const std::vector<std::string>& names, const s
 /// \throws Error (usage) where --json and an output both want standard output.
 std::vector<std::string> idle_options(const SharedOptions& options, const std::vector<Output>& outputs);
 
-/// \throws Error (usage) if levels of detail are asked for, and no output holds them.
-void check_levels(int levels, const std::vector<Output>& outputs);
+/// \param option "--lod": what was asked for. \param holding the formats that heed it.
+/// \throws Error (usage) if no output is one of them.
+void check_heeded(const std::string& option, const std::vector<Format>& holding, const std::vector<Output>& outputs);
 
 /// A further file, named by `option`, which must be none of the outputs. \throws Error (usage, cannot_create)
 void check_other_file(const std::string& option, const std::string& file, const std::vector<Output>& outputs);

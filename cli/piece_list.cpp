@@ -20,8 +20,10 @@ std::string piece_list(const Scene& scene) {
     const Solid& solid = scene.solids[static_cast<std::size_t>(instance.solid)];
     const PieceFacts facts = facts_of(solid);
     pieces.push_back({{"name", instance.name},
-                      {"seed", solid.seed},
-                      {"knife", solid.knife},
+                      {"template", solid.origin.source},
+                      {"seed", solid.origin.key.seed},
+                      {"index", solid.origin.key.index},
+                      {"knife", knives_text(solid.origin)},
                       {"volume", facts.volume},
                       {"density", solid.density},
                       {"mass", facts.mass},

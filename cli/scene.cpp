@@ -48,11 +48,11 @@ std::string style_of(const SceneDescription& scene, const std::filesystem::path&
 
 ExitStatus compose_scene(const SceneCommand& command) {
   // Outputs that cannot be are refused before anything is composed.
-  const std::vector<Output> outputs = parse_outputs(
-      command.outputs,
-      {Format::ply, Format::glb, Format::obj, Format::stl, Format::pov, Format::png, Format::svg, Format::json},
-      command.shared.format);
-  check_levels(command.shared.lod, outputs);
+  const std::vector<Output> outputs = parse_outputs(command.outputs,
+                                                    {Format::ply, Format::glb, Format::usda, Format::obj, Format::stl,
+                                                     Format::pov, Format::png, Format::svg, Format::json},
+                                                    command.shared.format);
+  check_exports(command.shared, outputs);
   Delivery delivery(command.shared);
   delivery.warn(idle_options(command.shared, outputs));
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
@@ -93,7 +93,7 @@ DeclaredCommand scene_command(CLI::App& app) {
       ->required();
   command
       ->add_option("-o,--output", options->outputs,
-                   "What to write: .glb, .pov, .png, .svg, .ply, .obj, .stl, or .json (the layout)")
+                   "What to write: .glb, .usda, .pov, .png, .svg, .ply, .obj, .stl, or .json (the layout)")
       ->type_name("FILE")
       ->required()
       ->expected(1)

@@ -37,10 +37,10 @@ std::string view_names() {
   return "VIEW:{" + names + "}";
 }
 
-/// CLI11 would read -1, and whatever has more than 64 bits, as the largest seed there is.
-std::string no_seed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seed);
+/// CLI11 would read -1, and whatever has more than 64 bits, as the largest number there is.
+std::string no_count(const std::string& text) {
+  std::uint64_t count = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), count);
   const bool fits = fault == std::errc() && end == text.data() + text.size();
   return fits ? "" : "\"" + text + "\" is not a whole number from 0 to 18446744073709551615";
 }
@@ -91,6 +91,13 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
       .add_option("--lod", options.lod,
                   ".glb: each solid at so many further levels of detail, with a half, a quarter, ... of the triangles")
       ->check(whole_between(1, 6));
+  command
+      .add_option("--engine", options.engine,
+                  ".glb: names as this engine's importer expects them, and convex hulls to collide with")
+      ->check(one_of({"godot", "unreal", "unity"}));
+  command.add_flag("--instances", options.instances,
+                   ".glb, .usda: pieces that repeat are one node with many places, one prim");
+  command.add_flag("--feature-ids", options.feature_ids, ".glb: parts as EXT_mesh_features, too");
   command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
       ->type_name(view_names());
@@ -102,6 +109,18 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--stats", options.stats, "Write times and counts to this JSON file")->type_name("FILE");
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
   command.add_flag("--json", options.json, "Print the result as JSON");
+}
+
+void add_index_options(CLI::App& command, SharedOptions& options) {
+  command
+      .add_option("--index", options.index,
+                  "Which of the seed's variants, as files of scenes and batches tell it; with it seed 0 is a variant")
+      ->check([](const std::string& text) {
+        const std::string wrong = no_count(text);
+        return wrong.empty() ? "" : "--index: " + wrong;
+      });
+  command.add_option("--scale", options.scale, "Times the size that it grows to")->check(between(0.05, 20.0));
+  command.add_flag("--as-drawn", options.as_drawn, "The curves as drawn, whatever the seed; grains follow it");
 }
 
 void add_ripeness_option(CLI::App& command, SharedOptions& options) {

@@ -23,6 +23,9 @@ struct PictureSize {
 struct SharedOptions {
   std::uint64_t seed = 0;
   bool seed_given = false;
+  std::optional<std::uint64_t> index;  ///< of the variant in its scene; for commands that grow one fruit
+  double scale = 1;
+  bool as_drawn = false;               ///< likewise
   double variation = 1.0;
   bool curves_only = false;
   int threads = 0;
@@ -33,6 +36,9 @@ struct SharedOptions {
   int texture = 0;    ///< texels along an atlas's edge; 0 = not said
   std::string texel;  ///< size of a texel, with its unit
   int lod = 0;        ///< further levels of detail
+  std::string engine;        ///< "godot", "unreal" or "unity"
+  bool instances = false;    ///< what repeats as one node with many places
+  bool feature_ids = false;  ///< parts as EXT_mesh_features, too
   std::string size;
   std::string view;
   std::string stats;
@@ -45,6 +51,9 @@ struct SharedOptions {
 
 /// Declares them all on a command. `options` must outlive the parsing.
 void add_shared_options(CLI::App& command, SharedOptions& options);
+
+/// --index and --as-drawn, for commands that grow one fruit.
+void add_index_options(CLI::App& command, SharedOptions& options);
 
 /// --ripeness, for commands that grow one fruit.
 void add_ripeness_option(CLI::App& command, SharedOptions& options);

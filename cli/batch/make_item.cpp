@@ -13,7 +13,7 @@
 #include "generator/piece/lod/levels_of_detail.h"
 #include "generator/piece/slice.h"
 #include "generator/scene/lay_out.h"
-#include "render/export/gltf.h"
+#include "render/export/gltf/write_glb.h"
 #include "render/export/ply.h"
 #include "render/export/svg.h"
 #include "render/image/png.h"
@@ -38,18 +38,26 @@ GrowOptions grow_options(const BatchPlan& plan, const BatchVariant& which) {
           .ripeness = which.ripeness};
 }
 
+/// The template as the entry calls it.
+std::string source_of(const BatchPlan& plan, const BatchVariant& which) {
+  const PlannedEntry& entry = plan.entries[which.entry];
+  const auto at = std::find(entry.templates.begin(), entry.templates.end(), which.fruit) - entry.templates.begin();
+  const auto number = static_cast<std::size_t>(at);
+  const std::vector<TemplateWanted>& wanted = entry.wanted.templates;
+  return number < wanted.size() ? source_word(wanted[number].name) : plan.templates[which.fruit].name;
+}
+
 /// The pieces where they grew, as `pomona cut` has them, too.
 Scene pieces_of(const BatchEntry& entry, const GrownVariant& grown, const BatchItem& item, const std::string& name,
                 const Diffuser& diffuser, const Style& style, std::vector<std::string>& warnings) {
   Template variant = grown.variant();
   variant.individual.browning = item.browning;
+  PieceOrigin origin = grown.origin();
+  origin.growing.browning = item.browning;
   const std::vector<Knife>& knives = entry.knives[item.knives];
-  Slices slices = slice({grown.grown(), variant, knives, name}, &diffuser,
+  Slices slices = slice({.grown = grown.grown(), .variant = variant, .knives = knives, .name = name, .origin = origin},
+                        &diffuser,
                         {.cut = {.threads = alone}, .keep_section_colors = item.texture > 0, .threads = alone});
-  for (Solid& piece : slices.pieces) {
-    piece.seed = grown.which().seed;
-    for (const Knife& knife : knives) piece.knife += (piece.knife.empty() ? "" : " ") + knife.text;
-  }
   warnings = std::move(slices.warnings);
   Scene scene = gathered(std::move(slices.pieces));
   scene.paper = style.paper;
@@ -107,6 +115,15 @@ std::vector<NamedFile> asset_files(const AssetOptions& assets, const BatchItem& 
   return files;
 }
 
+/// As Delivery's: the item is what `pomona cut` makes with the same words.
+std::string command_words(const BatchItem& item) {
+  std::string words;
+  if (item.quality != Quality::final) words += std::string(" --quality ") + name_of(item.quality);
+  if (item.texture > 0) words += " --texture " + std::to_string(item.texture);
+  if (item.lod > 0) words += " --lod " + std::to_string(item.lod);
+  return words;
+}
+
 std::vector<RecordedFile> recorded(const std::vector<NamedFile>& files) {
   std::vector<RecordedFile> records;
   for (const NamedFile& file : files) records.push_back({file.name, file.bytes.size(), sha256(file.bytes)});
@@ -121,6 +138,7 @@ GrownVariant::GrownVariant(const BatchPlan& plan, const Variation& variation, co
   const VariantKey key{which.seed, 0};
   variant_ = how.as_drawn ? variant_of(variation.drawn(), key, how) : variant_of(variation, key, how);
   grown_ = grow(variant_, key, how);
+  origin_ = {.source = source_of(plan, which), .key = key, .growing = how};
 }
 
 std::string reason_of(const std::exception& error) {
@@ -145,6 +163,7 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Grown
       const ExportOptions options{
           .style = style,
           .provenance = std::string("pomona ") + version + ", seed " + std::to_string(which.seed),
+          .command_words = command_words(item),
           .threads = alone};
       made.files = asset_files(entry.wanted.assets, item, scene, name, options);
       outcome.pieces = scene.solids;

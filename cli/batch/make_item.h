@@ -7,6 +7,7 @@
 
 #include "generator/batch/batch_plan.h"
 #include "generator/piece/grow.h"
+#include "generator/piece/piece_origin.h"
 #include "render/export/pov.h"
 #include "render/style/style.h"
 
@@ -26,11 +27,13 @@ class GrownVariant {
   const BatchVariant& which() const { return which_; }
   const Template& variant() const { return variant_; }
   const GrownFruit& grown() const { return grown_; }
+  const PieceOrigin& origin() const { return origin_; }
 
  private:
   BatchVariant which_;
   Template variant_;
   GrownFruit grown_;
+  PieceOrigin origin_;
 };
 
 /// \param grown none where growing failed, `growing_error` says how.

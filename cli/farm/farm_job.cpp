@@ -1,6 +1,6 @@
 #include "cli/farm/farm_job.h"
 
-#include "cli/farm/shell_words.h"
+#include "generator/base/shell_words.h"
 #include "generator/base/error.h"
 
 namespace pomona {

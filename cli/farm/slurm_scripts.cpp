@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "cli/farm/shell_words.h"
+#include "generator/base/shell_words.h"
 #include "generator/base/error.h"
 
 namespace fs = std::filesystem;

@@ -10,6 +10,7 @@
 #include "generator/surface/sweep/sweep.h"
 #include "generator/variation/individual_colors.h"
 #include "generator/variation/ripen.h"
+#include "generator/variation/scaled.h"
 #include "generator/variation/species_key.h"
 
 namespace pomona {
@@ -30,7 +31,7 @@ Template colored_individual(Template variant, const Template& fruit, VariantKey 
       drawn_individual(fruit, key, {.amount = amount, .ripeness = options.ripeness, .browning = options.browning});
   variant.noise.pattern = drawn_pattern(fruit, key, options);
   for (DetailSketch& detail : variant.details) detail.pattern = variant.noise.pattern;
-  return variant;
+  return options.scale == 1 ? variant : scaled(std::move(variant), options.scale);
 }
 
 }  // namespace

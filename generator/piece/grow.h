@@ -21,6 +21,7 @@ struct GrowOptions {
   double detail = 1.0;                  ///< see SweepOptions
   std::optional<double> ripeness = {};  ///< 0..2 instead of what the key draws
   double browning = 0;                  ///< 0..1, of cut faces
+  double scale = 1;                     ///< of all lengths of the variant
   Threads threads = {};                 ///< no result depends on them
 };
 

@@ -13,10 +13,10 @@ namespace pomona {
 
 namespace {
 
-/// Without crumbs, the smallest first, as long as what goes is less than a crumb together.
-std::vector<CutPiece> without_crumbs(std::vector<CutPiece> cut, double crumb) {
+/// All but crumbs, of which the smallest go first, as long as what goes is less than a crumb together.
+std::vector<std::size_t> without_crumbs(const std::vector<CutPiece>& cut, double crumb) {
   double whole = 0;
-  std::vector<std::size_t> crumbs;
+  std::vector<std::size_t> crumbs, kept;
   for (std::size_t i = 0; i < cut.size(); ++i) {
     whole += cut[i].volume;
     if (cut[i].crumb) crumbs.push_back(i);
@@ -30,14 +30,19 @@ std::vector<CutPiece> without_crumbs(std::vector<CutPiece> cut, double crumb) {
     if (left_out >= crumb * whole) break;
     goes[i] = 1;
   }
-  std::vector<CutPiece> kept;
   for (std::size_t i = 0; i < cut.size(); ++i)
-    if (!goes[i]) kept.push_back(std::move(cut[i]));
+    if (!goes[i]) kept.push_back(i);
   return kept;
 }
 
-/// The largest that are wanted, in the order in which they were cut. Crumbs never are.
-std::vector<CutPiece> chosen(std::vector<CutPiece> cut, const PieceChoice& choice) {
+/// Which of the pieces are wanted, in the order in which they were cut.
+std::vector<std::size_t> chosen(const std::vector<CutPiece>& cut, const PieceChoice& choice) {
+  if (choice.only > 0) {
+    const auto only = static_cast<std::size_t>(choice.only - 1);
+    return only < cut.size() ? std::vector<std::size_t>{only} : std::vector<std::size_t>{};
+  }
+
+  // The largest; crumbs never are.
   double whole = 0;
   for (const CutPiece& piece : cut) whole += piece.volume;
   std::vector<std::size_t> order;
@@ -51,10 +56,38 @@ std::vector<CutPiece> chosen(std::vector<CutPiece> cut, const PieceChoice& choic
     order.resize(static_cast<std::size_t>(choice.take));
   }
   std::sort(order.begin(), order.end());
+  return order;
+}
 
+/// What a cut has left of a fruit.
+struct OpenedFruit {
+  Cut cut;                      ///< with the pieces that are wanted
+  std::vector<int> number;      ///< of each of them in the order of cutting, from 1
+  std::vector<std::uint8_t> on_skin = {};  ///< per part: whether any piece, wanted or not, has it on its skin
+  std::size_t piece_count = 0;  ///< wanted or not
+};
+
+OpenedFruit opened(Cut cut) {
+  OpenedFruit fruit{.cut = std::move(cut), .number = {}};
+  fruit.piece_count = fruit.cut.pieces.size();
+  for (std::size_t i = 0; i < fruit.piece_count; ++i) fruit.number.push_back(static_cast<int>(i + 1));
+  fruit.on_skin.resize(fruit.cut.section.part_names.size());
+  for (const CutPiece& piece : fruit.cut.pieces)
+    for (const std::int32_t part : piece.part) fruit.on_skin.at(static_cast<std::size_t>(part)) = 1;
+  return fruit;
+}
+
+/// These of the pieces alone, which keep their numbers.
+OpenedFruit with_pieces(OpenedFruit fruit, const std::vector<std::size_t>& wanted) {
   std::vector<CutPiece> kept;
-  for (const std::size_t i : order) kept.push_back(std::move(cut[i]));
-  return kept;
+  std::vector<int> number;
+  for (const std::size_t i : wanted) {
+    kept.push_back(std::move(fruit.cut.pieces[i]));
+    number.push_back(fruit.number[i]);
+  }
+  fruit.cut.pieces = std::move(kept);
+  fruit.number = std::move(number);
+  return fruit;
 }
 
 /// Takes the mark off interior vertices that no piece shows: nobody will see their colours.
@@ -71,18 +104,38 @@ Cut without_unseen(Cut cut) {
 }
 
 /// With the faces still without colours.
-Cut cut_open(const SliceTask& task, const CutOptions& options) {
-  Cut result = cut(task.grown.sheets, task.knives, options);
-  if (!task.crumbs) result.pieces = without_crumbs(std::move(result.pieces), options.crumb);
-  if (!task.choice) return result;
-  result.pieces = chosen(std::move(result.pieces), *task.choice);
-  return without_unseen(std::move(result));
+OpenedFruit cut_open(const SliceTask& task, const CutOptions& options) {
+  OpenedFruit fruit = opened(cut(task.grown.sheets, task.knives, options));
+  const bool by_number = task.choice && task.choice->only > 0;
+  if (!task.crumbs && !by_number) fruit = with_pieces(std::move(fruit), without_crumbs(fruit.cut.pieces, options.crumb));
+  if (!task.choice) return fruit;
+  fruit = with_pieces(std::move(fruit), chosen(fruit.cut.pieces, *task.choice));
+  fruit.cut = without_unseen(std::move(fruit.cut));
+  return fruit;
+}
+
+/// The task's origin, with how this was cut. What no command of the program cuts has none.
+PieceOrigin origin_of(const SliceTask& task, const CutOptions& how) {
+  PieceOrigin origin = task.origin;
+  origin.fruit = task.variant.name;
+  origin.variant = task.name;
+  origin.knives.clear();
+  for (const Knife& knife : task.knives) origin.knives.push_back(knife.text);
+  origin.coarse = !same_cut(how, CutOptions{});
+  if (origin.coarse && !same_cut(how, coarse_cut)) origin.source.clear();
+  return origin;
 }
 
 /// The pieces of one fruit as solids.
-std::vector<Solid> finished(std::span<const CutPiece> cut, const CrossSection& styled, const SliceTask& task,
+std::vector<Solid> finished(const OpenedFruit& fruit, const CrossSection& styled, const SliceTask& task,
                             const Diffuser* diffuser, const SliceOptions& options) {
-  std::vector<Solid> pieces = solids(cut, styled, task.variant, task.name);
+  std::vector<Solid> pieces = solids(fruit.cut.pieces, styled, task.variant, task.name);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    pieces[i].origin = origin_of(task, options.cut);
+    pieces[i].on_skin = fruit.on_skin;
+    pieces[i].origin.number = fruit.number[i];
+    pieces[i].origin.pieces = static_cast<int>(fruit.piece_count);
+  }
   if (!options.keep_section_colors || diffuser == nullptr) return pieces;
   return with_section_colors(std::move(pieces),
                              std::make_shared<const SectionColors>(task.grown.sheets, task.variant, *diffuser));
@@ -95,16 +148,16 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
   if (tasks.empty()) return all;
 
   // Each fruit cut by itself, the faces still without colours.
-  std::vector<Cut> cuts(tasks.size());
+  std::vector<OpenedFruit> fruits(tasks.size());
   parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
-    cuts[i] = all[i].times.time("cut", [&] { return cut_open(tasks[i], options.cut); });
+    fruits[i] = all[i].times.time("cut", [&] { return cut_open(tasks[i], options.cut); });
   });
 
   // The colours of all faces, one batch.
   std::vector<CrossSection> sections;
   std::vector<const DiffusionSurfaces*> surfaces;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    sections.push_back(std::move(cuts[i].section));
+    sections.push_back(std::move(fruits[i].cut.section));
     surfaces.push_back(&tasks[i].grown.sheets);
   }
   if (diffuser) {
@@ -115,13 +168,13 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
   parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
     const SliceTask& task = tasks[i];
     Slices& slices = all[i];
-    slices.warnings = std::move(cuts[i].warnings);
+    slices.warnings = std::move(fruits[i].cut.warnings);
     slices.section = std::move(sections[i]);
-    slices.piece_count = cuts[i].pieces.size();
+    slices.piece_count = fruits[i].cut.pieces.size();
     slices.times.time("style", [&] {
       slices.styled = guided(browned(slices.section, task.grown.sheets, task.variant, options.threads),
                              task.grown.swept, task.variant, options.threads, task.grown.skin.get());
-      if (options.pieces) slices.pieces = finished(cuts[i].pieces, slices.styled, task, diffuser, options);
+      if (options.pieces) slices.pieces = finished(fruits[i], slices.styled, task, diffuser, options);
     });
     if (options.one_done) options.one_done();
   });

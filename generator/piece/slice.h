@@ -11,6 +11,7 @@
 #include "generator/cut/cut.h"
 #include "generator/diffusion/diffuser.h"
 #include "generator/piece/grow.h"
+#include "generator/piece/piece_origin.h"
 #include "generator/piece/solid.h"
 
 namespace pomona {
@@ -19,6 +20,7 @@ namespace pomona {
 struct PieceChoice {
   double smallest = 0, largest = 1;  ///< share of the whole's volume
   int take = 0;                      ///< so many, the largest; 0 = all
+  int only = 0;                      ///< this one alone, by its number in the order of cutting, from 1; crumbs too
 };
 
 /// One fruit and what is to be done to it. All that it refers to must outlive the call it is passed to.
@@ -28,6 +30,7 @@ struct SliceTask {
   std::span<const Knife> knives = {};      ///< one after another; none leave it whole
   std::string name = "fruit";              ///< becomes the prefix of the pieces' names
   std::optional<PieceChoice> choice = {};  ///< none: all pieces
+  PieceOrigin origin = {};                 ///< what is known of the variant's; slice() adds how the pieces were cut
   bool crumbs = false;                     ///< whether crumbs are kept: they are less than CutOptions::crumb together
 };
 

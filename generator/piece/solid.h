@@ -11,6 +11,7 @@
 
 #include "generator/base/color.h"
 #include "generator/cut/cut.h"
+#include "generator/piece/piece_origin.h"
 #include "generator/template/template.h"
 
 namespace pomona {
@@ -31,14 +32,14 @@ struct Solid {
   std::vector<std::int32_t> surface;   ///< per triangle: surface for skin, -1 on cut faces; for ink
   std::vector<std::string> part_names;
   std::vector<MaterialSketch> materials;  ///< per part; fewer: the others have the default
+  std::vector<std::uint8_t> on_skin;      ///< per part: whether the whole fruit shows it; empty where nobody knows
   NoiseStyle noise;
   std::vector<DetailSketch> details;
   InkStyle ink;
   float opacity = 1.0f;    ///< below 1 where one sees through it, looking at right angles
   double volume = 0;       ///< cubic metres
   double density = 1000;   ///< kilograms per cubic metre; that of water, as long as nothing says otherwise
-  std::uint64_t seed = 0;  ///< of the variant it was cut from
-  std::string knife;       ///< the knives that cut it, one after another, parted by spaces
+  PieceOrigin origin;
   bool closed = true;
   bool crumb = false;
 

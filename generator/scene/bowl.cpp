@@ -45,6 +45,7 @@ Solid bowl_solid(const BowlDescription& bowl) {
   std::vector<Solid> made = slice({thrown, clay, {}, "bowl"}, nullptr).pieces;
   if (made.size() != 1) throw Error(ExitStatus::bug, "the bowl is not one solid");
   made[0].name = "bowl";
+  made[0].origin = {};  // a dish is no piece of fruit
   return std::move(made[0]);
 }
 

@@ -10,7 +10,6 @@
 #include "generator/piece/slice.h"
 #include "generator/scene/dish_solids.h"
 #include "generator/template/read/read_template.h"
-#include "generator/variation/scaled.h"
 
 namespace pomona {
 
@@ -122,6 +121,7 @@ std::optional<double> drawn_between(const std::optional<Within>& range, VariantK
 struct GrownVariant {
   Template variant;
   GrownFruit grown;
+  PieceOrigin origin;
   StageClock clock;
 };
 
@@ -136,12 +136,12 @@ GrownVariant grown_variant(const SceneDescription& scene, const PiecesDescriptio
                         .folds = pieces.folds,
                         .detail = options.detail * pieces.detail,
                         .ripeness = drawn_between(pieces.ripeness, key, "scene/ripeness"),
-                        .browning = drawn_between(pieces.browning, key, "scene/browning").value_or(0)};
+                        .browning = drawn_between(pieces.browning, key, "scene/browning").value_or(0),
+                        .scale = drawn_between(pieces.size, key, "scene/size").value_or(1)};
   made.variant = made.clock.time(
       "vary", [&] { return variation ? variant_of(*variation, key, how) : variant_of(fruit, key, how); });
-  const std::optional<double> size = drawn_between(pieces.size, key, "scene/size");
-  if (size) made.variant = scaled(std::move(made.variant), *size);
   made.grown = made.clock.time("sweep", [&] { return grow(made.variant, key, how); });
+  made.origin = {.source = source_word(pieces.template_name), .key = key, .growing = how, .entry = pieces.name};
   return made;
 }
 
@@ -155,7 +155,8 @@ SliceTask task_of(const PiecesDescription& pieces, int number, const GrownVarian
           .variant = made.variant,
           .knives = pieces.knives,
           .name = variant_name(pieces, number),
-          .choice = PieceChoice{.smallest = pieces.smallest, .largest = pieces.largest, .take = pieces.take}};
+          .choice = PieceChoice{.smallest = pieces.smallest, .largest = pieces.largest, .take = pieces.take},
+          .origin = made.origin};
 }
 
 /// What the report tells of one variant.

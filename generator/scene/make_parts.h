@@ -24,8 +24,7 @@ struct ComposeOptions {
   double variation = 1;      ///< times that of every entry
   bool curves_only = false;  ///< see VariationOptions
   double detail = 1;         ///< see SweepOptions
-  /// Coarser than for a single fruit: a piece in a heap covers a tenth of the picture.
-  CutOptions cut{.coarsest = 1.0 / 30, .finest = 1.0 / 250, .grading = 0.4, .contrast = 60 / 255.};
+  CutOptions cut = coarse_cut;
   bool keep_section_colors = false;  ///< for textures: every solid knows what coloured its cut faces
   Threads threads{};
   /// Told from any thread, one call at a time, how many items of a stage are done.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "generator/base/reproducible.h"
 
@@ -51,14 +52,74 @@ PbrLook look_of(const MaterialSketch& material, bool on_cut_face) {
   return look;
 }
 
+namespace {
+
+/// The parts that have a look on skins, and on cut faces.
+struct PartsOfLook {
+  PbrLook look;
+  std::vector<std::size_t> on_skin, on_cut;
+};
+
+std::vector<PartsOfLook> parts_by_look(const Solid& solid) {
+  std::vector<PartsOfLook> all;
+  const auto of = [&](const PbrLook& look) -> PartsOfLook& {
+    const auto at = std::find_if(all.begin(), all.end(), [&](const PartsOfLook& known) { return known.look == look; });
+    return at != all.end() ? *at : all.emplace_back(PartsOfLook{look, {}, {}});
+  };
+  for (std::size_t part = 0; part < solid.part_names.size(); ++part) {
+    const MaterialSketch material = material_of(solid, static_cast<std::int32_t>(part));
+    if (solid.on_skin.empty() || solid.on_skin[part] != 0) of(look_of(material, false)).on_skin.push_back(part);
+    of(look_of(material, true)).on_cut.push_back(part);
+  }
+  return all;
+}
+
+/// A single part gives its name; many are "inside" or "outside" where no other look has more of them.
+std::string name_of(const std::vector<std::size_t>& parts, std::size_t most, const char* most_called,
+                    const std::vector<std::string>& part_names) {
+  if (parts.size() > 1 && parts.size() == most) return most_called;
+  std::string name;
+  for (const std::size_t part : parts) name += (name.empty() ? "" : ", ") + part_names[part];
+  return name;
+}
+
+/// One name for each look that a solid's parts can have, whichever of them this piece shows: so all pieces of a fruit
+/// agree.
+std::vector<std::pair<PbrLook, std::string>> named_looks(const Solid& solid) {
+  const std::vector<PartsOfLook> all = parts_by_look(solid);
+  std::size_t most_inside = 0, most_outside = 0;
+  for (const PartsOfLook& of : all) {
+    most_inside = std::max(most_inside, of.on_cut.size());
+    if (of.on_cut.empty()) most_outside = std::max(most_outside, of.on_skin.size());
+  }
+  std::vector<std::pair<PbrLook, std::string>> named;
+  for (const PartsOfLook& of : all) {
+    const bool is_inside = !of.on_cut.empty();
+    std::string name = is_inside ? name_of(of.on_cut, most_inside, "inside", solid.part_names)
+                                 : name_of(of.on_skin, most_outside, "outside", solid.part_names);
+    while (std::any_of(named.begin(), named.end(), [&](const auto& other) { return other.second == name; }))
+      name += is_inside ? " (cut)" : " (skin)";
+    named.emplace_back(of.look, std::move(name));
+  }
+  return named;
+}
+
+}  // namespace
+
 std::vector<LookGroup> groups_by_look(const Solid& solid, const StyledMesh& mesh) {
+  const auto names = solid.materials.empty() ? std::vector<std::pair<PbrLook, std::string>>{} : named_looks(solid);
+  const auto name_of_look = [&](const PbrLook& look) {
+    const auto at = std::find_if(names.begin(), names.end(), [&](const auto& named) { return named.first == look; });
+    return at == names.end() ? std::string() : at->second;
+  };
   std::vector<LookGroup> groups;
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
     const PbrLook look = solid.materials.empty()
                              ? PbrLook{}
                              : look_of(material_of(solid, mesh.part[mesh.triangle[t].x]), mesh.cut_face[t] >= 0);
     auto group = std::find_if(groups.begin(), groups.end(), [&](const LookGroup& known) { return known.look == look; });
-    if (group == groups.end()) group = groups.insert(groups.end(), LookGroup{look, {}});
+    if (group == groups.end()) group = groups.insert(groups.end(), LookGroup{look, name_of_look(look), {}, {}});
+    group->face.push_back(static_cast<std::int32_t>(t));
     group->triangle.push_back(mesh.triangle[t]);
   }
   return groups;

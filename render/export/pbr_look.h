@@ -3,6 +3,7 @@
 
 #include <array>
 #include <compare>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -32,7 +33,9 @@ PbrLook look_of(const MaterialSketch& material, bool on_cut_face);
 /// template says nothing of materials.
 struct LookGroup {
   PbrLook look;
-  std::vector<glm::uvec3> triangle;
+  std::string name;  ///< what looks so: "skin", "gel", "inside"; empty where all looks alike
+  std::vector<std::int32_t> face;    ///< numbers of its triangles in the mesh, ascending
+  std::vector<glm::uvec3> triangle;  ///< these
 };
 std::vector<LookGroup> groups_by_look(const Solid& solid, const StyledMesh& mesh);
 

@@ -18,6 +18,17 @@ using namespace pov;
 
 namespace {
 
+/// POV-Ray copies a mesh's textures with every instance, about 1 KB each; so many copies take some 2 GB.
+constexpr std::size_t most_texture_copies = 2'000'000;
+/// Of any mesh, however few instances there are.
+constexpr std::size_t most_textures = 4096;
+
+/// So many textures a mesh may have that all copies stay in bounds: in a heap of thousands colours are fewer.
+std::size_t textures_of_a_mesh(const Scene& scene) {
+  const std::size_t copies = scene.solids.size() + scene.instances.size();
+  return std::clamp(most_texture_copies / std::max<std::size_t>(copies, 1), std::size_t{64}, most_textures);
+}
+
 /// POV-Ray ignores what is nearer than 0.001 to where a ray starts, so a salad in metres would lose its
 /// shadows. The unit is a power of ten of a metre that makes the view some hundred units deep: a centimetre.
 int unit_exponent_for(const ViewFrame& frame) { return exponent_for(frame.distance, 1); }
@@ -88,12 +99,13 @@ std::vector<NamedFile> write_pov(const Scene& scene, const std::string& stem, co
   const int exponent = unit_exponent_for(view_frame(scene.view));
 
   const Finishes finishes(scene, options.style.gloss);
+  const std::size_t textures = textures_of_a_mesh(scene);
 
   // Write the meshes, each by itself, and join them in order.
   std::vector<std::string> texts(styled.size()), hairs(styled.size());
   parallel_for(texts.size(), options.threads, [&](std::size_t i) {
     hairs[i] = hairs_text(scene.solids[i], i, exponent);
-    if (!styled[i].triangle.empty()) texts[i] = mesh_text(styled[i], scene.solids[i], finishes, i, exponent);
+    if (!styled[i].triangle.empty()) texts[i] = mesh_text(styled[i], scene.solids[i], finishes, i, exponent, textures);
   });
   std::string meshes = "// Meshes of " + commentable(stem) + ".pov, made by Pomona.\n";
   for (std::size_t i = 0; i < texts.size(); ++i) meshes += texts[i] + hairs[i];

@@ -5,21 +5,19 @@
 #include <cmath>
 #include <map>
 
+#include "render/export/pov_palette.h"
 #include "render/export/pov_text.h"
 
 namespace pomona::pov {
 namespace {
 
-/// A colour as a mesh's texture has it: sRGB in steps; and the number of its finish.
-using TextureKey = std::array<int, 4>;
-
-/// POV-Ray has no colours at vertices but textures, about 1.4 KB each; so many a mesh may have.
-constexpr std::size_t most_textures = 4096;
+/// Of sRGB from 0 to 1, unless there would be too many colours: an error of 2 in 255.
+constexpr int color_steps = 63;
+constexpr int finer = 4;  ///< middles of colours are told in so many parts of a step
 
 /// The textures of a mesh, and which one each corner of each triangle has.
 struct Textures {
-  int steps = 0;  ///< of sRGB from 0 to 1
-  std::map<TextureKey, int> number;
+  std::map<FinishedColor, int> number;
   std::vector<glm::ivec3> of_triangle;
 };
 
@@ -34,46 +32,48 @@ FinishesOfParts finishes_of_parts(const Solid& solid, const Finishes& finishes) 
   return of_part;
 }
 
-Textures textures_in_steps(const StyledMesh& mesh, const FinishesOfParts& finishes, int steps) {
+/// Each corner's colour in steps, and its finish.
+std::vector<FinishedColor> corner_colors(const StyledMesh& mesh, const FinishesOfParts& finishes) {
   // Quantise each vertex once; its curve costs more than the look-up.
-  std::vector<glm::ivec3> quantised(mesh.color.size());
-  for (std::size_t v = 0; v < quantised.size(); ++v)
-    for (int k = 0; k < 3; ++k)
-      quantised[v][k] = static_cast<int>(std::lround(srgb_from_linear(mesh.color[v][k]) * steps));
-
-  Textures textures;
-  textures.steps = steps;
-  textures.of_triangle.resize(mesh.triangle.size());
+  std::vector<FinishedColor> quantised(mesh.color.size());
+  for (std::size_t v = 0; v < quantised.size(); ++v) {
+    for (int k = 0; k < 3; ++k) {
+      const long step = std::lround(srgb_from_linear(mesh.color[v][k]) * color_steps);
+      quantised[v][static_cast<std::size_t>(k)] = finer * static_cast<int>(step);
+    }
+  }
+  std::vector<FinishedColor> of_corner;
+  of_corner.reserve(3 * mesh.triangle.size());
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      const glm::ivec3& c = quantised[mesh.triangle[t][k]];
-      const std::int32_t part = mesh.part[mesh.triangle[t][k]];
-      const TextureKey key{c.r, c.g, c.b, finishes.at(part)[mesh.cut_face[t] >= 0 ? 1 : 0]};
-      textures.of_triangle[t][k] =
-          textures.number.try_emplace(key, static_cast<int>(textures.number.size())).first->second;
+      FinishedColor color = quantised[mesh.triangle[t][k]];
+      color[3] = finishes.at(mesh.part[mesh.triangle[t][k]])[mesh.cut_face[t] >= 0 ? 1 : 0];
+      of_corner.push_back(color);
     }
+  }
+  return of_corner;
+}
+
+Textures textures_of(const StyledMesh& mesh, const FinishesOfParts& finishes, std::size_t most) {
+  const std::vector<FinishedColor> of_corner = few_colors(corner_colors(mesh, finishes), most);
+  Textures textures;
+  textures.of_triangle.resize(mesh.triangle.size());
+  for (std::size_t c = 0; c < of_corner.size(); ++c) {
+    const int next = static_cast<int>(textures.number.size());
+    textures.of_triangle[c / 3][static_cast<int>(c % 3)] = textures.number.try_emplace(of_corner[c], next).first->second;
   }
   return textures;
 }
 
-/// Colours in 63 steps a channel (an error of 2 in 255), or coarser where that makes too many.
-Textures textures_of(const StyledMesh& mesh, const FinishesOfParts& finishes) {
-  for (int steps = 63; steps > 7; steps = steps / 2) {
-    Textures textures = textures_in_steps(mesh, finishes, steps);
-    if (textures.number.size() <= most_textures) return textures;
-  }
-  return textures_in_steps(mesh, finishes, 7);
-}
-
 void append_texture_list(std::string& text, const Textures& textures, float opacity) {
-  std::vector<TextureKey> in_order(textures.number.size());
+  std::vector<FinishedColor> in_order(textures.number.size());
   for (const auto& [key, number] : textures.number) in_order[number] = key;
   text += "texture_list{" + std::to_string(in_order.size());
-  for (const TextureKey& key : in_order) {
+  for (const FinishedColor& key : in_order) {
     text += ",\ntexture{pigment{rgbt<";
     for (int k = 0; k < 3; ++k) {
       // Four digits: a tenth of a step of eight bits, even in the darks.
-      const double linear = linear_from_srgb(static_cast<double>(key[k]) / textures.steps);
+      const double linear = linear_from_srgb(static_cast<double>(key[static_cast<std::size_t>(k)]) / (finer * color_steps));
       text += number_text(std::round(linear * 10000) / 10000) + ",";
     }
     text += number_text(static_cast<double>(1.0f - opacity));
@@ -118,9 +118,9 @@ void append_faces(std::string& text, const StyledMesh& mesh, const Textures& tex
 }  // namespace
 
 std::string mesh_text(const StyledMesh& mesh, const Solid& solid, const Finishes& finishes, std::size_t index,
-                      int unit_exponent) {
+                      int unit_exponent, std::size_t most_textures) {
   const int step_exponent = exponent_for(largest_coordinate(mesh), 5);
-  const Textures textures = textures_of(mesh, finishes_of_parts(solid, finishes));
+  const Textures textures = textures_of(mesh, finishes_of_parts(solid, finishes), most_textures);
   std::string text = "\n// " + commentable(solid.name) + "\n#declare Mesh_" + std::to_string(index) + " = mesh2 {\n";
   append_points(text, "vertex_vectors", mesh.position, power_of_ten(step_exponent));
   append_points(text, "normal_vectors", mesh.normal, 0.001);

@@ -13,10 +13,19 @@
 
 namespace pomona {
 
+/// Whose importer names are for (docs/formats.md).
+enum class Engine { any, godot, unreal, unity };
+
 struct ExportOptions {
-  Style style = {};             ///< noise and paint of the colours; in POV-Ray light, shadow and gloss, too
-  std::string provenance = {};  ///< what made it ("pomona scene scenes/salad.toml --seed 3"); no paths, no time
+  Style style = {};                ///< noise and paint of the colours; in POV-Ray light, shadow and gloss, too
+  std::string provenance = {};     ///< what made it ("pomona scene scenes/salad.toml --seed 3"); no paths, no time
+  std::string command_words = {};  ///< what a command that makes a piece again must say of colours: " --style plain"
   Threads threads = {};
+
+  // Of glTF and USD.
+  bool instances = false;       ///< pieces that repeat are one node, or prim, with many places
+  bool feature_ids = false;     ///< glTF: parts as EXT_mesh_features, too
+  Engine engine = Engine::any;  ///< glTF: names for this importer, and convex hulls to collide with
 };
 
 /// One solid, welded: no two vertices are equal in everything, each is used, and no triangle has two corners at

@@ -2,7 +2,7 @@
 //   write_samples FOLDER
 #include <filesystem>
 
-#include "render/export/gltf.h"
+#include "render/export/gltf/write_glb.h"
 #include "render/export/output.h"
 #include "tests/render/export/named_solids.h"
 

@@ -48,18 +48,20 @@ ROAD = [
     "render/gl",
     "render/diffusion",
     "render/export",
+    "render/export/gltf",
+    "render/export/usd",
     "render/thumbnail",
     "cli",
 ]
 
 # Each heavy package, the headers it is known by, and the only places that may know it. None may be a header.
 HEAVY = {
-    "CGAL": (r"CGAL/", r"generator/cut/(plane|carve)/\w+\.cpp|bench/baselines/tetrahedral_mesh\.cpp"),
+    "CGAL": (r"CGAL/", r"generator/cut/(plane|carve)/\w+\.cpp|render/export/convex_hull\.cpp|bench/baselines/tetrahedral_mesh\.cpp"),
     "OpenMesh": (r"OpenMesh/", r"generator/piece/lod/\w+\.cpp"),
     "toml++": (r"toml(\+\+|plusplus)?(/|\.h)", r"generator/(template/read|scene)/\w+\.cpp"),
     "lib2geom": (r"2geom/", r"generator/template/read/\w+\.cpp"),
     "pugixml": (r"pugixml\.hpp", r"generator/template/read/\w+\.cpp"),
-    "tinygltf": (r"tiny_gltf\.h", r"generator/surface/file/glb_file\.cpp|render/export/gltf\.cpp|tests/render/export/read_glb\.cpp"),
+    "tinygltf": (r"tiny_gltf\.h", r"generator/surface/file/glb_file\.cpp|tests/render/export/read_glb\.cpp"),
     "libpng": (r"png\.h", r"render/image/\w+\.cpp|tests/\w+/\w+\.cpp"),
     "EGL": (r"EGL/", r"render/gl/\w+\.cpp"),
     "OSMesa": (r"GL/osmesa\.h", r"render/gl/\w+\.cpp"),

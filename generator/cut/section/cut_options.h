@@ -15,4 +15,13 @@ struct CutOptions {
   Threads threads{};            ///< the result does not depend on them
 };
 
+/// Coarser than for a single fruit: a piece in a heap covers a tenth of the picture.
+constexpr CutOptions coarse_cut{.coarsest = 1.0 / 30, .finest = 1.0 / 250, .grading = 0.4, .contrast = 60 / 255.};
+
+/// Whether two give the same cut.
+constexpr bool same_cut(const CutOptions& a, const CutOptions& b) {
+  return a.coarsest == b.coarsest && a.finest == b.finest && a.grading == b.grading && a.contrast == b.contrast &&
+         a.crumb == b.crumb;
+}
+
 }  // namespace pomona

@@ -18,7 +18,7 @@
 #include "generator/surface/bodies.h"
 #include "generator/surface/shell_geometry.h"
 #include "generator/template/read/read_template.h"
-#include "render/export/gltf.h"
+#include "render/export/gltf/write_glb.h"
 #include "render/export/ply.h"
 #include "tests/render/export/read_glb.h"
 #include "tests/shapes/seeded_fruit.h"
@@ -44,7 +44,12 @@ struct Sample {
     const auto diffuser = make_pmvc_diffuser({.quality = Quality::draft, .threads = {}});
     return shapes::sliced(surfaces, knives, fruit, diffuser.get());
   }
-  Scene pieces(const std::vector<std::string>& words) const { return gathered(sliced_by(words).pieces); }
+  /// Of no known origin, so that files keep the fruit's frame, to the bit.
+  Scene pieces(const std::vector<std::string>& words) const {
+    Scene scene = gathered(sliced_by(words).pieces);
+    for (Solid& solid : scene.solids) solid.origin = {};
+    return scene;
+  }
 };
 
 /// With grain in its colours, as a picture would show it.

@@ -1,4 +1,4 @@
-#include "render/export/gltf.h"
+#include "render/export/gltf/write_glb.h"
 
 #include <gmock/gmock.h>
 

@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <map>
 #include <regex>
+#include <set>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/units.h"
+#include "render/export/pov_palette.h"
 #include "tests/render/export/named_solids.h"
 
 namespace pomona {
@@ -55,6 +57,40 @@ TEST(Pov, TexturesAreSharedAndBounded) {
   for (std::size_t v = 0; v < ball.color.size(); ++v) ball.color[v] = 0.5f + 10.0f * ball.position[v];
   scene.solids[0] = ball;
   EXPECT_LE(occurrences(write_pov(scene, "x")[1].bytes, "texture{"), 4096u);
+}
+
+TEST(Pov, AHeapOfThousandsHasFewerColoursToCopyWithEachInstance) {
+  Scene scene;
+  scene.solids = {named::ball("ball", 0.05f, 40, Color(0.5f))};
+  Solid& ball = scene.solids[0];
+  for (std::size_t v = 0; v < ball.color.size(); ++v) ball.color[v] = 0.5f + 10.0f * ball.position[v];
+  scene.instances.assign(10000, {0, {}, "one"});
+  const std::vector<NamedFile> files = write_pov(scene, "x");
+  EXPECT_EQ(occurrences(files[0].bytes, "object { Mesh_0 "), 10000u);
+  EXPECT_EQ(occurrences(files[1].bytes, "mesh2"), 1u) << "a mesh is told once";
+  const std::size_t textures = occurrences(files[1].bytes, "texture{");
+  EXPECT_LE(10001 * textures, 2'000'000u);
+  EXPECT_GT(textures, 150u);
+}
+
+TEST(PovPalette, KeepsColoursWhereTheyAreFewAndElsewhereTakesNearOnes) {
+  const std::vector<pov::FinishedColor> few{{0, 0, 0, 0}, {252, 0, 0, 0}, {252, 0, 0, 1}};
+  EXPECT_EQ(pov::few_colors(few, 3), few);
+
+  // A cube of colours, one of them far off: it stays what it is, and the others move by no more than a box.
+  std::vector<pov::FinishedColor> many{{252, 252, 252, 0}};
+  for (int r = 0; r < 16; ++r)
+    for (int g = 0; g < 16; ++g)
+      for (int b = 0; b < 16; ++b) many.push_back({r, g, b, 0});
+  const std::vector<pov::FinishedColor> taken = pov::few_colors(many, 65);
+  EXPECT_EQ(taken[0], many[0]);
+  EXPECT_EQ(std::set(taken.begin(), taken.end()).size(), 65u);
+  for (std::size_t i = 0; i < many.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_LE(std::abs(taken[i][k] - many[i][k]), 4);
+
+  // Finishes are never mixed, even where that takes more.
+  const std::vector<pov::FinishedColor> finishes = pov::few_colors({{9, 9, 9, 0}, {9, 9, 9, 1}, {9, 9, 9, 2}}, 1);
+  EXPECT_EQ(std::set(finishes.begin(), finishes.end()).size(), 3u);
 }
 
 TEST(Pov, NamesCannotBreakOut) {

@@ -10,7 +10,7 @@
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/scene/scene.h"
-#include "render/export/gltf.h"
+#include "render/export/gltf/write_glb.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/section_picture.h"
 #include "tests/render/export/read_glb.h"
@@ -39,8 +39,12 @@ struct Halves {
     return colored(cut(surfaces, knives, options).section, surfaces, *diffuser);
   }
 
+  /// Of no known origin, so that files keep the fruit's frame.
   Scene pieces() const {
-    return gathered(shapes::sliced(surfaces, knives, fruit, diffuser.get(), {.keep_section_colors = true}).pieces);
+    Scene scene =
+        gathered(shapes::sliced(surfaces, knives, fruit, diffuser.get(), {.keep_section_colors = true}).pieces);
+    for (Solid& solid : scene.solids) solid.origin = {};
+    return scene;
   }
 };
 

@@ -10,6 +10,9 @@ namespace pomona {
 /// quote itself.
 std::string shell_quoted(const std::string& word);
 
+/// The same for people to read: quoted only where the shell would take it for something else.
+std::string shell_word(const std::string& word);
+
 /// Words parted by spaces, each quoted.
 std::string shell_line(std::span<const std::string> words);
 

@@ -1,4 +1,4 @@
-#include "cli/farm/shell_words.h"
+#include "generator/base/shell_words.h"
 
 namespace pomona {
 
@@ -9,6 +9,12 @@ std::string shell_quoted(const std::string& word) {
     text += c;
   }
   return text + "'";
+}
+
+std::string shell_word(const std::string& word) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/:,=+-";
+  const bool is_plain = !word.empty() && word.find_first_not_of(plain) == std::string::npos;
+  return is_plain ? word : shell_quoted(word);
 }
 
 std::string shell_line(std::span<const std::string> words) {

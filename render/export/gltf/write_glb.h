@@ -9,12 +9,12 @@
 
 namespace pomona {
 
-/// The bytes of a .glb: a mesh per solid, a node per instance, the scene's camera. Metres, +Y up. Vertices are
-/// interleaved: POSITION, NORMAL (float), COLOR_0 (linear, 16-bit RGBA), _PART (16-bit, index into the mesh's
-/// extras.parts). Same scene and options, same bytes.
+/// The bytes of a .glb: a mesh per solid, a node per instance, the scene's camera. Metres, +Y up. A piece's origin is
+/// its centre of mass. Vertices are interleaved: POSITION, NORMAL (float), COLOR_0 (linear, 16-bit RGBA), _PART
+/// (16-bit, index into the mesh's extras.parts). Same scene and options, same bytes.
 /// \param levels one entry per solid of the scene, or none: its coarser levels, finer before coarser. They become
 /// nodes outside the scene, named "<instance>_LOD1", ..., which the extension MSFT_lod names at the instance's node.
-/// \throws Error (bad_data) for a solid with more than 65 536 parts.
+/// \throws Error (bad_data) for a solid with more than 65 536 parts, or a file beyond 4 GB.
 std::string write_glb(const Scene& scene, const ExportOptions& options = {},
                       std::span<const std::vector<Solid>> levels = {});
 
@@ -23,7 +23,7 @@ std::string write_glb(const Scene& scene, std::span<const StyledMesh> styled, co
                       std::span<const std::vector<Solid>> levels = {});
 
 /// The same with the colours in textures: `baked` has one entry per solid of the scene. TEXCOORD_0 takes the place
-/// of COLOR_0, and every solid has a material of its own.
+/// of COLOR_0, and every solid has materials of its own.
 std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, const ExportOptions& options = {},
                       std::span<const std::vector<BakedSolid>> levels = {});
 

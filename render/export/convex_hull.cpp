@@ -1,0 +1,128 @@
+#include "render/export/convex_hull.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/convex_hull_3.h>
+
+#include <glm/geometric.hpp>
+
+namespace pomona {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Surface = CGAL::Surface_mesh<Point>;
+
+Point to_cgal(const glm::vec3& p) {
+  return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+}
+
+/// CGAL's points are ours, unchanged, so going back to floats loses nothing.
+glm::vec3 from_cgal(const Point& p) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
+
+bool is_before(const glm::vec3& a, const glm::vec3& b) {
+  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+/// Vertices in the order of their places, triangles from their least vertex on and in order: nothing of the way that
+/// CGAL went is left, but for how it divides flat faces.
+ConvexHull ordered(const Surface& surface) {
+  ConvexHull hull;
+  for (const auto vertex : surface.vertices()) hull.position.push_back(from_cgal(surface.point(vertex)));
+  std::sort(hull.position.begin(), hull.position.end(), is_before);
+  const auto number_of = [&](const Point& point) {
+    const auto at = std::lower_bound(hull.position.begin(), hull.position.end(), from_cgal(point), is_before);
+    return static_cast<std::uint32_t>(at - hull.position.begin());
+  };
+  for (const auto face : surface.faces()) {
+    std::vector<std::uint32_t> corner;
+    for (const auto vertex : surface.vertices_around_face(surface.halfedge(face)))
+      corner.push_back(number_of(surface.point(vertex)));
+    std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
+    hull.triangle.emplace_back(corner[0], corner[1], corner[2]);
+  }
+  std::sort(hull.triangle.begin(), hull.triangle.end(), [](const glm::uvec3& a, const glm::uvec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  });
+  return hull;
+}
+
+/// \param points different ones, in the order of their places.
+ConvexHull whole_hull(const std::vector<glm::vec3>& points) {
+  std::vector<Point> given;
+  for (const glm::vec3& p : points) given.push_back(to_cgal(p));
+  if (given.size() < 4) return {};
+  Surface surface;
+  CGAL::convex_hull_3(given.begin(), given.end(), surface);
+  return surface.number_of_faces() >= 4 ? ordered(surface) : ConvexHull{};
+}
+
+/// Points that lie farthest along the axes and between them.
+std::vector<glm::vec3> farthest_along_directions(const std::vector<glm::vec3>& points) {
+  std::vector<glm::vec3> found;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (x == 0 && y == 0 && z == 0) continue;
+        const glm::dvec3 along(x, y, z);
+        found.push_back(*std::max_element(points.begin(), points.end(), [&](const glm::vec3& a, const glm::vec3& b) {
+          return glm::dot(glm::dvec3(a), along) < glm::dot(glm::dvec3(b), along);
+        }));
+      }
+    }
+  }
+  std::sort(found.begin(), found.end(), is_before);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// The point that stands out farthest of a hull, if any does.
+std::optional<glm::vec3> farthest_outside(const ConvexHull& hull, const std::vector<glm::vec3>& points) {
+  std::optional<glm::vec3> farthest;
+  double distance = 1e-9;  // metres
+  for (const glm::uvec3& t : hull.triangle) {
+    const glm::dvec3 a(hull.position[t.x]), b(hull.position[t.y]), c(hull.position[t.z]);
+    const glm::dvec3 area = glm::cross(b - a, c - a);
+    const double length = glm::length(area);
+    if (!(length > 0)) continue;
+    for (const glm::vec3& p : points) {
+      const double height = glm::dot(glm::dvec3(p) - a, area) / length;
+      if (height > distance) distance = height, farthest = p;
+    }
+  }
+  return farthest;
+}
+
+}  // namespace
+
+ConvexHull convex_hull(std::span<const glm::vec3> points, std::size_t most) {
+  std::vector<glm::vec3> different(points.begin(), points.end());
+  std::sort(different.begin(), different.end(), is_before);
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  const ConvexHull whole = whole_hull(different);
+  if (whole.position.size() <= most) return whole;
+
+  // From a rough hull outwards, a point at a time.
+  std::vector<glm::vec3> chosen = farthest_along_directions(whole.position);
+  chosen.resize(std::min(chosen.size(), most));
+  ConvexHull hull = whole_hull(chosen);
+  while (hull.position.size() < most) {
+    const std::optional<glm::vec3> next = farthest_outside(hull, whole.position);
+    if (!next) break;
+    chosen = hull.position;
+    chosen.push_back(*next);
+    hull = whole_hull(chosen);
+  }
+  return hull;
+}
+
+}  // namespace pomona

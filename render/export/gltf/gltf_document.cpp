@@ -1,0 +1,85 @@
+#include "render/export/gltf/gltf_document.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "generator/base/error.h"
+
+namespace pomona::gltf {
+
+namespace {
+
+void append_word(std::string& bytes, std::size_t word) {
+  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
+}
+
+/// Chunks of a .glb are filled up to multiples of four: text with spaces, bytes with zeros.
+std::size_t filled(std::size_t size) { return (size + 3) / 4 * 4; }
+
+void append_chunk(std::string& file, const char* kind, const std::string& bytes, char filling) {
+  append_word(file, filled(bytes.size()));
+  file.append(kind, 4);
+  file += bytes;
+  file.append(filled(bytes.size()) - bytes.size(), filling);
+}
+
+}  // namespace
+
+GltfDocument::GltfDocument() {
+  json_["asset"] = {{"version", "2.0"}, {"generator", "Pomona"}};
+  json_["scene"] = 0;
+  json_["scenes"] = Json::array({{{"name", "scene"}, {"nodes", Json::array()}}});
+}
+
+int GltfDocument::add(const char* list, Json value) {
+  Json& values = json_[list];
+  values.push_back(std::move(value));
+  return static_cast<int>(values.size()) - 1;
+}
+
+int GltfDocument::add_view(const void* data, std::size_t size, Target target, std::size_t stride) {
+  buffer_.resize(filled(buffer_.size()));
+  Json view = {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", size}};
+  if (stride > 0) view["byteStride"] = stride;
+  if (target != Target::none) view["target"] = static_cast<int>(target);
+  buffer_.append(static_cast<const char*>(data), size);
+  return add("bufferViews", std::move(view));
+}
+
+int GltfDocument::add_accessor(int view, std::size_t offset, std::size_t count, Component component,
+                               const char* type) {
+  Json accessor = {{"bufferView", view}};
+  if (offset > 0) accessor["byteOffset"] = offset;
+  accessor["componentType"] = static_cast<int>(component);
+  accessor["count"] = count;
+  accessor["type"] = type;
+  return add("accessors", std::move(accessor));
+}
+
+void GltfDocument::use_extension(const std::string& name) {
+  Json& used = json_["extensionsUsed"];
+  if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+}
+
+std::string GltfDocument::bytes() const {
+  Json json = json_;
+  if (!buffer_.empty()) json["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
+  // Names may come from files of any encoding; glTF is UTF-8.
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+
+  std::size_t size = 12 + 8 + filled(text.size());
+  if (!buffer_.empty()) size += 8 + filled(buffer_.size());
+  if (size > std::numeric_limits<std::uint32_t>::max())
+    throw Error(ExitStatus::bad_data, "the scene is too large for a .glb, which ends at 4 GB");
+  std::string file;
+  file.reserve(size);
+  file += "glTF";
+  append_word(file, 2);
+  append_word(file, size);
+  append_chunk(file, "JSON", text, ' ');
+  if (!buffer_.empty()) append_chunk(file, std::string("BIN\0", 4).data(), buffer_, '\0');
+  return file;
+}
+
+}  // namespace pomona::gltf

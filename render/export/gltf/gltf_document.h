@@ -1,0 +1,47 @@
+// A glTF file under way: its JSON, and the bytes that the JSON speaks of.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace pomona::gltf {
+
+using Json = nlohmann::ordered_json;
+
+/// glTF's numbers for what arrays consist of, and are for.
+enum class Component : int { u16 = 5123, u32 = 5125, f32 = 5126 };
+enum class Target : int { none = 0, vertices = 34962, indices = 34963 };
+
+/// Every add_... returns the index of what it added.
+class GltfDocument {
+ public:
+  GltfDocument();
+
+  /// Appends a value to one of the file's lists: "meshes", "nodes", ...
+  int add(const char* list, Json value);
+  /// What has been added; valid until the next add() to this list.
+  Json& at(const char* list, int index) { return json_[list][static_cast<std::size_t>(index)]; }
+
+  /// Appends bytes to the buffer, from a multiple of four on. \param stride of vertices with several attributes, else 0
+  int add_view(const void* data, std::size_t size, Target target, std::size_t stride = 0);
+
+  /// `count` elements of a view. \param type "SCALAR", "VEC3", ...
+  int add_accessor(int view, std::size_t offset, std::size_t count, Component component, const char* type);
+
+  /// No viewer needs to know it.
+  void use_extension(const std::string& name);
+
+  Json& scene() { return json_["scenes"][0]; }
+
+  /// As .glb: header, JSON, buffer. \throws Error (bad_data) beyond the 4 GB that the format can tell.
+  std::string bytes() const;
+
+ private:
+  Json json_;
+  std::string buffer_;
+};
+
+}  // namespace pomona::gltf

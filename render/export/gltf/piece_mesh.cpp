@@ -1,0 +1,68 @@
+#include "render/export/gltf/piece_mesh.h"
+
+#include <utility>
+
+#include "generator/base/error.h"
+#include "generator/piece/piece_facts.h"
+#include "render/export/gltf/vertex_buffers.h"
+#include "render/export/piece_words.h"
+
+namespace pomona::gltf {
+
+namespace {
+
+Json point(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+/// What a game or a simulation asks of a body, and how the piece came to be.
+Json extras_of(const Solid& solid, const ExportOptions& options) {
+  const PieceFacts facts = facts_of(solid);
+  const PieceOrigin& origin = solid.origin;
+  Json extras;
+  extras["parts"] = solid.part_names;  // what the vertices' part numbers stand for
+  extras["volume"] = facts.volume;
+  extras["density"] = solid.density;
+  extras["mass"] = facts.mass;
+  extras["center"] = point(facts.center);
+  extras["low"] = point(facts.low);
+  extras["high"] = point(facts.high);
+  extras["triangles"] = facts.triangles;
+  extras["closed"] = solid.closed;
+  extras["crumb"] = solid.crumb;
+  if (origin.number == 0) return extras;
+
+  extras["template"] = origin.source;
+  extras["seed"] = origin.key.seed;
+  extras["index"] = origin.key.index;
+  extras["knife"] = knives_text(origin);
+  extras["piece"] = origin.number;
+  const std::string command = command_for(solid, options, ".glb");
+  if (!command.empty()) extras["command"] = command;
+  return extras;
+}
+
+/// The parts of vertices once more, by the same array, as Cesium and others read them.
+void add_feature_ids(GltfDocument& document, Json& primitive, std::size_t parts) {
+  primitive["attributes"]["_FEATURE_ID_0"] = primitive["attributes"]["_PART"];
+  primitive["extensions"]["EXT_mesh_features"] = {
+      {"featureIds", Json::array({{{"featureCount", parts}, {"label", "part"}, {"attribute", 0}}})}};
+  document.use_extension("EXT_mesh_features");
+}
+
+}  // namespace
+
+int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Solid& solid, const StyledMesh& styled,
+                   const PieceMeshOptions& mesh, const ExportOptions& options) {
+  if (solid.part_names.size() > 65536) throw Error(ExitStatus::bad_data, solid.name + ": too many parts for glTF");
+  const Json attributes = add_vertices(document, styled, mesh.pivot);
+  Json primitives = Json::array();
+  for (const LookGroup& group : groups_by_look(solid, styled)) {
+    Json primitive = {{"attributes", attributes}};
+    primitive["indices"] = add_triangles(document, group.triangle, styled.position.size());
+    primitive["material"] = materials.material(solid, group, mesh.texture);
+    if (options.feature_ids) add_feature_ids(document, primitive, solid.part_names.size());
+    primitives.push_back(std::move(primitive));
+  }
+  return document.add("meshes", {{"name", mesh.name}, {"primitives", primitives}, {"extras", extras_of(solid, options)}});
+}
+
+}  // namespace pomona::gltf

@@ -1,0 +1,24 @@
+// One solid as a mesh of a glTF file.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "render/export/gltf/gltf_document.h"
+#include "render/export/gltf/piece_materials.h"
+#include "render/export/styled_mesh.h"
+
+namespace pomona::gltf {
+
+struct PieceMeshOptions {
+  std::string name;                 ///< of the mesh
+  glm::vec3 pivot{0};               ///< becomes the origin
+  std::optional<int> texture = {};  ///< of PieceMaterials; or none, where vertices have colours
+};
+
+/// A primitive for each look, all of the same vertices, and `extras`. The index of the mesh.
+/// \throws Error (bad_data) for a solid with more than 65 536 parts.
+int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Solid& solid, const StyledMesh& styled,
+                   const PieceMeshOptions& mesh, const ExportOptions& options);
+
+}  // namespace pomona::gltf

@@ -1,0 +1,27 @@
+// The nodes of a glTF file: pieces where they lie, by fruit, with what belongs to them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "generator/scene/scene.h"
+#include "render/export/gltf/gltf_document.h"
+#include "render/export/styled_mesh.h"
+
+namespace pomona::gltf {
+
+/// What has been made of a solid; no meshes of one without triangles, which glTF cannot hold.
+struct SolidMeshes {
+  std::vector<int> meshes;        ///< of the solid, then of its coarser levels
+  std::optional<int> hull;        ///< mesh to collide with
+  glm::vec3 pivot{0};             ///< of the solid, the origin of its meshes
+};
+
+/// A node per instance or, where options.instances says so, one for all instances of a solid
+/// (EXT_mesh_gpu_instancing). Above them a node for each entry of a scene and each fruit that has several pieces;
+/// beside them the camera.
+void add_nodes(GltfDocument& document, const Scene& scene, std::span<const SolidMeshes> solids,
+               const ExportOptions& options);
+
+}  // namespace pomona::gltf

@@ -1,0 +1,31 @@
+// The pieces of a scene in groups, as people look for them in an outliner: by entry, and by fruit within.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pomona {
+
+/// Where a piece belongs; what is not known is empty.
+struct PiecePath {
+  std::string entry;    ///< of the scene: "tomato-wedges"
+  std::string variant;  ///< the fruit: "tomato-wedges-3"
+};
+
+struct PieceGroup {
+  struct Member {
+    std::size_t item = 0;               ///< a piece, by its number; unless
+    std::shared_ptr<PieceGroup> group;  ///< this is there
+  };
+  std::string name;
+  std::vector<Member> members;  ///< in the order in which they first come
+};
+
+/// All pieces: those of an entry are a group, and within it those of one fruit, if there are several. Outside of entries
+/// the same holds of fruits. The outermost group has no name.
+PieceGroup grouped(std::span<const PiecePath> pieces);
+
+}  // namespace pomona

@@ -1,0 +1,195 @@
+#include "render/export/usd/usda_piece.h"
+
+#include <map>
+#include <utility>
+
+#include "generator/mesh/box.h"
+#include "generator/piece/piece_facts.h"
+#include "render/export/piece_words.h"
+
+namespace pomona::usd {
+
+namespace {
+
+constexpr double of_points = 1e-7;  ///< metres; equal positions stay equal, so meshes stay closed
+constexpr double of_normals = 1e-3, of_colors = 1e-4;
+
+/// "        int x = 3\n"
+void append_line(std::string& text, int indent, const std::string& line) {
+  text.append(static_cast<std::size_t>(4 * indent), ' ');
+  text += line + "\n";
+}
+
+/// Faces by what they have in common, as subsets of a mesh.
+struct Subset {
+  std::string family, name, metadata, binding;
+  std::vector<std::int32_t> faces;
+};
+
+void append_subset(std::string& text, int indent, const Subset& subset) {
+  const auto line = [&](const std::string& words) { append_line(text, indent, words); };
+  line("def GeomSubset " + quoted(subset.name) + (subset.metadata.empty() ? "" : " " + subset.metadata));
+  line("{");
+  line("    uniform token elementType = \"face\"");
+  line("    uniform token familyName = " + quoted(subset.family));
+  line("    int[] indices = " + list(subset.faces));
+  if (!subset.binding.empty()) line(subset.binding);
+  line("}");
+}
+
+/// A subset for each look, bound to a material that lies beside the mesh.
+std::vector<Subset> subsets_by_look(const StyledLevel& level, Looks& looks) {
+  std::vector<Subset> subsets;
+  for (const LookGroup& group : groups_by_look(level.solid, level.mesh)) {
+    const std::string name = looks.name_for(level.solid, group);
+    Subset subset{"materialBind", "look_" + name, "(\n    prepend apiSchemas = [\"MaterialBindingAPI\"]\n)", {}, {}};
+    subset.binding = "    rel material:binding = <../../Looks/" + name + ">";
+    subset.faces = group.face;
+    subsets.push_back(std::move(subset));
+  }
+  return subsets;
+}
+
+/// A subset for each part, labelled: what a face is at its first corner.
+std::vector<Subset> subsets_by_part(const StyledLevel& level) {
+  std::map<std::int32_t, std::vector<std::int32_t>> faces;
+  for (std::size_t t = 0; t < level.mesh.triangle.size(); ++t)
+    faces[level.mesh.part[level.mesh.triangle[t].x]].push_back(static_cast<std::int32_t>(t));
+  PrimNames names;
+  std::vector<Subset> subsets;
+  for (auto& [part, of_part] : faces) {
+    const auto number = static_cast<std::size_t>(part);
+    if (number >= level.solid.part_names.size()) continue;
+    const std::string& called = level.solid.part_names[number];
+    Subset subset{"part", names.name_for("part_" + called), {}, {}, std::move(of_part)};
+    subset.metadata = "(\n    prepend apiSchemas = [\"SemanticsLabelsAPI:part\"]\n)";
+    subset.binding = "    token[] semantics:labels:part = [" + quoted(called) + "]";
+    subsets.push_back(std::move(subset));
+  }
+  return subsets;
+}
+
+void append_arrays(std::string& text, int indent, const StyledMesh& mesh, const glm::vec3& pivot) {
+  const auto line = [&](const std::string& words) { append_line(text, indent, words); };
+  std::vector<glm::vec3> points = mesh.position;
+  Box<float> box;
+  for (glm::vec3& p : points) {
+    p -= pivot;
+    box.add(p);
+  }
+  std::vector<std::int32_t> counts(mesh.triangle.size(), 3), corners;
+  for (const glm::uvec3& t : mesh.triangle)
+    for (int k = 0; k < 3; ++k) corners.push_back(static_cast<std::int32_t>(t[k]));
+  line("float3[] extent = [" + tuple(glm::dvec3(box.low), of_points) + ", " + tuple(glm::dvec3(box.high), of_points) +
+       "]");
+  line("int[] faceVertexCounts = " + list(counts));
+  line("int[] faceVertexIndices = " + list(corners));
+  line("point3f[] points = " + list(points, of_points));
+  line("normal3f[] normals = " + list(mesh.normal, of_normals) + " (interpolation = \"vertex\")");
+  line("color3f[] primvars:displayColor = " + list(mesh.color, of_colors) + " (interpolation = \"vertex\")");
+  line("int[] primvars:part = " + list(mesh.part) + " (interpolation = \"vertex\")");
+}
+
+void append_mesh(std::string& text, int indent, const StyledLevel& level, const glm::vec3& pivot, Looks& looks) {
+  const auto line = [&](const std::string& words) { append_line(text, indent, words); };
+  const std::vector<Subset> by_look = subsets_by_look(level, looks);
+  line("def Mesh \"mesh\" (");
+  line("    prepend apiSchemas = [\"MaterialBindingAPI\", \"PhysicsCollisionAPI\", \"PhysicsMeshCollisionAPI\"]");
+  line(")");
+  line("{");
+  append_arrays(text, indent + 1, level.mesh, pivot);
+  line("    uniform token subdivisionScheme = \"none\"");
+  line("    uniform token physics:approximation = \"convexHull\"");
+  if (!level.solid.closed) line("    uniform bool doubleSided = 1");
+  if (by_look.size() == 1) {
+    std::string binding = by_look[0].binding;
+    line(binding.replace(binding.find("../../"), 6, "../"));
+  } else {
+    line("    uniform token subsetFamily:materialBind:familyType = \"partition\"");
+    for (const Subset& subset : by_look) append_subset(text, indent + 1, subset);
+  }
+  for (const Subset& subset : subsets_by_part(level)) append_subset(text, indent + 1, subset);
+  line("}");
+}
+
+/// What glTF says in `extras`.
+void append_custom_data(std::string& text, const Solid& solid, const ExportOptions& options) {
+  const PieceOrigin& origin = solid.origin;
+  append_line(text, 2, "customData = {");
+  std::string parts;
+  for (const std::string& part : solid.part_names) parts += (parts.empty() ? "" : ", ") + quoted(part);
+  append_line(text, 3, "string[] parts = [" + parts + "]");
+  append_line(text, 3, "double volume = " + exact(facts_of(solid).volume));
+  if (origin.number > 0) {
+    append_line(text, 3, "string template = " + quoted(origin.source));
+    append_line(text, 3, "uint64 seed = " + std::to_string(origin.key.seed));
+    append_line(text, 3, "uint64 index = " + std::to_string(origin.key.index));
+    append_line(text, 3, "string knife = " + quoted(knives_text(origin)));
+    append_line(text, 3, "int piece = " + std::to_string(origin.number));
+    const std::string command = command_for(solid, options, ".usda");
+    if (!command.empty()) append_line(text, 3, "string command = " + quoted(command));
+  }
+  append_line(text, 2, "}");
+}
+
+/// The materials of the piece lie within it, because references take nothing along that lies outside.
+void append_looks(std::string& text, std::span<const StyledLevel> levels, Looks& looks) {
+  std::map<std::string, bool> said;
+  append_line(text, 2, "def Scope \"Looks\"");
+  append_line(text, 2, "{");
+  for (const StyledLevel& level : levels) {
+    for (const LookGroup& group : groups_by_look(level.solid, level.mesh)) {
+      const std::string name = looks.name_for(level.solid, group);
+      if (std::exchange(said[name], true)) continue;
+      append_line(text, 3, "def Material \"" + name + "\" (prepend references = </Looks/" + name + ">)");
+      append_line(text, 3, "{");
+      append_line(text, 3, "}");
+    }
+  }
+  append_line(text, 2, "}");
+}
+
+}  // namespace
+
+std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, Looks& looks,
+                       const ExportOptions& options) {
+  const Solid& solid = levels.front().solid;
+  const PieceFacts facts = facts_of(solid);
+  const glm::vec3 pivot = pivot_of(solid);
+  const std::string fruit = solid.origin.fruit.empty() ? solid.name : solid.origin.fruit;
+  std::string text;
+  const auto line = [&](const std::string& words) { append_line(text, 1, words); };
+  line("def Xform \"" + name + "\" (");
+  line("    kind = \"component\"");
+  line("    displayName = " + quoted(solid.name));
+  line("    prepend apiSchemas = [\"PhysicsMassAPI\", \"SemanticsLabelsAPI:category\"]");
+  append_custom_data(text, solid, options);
+  if (levels.size() > 1) {
+    line("    variants = {");
+    line("        string LOD = \"LOD0\"");
+    line("    }");
+    line("    prepend variantSets = \"LOD\"");
+  }
+  line(")");
+  line("{");
+  line("    float physics:mass = " + exact(facts.mass));
+  line("    float physics:density = " + exact(solid.density));
+  line("    point3f physics:centerOfMass = " + tuple(facts.center - glm::dvec3(pivot), of_points));
+  line("    token[] semantics:labels:category = [" + quoted(fruit) + "]");
+  append_looks(text, levels, looks);
+  if (levels.size() == 1) {
+    append_mesh(text, 2, levels.front(), pivot, looks);
+  } else {
+    line("    variantSet \"LOD\" = {");
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+      line("        \"LOD" + std::to_string(level) + "\" {");
+      append_mesh(text, 4, levels[level], pivot, looks);
+      line("        }");
+    }
+    line("    }");
+  }
+  line("}");
+  return text;
+}
+
+}  // namespace pomona::usd

@@ -1,0 +1,23 @@
+// One solid as a class prim of a USD file, which instances refer to.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "render/export/styled_mesh.h"
+#include "render/export/usd/usda_material.h"
+
+namespace pomona::usd {
+
+/// A solid in its colours, or one of its levels of detail.
+struct StyledLevel {
+  const Solid& solid;
+  const StyledMesh& mesh;
+};
+
+/// "def Xform NAME { ... }", a component: its mesh or, of several levels, the variant set LOD; mass, labels, and what
+/// makes it again. \param levels the solid first. \param looks takes the materials that it needs.
+std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, Looks& looks,
+                       const ExportOptions& options);
+
+}  // namespace pomona::usd

@@ -1,0 +1,40 @@
+// Words and numbers as USD's text form has them.
+#pragma once
+
+#include <set>
+#include <span>
+#include <string>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+namespace pomona::usd {
+
+/// The shortest decimals for the number rounded to multiples of `step`, a power of ten; no locale has a say.
+void append_number(std::string& text, double number, double step);
+
+/// "(1, 0.5, -2)"
+std::string tuple(const glm::dvec3& v, double step);
+
+/// Every number to the last bit.
+std::string exact(double number);
+std::string exact_tuple(const glm::dvec3& v);
+std::string exact_tuple(const glm::dquat& q);  ///< w first
+
+/// "[(0, 0, 1), ...]" of points, colours or normals.
+std::string list(std::span<const glm::vec3> values, double step);
+std::string list(std::span<const std::int32_t> values);
+
+/// Between double quotes, with what is special in it escaped.
+std::string quoted(const std::string& text);
+
+/// Names of prims beside each other: letters, digits and underscores, and no two the same.
+class PrimNames {
+ public:
+  std::string name_for(const std::string& wanted);
+
+ private:
+  std::set<std::string> taken_;
+};
+
+}  // namespace pomona::usd

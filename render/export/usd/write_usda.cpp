@@ -1,0 +1,176 @@
+#include "render/export/usd/write_usda.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "generator/base/reproducible.h"
+#include "render/export/piece_groups.h"
+#include "render/export/piece_words.h"
+#include "render/export/usd/usda_piece.h"
+#include "render/picture/view_frame.h"
+
+namespace pomona {
+
+using namespace usd;
+
+namespace {
+
+/// So many meshes are styled at once, and forgotten when they are text.
+constexpr std::size_t meshes_at_once = 64;
+
+glm::dquat unit(const glm::dquat& q) {
+  const double length = std::sqrt(glm::dot(q, q));
+  return length > 0 ? q / length : glm::dquat(1, 0, 0, 0);
+}
+
+/// The solids' class prims, and what they are called; nothing of one without triangles.
+struct Pieces {
+  std::vector<std::string> name;  ///< per solid
+  std::string text;
+  Looks looks;
+};
+
+void add_piece(Pieces& pieces, const std::string& name, const Solid& solid, const StyledMesh& mesh,
+               std::span<const Solid> coarser, const ExportOptions& options) {
+  const std::vector<StyledMesh> styled = styled_meshes(coarser, options);
+  std::vector<StyledLevel> levels{{solid, mesh}};
+  for (std::size_t level = 0; level < coarser.size(); ++level) levels.push_back({coarser[level], styled[level]});
+  pieces.text += piece_text(name, levels, pieces.looks, options);
+}
+
+Pieces pieces_of(const Scene& scene, const ExportOptions& options, std::span<const std::vector<Solid>> levels) {
+  Pieces pieces;
+  pieces.name.resize(scene.solids.size());
+  PrimNames names;
+  const std::span<const Solid> solids = scene.solids;
+  for (std::size_t first = 0; first < solids.size(); first += meshes_at_once) {
+    const std::size_t count = std::min(meshes_at_once, solids.size() - first);
+    const std::vector<StyledMesh> styled = styled_meshes(solids.subspan(first, count), options);
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (styled[i - first].triangle.empty()) continue;
+      pieces.name[i] = names.name_for(solids[i].name);
+      const std::span<const Solid> coarser = i < levels.size() ? std::span<const Solid>(levels[i]) : std::span<const Solid>();
+      add_piece(pieces, pieces.name[i], solids[i], styled[i - first], coarser, options);
+    }
+  }
+  return pieces;
+}
+
+std::string indented(int indent) { return std::string(static_cast<std::size_t>(4 * indent), ' '); }
+
+glm::dvec3 place_of(const Instance& instance, const Scene& scene) {
+  const glm::dvec3 pivot(pivot_of(scene.solids[static_cast<std::size_t>(instance.solid)]));
+  return unit(instance.pose.rotation) * pivot + instance.pose.translation;
+}
+
+/// A prim that is the piece at its place.
+std::string instance_text(const Instance& instance, const Scene& scene, const std::string& piece, int indent,
+                          PrimNames& names) {
+  const std::string in = indented(indent);
+  std::string text = in + "def Xform \"" + names.name_for(instance.name) + "\" (\n";
+  text += in + "    displayName = " + quoted(instance.name) + "\n";
+  text += in + "    instanceable = true\n";
+  text += in + "    prepend references = </Pieces/" + piece + ">\n" + in + ")\n" + in + "{\n";
+  text += in + "    double3 xformOp:translate = " + exact_tuple(place_of(instance, scene)) + "\n";
+  text += in + "    quatd xformOp:orient = " + exact_tuple(unit(instance.pose.rotation)) + "\n";
+  text += in + "    uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]\n";
+  return text + in + "}\n";
+}
+
+/// Groups within groups, as in an outliner.
+std::string group_text(const PieceGroup& group, const Scene& scene, const std::vector<const Instance*>& instances,
+                       const Pieces& pieces, int indent, PrimNames& names) {
+  std::string text;
+  for (const PieceGroup::Member& member : group.members) {
+    if (!member.group) {
+      const Instance& instance = *instances[member.item];
+      text += instance_text(instance, scene, pieces.name[static_cast<std::size_t>(instance.solid)], indent, names);
+      continue;
+    }
+    const std::string in = indented(indent);
+    text += in + "def Xform \"" + names.name_for(member.group->name) + "\" (\n" + in + "    kind = \"group\"\n" + in +
+            "    displayName = " + quoted(member.group->name) + "\n" + in + ")\n" + in + "{\n";
+    PrimNames within;
+    text += group_text(*member.group, scene, instances, pieces, indent + 1, within) + in + "}\n";
+  }
+  return text;
+}
+
+std::string instances_text(const Scene& scene, const Pieces& pieces, PrimNames& names) {
+  std::vector<const Instance*> shown;
+  std::vector<PiecePath> paths;
+  for (const Instance& instance : scene.instances) {
+    const auto solid = static_cast<std::size_t>(instance.solid);
+    if (pieces.name[solid].empty()) continue;
+    shown.push_back(&instance);
+    paths.push_back({scene.solids[solid].origin.entry, scene.solids[solid].origin.variant});
+  }
+  return group_text(grouped(paths), scene, shown, pieces, 1, names);
+}
+
+/// All of them as one PointInstancer, with a prototype for each solid.
+std::string point_instancer_text(const Scene& scene, const Pieces& pieces, PrimNames& names) {
+  std::vector<std::int32_t> proto(scene.solids.size(), -1), index;
+  std::string prototypes, targets, positions, orientations;
+  std::int32_t count = 0;
+  for (const Instance& instance : scene.instances) {
+    const auto solid = static_cast<std::size_t>(instance.solid);
+    const std::string& piece = pieces.name[solid];
+    if (piece.empty()) continue;
+    if (proto[solid] < 0) {
+      proto[solid] = count++;
+      prototypes += "            def Xform \"" + piece + "\" (prepend references = </Pieces/" + piece +
+                    ">)\n            {\n            }\n";
+      targets += std::string(targets.empty() ? "" : ", ") + "</Scene/pieces/Prototypes/" + piece + ">";
+    }
+    const char* comma = index.empty() ? "" : ", ";
+    index.push_back(proto[solid]);
+    positions += comma + tuple(place_of(instance, scene), 1e-7);
+    const glm::dquat q = unit(instance.pose.rotation);
+    orientations += comma + exact_tuple(glm::dquat(std::round(q.w * 1e7) / 1e7, std::round(q.x * 1e7) / 1e7,
+                                                   std::round(q.y * 1e7) / 1e7, std::round(q.z * 1e7) / 1e7));
+  }
+  std::string text = "    def PointInstancer \"" + names.name_for("pieces") + "\"\n    {\n";
+  text += "        rel prototypes = [" + targets + "]\n        int[] protoIndices = " + list(index) + "\n";
+  text += "        point3f[] positions = [" + positions + "]\n";
+  // Those of half precision are for programs from before USD 24.08; the others go before them.
+  text += "        quath[] orientations = [" + orientations + "]\n";
+  text += "        quatf[] orientationsf = [" + orientations + "]\n\n";
+  return text + "        def Scope \"Prototypes\"\n        {\n" + prototypes + "        }\n    }\n";
+}
+
+/// A lens on a film 24 mm high; tenths of a scene unit are what USD measures both in.
+std::string camera_text(const View& view, PrimNames& names) {
+  const ViewFrame frame = view_frame(view);
+  const double half = view.vertical_field / 2, film = 24;
+  const double focal = film / 2 * reproducible::cos(half) / reproducible::sin(half);
+  const glm::dquat turned = unit(glm::quat_cast(glm::dmat3(frame.right, frame.up, frame.back)));
+  std::string text = "    def Camera \"" + names.name_for("view") + "\"\n    {\n";
+  text += "        float focalLength = " + exact(focal) + "\n        float verticalAperture = 24\n";
+  text += "        float horizontalAperture = 32\n        float2 clippingRange = (" + exact(frame.distance / 100) +
+          ", " + exact(frame.distance * 100) + ")\n";
+  text += "        float focusDistance = " + exact(frame.distance) + "\n";
+  text += "        double3 xformOp:translate = " + exact_tuple(view.eye) + "\n";
+  text += "        quatd xformOp:orient = " + exact_tuple(turned) + "\n";
+  return text + "        uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]\n    }\n";
+}
+
+}  // namespace
+
+std::string write_usda(const Scene& scene, const ExportOptions& options, std::span<const std::vector<Solid>> levels) {
+  const Pieces pieces = pieces_of(scene, options, levels);
+  std::string text = "#usda 1.0\n(\n    defaultPrim = \"Scene\"\n    doc = " +
+                     quoted("Made by Pomona. " + options.provenance) +
+                     "\n    kilogramsPerUnit = 1\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n";
+  PrimNames names;
+  text += "def Xform \"Scene\" (\n    kind = \"assembly\"\n)\n{\n";
+  text += options.instances ? point_instancer_text(scene, pieces, names) : instances_text(scene, pieces, names);
+  text += camera_text(scene.view, names) + "}\n\n";
+  text += "class Scope \"Pieces\"\n{\n" + pieces.text + "}\n\n";
+  return text + "class Scope \"Looks\"\n{\n" + pieces.looks.text() + "}\n";
+}
+
+}  // namespace pomona

@@ -1,0 +1,90 @@
+// The commands that make pieces again: tests/cli/remake_test.py runs them.
+#include "generator/piece/piece_origin.h"
+
+#include <gtest/gtest.h>
+
+#include "generator/knife/parse_knife.h"
+#include "tests/shapes/seeded_fruit.h"
+#include "tests/shapes/sliced.h"
+
+namespace pomona {
+namespace {
+
+TEST(PieceOrigin, TheDrawingNeedsNoMoreThanItsName) {
+  const PieceOrigin whole{.source = "tomato", .growing = {.as_drawn = true}, .number = 1, .pieces = 1};
+  EXPECT_EQ(command_for(whole, "x.glb"), "pomona grow tomato -o x.glb");
+}
+
+TEST(PieceOrigin, SaysAllThatIsNotAsUsual) {
+  const PieceOrigin piece{.source = "my fruit.toml",
+                          .key = {.seed = 0, .index = 7},
+                          .growing = {.variation = 0.5, .curves_only = true, .folds = 4, .detail = 0.1, .ripeness = 1.0 / 3, .browning = 0.25},
+                          .knives = {"half", "stroke:a.svg#wave"},
+                          .coarse = true,
+                          .number = 2,
+                          .pieces = 9};
+  EXPECT_EQ(command_for(piece, "x.glb", " --style plain"),
+            "pomona cut 'my fruit.toml' --seed 0 --index 7 --variation 0.5 --curves-only --folds 4 --ripeness "
+            "0.3333333333333333 --detail 0.1 --knife half --knife 'stroke:a.svg#wave' --browning 0.25 --faces coarse "
+            "--piece 2 --style plain -o x.glb");
+  EXPECT_EQ(knives_text(piece), "half stroke:a.svg#wave");
+}
+
+TEST(PieceOrigin, KeepsLargeSeedsWhole) {
+  const PieceOrigin piece{.source = "kiwi", .key = {.seed = 18446744073709551615u}, .number = 1, .pieces = 1};
+  EXPECT_EQ(command_for(piece, "x.glb"), "pomona grow kiwi --seed 18446744073709551615 -o x.glb");
+}
+
+TEST(PieceOrigin, OfNobodyKnowsWhatIsNoCommand) {
+  EXPECT_EQ(command_for({}, "x.glb"), "");
+  EXPECT_EQ(command_for({.source = "kiwi"}, "x.glb"), "") << "which piece?";
+}
+
+TEST(PieceOrigin, PathsFromTheRootAreOfNoUseElsewhere) {
+  EXPECT_EQ(source_word("tomato"), "tomato");
+  EXPECT_EQ(source_word("fruit/plum.toml"), "fruit/plum.toml");
+  EXPECT_EQ(source_word("/home/me/plum.toml"), "plum.toml");
+}
+
+/// Pieces know their numbers in the whole cut, however few of them were wanted; and one alone can be asked for.
+TEST(PieceOrigin, NumbersAreThoseOfTheWholeCut) {
+  const GrownFruit grown{shapes::seeded_fruit(), {}, shapes::seeded_fruit()};
+  Template fruit;
+  fruit.parts = grown.sheets.part_names;
+  const std::vector<Knife> knives{parse_knife("half"), parse_knife("slices:3")};
+  SliceTask task{.grown = grown, .variant = fruit, .knives = knives};
+  const std::vector<Solid> all = slice(task, nullptr).pieces;
+  ASSERT_EQ(all.size(), 6u);
+  task.choice = PieceChoice{.take = 2};
+  const std::vector<Solid> largest = slice(task, nullptr).pieces;
+  ASSERT_EQ(largest.size(), 2u);
+  for (const Solid& piece : largest) {
+    EXPECT_EQ(piece.origin.pieces, 6);
+    EXPECT_EQ(piece.origin.knives, (std::vector<std::string>{"half", "slices:3"}));
+    const auto number = static_cast<std::size_t>(piece.origin.number);
+    EXPECT_EQ(piece.position, all[number - 1].position);
+
+    SliceTask again = task;
+    again.choice = PieceChoice{.only = piece.origin.number};
+    const std::vector<Solid> one = slice(again, nullptr).pieces;
+    ASSERT_EQ(one.size(), 1u);
+    EXPECT_EQ(one[0].position, piece.position);
+    EXPECT_EQ(one[0].origin.number, piece.origin.number);
+  }
+  task.choice = PieceChoice{.only = 7};
+  EXPECT_TRUE(slice(task, nullptr).pieces.empty());
+}
+
+/// What the program cannot cut so has no command.
+TEST(PieceOrigin, OtherCutFacesThanTheProgramsHaveNoSource) {
+  const GrownFruit grown{shapes::seeded_fruit(), {}, shapes::seeded_fruit()};
+  const Template fruit;
+  const std::vector<Knife> knives{parse_knife("half")};
+  const SliceTask task{.grown = grown, .variant = fruit, .knives = knives, .origin = {.source = "seeded"}};
+  EXPECT_EQ(slice(task, nullptr).pieces[0].origin.source, "seeded");
+  EXPECT_TRUE(slice(task, nullptr, {.cut = coarse_cut}).pieces[0].origin.coarse);
+  EXPECT_EQ(slice(task, nullptr, {.cut = {.coarsest = 0.2}}).pieces[0].origin.source, "");
+}
+
+}  // namespace
+}  // namespace pomona

@@ -1,0 +1,89 @@
+#include "render/export/convex_hull.h"
+
+#include <gmock/gmock.h>
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "tests/render/export/named_solids.h"
+
+namespace pomona {
+namespace {
+
+double volume_of(const ConvexHull& hull) {
+  double six = 0;
+  for (const glm::uvec3& t : hull.triangle) {
+    const glm::dvec3 a(hull.position[t.x]), b(hull.position[t.y]), c(hull.position[t.z]);
+    six += glm::dot(a, glm::cross(b, c));
+  }
+  return six / 6;
+}
+
+/// Closed, and no vertex in front of any face.
+void expect_convex(const ConvexHull& hull) {
+  std::map<std::pair<unsigned, unsigned>, int> edges;
+  for (const glm::uvec3& t : hull.triangle) {
+    const glm::dvec3 a(hull.position[t.x]), b(hull.position[t.y]), c(hull.position[t.z]);
+    const glm::dvec3 area = glm::cross(b - a, c - a);
+    for (const glm::vec3& p : hull.position) EXPECT_LT(glm::dot(glm::dvec3(p) - a, glm::normalize(area)), 1e-8);
+    for (int k = 0; k < 3; ++k) {
+      const unsigned from = t[k], to = t[(k + 1) % 3];
+      edges[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  for (const auto& [edge, sum] : edges) EXPECT_EQ(sum, 0);
+}
+
+/// Every third of a centimetre on the surface of a box of 2 x 3 x 4 cm, and within.
+std::vector<glm::vec3> grid() {
+  std::vector<glm::vec3> points;
+  for (int x = 0; x <= 6; ++x)
+    for (int y = 0; y <= 9; ++y)
+      for (int z = 0; z <= 12; ++z) points.push_back(glm::vec3(x, y, z) / 300.0f);
+  return points;
+}
+
+TEST(ConvexHull, OfABoxIsItsCorners) {
+  const ConvexHull hull = convex_hull(grid());
+  EXPECT_EQ(hull.position.size(), 8u);
+  EXPECT_EQ(hull.triangle.size(), 12u);
+  EXPECT_NEAR(volume_of(hull), 0.02 * 0.03 * 0.04, 1e-11);
+  expect_convex(hull);
+}
+
+TEST(ConvexHull, OfABallHasAsManyVerticesAsAskedForAndMostOfItsVolume) {
+  const Solid ball = named::ball("ball", 0.1f, 30, Color(0.5f));
+  const double whole = volume_of(convex_hull(ball.position, 100000));
+  EXPECT_GT(whole, 0.998 * 4.0 / 3 * 3.14159265 * 0.001);
+  for (const std::size_t most : {16u, 64u}) {
+    const ConvexHull hull = convex_hull(ball.position, most);
+    EXPECT_EQ(hull.position.size(), most);
+    EXPECT_GT(volume_of(hull), (most == 64 ? 0.87 : 0.6) * whole);
+    EXPECT_LT(volume_of(hull), whole);
+    expect_convex(hull);
+    for (const glm::vec3& p : hull.position)
+      EXPECT_NE(std::find(ball.position.begin(), ball.position.end(), p), ball.position.end());
+  }
+}
+
+TEST(ConvexHull, DoesNotDependOnTheOrderOfPoints) {
+  std::vector<glm::vec3> points = named::ball("ball", 0.1f, 12, Color(0.5f)).position;
+  const ConvexHull one = convex_hull(points);
+  std::reverse(points.begin(), points.end());
+  const ConvexHull other = convex_hull(points);
+  EXPECT_EQ(one.position, other.position);
+  EXPECT_EQ(one.triangle, other.triangle);
+}
+
+TEST(ConvexHull, OfWhatIsFlatOrNothingIsEmpty) {
+  EXPECT_TRUE(convex_hull({}).triangle.empty());
+  const std::vector<glm::vec3> line{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}};
+  EXPECT_TRUE(convex_hull(line).triangle.empty());
+  const std::vector<glm::vec3> flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5f, 0.3f, 0}, {0.2f, 0.7f, 0}};
+  EXPECT_TRUE(convex_hull(flat).triangle.empty());
+}
+
+}  // namespace
+}  // namespace pomona
