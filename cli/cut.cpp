@@ -87,8 +87,9 @@ ExitStatus cut_fruit(const CutCommand& command) {
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command));
   check_levels(command.shared.lod, outputs);
-  if (command.section && (command.explode > 1 || !command.pieces.empty())) {
-    throw Error(ExitStatus::usage, "--explode and --pieces are about pieces: leave out --section");
+  check_aov(command.shared.aov, outputs);
+  if (command.section && (command.explode > 1 || !command.pieces.empty() || !command.shared.aov.empty())) {
+    throw Error(ExitStatus::usage, "--explode, --pieces and --aov are about pieces: leave out --section");
   }
   Delivery delivery(command.shared);
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);

@@ -10,6 +10,7 @@
 #include "cli/deliver.h"
 #include "cli/fruit_source.h"
 #include "cli/outputs.h"
+#include "generator/base/error.h"
 #include "generator/piece/glass_surfaces.h"
 #include "generator/piece/slice.h"
 #include "generator/surface/file/surface_file.h"
@@ -41,6 +42,11 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   const std::vector<Output> outputs =
       parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg});
   check_levels(command.shared.lod, outputs);
+  check_aov(command.shared.aov, outputs);
+  if (command.surfaces && !command.shared.aov.empty()) {
+    throw Error(ExitStatus::usage, "--aov: what one sees through has no one surface at a pixel",
+                "leave out --surfaces");
+  }
   Delivery delivery(command.shared);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
 

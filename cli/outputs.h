@@ -22,6 +22,10 @@ std::vector<Output> parse_outputs(const std::vector<std::string>& names, const s
 /// \throws Error (usage) if levels of detail are asked for, and no output holds them.
 void check_levels(int levels, const std::vector<Output>& outputs);
 
+/// A picture's ground truth goes with one picture, into a folder that is there or can be made.
+/// \throws Error (usage) if `outputs` hold no .png or two, (cannot_create) for a folder that cannot be.
+void check_aov(const std::filesystem::path& folder, const std::vector<Output>& outputs);
+
 /// An absent or read-only folder is told now, not after minutes of work. \throws Error (cannot_create)
 void check_folder(const std::filesystem::path& file);
 

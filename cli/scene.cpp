@@ -50,6 +50,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
   const std::vector<Output> outputs =
       parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg, Format::json});
   check_levels(command.shared.lod, outputs);
+  check_aov(command.shared.aov, outputs);
   Delivery delivery(command.shared);
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
@@ -58,6 +59,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
   const std::filesystem::path file = find_file("scenes", command.scene);
   SceneDescription description = delivery.times.time("read", [&] { return read_scene(file); });
   if (command.shared.seed_given) description.seed = command.shared.seed;
+  delivery.set_seed(description.seed);
   delivery.set_default_size({description.width, description.height});
   if (!description.style.empty()) delivery.set_default_style(style_of(description, file));
   Composition composition = compose(description, diffuser.get(), compose_options(command.shared, delivery.progress));

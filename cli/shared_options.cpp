@@ -89,6 +89,16 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
       ->type_name(view_names());
 
+  // What pictures show, in numbers.
+  command
+      .add_option("--aov", options.aov,
+                  "With a .png of solids: ids, depth, normals, masks and annotations of what it shows, in this folder")
+      ->type_name("FOLDER");
+  command
+      .add_option("--aov-format", options.aov_format, "png = a 16-bit picture a layer, exr = one file with Cryptomatte")
+      ->check(CLI::IsMember({"png", "exr"}))
+      ->capture_default_str();
+
   // What is told besides.
   command.add_option("--stats", options.stats, "Write times and counts to this JSON file")->type_name("FILE");
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");

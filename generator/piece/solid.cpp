@@ -123,6 +123,8 @@ std::vector<Solid> solids(std::span<const CutPiece> pieces, const CrossSection& 
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string own = pieces.size() == 1 ? name : name + ".piece-" + std::to_string(i + 1);
     all.push_back(SolidBuilder(pieces[i], colored_section, fruit).build(own));
+    all.back().species = fruit.name;
+    all.back().fruit = name;
   }
   return all;
 }

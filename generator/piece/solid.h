@@ -37,6 +37,8 @@ struct Solid {
   float opacity = 1.0f;    ///< below 1 where one sees through it, looking at right angles
   double volume = 0;       ///< cubic metres
   double density = 1000;   ///< kilograms per cubic metre; that of water, as long as nothing says otherwise
+  std::string species;     ///< name of the template it grew from
+  std::string fruit;       ///< name of the fruit it was cut from: all its pieces have the same
   std::uint64_t seed = 0;  ///< of the variant it was cut from
   std::string knife;       ///< the knives that cut it, one after another, parted by spaces
   bool closed = true;

@@ -44,6 +44,7 @@ ROAD = [
     "render/picture",
     "render/compare",
     "render/strokes",
+    "render/truth",
     "render/texture",
     "render/gl",
     "render/diffusion",
