@@ -8,6 +8,7 @@
 #include "generator/piece/brown.h"
 #include "generator/piece/guided.h"
 #include "generator/piece/section_colors.h"
+#include "generator/piece/weigh.h"
 
 namespace pomona {
 
@@ -58,7 +59,7 @@ Cut cut_open(const SliceTask& task, const CutOptions& options) {
 /// The pieces of one fruit as solids.
 std::vector<Solid> finished(std::span<const CutPiece> cut, const CrossSection& styled, const SliceTask& task,
                             const Diffuser* diffuser, const SliceOptions& options) {
-  std::vector<Solid> pieces = solids(cut, styled, task.variant, task.name);
+  std::vector<Solid> pieces = weighed(solids(cut, styled, task.variant, task.name), task.grown, task.variant);
   if (!options.keep_section_colors || diffuser == nullptr) return pieces;
   return with_section_colors(std::move(pieces),
                              std::make_shared<const SectionColors>(task.grown.sheets, task.variant, *diffuser));

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 
 #include "generator/base/color.h"
 #include "generator/cut/cut.h"
+#include "generator/mesh/moments.h"
 #include "generator/template/template.h"
 
 namespace pomona {
@@ -37,6 +39,9 @@ struct Solid {
   float opacity = 1.0f;    ///< below 1 where one sees through it, looking at right angles
   double volume = 0;       ///< cubic metres
   double density = 1000;   ///< kilograms per cubic metre; that of water, as long as nothing says otherwise
+
+  /// By the densities of the parts inside, in the fruit's frame (weigh.h); none: it is equally dense all over.
+  std::optional<RigidMass> weighed;
   std::string species;     ///< name of the template it grew from
   std::string fruit;       ///< name of the fruit it was cut from: all its pieces have the same
   std::uint64_t seed = 0;  ///< of the variant it was cut from

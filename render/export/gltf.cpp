@@ -225,9 +225,11 @@ tinygltf::Value extras_of(const Solid& solid) {
     return tinygltf::Value(tinygltf::Value::Array{tinygltf::Value(p.x), tinygltf::Value(p.y), tinygltf::Value(p.z)});
   };
   extras["volume"] = tinygltf::Value(facts.volume);
-  extras["density"] = tinygltf::Value(solid.density);
+  extras["density"] = tinygltf::Value(facts.density);
   extras["mass"] = tinygltf::Value(facts.mass);
   extras["center"] = point(facts.center);
+  extras["inertia"] = tinygltf::Value(
+      tinygltf::Value::Array{point(facts.inertia[0]), point(facts.inertia[1]), point(facts.inertia[2])});
   extras["low"] = point(facts.low);
   extras["high"] = point(facts.high);
   extras["triangles"] = tinygltf::Value(static_cast<int>(facts.triangles));

@@ -62,6 +62,8 @@ HEAVY = {
     "pugixml": (r"pugixml\.hpp", r"generator/template/read/\w+\.cpp"),
     "tinygltf": (r"tiny_gltf\.h", r"generator/surface/file/glb_file\.cpp|render/export/gltf\.cpp|tests/render/export/read_glb\.cpp"),
     "libpng": (r"png\.h", r"render/image/\w+\.cpp|tests/\w+/\w+\.cpp"),
+    "OpenEXR": (r"Imf\w+\.h", r"render/truth/truth_exr\.cpp|tests/\w+/\w+\.cpp"),
+    "MurmurHash": (r"murmurhash\.h", r"render/truth/cryptomatte\.cpp"),
     "EGL": (r"EGL/", r"render/gl/\w+\.cpp"),
     "OSMesa": (r"GL/osmesa\.h", r"render/gl/\w+\.cpp"),
     "OpenGL": (r"GL/(?!osmesa)", r"render/gl/\w+\.(cpp|h)"),
