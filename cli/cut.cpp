@@ -87,8 +87,10 @@ ExitStatus cut_fruit(const CutCommand& command) {
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command), command.shared.format);
   check_exports(command.shared, outputs);
-  if (command.section && (command.explode > 1 || command.piece > 0 || !command.pieces.empty())) {
-    throw Error(ExitStatus::usage, "--explode, --piece and --pieces are about pieces: leave out --section");
+  check_aov(command.shared.aov, outputs);
+  if (command.section &&
+      (command.explode > 1 || command.piece > 0 || !command.pieces.empty() || !command.shared.aov.empty())) {
+    throw Error(ExitStatus::usage, "--explode, --piece, --pieces and --aov are about pieces: leave out --section");
   }
   if (!command.pieces.empty()) check_other_file("--pieces", command.pieces, outputs);
   Delivery delivery(command.shared);

@@ -7,6 +7,7 @@
 
 #include "cli/ending_signals.h"
 #include "cli/find_style.h"
+#include "cli/made_folder.h"
 #include "cli/scene_levels.h"
 #include "cli/version.h"
 #include "generator/base/error.h"
@@ -27,6 +28,7 @@
 #include "render/picture/view_within.h"
 #include "render/strokes/scene_parts.h"
 #include "render/texture/bake.h"
+#include "render/truth/ground_truth.h"
 
 namespace pomona {
 
@@ -69,7 +71,8 @@ Delivery::Delivery(const SharedOptions& options)
       style_word_(source_word(options.style)),
       size_(picture_size(options)),
       view_(view_direction(options)),
-      texel_(texel_size(options)) {
+      texel_(texel_size(options)),
+      seed_(options.seed) {
   if (!options.stats.empty()) check_folder(options.stats);
 }
 
@@ -207,6 +210,20 @@ void Delivery::add_picture(const Output& output, const Scene& scene) {
   });
   draw(plate_layers(plate, seen, size), image);
   add(output.file, [&] { return write_png(image); });
+  if (!options_.aov.empty()) add_ground_truth(output, seen, size);
+}
+
+/// What the picture shows, by the same view.
+void Delivery::add_ground_truth(const Output& picture, const Scene& seen, const PictureSize& size) {
+  const TruthOptions how{.width = size.width,
+                         .height = size.height,
+                         .file_name = picture.file.filename().string(),
+                         .made_by = std::string("pomona ") + version,
+                         .seed = seed_,
+                         .format = options_.aov_format == "exr" ? TruthFormat::exr : TruthFormat::png,
+                         .threads = {options_.threads}};
+  for (TruthFile& file : times.time("truth", [&] { return ground_truth(seen, how); }))
+    files_.push_back({std::filesystem::path(options_.aov) / file.name, std::move(file.bytes)});
 }
 
 void Delivery::add_lines(const Output& output, const Scene& scene) {
@@ -257,7 +274,9 @@ void Delivery::warn(const std::vector<std::string>& warnings) {
 void Delivery::finish() {
   // Ctrl-C is heard before or after, not between two files.
   const HeldSignals held;
+  MadeFolder truth(options_.aov);
   times.time("write", [&] { write_whole(files_); });
+  truth.keep();
   if (!options_.stats.empty()) write_whole(options_.stats, times.json(resolved({options_.threads})));
   say_what_was_written();
 }

@@ -49,6 +49,9 @@ class Delivery {
   /// Of pictures when --size says nothing.
   void set_default_size(PictureSize size) { default_size_ = size; }
 
+  /// What ground truth says of the picture; --seed unless this is called.
+  void set_seed(std::uint64_t seed) { seed_ = seed; }
+
   void warn(const std::vector<std::string>& warnings);
 
   /// Puts everything on disk, --stats included, and says what was written.
@@ -59,6 +62,7 @@ class Delivery {
 
  private:
   void add_picture(const Output& output, const Scene& scene);
+  void add_ground_truth(const Output& picture, const Scene& seen, const PictureSize& size);
   void add_lines(const Output& output, const Scene& scene);
   void add_pov(const Output& output, const Scene& scene);
   static std::vector<PlateLayer> plate_layers(const std::optional<Plate>& plate, const Scene& seen,
@@ -82,6 +86,7 @@ class Delivery {
   std::optional<PictureSize> size_;
   std::optional<glm::dvec3> view_;
   double texel_;
+  std::uint64_t seed_;
   std::vector<OutputFile> files_;
   std::vector<std::string> warnings_;
 };

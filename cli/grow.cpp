@@ -11,6 +11,7 @@
 #include "cli/fruit_source.h"
 #include "cli/option_checks.h"
 #include "cli/outputs.h"
+#include "generator/base/error.h"
 #include "generator/piece/glass_surfaces.h"
 #include "generator/piece/slice.h"
 #include "generator/surface/file/surface_file.h"
@@ -46,6 +47,11 @@ ExitStatus grow_fruit(const GrowCommand& command) {
                     {Format::ply, Format::glb, Format::usda, Format::obj, Format::stl, Format::pov, Format::png, Format::svg},
                     command.shared.format);
   check_exports(command.shared, outputs);
+  check_aov(command.shared.aov, outputs);
+  if (command.surfaces && !command.shared.aov.empty()) {
+    throw Error(ExitStatus::usage, "--aov: what one sees through has no one surface at a pixel",
+                "leave out --surfaces");
+  }
   Delivery delivery(command.shared);
   delivery.warn(idle_options(command.shared, outputs));
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
@@ -86,7 +92,7 @@ DeclaredCommand grow_command(CLI::App& app) {
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
   command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");
   command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
-  command->add_option("--piece", options->piece, "Of a fruit in several bodies, this one alone")->check(CLI::Range(1, 1000000));
+  command->add_option("--piece", options->piece, "Of a fruit in several bodies, this one alone")->check(whole_between(1, 1000000));
   add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
   add_shared_options(*command, options->shared);

@@ -129,4 +129,24 @@ void check_heeded(const std::string& option, const std::vector<Format>& holding,
               "add -o FILE" + list.substr(0, list.find(' ')));
 }
 
+void check_aov(const fs::path& folder, const std::vector<Output>& outputs) {
+  if (folder.empty()) return;
+  const auto pictures = std::count_if(outputs.begin(), outputs.end(),
+                                      [](const Output& output) { return output.format == Format::png; });
+  if (pictures != 1) {
+    throw Error(ExitStatus::usage, "--aov says what one picture shows, and there " +
+                                       std::string(pictures == 0 ? "is none" : "are several"),
+                "give one -o FILE.png");
+  }
+
+  // A folder that is there takes files; one that is not is made when they are.
+  const fs::path place = folder.has_filename() ? folder : folder.parent_path();
+  std::error_code ignored;
+  if (fs::is_directory(place, ignored)) return check_folder(place / "annotations.json");
+  if (fs::exists(fs::symlink_status(place, ignored))) {
+    throw Error(ExitStatus::cannot_create, {{{place.string(), 0, 0, {}}, "is a file, not a folder", {}}});
+  }
+  check_folder(place);
+}
+
 }  // namespace pomona

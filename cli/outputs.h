@@ -34,6 +34,10 @@ void check_heeded(const std::string& option, const std::vector<Format>& holding,
 /// A further file, named by `option`, which must be none of the outputs. \throws Error (usage, cannot_create)
 void check_other_file(const std::string& option, const std::string& file, const std::vector<Output>& outputs);
 
+/// A picture's ground truth goes with one picture, into a folder that is there or can be made.
+/// \throws Error (usage) if `outputs` hold no .png or two, (cannot_create) for a folder that cannot be.
+void check_aov(const std::filesystem::path& folder, const std::vector<Output>& outputs);
+
 /// An absent or read-only folder is told now, not after minutes of work. \throws Error (cannot_create)
 void check_folder(const std::filesystem::path& file);
 

@@ -53,6 +53,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
                                                      Format::pov, Format::png, Format::svg, Format::json},
                                                     command.shared.format);
   check_exports(command.shared, outputs);
+  check_aov(command.shared.aov, outputs);
   Delivery delivery(command.shared);
   delivery.warn(idle_options(command.shared, outputs));
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
@@ -63,6 +64,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
   check_kind(file, FileKind::scene);
   SceneDescription description = delivery.times.time("read", [&] { return read_scene(file); });
   if (command.shared.seed_given) description.seed = command.shared.seed;
+  delivery.set_seed(description.seed);
   delivery.set_default_size({description.width, description.height});
   if (!description.style.empty()) delivery.set_default_style(style_of(description, file));
   Composition composition = compose(description, diffuser.get(), compose_options(command.shared, delivery.progress));

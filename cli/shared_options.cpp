@@ -50,7 +50,7 @@ std::string no_count(const std::string& text) {
 void add_shared_options(CLI::App& command, SharedOptions& options) {
   // Which variant of the fruit.
   command.add_option("--seed", options.seed, "Variant to grow; 0 = as drawn")
-      ->check(no_seed)
+      ->check(no_count)
       ->capture_default_str()
       ->each([&options](const std::string&) { options.seed_given = true; });
   command.add_option("--variation", options.variation, "How far variants stray: 0 = as drawn, 1 = natural, 2 = wild")
@@ -104,6 +104,15 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
 
   command.add_option("--format", options.format, "What -o - writes to standard output: an ending without its dot")
       ->type_name("FORMAT");
+  // What pictures show, in numbers.
+  command
+      .add_option("--aov", options.aov,
+                  "With a .png of solids: ids, depth, normals, masks and annotations of what it shows, in this folder")
+      ->type_name("FOLDER");
+  command
+      .add_option("--aov-format", options.aov_format, "png = a 16-bit picture a layer, exr = one file with Cryptomatte")
+      ->check(one_of({"png", "exr"}))
+      ->capture_default_str();
 
   // What is told besides.
   command.add_option("--stats", options.stats, "Write times and counts to this JSON file")->type_name("FILE");
@@ -115,10 +124,7 @@ void add_index_options(CLI::App& command, SharedOptions& options) {
   command
       .add_option("--index", options.index,
                   "Which of the seed's variants, as files of scenes and batches tell it; with it seed 0 is a variant")
-      ->check([](const std::string& text) {
-        const std::string wrong = no_count(text);
-        return wrong.empty() ? "" : "--index: " + wrong;
-      });
+      ->check(no_count);
   command.add_option("--scale", options.scale, "Times the size that it grows to")->check(between(0.05, 20.0));
   command.add_flag("--as-drawn", options.as_drawn, "The curves as drawn, whatever the seed; grains follow it");
 }

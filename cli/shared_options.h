@@ -45,6 +45,8 @@ struct SharedOptions {
   std::string format;  ///< of standard output, where an output is "-"
   bool quiet = false;
   bool json = false;
+  std::string aov;  ///< folder for the ground truth of the picture; none = not wanted
+  std::string aov_format = "png";
   std::optional<double> ripeness;  ///< of one fruit; scenes say it in their file
   double browning = 0;
 };

@@ -8,6 +8,7 @@
 #include "generator/piece/brown.h"
 #include "generator/piece/guided.h"
 #include "generator/piece/section_colors.h"
+#include "generator/piece/weigh.h"
 
 namespace pomona {
 
@@ -129,7 +130,7 @@ PieceOrigin origin_of(const SliceTask& task, const CutOptions& how) {
 /// The pieces of one fruit as solids.
 std::vector<Solid> finished(const OpenedFruit& fruit, const CrossSection& styled, const SliceTask& task,
                             const Diffuser* diffuser, const SliceOptions& options) {
-  std::vector<Solid> pieces = solids(fruit.cut.pieces, styled, task.variant, task.name);
+  std::vector<Solid> pieces = weighed(solids(fruit.cut.pieces, styled, task.variant, task.name), task.grown, task.variant);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     pieces[i].origin = origin_of(task, options.cut);
     pieces[i].on_skin = fruit.on_skin;

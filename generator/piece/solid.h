@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 
 #include "generator/base/color.h"
 #include "generator/cut/cut.h"
+#include "generator/mesh/moments.h"
 #include "generator/piece/piece_origin.h"
 #include "generator/template/template.h"
 
@@ -39,6 +41,9 @@ struct Solid {
   float opacity = 1.0f;    ///< below 1 where one sees through it, looking at right angles
   double volume = 0;       ///< cubic metres
   double density = 1000;   ///< kilograms per cubic metre; that of water, as long as nothing says otherwise
+
+  /// By the densities of the parts inside, in the fruit's frame (weigh.h); none: it is equally dense all over.
+  std::optional<RigidMass> weighed;
   PieceOrigin origin;
   bool closed = true;
   bool crumb = false;

@@ -57,6 +57,7 @@ struct Template {
   BrowningSketch browning;
   Individual individual;  ///< set in variants
   double density = 1000;  ///< kg per cubic metre; that of water where nothing says otherwise
+  std::vector<double> densities;  ///< likewise, one per part; or none: all parts have that of the fruit
 };
 
 /// From the lowest to the highest point of all vertical curves, metres; 0 to 0 where there are none.

@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "generator/base/error.h"
+#include "render/image/deep_image.h"
 
 namespace pomona {
 
@@ -67,14 +68,17 @@ namespace {
 // zlib's strategies: Z_DEFAULT_STRATEGY and Z_RLE.
 constexpr int any_matches = 0, run_lengths = 3;
 
+void set_size(const Writer& writer, int width, int height, int bits, int color_type) {
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
+               color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+}
+
 /// Rows of `channels` bytes a pixel, one after another: 3 for RGB, 4 with opacity.
 std::string write_rows(const std::uint8_t* rows, int width, int height, int channels, PngPacking packing) {
   std::string bytes;
   Writer writer;
   png_set_write_fn(writer.png, &bytes, append, nullptr);
-  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
-               channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  set_size(writer, width, height, 8, channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB);
   png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
 
   // Fixed, so that the bytes do not depend on libpng's defaults; 6 is within 2 % of 9 at a fifth of the time. Runs of
@@ -91,6 +95,27 @@ std::string write_rows(const std::uint8_t* rows, int width, int height, int chan
 }
 
 }  // namespace
+
+std::string write_png(const DeepImage& image) {
+  // PNG has the high byte first.
+  std::vector<std::uint8_t> rows;
+  rows.reserve(2 * image.values.size());
+  for (const std::uint16_t value : image.values) {
+    rows.push_back(static_cast<std::uint8_t>(value >> 8));
+    rows.push_back(static_cast<std::uint8_t>(value & 255));
+  }
+  std::string bytes;
+  Writer writer;
+  png_set_write_fn(writer.png, &bytes, append, nullptr);
+  set_size(writer, image.width, image.height, 16, image.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY);
+  png_set_compression_level(writer.png, 6);
+  png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+  png_write_info(writer.png, writer.info);
+  const std::size_t row = 2 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
+  for (int y = 0; y < image.height; ++y) png_write_row(writer.png, rows.data() + static_cast<std::size_t>(y) * row);
+  png_write_end(writer.png, nullptr);
+  return bytes;
+}
 
 std::string write_png(const Image& image, PngPacking packing) {
   return write_rows(reinterpret_cast<const std::uint8_t*>(image.pixels.data()), image.width, image.height, 3, packing);
@@ -157,6 +182,25 @@ TransparentImage read_transparent_png(const std::string& bytes, const std::strin
     result.opacity.push_back(pixel.a);
   }
   return result;
+}
+
+DeepImage read_deep_png(const std::string& bytes, const std::string& name) {
+  Reader reader(bytes, name);
+  png_set_read_fn(reader.png, &reader.rest, take);
+  png_set_user_limits(reader.png, max_picture_side, max_picture_side);
+  png_read_info(reader.png, reader.info);
+  const int channels = png_get_channels(reader.png, reader.info);
+  if (png_get_bit_depth(reader.png, reader.info) != 16 || (channels != 1 && channels != 3))
+    png_error(reader.png, "it is not 16-bit grey or RGB");
+  DeepImage image{.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
+                  .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
+                  .channels = channels,
+                  .values = {}};
+  std::vector<std::uint8_t> raw(2 * static_cast<std::size_t>(image.width) * image.height * channels);
+  read_rows(reader, raw.data(), {image.width, image.height, {}}, 2 * static_cast<std::size_t>(channels));
+  for (std::size_t i = 0; i < raw.size(); i += 2)
+    image.values.push_back(static_cast<std::uint16_t>(raw[i] << 8 | raw[i + 1]));
+  return image;
 }
 
 }  // namespace pomona

@@ -1,8 +1,9 @@
 #include "render/strokes/identity_buffer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "render/strokes/covered_pixels.h"
 
 namespace pomona {
 
@@ -14,34 +15,6 @@ struct TriangleName {
   std::uint32_t instance = 0, triangle = 0;
 };
 
-struct SeenTriangle {
-  std::array<glm::dvec3, 3> corner{};  // pixels, pixels, nearness
-  double area = 0;                     // twice; above 0 where it faces the eye
-
-  double low(int axis) const { return std::min({corner[0][axis], corner[1][axis], corner[2][axis]}); }
-  double high(int axis) const { return std::max({corner[0][axis], corner[1][axis], corner[2][axis]}); }
-};
-
-SeenTriangle seen_triangle(const Solid& solid, const SeenSolid& seen, std::uint32_t t) {
-  SeenTriangle result;
-  for (int i = 0; i < 3; ++i) {
-    const glm::dvec3& v = seen.vertex[solid.triangle[t][i]];
-    if (!(v.z > 0)) return {};  // behind the eye: left out
-    result.corner[i] = {v.x, v.y, 1 / v.z};
-  }
-  const glm::dvec3 &a = result.corner[0], &b = result.corner[1], &c = result.corner[2];
-  result.area = (c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y);
-  return result;
-}
-
-/// First and last pixel whose centre lies in [low, high], within the picture.
-struct PixelSpan {
-  int first = 0, last = -1;
-  PixelSpan(double low, double high, int size)
-      : first(static_cast<int>(std::clamp(std::ceil(low - 0.5), 0.0, static_cast<double>(size)))),
-        last(static_cast<int>(std::clamp(std::floor(high - 0.5), -1.0, size - 1.0))) {}
-};
-
 /// Which triangles touch which band of rows, in their order.
 std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std::span<const SeenSolid> seen,
                                                          const IdentityBuffer& buffer) {
@@ -50,10 +23,9 @@ std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std
     const Solid& solid = scene.solids[scene.instances[i].solid];
     for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
       const SeenTriangle triangle = seen_triangle(solid, seen[i], t);
-      const bool hidden = solid.closed ? triangle.area <= 0 : triangle.area == 0;
-      if (hidden) continue;
-      const PixelSpan columns(triangle.low(0), triangle.high(0), buffer.width);
-      const PixelSpan rows(triangle.low(1), triangle.high(1), buffer.height);
+      if (!triangle.can_be_seen(solid.closed)) continue;
+      const PixelSpan columns(triangle.low(0), triangle.high(0), 0, buffer.width - 1);
+      const PixelSpan rows(triangle.low(1), triangle.high(1), 0, buffer.height - 1);
       if (columns.first > columns.last || rows.first > rows.last) continue;
       for (int band = rows.first / band_rows; band <= rows.last / band_rows; ++band) bands[band].push_back({i, t});
     }
@@ -62,33 +34,16 @@ std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std
 }
 
 void draw_triangle(const SeenTriangle& t, const TriangleName& name, int top, int bottom, IdentityBuffer& buffer) {
-  // The pixels of its box, and the way round it is seen.
-  const PixelSpan columns(t.low(0), t.high(0), buffer.width);
-  const PixelSpan rows(t.low(1), t.high(1), buffer.height);
-  const double turn = t.area > 0 ? 1 : -1;
-  for (int y = std::max(rows.first, top); y <= std::min(rows.last, bottom); ++y) {
-    for (int x = columns.first; x <= columns.last; ++x) {
-      // A pixel is inside if its middle lies on the inner side of all three edges.
-      const double px = x + 0.5, py = y + 0.5;
-      std::array<double, 3> share{};
-      bool inside = true;
-      for (int i = 0; i < 3; ++i) {
-        const glm::dvec3 &a = t.corner[(i + 1) % 3], &b = t.corner[(i + 2) % 3];
-        share[i] = turn * ((px - a.x) * (b.y - a.y) - (b.x - a.x) * (py - a.y));
-        inside = inside && share[i] >= 0;
-      }
-      if (!inside) continue;
-
-      // Nearness is linear on the picture; what is nearer than all before it gives the pixel its name.
-      const double sum = share[0] * t.corner[0].z + share[1] * t.corner[1].z + share[2] * t.corner[2].z;
-      const auto nearness = static_cast<float>(sum / (turn * t.area));
-      const std::size_t i = static_cast<std::size_t>(y) * buffer.width + x;
-      if (nearness <= buffer.nearness[i]) continue;
-      buffer.nearness[i] = nearness;
-      buffer.instance[i] = name.instance + 1;
-      buffer.triangle[i] = name.triangle;
-    }
-  }
+  // What is nearer than all before it gives the pixel its name.
+  for_covered_pixels(t, {0, top, buffer.width - 1, std::min(bottom, buffer.height - 1)},
+                     [&](int x, int y, double nearness_there) {
+                       const auto nearness = static_cast<float>(nearness_there);
+                       const std::size_t i = static_cast<std::size_t>(y) * buffer.width + x;
+                       if (nearness <= buffer.nearness[i]) return;
+                       buffer.nearness[i] = nearness;
+                       buffer.instance[i] = name.instance + 1;
+                       buffer.triangle[i] = name.triangle;
+                     });
 }
 
 }  // namespace

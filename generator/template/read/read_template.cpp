@@ -120,6 +120,13 @@ void read_bend_of(Template& fruit, const TomlValue& value) {
   fruit.bend = {};
 }
 
+/// From air to lead, part by part; those that are not named are as dense as the fruit.
+std::vector<double> read_densities(const TomlTable& table, const Template& fruit) {
+  std::vector<double> densities;
+  for (const std::string& part : fruit.parts) densities.push_back(table.get(part).number(fruit.density, {1, 20000}));
+  return densities;
+}
+
 void read_head(const TomlTable& root, Template& fruit) {
   root.need("format").integer(1, 1, 1);
   fruit.name = read_name(root.need("name"), {});
@@ -127,6 +134,7 @@ void read_head(const TomlTable& root, Template& fruit) {
   fruit.latin = root.get("latin").text();
   fruit.density = root.get("density").number(fruit.density, {10, 20000});
   fruit.parts = read_parts(root.need("parts"));
+  if (root.has("densities")) fruit.densities = read_densities(root.get("densities").table(), fruit);
 }
 
 }  // namespace

@@ -20,9 +20,10 @@ Json extras_of(const Solid& solid, const ExportOptions& options) {
   Json extras;
   extras["parts"] = solid.part_names;  // what the vertices' part numbers stand for
   extras["volume"] = facts.volume;
-  extras["density"] = solid.density;
+  extras["density"] = facts.density;
   extras["mass"] = facts.mass;
   extras["center"] = point(facts.center);
+  extras["inertia"] = {point(facts.inertia[0]), point(facts.inertia[1]), point(facts.inertia[2])};
   extras["low"] = point(facts.low);
   extras["high"] = point(facts.high);
   extras["triangles"] = facts.triangles;

@@ -1,0 +1,220 @@
+#include "generator/piece/region_rays.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "generator/mesh/box.h"
+
+namespace pomona {
+
+namespace {
+
+/// Columns: two directions across the rays, and their own. No two fruit-sized numbers are in the ratio of its entries.
+glm::dmat3 ray_frame() {
+  const glm::dvec3 along = glm::normalize(glm::dvec3(0.3819660113, 0.2763932023, 1));
+  const glm::dvec3 across = glm::normalize(glm::cross(glm::dvec3(0.1458980338, 1, 0.0901699437), along));
+  return {across, glm::cross(along, across), along};
+}
+
+/// Where a ray comes into something or leaves it.
+struct Passing {
+  std::uint32_t ray = 0;
+  std::int32_t what = 0;  ///< a region, or -1 - number of a piece
+  double height = 0;      ///< along the ray
+  std::int32_t into = 0;  ///< +1 or -1
+
+  auto key() const { return std::tie(ray, height, what, into); }
+};
+
+/// A lattice of rays, and what they pass.
+class RayLattice {
+ public:
+  RayLattice(const Box<double>& across, int rays) {
+    const glm::dvec3 size = across.size();
+    step_ = std::sqrt(size.x * size.y / rays);
+    low_ = across.low;
+    columns_ = static_cast<std::int64_t>(size.x / step_) + 1;
+    rows_ = static_cast<std::int64_t>(size.y / step_) + 1;
+  }
+
+  double step() const { return step_; }
+  glm::dvec2 place(std::uint32_t ray) const {
+    return {low_.x + (static_cast<double>(ray % columns_) + 0.5) * step_,
+            low_.y + (static_cast<double>(ray / columns_) + 0.5) * step_};
+  }
+
+  /// Every ray through a triangle passes it once. Rays through an edge or a corner pass one of its triangles: which side
+  /// of an edge they are on is worked out from its ends in one order, the same for all triangles there.
+  void pass(const std::array<glm::dvec3, 3>& corner, std::int32_t what) {
+    const auto low = [&](int k) { return std::min({corner[0][k], corner[1][k], corner[2][k]}); };
+    const auto high = [&](int k) { return std::max({corner[0][k], corner[1][k], corner[2][k]}); };
+    const auto first = [&](double v, double from) { return static_cast<std::int64_t>(std::ceil((v - from) / step_ - 0.5)); };
+    const auto last = [&](double v, double from) { return static_cast<std::int64_t>(std::floor((v - from) / step_ - 0.5)); };
+    const std::int64_t top = std::max<std::int64_t>(0, first(low(1), low_.y) - 1),
+                       bottom = std::min(rows_ - 1, last(high(1), low_.y) + 1),
+                       left = std::max<std::int64_t>(0, first(low(0), low_.x) - 1),
+                       right = std::min(columns_ - 1, last(high(0), low_.x) + 1);
+    for (std::int64_t y = top; y <= bottom; ++y) {
+      for (std::int64_t x = left; x <= right; ++x) {
+        const auto ray = static_cast<std::uint32_t>(y * columns_ + x);
+        const glm::dvec2 p = place(ray);
+        const int turn = turn_around(corner, p);
+        if (turn != 0) passings_.push_back({ray, what, height_at(corner, p), -turn});
+      }
+    }
+  }
+
+  /// Ray by ray, upwards.
+  std::vector<Passing> sorted() && {
+    std::sort(passings_.begin(), passings_.end(), [](const Passing& a, const Passing& b) { return a.key() < b.key(); });
+    return std::move(passings_);
+  }
+
+ private:
+  static double side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec2& p) {
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+  }
+
+  static bool is_left(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec2& p) {
+    if (std::tie(a.x, a.y, a.z) <= std::tie(b.x, b.y, b.z)) return side(a, b, p) >= 0;
+    return !(side(b, a, p) >= 0);
+  }
+
+  /// +1 if the triangle runs counter-clockwise around the ray as seen from its end, -1 if clockwise, 0 if it misses it.
+  static int turn_around(const std::array<glm::dvec3, 3>& c, const glm::dvec2& p) {
+    const int left = is_left(c[0], c[1], p) + is_left(c[1], c[2], p) + is_left(c[2], c[0], p);
+    return left == 3 ? 1 : left == 0 ? -1 : 0;
+  }
+
+  static double height_at(const std::array<glm::dvec3, 3>& c, const glm::dvec2& p) {
+    const glm::dvec3 share(side(c[1], c[2], p), side(c[2], c[0], p), side(c[0], c[1], p));
+    const double sum = share.x + share.y + share.z;
+    const double least = std::min({c[0].z, c[1].z, c[2].z}), most = std::max({c[0].z, c[1].z, c[2].z});
+    if (sum == 0) return 0.5 * (least + most);
+    return std::clamp((share.x * c[0].z + share.y * c[1].z + share.z * c[2].z) / sum, least, most);
+  }
+
+  glm::dvec3 low_{0};
+  double step_ = 1;
+  std::int64_t columns_ = 1, rows_ = 1;
+  std::vector<Passing> passings_;
+};
+
+/// How often one is in what, for the few things one is in at a time.
+class Inside {
+ public:
+  void pass(std::int32_t what, std::int32_t into) {
+    const auto place = std::find_if(in_.begin(), in_.end(), [&](const auto& entry) { return entry.first == what; });
+    if (place == in_.end()) {
+      in_.emplace_back(what, into);
+    } else if ((place->second += into) == 0) {
+      in_.erase(place);
+    }
+  }
+  /// The smallest; -1 where there is none.
+  std::int32_t least() const {
+    std::int32_t least = -1;
+    for (const auto& [what, times] : in_) least = least < 0 ? what : std::min(least, what);
+    return least;
+  }
+  const std::vector<std::pair<std::int32_t, std::int32_t>>& all() const { return in_; }
+  void clear() { in_.clear(); }
+
+ private:
+  std::vector<std::pair<std::int32_t, std::int32_t>> in_;  // what, and how often
+};
+
+/// Of a stretch of a ray, per area of its cell and density.
+Moments stretch(const glm::dvec2& p, double from, double to) {
+  const double length = to - from, middle = 0.5 * (to * to - from * from),
+               square = (to * to * to - from * from * from) / 3;
+  Moments m;
+  m.mass = length;
+  m.first = {p.x * length, p.y * length, middle};
+  m.second = {{p.x * p.x * length, p.x * p.y * length, p.x * middle},
+              {p.x * p.y * length, p.y * p.y * length, p.y * middle},
+              {p.x * middle, p.y * middle, square}};
+  return m;
+}
+
+class ExcessSum {
+ public:
+  ExcessSum(std::span<const Solid> pieces, const PartRegions& regions, const glm::dvec3& origin)
+      : pieces_(pieces), regions_(regions), origin_(origin) {}
+
+  std::vector<Moments> run(std::span<const double> excess, int rays) const {
+    RayLattice lattice(lattice_box(), rays);
+    for (std::size_t r = 0; r < regions_.region.size(); ++r) {
+      const PartRegions::Region& region = regions_.region[r];
+      for (std::size_t t = region.first; t < region.first + region.count; ++t)
+        lattice.pass(seen(regions_.position, regions_.triangle[t]), static_cast<std::int32_t>(r));
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (!pieces_[i].closed) continue;
+      for (const glm::uvec3& t : pieces_[i].triangle)
+        lattice.pass(seen(pieces_[i].position, t), -1 - static_cast<std::int32_t>(i));
+    }
+    std::vector<Moments> sums = summed(lattice, excess);
+    for (Moments& m : sums) m = turned_back(m, lattice.step() * lattice.step());
+    return sums;
+  }
+
+ private:
+  glm::dvec3 seen(const glm::vec3& place) const { return (glm::dvec3(place) - origin_) * frame_; }
+  std::array<glm::dvec3, 3> seen(const std::vector<glm::vec3>& position, const glm::uvec3& t) const {
+    return {seen(position[t.x]), seen(position[t.y]), seen(position[t.z])};
+  }
+
+  Box<double> lattice_box() const {
+    Box<double> box;
+    for (const glm::uvec3& t : regions_.triangle) {
+      for (int k = 0; k < 3; ++k) box.add(seen(regions_.position[t[k]]));
+    }
+    return box;
+  }
+
+  std::vector<Moments> summed(RayLattice& lattice, std::span<const double> excess) const {
+    std::vector<Moments> sums(pieces_.size());
+    Inside regions, pieces;
+    const std::vector<Passing> passings = std::move(lattice).sorted();
+    for (std::size_t i = 0; i < passings.size(); ++i) {
+      const Passing& now = passings[i];
+      if (i == 0 || passings[i - 1].ray != now.ray) regions.clear(), pieces.clear();
+      (now.what < 0 ? pieces : regions).pass(now.what, now.into);
+      if (i + 1 == passings.size() || passings[i + 1].ray != now.ray) continue;
+      const std::int32_t region = regions.least();
+      if (region < 0 || excess[static_cast<std::size_t>(region)] == 0) continue;
+      const Moments part = stretch(lattice.place(now.ray), now.height, passings[i + 1].height);
+      for (const auto& [what, times] : pieces.all())
+        sums[static_cast<std::size_t>(-1 - what)].add(part, times * excess[static_cast<std::size_t>(region)]);
+    }
+    return sums;
+  }
+
+  Moments turned_back(const Moments& m, double cell) const {
+    return {cell * m.mass, cell * (frame_ * m.first), cell * (frame_ * m.second * glm::transpose(frame_))};
+  }
+
+  std::span<const Solid> pieces_;
+  const PartRegions& regions_;
+  glm::dvec3 origin_;
+  glm::dmat3 frame_ = ray_frame();
+};
+
+}  // namespace
+
+std::vector<Moments> excess_moments(std::span<const Solid> pieces, const PartRegions& regions,
+                                    std::span<const double> excess, const glm::dvec3& origin,
+                                    const RegionRayOptions& options) {
+  const bool none = std::all_of(excess.begin(), excess.end(), [](double e) { return e == 0; });
+  if (none || regions.triangle.empty()) return std::vector<Moments>(pieces.size());
+  return ExcessSum(pieces, regions, origin).run(excess, options.rays);
+}
+
+}  // namespace pomona

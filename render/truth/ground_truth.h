@@ -1,0 +1,38 @@
+// What a picture of a scene shows, pixel by pixel, as files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/base/parallel.h"
+#include "generator/scene/scene.h"
+
+namespace pomona {
+
+enum class TruthFormat {
+  png,  ///< 16-bit pictures of numbers, one a layer
+  exr,  ///< one file with all layers as they are, and Cryptomatte
+};
+
+struct TruthOptions {
+  int width = 800, height = 600;  ///< of the picture
+  std::string file_name;          ///< the picture's, without folder
+  std::string made_by;            ///< version of the program
+  std::uint64_t seed = 0;         ///< of the fruit or the scene
+  TruthFormat format = TruthFormat::png;
+  int samples = 4;  ///< per pixel, as the picture's: what Cryptomatte counts coverage by
+  Threads threads{};
+};
+
+struct TruthFile {
+  std::string name;
+  std::string bytes;
+};
+
+/// Layers of the scene as its view sees it, and annotations.json: docs/formats.md, "Ground truth". Threads change
+/// nothing.
+/// \throws Error (usage) for more instances than numbers have bits for, and for what one sees through: behind glass
+/// no one surface is what a pixel shows.
+std::vector<TruthFile> ground_truth(const Scene& scene, const TruthOptions& options);
+
+}  // namespace pomona

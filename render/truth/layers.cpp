@@ -1,0 +1,98 @@
+#include "render/truth/layers.h"
+
+#include <algorithm>
+#include <array>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/cross.h"
+#include "render/strokes/covered_pixels.h"
+#include "render/strokes/identity_buffer.h"
+#include "render/truth/seen_solids.h"
+
+namespace pomona {
+
+namespace {
+
+/// Shares that a triangle's corners have in the place seen at a pixel, in space: sum 1, none below 0.
+std::array<double, 3> shares_at(const SeenTriangle& triangle, const glm::dvec2& place) {
+  std::array<double, 3> share{};
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto &a = triangle.corner[(i + 1) % 3], &b = triangle.corner[(i + 2) % 3];
+    const double on_picture = cross(glm::dvec2(a) - place, glm::dvec2(b) - place) * (triangle.area > 0 ? -1 : 1);
+    share[i] = std::max(0.0, on_picture) * triangle.corner[i].z;  // what is nearer takes more of the picture
+    sum += share[i];
+  }
+  for (double& s : share) s = sum > 0 ? s / sum : 1.0 / 3;
+  return share;
+}
+
+class LayerFiller {
+ public:
+  LayerFiller(const Scene& scene, const TruthNaming& names, const std::vector<SeenSolid>& seen,
+              const IdentityBuffer& foremost)
+      : scene_(scene), names_(names), seen_(seen), foremost_(foremost) {
+    const std::size_t pixels = foremost.instance.size();
+    layers_.width = foremost.width;
+    layers_.height = foremost.height;
+    for (auto* numbers : {&layers_.instance, &layers_.fruit, &layers_.part}) numbers->assign(pixels, 0);
+    layers_.depth.assign(pixels, 0);
+    layers_.normal.assign(pixels, glm::vec3(0));
+    layers_.section.assign(pixels, 0);
+  }
+
+  TruthLayers fill(Threads threads) {
+    parallel_for(static_cast<std::size_t>(layers_.height), threads, [&](std::size_t y) {
+      for (int x = 0; x < layers_.width; ++x) fill_pixel(x, static_cast<int>(y));
+    });
+    return std::move(layers_);
+  }
+
+ private:
+  void fill_pixel(int x, int y) {
+    const std::size_t pixel = layers_.pixel(x, y);
+    if (foremost_.instance[pixel] == 0) return;
+    const std::size_t i = foremost_.instance[pixel] - 1, number = scene_.instances[i].solid;
+    const Solid& solid = scene_.solids[number];
+    const std::uint32_t t = foremost_.triangle[pixel];
+    layers_.instance[pixel] = static_cast<std::uint16_t>(i + 1);
+    layers_.fruit[pixel] = names_.fruit_of_solid[number];
+    layers_.depth[pixel] = 1 / foremost_.nearness[pixel];
+    layers_.section[pixel] = t < solid.cut_face.size() && solid.cut_face[t] >= 0 ? 1 : 0;
+
+    const SeenTriangle triangle = seen_triangle(solid, seen_[i], t);
+    const std::array<double, 3> share = shares_at(triangle, {x + 0.5, y + 0.5});
+    const auto largest = static_cast<int>(std::max_element(share.begin(), share.end()) - share.begin());
+    const std::int32_t part = solid.part[solid.triangle[t][largest]];
+    const std::vector<std::uint16_t>& parts = names_.parts_of_solid[number];
+    if (part >= 0 && static_cast<std::size_t>(part) < parts.size()) layers_.part[pixel] = parts[part];
+    layers_.normal[pixel] = normal_at(solid, t, share, seen_[i].turn, triangle.area > 0);
+  }
+
+  static glm::vec3 normal_at(const Solid& solid, std::uint32_t t, const std::array<double, 3>& share,
+                             const glm::dmat3& turn, bool faces_eye) {
+    glm::dvec3 sum(0);
+    for (int i = 0; i < 3; ++i) sum += share[i] * glm::dvec3(solid.normal[solid.triangle[t][i]]);
+    const double length = glm::length(sum);
+    if (!(length > 0)) return glm::vec3(0);
+    return glm::vec3(glm::normalize(turn * sum) * (faces_eye ? 1.0 : -1.0));
+  }
+
+  const Scene& scene_;
+  const TruthNaming& names_;
+  const std::vector<SeenSolid>& seen_;
+  const IdentityBuffer& foremost_;
+  TruthLayers layers_;
+};
+
+}  // namespace
+
+TruthLayers truth_layers(const Scene& scene, const TruthNaming& names, int width, int height, Threads threads) {
+  const Lens lens(scene.view, width, height);
+  const std::vector<SeenSolid> seen = seen_solids(scene, lens, threads);
+  const IdentityBuffer foremost = identity_buffer(scene, seen, lens, threads);
+  return LayerFiller(scene, names, seen, foremost).fill(threads);
+}
+
+}  // namespace pomona
