@@ -24,6 +24,7 @@
 #include "render/gl/context.h"
 #include "render/gl/scene_picture.h"
 #include "render/image/png.h"
+#include "render/picture/light_direction.h"
 #include "render/picture/section_picture.h"
 #include "render/picture/view_within.h"
 #include "render/strokes/scene_parts.h"
@@ -188,7 +189,9 @@ Scene Delivery::fitted(Scene scene, const PictureSize& size, const std::optional
   const glm::dvec3 direction = view_.value_or(scene.view.eye - scene.view.target);
   const glm::dvec2 picture(size.width, size.height);
   const glm::dvec2 room = plate ? plate->figure().high - plate->figure().low : picture;
-  scene.view = fitted_view(scene, direction, room.x / room.y);
+  std::optional<glm::dvec3> light;
+  if (style_.shadow.strength > 0) light = light_direction(View{.eye = direction, .target = glm::dvec3(0)}, style_.light);
+  scene.view = fitted_view(scene, direction, room.x / room.y, light);
   if (plate) scene.view = view_within(scene.view, picture, plate->figure().low, plate->figure().high);
   return scene;
 }

@@ -34,7 +34,8 @@ Scene gathered(std::vector<Solid> solids) {
   return scene;
 }
 
-View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect) {
+View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect,
+                 const std::optional<glm::dvec3>& light) {
   View view;
   view.vertical_field = scene.view.vertical_field;
   view.fitted = true;
@@ -42,26 +43,38 @@ View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect)
   const glm::dvec3 helper = std::fabs(back.y) > 0.999 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(helper, back)), up = glm::cross(back, right);
 
-  // Look at the middle of what the camera's own axes span.
-  Box<double> seen;
-  for_each_placed_point(scene, [&](const glm::dvec3& p) {
-    seen.add({glm::dot(p, right), glm::dot(p, up), glm::dot(p, back)});
-  });
-  if (seen.low.x > seen.high.x) return view;
-  const glm::dvec3 middle = seen.center();
-  view.target = right * middle.x + up * middle.y + back * middle.z;
-
-  // Step back until every point is within the field.
+  // A point that is r to the right and b towards the eye is within a field of slope s for an eye at (R, B) if
+  // r - R and R - r are at most s (B - b). So of all points only the largest s b + r and s b - r count; likewise
+  // upwards.
   constexpr double margin = 1.06;
   const double half = 0.5 * view.vertical_field;
-  const double slope = reproducible::sin(half) / reproducible::cos(half) / margin;
-  double distance = 0;
+  const double slope_up = reproducible::sin(half) / reproducible::cos(half) / margin, slope_right = slope_up * aspect;
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  double to_right = none, to_left = none, above = none, below = none, nearest = none;
+  const auto hold = [&](const glm::dvec3& p) {
+    const double r = glm::dot(p, right), u = glm::dot(p, up), b = glm::dot(p, back);
+    to_right = std::max(to_right, slope_right * b + r);
+    to_left = std::max(to_left, slope_right * b - r);
+    above = std::max(above, slope_up * b + u);
+    below = std::max(below, slope_up * b - u);
+    nearest = std::max(nearest, b);
+  };
+  const bool has_shadow = light && scene.ground && light->y > 0.05;
   for_each_placed_point(scene, [&](const glm::dvec3& p) {
-    const glm::dvec3 away = p - view.target;
-    const double aside = std::max(std::fabs(glm::dot(away, right)) / aspect, std::fabs(glm::dot(away, up)));
-    distance = std::max(distance, glm::dot(away, back) + aside / slope);
+    hold(p);
+    if (has_shadow && p.y > 0) hold(p - *light * (p.y / light->y));
   });
-  view.eye = view.target + back * std::max(distance, 1e-3);
+  if (!(nearest > none)) return view;
+
+  // As near as both fields let it; in the middle of the one that leaves room.
+  const double distance = std::max({(to_right + to_left) / (2 * slope_right), (above + below) / (2 * slope_up),
+                                    nearest + 1e-3});
+  view.eye = right * (0.5 * (to_right - to_left)) + up * (0.5 * (above - below)) + back * distance;
+
+  // It looks at the middle of what it sees.
+  Box<double> seen;
+  for_each_placed_point(scene, [&](const glm::dvec3& p) { seen.add(glm::dvec3(glm::dot(p, back))); });
+  view.target = view.eye - back * std::max(distance - seen.center().x, 1e-3);
   return view;
 }
 

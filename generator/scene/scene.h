@@ -1,6 +1,7 @@
 // A scene: solids, each with any number of placed instances, and how it is looked at.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,11 @@ struct Scene {
 /// Every solid once, where it grew, seen as `view_name` says ("front", "top", "three-quarter").
 Scene gathered(std::vector<Solid> solids);
 
-/// A view that fits the scene: direction from the target to the eye, any length; aspect is the picture's width over
-/// its height.
-View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect = 1.0);
+/// The nearest view that has all of the scene in it, with a little room around: it touches left and right, or above and
+/// below. Of a whole scene it is exact, with its perspective.
+/// \param direction from the target to the eye, any length. \param aspect the picture's width over its height.
+/// \param light towards the light: then shadows on the ground are in the view, too.
+View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect = 1.0,
+                 const std::optional<glm::dvec3>& light = {});
 
 }  // namespace pomona

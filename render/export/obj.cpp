@@ -11,15 +11,15 @@ namespace pomona {
 namespace {
 
 /// " 0.25": the shortest text that reads back as this number.
-void append(std::string& text, float number) {
+void append_decimal(std::string& text, float number) {
   char digits[32];
   const auto [end, fault] = std::to_chars(digits, digits + sizeof digits, number);
   text.push_back(' ');
   text.append(digits, end);
 }
 
-void append(std::string& text, const glm::vec3& vector) {
-  for (int axis = 0; axis < 3; ++axis) append(text, vector[axis]);
+void append_decimals(std::string& text, const glm::vec3& vector) {
+  for (int axis = 0; axis < 3; ++axis) append_decimal(text, vector[axis]);
 }
 
 /// A name is one word: what blanks part would be several.
@@ -35,14 +35,14 @@ void append_vertices(std::string& text, const StyledMesh& mesh, const Pose& pose
     const glm::vec3 place =
         stays ? mesh.position[v] : glm::vec3(pose.rotation * glm::dvec3(mesh.position[v]) + pose.translation);
     text += "v";
-    append(text, place);
+    append_decimals(text, place);
     const auto color = to_srgb8(mesh.color[v]);
-    for (int channel = 0; channel < 3; ++channel) append(text, static_cast<float>(color[channel]) / 255.0f);
+    for (int channel = 0; channel < 3; ++channel) append_decimal(text, static_cast<float>(color[channel]) / 255.0f);
     text += '\n';
   }
   for (const glm::vec3& normal : mesh.normal) {
     text += "vn";
-    append(text, stays ? normal : glm::vec3(pose.rotation * glm::dvec3(normal)));
+    append_decimals(text, stays ? normal : glm::vec3(pose.rotation * glm::dvec3(normal)));
     text += '\n';
   }
 }

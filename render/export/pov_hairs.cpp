@@ -15,18 +15,18 @@ namespace {
 
 constexpr std::size_t most_hairs = 20000;  // about 2 MB of text
 constexpr double width = 8e-5;             // metres, at the root
-constexpr int color_steps = 15;            // of sRGB
+constexpr int hair_steps = 15;            // of sRGB
 
 std::array<int, 3> rounded(const Color& color) {
   std::array<int, 3> steps{};
-  for (int k = 0; k < 3; ++k) steps[k] = static_cast<int>(std::lround(srgb_from_linear(color[k]) * color_steps));
+  for (int k = 0; k < 3; ++k) steps[k] = static_cast<int>(std::lround(srgb_from_linear(color[k]) * hair_steps));
   return steps;
 }
 
 std::string texture_text(const std::array<int, 3>& color) {
   std::string text = ",\ntexture{pigment{rgb<";
   for (int k = 0; k < 3; ++k) {
-    const double linear = linear_from_srgb(static_cast<double>(color[k]) / color_steps);
+    const double linear = linear_from_srgb(static_cast<double>(color[k]) / hair_steps);
     text += (k > 0 ? "," : "") + number_text(std::round(linear * 10000) / 10000);
   }
   return text + ">}finish{ambient 0.4 diffuse 0.7}}";

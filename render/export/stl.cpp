@@ -19,7 +19,7 @@ constexpr std::string_view header = "Pomona, in millimetres";  // it must not be
 
 constexpr double millimetres = 1e3;
 
-void append(std::string& bytes, const glm::vec3& vector) {
+void append_bits(std::string& bytes, const glm::vec3& vector) {
   char raw[sizeof vector];
   std::memcpy(raw, &vector, sizeof vector);
   bytes.append(raw, sizeof vector);
@@ -36,8 +36,8 @@ void append_instance(std::string& bytes, const Solid& solid, const Pose& pose, s
         glm::cross(glm::dvec3(corner[1]) - glm::dvec3(corner[0]), glm::dvec3(corner[2]) - glm::dvec3(corner[0]));
     const double length = glm::length(normal);
     if (!(length > 0)) continue;
-    append(bytes, glm::vec3(normal / length));
-    for (const glm::vec3& place : corner) append(bytes, place);
+    append_bits(bytes, glm::vec3(normal / length));
+    for (const glm::vec3& place : corner) append_bits(bytes, place);
     bytes.append(2, '\0');  // an attribute that nobody agrees about
     ++count;
   }
