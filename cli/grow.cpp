@@ -14,6 +14,7 @@
 #include "generator/base/error.h"
 #include "generator/piece/glass_surfaces.h"
 #include "generator/piece/slice.h"
+#include "generator/scene/stand.h"
 #include "generator/surface/file/surface_file.h"
 
 namespace pomona {
@@ -69,7 +70,9 @@ ExitStatus grow_fruit(const GrowCommand& command) {
       scene = gathered(whole_fruit(source, command, delivery));
       scene->paper = delivery.style().paper;
     }
-    delivery.add(output, *scene);
+    // In a picture it stands on the table, unless one is to see through it.
+    const bool is_picture = output.format == Format::png || output.format == Format::svg;
+    delivery.add(output, is_picture && !command.surfaces ? standing(*scene) : *scene);
   }
   delivery.finish();
   return ExitStatus::done;

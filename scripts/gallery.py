@@ -23,8 +23,9 @@ VARIATION = {  # of docs/variation.md: what is grown, at seed 2
     **{f"pepper_folds_{folds}.png": ["pepper", "--folds", str(folds)] for folds in (3, 4, 6)},
     **{f"tomato_variation_{amount}.png": ["tomato", "--variation", amount] for amount in ("0.5", "1", "2")},
 }
+WIDE = 360, 240  # pixels; shown at WIDE_SHOWN
 LARGE, SMALL = 240, 150  # pixels; shown at LARGE_SHOWN and SMALL_SHOWN
-LARGE_SHOWN, SMALL_SHOWN = 200, 130
+LARGE_SHOWN, SMALL_SHOWN, WIDE_SHOWN, GRID_SHOWN = 200, 130, 300, 180
 
 
 def templates():
@@ -69,6 +70,7 @@ def pictures_of(name):
         "whole.png": ["grow", name, *large],
         "half.png": ["cut", name, *section, "half", *large],
         "across.png": ["cut", name, *section, "across", *large],
+        "halves.png": ["cut", name, "--knife", "half", "--view", "30,25", "--size", f"{WIDE[0]}x{WIDE[1]}"],
     }
     for seed in SEEDS if varies(name) else ():
         variant = ["--seed", str(seed), *small]
@@ -118,13 +120,14 @@ def block(name):
         f"[`{name}`]({name}.toml), {symmetry(template)}. {opening(name)}",
         "",
         *large,
+        image(f"{folder}/halves.png", f"{name}, its halves", WIDE_SHOWN),
         "",
         *([*small, ""] if small else []),
     ])
 
 
 def grid_cell(name):
-    return f'[{image(f"{PICTURES}/{name}/across.png", name, SMALL_SHOWN)}](templates/README.md#{anchor(name)})'
+    return f'[{image(f"{PICTURES}/{name}/halves.png", name, GRID_SHOWN)}](templates/README.md#{anchor(name)})'
 
 
 def anchor(name):
