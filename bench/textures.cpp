@@ -14,8 +14,8 @@
 
 #include "bench/fruits.h"
 #include "bench/timing.h"
-#include "generator/base/free_memory.h"
 #include "generator/base/error.h"
+#include "generator/base/free_memory.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/slice.h"

@@ -88,7 +88,8 @@ struct BoxTree {
   std::vector<Node> node;  ///< empty if there is no box
 };
 
-/// Meets the boxes of two trees, which may be one, and calls found(index of one, index of other) for each pair.
+/// Meets the boxes of two trees, which may be one, and calls found(index of one, index of other) for each pair, until
+/// it returns false. So do the functions here.
 template <typename T, typename Found>
 class Meetings {
  public:
@@ -96,40 +97,42 @@ class Meetings {
       : one_(one), other_(other), found_(found) {}
 
   /// Nodes of different trees, or different nodes of one tree.
-  void between(std::uint32_t a, std::uint32_t b) const {
+  bool between(std::uint32_t a, std::uint32_t b) const {
     const auto &m = one_.node[a], &n = other_.node[b];
-    if (!m.box.meets(n.box)) return;
+    if (!m.box.meets(n.box)) return true;
     if (m.count == 1 && n.count == 1) return leaves(one_.leaf[m.first], other_.leaf[n.first]);
     // Take the larger one apart.
-    for (std::uint32_t k = 0; k < 2; ++k) m.leaves >= n.leaves ? between(m.first + k, b) : between(a, n.first + k);
+    if (m.leaves >= n.leaves) return between(m.first, b) && between(m.first + 1, b);
+    return between(a, n.first) && between(a, n.first + 1);
   }
 
   /// A node of one tree with itself.
-  void within(std::uint32_t a) const {
+  bool within(std::uint32_t a) const {
     const auto& node = one_.node[a];
     if (node.count == 1) return inside(one_.leaf[node.first]);
-    within(node.first);
-    within(node.first + 1);
-    between(node.first, node.first + 1);
+    return within(node.first) && within(node.first + 1) && between(node.first, node.first + 1);
   }
 
  private:
-  void leaves(const Leaf<T>& a, const Leaf<T>& b) const {
+  bool leaves(const Leaf<T>& a, const Leaf<T>& b) const {
     for (std::size_t i = 0; i < a.count; ++i) {
       const Box<T> box = a.box_at(i);
-      if (box.meets(b.box)) add(a.index[i], b, b.meeting(box), 0);
+      if (box.meets(b.box) && !add(a.index[i], b, b.meeting(box), 0)) return false;
     }
+    return true;
   }
 
-  void inside(const Leaf<T>& leaf) const {
-    for (std::size_t i = 0; i < leaf.count; ++i) add(leaf.index[i], leaf, leaf.meeting(leaf.box_at(i)), i + 1);
+  bool inside(const Leaf<T>& leaf) const {
+    for (std::size_t i = 0; i < leaf.count; ++i)
+      if (!add(leaf.index[i], leaf, leaf.meeting(leaf.box_at(i)), i + 1)) return false;
+    return true;
   }
 
-  void add(std::uint32_t index, const Leaf<T>& leaf, const std::array<std::uint32_t, Leaf<T>::size>& meets,
+  bool add(std::uint32_t index, const Leaf<T>& leaf, const std::array<std::uint32_t, Leaf<T>::size>& meets,
            std::size_t from) const {
-    for (std::size_t i = from; i < leaf.count; ++i) {
-      if (meets[i] != 0) found_(index, leaf.index[i]);
-    }
+    for (std::size_t i = from; i < leaf.count; ++i)
+      if (meets[i] != 0 && !found_(index, leaf.index[i])) return false;
+    return true;
   }
 
   const BoxTree<T>& one_;
@@ -139,18 +142,29 @@ class Meetings {
 
 }  // namespace
 
+void visit_meeting_boxes(const std::vector<Box<float>>& boxes,
+                         const std::function<bool(std::uint32_t, std::uint32_t)>& visit) {
+  const BoxTree<float> tree(boxes);
+  const auto found = [&](std::uint32_t i, std::uint32_t j) { return visit(std::min(i, j), std::max(i, j)); };
+  if (!tree.node.empty()) Meetings(tree, tree, found).within(0);
+}
+
 std::vector<BoxPair> meeting_boxes(const std::vector<Box<float>>& boxes) {
   std::vector<BoxPair> pairs;
-  const BoxTree<float> tree(boxes);
-  const auto found = [&](std::uint32_t i, std::uint32_t j) { pairs.emplace_back(std::min(i, j), std::max(i, j)); };
-  if (!tree.node.empty()) Meetings(tree, tree, found).within(0);
+  visit_meeting_boxes(boxes, [&](std::uint32_t i, std::uint32_t j) {
+    pairs.emplace_back(i, j);
+    return true;
+  });
   return pairs;
 }
 
 std::vector<BoxPair> meeting_boxes(const std::vector<Box<double>>& one, const std::vector<Box<double>>& other) {
   std::vector<BoxPair> pairs;
   const BoxTree<double> a(one), b(other);
-  const auto found = [&](std::uint32_t i, std::uint32_t j) { pairs.emplace_back(i, j); };
+  const auto found = [&](std::uint32_t i, std::uint32_t j) {
+    pairs.emplace_back(i, j);
+    return true;
+  };
   if (!a.node.empty() && !b.node.empty()) Meetings(a, b, found).between(0, 0);
   return pairs;
 }

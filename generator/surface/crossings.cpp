@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <tuple>
 
 #include <glm/ext/vector_int3_sized.hpp>
@@ -15,9 +17,9 @@ namespace pomona {
 
 namespace {
 
-/// A position in whole steps. 29 bits a coordinate let volumes be computed exactly in 128 bits.
-using GridPoint = glm::i64vec3;
-using GridTriangle = std::array<GridPoint, 3>;
+/// A position in whole steps. 29 bits a coordinate let volumes be computed exactly in 128 bits; doubles hold them, and
+/// their differences, as they are.
+using GridPoint = glm::dvec3;
 __extension__ typedef __int128 Wide;
 constexpr double grid_steps = 1 << 29;
 
@@ -26,8 +28,13 @@ std::vector<GridPoint> on_grid(const DiffusionSurfaces& surfaces) {
   const glm::dvec3 size = bounds.size();
   const double longest = std::max({size.x, size.y, size.z});
   const double steps_per_metre = longest > 0 ? grid_steps / longest : 0;
-  // Vertices that no triangle uses may lie anywhere.
-  const auto step = [](double at) { return at >= 0 ? std::llround(std::min(at, grid_steps)) : 0; };
+  // Vertices that no triangle uses may lie anywhere. Halves are rounded up.
+  const auto step = [](double at) {
+    if (!(at >= 0)) return 0.0;
+    const double within = std::min(at, grid_steps);
+    const auto whole = static_cast<double>(static_cast<std::int64_t>(within));
+    return within - whole >= 0.5 ? whole + 1 : whole;
+  };
   std::vector<GridPoint> points;
   points.reserve(surfaces.position.size());
   for (const glm::vec3& p : surfaces.position) {
@@ -37,42 +44,43 @@ std::vector<GridPoint> on_grid(const DiffusionSurfaces& surfaces) {
   return points;
 }
 
-/// A triangle's plane, and on which side of it points lie.
-class Plane {
- public:
-  Plane(const GridPoint& a, const GridPoint& b, const GridPoint& c)
-      : a_(a), b_(b), c_(c), u_(b - a), v_(c - a), normal_(glm::cross(glm::dvec3(u_), glm::dvec3(v_))) {}
+/// 1, 0 or -1: on which side of the plane through a with these two edges, exactly.
+int exact_side(const GridPoint& u, const GridPoint& v, const GridPoint& w) {
+  const glm::i64vec3 a(u), b(v), c(w);
+  const Wide volume = static_cast<Wide>(a.y * b.z - a.z * b.y) * c.x + static_cast<Wide>(a.z * b.x - a.x * b.z) * c.y +
+                      static_cast<Wide>(a.x * b.y - a.y * b.x) * c.z;
+  return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
+}
 
-  /// 1, 0 or -1.
+/// The sign of a volume that doubles have estimated, with rounding below 2^42; 2 where they cannot tell.
+int estimated_side(double volume) {
+  if (std::abs(volume) > 0x1p44) return volume > 0 ? 1 : -1;
+  return 2;
+}
+
+/// A triangle, and its plane.
+struct GridTriangle {
+  std::array<GridPoint, 3> corner;
+  glm::dvec3 normal{0};  ///< rounded
+
+  /// On which side of the plane p lies.
   int side_of(const GridPoint& p) const {
-    // In doubles first: differences are exact, and all rounding after them stays below 2^42.
-    const GridPoint w = p - a_;
-    const double estimate = glm::dot(normal_, glm::dvec3(w));
-    if (std::abs(estimate) > 0x1p44) return estimate > 0 ? 1 : -1;
-
+    const int estimate = estimated_side(glm::dot(normal, p - corner[0]));
+    if (estimate != 2) return estimate;
     // Most triangles that are near each other share a corner.
-    if (p == a_ || p == b_ || p == c_) return 0;
-    const Wide volume = static_cast<Wide>(u_.y * v_.z - u_.z * v_.y) * w.x +
-                        static_cast<Wide>(u_.z * v_.x - u_.x * v_.z) * w.y +
-                        static_cast<Wide>(u_.x * v_.y - u_.y * v_.x) * w.z;
-    return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
+    if (p == corner[0] || p == corner[1] || p == corner[2]) return 0;
+    return exact_side(corner[1] - corner[0], corner[2] - corner[0], p - corner[0]);
   }
-
- private:
-  const GridPoint &a_, &b_, &c_;
-  GridPoint u_, v_;
-  glm::dvec3 normal_;
 };
 
-int side_of(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& p) {
-  return Plane(a, b, c).side_of(p);
+GridTriangle grid_triangle(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+  return {{a, b, c}, glm::cross(b - a, c - a)};
 }
 
 using Sides = std::array<int, 3>;
 
 Sides sides_of(const GridTriangle& triangle, const GridTriangle& t) {
-  const Plane plane(triangle[0], triangle[1], triangle[2]);
-  return {plane.side_of(t[0]), plane.side_of(t[1]), plane.side_of(t[2])};
+  return {triangle.side_of(t.corner[0]), triangle.side_of(t.corner[1]), triangle.side_of(t.corner[2])};
 }
 
 bool on_both(const Sides& sides) {
@@ -81,15 +89,18 @@ bool on_both(const Sides& sides) {
 
 /// True if the line goes through the inside of the triangle.
 bool line_pierces(const GridPoint& p, const GridPoint& q, const GridTriangle& t) {
-  const int first = side_of(p, q, t[0], t[1]);
-  return first != 0 && side_of(p, q, t[1], t[2]) == first && side_of(p, q, t[2], t[0]) == first;
+  const auto side_of = [&](std::size_t i, std::size_t j) {
+    return grid_triangle(p, q, t.corner[i]).side_of(t.corner[j]);
+  };
+  const int first = side_of(0, 1);
+  return first != 0 && side_of(1, 2) == first && side_of(2, 0) == first;
 }
 
 /// True if an edge of t, whose corners lie on these sides of s, goes through s.
 bool edge_pierces(const GridTriangle& t, const Sides& sides, const GridTriangle& s) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
-    if (sides[i] * sides[j] < 0 && line_pierces(t[i], t[j], s)) return true;
+    if (sides[i] * sides[j] < 0 && line_pierces(t.corner[i], t.corner[j], s)) return true;
   }
   return false;
 }
@@ -103,41 +114,68 @@ bool cross_properly(const GridTriangle& s, const GridTriangle& t) {
 
 bool share_an_edge(const glm::uvec3& a, const glm::uvec3& b) {
   int common = 0;
-  for (int i = 0; i < 3; ++i) common += a[i] == b.x || a[i] == b.y || a[i] == b.z;
+  for (int i = 0; i < 3; ++i) common += (a[i] == b.x) | (a[i] == b.y) | (a[i] == b.z);
   return common > 1;
 }
 
-}  // namespace
-
-std::vector<CrossingTriangles> crossing_triangles(const DiffusionSurfaces& surfaces) {
-  // Find where triangles could meet, and what is connected.
-  const std::vector<GridPoint> points = on_grid(surfaces);
+/// What is connected.
+DisjointSets pieces_of(const DiffusionSurfaces& surfaces) {
   DisjointSets pieces(surfaces.vertex_count());
-  std::vector<Box<float>> boxes;
-  std::vector<GridTriangle> corners;
-  boxes.reserve(surfaces.triangle_count());
-  corners.reserve(surfaces.triangle_count());
   for (const glm::uvec3& v : surfaces.triangle) {
     pieces.join(v.x, v.y);
     pieces.join(v.x, v.z);
+  }
+  return pieces;
+}
+
+/// Calls found(crossing) for every pair among some triangles that cross, until it returns false.
+template <typename Found>
+void visit_crossings(const DiffusionSurfaces& surfaces, const std::vector<std::uint32_t>& triangles,
+                     const Found& found) {
+  // Find where triangles could meet.
+  const std::vector<GridPoint> points = on_grid(surfaces);
+  std::vector<GridTriangle> corners;
+  std::vector<Box<float>> boxes;
+  corners.reserve(triangles.size());
+  boxes.reserve(triangles.size());
+  for (const std::uint32_t t : triangles) {
+    const glm::uvec3& v = surfaces.triangle[t];
+    corners.push_back(grid_triangle(points[v.x], points[v.y], points[v.z]));
     Box<float> box;
-    for (int i = 0; i < 3; ++i) box.add(glm::vec3(points[v[i]]));
+    for (const GridPoint& corner : corners.back().corner) box.add(glm::vec3(corner));
     boxes.push_back(box);
-    corners.push_back({points[v.x], points[v.y], points[v.z]});
   }
 
-  // Look closely there.
-  std::vector<CrossingTriangles> found;
-  for (const auto& [s, t] : meeting_boxes(boxes)) {
-    const glm::uvec3 &a = surfaces.triangle[s], &b = surfaces.triangle[t];
-    if (share_an_edge(a, b) || !cross_properly(corners[s], corners[t])) continue;
-    found.push_back({s, t, pieces.root(a.x) == pieces.root(b.x)});
-  }
-  std::sort(found.begin(), found.end(), [](const CrossingTriangles& l, const CrossingTriangles& r) {
-    return std::tie(l.first, l.second) < std::tie(r.first, r.second);
+  // Look closely there. What is connected matters once anything crosses.
+  std::optional<DisjointSets> pieces;
+  visit_meeting_boxes(boxes, [&](std::uint32_t i, std::uint32_t j) {
+    const glm::uvec3 &a = surfaces.triangle[triangles[i]], &b = surfaces.triangle[triangles[j]];
+    if (share_an_edge(a, b) || !cross_properly(corners[i], corners[j])) return true;
+    if (!pieces) pieces = pieces_of(surfaces);
+    return found(CrossingTriangles{triangles[i], triangles[j], pieces->root(a.x) == pieces->root(b.x)});
   });
-  return found;
 }
+
+std::vector<std::uint32_t> all_triangles(const DiffusionSurfaces& surfaces) {
+  std::vector<std::uint32_t> all(surfaces.triangle_count());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+/// Those of the surfaces of these kinds.
+std::vector<std::uint32_t> triangles_of(const DiffusionSurfaces& surfaces, const std::set<CrossingKind>& kinds) {
+  std::vector<std::uint8_t> counts(surfaces.surface_names.size(), 0);
+  for (const auto& [a, b, same_piece] : kinds) {
+    for (const std::int32_t surface : {a, b})
+      if (static_cast<std::size_t>(surface) < counts.size()) counts[static_cast<std::size_t>(surface)] = 1;
+  }
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t)
+    if (counts[static_cast<std::size_t>(surfaces.surface[t])] != 0) triangles.push_back(t);
+  return triangles;
+}
+
+}  // namespace
 
 CrossingKind kind_of(const DiffusionSurfaces& surfaces, const CrossingTriangles& crossing) {
   const std::int32_t a = surfaces.surface[crossing.first], b = surfaces.surface[crossing.second];
@@ -148,6 +186,33 @@ std::set<CrossingKind> kinds_of(const DiffusionSurfaces& surfaces, const std::ve
   std::set<CrossingKind> kinds;
   for (const CrossingTriangles& crossing : crossings) kinds.insert(kind_of(surfaces, crossing));
   return kinds;
+}
+
+std::vector<CrossingTriangles> crossing_triangles(const DiffusionSurfaces& surfaces) {
+  std::vector<CrossingTriangles> found;
+  visit_crossings(surfaces, all_triangles(surfaces), [&](const CrossingTriangles& crossing) {
+    found.push_back(crossing);
+    return true;
+  });
+  std::sort(found.begin(), found.end(), [](const CrossingTriangles& l, const CrossingTriangles& r) {
+    return std::tie(l.first, l.second) < std::tie(r.first, r.second);
+  });
+  return found;
+}
+
+std::set<CrossingKind> crossing_kinds(const DiffusionSurfaces& surfaces) {
+  return kinds_of(surfaces, crossing_triangles(surfaces));
+}
+
+std::set<CrossingKind> crossing_kinds_of(const DiffusionSurfaces& surfaces, const std::set<CrossingKind>& wanted) {
+  std::set<CrossingKind> found;
+  if (wanted.empty()) return found;
+  visit_crossings(surfaces, triangles_of(surfaces, wanted), [&](const CrossingTriangles& crossing) {
+    const CrossingKind kind = kind_of(surfaces, crossing);
+    if (wanted.contains(kind)) found.insert(kind);
+    return found.size() < wanted.size();
+  });
+  return found;
 }
 
 }  // namespace pomona

@@ -1,7 +1,9 @@
 #include "generator/variation/swept_check.h"
 
-#include <algorithm>
+#include <cstdint>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -26,45 +28,60 @@ DiffusionSurfaces straight(Template fruit) {
   return sweep(unpainted(std::move(fruit)));
 }
 
-std::set<CrossingKind> crossing_kinds(const DiffusionSurfaces& surfaces) {
-  return kinds_of(surfaces, crossing_triangles(surfaces));
-}
-
 }  // namespace
 
-/// What crosses in the drawing, found when it is first asked for, by whichever thread.
-class SweptCheck::Drawing {
+/// What crosses in one form of the drawing, looked for when somebody asks, by whichever thread.
+class SweptCheck::KnownCrossings {
  public:
-  explicit Drawing(const Template& drawn) : drawn_(drawn) {}
+  explicit KnownCrossings(DiffusionSurfaces surfaces) : surfaces_(std::move(surfaces)) {}
 
-  const std::set<CrossingKind>& straight() const {
-    std::call_once(straight_once_, [&] { straight_ = crossing_kinds(pomona::straight(drawn_)); });
-    return straight_;
+  /// Those of the kinds that do not cross here.
+  std::set<CrossingKind> lacking(const std::set<CrossingKind>& kinds) const {
+    const std::lock_guard lock(mutex_);
+    std::set<CrossingKind> unknown, lacking;
+    for (const CrossingKind& kind : kinds)
+      if (!crosses_.contains(kind)) unknown.insert(kind);
+    for (const CrossingKind& kind : crossing_kinds_of(surfaces_, unknown)) crosses_[kind] = true;
+    for (const CrossingKind& kind : kinds)
+      if (!crosses_.try_emplace(kind, false).first->second) lacking.insert(kind);
+    return lacking;
   }
 
-  /// Bent as it is.
-  const std::set<CrossingKind>& as_drawn() const {
-    if (drawn_.bend.is_straight()) return straight();
-    std::call_once(bent_once_, [&] { bent_ = crossing_kinds(sweep(unpainted(drawn_))); });
-    return bent_;
+ private:
+  DiffusionSurfaces surfaces_;
+  mutable std::mutex mutex_;
+  mutable std::map<CrossingKind, bool> crosses_;  ///< for the kinds that were asked for
+};
+
+/// The drawing, straight and bent as it is.
+class SweptCheck::Drawing {
+ public:
+  explicit Drawing(const Template& drawn) : drawn_(drawn), straight_(pomona::straight(drawn)) {}
+
+  const KnownCrossings& straight() const { return straight_; }
+
+  const KnownCrossings& as_drawn() const {
+    if (drawn_.bend.is_straight()) return straight_;
+    std::call_once(bent_once_, [&] { bent_.emplace(sweep(unpainted(drawn_))); });
+    return *bent_;
   }
 
  private:
   Template drawn_;
-  mutable std::once_flag straight_once_, bent_once_;
-  mutable std::set<CrossingKind> straight_, bent_;
+  KnownCrossings straight_;
+  mutable std::once_flag bent_once_;
+  mutable std::optional<KnownCrossings> bent_;
 };
 
-SweptCheck::SweptCheck(const Template& drawn) : drawing_(std::make_shared<Drawing>(drawn)) {
-  // Sweeping tells whether that can be done at all.
-  straight(drawn);
-}
+SweptCheck::SweptCheck(const Template& drawn) : drawing_(std::make_shared<Drawing>(drawn)) {}
 
 std::vector<double> SweptCheck::new_crossings(const Template& variant) const {
   const DiffusionSurfaces surfaces = straight(variant);
+  const std::vector<CrossingTriangles> crossings = crossing_triangles(surfaces);
+  const std::set<CrossingKind> anew = drawing_->straight().lacking(kinds_of(surfaces, crossings));
   std::vector<double> azimuths;
-  for (const CrossingTriangles& crossing : crossing_triangles(surfaces)) {
-    if (drawing_->straight().contains(kind_of(surfaces, crossing))) continue;
+  for (const CrossingTriangles& crossing : crossings) {
+    if (!anew.contains(kind_of(surfaces, crossing))) continue;
     azimuths.push_back(azimuth_of(surfaces, crossing.first));
     azimuths.push_back(azimuth_of(surfaces, crossing.second));
   }
@@ -73,9 +90,7 @@ std::vector<double> SweptCheck::new_crossings(const Template& variant) const {
 
 bool SweptCheck::crosses_anew(const Template& variant) const {
   const std::set<CrossingKind> kinds = crossing_kinds(sweep(unpainted(variant)));
-  if (kinds.empty()) return false;
-  const std::set<CrossingKind>& known = drawing_->as_drawn();
-  return !std::includes(known.begin(), known.end(), kinds.begin(), kinds.end());
+  return !kinds.empty() && !drawing_->as_drawn().lacking(kinds).empty();
 }
 
 }  // namespace pomona

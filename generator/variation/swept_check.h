@@ -11,7 +11,7 @@ namespace pomona {
 
 /// Curves that keep apart may still be swept into surfaces that cross, by a facet's width. Looks at the swept triangles
 /// themselves, at detail 1: two surfaces may only cross in a variant if they do so in the drawing. What crosses there
-/// is looked for once a variant has crossings: most have none. Copies share it.
+/// is looked for between surfaces that have come to cross in a variant, and only until it is found. Copies share it.
 class SweptCheck {
  public:
   /// \throws Error (bad_data) if the drawing cannot be swept.
@@ -25,6 +25,7 @@ class SweptCheck {
   bool crosses_anew(const Template& variant) const;
 
  private:
+  class KnownCrossings;
   class Drawing;
   std::shared_ptr<const Drawing> drawing_;
 };

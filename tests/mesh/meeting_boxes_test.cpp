@@ -36,6 +36,11 @@ TEST(MeetingBoxes, AreAllThatMeetEachOnce) {
       }
     }
     EXPECT_EQ(sorted(meeting_boxes(boxes)), expected);
+
+    // Visits end with the first that says so.
+    std::size_t visits = 0;
+    visit_meeting_boxes(boxes, [&](std::uint32_t, std::uint32_t) { return ++visits < 5; });
+    EXPECT_EQ(visits, std::min<std::size_t>(5, expected.size()));
   }
 }
 

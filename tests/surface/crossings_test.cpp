@@ -36,6 +36,30 @@ std::size_t counted_one_by_one(const DiffusionSurfaces& surfaces, std::size_t fi
   return count;
 }
 
+TEST(Crossings, OfSomeKindsAreThoseOfAllThatAreOfThem) {
+  // Three balls in a row, the first two crossing, and a ring that crosses itself.
+  const DiffusionSurfaces ball = shapes::sphere(1, 6);
+  DiffusionSurfaces all =
+      joined(joined(ball, shapes::moved(shapes::tilted(ball), {1.3, 0.1, 0.07})),
+             joined(shapes::moved(ball, {9, 0, 0}), shapes::moved(shapes::torus(1, 1.4, 14, 12), {20, 0, 0})));
+  const std::set<CrossingKind> kinds = crossing_kinds(all);
+  ASSERT_EQ(kinds, kinds_of(all, crossing_triangles(all)));
+  ASSERT_EQ(kinds.size(), 2u);
+  const auto surfaces = static_cast<std::int32_t>(all.surface_names.size());
+  std::set<CrossingKind> every;
+  for (std::int32_t a = 0; a < surfaces; ++a) {
+    for (std::int32_t b = a; b < surfaces; ++b) {
+      for (const bool same : {false, true}) {
+        const CrossingKind kind{a, b, same};
+        every.insert(kind);
+        EXPECT_EQ(crossing_kinds_of(all, {kind}).contains(kind), kinds.contains(kind));
+      }
+    }
+  }
+  EXPECT_EQ(crossing_kinds_of(all, every), kinds);
+  EXPECT_TRUE(crossing_kinds_of(all, {}).empty());
+}
+
 TEST(Crossings, AreNoneWhereSurfacesLieInOneAnotherOrTouch) {
   EXPECT_TRUE(crossing_triangles(shapes::nested_spheres(1, 0.99, 12)).empty());
   EXPECT_TRUE(crossing_triangles(shapes::torus(1, 0.3, 24, 12)).empty());
