@@ -272,6 +272,12 @@ VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& p
   return {scene.seed, names.bits(0) >> 32};
 }
 
+void check_sources(const SceneDescription& scene, const ComposeOptions& options) {
+  read_templates(scene, options);
+  DishSolids solids(std::filesystem::path(scene.file).parent_path());
+  for (const DishDescription& dish : scene.dishes) solids.index_of(dish);
+}
+
 SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {
   StageClock clock;
   const std::vector<Template> templates = clock.time("read", [&] { return read_templates(scene, options); });

@@ -64,6 +64,10 @@ struct SceneParts {
 /// entry's variants depend on what else the scene holds, in which order, or how many it takes.
 VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& pieces, int n);
 
+/// Reads all that the scene names, templates and meshes, and makes nothing of it.
+/// \throws Error at the place in the scene that names what is missing or wrong.
+void check_sources(const SceneDescription& scene, const ComposeOptions& options);
+
 /// Grows, cuts and colours all variants, in parallel, and picks their pieces. Without a diffuser the cut faces
 /// keep the colours of their rims: for layouts and tests.
 SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options);
