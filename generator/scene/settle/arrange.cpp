@@ -222,8 +222,9 @@ Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>&
   const UpperSide upper(dish.mesh().mesh, dish.form());
   Starts starts(bodies.size());
   if (upper.empty()) return starts;
-  std::vector<RigidBody> set(bodies.size());
-  NearBodies near(2 * options.widest + how.gap, bodies.size());
+  std::vector<RigidBody> set = options.there;
+  NearBodies near(2 * options.widest + how.gap, set.size() + bodies.size());
+  for (std::size_t k = 0; k < set.size(); ++k) near.add(k, set[k].center);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const std::uint64_t n = draws_per_piece * pieces[i].piece + before_tries;
     for (std::uint64_t k = 0; k < most_tries && !starts[i]; ++k) {
@@ -242,8 +243,8 @@ Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>&
         is_free = is_free && distance_between(body, set[other], gap + 1e-6f) > gap;
       });
       if (!is_free) continue;
-      set[i] = body;
-      near.add(i, body.center);
+      near.add(set.size(), body.center);
+      set.push_back(body);
       starts[i] = Start{body.rotation, body.center};
     }
   }

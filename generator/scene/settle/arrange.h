@@ -43,6 +43,7 @@ struct Start {
 struct ArrangeOptions {
   HeapOptions heap{};
   double unit = 0, widest = 0;  ///< metres: the mean size of all pieces, the radius of the widest
+  std::vector<RigidBody> there{};  ///< what lies there already, which scattered pieces keep clear of
   Threads threads{};
 };
 
