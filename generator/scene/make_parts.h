@@ -52,10 +52,10 @@ struct ScenePlacedDish {
 
 /// Everything a scene consists of, not yet placed. Equal pieces share one solid.
 struct SceneParts {
-  std::vector<Solid> solids;             ///< of the pieces, then of the dishes
-  std::vector<SettleItem> items;         ///< what is to be placed, named; solids and arrangements by index
-  std::vector<int> dish_of;              ///< of each item, an index; -1 = the ground
-  std::vector<ScenePlacedDish> dishes;   ///< the bowl is the first, where there is one
+  std::vector<Solid> solids;            ///< of the pieces, then of the dishes
+  std::vector<SettleItem> items;        ///< what is to be placed, named; solids and arrangements by index
+  std::vector<int> dish_of;             ///< of each item, an index; -1 = the ground
+  std::vector<ScenePlacedDish> dishes;  ///< the bowl is the first, where there is one
   std::vector<Arrangement> arrangements;
   ComposeReport report;
 };

@@ -153,10 +153,10 @@ const std::string two_trays =
 const std::string cherries = "[[pieces]]\nname = \"cherry\"\ntemplate = \"radish\"\nas_drawn = true\n";
 
 TEST_F(Dishes, HoldHeapsOfTheirOwn) {
-  const Composition both =
-      compose(scene(two_trays + cherries + "total = 7\nin = \"left\"\n" +
-                    "[[pieces]]\nname = \"other\"\ntemplate = \"radish\"\nas_drawn = true\ntotal = 7\nin = \"right\"\n"),
-              nullptr, coarse());
+  const Composition both = compose(
+      scene(two_trays + cherries + "total = 7\nin = \"left\"\n" +
+            "[[pieces]]\nname = \"other\"\ntemplate = \"radish\"\nas_drawn = true\ntotal = 7\nin = \"right\"\n"),
+      nullptr, coarse());
   ASSERT_EQ(both.scene.instances.size(), 16u);
   EXPECT_EQ(both.scene.instances[0].solid, both.scene.instances[1].solid);
   EXPECT_EQ(both.report.counts.at("heaps"), 2);
@@ -189,8 +189,9 @@ TEST_F(Dishes, ThatCannotBeAreToldInTheScene) {
   };
   const std::string file = (folder_.path() / "a.toml").string();
   const auto dish = [](const std::string& mesh) { return "[[dishes]]\nname = \"d\"\nmesh = \"" + mesh + "\"\n"; };
-  EXPECT_THAT(told(dish("none.obj") + cherries, ExitStatus::input_missing),
-              testing::AllOf(testing::StartsWith(file + ":6:8: error: dish \"d\""), testing::HasSubstr("cannot be read")));
+  EXPECT_THAT(
+      told(dish("none.obj") + cherries, ExitStatus::input_missing),
+      testing::AllOf(testing::StartsWith(file + ":6:8: error: dish \"d\""), testing::HasSubstr("cannot be read")));
   EXPECT_THAT(told(dish("line.obj") + cherries + "on = \"d\"\nwhere = { kind = \"scatter\" }\n", ExitStatus::bad_data),
               testing::AllOf(testing::StartsWith(file + ":6:8: error: "), testing::HasSubstr("no area")));
   EXPECT_THAT(told("settle.attempts = 1\n" + two_trays + cherries + "total = 150\nin = \"left\"\n",

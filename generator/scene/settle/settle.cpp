@@ -483,7 +483,7 @@ class Settling {
   Heap heap_;
   FitCheck check_;
   std::vector<std::optional<Start>> starts_;  ///< of the items that have one
-  std::uint64_t round_ = 0;  ///< of dropping again
+  std::uint64_t round_ = 0;                   ///< of dropping again
   int steps_ = 0;
   std::size_t again_ = 0, told_ = 0;
 };
