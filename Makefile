@@ -14,7 +14,7 @@ gallery: build ## the pictures of README.md and templates/README.md; FRUIT="okra
 	@scripts/gallery.sh build/pomona docs/pictures $(FRUIT)
 	@scripts/gallery.py write
 
-figures: build ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures, batch) those of that page
+figures: build ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures, batch, scenes) those of that page
 	@scripts/setup.sh gallery
 	@scripts/figures.py make build/pomona $(or $(PAGE),figures) $(FIGURE)
 

@@ -1,4 +1,5 @@
 // pomona check: everything that is wrong with templates, scenes, styles and surface files, at once.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -11,6 +12,8 @@
 #include "cli/batch/wanted_batch.h"
 #include "cli/command.h"
 #include "cli/find_template.h"
+#include "cli/program_folders.h"
+#include "generator/scene/make_parts.h"
 #include "generator/scene/scene_file.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/file/surface_file.h"
@@ -29,11 +32,26 @@ struct CheckCommand {
   bool quiet = false;
 };
 
+/// A template by its name, else a scene; or a path.
+std::filesystem::path find_known(const std::string& name) {
+  try {
+    return find_template(name);
+  } catch (const Error&) {
+    const std::vector<std::filesystem::path> scenes = own_files("scenes");
+    const auto same = [&](const std::filesystem::path& file) { return file.stem() == name; };
+    const auto scene = std::find_if(scenes.begin(), scenes.end(), same);
+    if (scene != scenes.end()) return *scene;
+    throw;
+  }
+}
+
 /// Reads the file as what it is; surfaces and swept templates are also asked whether they are solid.
 std::vector<std::string> check_file(const std::filesystem::path& file) {
   if (file.extension() == ".ply") return find_bodies(read_surfaces(file)).warnings;
   if (is_scene_file(file)) {
-    read_scene(file);
+    ComposeOptions options;
+    options.find_template = find_template;
+    check_sources(read_scene(file), options);
     return {};
   }
   if (is_batch_file(file)) {
@@ -65,7 +83,7 @@ ExitStatus check(const CheckCommand& command) {
   ExitStatus status = ExitStatus::done;
   for (const std::string& name : command.files) {
     try {
-      const std::filesystem::path file = find_template(name);
+      const std::filesystem::path file = find_known(name);
       for (const std::string& warning : check_file(file)) {
         Diagnostic diagnostic;
         diagnostic.place.file = file.string();
@@ -96,7 +114,7 @@ DeclaredCommand check_command(CLI::App& app) {
   const auto options = std::make_shared<CheckCommand>();
   command
       ->add_option("FILE", options->files,
-                   "Names from `pomona list`, templates, scenes, batches, styles or surface files (.ply)")
+                   "Names from `pomona list` and `list --scenes`, templates, scenes, batches, styles or surface files (.ply)")
       ->required();
   command->add_flag("--json", options->json, "Print what was found as JSON");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");

@@ -39,7 +39,7 @@ class Progress {
   bool terminal_;
   bool bar_shown_ = false;
   std::string last_stage_;
-  double stage_began_ = 0;      ///< milliseconds since the start,
+  double stage_began_ = 0;       ///< milliseconds since the start,
   std::size_t done_before_ = 0;  ///< and how many items were done by then
   StopWatch since_start_;
   double last_line_ = 0;  ///< milliseconds since the start

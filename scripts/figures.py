@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""The pictures of pages under docs, made by the commands that stand on them.
+"""The pictures of pages, made by the commands that stand on them.
 
-    figures.py make PROGRAM [PAGE [HEADING]]   runs the commands of a page (figures, knives, style, textures, batch), or those below
-                                               one heading ("8" is "Figure 8"), with this program as pomona
+    figures.py make PROGRAM [PAGE [HEADING]]   runs the commands of a page (figures, knives, style, textures, batch, scenes), or those
+                                               below one heading ("8" is "Figure 8"), with this program as pomona
     figures.py check                           says what is missing or made by no command; exits with 1 if anything is
 """
 
@@ -13,12 +13,17 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ("figures", "knives", "style", "textures", "batch")
+PAGES = ("figures", "knives", "style", "textures", "batch", "scenes")
+ELSEWHERE = {"scenes": "scenes/README.md"}  # pages that are not under docs
 FIGURES = [f"Figure {number}" for number in range(1, 14)]
 
 
+def path_of(page):
+    return ELSEWHERE.get(page, f"docs/{page}.md")
+
+
 def text_of(page):
-    return (ROOT / f"docs/{page}.md").read_text()
+    return (ROOT / path_of(page)).read_text()
 
 
 def sections(page):
@@ -59,12 +64,12 @@ def make(program, page, headings):
 def picture_faults(page):
     """Every picture is made by a command below its heading, shown there, and in the tree."""
     for heading, section in sections(page).items():
-        shown = set(re.findall(rf"!\[\]\((pictures/{page}/\w+\.png)\)", section))
+        shown = set(re.findall(rf"!\[\]\((?:\.\./docs/)?(pictures/{page}/\w+\.png)\)", section))
         for path in sorted(shown ^ made_by(page, section)):
-            yield f"docs/{page}.md: {heading}: {path} is {'shown' if path in shown else 'made'} alone"
+            yield f"{path_of(page)}: {heading}: {path} is {'shown' if path in shown else 'made'} alone"
         for path in sorted(shown):
             if not (ROOT / "docs" / path).is_file():
-                yield f"docs/{page}.md: {path} is not there: scripts/figures.py make build/pomona {page} \"{heading}\""
+                yield f"{path_of(page)}: {path} is not there: scripts/figures.py make build/pomona {page} \"{heading}\""
 
 
 def figure_faults():

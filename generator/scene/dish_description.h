@@ -30,9 +30,9 @@ struct DishDescription {
   std::string mesh;                       ///< path from the scene's folder
   SourcePlace mesh_place;
   MeshSolidOptions as_solid{};
-  glm::dvec3 at{0};       ///< metres
-  double turn = 0;        ///< radians about the vertical
-  std::string part_of;    ///< pieces know both as one: this stands in or on that one
+  glm::dvec3 at{0};     ///< metres
+  double turn = 0;      ///< radians about the vertical
+  std::string part_of;  ///< pieces know both as one: this stands in or on that one
 };
 
 }  // namespace pomona

@@ -172,8 +172,8 @@ Made reported(Slices slices, const GrownVariant& variant, const std::string& nam
   return made;
 }
 
-/// How many pieces each entry places: by its share of the scene's total, those with the largest rests first; else its own
-/// total. 0 where it says neither.
+/// How many pieces each entry places: by its share of the scene's total, those with the largest rests first; else its
+/// own total. 0 where it says neither.
 std::vector<int> totals_of(const SceneDescription& scene) {
   double all = 0;
   for (const PiecesDescription& pieces : scene.pieces) all += pieces.share;
@@ -212,8 +212,8 @@ class ItemMaker {
 
   void add(Solid solid, int fruit) {
     const bool has_total = pieces_.total > 0 || pieces_.share > 0;
-    const std::size_t times = has_total ? total_ / solids_ + (next_ < total_ % solids_ ? 1 : 0)
-                                        : static_cast<std::size_t>(pieces_.copies);
+    const std::size_t times =
+        has_total ? total_ / solids_ + (next_ < total_ % solids_ ? 1 : 0) : static_cast<std::size_t>(pieces_.copies);
     ++next_;
     if (times == 0) return;
     SettleItem item{.solid = static_cast<int>(parts_.solids.size()),
@@ -271,6 +271,12 @@ void add_dishes(const SceneDescription& scene, SceneParts& parts) {
 VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& pieces, int n) {
   const RandomStream names({0, static_cast<std::uint64_t>(n)}, "scene/pieces/" + pieces.name);
   return {scene.seed, names.bits(0) >> 32};
+}
+
+void check_sources(const SceneDescription& scene, const ComposeOptions& options) {
+  read_templates(scene, options);
+  DishSolids solids(std::filesystem::path(scene.file).parent_path());
+  for (const DishDescription& dish : scene.dishes) solids.index_of(dish);
 }
 
 SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {

@@ -51,10 +51,10 @@ struct ScenePlacedDish {
 
 /// Everything a scene consists of, not yet placed. Equal pieces share one solid.
 struct SceneParts {
-  std::vector<Solid> solids;             ///< of the pieces, then of the dishes
-  std::vector<SettleItem> items;         ///< what is to be placed, named; solids and arrangements by index
-  std::vector<int> dish_of;              ///< of each item, an index; -1 = the ground
-  std::vector<ScenePlacedDish> dishes;   ///< the bowl is the first, where there is one
+  std::vector<Solid> solids;            ///< of the pieces, then of the dishes
+  std::vector<SettleItem> items;        ///< what is to be placed, named; solids and arrangements by index
+  std::vector<int> dish_of;             ///< of each item, an index; -1 = the ground
+  std::vector<ScenePlacedDish> dishes;  ///< the bowl is the first, where there is one
   std::vector<Arrangement> arrangements;
   ComposeReport report;
 };
@@ -62,6 +62,10 @@ struct SceneParts {
 /// The key of an entry's n-th variant: the scene's seed, and an index drawn from the entry's name and n. So no
 /// entry's variants depend on what else the scene holds, in which order, or how many it takes.
 VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& pieces, int n);
+
+/// Reads all that the scene names, templates and meshes, and makes nothing of it.
+/// \throws Error at the place in the scene that names what is missing or wrong.
+void check_sources(const SceneDescription& scene, const ComposeOptions& options);
 
 /// Grows, cuts and colours all variants, in parallel, and picks their pieces. Without a diffuser the cut faces
 /// keep the colours of their rims: for layouts and tests.

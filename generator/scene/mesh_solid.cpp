@@ -48,8 +48,8 @@ Solid mesh_solid(const PlainMesh& mesh, const std::string& name, const MeshSolid
   for (const glm::uvec3& t : triangle)
     area.push_back(glm::cross(position[t.y] - position[t.x], position[t.z] - position[t.x]));
 
-  // A corner takes the mean normal of the triangles at its place that turn little against its own; corners of one vertex
-  // with one normal are one vertex again.
+  // A corner takes the mean normal of the triangles at its place that turn little against its own; corners of one
+  // vertex with one normal are one vertex again.
   constexpr double least_cosine = 0.766;
   std::vector<std::vector<std::uint32_t>> known(mesh.position.size());
   double six_volumes = 0;

@@ -13,9 +13,9 @@
 namespace pomona {
 
 struct MeshSolidOptions {
-  double unit = 1;              ///< metres of one unit of the file
-  bool z_up = false;            ///< the file's Z is up, its Y to the back
-  std::optional<Color> color;   ///< linear; else the file's own, else light grey
+  double unit = 1;             ///< metres of one unit of the file
+  bool z_up = false;           ///< the file's Z is up, its Y to the back
+  std::optional<Color> color;  ///< linear; else the file's own, else light grey
   MaterialSketch material{};
 };
 

@@ -33,7 +33,8 @@ Arrangement read_arrangement(const TomlTable& table) {
   switch (how.kind) {
     case ArrangementKind::heap:
       how.within = table.get("within").length(0, size_of_where);
-      if (table.has("at") && how.within <= 0) table.get("at").error("needs \"within\", too", "say how wide the heap is");
+      if (table.has("at") && how.within <= 0)
+        table.get("at").error("needs \"within\", too", "say how wide the heap is");
       break;
     case ArrangementKind::rows:
       how.columns = table.get("columns").integer(0, 1, 10000);

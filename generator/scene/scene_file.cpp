@@ -18,7 +18,7 @@ namespace pomona {
 
 namespace {
 
-constexpr int most_variants = 4096;    // of one entry, and of the scene
+constexpr int most_variants = 4096;   // of one entry, and of the scene
 constexpr int most_pieces = 100'000;  // of an entry, and of the scene
 
 glm::dvec3 read_vector(const TomlValue& value, Within within, const glm::dvec3& fallback) {
@@ -128,7 +128,8 @@ class SceneReader {
 
   /// A total is dealt out by shares, and shares are of a total.
   void check_shares(const TomlValue& total) const {
-    const bool some = std::any_of(scene_.pieces.begin(), scene_.pieces.end(), [](const auto& p) { return p.share > 0; });
+    const bool some =
+        std::any_of(scene_.pieces.begin(), scene_.pieces.end(), [](const auto& p) { return p.share > 0; });
     if (total.given() && !some) total.error("is of no use where no entry has a \"share\"", "write share = 1 in one");
   }
 
@@ -222,6 +223,8 @@ SceneDescription read_scene(const std::filesystem::path& file) {
   return parse_scene(read_toml_text(file), file.string());
 }
 
-bool is_scene_file(const std::filesystem::path& file) { return has_toml_heading(file, {"[[pieces]]", "[bowl]", "[[dishes]]"}); }
+bool is_scene_file(const std::filesystem::path& file) {
+  return has_toml_heading(file, {"[[pieces]]", "[bowl]", "[[dishes]]"});
+}
 
 }  // namespace pomona

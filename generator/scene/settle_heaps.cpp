@@ -13,11 +13,11 @@ namespace {
 
 /// The pieces in or on one dish.
 struct HeapOfScene {
-  int dish = -1;                    ///< index; -1 = the ground
+  int dish = -1;  ///< index; -1 = the ground
   bool on_top = false;
   std::vector<std::size_t> member;  ///< indices of the scene's items
   std::vector<SettleItem> items;
-  Solid merged;                     ///< the dish with what is part of it, where that is anything
+  Solid merged;  ///< the dish with what is part of it, where that is anything
 };
 
 Pose inverse(const Pose& pose) {

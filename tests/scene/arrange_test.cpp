@@ -83,8 +83,8 @@ TEST(Arrange, ScatteredPiecesLieOnTheMesh) {
   const Solid hill = ball(0.15);
   Solid half = hill;  // the lower half is cut off by moving it below the ground's level
   for (glm::vec3& p : half.position) p.y = std::max(p.y, 0.0f);
-  const Settled settled = settle(solids, arranged_items(60, 2), on(half),
-                                 with({.kind = ArrangementKind::scatter, .gap = 0.002}));
+  const Settled settled =
+      settle(solids, arranged_items(60, 2), on(half), with({.kind = ArrangementKind::scatter, .gap = 0.002}));
   const TriangleTree surface(half.position, half.triangle);
   int left = 0;
   for (std::size_t i = 0; i < settled.poses.size(); ++i) {
@@ -92,7 +92,8 @@ TEST(Arrange, ScatteredPiecesLieOnTheMesh) {
     EXPECT_LE(settled.fits[i].penetration, 0.02) << i;
     double nearest = 1;
     for (const glm::vec3& p : solids[i % 2].position)
-      nearest = std::min(nearest, surface.nearest(settled.poses[i].rotation * glm::dvec3(p) + settled.poses[i].translation).distance);
+      nearest = std::min(
+          nearest, surface.nearest(settled.poses[i].rotation * glm::dvec3(p) + settled.poses[i].translation).distance);
     EXPECT_LT(nearest, 5e-4) << i;
     left += settled.poses[i].translation.x < 0 ? 1 : 0;
   }

@@ -1,12 +1,17 @@
 #include "generator/scene/compose.h"
 
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "generator/base/error.h"
 #include "generator/scene/layout_file.h"
+#include "tests/base/temporary_folder.h"
 
 namespace pomona {
 namespace {
@@ -81,12 +86,128 @@ TEST(Compose, ATemplateThatIsNotThereIsToldInTheScene) {
   }
 }
 
-/// The dish itself, coarse and uncoloured: all pieces touch without overlap, and lie in the bowl.
+/// Shares of a total come out whole, and each piece is placed as often as the others of its entry, or once more.
+TEST(Compose, SharesAreDealtOut) {
+  const std::string shared = "total = 11\n" + wedges + "share = 2\n" + rings + "share = 1\n";
+  const SceneParts parts = make_parts(parse_scene(head + shared, "a.toml"), nullptr, coarse());
+  ASSERT_EQ(parts.items.size(), 11u);
+  std::map<int, int> times;
+  for (const SettleItem& item : parts.items) ++times[item.solid];
+  EXPECT_EQ(times, (std::map<int, int>{{0, 4}, {1, 3}, {2, 2}, {3, 2}}));
+}
+
+TEST(Compose, SizesAreTimesTheVariantsOwn) {
+  const auto radius = [](const SceneParts& parts) {
+    double most = 0;
+    for (const glm::vec3& p : parts.solids[0].position) most = std::max(most, std::hypot(double{p.x}, double{p.z}));
+    return most;
+  };
+  const SceneParts plain = make_parts(parse_scene(head + wedges, "a.toml"), nullptr, coarse());
+  const SceneParts small = make_parts(parse_scene(head + wedges + "size = 0.5\n", "a.toml"), nullptr, coarse());
+  EXPECT_NEAR(radius(small), 0.5 * radius(plain), 1e-3);
+}
+
+/// Two crates from one mesh share a solid, and their heaps lie where they stand.
+class Dishes : public testing::Test {
+ protected:
+  Dishes() {
+    std::ofstream(folder_.path() / "tray.obj") << tray();
+    std::ofstream(folder_.path() / "line.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
+  }
+
+  SceneDescription scene(const std::string& text) const {
+    return parse_scene(head + text, (folder_.path() / "a.toml").string());
+  }
+
+  /// Thirty centimetres by twenty, eight high, in centimetres.
+  static std::string tray() {
+    std::string text;
+    int first = 1;
+    const auto box = [&](double x0, double y0, double z0, double x1, double y1, double z1) {
+      for (int i = 0; i < 8; ++i) {
+        text += "v " + std::to_string((i & 1) != 0 ? x1 : x0) + " " + std::to_string((i & 2) != 0 ? y1 : y0) + " " +
+                std::to_string((i & 4) != 0 ? z1 : z0) + "\n";
+      }
+      for (const auto& f : {std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}, std::array{0, 1, 5, 4},
+                            std::array{2, 6, 7, 3}, std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}}) {
+        text += "f";
+        for (const int corner : f) text += " " + std::to_string(first + corner);
+        text += "\n";
+      }
+      first += 8;
+    };
+    box(-15, 0, -10, 15, 1, 10);
+    box(-15, 0, -10, -14, 8, 10);
+    box(14, 0, -10, 15, 8, 10);
+    box(-15, 0, -10, 15, 8, -9);
+    box(-15, 0, 9, 15, 8, 10);
+    return text;
+  }
+
+  TemporaryFolder folder_;
+};
+
+const std::string two_trays =
+    "[[dishes]]\nname = \"left\"\nmesh = \"tray.obj\"\nunit = \"1cm\"\nat = [\"-20cm\", \"3cm\", \"0cm\"]\nturn = 90\n"
+    "[[dishes]]\nname = \"right\"\nmesh = \"tray.obj\"\nunit = \"1cm\"\nat = [\"20cm\", \"0cm\", \"0cm\"]\n";
+const std::string cherries = "[[pieces]]\nname = \"cherry\"\ntemplate = \"radish\"\nas_drawn = true\n";
+
+TEST_F(Dishes, HoldHeapsOfTheirOwn) {
+  const Composition both = compose(
+      scene(two_trays + cherries + "total = 7\nin = \"left\"\n" +
+            "[[pieces]]\nname = \"other\"\ntemplate = \"radish\"\nas_drawn = true\ntotal = 7\nin = \"right\"\n"),
+      nullptr, coarse());
+  ASSERT_EQ(both.scene.instances.size(), 16u);
+  EXPECT_EQ(both.scene.instances[0].solid, both.scene.instances[1].solid);
+  EXPECT_EQ(both.report.counts.at("heaps"), 2);
+  for (std::size_t i = 2; i < 16; ++i) {
+    const Instance& instance = both.scene.instances[i];
+    const bool left = i < 9;
+    for (const glm::vec3& p : both.scene.solids[static_cast<std::size_t>(instance.solid)].position) {
+      const glm::dvec3 at = instance.pose.rotation * glm::dvec3(p) + instance.pose.translation;
+      const glm::dvec2 away = glm::abs(glm::dvec2(at.x - (left ? -0.2 : 0.2), at.z));
+      ASSERT_LT(away.x, left ? 0.101 : 0.151) << i;
+      ASSERT_LT(away.y, left ? 0.151 : 0.101) << i;
+      ASSERT_GT(at.y, left ? 0.0395 : 0.0095) << i;
+    }
+  }
+  for (const Fit& fit : both.report.fits) {
+    EXPECT_LE(fit.gap, 0.02);
+    EXPECT_LE(fit.penetration, 0.02);
+  }
+}
+
+TEST_F(Dishes, ThatCannotBeAreToldInTheScene) {
+  const auto told = [&](const std::string& text, ExitStatus status) {
+    try {
+      compose(scene(text), nullptr, coarse());
+    } catch (const Error& error) {
+      EXPECT_EQ(error.status(), status);
+      return to_string(error.diagnostics().front());
+    }
+    return std::string("nothing");
+  };
+  const std::string file = (folder_.path() / "a.toml").string();
+  const auto dish = [](const std::string& mesh) { return "[[dishes]]\nname = \"d\"\nmesh = \"" + mesh + "\"\n"; };
+  EXPECT_THAT(
+      told(dish("none.obj") + cherries, ExitStatus::input_missing),
+      testing::AllOf(testing::StartsWith(file + ":6:8: error: dish \"d\""), testing::HasSubstr("cannot be read")));
+  EXPECT_THAT(told(dish("line.obj") + cherries + "on = \"d\"\nwhere = { kind = \"scatter\" }\n", ExitStatus::bad_data),
+              testing::AllOf(testing::StartsWith(file + ":6:8: error: "), testing::HasSubstr("no area")));
+  EXPECT_THAT(told("settle.attempts = 1\n" + two_trays + cherries + "total = 150\nin = \"left\"\n",
+                   ExitStatus::some_items_failed),
+              testing::AllOf(testing::StartsWith(file + ":16:8: error: "), testing::ContainsRegex("piece \"cherry-1")));
+  EXPECT_THAT(told("[bowl]\nprofile = \"M 0 0 L 60 0 L 60 -5 L 0 -5\"\n" + cherries, ExitStatus::bad_data),
+              testing::AllOf(testing::StartsWith(file + ":7:8: error: "), testing::HasSubstr("no hollow")));
+}
+
+/// A smaller salad, coarse and uncoloured: all pieces touch without overlap, and lie in the bowl.
 TEST(Compose, TheSaladSettles) {
-  const Composition salad = compose(read_scene(source_dir / "scenes/salad.toml"), nullptr, coarse());
-  EXPECT_GE(salad.report.counts.at("variants"), 30);
-  EXPECT_GE(salad.report.counts.at("pieces"), 60);
-  ASSERT_EQ(salad.report.fits.size(), static_cast<std::size_t>(salad.report.counts.at("pieces")));
+  SceneDescription scene = read_scene(source_dir / "scenes/salad.toml");
+  scene.total = 60;
+  const Composition salad = compose(scene, nullptr, coarse());
+  EXPECT_EQ(salad.report.counts.at("pieces"), 60);
+  ASSERT_EQ(salad.report.fits.size(), 60u);
   for (const Fit& fit : salad.report.fits) {
     EXPECT_LE(fit.gap, 0.02);
     EXPECT_LE(fit.penetration, 0.02);

@@ -89,7 +89,8 @@ void lift_out(RigidBody& body, const Solid& solid, const Dish& dish, const glm::
   for (int step = 0; step < 20; ++step) {
     float clear = 1;
     for (const glm::vec3& p : solid.position)
-      clear = std::min(clear, dish.distance(glm::vec3(body.rotation * (glm::dvec3(p) - body.shape->center) + body.center)));
+      clear =
+          std::min(clear, dish.distance(glm::vec3(body.rotation * (glm::dvec3(p) - body.shape->center) + body.center)));
     if (clear > -near_enough) return;
     body.center -= away * static_cast<double>(clear);
     body.refresh();
@@ -127,7 +128,8 @@ glm::dvec2 extent(RigidBody body, const Arrangement& how) {
   return {size.x, size.z};
 }
 
-Starts in_rows(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how, const Dish& dish, Threads threads) {
+Starts in_rows(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how,
+               const Dish& dish, Threads threads) {
   // How long each row is, and how wide.
   const std::size_t columns = columns_of(how, bodies.size());
   struct Row {
@@ -155,11 +157,13 @@ Starts in_rows(std::span<const Arranged> pieces, const std::vector<RigidBody>& b
     if (i % columns + 1 == columns) across += row.width + how.gap;
   }
   Starts starts(bodies.size());
-  parallel_for(bodies.size(), threads, [&](std::size_t i) { starts[i] = set_at(bodies[i], *pieces[i].solid, places[i], dish); });
+  parallel_for(bodies.size(), threads,
+               [&](std::size_t i) { starts[i] = set_at(bodies[i], *pieces[i].solid, places[i], dish); });
   return starts;
 }
 
-Starts in_grid(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how, const Dish& dish, Threads threads) {
+Starts in_grid(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how,
+               const Dish& dish, Threads threads) {
   const std::size_t columns = columns_of(how, bodies.size()), rows = (bodies.size() + columns - 1) / columns;
   Starts starts(bodies.size());
   parallel_for(bodies.size(), threads, [&](std::size_t i) {
@@ -197,7 +201,8 @@ class UpperSide {
   };
   Spot spot(double share, double u, double v) const {
     const auto found = std::upper_bound(area_.begin(), area_.end(), share * area_.back());
-    const TriangleTree::Corners& t = corners_[static_cast<std::size_t>(std::min(found, area_.end() - 1) - area_.begin())];
+    const TriangleTree::Corners& t =
+        corners_[static_cast<std::size_t>(std::min(found, area_.end() - 1) - area_.begin())];
     const double root = std::sqrt(u);  // even over the triangle
     return {(1 - root) * t[0] + root * (1 - v) * t[1] + root * v * t[2],
             glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]))};
@@ -222,8 +227,9 @@ Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>&
   const UpperSide upper(dish.mesh().mesh, dish.form());
   Starts starts(bodies.size());
   if (upper.empty()) return starts;
-  std::vector<RigidBody> set(bodies.size());
-  NearBodies near(2 * options.widest + how.gap, bodies.size());
+  std::vector<RigidBody> set = options.there;
+  NearBodies near(2 * options.widest + how.gap, set.size() + bodies.size());
+  for (std::size_t k = 0; k < set.size(); ++k) near.add(k, set[k].center);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const std::uint64_t n = draws_per_piece * pieces[i].piece + before_tries;
     for (std::uint64_t k = 0; k < most_tries && !starts[i]; ++k) {
@@ -242,8 +248,8 @@ Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>&
         is_free = is_free && distance_between(body, set[other], gap + 1e-6f) > gap;
       });
       if (!is_free) continue;
-      set[i] = body;
-      near.add(i, body.center);
+      near.add(set.size(), body.center);
+      set.push_back(body);
       starts[i] = Start{body.rotation, body.center};
     }
   }

@@ -20,9 +20,9 @@ namespace pomona {
 
 /// How a piece is turned before it falls, or where it is set.
 enum class Attitude : std::uint8_t {
-  any,     ///< as it comes to rest when it falls alone
-  face_up, ///< its largest cut face upwards
-  upright  ///< as it grew
+  any,      ///< as it comes to rest when it falls alone
+  face_up,  ///< its largest cut face upwards
+  upright   ///< as it grew
 };
 
 /// One piece to be arranged.
@@ -42,15 +42,16 @@ struct Start {
 
 struct ArrangeOptions {
   HeapOptions heap{};
-  double unit = 0, widest = 0;  ///< metres: the mean size of all pieces, the radius of the widest
+  double unit = 0, widest = 0;     ///< metres: the mean size of all pieces, the radius of the widest
+  std::vector<RigidBody> there{};  ///< what lies there already, which scattered pieces keep clear of
   Threads threads{};
 };
 
 /// Whether the dish has a mesh with triangles that look upwards, to scatter pieces on.
 bool has_upper_side(const Dish& dish);
 
-/// One start a piece, in their order: set down on the dish where they stay (rows, grids, scatterings), or where they are
-/// to be let go (as cut). None where a scattered piece finds no room.
+/// One start a piece, in their order: set down on the dish where they stay (rows, grids, scatterings), or where they
+/// are to be let go (as cut). None where a scattered piece finds no room.
 std::vector<std::optional<Start>> arranged(std::span<const Arranged> pieces, const Arrangement& how, const Dish& dish,
                                            const RandomStream& draw, const ArrangeOptions& options);
 

@@ -18,10 +18,10 @@ namespace pomona {
 struct DishForm {
   DishForm(const Solid* bowl = nullptr) : solid(bowl) {}  // NOLINT(google-explicit-constructor): a bowl is a dish
 
-  const Solid* solid;          ///< null for the ground alone
-  bool turned = true;          ///< on the potter's wheel, about the y axis; else of any shape
-  bool on_top = false;         ///< pieces lie on it, not in its hollow; for what is not turned
-  std::string name = "bowl";   ///< for messages; what is drawn for one heap is its own
+  const Solid* solid;         ///< null for the ground alone
+  bool turned = true;         ///< on the potter's wheel, about the y axis; else of any shape
+  bool on_top = false;        ///< pieces lie on it, not in its hollow; for what is not turned
+  std::string name = "bowl";  ///< for messages; what is drawn for one heap is its own
 };
 
 struct DishOptions {

@@ -54,7 +54,8 @@ Spot spot_in(const DropRing& ring, double share, double turn) {
 
 Spot spot_in(const DropCells& cells, double share, double) {
   const auto last = static_cast<double>(cells.size() - 1);
-  const MeshDish::Place& place = cells[static_cast<std::size_t>(std::min(last, share * static_cast<double>(cells.size())))];
+  const MeshDish::Place& place =
+      cells[static_cast<std::size_t>(std::min(last, share * static_cast<double>(cells.size())))];
   return {glm::vec2(place.at), place.level + steepest * place.inset};
 }
 

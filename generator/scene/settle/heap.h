@@ -15,9 +15,9 @@ namespace pomona {
 
 /// A wall that keeps falling bodies over their dish: a round one, or four.
 struct Funnel {
-  double radius = 0;           ///< metres about the axis; 0 = no round one
-  double low = 0;              ///< its lower end, metres above the ground
-  glm::dvec2 from{0}, to{0};   ///< of four walls, x and z; equal: there are none
+  double radius = 0;          ///< metres about the axis; 0 = no round one
+  double low = 0;             ///< its lower end, metres above the ground
+  glm::dvec2 from{0}, to{0};  ///< of four walls, x and z; equal: there are none
 };
 
 /// Lengths in units, which are the pieces' mean size; times in steps.

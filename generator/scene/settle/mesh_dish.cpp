@@ -21,7 +21,8 @@ DistanceGrid distances_of(const Solid& solid) {
   std::vector<glm::dvec3> position;
   for (const glm::vec3& p : solid.position) position.emplace_back(p);
   // A wall of 8 mm in a crate of half a metre is three cells thick.
-  return {position, welded_triangles(first, solid.triangle), {.cells = 600'000, .finest = 0.004, .most_cells = 2'000'000}};
+  return {
+      position, welded_triangles(first, solid.triangle), {.cells = 600'000, .finest = 0.004, .most_cells = 2'000'000}};
 }
 
 }  // namespace
@@ -107,7 +108,8 @@ void MeshDish::find_places(bool on_top) {
   const std::vector<double> level = on_top ? height_ : water_levels();
   std::vector<double> inset(height_.size(), 0);
   for (std::size_t c = 0; c < height_.size(); ++c) {
-    const bool is_place = on_top ? height_[c] > nothing : inside_[c] != 0 && level[c] - std::max(0.0, height_[c]) >= least;
+    const bool is_place =
+        on_top ? height_[c] > nothing : inside_[c] != 0 && level[c] - std::max(0.0, height_[c]) >= least;
     if (is_place) inset[c] = std::numeric_limits<double>::max();
   }
 

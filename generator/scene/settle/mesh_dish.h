@@ -55,8 +55,8 @@ class MeshDish {
   DistanceGrid distance_;
   double cell_ = 1;
   glm::ivec2 count_{0};
-  std::vector<double> height_;          ///< of each cell; below 0 where there is no mesh
-  std::vector<std::uint8_t> inside_;    ///< within the outline
+  std::vector<double> height_;        ///< of each cell; below 0 where there is no mesh
+  std::vector<std::uint8_t> inside_;  ///< within the outline
   std::vector<Place> places_;
 };
 

@@ -30,9 +30,9 @@ struct RigidBody {
   glm::dvec3 velocity{0}, spin{0};  ///< metres and radians a step
   BodyState state = BodyState::out;
   bool is_fixed = false;  ///< was set to its place, and stays there whatever is taken out beside it
-  int still_steps = 0;  ///< for so many steps it has hardly moved
-  double speed = 0;     ///< at most that of its fastest point, metres a step
-  double way = 0;       ///< at most that of its fastest point since it was made, metres
+  int still_steps = 0;    ///< for so many steps it has hardly moved
+  double speed = 0;       ///< at most that of its fastest point, metres a step
+  double way = 0;         ///< at most that of its fastest point since it was made, metres
 
   // What follows from rotation and centre.
   glm::mat3 matrix{1};

@@ -136,6 +136,7 @@ class Settling {
   void find_starts() {
     starts_.resize(items_.size());
     const RandomStream draw({options_.seed, 0}, purpose_ + "/arrange");
+    ArrangeOptions arranging{options_.heap, unit_, widest_, {}, options_.threads};
     for (std::size_t k = 0; k < options_.arrangements.size(); ++k) {
       const Arrangement& how = options_.arrangements[k];
       std::vector<Arranged> pieces;
@@ -149,8 +150,11 @@ class Settling {
       if (how.kind == ArrangementKind::scatter && !has_upper_side(dish_))
         refuse(items_[pieces[0].piece].place, "\"" + name_ + "\" has no area that looks upwards to scatter pieces on",
                "scatter them on a dish with a mesh");
-      const auto found = arranged(pieces, how, dish_, draw, {options_.heap, unit_, widest_, options_.threads});
-      for (std::size_t i = 0; i < pieces.size(); ++i) starts_[pieces[i].piece] = found[i];
+      const auto found = arranged(pieces, how, dish_, draw, arranging);
+      for (std::size_t i = 0; i < pieces.size(); ++i) {
+        starts_[pieces[i].piece] = found[i];
+        if (found[i]) arranging.there.emplace_back(*pieces[i].shape, found[i]->rotation, found[i]->center);
+      }
     }
   }
 
@@ -479,7 +483,7 @@ class Settling {
   Heap heap_;
   FitCheck check_;
   std::vector<std::optional<Start>> starts_;  ///< of the items that have one
-  std::uint64_t round_ = 0;  ///< of dropping again
+  std::uint64_t round_ = 0;                   ///< of dropping again
   int steps_ = 0;
   std::size_t again_ = 0, told_ = 0;
 };
