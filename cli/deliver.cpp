@@ -70,6 +70,10 @@ void check_exports(const SharedOptions& options, const std::vector<Output>& outp
   if (!options.engine.empty()) check_heeded("--engine", {Format::glb}, outputs);
   if (options.instances) check_heeded("--instances", {Format::glb, Format::usda}, outputs);
   if (options.feature_ids) check_heeded("--feature-ids", {Format::glb}, outputs);
+  if (options.lod > 0 && options.engine == "godot") {
+    throw Error(ExitStatus::usage, "--lod: Godot makes levels of detail of its own, and Godot 3 shows ours all at once",
+                "leave it out");
+  }
   if (options.instances && (options.engine == "godot" || options.engine == "unreal")) {
     throw Error(ExitStatus::usage, "--instances: " + options.engine + " does not read EXT_mesh_gpu_instancing",
                 "leave it out: the meshes of pieces that repeat are shared anyway");
