@@ -141,8 +141,7 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->check(CLI::Range(1.0, 10.0));
   command->add_option("--piece", options->piece, "This piece alone, as numbered in the order of cutting")
       ->check(CLI::Range(1, 1000000));
-  command
-      ->add_option("--faces", options->faces, "How finely cut faces are triangulated; scenes have coarse ones")
+  command->add_option("--faces", options->faces, "How finely cut faces are triangulated; scenes have coarse ones")
       ->check(CLI::IsMember({"fine", "coarse"}))
       ->capture_default_str();
   command->add_option("--pieces", options->pieces, "Also write what there is to know of each piece to this file (JSON)")

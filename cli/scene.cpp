@@ -47,8 +47,8 @@ std::string style_of(const SceneDescription& scene, const std::filesystem::path&
 
 ExitStatus compose_scene(const SceneCommand& command) {
   // Outputs that cannot be are refused before anything is composed.
-  const std::vector<Output> outputs =
-      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::usda, Format::pov, Format::png, Format::svg, Format::json});
+  const std::vector<Output> outputs = parse_outputs(
+      command.outputs, {Format::ply, Format::glb, Format::usda, Format::pov, Format::png, Format::svg, Format::json});
   check_exports(command.shared, outputs);
   Delivery delivery(command.shared);
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);

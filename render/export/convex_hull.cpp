@@ -30,9 +30,7 @@ glm::vec3 from_cgal(const Point& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-bool is_before(const glm::vec3& a, const glm::vec3& b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
+bool is_before(const glm::vec3& a, const glm::vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
 /// Vertices in the order of their places, triangles from their least vertex on and in order: nothing of the way that
 /// CGAL went is left, but for how it divides flat faces.
@@ -51,9 +49,8 @@ ConvexHull ordered(const Surface& surface) {
     std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
     hull.triangle.emplace_back(corner[0], corner[1], corner[2]);
   }
-  std::sort(hull.triangle.begin(), hull.triangle.end(), [](const glm::uvec3& a, const glm::uvec3& b) {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-  });
+  std::sort(hull.triangle.begin(), hull.triangle.end(),
+            [](const glm::uvec3& a, const glm::uvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
   return hull;
 }
 

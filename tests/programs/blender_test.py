@@ -6,6 +6,7 @@ picture of it shows fruit.
 """
 
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -21,8 +22,11 @@ class InBlender(unittest.TestCase):
     def setUpClass(cls):
         FOLDER.mkdir(parents=True, exist_ok=True)
         script = pathlib.Path(__file__).with_name("blender_scene.py")
+        # Blender's Python looks along PATH for its own home: no other Python may stand there first.
+        environment = dict(os.environ, PATH="/usr/bin:/bin")
         result = subprocess.run(["blender", "-b", "--factory-startup", "--python-exit-code", "1", "-t", "2", "-P", script,
-                                 "--", FILE, FOLDER / "blender.png"], capture_output=True, text=True, timeout=240)
+                                 "--", FILE, FOLDER / "blender.png"], capture_output=True, text=True, timeout=240,
+                                env=environment)
         assert result.returncode == 0, result.stdout[-3000:] + result.stderr[-3000:]
         lines = dict(line.split(" ", 1) for line in result.stdout.splitlines() if line.startswith(("SAID ", "SEEN ")))
         cls.said, cls.seen = json.loads(lines["SAID"]), json.loads(lines["SEEN"])

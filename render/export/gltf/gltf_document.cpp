@@ -47,8 +47,7 @@ int GltfDocument::add_view(const void* data, std::size_t size, Target target, st
   return add("bufferViews", std::move(view));
 }
 
-int GltfDocument::add_accessor(int view, std::size_t offset, std::size_t count, Component component,
-                               const char* type) {
+int GltfDocument::add_accessor(int view, std::size_t offset, std::size_t count, Component component, const char* type) {
   Json accessor = {{"bufferView", view}};
   if (offset > 0) accessor["byteOffset"] = offset;
   accessor["componentType"] = static_cast<int>(component);

@@ -62,7 +62,8 @@ int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Soli
     if (options.feature_ids) add_feature_ids(document, primitive, solid.part_names.size());
     primitives.push_back(std::move(primitive));
   }
-  return document.add("meshes", {{"name", mesh.name}, {"primitives", primitives}, {"extras", extras_of(solid, options)}});
+  return document.add("meshes",
+                      {{"name", mesh.name}, {"primitives", primitives}, {"extras", extras_of(solid, options)}});
 }
 
 }  // namespace pomona::gltf

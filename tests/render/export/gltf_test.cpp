@@ -201,7 +201,8 @@ TEST(Gltf, APieceTurnsAboutItsCentreAndLiesWhereItLay) {
   const Solid& box = scene.solids[0];
   for (std::size_t t = 0; t < box.triangle.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      const glm::dvec4 there = glb.nodes[0].matrix * glm::dvec4(glb.meshes[0].position[glb.meshes[0].triangle[t][k]], 1);
+      const glm::dvec4 there =
+          glb.nodes[0].matrix * glm::dvec4(glb.meshes[0].position[glb.meshes[0].triangle[t][k]], 1);
       EXPECT_LT(glm::length(glm::dvec3(there) - glm::dvec3(box.position[box.triangle[t][k]])), 1e-7);
     }
   }
@@ -247,7 +248,8 @@ TEST(Gltf, AFruitsPiecesShareItsMaterialsByName) {
   for (Solid& solid : scene.solids) solid.on_skin = {1, 0};
   EXPECT_THAT(names_of(parsed(write_glb(scene))["materials"]), ElementsAre("kiwi skin", "kiwi flesh"));
 
-  // Of a part that the skin shows, too, the cut face is another look; looks that many parts have are named by the place.
+  // Of a part that the skin shows, too, the cut face is another look; looks that many parts have are named by the
+  // place.
   for (Solid& solid : scene.solids) solid.on_skin = {1, 1};
   EXPECT_THAT(names_of(parsed(write_glb(scene))["materials"]), ElementsAre("kiwi skin", "kiwi flesh cut"));
   for (Solid& solid : scene.solids) solid.materials.assign(2, solid.materials[1]);
