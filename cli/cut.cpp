@@ -14,6 +14,7 @@
 #include "cli/fruit_source.h"
 #include "cli/outputs.h"
 #include "cli/piece_list.h"
+#include "cli/ripeness_variants.h"
 #include "generator/base/error.h"
 #include "generator/cut/section/section_file.h"
 #include "generator/knife/knife_kinds.h"
@@ -105,6 +106,8 @@ ExitStatus cut_fruit(const CutCommand& command) {
   delivery.times.add(slices.times);
   delivery.warn(slices.warnings);
   count(slices, delivery.times);
+  delivery.set_variants(ripeness_variants(slices.pieces, source, command.fruit, command.shared, command.folds,
+                                          diffuser.get(), delivery.times));
   if (command.section) {
     write_section_files(outputs, slices, source.fruit, delivery);
   } else {

@@ -10,6 +10,7 @@
 #include "cli/deliver.h"
 #include "cli/fruit_source.h"
 #include "cli/outputs.h"
+#include "cli/ripeness_variants.h"
 #include "generator/piece/glass_surfaces.h"
 #include "generator/piece/slice.h"
 #include "generator/surface/file/surface_file.h"
@@ -56,7 +57,10 @@ ExitStatus grow_fruit(const GrowCommand& command) {
       continue;
     }
     if (!scene) {
-      scene = gathered(whole_fruit(source, command, delivery));
+      std::vector<Solid> solids = whole_fruit(source, command, delivery);
+      delivery.set_variants(
+          ripeness_variants(solids, source, command.fruit, command.shared, command.folds, nullptr, delivery.times));
+      scene = gathered(std::move(solids));
       scene->paper = delivery.style().paper;
     }
     delivery.add(output, *scene);

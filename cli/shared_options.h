@@ -43,6 +43,7 @@ struct SharedOptions {
   std::string stats;
   bool quiet = false;
   bool json = false;
+  std::string ripeness_variants;   ///< "0.3,1,1.7"
   std::optional<double> ripeness;  ///< of one fruit; scenes say it in their file
   double browning = 0;
 };

@@ -61,6 +61,11 @@ void GltfDocument::use_extension(const std::string& name) {
   if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
 }
 
+void GltfDocument::extend(const std::string& name, Json value) {
+  use_extension(name);
+  json_["extensions"][name] = std::move(value);
+}
+
 std::string GltfDocument::bytes() const {
   Json json = json_;
   if (!buffer_.empty()) json["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});

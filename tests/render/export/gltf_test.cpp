@@ -332,6 +332,37 @@ TEST(Gltf, SplitsAMeshByLookAndLosesNoTriangle) {
   EXPECT_EQ(groups_by_look(plain, mesh).size(), 1u);
 }
 
+TEST(Gltf, VariantsAreTexturesOfTheSameMesh) {
+  Scene scene;
+  scene.solids = {named::box("box", {0, 0, 0}, {0.05f, 0.03f, 0.02f}, {0.8f, 0.05f, 0.05f}, {0.9f, 0.85f, 0.6f})};
+  scene.instances = {{0, {}, "box"}};
+  Solid green = scene.solids[0];
+  for (Color& color : green.color) color = {0.1f, 0.6f, 0.1f};
+  const Style style = style_named("plain");
+  const std::vector<BakedSolid> as_it_is = {baked(scene.solids[0], style, {.texels = 64})};
+  const std::vector<TextureVariant> variants{{"ripeness 0", {baked(green, style, {.texels = 64})}},
+                                             {"ripeness 1", as_it_is}};
+  const Json gltf = parsed(write_glb(scene, as_it_is, {}, {}, variants));
+  EXPECT_THAT(names_of(gltf["extensions"]["KHR_materials_variants"]["variants"]),
+              ElementsAre("ripeness 0", "ripeness 1"));
+  EXPECT_EQ(gltf["images"].size(), 3u);
+  ASSERT_EQ(gltf["meshes"].size(), 1u);
+  const Json primitive = gltf["meshes"][0]["primitives"][0];
+  const Json mappings = primitive["extensions"]["KHR_materials_variants"]["mappings"];
+  ASSERT_EQ(mappings.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(mappings[i]["variants"], Json::array({i}));
+    EXPECT_NE(mappings[i]["material"], primitive["material"]);
+  }
+  EXPECT_EQ(gltf["materials"][mappings[0]["material"].get<int>()]["name"], "box ripeness 0");
+  EXPECT_FALSE(gltf.contains("extensionsRequired"));
+
+  BakedSolid elsewhere = as_it_is[0];
+  elsewhere.uv[0].x += 0.1f;
+  const std::vector<TextureVariant> wrong{{"x", {elsewhere}}};
+  EXPECT_THROW(write_glb(scene, as_it_is, {}, {}, wrong), Error);
+}
+
 TEST(Gltf, AnEmptySceneIsStillAFile) {
   const named::Glb glb = named::read_glb(write_glb(Scene{}));
   EXPECT_TRUE(glb.meshes.empty());
