@@ -15,6 +15,7 @@
 #include "cli/option_checks.h"
 #include "cli/outputs.h"
 #include "cli/piece_list.h"
+#include "cli/ripeness_variants.h"
 #include "generator/base/error.h"
 #include "generator/cut/section/section_file.h"
 #include "generator/knife/knife_kinds.h"
@@ -113,6 +114,8 @@ ExitStatus cut_fruit(const CutCommand& command) {
   delivery.times.add(slices.times);
   delivery.warn(slices.warnings);
   count(slices, delivery.times);
+  delivery.set_variants(ripeness_variants(slices.pieces, source, command.fruit, command.shared, command.folds,
+                                          diffuser.get(), delivery.times));
   if (command.section) {
     write_section_files(outputs, slices, source.fruit, delivery);
   } else {

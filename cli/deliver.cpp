@@ -59,6 +59,11 @@ void check_exports(const SharedOptions& options, const std::vector<Output>& outp
   if (!options.engine.empty()) check_heeded("--engine", {Format::glb}, outputs);
   if (options.instances) check_heeded("--instances", {Format::glb, Format::usda}, outputs);
   if (options.feature_ids) check_heeded("--feature-ids", {Format::glb}, outputs);
+  if (!wanted_ripenesses(options).empty()) check_heeded("--ripeness-variants", {Format::glb}, outputs);
+  if (options.lod > 0 && options.engine == "godot") {
+    throw Error(ExitStatus::usage, "--lod: Godot makes levels of detail of its own, and Godot 3 shows ours all at once",
+                "leave it out");
+  }
   if (options.instances && (options.engine == "godot" || options.engine == "unreal")) {
     throw Error(ExitStatus::usage, "--instances: " + options.engine + " does not read EXT_mesh_gpu_instancing",
                 "leave it out: the meshes of pieces that repeat are shared anyway");
@@ -160,7 +165,12 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
   const auto coarser = times.time("bake", [&] { return baked_levels(levels, style_, how); });
   count_texels(baked_solids);
   for (const std::vector<BakedSolid>& of_solid : coarser) count_texels(of_solid);
-  add(output.file, [&] { return write_glb(scene, baked_solids, options, coarser); });
+  std::vector<TextureVariant> variants;
+  for (const RipenessVariant& riper : variants_) {
+    variants.push_back({riper.name, times.time("bake", [&] { return all_baked(riper.pieces, style_, how); })});
+    count_texels(variants.back().solids);
+  }
+  add(output.file, [&] { return write_glb(scene, baked_solids, options, coarser, variants); });
 }
 
 void Delivery::add_usda(const Output& output, const Scene& scene) {

@@ -9,6 +9,7 @@
 
 #include "cli/outputs.h"
 #include "cli/progress.h"
+#include "cli/ripeness_variants.h"
 #include "cli/shared_options.h"
 #include "cli/stage_times.h"
 #include "generator/scene/scene.h"
@@ -37,6 +38,9 @@ class Delivery {
 
   /// What a plate says in pictures of solids; without it none is made of them.
   void set_plate_text(PlateText text) { plate_text_ = std::move(text); }
+
+  /// Of .glb with textures: the same solids at other ripenesses.
+  void set_variants(std::vector<RipenessVariant> variants) { variants_ = std::move(variants); }
 
   const Style& style() const { return style_; }
 
@@ -80,6 +84,7 @@ class Delivery {
 
   const SharedOptions& options_;
   Style style_;
+  std::vector<RipenessVariant> variants_;
   std::string style_word_;  ///< what names it; empty = the default
   std::optional<PlateText> plate_text_;
   PictureSize default_size_{960, 720};

@@ -14,12 +14,12 @@
 #include "cli/farm/farm_folder.h"
 #include "cli/farm/farm_job.h"
 #include "cli/farm/farm_status.h"
-#include "generator/base/shell_words.h"
 #include "cli/farm/slurm_queue.h"
 #include "cli/farm/slurm_scripts.h"
 #include "cli/option_checks.h"
 #include "cli/program_folders.h"
 #include "generator/base/error.h"
+#include "generator/base/shell_words.h"
 #include "render/export/output.h"
 
 namespace pomona {

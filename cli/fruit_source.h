@@ -8,8 +8,8 @@
 #include "cli/shared_options.h"
 #include "cli/stage_times.h"
 #include "generator/piece/grow.h"
-#include "generator/piece/slice.h"
 #include "generator/piece/piece_origin.h"
+#include "generator/piece/slice.h"
 
 namespace pomona {
 

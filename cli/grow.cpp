@@ -11,6 +11,7 @@
 #include "cli/fruit_source.h"
 #include "cli/option_checks.h"
 #include "cli/outputs.h"
+#include "cli/ripeness_variants.h"
 #include "generator/base/error.h"
 #include "generator/piece/glass_surfaces.h"
 #include "generator/piece/slice.h"
@@ -67,7 +68,10 @@ ExitStatus grow_fruit(const GrowCommand& command) {
       continue;
     }
     if (!scene) {
-      scene = gathered(whole_fruit(source, command, delivery));
+      std::vector<Solid> solids = whole_fruit(source, command, delivery);
+      delivery.set_variants(
+          ripeness_variants(solids, source, command.fruit, command.shared, command.folds, nullptr, delivery.times));
+      scene = gathered(std::move(solids));
       scene->paper = delivery.style().paper;
     }
     // In a picture it stands on the table, unless one is to see through it.

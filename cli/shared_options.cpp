@@ -134,6 +134,10 @@ void add_ripeness_option(CLI::App& command, SharedOptions& options) {
       .add_option("--ripeness", options.ripeness,
                   "0 = unripe, 1 = as drawn, 2 = overripe, where the template says how it ripens")
       ->check(between(0.0, 2.0));
+  command
+      .add_option("--ripeness-variants", options.ripeness_variants,
+                  ".glb with textures: as KHR_materials_variants these ripenesses, too, as in 0.3,1,1.7")
+      ->type_name("R,R,...");
 }
 
 void add_browning_option(CLI::App& command, SharedOptions& options) {

@@ -32,10 +32,10 @@ struct SharedOptions {
   std::string diffuser = "cpu";
   std::string quality = "final";
   double detail = 1.0;
-  std::string style;  ///< name or path; none = what the scene says, or ink
-  int texture = 0;    ///< texels along an atlas's edge; 0 = not said
-  std::string texel;  ///< size of a texel, with its unit
-  int lod = 0;        ///< further levels of detail
+  std::string style;         ///< name or path; none = what the scene says, or ink
+  int texture = 0;           ///< texels along an atlas's edge; 0 = not said
+  std::string texel;         ///< size of a texel, with its unit
+  int lod = 0;               ///< further levels of detail
   std::string engine;        ///< "godot", "unreal" or "unity"
   bool instances = false;    ///< what repeats as one node with many places
   bool feature_ids = false;  ///< parts as EXT_mesh_features, too
@@ -47,6 +47,7 @@ struct SharedOptions {
   bool json = false;
   std::string aov;  ///< folder for the ground truth of the picture; none = not wanted
   std::string aov_format = "png";
+  std::string ripeness_variants;   ///< "0.3,1,1.7"
   std::optional<double> ripeness;  ///< of one fruit; scenes say it in their file
   double browning = 0;
 };

@@ -55,9 +55,9 @@ Scene pieces_of(const BatchEntry& entry, const GrownVariant& grown, const BatchI
   PieceOrigin origin = grown.origin();
   origin.growing.browning = item.browning;
   const std::vector<Knife>& knives = entry.knives[item.knives];
-  Slices slices = slice({.grown = grown.grown(), .variant = variant, .knives = knives, .name = name, .origin = origin},
-                        &diffuser,
-                        {.cut = {.threads = alone}, .keep_section_colors = item.texture > 0, .threads = alone});
+  Slices slices =
+      slice({.grown = grown.grown(), .variant = variant, .knives = knives, .name = name, .origin = origin}, &diffuser,
+            {.cut = {.threads = alone}, .keep_section_colors = item.texture > 0, .threads = alone});
   warnings = std::move(slices.warnings);
   Scene scene = gathered(std::move(slices.pieces));
   scene.paper = style.paper;

@@ -1,7 +1,7 @@
 #include "cli/farm/farm_job.h"
 
-#include "generator/base/shell_words.h"
 #include "generator/base/error.h"
+#include "generator/base/shell_words.h"
 
 namespace pomona {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <string_view>
 
-#include "generator/base/shell_words.h"
 #include "generator/base/error.h"
+#include "generator/base/shell_words.h"
 
 namespace fs = std::filesystem;
 

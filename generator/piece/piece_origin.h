@@ -17,9 +17,9 @@ struct PieceOrigin {
 
   // How it was cut.
   std::vector<std::string> knives = {};  ///< one after another, as they were written; none leave the fruit whole
-  bool coarse = false;              ///< by `coarse_cut`, as scenes are, instead of the default
-  int number = 0;                   ///< of the piece in the order in which it was cut, from 1; 0: nobody has said
-  int pieces = 0;                   ///< that the cut left, crumbs too
+  bool coarse = false;                   ///< by `coarse_cut`, as scenes are, instead of the default
+  int number = 0;                        ///< of the piece in the order in which it was cut, from 1; 0: nobody has said
+  int pieces = 0;                        ///< that the cut left, crumbs too
 
   // Where it belongs.
   std::string fruit = {};    ///< the template's own name: "tomato"

@@ -62,10 +62,10 @@ std::vector<std::size_t> chosen(const std::vector<CutPiece>& cut, const PieceCho
 
 /// What a cut has left of a fruit.
 struct OpenedFruit {
-  Cut cut;                      ///< with the pieces that are wanted
-  std::vector<int> number;      ///< of each of them in the order of cutting, from 1
+  Cut cut;                                 ///< with the pieces that are wanted
+  std::vector<int> number;                 ///< of each of them in the order of cutting, from 1
   std::vector<std::uint8_t> on_skin = {};  ///< per part: whether any piece, wanted or not, has it on its skin
-  std::size_t piece_count = 0;  ///< wanted or not
+  std::size_t piece_count = 0;             ///< wanted or not
 };
 
 OpenedFruit opened(Cut cut) {

@@ -1,6 +1,7 @@
 #include "render/export/convex_hull.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -29,9 +30,7 @@ glm::vec3 from_cgal(const Point& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-bool is_before(const glm::vec3& a, const glm::vec3& b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
+bool is_before(const glm::vec3& a, const glm::vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
 /// Vertices in the order of their places, triangles from their least vertex on and in order: nothing of the way that
 /// CGAL went is left, but for how it divides flat faces.
@@ -50,9 +49,8 @@ ConvexHull ordered(const Surface& surface) {
     std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
     hull.triangle.emplace_back(corner[0], corner[1], corner[2]);
   }
-  std::sort(hull.triangle.begin(), hull.triangle.end(), [](const glm::uvec3& a, const glm::uvec3& b) {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-  });
+  std::sort(hull.triangle.begin(), hull.triangle.end(),
+            [](const glm::uvec3& a, const glm::uvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
   return hull;
 }
 
@@ -66,13 +64,14 @@ ConvexHull whole_hull(const std::vector<glm::vec3>& points) {
   return surface.number_of_faces() >= 4 ? ordered(surface) : ConvexHull{};
 }
 
-/// Points that lie farthest along the axes and between them.
+/// The up to 14 points that lie farthest along the axes and in the corners between three of them.
 std::vector<glm::vec3> farthest_along_directions(const std::vector<glm::vec3>& points) {
   std::vector<glm::vec3> found;
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
-        if (x == 0 && y == 0 && z == 0) continue;
+        const int axes = std::abs(x) + std::abs(y) + std::abs(z);
+        if (axes != 1 && axes != 3) continue;
         const glm::dvec3 along(x, y, z);
         found.push_back(*std::max_element(points.begin(), points.end(), [&](const glm::vec3& a, const glm::vec3& b) {
           return glm::dot(glm::dvec3(a), along) < glm::dot(glm::dvec3(b), along);
@@ -113,7 +112,6 @@ ConvexHull convex_hull(std::span<const glm::vec3> points, std::size_t most) {
 
   // From a rough hull outwards, a point at a time.
   std::vector<glm::vec3> chosen = farthest_along_directions(whole.position);
-  chosen.resize(std::min(chosen.size(), most));
   ConvexHull hull = whole_hull(chosen);
   while (hull.position.size() < most) {
     const std::optional<glm::vec3> next = farthest_outside(hull, whole.position);

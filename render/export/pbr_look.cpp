@@ -98,7 +98,7 @@ std::vector<std::pair<PbrLook, std::string>> named_looks(const Solid& solid) {
     std::string name = is_inside ? name_of(of.on_cut, most_inside, "inside", solid.part_names)
                                  : name_of(of.on_skin, most_outside, "outside", solid.part_names);
     while (std::any_of(named.begin(), named.end(), [&](const auto& other) { return other.second == name; }))
-      name += is_inside ? " (cut)" : " (skin)";
+      name += is_inside ? " cut" : " skin";
     named.emplace_back(of.look, std::move(name));
   }
   return named;

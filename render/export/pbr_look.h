@@ -33,7 +33,7 @@ PbrLook look_of(const MaterialSketch& material, bool on_cut_face);
 /// template says nothing of materials.
 struct LookGroup {
   PbrLook look;
-  std::string name;  ///< what looks so: "skin", "gel", "inside"; empty where all looks alike
+  std::string name;                  ///< what looks so: "skin", "gel", "inside"; empty where all looks alike
   std::vector<std::int32_t> face;    ///< numbers of its triangles in the mesh, ascending
   std::vector<glm::uvec3> triangle;  ///< these
 };

@@ -24,8 +24,8 @@ struct PieceGroup {
   std::vector<Member> members;  ///< in the order in which they first come
 };
 
-/// All pieces: those of an entry are a group, and within it those of one fruit, if there are several. Outside of entries
-/// the same holds of fruits. The outermost group has no name.
+/// All pieces: those of an entry are a group, and within it those of one fruit, if there are several. Outside of
+/// entries the same holds of fruits. The outermost group has no name.
 PieceGroup grouped(std::span<const PiecePath> pieces);
 
 }  // namespace pomona

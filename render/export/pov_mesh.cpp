@@ -60,7 +60,8 @@ Textures textures_of(const StyledMesh& mesh, const FinishesOfParts& finishes, st
   textures.of_triangle.resize(mesh.triangle.size());
   for (std::size_t c = 0; c < of_corner.size(); ++c) {
     const int next = static_cast<int>(textures.number.size());
-    textures.of_triangle[c / 3][static_cast<int>(c % 3)] = textures.number.try_emplace(of_corner[c], next).first->second;
+    textures.of_triangle[c / 3][static_cast<int>(c % 3)] =
+        textures.number.try_emplace(of_corner[c], next).first->second;
   }
   return textures;
 }
@@ -73,7 +74,8 @@ void append_texture_list(std::string& text, const Textures& textures, float opac
     text += ",\ntexture{pigment{rgbt<";
     for (int k = 0; k < 3; ++k) {
       // Four digits: a tenth of a step of eight bits, even in the darks.
-      const double linear = linear_from_srgb(static_cast<double>(key[static_cast<std::size_t>(k)]) / (finer * color_steps));
+      const double linear =
+          linear_from_srgb(static_cast<double>(key[static_cast<std::size_t>(k)]) / (finer * color_steps));
       text += number_text(std::round(linear * 10000) / 10000) + ",";
     }
     text += number_text(static_cast<double>(1.0f - opacity));

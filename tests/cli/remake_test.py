@@ -110,6 +110,7 @@ class Remake(unittest.TestCase):
     def test_the_pieces_of_a_scene(self):
         (self.path / "own").mkdir()
         shutil.copy(SOURCE / "templates/cherry.toml", self.path / "own/cherry two.toml")
+        shutil.copy(SOURCE / "templates/cherry.svg", self.path / "own")
         (self.path / "own/wave.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg">'
                                                 '<path id="wave" d="M -30 -12 C -10 -16, 10 -6, 30 -10"/></svg>')
         (self.path / "small.toml").write_text(SCENE)

@@ -16,13 +16,15 @@ TEST(PieceOrigin, TheDrawingNeedsNoMoreThanItsName) {
 }
 
 TEST(PieceOrigin, SaysAllThatIsNotAsUsual) {
-  const PieceOrigin piece{.source = "my fruit.toml",
-                          .key = {.seed = 0, .index = 7},
-                          .growing = {.variation = 0.5, .curves_only = true, .folds = 4, .detail = 0.1, .ripeness = 1.0 / 3, .browning = 0.25},
-                          .knives = {"half", "stroke:a.svg#wave"},
-                          .coarse = true,
-                          .number = 2,
-                          .pieces = 9};
+  const PieceOrigin piece{
+      .source = "my fruit.toml",
+      .key = {.seed = 0, .index = 7},
+      .growing =
+          {.variation = 0.5, .curves_only = true, .folds = 4, .detail = 0.1, .ripeness = 1.0 / 3, .browning = 0.25},
+      .knives = {"half", "stroke:a.svg#wave"},
+      .coarse = true,
+      .number = 2,
+      .pieces = 9};
   EXPECT_EQ(command_for(piece, "x.glb", " --style plain"),
             "pomona cut 'my fruit.toml' --seed 0 --index 7 --variation 0.5 --curves-only --folds 4 --ripeness "
             "0.3333333333333333 --detail 0.1 --knife half --knife 'stroke:a.svg#wave' --browning 0.25 --faces coarse "

@@ -20,6 +20,15 @@ done
 "$program" cut tomato --knife across --texture 256 --lod 2 --quiet -o tomato-textured-levels.glb
 "$program" scene "$repository/scenes/salad.toml" --quiet -o salad.glb -o salad.pov
 
+# One small scene for all who import: as it is, with instances, with levels, and for an engine.
+small() { "$program" scene "$repository/tests/programs/small_scene.toml" --detail 0.4 --quality draft --style plain --quiet "$@"; }
+small -o small.glb -o small.usda -o small.pov -o small.png
+small --instances --feature-ids -o small-instances.glb -o small-instances.usda
+small --lod 2 -o small-levels.glb -o small-levels.usda
+small --engine godot -o small-godot.glb
+"$program" cut tomato --knife half --detail 0.4 --quality draft --texture 256 --ripeness-variants 0.2,1.8 --quiet -o ripenesses.glb
+small --engine unreal --lod 1 -o small-unreal.glb
+
 # Megabytes that docs and users count on.
 at_most() {
   size=$(cat "$2" ${3:+"$3"} | wc -c)

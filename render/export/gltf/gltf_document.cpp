@@ -47,8 +47,7 @@ int GltfDocument::add_view(const void* data, std::size_t size, Target target, st
   return add("bufferViews", std::move(view));
 }
 
-int GltfDocument::add_accessor(int view, std::size_t offset, std::size_t count, Component component,
-                               const char* type) {
+int GltfDocument::add_accessor(int view, std::size_t offset, std::size_t count, Component component, const char* type) {
   Json accessor = {{"bufferView", view}};
   if (offset > 0) accessor["byteOffset"] = offset;
   accessor["componentType"] = static_cast<int>(component);
@@ -60,6 +59,11 @@ int GltfDocument::add_accessor(int view, std::size_t offset, std::size_t count, 
 void GltfDocument::use_extension(const std::string& name) {
   Json& used = json_["extensionsUsed"];
   if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+}
+
+void GltfDocument::extend(const std::string& name, Json value) {
+  use_extension(name);
+  json_["extensions"][name] = std::move(value);
 }
 
 std::string GltfDocument::bytes() const {

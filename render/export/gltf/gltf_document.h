@@ -34,6 +34,9 @@ class GltfDocument {
   /// No viewer needs to know it.
   void use_extension(const std::string& name);
 
+  /// An extension of the whole file.
+  void extend(const std::string& name, Json value);
+
   Json& scene() { return json_["scenes"][0]; }
 
   /// As .glb: header, JSON, buffer. \throws Error (bad_data) beyond the 4 GB that the format can tell.

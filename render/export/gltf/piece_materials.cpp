@@ -10,9 +10,10 @@ namespace {
 
 constexpr int linear = 9729, linear_mipmap_linear = 9987, clamp_to_edge = 33071;
 
-std::string name_of(const Solid& solid, const LookGroup& group, bool has_texture) {
+/// \param texture the name of the texture, if there is one.
+std::string name_of(const Solid& solid, const LookGroup& group, const std::string& texture) {
   const std::string& fruit = solid.origin.fruit;
-  std::string name = has_texture || fruit.empty() ? solid.name : fruit;
+  std::string name = !texture.empty() ? texture : fruit.empty() ? solid.name : fruit;
   if (!group.name.empty()) name += " " + group.name;
   if (solid.opacity < 1) name += " (see-through)";
   if (!solid.closed) name += " (open)";
@@ -22,7 +23,8 @@ std::string name_of(const Solid& solid, const LookGroup& group, bool has_texture
 }  // namespace
 
 int PieceMaterials::material(const Solid& solid, const LookGroup& group, std::optional<int> texture) {
-  const std::string name = name_of(solid, group, texture.has_value());
+  const std::string picture = texture ? document_.at("textures", *texture)["name"].get<std::string>() : "";
+  const std::string name = name_of(solid, group, picture);
   const auto known = known_.find({name, solid.closed, solid.opacity, group.look, texture});
   if (known != known_.end()) return known->second;
 

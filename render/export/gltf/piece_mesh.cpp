@@ -49,6 +49,18 @@ void add_feature_ids(GltfDocument& document, Json& primitive, std::size_t parts)
   document.use_extension("EXT_mesh_features");
 }
 
+/// Each variant with the material that it shows here.
+void add_variants(Json& primitive, PieceMaterials& materials, const Solid& solid, const LookGroup& group,
+                  const PieceMeshOptions& mesh) {
+  Json mappings = Json::array();
+  for (std::size_t i = 0; i < mesh.variant_textures.size(); ++i) {
+    Json mapping = {{"material", materials.material(solid, group, mesh.variant_textures[i])}};
+    mapping["variants"] = {i};
+    mappings.push_back(std::move(mapping));
+  }
+  if (!mappings.empty()) primitive["extensions"]["KHR_materials_variants"] = {{"mappings", std::move(mappings)}};
+}
+
 }  // namespace
 
 int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Solid& solid, const StyledMesh& styled,
@@ -60,10 +72,12 @@ int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Soli
     Json primitive = {{"attributes", attributes}};
     primitive["indices"] = add_triangles(document, group.triangle, styled.position.size());
     primitive["material"] = materials.material(solid, group, mesh.texture);
+    add_variants(primitive, materials, solid, group, mesh);
     if (options.feature_ids) add_feature_ids(document, primitive, solid.part_names.size());
     primitives.push_back(std::move(primitive));
   }
-  return document.add("meshes", {{"name", mesh.name}, {"primitives", primitives}, {"extras", extras_of(solid, options)}});
+  return document.add("meshes",
+                      {{"name", mesh.name}, {"primitives", primitives}, {"extras", extras_of(solid, options)}});
 }
 
 }  // namespace pomona::gltf

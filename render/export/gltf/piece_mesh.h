@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/export/gltf/gltf_document.h"
 #include "render/export/gltf/piece_materials.h"
@@ -14,6 +15,8 @@ struct PieceMeshOptions {
   std::string name;                 ///< of the mesh
   glm::vec3 pivot{0};               ///< becomes the origin
   std::optional<int> texture = {};  ///< of PieceMaterials; or none, where vertices have colours
+
+  std::vector<int> variant_textures = {};  ///< one for each of the file's variants, or none at all
 };
 
 /// A primitive for each look, all of the same vertices, and `extras`. The index of the mesh.

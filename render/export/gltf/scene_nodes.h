@@ -13,9 +13,9 @@ namespace pomona::gltf {
 
 /// What has been made of a solid; no meshes of one without triangles, which glTF cannot hold.
 struct SolidMeshes {
-  std::vector<int> meshes;        ///< of the solid, then of its coarser levels
-  std::optional<int> hull;        ///< mesh to collide with
-  glm::vec3 pivot{0};             ///< of the solid, the origin of its meshes
+  std::vector<int> meshes;  ///< of the solid, then of its coarser levels
+  std::optional<int> hull;  ///< mesh to collide with
+  glm::vec3 pivot{0};       ///< of the solid, the origin of its meshes
 };
 
 /// A node per instance or, where options.instances says so, one for all instances of a solid

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "generator/base/error.h"
 #include "render/export/convex_hull.h"
 #include "render/export/gltf/engine_names.h"
 #include "render/export/gltf/gltf_document.h"
@@ -34,6 +35,11 @@ class GlbWriter {
   void add(std::size_t i, std::size_t level, std::size_t count, const Solid& solid, const StyledMesh& mesh,
            const Image* picture = nullptr);
 
+  /// What add() adds from now on has these materials, too: by the variants' textures of solid `i`.
+  void set_variants(std::size_t i, std::span<const TextureVariant> variants);
+
+  void name_variants(std::span<const TextureVariant> variants);
+
   /// With what the scene says of all of them.
   std::string finished();
 
@@ -45,6 +51,7 @@ class GlbWriter {
   GltfDocument document_;
   PieceMaterials materials_;
   std::vector<SolidMeshes> solids_;
+  std::vector<int> variant_textures_;
 };
 
 void GlbWriter::add(std::size_t i, std::size_t level, std::size_t count, const Solid& solid, const StyledMesh& mesh,
@@ -54,8 +61,24 @@ void GlbWriter::add(std::size_t i, std::size_t level, std::size_t count, const S
   const std::string own_name = engine_name(options_.engine, scene_.solids[i].name);
   PieceMeshOptions how{.name = level_name(options_.engine, own_name, level, count), .pivot = made.pivot};
   if (picture != nullptr) how.texture = materials_.add_texture(solid.name, *picture);
+  how.variant_textures = variant_textures_;
   made.meshes.push_back(add_piece_mesh(document_, materials_, solid, mesh, how, options_));
   if (level == 0) made.hull = hull_of(solid, how.name, made.pivot);
+}
+
+void GlbWriter::set_variants(std::size_t i, std::span<const TextureVariant> variants) {
+  variant_textures_.clear();
+  for (const TextureVariant& variant : variants) {
+    const BakedSolid& solid = variant.solids.at(i);
+    variant_textures_.push_back(materials_.add_texture(solid.solid.name + " " + variant.name, solid.texture));
+  }
+}
+
+void GlbWriter::name_variants(std::span<const TextureVariant> variants) {
+  if (variants.empty()) return;
+  Json names = Json::array();
+  for (const TextureVariant& variant : variants) names.push_back({{"name", variant.name}});
+  document_.extend("KHR_materials_variants", {{"variants", std::move(names)}});
 }
 
 std::optional<int> GlbWriter::hull_of(const Solid& solid, const std::string& mesh_name, const glm::vec3& pivot) {
@@ -112,9 +135,14 @@ std::string write_glb(const Scene& scene, std::span<const StyledMesh> styled, co
 }
 
 std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, const ExportOptions& options,
-                      std::span<const std::vector<BakedSolid>> levels) {
+                      std::span<const std::vector<BakedSolid>> levels, std::span<const TextureVariant> variants) {
   GlbWriter writer(scene, options);
+  writer.name_variants(variants);
   for (std::size_t i = 0; i < baked.size(); ++i) {
+    for (const TextureVariant& variant : variants) {
+      if (variant.solids.at(i).uv != baked[i].uv) throw Error(ExitStatus::bug, "a variant has an atlas of its own");
+    }
+    if (!baked[i].solid.triangle.empty()) writer.set_variants(i, variants);
     writer.add(i, 0, level_count(i, levels), baked[i].solid, textured_mesh(baked[i]), &baked[i].texture);
     if (i >= levels.size()) continue;
     for (std::size_t level = 0; level < levels[i].size(); ++level) {

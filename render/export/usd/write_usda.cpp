@@ -52,7 +52,8 @@ Pieces pieces_of(const Scene& scene, const ExportOptions& options, std::span<con
     for (std::size_t i = first; i < first + count; ++i) {
       if (styled[i - first].triangle.empty()) continue;
       pieces.name[i] = names.name_for(solids[i].name);
-      const std::span<const Solid> coarser = i < levels.size() ? std::span<const Solid>(levels[i]) : std::span<const Solid>();
+      const std::span<const Solid> coarser =
+          i < levels.size() ? std::span<const Solid>(levels[i]) : std::span<const Solid>();
       add_piece(pieces, pieces.name[i], solids[i], styled[i - first], coarser, options);
     }
   }
@@ -162,9 +163,9 @@ std::string camera_text(const View& view, PrimNames& names) {
 
 std::string write_usda(const Scene& scene, const ExportOptions& options, std::span<const std::vector<Solid>> levels) {
   const Pieces pieces = pieces_of(scene, options, levels);
-  std::string text = "#usda 1.0\n(\n    defaultPrim = \"Scene\"\n    doc = " +
-                     quoted("Made by Pomona. " + options.provenance) +
-                     "\n    kilogramsPerUnit = 1\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n";
+  std::string text =
+      "#usda 1.0\n(\n    defaultPrim = \"Scene\"\n    doc = " + quoted("Made by Pomona. " + options.provenance) +
+      "\n    kilogramsPerUnit = 1\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n";
   PrimNames names;
   text += "def Xform \"Scene\" (\n    kind = \"assembly\"\n)\n{\n";
   text += options.instances ? point_instancer_text(scene, pieces, names) : instances_text(scene, pieces, names);

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
 
 #include "render/export/pbr_look.h"
 #include "tests/render/export/named_solids.h"
@@ -13,6 +14,7 @@ namespace pomona {
 namespace {
 
 using testing::ElementsAre;
+using Json = nlohmann::json;
 
 TEST(Gltf, ReadsBackAsItWas) {
   const Scene scene = named::mixed();
@@ -143,7 +145,168 @@ TEST(Gltf, TexturesTakeThePlaceOfVertexColours) {
 }
 
 /// The file's JSON: it lies before the buffer, in plain text.
-std::string json_of(const std::string& glb) { return glb.substr(0, glb.find(std::string("BIN\0", 4))); }
+std::string json_of(const std::string& glb) { return glb.substr(20, glb.find(std::string("BIN\0", 4)) - 24); }
+Json parsed(const std::string& glb) { return Json::parse(json_of(glb)); }
+
+/// The node of this name.
+Json node_called(const Json& gltf, const std::string& name) {
+  for (const Json& node : gltf["nodes"])
+    if (node["name"] == name) return node;
+  return {};
+}
+
+std::vector<std::string> names_of(const Json& things) {
+  std::vector<std::string> names;
+  for (const Json& thing : things) names.push_back(thing["name"]);
+  return names;
+}
+
+/// Six boxes of two fruits of an entry, one of another, and a bowl; the first placed twice.
+Scene grouped_boxes() {
+  Scene scene;
+  const auto add = [&](const std::string& entry, int fruit, int piece) {
+    const std::string variant = entry + "-" + std::to_string(fruit);
+    Solid box = named::box(variant + ".piece-" + std::to_string(piece), {0.1f, 0.2f, 0.3f}, {0.14f, 0.22f, 0.36f},
+                           {0.8f, 0, 0}, {0.9f, 0.8f, 0.6f});
+    box.origin = {.source = "kiwi",
+                  .key = {.seed = 3, .index = 4294967295u},
+                  .knives = {"half"},
+                  .number = piece,
+                  .pieces = 3,
+                  .fruit = "kiwi",
+                  .entry = entry,
+                  .variant = variant};
+    scene.solids.push_back(box);
+    scene.instances.push_back({static_cast<int>(scene.solids.size()) - 1, {}, box.name});
+  };
+  for (const int fruit : {1, 2})
+    for (const int piece : {1, 2, 3}) add("halves", fruit, piece);
+  add("garnish", 1, 2);
+  scene.instances.push_back({0, {.rotation = {0, 1, 0, 0}, .translation = {0, 1, 0}}, "halves-1.piece-1.copy-2"});
+  scene.solids.push_back(named::ball("bowl", 0.1f, 4, Color(0.5f)));
+  scene.instances.push_back({7, {}, "bowl"});
+  return scene;
+}
+
+TEST(Gltf, APieceTurnsAboutItsCentreAndLiesWhereItLay) {
+  const Scene scene = grouped_boxes();
+  const std::string bytes = write_glb(scene);
+  const named::Glb glb = named::read_glb(bytes);
+  const glm::dvec3 center(0.12, 0.21, 0.33);
+  EXPECT_LT(glm::length(glm::dvec3(glb.nodes[0].matrix[3]) - center), 5e-8);
+  const Json copy = node_called(parsed(bytes), "halves-1.piece-1.copy-2");
+  EXPECT_NEAR(copy["translation"][0], 0.12, 5e-8);
+  EXPECT_NEAR(copy["translation"][1], 1 - 0.21, 5e-8) << "half a turn about x, and up";
+  EXPECT_NEAR(copy["translation"][2], -0.33, 5e-8);
+  const Solid& box = scene.solids[0];
+  for (std::size_t t = 0; t < box.triangle.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec4 there =
+          glb.nodes[0].matrix * glm::dvec4(glb.meshes[0].position[glb.meshes[0].triangle[t][k]], 1);
+      EXPECT_LT(glm::length(glm::dvec3(there) - glm::dvec3(box.position[box.triangle[t][k]])), 1e-7);
+    }
+  }
+  const Json bowl = node_called(parsed(bytes), "bowl");
+  EXPECT_FALSE(bowl.contains("translation")) << "what is no piece keeps its frame";
+}
+
+TEST(Gltf, PiecesAreInGroupsByEntryAndFruit) {
+  const Json gltf = parsed(write_glb(grouped_boxes()));
+  const auto children = [&](const Json& node) {
+    std::vector<std::string> names;
+    for (const int child : node["children"]) names.push_back(gltf["nodes"][child]["name"]);
+    return names;
+  };
+  Json root;
+  root["children"] = gltf["scenes"][0]["nodes"];
+  EXPECT_THAT(children(root), ElementsAre("halves", "garnish", "bowl", "view"));
+  EXPECT_THAT(children(node_called(gltf, "halves")), ElementsAre("halves-1", "halves-2"));
+  EXPECT_THAT(children(node_called(gltf, "halves-1")),
+              ElementsAre("halves-1.piece-1", "halves-1.piece-2", "halves-1.piece-3", "halves-1.piece-1.copy-2"));
+  EXPECT_THAT(children(node_called(gltf, "garnish")), ElementsAre("garnish-1.piece-2")) << "one piece is no group";
+}
+
+TEST(Gltf, SaysHowAPieceIsMadeAgain) {
+  const Json gltf = parsed(write_glb(grouped_boxes(), {.command_words = " --style plain"}));
+  const Json extras = gltf["meshes"][1]["extras"];
+  EXPECT_EQ(extras["template"], "kiwi");
+  EXPECT_TRUE(extras["seed"].is_number_integer());
+  EXPECT_EQ(extras["seed"], 3);
+  EXPECT_EQ(extras["index"], 4294967295u);
+  EXPECT_EQ(extras["knife"], "half");
+  EXPECT_EQ(extras["piece"], 2);
+  EXPECT_EQ(extras["command"],
+            "pomona cut kiwi --seed 3 --index 4294967295 --knife half --piece 2 --style plain -o halves-1.piece-2.glb");
+  EXPECT_FALSE(gltf["meshes"][7]["extras"].contains("command")) << "nobody cuts a bowl";
+}
+
+TEST(Gltf, AFruitsPiecesShareItsMaterialsByName) {
+  Scene scene = named::with_materials();
+  scene.solids[0].origin = {.number = 1, .fruit = "kiwi"};
+  scene.solids.push_back(scene.solids[0]);
+  scene.instances.push_back({static_cast<int>(scene.solids.size()) - 1, {}, "another"});
+  for (Solid& solid : scene.solids) solid.on_skin = {1, 0};
+  EXPECT_THAT(names_of(parsed(write_glb(scene))["materials"]), ElementsAre("kiwi skin", "kiwi flesh"));
+
+  // Of a part that the skin shows, too, the cut face is another look; looks that many parts have are named by the
+  // place.
+  for (Solid& solid : scene.solids) solid.on_skin = {1, 1};
+  EXPECT_THAT(names_of(parsed(write_glb(scene))["materials"]), ElementsAre("kiwi skin", "kiwi flesh cut"));
+  for (Solid& solid : scene.solids) solid.materials.assign(2, solid.materials[1]);
+  EXPECT_THAT(names_of(parsed(write_glb(scene))["materials"]), ElementsAre("kiwi outside", "kiwi inside"));
+}
+
+TEST(Gltf, InstancesOfAMeshMayBeOneNode) {
+  const std::string bytes = write_glb(grouped_boxes(), {.instances = true});
+  const Json gltf = parsed(bytes);
+  const Json node = node_called(gltf, "halves-1.piece-1");
+  const Json attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  EXPECT_EQ(gltf["accessors"][attributes["TRANSLATION"].get<int>()]["count"], 2);
+  EXPECT_EQ(gltf["accessors"][attributes["ROTATION"].get<int>()]["type"], "VEC4");
+  EXPECT_FALSE(node.contains("translation"));
+  EXPECT_EQ(node["extras"]["instances"][1], "halves-1.piece-1.copy-2");
+  EXPECT_TRUE(node_called(gltf, "halves-1.piece-1.copy-2").is_null());
+  EXPECT_FALSE(gltf.contains("extensionsRequired"));
+  EXPECT_EQ(named::read_glb(bytes).meshes.size(), 8u) << "and another reader takes it";
+}
+
+TEST(Gltf, PartsMayBeFeatures) {
+  const Json gltf = parsed(write_glb(grouped_boxes(), {.feature_ids = true}));
+  for (const Json& mesh : gltf["meshes"]) {
+    for (const Json& primitive : mesh["primitives"]) {
+      EXPECT_EQ(primitive["attributes"]["_FEATURE_ID_0"], primitive["attributes"]["_PART"]);
+      const Json feature = primitive["extensions"]["EXT_mesh_features"]["featureIds"][0];
+      EXPECT_EQ(feature["attribute"], 0);
+      EXPECT_EQ(feature["featureCount"], mesh["extras"]["parts"].size());
+    }
+  }
+  EXPECT_FALSE(gltf.contains("extensionsRequired"));
+}
+
+TEST(Gltf, EnginesFindHullsAndLevelsByTheirNames) {
+  const Scene scene = grouped_boxes();
+  std::vector<std::vector<Solid>> levels(scene.solids.size());
+  levels[0] = {scene.solids[0]};
+  const auto written = [&](Engine engine) { return parsed(write_glb(scene, {.engine = engine}, levels)); };
+
+  const Json godot = written(Engine::godot);
+  const Json piece = node_called(godot, "halves-1_piece-1");
+  ASSERT_EQ(piece["children"].size(), 1u);
+  const Json hull = godot["nodes"][piece["children"][0].get<int>()];
+  EXPECT_EQ(hull["name"], "halves-1_piece-1-convcolonly");
+  const Json position = godot["meshes"][hull["mesh"].get<int>()]["primitives"][0]["attributes"]["POSITION"];
+  EXPECT_EQ(godot["accessors"][position.get<int>()]["count"], 8);
+  EXPECT_NEAR(godot["accessors"][position.get<int>()]["max"][0], 0.02, 1e-8) << "in the frame of the piece's mesh";
+
+  const Json unreal = written(Engine::unreal);
+  EXPECT_THAT(names_of(unreal["meshes"]),
+              testing::IsSupersetOf({"halves-1_piece-1_LOD0", "halves-1_piece-1_LOD1", "UCX_halves-1_piece-1_LOD0_00",
+                                     "halves-1_piece-2", "UCX_halves-1_piece-2_00"}));
+  const Json unity = written(Engine::unity);
+  EXPECT_THAT(names_of(unity["nodes"]), testing::IsSupersetOf({"halves-1_piece-1_LOD0", "halves-1_piece-1_LOD1"}));
+  EXPECT_EQ(unity["meshes"].size(), 9u) << "no hulls: Unity makes its own";
+  for (const std::string& name : names_of(unity["nodes"])) EXPECT_THAT(name, testing::Not(testing::HasSubstr(".")));
+}
 
 TEST(Gltf, SaysMaterialsInExtensionsThatNobodyMustKnow) {
   const std::string json = json_of(write_glb(named::with_materials()));
@@ -167,6 +330,37 @@ TEST(Gltf, SplitsAMeshByLookAndLosesNoTriangle) {
   Solid plain = scene.solids[0];
   plain.materials.clear();
   EXPECT_EQ(groups_by_look(plain, mesh).size(), 1u);
+}
+
+TEST(Gltf, VariantsAreTexturesOfTheSameMesh) {
+  Scene scene;
+  scene.solids = {named::box("box", {0, 0, 0}, {0.05f, 0.03f, 0.02f}, {0.8f, 0.05f, 0.05f}, {0.9f, 0.85f, 0.6f})};
+  scene.instances = {{0, {}, "box"}};
+  Solid green = scene.solids[0];
+  for (Color& color : green.color) color = {0.1f, 0.6f, 0.1f};
+  const Style style = style_named("plain");
+  const std::vector<BakedSolid> as_it_is = {baked(scene.solids[0], style, {.texels = 64})};
+  const std::vector<TextureVariant> variants{{"ripeness 0", {baked(green, style, {.texels = 64})}},
+                                             {"ripeness 1", as_it_is}};
+  const Json gltf = parsed(write_glb(scene, as_it_is, {}, {}, variants));
+  EXPECT_THAT(names_of(gltf["extensions"]["KHR_materials_variants"]["variants"]),
+              ElementsAre("ripeness 0", "ripeness 1"));
+  EXPECT_EQ(gltf["images"].size(), 3u);
+  ASSERT_EQ(gltf["meshes"].size(), 1u);
+  const Json primitive = gltf["meshes"][0]["primitives"][0];
+  const Json mappings = primitive["extensions"]["KHR_materials_variants"]["mappings"];
+  ASSERT_EQ(mappings.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(mappings[i]["variants"], Json::array({i}));
+    EXPECT_NE(mappings[i]["material"], primitive["material"]);
+  }
+  EXPECT_EQ(gltf["materials"][mappings[0]["material"].get<int>()]["name"], "box ripeness 0");
+  EXPECT_FALSE(gltf.contains("extensionsRequired"));
+
+  BakedSolid elsewhere = as_it_is[0];
+  elsewhere.uv[0].x += 0.1f;
+  const std::vector<TextureVariant> wrong{{"x", {elsewhere}}};
+  EXPECT_THROW(write_glb(scene, as_it_is, {}, {}, wrong), Error);
 }
 
 TEST(Gltf, AnEmptySceneIsStillAFile) {
