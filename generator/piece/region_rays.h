@@ -11,7 +11,7 @@
 namespace pomona {
 
 struct RegionRayOptions {
-  int rays = 40000;  ///< through the box around all regions
+  int rays = 20000;  ///< through the box around all regions
 };
 
 /// Per piece, the moments of the density by which its parts exceed the usual one.

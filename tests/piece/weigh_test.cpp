@@ -106,7 +106,10 @@ class WeighedFruit : public ::testing::TestWithParam<CutOf> {
  protected:
   WeighedFruit()
       : fruit_(read_template(std::string(POMONA_SOURCE_DIR) + "/templates/" + GetParam().fruit + ".toml")),
-        grown_(grow(fruit_, {0, 0}, {.as_drawn = true, .detail = 0.5})) {}
+        grown_(grow(fruit_, {0, 0}, {.as_drawn = true, .detail = 0.5})) {
+    // Five times as different as in nature: what parts weigh must not drown in what the fruit does.
+    for (double& density : fruit_.densities) density = std::max(50.0, fruit_.density + 5 * (density - fruit_.density));
+  }
 
   std::vector<Solid> pieces(const std::vector<Knife>& knives) const {
     return slice({grown_, fruit_, knives, "fruit"}, nullptr, {}).pieces;
@@ -165,6 +168,14 @@ std::vector<Moments> summed_points(const std::vector<Solid>& pieces, const PartR
   return sums;
 }
 
+double box_volume(const std::vector<Solid>& pieces) {
+  Box<double> box;
+  for (const Solid& piece : pieces) {
+    for (const glm::vec3& p : piece.position) box.add(glm::dvec3(p));
+  }
+  return box.size().x * box.size().y * box.size().z;
+}
+
 TEST_P(WeighedFruit, AgreesWithSumsOverAFineGridOfPoints) {
   const std::vector<Solid> all = pieces({parse_knife(GetParam().knife)});
   const PartRegions regions = part_regions(joined(grown_.swept, grown_.grains));
@@ -172,8 +183,8 @@ TEST_P(WeighedFruit, AgreesWithSumsOverAFineGridOfPoints) {
   for (const PartRegions::Region& region : regions.region) parts.insert(region.part);
   EXPECT_GE(parts.size(), 2u);
 
-  // With the points' own noise: 110^3 of them in the box.
-  const std::vector<Moments> points = summed_points(all, regions, fruit_, 110);
+  // With the points' own noise, 80^3 of them in the box: that of those in cells through which surfaces go.
+  const std::vector<Moments> points = summed_points(all, regions, fruit_, 80);
   double whole = 0;
   for (const Solid& piece : all) whole += facts_of(piece).mass;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -181,7 +192,8 @@ TEST_P(WeighedFruit, AgreesWithSumsOverAFineGridOfPoints) {
     if (facts.mass < 0.02 * whole) continue;
     const RigidMass expected = rigid_mass(points[i], glm::dvec3(0));
     const double size = glm::length(facts.high - facts.low);
-    EXPECT_NEAR(facts.mass, expected.mass, 0.004 * expected.mass) << i;
+    const double count = facts.volume * 80 * 80 * 80 / box_volume(all);
+    EXPECT_NEAR(facts.mass, expected.mass, 5 / std::cbrt(count * count) * expected.mass) << i;
     EXPECT_LT(glm::distance(facts.center, expected.center), 0.002 * size) << i;
     for (int k = 0; k < 3; ++k) EXPECT_LT(glm::distance(facts.inertia[k], expected.inertia[k]), 0.001 * expected.mass * size * size) << i;
   }
@@ -210,7 +222,7 @@ TEST_P(WeighedFruit, RaysAreManyEnough) {
     excess.push_back(fruit_.densities[static_cast<std::size_t>(std::find(fruit_.parts.begin(), fruit_.parts.end(), part) - fruit_.parts.begin())] - fruit_.density);
   }
   const std::vector<Moments> usual = excess_moments(all, regions, excess, glm::dvec3(0)),
-                             fine = excess_moments(all, regions, excess, glm::dvec3(0), {.rays = 640000});
+                             fine = excess_moments(all, regions, excess, glm::dvec3(0), {.rays = 320000});
   double whole = 0;
   for (const Solid& piece : all) whole += facts_of(piece).mass;
   double worst = 0;
@@ -219,14 +231,13 @@ TEST_P(WeighedFruit, RaysAreManyEnough) {
     if (mass < 0.02 * whole) continue;
     worst = std::max(worst, std::fabs(usual[i].mass - fine[i].mass) / mass);
   }
-  EXPECT_LT(worst, 2e-4);
-  RecordProperty("worst", std::to_string(worst));
+  EXPECT_LT(worst, 1e-3) << "five times 0.02 % of the mass";
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, WeighedFruit,
                          ::testing::Values(CutOf{"cherry", "half"}, CutOf{"tomato", "wedges:5"}, CutOf{"lemon", "slices:9mm"},
-                                           CutOf{"avocado", "ball:40mm"}, CutOf{"kiwi", "dice:20mm"}),
-                         [](const auto& info) { return std::string(info.param.fruit); });
+                                           CutOf{"avocado", "ball:40mm"}, CutOf{"kiwi", "dice:3"}),
+                         [](const auto& test) { return std::string(test.param.fruit); });
 
 }  // namespace
 }  // namespace pomona

@@ -152,7 +152,9 @@ TEST(Cryptomatte, RanksTheLargestShareFirst) {
 
 TEST(TruthExr, IsTheSameEveryTime) {
   const Scene scene = hiding_balls();
-  const TruthOptions options{.width = 40, .height = 30, .format = TruthFormat::exr};
+  TruthOptions options;
+  options.width = 40, options.height = 30;
+  options.format = TruthFormat::exr;
   EXPECT_EQ(ground_truth(scene, options).at(0).bytes, ground_truth(scene, options).at(0).bytes);
 }
 
