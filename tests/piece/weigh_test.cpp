@@ -107,7 +107,8 @@ TEST(Weighed, PartsThatShippedTemplatesGiveADensityFillSomething) {
       filled.insert(regions.part_names[static_cast<std::size_t>(region.part)]);
     EXPECT_FALSE(fruit.densities.empty()) << fruit.name;
     for (std::size_t p = 0; p < fruit.densities.size(); ++p)
-      EXPECT_TRUE(fruit.densities[p] == fruit.density || filled.contains(fruit.parts[p])) << fruit.name << ": " << fruit.parts[p];
+      EXPECT_TRUE(fruit.densities[p] == fruit.density || filled.contains(fruit.parts[p]))
+          << fruit.name << ": " << fruit.parts[p];
   }
 }
 
@@ -146,7 +147,8 @@ std::vector<Moments> summed_points(const std::vector<Solid>& pieces, const PartR
   };
   for (std::size_t r = 0; r < regions.region.size(); ++r) {
     const PartRegions::Region& region = regions.region[r];
-    for (std::size_t t = region.first; t < region.first + region.count; ++t) add(regions.position, regions.triangle[t], r);
+    for (std::size_t t = region.first; t < region.first + region.count; ++t)
+      add(regions.position, regions.triangle[t], r);
   }
   Box<double> box;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -164,7 +166,8 @@ std::vector<Moments> summed_points(const std::vector<Solid>& pieces, const PartR
     for (double y = box.low.y; y < box.high.y; y += step) {
       for (double z = box.low.z; z < box.high.z; z += step, n += 3) {
         // Somewhere in its cell: no layer of the fruit lies along a layer of the grid.
-        const glm::dvec3 p = glm::dvec3(x, y, z) + step * glm::dvec3(draw.uniform(n), draw.uniform(n + 1), draw.uniform(n + 2));
+        const glm::dvec3 p =
+            glm::dvec3(x, y, z) + step * glm::dvec3(draw.uniform(n), draw.uniform(n + 1), draw.uniform(n + 2));
         double density = fruit.density;
         bool first = true;
         for (const auto& [mesh, times] : enclosures.around(p)) {
@@ -212,7 +215,8 @@ TEST_P(WeighedFruit, AgreesWithSumsOverAFineGridOfPoints) {
     const double count = facts.volume * 80 * 80 * 80 / box_volume(all);
     EXPECT_NEAR(facts.mass, expected.mass, 5 / std::cbrt(count * count) * expected.mass) << i;
     EXPECT_LT(glm::distance(facts.center, expected.center), 0.002 * size) << i;
-    for (int k = 0; k < 3; ++k) EXPECT_LT(glm::distance(facts.inertia[k], expected.inertia[k]), 0.001 * expected.mass * size * size) << i;
+    for (int k = 0; k < 3; ++k)
+      EXPECT_LT(glm::distance(facts.inertia[k], expected.inertia[k]), 0.001 * expected.mass * size * size) << i;
   }
 }
 
@@ -236,7 +240,9 @@ TEST_P(WeighedFruit, RaysAreManyEnough) {
   std::vector<double> excess;
   for (const PartRegions::Region& region : regions.region) {
     const std::string& part = regions.part_names[static_cast<std::size_t>(region.part)];
-    excess.push_back(fruit_.densities[static_cast<std::size_t>(std::find(fruit_.parts.begin(), fruit_.parts.end(), part) - fruit_.parts.begin())] - fruit_.density);
+    excess.push_back(fruit_.densities[static_cast<std::size_t>(
+                         std::find(fruit_.parts.begin(), fruit_.parts.end(), part) - fruit_.parts.begin())] -
+                     fruit_.density);
   }
   const std::vector<Moments> usual = excess_moments(all, regions, excess, glm::dvec3(0)),
                              fine = excess_moments(all, regions, excess, glm::dvec3(0), {.rays = 320000});
@@ -252,8 +258,9 @@ TEST_P(WeighedFruit, RaysAreManyEnough) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, WeighedFruit,
-                         ::testing::Values(CutOf{"cherry", "half"}, CutOf{"tomato", "wedges:5"}, CutOf{"lemon", "slices:9mm"},
-                                           CutOf{"avocado", "ball:40mm"}, CutOf{"kiwi", "sticks:2"}),
+                         ::testing::Values(CutOf{"cherry", "half"}, CutOf{"tomato", "wedges:5"},
+                                           CutOf{"lemon", "slices:9mm"}, CutOf{"avocado", "ball:40mm"},
+                                           CutOf{"kiwi", "sticks:2"}),
                          [](const auto& test) { return std::string(test.param.fruit); });
 
 }  // namespace

@@ -45,12 +45,14 @@ ReadExr read_exr(const std::string& bytes) {
     EXPECT_EQ(c.channel().type, Imf::FLOAT);
     std::vector<float>& values = exr.channel[c.name()];
     values.resize(width * height);
-    buffer.insert(c.name(), Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float), sizeof(float) * width));
+    buffer.insert(c.name(),
+                  Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float), sizeof(float) * width));
   }
   file.setFrameBuffer(buffer);
   file.readPixels(0, height - 1);
   for (auto a = file.header().begin(); a != file.header().end(); ++a) {
-    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute())) exr.text[a.name()] = text->value();
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute()))
+      exr.text[a.name()] = text->value();
   }
   return exr;
 }
@@ -92,7 +94,8 @@ TEST(TruthExr, HoldsTheLayersAsTheyAre) {
 /// The id under which a kind's entries stand in the header.
 std::string key_of(const ReadExr& exr, const std::string& kind) {
   for (const auto& [key, value] : exr.text) {
-    if (key.starts_with("cryptomatte/") && key.ends_with("/name") && value == kind) return key.substr(0, key.size() - 4);
+    if (key.starts_with("cryptomatte/") && key.ends_with("/name") && value == kind)
+      return key.substr(0, key.size() - 4);
   }
   ADD_FAILURE() << "no " << kind;
   return {};
