@@ -131,12 +131,13 @@ void check_heeded(const std::string& option, const std::vector<Format>& holding,
 
 void check_aov(const fs::path& folder, const std::vector<Output>& outputs) {
   if (folder.empty()) return;
-  const auto pictures = std::count_if(outputs.begin(), outputs.end(),
-                                      [](const Output& output) { return output.format == Format::png; });
+  const auto pictures =
+      std::count_if(outputs.begin(), outputs.end(), [](const Output& output) { return output.format == Format::png; });
   if (pictures != 1) {
-    throw Error(ExitStatus::usage, "--aov says what one picture shows, and there " +
-                                       std::string(pictures == 0 ? "is none" : "are several"),
-                "give one -o FILE.png");
+    throw Error(
+        ExitStatus::usage,
+        "--aov says what one picture shows, and there " + std::string(pictures == 0 ? "is none" : "are several"),
+        "give one -o FILE.png");
   }
 
   // A folder that is there takes files; one that is not is made when they are.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Shows a picture and its ground truth (`--aov FOLDER`) side by side, for docs/data.md: the picture, instances, parts, depth, normals,
-and whole masks of the instance that is hidden most.
+and and the whole mask of an instance that others hide.
 
     truth_sheet.py PICTURE.png FOLDER SHEET.png [WIDTH]      WIDTH of each, in pixels; 400
 """
@@ -24,11 +24,12 @@ def as_picture(size, colors):
 
 
 def color_of(number):
-    """Neighbouring numbers far apart: hues by the golden ratio, in three lightnesses."""
+    """Neighbouring numbers far apart: hues by the golden ratio, in three lightnesses, muted as print wants them."""
     if number == 0:
         return (255, 255, 255)
-    hue = int(255 * ((number * 0.618034) % 1))
-    return Image.new("HSV", (1, 1), (hue, 130 + 60 * (number % 3), 235 - 35 * (number // 3 % 3))).convert("RGB").getpixel((0, 0))
+    hue = int(255 * ((0.12 + number * 0.618034) % 1))
+    saturation, value = 80 + 35 * (number % 3), 232 - 38 * (number // 3 % 3)
+    return Image.new("HSV", (1, 1), (hue, saturation, value)).convert("RGB").getpixel((0, 0))
 
 
 def colored(path):
@@ -46,11 +47,19 @@ def depths(path):
     return as_picture(Image.open(path).size, [(shade(v),) * 3 for v in values])
 
 
-def most_hidden(folder, annotations):
-    """The instance with most pixels behind others: what of it shows, and what does not."""
+def normals(path):
+    """Eight bits of them; paper stays white."""
+    image = Image.open(path).convert("RGB")
+    return as_picture(image.size, [(255, 255, 255) if n == (0, 0, 0) else n for n in image.getdata()])
+
+
+def half_hidden(folder, annotations):
+    """The largest instance of those that are hidden by some half: what of it shows, and what does not."""
     size = Image.open(folder / "instance.png").size
     ids = numbers(folder / "instance.png")
-    one = max(annotations["annotations"], key=lambda a: a["amodal_area"] - a["area"])["id"]
+    hidden_by_half = lambda a: a["amodal_area"] * a["occlusion"] * (1 - a["occlusion"]) if a["occlusion"] > 0.35 else 0
+    pieces = [a for a in annotations["annotations"] if a["amodal_area"] < 0.25 * size[0] * size[1]]
+    one = max(pieces or annotations["annotations"], key=hidden_by_half)["id"]
     bits = numbers(folder / f"amodal_{(one - 1) // 16 + 1}.png")
     bit = 1 << (one - 1) % 16
     paint = lambda n, b: (214, 69, 65) if n == one else (245, 190, 80) if b & bit else (205, 205, 205) if n else (255, 255, 255)
@@ -66,8 +75,8 @@ def main():
         colored(folder / "instance.png"),
         colored(folder / "part.png"),
         depths(folder / "depth.png"),
-        Image.open(folder / "normal.png").convert("RGB"),
-        most_hidden(folder, annotations),
+        normals(folder / "normal.png"),
+        half_hidden(folder, annotations),
     ]
     height = round(width * views[0].height / views[0].width)
     gap = max(2, width // 100)

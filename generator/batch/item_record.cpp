@@ -16,11 +16,15 @@ Json numbers(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json piece_of(const Solid& solid) {
   const PieceFacts facts = facts_of(solid);
-  return {{"name", solid.name},           {"volume", facts.volume},
-          {"mass", facts.mass},           {"center", numbers(facts.center)},
+  return {{"name", solid.name},
+          {"volume", facts.volume},
+          {"mass", facts.mass},
+          {"center", numbers(facts.center)},
           {"inertia", Json::array({numbers(facts.inertia[0]), numbers(facts.inertia[1]), numbers(facts.inertia[2])})},
-          {"low", numbers(facts.low)},    {"high", numbers(facts.high)},
-          {"triangles", facts.triangles}, {"closed", solid.closed},
+          {"low", numbers(facts.low)},
+          {"high", numbers(facts.high)},
+          {"triangles", facts.triangles},
+          {"closed", solid.closed},
           {"crumb", solid.crumb}};
 }
 

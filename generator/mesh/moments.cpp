@@ -11,7 +11,8 @@ void Moments::add(const Moments& more, double times) {
   second += times * more.second;
 }
 
-Moments moments_of(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangle, const glm::dvec3& origin) {
+Moments moments_of(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangle,
+                   const glm::dvec3& origin) {
   Moments six;  // times the volume
   for (const glm::uvec3& t : triangle) {
     const glm::dvec3 a = glm::dvec3(position[t.x]) - origin, b = glm::dvec3(position[t.y]) - origin,
@@ -19,8 +20,9 @@ Moments moments_of(std::span<const glm::vec3> position, std::span<const glm::uve
     const double v = glm::dot(a, glm::cross(b, c));
     six.mass += v;
     six.first += v * 0.25 * sum;
-    six.second += (glm::outerProduct(a, a) + glm::outerProduct(b, b) + glm::outerProduct(c, c) + glm::outerProduct(sum, sum)) *
-                  (v / 20);
+    six.second +=
+        (glm::outerProduct(a, a) + glm::outerProduct(b, b) + glm::outerProduct(c, c) + glm::outerProduct(sum, sum)) *
+        (v / 20);
   }
   Moments moments;
   moments.add(six, 1.0 / 6);

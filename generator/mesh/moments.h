@@ -11,8 +11,8 @@ namespace pomona {
 /// Integrals over a solid of its density times 1, x and x x^T, places taken from an origin that whoever sums them
 /// knows. Moments of parts add up to those of the whole.
 struct Moments {
-  double mass = 0;      ///< kilograms; cubic metres where the density counts as 1
-  glm::dvec3 first{0};  ///< times metres
+  double mass = 0;       ///< kilograms; cubic metres where the density counts as 1
+  glm::dvec3 first{0};   ///< times metres
   glm::dmat3 second{0};  ///< times square metres
 
   void add(const Moments& more, double times = 1);

@@ -49,13 +49,17 @@ class RayLattice {
             low_.y + (static_cast<double>(ray / columns_) + 0.5) * step_};
   }
 
-  /// Every ray through a triangle passes it once. Rays through an edge or a corner pass one of its triangles: which side
-  /// of an edge they are on is worked out from its ends in one order, the same for all triangles there.
+  /// Every ray through a triangle passes it once. Rays through an edge or a corner pass one of its triangles: which
+  /// side of an edge they are on is worked out from its ends in one order, the same for all triangles there.
   void pass(const std::array<glm::dvec3, 3>& corner, std::int32_t what) {
     const auto low = [&](int k) { return std::min({corner[0][k], corner[1][k], corner[2][k]}); };
     const auto high = [&](int k) { return std::max({corner[0][k], corner[1][k], corner[2][k]}); };
-    const auto first = [&](double v, double from) { return static_cast<std::int64_t>(std::ceil((v - from) / step_ - 0.5)); };
-    const auto last = [&](double v, double from) { return static_cast<std::int64_t>(std::floor((v - from) / step_ - 0.5)); };
+    const auto first = [&](double v, double from) {
+      return static_cast<std::int64_t>(std::ceil((v - from) / step_ - 0.5));
+    };
+    const auto last = [&](double v, double from) {
+      return static_cast<std::int64_t>(std::floor((v - from) / step_ - 0.5));
+    };
     const std::int64_t top = std::max<std::int64_t>(0, first(low(1), low_.y) - 1),
                        bottom = std::min(rows_ - 1, last(high(1), low_.y) + 1),
                        left = std::max<std::int64_t>(0, first(low(0), low_.x) - 1),

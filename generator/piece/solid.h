@@ -38,9 +38,9 @@ struct Solid {
   NoiseStyle noise;
   std::vector<DetailSketch> details;
   InkStyle ink;
-  float opacity = 1.0f;    ///< below 1 where one sees through it, looking at right angles
-  double volume = 0;       ///< cubic metres
-  double density = 1000;   ///< kilograms per cubic metre; that of water, as long as nothing says otherwise
+  float opacity = 1.0f;   ///< below 1 where one sees through it, looking at right angles
+  double volume = 0;      ///< cubic metres
+  double density = 1000;  ///< kilograms per cubic metre; that of water, as long as nothing says otherwise
 
   /// By the densities of the parts inside, in the fruit's frame (weigh.h); none: it is equally dense all over.
   std::optional<RigidMass> weighed;

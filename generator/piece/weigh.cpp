@@ -11,7 +11,8 @@ namespace {
 
 /// By name: strewn grains bring a list of parts of their own.
 double density_of(const Template& fruit, const std::string& part) {
-  const auto at = static_cast<std::size_t>(std::find(fruit.parts.begin(), fruit.parts.end(), part) - fruit.parts.begin());
+  const auto at =
+      static_cast<std::size_t>(std::find(fruit.parts.begin(), fruit.parts.end(), part) - fruit.parts.begin());
   return at < fruit.densities.size() ? fruit.densities[at] : fruit.density;
 }
 

@@ -75,9 +75,7 @@ class RegionFinder {
     regions_.triangle.insert(regions_.triangle.end(), own.begin(), own.end());
   }
 
-  bool is_air_behind(std::uint32_t t) const {
-    return surfaces_.is_boundary(t) && surfaces_.is_hidden(t, SideOf::back);
-  }
+  bool is_air_behind(std::uint32_t t) const { return surfaces_.is_boundary(t) && surfaces_.is_hidden(t, SideOf::back); }
 
   double volume_of(const std::vector<glm::uvec3>& hull) const {
     const glm::dvec3 origin(surfaces_.position[hull.front().x]);
@@ -97,8 +95,8 @@ class RegionFinder {
       const bool shows_back = is_air_behind(t) != front_is_outside;
       const glm::uvec3& c = triangles_[t];
       const glm::dvec3 a(surfaces_.position[c.x]);
-      area[(shows_back ? surfaces_.back_part : surfaces_.front_part)[t]] += glm::length(
-          glm::cross(glm::dvec3(surfaces_.position[c.y]) - a, glm::dvec3(surfaces_.position[c.z]) - a));
+      area[(shows_back ? surfaces_.back_part : surfaces_.front_part)[t]] +=
+          glm::length(glm::cross(glm::dvec3(surfaces_.position[c.y]) - a, glm::dvec3(surfaces_.position[c.z]) - a));
     }
     return std::max_element(area.begin(), area.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
         ->first;

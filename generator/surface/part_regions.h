@@ -13,8 +13,8 @@ namespace pomona {
 /// stone in the flesh. Open surfaces, septa for one, enclose nothing, and walls of cavities enclose air.
 struct PartRegions {
   struct Region {
-    std::int32_t part = 0;      ///< that fills it: what most of its surface, by area, has on its inner side
-    double volume = 0;          ///< cubic metres
+    std::int32_t part = 0;             ///< that fills it: what most of its surface, by area, has on its inner side
+    double volume = 0;                 ///< cubic metres
     std::size_t first = 0, count = 0;  ///< its triangles
   };
   std::vector<Region> region;        ///< the smallest first

@@ -55,8 +55,8 @@ struct Template {
   InkStyle ink;
   RipenessSketch ripeness;
   BrowningSketch browning;
-  Individual individual;  ///< set in variants
-  double density = 1000;  ///< kg per cubic metre; that of water where nothing says otherwise
+  Individual individual;          ///< set in variants
+  double density = 1000;          ///< kg per cubic metre; that of water where nothing says otherwise
   std::vector<double> densities;  ///< likewise, one per part; or none: all parts have that of the fruit
 };
 

@@ -11,7 +11,7 @@
 namespace pomona {
 
 /// A triangle as a lens sees it.
-struct SeenTriangle {
+struct PictureTriangle {
   std::array<glm::dvec3, 3> corner{};  ///< pixels, pixels, nearness (1 / metres)
   double area = 0;                     ///< twice, square pixels; above 0 where it faces the eye, 0 behind the eye
 
@@ -23,8 +23,8 @@ struct SeenTriangle {
 };
 
 /// Triangle `t` of a solid. What reaches behind the eye is left out.
-inline SeenTriangle seen_triangle(const Solid& solid, const SeenSolid& seen, std::uint32_t t) {
-  SeenTriangle result;
+inline PictureTriangle picture_triangle(const Solid& solid, const SeenSolid& seen, std::uint32_t t) {
+  PictureTriangle result;
   for (int i = 0; i < 3; ++i) {
     const glm::dvec3& v = seen.vertex[solid.triangle[t][i]];
     if (!(v.z > 0)) return {};
@@ -54,7 +54,7 @@ struct PixelBox {
 
 /// Calls visit(x, y, nearness) for each pixel of the box whose middle the triangle covers, edges included.
 template <typename Visit>
-void for_covered_pixels(const SeenTriangle& t, const PixelBox& box, Visit&& visit) {
+void for_covered_pixels(const PictureTriangle& t, const PixelBox& box, Visit&& visit) {
   const PixelSpan columns(t.low(0), t.high(0), box.left, box.right);
   const PixelSpan rows(t.low(1), t.high(1), box.top, box.bottom);
   const double turn = t.area > 0 ? 1 : -1;  // the way round it is seen

@@ -22,7 +22,7 @@ std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Solid& solid = scene.solids[scene.instances[i].solid];
     for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
-      const SeenTriangle triangle = seen_triangle(solid, seen[i], t);
+      const PictureTriangle triangle = picture_triangle(solid, seen[i], t);
       if (!triangle.can_be_seen(solid.closed)) continue;
       const PixelSpan columns(triangle.low(0), triangle.high(0), 0, buffer.width - 1);
       const PixelSpan rows(triangle.low(1), triangle.high(1), 0, buffer.height - 1);
@@ -33,7 +33,7 @@ std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std
   return bands;
 }
 
-void draw_triangle(const SeenTriangle& t, const TriangleName& name, int top, int bottom, IdentityBuffer& buffer) {
+void draw_triangle(const PictureTriangle& t, const TriangleName& name, int top, int bottom, IdentityBuffer& buffer) {
   // What is nearer than all before it gives the pixel its name.
   for_covered_pixels(t, {0, top, buffer.width - 1, std::min(bottom, buffer.height - 1)},
                      [&](int x, int y, double nearness_there) {
@@ -63,7 +63,7 @@ IdentityBuffer identity_buffer(const Scene& scene, std::span<const SeenSolid> se
     const int top = static_cast<int>(band) * band_rows;
     for (const TriangleName& name : bands[band]) {
       const Solid& solid = scene.solids[scene.instances[name.instance].solid];
-      const SeenTriangle triangle = seen_triangle(solid, seen[name.instance], name.triangle);
+      const PictureTriangle triangle = picture_triangle(solid, seen[name.instance], name.triangle);
       draw_triangle(triangle, name, top, top + band_rows - 1, buffer);
     }
   });

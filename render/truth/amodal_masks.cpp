@@ -12,7 +12,7 @@ namespace {
 PixelBox box_of(const Solid& solid, const SeenSolid& seen, int width, int height) {
   PixelBox box{width, height, -1, -1};
   for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
-    const SeenTriangle triangle = seen_triangle(solid, seen, t);
+    const PictureTriangle triangle = picture_triangle(solid, seen, t);
     if (!triangle.can_be_seen(solid.closed)) continue;
     const PixelSpan columns(triangle.low(0), triangle.high(0), 0, width - 1);
     const PixelSpan rows(triangle.low(1), triangle.high(1), 0, height - 1);
@@ -27,7 +27,7 @@ Mask amodal_mask(const Solid& solid, const SeenSolid& seen, int width, int heigh
   Mask mask{box_of(solid, seen, width, height), {}};
   mask.covered.assign(static_cast<std::size_t>(mask.box.width()) * mask.box.height(), 0);
   for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
-    const SeenTriangle triangle = seen_triangle(solid, seen, t);
+    const PictureTriangle triangle = picture_triangle(solid, seen, t);
     if (!triangle.can_be_seen(solid.closed)) continue;
     for_covered_pixels(triangle, mask.box, [&](int x, int y, double) {
       mask.covered[static_cast<std::size_t>(y - mask.box.top) * mask.box.width() + (x - mask.box.left)] = 1;

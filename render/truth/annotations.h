@@ -10,9 +10,9 @@
 namespace pomona {
 
 struct AnnotatedPicture {
-  std::string file_name;   ///< of the picture, as `images` names it
-  std::string made_by;     ///< version of the program, for `info`
-  std::uint64_t seed = 0;  ///< of the fruit or the scene
+  std::string file_name;                 ///< of the picture, as `images` names it
+  std::string made_by;                   ///< version of the program, for `info`
+  std::uint64_t seed = 0;                ///< of the fruit or the scene
   std::vector<std::string> layer_files;  ///< beside the annotations
 };
 

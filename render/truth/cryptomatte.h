@@ -8,8 +8,8 @@
 
 namespace pomona {
 
-/// The name's 32 bits as they are told apart in files: MurmurHash3 of its bytes, with a bit flipped where they would be no
-/// ordinary float.
+/// The name's 32 bits as they are told apart in files: MurmurHash3 of its bytes, with a bit flipped where they would be
+/// no ordinary float.
 std::uint32_t cryptomatte_hash(const std::string& name);
 
 /// One kind of things, "CryptoObject" for one.

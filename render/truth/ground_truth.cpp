@@ -31,13 +31,12 @@ std::vector<Cryptomatte> mattes_of(const Scene& scene, const TruthNaming& names,
   for (const TruthNaming::Fruit& fruit : names.fruits) fruits.push_back(fruit.name);
   for (const TruthNaming::Part& part : names.parts) parts.push_back(names.kind(part.species).name + "." + part.name);
   const int side = static_cast<int>(std::lround(std::sqrt(options.samples)));
-  const TruthLayers fine =
-      truth_layers(scene, names, options.width * side, options.height * side, options.threads);
+  const TruthLayers fine = truth_layers(scene, names, options.width * side, options.height * side, options.threads);
   const auto matte = [&](const char* name, std::vector<std::string> of, const std::vector<std::uint16_t>& numbers) {
     return cryptomatte(name, std::move(of), numbers, options.width, options.height, side);
   };
-  return {matte("CryptoObject", std::move(instances), fine.instance), matte("CryptoAsset", std::move(fruits), fine.fruit),
-          matte("CryptoMaterial", std::move(parts), fine.part)};
+  return {matte("CryptoObject", std::move(instances), fine.instance),
+          matte("CryptoAsset", std::move(fruits), fine.fruit), matte("CryptoMaterial", std::move(parts), fine.part)};
 }
 
 TruthFile exr_file(const Scene& scene, const TruthNaming& names, const TruthLayers& layers,

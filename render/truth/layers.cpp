@@ -15,7 +15,7 @@ namespace pomona {
 namespace {
 
 /// Shares that a triangle's corners have in the place seen at a pixel, in space: sum 1, none below 0.
-std::array<double, 3> shares_at(const SeenTriangle& triangle, const glm::dvec2& place) {
+std::array<double, 3> shares_at(const PictureTriangle& triangle, const glm::dvec2& place) {
   std::array<double, 3> share{};
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
@@ -61,7 +61,7 @@ class LayerFiller {
     layers_.depth[pixel] = 1 / foremost_.nearness[pixel];
     layers_.section[pixel] = t < solid.cut_face.size() && solid.cut_face[t] >= 0 ? 1 : 0;
 
-    const SeenTriangle triangle = seen_triangle(solid, seen_[i], t);
+    const PictureTriangle triangle = picture_triangle(solid, seen_[i], t);
     const std::array<double, 3> share = shares_at(triangle, {x + 0.5, y + 0.5});
     const auto largest = static_cast<int>(std::max_element(share.begin(), share.end()) - share.begin());
     const std::int32_t part = solid.part[solid.triangle[t][largest]];

@@ -17,8 +17,8 @@ struct TruthLayers {
   std::vector<std::uint16_t> instance;  ///< numbers as in TruthNaming; 0 where paper or ground shows
   std::vector<std::uint16_t> fruit;
   std::vector<std::uint16_t> part;
-  std::vector<float> depth;        ///< metres along the line of sight of the picture's middle; 0 where nothing is
-  std::vector<glm::vec3> normal;   ///< unit, in the scene's frame, as the mesh interpolates it; (0, 0, 0) likewise
+  std::vector<float> depth;           ///< metres along the line of sight of the picture's middle; 0 where nothing is
+  std::vector<glm::vec3> normal;      ///< unit, in the scene's frame, as the mesh interpolates it; (0, 0, 0) likewise
   std::vector<std::uint8_t> section;  ///< 1 where a cut face shows
 
   std::size_t pixel(int x, int y) const { return static_cast<std::size_t>(y) * width + x; }

@@ -8,8 +8,8 @@
 
 namespace pomona {
 
-/// The pixels of a box, row by row: 1 where covered. The box of what visible_masks() and amodal_masks() make is as small
-/// as may be.
+/// The pixels of a box, row by row: 1 where covered. The box of what visible_masks() and amodal_masks() make is as
+/// small as may be.
 struct Mask {
   PixelBox box;
   std::vector<std::uint8_t> covered;

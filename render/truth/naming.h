@@ -26,7 +26,7 @@ struct TruthNaming {
   std::vector<Fruit> fruits;
   std::vector<Part> parts;
 
-  std::vector<std::uint16_t> fruit_of_solid;                ///< per solid
+  std::vector<std::uint16_t> fruit_of_solid;               ///< per solid
   std::vector<std::vector<std::uint16_t>> parts_of_solid;  ///< per solid, per index into its part_names
 
   const Fruit& fruit(std::uint16_t number) const { return fruits[number - 1u]; }

@@ -39,7 +39,8 @@ class BytesInMemory : public Imf::OStream {
 /// Channels of floats, one value a pixel.
 class FloatChannels {
  public:
-  FloatChannels(int width, int height) : header_(width, height), width_(width), pixels_(static_cast<std::size_t>(width) * height) {
+  FloatChannels(int width, int height)
+      : header_(width, height), width_(width), pixels_(static_cast<std::size_t>(width) * height) {
     header_.compression() = Imf::ZIP_COMPRESSION;
   }
 

@@ -46,7 +46,8 @@ TruthPicture normals(const TruthLayers& layers) {
 
 TruthPicture sections(const TruthLayers& layers) {
   TruthPicture result = picture(layers, "section", 1);
-  for (const std::uint8_t cut : layers.section) result.image.values.push_back(cut != 0 ? std::uint16_t{65535} : std::uint16_t{0});
+  for (const std::uint8_t cut : layers.section)
+    result.image.values.push_back(cut != 0 ? std::uint16_t{65535} : std::uint16_t{0});
   return result;
 }
 

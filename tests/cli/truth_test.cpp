@@ -20,10 +20,10 @@ std::vector<std::string> with(std::vector<std::string> words, const std::vector<
 
 /// Half a cherry, small and coarse.
 Outcome cut_cherry(const std::vector<std::string>& more, const fs::path& folder) {
-  return run_pomona(with({"cut", "cherry", "--knife", "half", "--detail", "0.3", "--quality", "draft", "--size", "96x72",
-                          "--quiet"},
-                         more),
-                    folder);
+  return run_pomona(
+      with({"cut", "cherry", "--knife", "half", "--detail", "0.3", "--quality", "draft", "--size", "96x72", "--quiet"},
+           more),
+      folder);
 }
 
 std::vector<std::string> names_in(const fs::path& folder) {
@@ -66,7 +66,9 @@ TEST(Aov, ComesWithWholeFruitAndScenesToo) {
   EXPECT_EQ(scene.at("fruits").size(), 2u);
   EXPECT_EQ(scene.at("categories").size(), 1u);
 
-  ASSERT_EQ(run_pomona(with({"grow", "cherry", "--seed", "3", "-o", "g.png", "--aov", "g"}, coarse), folder.path()).status, 0);
+  ASSERT_EQ(
+      run_pomona(with({"grow", "cherry", "--seed", "3", "-o", "g.png", "--aov", "g"}, coarse), folder.path()).status,
+      0);
   const auto whole = nlohmann::json::parse(bytes_of(folder / "g/annotations.json"));
   EXPECT_EQ(whole.at("images").at(0).at("seed"), 3);
   EXPECT_FALSE(whole.at("annotations").empty());

@@ -159,14 +159,16 @@ std::vector<bool> unpacked(const json& segmentation) {
     runs.push_back(x);
   }
   std::vector<bool> pixels;
-  for (std::size_t i = 0; i < runs.size(); ++i) pixels.insert(pixels.end(), static_cast<std::size_t>(runs[i]), i % 2 != 0);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    pixels.insert(pixels.end(), static_cast<std::size_t>(runs[i]), i % 2 != 0);
   return pixels;
 }
 
 Mask random_mask(std::uint64_t seed, int columns, int rows) {
   const RandomStream draw({seed, 0}, "mask");
   Mask mask{{0, 0, columns - 1, rows - 1}, {}};
-  for (int i = 0; i < columns * rows; ++i) mask.covered.push_back(draw.uniform(static_cast<std::uint64_t>(i)) < 0.6 ? 1 : 0);
+  for (int i = 0; i < columns * rows; ++i)
+    mask.covered.push_back(draw.uniform(static_cast<std::uint64_t>(i)) < 0.6 ? 1 : 0);
   return trimmed(mask);
 }
 
@@ -212,7 +214,8 @@ TEST(Annotations, HaveCocosKeysAndAgreeWithTheMasks) {
   const Scene scene = hiding_balls();
   const std::vector<TruthFile> files = ground_truth(scene, options());
   const json all = json::parse(file(files, "annotations.json"));
-  for (const char* key : {"info", "licenses", "images", "annotations", "categories"}) ASSERT_TRUE(all.contains(key)) << key;
+  for (const char* key : {"info", "licenses", "images", "annotations", "categories"})
+    ASSERT_TRUE(all.contains(key)) << key;
   const json& image = all.at("images").at(0);
   EXPECT_EQ(image.at("file_name"), "balls.png");
   EXPECT_EQ(image.at("width"), width);
@@ -245,7 +248,8 @@ TEST(Annotations, HaveCocosKeysAndAgreeWithTheMasks) {
     EXPECT_EQ(one.at("bbox"), json({left, top, right - left + 1, bottom - top + 1}));
     EXPECT_DOUBLE_EQ(one.at("occlusion"), 1 - static_cast<double>(area) / amodal);
 
-    const Solid& solid = scene.solids[static_cast<std::size_t>(scene.instances[static_cast<std::size_t>(id - 1)].solid)];
+    const Solid& solid =
+        scene.solids[static_cast<std::size_t>(scene.instances[static_cast<std::size_t>(id - 1)].solid)];
     EXPECT_EQ(one.at("volume"), facts_of(solid).volume);
     EXPECT_EQ(one.at("mass"), facts_of(solid).mass);
     const std::size_t category = one.at("category_id");
@@ -277,8 +281,10 @@ TEST(Annotations, CameraProjectsIntoThePicture) {
   for (const json& one : all.at("annotations")) {
     const glm::dvec3 p = vector(one.at("center_of_mass")) - vector(camera.at("eye"));
     const double depth = glm::dot(p, vector(camera.at("forward")));
-    const double x = camera.at("principal_point").at(0).get<double>() + focal * glm::dot(p, vector(camera.at("right"))) / depth;
-    const double y = camera.at("principal_point").at(1).get<double>() + focal * glm::dot(p, vector(camera.at("down"))) / depth;
+    const double x =
+        camera.at("principal_point").at(0).get<double>() + focal * glm::dot(p, vector(camera.at("right"))) / depth;
+    const double y =
+        camera.at("principal_point").at(1).get<double>() + focal * glm::dot(p, vector(camera.at("down"))) / depth;
     const json& box = one.at("amodal_bbox");
     EXPECT_NEAR(x, box.at(0).get<double>() + 0.5 * box.at(2).get<double>(), 0.2 * box.at(2).get<double>());
     EXPECT_NEAR(y, box.at(1).get<double>() + 0.5 * box.at(3).get<double>(), 0.2 * box.at(3).get<double>());
@@ -326,8 +332,8 @@ TEST(GroundTruth, OfWhatOneSeesThroughIsRefused) {
   EXPECT_THROW(ground_truth(scene, options()), Error);
 }
 
-/// Well inside and well outside of outlines the picture by OpenGL shows what the ids say: there a pixel's samples and its
-/// middle lie in the same instance.
+/// Well inside and well outside of outlines the picture by OpenGL shows what the ids say: there a pixel's samples and
+/// its middle lie in the same instance.
 TEST(GroundTruth, AgreesWithThePictureByOpenGl) {
   Scene scene = hiding_balls();
   scene.paper = Color(0, 0, 1);  // nothing else is blue

@@ -109,6 +109,15 @@ TEST(ReadTemplate, a_fruit_weighs_as_much_as_water_unless_it_is_said) {
   EXPECT_THROW(plum_with("format = 1", "format = 1\ndensity = 0.84"), Error) << "grams per cubic centimetre";
 }
 
+TEST(ReadTemplate, parts_have_the_fruits_density_unless_they_say_their_own) {
+  EXPECT_TRUE(read_template(root / "tests/template/good.toml").densities.empty());
+  const Template plum = plum_with("format = 1", "format = 1\ndensity = 1040\ndensities = { stone = 1180 }");
+  EXPECT_EQ(plum.parts, (std::vector<std::string>{"skin", "flesh", "stone"}));
+  EXPECT_EQ(plum.densities, (std::vector<double>{1040, 1040, 1180}));
+  EXPECT_THROW(plum_with("format = 1", "format = 1\ndensities = { stome = 1180 }"), Error) << "no such part";
+  EXPECT_THROW(plum_with("format = 1", "format = 1\ndensities = { stone = 0 }"), Error) << "lighter than air";
+}
+
 TEST(ReadTemplate, reads_bend_and_variation) {
   const Template plum = plum_with("[symmetry]",
                                   "[bend]\nangle = 20\nswing = -12\ndirection = 90\n\n[variation]\nsize = 0.1\n"

@@ -67,6 +67,14 @@ void weigh(PieceShape& shape, const WeldedMesh& mesh, const glm::dvec3& middle) 
   shape.inverse_inertia = glm::inverse(glm::dmat3(trace + least) - second);
 }
 
+/// By the parts inside, as far as they differ from the rest, of which the density counts as 1.
+void take_weight(PieceShape& shape, const RigidMass& weighed, double density) {
+  shape.center = weighed.center;
+  shape.mass = weighed.mass / density;
+  const double least = 1e-3 * shape.mass * shape.size * shape.size;
+  shape.inverse_inertia = glm::inverse(weighed.inertia / density + glm::dmat3(least));
+}
+
 double area_of(const WeldedMesh& mesh) {
   double area = 0;
   for (const glm::uvec3& t : mesh.triangle)
@@ -109,6 +117,8 @@ PieceShape piece_shape(const Solid& solid, double unit, int cells) {
   shape.size = glm::length(box.size());
   shape.up = largest_face(solid);
   weigh(shape, mesh, box.center());
+  const double volume = shape.mass;
+  if (solid.weighed) take_weight(shape, *solid.weighed, solid.density);
   for (glm::dvec3& p : mesh.position) {
     p -= shape.center;
     shape.radius = std::max(shape.radius, glm::length(p));
@@ -117,7 +127,7 @@ PieceShape piece_shape(const Solid& solid, double unit, int cells) {
   shape.box = {glm::vec3(moved.low), glm::vec3(moved.high)};
 
   // Grid and samples are fine enough for thin walls: two cells and three samples find them.
-  shape.thickness = 2 * shape.mass / area_of(mesh);
+  shape.thickness = 2 * volume / area_of(mesh);
   shape.distance = DistanceGrid(mesh.position, mesh.triangle,
                                 {.cells = cells, .finest = 0.6 * shape.thickness, .most_cells = 10 * cells});
   const double seen = std::min(unit, shape.size);

@@ -11,7 +11,7 @@
 
 namespace pomona {
 
-/// Lengths in metres, places about the centre of mass; the density counts as 1.
+/// Lengths in metres, places about the centre of mass; the density of what parts do not differ from counts as 1.
 struct PieceShape {
   glm::dvec3 center{0};  ///< of mass, in the solid's frame
   double mass = 0;
