@@ -12,6 +12,7 @@
 #include "cli/deliver.h"
 #include "cli/diffusers.h"
 #include "cli/fruit_source.h"
+#include "cli/live_fruit.h"
 #include "cli/outputs.h"
 #include "cli/piece_list.h"
 #include "generator/base/error.h"
@@ -40,7 +41,7 @@ struct CutCommand {
 /// A bare section has no solid to put into a scene format.
 std::vector<Format> formats_for(const CutCommand& command) {
   if (command.section) return {Format::ply, Format::png, Format::svg};
-  return {Format::ply, Format::glb, Format::pov, Format::png, Format::svg};
+  return {Format::ply, Format::glb, Format::pov, Format::png, Format::svg, Format::html, Format::pomona};
 }
 
 /// The section's file keeps what was diffused; its pictures show what pieces show.
@@ -67,6 +68,7 @@ void write_piece_files(const CutCommand& command, const std::vector<Output>& out
   const bool apart = command.explode > 1;
   const Scene moved = apart ? exploded(in_place, command.explode) : in_place;
   for (const Output& output : outputs) {
+    if (is_live(output.format)) continue;
     // A picture of pieces in their place would show a whole fruit: lay them out side by side.
     const bool is_picture = output.format == Format::png || output.format == Format::svg;
     delivery.add(output, is_picture && !apart ? laid_out(in_place) : moved);
@@ -87,6 +89,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command));
   check_levels(command.shared.lod, outputs);
+  if (any_live(outputs)) check_live_knives(knives);
   if (command.section && (command.explode > 1 || !command.pieces.empty())) {
     throw Error(ExitStatus::usage, "--explode and --pieces are about pieces: leave out --section");
   }
@@ -96,6 +99,11 @@ ExitStatus cut_fruit(const CutCommand& command) {
 
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
+  add_live(outputs, source, knives, command.shared, delivery);
+  if (all_live(outputs) && command.pieces.empty()) {
+    delivery.finish();
+    return ExitStatus::done;
+  }
   Slices slices = slice({source.grown, source.fruit, knives, source.name}, diffuser.get(),
                         {.cut = {.threads = {command.shared.threads}},
                          .pieces = !command.section,
@@ -127,7 +135,7 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("-o,--output", options->outputs, "What to write: .ply, .glb, .pov, .png or .svg")
+  command->add_option("-o,--output", options->outputs, "What to write: .ply, .glb, .pov, .png, .svg, .html or .pomona")
       ->type_name("FILE")
       ->required()
       ->expected(1)

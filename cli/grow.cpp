@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/deliver.h"
 #include "cli/fruit_source.h"
+#include "cli/live_fruit.h"
 #include "cli/outputs.h"
 #include "generator/piece/glass_surfaces.h"
 #include "generator/piece/slice.h"
@@ -39,7 +40,9 @@ std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Deliver
 ExitStatus grow_fruit(const GrowCommand& command) {
   // Outputs that cannot be are refused before anything is grown.
   const std::vector<Output> outputs =
-      parse_outputs(command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg});
+      parse_outputs(
+      command.outputs,
+      {Format::ply, Format::glb, Format::pov, Format::png, Format::svg, Format::html, Format::pomona});
   check_levels(command.shared.lod, outputs);
   Delivery delivery(command.shared);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
@@ -47,7 +50,9 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   // The drawn surfaces go out as they are; all other outputs share one scene of the whole fruit.
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
   std::optional<Scene> scene;
+  add_live(outputs, source, {}, command.shared, delivery);
   for (const Output& output : outputs) {
+    if (is_live(output.format)) continue;
     if (output.format == Format::ply) {
       const DiffusionSurfaces& surfaces = command.sheets ? source.grown.sheets : source.grown.swept;
       delivery.add(output.file, [&] { return write_surfaces(surfaces); });
@@ -70,7 +75,7 @@ DeclaredCommand grow_command(CLI::App& app) {
   const auto options = std::make_shared<GrowCommand>();
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
-  command->add_option("-o,--output", options->outputs, "What to write: .ply (surfaces), .glb, .pov, .png or .svg")
+  command->add_option("-o,--output", options->outputs, "What to write: .ply (surfaces), .glb, .pov, .png, .svg, .html or .pomona")
       ->type_name("FILE")
       ->required()
       ->expected(1)

@@ -16,12 +16,14 @@ namespace pomona {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, Format>, 6> endings = {{{".ply", Format::ply},
+constexpr std::array<std::pair<const char*, Format>, 8> endings = {{{".ply", Format::ply},
                                                                     {".glb", Format::glb},
                                                                     {".pov", Format::pov},
                                                                     {".png", Format::png},
                                                                     {".svg", Format::svg},
-                                                                    {".json", Format::json}}};
+                                                                    {".json", Format::json},
+                                                                    {".html", Format::html},
+                                                                    {".pomona", Format::pomona}}};
 
 std::string list_of(const std::vector<Format>& allowed) {
   std::string list;

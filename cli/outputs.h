@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-enum class Format { ply, glb, pov, png, svg, json };
+enum class Format { ply, glb, pov, png, svg, json, html, pomona };
 
 struct Output {
   std::filesystem::path file;

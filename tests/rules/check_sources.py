@@ -49,6 +49,7 @@ ROAD = [
     "render/diffusion",
     "render/export",
     "render/thumbnail",
+    "render/page",
     "cli",
 ]
 
@@ -61,6 +62,7 @@ HEAVY = {
     "pugixml": (r"pugixml\.hpp", r"generator/template/read/\w+\.cpp"),
     "tinygltf": (r"tiny_gltf\.h", r"generator/surface/file/glb_file\.cpp|render/export/gltf\.cpp|tests/render/export/read_glb\.cpp"),
     "libpng": (r"png\.h", r"render/image/\w+\.cpp|tests/\w+/\w+\.cpp"),
+    "zlib": (r"zlib\.h", r"render/page/deflate\.cpp"),
     "EGL": (r"EGL/", r"render/gl/\w+\.cpp"),
     "OSMesa": (r"GL/osmesa\.h", r"render/gl/\w+\.cpp"),
     "OpenGL": (r"GL/(?!osmesa)", r"render/gl/\w+\.(cpp|h)"),
@@ -75,7 +77,7 @@ HEAVY = {
 HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 
 # Folders whose values end up in files that must be the same on every machine.
-REPRODUCIBLE = ("generator/", "render/style/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/")
+REPRODUCIBLE = ("generator/", "render/style/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/", "render/page/")
 
 LIBM = "a?(?:sin|cos|tan)h?|atan2|sincos|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erf|tgamma|lgamma|fma"
 FORBIDDEN = [
