@@ -6,12 +6,16 @@ class Card {
     this.shaders = shaders;
   }
 
-  /** A shader's text with what it includes; texel buffers of pictures' shaders are rows of float textures here. */
+  /**
+   * A shader's text with what it includes; texel buffers of pictures' shaders are rows of float textures here, and of details
+   * one at a time is drawn, of the kind that KIND says. */
   text(name, seen = new Set()) {
     if (seen.has(name)) return '';
     seen.add(name);
     return this.shaders[name].replace(/^#include "(.*)"$/gm, (_, other) => this.text(other, seen))
       .replace(/uniform samplerBuffer/g, 'uniform highp sampler2D')
+      .replace('for (int i = 0; i < details_of_a_face; ++i) {', 'for (int i = detail_number; i <= detail_number; ++i) {')
+      .replace('pattern_at(detail, int(head.x), ', 'pattern_at(detail, KIND, ')
       .replace(/texelFetch\((noise_styles|detail_styles|materials), ([^()]*)\)/g, 'texelFetch($1, ivec2($2, 0), 0)');
   }
 

@@ -30,7 +30,7 @@ vec2 spiral(int i, int count, float turn) {
 // [Fernando 2005].
 float sun_seen(vec3 p, vec3 n) {
   vec3 q = (to_sun * vec4(p + 0.8 * n, 1.0)).xyz * 0.5 + 0.5;
-  if (any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0)))) return 1.0;
+  if (any(lessThan(q, vec3(0.0))) || any(greaterThan(q, vec3(1.0)))) return 1.0;
   float turn = turn_at(gl_FragCoord.xy), here = q.z - shadow_ways.y, gap = 0.0, found = 0.0;
   for (int i = 0; i < 8; ++i) {
     float other = textureLod(sun_map, q.xy + shadow_ways.x * spiral(i, 8, turn), 0.0).r;
@@ -60,7 +60,6 @@ vec3 painted(vec3 color, vec2 how) {
 #ifdef GROUND
 in vec3 there;
 uniform vec4 wash;  // colour of shadow on white paper; strength
-uniform float reach;
 layout(location = 0) out vec4 pixel;
 
 // What hangs over the table takes its sky, the more the lower it hangs.
@@ -76,14 +75,12 @@ float open_sky() {
 }
 
 void main() {
-  float far = length(there.xz - vec2(0.0));
   float sun_part = sun_seen(there, vec3(0.0, 1.0, 0.0)), sky_part = mix(1.0, open_sky(), ground_plane.w);
   vec3 shade = mix(wash.rgb, vec3(1.0), sun_part) * mix(0.72 * wash.rgb, vec3(1.0), sky_part);
   shade = mix(vec3(1.0), shade, wash.a);
-  // The paper lies behind the canvas: what is drawn here is how much of it the wash hides, and with what.
-  float dark = 1.0 - min(shade.r, min(shade.g, shade.b));
-  vec3 tint = dark > 0.0 ? clamp((shade - (1.0 - dark)) / dark, 0.0, 1.0) : vec3(0.0);
-  pixel = vec4(srgb_from_linear(tint) * dark, dark) * (1.0 - smoothstep(0.6, 1.0, far / reach));
+  // The paper lies behind the canvas: drawn is how much of it the wash hides.
+  float dark = 1.0 - dot(srgb_from_linear(shade), vec3(1.0 / 3.0));
+  pixel = vec4(0.30 * srgb_from_linear(wash.rgb) * dark, dark);
 }
 #endif
 #endif

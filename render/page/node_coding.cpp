@@ -79,9 +79,9 @@ class Walk {
   int last_ = 0;
 };
 
-// Differences up to 4 are exact; from there on every third stands for those beside it, and beyond 22 every fifth: large
+// Differences of 0 and 1 are exact; from there on every third stands for those beside it, and beyond 22 every fifth: large
 // ones lie beside surfaces, whose own colours tell more there.
-constexpr int exact = 4, thirds = 10;
+constexpr int exact = 1, thirds = 8;
 
 int size_of(int code) {
   return code <= exact ? code : code <= thirds ? exact + 3 * (code - exact) : exact + 3 * (thirds - exact) + 5 * (code - thirds);

@@ -5,7 +5,6 @@ const colorOf = (hex) => [1, 3, 5].map((at) => {
   const c = parseInt(hex.slice(at, at + 2), 16) / 255;
   return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 });
-const softwarePixels = 40; // pixels of a face in a millisecond; below this a card is none
 
 class Picture {
   constructor(canvas, {shaders, style}) {
@@ -13,10 +12,13 @@ class Picture {
     this.style = style;
     const card = this.card = new Card(canvas, shaders), gl = this.gl = card.gl;
     if (!gl) return;
-    this.programs = Object.fromEntries([['look', 'section.glsl', 'LOOK'], ['paint', 'section.glsl', 'STYLE'], ['face', 'section.glsl', 'SHOW'],
+    this.programs = Object.fromEntries([['look', 'section.glsl', 'LOOK'], ['tone', 'section.glsl', 'TONE'], ['lines', 'section.glsl', 'INK'], ['face', 'section.glsl', 'SHOW'],
       ['faceDepth', 'section.glsl', 'DEPTH'], ['facePick', 'section.glsl', 'PICK'], ['skin', 'skin.glsl', 'SHOW'], ['hull', 'skin.glsl', 'HULL'],
       ['skinDepth', 'skin.glsl', 'DEPTH'], ['skinPick', 'skin.glsl', 'PICK'], ['ground', 'ground.glsl', 'GROUND']]
       .map(([name, file, mode]) => [name, card.program(file, [mode])]));
+    // Programs that stand for a card take minutes over patterns; they get noise alone.
+    const about = gl.getExtension('WEBGL_debug_renderer_info');
+    this.isSoftware = /swiftshader|llvmpipe|software|basic render/i.test(about ? gl.getParameter(about.UNMASKED_RENDERER_WEBGL) : '');
     this.empty = gl.createVertexArray();
     this.profiles = card.texture(gl.TEXTURE_2D, gl.NEAREST, (t) => gl.texStorage2D(t, 1, gl.R32F, profilePlaces, 4));
     this.sun = card.target(1024, 1024, [[gl.RGBA8, gl.NEAREST]], true);
@@ -43,7 +45,7 @@ class Picture {
     this.skin = this.card.vertices(skin, [3, 3, 3, 1]);
     // Until the rest is there, nothing is known of noise and materials.
     const plain = [1, 0.3, 1, 0, 1, 1, 1, 0, 0.7, 0.8, 0.8, 100, 0, 0, 0, 0, 0.4, 0, 0, 0];
-    this.takeLook({noise: new Float32Array(0), details: new Float32Array(0), skinShare: new Uint8Array(0),
+    this.takeLook({noise: new Float32Array(0), details: new Float32Array(0),
       materials: Float32Array.from(header.parts.flatMap(() => plain))});
   }
 
@@ -59,14 +61,21 @@ class Picture {
     const {guide} = this.header;
     this.guide = card.volume(guide ? guide.count : [1, 1, 1], gl.RGBA16F, gl.RGBA, gl.FLOAT, guide ? rest.guide : new Float32Array(4), gl.LINEAR);
     this.shares = card.table(32, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, guide ? rest.share : new Uint8Array(128), 4, gl.LINEAR);
+    // A program for each kind of detail that cut faces have: their texels begin with the kind, -1 for none.
+    const kinds = new Map();
+    this.details = [];
+    for (let i = 0; guide && !this.isSoftware && i < 4 && 28 * i < rest.details.length; ++i) {
+      const kind = rest.details[28 * i];
+      if (kind < 0) continue;
+      if (!kinds.has(kind)) kinds.set(kind, card.program('section.glsl', ['DETAIL', `KIND ${kind}`]));
+      this.details.push({number: i, program: kinds.get(kind)});
+    }
     this.ready = true;
   }
 
-  takeLook({noise, details, materials, skinShare}) {
+  takeLook({noise, details, materials}) {
     const {gl, card} = this;
     this.look = {noise_styles: card.floats(noise, gl.NEAREST), detail_styles: card.floats(details, gl.NEAREST), materials: card.floats(materials, gl.NEAREST)};
-    const shares = skinShare.length ? skinShare : new Uint8Array(4 * this.header.parts.length);
-    this.skinShares = card.table(shares.length / 4, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, shares, 4);
   }
 
   // ---- Faces. ----
@@ -103,22 +112,39 @@ class Picture {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
+  /** Noise, details one by one, lines: each pass reads what the one before it has left. */
   drawPaint(face, k) {
-    const {gl, card, header, style} = this, u = card.use(this.programs.paint), {guide} = header;
-    this.setFrame(u, face.frame, k);
-    card.bind(u.bare, 0, face.bare.colors[0]);
-    card.bind(u.tags, 1, face.bare.colors[1]);
-    card.bind(u.guide, 2, this.guide);
-    card.bind(u.shares, 3, this.shares);
-    card.bind(u.noise_styles, 5, this.look.noise_styles);
-    card.bind(u.detail_styles, 6, this.look.detail_styles);
-    gl.uniform1i(u.painted_noise, this.hasNoise ? 1 : 0);
-    gl.uniform3fv(u.guide_scale, Array(3).fill(guide ? 1 / guide.stride : 1));
-    gl.uniform4f(u.guide_depth, guide ? guide.deepest : 1, header.parts.length, guide ? 1 : 0, 0);
-    gl.uniform4fv(u.lattice, this.lattice);
-    gl.uniform4f(u.ink, ...this.ink, style.lines ? style.inner_opacity : 0);
-    gl.uniform1f(u.ink_width, 0.34 * style.inner * header.ink_width * face.size);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    const {gl, card, header, style} = this, {guide} = header, left = [0, 1].map(() => card.target(face.size, face.size, [[gl.SRGB8_ALPHA8, gl.NEAREST]]));
+    let before = face.bare;
+    const pass = (program, target, set) => {
+      const u = card.use(program);
+      this.setFrame(u, face.frame, k);
+      card.bind(u.bare, 0, face.bare.colors[0]);
+      card.bind(u.tags, 1, face.bare.colors[1]);
+      card.bind(u.before, 2, before.colors[0]);
+      card.bind(u.noise_styles, 5, this.look.noise_styles);
+      gl.uniform4fv(u.lattice, this.lattice);
+      if (set) set(u);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      before = target;
+    };
+    if (this.hasNoise) pass(this.programs.tone, left[0]);
+    for (const {number, program} of this.hasNoise ? this.details : []) {
+      pass(program, before === left[0] ? left[1] : left[0], (u) => {
+        gl.uniform1i(u.detail_number, number);
+        card.bind(u.detail_styles, 6, this.look.detail_styles);
+        card.bind(u.guide, 3, this.guide);
+        card.bind(u.shares, 7, this.shares);
+        gl.uniform1f(u.guide_scale, 1 / guide.stride);
+        gl.uniform2f(u.guide_depth, guide.deepest, header.parts.length);
+      });
+    }
+    pass(this.programs.lines, face.styled, (u) => {
+      gl.uniform4f(u.ink, ...this.ink, style.lines ? style.inner_opacity : 0);
+      gl.uniform1f(u.ink_width, 0.34 * style.inner * header.ink_width * face.size);
+    });
+    left.forEach((target) => card.drop(target));
   }
 
   newFace(knife, size) {
@@ -148,7 +174,6 @@ class Picture {
     face.row = end;
     if (end === face.size) {
       gl.disable(gl.SCISSOR_TEST);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, face.styled.buffer);
       this.drawPaint(face, k);
       gl.activeTexture(gl.TEXTURE15);
       gl.bindTexture(gl.TEXTURE_2D, face.styled.colors[0].texture);
@@ -288,8 +313,6 @@ class Picture {
       gl.uniform4f(u.ground_plane, table, 0.5 * fruit.size, style.shadow.strength, style.light.occlusion);
       card.bind(u.materials, 7, this.look.materials);
       card.bind(u.noise_styles, 5, this.look.noise_styles);
-      card.bind(u.detail_styles, 6, this.look.detail_styles);
-      card.bind(u.skin_shares, 8, this.skinShares);
       gl.uniform4fv(u.lattice, this.lattice);
       gl.uniform3fv(u.eye, camera.eye);
       gl.uniform4f(u.ink, ...this.ink, 1);
@@ -305,7 +328,6 @@ class Picture {
     light(ground);
     gl.uniformMatrix4fv(ground.camera, false, camera.view);
     gl.uniform4f(ground.ground, middle[0], table, middle[2], 3 * radius);
-    gl.uniform1f(ground.reach, 1e6);
     gl.uniform4f(ground.wash, ...shadow, style.shadow.strength);
     gl.bindVertexArray(this.empty);
     gl.enable(gl.BLEND);

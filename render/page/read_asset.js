@@ -120,9 +120,9 @@ const Asset = (() => {
 
   // ---- Colours of nodes (node_coding.h). ----
 
-  // What a symbol stands for: differences up to 4 exactly, larger ones in steps of 3 and 5.
+  // What a symbol stands for: differences of 0 and 1 exactly, larger ones in steps of 3 and 5.
   const differenceOf = Int32Array.from({length: 256}, (_, symbol) => {
-    const code = symbol + 1 >> 1, size = code <= 4 ? code : code <= 10 ? 4 + 3 * (code - 4) : 22 + 5 * (code - 10);
+    const code = symbol + 1 >> 1, size = code <= 1 ? code : code <= 8 ? 1 + 3 * (code - 1) : 22 + 5 * (code - 8);
     return symbol & 1 ? -size : size;
   });
   const weightOf = Int32Array.from({length: 256}, (_, d) => Math.max(1, Math.floor(1024 / (1 + d * d))));

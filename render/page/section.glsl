@@ -1,5 +1,5 @@
-// Cut faces. LOOK: their bare colours, into a texture that a knife's face is parametrised by; STYLE: noise, detail and
-// ink on them; SHOW: the face as it stands in the picture, lit; DEPTH and PICK: what shadows and the pointer ask.
+// Cut faces. LOOK: their bare colours, into a texture that a knife's face is parametrised by; TONE, DETAIL and INK: noise,
+// details one by one, and lines on them; SHOW: the face as it stands in the picture, lit; DEPTH and PICK: what shadows and the pointer ask.
 #ifdef VERTEX
 // A strip across the face: flat knives have one column, others many.
 uniform int columns;
@@ -10,7 +10,7 @@ uniform highp sampler2D profiles;
 out vec2 place;
 centroid out vec3 in_fruit;
 void main() {
-#if defined(LOOK) || defined(STYLE)
+#if defined(LOOK) || defined(TONE) || defined(DETAIL) || defined(INK)
   vec2 st = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
   place = st;
   in_fruit = vec3(0.0);
@@ -40,7 +40,7 @@ float profile_at(int knife, float s) {
   return mix(a, b, at - low);
 }
 
-#if defined(STYLE) || defined(SHOW)
+#if defined(TONE) || defined(DETAIL) || defined(INK) || defined(SHOW)
 #include "noise.glsl"
 #endif
 
@@ -58,19 +58,56 @@ void main() {
 }
 #endif
 
-#ifdef STYLE
-uniform sampler2D bare, tags;
-uniform highp sampler3D guide;  // to the skin and the depth of the layer, metres; every stride-th node
-uniform sampler2D shares;       // by depth and part
-uniform vec3 guide_scale;       // from cells to the guide's texture
-uniform vec4 guide_depth;       // deepest, metres; parts; whether there is one
-uniform vec4 lattice;           // origin, spacing: metres
-uniform bool painted_noise;
-uniform vec4 ink;               // colour, opacity
-uniform float ink_width;        // texels to either side
+#if defined(TONE) || defined(DETAIL) || defined(INK)
+uniform sampler2D bare, tags, before;  // before: what the pass before this one has left
 layout(location = 0) out vec4 styled;
 
 vec4 bare_at(ivec2 at) { return texelFetch(bare, clamp(at, ivec2(0), textureSize(bare, 0) - 1), 0); }
+#endif
+
+#if defined(TONE) || defined(DETAIL)
+uniform vec4 lattice;  // origin, spacing: metres
+
+vec3 cells_here() {
+  return face_origin + place.x * face_u + place.y * face_v + profile_at(knife_number, place.x) * face_n;
+}
+float footprint_here() { return lattice.w * 2.0 * length(face_u) / float(textureSize(bare, 0).x); }
+#endif
+
+#ifdef TONE
+void main() {
+  vec4 here = bare_at(ivec2(gl_FragCoord.xy));
+  if (here.a == 0.0) discard;
+  styled = vec4(modulated(here.rgb, lattice.xyz + lattice.w * cells_here(), footprint_here(), 0), 1.0);
+}
+#endif
+
+#ifdef DETAIL
+// One detail at a time, of a kind that is known when this is compiled: all in one are more than software renderers can
+// translate in a minute.
+uniform int detail_number;
+#include "detail.glsl"
+uniform highp sampler3D guide;  // to the skin and the depth of the layer, metres; every stride-th node
+uniform sampler2D shares;       // by depth and part
+uniform float guide_scale;      // from cells to the guide's nodes
+uniform vec2 guide_depth;       // the deepest, metres; parts
+
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec4 here = bare_at(at);
+  if (here.a == 0.0) discard;
+  vec3 g = cells_here();
+  vec4 way_layer = texture(guide, (g * guide_scale + 0.5) / vec3(textureSize(guide, 0)));
+  float part = texelFetch(tags, at, 0).r * 255.0 - 1.0, depth = clamp(length(way_layer.xyz) / guide_depth.x, 0.0, 1.0);
+  vec4 share = texture(shares, vec2((depth * 31.0 + 0.5) / 32.0, (part + 0.5) / guide_depth.y));
+  vec3 color = texelFetch(before, at, 0).rgb;
+  styled = vec4(detailed(color, here.rgb, lattice.xyz + lattice.w * g, footprint_here(), 0, true, way_layer, share), 1.0);
+}
+#endif
+
+#ifdef INK
+uniform vec4 ink;         // colour, opacity
+uniform float ink_width;  // texels to either side
 
 // Where the bare colour jumps between two sides of the place: how sharply, in OKLab.
 float jump(ivec2 at, vec2 way) {
@@ -80,8 +117,7 @@ float jump(ivec2 at, vec2 way) {
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  vec4 here = bare_at(at);
-  if (here.a == 0.0) {
+  if (bare_at(at).a == 0.0) {
     // Beyond the rim the colours beside it go on, for when the texture is seen smaller.
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 8; ++i) {
@@ -92,13 +128,7 @@ void main() {
     styled = vec4(sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0), 0.0);
     return;
   }
-  vec3 g = face_origin + place.x * face_u + place.y * face_v + profile_at(knife_number, place.x) * face_n;
-  vec3 position = lattice.xyz + lattice.w * g;
-  float footprint = lattice.w * 2.0 * length(face_u) / float(textureSize(bare, 0).x);
-  vec3 color = here.rgb;
-  if (painted_noise) {
-    color = modulated(color, position, footprint, 0);
-  }
+  vec3 color = texelFetch(before, at, 0).rgb;
   if (ink.a > 0.0) {
     // The hand presses now more, now less.
     float hand = 0.75 + 0.5 * gradient_noise(vec3(place * 9.0, 0.5), 77u);

@@ -15,8 +15,8 @@ onmessage = async ({data: text}) => {
     Asset.addWindings(fruit);
     Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(Asset.header(bytes, bytes.length))));
     const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
-    const {noise, details, materials, skinShare, guide, share, winding} = fruit;
-    postMessage({grid, cell, list, triangle, low, high, noise, details, materials, skinShare, guide, share, winding},
+    const {noise, details, materials, guide, share, winding} = fruit;
+    postMessage({grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding},
       [grid.buffer, cell.buffer, list.buffer, triangle.buffer, winding.buffer]);
   } catch (error) {
     postMessage({error: String(error && error.message || error)});
