@@ -113,7 +113,7 @@
     changedKnives();
     sayPieces();
   }
-  const plain = (turn, tilt) => { stopDrawing(); setKnives([new Knife(picture.fruit, turn, tilt, 0)]); lookAtFace(); };
+  const plain = (turn, tilt) => { stopDrawing(); setKnives([new Knife(picture.fruit, turn, tilt, 0)], {open: 1}); lookAtFace(); };
   function cutAgain() {
     const knife = current();
     if (!knife || state.knives.length >= most) return;

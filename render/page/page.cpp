@@ -24,9 +24,23 @@ std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view n
   throw Error(ExitStatus::bug, "a page has no file " + std::string(name));
 }
 
+/// Without the lines that only comment: they are for those who read the sources.
+std::string code_of(std::string_view text) {
+  std::string code;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end);
+    const std::size_t first = line.find_first_not_of(" \n");
+    if (first == std::string_view::npos || line.substr(first, 2) == "//") continue;
+    code += line.substr(first);
+  }
+  return code;
+}
+
 std::string joined(std::initializer_list<std::string_view> names) {
   std::string text;
-  for (const std::string_view name : names) text += text_of(page_files(), name);
+  for (const std::string_view name : names) text += code_of(text_of(page_files(), name));
   return text;
 }
 
@@ -41,9 +55,9 @@ std::string safe_in_script(const std::string& json) {
 ordered_json shaders() {
   ordered_json all;
   for (const char* name : {"color.glsl", "noise.glsl", "detail.glsl", "material.glsl", "lit.glsl"})
-    all[name] = text_of(embedded_shaders(), name);
+    all[name] = code_of(text_of(embedded_shaders(), name));
   for (const char* name : {"look.glsl", "section.glsl", "skin.glsl", "ground.glsl"})
-    all[name] = text_of(page_files(), name);
+    all[name] = code_of(text_of(page_files(), name));
   return all;
 }
 
