@@ -12,6 +12,7 @@
 #include "cli/deliver.h"
 #include "cli/diffusers.h"
 #include "cli/fruit_source.h"
+#include "cli/live_fruit.h"
 #include "cli/option_checks.h"
 #include "cli/outputs.h"
 #include "cli/piece_list.h"
@@ -45,7 +46,8 @@ struct CutCommand {
 /// A bare section has no solid to put into a scene format.
 std::vector<Format> formats_for(const CutCommand& command) {
   if (command.section) return {Format::ply, Format::png, Format::svg};
-  return {Format::ply, Format::glb, Format::usda, Format::obj, Format::stl, Format::pov, Format::png, Format::svg};
+  return {Format::ply, Format::glb, Format::usda, Format::obj,  Format::stl,
+          Format::pov, Format::png, Format::svg,  Format::html, Format::pomona};
 }
 
 /// The section's file keeps what was diffused; its pictures show what pieces show.
@@ -68,6 +70,7 @@ void write_piece_files(const CutCommand& command, const std::vector<Output>& out
   const bool apart = command.explode > 1;
   const Scene moved = apart ? exploded(in_place, command.explode) : in_place;
   for (const Output& output : outputs) {
+    if (is_live(output.format)) continue;
     // A picture of pieces in their place would show a whole fruit: lay them out side by side.
     const bool is_picture = output.format == Format::png || output.format == Format::svg;
     delivery.add(output, is_picture && !apart ? laid_out(in_place) : moved);
@@ -89,6 +92,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command), command.shared.format);
   check_exports(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
+  if (any_live(outputs)) check_live_knives(knives);
   if (command.section &&
       (command.explode > 1 || command.piece > 0 || !command.pieces.empty() || !command.shared.aov.empty())) {
     throw Error(ExitStatus::usage, "--explode, --piece, --pieces and --aov are about pieces: leave out --section");
@@ -101,6 +105,11 @@ ExitStatus cut_fruit(const CutCommand& command) {
 
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
+  add_live(outputs, source, knives, command.shared, delivery);
+  if (all_live(outputs) && command.pieces.empty()) {
+    delivery.finish();
+    return ExitStatus::done;
+  }
   CutOptions how = command.faces == "coarse" ? coarse_cut : CutOptions{};
   how.threads = {command.shared.threads};
   SliceTask task = slice_task(source, knives, command.piece);
@@ -141,7 +150,7 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       ->add_option("-o,--output", options->outputs,
-                   "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png or .svg; - is standard output")
+                   "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard output")
       ->type_name("FILE")
       ->required()
       ->expected(1)

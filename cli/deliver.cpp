@@ -138,7 +138,9 @@ void Delivery::add(const Output& output, const Scene& scene) {
     case Format::svg:
       return add_lines(output, scene);
     case Format::json:
-      throw Error(ExitStatus::bug, "a layout is not a delivery's business");
+    case Format::html:
+    case Format::pomona:
+      throw Error(ExitStatus::bug, "layouts, pages and assets are no scenes");
   }
 }
 

@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/deliver.h"
 #include "cli/fruit_source.h"
+#include "cli/live_fruit.h"
 #include "cli/option_checks.h"
 #include "cli/outputs.h"
 #include "cli/ripeness_variants.h"
@@ -46,7 +47,8 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   // Outputs that cannot be are refused before anything is grown.
   const std::vector<Output> outputs =
       parse_outputs(command.outputs,
-                    {Format::ply, Format::glb, Format::usda, Format::obj, Format::stl, Format::pov, Format::png, Format::svg},
+                    {Format::ply, Format::glb, Format::usda, Format::obj, Format::stl, Format::pov, Format::png,
+                     Format::svg, Format::html, Format::pomona},
                     command.shared.format);
   check_exports(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
@@ -61,7 +63,9 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   // The drawn surfaces go out as they are; all other outputs share one scene of the whole fruit.
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
   std::optional<Scene> scene;
+  add_live(outputs, source, {}, command.shared, delivery);
   for (const Output& output : outputs) {
+    if (is_live(output.format)) continue;
     if (output.format == Format::ply) {
       const DiffusionSurfaces& surfaces = command.sheets ? source.grown.sheets : source.grown.swept;
       delivery.add(output.file, [&] { return write_surfaces(surfaces); });
@@ -91,7 +95,8 @@ DeclaredCommand grow_command(CLI::App& app) {
       ->required();
   command
       ->add_option("-o,--output", options->outputs,
-                   "What to write: .ply (surfaces), .glb, .usda, .obj, .stl, .pov, .png or .svg; - is standard output")
+                   "What to write: .ply (surfaces), .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard "
+                   "output")
       ->type_name("FILE")
       ->required()
       ->expected(1)

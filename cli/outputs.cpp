@@ -18,7 +18,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, Format>, 9> endings = {{{".ply", Format::ply},
+constexpr std::array<std::pair<const char*, Format>, 11> endings = {{{".ply", Format::ply},
                                                                     {".glb", Format::glb},
                                                                     {".usda", Format::usda},
                                                                     {".obj", Format::obj},
@@ -26,7 +26,9 @@ constexpr std::array<std::pair<const char*, Format>, 9> endings = {{{".ply", For
                                                                     {".pov", Format::pov},
                                                                     {".png", Format::png},
                                                                     {".svg", Format::svg},
-                                                                    {".json", Format::json}}};
+                                                                    {".json", Format::json},
+                                                                    {".html", Format::html},
+                                                                    {".pomona", Format::pomona}}};
 
 std::string list_of(const std::vector<Format>& allowed) {
   std::string list;

@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-enum class Format { ply, glb, usda, obj, stl, pov, png, svg, json };
+enum class Format { ply, glb, usda, obj, stl, pov, png, svg, json, html, pomona };
 
 struct Output {
   std::filesystem::path file;

@@ -68,7 +68,8 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
           "--diffuser", options.diffuser,
           "How colour diffuses: cpu = positive mean values, gl = the same by OpenGL, auto = gl on a graphics card")
       ->check(one_of({"cpu", "gl", "harmonic", "walk", "auto"}))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->each([&options](const std::string&) { options.diffuser_given = true; });
   command.add_option("--quality", options.quality, "The error of the diffusion, nothing else")
       ->check(one_of({"draft", "final", "reference"}))
       ->capture_default_str();

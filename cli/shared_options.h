@@ -30,6 +30,7 @@ struct SharedOptions {
   bool curves_only = false;
   int threads = 0;
   std::string diffuser = "cpu";
+  bool diffuser_given = false;
   std::string quality = "final";
   double detail = 1.0;
   std::string style;         ///< name or path; none = what the scene says, or ink

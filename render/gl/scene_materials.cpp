@@ -26,6 +26,11 @@ std::array<glm::vec4, texels_each> texels_of(const MaterialSketch& m) {
 
 }  // namespace
 
+std::vector<glm::vec4> material_texels(const MaterialSketch& material) {
+  const std::array<glm::vec4, texels_each> texels = texels_of(material);
+  return {texels.begin(), texels.end()};
+}
+
 float SceneMaterials::number_of(const MaterialSketch& material) {
   const std::array<glm::vec4, texels_each> texels = texels_of(material);
   std::vector<float> key;

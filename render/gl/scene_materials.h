@@ -10,6 +10,9 @@
 
 namespace pomona {
 
+/// One material's texels.
+std::vector<glm::vec4> material_texels(const MaterialSketch& material);
+
 /// Every different material once.
 class SceneMaterials {
  public:

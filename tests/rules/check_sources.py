@@ -52,6 +52,7 @@ ROAD = [
     "render/export/gltf",
     "render/export/usd",
     "render/thumbnail",
+    "render/page",
     "cli",
 ]
 
@@ -66,6 +67,7 @@ HEAVY = {
     "libpng": (r"png\.h", r"render/image/\w+\.cpp|tests/\w+/\w+\.cpp"),
     "OpenEXR": (r"Imf\w+\.h", r"render/truth/truth_exr\.cpp|tests/\w+/\w+\.cpp"),
     "MurmurHash": (r"murmurhash\.h", r"render/truth/cryptomatte\.cpp"),
+    "zlib": (r"zlib\.h", r"render/page/deflate\.cpp"),
     "EGL": (r"EGL/", r"render/gl/\w+\.cpp"),
     "OSMesa": (r"GL/osmesa\.h", r"render/gl/\w+\.cpp"),
     "OpenGL": (r"GL/(?!osmesa)", r"render/gl/\w+\.(cpp|h)"),
@@ -80,7 +82,7 @@ HEAVY = {
 HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 
 # Folders whose values end up in files that must be the same on every machine.
-REPRODUCIBLE = ("generator/", "render/style/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/")
+REPRODUCIBLE = ("generator/", "render/style/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/", "render/page/")
 
 LIBM = "a?(?:sin|cos|tan)h?|atan2|sincos|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erf|tgamma|lgamma|fma"
 FORBIDDEN = [

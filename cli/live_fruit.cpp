@@ -1,0 +1,85 @@
+#include "cli/live_fruit.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "cli/diffusers.h"
+#include "cli/version.h"
+#include "generator/base/error.h"
+#include "generator/knife/knife_planes.h"
+#include "render/page/asset_file.h"
+#include "render/page/make_asset.h"
+#include "render/page/page.h"
+
+namespace pomona {
+
+namespace {
+
+/// Whether a page can open with it: a plane right through the fruit, or several.
+bool is_planes(const Knife& knife) {
+  const PlaneCut* cut = std::get_if<PlaneCut>(&knife.cut);
+  if (cut == nullptr || std::holds_alternative<StrokeKnife>(*cut) || std::holds_alternative<CrinkleKnife>(*cut))
+    return false;
+  const WedgeKnife* wedges = std::get_if<WedgeKnife>(cut);
+  return wedges == nullptr || wedges->count % 2 == 0;
+}
+
+std::vector<CuttingPlane> planes_in(std::span<const Knife> knives, const Box<double>& bounds) {
+  std::vector<CuttingPlane> planes;
+  for (const Knife& knife : knives) {
+    for (const CuttingPlane& plane : planes_of(knife, bounds).planes) planes.push_back(plane);
+  }
+  if (planes.size() > most_page_cuts) {
+    throw Error(ExitStatus::usage,
+                "a page opens with " + std::to_string(most_page_cuts) + " planes at most; these knives have " +
+                    std::to_string(planes.size()),
+                "take a knife of fewer planes: the page has knives of its own");
+  }
+  return planes;
+}
+
+Asset asset_of(const FruitSource& source, const SharedOptions& options, Delivery& delivery) {
+  std::unique_ptr<Diffuser> diffuser;
+  if (options.diffuser_given && options.diffuser != "harmonic") diffuser = make_diffuser(options, delivery.progress);
+  const MakeAssetOptions how{.quality = options.quality == "draft" ? Quality::draft : Quality::final,
+                         .diffuser = diffuser.get(),
+                         .threads = {options.threads}};
+  return delivery.times.time("asset", [&] {
+    return make_asset({source.grown, source.fruit, source.name, options.seed}, how);
+  });
+}
+
+}  // namespace
+
+bool any_live(const std::vector<Output>& outputs) {
+  return std::any_of(outputs.begin(), outputs.end(), [](const Output& output) { return is_live(output.format); });
+}
+
+bool all_live(const std::vector<Output>& outputs) {
+  return std::all_of(outputs.begin(), outputs.end(), [](const Output& output) { return is_live(output.format); });
+}
+
+void check_live_knives(std::span<const Knife> knives) {
+  for (const Knife& knife : knives) {
+    if (is_planes(knife)) continue;
+    throw Error(ExitStatus::usage, "--knife " + knife.text + ": a page opens with planes that go right through",
+                "half, across, plane:..., an even number of wedges; the page has knives of its own for all else");
+  }
+}
+
+void add_live(const std::vector<Output>& outputs, const FruitSource& source, std::span<const Knife> knives,
+              const SharedOptions& options, Delivery& delivery) {
+  if (!any_live(outputs)) return;
+  const std::vector<CuttingPlane> planes = planes_in(knives, bounds_of(source.grown.sheets));
+  const Asset asset = asset_of(source, options, delivery);
+  const std::string made_by = std::string("pomona ") + version + ", seed " + std::to_string(options.seed);
+  for (const Output& output : outputs) {
+    if (output.format == Format::pomona) delivery.add(output.file, [&] { return write_asset(asset, made_by); });
+    if (output.format == Format::html)
+      delivery.add(output.file, [&] { return write_page(asset, {.style = delivery.style(), .cuts = planes, .made_by = made_by}); });
+  }
+}
+
+}  // namespace pomona

@@ -1,0 +1,28 @@
+// Fruit that is cut after it has left the program: -o FILE.html and -o FILE.pomona of grow and cut.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cli/deliver.h"
+#include "cli/fruit_source.h"
+#include "cli/outputs.h"
+#include "cli/shared_options.h"
+#include "generator/knife/knife.h"
+
+namespace pomona {
+
+constexpr bool is_live(Format format) { return format == Format::html || format == Format::pomona; }
+bool any_live(const std::vector<Output>& outputs);
+bool all_live(const std::vector<Output>& outputs);
+
+/// Adds the outputs that are live; a page opens with the planes of these knives. The colours of the grid are those of
+/// true diffusion unless --diffuser says otherwise.
+/// \throws Error (usage) for knives that are no planes, or too many; (bad_data) as make_asset().
+void add_live(const std::vector<Output>& outputs, const FruitSource& source, std::span<const Knife> knives,
+              const SharedOptions& options, Delivery& delivery);
+
+/// What add_live() would say of the knives. \throws Error (usage)
+void check_live_knives(std::span<const Knife> knives);
+
+}  // namespace pomona

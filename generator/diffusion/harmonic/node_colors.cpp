@@ -1,0 +1,45 @@
+#include "generator/diffusion/harmonic/node_colors.h"
+
+#include <utility>
+
+#include "generator/diffusion/harmonic/grid_options.h"
+#include "generator/diffusion/harmonic/multigrid.h"
+#include "generator/diffusion/harmonic/solve_field.h"
+
+namespace pomona {
+
+namespace {
+
+/// Weights below this are those of nodes from which no walk ends anywhere (field_look_up.cpp).
+constexpr float never = 1e-6f;
+
+}  // namespace
+
+NodeColors solved_nodes(const DiffusionSurfaces& surfaces, const HarmonicOptions& options) {
+  const GridOptions grid = grid_options(surfaces, options);
+  PreparedField prepared = prepared_field(surfaces, grid);
+  const std::vector<GridLevel> levels =
+      solved(std::move(prepared.levels), {.cycles = grid.cycles, .threads = grid.threads});
+  const GridLevel& level = levels[prepared.patch_count];
+
+  // Stored nodes come in runs along x; the others stay unknown.
+  NodeColors nodes{.lattice = level.lattice, .color = {}, .known = {}};
+  const auto nx = static_cast<std::size_t>(level.lattice.count[0]), ny = static_cast<std::size_t>(level.lattice.count[1]);
+  nodes.color.assign(nx * ny * static_cast<std::size_t>(level.lattice.count[2]), Color(0));
+  nodes.known.assign(nodes.color.size(), 0);
+  for (std::size_t r = 0; r < level.runs.size(); ++r) {
+    const NodeRun& run = level.runs[r];
+    const std::size_t first = (static_cast<std::size_t>(run.z) * ny + static_cast<std::size_t>(run.y)) * nx +
+                              static_cast<std::size_t>(run.block) * NodeRuns::length;
+    for (int k = 0; k < level.runs.inside(r); ++k) {
+      const std::size_t node = r * NodeRuns::length + static_cast<std::size_t>(k);
+      const Quad& value = level.value[node];
+      if ((level.links.open[node] & takes_no_part) != 0 || !(value[3] > never)) continue;
+      nodes.color[first + static_cast<std::size_t>(k)] = Color(value[0], value[1], value[2]) / value[3];
+      nodes.known[first + static_cast<std::size_t>(k)] = 1;
+    }
+  }
+  return nodes;
+}
+
+}  // namespace pomona

@@ -1,0 +1,294 @@
+#include "render/page/asset_file.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+#include "generator/base/error.h"
+#include "render/page/byte_planes.h"
+#include "render/page/deflate.h"
+#include "render/page/node_coding.h"
+#include "render/page/windings.h"
+
+namespace pomona {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+// The file's first eight bytes, and what an unpacked one may hold at most.
+constexpr std::string_view magic("pomona\0\1", 8);
+constexpr std::size_t most_bytes = std::size_t{1} << 28;
+constexpr std::size_t most_header = std::size_t{1} << 20;
+
+std::string four_bytes(std::size_t number) {
+  std::string bytes;
+  for (int b = 0; b < 4; ++b) bytes += static_cast<char>(number >> (8 * b) & 255);
+  return bytes;
+}
+std::size_t number_at(std::string_view bytes) {
+  std::size_t number = 0;
+  for (std::size_t b = 0; b < 4; ++b) number |= std::size_t{static_cast<unsigned char>(bytes[b])} << (8 * b);
+  return number;
+}
+
+ordered_json header_of(const Asset& a, const std::string& made_by) {
+  ordered_json header = {{"format", 1},
+                         {"made_by", made_by},
+                         {"name", a.name},
+                         {"title", a.title},
+                         {"latin", a.latin},
+                         {"seed", a.seed},
+                         {"diffuser", a.diffuser},
+                         {"origin", {a.origin.x, a.origin.y, a.origin.z}},
+                         {"spacing", a.spacing},
+                         {"count", a.count},
+                         {"units", a.units},
+                         {"vertices", a.position.size()},
+                         {"triangles", a.triangle.size()},
+                         {"parts", a.parts},
+                         {"ink", to_hex(a.ink)},
+                         {"ink_width", a.ink_width},
+                         {"texels", {a.noise.size(), a.details.size(), a.materials.size()}},
+                         {"skin_shares", a.skin_share.size()}};
+  if (a.guide) {
+    header["guide"] = {{"stride", a.guide->stride},
+                       {"unit", a.guide->unit},
+                       {"count", a.guide->count},
+                       {"deepest", a.guide->deepest}};
+  }
+  return header;
+}
+
+/// One number of each element, `elements` of them.
+template <typename Get>
+std::string planes_of(std::size_t elements, std::size_t back, std::size_t width, const Get& get) {
+  std::vector<std::uint32_t> numbers(elements);
+  for (std::size_t i = 0; i < elements; ++i) numbers[i] = static_cast<std::uint32_t>(get(i));
+  return as_planes(numbers, back, width);
+}
+
+std::string floats_of(const std::vector<glm::vec4>& texels) {
+  std::string bytes;
+  for (const glm::vec4& texel : texels)
+    for (int k = 0; k < 4; ++k) bytes += four_bytes(std::bit_cast<std::uint32_t>(texel[k]));
+  return bytes;
+}
+
+std::string arrays_of(const Asset& a) {
+  std::string bytes;
+  const std::size_t vertices = a.position.size(), triangles = a.triangle.size();
+  for (int k = 0; k < 3; ++k) bytes += planes_of(vertices, 1, 2, [&](std::size_t v) { return a.position[v][k]; });
+  for (int k = 0; k < 3; ++k) bytes += planes_of(vertices, 1, 1, [&](std::size_t v) { return a.front_color[v][k]; });
+  for (int k = 0; k < 3; ++k)
+    bytes += planes_of(vertices, vertices + 1, 1, [&](std::size_t v) {
+      return static_cast<std::uint8_t>(a.back_color[v][k] - a.front_color[v][k]);
+    });
+  for (int k = 0; k < 3; ++k) bytes += planes_of(triangles, 2, 3, [&](std::size_t t) { return a.triangle[t][k]; });
+  bytes += planes_of(triangles, 1, 1, [&](std::size_t t) { return a.hidden[t]; });
+  bytes += planes_of(triangles, 1, 2, [&](std::size_t t) { return a.front_part[t]; });
+  bytes += planes_of(triangles, 1, 2, [&](std::size_t t) { return a.back_part[t]; });
+  const std::vector<std::uint8_t> coded = coded_nodes(a);
+  bytes.append(coded.begin(), coded.end());
+
+  // How it is painted.
+  bytes += floats_of(a.noise) + floats_of(a.details) + floats_of(a.materials);
+  for (const glm::u8vec4& share : a.skin_share)
+    for (int k = 0; k < 4; ++k) bytes += static_cast<char>(share[k]);
+  if (!a.guide) return bytes;
+  for (int k = 0; k < 4; ++k)
+    bytes += planes_of(a.guide->value.size(), 1, 2,
+                       [&](std::size_t i) { return static_cast<std::uint16_t>(a.guide->value[i][k]); });
+  for (const glm::u8vec4& share : a.guide->share)
+    for (int k = 0; k < 4; ++k) bytes += static_cast<char>(share[k]);
+  return bytes;
+}
+
+/// Takes an unpacked asset apart, from the front.
+class Reader {
+ public:
+  Reader(std::string_view bytes, const std::filesystem::path& file) : rest_(bytes), file_(file.string()) {}
+
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw Error(ExitStatus::bad_data, {{{file_, 0, 0, {}}, why, "make it anew: pomona grow TEMPLATE -o FILE.pomona"}});
+  }
+  void require(bool good, const std::string& otherwise) const {
+    if (!good) refuse(otherwise);
+  }
+
+  std::string_view take(std::size_t bytes, const char* what) {
+    require(bytes <= rest_.size(), std::string("it ends within its ") + what);
+    const std::string_view taken = rest_.substr(0, bytes);
+    rest_.remove_prefix(bytes);
+    return taken;
+  }
+  std::vector<std::uint32_t> numbers(std::size_t elements, std::size_t back, std::size_t width, const char* what) {
+    return from_planes(take(elements * width, what), back, width);
+  }
+  std::vector<glm::vec4> texels(std::size_t count) {
+    const std::string_view bytes = take(16 * count, "texels");
+    std::vector<glm::vec4> texels(count);
+    for (std::size_t i = 0; i < 4 * count; ++i)
+      texels[i / 4][static_cast<int>(i % 4)] =
+          std::bit_cast<float>(static_cast<std::uint32_t>(number_at(bytes.substr(4 * i, 4))));
+    return texels;
+  }
+  std::vector<glm::u8vec4> shares(std::size_t count) {
+    const std::string_view bytes = take(4 * count, "shares");
+    std::vector<glm::u8vec4> shares(count);
+    for (std::size_t i = 0; i < 4 * count; ++i)
+      shares[i / 4][static_cast<int>(i % 4)] = static_cast<std::uint8_t>(bytes[i]);
+    return shares;
+  }
+  bool is_empty() const { return rest_.empty(); }
+
+ private:
+  std::string_view rest_;
+  std::string file_;
+};
+
+/// Numbers of the header, and the counts of what follows it.
+struct Counts {
+  std::size_t vertices = 0, triangles = 0, noise = 0, details = 0, materials = 0, skin_shares = 0;
+};
+
+void check_header(const Asset& asset, const Counts& counts, const Reader& reader) {
+  // Counts first: everything after is as large as they say.
+  for (const int count : asset.count)
+    reader.require(count >= 2 && count <= most_asset_nodes_along, "it has no nodes, or too many along an axis");
+  reader.require(asset.node_count() <= most_asset_nodes && counts.vertices <= most_asset_vertices &&
+                     counts.triangles <= most_asset_triangles && asset.parts.size() <= most_asset_parts,
+                 "it has more nodes, vertices, triangles or parts than an asset holds");
+  reader.require(counts.noise <= 1024 && counts.details <= 1024 && counts.materials <= 5 * most_asset_parts &&
+                     (counts.skin_shares == 0 || counts.skin_shares == asset.parts.size()),
+                 "it has more texels than an asset holds");
+  reader.require(asset.units >= 1 && asset.units <= 65536, "its units are none");
+  reader.require(std::isfinite(asset.spacing) && asset.spacing > 0, "its nodes lie nowhere");
+  for (int k = 0; k < 3; ++k) reader.require(std::isfinite(asset.origin[k]), "its nodes lie nowhere");
+  if (!asset.guide) return;
+  const AssetGuide& guide = *asset.guide;
+  bool fits = guide.stride >= 1 && guide.stride <= 64 && std::isfinite(guide.unit) && std::isfinite(guide.deepest);
+  for (std::size_t k = 0; k < 3 && fits; ++k)
+    fits = guide.count[k] == (asset.count[k] + guide.stride - 2) / guide.stride + 1;
+  reader.require(fits, "its guide fits no lattice");
+}
+
+Counts read_header(std::string_view text, Asset& asset, const Reader& reader) {
+  Counts counts;
+  try {
+    const ordered_json header = ordered_json::parse(text);
+    reader.require(header.at("format") == 1, "it is of a format that this version does not read");
+    asset.name = header.at("name"), asset.title = header.at("title"), asset.latin = header.at("latin");
+    asset.seed = header.at("seed"), asset.diffuser = header.at("diffuser");
+    for (int k = 0; k < 3; ++k) asset.origin[k] = header.at("origin").at(static_cast<std::size_t>(k));
+    asset.spacing = header.at("spacing"), asset.count = header.at("count"), asset.units = header.at("units");
+    counts.vertices = header.at("vertices"), counts.triangles = header.at("triangles");
+    asset.parts = header.at("parts");
+    asset.ink = parse_color(header.at("ink").get<std::string>()).value_or(Color(0));
+    asset.ink_width = header.at("ink_width");
+    const ordered_json& texels = header.at("texels");
+    counts.noise = texels.at(0), counts.details = texels.at(1), counts.materials = texels.at(2);
+    counts.skin_shares = header.at("skin_shares");
+    if (header.contains("guide")) {
+      const ordered_json& guide = header["guide"];
+      asset.guide = AssetGuide{.stride = guide.at("stride"),
+                               .unit = guide.at("unit"),
+                               .count = guide.at("count"),
+                               .value = {},
+                               .share = {},
+                               .deepest = guide.at("deepest")};
+    }
+  } catch (const nlohmann::json::exception& wrong) {
+    reader.refuse(std::string("its header is none: ") + wrong.what());
+  }
+  check_header(asset, counts, reader);
+  return counts;
+}
+
+void read_surfaces(const Counts& counts, Reader& reader, Asset& a) {
+  a.position.resize(counts.vertices), a.front_color.resize(counts.vertices), a.back_color.resize(counts.vertices);
+  for (int k = 0; k < 3; ++k) {
+    const auto column = reader.numbers(counts.vertices, 1, 2, "positions");
+    for (std::size_t v = 0; v < column.size(); ++v) a.position[v][k] = static_cast<std::uint16_t>(column[v]);
+  }
+  for (int k = 0; k < 3; ++k) {
+    const auto column = reader.numbers(counts.vertices, 1, 1, "colours");
+    for (std::size_t v = 0; v < column.size(); ++v) a.front_color[v][k] = static_cast<std::uint8_t>(column[v]);
+  }
+  for (int k = 0; k < 3; ++k) {
+    const auto column = reader.numbers(counts.vertices, counts.vertices + 1, 1, "colours");
+    for (std::size_t v = 0; v < column.size(); ++v)
+      a.back_color[v][k] = static_cast<std::uint8_t>(a.front_color[v][k] + column[v]);
+  }
+  a.triangle.resize(counts.triangles);
+  for (int k = 0; k < 3; ++k) {
+    const auto column = reader.numbers(counts.triangles, 2, 3, "triangles");
+    for (std::size_t t = 0; t < column.size(); ++t) {
+      reader.require(column[t] < counts.vertices, "triangle " + std::to_string(t) + " has a corner that is no vertex");
+      a.triangle[t][k] = column[t];
+    }
+  }
+  for (const std::uint32_t hidden : reader.numbers(counts.triangles, 1, 1, "triangles")) {
+    reader.require(hidden <= 2, "a triangle has more than two sides");
+    a.hidden.push_back(static_cast<std::uint8_t>(hidden));
+  }
+  for (std::vector<std::uint16_t>* of_side : {&a.front_part, &a.back_part}) {
+    for (const std::uint32_t part : reader.numbers(counts.triangles, 1, 2, "parts")) {
+      reader.require(part < std::max<std::size_t>(a.parts.size(), 1), "a triangle has a part that is none");
+      of_side->push_back(static_cast<std::uint16_t>(part));
+    }
+  }
+}
+
+void read_look(const Counts& counts, Reader& reader, Asset& a) {
+  a.noise = reader.texels(counts.noise), a.details = reader.texels(counts.details);
+  a.materials = reader.texels(counts.materials);
+  a.skin_share = reader.shares(counts.skin_shares);
+  if (!a.guide) return;
+  AssetGuide& guide = *a.guide;
+  const std::size_t size = static_cast<std::size_t>(guide.count[0]) * static_cast<std::size_t>(guide.count[1]) *
+                           static_cast<std::size_t>(guide.count[2]);
+  std::vector<std::vector<std::uint32_t>> columns;
+  for (int k = 0; k < 4; ++k) columns.push_back(reader.numbers(size, 1, 2, "guide"));
+  guide.value.resize(size);
+  for (std::size_t i = 0; i < size; ++i)
+    for (int k = 0; k < 4; ++k)
+      guide.value[i][k] = static_cast<std::int16_t>(columns[static_cast<std::size_t>(k)][i]);
+  guide.share = reader.shares(a.parts.size() * static_cast<std::size_t>(depth_steps));
+}
+
+}  // namespace
+
+std::string write_asset(const Asset& asset, const std::string& made_by) {
+  const std::string header = header_of(asset, made_by).dump();
+  return std::string(magic) + deflated(four_bytes(header.size()) + header + arrays_of(asset));
+}
+
+Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {
+  const Reader outside(bytes, file);
+  outside.require(bytes.substr(0, magic.size()) == magic, "it is no asset of Pomona's");
+  const std::optional<std::string> unpacked = inflated(bytes.substr(magic.size()), most_bytes);
+  outside.require(unpacked.has_value(), "it is cut off, damaged, or larger than an asset may be");
+
+  Reader reader(*unpacked, file);
+  const std::size_t length = number_at(reader.take(4, "header"));
+  reader.require(length <= most_header, "its header is longer than one may be");
+  Asset asset;
+  const Counts counts = read_header(reader.take(length, "header"), asset, reader);
+  read_surfaces(counts, reader, asset);
+  asset.winding = windings(asset);
+  const auto inside = static_cast<std::size_t>(
+      std::count_if(asset.winding.begin(), asset.winding.end(), [](std::int8_t w) { return w != 0; }));
+  const std::string_view coded = reader.take(3 * inside, "nodes");
+  asset.node_color = decoded_nodes(asset, {reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size()});
+  read_look(counts, reader, asset);
+  reader.require(reader.is_empty(), "something follows its end");
+  return asset;
+}
+
+}  // namespace pomona

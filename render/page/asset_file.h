@@ -1,0 +1,20 @@
+// Assets as files: .pomona, byte by byte in docs/asset.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "render/page/asset.h"
+
+namespace pomona {
+
+/// \param made_by "pomona 0.3.0, seed 2"; a note for people
+std::string write_asset(const Asset& asset, const std::string& made_by);
+
+/// \param file for messages
+/// \throws Error (bad_data) for what is no asset, is cut off, or points outside itself. Sizes are checked before anything
+/// is allocated.
+Asset read_asset(std::string_view bytes, const std::filesystem::path& file);
+
+}  // namespace pomona

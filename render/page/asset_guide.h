@@ -1,0 +1,16 @@
+// Guides for texture detail, for places that are not known yet.
+#pragma once
+
+#include "generator/base/parallel.h"
+#include "generator/piece/grow.h"
+#include "generator/template/template.h"
+#include "render/page/asset.h"
+
+namespace pomona {
+
+/// Adds `guide`, where the template has details for cut faces, and `skin_share`, where it has some for skins. Outside the
+/// fruit, where the corners of cells at the skin lie, the way to the skin leads back inwards, so that it is 0 on the skin
+/// between them.
+void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, Asset& asset);
+
+}  // namespace pomona

@@ -1,0 +1,41 @@
+// Where one looks from, and how the fruit fits into the picture.
+'use strict';
+class Camera {
+  constructor() { Object.assign(this, {yaw: 0, pitch: 0, zoom: 1, target: [0, 0, 0], far: 1, field: 0.42}); }
+
+  get directions() {
+    const {yaw, pitch} = this, c = Math.cos(pitch), back = [c * Math.sin(yaw), Math.sin(pitch), c * Math.cos(yaw)];
+    const right = [Math.cos(yaw), 0, -Math.sin(yaw)];
+    return {back, right, up: V.cross(back, right)};
+  }
+  get eye() { return V.add(this.target, V.mul(this.directions.back, this.far / this.zoom)); }
+
+  /** As near as shows all points, with a margin, from the direction one looks from now. */
+  fit(points, aspect, margin = 0.86) {
+    const {back, right, up} = this.directions, t = Math.tan(this.field / 2) * margin;
+    let target = V.mul(points.reduce(V.add, [0, 0, 0]), 1 / points.length), far = 1;
+    for (let round = 0; round < 4; ++round) {
+      const box = [[Infinity, -Infinity], [Infinity, -Infinity]];
+      far = 1;
+      for (const p of points) {
+        const q = V.sub(p, target), x = V.dot(q, right), y = V.dot(q, up), z = V.dot(q, back);
+        far = Math.max(far, z + Math.abs(x) / (t * aspect), z + Math.abs(y) / t);
+        box[0] = [Math.min(box[0][0], x), Math.max(box[0][1], x)];
+        box[1] = [Math.min(box[1][0], y), Math.max(box[1][1], y)];
+      }
+      target = V.add(target, V.add(V.mul(right, (box[0][0] + box[0][1]) / 2), V.mul(up, (box[1][0] + box[1][1]) / 2)));
+    }
+    return {target, far};
+  }
+
+  view(aspect, size) {
+    const distance = this.far / this.zoom, near = Math.max(distance - 2.5 * size, distance / 50);
+    return M.product(M.perspective(this.field, aspect, near, distance + 4 * size), M.lookAt(this.eye, this.target, [0, 1, 0]));
+  }
+
+  /** The direction of the ray through a place of the picture, -1 to 1 from below. */
+  ray(x, y, aspect) {
+    const {back, right, up} = this.directions, t = Math.tan(this.field / 2);
+    return V.unit(V.sub(V.add(V.mul(right, x * t * aspect), V.mul(up, y * t)), back));
+  }
+}

@@ -1,0 +1,117 @@
+// What the graphics card holds: programs, textures, buffers.
+'use strict';
+class Card {
+  constructor(canvas, shaders) {
+    this.gl = canvas.getContext('webgl2', {antialias: true, premultipliedAlpha: true, powerPreference: 'high-performance'});
+    this.shaders = shaders;
+  }
+
+  /**
+   * A shader's text with what it includes; texel buffers of pictures' shaders are rows of float textures here, and of details
+   * one at a time is drawn, of the kind that KIND says. */
+  text(name, seen = new Set()) {
+    if (seen.has(name)) return '';
+    seen.add(name);
+    return this.shaders[name].replace(/^#include "(.*)"$/gm, (_, other) => this.text(other, seen))
+      .replace(/uniform samplerBuffer/g, 'uniform highp sampler2D')
+      .replace('for (int i = 0; i < details_of_a_face; ++i) {', 'for (int i = detail_number; i <= detail_number; ++i) {')
+      .replace('pattern_at(detail, int(head.x), ', 'pattern_at(detail, KIND, ')
+      .replace(/texelFetch\((noise_styles|detail_styles|materials), ([^()]*)\)/g, 'texelFetch($1, ivec2($2, 0), 0)');
+  }
+
+  program(name, defines = []) {
+    const {gl} = this, program = gl.createProgram(), text = this.text(name);
+    const head = '#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler3D;\n';
+    for (const [stage, define] of [[gl.VERTEX_SHADER, 'VERTEX'], [gl.FRAGMENT_SHADER, 'FRAGMENT']]) {
+      const shader = gl.createShader(stage);
+      gl.shaderSource(shader, head + [define, ...defines].map((d) => `#define ${d}\n`).join('') + text);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+      program[define] = shader;
+    }
+    gl.linkProgram(program);
+    return {program, name, uniforms: null};
+  }
+
+  /** Asked for when it is first drawn with, so that programs compile side by side. */
+  use(made) {
+    const {gl} = this;
+    gl.useProgram(made.program);
+    if (made.uniforms) return made.uniforms;
+    if (!gl.getProgramParameter(made.program, gl.LINK_STATUS)) {
+      const logs = ['VERTEX', 'FRAGMENT'].map((d) => gl.getShaderInfoLog(made.program[d]));
+      throw new Error(`${made.name}: ${logs.join('')} ${gl.getProgramInfoLog(made.program)}`);
+    }
+    made.uniforms = {};
+    for (let i = gl.getProgramParameter(made.program, gl.ACTIVE_UNIFORMS) - 1; i >= 0; --i) {
+      const {name} = gl.getActiveUniform(made.program, i);
+      made.uniforms[name.replace('[0]', '')] = gl.getUniformLocation(made.program, name);
+    }
+    return made.uniforms;
+  }
+
+  texture(target, filter, make) {
+    const {gl} = this, texture = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE15);
+    gl.bindTexture(target, texture);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    make(target);
+    gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, filter === 'mipmaps' ? gl.LINEAR_MIPMAP_LINEAR : filter);
+    gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, filter === 'mipmaps' ? gl.LINEAR : filter);
+    for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R]) gl.texParameteri(target, wrap, gl.CLAMP_TO_EDGE);
+    return {texture, target};
+  }
+  volume(count, format, kind, type, data, filter) {
+    const {gl} = this;
+    return this.texture(gl.TEXTURE_3D, filter, (t) => gl.texImage3D(t, 0, format, ...count, 0, kind, type, data));
+  }
+  table(width, format, kind, type, data, perTexel, filter = this.gl.NEAREST) {
+    const {gl} = this, rows = data.length / (width * perTexel);
+    return this.texture(gl.TEXTURE_2D, filter, (t) => gl.texImage2D(t, 0, format, width, rows, 0, kind, type, data));
+  }
+  floats(data, filter) { return this.table(Math.max(1, data.length / 4), this.gl.RGBA32F, this.gl.RGBA, this.gl.FLOAT, data.length ? data : new Float32Array(4), 4, filter); }
+
+  /** Somewhere to draw: colour textures of these formats, and depth if wanted. */
+  target(width, height, formats, depth = null) {
+    const {gl} = this, target = {width, height, buffer: gl.createFramebuffer()};
+    target.colors = formats.map(([format, filter]) => this.texture(gl.TEXTURE_2D, filter, (t) =>
+      gl.texStorage2D(t, filter === 'mipmaps' ? 1 + Math.floor(Math.log2(width)) : 1, format, width, height)));
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
+    target.colors.forEach(({texture}, i) => gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, 0));
+    if (depth) {
+      target.depth = this.texture(gl.TEXTURE_2D, gl.NEAREST, (t) => gl.texStorage2D(t, 1, gl.DEPTH_COMPONENT24, width, height));
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, target.depth.texture, 0);
+    }
+    gl.drawBuffers(formats.length ? formats.map((_, i) => gl.COLOR_ATTACHMENT0 + i) : [gl.NONE]);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return target;
+  }
+  drop(target) {
+    if (!target) return;
+    for (const {texture} of target.colors) this.gl.deleteTexture(texture);
+    this.gl.deleteFramebuffer(target.buffer);
+  }
+
+  bind(uniform, unit, {texture, target}) {
+    if (!uniform) return;
+    this.gl.activeTexture(this.gl.TEXTURE0 + unit);
+    this.gl.bindTexture(target, texture);
+    this.gl.uniform1i(uniform, unit);
+  }
+
+  /** `data` in groups of floats per vertex, at locations 0, 1, ... */
+  vertices(data, groups) {
+    const {gl} = this, array = gl.createVertexArray(), stride = groups.reduce((a, b) => a + b, 0);
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+    let at = 0;
+    groups.forEach((size, location) => {
+      gl.enableVertexAttribArray(location);
+      gl.vertexAttribPointer(location, size, gl.FLOAT, false, 4 * stride, 4 * at);
+      at += size;
+    });
+    gl.bindVertexArray(null);
+    return {array, count: data.length / stride};
+  }
+}

@@ -1,0 +1,62 @@
+#include "render/page/deflate.h"
+
+#include <algorithm>
+
+#include <zlib.h>
+
+#include "generator/base/error.h"
+
+namespace pomona {
+
+namespace {
+
+/// What is unpacked at a time: memory grows with what is there, not with what a file says of itself.
+constexpr std::size_t chunk = std::size_t{1} << 20;
+
+Bytef* bytes_of(std::string_view text) {
+  // zlib takes a pointer to what it only reads.
+  return const_cast<Bytef*>(reinterpret_cast<const Bytef*>(text.data()));
+}
+
+}  // namespace
+
+std::string deflated(std::string_view bytes) {
+  z_stream stream{};
+  if (deflateInit2(&stream, 9, Z_DEFLATED, 15, 9, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw Error(ExitStatus::bug, "zlib does not start");
+  std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
+  stream.next_in = bytes_of(bytes);
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  const int result = deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (result != Z_STREAM_END) throw Error(ExitStatus::bug, "zlib does not finish");
+  return packed;
+}
+
+std::optional<std::string> inflated(std::string_view packed, std::size_t most) {
+  z_stream stream{};
+  if (inflateInit(&stream) != Z_OK) throw Error(ExitStatus::bug, "zlib does not start");
+  stream.next_in = bytes_of(packed);
+  stream.avail_in = static_cast<uInt>(packed.size());
+  std::string bytes;
+  int result = Z_OK;
+  while (result == Z_OK && bytes.size() <= most) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + chunk);
+    stream.next_out = reinterpret_cast<Bytef*>(bytes.data() + before);
+    stream.avail_out = static_cast<uInt>(chunk);
+    result = inflate(&stream, Z_NO_FLUSH);
+    bytes.resize(before + chunk - stream.avail_out);
+    // Nothing more comes out of a stream that stops halfway.
+    if (result == Z_OK && bytes.size() == before) break;
+  }
+  const bool whole = result == Z_STREAM_END && stream.avail_in == 0 && bytes.size() <= most;
+  inflateEnd(&stream);
+  if (!whole) return std::nullopt;
+  return bytes;
+}
+
+}  // namespace pomona

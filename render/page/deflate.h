@@ -1,0 +1,17 @@
+// Bytes in the format of zlib (RFC 1950): what browsers, Node and every engine unpack by themselves.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace pomona {
+
+/// As small as zlib makes it.
+std::string deflated(std::string_view bytes);
+
+/// Nothing if `packed` is no whole stream of zlib, something follows it, or it holds more than `most` bytes.
+std::optional<std::string> inflated(std::string_view packed, std::size_t most);
+
+}  // namespace pomona

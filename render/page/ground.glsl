@@ -1,0 +1,86 @@
+// The table, as far as one sees it: the shadow on it, and how much of the light reaches a place.
+#ifdef VERTEX
+#ifdef GROUND
+uniform mat4 camera;
+uniform vec4 ground;  // middle, height in y; half its side
+out vec3 there;
+void main() {
+  vec2 st = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+  there = vec3(ground.x + st.x * ground.w, ground.y, ground.z + st.y * ground.w);
+  gl_Position = camera * vec4(there, 1.0);
+}
+#endif
+#endif
+
+#ifdef FRAGMENT
+#include "lit.glsl"
+uniform highp sampler2D sun_map, sky_map;  // depths seen from the light, and from below the table
+uniform mat4 to_sun, to_sky;
+uniform vec2 shadow_ways;  // of the sun's map: how far edges soften; depth that counts as none
+uniform vec4 ground_plane; // height of the table; cells over which it darkens; how far shadows darken; occlusion
+
+float turn_at(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }
+
+vec2 spiral(int i, int count, float turn) {
+  float angle = 2.3999632 * float(i) + 6.2831853 * turn;
+  return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
+}
+
+// How much of the light's disc is seen: what stands in the way is looked for first, and softens edges with its distance
+// [Fernando 2005].
+float sun_seen(vec3 p, vec3 n) {
+  vec3 q = (to_sun * vec4(p + 0.8 * n, 1.0)).xyz * 0.5 + 0.5;
+  if (any(lessThan(q, vec3(0.0))) || any(greaterThan(q, vec3(1.0)))) return 1.0;
+  float turn = turn_at(gl_FragCoord.xy), here = q.z - shadow_ways.y, gap = 0.0, found = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    float other = textureLod(sun_map, q.xy + shadow_ways.x * spiral(i, 8, turn), 0.0).r;
+    if (other < here) {
+      gap += here - other;
+      found += 1.0;
+    }
+  }
+  if (found == 0.0) return 1.0;
+  float radius = clamp(0.25 * gap / found, 0.0015, shadow_ways.x), lit = 0.0;
+  for (int i = 0; i < 16; ++i) lit += step(here, textureLod(sun_map, q.xy + radius * spiral(i, 16, turn), 0.0).r);
+  return mix(1.0, lit / 16.0, ground_plane.z);
+}
+
+// Near the table less of the sky is seen, most by what looks down.
+float sky_seen(vec3 p, vec3 n) {
+  float near = 1.0 - clamp((p.y - ground_plane.x) / ground_plane.y, 0.0, 1.0);
+  return 1.0 - ground_plane.w * (0.42 * near * (0.55 - 0.45 * n.y) + 0.12 * (0.5 - 0.5 * n.y));
+}
+
+vec3 painted(vec3 color, vec2 how) {
+  if (how == vec2(1.0, 0.0)) return clamp(color, 0.0, 1.0);
+  vec3 lab = to_oklab(max(color, 0.0));
+  return clamp(from_oklab(vec3(lab.x + how.y, lab.yz * how.x)), 0.0, 1.0);
+}
+
+#ifdef GROUND
+in vec3 there;
+uniform vec4 wash;  // colour of shadow on white paper; strength
+layout(location = 0) out vec4 pixel;
+
+// What hangs over the table takes its sky, the more the lower it hangs.
+float open_sky() {
+  vec2 at = (to_sky * vec4(there, 1.0)).xy * 0.5 + 0.5;
+  float turn = turn_at(gl_FragCoord.xy), taken = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    vec2 away = spiral(i, 20, turn);
+    float height = textureLod(sky_map, at + 0.13 * away * length(away), 0.0).r;
+    taken += height >= 1.0 ? 0.0 : 1.0 / (1.0 + 900.0 * height * height);
+  }
+  return 1.0 - taken / 20.0;
+}
+
+void main() {
+  float sun_part = sun_seen(there, vec3(0.0, 1.0, 0.0)), sky_part = mix(1.0, open_sky(), ground_plane.w);
+  vec3 shade = mix(wash.rgb, vec3(1.0), sun_part) * mix(0.72 * wash.rgb, vec3(1.0), sky_part);
+  shade = mix(vec3(1.0), shade, wash.a);
+  // The paper lies behind the canvas: drawn is how much of it the wash hides.
+  float dark = 1.0 - dot(srgb_from_linear(shade), vec3(1.0 / 3.0));
+  pixel = vec4(0.30 * srgb_from_linear(wash.rgb) * dark, dark);
+}
+#endif
+#endif

@@ -1,0 +1,78 @@
+// Knives: a plane through the fruit, and what its blade does beside it, as heights over the plane along one direction:
+// nothing, waves, or a stroke that was drawn. Lengths are in cells of the grid.
+'use strict';
+const profilePlaces = 256;
+
+class Knife {
+  /** `fruit`: {middle, reach}. Turn and tilt are angles of the plane's normal, shift its distance from the middle. */
+  constructor(fruit, turn = 0, tilt = 0, shift = 0) {
+    Object.assign(this, {fruit, turn, tilt, shift, waves: 0, drawn: null, roll: 0});
+  }
+  static ofPlane(fruit, normal, offset) {
+    const n = V.unit(normal), tilt = Math.asin(Math.max(-1, Math.min(1, n[1])));
+    const turn = Math.abs(n[1]) > 0.9999 ? 0 : Math.atan2(n[0], n[2]);
+    return new Knife(fruit, turn, tilt, offset - V.dot(n, fruit.middle));
+  }
+  copy() { return Object.assign(new Knife(this.fruit), this); }
+
+  /** Where it lies: a place on the plane, its directions, and half its side. */
+  get frame() {
+    if (this.drawn) return this.drawn.frame;
+    const {turn, tilt, shift, fruit} = this, c = Math.cos(tilt);
+    const n = [Math.sin(turn) * c, Math.sin(tilt), Math.cos(turn) * c], u = [Math.cos(turn), 0, -Math.sin(turn)];
+    return {origin: V.add(fruit.middle, V.mul(n, shift)), n, u, v: V.cross(n, u), reach: fruit.reach};
+  }
+  /** Heights at 256 places from one end of u to the other. */
+  get profile() {
+    if (this.drawn) return this.drawn.profile;
+    const {waves, fruit} = this;
+    return Float32Array.from({length: profilePlaces}, (_, i) =>
+      waves * 0.045 * fruit.reach * Math.sin(i / (profilePlaces - 1) * 2 * Math.PI * 9));
+  }
+  get isCurved() { return this.waves > 0 || this.drawn !== null; }
+
+  /** On which side a point lies: +1 or -1. */
+  sideOf(p, frame = this.frame, profile = this.profile) {
+    const q = V.sub(p, frame.origin), s = V.dot(q, frame.u) / frame.reach;
+    const at = Math.max(0, Math.min(profilePlaces - 1, Math.round((s * 0.5 + 0.5) * (profilePlaces - 1))));
+    return V.dot(q, frame.n) >= profile[at] ? 1 : -1;
+  }
+
+  /**
+   * The knife that a stroke is, seen along a direction: places on a plane across it, in order. It goes on straight at both
+   * ends; where it runs back, only what goes on counts.
+   */
+  static drawnAlong(fruit, points, view) {
+    const first = points[0], last = points[points.length - 1], across = V.sub(V.sub(last, first), V.mul(view, V.dot(V.sub(last, first), view)));
+    if (Math.hypot(...across) < 0.1 * fruit.reach) return null;
+    const u = V.unit(across), v = V.mul(V.unit(view), -1), n = V.cross(u, v);
+    const origin = V.add(fruit.middle, V.mul(n, V.dot(V.sub(V.mul(V.add(first, last), 0.5), fruit.middle), n)));
+    const reach = 1.15 * fruit.reach, profile = new Float32Array(profilePlaces);
+    const flat = points.map((p) => { const q = V.sub(p, origin); return [V.dot(q, u), V.dot(q, n)]; });
+    const way = [flat[0]];
+    for (const p of flat) if (p[0] > way[way.length - 1][0] + 1e-3 * reach) way.push(p);
+    for (let i = 0, k = 0; i < profilePlaces; ++i) {
+      const s = (2 * i / (profilePlaces - 1) - 1) * reach;
+      while (k + 2 < way.length && way[k + 1][0] < s) ++k;
+      const a = way[k], b = way[Math.min(k + 1, way.length - 1)], t = b[0] > a[0] ? Math.max(0, Math.min(1, (s - a[0]) / (b[0] - a[0]))) : 0;
+      profile[i] = a[1] + t * (b[1] - a[1]);
+    }
+    const knife = new Knife(fruit);
+    knife.drawn = {frame: {origin, n, u, v, reach}, profile: smoothed(smoothed(profile))};
+    return knife;
+  }
+
+  /** What its faces depend on: equal keys, equal faces. */
+  get key() {
+    const {turn, tilt, shift, waves, drawn} = this;
+    return drawn ? `stroke ${drawn.frame.origin} ${drawn.frame.n} ${drawn.profile[64]} ${drawn.profile[128]} ${drawn.profile[192]}` : [turn, tilt, shift, waves].join();
+  }
+}
+
+function smoothed(profile) {
+  return profile.map((_, i) => {
+    let sum = 0, weight = 0;
+    for (let k = -4; k <= 4; ++k) if (profile[i + k] !== undefined) { sum += (5 - Math.abs(k)) * profile[i + k]; weight += 5 - Math.abs(k); }
+    return sum / weight;
+  });
+}

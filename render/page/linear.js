@@ -1,0 +1,48 @@
+// Vectors and matrices, as arrays; matrices in columns, as OpenGL has them.
+'use strict';
+const V = {
+  add: (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]],
+  sub: (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]],
+  mul: (a, s) => [a[0] * s, a[1] * s, a[2] * s],
+  dot: (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2],
+  cross: (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]],
+  unit: (a) => V.mul(a, 1 / (Math.hypot(...a) || 1)),
+  /** `a` turned about a unit axis. */
+  turned(a, axis, angle) {
+    const c = Math.cos(angle), s = Math.sin(angle);
+    return V.add(V.add(V.mul(a, c), V.mul(V.cross(axis, a), s)), V.mul(axis, V.dot(axis, a) * (1 - c)));
+  },
+};
+const M = {
+  product(a, b) {
+    const out = new Float32Array(16);
+    for (let c = 0; c < 4; ++c) for (let r = 0; r < 4; ++r) for (let k = 0; k < 4; ++k) out[4 * c + r] += a[4 * k + r] * b[4 * c + k];
+    return out;
+  },
+  perspective(field, aspect, near, far) {
+    const t = 1 / Math.tan(field / 2);
+    return new Float32Array([t / aspect, 0, 0, 0, 0, t, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0]);
+  },
+  /** A box of half-size `reach` around the origin of `frame` (rows x, y, z) at `at`. */
+  orthographic(x, y, z, at, reach, depth) {
+    const rows = [V.mul(x, 1 / reach), V.mul(y, 1 / reach), V.mul(z, -1 / depth)];
+    return new Float32Array([0, 1, 2].flatMap((c) => [...rows.map((r) => r[c]), 0]).concat([...rows.map((r) => -V.dot(r, at)), 1]));
+  },
+  lookAt(eye, at, up) {
+    const z = V.unit(V.sub(eye, at)), x = V.unit(V.cross(up, z)), y = V.cross(z, x);
+    return new Float32Array([x[0], y[0], z[0], 0, x[1], y[1], z[1], 0, x[2], y[2], z[2], 0, -V.dot(x, eye), -V.dot(y, eye), -V.dot(z, eye), 1]);
+  },
+  /** Turns about an axis through `at`, then moves. */
+  rigid(axis, angle, at, move) {
+    const x = V.turned([1, 0, 0], axis, angle), y = V.turned([0, 1, 0], axis, angle), z = V.turned([0, 0, 1], axis, angle);
+    const moved = V.add(V.sub(at, V.turned(at, axis, angle)), move);
+    return new Float32Array([...x, 0, ...y, 0, ...z, 0, ...moved, 1]);
+  },
+  point(m, p) { return [0, 1, 2].map((r) => m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r]); },
+  /** Back through a rigid motion. */
+  pointBack(m, p) {
+    const q = V.sub(p, [m[12], m[13], m[14]]);
+    return [0, 1, 2].map((c) => m[4 * c] * q[0] + m[4 * c + 1] * q[1] + m[4 * c + 2] * q[2]);
+  },
+  directionBack(m, d) { return [0, 1, 2].map((c) => m[4 * c] * d[0] + m[4 * c + 1] * d[1] + m[4 * c + 2] * d[2]); },
+};

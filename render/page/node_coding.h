@@ -1,0 +1,22 @@
+// The colours of nodes as differences from a guess: nine tenths of an asset, and smooth but where surfaces pass.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/page/asset.h"
+
+namespace pomona {
+
+/// One byte a channel and node that is inside (winding not 0), all of red first. Nodes go from coarse to fine: those
+/// whose coordinates are all multiples of 16 in order, then, as the step halves to 1, those with one odd coordinate in
+/// steps, those with two, those with three. The guess is a mean of the neighbours a step away along odd coordinates, which
+/// are known by then: a pair counts the less the more its two differ, since then a surface passes between them. Large
+/// differences are rounded, so that values come back within 2 of 255, and those of smooth places as they were.
+std::vector<std::uint8_t> coded_nodes(const Asset& asset);
+
+/// The opposite; `coded` has 3 bytes for each node that is inside.
+std::vector<glm::u8vec3> decoded_nodes(const Asset& asset, std::span<const std::uint8_t> coded);
+
+}  // namespace pomona

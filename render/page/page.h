@@ -1,0 +1,26 @@
+// A fruit as a page of its own: one HTML file that opens from disk, and cuts it live (docs/page.md).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "generator/knife/knife.h"
+#include "render/page/asset.h"
+#include "render/style/style.h"
+
+namespace pomona {
+
+/// Cuts that a page makes at a time.
+constexpr std::size_t most_page_cuts = 4;
+
+struct PageOptions {
+  Style style;
+  std::vector<CuttingPlane> cuts;  ///< it opens with these; at most most_page_cuts
+  std::string made_by;             ///< "pomona 0.3.0, seed 2"
+};
+
+/// Needs nothing besides itself, but a browser with WebGL 2. The same asset gives the same bytes.
+std::string write_page(const Asset& asset, const PageOptions& options);
+
+}  // namespace pomona

@@ -1,0 +1,220 @@
+// Cut faces. LOOK: their bare colours, into a texture that a knife's face is parametrised by; TONE, DETAIL and INK: noise,
+// details one by one, and lines on them; SHOW: the face as it stands in the picture, lit; DEPTH and PICK: what shadows and the pointer ask.
+#ifdef VERTEX
+// A strip across the face: flat knives have one column, others many.
+uniform int columns;
+uniform vec3 face_origin, face_u, face_v, face_n;  // cells of the grid; u and v as long as half the face
+uniform mat4 piece, camera;
+uniform int knife_number;
+uniform highp sampler2D profiles;
+out vec2 place;
+centroid out vec3 in_fruit;
+void main() {
+#if defined(LOOK) || defined(TONE) || defined(DETAIL) || defined(INK)
+  vec2 st = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
+  place = st;
+  in_fruit = vec3(0.0);
+  gl_Position = vec4(st, 0.0, 1.0);
+#else
+  vec2 st = vec2(2.0 * float(gl_VertexID / 2) / float(columns) - 1.0, float(gl_VertexID & 1) * 2.0 - 1.0);
+  int column = int(round((st.x * 0.5 + 0.5) * 255.0));
+  float height = texelFetch(profiles, ivec2(column, knife_number), 0).r;
+  place = st;
+  in_fruit = face_origin + st.x * face_u + st.y * face_v + height * face_n;
+  gl_Position = camera * piece * vec4(in_fruit, 1.0);
+#endif
+}
+#endif
+
+#ifdef FRAGMENT
+in vec2 place;
+centroid in vec3 in_fruit;
+uniform vec3 face_origin, face_u, face_v, face_n;
+uniform int knife_number;
+uniform highp sampler2D profiles;  // a knife's height over its plane, 256 places each, a row a knife
+
+float profile_at(int knife, float s) {
+  float at = clamp(s * 0.5 + 0.5, 0.0, 1.0) * 255.0, low = floor(at);
+  float a = texelFetch(profiles, ivec2(int(low), knife), 0).r;
+  float b = texelFetch(profiles, ivec2(min(int(low) + 1, 255), knife), 0).r;
+  return mix(a, b, at - low);
+}
+
+#if defined(TONE) || defined(DETAIL) || defined(INK) || defined(SHOW)
+#include "noise.glsl"
+#endif
+
+#ifdef LOOK
+#include "look.glsl"
+layout(location = 0) out vec4 bare;
+layout(location = 1) out vec4 tag;  // 1 + part, of 255
+void main() {
+  vec3 g = face_origin + place.x * face_u + place.y * face_v + profile_at(knife_number, place.x) * face_n;
+  vec3 color;
+  int part;
+  bool inside = pomona_look(g, color, part);
+  bare = vec4(color, inside ? 1.0 : 0.0);
+  tag = vec4(inside ? float(part + 1) / 255.0 : 0.0, 0.0, 0.0, 1.0);
+}
+#endif
+
+#if defined(TONE) || defined(DETAIL) || defined(INK)
+uniform sampler2D bare, tags, before;  // before: what the pass before this one has left
+layout(location = 0) out vec4 styled;
+
+vec4 bare_at(ivec2 at) { return texelFetch(bare, clamp(at, ivec2(0), textureSize(bare, 0) - 1), 0); }
+#endif
+
+#if defined(TONE) || defined(DETAIL)
+uniform vec4 lattice;  // origin, spacing: metres
+
+vec3 cells_here() {
+  return face_origin + place.x * face_u + place.y * face_v + profile_at(knife_number, place.x) * face_n;
+}
+float footprint_here() { return lattice.w * 2.0 * length(face_u) / float(textureSize(bare, 0).x); }
+#endif
+
+#ifdef TONE
+void main() {
+  vec4 here = bare_at(ivec2(gl_FragCoord.xy));
+  if (here.a == 0.0) discard;
+  styled = vec4(modulated(here.rgb, lattice.xyz + lattice.w * cells_here(), footprint_here(), 0), 1.0);
+}
+#endif
+
+#ifdef DETAIL
+// One detail at a time, of a kind that is known when this is compiled: all in one are more than software renderers can
+// translate in a minute.
+uniform int detail_number;
+#include "detail.glsl"
+uniform highp sampler3D guide;  // to the skin and the depth of the layer, metres; every stride-th node
+uniform sampler2D shares;       // by depth and part
+uniform float guide_scale;      // from cells to the guide's nodes
+uniform vec2 guide_depth;       // the deepest, metres; parts
+
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec4 here = bare_at(at);
+  if (here.a == 0.0) discard;
+  vec3 g = cells_here();
+  vec4 way_layer = texture(guide, (g * guide_scale + 0.5) / vec3(textureSize(guide, 0)));
+  float part = texelFetch(tags, at, 0).r * 255.0 - 1.0, depth = clamp(length(way_layer.xyz) / guide_depth.x, 0.0, 1.0);
+  vec4 share = texture(shares, vec2((depth * 31.0 + 0.5) / 32.0, (part + 0.5) / guide_depth.y));
+  vec3 color = texelFetch(before, at, 0).rgb;
+  styled = vec4(detailed(color, here.rgb, lattice.xyz + lattice.w * g, footprint_here(), 0, true, way_layer, share), 1.0);
+}
+#endif
+
+#ifdef INK
+uniform vec4 ink;         // colour, opacity
+uniform float ink_width;  // texels to either side
+
+// Where the bare colour jumps between two sides of the place: how sharply, in OKLab.
+float jump(ivec2 at, vec2 way) {
+  vec4 a = bare_at(at + ivec2(round(way))), b = bare_at(at - ivec2(round(way)));
+  return a.a * b.a > 0.0 ? length(to_oklab(a.rgb) - to_oklab(b.rgb)) : 0.0;
+}
+
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  if (bare_at(at).a == 0.0) {
+    // Beyond the rim the colours beside it go on, for when the texture is seen smaller.
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 8; ++i) {
+      int k = i < 4 ? i : i + 1;
+      vec4 beside = bare_at(at + 2 * ivec2(k % 3 - 1, k / 3 - 1));
+      sum += beside * beside.a;
+    }
+    styled = vec4(sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0), 0.0);
+    return;
+  }
+  vec3 color = texelFetch(before, at, 0).rgb;
+  if (ink.a > 0.0) {
+    // The hand presses now more, now less.
+    float hand = 0.75 + 0.5 * gradient_noise(vec3(place * 9.0, 0.5), 77u);
+    float reach = max(ink_width * hand, 0.75);
+    float sharpest = max(max(jump(at, vec2(reach, 0.0)), jump(at, vec2(0.0, reach))),
+                         max(jump(at, 0.7 * vec2(reach, reach)), jump(at, 0.7 * vec2(reach, -reach))));
+    color = mix(color, ink.rgb, ink.a * hand * smoothstep(0.07, 0.17, sharpest));
+  }
+  styled = vec4(color, 1.0);
+}
+#endif
+
+#if defined(SHOW) || defined(DEPTH) || defined(PICK)
+uniform sampler2D styled, tags;
+uniform vec4 knife_plane[4], knife_along[4];
+uniform vec4 keep;  // +1 or -1 for each knife: which side of it the piece lies on; 0 for knives that do not count
+
+bool is_cut_away() {
+  for (int k = 0; k < 4; ++k) {
+    if (keep[k] == 0.0 || k == knife_number) continue;
+    float s = dot(knife_along[k].xyz, in_fruit) - knife_along[k].w;
+    if (keep[k] * (dot(knife_plane[k].xyz, in_fruit) - knife_plane[k].w - profile_at(k, s)) < 0.0) return true;
+  }
+  return false;
+}
+#endif
+
+#ifdef DEPTH
+layout(location = 0) out vec4 nothing;
+void main() {
+  if (is_cut_away() || textureLod(styled, place * 0.5 + 0.5, 0.0).a < 0.5) discard;
+  nothing = vec4(1.0);
+}
+#endif
+
+#ifdef PICK
+layout(location = 0) out vec4 picked;
+void main() {
+  float tag = textureLod(tags, place * 0.5 + 0.5, 0.0).r;
+  if (is_cut_away() || tag == 0.0) discard;
+  picked = vec4(tag, 1.0, 0.0, 1.0);
+}
+#endif
+
+#ifdef SHOW
+#include "ground.glsl"
+uniform mat4 piece;
+uniform vec3 eye;          // in the picture's space, cells
+uniform vec4 lattice;
+uniform float side;        // +1: seen from where the normal points
+uniform vec4 ink;
+uniform float rim_width;   // pixels
+uniform vec2 paint;        // saturation, lightness
+uniform float outline;     // whether rims have one
+layout(location = 0) out vec4 pixel;
+
+void main() {
+  if (is_cut_away()) discard;
+  vec2 at = place * 0.5 + 0.5;
+  vec2 dx = dFdx(at), dy = dFdy(at);
+  vec4 color = texture(styled, at);
+
+  // The rim: how much of what lies around is no longer fruit.
+  float hand = 0.7 + 0.6 * gradient_noise(vec3(place * 7.0, 0.5), 78u);
+  float air = 0.0, cover = textureLod(styled, at, 0.0).a;
+  if (outline > 0.0) {
+    for (int i = 0; i < 12; ++i) {
+      float turn = 6.2831853 * float(i) / 12.0;
+      vec2 step_away = rim_width * hand * (cos(turn) * dx + sin(turn) * dy);
+      air = max(air, 1.0 - textureLod(styled, at + step_away, 0.0).a);
+      cover = max(cover, 0.0);
+    }
+  }
+  if (cover < 0.5) discard;
+  float slope = (profile_at(knife_number, place.x + 0.008) - profile_at(knife_number, place.x - 0.008)) / 0.016;
+  vec3 n = normalize(face_n - slope * face_u / dot(face_u, face_u));
+  n = normalize(mat3(piece) * n) * side;
+  vec3 position = lattice.xyz + lattice.w * in_fruit, there = (piece * vec4(in_fruit, 1.0)).xyz;
+  vec3 to_eye = normalize(eye - there);
+  float footprint = lattice.w * length(fwidth(in_fruit)) * 0.6;
+  float part = texelFetch(tags, ivec2(at * vec2(textureSize(tags, 0))), 0).r * 255.0 - 1.0;
+  Seen seen = Seen(sky_seen(there, n), sun_seen(there, n), vec3(0.0), vec3(0.0));
+  vec3 shown = fruit_color(color.rgb, n, to_eye, seen, true, material_at(max(part, 0.0)), position, footprint);
+  shown = painted(shown, paint);
+  shown = mix(shown, ink.rgb, outline * smoothstep(0.35, 0.65, air) * 0.92);
+  pixel = vec4(srgb_from_linear(shown), 1.0);
+}
+#endif
+#endif

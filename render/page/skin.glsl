@@ -1,0 +1,105 @@
+// The skin and the walls of hollows. SHOW: lit; HULL: the outline, a shell drawn a little larger behind it; DEPTH and
+// PICK: what shadows and the pointer ask.
+#ifdef VERTEX
+layout(location = 0) in vec3 position;  // cells of the grid
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 color;
+layout(location = 3) in float part;
+uniform mat4 piece, camera;
+uniform vec3 outline;  // half the picture's width and height, pixels; the line's width
+centroid out vec3 in_fruit;
+centroid out vec3 fruit_normal, bare;
+flat out float tag;
+void main() {
+  in_fruit = position;
+  fruit_normal = normal;
+  bare = color;
+  tag = part;
+  gl_Position = camera * piece * vec4(position, 1.0);
+#ifdef HULL
+  vec2 way = (camera * vec4(mat3(piece) * normal, 0.0)).xy * outline.xy;
+  gl_Position.xy += way / max(length(way), 1e-4) * outline.z / outline.xy * gl_Position.w;
+  gl_Position.z += 2e-4 * gl_Position.w;
+#endif
+}
+#endif
+
+#ifdef FRAGMENT
+centroid in vec3 in_fruit;
+centroid in vec3 fruit_normal, bare;
+flat in float tag;
+uniform vec4 knife_plane[4], knife_along[4];
+uniform vec4 keep;
+uniform highp sampler2D profiles;
+
+float profile_at(int knife, float s) {
+  float at = clamp(s * 0.5 + 0.5, 0.0, 1.0) * 255.0, low = floor(at);
+  float a = texelFetch(profiles, ivec2(int(low), knife), 0).r;
+  float b = texelFetch(profiles, ivec2(min(int(low) + 1, 255), knife), 0).r;
+  return mix(a, b, at - low);
+}
+
+bool is_cut_away() {
+  for (int k = 0; k < 4; ++k) {
+    if (keep[k] == 0.0) continue;
+    float s = dot(knife_along[k].xyz, in_fruit) - knife_along[k].w;
+    if (keep[k] * (dot(knife_plane[k].xyz, in_fruit) - knife_plane[k].w - profile_at(k, s)) < 0.0) return true;
+  }
+  return false;
+}
+
+#ifdef DEPTH
+layout(location = 0) out vec4 nothing;
+void main() {
+  if (is_cut_away()) discard;
+  nothing = vec4(1.0);
+}
+#endif
+
+#ifdef PICK
+layout(location = 0) out vec4 picked;
+void main() {
+  if (is_cut_away()) discard;
+  picked = vec4((tag + 1.0) / 255.0, 0.5, 0.0, 1.0);
+}
+#endif
+
+#ifdef HULL
+uniform vec4 ink;
+layout(location = 0) out vec4 pixel;
+vec3 encoded(vec3 c) { return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
+void main() {
+  if (is_cut_away()) discard;
+  pixel = vec4(encoded(ink.rgb), 1.0);
+}
+#endif
+
+#ifdef SHOW
+#include "ground.glsl"
+uniform mat4 piece;
+uniform vec3 eye;
+uniform vec4 lattice;
+uniform bool painted_noise;
+uniform vec2 paint;
+uniform vec4 ink;
+layout(location = 0) out vec4 pixel;
+
+void main() {
+  if (is_cut_away()) discard;
+  if (!gl_FrontFacing) {
+    // Seen from within, through the hair's breadth between skin and cut face.
+    pixel = vec4(srgb_from_linear(mix(bare, ink.rgb, 0.7)), 1.0);
+    return;
+  }
+  vec3 there = (piece * vec4(in_fruit, 1.0)).xyz, to_eye = normalize(eye - there);
+  vec3 n = normalize(mat3(piece) * fruit_normal);
+  vec3 position = lattice.xyz + lattice.w * in_fruit;
+  float footprint = lattice.w * length(fwidth(in_fruit)) * 0.6;
+  vec3 color = clamp(bare, 0.0, 1.0);
+  if (painted_noise) color = modulated(color, position, footprint, 0);
+  Seen seen = Seen(sky_seen(there, n), sun_seen(there, n), vec3(0.0), vec3(0.0));
+  color = fruit_color(color, n, to_eye, seen, false, material_at(tag), position, footprint);
+  pixel = vec4(srgb_from_linear(painted(color, paint)), 1.0);
+}
+#endif
+#endif

@@ -1,0 +1,68 @@
+// The skin as triangles to be drawn: the boundary, seen from air, with smooth normals.
+'use strict';
+const Skin = (() => {
+  /**
+   * Twelve numbers a corner, nine corners' worth of nothing shared: position (cells of the grid), normal, colour (linear),
+   * part. Normals are smooth over equal places, but where surfaces meet at a sharp angle.
+   */
+  function built(fruit) {
+    const {position, triangle, hidden, units} = fruit;
+    const faces = [];
+    for (let t = 0; t < hidden.length; ++t) if (hidden[t] !== 0) faces.push(t);
+
+    // Vertices at one place are one: found by a hash of the place, open addressing.
+    const size = 1 << Math.ceil(Math.log2(4 * faces.length + 4)), slot = new Int32Array(size).fill(-1);
+    const place = new Int32Array(position.length / 3).fill(-1);
+    let places = 0;
+    const placeOf = (v) => {
+      if (place[v] >= 0) return place[v];
+      const x = position[3 * v], y = position[3 * v + 1], z = position[3 * v + 2];
+      let at = (Math.imul(x, 0x8da6b343) ^ Math.imul(y, 0xd8163841) ^ Math.imul(z, 0xcb1ab31f)) >>> 0 & size - 1;
+      for (; slot[at] >= 0; at = at + 1 & size - 1) {
+        const w = slot[at];
+        if (position[3 * w] === x && position[3 * w + 1] === y && position[3 * w + 2] === z) return place[v] = place[w];
+      }
+      slot[at] = v;
+      return place[v] = places++;
+    };
+
+    // Sum up normals, each face's as long as its area.
+    const corners = new Int32Array(3 * faces.length), face = new Float32Array(3 * faces.length);
+    faces.forEach((t, f) => {
+      const turned = hidden[t] === 2, v = [0, turned ? 2 : 1, turned ? 1 : 2].map((k) => triangle[3 * t + k]);
+      const [a, b, c] = v.map((i) => 3 * i), p = position;
+      const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
+      const wx = p[c] - p[a], wy = p[c + 1] - p[a + 1], wz = p[c + 2] - p[a + 2];
+      corners.set(v, 3 * f);
+      face.set([uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx], 3 * f);
+      v.forEach(placeOf);
+    });
+    const sum = new Float64Array(3 * places);
+    for (let i = 0; i < corners.length; ++i) {
+      const at = 3 * place[corners[i]], f = 3 * (i / 3 | 0);
+      for (let k = 0; k < 3; ++k) sum[at + k] += face[f + k];
+    }
+
+    const data = new Float32Array(10 * corners.length);
+    const linear = Float32Array.from({length: 256}, (_, i) => {
+      const c = i / 255;
+      return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+    });
+    for (let i = 0; i < corners.length; ++i) {
+      const v = corners[i], f = 3 * (i / 3 | 0), t = faces[i / 3 | 0], front = hidden[t] === 1;
+      const n = [face[f], face[f + 1], face[f + 2]], at = 3 * place[v], s = [sum[at], sum[at + 1], sum[at + 2]];
+      const along = n[0] * s[0] + n[1] * s[1] + n[2] * s[2], smooth = along > 0.25 * Math.hypot(...n) * Math.hypot(...s);
+      const m = smooth ? s : n, length = Math.hypot(...m) || 1, color = front ? fruit.front : fruit.back;
+      for (let k = 0; k < 3; ++k) {
+        data[10 * i + k] = (position[3 * v + k] + 0.5) / units;
+        data[10 * i + 3 + k] = m[k] / length;
+        data[10 * i + 6 + k] = linear[color[3 * v + k]];
+      }
+      data[10 * i + 9] = fruit.part[front ? 0 : 1][t];
+    }
+    return data;
+  }
+
+  return {built};
+})();
+if (typeof module !== 'undefined') module.exports = Skin;

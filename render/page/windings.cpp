@@ -1,0 +1,80 @@
+#include "render/page/windings.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pomona {
+
+namespace {
+
+struct Corner {
+  std::int64_t x = 0, y = 0, z = 0;
+};
+
+std::int64_t floor_of(std::int64_t a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
+std::int64_t ceiling_of(std::int64_t a, std::int64_t b) { return -floor_of(-a, b); }
+
+/// Twice the area of a, b and the row at (y, z), seen along x.
+std::int64_t area(const Corner& a, const Corner& b, std::int64_t y, std::int64_t z) {
+  return (b.y - a.y) * (z - a.z) - (b.z - a.z) * (y - a.y);
+}
+
+/// On which side of a -> b the row passes: both triangles at an edge are told the same, and never "on it".
+bool is_left(const Corner& a, const Corner& b, std::int64_t y, std::int64_t z) {
+  if (b.z < a.z || (b.z == a.z && b.y < a.y)) return !is_left(b, a, y, z);
+  const std::int64_t twice = area(a, b, y, z);
+  if (twice != 0) return twice > 0;
+  return a.z == b.z && b.y > a.y;
+}
+
+/// Adds what one triangle changes along the rows that it crosses: from the first node beyond it on.
+void add_crossings(const std::array<Corner, 3>& t, const Asset& asset, std::vector<std::int8_t>& change) {
+  const auto& [a, b, c] = t;
+  const std::int64_t step = 2 * asset.units;
+  const std::int64_t nx = asset.count[0], ny = asset.count[1];
+  const std::int64_t z_end = std::min<std::int64_t>(floor_of(std::max({a.z, b.z, c.z}), step), asset.count[2] - 1);
+  const std::int64_t y_end = std::min<std::int64_t>(floor_of(std::max({a.y, b.y, c.y}), step), ny - 1);
+  for (std::int64_t iz = ceiling_of(std::min({a.z, b.z, c.z}), step); iz <= z_end; ++iz) {
+    for (std::int64_t iy = ceiling_of(std::min({a.y, b.y, c.y}), step); iy <= y_end; ++iy) {
+      const std::int64_t y = iy * step, z = iz * step;
+      const bool left = is_left(a, b, y, z);
+      if (is_left(b, c, y, z) != left || is_left(c, a, y, z) != left) continue;
+
+      // Where it crosses, as weights of the corners; an edge-on triangle stands for its first corner.
+      const double e1 = static_cast<double>(area(a, b, y, z)), e2 = static_cast<double>(area(b, c, y, z));
+      const double e3 = static_cast<double>(area(c, a, y, z)), sum = e1 + e2 + e3;
+      const double x = sum == 0 ? static_cast<double>(a.x)
+                                : (e2 * static_cast<double>(a.x) + e3 * static_cast<double>(b.x) +
+                                   e1 * static_cast<double>(c.x)) /
+                                      sum;
+      const std::int64_t first = std::max<std::int64_t>(0, static_cast<std::int64_t>(x / static_cast<double>(step)) + 1);
+      if (first >= nx) continue;
+      std::int8_t& at = change[static_cast<std::size_t>((iz * ny + iy) * nx + first)];
+      at = static_cast<std::int8_t>(at + (left ? -1 : 1));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::int8_t> windings(const Asset& asset) {
+  std::vector<std::int8_t> winding(asset.node_count(), 0);
+  const auto corner = [&](std::uint32_t v) {
+    const glm::u16vec3& q = asset.position[v];
+    return Corner{2 * q.x + 1, 2 * q.y + 1, 2 * q.z + 1};
+  };
+  for (std::size_t t = 0; t < asset.triangle.size(); ++t) {
+    if (asset.hidden[t] == 0) continue;
+    // Counter-clockwise seen from air.
+    const glm::uvec3& v = asset.triangle[t];
+    const bool turned = asset.hidden[t] == 2;
+    add_crossings({corner(v.x), corner(turned ? v.z : v.y), corner(turned ? v.y : v.z)}, asset, winding);
+  }
+  const auto nx = static_cast<std::size_t>(asset.count[0]);
+  for (std::size_t row = 0; row < winding.size(); row += nx) {
+    for (std::size_t x = 1; x < nx; ++x) winding[row + x] = static_cast<std::int8_t>(winding[row + x] + winding[row + x - 1]);
+  }
+  return winding;
+}
+
+}  // namespace pomona

@@ -1,0 +1,33 @@
+// The look-up in JavaScript against the C++ field, at all points of the squares that write_sections has left.
+//   node look_up.mjs FOLDER [--table]    fails if a bar is missed; --table prints a table of all fruits, as docs/page.md has it
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { inflateSync } from 'node:zlib';
+import { errorsOf, holds, line, readSections, srgb } from './section_errors.mjs';
+
+const require = createRequire(import.meta.url);
+const Asset = require('../../render/page/read_asset.js'), LookUp = require('../../render/page/look_up.js');
+const [folder, how] = process.argv.slice(2);
+let missed = 0, seen = 0;
+if (how === '--table') console.log('| | page, KB | RMS | 95th percentile | in or out wrong |\n|---|---|---|---|---|');
+for (const file of readdirSync(folder).filter((name) => name.endsWith('.pomona')).sort()) {
+  const name = file.slice(0, -7), packed = readFileSync(`${folder}/${file}`);
+  const fruit = Asset.decoded(new Uint8Array(inflateSync(packed.subarray(8)))), lists = LookUp.cells(fruit), hull = LookUp.range(fruit);
+  const all = [];
+  for (const square of readSections(folder, name)) {
+    const { size, origin, u, v, reach } = square;
+    const errors = errorsOf(square, (i) => {
+      const s = reach * (2 * (i % size + 0.5) / size - 1), t = reach * (2 * (Math.floor(i / size) + 0.5) / size - 1);
+      const found = LookUp.at(fruit, lists, hull, [0, 1, 2].map((k) => origin[k] + s * u[k] + t * v[k]));
+      return found && found.color.map(srgb);
+    });
+    ++seen;
+    all.push(errors);
+    if (!holds(errors)) ++missed;
+    if (how !== '--table' || !holds(errors)) console.log(`${name} ${square.name}: ${line(errors)}${holds(errors) ? '' : ': a bar is missed'}`);
+  }
+  const most = (key) => Math.max(...all.map((e) => e[key]));
+  if (how === '--table')
+    console.log(`| ${name} | ${Math.round(statSync(`${folder}/${name}.html`).size / 1000)} | ${most('rms').toFixed(2)} | ${most('p95').toFixed(2)} | ${most('wrong')} |`);
+}
+process.exit(missed > 0 || seen === 0 ? 1 : 0);

@@ -1,0 +1,135 @@
+// Fruits as assets and pages, and squares of their sections as the harmonic field colours them in C++: what browsers and
+// Node are held to.
+//   write_sections FOLDER SIZE TEMPLATE...    makes FOLDER/NAME.pomona, NAME.html, NAME.json and NAME.sections
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "generator/base/error.h"
+#include "generator/diffusion/harmonic/harmonic_diffuser.h"
+#include "generator/mesh/enclosures.h"
+#include "generator/piece/grow.h"
+#include "generator/surface/bodies.h"
+#include "generator/template/read/read_template.h"
+#include "render/page/asset_file.h"
+#include "render/page/make_asset.h"
+#include "render/page/page.h"
+
+namespace {
+
+using namespace pomona;
+namespace fs = std::filesystem;
+
+/// A square in a plane, seen from where its normal points.
+struct Square {
+  std::string name;
+  glm::dvec3 origin, u, v, n;  ///< metres; unit directions
+  double reach = 0;            ///< half its side, metres
+};
+
+std::vector<Square> squares_of(const Box<double>& bounds) {
+  std::vector<Square> squares;
+  const glm::dvec3 size = bounds.size();
+  const double reach = 0.52 * std::max({size.x, size.y, size.z});
+  const std::vector<std::pair<std::string, glm::dvec3>> normals = {
+      {"half", {0, 0, 1}}, {"across", {0, 1, 0}}, {"slanted", glm::normalize(glm::dvec3(0.3, 1, 0.2))}};
+  for (const auto& [name, n] : normals) {
+    const glm::dvec3 u = name == "half" ? glm::dvec3(1, 0, 0) : glm::normalize(glm::cross(n, glm::dvec3(0, 0, 1)));
+    // `half` is the plane z = 0, the others go through the middle.
+    glm::dvec3 origin = bounds.center();
+    if (name == "half") origin.z = 0;
+    squares.push_back({name, origin, u, glm::cross(n, u), n, reach});
+  }
+  return squares;
+}
+
+std::vector<glm::vec3> points_of(const Square& square, int size) {
+  std::vector<glm::vec3> points;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const double s = 2 * (x + 0.5) / size - 1, t = 2 * (y + 0.5) / size - 1;
+      points.emplace_back(square.origin + square.reach * (s * square.u + t * square.v));
+    }
+  }
+  return points;
+}
+
+/// The shells of all bodies, facing air.
+Enclosures bodies_of(const DiffusionSurfaces& surfaces) {
+  const Bodies bodies = find_bodies(surfaces);
+  std::vector<Enclosures::Triangle> walls;
+  for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
+    if (!surfaces.is_boundary(t)) continue;
+    const glm::uvec3& v = surfaces.triangle[t];
+    const bool turned = surfaces.is_hidden(t, SideOf::back);
+    walls.push_back({{glm::dvec3(surfaces.position[v.x]), glm::dvec3(surfaces.position[turned ? v.z : v.y]),
+                      glm::dvec3(surfaces.position[turned ? v.y : v.z])},
+                     static_cast<std::uint32_t>(bodies.of_triangle[t])});
+  }
+  return Enclosures(walls);
+}
+
+nlohmann::json list_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+void write(const fs::path& file, const std::string& bytes) {
+  std::ofstream out(file, std::ios::binary);
+  out << bytes;
+  if (!out) throw Error(ExitStatus::io_error, file.string() + " cannot be written");
+}
+
+/// Per point: red, green, blue (linear floats), and 1 inside, 0 in air.
+std::string bytes_of(const std::vector<glm::vec3>& points, const ColorField& field, const Enclosures& bodies) {
+  const DiffusedColors colors = field.at(points);
+  std::string bytes;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::vec4 value(colors.color[i], bodies.around(glm::dvec3(points[i])).empty() ? 0.0f : 1.0f);
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  return bytes;
+}
+
+void write_fruit(const std::string& name, int size, const fs::path& folder) {
+  const VariantKey key{0, 0};
+  const Template fruit =
+      variant_of(read_template(std::string(POMONA_SOURCE_DIR) + "/templates/" + name + ".toml"), key, {.as_drawn = true});
+  const GrownFruit grown = grow(fruit, key, {.as_drawn = true});
+  const Asset asset = make_asset({grown, fruit, name, 0});
+  write(folder / (name + ".pomona"), write_asset(asset, "a test"));
+  write(folder / (name + ".html"),
+        write_page(asset, {.style = style_named("ink"), .cuts = {{{0, 0, 1}, 0}}, .made_by = "a test"}));
+
+  // Squares in cells of the asset's grid, and their true colours.
+  const auto field = make_harmonic_diffuser()->field(grown.sheets);
+  const Enclosures bodies = bodies_of(grown.sheets);
+  nlohmann::json squares = nlohmann::json::array();
+  std::string bytes;
+  for (const Square& square : squares_of(bounds_of(grown.sheets))) {
+    squares.push_back({{"name", square.name},
+                       {"origin", list_of((square.origin - asset.origin) / asset.spacing)},
+                       {"u", list_of(square.u)},
+                       {"v", list_of(square.v)},
+                       {"n", list_of(square.n)},
+                       {"reach", square.reach / asset.spacing}});
+    bytes += bytes_of(points_of(square, size), *field, bodies);
+  }
+  write(folder / (name + ".json"), nlohmann::json({{"size", size}, {"squares", squares}}).dump());
+  write(folder / (name + ".sections"), bytes);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc < 4) return 64;
+  fs::create_directories(argv[1]);
+  for (int i = 3; i < argc; ++i) write_fruit(argv[i], std::stoi(argv[2]), argv[1]);
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 1;
+}

@@ -1,0 +1,193 @@
+// Assets and pages of real fruit: what is written is read again, and what is no asset is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "generator/base/error.h"
+#include "generator/piece/grow.h"
+#include "generator/surface/bodies.h"
+#include "generator/mesh/enclosures.h"
+#include "generator/template/read/read_template.h"
+#include "render/page/asset_file.h"
+#include "render/page/byte_planes.h"
+#include "render/page/deflate.h"
+#include "render/page/make_asset.h"
+#include "render/page/node_coding.h"
+#include "render/page/page.h"
+
+namespace pomona {
+namespace {
+
+struct Grown {
+  Template fruit;
+  GrownFruit grown;
+};
+
+const Grown& cherry() {
+  static const Grown made = [] {
+    const VariantKey key{0, 0};
+    const Template fruit = variant_of(read_template(POMONA_SOURCE_DIR "/templates/cherry.toml"), key, {.as_drawn = true});
+    return Grown{fruit, grow(fruit, key, {.as_drawn = true})};
+  }();
+  return made;
+}
+
+Asset draft_of(const Grown& made, int threads = 0) {
+  return make_asset({made.grown, made.fruit, "cherry", 0}, {.quality = Quality::draft, .threads = {threads}});
+}
+
+const Asset& asset() {
+  static const Asset made = draft_of(cherry());
+  return made;
+}
+
+std::string refusal(std::string_view bytes) {
+  try {
+    read_asset(bytes, "x.pomona");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::bad_data);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(BytePlanes, GiveBackEveryNumber) {
+  const std::vector<std::uint32_t> numbers = {0, 1, 65535, 0, 32768, 32767, 7, 7, 7, 65535};
+  for (const std::size_t back : {1u, 2u, 100u}) EXPECT_EQ(from_planes(as_planes(numbers, back, 2), back, 2), numbers);
+  const std::vector<std::uint32_t> wide = {0, 0xffffff, 0x800000, 0x7fffff, 1, 0};
+  EXPECT_EQ(from_planes(as_planes(wide, 2, 3), 2, 3), wide);
+}
+
+TEST(Deflate, TellsWholeStreamsFromOthers) {
+  const std::string text(100000, 'x'), packed = deflated(text);
+  EXPECT_EQ(inflated(packed, text.size()), text);
+  EXPECT_FALSE(inflated(packed, text.size() - 1));
+  EXPECT_FALSE(inflated(packed + "x", text.size()));
+  EXPECT_FALSE(inflated(std::string_view(packed).substr(0, packed.size() - 1), text.size()));
+  EXPECT_FALSE(inflated("", 10));
+}
+
+TEST(Asset, IsReadAsItWasWritten) {
+  const Asset& a = asset();
+  const Asset b = read_asset(write_asset(a, "a test"), "x.pomona");
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.title, b.title);
+  EXPECT_EQ(a.parts, b.parts);
+  EXPECT_EQ(a.count, b.count);
+  EXPECT_EQ(a.origin, b.origin);
+  EXPECT_EQ(a.spacing, b.spacing);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.front_color, b.front_color);
+  EXPECT_EQ(a.back_color, b.back_color);
+  EXPECT_EQ(a.triangle, b.triangle);
+  EXPECT_EQ(a.hidden, b.hidden);
+  EXPECT_EQ(a.front_part, b.front_part);
+  EXPECT_EQ(a.back_part, b.back_part);
+  EXPECT_EQ(a.winding, b.winding);
+  EXPECT_EQ(a.noise, b.noise);
+  EXPECT_EQ(a.details, b.details);
+  EXPECT_EQ(a.materials, b.materials);
+  EXPECT_EQ(a.skin_share, b.skin_share);
+  ASSERT_TRUE(a.guide && b.guide);
+  EXPECT_EQ(a.guide->value, b.guide->value);
+  EXPECT_EQ(a.guide->share, b.guide->share);
+}
+
+// Large differences between nodes are rounded, by no more than this.
+TEST(Asset, KeepsColoursOfNodesWithinTwo) {
+  const Asset& a = asset();
+  const std::vector<glm::u8vec3> read = decoded_nodes(a, coded_nodes(a));
+  int worst = 0;
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    if (a.winding[i] == 0) continue;
+    ++inside;
+    for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(read[i][k] - a.node_color[i][k]));
+  }
+  EXPECT_GT(inside, 10000u);
+  EXPECT_LE(worst, 2);
+}
+
+// Another way to tell inside from outside: how often the shells wind around a point, by solid angles' columns.
+TEST(Asset, WindsAroundTheNodesThatBodiesEnclose) {
+  const Asset& a = asset();
+  const DiffusionSurfaces& surfaces = cherry().grown.sheets;
+  const Bodies bodies = find_bodies(surfaces);
+  std::vector<Enclosures::Triangle> walls;
+  for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
+    if (!surfaces.is_boundary(t)) continue;
+    const glm::uvec3& v = surfaces.triangle[t];
+    const bool turned = surfaces.is_hidden(t, SideOf::back);
+    walls.push_back({{glm::dvec3(surfaces.position[v.x]), glm::dvec3(surfaces.position[turned ? v.z : v.y]),
+                      glm::dvec3(surfaces.position[turned ? v.y : v.z])},
+                     static_cast<std::uint32_t>(bodies.of_triangle[t])});
+  }
+  const Enclosures enclosures(walls);
+  std::size_t asked = 0, unlike = 0;
+  for (std::size_t i = 0; i < a.winding.size(); i += 7) {
+    const auto nx = static_cast<std::size_t>(a.count[0]), ny = static_cast<std::size_t>(a.count[1]);
+    const glm::dvec3 place = a.origin + a.spacing * glm::dvec3(i % nx, i / nx % ny, i / (nx * ny));
+    ++asked;
+    if (enclosures.around(place).empty() != (a.winding[i] == 0)) ++unlike;
+  }
+  // Rounding moves the skin by a thousandth of a cell.
+  EXPECT_LE(unlike, asked / 2000);
+}
+
+TEST(Asset, HasTheSameBytesFromAnyNumberOfThreads) {
+  EXPECT_EQ(write_asset(draft_of(cherry(), 1), "a test"), write_asset(draft_of(cherry(), 3), "a test"));
+}
+
+TEST(Asset, IsRefusedWhereItIsNone) {
+  const std::string whole = write_asset(asset(), "a test");
+  EXPECT_THAT(refusal(""), testing::HasSubstr("no asset"));
+  EXPECT_THAT(refusal("glTF" + whole), testing::HasSubstr("no asset"));
+  for (const std::size_t length : {std::size_t{8}, std::size_t{9}, whole.size() / 2, whole.size() - 1})
+    EXPECT_THAT(refusal(std::string_view(whole).substr(0, length)), testing::HasSubstr("cut off"));
+}
+
+// What is unpacked may say anything of itself.
+TEST(Asset, IsRefusedWhereItPointsOutsideItself) {
+  const std::string whole = write_asset(asset(), "a test"), magic = whole.substr(0, 8);
+  const std::string plain = *inflated(std::string_view(whole).substr(8), std::size_t{1} << 28);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string bytes = plain;
+    const std::size_t at = bytes.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return magic + deflated(bytes.replace(at, from.size(), to));
+  };
+  EXPECT_THAT(refusal(changed("\"format\":1", "\"format\":9")), testing::HasSubstr("format"));
+  EXPECT_THAT(refusal(changed("\"units\":", "\"unity\":")), testing::HasSubstr("header"));
+  const std::string triangles = "\"triangles\":" + std::to_string(asset().triangle.size());
+  EXPECT_THAT(refusal(changed(triangles, triangles.substr(0, triangles.size() - 1) + "9")), testing::Not(""));
+  EXPECT_THAT(refusal(magic + deflated(plain + "x")), testing::HasSubstr("follows"));
+  EXPECT_THAT(refusal(magic + deflated(std::string("\xff\xff\xff\x7f{}", 6))), testing::HasSubstr("header"));
+}
+
+TEST(Asset, IsNotMadeOfWhatIsOpen) {
+  Grown open = cherry();
+  DiffusionSurfaces& sheets = open.grown.sheets;
+  for (std::size_t t = 0; t < sheets.triangle_count(); ++t) {
+    if (!sheets.is_boundary(t)) continue;
+    sheets.triangle.erase(sheets.triangle.begin() + static_cast<std::ptrdiff_t>(t));
+    sheets.surface.erase(sheets.surface.begin() + static_cast<std::ptrdiff_t>(t));
+    sheets.front_part.erase(sheets.front_part.begin() + static_cast<std::ptrdiff_t>(t));
+    sheets.back_part.erase(sheets.back_part.begin() + static_cast<std::ptrdiff_t>(t));
+    break;
+  }
+  EXPECT_THROW(draft_of(open), Error);
+}
+
+TEST(Page, NeedsNothingBesidesItself) {
+  const std::string page = write_page(asset(), {.style = style_named("ink"), .cuts = {{{0, 0, 1}, 0}}, .made_by = "a test"});
+  for (const char* reach : {"src=", "href=", "import(", "fetch(", "https:", "@import"})
+    EXPECT_THAT(page, testing::Not(testing::HasSubstr(reach))) << reach;
+  EXPECT_THAT(page, testing::HasSubstr("<title>"));
+  for (const char* mark : {"@TITLE@", "@ASSET@", "@SCRIPT@", "@OPTIONS@", "@WORKER@"})
+    EXPECT_THAT(page, testing::Not(testing::HasSubstr(mark)));
+  EXPECT_LT(page.size(), 650'000u);
+}
+
+}  // namespace
+}  // namespace pomona
