@@ -3,7 +3,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <unordered_map>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -16,12 +18,36 @@ namespace {
 /// Everything a vertex is, bit by bit: position, normal, colour, texture coordinates, part, kind of face.
 using VertexBits = std::array<std::uint32_t, 13>;
 
-struct HashOfBits {
-  std::size_t operator()(const VertexBits& bits) const {
-    std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, a word at a time
-    for (const std::uint32_t word : bits) hash = (hash ^ word) * 0x100000001b3u;
-    return static_cast<std::size_t>(hash ^ (hash >> 32));
+std::size_t hash_of(const VertexBits& bits) {
+  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, a word at a time
+  for (const std::uint32_t word : bits) hash = (hash ^ word) * 0x100000001b3u;
+  return static_cast<std::size_t>(hash ^ (hash >> 32));
+}
+
+/// Numbers different vertices in the order in which they are first met. A table of at least twice as many places, of
+/// which the first free one from a vertex's hash on is its own.
+class VertexNumbers {
+ public:
+  /// \param most so many different vertices at most
+  explicit VertexNumbers(std::size_t most) : table_(std::bit_ceil(2 * most + 1), free) { known_.reserve(most / 2); }
+
+  /// The vertex's number, and whether it is new.
+  std::pair<std::uint32_t, bool> number_of(const VertexBits& bits) {
+    const std::size_t mask = table_.size() - 1;
+    std::size_t at = hash_of(bits) & mask;
+    while (table_[at] != free && known_[table_[at]] != bits) at = (at + 1) & mask;
+    const bool is_new = table_[at] == free;
+    if (is_new) {
+      table_[at] = static_cast<std::uint32_t>(known_.size());
+      known_.push_back(bits);
+    }
+    return {table_[at], is_new};
   }
+
+ private:
+  static constexpr std::uint32_t free = 0xffffffffu;
+  std::vector<std::uint32_t> table_;
+  std::vector<VertexBits> known_;
 };
 
 /// Normals as triangles see them, area-weighted, for vertices that came without one.
@@ -104,10 +130,10 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
   StyledMesh mesh;
 
   // A vertex is new unless all its bits are known; cut faces and skin share none.
-  std::unordered_map<VertexBits, std::uint32_t, HashOfBits> known;
+  VertexNumbers known(2 * solid.position.size());
   const auto number_of = [&](std::uint32_t v, bool cut) {
     const VertexBits bits = vertex_bits(solid, normals[v], uv.empty() ? glm::vec2(0) : uv[v], v, cut);
-    const auto [entry, is_new] = known.try_emplace(bits, static_cast<std::uint32_t>(mesh.position.size()));
+    const auto [number, is_new] = known.number_of(bits);
     if (is_new) {
       mesh.position.push_back(solid.position[v]);
       mesh.normal.push_back(normals[v]);
@@ -117,7 +143,7 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
       if (!solid.guide.empty()) mesh.guide.push_back(solid.guide[v]);
       if (!uv.empty()) mesh.uv.push_back(uv[v]);
     }
-    return entry->second;
+    return number;
   };
 
   // Triangles with two corners at one place are left out.
@@ -136,11 +162,15 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
 }  // namespace
 
 std::vector<StyledMesh> styled_meshes(std::span<const Solid> solids, const ExportOptions& options) {
+  // Pieces of one fruit look as the first does.
+  const auto look_of = [&](const Solid& solid, const Look* like) {
+    return options.style.noise ? Look(solid.noise, solid.details, like) : Look();
+  };
+  const Look first = solids.empty() ? Look() : look_of(solids.front(), nullptr);
   std::vector<StyledMesh> meshes(solids.size());
   parallel_for(meshes.size(), options.threads, [&](std::size_t i) {
     meshes[i] = welded(solids[i], {});
-    const Look look = options.style.noise ? Look(solids[i].noise, solids[i].details) : Look();
-    meshes[i].color = styled_colors(meshes[i], look, Paint(options.style));
+    meshes[i].color = styled_colors(meshes[i], look_of(solids[i], &first), Paint(options.style));
   });
   return meshes;
 }

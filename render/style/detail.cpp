@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "generator/base/cell_noise.h"
 #include "generator/base/gradient_noise.h"
@@ -72,6 +73,14 @@ double dots(const DetailSketch& detail, const glm::dvec3& point, double pitch, s
   return 1 - smoothstep(0.9 * (1 - detail.softness), 1.0, distance);
 }
 
+/// Whether two details of one seed have the same pattern, as far as it does not lie in space.
+bool have_one_shape(const DetailSketch& one, const DetailSketch& other) {
+  const auto all = [](const DetailSketch& d) {
+    return std::tuple(d.kind, d.size, d.smallest, d.width, d.density, d.softness, d.wander, d.variety);
+  };
+  return all(one) == all(other);
+}
+
 }  // namespace
 
 PatternPlace pattern_place(const DetailSketch& detail, const glm::dvec3& position, const DetailGuide& guide) {
@@ -80,8 +89,12 @@ PatternPlace pattern_place(const DetailSketch& detail, const glm::dvec3& positio
   return place_in_layer(detail, position, guide);
 }
 
-Pattern::Pattern(const DetailSketch& detail, std::uint32_t seed) : detail_(detail) {
+Pattern::Pattern(const DetailSketch& detail, std::uint32_t seed, const Pattern* like) : detail_(detail) {
   shape_.seed = detail.pattern + 4096 + 16 * seed;
+  if (like != nullptr && like->shape_.seed == shape_.seed && have_one_shape(like->detail_, detail)) {
+    shape_ = like->shape_;
+    return;
+  }
   // Noise is nearly normal, and the normal distribution is nearly the logistic one.
   const double spread = detail.kind == DetailKind::streaks ? 1.3 * deviation : 1.15 * deviation;
   shape_.threshold = spread * reproducible::log((1 - detail.density) / detail.density) / 1.702;

@@ -36,7 +36,8 @@ struct PatternValue {
 /// A detail made ready for many places.
 class Pattern {
  public:
-  explicit Pattern(const DetailSketch& detail, std::uint32_t seed);
+  /// \param like its shape is taken over if it is the same pattern: it takes a millisecond to find.
+  explicit Pattern(const DetailSketch& detail, std::uint32_t seed, const Pattern* like = nullptr);
 
   /// With the footprint times the squeeze over the size growing from 1/4 to 1/2, it goes over into its mean.
   PatternValue operator()(const glm::dvec3& position, const DetailGuide& guide, double footprint) const;

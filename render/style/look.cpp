@@ -26,11 +26,16 @@ double weight_of(const Look::Detail& detail, const glm::dvec3& unmodulated, doub
 
 }  // namespace
 
-Look::Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details) : modulation_(noise) {
+Look::Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details, const Look* like) : modulation_(noise) {
   for (const DetailSketch& sketch : details) {
     std::vector<Detail>& of_face = details_[static_cast<std::size_t>(sketch.face)];
     if (of_face.size() == static_cast<std::size_t>(most_details_of_a_face)) continue;
-    Detail detail{Pattern(sketch, static_cast<std::uint32_t>(&sketch - details.data())),
+    const Pattern* known = nullptr;
+    if (like != nullptr) {
+      const std::vector<Detail>& others = like->details(sketch.face);
+      if (of_face.size() < others.size()) known = &others[of_face.size()].pattern;
+    }
+    Detail detail{Pattern(sketch, static_cast<std::uint32_t>(&sketch - details.data()), known),
                   sketch.color ? glm::dvec3(to_oklab(*sketch.color)) : glm::dvec3(sketch.axis), glm::dvec3(0)};
     if (sketch.near) detail.near = to_oklab(*sketch.near);
     of_face.push_back(detail);

@@ -24,7 +24,8 @@ struct LookPlace {
 class Look {
  public:
   Look() : Look(NoiseStyle{}) {}
-  Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details = {});
+  /// \param like patterns that are the same in it are taken over, for pieces of one fruit have the same.
+  Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details = {}, const Look* like = nullptr);
 
   /// The colour as it looks: noise first, then details in their order, each with the weight
   ///   w = amount guide.share exp(-|OKLab(unmodulated) - OKLab(near)|^2 / 2 near_within^2);

@@ -178,6 +178,31 @@ TEST(Detail, is_continuous_wherever_the_guide_is) {
   }
 }
 
+TEST(Look, like_another_is_what_it_would_be_alone) {
+  // Patterns that are the same, of another shape, and of another seed.
+  DetailSketch rays;
+  rays.amount = 0.5;
+  DetailSketch cells = rays;
+  cells.kind = DetailKind::cells;
+  DetailSketch other = rays;
+  other.pattern = 4711;
+  const Look first({}, {rays, cells});
+  for (const std::vector<DetailSketch>& details : {std::vector{rays, cells}, std::vector{cells, rays},
+                                                   std::vector{other, other}, std::vector{rays, rays, cells}}) {
+    const Look alone({}, details), like({}, details, &first);
+    ASSERT_EQ(like.details(DetailFace::cut).size(), details.size());
+    for (std::size_t i = 0; i < details.size(); ++i) {
+      const Pattern::Shape &a = alone.details(DetailFace::cut)[i].pattern.shape(),
+                           &b = like.details(DetailFace::cut)[i].pattern.shape();
+      EXPECT_EQ(a.threshold, b.threshold);
+      EXPECT_EQ(a.ramp, b.ramp);
+      EXPECT_EQ(a.seed, b.seed);
+      EXPECT_EQ(a.mean.share, b.mean.share);
+      EXPECT_EQ(a.mean.tone, b.mean.tone);
+    }
+  }
+}
+
 TEST(Look, without_amounts_or_shares_keeps_every_bit) {
   for (const DetailKind kind : all_kinds) {
     DetailSketch detail = some_detail(kind, DetailRun::to_skin);
