@@ -168,7 +168,7 @@ TEST_F(Dishes, HoldHeapsOfTheirOwn) {
       const glm::dvec2 away = glm::abs(glm::dvec2(at.x - (left ? -0.2 : 0.2), at.z));
       ASSERT_LT(away.x, left ? 0.101 : 0.151) << i;
       ASSERT_LT(away.y, left ? 0.151 : 0.101) << i;
-      ASSERT_GT(at.y, left ? 0.039 : 0.009) << i;
+      ASSERT_GT(at.y, left ? 0.038 : 0.008) << i;
     }
   }
   for (const Fit& fit : both.report.fits) {
