@@ -287,12 +287,12 @@ def hill(radius=30.0, high=9.0):
     """A round mound, as of straw or crushed ice: what is strewn on a slope."""
     mesh, noise = Mesh(), Noise(5)
     rings_, around = 18, 60
-    pale = (0.86, 0.90, 0.93)
+    pale = (0.78, 0.84, 0.89)
 
     def height(r, a):
         t = r / radius
         bumps = 0.05 * math.sin(3 * a + 5 * t) + 0.04 * math.sin(7 * a - 9 * t + 1)
-        return high * max(0.0, (1 - t * t) * (1 + bumps * (1 - t)))
+        return high * max(0.0, (1 - t * t) * (1 + 3 * bumps * t * (1 - t)))
 
     top = mesh.point((0, height(0, 0) , 0), pale)
     levels = []

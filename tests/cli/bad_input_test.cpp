@@ -39,8 +39,11 @@ TEST(BadInput, GetsAPositionAndStatus65) {
 TEST(BadInput, LeavesNoFileBehind) {
   const TemporaryFolder folder;
   for (const fs::path& file : bad_files()) {
-    if (file.parent_path().parent_path().filename() == "scene") continue;
-    run_pomona({"cut", file.string(), "--knife", "half", "-o", "x.ply"}, folder.path());
+    if (file.parent_path().parent_path().filename() == "scene") {
+      run_pomona({"scene", file.string(), "-o", "x.glb", "-o", "x.json"}, folder.path());
+    } else {
+      run_pomona({"cut", file.string(), "--knife", "half", "-o", "x.ply"}, folder.path());
+    }
     EXPECT_TRUE(fs::is_empty(folder.path())) << file;
   }
 }

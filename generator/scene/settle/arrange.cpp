@@ -214,10 +214,9 @@ class UpperSide {
 };
 
 /// Nothing of it hangs over the border.
-bool lies_within(const RigidBody& body, const Dish& dish) {
-  const auto& points = body.shape->samples.point;
-  return std::all_of(points.begin(), points.end(), [&](const glm::vec3& sample) {
-    return dish.covers(glm::dvec3(body.matrix * sample) + body.center);
+bool lies_within(const RigidBody& body, const Solid& solid, const Dish& dish) {
+  return std::all_of(solid.position.begin(), solid.position.end(), [&](const glm::vec3& p) {
+    return dish.covers(body.rotation * (glm::dvec3(p) - body.shape->center) + body.center);
   });
 }
 
@@ -242,7 +241,7 @@ Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>&
       body.refresh();
       set_down(body, dish, spot.normal);
       lift_out(body, *pieces[i].solid, dish, spot.normal);
-      bool is_free = lies_within(body, dish);
+      bool is_free = lies_within(body, *pieces[i].solid, dish);
       near.visit(body.center, [&](std::size_t other) {
         const auto gap = static_cast<float>(how.gap);
         is_free = is_free && distance_between(body, set[other], gap + 1e-6f) > gap;
