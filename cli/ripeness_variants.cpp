@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include "generator/base/error.h"
 #include "generator/base/units.h"
@@ -10,6 +11,26 @@
 #include "generator/piece/section_colors.h"
 
 namespace pomona {
+
+namespace {
+
+/// The vertices of cut faces as they are at this ripeness: textures take from them what lies around a face.
+Solid with_cut_faces(Solid piece, const SectionColors& colors) {
+  std::vector<std::uint32_t> numbers;
+  for (std::size_t t = 0; t < piece.triangle.size(); ++t) {
+    if (piece.cut_face[t] < 0) continue;
+    for (int k = 0; k < 3; ++k) numbers.push_back(piece.triangle[t][k]);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::vector<glm::vec3> points;
+  for (const std::uint32_t v : numbers) points.push_back(piece.position[v]);
+  const DiffusedColors there = colors.field()->at(points);
+  for (std::size_t i = 0; i < numbers.size(); ++i) piece.color[numbers[i]] = there.color[i];
+  return piece;
+}
+
+}  // namespace
 
 std::vector<double> wanted_ripenesses(const SharedOptions& options) {
   std::vector<double> wanted;
@@ -44,8 +65,10 @@ std::vector<RipenessVariant> ripeness_variants(std::span<const Solid> pieces, co
     const auto colors =
         diffuser ? std::make_shared<const SectionColors>(riper.grown.sheets, riper.fruit, *diffuser) : nullptr;
     for (const Solid& piece : pieces) {
-      variant.pieces.push_back(recolored(piece, source.grown.swept, riper.grown.swept));
-      variant.pieces.back().section_colors = colors;
+      Solid same = recolored(piece, source.grown.swept, riper.grown.swept);
+      if (colors) same = with_cut_faces(std::move(same), *colors);
+      same.section_colors = colors;
+      variant.pieces.push_back(std::move(same));
     }
     variants.push_back(std::move(variant));
   }

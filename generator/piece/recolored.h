@@ -5,10 +5,9 @@
 
 namespace pomona {
 
-/// The piece with the skin colours of `other` in place of its own: where a vertex lies on a surface of the one fruit, it
-/// takes the colour of the same place and side on the other. Cut faces are left as they are.
-/// \param own, other of one individual, as swept: they differ in nothing but colours.
-/// \throws Error (bug) if they do.
+/// The piece with the skin colours of `other` in place of its own: where a vertex lies on a surface of the one fruit,
+/// it takes the colour of the same place and side on the other. Cut faces are left as they are. \param own, other of
+/// one individual, as swept: they differ in nothing but colours. \throws Error (bug) if they do.
 Solid recolored(Solid piece, const DiffusionSurfaces& own, const DiffusionSurfaces& other);
 
 }  // namespace pomona

@@ -101,7 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
                 {"grow", "tomato", "--lod", "2", "--engine", "godot", "-o", "x.glb"},
                 64,
                 "Godot makes levels"},
-        Mistake{"HullsInAPicture", {"grow", "tomato", "--engine", "unreal", "-o", "x.png"}, 64, "--engine is about .glb"},
+        Mistake{
+            "HullsInAPicture", {"grow", "tomato", "--engine", "unreal", "-o", "x.png"}, 64, "--engine is about .glb"},
         Mistake{"InstancesForUnreal",
                 {"grow", "tomato", "--instances", "--engine", "unreal", "-o", "x.glb"},
                 64,

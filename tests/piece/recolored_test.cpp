@@ -33,7 +33,8 @@ TEST(Recolored, SkinHasTheOtherFruitsColoursAtItsPlacesAndNothingElseChanges) {
   EXPECT_GT(skin, 1000u);
   const Solid same = recolored(pieces[0], own, own);
   for (std::size_t v = 0; v < same.color.size(); ++v)
-    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(same.color[v][channel], pieces[0].color[v][channel], 2e-3);
+    for (int channel = 0; channel < 3; ++channel)
+      EXPECT_NEAR(same.color[v][channel], pieces[0].color[v][channel], 2e-3);
 }
 
 TEST(Recolored, RefusesAnotherFruit) {

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 
+#include "generator/base/error.h"
 #include "render/export/pbr_look.h"
 #include "tests/render/export/named_solids.h"
 #include "tests/render/export/read_glb.h"
