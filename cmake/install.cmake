@@ -58,8 +58,9 @@ set(POMONA_PUBLIC_HEADERS
   generator/scene/compose.h generator/scene/explode.h generator/scene/lay_out.h generator/scene/layout_file.h
   generator/scene/scene_file.h
   # pictures and files
-  render/gl/scene_picture.h render/image/png.h render/style/style_file.h render/picture/section_picture.h
-  render/export/gltf/write_glb.h render/export/usd/write_usda.h render/export/output.h render/export/ply.h render/export/pov.h render/export/svg.h)
+  render/gl/scene_picture.h render/truth/ground_truth.h render/image/png.h render/style/style_file.h render/picture/section_picture.h
+  render/export/gltf/write_glb.h render/export/usd/write_usda.h render/export/obj.h render/export/stl.h render/export/output.h
+  render/export/ply.h render/export/pov.h render/export/svg.h)
 
 set(config ${CMAKE_INSTALL_LIBDIR}/cmake/Pomona)
 install(TARGETS pomona_archive EXPORT PomonaTargets ARCHIVE)

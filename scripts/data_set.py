@@ -86,7 +86,7 @@ def joined(options, folder):
         "info": info | {"description": options.description},
         "licenses": [{"id": 1, "name": "license", "url": options.license}],
         "images": [image | {"license": 1} for image in images],
-        "categories": [{"id": n, "name": name, "supercategory": "fruit"} for (name,), n in category.of.items()],
+        "categories": [{"id": n, "name": name, "supercategory": "object"} for (name,), n in category.of.items()],
         "parts": [{"id": n, "name": name, "category_id": kind} for (kind, name), n in part.of.items()],
         "annotations": annotations,
         "hidden": hidden,

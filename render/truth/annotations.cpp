@@ -77,7 +77,7 @@ class AnnotationWriter {
   Json categories() const {
     Json list = Json::array();
     for (const TruthNaming::Species& s : names_.species)
-      list.push_back({{"id", list.size() + 1}, {"name", s.name}, {"supercategory", "fruit"}});
+      list.push_back({{"id", list.size() + 1}, {"name", s.name}, {"supercategory", "object"}});
     return list;
   }
 

@@ -231,23 +231,28 @@ TEST(Grow, OtherFoldsGiveOtherFruit) {
 /// The JSON of a .glb: its first chunk.
 nlohmann::json json_of_glb(const std::string& glb) {
   std::uint32_t length = 0;
-  for (std::size_t i = 0; i < 4; ++i) length |= static_cast<std::uint32_t>(static_cast<unsigned char>(glb.at(12 + i))) << 8 * i;
+  for (std::size_t i = 0; i < 4; ++i)
+    length |= static_cast<std::uint32_t>(static_cast<unsigned char>(glb.at(12 + i))) << 8 * i;
   return nlohmann::json::parse(glb.substr(20, length));
 }
 
 TEST(Pieces, WeighTheSameInTheListAndInTheGlb) {
   const TemporaryFolder folder;
-  expect_done(run_pomona(with({"cut", "cherry", "--knife", "half", "-o", "x.glb", "--pieces", "x.json"}, coarse), folder.path()));
+  expect_done(run_pomona(with({"cut", "cherry", "--knife", "half", "-o", "x.glb", "--pieces", "x.json"}, coarse),
+                         folder.path()));
   const auto list = nlohmann::json::parse(bytes_of(folder / "x.json")).at("pieces");
   const nlohmann::json glb = json_of_glb(bytes_of(folder / "x.glb"));
   ASSERT_EQ(list.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     const nlohmann::json &piece = list[i], &extras = glb.at("meshes").at(i).at("extras");
-    for (const char* key : {"volume", "density", "mass", "center", "inertia"}) EXPECT_EQ(piece.at(key), extras.at(key)) << key;
+    for (const char* key : {"volume", "density", "mass", "center", "inertia"})
+      EXPECT_EQ(piece.at(key), extras.at(key)) << key;
 
-    // The stone makes it denser than the template says of the rest; no axis has more inertia than the other two together.
+    // The stone makes it denser than the template says of the rest; no axis has more inertia than the other two
+    // together.
     EXPECT_GT(piece.at("density"), 1041);
-    EXPECT_NEAR(piece.at("mass").get<double>(), piece.at("density").get<double>() * piece.at("volume").get<double>(), 1e-12);
+    EXPECT_NEAR(piece.at("mass").get<double>(), piece.at("density").get<double>() * piece.at("volume").get<double>(),
+                1e-12);
     const auto& inertia = piece.at("inertia");
     const double x = inertia[0][0], y = inertia[1][1], z = inertia[2][2];
     EXPECT_TRUE(x > 0 && y > 0 && z > 0 && x < y + z && y < z + x && z < x + y);
