@@ -284,8 +284,10 @@ Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {
   asset.winding = windings(asset);
   const auto inside = static_cast<std::size_t>(
       std::count_if(asset.winding.begin(), asset.winding.end(), [](std::int8_t w) { return w != 0; }));
-  const std::string_view coded = reader.take(3 * inside, "nodes");
-  asset.node_color = decoded_nodes(asset, {reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size()});
+  const std::string_view coded = reader.take(node_lengths + 3 * inside, "nodes");
+  auto colors = decoded_nodes(asset, {reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size()});
+  reader.require(colors.has_value(), "its nodes do not fit together");
+  asset.node_color = std::move(*colors);
   read_look(counts, reader, asset);
   reader.require(reader.is_empty(), "something follows its end");
   return asset;

@@ -32,7 +32,7 @@ std::string code_of(std::string_view text) {
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(end);
     const std::size_t first = line.find_first_not_of(" \n");
-    if (first == std::string_view::npos || line.substr(first, 2) == "//") continue;
+    if (first == std::string_view::npos || line.substr(first, 2) == "//" || line.substr(first, 3) == "/**" || line[first] == '*') continue;
     code += line.substr(first);
   }
   return code;

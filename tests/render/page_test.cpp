@@ -97,7 +97,7 @@ TEST(Asset, IsReadAsItWasWritten) {
 // Large differences between nodes are rounded, by no more than this.
 TEST(Asset, KeepsColoursOfNodesWithinTwo) {
   const Asset& a = asset();
-  const std::vector<glm::u8vec3> read = decoded_nodes(a, coded_nodes(a));
+  const std::vector<glm::u8vec3> read = decoded_nodes(a, coded_nodes(a)).value();
   int worst = 0;
   std::size_t inside = 0;
   for (std::size_t i = 0; i < read.size(); ++i) {
