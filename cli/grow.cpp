@@ -39,10 +39,8 @@ std::vector<Solid> whole_fruit(const FruitSource& source, bool as_glass, Deliver
 
 ExitStatus grow_fruit(const GrowCommand& command) {
   // Outputs that cannot be are refused before anything is grown.
-  const std::vector<Output> outputs =
-      parse_outputs(
-      command.outputs,
-      {Format::ply, Format::glb, Format::pov, Format::png, Format::svg, Format::html, Format::pomona});
+  const std::vector<Output> outputs = parse_outputs(
+      command.outputs, {Format::ply, Format::glb, Format::pov, Format::png, Format::svg, Format::html, Format::pomona});
   check_levels(command.shared.lod, outputs);
   Delivery delivery(command.shared);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
@@ -75,7 +73,9 @@ DeclaredCommand grow_command(CLI::App& app) {
   const auto options = std::make_shared<GrowCommand>();
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
-  command->add_option("-o,--output", options->outputs, "What to write: .ply (surfaces), .glb, .pov, .png, .svg, .html or .pomona")
+  command
+      ->add_option("-o,--output", options->outputs,
+                   "What to write: .ply (surfaces), .glb, .pov, .png, .svg, .html or .pomona")
       ->type_name("FILE")
       ->required()
       ->expected(1)

@@ -57,10 +57,8 @@ ordered_json header_of(const Asset& a, const std::string& made_by) {
                          {"texels", {a.noise.size(), a.details.size(), a.materials.size()}},
                          {"skin_shares", a.skin_share.size()}};
   if (a.guide) {
-    header["guide"] = {{"stride", a.guide->stride},
-                       {"unit", a.guide->unit},
-                       {"count", a.guide->count},
-                       {"deepest", a.guide->deepest}};
+    header["guide"] = {
+        {"stride", a.guide->stride}, {"unit", a.guide->unit}, {"count", a.guide->count}, {"deepest", a.guide->deepest}};
   }
   return header;
 }
@@ -257,8 +255,7 @@ void read_look(const Counts& counts, Reader& reader, Asset& a) {
   for (int k = 0; k < 4; ++k) columns.push_back(reader.numbers(size, 1, 2, "guide"));
   guide.value.resize(size);
   for (std::size_t i = 0; i < size; ++i)
-    for (int k = 0; k < 4; ++k)
-      guide.value[i][k] = static_cast<std::int16_t>(columns[static_cast<std::size_t>(k)][i]);
+    for (int k = 0; k < 4; ++k) guide.value[i][k] = static_cast<std::int16_t>(columns[static_cast<std::size_t>(k)][i]);
   guide.share = reader.shares(a.parts.size() * static_cast<std::size_t>(depth_steps));
 }
 

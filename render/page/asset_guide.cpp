@@ -91,7 +91,8 @@ void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, 
 
   // A grid of every eighth node, whose last plane lies on or beyond the lattice's.
   AssetGuide guide;
-  for (std::size_t axis = 0; axis < 3; ++axis) guide.count[axis] = (asset.count[axis] + guide.stride - 2) / guide.stride + 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    guide.count[axis] = (asset.count[axis] + guide.stride - 2) / guide.stride + 1;
   const CoarseNodes nodes = nodes_in_use(asset, guide);
   CrossSection places;
   places.position = nodes.place;

@@ -29,8 +29,10 @@ class Walk {
     for (int step = coarsest_step / 2; step > 0; step /= 2) {
       for (int odd_count = 1; odd_count <= 3; ++odd_count) {
         for (unsigned odd = 1; odd < 8; ++odd) {
-          const std::array<int, 3> first{(odd & 1u) != 0 ? step : 0, (odd & 2u) != 0 ? step : 0, (odd & 4u) != 0 ? step : 0};
-          if (static_cast<int>((odd & 1u) + (odd >> 1 & 1u) + (odd >> 2)) == odd_count) each(first, 2 * step, step, visit);
+          const std::array<int, 3> first{(odd & 1u) != 0 ? step : 0, (odd & 2u) != 0 ? step : 0,
+                                         (odd & 4u) != 0 ? step : 0};
+          if (static_cast<int>((odd & 1u) + (odd >> 1 & 1u) + (odd >> 2)) == odd_count)
+            each(first, 2 * step, step, visit);
         }
       }
     }
@@ -90,12 +92,14 @@ class Walk {
   int last_ = 0;
 };
 
-// Differences of 0 and 1 are exact; from there on every third stands for those beside it, and beyond 22 every fifth: large
-// ones lie beside surfaces, whose own colours tell more there.
+// Differences of 0 and 1 are exact; from there on every third stands for those beside it, and beyond 22 every fifth:
+// large ones lie beside surfaces, whose own colours tell more there.
 constexpr int exact = 1, thirds = 8;
 
 int size_of(int code) {
-  return code <= exact ? code : code <= thirds ? exact + 3 * (code - exact) : exact + 3 * (thirds - exact) + 5 * (code - thirds);
+  return code <= exact    ? code
+         : code <= thirds ? exact + 3 * (code - exact)
+                          : exact + 3 * (thirds - exact) + 5 * (code - thirds);
 }
 int code_of(int size) {
   int code = 0;

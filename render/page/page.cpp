@@ -34,7 +34,9 @@ std::string code_of(std::string_view text) {
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(end);
     const std::size_t first = line.find_first_not_of(" \n");
-    if (first == std::string_view::npos || line.substr(first, 2) == "//" || line.substr(first, 3) == "/**" || line[first] == '*') continue;
+    if (first == std::string_view::npos || line.substr(first, 2) == "//" || line.substr(first, 3) == "/**" ||
+        line[first] == '*')
+      continue;
     code += line.substr(first);
   }
   return code;
@@ -91,9 +93,9 @@ ordered_json options_of(const PageOptions& options) {
   return {{"style", style_of(options.style)}, {"cuts", cuts}, {"shaders", shaders()}};
 }
 
-/// Bytes as text, five characters for four bytes, the highest digit first; what is missing of the last four is 0. Digits are
-/// the 85 characters from ( to ~ that mean nothing to HTML and to strings: without < and the backslash. A sixteenth
-/// shorter than base 64.
+/// Bytes as text, five characters for four bytes, the highest digit first; what is missing of the last four is 0.
+/// Digits are the 85 characters from ( to ~ that mean nothing to HTML and to strings: without < and the backslash. A
+/// sixteenth shorter than base 64.
 std::string base85(std::string_view bytes) {
   std::string text;
   text.reserve(bytes.size() / 4 * 5 + 5);
@@ -144,7 +146,8 @@ std::string write_page(const Asset& asset, const PageOptions& options) {
                  {"@ASSET@", base85(bytes)},
                  {"@LENGTH@", std::to_string(bytes.size())},
                  {"@WORKER@", joined({"read_asset.js", "look_up.js", "skin.js", "worker.js"})},
-                 {"@SCRIPT@", joined({"linear.js", "card.js", "knives.js", "pieces.js", "camera.js", "picture.js", "controls.js"})}});
+                 {"@SCRIPT@", joined({"linear.js", "card.js", "knives.js", "pieces.js", "camera.js", "picture.js",
+                                      "controls.js"})}});
 }
 
 }  // namespace pomona
