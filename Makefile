@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops hashes install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops hashes page-errors install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -146,6 +146,13 @@ batch-stops: ## a batch killed 500 times, at random moments and at every k-th ca
 hashes: build ## SHA-256 of all that the program writes, out/hashes.tsv: to compare with scripts/hashes.py before and after a step
 	@mkdir -p out
 	scripts/hashes.py make build/pomona out/hashes.tsv
+
+page-errors: ## how far the colours of pages are from the field's in C++, on three cuts of every template, and how large pages are
+	@scripts/setup.sh build test programs
+	cmake --preset test-programs
+	cmake --build build --target write_sections -j $(JOBS)
+	build/tests/programs/write_sections out/sections 96 $(basename $(notdir $(wildcard templates/*.toml)))
+	node tests/programs/look_up.mjs out/sections --table
 
 install: ## program, templates, scenes, manual page, completions, library: PREFIX=/usr/local DESTDIR=
 	@scripts/setup.sh build

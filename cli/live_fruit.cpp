@@ -44,8 +44,8 @@ Asset asset_of(const FruitSource& source, const SharedOptions& options, Delivery
   std::unique_ptr<Diffuser> diffuser;
   if (options.diffuser_given && options.diffuser != "harmonic") diffuser = make_diffuser(options, delivery.progress);
   const MakeAssetOptions how{.quality = options.quality == "draft" ? Quality::draft : Quality::final,
-                         .diffuser = diffuser.get(),
-                         .threads = {options.threads}};
+                             .diffuser = diffuser.get(),
+                             .threads = {options.threads}};
   return delivery.times.time("asset", [&] {
     return make_asset({source.grown, source.fruit, source.name, options.seed}, how);
   });
@@ -78,7 +78,8 @@ void add_live(const std::vector<Output>& outputs, const FruitSource& source, std
   for (const Output& output : outputs) {
     if (output.format == Format::pomona) delivery.add(output.file, [&] { return write_asset(asset, made_by); });
     if (output.format == Format::html)
-      delivery.add(output.file, [&] { return write_page(asset, {.style = delivery.style(), .cuts = planes, .made_by = made_by}); });
+      delivery.add(output.file,
+                   [&] { return write_page(asset, {.style = delivery.style(), .cuts = planes, .made_by = made_by}); });
   }
 }
 

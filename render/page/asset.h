@@ -19,7 +19,7 @@ namespace pomona {
 /// How the fruit's surfaces run, at every `stride`-th node of the lattice: what texture detail on cut faces goes by
 /// (generator/cut/section/detail_guide.h).
 struct AssetGuide {
-  int stride = 4;
+  int stride = 8;
   double unit = 0;                  ///< metres that a value of 1 stands for
   std::array<int, 3> count{};       ///< nodes along each axis
   std::vector<glm::i16vec4> value;  ///< to_skin and layer, in units

@@ -57,10 +57,8 @@ ordered_json header_of(const Asset& a, const std::string& made_by) {
                          {"texels", {a.noise.size(), a.details.size(), a.materials.size()}},
                          {"skin_shares", a.skin_share.size()}};
   if (a.guide) {
-    header["guide"] = {{"stride", a.guide->stride},
-                       {"unit", a.guide->unit},
-                       {"count", a.guide->count},
-                       {"deepest", a.guide->deepest}};
+    header["guide"] = {
+        {"stride", a.guide->stride}, {"unit", a.guide->unit}, {"count", a.guide->count}, {"deepest", a.guide->deepest}};
   }
   return header;
 }
@@ -257,8 +255,7 @@ void read_look(const Counts& counts, Reader& reader, Asset& a) {
   for (int k = 0; k < 4; ++k) columns.push_back(reader.numbers(size, 1, 2, "guide"));
   guide.value.resize(size);
   for (std::size_t i = 0; i < size; ++i)
-    for (int k = 0; k < 4; ++k)
-      guide.value[i][k] = static_cast<std::int16_t>(columns[static_cast<std::size_t>(k)][i]);
+    for (int k = 0; k < 4; ++k) guide.value[i][k] = static_cast<std::int16_t>(columns[static_cast<std::size_t>(k)][i]);
   guide.share = reader.shares(a.parts.size() * static_cast<std::size_t>(depth_steps));
 }
 
@@ -284,8 +281,10 @@ Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {
   asset.winding = windings(asset);
   const auto inside = static_cast<std::size_t>(
       std::count_if(asset.winding.begin(), asset.winding.end(), [](std::int8_t w) { return w != 0; }));
-  const std::string_view coded = reader.take(3 * inside, "nodes");
-  asset.node_color = decoded_nodes(asset, {reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size()});
+  const std::string_view coded = reader.take(node_lengths + 3 * inside, "nodes");
+  auto colors = decoded_nodes(asset, {reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size()});
+  reader.require(colors.has_value(), "its nodes do not fit together");
+  asset.node_color = std::move(*colors);
   read_look(counts, reader, asset);
   reader.require(reader.is_empty(), "something follows its end");
   return asset;

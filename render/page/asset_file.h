@@ -13,8 +13,8 @@ namespace pomona {
 std::string write_asset(const Asset& asset, const std::string& made_by);
 
 /// \param file for messages
-/// \throws Error (bad_data) for what is no asset, is cut off, or points outside itself. Sizes are checked before anything
-/// is allocated.
+/// \throws Error (bad_data) for what is no asset, is cut off, or points outside itself. Sizes are checked before
+/// anything is allocated.
 Asset read_asset(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace pomona

@@ -16,7 +16,7 @@ namespace pomona {
 namespace {
 
 /// Whole numbers up to this: a thousandth of a fruit's size is less than patterns show, and small numbers pack well.
-constexpr double most_units = 2047;
+constexpr double most_units = 1023;
 
 bool has_details(const Template& fruit, DetailFace face) {
   return std::any_of(fruit.details.begin(), fruit.details.end(), [&](const DetailSketch& d) { return d.face == face; });
@@ -89,9 +89,10 @@ void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, 
   }
   if (!has_details(fruit, DetailFace::cut)) return;
 
-  // A grid of every fourth node, whose last plane lies on or beyond the lattice's.
+  // A grid of every eighth node, whose last plane lies on or beyond the lattice's.
   AssetGuide guide;
-  for (std::size_t axis = 0; axis < 3; ++axis) guide.count[axis] = (asset.count[axis] + guide.stride - 2) / guide.stride + 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    guide.count[axis] = (asset.count[axis] + guide.stride - 2) / guide.stride + 1;
   const CoarseNodes nodes = nodes_in_use(asset, guide);
   CrossSection places;
   places.position = nodes.place;

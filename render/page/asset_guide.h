@@ -8,9 +8,9 @@
 
 namespace pomona {
 
-/// Adds `guide`, where the template has details for cut faces, and `skin_share`, where it has some for skins. Outside the
-/// fruit, where the corners of cells at the skin lie, the way to the skin leads back inwards, so that it is 0 on the skin
-/// between them.
+/// Adds `guide`, where the template has details for cut faces, and `skin_share`, where it has some for skins. Outside
+/// the fruit, where the corners of cells at the skin lie, the way to the skin leads back inwards, so that it is 0 on
+/// the skin between them.
 void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, Asset& asset);
 
 }  // namespace pomona

@@ -399,7 +399,7 @@
     } catch (error) { sorry(`The fruit cannot be drawn: ${error.message}`); throw error; }
   };
   worker.onerror = (event) => sorry(`The fruit cannot be unpacked: ${event.message}`);
-  worker.postMessage($('asset').textContent);
+  worker.postMessage({text: $('asset').textContent, length: Number($('asset').dataset.length)});
 
   // For tests and for the curious.
   window.pomona = {state, camera, picture, loads, setKnives, changeKnife, arrange, moved, nameAt, Knife, sceneNow,

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int coarsest_step = 16;
 
-/// Walks all nodes inside in the order of the code, for one channel. `visit(node, guess)` returns the node's value.
+/// Walks all nodes inside in the order of the code, for one channel. `visit(node, guess, stream)` returns the node's
+/// value.
 class Walk {
  public:
   explicit Walk(const Asset& asset)
@@ -28,8 +29,10 @@ class Walk {
     for (int step = coarsest_step / 2; step > 0; step /= 2) {
       for (int odd_count = 1; odd_count <= 3; ++odd_count) {
         for (unsigned odd = 1; odd < 8; ++odd) {
-          const std::array<int, 3> first{(odd & 1u) != 0 ? step : 0, (odd & 2u) != 0 ? step : 0, (odd & 4u) != 0 ? step : 0};
-          if (static_cast<int>((odd & 1u) + (odd >> 1 & 1u) + (odd >> 2)) == odd_count) each(first, 2 * step, step, visit);
+          const std::array<int, 3> first{(odd & 1u) != 0 ? step : 0, (odd & 2u) != 0 ? step : 0,
+                                         (odd & 4u) != 0 ? step : 0};
+          if (static_cast<int>((odd & 1u) + (odd >> 1 & 1u) + (odd >> 2)) == odd_count)
+            each(first, 2 * step, step, visit);
         }
       }
     }
@@ -45,14 +48,20 @@ class Walk {
           const std::size_t node = static_cast<std::size_t>(x) + static_cast<std::size_t>(y) * stride_[1] +
                                    static_cast<std::size_t>(z) * stride_[2];
           if (winding_[node] == 0) continue;
-          last_ = value_[node] = visit(node, guess({x, y, z}, node, first, step));
+          const Guess guess = guess_at({x, y, z}, node, first, step);
+          last_ = value_[node] = visit(node, guess.value, guess.stream);
         }
       }
     }
   }
 
-  int guess(const std::array<int, 3>& place, std::size_t node, const std::array<int, 3>& first, int step) const {
-    int sum = 0, weights = 0, alone = 0, alone_count = 0;
+  struct Guess {
+    int value = 0;
+    std::size_t stream = 0;
+  };
+
+  Guess guess_at(const std::array<int, 3>& place, std::size_t node, const std::array<int, 3>& first, int step) const {
+    int sum = 0, weights = 0, alone = 0, alone_count = 0, roughest = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (first[axis] == 0) continue;
       const std::size_t away = static_cast<std::size_t>(step) * stride_[axis];
@@ -60,6 +69,7 @@ class Walk {
       const bool high = place[axis] + step < count_[axis] && winding_[node + away] != 0;
       if (low && high) {
         const int a = value_[node - away], b = value_[node + away];
+        roughest = std::max(roughest, std::abs(a - b));
         const int weight = std::max(1, 1024 / (1 + (a - b) * (a - b)));
         sum += weight * (a + b);
         weights += 2 * weight;
@@ -68,8 +78,11 @@ class Walk {
         ++alone_count;
       }
     }
-    if (weights > 0) return (2 * sum + weights) / (2 * weights);
-    return alone_count > 0 ? (2 * alone + alone_count) / (2 * alone_count) : last_;
+    if (weights > 0) {
+      const std::size_t stream = roughest <= 1 ? 0 : roughest <= 6 ? 1 : roughest <= 24 ? 2 : 3;
+      return {(2 * sum + weights) / (2 * weights), stream};
+    }
+    return {alone_count > 0 ? (2 * alone + alone_count) / (2 * alone_count) : last_, node_streams - 1};
   }
 
   std::array<int, 3> count_;
@@ -79,12 +92,14 @@ class Walk {
   int last_ = 0;
 };
 
-// Differences of 0 and 1 are exact; from there on every third stands for those beside it, and beyond 22 every fifth: large
-// ones lie beside surfaces, whose own colours tell more there.
+// Differences of 0 and 1 are exact; from there on every third stands for those beside it, and beyond 22 every fifth:
+// large ones lie beside surfaces, whose own colours tell more there.
 constexpr int exact = 1, thirds = 8;
 
 int size_of(int code) {
-  return code <= exact ? code : code <= thirds ? exact + 3 * (code - exact) : exact + 3 * (thirds - exact) + 5 * (code - thirds);
+  return code <= exact    ? code
+         : code <= thirds ? exact + 3 * (code - exact)
+                          : exact + 3 * (thirds - exact) + 5 * (code - thirds);
 }
 int code_of(int size) {
   int code = 0;
@@ -105,26 +120,45 @@ std::uint8_t value_of(int guess, std::uint8_t symbol) {
 }  // namespace
 
 std::vector<std::uint8_t> coded_nodes(const Asset& asset) {
-  std::vector<std::uint8_t> coded;
+  std::vector<std::uint8_t> lengths, symbols;
   Walk walk(asset);
   for (int channel = 0; channel < 3; ++channel) {
-    walk.run([&](std::size_t node, int guess) {
-      coded.push_back(symbol_of(asset.node_color[node][channel] - guess));
-      return value_of(guess, coded.back());
+    std::array<std::vector<std::uint8_t>, node_streams> streams;
+    walk.run([&](std::size_t node, int guess, std::size_t stream) {
+      streams[stream].push_back(symbol_of(asset.node_color[node][channel] - guess));
+      return value_of(guess, streams[stream].back());
     });
+    for (const std::vector<std::uint8_t>& stream : streams) {
+      for (int b = 0; b < 4; ++b) lengths.push_back(static_cast<std::uint8_t>(stream.size() >> (8 * b) & 255));
+      symbols.insert(symbols.end(), stream.begin(), stream.end());
+    }
   }
-  return coded;
+  lengths.insert(lengths.end(), symbols.begin(), symbols.end());
+  return lengths;
 }
 
-std::vector<glm::u8vec3> decoded_nodes(const Asset& asset, std::span<const std::uint8_t> coded) {
+std::optional<std::vector<glm::u8vec3>> decoded_nodes(const Asset& asset, std::span<const std::uint8_t> coded) {
+  // Where each stream begins and ends.
+  std::array<std::size_t, 3 * node_streams> next{}, end{};
+  std::size_t at = node_lengths;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    next[i] = at;
+    for (std::size_t b = 0; b < 4; ++b) at += std::size_t{coded[4 * i + b]} << (8 * b);
+    end[i] = at;
+  }
+  if (at != coded.size()) return std::nullopt;
+
   std::vector<glm::u8vec3> color(asset.winding.size(), glm::u8vec3(0));
   Walk walk(asset);
-  std::size_t next = 0;
+  bool whole = true;
   for (int channel = 0; channel < 3; ++channel) {
-    walk.run([&](std::size_t node, int guess) {
-      return color[node][channel] = value_of(guess, coded[next++]);
+    walk.run([&](std::size_t node, int guess, std::size_t stream) {
+      const std::size_t i = node_streams * static_cast<std::size_t>(channel) + stream;
+      whole = whole && next[i] < end[i];
+      return color[node][channel] = whole ? value_of(guess, coded[next[i]++]) : std::uint8_t{0};
     });
   }
+  if (!whole) return std::nullopt;
   return color;
 }
 

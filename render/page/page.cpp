@@ -1,10 +1,12 @@
 #include "render/page/page.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "generator/base/base64.h"
 #include "generator/base/error.h"
 #include "generator/base/xml_text.h"
 #include "render/gl/embedded_shaders.h"
@@ -32,7 +34,9 @@ std::string code_of(std::string_view text) {
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(end);
     const std::size_t first = line.find_first_not_of(" \n");
-    if (first == std::string_view::npos || line.substr(first, 2) == "//") continue;
+    if (first == std::string_view::npos || line.substr(first, 2) == "//" || line.substr(first, 3) == "/**" ||
+        line[first] == '*')
+      continue;
     code += line.substr(first);
   }
   return code;
@@ -89,6 +93,26 @@ ordered_json options_of(const PageOptions& options) {
   return {{"style", style_of(options.style)}, {"cuts", cuts}, {"shaders", shaders()}};
 }
 
+/// Bytes as text, five characters for four bytes, the highest digit first; what is missing of the last four is 0.
+/// Digits are the 85 characters from ( to ~ that mean nothing to HTML and to strings: without < and the backslash. A
+/// sixteenth shorter than base 64.
+std::string base85(std::string_view bytes) {
+  std::string text;
+  text.reserve(bytes.size() / 4 * 5 + 5);
+  for (std::size_t i = 0; i < bytes.size(); i += 4) {
+    std::uint32_t four = 0;
+    for (std::size_t k = i; k < i + 4; ++k)
+      four = four << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
+    char five[5];
+    for (int k = 4; k >= 0; --k, four /= 85) {
+      const int digit = 40 + static_cast<int>(four % 85);
+      five[k] = static_cast<char>(digit + (digit >= 60 ? 1 : 0) + (digit >= 91 ? 1 : 0));
+    }
+    text.append(five, 5);
+  }
+  return text;
+}
+
 /// `page` with each mark, "@NAME@", replaced; what replaces one is not looked through for others.
 std::string filled(std::string_view page, const std::vector<std::pair<std::string_view, std::string>>& marks) {
   std::string text;
@@ -112,15 +136,18 @@ std::string filled(std::string_view page, const std::vector<std::pair<std::strin
 }  // namespace
 
 std::string write_page(const Asset& asset, const PageOptions& options) {
+  const std::string bytes = write_asset(asset, options.made_by);
   return filled(text_of(page_files(), "page.html"),
                 {{"@TITLE@", xml_escaped(asset.title)},
                  {"@LATIN@", xml_escaped(asset.latin)},
                  {"@MADE_BY@", xml_escaped(options.made_by)},
                  {"@STYLE@", std::string(text_of(page_files(), "page.css"))},
                  {"@OPTIONS@", safe_in_script(options_of(options).dump())},
-                 {"@ASSET@", base64(write_asset(asset, options.made_by))},
+                 {"@ASSET@", base85(bytes)},
+                 {"@LENGTH@", std::to_string(bytes.size())},
                  {"@WORKER@", joined({"read_asset.js", "look_up.js", "skin.js", "worker.js"})},
-                 {"@SCRIPT@", joined({"linear.js", "card.js", "knives.js", "pieces.js", "camera.js", "picture.js", "controls.js"})}});
+                 {"@SCRIPT@", joined({"linear.js", "card.js", "knives.js", "pieces.js", "camera.js", "picture.js",
+                                      "controls.js"})}});
 }
 
 }  // namespace pomona

@@ -127,7 +127,7 @@ const Asset = (() => {
   });
   const weightOf = Int32Array.from({length: 256}, (_, d) => Math.max(1, Math.floor(1024 / (1 + d * d))));
 
-  /** One channel of all nodes inside, from coarse to fine. */
+  /** One channel of all nodes inside, from coarse to fine; `at`: where its four streams begin. */
   function decodeChannel(winding, [nx, ny, nz], bytes, at, value) {
     let last = 0;
     const away = [1, nx, nx * ny], count = [nx, ny, nz], place = [0, 0, 0];
@@ -140,12 +140,13 @@ const Asset = (() => {
           for (let x = first[0], node = (z * ny + y) * nx + x; x < nx; x += every, node += every) {
             if (winding[node] === 0) continue;
             place[0] = x;
-            let sum = 0, weights = 0, alone = 0, ends = 0;
+            let sum = 0, weights = 0, alone = 0, ends = 0, roughest = 0;
             for (const axis of along) {
               const d = step * away[axis], low = winding[node - d] !== 0;
               const high = place[axis] + step < count[axis] && winding[node + d] !== 0;
               if (low && high) {
-                const a = value[node - d], b = value[node + d], weight = weightOf[a < b ? b - a : a - b];
+                const a = value[node - d], b = value[node + d], apart = a < b ? b - a : a - b, weight = weightOf[apart];
+                if (apart > roughest) roughest = apart;
                 sum += weight * (a + b);
                 weights += 2 * weight;
               } else if (low || high) {
@@ -155,7 +156,8 @@ const Asset = (() => {
             }
             const guess = weights > 0 ? Math.floor((2 * sum + weights) / (2 * weights))
               : ends > 0 ? Math.floor((2 * alone + ends) / (2 * ends)) : last;
-            last = guess + differenceOf[bytes[at++]];
+            const stream = weights === 0 ? 3 : roughest <= 1 ? 0 : roughest <= 6 ? 1 : roughest <= 24 ? 2 : 3;
+            last = guess + differenceOf[bytes[at[stream]++]];
             value[node] = last = last < 0 ? 0 : last > 255 ? 255 : last;
           }
         }
@@ -170,13 +172,18 @@ const Asset = (() => {
         }
       }
     }
-    return at;
   }
 
   /** Adds `nodeColor`: [red, green, blue], a Uint8Array each. Returns where they end. */
   function addNodes(fruit, bytes, at) {
-    fruit.nodeColor = [0, 1, 2].map(() => new Uint8Array(fruit.winding.length));
-    for (const channel of fruit.nodeColor) at = decodeChannel(fruit.winding, fruit.count, bytes, at, channel);
+    const view = new DataView(bytes.buffer, bytes.byteOffset), lengths = Array.from({length: 12}, (_, i) => view.getUint32(at + 4 * i, true));
+    at += 48;
+    const begins = lengths.map((length) => (at += length) - length);
+    fruit.nodeColor = [0, 1, 2].map((channel) => {
+      const value = new Uint8Array(fruit.winding.length);
+      decodeChannel(fruit.winding, fruit.count, bytes, begins.slice(4 * channel, 4 * channel + 4), value);
+      return value;
+    });
     return at;
   }
 

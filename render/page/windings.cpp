@@ -43,11 +43,12 @@ void add_crossings(const std::array<Corner, 3>& t, const Asset& asset, std::vect
       // Where it crosses, as weights of the corners; an edge-on triangle stands for its first corner.
       const double e1 = static_cast<double>(area(a, b, y, z)), e2 = static_cast<double>(area(b, c, y, z));
       const double e3 = static_cast<double>(area(c, a, y, z)), sum = e1 + e2 + e3;
-      const double x = sum == 0 ? static_cast<double>(a.x)
-                                : (e2 * static_cast<double>(a.x) + e3 * static_cast<double>(b.x) +
-                                   e1 * static_cast<double>(c.x)) /
-                                      sum;
-      const std::int64_t first = std::max<std::int64_t>(0, static_cast<std::int64_t>(x / static_cast<double>(step)) + 1);
+      const double x =
+          sum == 0
+              ? static_cast<double>(a.x)
+              : (e2 * static_cast<double>(a.x) + e3 * static_cast<double>(b.x) + e1 * static_cast<double>(c.x)) / sum;
+      const std::int64_t first =
+          std::max<std::int64_t>(0, static_cast<std::int64_t>(x / static_cast<double>(step)) + 1);
       if (first >= nx) continue;
       std::int8_t& at = change[static_cast<std::size_t>((iz * ny + iy) * nx + first)];
       at = static_cast<std::int8_t>(at + (left ? -1 : 1));
@@ -72,7 +73,8 @@ std::vector<std::int8_t> windings(const Asset& asset) {
   }
   const auto nx = static_cast<std::size_t>(asset.count[0]);
   for (std::size_t row = 0; row < winding.size(); row += nx) {
-    for (std::size_t x = 1; x < nx; ++x) winding[row + x] = static_cast<std::int8_t>(winding[row + x] + winding[row + x - 1]);
+    for (std::size_t x = 1; x < nx; ++x)
+      winding[row + x] = static_cast<std::int8_t>(winding[row + x] + winding[row + x - 1]);
   }
   return winding;
 }

@@ -1,5 +1,5 @@
-// Fruits as assets and pages, and squares of their sections as the harmonic field colours them in C++: what browsers and
-// Node are held to.
+// Fruits as assets and pages, and squares of their sections as the harmonic field colours them in C++: what browsers
+// and Node are held to.
 //   write_sections FOLDER SIZE TEMPLATE...    makes FOLDER/NAME.pomona, NAME.html, NAME.json and NAME.sections
 #include <algorithm>
 #include <filesystem>
@@ -96,8 +96,8 @@ std::string bytes_of(const std::vector<glm::vec3>& points, const ColorField& fie
 
 void write_fruit(const std::string& name, int size, const fs::path& folder) {
   const VariantKey key{0, 0};
-  const Template fruit =
-      variant_of(read_template(std::string(POMONA_SOURCE_DIR) + "/templates/" + name + ".toml"), key, {.as_drawn = true});
+  const Template fruit = variant_of(read_template(std::string(POMONA_SOURCE_DIR) + "/templates/" + name + ".toml"), key,
+                                    {.as_drawn = true});
   const GrownFruit grown = grow(fruit, key, {.as_drawn = true});
   const Asset asset = make_asset({grown, fruit, name, 0});
   write(folder / (name + ".pomona"), write_asset(asset, "a test"));

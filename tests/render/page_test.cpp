@@ -5,9 +5,9 @@
 #include <string>
 
 #include "generator/base/error.h"
+#include "generator/mesh/enclosures.h"
 #include "generator/piece/grow.h"
 #include "generator/surface/bodies.h"
-#include "generator/mesh/enclosures.h"
 #include "generator/template/read/read_template.h"
 #include "render/page/asset_file.h"
 #include "render/page/byte_planes.h"
@@ -27,7 +27,8 @@ struct Grown {
 const Grown& cherry() {
   static const Grown made = [] {
     const VariantKey key{0, 0};
-    const Template fruit = variant_of(read_template(POMONA_SOURCE_DIR "/templates/cherry.toml"), key, {.as_drawn = true});
+    const Template fruit =
+        variant_of(read_template(POMONA_SOURCE_DIR "/templates/cherry.toml"), key, {.as_drawn = true});
     return Grown{fruit, grow(fruit, key, {.as_drawn = true})};
   }();
   return made;
@@ -97,7 +98,7 @@ TEST(Asset, IsReadAsItWasWritten) {
 // Large differences between nodes are rounded, by no more than this.
 TEST(Asset, KeepsColoursOfNodesWithinTwo) {
   const Asset& a = asset();
-  const std::vector<glm::u8vec3> read = decoded_nodes(a, coded_nodes(a));
+  const std::vector<glm::u8vec3> read = decoded_nodes(a, coded_nodes(a)).value();
   int worst = 0;
   std::size_t inside = 0;
   for (std::size_t i = 0; i < read.size(); ++i) {
@@ -180,7 +181,8 @@ TEST(Asset, IsNotMadeOfWhatIsOpen) {
 }
 
 TEST(Page, NeedsNothingBesidesItself) {
-  const std::string page = write_page(asset(), {.style = style_named("ink"), .cuts = {{{0, 0, 1}, 0}}, .made_by = "a test"});
+  const std::string page =
+      write_page(asset(), {.style = style_named("ink"), .cuts = {{{0, 0, 1}, 0}}, .made_by = "a test"});
   for (const char* reach : {"src=", "href=", "import(", "fetch(", "https:", "@import"})
     EXPECT_THAT(page, testing::Not(testing::HasSubstr(reach))) << reach;
   EXPECT_THAT(page, testing::HasSubstr("<title>"));

@@ -24,7 +24,8 @@ NodeColors solved_nodes(const DiffusionSurfaces& surfaces, const HarmonicOptions
 
   // Stored nodes come in runs along x; the others stay unknown.
   NodeColors nodes{.lattice = level.lattice, .color = {}, .known = {}};
-  const auto nx = static_cast<std::size_t>(level.lattice.count[0]), ny = static_cast<std::size_t>(level.lattice.count[1]);
+  const auto nx = static_cast<std::size_t>(level.lattice.count[0]),
+             ny = static_cast<std::size_t>(level.lattice.count[1]);
   nodes.color.assign(nx * ny * static_cast<std::size_t>(level.lattice.count[2]), Color(0));
   nodes.known.assign(nodes.color.size(), 0);
   for (std::size_t r = 0; r < level.runs.size(); ++r) {
