@@ -178,10 +178,10 @@ void shade(const PackedSurfaces& surfaces, const SweepState& state, const SweepH
     const auto point = static_cast<std::size_t>(state.point_of_slot[slot]);
     sums.color_and_weight[point] += weight * seen;
     if (!surfaces.fourth.empty()) {
-      const std::vector<float>& fourth = surfaces.fourth;
-      sums.fourth[point] +=
-          weight * (fourth[static_cast<std::size_t>(a)] * first + fourth[static_cast<std::size_t>(b)] * second +
-                    fourth[static_cast<std::size_t>(c)] * third);
+      float fourth = surfaces.fourth[static_cast<std::size_t>(a)] * first;
+      fourth += surfaces.fourth[static_cast<std::size_t>(b)] * second;
+      fourth += surfaces.fourth[static_cast<std::size_t>(c)] * third;
+      sums.fourth[point] += weight * fourth;
     }
     const std::uint16_t part = (sees_front ? surfaces.front_part : surfaces.back_part)[triangle];
     sums.part_weight[point * parts + part] += weight;
