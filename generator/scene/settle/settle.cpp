@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -10,6 +9,7 @@
 #include "generator/base/error.h"
 #include "generator/base/units.h"
 #include "generator/scene/settle/drop.h"
+#include "generator/scene/settle/faults.h"
 #include "generator/scene/settle/height_map.h"
 
 namespace pomona {
@@ -24,13 +24,6 @@ Pose rounded(Pose pose) {
   for (int k = 0; k < 3; ++k) pose.translation[k] = rounded(pose.translation[k]);
   return pose;
 }
-
-/// What is wrong with a piece; nothing if it lies well.
-struct Fault {
-  std::size_t piece = 0;
-  std::string what;
-  bool is_grave = true;  ///< not even one in many may have it
-};
 
 /// A state of the heap that was measured.
 struct Measured {
@@ -67,7 +60,7 @@ class Settling {
       if (attempt == 1 || now.faults.size() <= best.faults.size()) best = std::move(now);
       if (best.faults.empty()) break;
     }
-    if (!may_pass(best.faults)) give_up(best.faults);
+    if (!may_pass(best.faults, items_.size(), options_)) give_up(best.faults, items_);
     return std::move(best.settled);
   }
 
@@ -428,24 +421,16 @@ class Settling {
     result.settled.steps = steps_;
     result.settled.again = again_;
     for (std::size_t i = 0; i < items_.size(); ++i) {
-      std::optional<Fault> fault = fault_of(i, result.settled);
+      std::optional<Fault> fault = fault_in(i, result.settled);
       if (fault) result.faults.push_back(std::move(*fault));
     }
     return result;
   }
 
-  std::optional<Fault> fault_of(std::size_t item, const Settled& settled) const {
+  std::optional<Fault> fault_in(std::size_t item, const Settled& settled) const {
     if (heap_.bodies()[item].state == BodyState::out) return Fault{item, "finds no room in the " + name_};
     if (is_outside(item, settled.poses[item])) return Fault{item, "lies outside the " + name_};
-    const Fit& fit = settled.fits[item];
-    const bool is_grave = std::max(fit.gap, fit.penetration) > options_.most_of_few;
-    char text[96] = "";
-    if (fit.gap > options_.most_gap)
-      std::snprintf(text, sizeof text, "keeps a gap of %.1f %% of its size", 100 * fit.gap);
-    if (fit.penetration > options_.most_penetration)
-      std::snprintf(text, sizeof text, "overlaps by %.1f %% of its size", 100 * fit.penetration);
-    if (text[0] == '\0') return {};
-    return Fault{item, text, is_grave};
+    return fault_of(item, settled.fits[item], options_);
   }
 
   /// Those that can be dropped again.
@@ -454,21 +439,6 @@ class Settling {
     for (const Fault& fault : faults)
       if (!is_set(fault.piece)) pieces.push_back(fault.piece);
     return pieces;
-  }
-
-  bool may_pass(const std::vector<Fault>& faults) const {
-    const bool some_are_grave = std::any_of(faults.begin(), faults.end(), [](const Fault& f) { return f.is_grave; });
-    return !some_are_grave && faults.size() * options_.few_of <= items_.size();
-  }
-
-  [[noreturn]] void give_up(const std::vector<Fault>& faults) const {
-    constexpr std::size_t most_listed = 5;
-    std::string message = "the pieces do not settle: ";
-    for (std::size_t i = 0; i < std::min(faults.size(), most_listed); ++i)
-      message += (i > 0 ? "; " : "") + ("piece \"" + items_[faults[i].piece].name + "\" " + faults[i].what);
-    if (faults.size() > most_listed) message += "; and " + std::to_string(faults.size() - most_listed) + " more";
-    throw Error(ExitStatus::some_items_failed,
-                {{items_[faults[0].piece].place, message, "a wider dish, fewer pieces or another seed may help"}});
   }
 
   std::span<const Solid> solids_;
