@@ -83,6 +83,7 @@ class Run {
     const VariantsOfShard numbers(plan_, options.shard);
     tell();
     parallel_for(numbers.size(), options.threads, [&](std::size_t i) { make_variant(numbers[i]); });
+    signals_.forget();  // what they ask for is done: no further item was begun
     if (interrupted_)
       throw Error(ExitStatus::locked, "interrupted, with " + progress_text(tally_), "--resume goes on from here");
     tally_.seconds = watch_.milliseconds() * 1e-3;
