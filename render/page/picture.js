@@ -16,9 +16,9 @@ class Picture {
       ['faceDepth', 'section.glsl', 'DEPTH'], ['facePick', 'section.glsl', 'PICK'], ['skin', 'skin.glsl', 'SHOW'], ['hull', 'skin.glsl', 'HULL'],
       ['skinDepth', 'skin.glsl', 'DEPTH'], ['skinPick', 'skin.glsl', 'PICK'], ['ground', 'ground.glsl', 'GROUND']]
       .map(([name, file, mode]) => [name, card.program(file, [mode])]));
-    // Programs that stand for a card take minutes over patterns; they get noise alone.
-    const about = gl.getExtension('WEBGL_debug_renderer_info');
-    this.isSoftware = /swiftshader|llvmpipe|software|basic render/i.test(about ? gl.getParameter(about.UNMASKED_RENDERER_WEBGL) : '');
+    // Patterns have not been seen on any card yet, and programs that stand for one take minutes over them: who wants to try
+    // adds #detail to the page's address. All others get noise alone.
+    this.wantsDetail = /[#&]detail\b/.test(location.hash);
     this.empty = gl.createVertexArray();
     this.profiles = card.texture(gl.TEXTURE_2D, gl.NEAREST, (t) => gl.texStorage2D(t, 1, gl.R32F, profilePlaces, 4));
     this.sun = card.target(1024, 1024, [[gl.RGBA8, gl.NEAREST]], true);
@@ -64,7 +64,7 @@ class Picture {
     // A program for each kind of detail that cut faces have: their texels begin with the kind, -1 for none.
     const kinds = new Map();
     this.details = [];
-    for (let i = 0; guide && !this.isSoftware && i < 4 && 28 * i < rest.details.length; ++i) {
+    for (let i = 0; guide && this.wantsDetail && i < 4 && 28 * i < rest.details.length; ++i) {
       const kind = rest.details[28 * i];
       if (kind < 0) continue;
       if (!kinds.has(kind)) kinds.set(kind, card.program('section.glsl', ['DETAIL', `KIND ${kind}`]));
