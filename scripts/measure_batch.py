@@ -2,9 +2,12 @@
 """How fast batches are made: items in a second on 1 and 2 threads, processor time for each, and memory. New variants of all
 templates in turn, halved, at draft, as .glb with vertex colours and a thumbnail of 256 pixels.
 
-    measure_batch.py PROGRAM [ITEMS ...]      10, 100 and 1000 of them unless said
+    measure_batch.py PROGRAM [--texture N] [ITEMS ...]      50, 500 and 5000 of them unless said
+
+An item is one variant in two pieces, so that 500 items are a thousand pieces. With --texture colours are baked into N x N texels for each piece.
 """
 
+import argparse
 import os
 import pathlib
 import sys
@@ -24,6 +27,7 @@ total = {items}
 knives = "half"
 formats = "glb"
 thumbnail = 256
+{texture}
 """
 
 
@@ -38,15 +42,21 @@ def measured(words):
 
 
 def main():
-    program = str(pathlib.Path(sys.argv[1]).resolve())
-    sizes = [int(word) for word in sys.argv[2:]] or [10, 100, 1000]
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("items", type=int, nargs="*", default=[50, 500, 5000])
+    parser.add_argument("--texture", type=int, default=0)
+    parser.add_argument("--threads", type=int, action="append")
+    asked = parser.parse_args()
+    program = str(pathlib.Path(asked.program).resolve())
+    texture = f"texture = {asked.texture}" if asked.texture else ""
     print("| items | threads | time | items a second | processor time of an item | memory |")
     print("|--:|--:|--:|--:|--:|--:|")
-    for items in sizes:
-        for threads in (1, 2):
+    for items in asked.items:
+        for threads in asked.threads or (1, 2):
             with tempfile.TemporaryDirectory(prefix="pomona-batch-") as folder:
                 file = pathlib.Path(folder, "bench.toml")
-                file.write_text(BATCH.format(items=items))
+                file.write_text(BATCH.format(items=items, texture=texture))
                 words = [program, "batch", str(file), "-o", f"{folder}/out", "--threads", str(threads), "--quiet"]
                 seconds, processor, memory = measured(words)
             print(f"| {items} | {threads} | {seconds:.1f} s | {items / seconds:.2f} | {1000 * processor / items:.0f} ms | "
