@@ -113,8 +113,9 @@ DeclaredCommand check_command(CLI::App& app) {
       app.add_subcommand("check", "Check templates, scenes, batches, styles and surface files; all errors at once");
   const auto options = std::make_shared<CheckCommand>();
   command
-      ->add_option("FILE", options->files,
-                   "Names from `pomona list` and `list --scenes`, templates, scenes, batches, styles or surface files (.ply)")
+      ->add_option(
+          "FILE", options->files,
+          "Names from `pomona list` and `list --scenes`, templates, scenes, batches, styles or surface files (.ply)")
       ->required();
   command->add_flag("--json", options->json, "Print what was found as JSON");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");

@@ -149,8 +149,9 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
-      ->add_option("-o,--output", options->outputs,
-                   "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard output")
+      ->add_option(
+          "-o,--output", options->outputs,
+          "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard output")
       ->type_name("FILE")
       ->required()
       ->expected(1)
@@ -164,8 +165,7 @@ DeclaredCommand cut_command(CLI::App& app) {
   command->add_flag("--crumbs", options->crumbs, "Keep bits below a millionth of the fruit as pieces of their own");
   command->add_option("--piece", options->piece, "This piece alone, as numbered in the order of cutting")
       ->check(whole_between(1, 1000000));
-  command
-      ->add_option("--faces", options->faces, "How finely cut faces are triangulated; scenes have coarse ones")
+  command->add_option("--faces", options->faces, "How finely cut faces are triangulated; scenes have coarse ones")
       ->check(one_of({"fine", "coarse"}))
       ->capture_default_str();
   command->add_option("--pieces", options->pieces, "Also write what there is to know of each piece to this file (JSON)")

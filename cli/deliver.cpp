@@ -202,7 +202,8 @@ Scene Delivery::fitted(Scene scene, const PictureSize& size, const std::optional
   const glm::dvec2 picture(size.width, size.height);
   const glm::dvec2 room = plate ? plate->figure().high - plate->figure().low : picture;
   std::optional<glm::dvec3> light;
-  if (style_.shadow.strength > 0) light = light_direction(View{.eye = direction, .target = glm::dvec3(0)}, style_.light);
+  if (style_.shadow.strength > 0)
+    light = light_direction(View{.eye = direction, .target = glm::dvec3(0)}, style_.light);
   scene.view = fitted_view(scene, direction, room.x / room.y, light);
   if (plate) scene.view = view_within(scene.view, picture, plate->figure().low, plate->figure().high);
   return scene;

@@ -94,9 +94,10 @@ DeclaredCommand grow_command(CLI::App& app) {
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
   command
-      ->add_option("-o,--output", options->outputs,
-                   "What to write: .ply (surfaces), .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard "
-                   "output")
+      ->add_option(
+          "-o,--output", options->outputs,
+          "What to write: .ply (surfaces), .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard "
+          "output")
       ->type_name("FILE")
       ->required()
       ->expected(1)
@@ -104,7 +105,8 @@ DeclaredCommand grow_command(CLI::App& app) {
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
   command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");
   command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
-  command->add_option("--piece", options->piece, "Of a fruit in several bodies, this one alone")->check(whole_between(1, 1000000));
+  command->add_option("--piece", options->piece, "Of a fruit in several bodies, this one alone")
+      ->check(whole_between(1, 1000000));
   add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
   add_shared_options(*command, options->shared);

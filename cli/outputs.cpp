@@ -19,16 +19,16 @@ namespace pomona {
 namespace {
 
 constexpr std::array<std::pair<const char*, Format>, 11> endings = {{{".ply", Format::ply},
-                                                                    {".glb", Format::glb},
-                                                                    {".usda", Format::usda},
-                                                                    {".obj", Format::obj},
-                                                                    {".stl", Format::stl},
-                                                                    {".pov", Format::pov},
-                                                                    {".png", Format::png},
-                                                                    {".svg", Format::svg},
-                                                                    {".json", Format::json},
-                                                                    {".html", Format::html},
-                                                                    {".pomona", Format::pomona}}};
+                                                                     {".glb", Format::glb},
+                                                                     {".usda", Format::usda},
+                                                                     {".obj", Format::obj},
+                                                                     {".stl", Format::stl},
+                                                                     {".pov", Format::pov},
+                                                                     {".png", Format::png},
+                                                                     {".svg", Format::svg},
+                                                                     {".json", Format::json},
+                                                                     {".html", Format::html},
+                                                                     {".pomona", Format::pomona}}};
 
 std::string list_of(const std::vector<Format>& allowed) {
   std::string list;

@@ -25,7 +25,7 @@ struct SharedOptions {
   bool seed_given = false;
   std::optional<std::uint64_t> index;  ///< of the variant in its scene; for commands that grow one fruit
   double scale = 1;
-  bool as_drawn = false;               ///< likewise
+  bool as_drawn = false;  ///< likewise
   double variation = 1.0;
   bool curves_only = false;
   int threads = 0;

@@ -83,7 +83,8 @@ std::vector<std::uint32_t> homes_of_bits(const std::vector<CutPiece>& pieces, co
   for (std::size_t i = 0, end; i < order.size(); i = end) {
     for (end = i; end < order.size() && cell[order[end]] == cell[order[i]]; ++end) {
     }
-    find_homes(pieces, {order.begin() + static_cast<std::ptrdiff_t>(i), order.begin() + static_cast<std::ptrdiff_t>(end)},
+    find_homes(pieces,
+               {order.begin() + static_cast<std::ptrdiff_t>(i), order.begin() + static_cast<std::ptrdiff_t>(end)},
                section, options.largest * whole, options.reach * reproducible::cbrt(whole), home);
   }
   return home;

@@ -82,7 +82,8 @@ SliceSize parse_slices(string_view value) {
     throw BadKnife("has no unit", "write " + std::string(value) + "mm, or a whole number of slices");
   const std::optional<double> thickness = parse_length(value);
   if (!thickness || !(*thickness > 0))
-    throw BadKnife("needs a thickness such as 4mm, or a count", "lengths are in mm, cm or m; a knife is one of: " + known_knives());
+    throw BadKnife("needs a thickness such as 4mm, or a count",
+                   "lengths are in mm, cm or m; a knife is one of: " + known_knives());
   return SliceThickness{*thickness};
 }
 
@@ -150,9 +151,10 @@ SizeAndOptions parse_sized(const KnifeKind& kind, string_view value, const std::
   const std::optional<double> size = parse_length(words[0]);
   if (!size || !(*size > 0) || *size > largest_knife) {
     const bool bare = parse_number(words[0]).value_or(0) > largest_knife;
-    throw BadKnife("needs " + what + ", above 0 and up to 10m",
-                   bare ? "without a unit it is metres: write " + std::string(words[0]) + "mm; a knife is one of: " + known_knives()
-                        : "");
+    throw BadKnife("needs " + what + ", above 0 and up to 10m", bare ? "without a unit it is metres: write " +
+                                                                           std::string(words[0]) +
+                                                                           "mm; a knife is one of: " + known_knives()
+                                                                     : "");
   }
   return {*size, KnifeOptions(std::span(words).subspan(1), kind.options)};
 }

@@ -108,7 +108,8 @@ Cut without_unseen(Cut cut) {
 OpenedFruit cut_open(const SliceTask& task, const CutOptions& options) {
   OpenedFruit fruit = opened(cut(task.grown.sheets, task.knives, options));
   const bool by_number = task.choice && task.choice->only > 0;
-  if (!task.crumbs && !by_number) fruit = with_pieces(std::move(fruit), without_crumbs(fruit.cut.pieces, options.crumb));
+  if (!task.crumbs && !by_number)
+    fruit = with_pieces(std::move(fruit), without_crumbs(fruit.cut.pieces, options.crumb));
   if (!task.choice) return fruit;
   fruit = with_pieces(std::move(fruit), chosen(fruit.cut.pieces, *task.choice));
   fruit.cut = without_unseen(std::move(fruit.cut));
@@ -130,7 +131,8 @@ PieceOrigin origin_of(const SliceTask& task, const CutOptions& how) {
 /// The pieces of one fruit as solids.
 std::vector<Solid> finished(const OpenedFruit& fruit, const CrossSection& styled, const SliceTask& task,
                             const Diffuser* diffuser, const SliceOptions& options) {
-  std::vector<Solid> pieces = weighed(solids(fruit.cut.pieces, styled, task.variant, task.name), task.grown, task.variant);
+  std::vector<Solid> pieces =
+      weighed(solids(fruit.cut.pieces, styled, task.variant, task.name), task.grown, task.variant);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     pieces[i].origin = origin_of(task, options.cut);
     pieces[i].on_skin = fruit.on_skin;

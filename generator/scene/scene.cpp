@@ -67,8 +67,8 @@ View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect,
   if (!(nearest > none)) return view;
 
   // As near as both fields let it; in the middle of the one that leaves room.
-  const double distance = std::max({(to_right + to_left) / (2 * slope_right), (above + below) / (2 * slope_up),
-                                    nearest + 1e-3});
+  const double distance =
+      std::max({(to_right + to_left) / (2 * slope_right), (above + below) / (2 * slope_up), nearest + 1e-3});
   view.eye = right * (0.5 * (to_right - to_left)) + up * (0.5 * (above - below)) + back * distance;
 
   // It looks at the middle of what it sees.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_hairs = 20000;  // about 2 MB of text
 constexpr double width = 8e-5;             // metres, at the root
-constexpr int hair_steps = 15;            // of sRGB
+constexpr int hair_steps = 15;             // of sRGB
 
 std::array<int, 3> rounded(const Color& color) {
   std::array<int, 3> steps{};

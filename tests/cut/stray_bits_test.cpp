@@ -15,9 +15,9 @@ constexpr double side = 0.06, bit_side = 0.004;
 
 /// A box of 6 cm and, `gap` metres above it on the front half, a bit of 4 mm, 1/3375 of its volume.
 DiffusionSurfaces box_with_bit(double gap, double size = bit_side) {
-  return joined(shapes::box(glm::dvec3(-side / 2), glm::dvec3(side / 2), 8, shapes::skin_paint()),
-                shapes::box({0, side / 2 + gap, 0.01}, {size, side / 2 + gap + size, 0.01 + size}, 2,
-                            shapes::skin_paint()));
+  return joined(
+      shapes::box(glm::dvec3(-side / 2), glm::dvec3(side / 2), 8, shapes::skin_paint()),
+      shapes::box({0, side / 2 + gap, 0.01}, {size, side / 2 + gap + size, 0.01 + size}, 2, shapes::skin_paint()));
 }
 
 Cut halves(const DiffusionSurfaces& fruit) { return cut(fruit, std::vector{parse_knife("half")}); }
@@ -32,9 +32,7 @@ TEST(StrayBits, StayWithThePieceTheyLieOn) {
   EXPECT_NEAR(more, half + bit, 1e-9);
 }
 
-TEST(StrayBits, ArePiecesWhereNothingIsNear) {
-  EXPECT_EQ(halves(box_with_bit(0.01)).pieces.size(), 3u);
-}
+TEST(StrayBits, ArePiecesWhereNothingIsNear) { EXPECT_EQ(halves(box_with_bit(0.01)).pieces.size(), 3u); }
 
 TEST(StrayBits, AreNoLargerThanAThousandth) {
   EXPECT_EQ(halves(box_with_bit(0.0005, 0.0058)).pieces.size(), 2u);  // 0.9 of a thousandth

@@ -60,7 +60,8 @@ TEST(Slice, LeavesOutCrumbsThatAreLessThanOneTogether) {
   const DiffusionSurfaces box = shapes::box(glm::dvec3(-0.03), glm::dvec3(0.03), 2, shapes::skin_paint());
   const GrownFruit grown{box, {}, box};
   const Template plain;
-  const std::vector<Knife> knives{parse_knife("half"), parse_knife("plane:1,1,1,0.0516"), parse_knife("plane:-1,1,1,0.0516")};
+  const std::vector<Knife> knives{parse_knife("half"), parse_knife("plane:1,1,1,0.0516"),
+                                  parse_knife("plane:-1,1,1,0.0516")};
   const SliceTask without{.grown = grown, .variant = plain, .knives = knives, .name = "box"};
   SliceTask with = without;
   with.crumbs = true;

@@ -20,7 +20,8 @@ Scene cloud() {
   }
   Scene scene;
   scene.solids = {solid};
-  scene.instances = {{0, Pose{.rotation = glm::normalize(glm::dquat(1, 0.2, 0, 0)), .translation = {1, 0.1, -2}}, "cloud"}};
+  scene.instances = {
+      {0, Pose{.rotation = glm::normalize(glm::dquat(1, 0.2, 0, 0)), .translation = {1, 0.1, -2}}, "cloud"}};
   scene.ground = true;
   return scene;
 }
