@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "generator/base/stage_clock.h"
 #include "generator/scene/layout_file.h"
 #include "generator/scene/settle_heaps.h"
 

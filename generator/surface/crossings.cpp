@@ -114,7 +114,7 @@ bool cross_properly(const GridTriangle& s, const GridTriangle& t) {
 
 bool share_an_edge(const glm::uvec3& a, const glm::uvec3& b) {
   int common = 0;
-  for (int i = 0; i < 3; ++i) common += (a[i] == b.x) | (a[i] == b.y) | (a[i] == b.z);
+  for (int i = 0; i < 3; ++i) common += (a[i] == b.x ? 1 : 0) + (a[i] == b.y ? 1 : 0) + (a[i] == b.z ? 1 : 0);
   return common > 1;
 }
 
