@@ -108,10 +108,13 @@ Cut without_unseen(Cut cut) {
 OpenedFruit cut_open(const SliceTask& task, const CutOptions& options) {
   OpenedFruit fruit = opened(cut(task.grown.sheets, task.knives, options));
   const bool by_number = task.choice && task.choice->only > 0;
-  if (!task.crumbs && !by_number)
-    fruit = with_pieces(std::move(fruit), without_crumbs(fruit.cut.pieces, options.crumb));
+  if (!task.crumbs && !by_number) {
+    const std::vector<std::size_t> kept = without_crumbs(fruit.cut.pieces, options.crumb);
+    fruit = with_pieces(std::move(fruit), kept);
+  }
   if (!task.choice) return fruit;
-  fruit = with_pieces(std::move(fruit), chosen(fruit.cut.pieces, *task.choice));
+  const std::vector<std::size_t> wanted = chosen(fruit.cut.pieces, *task.choice);
+  fruit = with_pieces(std::move(fruit), wanted);
   fruit.cut = without_unseen(std::move(fruit.cut));
   return fruit;
 }

@@ -1,8 +1,8 @@
 #include "render/export/stl.h"
 
-#include <array>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -25,19 +25,24 @@ void append_bits(std::string& bytes, const glm::vec3& vector) {
   bytes.append(raw, sizeof vector);
 }
 
+/// In millimetres, as the file holds them: normals are those of the rounded places.
+std::vector<glm::vec3> placed(const Solid& solid, const Pose& pose) {
+  std::vector<glm::vec3> places;
+  places.reserve(solid.position.size());
+  for (const glm::vec3& p : solid.position)
+    places.emplace_back((pose.rotation * glm::dvec3(p) + pose.translation) * millimetres);
+  return places;
+}
+
 void append_instance(std::string& bytes, const Solid& solid, const Pose& pose, std::uint32_t& count) {
-  for (const glm::uvec3& triangle : solid.triangle) {
-    std::array<glm::vec3, 3> corner;
-    for (int i = 0; i < 3; ++i) {
-      const glm::dvec3 place = pose.rotation * glm::dvec3(solid.position[triangle[i]]) + pose.translation;
-      corner[static_cast<std::size_t>(i)] = glm::vec3(place * millimetres);
-    }
-    const glm::dvec3 normal =
-        glm::cross(glm::dvec3(corner[1]) - glm::dvec3(corner[0]), glm::dvec3(corner[2]) - glm::dvec3(corner[0]));
+  const std::vector<glm::vec3> places = placed(solid, pose);
+  for (const glm::uvec3& t : solid.triangle) {
+    const glm::vec3 &a = places[t.x], &b = places[t.y], &c = places[t.z];
+    const glm::dvec3 normal = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
     const double length = glm::length(normal);
     if (!(length > 0)) continue;
     append_bits(bytes, glm::vec3(normal / length));
-    for (const glm::vec3& place : corner) append_bits(bytes, place);
+    for (const glm::vec3& place : {a, b, c}) append_bits(bytes, place);
     bytes.append(2, '\0');  // an attribute that nobody agrees about
     ++count;
   }

@@ -50,6 +50,18 @@ TEST(Stl, HoldsTheVolumesInMillimetres) {
   EXPECT_NE(stl.substr(0, 5), "solid") << "readers would take it for ASCII";
 }
 
+/// To the bit those of the corners that the file holds, which are rounded: not of the places they were rounded from.
+TEST(Stl, HasTheNormalsOfItsCorners) {
+  const std::string stl = write_stl(gathered({named::ball("ball", 0.0371f, 12, Color(0.5f))}));
+  for (std::uint32_t t = 0; t < value_at<std::uint32_t>(stl, 80); ++t) {
+    const std::size_t at = 84 + 50 * std::size_t{t};
+    glm::dvec3 corner[3];
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = glm::dvec3(value_at<glm::vec3>(stl, at + 12 + 12 * i));
+    const glm::dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    ASSERT_EQ(value_at<glm::vec3>(stl, at), glm::vec3(normal / glm::length(normal))) << t;
+  }
+}
+
 TEST(Stl, LeavesOutTrianglesWithoutArea) {
   Solid leaf = named::leaf("leaf", Color(0.5f));
   leaf.triangle.push_back({0, 0, 1});
