@@ -39,6 +39,13 @@ std::string list_of(const std::vector<Format>& allowed) {
   return list;
 }
 
+/// Whether any of the outputs is of one of these formats.
+bool any_is(const std::vector<Output>& outputs, const std::vector<Format>& formats) {
+  return std::any_of(outputs.begin(), outputs.end(), [&](const Output& output) {
+    return std::find(formats.begin(), formats.end(), output.format) != formats.end();
+  });
+}
+
 /// Endings are taken in capitals, too.
 std::optional<Format> format_of(std::string ending) {
   for (char& c : ending)
@@ -94,21 +101,16 @@ std::vector<Output> parse_outputs(const std::vector<std::string>& names, const s
 }
 
 std::vector<std::string> idle_options(const SharedOptions& options, const std::vector<Output>& outputs) {
-  const auto any = [&](std::initializer_list<Format> formats) {
-    return std::any_of(outputs.begin(), outputs.end(), [&](const Output& output) {
-      return std::find(formats.begin(), formats.end(), output.format) != formats.end();
-    });
-  };
   const auto is_standard_output = [](const Output& output) { return output.file == "-"; };
   if (options.json && std::any_of(outputs.begin(), outputs.end(), is_standard_output))
     throw Error(ExitStatus::usage, "--json and -o - both write to standard output", "leave out one of them");
 
   std::vector<std::string> warnings;
-  if (wants_textures(options) && !any({Format::glb}))
+  if (wants_textures(options) && !any_is(outputs, {Format::glb}))
     warnings.push_back("--texture and --texel are about .glb: no output is one, and nothing is baked");
-  if (!options.size.empty() && !any({Format::png, Format::svg}))
+  if (!options.size.empty() && !any_is(outputs, {Format::png, Format::svg}))
     warnings.push_back("--size is about pictures: no output is one");
-  if (!options.view.empty() && !any({Format::png, Format::svg}))
+  if (!options.view.empty() && !any_is(outputs, {Format::png, Format::svg}))
     warnings.push_back("--view is about pictures: no output is one");
   return warnings;
 }
@@ -122,10 +124,7 @@ void check_other_file(const std::string& option, const std::string& file, const 
 }
 
 void check_heeded(const std::string& option, const std::vector<Format>& holding, const std::vector<Output>& outputs) {
-  const auto heeds = [&](const Output& output) {
-    return std::find(holding.begin(), holding.end(), output.format) != holding.end();
-  };
-  if (std::any_of(outputs.begin(), outputs.end(), heeds)) return;
+  if (any_is(outputs, holding)) return;
   const std::string list = list_of(holding);
   throw Error(ExitStatus::usage, option + " is about " + list + ": no output is one",
               "add -o FILE" + list.substr(0, list.find(' ')));

@@ -20,14 +20,6 @@ namespace {
                                     "wait for it, or give every run a --shard of its own"}});
 }
 
-/// Whether the name still leads to the file that was opened: whoever finished last may have removed it meanwhile.
-bool is_still_there(const Descriptor& file, const fs::path& path) {
-  struct stat opened {
-  }, named{};
-  if (::fstat(file.number(), &opened) != 0 || ::stat(path.c_str(), &named) != 0) return false;
-  return opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
-}
-
 void make_folder(const fs::path& path) {
   if (::mkdir(path.c_str(), 0777) == 0) return sync_folder(path.has_parent_path() ? path.parent_path() : ".");
   const int error = errno;

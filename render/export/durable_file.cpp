@@ -1,6 +1,7 @@
 #include "render/export/durable_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -32,6 +33,13 @@ Descriptor create_file(const fs::path& path, const fs::path& meant, unsigned mod
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, static_cast<mode_t>(mode)));
   if (!file.is_open() && errno != EEXIST) fail_at(ExitStatus::cannot_create, meant, "cannot be created", errno);
   return file;
+}
+
+bool is_still_there(const Descriptor& file, const fs::path& path) {
+  struct stat opened {
+  }, named{};
+  if (::fstat(file.number(), &opened) != 0 || ::stat(path.c_str(), &named) != 0) return false;
+  return opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
 void write_all(const Descriptor& file, std::string_view bytes, const fs::path& meant) {

@@ -39,6 +39,10 @@ class Descriptor {
 /// \throws Error (cannot_create)
 Descriptor create_file(const std::filesystem::path& path, const std::filesystem::path& meant, unsigned mode = 0666);
 
+/// Whether the name still leads to the file that was opened: another run may have removed it between its opening and
+/// its locking, having finished, or having taken it for a dead run's.
+bool is_still_there(const Descriptor& file, const std::filesystem::path& path);
+
 /// \throws Error (io_error)
 void write_all(const Descriptor& file, std::string_view bytes, const std::filesystem::path& meant);
 

@@ -34,14 +34,6 @@ std::optional<struct stat> about(const fs::path& path) {
   return found;
 }
 
-/// Whether the name still leads to the file that was opened: another run may have taken it for a dead one's.
-bool is_still_there(const Descriptor& file, const fs::path& path) {
-  struct stat opened {};
-  const auto named = about(path);
-  return named && ::fstat(file.number(), &opened) == 0 && opened.st_ino == named->st_ino &&
-         opened.st_dev == named->st_dev;
-}
-
 /// \returns whether all of it is in place.
 bool finish(const fs::path& folder, const std::string& stem, const SetRecord& record) {
   for (std::size_t n = 0; n < record.members.size(); ++n) {
