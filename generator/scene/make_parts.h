@@ -55,7 +55,7 @@ struct SceneParts {
   std::vector<SettleItem> items;        ///< what is to be placed, named; solids and arrangements by index
   std::vector<int> dish_of;             ///< of each item, an index; -1 = the ground
   std::vector<ScenePlacedDish> dishes;  ///< the bowl is the first, where there is one
-  std::vector<Arrangement> arrangements;
+  std::vector<PieceArrangement> arrangements;
   ComposeReport report;
 };
 

@@ -23,31 +23,31 @@ glm::dvec2 read_two(const TomlValue& value, Within within) {
 
 }  // namespace
 
-Arrangement read_arrangement(const TomlTable& table) {
+PieceArrangement read_arrangement(const TomlTable& table) {
   // The order of the names is that of the kinds.
   static const std::vector<std::string> kinds{"heap", "rows", "grid", "scatter", "as-cut"};
-  Arrangement how;
-  how.kind = static_cast<ArrangementKind>(table.need("kind").choice(kinds));
+  PieceArrangement how;
+  how.kind = static_cast<PieceArrangementKind>(table.need("kind").choice(kinds));
   how.at = read_two(table.get("at"), within_reach);
   how.turn = table.get("turn").angle(0, {-360, 360});
   switch (how.kind) {
-    case ArrangementKind::heap:
+    case PieceArrangementKind::heap:
       how.within = table.get("within").length(0, size_of_where);
       if (table.has("at") && how.within <= 0)
         table.get("at").error("needs \"within\", too", "say how wide the heap is");
       break;
-    case ArrangementKind::rows:
+    case PieceArrangementKind::rows:
       how.columns = table.get("columns").integer(0, 1, 10000);
       how.gap = table.get("gap").length(how.gap, size_of_where);
       break;
-    case ArrangementKind::grid:
+    case PieceArrangementKind::grid:
       how.columns = table.get("columns").integer(0, 1, 10000);
       how.spacing = read_two(table.need("spacing"), {1e-3, 10});
       break;
-    case ArrangementKind::scatter:
+    case PieceArrangementKind::scatter:
       how.gap = table.get("gap").length(how.gap, size_of_where);
       break;
-    case ArrangementKind::as_cut:
+    case PieceArrangementKind::as_cut:
       how.gap = table.get("gap").length(how.gap, size_of_where);
       how.line = table.get("line").length(0, size_of_where);
       how.lean = table.get("lean").angle(how.lean, {0, 60});

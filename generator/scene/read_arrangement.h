@@ -1,12 +1,12 @@
 // Where pieces lie, as scene files spell it.
 #pragma once
 
-#include "generator/scene/settle/arrangement.h"
+#include "generator/scene/settle/piece_arrangement.h"
 #include "generator/template/read/toml_document.h"
 
 namespace pomona {
 
 /// The table `where` of an entry; what is wrong is noted in the document.
-Arrangement read_arrangement(const TomlTable& table);
+PieceArrangement read_arrangement(const TomlTable& table);
 
 }  // namespace pomona

@@ -12,7 +12,7 @@
 #include "generator/knife/knife.h"
 #include "generator/scene/dish_description.h"
 #include "generator/scene/scene.h"
-#include "generator/scene/settle/arrangement.h"
+#include "generator/scene/settle/piece_arrangement.h"
 #include "generator/template/read/toml_document.h"
 #include "generator/template/template.h"
 
@@ -45,7 +45,7 @@ struct PiecesDescription {
   bool beside = false;     ///< around the bowl instead of into it
   std::string dish;        ///< one of the scene's; empty = the bowl, or the ground where there is none
   bool on_top = false;     ///< on that dish, not in it
-  std::optional<Arrangement> where{};  ///< else dropped anywhere in the dish
+  std::optional<PieceArrangement> where{};  ///< else dropped anywhere in the dish
 };
 
 struct SceneDescription {

@@ -40,7 +40,7 @@ DishForm in(const Solid& dish) {
   return form;
 }
 
-SettleOptions with(const Arrangement& how) {
+SettleOptions with(const PieceArrangement& how) {
   SettleOptions options;
   options.arrangements = {how};
   return options;
@@ -58,7 +58,7 @@ TEST(Arrange, AGridHasItsSpacingAndLiesOnTheBoard) {
   const Solid board = slab({0.4, 0.02, 0.3});
   const Settled settled =
       settle(solids, arranged_items(12, 2), on(board),
-             with({.kind = ArrangementKind::grid, .at = {0.01, -0.02}, .columns = 4, .spacing = {0.06, 0.07}}));
+             with({.kind = PieceArrangementKind::grid, .at = {0.01, -0.02}, .columns = 4, .spacing = {0.06, 0.07}}));
   for (std::size_t i = 0; i < 12; ++i) {
     const Box<double> box = placed_box(solids[i % 2], settled.poses[i]);
     EXPECT_NEAR(box.center().x, 0.01 + (static_cast<double>(i % 4) - 1.5) * 0.06, 2e-4) << i;
@@ -72,7 +72,7 @@ TEST(Arrange, RowsKeepTheirGap) {
   const std::vector<Solid> solids{ball(0.02), ball(0.03)};
   const Solid board = slab({0.6, 0.02, 0.3});
   const Settled settled = settle(solids, arranged_items(6, 2), on(board),
-                                 with({.kind = ArrangementKind::rows, .columns = 6, .gap = 0.004}));
+                                 with({.kind = PieceArrangementKind::rows, .columns = 6, .gap = 0.004}));
   for (std::size_t i = 1; i < 6; ++i)
     EXPECT_NEAR(settled.poses[i].translation.x - settled.poses[i - 1].translation.x, 0.054, 8e-4) << i;
 }
@@ -84,7 +84,7 @@ TEST(Arrange, ScatteredPiecesLieOnTheMesh) {
   Solid half = hill;  // the lower half is cut off by moving it below the ground's level
   for (glm::vec3& p : half.position) p.y = std::max(p.y, 0.0f);
   const Settled settled =
-      settle(solids, arranged_items(60, 2), on(half), with({.kind = ArrangementKind::scatter, .gap = 0.002}));
+      settle(solids, arranged_items(60, 2), on(half), with({.kind = PieceArrangementKind::scatter, .gap = 0.002}));
   const TriangleTree surface(half.position, half.triangle);
   int left = 0;
   for (std::size_t i = 0; i < settled.poses.size(); ++i) {
@@ -113,7 +113,7 @@ TEST(Arrange, WhatIsCutFallsInItsOrder) {
     items.push_back({.solid = (4 * i) % count, .name = "slice-" + std::to_string((4 * i) % count), .arrangement = 0});
   }
   const Solid board = slab({0.4, 0.02, 0.3});
-  const Settled settled = settle(slices, items, on(board), with({.kind = ArrangementKind::as_cut, .gap = 0.002}));
+  const Settled settled = settle(slices, items, on(board), with({.kind = PieceArrangementKind::as_cut, .gap = 0.002}));
   std::vector<double> along(count);
   for (std::size_t i = 0; i < items.size(); ++i) {
     const auto solid = static_cast<std::size_t>(items[i].solid);
@@ -145,7 +145,7 @@ TEST(Arrange, IsTheSameForAnyNumberOfThreads) {
   const Solid crate = tray({0.3, 0.08, 0.2}, 0.008);
   std::vector<SettleItem> items = arranged_items(16, 2);
   for (std::size_t i = 8; i < 16; ++i) items[i].arrangement = -1;
-  SettleOptions one = with({.kind = ArrangementKind::rows, .columns = 4}), two = one;
+  SettleOptions one = with({.kind = PieceArrangementKind::rows, .columns = 4}), two = one;
   one.threads = {1};
   two.threads = {2};
   const Settled a = settle(solids, items, in(crate), one), b = settle(solids, items, in(crate), two);
@@ -178,17 +178,17 @@ TEST(Arrange, WhatCannotBeIsNamed) {
   for (SettleItem& item : falling) item.arrangement = -1;
   expect_refused(ExitStatus::bad_data, "\"tray\" has no hollow", [&] { settle(solids, falling, in(board)); });
   expect_refused(ExitStatus::some_items_failed, "piece \"piece-0\" lies outside the board", [&] {
-    settle(solids, items, on(board), with({.kind = ArrangementKind::grid, .columns = 4, .spacing = {0.2, 0.2}}));
+    settle(solids, items, on(board), with({.kind = PieceArrangementKind::grid, .columns = 4, .spacing = {0.2, 0.2}}));
   });
   expect_refused(ExitStatus::some_items_failed, "overlaps by", [&] {
-    settle(solids, items, on(board), with({.kind = ArrangementKind::grid, .columns = 4, .spacing = {0.02, 0.2}}));
+    settle(solids, items, on(board), with({.kind = PieceArrangementKind::grid, .columns = 4, .spacing = {0.02, 0.2}}));
   });
   expect_refused(ExitStatus::bad_data, "\"board\" has no area that looks upwards",
-                 [&] { settle(solids, items, on(wall), with({.kind = ArrangementKind::scatter})); });
+                 [&] { settle(solids, items, on(wall), with({.kind = PieceArrangementKind::scatter})); });
   expect_refused(ExitStatus::some_items_failed, "finds no room", [&] {
     std::vector<SettleItem> many;
     for (int i = 0; i < 12; ++i) many.push_back(items[0]), many.back().name += "-" + std::to_string(i);
-    settle(solids, many, on(slab({0.1, 0.02, 0.1})), with({.kind = ArrangementKind::scatter}));
+    settle(solids, many, on(slab({0.1, 0.02, 0.1})), with({.kind = PieceArrangementKind::scatter}));
   });
 }
 

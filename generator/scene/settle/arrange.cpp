@@ -22,7 +22,7 @@ constexpr glm::dvec3 upwards(0, 1, 0);
 using Starts = std::vector<std::optional<Start>>;
 
 /// From the arrangement's own frame to the dish's.
-glm::dvec3 in_dish(const Arrangement& how, double along, double across) {
+glm::dvec3 in_dish(const PieceArrangement& how, double along, double across) {
   const double c = reproducible::cos(how.turn), s = reproducible::sin(how.turn);
   return {how.at.x + c * along + s * across, 0, how.at.y - s * along + c * across};
 }
@@ -115,20 +115,20 @@ Start set_at(RigidBody body, const Solid& solid, const glm::dvec3& place, const 
   return {body.rotation, body.center};
 }
 
-std::size_t columns_of(const Arrangement& how, std::size_t pieces) {
+std::size_t columns_of(const PieceArrangement& how, std::size_t pieces) {
   if (how.columns > 0) return static_cast<std::size_t>(how.columns);
   return static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(pieces))));
 }
 
 /// How far the body reaches to either side along the arrangement's rows, and across them.
-glm::dvec2 extent(RigidBody body, const Arrangement& how) {
+glm::dvec2 extent(RigidBody body, const PieceArrangement& how) {
   body.rotation = turn_about(upwards, -how.turn) * body.rotation;
   body.refresh();
   const glm::dvec3 size = tight_box(body).size();
   return {size.x, size.z};
 }
 
-Starts in_rows(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how,
+Starts in_rows(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const PieceArrangement& how,
                const Dish& dish, Threads threads) {
   // How long each row is, and how wide.
   const std::size_t columns = columns_of(how, bodies.size());
@@ -162,7 +162,7 @@ Starts in_rows(std::span<const Arranged> pieces, const std::vector<RigidBody>& b
   return starts;
 }
 
-Starts in_grid(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how,
+Starts in_grid(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const PieceArrangement& how,
                const Dish& dish, Threads threads) {
   const std::size_t columns = columns_of(how, bodies.size()), rows = (bodies.size() + columns - 1) / columns;
   Starts starts(bodies.size());
@@ -220,7 +220,7 @@ bool lies_within(const RigidBody& body, const Solid& solid, const Dish& dish) {
   });
 }
 
-Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const Arrangement& how,
+Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const PieceArrangement& how,
                  const Dish& dish, const RandomStream& draw, const ArrangeOptions& options) {
   constexpr std::uint64_t most_tries = 60, before_tries = 16;
   const UpperSide upper(dish.mesh().mesh, dish.form());
@@ -272,7 +272,7 @@ glm::dvec3 cutting_direction(std::span<const Arranged> pieces, const std::vector
 }
 
 /// Each fruit lies along a line, its pieces pulled apart as they lean backwards.
-Starts in_order_of_cut(std::span<const Arranged> pieces, const Arrangement& how, const Dish& dish) {
+Starts in_order_of_cut(std::span<const Arranged> pieces, const PieceArrangement& how, const Dish& dish) {
   std::map<int, std::vector<std::size_t>> fruits;
   for (std::size_t i = 0; i < pieces.size(); ++i) fruits[pieces[i].fruit].push_back(i);
   double widest = 0;
@@ -320,13 +320,13 @@ Starts in_order_of_cut(std::span<const Arranged> pieces, const Arrangement& how,
 
 bool has_upper_side(const Dish& dish) { return !UpperSide(dish.mesh().mesh, dish.form()).empty(); }
 
-Starts arranged(std::span<const Arranged> pieces, const Arrangement& how, const Dish& dish, const RandomStream& draw,
-                const ArrangeOptions& options) {
-  if (pieces.empty() || how.kind == ArrangementKind::heap) return Starts(pieces.size());
-  if (how.kind == ArrangementKind::as_cut) return in_order_of_cut(pieces, how, dish);
+Starts arranged(std::span<const Arranged> pieces, const PieceArrangement& how, const Dish& dish,
+                const RandomStream& draw, const ArrangeOptions& options) {
+  if (pieces.empty() || how.kind == PieceArrangementKind::heap) return Starts(pieces.size());
+  if (how.kind == PieceArrangementKind::as_cut) return in_order_of_cut(pieces, how, dish);
   const std::vector<RigidBody> bodies = turned(pieces, draw, options);
-  if (how.kind == ArrangementKind::rows) return in_rows(pieces, bodies, how, dish, options.threads);
-  if (how.kind == ArrangementKind::grid) return in_grid(pieces, bodies, how, dish, options.threads);
+  if (how.kind == PieceArrangementKind::rows) return in_rows(pieces, bodies, how, dish, options.threads);
+  if (how.kind == PieceArrangementKind::grid) return in_grid(pieces, bodies, how, dish, options.threads);
   return scattered(pieces, bodies, how, dish, draw, options);
 }
 

@@ -11,9 +11,9 @@
 
 #include "generator/base/parallel.h"
 #include "generator/base/random.h"
-#include "generator/scene/settle/arrangement.h"
 #include "generator/scene/settle/dish.h"
 #include "generator/scene/settle/heap.h"
+#include "generator/scene/settle/piece_arrangement.h"
 #include "generator/scene/settle/piece_shape.h"
 
 namespace pomona {
@@ -52,7 +52,7 @@ bool has_upper_side(const Dish& dish);
 
 /// One start a piece, in their order: set down on the dish where they stay (rows, grids, scatterings), or where they
 /// are to be let go (as cut). None where a scattered piece finds no room.
-std::vector<std::optional<Start>> arranged(std::span<const Arranged> pieces, const Arrangement& how, const Dish& dish,
-                                           const RandomStream& draw, const ArrangeOptions& options);
+std::vector<std::optional<Start>> arranged(std::span<const Arranged> pieces, const PieceArrangement& how,
+                                           const Dish& dish, const RandomStream& draw, const ArrangeOptions& options);
 
 }  // namespace pomona

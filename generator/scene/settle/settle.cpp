@@ -100,15 +100,15 @@ class Settling {
 
   bool in_bowl(std::size_t item) const { return dish_.has_bowl() && !items_[item].beside; }
 
-  const Arrangement* arrangement(std::size_t item) const {
+  const PieceArrangement* arrangement(std::size_t item) const {
     const int index = items_[item].arrangement;
     return index < 0 ? nullptr : &options_.arrangements[static_cast<std::size_t>(index)];
   }
 
   /// It does not fall: it is set to its place.
   bool is_set(std::size_t item) const {
-    const Arrangement* how = arrangement(item);
-    return how && how->kind != ArrangementKind::heap && how->kind != ArrangementKind::as_cut;
+    const PieceArrangement* how = arrangement(item);
+    return how && how->kind != PieceArrangementKind::heap && how->kind != PieceArrangementKind::as_cut;
   }
 
   [[noreturn]] void refuse(const SourcePlace& place, const std::string& message, const std::string& hint) const {
@@ -131,16 +131,16 @@ class Settling {
     const RandomStream draw({options_.seed, 0}, purpose_ + "/arrange");
     ArrangeOptions arranging{options_.heap, unit_, widest_, {}, options_.threads};
     for (std::size_t k = 0; k < options_.arrangements.size(); ++k) {
-      const Arrangement& how = options_.arrangements[k];
+      const PieceArrangement& how = options_.arrangements[k];
       std::vector<Arranged> pieces;
       for (std::size_t i = 0; i < items_.size(); ++i) {
         const SettleItem& item = items_[i];
-        if (item.arrangement != static_cast<int>(k) || how.kind == ArrangementKind::heap) continue;
+        if (item.arrangement != static_cast<int>(k) || how.kind == PieceArrangementKind::heap) continue;
         const Attitude attitude = item.upright ? Attitude::upright : item.face_up ? Attitude::face_up : Attitude::any;
         pieces.push_back({i, &shape(i), &solids_[static_cast<std::size_t>(item.solid)], attitude, item.fruit});
       }
       if (pieces.empty()) continue;
-      if (how.kind == ArrangementKind::scatter && !has_upper_side(dish_))
+      if (how.kind == PieceArrangementKind::scatter && !has_upper_side(dish_))
         refuse(items_[pieces[0].piece].place, "\"" + name_ + "\" has no area that looks upwards to scatter pieces on",
                "scatter them on a dish with a mesh");
       const auto found = arranged(pieces, how, dish_, draw, arranging);
@@ -152,7 +152,7 @@ class Settling {
   }
 
   DropArea area_of(std::size_t item) const {
-    const Arrangement* how = arrangement(item);
+    const PieceArrangement* how = arrangement(item);
     const double radius = shape(item).radius;
     if (in_bowl(item) && dish_.form()) return cells_for(radius, how);
     DropRing ring = ring_of(item);
@@ -165,7 +165,7 @@ class Settling {
   }
 
   /// Of a dish that is not turned: so far from its walls that a piece does not begin in them.
-  DropCells cells_for(double radius, const Arrangement* how) const {
+  DropCells cells_for(double radius, const PieceArrangement* how) const {
     double widest = 0;
     for (const MeshDish::Place& place : dish_.form()->places()) widest = std::max(widest, place.inset);
     const double inset = std::min(0.8 * radius, 0.7 * widest);
@@ -190,7 +190,7 @@ class Settling {
     double half = dish_.form() ? dish_.rim_radius() : 0;
     for (std::size_t i = 0; i < items_.size(); ++i) {
       half = std::max(half, ring_of(i).outer + shape(i).radius);
-      const Arrangement* how = arrangement(i);
+      const PieceArrangement* how = arrangement(i);
       if (how) half = std::max(half, glm::length(how->at) + how->within + shape(i).radius);
     }
     return {dish_, half, unit_ / 9};
@@ -260,8 +260,8 @@ class Settling {
   /// these to the front of the order; returns how many are let go or have found no place.
   std::size_t start_arranged(std::vector<std::size_t>& order, HeightMap& frozen) {
     const auto is_arranged = [&](std::size_t item) {
-      const Arrangement* how = arrangement(item);
-      return how && how->kind != ArrangementKind::heap;
+      const PieceArrangement* how = arrangement(item);
+      return how && how->kind != PieceArrangementKind::heap;
     };
     const auto last = std::stable_partition(order.begin(), order.end(), is_arranged);
     if (last == order.begin()) return 0;

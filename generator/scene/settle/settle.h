@@ -40,7 +40,7 @@ struct SettleOptions {
   double spread = 0;    ///< metres: without a bowl, drops within so far of the axis; 0 = 4 times the widest
   double around = 1.8;  ///< pieces beside the bowl lie within this many of its radii
   int attempts = 5;     ///< how often what lies badly is dropped, the first time counted
-  std::vector<Arrangement> arrangements{};
+  std::vector<PieceArrangement> arrangements{};
   HeapOptions heap{};
   Threads threads{};
   /// Told from the calling thread how many pieces of a stage are done: "settle", then "measure".

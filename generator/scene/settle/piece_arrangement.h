@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-enum class ArrangementKind : std::uint8_t {
+enum class PieceArrangementKind : std::uint8_t {
   heap,     ///< let fall, from places drawn
   rows,     ///< set side by side, each as wide as it is
   grid,     ///< set to the knots of a grid
@@ -16,8 +16,8 @@ enum class ArrangementKind : std::uint8_t {
 };
 
 /// Lengths in metres, in the frame of the dish.
-struct Arrangement {
-  ArrangementKind kind = ArrangementKind::heap;
+struct PieceArrangement {
+  PieceArrangementKind kind = PieceArrangementKind::heap;
   glm::dvec2 at{0};       ///< x and z of its middle
   double turn = 0;        ///< radians about the vertical, as angles run about the axis
   int columns = 0;        ///< of rows and grids; 0 = as many as rows
