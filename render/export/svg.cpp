@@ -1,12 +1,19 @@
 #include "render/export/svg.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <vector>
 
 #include "generator/base/base64.h"
 #include "generator/base/xml_text.h"
 #include "render/image/png.h"
+#include "render/marks/marks.h"
+#include "render/picture/marks_on_picture.h"
+#include "render/picture/paper.h"
+#include "render/picture/section_patches.h"
 #include "render/picture/section_strokes.h"
 #include "render/picture/stroke_outline.h"
 
@@ -85,6 +92,78 @@ std::string plate_text(std::span<const PlateLayer> plate) {
   return text + "  </g>\n";
 }
 
+/// Hatching as filled paths, stipple as circles.
+std::string marks_text(std::span<const Mark> marks, const Color& ink) {
+  if (marks.empty()) return {};
+  std::string text = layer_start("marks", "marks") + "    <g fill=\"" + to_hex(ink) + "\">\n";
+  for (const Mark& mark : marks) {
+    if (mark.size() == 1) {
+      text += "      <circle cx=\"" + hundredths(mark[0].at.x) + "\" cy=\"" + hundredths(mark[0].at.y) + "\" r=\"" +
+              hundredths(mark[0].radius) + "\"/>\n";
+      continue;
+    }
+    const std::string outline = stroke_outline(stroke_of(mark));
+    if (!outline.empty()) text += "      <path d=\"" + outline + "\"/>\n";
+  }
+  return text + "    </g>\n  </g>\n";
+}
+
+std::string paper_text(const Color& paper, int width, int height) {
+  return layer_start("paper", "paper") + "    <rect width=\"" + std::to_string(width) + "\" height=\"" +
+         std::to_string(height) + "\" fill=\"" + to_hex(paper) + "\"/>\n  </g>\n";
+}
+
+/// A layer that holds a picture.
+std::string picture_text(const Image& image) {
+  return layer_start("wash", "wash") + "    <image width=\"" + std::to_string(image.width) + "\" height=\"" +
+         std::to_string(image.height) + "\" xlink:href=\"data:image/png;base64," + base64(write_png(image)) +
+         "\"/>\n  </g>\n";
+}
+
+/// Marks above what the style leaves of the paint.
+std::string marked_text(const Image& painted, const InkStyle& ink, const Style& style) {
+  const std::vector<Mark> marks = marks_of(painted, style.paper, *style.marks);
+  const Color color = style.ink_color.value_or(ink.color);
+  const Paper paper(style, painted.width, painted.height);
+  const std::string wash =
+      style.marks->wash > 0 ? picture_text(with_marks(painted, paper, {}, *style.marks, color)) : std::string();
+  return wash + marks_text(marks, color);
+}
+
+/// A triangle in tenths of a pixel.
+std::string patch_path(const SectionPatch& patch) {
+  const auto tenths = [](double v) { return static_cast<int>(std::floor(10 * v + 0.5)); };
+  std::string text;
+  glm::ivec2 before(0);
+  for (int i = 0; i < 3; ++i) {
+    const glm::ivec2 at(tenths(patch.corner[i].x), tenths(patch.corner[i].y)), step = at - before;
+    text += (i == 0 ? "M" : i == 1 ? "l" : " ") + std::to_string(step.x) + " " + std::to_string(step.y);
+    before = at;
+  }
+  return text + "z";
+}
+
+/// A layer "colours" with a group per part: patches of one colour in one path each. A hair of each colour's own covers
+/// the seams that programs leave between neighbours.
+std::string patches_text(const CrossSection& section, const std::vector<SectionPatch>& patches) {
+  std::map<std::int32_t, std::map<std::array<std::uint8_t, 3>, std::string>> parts;
+  for (const SectionPatch& patch : patches) {
+    parts[patch.part][{patch.color.r, patch.color.g, patch.color.b}] += patch_path(patch);
+  }
+  std::string text = layer_start("colours", "colours");
+  for (const auto& [part, colors] : parts) {
+    text += "    <g id=\"part-" + std::to_string(part + 1) + "\" inkscape:label=\"" +
+            xml_escaped(section.part_names[static_cast<std::size_t>(part)]) +
+            "\" transform=\"scale(.1)\" stroke-width=\"5\" stroke-linejoin=\"round\">\n";
+    for (const auto& [color, path] : colors) {
+      const std::string hex = to_hex(from_srgb8({color[0], color[1], color[2]}));
+      text += "      <path fill=\"" + hex + "\" stroke=\"" + hex + "\" d=\"" + path + "\"/>\n";
+    }
+    text += "    </g>\n";
+  }
+  return text + "  </g>\n";
+}
+
 }  // namespace
 
 std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, int width, int height,
@@ -103,14 +182,13 @@ std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, 
 
 std::string write_section_svg(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,
                               const SectionPictureOptions& options, const std::string& provenance) {
-  Style without_ink = style;
-  without_ink.ink = false;
   const SectionSheet sheet(section, style, options);
   const std::vector<PlacedFace>& faces = sheet.faces();
-  const std::string picture = base64(write_png(draw_faces(section, faces, look, ink, without_ink, options)));
   std::string text = opening(options.width, options.height, provenance);
-  text += layer_start("colours", "colours") + "    <image width=\"" + std::to_string(options.width) + "\" height=\"" +
-          std::to_string(options.height) + "\" xlink:href=\"data:image/png;base64," + picture + "\"/>\n  </g>\n";
+  const PatchOptions patches{.width = options.width, .height = options.height, .threads = options.threads};
+  text += paper_text(style.paper, options.width, options.height);
+  text += style.marks ? marked_text(paint_faces(section, faces, look, ink, style, options), ink, style)
+                      : patches_text(section, section_patches(section, faces, look, style, patches));
   const std::string around = plate_text(sheet.plate_layers());
   if (!style.ink) return text + around + "</svg>\n";
 

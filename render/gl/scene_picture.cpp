@@ -13,6 +13,8 @@
 #include "render/gl/program.h"
 #include "render/gl/scene_camera.h"
 #include "render/gl/scene_instances.h"
+#include "render/marks/marks.h"
+#include "render/picture/marks_on_picture.h"
 #include "render/strokes/ink_on_picture.h"
 
 namespace pomona {
@@ -440,6 +442,13 @@ Image draw_scene(GlContext& context, const Scene& scene, const Style& style, con
   check_options(gl, options);
   give_back_free_memory();
   Image picture = ScenePainter(gl, scene, style, options).painted();
+  if (style.marks) {
+    Style on_this_paper = style;
+    on_this_paper.paper = scene.paper;
+    const Paper paper(on_this_paper, options.width, options.height);
+    picture = with_marks(picture, paper, marks_of(picture, scene.paper, *style.marks), *style.marks,
+                         style.ink_color.value_or(InkStyle().color));
+  }
   const StrokeOptions strokes{.width = options.width, .height = options.height, .threads = options.threads};
   return style.ink ? with_ink(std::move(picture), scene_strokes(scene, style, strokes)) : picture;
 }

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "generator/base/error.h"
+#include "render/marks/marks.h"
+#include "render/picture/marks_on_picture.h"
 #include "render/picture/paper.h"
 #include "render/picture/section_raster.h"
 #include "render/picture/section_strokes.h"
@@ -30,7 +32,41 @@ InkLayers inked(const std::vector<SectionStroke>& strokes, const SectionPictureO
   return layers;
 }
 
+/// The picture with both layers of ink over it.
+Image with_ink_layers(Image image, const InkLayers& layers, const Color& ink, double inner_opacity) {
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      glm::u8vec3& pixel = image.pixels[static_cast<std::size_t>(y) * image.width + x];
+      Color color = from_srgb8(pixel);
+      color += (ink - color) * static_cast<float>(layers.inner.at(x, y) * inner_opacity);
+      color += (ink - color) * static_cast<float>(layers.rim.at(x, y));
+      pixel = to_srgb8(color);
+    }
+  }
+  return image;
+}
+
+/// The faces in the style's marks instead of in paint.
+Image draw_faces_in_marks(const CrossSection& section, const std::vector<PlacedFace>& faces, const Look& look,
+                          const InkStyle& ink, const Style& style, const SectionPictureOptions& options) {
+  const Image painted = paint_faces(section, faces, look, ink, style, options);
+  const Paper paper(style, options.width, options.height);
+  const Color ink_color = style.ink_color.value_or(ink.color);
+  Image image = with_marks(painted, paper, marks_of(painted, style.paper, *style.marks), *style.marks, ink_color);
+  if (!style.ink) return image;
+  const double side = std::min(options.width, options.height);
+  return with_ink_layers(std::move(image), inked(section_strokes(section, faces, ink, style, side), options), ink_color,
+                         style.inner_opacity);
+}
+
 }  // namespace
+
+Image paint_faces(const CrossSection& section, const std::vector<PlacedFace>& faces, const Look& look,
+                  const InkStyle& ink, Style style, const SectionPictureOptions& options) {
+  style.ink = false;
+  style.marks.reset();
+  return draw_faces(section, faces, look, ink, style, options);
+}
 
 SectionSheet::SectionSheet(const CrossSection& section, const Style& style, const SectionPictureOptions& options)
     : section_(section), outside_(options.outside), width_(options.width), height_(options.height) {
@@ -57,6 +93,8 @@ std::vector<PlateLayer> SectionSheet::plate_layers() const {
 
 Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& faces, const Look& look,
                  const InkStyle& ink, const Style& style, const SectionPictureOptions& options) {
+  if (style.marks) return draw_faces_in_marks(section, faces, look, ink, style, options);
+
   // Flat colours first.
   const double side = std::min(options.width, options.height);
   const std::vector<SectionPixel> pixels = rasterised(section, faces, options.width, options.height, options.threads);

@@ -48,6 +48,10 @@ class SectionSheet {
 Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& faces, const Look& look,
                  const InkStyle& ink, const Style& style, const SectionPictureOptions& options);
 
+/// The same in paint alone, whatever the style says of ink and marks.
+Image paint_faces(const CrossSection& section, const std::vector<PlacedFace>& faces, const Look& look,
+                  const InkStyle& ink, Style style, const SectionPictureOptions& options);
+
 /// Every cut face flat and front on (seen from the knife's positive side, +Y upwards, or -Z where the face lies
 /// level), several faces in rows, in cut order and at one scale. The same bytes for any number of threads, on any
 /// machine. A section without triangles leaves the paper empty. Where the style asks for a plate, the faces make room

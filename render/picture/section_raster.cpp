@@ -9,10 +9,10 @@ namespace pomona {
 
 namespace {
 
-constexpr std::int64_t unit = 256;        // fixed-point steps a pixel
-constexpr std::int64_t step = unit / 4;   // between samples
-constexpr std::int64_t first = unit / 8;  // of a pixel's samples
-constexpr int band_rows = 16;             // rows that one task draws
+constexpr std::int64_t unit = 256;               // fixed-point steps a pixel
+constexpr std::int64_t step = unit / 4;          // between samples
+constexpr std::int64_t first_sample = unit / 8;  // of a pixel's samples
+constexpr int band_rows = 16;                    // rows that one task draws
 
 struct FixedPoint {
   std::int64_t x = 0, y = 0;
@@ -102,7 +102,7 @@ void cover(const PaperTriangle& t, const std::vector<DetailGuide>& guide, std::i
   if (misses(t, px, py)) return;
   glm::dvec3 weight(0);
   for (int s = 0; s < section_samples; ++s) {
-    const FixedPoint p{px * unit + first + step * (s % 4), py * unit + first + step * (s / 4)};
+    const FixedPoint p{px * unit + first_sample + step * (s % 4), py * unit + first_sample + step * (s / 4)};
     std::array<std::int64_t, 3> e{};
     bool inside = true;
     for (int i = 0; i < 3; ++i) {

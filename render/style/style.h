@@ -2,6 +2,7 @@
 // a file does not state are those given here, which are also those of "ink".
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +39,16 @@ struct PlateStyle {
   bool scale_bar = true;
 };
 
+enum class MarkKind : std::uint8_t { hatching, stipple };
+
+/// Tones by marks of the ink instead of paint. Lengths are shares of the picture's shorter side.
+struct MarkStyle {
+  MarkKind kind = MarkKind::hatching;
+  double spacing = 0.009;  ///< of hatching, from line to line
+  double width = 0.0062;   ///< of hatching's lines in full dark, or of stipple's dots
+  double wash = 0;         ///< share of the paint that stays below the marks, 0..1
+};
+
 /// Lengths are shares of the picture's shorter side.
 struct Style {
   std::string name;
@@ -57,6 +68,7 @@ struct Style {
   double gloss = 1;                  ///< of skins, times what the light gives
   LightStyle light;
   ShadowStyle shadow;
+  std::optional<MarkStyle> marks;   ///< hatching or stipple in place of paint
   std::optional<PlateStyle> plate;  ///< a title, labels and a scale bar around the figure
 };
 

@@ -54,6 +54,16 @@ ShadowStyle shadow_from(const TomlTable& table) {
   return shadow;
 }
 
+MarkStyle marks_from(const TomlTable& table) {
+  MarkStyle marks;
+  marks.kind = static_cast<MarkKind>(table.need("kind").choice({"hatching", "stipple"}));
+  if (marks.kind == MarkKind::stipple) marks.width = 0.0032;
+  marks.spacing = table.get("spacing").number(marks.spacing, {0.002, 0.05});
+  marks.width = table.get("width").number(marks.width, {0.001, 0.05});
+  marks.wash = table.get("wash").number(marks.wash, {0, 1});
+  return marks;
+}
+
 PlateStyle plate_from(const TomlTable& table) {
   PlateStyle plate;
   plate.margin = table.get("margin").number(plate.margin, {0, 0.3});
@@ -81,6 +91,7 @@ Style parse_style(std::string_view toml, const std::string& file) {
   read_paint(root.get("paint").table(), style);
   style.light = light_from(root.get("light").table());
   style.shadow = shadow_from(root.get("shadow").table());
+  if (root.has("marks")) style.marks = marks_from(root.get("marks").table());
   if (root.has("plate")) style.plate = plate_from(root.get("plate").table());
   document.throw_if_any();
   return style;

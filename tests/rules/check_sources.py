@@ -39,6 +39,7 @@ ROAD = [
     "generator/batch",
     "render/image",
     "render/style",
+    "render/marks",
     "render/lettering",
     "render/plate",
     "render/picture",
@@ -82,7 +83,7 @@ HEAVY = {
 HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 
 # Folders whose values end up in files that must be the same on every machine.
-REPRODUCIBLE = ("generator/", "render/style/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/", "render/page/")
+REPRODUCIBLE = ("generator/", "render/style/", "render/marks/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/", "render/page/")
 
 LIBM = "a?(?:sin|cos|tan)h?|atan2|sincos|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erf|tgamma|lgamma|fma"
 FORBIDDEN = [

@@ -1,0 +1,23 @@
+#include "render/marks/marks.h"
+
+#include <algorithm>
+
+#include "render/marks/flow_field.h"
+#include "render/marks/hatching.h"
+#include "render/marks/stippling.h"
+#include "render/marks/tone_map.h"
+
+namespace pomona {
+
+std::vector<Mark> marks_of(const Image& painted, const Color& paper, const MarkStyle& style) {
+  // However small the picture, marks stay wide enough to be told apart.
+  const double side = std::min(painted.width, painted.height);
+  const double width = std::max(style.width * side, 0.7), spacing = std::max(style.spacing * side, 1.5);
+  if (style.kind == MarkKind::stipple) {
+    return stippled(tones_of(painted, paper, {.blur = 0.25 * width}), {.width = width});
+  }
+  return hatched(tones_of(painted, paper, {.blur = 0.3 * spacing}), flow_of(painted, {.scale = spacing}),
+                 {.spacing = spacing, .width = width});
+}
+
+}  // namespace pomona

@@ -1,0 +1,22 @@
+// Stippling: tones as dots, closer together in the dark.
+#pragma once
+
+#include <vector>
+
+#include "render/marks/mark.h"
+#include "render/marks/tone_map.h"
+
+namespace pomona {
+
+/// Lengths in pixels.
+struct StippleOptions {
+  double width = 2;        ///< of a dot
+  double lightest = 0.02;  ///< darkness below which there is none
+};
+
+/// Dots of nearly one size that keep a distance of 1.48 radii / sqrt(darkness): a dense packing of discs so far apart
+/// covers that share of the paper. Thrown one by one [Cook 1986], and kept where there is room, until hardly any finds
+/// it.
+std::vector<Mark> stippled(const ToneMap& tones, const StippleOptions& options = {});
+
+}  // namespace pomona
