@@ -108,16 +108,24 @@ std::string marks_text(std::span<const Mark> marks, const Color& ink) {
   return text + "    </g>\n  </g>\n";
 }
 
-std::string paper_text(const Color& paper, int width, int height) {
-  return layer_start("paper", "paper") + "    <rect width=\"" + std::to_string(width) + "\" height=\"" +
-         std::to_string(height) + "\" fill=\"" + to_hex(paper) + "\"/>\n  </g>\n";
-}
-
 /// A layer that holds a picture.
-std::string picture_text(const Image& image) {
-  return layer_start("wash", "wash") + "    <image width=\"" + std::to_string(image.width) + "\" height=\"" +
+std::string picture_text(const std::string& layer, const Image& image) {
+  return layer_start(layer, layer) + "    <image width=\"" + std::to_string(image.width) + "\" height=\"" +
          std::to_string(image.height) + "\" xlink:href=\"data:image/png;base64," + base64(write_png(image)) +
          "\"/>\n  </g>\n";
+}
+
+/// The sheet beneath: one colour, or a picture of its grain and its browned edges, which a layer of its own lets one
+/// hide.
+std::string paper_text(const Style& style, int width, int height) {
+  if (style.grain > 0 || style.vignette > 0) {
+    const Paper paper(style, width, height);
+    return picture_text(
+        "paper", with_marks({width, height, std::vector<glm::u8vec3>(static_cast<std::size_t>(width) * height)}, paper,
+                            {}, {.wash = 0}, Color(0)));
+  }
+  return layer_start("paper", "paper") + "    <rect width=\"" + std::to_string(width) + "\" height=\"" +
+         std::to_string(height) + "\" fill=\"" + to_hex(style.paper) + "\"/>\n  </g>\n";
 }
 
 /// Marks above what the style leaves of the paint.
@@ -126,7 +134,7 @@ std::string marked_text(const Image& painted, const InkStyle& ink, const Style& 
   const Color color = style.ink_color.value_or(ink.color);
   const Paper paper(style, painted.width, painted.height);
   const std::string wash =
-      style.marks->wash > 0 ? picture_text(with_marks(painted, paper, {}, *style.marks, color)) : std::string();
+      style.marks->wash > 0 ? picture_text("wash", with_marks(painted, paper, {}, *style.marks, color)) : std::string();
   return wash + marks_text(marks, color);
 }
 
@@ -143,23 +151,33 @@ std::string patch_path(const SectionPatch& patch) {
   return text + "z";
 }
 
-/// A layer "colours" with a group per part: patches of one colour in one path each. A hair of each colour's own covers
-/// the seams that programs leave between neighbours.
-std::string patches_text(const CrossSection& section, const std::vector<SectionPatch>& patches) {
-  std::map<std::int32_t, std::map<std::array<std::uint8_t, 3>, std::string>> parts;
+/// Patches of one colour in one path each, with a line of that colour around them, in tenths of a pixel.
+std::string paths_text(const std::vector<SectionPatch>& patches, int hair) {
+  std::map<std::array<std::uint8_t, 3>, std::string> colors;
   for (const SectionPatch& patch : patches) {
-    parts[patch.part][{patch.color.r, patch.color.g, patch.color.b}] += patch_path(patch);
+    colors[{patch.color.r, patch.color.g, patch.color.b}] += patch_path(patch);
   }
+  std::string text = "      <g stroke-width=\"" + std::to_string(hair) + "\">\n";
+  for (const auto& [color, path] : colors) {
+    const std::string hex = to_hex(from_srgb8({color[0], color[1], color[2]}));
+    text += "        <path fill=\"" + hex + "\" stroke=\"" + hex + "\" d=\"" + path + "\"/>\n";
+  }
+  return text + "      </g>\n";
+}
+
+/// A layer "colours" with a group per part. Programs leave seams between neighbours, through which coarser patches of
+/// nearly the same colours show, which reach over their own.
+std::string patches_text(const CrossSection& section, const std::vector<SectionPatch>& coarse,
+                         const std::vector<SectionPatch>& fine) {
+  std::map<std::int32_t, std::array<std::vector<SectionPatch>, 2>> parts;
+  for (const SectionPatch& patch : coarse) parts[patch.part][0].push_back(patch);
+  for (const SectionPatch& patch : fine) parts[patch.part][1].push_back(patch);
   std::string text = layer_start("colours", "colours");
-  for (const auto& [part, colors] : parts) {
+  for (const auto& [part, patches] : parts) {
     text += "    <g id=\"part-" + std::to_string(part + 1) + "\" inkscape:label=\"" +
             xml_escaped(section.part_names[static_cast<std::size_t>(part)]) +
-            "\" transform=\"scale(.1)\" stroke-width=\"5\" stroke-linejoin=\"round\">\n";
-    for (const auto& [color, path] : colors) {
-      const std::string hex = to_hex(from_srgb8({color[0], color[1], color[2]}));
-      text += "      <path fill=\"" + hex + "\" stroke=\"" + hex + "\" d=\"" + path + "\"/>\n";
-    }
-    text += "    </g>\n";
+            "\" transform=\"scale(.1)\" stroke-linejoin=\"round\">\n" + paths_text(patches[0], 8) +
+            paths_text(patches[1], 1) + "    </g>\n";
   }
   return text + "  </g>\n";
 }
@@ -185,10 +203,16 @@ std::string write_section_svg(const CrossSection& section, const Look& look, con
   const SectionSheet sheet(section, style, options);
   const std::vector<PlacedFace>& faces = sheet.faces();
   std::string text = opening(options.width, options.height, provenance);
-  const PatchOptions patches{.width = options.width, .height = options.height, .threads = options.threads};
-  text += paper_text(style.paper, options.width, options.height);
-  text += style.marks ? marked_text(paint_faces(section, faces, look, ink, style, options), ink, style)
-                      : patches_text(section, section_patches(section, faces, look, style, patches));
+  text += paper_text(style, options.width, options.height);
+  if (style.marks) {
+    text += marked_text(paint_faces(section, faces, look, ink, style, options), ink, style);
+  } else {
+    PatchOptions fine{.width = options.width, .height = options.height, .threads = options.threads}, coarse = fine;
+    coarse.finest = 6;
+    coarse.coarsest = 40;
+    text += patches_text(section, section_patches(section, faces, look, style, coarse),
+                         section_patches(section, faces, look, style, fine));
+  }
   const std::string around = plate_text(sheet.plate_layers());
   if (!style.ink) return text + around + "</svg>\n";
 

@@ -18,8 +18,8 @@ namespace pomona {
 std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, int width, int height,
                       const std::string& provenance, std::span<const PlateLayer> plate = {});
 
-/// The bytes of an .svg without pictures in it: a layer "colours" with the faces' colours as paths, grouped by part
-/// (section_patches.h; the paper's grain is left out), and above it one layer per face with its strokes; above these
+/// The bytes of an .svg with a layer "paper" (a picture where it has a grain), a layer "colours" with the faces'
+/// colours as paths, grouped by part (section_patches.h), and above it one layer per face with its strokes; above these
 /// what a plate adds, as there. A style with marks has a layer "marks" in place of the colours, above a picture of its
 /// wash if it asks for one. Exact to the byte, as draw_section() is.
 std::string write_section_svg(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,

@@ -53,10 +53,12 @@ class PatchCutter {
       const std::array<PatchCorner, 3> corner = left.back();
       left.pop_back();
       const int longest = longest_edge(corner);
-      const auto [low, high] = colors_of(corner, face);
-      const glm::ivec3 spread = high - low;
-      if (std::max({spread.x, spread.y, spread.z}) <= options_.tolerance || is_fine(corner, longest)) {
-        const glm::ivec3 mean = (low + high) / 2;
+      const Range range = colors_of(corner, face);
+      const glm::ivec3 spread = range.high - range.low;
+      const double length = squared(corner, longest);
+      const bool even = std::max({spread.x, spread.y, spread.z}) <= options_.tolerance;
+      if (length <= options_.finest * options_.finest || (even && length <= options_.coarsest * options_.coarsest)) {
+        const glm::ivec3 mean = (range.sum + 2) / 4;
         patches.push_back(
             {{corner[0].at, corner[1].at, corner[2].at}, {rounded(mean.x), rounded(mean.y), rounded(mean.z)}, part});
         continue;
@@ -86,13 +88,16 @@ class PatchCutter {
     return to_srgb8(paper_.painted(fresh, static_cast<int>(corner.at.x), static_cast<int>(corner.at.y)));
   }
 
-  /// The least and the most of each channel at the corners and the centre.
-  std::array<glm::ivec3, 2> colors_of(const std::array<PatchCorner, 3>& corner, const PlacedFace& face) const {
+  /// What the corners and the centre look like.
+  struct Range {
+    glm::ivec3 low, high, sum;
+  };
+  Range colors_of(const std::array<PatchCorner, 3>& corner, const PlacedFace& face) const {
     const glm::ivec3 middle = color_at(halfway(halfway(corner[0], corner[1]), corner[2]), face);
-    std::array range{middle, middle};
+    Range range{middle, middle, middle};
     for (const PatchCorner& each : corner) {
       const glm::ivec3 color = color_at(each, face);
-      range = {glm::min(range[0], color), glm::max(range[1], color)};
+      range = {glm::min(range.low, color), glm::max(range.high, color), range.sum + color};
     }
     return range;
   }
@@ -107,9 +112,6 @@ class PatchCutter {
       if (squared(corner, edge) > squared(corner, longest)) longest = edge;
     }
     return longest;
-  }
-  bool is_fine(const std::array<PatchCorner, 3>& corner, int longest) const {
-    return squared(corner, longest) <= options_.finest * options_.finest;
   }
 
   const CrossSection& section_;

@@ -19,6 +19,7 @@ namespace pomona {
 struct PatchOptions {
   int width = 800, height = 600;  ///< of the paper, pixels
   double finest = 2.5;            ///< pixels: shorter edges are not halved
+  double coarsest = 8;            ///< pixels: longer edges are halved, so that no noise falls between corners
   int tolerance = 6;              ///< of 255: a patch whose colours differ by less is one
   Threads threads{};
 };
@@ -30,9 +31,9 @@ struct SectionPatch {
   std::int32_t part = 0;               ///< index into part_names
 };
 
-/// The section's triangles, halved at their longest edges until the look at their corners and centre is one colour, or
-/// they are as small as `finest`. Together they are the faces, without gaps or overlaps. Same section, same patches,
-/// for any threads.
+/// The section's triangles, halved at their longest edges until they are no longer than `coarsest`, and the look at
+/// their corners and centre is one colour or they are as small as `finest`. Together they are the faces, without gaps
+/// or overlaps. Same section, same patches, for any threads.
 std::vector<SectionPatch> section_patches(const CrossSection& section, const std::vector<PlacedFace>& faces,
                                           const Look& look, const Style& style, const PatchOptions& options = {});
 

@@ -156,10 +156,30 @@ TEST(Lines, AreTheSameForAnyNumberOfThreadsAndGoneWithoutInk) {
     const std::string drawing = bytes_of(folder / (what + "1.svg"));
     EXPECT_EQ(drawing, bytes_of(folder / (what + "2.svg"))) << what;
     EXPECT_THAT(drawing, HasSubstr("<path"));
-    EXPECT_THAT(drawing, HasSubstr(what == "section" ? "data:image/png;base64," : "inkscape:label=\"tomato.piece-2\""));
+    EXPECT_THAT(drawing, HasSubstr(what == "section" ? "inkscape:label=\"gel\"" : "inkscape:label=\"tomato.piece-2\""));
   }
   expect_done(run_pomona(with(with(cut, {"--style", "plain", "-o", "plain.svg"}), coarse), folder.path()));
   EXPECT_THAT(bytes_of(folder / "plain.svg"), ::testing::Not(HasSubstr("<path")));
+}
+
+TEST(Lines, OfSectionsHoldNoPictureButOfThePaper) {
+  const TemporaryFolder folder;
+  for (const std::string style : {"ink", "plain", "hatching", "stipple"}) {
+    expect_done(run_pomona(
+        with({"cut", "tomato", "--knife", "half", "--section", "--size", "160x120", "--style", style, "-o", "x.svg"},
+             coarse),
+        folder.path()));
+    const std::string drawing = bytes_of(folder / "x.svg");
+    const std::size_t picture = drawing.find("<image");
+    EXPECT_EQ(picture == std::string::npos, style == "plain" || style == "stipple") << style;
+    if (picture != std::string::npos) {
+      EXPECT_LT(drawing.find("id=\"paper\""), picture) << style;
+      EXPECT_GT(drawing.find("<g", drawing.find("id=\"paper\"")), picture) << style;
+      EXPECT_EQ(drawing.find("<image", picture + 1), std::string::npos) << style;
+    }
+    EXPECT_THAT(drawing, HasSubstr(style == "stipple" ? "<circle" : "<path")) << style;
+    EXPECT_EQ(drawing.find("label=\"marks\"") != std::string::npos, style == "hatching" || style == "stipple") << style;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Templates, Fruit, ::testing::Values("tomato", "onion", "pepper"),

@@ -28,6 +28,21 @@ TEST(StyleFile, SaysWhatIsNotStatedAsTheStructDoes) {
   EXPECT_FALSE(style.plate);
 }
 
+TEST(StyleFile, AsksForMarks) {
+  const Style hatching =
+      parse_style(head + "[marks]\nkind = \"hatching\"\nspacing = 0.02\nwidth = 0.01\nwash = 0.5\n", "mine.toml");
+  ASSERT_TRUE(hatching.marks);
+  EXPECT_EQ(hatching.marks->kind, MarkKind::hatching);
+  EXPECT_EQ(hatching.marks->spacing + hatching.marks->width + hatching.marks->wash, 0.02 + 0.01 + 0.5);
+
+  // Dots are finer than lines unless something else is said.
+  const Style stipple = parse_style(head + "[marks]\nkind = \"stipple\"\n", "mine.toml");
+  EXPECT_EQ(stipple.marks->kind, MarkKind::stipple);
+  EXPECT_LT(stipple.marks->width, MarkStyle{}.width);
+  EXPECT_FALSE(parse_style(head, "mine.toml").marks);
+  EXPECT_THROW(parse_style(head + "[marks]\nspacing = 0.02\n", "mine.toml"), Error);
+}
+
 TEST(StyleFile, IsReadKeyByKey) {
   const Style style =
       parse_style(head +
