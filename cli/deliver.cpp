@@ -225,6 +225,7 @@ void Delivery::add_picture(const Output& output, const Scene& scene) {
                       {.width = size.width, .height = size.height, .threads = {options_.threads}});
   });
   draw(plate_layers(plate, seen, size), image);
+  image.dpi = options_.dpi;
   add(output.file, [&] { return write_png(image); });
   if (!options_.aov.empty()) add_ground_truth(output, seen, size);
 }
@@ -251,7 +252,7 @@ void Delivery::add_lines(const Output& output, const Scene& scene) {
   if (!style_.ink) warn({"the style " + style_.name + " has no ink: " + output.file.string() + " holds no lines"});
   const std::string made_by = export_options().provenance;
   const std::vector<PlateLayer> around = plate_layers(plate, seen, size);
-  add(output.file, [&] { return write_svg(seen, strokes, size.width, size.height, made_by, around); });
+  add(output.file, [&] { return write_svg(seen, strokes, {size.width, size.height, options_.dpi}, made_by, around); });
 }
 
 void Delivery::add_pov(const Output& output, const Scene& scene) {
@@ -270,6 +271,7 @@ void Delivery::add_section_picture(const Output& output, const CrossSection& sec
   const PictureSize size = size_.value_or(default_size_);
   const SectionPictureOptions options{.width = size.width,
                                       .height = size.height,
+                                      .dpi = options_.dpi,
                                       .text = {fruit.title, fruit.latin},
                                       .outside = outside_parts(fruit),
                                       .threads = {options_.threads}};
@@ -278,7 +280,8 @@ void Delivery::add_section_picture(const Output& output, const CrossSection& sec
     const std::string made_by = export_options().provenance;
     return add(output.file, [&] { return write_section_svg(section, look, fruit.ink, style_, options, made_by); });
   }
-  const Image image = times.time("style", [&] { return draw_section(section, look, fruit.ink, style_, options); });
+  Image image = times.time("style", [&] { return draw_section(section, look, fruit.ink, style_, options); });
+  image.dpi = options_.dpi;
   add(output.file, [&] { return write_png(image); });
 }
 

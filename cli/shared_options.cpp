@@ -1,6 +1,7 @@
 #include "cli/shared_options.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <system_error>
@@ -99,7 +100,10 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_flag("--instances", options.instances,
                    ".glb, .usda: pieces that repeat are one node with many places, one prim");
   command.add_flag("--feature-ids", options.feature_ids, ".glb: parts as EXT_mesh_features, too");
-  command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");
+  command.add_option("--size", options.size,
+                     "Size of pictures in pixels, WIDTHxHEIGHT; with --dpi also as in 120x90mm");
+  command.add_option("--dpi", options.dpi, "Pixels per inch that .png and .svg tell programs which print them")
+      ->check(between(10.0, 2400.0));
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
       ->type_name(view_names());
 
@@ -149,17 +153,48 @@ void add_browning_option(CLI::App& command, SharedOptions& options) {
       ->capture_default_str();
 }
 
+namespace {
+
+/// How many inches a unit of paper has; nothing for what is none.
+std::optional<double> inches_of(const std::string& unit) {
+  if (unit == "in") return 1.0;
+  if (unit == "mm") return 1 / 25.4;
+  if (unit == "cm") return 1 / 2.54;
+  return std::nullopt;
+}
+
+/// A side "120mm" in pixels, or "800", without a unit, as it is where `per_unit` is 1.
+std::optional<double> pixels_of(std::string side, const std::string& unit, double per_unit) {
+  if (side.ends_with(unit)) side.resize(side.size() - unit.size());
+  const std::optional<double> number = parse_number(side);
+  if (!number) return std::nullopt;
+  return unit.empty() ? *number : std::floor(*number * per_unit + 0.5);
+}
+
+}  // namespace
+
 std::optional<PictureSize> picture_size(const SharedOptions& options) {
   if (options.size.empty()) return std::nullopt;
   const std::size_t x = options.size.find('x');
-  const auto width = parse_number(options.size.substr(0, x));
-  const auto height = x == std::string::npos ? std::nullopt : parse_number(options.size.substr(x + 1));
+  const std::string width_text = options.size.substr(0, x);
+  const std::string height_text = x == std::string::npos ? std::string() : options.size.substr(x + 1);
+
+  // Sizes on paper want to know how many pixels an inch has. The height's unit is that of both.
+  const std::size_t digits = height_text.find_last_of("0123456789.");
+  const std::string unit = digits == std::string::npos ? std::string() : height_text.substr(digits + 1);
+  const std::optional<double> inches = inches_of(unit);
+  if (inches && options.dpi == 0) {
+    throw Error(ExitStatus::usage, "--size " + options.size + " is a size on paper",
+                "say how many pixels an inch is to have: --dpi 300");
+  }
+  const double per_unit = inches.value_or(0) * options.dpi;
+  const auto width = pixels_of(width_text, unit, per_unit), height = pixels_of(height_text, unit, per_unit);
   const auto fits = [](std::optional<double> side) {
     return side && *side >= 16 && *side <= 16384 && *side == static_cast<int>(*side);
   };
   if (!fits(width) || !fits(height)) {
     throw Error(ExitStatus::usage, "--size " + options.size + " is not a picture size",
-                "write 800x600; 16 to 16384 a side");
+                "write 800x600, or 120x90mm with --dpi 300; 16 to 16384 pixels a side");
   }
   return PictureSize{static_cast<int>(*width), static_cast<int>(*height)};
 }

@@ -41,6 +41,7 @@ struct SharedOptions {
   bool instances = false;    ///< what repeats as one node with many places
   bool feature_ids = false;  ///< parts as EXT_mesh_features, too
   std::string size;
+  double dpi = 0;  ///< of pictures on paper, pixels per inch; 0 = not said
   std::string view;
   std::string stats;
   std::string format;  ///< of standard output, where an output is "-"
@@ -65,7 +66,7 @@ void add_ripeness_option(CLI::App& command, SharedOptions& options);
 /// --browning, for commands that cut one.
 void add_browning_option(CLI::App& command, SharedOptions& options);
 
-/// "800x600"; 16..16384 a side. Nothing if none was asked for. \throws Error (usage)
+/// "800x600", or with --dpi "120x90mm"; 16..16384 pixels a side. Nothing if none was asked for. \throws Error (usage)
 std::optional<PictureSize> picture_size(const SharedOptions& options);
 
 /// Whether colours are to be baked into textures.

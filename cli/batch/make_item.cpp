@@ -87,7 +87,7 @@ std::vector<NamedFile> pov(const Scene& scene, const std::string& name, const Ex
 std::string svg(Scene scene, const ExportOptions& options) {
   constexpr double aspect = static_cast<double>(drawing_width) / drawing_height;
   scene.view = fitted_view(scene, scene.view.eye - scene.view.target, aspect);
-  return write_svg(scene, strokes(scene, options.style), drawing_width, drawing_height, options.provenance);
+  return write_svg(scene, strokes(scene, options.style), {drawing_width, drawing_height}, options.provenance);
 }
 
 std::string thumbnail(const Scene& laid, std::span<const StyledMesh> meshes, const AssetOptions& assets,

@@ -21,11 +21,17 @@ namespace pomona {
 
 namespace {
 
-std::string opening(int width, int height, const std::string& provenance) {
-  const std::string w = std::to_string(width), h = std::to_string(height);
+/// A side of the sheet as the drawing states it: in pixels, or in millimetres where one knows how many pixels an inch
+/// has.
+std::string side_text(int pixels, double dpi) {
+  return dpi > 0 ? hundredths(25.4 * pixels / dpi) + "mm" : std::to_string(pixels);
+}
+
+std::string opening(const SvgSheet& sheet, const std::string& provenance) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"\n"
          "     xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n     width=\"" +
-         w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h + "\">\n  <title>" + xml_escaped(provenance) +
+         side_text(sheet.width, sheet.dpi) + "\" height=\"" + side_text(sheet.height, sheet.dpi) + "\" viewBox=\"0 0 " +
+         std::to_string(sheet.width) + " " + std::to_string(sheet.height) + "\">\n  <title>" + xml_escaped(provenance) +
          "</title>\n";
 }
 
@@ -184,13 +190,13 @@ std::string patches_text(const CrossSection& section, const std::vector<SectionP
 
 }  // namespace
 
-std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, int width, int height,
+std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, const SvgSheet& sheet,
                       const std::string& provenance, std::span<const PlateLayer> plate) {
   std::vector<std::string> layers(scene.instances.size());
   for (const SceneStroke& stroke : strokes) {
     layers[stroke.instance] += path_text(stroke.points, stroke.color, 1);
   }
-  std::string text = opening(width, height, provenance);
+  std::string text = opening(sheet, provenance);
   for (std::size_t i = 0; i < layers.size(); ++i) {
     if (layers[i].empty()) continue;
     text += layer_start("ink-" + std::to_string(i + 1), scene.instances[i].name) + layers[i] + "  </g>\n";
@@ -202,7 +208,7 @@ std::string write_section_svg(const CrossSection& section, const Look& look, con
                               const SectionPictureOptions& options, const std::string& provenance) {
   const SectionSheet sheet(section, style, options);
   const std::vector<PlacedFace>& faces = sheet.faces();
-  std::string text = opening(options.width, options.height, provenance);
+  std::string text = opening({options.width, options.height, options.dpi}, provenance);
   text += paper_text(style, options.width, options.height);
   if (style.marks) {
     text += marked_text(paint_faces(section, faces, look, ink, style, options), ink, style);

@@ -11,11 +11,17 @@
 
 namespace pomona {
 
+/// The sheet of an .svg: a user unit is a pixel.
+struct SvgSheet {
+  int width = 0, height = 0;
+  double dpi = 0;  ///< pixels per inch: the drawing has a size in millimetres; 0 = unsaid
+};
+
 /// The bytes of an .svg with one layer per instance that has ink, named after it: strokes as filled paths, finer lines
 /// below outlines. A user unit is a pixel of the picture that the strokes are for. Same strokes, same bytes.
 /// \param provenance for the title, as in ExportOptions. \param plate what stands around the figure: layers above all
 /// else, letters as outlines.
-std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, int width, int height,
+std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, const SvgSheet& sheet,
                       const std::string& provenance, std::span<const PlateLayer> plate = {});
 
 /// The bytes of an .svg with a layer "paper" (a picture where it has a grain), a layer "colours" with the faces'

@@ -13,6 +13,7 @@ struct Image {
   int width = 0;
   int height = 0;
   std::vector<glm::u8vec3> pixels;
+  double dpi = 0;  ///< pixels per inch on paper; 0 = unsaid
 
   const glm::u8vec3& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };

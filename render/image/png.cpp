@@ -1,5 +1,6 @@
 #include "render/image/png.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
@@ -74,12 +75,20 @@ void set_size(const Writer& writer, int width, int height, int bits, int color_t
 }
 
 /// Rows of `channels` bytes a pixel, one after another: 3 for RGB, 4 with opacity.
-std::string write_rows(const std::uint8_t* rows, int width, int height, int channels, PngPacking packing) {
+/// \param dpi pixels per inch; 0 = unsaid.
+std::string write_rows(const std::uint8_t* rows, int width, int height, int channels, PngPacking packing,
+                       double dpi = 0) {
   std::string bytes;
   Writer writer;
   png_set_write_fn(writer.png, &bytes, append, nullptr);
   set_size(writer, width, height, 8, channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB);
   png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+
+  // PNG tells pixels per metre, as whole numbers.
+  if (dpi > 0) {
+    const auto per_metre = static_cast<png_uint_32>(std::floor(dpi / 0.0254 + 0.5));
+    png_set_pHYs(writer.png, writer.info, per_metre, per_metre, PNG_RESOLUTION_METER);
+  }
 
   // Fixed, so that the bytes do not depend on libpng's defaults; 6 is within 2 % of 9 at a fifth of the time. Runs of
   // equal bytes alone are found faster still.
@@ -118,7 +127,8 @@ std::string write_png(const DeepImage& image) {
 }
 
 std::string write_png(const Image& image, PngPacking packing) {
-  return write_rows(reinterpret_cast<const std::uint8_t*>(image.pixels.data()), image.width, image.height, 3, packing);
+  return write_rows(reinterpret_cast<const std::uint8_t*>(image.pixels.data()), image.width, image.height, 3, packing,
+                    image.dpi);
 }
 
 std::string write_png(const TransparentImage& image) {

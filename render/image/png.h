@@ -16,7 +16,7 @@ enum class PngPacking {
 };
 
 /// The file's bytes: 8-bit RGB marked as sRGB, no time, the same for the same picture (filter and compression
-/// level are fixed).
+/// level are fixed). Says how many pixels an inch has where the picture does.
 std::string write_png(const Image& image, PngPacking packing = PngPacking::small);
 
 /// The same with opacity: 8-bit RGBA.

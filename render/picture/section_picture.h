@@ -19,6 +19,7 @@ namespace pomona {
 struct SectionPictureOptions {
   int width = 800;
   int height = 600;
+  double dpi = 0;             ///< pixels per inch of what an .svg is on paper; 0 = unsaid
   double margin = 0.05;       ///< around all faces and between them, share of the shorter side
   PlateText text = {};        ///< what a plate says
   OutsideParts outside = {};  ///< for a plate's labels of what is rim alone

@@ -162,6 +162,25 @@ TEST(Lines, AreTheSameForAnyNumberOfThreadsAndGoneWithoutInk) {
   EXPECT_THAT(bytes_of(folder / "plain.svg"), ::testing::Not(HasSubstr("<path")));
 }
 
+/// PNG's pHYs: pixels per metre, twice, and that it is a metre.
+TEST(Paper, HasTheSizeThatPicturesAndDrawingsSay) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words = {"cut",    "tomato",  "--knife", "half", "--section",
+                                          "--size", "30x20mm", "--dpi",   "254"};
+  expect_done(run_pomona(with(with(words, {"-o", "x.png", "-o", "x.svg"}), coarse), folder.path()));
+  const std::string png = bytes_of(folder / "x.png");
+  EXPECT_EQ(png.substr(16, 8), std::string("\0\0\x01\x2c\0\0\0\xc8", 8));
+  EXPECT_THAT(png, HasSubstr(std::string("pHYs\0\0\x27\x10\0\0\x27\x10\x01", 13)));
+  EXPECT_THAT(bytes_of(folder / "x.svg"), HasSubstr("width=\"30mm\" height=\"20mm\" viewBox=\"0 0 300 200\""));
+
+  // Nobody asked: nothing is said, and pixels are the unit.
+  expect_done(run_pomona(
+      with({"cut", "tomato", "--knife", "half", "--section", "--size", "30x20", "-o", "y.png", "-o", "y.svg"}, coarse),
+      folder.path()));
+  EXPECT_THAT(bytes_of(folder / "y.png"), ::testing::Not(HasSubstr("pHYs")));
+  EXPECT_THAT(bytes_of(folder / "y.svg"), HasSubstr("width=\"30\" height=\"20\""));
+}
+
 TEST(Lines, OfSectionsHoldNoPictureButOfThePaper) {
   const TemporaryFolder folder;
   for (const std::string style : {"ink", "plain", "hatching", "stipple"}) {

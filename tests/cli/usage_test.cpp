@@ -37,6 +37,14 @@ TEST_P(Mistakes, GetAClearErrorAndTheDocumentedStatus) {
 INSTANTIATE_TEST_SUITE_P(
     CommandLine, Mistakes,
     ::testing::Values(
+        Mistake{"PaperWithoutDpi",
+                {"cut", "kiwi", "--knife", "half", "--section", "--size", "120x90mm", "-o", "x.png"},
+                64,
+                "--dpi 300"},
+        Mistake{"PaperTooLarge",
+                {"cut", "kiwi", "--knife", "half", "--section", "--size", "9x9in", "--dpi", "2400", "-o", "x.png"},
+                64,
+                "16 to 16384 pixels a side"},
         Mistake{"NoCommand", {}, 64, "hint: pomona needs one of list, check,"},
         Mistake{"NoPartOfACommand", {"farm"}, 64, "hint: pomona farm needs one of slurm,"},
         Mistake{"UnknownPartOfACommand", {"farm", "slrum", "x.toml"}, 64, "did you mean slurm?"},

@@ -85,7 +85,7 @@ double distance_to(const std::vector<glm::dvec2>& points, const glm::dvec2& from
 TEST(InkInSvg, EachStrokeEndsWhereItDoesInThePictureAndNothingElseIsDrawn) {
   const std::vector<SceneStroke> ink = strokes();
   ASSERT_GT(ink.size(), 5u);
-  const std::string svg = write_svg(testing::still_life(), ink, size.width, size.height, "");
+  const std::string svg = write_svg(testing::still_life(), ink, {size.width, size.height}, "");
   for (const SceneStroke& stroke : ink) {
     const std::vector<glm::dvec2> points = points_of_layer(svg, "ink-" + std::to_string(stroke.instance + 1));
     for (const StrokePoint* end : {&stroke.points.front(), &stroke.points.back()}) {
@@ -117,7 +117,7 @@ TEST(InkInSvg, AStrokeOfOneOpacityIsOnePath) {
   for (SceneStroke& stroke : ink) {
     for (StrokePoint& point : stroke.points) point.opacity = 1;
   }
-  const std::string svg = write_svg(testing::still_life(), ink, size.width, size.height, "");
+  const std::string svg = write_svg(testing::still_life(), ink, {size.width, size.height}, "");
   std::size_t paths = 0;
   for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) ++paths;
   EXPECT_EQ(paths, ink.size());
