@@ -25,6 +25,7 @@ DeclaredCommand check_command(CLI::App& app);
 DeclaredCommand sketch_command(CLI::App& app);
 DeclaredCommand grow_command(CLI::App& app);
 DeclaredCommand cut_command(CLI::App& app);
+DeclaredCommand plate_command(CLI::App& app);
 DeclaredCommand scene_command(CLI::App& app);
 DeclaredCommand batch_command(CLI::App& app);
 DeclaredCommand merge_command(CLI::App& app);

@@ -8,6 +8,7 @@
 #include "cli/ending_signals.h"
 #include "cli/find_style.h"
 #include "cli/made_folder.h"
+#include "cli/outside_parts.h"
 #include "cli/scene_levels.h"
 #include "cli/version.h"
 #include "generator/base/error.h"
@@ -39,17 +40,6 @@ Engine engine_called(const std::string& name) {
   if (name == "godot") return Engine::godot;
   if (name == "unreal") return Engine::unreal;
   return name == "unity" ? Engine::unity : Engine::any;
-}
-
-/// The parts that face the air around the fruit, by their surfaces' names.
-OutsideParts outside_parts(const Template& fruit) {
-  OutsideParts parts;
-  for (const SurfaceSketch& surface : fruit.surfaces) {
-    for (const Side& side : {surface.front, surface.back}) {
-      if (side.hidden) parts[surface.name] = fruit.parts.at(side.part);
-    }
-  }
-  return parts;
 }
 
 }  // namespace

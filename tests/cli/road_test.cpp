@@ -162,6 +162,17 @@ TEST(Lines, AreTheSameForAnyNumberOfThreadsAndGoneWithoutInk) {
   EXPECT_THAT(bytes_of(folder / "plain.svg"), ::testing::Not(HasSubstr("<path")));
 }
 
+TEST(Plate, IsDrawnInAnyStyleAndAnySize) {
+  const TemporaryFolder folder;
+  for (const std::string style : {"plate", "stipple"}) {
+    expect_done(run_pomona({"plate", "cherry", "--style", style, "--size", "240x300", "--quality", "draft", "--detail",
+                            "0.3", "-o", style + ".png"},
+                           folder.path()));
+    EXPECT_EQ(bytes_of(folder / (style + ".png")).substr(16, 8), std::string("\0\0\0\xf0\0\0\x01\x2c", 8));
+  }
+  EXPECT_NE(bytes_of(folder / "plate.png"), bytes_of(folder / "stipple.png"));
+}
+
 /// PNG's pHYs: pixels per metre, twice, and that it is a metre.
 TEST(Paper, HasTheSizeThatPicturesAndDrawingsSay) {
   const TemporaryFolder folder;

@@ -37,6 +37,9 @@ TEST_P(Mistakes, GetAClearErrorAndTheDocumentedStatus) {
 INSTANTIATE_TEST_SUITE_P(
     CommandLine, Mistakes,
     ::testing::Values(
+        Mistake{"PlateOfNoPicture", {"plate", "kiwi", "-o", "x.glb"}, 64, "it writes .png"},
+        Mistake{"PlateWithoutAKnife", {"plate", "kiwi", "--section", "acros", "-o", "x.png"}, 64, "across"},
+        Mistake{"PlateWithTruth", {"plate", "kiwi", "--aov", "truth", "-o", "x.png"}, 64, "several pictures"},
         Mistake{"PaperWithoutDpi",
                 {"cut", "kiwi", "--knife", "half", "--section", "--size", "120x90mm", "-o", "x.png"},
                 64,

@@ -1,0 +1,16 @@
+// One seed by itself, for plates.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/piece/grow.h"
+#include "generator/piece/solid.h"
+
+namespace pomona {
+
+/// The longest of the grains whose part is called a seed, stone, pip, achene or kernel, as a solid that faces air with
+/// its front, where it grew; nothing where there is none.
+std::optional<Solid> one_grain(const GrownFruit& fruit, const Template& variant, const std::string& name);
+
+}  // namespace pomona

@@ -1,0 +1,72 @@
+#include "generator/piece/smoothed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+namespace pomona {
+
+namespace {
+
+constexpr float pull = 0.75f;  // of the way from the chord to the mean of both tangent planes
+
+glm::vec3 onto_plane(const glm::vec3& point, const glm::vec3& foot, const glm::vec3& normal) {
+  return point - normal * glm::dot(point - foot, normal);
+}
+
+/// Adds the vertices in the middles of edges, each once.
+class Halving {
+ public:
+  explicit Halving(Solid& solid) : solid_(solid) {}
+
+  std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
+    const auto [known, is_new] =
+        middles_.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(solid_.position.size()));
+    if (!is_new) return known->second;
+    const auto [low, high] = std::minmax(a, b);
+    const glm::vec3 p = solid_.position[low], q = solid_.position[high], chord = (p + q) * 0.5f;
+    const glm::vec3 m = solid_.normal[low], n = solid_.normal[high], sum = m + n;
+    const glm::vec3 round = (onto_plane(chord, p, m) + onto_plane(chord, q, n)) * 0.5f;
+    const float length = std::sqrt(glm::dot(sum, sum));
+    solid_.position.push_back(chord + (round - chord) * pull);
+    solid_.normal.push_back(length > 0 ? sum / length : m);
+    solid_.color.push_back((solid_.color[low] + solid_.color[high]) * 0.5f);
+    solid_.part.push_back(solid_.part[low]);
+    return known->second;
+  }
+
+ private:
+  Solid& solid_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
+};
+
+}  // namespace
+
+Solid smoothed(Solid solid, int passes) {
+  for (int pass = 0; pass < passes; ++pass) {
+    Halving halving(solid);
+    std::vector<glm::uvec3> triangle;
+    std::vector<std::int32_t> cut_face, surface;
+    for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+      const glm::uvec3 v = solid.triangle[t];
+      const std::uint32_t a = halving.middle(v.x, v.y), b = halving.middle(v.y, v.z), c = halving.middle(v.z, v.x);
+      for (const glm::uvec3& part :
+           {glm::uvec3(v.x, a, c), glm::uvec3(v.y, b, a), glm::uvec3(v.z, c, b), glm::uvec3(a, b, c)}) {
+        triangle.push_back(part);
+        cut_face.push_back(solid.cut_face[t]);
+        surface.push_back(solid.surface[t]);
+      }
+    }
+    solid.triangle = std::move(triangle);
+    solid.cut_face = std::move(cut_face);
+    solid.surface = std::move(surface);
+  }
+  return solid;
+}
+
+}  // namespace pomona
