@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/deliver.h"
 #include "cli/diffusers.h"
+#include "cli/family.h"
 #include "cli/fruit_source.h"
 #include "cli/live_fruit.h"
 #include "cli/option_checks.h"
@@ -23,6 +24,7 @@
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/slice.h"
 #include "generator/scene/explode.h"
+#include "generator/scene/in_a_row.h"
 #include "generator/scene/lay_out.h"
 
 namespace pomona {
@@ -39,6 +41,7 @@ struct CutCommand {
   bool crumbs = false;
   std::string pieces;
   int piece = 0;
+  std::string seeds;
   std::string faces = "fine";
   SharedOptions shared;
 };
@@ -85,6 +88,39 @@ void count(const Slices& slices, StageTimes& times) {
   times.count("pieces", static_cast<std::int64_t>(slices.piece_count));
 }
 
+SliceOptions slice_options(const CutCommand& command) {
+  CutOptions how = command.faces == "coarse" ? coarse_cut : CutOptions{};
+  how.threads = {command.shared.threads};
+  return {.cut = how,
+          .pieces = !command.section,
+          .keep_section_colors = wants_textures(command.shared),
+          .threads = {command.shared.threads}};
+}
+
+/// The pieces of each seed's fruit, side by side.
+ExitStatus cut_family(const CutCommand& command, std::span<const Knife> knives, const std::vector<Output>& outputs,
+                      const Diffuser& diffuser, Delivery& delivery) {
+  check_family(command.shared, outputs);
+  if (command.section || command.explode > 1 || !command.pieces.empty()) {
+    throw Error(ExitStatus::usage, "--seeds does not go with --section, --explode and --pieces", "leave them out");
+  }
+  const auto of_one = [&](const SharedOptions& options) {
+    const FruitSource source = open_fruit(command.fruit, options, command.folds, delivery.times);
+    SliceTask task = slice_task(source, knives, command.piece);
+    task.crumbs = command.crumbs;
+    Slices slices = slice(task, &diffuser, slice_options(command));
+    check_piece(command.piece, slices);
+    delivery.times.add(slices.times);
+    delivery.warn(slices.warnings);
+    return std::move(slices.pieces);
+  };
+  Scene row = in_a_row(family(parse_seeds(command.seeds), command.shared, of_one));
+  row.paper = delivery.style().paper;
+  for (const Output& output : outputs) delivery.add(output, row);
+  delivery.finish();
+  return ExitStatus::done;
+}
+
 ExitStatus cut_fruit(const CutCommand& command) {
   // Everything that can be wrong with the words is told before the work begins.
   std::vector<Knife> knives;
@@ -103,6 +139,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
+  if (!command.seeds.empty()) return cut_family(command, knives, outputs, *diffuser, delivery);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
   add_live(outputs, source, knives, command.shared, delivery);
@@ -110,15 +147,9 @@ ExitStatus cut_fruit(const CutCommand& command) {
     delivery.finish();
     return ExitStatus::done;
   }
-  CutOptions how = command.faces == "coarse" ? coarse_cut : CutOptions{};
-  how.threads = {command.shared.threads};
   SliceTask task = slice_task(source, knives, command.piece);
   task.crumbs = command.crumbs;
-  Slices slices = slice(task, diffuser.get(),
-                        {.cut = how,
-                         .pieces = !command.section,
-                         .keep_section_colors = wants_textures(command.shared),
-                         .threads = {command.shared.threads}});
+  Slices slices = slice(task, diffuser.get(), slice_options(command));
   check_piece(command.piece, slices);
   delivery.times.add(slices.times);
   delivery.warn(slices.warnings);
@@ -176,6 +207,7 @@ DeclaredCommand cut_command(CLI::App& app) {
   add_ripeness_option(*command, options->shared);
   add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);
+  add_seeds_option(*command, options->seeds);
   command->footer("Knives, and along what they cut:\n" + knife_help());
   return {command, [options] { return cut_fruit(*options); }};
 }

@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/deliver.h"
+#include "cli/family.h"
 #include "cli/fruit_source.h"
 #include "cli/live_fruit.h"
 #include "cli/option_checks.h"
@@ -16,6 +17,7 @@
 #include "generator/base/error.h"
 #include "generator/piece/glass_surfaces.h"
 #include "generator/piece/slice.h"
+#include "generator/scene/in_a_row.h"
 #include "generator/scene/stand.h"
 #include "generator/surface/file/surface_file.h"
 
@@ -30,6 +32,7 @@ struct GrowCommand {
   bool sheets = false;
   bool surfaces = false;
   int piece = 0;
+  std::string seeds;
   SharedOptions shared;
 };
 
@@ -41,6 +44,20 @@ std::vector<Solid> whole_fruit(const FruitSource& source, const GrowCommand& com
   delivery.times.add(whole.times);
   delivery.warn(whole.warnings);
   return std::move(whole.pieces);
+}
+
+/// One whole fruit of each seed, side by side.
+ExitStatus grow_family(const GrowCommand& command, const std::vector<Output>& outputs, Delivery& delivery) {
+  check_family(command.shared, outputs);
+  const auto of_one = [&](const SharedOptions& options) {
+    const FruitSource source = open_fruit(command.fruit, options, command.folds, delivery.times);
+    return whole_fruit(source, command, delivery);
+  };
+  Scene row = in_a_row(family(parse_seeds(command.seeds), command.shared, of_one));
+  row.paper = delivery.style().paper;
+  for (const Output& output : outputs) delivery.add(output, row);
+  delivery.finish();
+  return ExitStatus::done;
 }
 
 ExitStatus grow_fruit(const GrowCommand& command) {
@@ -58,6 +75,7 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   }
   Delivery delivery(command.shared);
   delivery.warn(idle_options(command.shared, outputs));
+  if (!command.seeds.empty()) return grow_family(command, outputs, delivery);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
 
   // The drawn surfaces go out as they are; all other outputs share one scene of the whole fruit.
@@ -110,6 +128,7 @@ DeclaredCommand grow_command(CLI::App& app) {
   add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
   add_shared_options(*command, options->shared);
+  add_seeds_option(*command, options->seeds);
   return {command, [options] { return grow_fruit(*options); }};
 }
 

@@ -23,9 +23,10 @@ VARIATION = {  # of docs/variation.md: what is grown, at seed 2
     **{f"pepper_folds_{folds}.png": ["pepper", "--folds", str(folds)] for folds in (3, 4, 6)},
     **{f"tomato_variation_{amount}.png": ["tomato", "--variation", amount] for amount in ("0.5", "1", "2")},
 }
+ROW = 800, 240  # pixels: seeds side by side, at one scale; shown at ROW_SHOWN
 WIDE = 360, 240  # pixels; shown at WIDE_SHOWN
 LARGE, SMALL = 240, 150  # pixels; shown at LARGE_SHOWN and SMALL_SHOWN
-LARGE_SHOWN, SMALL_SHOWN, WIDE_SHOWN, GRID_SHOWN = 200, 130, 300, 180
+LARGE_SHOWN, SMALL_SHOWN, WIDE_SHOWN, GRID_SHOWN, ROW_SHOWN = 200, 130, 300, 180, 400
 
 
 def templates():
@@ -73,9 +74,11 @@ def pictures_of(name):
         "halves.png": ["cut", name, "--knife", "half", "--view", "30,25", "--size", f"{WIDE[0]}x{WIDE[1]}"],
     }
     for seed in SEEDS if varies(name) else ():
-        variant = ["--seed", str(seed), *small]
-        made[f"seed_{seed}.png"] = ["grow", name, *variant]
-        made[f"seed_{seed}_across.png"] = ["cut", name, *section, "across", *variant]
+        made[f"seed_{seed}_across.png"] = ["cut", name, *section, "across", "--seed", str(seed), *small]
+    if varies(name):
+        row = ["--seeds", "1-5", "--size", f"{ROW[0]}x{ROW[1]}"]
+        made["seeds.png"] = ["grow", name, *row]
+        made["seeds_half.png"] = ["cut", name, "--knife", "half", "--piece", "1", *row]
     return made
 
 
@@ -112,8 +115,10 @@ def block(name):
     folder = f"../{PICTURES}/{name}"
     large = [image(f"{folder}/{view}.png", f"{name}, {alt}", LARGE_SHOWN)
              for view, alt in (("surfaces", "its surfaces"), ("whole", "whole"), ("half", "half"), ("across", "across"))]
-    small = [image(f"{folder}/seed_{seed}{suffix}.png", f"{name}, seed {seed}{alt}", SMALL_SHOWN)
-             for suffix, alt in (("", ""), ("_across", ", across")) for seed in SEEDS if varies(name)]
+    small = [image(f"{folder}/seed_{seed}_across.png", f"{name}, seed {seed}, across", SMALL_SHOWN)
+             for seed in SEEDS if varies(name)]
+    rows = [image(f"{folder}/{row}.png", f"{name}, seeds 1 to 5, {what}", ROW_SHOWN)
+            for row, what in (("seeds", "whole"), ("seeds_half", "halves")) if varies(name)]
     return "\n".join([
         f"### {template.get('title', name)}",
         "",
@@ -122,7 +127,7 @@ def block(name):
         *large,
         image(f"{folder}/halves.png", f"{name}, its halves", WIDE_SHOWN),
         "",
-        *([*small, ""] if small else []),
+        *([*small, "", *rows, ""] if small else []),
     ])
 
 

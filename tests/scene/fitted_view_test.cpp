@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "generator/scene/in_a_row.h"
 
 namespace pomona {
 namespace {
@@ -84,6 +89,41 @@ TEST(FittedView, HasRoomForShadows) {
 TEST(FittedView, OfNothingIsSomeView) {
   const View view = fitted_view(Scene{}, {0, 1, 1});
   EXPECT_NE(view.eye, view.target);
+}
+
+/// A box of this size about the origin.
+Solid box(const std::string& name, const glm::vec3& size) {
+  Solid solid;
+  solid.name = name;
+  for (const float x : {-0.5f, 0.5f}) {
+    for (const float y : {-0.5f, 0.5f}) {
+      for (const float z : {-0.5f, 0.5f}) solid.position.emplace_back(size * glm::vec3(x, y, z));
+    }
+  }
+  return solid;
+}
+
+TEST(InARow, StandsSideBySideOnTheGroundAtOneScale) {
+  const std::vector<glm::vec3> sizes{{0.1f, 0.2f, 0.1f}, {0.05f, 0.05f, 0.3f}, {0.2f, 0.1f, 0.1f}};
+  std::vector<Solid> solids;
+  for (const glm::vec3& size : sizes) solids.push_back(box("box-" + std::to_string(solids.size()), size));
+  const Scene row = in_a_row(solids);
+  ASSERT_EQ(row.instances.size(), sizes.size());
+  EXPECT_TRUE(row.ground);
+  double before = -1;
+  for (const Instance& instance : row.instances) {
+    const Solid& solid = row.solids[static_cast<std::size_t>(instance.solid)];
+    glm::dvec3 low(1e9), high(-1e9);
+    for (const glm::vec3& p : solid.position) {
+      const glm::dvec3 placed = instance.pose.rotation * glm::dvec3(p) + instance.pose.translation;
+      low = glm::min(low, placed);
+      high = glm::max(high, placed);
+    }
+    EXPECT_NEAR(low.y, 0, 1e-9) << solid.name;
+    EXPECT_NEAR(low.z + high.z, 0, 1e-9) << solid.name;
+    EXPECT_GT(low.x, before) << solid.name;
+    before = high.x;
+  }
 }
 
 }  // namespace
