@@ -25,6 +25,7 @@
 #include "render/gl/context.h"
 #include "render/gl/scene_picture.h"
 #include "render/image/png.h"
+#include "render/marks/marks.h"
 #include "render/picture/light_direction.h"
 #include "render/picture/section_picture.h"
 #include "render/picture/view_within.h"
@@ -233,16 +234,32 @@ void Delivery::add_ground_truth(const Output& picture, const Scene& seen, const 
     files_.push_back({std::filesystem::path(options_.aov) / file.name, std::move(file.bytes)});
 }
 
+/// Hatching or stipple, where the style draws tones by marks: they follow the picture that OpenGL paints.
+SvgMarks Delivery::marks_on(const Scene& seen, const PictureSize& size) const {
+  if (!style_.marks) return {};
+  Style paint = style_;
+  paint.ink = false;
+  paint.marks.reset();
+  GlContext context;
+  const Image painted =
+      draw_scene(context, seen, paint, {.width = size.width, .height = size.height, .threads = {options_.threads}});
+  return {marks_of(painted, seen.paper, *style_.marks), style_.ink_color.value_or(InkStyle().color)};
+}
+
 void Delivery::add_lines(const Output& output, const Scene& scene) {
   const PictureSize size = size_.value_or(default_size_);
   const std::optional<Plate> plate = plate_for(scene, size);
   const Scene seen = fitted(scene, size, plate);
   const StrokeOptions options{.width = size.width, .height = size.height, .threads = {options_.threads}};
   const std::vector<SceneStroke> strokes = times.time("style", [&] { return scene_strokes(seen, style_, options); });
-  if (!style_.ink) warn({"the style " + style_.name + " has no ink: " + output.file.string() + " holds no lines"});
+  const SvgMarks marks = times.time("style", [&] { return marks_on(seen, size); });
+  if (!style_.ink && marks.marks.empty())
+    warn({"the style " + style_.name + " has no ink: " + output.file.string() + " holds no lines"});
   const std::string made_by = export_options().provenance;
   const std::vector<PlateLayer> around = plate_layers(plate, seen, size);
-  add(output.file, [&] { return write_svg(seen, strokes, {size.width, size.height, options_.dpi}, made_by, around); });
+  add(output.file, [&] {
+    return write_svg(seen, strokes, {size.width, size.height, options_.dpi}, made_by, around, marks);
+  });
 }
 
 void Delivery::add_pov(const Output& output, const Scene& scene) {

@@ -15,6 +15,7 @@
 #include "generator/scene/scene.h"
 #include "render/export/output.h"
 #include "render/export/styled_mesh.h"
+#include "render/export/svg.h"
 #include "render/plate/plate.h"
 #include "render/style/style.h"
 #include "render/texture/bake.h"
@@ -67,6 +68,7 @@ class Delivery {
  private:
   void add_picture(const Output& output, const Scene& scene);
   void add_ground_truth(const Output& picture, const Scene& seen, const PictureSize& size);
+  SvgMarks marks_on(const Scene& seen, const PictureSize& size) const;
   void add_lines(const Output& output, const Scene& scene);
   void add_pov(const Output& output, const Scene& scene);
   static std::vector<PlateLayer> plate_layers(const std::optional<Plate>& plate, const Scene& seen,

@@ -191,12 +191,12 @@ std::string patches_text(const CrossSection& section, const std::vector<SectionP
 }  // namespace
 
 std::string write_svg(const Scene& scene, std::span<const SceneStroke> strokes, const SvgSheet& sheet,
-                      const std::string& provenance, std::span<const PlateLayer> plate) {
+                      const std::string& provenance, std::span<const PlateLayer> plate, const SvgMarks& marks) {
   std::vector<std::string> layers(scene.instances.size());
   for (const SceneStroke& stroke : strokes) {
     layers[stroke.instance] += path_text(stroke.points, stroke.color, 1);
   }
-  std::string text = opening(sheet, provenance);
+  std::string text = opening(sheet, provenance) + marks_text(marks.marks, marks.ink);
   for (std::size_t i = 0; i < layers.size(); ++i) {
     if (layers[i].empty()) continue;
     text += layer_start("ink-" + std::to_string(i + 1), scene.instances[i].name) + layers[i] + "  </g>\n";

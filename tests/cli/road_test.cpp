@@ -212,6 +212,21 @@ TEST(Lines, OfSectionsHoldNoPictureButOfThePaper) {
   }
 }
 
+TEST(Lines, OfSolidsHoldTheMarksOfTheirStyle) {
+  const TemporaryFolder folder;
+  for (const std::string style : {"hatching", "stipple"}) {
+    expect_done(run_pomona(
+        with({"cut", "tomato", "--knife", "half", "--size", "160x120", "--style", style, "-o", "x.svg"}, coarse),
+        folder.path()));
+    const std::string drawing = bytes_of(folder / "x.svg");
+    const std::size_t marks = drawing.find("label=\"marks\""), lines = drawing.find("label=\"tomato.piece-1\"");
+    ASSERT_NE(marks, std::string::npos) << style;
+    EXPECT_LT(marks, lines) << style << ": strokes lie above";
+    EXPECT_GT(drawing.find(style == "stipple" ? "<circle" : "<path", marks), marks) << style;
+    EXPECT_THAT(drawing, ::testing::Not(HasSubstr("<image"))) << style;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Templates, Fruit, ::testing::Values("tomato", "onion", "pepper"),
                          [](const auto& tested) { return std::string(tested.param); });
 
