@@ -13,6 +13,27 @@ namespace pomona {
 
 namespace {
 
+constexpr int most_side = 1600;  // pixels: flow is smooth, and a large print needs no finer one
+
+/// The means of squares of pixels; those at the right and the lower edge may be smaller.
+Image in_squares(const Image& image, int square) {
+  if (square == 1) return image;
+  Image small{(image.width + square - 1) / square, (image.height + square - 1) / square, {}};
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      glm::ivec3 sum(0);
+      int count = 0;
+      for (int v = y * square; v < std::min((y + 1) * square, image.height); ++v) {
+        for (int u = x * square; u < std::min((x + 1) * square, image.width); ++u, ++count) {
+          sum += glm::ivec3(image.at(u, v));
+        }
+      }
+      small.pixels.emplace_back(sum / count);
+    }
+  }
+  return small;
+}
+
 /// The symmetric tensor (xx xy; xy yy) of each pixel.
 struct Tensors {
   std::vector<float> xx, xy, yy;
@@ -59,13 +80,16 @@ glm::vec2 minor_direction(double xx, double xy, double yy) {
 }  // namespace
 
 glm::dvec2 FlowField::at(const glm::dvec2& place, const glm::dvec2& heading) const {
-  const int x = std::clamp(static_cast<int>(std::floor(place.x)), 0, width - 1);
-  const int y = std::clamp(static_cast<int>(std::floor(place.y)), 0, height - 1);
+  const int x = std::clamp(static_cast<int>(std::floor(place.x / square)), 0, width - 1);
+  const int y = std::clamp(static_cast<int>(std::floor(place.y / square)), 0, height - 1);
   const glm::dvec2 way(direction[static_cast<std::size_t>(y) * width + x]);
   return glm::dot(way, heading) < 0 ? -way : way;
 }
 
-FlowField flow_of(const Image& painted, const FlowOptions& options) {
+FlowField flow_of(const Image& whole, const FlowOptions& options) {
+  const int square = std::max(1, (std::max(whole.width, whole.height) + most_side - 1) / most_side);
+  const Image painted = in_squares(whole, square);
+
   // The same edges gathered over three widths.
   Tensors sum{std::vector<float>(painted.pixels.size()), std::vector<float>(painted.pixels.size()),
               std::vector<float>(painted.pixels.size())};
@@ -76,7 +100,8 @@ FlowField flow_of(const Image& painted, const FlowOptions& options) {
   const Tensors edges = edges_of(painted);
   for (const Gathering& gathering : gatherings) {
     const auto add = [&](std::vector<float>& to, const std::vector<float>& from) {
-      const std::vector<float> wide = blurred(from, painted.width, painted.height, gathering.times * options.scale);
+      const std::vector<float> wide =
+          blurred(from, painted.width, painted.height, gathering.times * options.scale / square);
       for (std::size_t i = 0; i < to.size(); ++i) to[i] += static_cast<float>(gathering.weight) * wide[i];
     };
     add(sum.xx, edges.xx);
@@ -87,7 +112,7 @@ FlowField flow_of(const Image& painted, const FlowOptions& options) {
   // A little of the usual direction, so that nothing is without one.
   const double faint = 1e-5;
   const glm::dvec2 across(-options.otherwise.y, options.otherwise.x);
-  FlowField field{painted.width, painted.height, std::vector<glm::vec2>(painted.pixels.size())};
+  FlowField field{painted.width, painted.height, std::vector<glm::vec2>(painted.pixels.size()), square};
   for (std::size_t i = 0; i < field.direction.size(); ++i) {
     field.direction[i] =
         minor_direction(sum.xx[i] + faint * across.x * across.x, sum.xy[i] + faint * across.x * across.y,

@@ -14,7 +14,6 @@ namespace pomona {
 
 namespace {
 
-constexpr double stride = 1;  // pixels from point to point of a line
 constexpr int most_steps = 20000;
 constexpr double least_bend = 0.75;  // cosine of what a line turns over half a spacing: a pen draws no corners
 
@@ -27,6 +26,7 @@ class LineSet {
         options_(options),
         bare_(bare),
         turn_(turn),
+        stride_(std::max(1.0, 0.1 * options.spacing)),
         grid_(tones.width, tones.height, options.spacing) {}
 
   std::vector<Mark> lines() {
@@ -67,13 +67,13 @@ class LineSet {
   std::vector<glm::dvec2> followed(glm::dvec2 place, glm::dvec2 heading, int line, int sense) {
     std::vector<glm::dvec2> points;
     std::deque<glm::dvec2> lately;  // headings over half a spacing
-    const int own = static_cast<int>(std::ceil(3 * options_.spacing / stride));
+    const int own = static_cast<int>(std::ceil(3 * options_.spacing / stride_));
     for (int step = 1; step <= most_steps; ++step) {
       const glm::dvec2 first = way(place, heading);
-      heading = way(place + first * (0.5 * stride), first);
-      place += heading * stride;
+      heading = way(place + first * (0.5 * stride_), first);
+      place += heading * stride_;
       lately.push_back(heading);
-      if (static_cast<double>(lately.size()) * stride > 0.5 * options_.spacing) lately.pop_front();
+      if (static_cast<double>(lately.size()) * stride_ > 0.5 * options_.spacing) lately.pop_front();
       if (glm::dot(lately.front(), heading) < least_bend) break;
       if (!holds(place) || !grid_.is_free(place, 0.55 * options_.spacing, line, sense * step, own)) break;
       grid_.add(place, line, sense * step);
@@ -93,7 +93,7 @@ class LineSet {
     points.push_back(seed);
     const std::vector<glm::dvec2> onwards = followed(seed, heading, line, 1);
     points.insert(points.end(), onwards.begin(), onwards.end());
-    if (static_cast<double>(points.size()) * stride < 1.5 * options_.spacing) return {};
+    if (static_cast<double>(points.size()) * stride_ < 1.5 * options_.spacing) return {};
 
     sow_beside(points);
     return inked(points, line);
@@ -101,9 +101,9 @@ class LineSet {
 
   /// Seeds for the next lines, left and right of this one.
   void sow_beside(const std::vector<glm::dvec2>& points) {
-    const auto every = static_cast<std::size_t>(std::max(1.0, options_.spacing / stride));
+    const auto every = static_cast<std::size_t>(std::max(1.0, options_.spacing / stride_));
     for (std::size_t i = 0; i + 1 < points.size(); i += every) {
-      const glm::dvec2 along = (points[i + 1] - points[i]) / stride, across(-along.y, along.x);
+      const glm::dvec2 along = (points[i + 1] - points[i]) / stride_, across(-along.y, along.x);
       seeds_.push_back(points[i] + across * options_.spacing);
       seeds_.push_back(points[i] - across * options_.spacing);
     }
@@ -112,11 +112,12 @@ class LineSet {
   /// As broad as the tone asks for, with a trembling hand and ends that run out.
   Mark inked(const std::vector<glm::dvec2>& points, int line) const {
     Mark mark;
-    const double last = static_cast<double>(points.size() - 1), taper = std::min(2 * options_.spacing, last / 3);
+    const double last = stride_ * static_cast<double>(points.size() - 1);
+    const double taper = std::min(2 * options_.spacing, last / 3);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double step = static_cast<double>(i);
+      const double step = stride_ * static_cast<double>(i);
       const double dark = std::clamp(tone(points[i]), 0.0, 1.0);
-      const double hand = 1 + 0.25 * gradient_noise({step / 24, 3.7 * line + 0.5, 0.5}, 103);
+      const double hand = 1 + 0.25 * gradient_noise({step / (4 * options_.spacing), 3.7 * line + 0.5, 0.5}, 103);
       const double end = std::min({1.0, step / taper, (last - step) / taper});
       const double width = options_.width * (0.14 + 0.86 * dark) * hand * std::sqrt(std::max(end, 0.04));
       mark.push_back({points[i], 0.5 * width});
@@ -129,6 +130,7 @@ class LineSet {
   HatchOptions options_;
   double bare_;
   glm::dvec2 turn_;
+  double stride_;  // pixels from point to point of a line
   LineGrid grid_;
   std::deque<glm::dvec2> seeds_;
   int count_ = 0;

@@ -33,12 +33,12 @@ double covered(const std::vector<Mark>& marks) {
 
 FlowField all_along(const glm::vec2& direction) { return {side, side, std::vector<glm::vec2>(side * side, direction)}; }
 
-/// Waves of grey whose crests run along (along.x, along.y).
-Image waves(const glm::dvec2& along) {
-  Image image{side, side, {}};
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      const double across = 0.25 * (along.x * y - along.y * x);
+/// Waves of grey whose crests run along (along.x, along.y), 25 pixels from crest to crest times `larger`.
+Image waves(const glm::dvec2& along, int larger = 1) {
+  Image image{side * larger, side * larger, {}};
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const double across = 0.25 * (along.x * y - along.y * x) / larger;
       image.pixels.emplace_back(glm::u8vec3(static_cast<std::uint8_t>(128 + 100 * std::sin(across))));
     }
   }
@@ -99,6 +99,17 @@ TEST(Marks, FlowRunsAlongEdges) {
         EXPECT_GT(glm::dot(way, along), 0.995) << x << " " << y << " along " << along.x << " " << along.y;
       }
     }
+  }
+}
+
+/// Waves that are twenty times as large flow the same way, seen in squares.
+TEST(Marks, FlowOfALargePictureIsThatOfASmallOne) {
+  const glm::dvec2 along(0.6, 0.8);
+  const Image large = waves(along, 20);
+  const FlowField flow = flow_of(large, {.scale = 120});
+  EXPECT_LE(flow.width, 1600);
+  for (int y = 600; y < 3400; y += 401) {
+    for (int x = 600; x < 3400; x += 401) EXPECT_GT(glm::dot(flow.at({x, y}, along), along), 0.99) << x << " " << y;
   }
 }
 
