@@ -146,8 +146,10 @@ std::string write_page(const Asset& asset, const PageOptions& options) {
                  {"@ASSET@", base85(bytes)},
                  {"@LENGTH@", std::to_string(bytes.size())},
                  {"@WORKER@", joined({"read_asset.js", "look_up.js", "skin.js", "worker.js"})},
-                 {"@SCRIPT@", joined({"linear.js", "card.js", "knives.js", "pieces.js", "camera.js", "picture.js",
-                                      "controls.js"})}});
+                 {"@SCRIPT@", joined({"linear.js", "card.js", "camera.js", "knives.js", "pieces.js", "fruit_textures.js",
+                                      "face_passes.js", "faces.js", "body.js", "picture.js", "messages.js", "row.js",
+                                      "board.js", "blade.js", "stroke.js", "hands.js", "paper.js", "tools.js",
+                                      "unpacking.js", "page.js"})}});
 }
 
 }  // namespace pomona

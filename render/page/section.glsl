@@ -165,11 +165,12 @@ void main() {
 #endif
 
 #ifdef PICK
+uniform vec2 body;  // its number's two bytes, of 255
 layout(location = 0) out vec4 picked;
 void main() {
   float tag = textureLod(tags, place * 0.5 + 0.5, 0.0).r;
   if (is_cut_away() || tag == 0.0) discard;
-  picked = vec4(tag, 1.0, 0.0, 1.0);
+  picked = vec4(tag, 1.0, body);
 }
 #endif
 

@@ -57,10 +57,11 @@ void main() {
 #endif
 
 #ifdef PICK
+uniform vec2 body;  // its number's two bytes, of 255
 layout(location = 0) out vec4 picked;
 void main() {
   if (is_cut_away()) discard;
-  picked = vec4((tag + 1.0) / 255.0, 0.5, 0.0, 1.0);
+  picked = vec4((tag + 1.0) / 255.0, 0.5, body);
 }
 #endif
 

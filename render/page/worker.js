@@ -16,24 +16,24 @@ function bytesOf(text) {
   return bytes;
 }
 
-onmessage = async ({data: asset}) => {
+onmessage = async ({data: {job, text, length}}) => {
   try {
-    const {text, length} = asset, packed = bytesOf(text).subarray(0, length);
+    const packed = bytesOf(text).subarray(0, length);
     let fruit = null;
     const bytes = await Asset.unpacked(packed, (soFar, length) => {
       const head = fruit ? null : Asset.header(soFar, length);
       if (!head || length < Asset.surfacesEnd(head)) return;
       fruit = Asset.surfaces(soFar, head);
       const skin = Skin.built(fruit);
-      postMessage({header: head.fields, skin}, [skin.buffer]);
+      postMessage({job, header: head.fields, skin}, [skin.buffer]);
     });
     Asset.addWindings(fruit);
     Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(Asset.header(bytes, bytes.length))));
     const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
     const {noise, details, materials, guide, share, winding} = fruit;
-    postMessage({grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding},
+    postMessage({job, grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding},
       [grid.buffer, cell.buffer, list.buffer, triangle.buffer, winding.buffer]);
   } catch (error) {
-    postMessage({error: String(error && error.message || error)});
+    postMessage({job, error: String(error && error.message || error)});
   }
 };

@@ -1,0 +1,27 @@
+// Fruit on the table: one, or several side by side that all take the same knives.
+'use strict';
+class Row {
+  constructor(bodies) {
+    Object.assign(this, {bodies, takesKnives: true});
+    // As large beside each other as they are.
+    this.scales = bodies.map((body) => body.fruit.header.spacing / bodies[0].fruit.header.spacing);
+  }
+  get size() { return this.bodies[0].frame.size; }
+
+  /** The same knife in every body: as far from its middle as in the first, measured by their sizes. */
+  setKnives(knives) {
+    const [first] = this.bodies;
+    for (const body of this.bodies) body.setKnives(body === first ? knives : knives.map((knife) => knife.within(body.frame)));
+  }
+  arrange(apart, open) {
+    for (const body of this.bodies) { body.place = M.identity(); body.arrange(apart, open); }
+    if (this.bodies.length === 1) return;
+    // Each stands on the table, a little away from the one before it.
+    let right = 0;
+    this.bodies.forEach((body, i) => {
+      const {low, high} = boxOf(body.outline.flat(), 3), scale = this.scales[i], gap = 0.12 * this.size;
+      body.moveTo(M.scaled(scale, [right - scale * low[0], -scale * low[1], -scale * (low[2] + high[2]) / 2]));
+      right += scale * (high[0] - low[0]) + gap;
+    });
+  }
+}
