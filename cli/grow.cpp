@@ -1,4 +1,5 @@
 // pomona grow: one whole fruit.
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "generator/piece/slice.h"
 #include "generator/scene/stand.h"
 #include "generator/surface/file/surface_file.h"
+#include "render/page/page.h"
 
 namespace pomona {
 
@@ -30,6 +32,8 @@ struct GrowCommand {
   bool sheets = false;
   bool surfaces = false;
   int piece = 0;
+  int family = 1;
+  bool cuttable = false;
   SharedOptions shared;
 };
 
@@ -41,6 +45,18 @@ std::vector<Solid> whole_fruit(const FruitSource& source, const GrowCommand& com
   delivery.times.add(whole.times);
   delivery.warn(whole.warnings);
   return std::move(whole.pieces);
+}
+
+/// The fruits of the seeds that follow, for a page that shows them side by side.
+std::vector<FruitSource> family_of(const GrowCommand& command, Delivery& delivery) {
+  std::vector<FruitSource> beside;
+  for (int k = 1; k < command.family; ++k) {
+    SharedOptions next = command.shared;
+    next.seed += static_cast<std::uint64_t>(k);
+    next.seed_given = true;
+    beside.push_back(open_fruit(command.fruit, next, command.folds, delivery.times));
+  }
+  return beside;
 }
 
 ExitStatus grow_fruit(const GrowCommand& command) {
@@ -56,6 +72,17 @@ ExitStatus grow_fruit(const GrowCommand& command) {
     throw Error(ExitStatus::usage, "--aov: what one sees through has no one surface at a pixel",
                 "leave out --surfaces");
   }
+  if (command.family > 1) {
+    check_heeded("--family", {Format::html}, outputs);
+    if (command.shared.as_drawn)
+      throw Error(ExitStatus::usage, "--family: as drawn all seeds are alike", "leave out --as-drawn");
+  }
+  if (command.cuttable) {
+    check_heeded("--cuttable", {Format::glb}, outputs);
+    if (wants_textures(command.shared) || command.shared.lod > 0 || command.surfaces || command.piece > 0)
+      throw Error(ExitStatus::usage, "--cuttable: the file holds the whole fruit, its colours at its vertices",
+                  "leave out --texture, --texel, --lod, --surfaces and --piece");
+  }
   Delivery delivery(command.shared);
   delivery.warn(idle_options(command.shared, outputs));
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
@@ -63,7 +90,7 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   // The drawn surfaces go out as they are; all other outputs share one scene of the whole fruit.
   delivery.set_plate_text({source.fruit.title, source.fruit.latin});
   std::optional<Scene> scene;
-  add_live(outputs, source, {}, command.shared, delivery);
+  add_live(outputs, source, {}, command.shared, delivery, family_of(command, delivery));
   for (const Output& output : outputs) {
     if (is_live(output.format)) continue;
     if (output.format == Format::ply) {
@@ -77,6 +104,10 @@ ExitStatus grow_fruit(const GrowCommand& command) {
           ripeness_variants(solids, source, command.fruit, command.shared, command.folds, nullptr, delivery.times));
       scene = gathered(std::move(solids));
       scene->paper = delivery.style().paper;
+    }
+    if (command.cuttable && output.format == Format::glb) {
+      add_cuttable(output, *scene, source, command.shared, delivery);
+      continue;
     }
     // In a picture it stands on the table, unless one is to see through it.
     const bool is_picture = output.format == Format::png || output.format == Format::svg;
@@ -107,6 +138,12 @@ DeclaredCommand grow_command(CLI::App& app) {
   command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
   command->add_option("--piece", options->piece, "Of a fruit in several bodies, this one alone")
       ->check(whole_between(1, 1000000));
+  command
+      ->add_option("--family", options->family,
+                   ".html: so many seeds side by side, from --seed on, all cut by the same knives")
+      ->check(whole_between(1, static_cast<int>(most_page_family)));
+  command->add_flag("--cuttable", options->cuttable,
+                    ".glb: carries the fruit's asset as well, for programs that cut it");
   add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
   add_shared_options(*command, options->shared);

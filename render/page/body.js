@@ -12,22 +12,30 @@ function boxOf(data, stride = 10) {
   return {low, high};
 }
 
-class Body {
+/** Triangles on the card, and what knives go by: shared by all that look alike. */
+class Shape {
   /** `skin`: ten numbers a corner (skin.js); `index`: which corners are triangles, or none: three after three. */
-  constructor(picture, fruit, skin, index = null) {
+  constructor(card, skin, index = null) {
     const {low, high} = boxOf(skin), size = V.sub(high, low), middle = V.mul(V.add(low, high), 0.5);
-    /** What knives go by. */
     this.frame = {middle, low, high, size: Math.max(...size), reach: 0.53 * Math.hypot(...size)};
-    Object.assign(this, {fruit, knives: [], pieces: [], arranged: [], place: M.identity(), shown: true, chosen: false});
-    this.mesh = picture.card.vertices(skin, [3, 3, 3, 1], index);
-    this.faces = new Faces(picture.passes, picture.speed, this);
+    this.mesh = card.vertices(skin, [3, 3, 3, 1], index);
     this.skin = skin;
-    this.takeSamples(null);
+  }
+}
+
+class Body {
+  /** `samples`: so many points of its skin stand for it. */
+  constructor(picture, fruit, shape, samples = 2500) {
+    Object.assign(this, {fruit, frame: shape.frame, mesh: shape.mesh, skin: shape.skin, knives: [], pieces: [], arranged: [], place: M.identity(), chosen: false});
+    /** Of a piece, cut faces end where it does, not where its fruit did. */
+    this.isPiece = false;
+    this.faces = new Faces(picture.passes, picture.speed, this);
+    this.takeSamples(null, samples);
   }
 
   /** `winding` of the nodes, where these are known: the inside counts, too. */
-  takeSamples(winding) {
-    this.samples = samplesOf(this.fruit.header, this.skin, winding);
+  takeSamples(winding, most = 2500) {
+    this.samples = samplesOf(this.fruit.header, this.skin, winding, most);
     this.pieces = piecesOf(this.samples, this.knives);
   }
   setKnives(knives) {

@@ -4,7 +4,8 @@ class FacePasses {
   constructor(card, style) {
     const {gl} = card;
     Object.assign(this, {card, gl, style});
-    this.programs = Object.fromEntries([['look', 'LOOK'], ['tone', 'TONE'], ['lines', 'INK']].map(([name, mode]) => [name, card.program('section.glsl', [mode])]));
+    this.programs = Object.fromEntries([['look', 'LOOK'], ['within', 'WITHIN'], ['tone', 'TONE'], ['lines', 'INK']].map(([name, mode]) => [name, card.program('section.glsl', [mode])]));
+    this.programs.crossed = card.program('skin.glsl', ['CROSSED']);
     // Patterns have not been seen on any card yet, and programs that stand for one take minutes over them: who wants to try
     // adds #detail to the page's address. All others get noise alone.
     this.wantsDetail = /[#&]detail\b/.test(location.hash);
@@ -52,6 +53,28 @@ class FacePasses {
     gl.uniform3fv(u.pomona_high, fruit.range[1]);
     gl.bindVertexArray(this.empty);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  /**
+   * Takes from a face what lies outside the body. Rays leave each place of the knife along its normal; where they leave
+   * the body as often as they enter it, the place lies outside.
+   */
+  keepWithin(body, face, k) {
+    const {gl, card} = this, {size} = face, crossed = card.target(size, size, [[gl.RGBA8, gl.NEAREST]]);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, crossed.buffer);
+    gl.viewport(0, 0, size, size);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE);
+    this.setFrame(card.use(this.programs.crossed), face.frame, k);
+    card.draw(body.mesh);
+    gl.disable(gl.BLEND);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, face.bare.buffer);
+    const u = card.use(this.programs.within);
+    card.bind(u.crossed, 0, crossed.colors[0]);
+    gl.bindVertexArray(this.empty);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    card.drop(crossed);
   }
 
   /** Noise, details one by one, lines: each pass reads what the one before it has left. */

@@ -49,6 +49,7 @@ class Faces {
     face.row = end;
     gl.disable(gl.SCISSOR_TEST);
     if (end < face.size) return false;
+    if (body.isPiece) passes.keepWithin(body, face, k);
     passes.drawPaint(body.fruit, face, k);
     gl.activeTexture(gl.TEXTURE15);
     gl.bindTexture(gl.TEXTURE_2D, face.styled.colors[0].texture);

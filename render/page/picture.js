@@ -43,7 +43,6 @@ class Picture {
     const {gl, card, passes} = this, u = card.use(this.programs[program]);
     gl.uniformMatrix4fv(u.camera, false, view);
     bodies.forEach((body, index) => {
-      if (!body.shown) return;
       if (body.knives.length > 0) passes.setProfiles(body.knives);
       card.bind(u.profiles, 4, passes.profiles);
       if (set) set(u, body, index);
@@ -56,7 +55,7 @@ class Picture {
   drawFaces(program, view, bodies, set) {
     const {gl, card, passes} = this;
     bodies.forEach((body, index) => {
-      if (!body.shown || !body.fruit.ready || body.knives.length === 0) return;
+      if (!body.fruit.ready || body.knives.length === 0) return;
       const u = card.use(this.programs[program]);
       gl.uniformMatrix4fv(u.camera, false, view);
       passes.setProfiles(body.knives);
@@ -172,12 +171,14 @@ class Picture {
   }
   drawOutlines({bodies, camera}) {
     const {gl, canvas, style} = this;
-    if (!style.lines) return;
+    const drawn = bodies.filter((body) => style.lines || body.chosen);
+    if (drawn.length === 0) return;
     gl.enable(gl.CULL_FACE);
     gl.cullFace(gl.FRONT);
-    this.drawSkins('hull', camera.view, bodies, (u, body) => {
-      gl.uniform4f(u.ink, ...this.inkOf(body.fruit), 1);
-      gl.uniform3f(u.outline, canvas.width / 2, canvas.height / 2, 0.3 * this.lineOf(body));
+    // What has been picked has a line that one cannot overlook.
+    this.drawSkins('hull', camera.view, drawn, (u, body) => {
+      gl.uniform4f(u.ink, ...(body.chosen ? colorOf('#c8442c') : this.inkOf(body.fruit)), 1);
+      gl.uniform3f(u.outline, canvas.width / 2, canvas.height / 2, body.chosen ? 0.006 * canvas.height : 0.3 * this.lineOf(body));
     });
     gl.disable(gl.CULL_FACE);
   }

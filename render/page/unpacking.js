@@ -18,11 +18,14 @@ class Unpacking {
     this.worker.onerror = (event) => sorry(`The fruit cannot be unpacked: ${event.message}`);
   }
   /** `element`: what holds it. `onSkin({header, skin})` comes early; the promise brings the rest, for FruitTextures. */
-  asset(element, onSkin = () => {}) {
+  asset(element, onSkin = () => {}) { return this.unpack(element, false, onSkin); }
+  /** The promise brings {header, solids}. */
+  scene(element) { return this.unpack(element, true, () => {}); }
+  unpack(element, isScene, onSkin) {
     const job = this.next++;
     return new Promise((done, failed) => {
       this.waiting.set(job, {onSkin, done, failed});
-      this.worker.postMessage({job, text: element.textContent, length: Number(element.dataset.length)});
+      this.worker.postMessage({job, isScene, text: element.textContent, length: Number(element.dataset.length)});
     });
   }
 }
