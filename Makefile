@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops hashes page-errors install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops hashes page-errors gallery-page install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -153,6 +153,9 @@ page-errors: ## how far the colours of pages are from the field's in C++, on thr
 	cmake --build build --target write_sections -j $(JOBS)
 	build/tests/programs/write_sections out/sections 96 $(basename $(notdir $(wildcard templates/*.toml)))
 	node tests/programs/look_up.mjs out/sections --table
+
+gallery-page: build ## a gallery for the web: out/gallery/index.html, and a page for each fruit that cuts it
+	@scripts/gallery_page.py build/pomona out/gallery
 
 install: ## program, templates, scenes, manual page, completions, library: PREFIX=/usr/local DESTDIR=
 	@scripts/setup.sh build

@@ -24,7 +24,6 @@
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/slice.h"
 #include "generator/scene/explode.h"
-#include "generator/scene/in_a_row.h"
 #include "generator/scene/lay_out.h"
 
 namespace pomona {
@@ -101,22 +100,23 @@ SliceOptions slice_options(const CutCommand& command) {
 ExitStatus cut_family(const CutCommand& command, std::span<const Knife> knives, const std::vector<Output>& outputs,
                       const Diffuser& diffuser, Delivery& delivery) {
   check_family(command.shared, outputs);
-  if (command.section || command.explode > 1 || !command.pieces.empty()) {
-    throw Error(ExitStatus::usage, "--seeds does not go with --section, --explode and --pieces", "leave them out");
+  if (command.section || command.explode > 1 || !command.pieces.empty() || any_live(outputs)) {
+    throw Error(ExitStatus::usage, "--seeds does not go with --section, --explode, --pieces and .html",
+                "leave them out; `pomona grow --seeds` makes pages");
   }
-  const auto of_one = [&](const SharedOptions& options) {
-    const FruitSource source = open_fruit(command.fruit, options, command.folds, delivery.times);
+  std::vector<Solid> solids;
+  for (const SharedOptions& one : each_seed(command.seeds, command.shared)) {
+    const FruitSource source = open_fruit(command.fruit, one, command.folds, delivery.times);
     SliceTask task = slice_task(source, knives, command.piece);
     task.crumbs = command.crumbs;
     Slices slices = slice(task, &diffuser, slice_options(command));
     check_piece(command.piece, slices);
     delivery.times.add(slices.times);
     delivery.warn(slices.warnings);
-    return std::move(slices.pieces);
-  };
-  Scene row = in_a_row(family(parse_seeds(command.seeds), command.shared, of_one));
-  row.paper = delivery.style().paper;
-  for (const Output& output : outputs) delivery.add(output, row);
+    std::vector<Solid> own = named_by_seed(std::move(slices.pieces), one.seed);
+    solids.insert(solids.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+  }
+  add_row(std::move(solids), outputs, delivery);
   delivery.finish();
   return ExitStatus::done;
 }

@@ -1,13 +1,15 @@
 #include "cli/family.h"
 
+#include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 
+#include "cli/live_fruit.h"
 #include "generator/base/error.h"
+#include "generator/scene/in_a_row.h"
 
 namespace pomona {
 
@@ -55,26 +57,36 @@ std::vector<std::uint64_t> parse_seeds(const std::string& text) {
 
 void check_family(const SharedOptions& options, const std::vector<Output>& outputs) {
   for (const Output& output : outputs) {
-    if (output.format != Format::ply && output.format != Format::html && output.format != Format::pomona) continue;
+    if (output.format != Format::ply && output.format != Format::pomona) continue;
     throw Error(ExitStatus::usage, "--seeds: " + output.file.string() + " holds one fruit alone",
-                "write .glb, .usda, .obj, .stl, .pov, .png or .svg");
+                "write .glb, .usda, .obj, .stl, .pov, .png, .svg or .html");
   }
-  if (!options.ripeness_variants.empty()) {
-    throw Error(ExitStatus::usage, "--seeds does not go with --ripeness-variants", "leave one of them out");
+  if (!options.ripeness_variants.empty() || options.as_drawn) {
+    throw Error(ExitStatus::usage, "--seeds does not go with --ripeness-variants and --as-drawn", "leave them out");
   }
 }
 
-std::vector<Solid> family(const std::vector<std::uint64_t>& seeds, const SharedOptions& options,
-                          const std::function<std::vector<Solid>(const SharedOptions&)>& of_one) {
-  std::vector<Solid> all;
-  for (const std::uint64_t seed : seeds) {
-    SharedOptions one = options;
-    one.seed = seed;
-    std::vector<Solid> solids = of_one(one);
-    for (Solid& solid : solids) solid.name += "-seed-" + std::to_string(seed);
-    all.insert(all.end(), std::make_move_iterator(solids.begin()), std::make_move_iterator(solids.end()));
+std::vector<SharedOptions> each_seed(const std::string& seeds, const SharedOptions& options) {
+  std::vector<SharedOptions> all;
+  for (const std::uint64_t seed : parse_seeds(seeds)) {
+    all.push_back(options);
+    all.back().seed = seed;
+    all.back().seed_given = true;
   }
   return all;
+}
+
+std::vector<Solid> named_by_seed(std::vector<Solid> solids, std::uint64_t seed) {
+  for (Solid& solid : solids) solid.name += "-seed-" + std::to_string(seed);
+  return solids;
+}
+
+void add_row(std::vector<Solid> solids, const std::vector<Output>& outputs, Delivery& delivery) {
+  Scene row = in_a_row(std::move(solids));
+  row.paper = delivery.style().paper;
+  for (const Output& output : outputs) {
+    if (!is_live(output.format)) delivery.add(output, row);
+  }
 }
 
 }  // namespace pomona

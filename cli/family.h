@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "cli/deliver.h"
 #include "cli/outputs.h"
 #include "cli/shared_options.h"
 #include "generator/piece/solid.h"
@@ -25,8 +25,13 @@ std::vector<std::uint64_t> parse_seeds(const std::string& text);
 /// \throws Error (usage) for outputs that show one fruit alone, and for options that do not go with several.
 void check_family(const SharedOptions& options, const std::vector<Output>& outputs);
 
-/// What `of_one` makes of each seed's options, one after another; names tell the seed.
-std::vector<Solid> family(const std::vector<std::uint64_t>& seeds, const SharedOptions& options,
-                          const std::function<std::vector<Solid>(const SharedOptions&)>& of_one);
+/// The options once for each seed. \throws Error as parse_seeds()
+std::vector<SharedOptions> each_seed(const std::string& seeds, const SharedOptions& options);
+
+/// What was made of one seed, named so that it is told from what was made of the others.
+std::vector<Solid> named_by_seed(std::vector<Solid> solids, std::uint64_t seed);
+
+/// The outputs that are not live, of all of them side by side on the table.
+void add_row(std::vector<Solid> solids, const std::vector<Output>& outputs, Delivery& delivery);
 
 }  // namespace pomona

@@ -1,6 +1,9 @@
 // pomona grow: one whole fruit.
+#include <cstdint>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,9 +20,9 @@
 #include "generator/base/error.h"
 #include "generator/piece/glass_surfaces.h"
 #include "generator/piece/slice.h"
-#include "generator/scene/in_a_row.h"
 #include "generator/scene/stand.h"
 #include "generator/surface/file/surface_file.h"
+#include "render/page/page.h"
 
 namespace pomona {
 
@@ -33,6 +36,7 @@ struct GrowCommand {
   bool surfaces = false;
   int piece = 0;
   std::string seeds;
+  bool cuttable = false;
   SharedOptions shared;
 };
 
@@ -46,16 +50,22 @@ std::vector<Solid> whole_fruit(const FruitSource& source, const GrowCommand& com
   return std::move(whole.pieces);
 }
 
-/// One whole fruit of each seed, side by side.
+/// One whole fruit of each seed, side by side; on a page all are cut by the same knives.
 ExitStatus grow_family(const GrowCommand& command, const std::vector<Output>& outputs, Delivery& delivery) {
   check_family(command.shared, outputs);
-  const auto of_one = [&](const SharedOptions& options) {
-    const FruitSource source = open_fruit(command.fruit, options, command.folds, delivery.times);
-    return whole_fruit(source, command, delivery);
-  };
-  Scene row = in_a_row(family(parse_seeds(command.seeds), command.shared, of_one));
-  row.paper = delivery.style().paper;
-  for (const Output& output : outputs) delivery.add(output, row);
+  std::vector<FruitSource> sources;
+  for (const SharedOptions& one : each_seed(command.seeds, command.shared)) {
+    sources.push_back(open_fruit(command.fruit, one, command.folds, delivery.times));
+  }
+  add_live(outputs, sources.front(), {}, command.shared, delivery, std::span(sources).subspan(1));
+  if (!all_live(outputs)) {
+    std::vector<Solid> solids;
+    for (const FruitSource& source : sources) {
+      std::vector<Solid> own = named_by_seed(whole_fruit(source, command, delivery), source.origin.key.seed);
+      solids.insert(solids.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+    }
+    add_row(std::move(solids), outputs, delivery);
+  }
   delivery.finish();
   return ExitStatus::done;
 }
@@ -72,6 +82,13 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   if (command.surfaces && !command.shared.aov.empty()) {
     throw Error(ExitStatus::usage, "--aov: what one sees through has no one surface at a pixel",
                 "leave out --surfaces");
+  }
+  if (command.cuttable) {
+    check_heeded("--cuttable", {Format::glb}, outputs);
+    if (wants_textures(command.shared) || command.shared.lod > 0 || command.surfaces || command.piece > 0 ||
+        !command.seeds.empty())
+      throw Error(ExitStatus::usage, "--cuttable: the file holds the whole fruit, its colours at its vertices",
+                  "leave out --texture, --texel, --lod, --surfaces, --piece and --seeds");
   }
   Delivery delivery(command.shared);
   delivery.warn(idle_options(command.shared, outputs));
@@ -95,6 +112,10 @@ ExitStatus grow_fruit(const GrowCommand& command) {
           ripeness_variants(solids, source, command.fruit, command.shared, command.folds, nullptr, delivery.times));
       scene = gathered(std::move(solids));
       scene->paper = delivery.style().paper;
+    }
+    if (command.cuttable && output.format == Format::glb) {
+      add_cuttable(output, *scene, source, command.shared, delivery);
+      continue;
     }
     // In a picture it stands on the table, unless one is to see through it.
     const bool is_picture = output.format == Format::png || output.format == Format::svg;
@@ -125,6 +146,8 @@ DeclaredCommand grow_command(CLI::App& app) {
   command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
   command->add_option("--piece", options->piece, "Of a fruit in several bodies, this one alone")
       ->check(whole_between(1, 1000000));
+  command->add_flag("--cuttable", options->cuttable,
+                    ".glb: carries the fruit's asset as well, for programs that cut it");
   add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
   add_shared_options(*command, options->shared);

@@ -9,7 +9,9 @@
 #include "cli/version.h"
 #include "generator/base/error.h"
 #include "generator/knife/knife_planes.h"
+#include "render/export/gltf/write_glb.h"
 #include "render/page/asset_file.h"
+#include "render/page/cuttable_glb.h"
 #include "render/page/make_asset.h"
 #include "render/page/page.h"
 
@@ -40,14 +42,17 @@ std::vector<CuttingPlane> planes_in(std::span<const Knife> knives, const Box<dou
   return planes;
 }
 
-Asset asset_of(const FruitSource& source, const SharedOptions& options, Delivery& delivery) {
+/// Of the grid.
+Quality quality_of(const SharedOptions& options) {
+  return options.quality == "draft" ? Quality::draft : Quality::final;
+}
+
+Asset asset_of(const FruitSource& source, const SharedOptions& options, Quality quality, Delivery& delivery) {
   std::unique_ptr<Diffuser> diffuser;
   if (options.diffuser_given && options.diffuser != "harmonic") diffuser = make_diffuser(options, delivery.progress);
-  const MakeAssetOptions how{.quality = options.quality == "draft" ? Quality::draft : Quality::final,
-                             .diffuser = diffuser.get(),
-                             .threads = {options.threads}};
+  const MakeAssetOptions how{.quality = quality, .diffuser = diffuser.get(), .threads = {options.threads}};
   return delivery.times.time("asset", [&] {
-    return make_asset({source.grown, source.fruit, source.name, options.seed}, how);
+    return make_asset({source.grown, source.fruit, source.name, source.origin.key.seed}, how);
   });
 }
 
@@ -70,17 +75,29 @@ void check_live_knives(std::span<const Knife> knives) {
 }
 
 void add_live(const std::vector<Output>& outputs, const FruitSource& source, std::span<const Knife> knives,
-              const SharedOptions& options, Delivery& delivery) {
+              const SharedOptions& options, Delivery& delivery, std::span<const FruitSource> beside) {
   if (!any_live(outputs)) return;
   const std::vector<CuttingPlane> planes = planes_in(knives, bounds_of(source.grown.sheets));
-  const Asset asset = asset_of(source, options, delivery);
+  const Quality quality = quality_of(options);
+  const Asset asset = asset_of(source, options, beside.empty() ? quality : Quality::draft, delivery);
+  std::vector<Asset> family = {asset};
+  for (const FruitSource& other : beside) family.push_back(asset_of(other, options, Quality::draft, delivery));
   const std::string made_by = std::string("pomona ") + version + ", seed " + std::to_string(options.seed);
   for (const Output& output : outputs) {
     if (output.format == Format::pomona) delivery.add(output.file, [&] { return write_asset(asset, made_by); });
-    if (output.format == Format::html)
-      delivery.add(output.file,
-                   [&] { return write_page(asset, {.style = delivery.style(), .cuts = planes, .made_by = made_by}); });
+    if (output.format == Format::html) {
+      const PageOptions page{.style = delivery.style(), .cuts = planes, .made_by = made_by};
+      delivery.add(output.file, [&] { return write_page(family, page); });
+    }
   }
+}
+
+void add_cuttable(const Output& output, const Scene& scene, const FruitSource& source, const SharedOptions& options,
+                  Delivery& delivery) {
+  const Asset asset = asset_of(source, options, quality_of(options), delivery);
+  const std::string made_by = std::string("pomona ") + version + ", seed " + std::to_string(options.seed);
+  const ExportOptions how{.style = delivery.style(), .provenance = made_by, .threads = {options.threads}};
+  delivery.add(output.file, [&] { return with_asset(write_glb(scene, how), write_asset(asset, made_by)); });
 }
 
 }  // namespace pomona

@@ -13,6 +13,8 @@
 #include "cli/find_template.h"
 #include "cli/outputs.h"
 #include "cli/program_folders.h"
+#include "cli/scene_page.h"
+#include "cli/version.h"
 #include "generator/scene/compose.h"
 #include "generator/scene/layout_file.h"
 #include "generator/scene/scene_file.h"
@@ -50,7 +52,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
   // Outputs that cannot be are refused before anything is composed.
   const std::vector<Output> outputs = parse_outputs(command.outputs,
                                                     {Format::ply, Format::glb, Format::usda, Format::obj, Format::stl,
-                                                     Format::pov, Format::png, Format::svg, Format::json},
+                                                     Format::pov, Format::png, Format::svg, Format::json, Format::html},
                                                     command.shared.format);
   check_exports(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
@@ -78,6 +80,10 @@ ExitStatus compose_scene(const SceneCommand& command) {
   for (const Output& output : outputs) {
     if (output.format == Format::json) {
       delivery.add(output.file, [&] { return write_layout(composition.scene); });
+    } else if (output.format == Format::html) {
+      const PageScene page = scene_for_page(description, composition.scene, command.shared, delivery);
+      const std::string made_by = std::string("pomona ") + version + ", seed " + std::to_string(description.seed);
+      delivery.add(output.file, [&] { return write_scene_page(page, {delivery.style(), {}, made_by}); });
     } else {
       delivery.add(output, composition.scene);
     }
@@ -94,8 +100,9 @@ DeclaredCommand scene_command(CLI::App& app) {
   command->add_option("SCENE", options->scene, "A name from `pomona list --scenes`, or a scene file (.toml)")
       ->required();
   command
-      ->add_option("-o,--output", options->outputs,
-                   "What to write: .glb, .usda, .pov, .png, .svg, .ply, .obj, .stl, or .json (the layout)")
+      ->add_option(
+          "-o,--output", options->outputs,
+          "What to write: .glb, .usda, .pov, .png, .svg, .ply, .obj, .stl, .html (a page), or .json (the layout)")
       ->type_name("FILE")
       ->required()
       ->expected(1)

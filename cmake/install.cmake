@@ -10,6 +10,11 @@ install(TARGETS pomona RUNTIME)
 install(DIRECTORY templates scenes styles DESTINATION ${data} PATTERN "*.py" EXCLUDE)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs
   FILES_MATCHING PATTERN "*.md" PATTERN "*.yaml" PATTERN pictures EXCLUDE PATTERN figures EXCLUDE)
+# What programs need that cut assets (docs/asset.md).
+set(asset_files read_asset.js look_up.js look.glsl engines/look.hlsl engines/look.wgsl engines/look.gdshaderinc
+  engines/three_cut.mjs engines/three.html)
+list(TRANSFORM asset_files PREPEND render/page/)
+install(FILES ${asset_files} DESTINATION ${data}/asset)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 

@@ -1,9 +1,9 @@
 // A picture of a page as a browser shows it: Chromium, without a display or a graphics card.
-//   node scripts/page_picture.mjs FILE.html PICTURE.png [WIDTHxHEIGHT]      needs `npm ci` and chromium
+//   node scripts/page_picture.mjs FILE.html PICTURE.png [WIDTHxHEIGHT [SCRIPT]]      needs `npm ci` and chromium; SCRIPT is run in the page before
 import { resolve } from 'node:path';
 import puppeteer from 'puppeteer-core';
 
-const [page, picture, size = '1200x800'] = process.argv.slice(2);
+const [page, picture, size = '1200x800', script = ''] = process.argv.slice(2);
 const [width, height] = size.split('x').map(Number);
 const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', headless: true, protocolTimeout: 600000,
   args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
@@ -14,6 +14,7 @@ try {
   await tab.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
   await tab.goto(`file://${resolve(page)}`);
   await tab.waitForFunction('window.pomona && pomona.loads.cut', { timeout: 300000 });
+  await tab.evaluate(`(async () => { ${script} })()`);
   await tab.evaluate('pomona.finish()');
   await tab.screenshot({ path: picture });
 } finally {

@@ -99,8 +99,8 @@ class Card {
     this.gl.uniform1i(uniform, unit);
   }
 
-  /** `data` in groups of floats per vertex, at locations 0, 1, ... */
-  vertices(data, groups) {
+  /** `data` in groups of floats per vertex, at locations 0, 1, ...; `index` of triangles' corners, or none. */
+  vertices(data, groups, index = null) {
     const {gl} = this, array = gl.createVertexArray(), stride = groups.reduce((a, b) => a + b, 0);
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
@@ -111,7 +111,16 @@ class Card {
       gl.vertexAttribPointer(location, size, gl.FLOAT, false, 4 * stride, 4 * at);
       at += size;
     });
+    if (index) {
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, index, gl.STATIC_DRAW);
+    }
     gl.bindVertexArray(null);
-    return {array, count: data.length / stride};
+    return {array, indexed: index !== null, count: index ? index.length : data.length / stride};
+  }
+  draw({array, indexed, count}) {
+    const {gl} = this;
+    gl.bindVertexArray(array);
+    if (indexed) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0); else gl.drawArrays(gl.TRIANGLES, 0, count);
   }
 }

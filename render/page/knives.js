@@ -14,6 +14,8 @@ class Knife {
     return new Knife(fruit, turn, tilt, offset - V.dot(n, fruit.middle));
   }
   copy() { return Object.assign(new Knife(this.fruit), this); }
+  /** The same knife in another fruit. */
+  within(fruit) { return Object.assign(this.copy(), {fruit, shift: this.shift * fruit.size / this.fruit.size}); }
 
   /** Where it lies: a place on the plane, its directions, and half its side. */
   get frame() {

@@ -14,6 +14,7 @@ const V = {
   },
 };
 const M = {
+  identity: () => new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]),
   product(a, b) {
     const out = new Float32Array(16);
     for (let c = 0; c < 4; ++c) for (let r = 0; r < 4; ++r) for (let k = 0; k < 4; ++k) out[4 * c + r] += a[4 * k + r] * b[4 * c + k];
@@ -38,11 +39,8 @@ const M = {
     const moved = V.add(V.sub(at, V.turned(at, axis, angle)), move);
     return new Float32Array([...x, 0, ...y, 0, ...z, 0, ...moved, 1]);
   },
+  scaled(scale, move) { return new Float32Array([scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0, ...move, 1]); },
+  /** Of a matrix that turns, moves and scales alike along all axes. */
+  scaleOf: (m) => Math.hypot(m[0], m[1], m[2]),
   point(m, p) { return [0, 1, 2].map((r) => m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r]); },
-  /** Back through a rigid motion. */
-  pointBack(m, p) {
-    const q = V.sub(p, [m[12], m[13], m[14]]);
-    return [0, 1, 2].map((c) => m[4 * c] * q[0] + m[4 * c + 1] * q[1] + m[4 * c + 2] * q[2]);
-  },
-  directionBack(m, d) { return [0, 1, 2].map((c) => m[4 * c] * d[0] + m[4 * c + 1] * d[1] + m[4 * c + 2] * d[2]); },
 };

@@ -1,153 +1,35 @@
 #include "render/page/page.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <string_view>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "generator/base/error.h"
-#include "generator/base/xml_text.h"
-#include "render/gl/embedded_shaders.h"
 #include "render/page/asset_file.h"
-#include "render/page/page_files.h"
+#include "render/page/page_text.h"
 
 namespace pomona {
 
-namespace {
-
-using nlohmann::ordered_json;
-
-std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view name) {
-  for (const EmbeddedFile& file : files) {
-    if (file.name == name) return file.text;
-  }
-  throw Error(ExitStatus::bug, "a page has no file " + std::string(name));
-}
-
-/// Without the lines that only comment: they are for those who read the sources.
-std::string code_of(std::string_view text) {
-  std::string code;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end);
-    const std::size_t first = line.find_first_not_of(" \n");
-    if (first == std::string_view::npos || line.substr(first, 2) == "//" || line.substr(first, 3) == "/**" ||
-        line[first] == '*')
-      continue;
-    code += line.substr(first);
-  }
-  return code;
-}
-
-std::string joined(std::initializer_list<std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text += code_of(text_of(page_files(), name));
-  return text;
-}
-
-/// Nothing in it ends a script element or begins a comment.
-std::string safe_in_script(const std::string& json) {
-  std::string safe;
-  for (const char c : json) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return safe;
-}
-
-/// What shaders include by name: the page's own, and those of pictures, so that noise, detail and light are the same.
-ordered_json shaders() {
-  ordered_json all;
-  for (const char* name : {"color.glsl", "noise.glsl", "detail.glsl", "material.glsl", "lit.glsl"})
-    all[name] = code_of(text_of(embedded_shaders(), name));
-  for (const char* name : {"look.glsl", "section.glsl", "skin.glsl", "ground.glsl"})
-    all[name] = code_of(text_of(page_files(), name));
-  return all;
-}
-
-ordered_json style_of(const Style& style) {
-  return {{"noise", style.noise},
-          {"lines", style.ink},
-          {"ink", style.ink_color ? ordered_json(to_hex(*style.ink_color)) : ordered_json(nullptr)},
-          {"outline", style.outline_width},
-          {"inner", style.inner_width},
-          {"inner_opacity", style.inner_opacity},
-          {"paper", to_hex(style.paper)},
-          {"grain", style.grain},
-          {"saturation", style.saturation},
-          {"lightness", style.lightness},
-          {"gloss", style.gloss},
-          {"light",
-           {{"azimuth", style.light.azimuth},
-            {"elevation", style.light.elevation},
-            {"strength", style.light.strength},
-            {"ambient", style.light.ambient},
-            {"occlusion", style.light.occlusion}}},
-          {"shadow", {{"color", to_hex(style.shadow.color)}, {"strength", style.shadow.strength}}}};
-}
-
-ordered_json options_of(const PageOptions& options) {
-  ordered_json cuts = ordered_json::array();
-  for (const CuttingPlane& plane : options.cuts)
-    cuts.push_back({{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}}, {"offset", plane.offset}});
-  return {{"style", style_of(options.style)}, {"cuts", cuts}, {"shaders", shaders()}};
-}
-
-/// Bytes as text, five characters for four bytes, the highest digit first; what is missing of the last four is 0.
-/// Digits are the 85 characters from ( to ~ that mean nothing to HTML and to strings: without < and the backslash. A
-/// sixteenth shorter than base 64.
-std::string base85(std::string_view bytes) {
-  std::string text;
-  text.reserve(bytes.size() / 4 * 5 + 5);
-  for (std::size_t i = 0; i < bytes.size(); i += 4) {
-    std::uint32_t four = 0;
-    for (std::size_t k = i; k < i + 4; ++k)
-      four = four << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
-    char five[5];
-    for (int k = 4; k >= 0; --k, four /= 85) {
-      const int digit = 40 + static_cast<int>(four % 85);
-      five[k] = static_cast<char>(digit + (digit >= 60 ? 1 : 0) + (digit >= 91 ? 1 : 0));
-    }
-    text.append(five, 5);
-  }
-  return text;
-}
-
-/// `page` with each mark, "@NAME@", replaced; what replaces one is not looked through for others.
-std::string filled(std::string_view page, const std::vector<std::pair<std::string_view, std::string>>& marks) {
-  std::string text;
-  while (!page.empty()) {
-    std::size_t at = page.size();
-    const std::pair<std::string_view, std::string>* next = nullptr;
-    for (const auto& mark : marks) {
-      if (const std::size_t found = page.find(mark.first); found < at) {
-        at = found;
-        next = &mark;
-      }
-    }
-    text += page.substr(0, at);
-    if (next == nullptr) break;
-    text += next->second;
-    page.remove_prefix(at + next->first.size());
-  }
-  return text;
-}
-
-}  // namespace
-
 std::string write_page(const Asset& asset, const PageOptions& options) {
-  const std::string bytes = write_asset(asset, options.made_by);
-  return filled(text_of(page_files(), "page.html"),
-                {{"@TITLE@", xml_escaped(asset.title)},
-                 {"@LATIN@", xml_escaped(asset.latin)},
-                 {"@MADE_BY@", xml_escaped(options.made_by)},
-                 {"@STYLE@", std::string(text_of(page_files(), "page.css"))},
-                 {"@OPTIONS@", safe_in_script(options_of(options).dump())},
-                 {"@ASSET@", base85(bytes)},
-                 {"@LENGTH@", std::to_string(bytes.size())},
-                 {"@WORKER@", joined({"read_asset.js", "look_up.js", "skin.js", "worker.js"})},
-                 {"@SCRIPT@", joined({"linear.js", "card.js", "knives.js", "pieces.js", "camera.js", "picture.js",
-                                      "controls.js"})}});
+  return write_page(std::span(&asset, 1), options);
+}
+
+std::string write_page(std::span<const Asset> family, const PageOptions& options) {
+  if (family.empty() || family.size() > most_page_family) {
+    throw Error(ExitStatus::usage, "a page shows up to " + std::to_string(most_page_family) + " fruits side by side",
+                "take fewer");
+  }
+  const Asset& first = family.front();
+  PageText page{.title = first.title, .latin = first.latin};
+  const std::string what = first.title + ", " + first.latin;
+  page.about = family.size() == 1
+                   ? what + ", to be turned and cut."
+                   : std::to_string(family.size()) + " fruits side by side, each of another seed: " + what +
+                         ", to be turned, and cut all at once.";
+  for (const Asset& asset : family) {
+    page.packed.push_back({.kind = "asset",
+                           .id = "asset-" + std::to_string(page.packed.size()),
+                           .bytes = write_asset(asset, options.made_by)});
+  }
+  return page_text(page, options);
 }
 
 }  // namespace pomona

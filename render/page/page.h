@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace pomona {
 /// Cuts that a page makes at a time.
 constexpr std::size_t most_page_cuts = 4;
 
+/// Fruits that a page shows side by side.
+constexpr std::size_t most_page_family = 8;
+
 struct PageOptions {
   Style style;
   std::vector<CuttingPlane> cuts;  ///< it opens with these; at most most_page_cuts
@@ -22,5 +26,9 @@ struct PageOptions {
 
 /// Needs nothing besides itself, but a browser with WebGL 2. The same asset gives the same bytes.
 std::string write_page(const Asset& asset, const PageOptions& options);
+
+/// Several side by side, cut by the same knives: seeds of one template. The page is called by the first.
+/// \throws Error (usage) for none, or more than most_page_family.
+std::string write_page(std::span<const Asset> family, const PageOptions& options);
 
 }  // namespace pomona

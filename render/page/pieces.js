@@ -2,8 +2,8 @@
 'use strict';
 
 /** Points of the fruit that stand for all of it: some of its skin, some of its nodes inside. */
-function samplesOf(header, skin, winding) {
-  const points = [], corners = skin.length / 10, every = Math.max(1, Math.floor(corners / 2500));
+function samplesOf(header, skin, winding, most = 2500) {
+  const points = [], corners = skin.length / 10, every = Math.max(1, Math.floor(corners / most));
   for (let i = 0; i < corners; i += every) points.push([skin[10 * i], skin[10 * i + 1], skin[10 * i + 2]]);
   if (winding) {
     const [nx, ny, nz] = header.count, step = Math.max(2, Math.round(Math.cbrt(nx * ny * nz / 8000)));

@@ -2,13 +2,16 @@
 // script, for pages that are opened from disk; Node requires it.
 'use strict';
 const Asset = (() => {
-  const magic = [0x70, 0x6f, 0x6d, 0x6f, 0x6e, 0x61, 0, 1];
+  const magic = [0x70, 0x6f, 0x6d, 0x6f, 0x6e, 0x61, 0];
   const depthSteps = 32;
 
-  /** The bytes after the magic number, through the platform's own unpacker; `onChunk(bytes, length)` may look early. */
-  async function unpacked(packed, onChunk) {
-    if (magic.some((byte, i) => packed[i] !== byte)) throw new Error('this is no asset of Pomona\'s');
-    const stream = new Blob([packed.subarray(magic.length)]).stream().pipeThrough(new DecompressionStream('deflate'));
+  /**
+   * The bytes after the magic number and the kind of file, 1 for an asset, through the platform's own unpacker;
+   * `onChunk(bytes, length)` may look early.
+   */
+  async function unpacked(packed, onChunk, kind = 1) {
+    if ([...magic, kind].some((byte, i) => packed[i] !== byte)) throw new Error('this is no asset of Pomona\'s');
+    const stream = new Blob([packed.subarray(magic.length + 1)]).stream().pipeThrough(new DecompressionStream('deflate'));
     const reader = stream.getReader();
     let bytes = new Uint8Array(1 << 22), length = 0;
     for (;;) {
@@ -214,6 +217,6 @@ const Asset = (() => {
     return fruit;
   }
 
-  return {unpacked, header, surfacesEnd, surfaces, addWindings, addNodes, addLook, decoded, depthSteps};
+  return {unpacked, header, surfacesEnd, surfaces, addWindings, addNodes, addLook, decoded, Reader, depthSteps};
 })();
 if (typeof module !== 'undefined') module.exports = Asset;

@@ -1,4 +1,5 @@
-// Cut faces. LOOK: their bare colours, into a texture that a knife's face is parametrised by; TONE, DETAIL and INK: noise,
+// Cut faces. LOOK: their bare colours, into a texture that a knife's face is parametrised by; WITHIN: what lies outside a
+// piece is taken from it; TONE, DETAIL and INK: noise,
 // details one by one, and lines on them; SHOW: the face as it stands in the picture, lit; DEPTH and PICK: what shadows and the pointer ask.
 #ifdef VERTEX
 // A strip across the face: flat knives have one column, others many.
@@ -10,7 +11,7 @@ uniform highp sampler2D profiles;
 out vec2 place;
 centroid out vec3 in_fruit;
 void main() {
-#if defined(LOOK) || defined(TONE) || defined(DETAIL) || defined(INK)
+#if defined(LOOK) || defined(WITHIN) || defined(TONE) || defined(DETAIL) || defined(INK)
   vec2 st = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
   place = st;
   in_fruit = vec3(0.0);
@@ -55,6 +56,17 @@ void main() {
   bool inside = pomona_look(g, color, part);
   bare = vec4(color, inside ? 1.0 : 0.0);
   tag = vec4(inside ? float(part + 1) / 255.0 : 0.0, 0.0, 0.0, 1.0);
+}
+#endif
+
+#ifdef WITHIN
+uniform sampler2D crossed;  // by rays from here: how often out of the body and into it, of 255
+layout(location = 0) out vec4 bare;
+layout(location = 1) out vec4 tag;
+void main() {
+  vec4 ways = texelFetch(crossed, ivec2(gl_FragCoord.xy), 0);
+  if (ways.r > ways.g + 0.002) discard;
+  bare = tag = vec4(0.0);
 }
 #endif
 
@@ -165,11 +177,12 @@ void main() {
 #endif
 
 #ifdef PICK
+uniform vec2 body;  // its number's two bytes, of 255
 layout(location = 0) out vec4 picked;
 void main() {
   float tag = textureLod(tags, place * 0.5 + 0.5, 0.0).r;
   if (is_cut_away() || tag == 0.0) discard;
-  picked = vec4(tag, 1.0, 0.0, 1.0);
+  picked = vec4(tag, 1.0, body);
 }
 #endif
 

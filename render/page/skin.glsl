@@ -1,21 +1,28 @@
-// The skin and the walls of hollows. SHOW: lit; HULL: the outline, a shell drawn a little larger behind it; DEPTH and
-// PICK: what shadows and the pointer ask.
+// The skin and the walls of hollows, and the cut faces that a piece of a scene came with. SHOW: lit; HULL: the outline, a shell drawn a little larger behind it; DEPTH and
+// PICK: what shadows and the pointer ask;
+// CROSSED: where rays from a knife's face pass through it.
 #ifdef VERTEX
 layout(location = 0) in vec3 position;  // cells of the grid
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 color;
-layout(location = 3) in float part;
+layout(location = 3) in float part;  // 1000 more on cut faces
 uniform mat4 piece, camera;
+uniform vec3 face_origin, face_u, face_v, face_n;  // of CROSSED: cells; u and v as long as half the face
 uniform vec3 outline;  // half the picture's width and height, pixels; the line's width
 centroid out vec3 in_fruit;
 centroid out vec3 fruit_normal, bare;
-flat out float tag;
+flat out float tag, on_cut;
 void main() {
   in_fruit = position;
   fruit_normal = normal;
   bare = color;
-  tag = part;
+  on_cut = step(999.5, part);
+  tag = part - 1000.0 * on_cut;
   gl_Position = camera * piece * vec4(position, 1.0);
+#ifdef CROSSED
+  vec3 away = position - face_origin;
+  gl_Position = vec4(dot(away, face_u) / dot(face_u, face_u), dot(away, face_v) / dot(face_v, face_v), 0.0, 1.0);
+#endif
 #ifdef HULL
   vec2 way = (camera * vec4(mat3(piece) * normal, 0.0)).xy * outline.xy;
   gl_Position.xy += way / max(length(way), 1e-4) * outline.z / outline.xy * gl_Position.w;
@@ -27,7 +34,7 @@ void main() {
 #ifdef FRAGMENT
 centroid in vec3 in_fruit;
 centroid in vec3 fruit_normal, bare;
-flat in float tag;
+flat in float tag, on_cut;
 uniform vec4 knife_plane[4], knife_along[4];
 uniform vec4 keep;
 uniform highp sampler2D profiles;
@@ -57,10 +64,22 @@ void main() {
 #endif
 
 #ifdef PICK
+uniform vec2 body;  // its number's two bytes, of 255
 layout(location = 0) out vec4 picked;
 void main() {
   if (is_cut_away()) discard;
-  picked = vec4((tag + 1.0) / 255.0, 0.5, 0.0, 1.0);
+  picked = vec4((tag + 1.0) / 255.0, 0.5 + 0.5 * on_cut, body);
+}
+#endif
+
+#ifdef CROSSED
+uniform vec3 face_origin, face_u, face_n;
+uniform int knife_number;
+layout(location = 0) out vec4 ways;  // out of the body, into it
+void main() {
+  vec3 away = in_fruit - face_origin;
+  if (dot(away, face_n) < profile_at(knife_number, dot(away, face_u) / dot(face_u, face_u))) discard;
+  ways = gl_FrontFacing ? vec4(1.0 / 255.0, 0.0, 0.0, 0.0) : vec4(0.0, 1.0 / 255.0, 0.0, 0.0);
 }
 #endif
 
@@ -98,7 +117,7 @@ void main() {
   vec3 color = clamp(bare, 0.0, 1.0);
   if (painted_noise) color = modulated(color, position, footprint, 0);
   Seen seen = Seen(sky_seen(there, n), sun_seen(there, n), vec3(0.0), vec3(0.0));
-  color = fruit_color(color, n, to_eye, seen, false, material_at(tag), position, footprint);
+  color = fruit_color(color, n, to_eye, seen, on_cut > 0.5, material_at(tag), position, footprint);
   pixel = vec4(srgb_from_linear(painted(color, paint)), 1.0);
 }
 #endif

@@ -16,24 +16,34 @@ function bytesOf(text) {
   return bytes;
 }
 
-onmessage = async ({data: asset}) => {
+/** A fruit: its skin as soon as it is there, then what cut faces need. */
+async function unpackFruit(job, packed) {
+  let fruit = null;
+  const bytes = await Asset.unpacked(packed, (soFar, length) => {
+    const head = fruit ? null : Asset.header(soFar, length);
+    if (!head || length < Asset.surfacesEnd(head)) return;
+    fruit = Asset.surfaces(soFar, head);
+    const skin = Skin.built(fruit);
+    postMessage({job, header: head.fields, skin}, [skin.buffer]);
+  });
+  Asset.addWindings(fruit);
+  Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(Asset.header(bytes, bytes.length))));
+  const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
+  const {header, noise, details, materials, guide, share, winding} = fruit;
+  postMessage({job, header, grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding},
+    [grid.buffer, cell.buffer, list.buffer, triangle.buffer, winding.buffer]);
+}
+
+/** A scene: all of its pieces' meshes. */
+async function unpackScene(job, packed) {
+  const scene = ScenePieces.decoded(await Asset.unpacked(packed, null, 2));
+  postMessage({job, ...scene}, scene.solids.flatMap(({skin, index}) => [skin.buffer, index.buffer]));
+}
+
+onmessage = async ({data: {job, text, length, isScene}}) => {
   try {
-    const {text, length} = asset, packed = bytesOf(text).subarray(0, length);
-    let fruit = null;
-    const bytes = await Asset.unpacked(packed, (soFar, length) => {
-      const head = fruit ? null : Asset.header(soFar, length);
-      if (!head || length < Asset.surfacesEnd(head)) return;
-      fruit = Asset.surfaces(soFar, head);
-      const skin = Skin.built(fruit);
-      postMessage({header: head.fields, skin}, [skin.buffer]);
-    });
-    Asset.addWindings(fruit);
-    Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(Asset.header(bytes, bytes.length))));
-    const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
-    const {noise, details, materials, guide, share, winding} = fruit;
-    postMessage({grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding},
-      [grid.buffer, cell.buffer, list.buffer, triangle.buffer, winding.buffer]);
+    await (isScene ? unpackScene : unpackFruit)(job, bytesOf(text).subarray(0, length));
   } catch (error) {
-    postMessage({error: String(error && error.message || error)});
+    postMessage({job, error: String(error && error.message || error)});
   }
 };

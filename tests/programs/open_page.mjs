@@ -27,7 +27,7 @@ try {
   const square = readSections(folder, name)[0], { size, origin, u, v, n, reach } = square;
   const pixels = Buffer.from(await tab.evaluate((frame, side) => {
     let text = '';
-    for (const byte of pomona.picture.bare(frame, side)) text += String.fromCharCode(byte);
+    for (const byte of pomona.picture.bare(pomona.board.first.fruit, frame, side)) text += String.fromCharCode(byte);
     return btoa(text);
   }, { origin, u, v, n, reach }, size), 'base64');
   const errors = errorsOf(square, (i) => (pixels[4 * i + 3] === 0 ? null : [...pixels.subarray(4 * i, 4 * i + 3)]));

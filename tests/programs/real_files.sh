@@ -18,11 +18,12 @@ done
 "$program" grow apple --lod 2 --quiet -o apple-levels.glb
 "$program" cut kiwi --knife half --lod 3 --quiet -o kiwi-levels.glb
 "$program" cut tomato --knife across --texture 256 --lod 2 --quiet -o tomato-textured-levels.glb
+"$program" grow tomato --cuttable --quiet -o tomato-cuttable.glb
 "$program" scene "$repository/scenes/salad.toml" --quiet -o salad.glb -o salad.pov
 
 # One small scene for all who import: as it is, with instances, with levels, and for an engine.
 small() { "$program" scene "$repository/tests/programs/small_scene.toml" --detail 0.4 --quality draft --style plain --quiet "$@"; }
-small -o small.glb -o small.usda -o small.pov -o small.png
+small -o small.glb -o small.usda -o small.pov -o small.png -o small.html -o small.json
 small --instances --feature-ids -o small-instances.glb -o small-instances.usda
 small --lod 2 -o small-levels.glb -o small-levels.usda
 small --engine godot -o small-godot.glb

@@ -2,19 +2,25 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "generator/base/error.h"
 #include "generator/mesh/enclosures.h"
 #include "generator/piece/grow.h"
+#include "generator/piece/slice.h"
 #include "generator/surface/bodies.h"
 #include "generator/template/read/read_template.h"
+#include "render/export/gltf/write_glb.h"
 #include "render/page/asset_file.h"
 #include "render/page/byte_planes.h"
+#include "render/page/cuttable_glb.h"
 #include "render/page/deflate.h"
 #include "render/page/make_asset.h"
 #include "render/page/node_coding.h"
 #include "render/page/page.h"
+#include "render/page/page_scene.h"
 
 namespace pomona {
 namespace {
@@ -189,6 +195,64 @@ TEST(Page, NeedsNothingBesidesItself) {
   for (const char* mark : {"@TITLE@", "@ASSET@", "@SCRIPT@", "@OPTIONS@", "@WORKER@"})
     EXPECT_THAT(page, testing::Not(testing::HasSubstr(mark)));
   EXPECT_LT(page.size(), 650'000u);
+}
+
+TEST(Page, ShowsSeedsSideBySide) {
+  const std::vector<Asset> family(3, asset());
+  const std::string page = write_page(family, {.style = style_named("ink"), .cuts = {}, .made_by = "a test"});
+  for (const char* id : {"asset-0", "asset-1", "asset-2"}) EXPECT_THAT(page, testing::HasSubstr(id));
+  EXPECT_THROW(write_page(std::span<const Asset>(), {}), Error);
+  EXPECT_THROW(write_page(std::vector<Asset>(most_page_family + 1, asset()), {}), Error);
+}
+
+/// The cherry's whole solid, twice in a scene.
+PageScene two_cherries() {
+  const SliceTask task{
+      .grown = cherry().grown, .variant = cherry().fruit, .knives = {}, .name = "cherry", .choice = {}, .origin = {}};
+  PageScene page{.scene = gathered(slice(task, nullptr).pieces),
+                 .name = "two",
+                 .title = "Two <cherries>",
+                 .fruits = {asset()},
+                 .fruit_of = {},
+                 .command = {}};
+  page.fruit_of.assign(page.scene.solids.size(), 0);
+  page.command.assign(page.scene.solids.size(), "");
+  page.scene.instances.push_back(page.scene.instances.front());
+  page.scene.instances.back().name = "another";
+  return page;
+}
+
+TEST(ScenePage, HoldsEachFruitAndEachMeshOnce) {
+  const PageScene page = two_cherries();
+  const std::string text = write_scene_page(page, {.style = style_named("ink"), .cuts = {}, .made_by = "a test"});
+  EXPECT_THAT(text, testing::HasSubstr("Two &lt;cherries&gt;"));
+  EXPECT_THAT(text, testing::HasSubstr("id=\"asset-0\""));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("id=\"asset-1\"")));
+  PageScene more = two_cherries();
+  for (int copy = 0; copy < 50; ++copy) more.scene.instances.push_back({0, {}, "copy-" + std::to_string(copy)});
+  EXPECT_LT(packed_scene(more).size(), packed_scene(page).size() + 3000);
+}
+
+TEST(ScenePage, TellsWhatItDoesNotTake) {
+  PageScene page = two_cherries();
+  EXPECT_NO_THROW(check_fits_a_page(page.scene, 1));
+  EXPECT_THROW(check_fits_a_page(page.scene, most_page_fruits + 1), Error);
+  page.scene.instances.resize(most_page_instances + 1, page.scene.instances.front());
+  EXPECT_THROW(write_scene_page(page, {}), Error);
+}
+
+TEST(CuttableGlb, IsTheSameGlbWithTheAssetBehindIt) {
+  const std::string glb = write_glb(two_cherries().scene), bytes = write_asset(asset(), "a test");
+  const std::string cuttable = with_asset(glb, bytes);
+  EXPECT_THAT(cuttable, testing::HasSubstr("\"extensionsUsed\""));
+  EXPECT_THAT(cuttable, testing::HasSubstr("\"POMONA_cuttable\":{\"bufferView\":"));
+  EXPECT_THAT(cuttable, testing::Not(testing::HasSubstr("extensionsRequired")));
+  const std::size_t at = cuttable.find(bytes);
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(at % 4, 0u);
+  EXPECT_EQ(cuttable.size() % 4, 0u);
+  for (const std::string& none : {std::string(), glb.substr(0, 30), glb.substr(0, glb.size() - 40), "x" + glb})
+    EXPECT_THROW(with_asset(none, bytes), Error);
 }
 
 }  // namespace

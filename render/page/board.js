@@ -1,0 +1,174 @@
+// What lies before one: bodies in their setting, the knives in them, from where one looks; and when it is drawn again.
+'use strict';
+const mostKnives = 4;
+
+class Board {
+  /** `setting`: bodies, size of one, setKnives(), arrange(apart, open). */
+  constructor(canvas, picture) {
+    Object.assign(this, {canvas, picture, camera: new Camera(), setting: null, knives: [], apart: 0, open: 0, wantedApart: 0, wantedOpen: 0,
+      dark: false, draws: false, settled: false, failed: false, asked: false, stale: true, lastMoved: 0, bounds: null});
+    this.calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
+    /** Told when knives have changed, when a frame has been drawn. */
+    this.onKnives = this.onFrame = () => {};
+  }
+  get bodies() { return this.setting.bodies; }
+  get knife() { return this.knives[this.knives.length - 1]; }
+  /** The body whose knife has handles. */
+  get first() { return this.bodies[0]; }
+
+  // ---- Drawing, when something has changed. ----
+
+  ask() {
+    if (this.asked || this.failed) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      try { this.frame(); } catch (error) { this.failed = true; sorry(`The fruit cannot be drawn: ${error.message}`); throw error; }
+    });
+  }
+  moved() { this.lastMoved = performance.now(); this.stale = true; this.ask(); }
+  changed() { this.stale = true; this.ask(); }
+
+  fitCanvas() {
+    const {canvas} = this, scale = Math.min(2, window.devicePixelRatio || 1);
+    const width = Math.max(1, Math.round(canvas.clientWidth * scale)), height = Math.max(1, Math.round(canvas.clientHeight * scale));
+    if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
+    return width / height;
+  }
+  arrange() {
+    const {setting, camera} = this;
+    setting.arrange(this.apart, this.open);
+    const outline = this.bodies.flatMap((body) => body.outline), aspect = this.fitCanvas();
+    this.bounds = boxOf(outline.flat(), 3);
+    Object.assign(camera, camera.fit(outline, aspect));
+  }
+  get span() { return Math.max(...V.sub(this.bounds.high, this.bounds.low)); }
+  view() { return this.camera.view(this.canvas.width / this.canvas.height, 2 * Math.max(this.span, this.setting.size)); }
+  sceneNow() {
+    this.fitCanvas();
+    const {camera, bounds, dark, setting} = this;
+    return {bodies: this.bodies, bounds, dark, size: setting.size, camera: {view: this.view(), eye: camera.eye, yaw: camera.yaw}};
+  }
+
+  /** Moves on what moves by itself. */
+  moveOn() {
+    let moves = false;
+    for (const [now, wanted] of [['apart', 'wantedApart'], ['open', 'wantedOpen']]) {
+      const way = this[wanted] - this[now];
+      if (way === 0) continue;
+      this[now] = this.calm || Math.abs(way) < 0.004 ? this[wanted] : this[now] + 0.16 * way;
+      moves = true;
+    }
+    if (moves) { this.arrange(); this.lastMoved = performance.now(); }
+    return moves;
+  }
+  frame() {
+    if (!this.setting) return;
+    const {picture, camera, canvas} = this, moves = this.moveOn();
+    const scale = canvas.height / (2 * Math.tan(camera.field / 2) * camera.far / camera.zoom);
+    let more = false, changed = false, waited = performance.now() - this.lastMoved > 150;
+    for (const body of this.bodies) {
+      const wanted = Math.max(512, Math.min(2048, Math.ceil(2.1 * body.frame.reach * M.scaleOf(body.place) * scale / 128) * 128));
+      const done = body.faces.update(wanted, waited);
+      // One body at a time grows finer.
+      if (done.more) waited = false;
+      more = more || done.more;
+      changed = changed || done.changed;
+    }
+    if (this.stale || changed || moves) picture.draw(this.sceneNow());
+    this.stale = false;
+    this.onFrame();
+    this.settled = this.bodies.every((body) => body.fruit.ready || body.knives.length === 0) && !moves && !more;
+    if (moves || more) this.ask();
+  }
+  /** At once, all of it, as fine as it gets. */
+  finish() {
+    this.stale = true;
+    do { this.lastMoved = -1e9; this.frame(); } while (!this.settled);
+  }
+
+  // ---- Knives. ----
+
+  takeKnives(knives, keepView = false) {
+    const {camera} = this, before = {target: camera.target, far: camera.far};
+    this.knives = knives;
+    this.setting.setKnives(knives);
+    this.arrange();
+    if (keepView) Object.assign(camera, before);
+    this.onKnives();
+    this.moved();
+  }
+  /** Opens what was whole; takes one knife where there is none. */
+  setKnives(knives, {open = this.wantedOpen} = {}) {
+    const first = this.knives.length === 0;
+    this.wantedOpen = knives.length === 1 ? open : 0;
+    this.wantedApart = knives.length === 0 ? 0 : first || this.wantedApart < 0.05 ? 0.36 : this.wantedApart;
+    this.takeKnives(knives);
+    this.sayPieces();
+  }
+  sayPieces() {
+    const names = ['whole', 'one cut', 'two cuts', 'three cuts', 'four cuts'], pieces = this.first.pieces.length, each = this.bodies.length > 1 ? ' each' : '';
+    say(this.knives.length === 0 ? 'whole' : `${names[this.knives.length]}, ${pieces} piece${pieces === 1 ? '' : 's'}${each}`);
+  }
+  /** One flat cut, laid open. */
+  cutOnce(turn, tilt) {
+    this.setKnives([new Knife(this.first.frame, turn, tilt, 0)], {open: 1});
+    this.lookAtFace();
+  }
+  cutAgain() {
+    const {knife} = this, {frame} = this.first;
+    if (!knife || this.knives.length >= mostKnives) return;
+    const steep = Math.abs(knife.tilt) > 0.8;
+    const next = knife.drawn ? new Knife(frame, 0, 0, 0) : new Knife(frame, knife.turn + (steep ? 0 : Math.PI / 2), steep ? 0 : knife.tilt, 0);
+    this.setKnives([...this.knives, next]);
+  }
+  undo() { if (this.knives.length > 0) this.setKnives(this.knives.slice(0, -1)); }
+  changeKnife(change) {
+    const {knife} = this, {size} = this.first.frame;
+    if (!knife || knife.drawn) return;
+    const changed = knife.copy();
+    change(changed);
+    changed.shift = Math.max(-0.5, Math.min(0.5, changed.shift / size)) * size;
+    changed.tilt = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, changed.tilt));
+    changed.turn = Math.atan2(Math.sin(changed.turn), Math.cos(changed.turn));
+    this.takeKnives([...this.knives.slice(0, -1), changed], true);
+    this.sayPieces();
+  }
+  pullApart(value) {
+    this.apart = this.wantedApart = value;
+    if (value > 0) this.wantedOpen = 0;
+    this.arrange();
+    this.onKnives();
+    this.moved();
+  }
+  layOpen(open = this.wantedOpen < 0.5 ? 1 : 0) {
+    if (this.knives.length !== 1) return;
+    this.wantedOpen = open;
+    if (open) this.lookAtFace();
+    this.onKnives();
+    this.moved();
+  }
+
+  // ---- From where one looks. ----
+
+  /** From before the last knife, somewhat from above and from the side. */
+  lookAtFace() {
+    const {knife, camera} = this;
+    if (!knife) return;
+    const {n} = knife.frame, level = Math.hypot(n[0], n[2]);
+    camera.yaw = level > 0.3 && this.bodies.length === 1 ? Math.atan2(n[0], n[2]) + 0.1 : 0.1;
+    camera.pitch = Math.max(0.26, Math.min(0.95, Math.asin(Math.abs(n[1])) * 0.62 + 0.22));
+    this.arrange();
+    this.moved();
+  }
+  orbit(yaw, pitch) {
+    const {camera} = this;
+    camera.yaw += yaw;
+    camera.pitch = Math.max(-0.25, Math.min(1.5, camera.pitch + pitch));
+    this.moved();
+  }
+  zoom(by) { this.camera.zoom = Math.max(0.5, Math.min(6, this.camera.zoom * by)); this.moved(); }
+
+  /** What lies at a place of the canvas, in its pixels: {body, part, cut}, or null. */
+  at(x, y) { return this.picture.pick(this.sceneNow(), x / this.canvas.clientWidth, y / this.canvas.clientHeight); }
+}

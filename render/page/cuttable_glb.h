@@ -1,0 +1,14 @@
+// A .glb that every viewer shows, and that carries its fruit to be cut (docs/asset.md, "In glTF").
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace pomona {
+
+/// `glb` with `asset`, the bytes of a .pomona, in a further view of its buffer, which the file's extension
+/// POMONA_cuttable names; not required. Places in the asset are those of the glTF's scene.
+/// \throws Error (bad_data) for what is no .glb, or beyond the 4 GB that the format can tell.
+std::string with_asset(std::string_view glb, std::string_view asset);
+
+}  // namespace pomona

@@ -1,0 +1,37 @@
+// What the graphics card holds of one fruit: grid, cells, triangles, guides, and how it is painted.
+'use strict';
+class FruitTextures {
+  /** `header`: an asset's, or what stands for it until one is there. */
+  constructor(card, header) {
+    const {spacing, origin} = header;
+    Object.assign(this, {card, header, lattice: [...origin, spacing], ready: false, hasNoise: false, details: []});
+    // Until the rest is there, nothing is known of noise and materials.
+    const plain = [1, 0.3, 1, 0, 1, 1, 1, 0, 0.7, 0.8, 0.8, 100, 0, 0, 0, 0, 0.4, 0, 0, 0];
+    this.takeLook({noise: new Float32Array(0), details: new Float32Array(0), materials: Float32Array.from(header.parts.flatMap(() => plain))});
+  }
+
+  takeLook({noise, details, materials}) {
+    const {card} = this, {gl} = card;
+    this.look = {noise_styles: card.floats(noise, gl.NEAREST), detail_styles: card.floats(details, gl.NEAREST), materials: card.floats(materials, gl.NEAREST)};
+    this.hasNoise = noise.length > 0;
+  }
+
+  /** What the worker has made of the whole asset: from now on it can be cut. `makeDetail(kind)`: a program, where details are wanted. */
+  takeRest(rest, makeDetail = null) {
+    const {card} = this, {gl} = card, {count, guide} = this.header;
+    this.grid = card.volume(count, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, rest.grid, gl.LINEAR);
+    this.cell = card.volume(count, gl.RG32UI, gl.RG_INTEGER, gl.UNSIGNED_INT, rest.cell, gl.NEAREST);
+    this.list = card.table(2048, gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT, rest.list, 1);
+    this.triangle = card.table(4096, gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT, rest.triangle, 4);
+    this.range = [rest.low, rest.high];
+    this.takeLook(rest);
+    this.guide = card.volume(guide ? guide.count : [1, 1, 1], gl.RGBA16F, gl.RGBA, gl.FLOAT, guide ? rest.guide : new Float32Array(4), gl.LINEAR);
+    this.shares = card.table(32, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, guide ? rest.share : new Uint8Array(128), 4, gl.LINEAR);
+    // A program for each kind of detail that cut faces have: their texels begin with the kind, -1 for none.
+    for (let i = 0; guide && makeDetail && i < 4 && 28 * i < rest.details.length; ++i) {
+      const kind = rest.details[28 * i];
+      if (kind >= 0) this.details.push({number: i, program: makeDetail(kind)});
+    }
+    this.ready = true;
+  }
+}

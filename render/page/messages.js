@@ -1,0 +1,15 @@
+// What the page says in words.
+'use strict';
+const $ = (id) => document.getElementById(id);
+
+/** Beside the picture, and to screen readers. */
+function say(text) { if ($('state').textContent !== text) $('state').textContent = text; }
+
+/** Instead of the picture, which cannot be. */
+function sorry(text) {
+  const p = document.createElement('p');
+  p.className = 'sorry';
+  p.setAttribute('role', 'alert');
+  p.textContent = text;
+  document.body.append(p);
+}

@@ -1,0 +1,50 @@
+// The page of a fruit, or of several of one family: from their assets to what lies on the board.
+'use strict';
+(() => {
+  const canvas = $('view'), options = JSON.parse($('options').textContent), picture = new Picture(canvas, options);
+  const started = performance.now(), loads = {};
+  if (!picture.gl) return sorry('This page draws the fruit with WebGL 2, which this browser does not have or has switched off.');
+  canvas.addEventListener('webglcontextlost', () => sorry('The graphics card has dropped this page. Load it again.'));
+
+  const board = new Board(canvas, picture), blade = new Blade(board), stroke = new Stroke(board), paper = new Paper(board, options.style), unpacking = new Unpacking();
+  const assets = [...document.querySelectorAll('script.asset')], bodies = [];
+  const nameOf = ({body, part}) => part.replaceAll('_', ' ') + (assets.length > 1 ? `, seed ${body.fruit.header.seed}` : '');
+  new Hands(board, blade, stroke, {nameOf});
+  new Tools(board, blade, stroke, paper);
+  const drawNow = () => { board.frame(); picture.gl.finish(); };
+
+  function takeSkin({header, skin}) {
+    bodies.push(new Body(picture, new FruitTextures(picture.card, header), new Shape(picture.card, skin)));
+    board.setting = new Row(bodies);
+    if (bodies.length === 1) Object.assign(board.camera, {yaw: assets.length > 1 ? 0.1 : 0.35, pitch: 0.3});
+    $('tools').hidden = false;
+    board.takeKnives([]);
+    if (bodies.length > 1) return;
+    drawNow();
+    loads.skin = performance.now() - started;
+  }
+  function takeRest(body, rest) {
+    body.fruit.takeRest(rest, picture.passes.makeDetail);
+    body.takeSamples(rest.winding);
+  }
+  function open() {
+    const {fruit, frame} = bodies[0], {origin, spacing} = fruit.header;
+    const knives = options.cuts.map(({normal, offset}) => Knife.ofPlane(frame, normal, (offset - V.dot(normal, origin)) / spacing));
+    board.setKnives(knives, {open: knives.length === 1 && bodies.length === 1 ? 1 : 0});
+    if (board.calm) { board.apart = board.wantedApart; board.open = board.wantedOpen; }
+    board.lookAtFace();
+    drawNow();
+    loads.cut = performance.now() - started;
+  }
+  // One after the other: the first is seen while the next are unpacked.
+  (async () => {
+    for (const asset of assets) {
+      const rest = await unpacking.asset(asset, takeSkin);
+      takeRest(bodies[bodies.length - 1], rest);
+    }
+    open();
+  })();
+
+  // For tests and for the curious.
+  window.pomona = {board, picture, loads, finish: () => board.finish(), nameAt: (x, y) => board.at(x, y), pieces: () => board.first.pieces};
+})();

@@ -1,0 +1,159 @@
+#include "render/page/page_text.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "generator/base/error.h"
+#include "generator/base/xml_text.h"
+#include "render/gl/embedded_shaders.h"
+#include "render/page/page_files.h"
+
+namespace pomona {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view name) {
+  for (const EmbeddedFile& file : files) {
+    if (file.name == name) return file.text;
+  }
+  throw Error(ExitStatus::bug, "a page has no file " + std::string(name));
+}
+
+/// Without the lines that only comment: they are for those who read the sources.
+std::string code_of(std::string_view text) {
+  std::string code;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end);
+    const std::size_t first = line.find_first_not_of(" \n");
+    if (first == std::string_view::npos || line.substr(first, 2) == "//" || line.substr(first, 3) == "/**" ||
+        line[first] == '*')
+      continue;
+    code += line.substr(first);
+  }
+  return code;
+}
+
+std::string joined(std::initializer_list<std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += code_of(text_of(page_files(), name));
+  return text;
+}
+
+/// Nothing in it ends a script element or begins a comment.
+std::string safe_in_script(const std::string& json) {
+  std::string safe;
+  for (const char c : json) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return safe;
+}
+
+/// What shaders include by name: the page's own, and those of pictures, so that noise, detail and light are the same.
+ordered_json shaders() {
+  ordered_json all;
+  for (const char* name : {"color.glsl", "noise.glsl", "detail.glsl", "material.glsl", "lit.glsl"})
+    all[name] = code_of(text_of(embedded_shaders(), name));
+  for (const char* name : {"look.glsl", "section.glsl", "skin.glsl", "ground.glsl"})
+    all[name] = code_of(text_of(page_files(), name));
+  return all;
+}
+
+ordered_json style_of(const Style& style) {
+  return {{"noise", style.noise},
+          {"lines", style.ink},
+          {"ink", style.ink_color ? ordered_json(to_hex(*style.ink_color)) : ordered_json(nullptr)},
+          {"outline", style.outline_width},
+          {"inner", style.inner_width},
+          {"inner_opacity", style.inner_opacity},
+          {"paper", to_hex(style.paper)},
+          {"grain", style.grain},
+          {"saturation", style.saturation},
+          {"lightness", style.lightness},
+          {"gloss", style.gloss},
+          {"light",
+           {{"azimuth", style.light.azimuth},
+            {"elevation", style.light.elevation},
+            {"strength", style.light.strength},
+            {"ambient", style.light.ambient},
+            {"occlusion", style.light.occlusion}}},
+          {"shadow", {{"color", to_hex(style.shadow.color)}, {"strength", style.shadow.strength}}}};
+}
+
+ordered_json options_of(const PageOptions& options) {
+  ordered_json cuts = ordered_json::array();
+  for (const CuttingPlane& plane : options.cuts)
+    cuts.push_back({{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}}, {"offset", plane.offset}});
+  return {{"style", style_of(options.style)}, {"cuts", cuts}, {"shaders", shaders()}};
+}
+
+/// Bytes as text, five characters for four bytes, the highest digit first; what is missing of the last four is 0.
+/// Digits are the 85 characters from ( to ~ that mean nothing to HTML and to strings: without < and the backslash. A
+/// sixteenth shorter than base 64.
+std::string base85(std::string_view bytes) {
+  std::string text;
+  text.reserve(bytes.size() / 4 * 5 + 5);
+  for (std::size_t i = 0; i < bytes.size(); i += 4) {
+    std::uint32_t four = 0;
+    for (std::size_t k = i; k < i + 4; ++k)
+      four = four << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
+    char five[5];
+    for (int k = 4; k >= 0; --k, four /= 85) {
+      const int digit = 40 + static_cast<int>(four % 85);
+      five[k] = static_cast<char>(digit + (digit >= 60 ? 1 : 0) + (digit >= 91 ? 1 : 0));
+    }
+    text.append(five, 5);
+  }
+  return text;
+}
+
+/// `page` with each mark, "@NAME@", replaced; what replaces one is not looked through for others.
+std::string filled(std::string_view page, const std::vector<std::pair<std::string_view, std::string>>& marks) {
+  std::string text;
+  while (!page.empty()) {
+    std::size_t at = page.size();
+    const std::pair<std::string_view, std::string>* next = nullptr;
+    for (const auto& mark : marks) {
+      if (const std::size_t found = page.find(mark.first); found < at) {
+        at = found;
+        next = &mark;
+      }
+    }
+    text += page.substr(0, at);
+    if (next == nullptr) break;
+    text += next->second;
+    page.remove_prefix(at + next->first.size());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string page_text(const PageText& page, const PageOptions& options) {
+  std::string packed;
+  for (const PageText::Packed& one : page.packed) {
+    packed += "<script type=\"text/plain\" class=\"" + one.kind + "\" id=\"" + one.id + "\" data-length=\"" +
+              std::to_string(one.bytes.size()) + "\">" + base85(one.bytes) + "</script>\n";
+  }
+  return filled(text_of(page_files(), "page.html"),
+                {{"@TITLE@", xml_escaped(page.title)},
+                 {"@LATIN@", xml_escaped(page.latin)},
+                 {"@ABOUT@", xml_escaped(page.about)},
+                 {"@MADE_BY@", xml_escaped(options.made_by)},
+                 {"@STYLE@", std::string(text_of(page_files(), "page.css"))},
+                 {"@OPTIONS@", safe_in_script(options_of(options).dump())},
+                 {"@PACKED@", packed},
+                 {"@WORKER@", joined({"read_asset.js", "read_scene.js", "look_up.js", "skin.js", "worker.js"})},
+                 {"@SCRIPT@", joined({"linear.js",         "card.js",        "camera.js", "knives.js", "pieces.js",
+                                      "fruit_textures.js", "face_passes.js", "faces.js",  "body.js",   "picture.js",
+                                      "messages.js",       "row.js",         "pile.js",   "board.js",  "blade.js",
+                                      "stroke.js",         "hands.js",       "paper.js",  "tools.js",  "unpacking.js",
+                                      page.beginning})}});
+}
+
+}  // namespace pomona

@@ -1,0 +1,43 @@
+// A cut that is drawn over the fruit.
+'use strict';
+class Stroke {
+  constructor(board) { Object.assign(this, {board, points: null}); }
+  /** While hands draw: it has points. */
+  get isDrawn() { return this.points !== null; }
+
+  stop() {
+    this.board.draws = false;
+    this.points = null;
+    $('draw').setAttribute('aria-pressed', 'false');
+    this.board.canvas.classList.remove('draws');
+    $('stroke').setAttribute('d', '');
+  }
+  toggle() {
+    const {board} = this;
+    if (board.draws) { this.stop(); board.sayPieces(); return board.ask(); }
+    board.draws = true;
+    board.wantedApart = board.wantedOpen = 0;
+    $('draw').setAttribute('aria-pressed', 'true');
+    board.canvas.classList.add('draws');
+    say('Draw a line over the fruit, right across it.');
+    board.moved();
+  }
+  begin(x, y) { this.points = [[x, y]]; }
+  add(x, y) {
+    this.points.push([x, y]);
+    $('stroke').setAttribute('d', `M${this.points.map((p) => p.join(' ')).join('L')}`);
+  }
+  /** Cuts along it, straight away from who looks. */
+  cut() {
+    const {board} = this, {canvas, camera} = board, {frame, place} = board.first, aspect = canvas.width / canvas.height, {back} = camera.directions, {eye} = camera;
+    const middle = M.point(place, frame.middle);
+    const points = this.points.map(([x, y]) => {
+      const ray = camera.ray(2 * x / canvas.clientWidth - 1, 1 - 2 * y / canvas.clientHeight, aspect);
+      return V.add(eye, V.mul(ray, V.dot(V.sub(middle, eye), back) / V.dot(ray, back)));
+    });
+    const knife = points.length > 2 ? Knife.drawnAlong(frame, points, back) : null;
+    this.stop();
+    if (!knife) { say('That stroke was too short to cut.'); return board.ask(); }
+    board.setKnives([...board.knives.slice(0, mostKnives - 1), knife], {open: 0});
+  }
+}
