@@ -31,10 +31,15 @@ bool is_hash(std::string_view word) {
   return word.size() == hash_digits && word.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-/// A seed of the table has one digit or two.
+/// One of the seeds that are compared; each has one digit.
 std::optional<std::uint64_t> seed_in(std::string_view word) {
-  if (word.empty() || word.size() > 2 || word.find_first_not_of("0123456789") != std::string_view::npos) return {};
-  return std::stoull(std::string(word));
+  static_assert(verified_seeds == 10);
+  if (word.size() != 1 || word[0] < '0' || word[0] > '9') return {};
+  return static_cast<std::uint64_t>(word[0] - '0');
+}
+
+bool is_verified_knife(std::string_view word) {
+  return std::find(verified_knives.begin(), verified_knives.end(), word) != verified_knives.end();
 }
 
 /// Nothing where the line is none of such a table.
@@ -42,7 +47,7 @@ std::optional<std::pair<VerifiedCut, StageHashes>> hash_line(std::string_view li
   const std::vector<std::string_view> words = words_in(line);
   if (words.size() != 3 + verified_stages.size()) return {};
   const std::optional<std::uint64_t> seed = seed_in(words[1]);
-  if (!seed || !std::all_of(words.begin() + 3, words.end(), is_hash)) return {};
+  if (!seed || !is_verified_knife(words[2]) || !std::all_of(words.begin() + 3, words.end(), is_hash)) return {};
   StageHashes hashes;
   std::copy(words.begin() + 3, words.end(), hashes.begin());
   return std::pair{VerifiedCut{std::string(words[0]), *seed, std::string(words[2])}, hashes};
@@ -73,7 +78,7 @@ HashTable parse_hash_table(std::string_view text, const std::string& file) {
     if (!read)
       throw Error(ExitStatus::bad_data,
                   {{{file, number, 1, {}},
-                    "is no line of hashes: a template, a seed, a knife, and a hash for each stage",
+                    "is no line of hashes: a template, a seed and a knife that are compared, and a hash for each stage",
                     {}}});
     if (!table.insert(std::move(*read)).second)
       throw Error(ExitStatus::bad_data, {{{file, number, 1, {}}, "is a cut that an earlier line has", {}}});

@@ -18,13 +18,19 @@ std::vector<PmvcValue> off_the_middle(const DiffusionSurfaces& surfaces, const L
   return line_pmvc(surfaces, make_surface_tree(surfaces), points, plan, {1});
 }
 
+LinePlan with_draft_lines_alone() {
+  LinePlan plan;
+  plan.lines = relaxed_draft_lines();
+  return plan;
+}
+
 LinePlan with_most_scatter(double most) {
   return {.lines = relaxed_draft_lines(), .more = relaxed_final_lines(), .most_scatter = most};
 }
 
 TEST(LinePmvc, OneColourScattersNowhere) {
   const DiffusionSurfaces ball = shapes::sphere(1, 6);
-  const std::vector<PmvcValue> few = off_the_middle(ball, {.lines = relaxed_draft_lines()});
+  const std::vector<PmvcValue> few = off_the_middle(ball, with_draft_lines_alone());
   const std::vector<PmvcValue> most = off_the_middle(ball, with_most_scatter(1e-3));
   for (std::size_t i = 0; i < few.size(); ++i)
     EXPECT_EQ(few[i].weight, most[i].weight) << "further lines were looked along";
@@ -34,7 +40,7 @@ TEST(LinePmvc, WhatScattersMoreThanMayBeIsLookedAtAlongMoreLines) {
   DiffusionSurfaces ball = shapes::sphere(1, 6);
   for (std::size_t v = 0; v < ball.vertex_count(); ++v)
     ball.back_color[v] = Color(ball.position[v].x > 0 ? 0.9f : 0.1f);
-  const std::vector<PmvcValue> few = off_the_middle(ball, {.lines = relaxed_draft_lines()});
+  const std::vector<PmvcValue> few = off_the_middle(ball, with_draft_lines_alone());
   const std::vector<PmvcValue> more = off_the_middle(ball, with_most_scatter(1e-3));
   const std::vector<PmvcValue> content = off_the_middle(ball, with_most_scatter(1));
   for (std::size_t i = 0; i < few.size(); ++i) {

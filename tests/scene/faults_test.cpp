@@ -32,7 +32,7 @@ TEST(Faults, AreGraveAboveWhatFewMayHave) {
 
 TEST(Faults, MayStayWhereTheyAreSmallAndOneOfTwoHundred) {
   const SettleOptions options;
-  const Fault small{.is_grave = false}, grave{.is_grave = true};
+  const Fault small{0, "overlaps", false}, grave{0, "overlaps", true};
   EXPECT_TRUE(may_pass({}, 1, options));
   EXPECT_TRUE(may_pass({small}, 200, options));
   EXPECT_FALSE(may_pass({small}, 199, options));
