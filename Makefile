@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew mutants lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops hashes page-errors gallery-page install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew golden-mutants mutants verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops hashes page-errors gallery-page install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -40,9 +40,25 @@ golden-renew: build ## keeps what is drawn now as golden pictures: NAME="onion_h
 	@scripts/setup.sh test programs
 	@scripts/golden.py renew $(NAME) --programs --reason "$(REASON)"
 
-mutants: ## seeds faults into the program and asks the golden pictures: docs/mutants.md; a quarter of an hour
+golden-mutants: ## seeds faults into the program and asks the golden pictures: docs/golden_mutants.md; a quarter of an hour
 	@scripts/setup.sh build test programs
-	nice scripts/mutants.py
+	nice scripts/golden_mutants.py
+
+mutants: ## changes the generator by itself, some 400 faults, and asks its tests: docs/mutants.md; hours; COUNT=460 ONLY=generator/cut SHARD=1/4 WIDE=1
+	@scripts/setup.sh build test
+	nice scripts/mutants.py make $(and $(COUNT),--count $(COUNT)) $(and $(ONLY),--only $(ONLY))
+	nice scripts/mutants.py run $(and $(COUNT),--count $(COUNT)) $(and $(ONLY),--only $(ONLY)) $(and $(SHARD),--shard $(SHARD)) $(and $(WIDE),--wide)
+	scripts/mutants.py report $(and $(COUNT),--count $(COUNT))
+
+verify: build ## does this machine give what is published? a tenth of the cuts, half a minute; ALL=1 compares all
+	build/pomona verify $(and $(ALL),--all)
+
+verify-table: build ## makes the published hashes anew, templates/hashes.txt, after a step that is meant to change them; some minutes
+	build/pomona verify --all -o templates/hashes.txt
+
+reproduce: ## builds the program in a dozen ways that must not matter, and two that must; an hour; BUILD="gcc-O0 fused" makes some
+	@scripts/setup.sh build clang
+	@scripts/reproduce.sh $(BUILD)
 
 lint: ## formatting, and the naming of our own headers
 	@scripts/setup.sh build test lint
@@ -64,7 +80,7 @@ clang: clang-bytes ## all of it compiled by clang, and the tests that compare by
 	cmake --build build-clang -j $(JOBS)
 	ctest --test-dir build-clang --output-on-failure -j $(JOBS) -R 'golden|[Bb]its|[Bb]yte|Thread|Random|Reproducible|Agreement'
 
-clang-bytes: build ## the program compiled by clang: does it write what gcc's writes?
+clang-bytes: build ## the program compiled by clang: does it write what gcc's writes, and both what is published?
 	@scripts/setup.sh build test clang
 	cmake --preset clang
 	cmake --build build-clang --target pomona -j $(JOBS)
@@ -72,6 +88,8 @@ clang-bytes: build ## the program compiled by clang: does it write what gcc's wr
 	scripts/hashes.py make build/pomona out/gcc.tsv --only "tomato 7"
 	scripts/hashes.py make build-clang/pomona out/clang.tsv --only "tomato 7"
 	scripts/hashes.py compare out/gcc.tsv out/clang.tsv
+	build/pomona verify
+	build-clang/pomona verify
 
 # One build for all measurements; each has its own target.
 .bench:

@@ -31,6 +31,7 @@ DeclaredCommand batch_command(CLI::App& app);
 DeclaredCommand merge_command(CLI::App& app);
 DeclaredCommand farm_command(CLI::App& app);
 DeclaredCommand compare_command(CLI::App& app);
+DeclaredCommand verify_command(CLI::App& app);
 DeclaredCommand pages_command(CLI::App& app);
 
 /// Parses the line, runs the command, prints what went wrong, and returns the exit status.

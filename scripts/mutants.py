@@ -1,226 +1,450 @@
 #!/usr/bin/env python3
-"""Seeds faults into a copy of the program, one at a time, and asks the golden pictures whether they see them.
+"""Changes the generator and its exporters by itself, one small fault at a time, and asks the tests whether they see it.
 
-    mutants.py [NAME...]         all of tests/golden/mutants.toml, or some; results that are still true are not made again
-    mutants.py --check           only whether every fault still applies, exactly once
-    mutants.py --all-goldens     every golden for every fault, instead of those that the list says catch it
+    mutants.py list [--count N] [--only PATH]        the faults, one a line
+    mutants.py make [...]                            compiles them all at once; drops those that do not compile
+    mutants.py run  [...] [--shard I/N] [--wide]     runs each fault's tests; goes on where it was stopped
+    mutants.py report                                what was seen, file by file, and what survived: docs/mutants.md
 
-Works in build/mutants. Writes docs/mutants.md when all faults have a result. Status 1 if a fault goes unseen, or a golden sees none.
+Faults are turned comparisons, signs and conditions, other constants, limits that are left out, arguments that change
+places, statements that are missing. They are drawn with a fixed seed from all sources (.cpp) of `generator` and
+`render/export`, from each file in proportion to its lines. All of them are compiled into one copy of the sources, each
+behind `(pomona_mutant == K ? faulty : sound)`; the environment variable POMONA_MUTANT chooses one when a program starts.
+
+A fault is shown to the test programs of its module, one after another until one sees it, and --wide then shows those
+that survived to all others. Golden pictures and tests of other programs are never asked. "Seen by time" is a test that
+takes longer than four times what it takes without a fault, and ten seconds. tests/mutants.toml says of survivors why
+nothing can see them. Works in build/mutants.
 """
 
 import argparse
 import hashlib
-import json
 import os
 import pathlib
+import random
+import re
 import shutil
 import subprocess
 import sys
+import time
 import tomllib
 
-import golden
-
-ROOT = golden.ROOT
+ROOT = pathlib.Path(__file__).resolve().parent.parent
 WORK = ROOT / "build" / "mutants"
-TREE, BUILD, RESULTS = WORK / "tree", WORK / "tree" / "build", WORK / "results"
-PARTS = ("generator", "render", "cli", "shaders", "styles", "templates", "cmake", "tests/golden", "CMakeLists.txt",
-         "CMakePresets.json")
+TREE, BUILD = WORK / "tree", WORK / "tree" / "build"
+DROPPED, RESULTS = WORK / "dropped.txt", WORK / "results.tsv"
+MUTATED = ("generator", "render/export")
+PARTS = ("generator", "render", "cli", "shaders", "styles", "templates", "scenes", "cmake", "tests", "bench/baselines",
+         "docs", "scripts", "CMakeLists.txt", "CMakePresets.json")
+SEED = 18
+
+SWITCH = '''// Which fault this run has; 0 = none.
+#pragma once
+
+#include <cstdlib>
+
+// What is odd about a fault need not keep it from compiling.
+#pragma GCC diagnostic ignored "-Wparentheses"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wtype-limits"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+
+inline const int pomona_mutant = [] {
+  const char* text = std::getenv("POMONA_MUTANT");
+  return text == nullptr ? 0 : std::atoi(text);
+}();
+'''
+
+# ---- Finding places ----
 
 
-def declared_mutants():
-    mutants = tomllib.loads((golden.GOLDEN / "mutants.toml").read_text(encoding="utf-8"))["mutant"]
-    names = [mutant["name"] for mutant in mutants]
-    files = {file for run in golden.declared_runs() for file in run["goldens"]}
-    for mutant in mutants:
-        if mutant.keys() != {"name", "fault", "file", "find", "replace", "caught_by"} or not mutant["caught_by"]:
-            sys.exit(f"mutants.toml: error: {mutant['name']}: name, fault, file, find, replace and caught_by are wanted")
-        if names.count(mutant["name"]) > 1 or set(mutant["caught_by"]) - files:
-            sys.exit(f"mutants.toml: error: {mutant['name']}: named twice, or caught by what is no golden")
-    return mutants
+def blanked(text):
+    """The same text, character for character, with comments, literals and preprocessor lines made blank."""
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<!\w)\'(?:\\.|[^\'\\\n])+\'|^[ \t]*#[^\n]*', re.S | re.M)
+    return pattern.sub(lambda found: re.sub(r"[^\n]", " ", found.group(0)), text)
 
 
-def mutated(mutant, text):
-    """The file's text with the fault in it. Raises ValueError unless it applies exactly once."""
-    count = text.count(mutant["find"])
-    if count != 1:
-        raise ValueError(f"{mutant['name']}: {mutant['file']} holds the text to change {count} times, not once")
-    return text.replace(mutant["find"], mutant["replace"])
+OPENING, CLOSING = "([{", ")]}"
+# Where an expression of this operator ends, to the left and to the right, unless inside brackets.
+LOOSER = {"logic": r"[,;?]|(?<!:):(?!:)|(?<![=!<>+\-*/|&^%])=(?!=)|<<|>>|\breturn\b|[-+*/|&]=", "order": r"&&|\|\|", "sum": r"[<>]=?|[=!]="}
+ENDS = {
+    "logic": re.compile(LOOSER["logic"]),
+    "order": re.compile("|".join((LOOSER["logic"], LOOSER["order"]))),
+    "sum": re.compile("|".join((LOOSER["logic"], LOOSER["order"], LOOSER["sum"], r"[+\-*/%|&^]="))),
+}
 
 
-def check_all(mutants):
-    wrong = []
-    for mutant in mutants:
-        try:
-            mutated(mutant, (ROOT / mutant["file"]).read_text(encoding="utf-8"))
-        except (OSError, ValueError) as error:
-            wrong.append(str(error))
-    print("\n".join(wrong) if wrong else f"{len(mutants)} faults apply, each once")
-    return 1 if wrong else 0
+def edge(line, places, brackets, other):
+    """The first place, of these, that lies outside the brackets the walk began in."""
+    depth = 0
+    for i in places:
+        if line[i] in other:
+            depth += 1
+        elif line[i] in brackets:
+            if depth == 0:
+                return i
+            depth -= 1
+    return None
 
 
-def key_of(mutant, files, source):
-    """Of all that a result depends on."""
-    runs = [{**run, "shows": ""} for run in golden.declared_runs() if set(files) & set(run["goldens"])]
-    pictures = [hashlib.sha256((golden.GOLDEN / file).read_bytes()).hexdigest() for file in files]
-    return hashlib.sha256(json.dumps([mutant, runs, pictures, source]).encode()).hexdigest()
+def extent(line, at, length, kind):
+    """Where the expression around an operator begins and ends; none where it does not lie within the line."""
+    opening, closing = edge(line, range(at - 1, -1, -1), OPENING, CLOSING), edge(line, range(at + length, len(line)), CLOSING, OPENING)
+    begin, end = 0 if opening is None else opening + 1, len(line) if closing is None else closing
+    flat, depth = "", 0  # the same with the insides of brackets blank
+    for c in line[begin:end]:
+        depth -= c in CLOSING
+        flat += " " if depth > 0 else c
+        depth += c in OPENING
+    ends = [(begin + found.start(), begin + found.end()) for found in ENDS[kind].finditer(flat)]
+    left = max((after for _, after in ends if after <= at), default=None if opening is None else begin)
+    right = min((before for before, _ in ends if before >= at + length), default=None if closing is None else end)
+    if left is None or right is None:
+        return None
+    inside = line[left:right]
+    left += len(inside) - len(inside.lstrip())
+    return left, left + len(inside.strip())
 
 
-def source_hash():
-    """Of the program, and of the fruit and scenes that are drawn."""
-    total = hashlib.sha256()
-    for part in PARTS:
-        for path in sorted(p for p in [ROOT / part, *(ROOT / part).rglob("*")] if p.is_file()):
-            if path.parent != ROOT / "tests" / "golden" or path.name.startswith("pile."):
-                total.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes())
-    return total.hexdigest()
+def arguments(line, opening):
+    """Begins and ends of the arguments of a call, and where it closes; none where that is not in this line."""
+    depth, begin, found = 0, opening + 1, []
+    for i in range(opening, len(line)):
+        if line[i] in OPENING:
+            depth += 1
+        elif line[i] in CLOSING:
+            depth -= 1
+            if depth == 0:
+                return found + [(begin, i)], i
+        elif line[i] == "," and depth == 1:
+            found.append((begin, i))
+            begin = i + 2
+    return None
 
 
-# Building
+TURNED = {" < ": " <= ", " <= ": " < ", " > ": " >= ", " >= ": " > ", " == ": " != ", " != ": " == ",
+          " && ": " || ", " || ": " && ", " + ": " - ", " - ": " + ", " * ": " / ", " / ": " * "}
+KINDS = {" && ": "logic", " || ": "logic", " + ": "sum", " - ": "sum", " * ": "sum", " / ": "sum"}
+SYMMETRIC = {"dot", "distance", "min", "max", "static_cast", "if", "for", "while", "switch", "assert", "lerp", "hypot", "minmax"}
+
+
+def other_constant(text):
+    if re.fullmatch(r"\d+u?", text):
+        return {"0": "1", "1": "2"}.get(text, str(int(text.rstrip("u")) + 1) + ("u" if text.endswith("u") else ""))
+    return f"(2 * {text} + (({text}) == 0 ? 1 : 0))"
+
+
+def candidates(line):
+    """(kind, begin, end, what stands there in the fault) for each thing that can go wrong in a line without comments."""
+    for operator, other in TURNED.items():
+        for found in re.finditer(re.escape(operator), line):
+            span = extent(line, found.start(), len(operator), KINDS.get(operator, "order"))
+            if span and span[0] < found.start() < span[1]:
+                whole = line[span[0]:span[1]]
+                at = found.start() - span[0]
+                yield "operator", *span, whole[:at] + other + whole[at + len(operator):]
+    for found in re.finditer(r"(?<![\w.])(\d+\.\d*(?:e-?\d+)?f?|\d+e-?\d+|\d+u?)(?![\w.'])", line):
+        yield "constant", *found.span(), other_constant(found.group(0))
+    for found in re.finditer(r"\b(?:if|while) \(", line):
+        whole = arguments(line, found.end() - 1)
+        if whole and len(whole[0]) == 1 and ";" not in line[slice(*whole[0][0])] and " = " not in line[slice(*whole[0][0])]:
+            yield "condition", *whole[0][0], "!(" + line[slice(*whole[0][0])] + ")"
+    for found in re.finditer(r"std::(min|max|clamp)\(", line):
+        whole = arguments(line, found.end() - 1)
+        if whole and len(whole[0]) in (2, 3):
+            yield "limit", found.start(), whole[1] + 1, "(" + line[slice(*whole[0][0])] + ")"
+    for found in re.finditer(r"(?:(?<=return )|(?<=[^\w>] )|(?<=[(\[!.]))([a-z]\w*)\((?=[^)])", line):
+        whole = arguments(line, found.end() - 1)
+        if whole and len(whole[0]) == 2 and found.group(1) not in SYMMETRIC:
+            first, second = (line[slice(*span)] for span in whole[0])
+            if first.strip() != second.strip() and not re.search(r"\bconst\b|&\s*\w+$", first):
+                yield "arguments", found.start(), whole[1] + 1, f"{found.group(1)}({second.strip()}, {first.strip()})"
+    for found in re.finditer(r"(?:(?<=[(\[])|(?<=[,=?:] )|(?<=return ))-(?=[\w(])", line):
+        operand = re.match(r"-(?:[\w.:]+|\([^()]*\))(?:\([^()]*\))?", line[found.start():])
+        if operand and not re.match(r"-\d", operand.group(0)):
+            yield "sign", found.start(), found.start() + operand.end(), operand.group(0)[1:]
+    found = re.fullmatch(r"(\s+)((?:[\w\]\[.()]|->)+ (?:[-+*/|]?=) .*;|(?:std::(?:sort|reverse)|\w+\.(?:push_back|insert|erase))\(.*\);)\s*", line)
+    if found and not found.group(2).startswith(("return", "const", "auto")):
+        yield "statement", found.start(2), found.end(2), None
+
+
+def sources():
+    files = [path for part in MUTATED for path in (ROOT / part).rglob("*.cpp")]
+    return sorted(file.relative_to(ROOT).as_posix() for file in files)
+
+
+class Fault:
+    def __init__(self, file, line, kind, begin, end, text, sound):
+        self.file, self.line, self.kind, self.begin, self.end, self.text, self.sound = file, line, kind, begin, end, text, sound
+        words = "\0".join((file, kind, sound, text or "", str(begin)))
+        self.name = hashlib.sha256(words.encode()).hexdigest()[:10]
+
+    def told(self):
+        return f"{self.file}:{self.line}: `{self.sound.strip()}` -> " + (f"`{self.text.strip()}`" if self.text else "left out")
+
+
+def all_faults(file):
+    """All candidates of a file, those of one line in turn; lines of constants that a compiler must know are left alone."""
+    text = (ROOT / file).read_text(encoding="utf-8")
+    for number, (line, raw) in enumerate(zip(blanked(text).splitlines(), text.splitlines()), 1):
+        if re.search(r"\b(static_assert|template|case|enum|using|constexpr \w+ \w+\()", line) or re.match(r"\S", line) and not line.startswith("constexpr"):
+            continue
+        if re.match(r"\s*(?:static )?constexpr", line) and not re.match(r"\s*(?:static )?constexpr (?:double|float) \w+ = [^,]*;", line):
+            continue
+        for kind, begin, end, faulty in candidates(line):
+            # Literals come back from the line as it is; where the fault moves them about it is left out.
+            if '"' in raw[begin:end] and kind in ("arguments",):
+                continue
+            sound = raw[begin:end]
+            if faulty is not None and sound != line[begin:end]:
+                continue
+            yield Fault(file, number, kind, begin, end, faulty, sound)
+
+
+def drawn(count):
+    """The same faults as long as the sources are the same: from each file in proportion to its lines, one a line."""
+    files = sources()
+    lines = {file: len((ROOT / file).read_text(encoding="utf-8").splitlines()) for file in files}
+    total, owed, chosen = sum(lines.values()), 0.0, []
+    for file in files:
+        owed += count * lines[file] / total
+        stream = random.Random(f"{SEED} {file}")
+        by_kind = {}
+        for fault in all_faults(file):
+            by_kind.setdefault(fault.kind, []).append(fault)
+        taken = set()
+        while owed >= 1 and by_kind:
+            kind = stream.choice(sorted(by_kind))
+            fault = by_kind[kind].pop(stream.randrange(len(by_kind[kind])))
+            if not by_kind[kind]:
+                del by_kind[kind]
+            if fault.line not in taken:
+                taken.add(fault.line)
+                chosen.append(fault)
+                owed -= 1
+    return chosen
+
+
+# ---- Compiling ----
+
+
+def with_faults(file, faults):
+    """The file's text with all its faults in it, each behind its number; as many lines as before, after the first."""
+    lines = (ROOT / file).read_text(encoding="utf-8").split("\n")
+    for number, fault in faults:
+        line = lines[fault.line - 1]
+        if fault.text is None:
+            new = f"if (pomona_mutant != {number}) {{ {fault.sound} }}"
+        else:
+            new = f"(pomona_mutant == {number} ? ({fault.text}) : ({fault.sound}))"
+        line = line[:fault.begin] + new + line[fault.end:]
+        lines[fault.line - 1] = re.sub(r"^(\s*)(?:static )?constexpr (double|float) ", r"\1static const \2 ", line)
+    return '#include "generator/base/pomona_mutant.h"\n#line 1\n' + "\n".join(lines)
+
+
+def put(path, text):
+    """Leaves a file that is so already alone, so that it is not compiled again."""
+    if not path.is_file() or path.read_text(encoding="utf-8") != text:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
 
 
 def copy_tree():
-    """Brings the copy up to date, file by file, so that what did not change is not built again."""
-    wanted = set()
     for part in PARTS:
-        for path in [ROOT / part] if (ROOT / part).is_file() else (p for p in (ROOT / part).rglob("*") if p.is_file()):
+        files = [ROOT / part] if (ROOT / part).is_file() else [p for p in (ROOT / part).rglob("*") if p.is_file()]
+        for path in files:
             name = path.relative_to(ROOT)
-            wanted.add(name)
+            is_mutated = path.suffix == ".cpp" and name.as_posix().startswith(tuple(part + "/" for part in MUTATED))
             target = TREE / name
-            if not target.is_file() or target.read_bytes() != path.read_bytes():
+            if not is_mutated and "__pycache__" not in path.parts and (
+                    not target.is_file() or target.read_bytes() != path.read_bytes()):
                 target.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(path, target)
-    for path in [p for p in TREE.rglob("*") if p.is_file() and BUILD not in p.parents]:
-        if path.relative_to(TREE) not in wanted:
-            path.unlink()
+                shutil.copy2(path, target)
+    put(TREE / "generator/base/pomona_mutant.h", SWITCH)
 
 
-def build():
-    if not (BUILD / "build.ninja").is_file():
-        subprocess.run(["cmake", "--preset", "program"], cwd=TREE, check=True, stdout=subprocess.DEVNULL)
-    done = subprocess.run(["cmake", "--build", str(BUILD), "--target", "pomona", "-j", str(os.cpu_count())],
-                          capture_output=True, text=True)
-    if done.returncode != 0:
-        raise RuntimeError("it does not compile:\n" + done.stdout[-3000:])
+def numbered(faults):
+    """Numbers belong to the faults that were drawn, whether they compile or not."""
+    dropped = set(DROPPED.read_text().split()) if DROPPED.is_file() else set()
+    return [(number, fault) for number, fault in enumerate(faults, 1) if fault.name not in dropped]
 
 
-# Judging
+def write_sources(faults, only):
+    by_file = {file: [] for file in sources()}
+    for number, fault in numbered(faults):
+        if fault.file.startswith(only):
+            by_file[fault.file].append((number, fault))
+    for file, here in by_file.items():
+        put(TREE / file, with_faults(file, here) if here else (ROOT / file).read_text(encoding="utf-8"))
 
 
-def judge(mutant, files, comparer):
-    """{golden: figures} of the faulty program."""
-    found = {}
-    for run in golden.declared_runs():
-        if set(files) & set(run["goldens"]):
-            figures = golden.check_run(run, BUILD / "pomona", WORK / "drawn" / mutant["name"], comparer)
-            found.update({file: figures[file] for file in run["goldens"]})
-    return found
+def compile_all(faults, only, jobs):
+    """Compiles until what is left compiles: an error drops the faults of its line, or of its file if there are none."""
+    copy_tree()
+    modules = [m for m in MODULES if m.startswith(only) or only.startswith(m + "/")] if only else []
+    targets = sorted({f"tests/{folder}/all" for m in modules for folder in MODULES[m]})
+    for _ in range(20):
+        write_sources(faults, only)
+        if not (BUILD / "build.ninja").is_file():
+            subprocess.run(["cmake", "--preset", "test"], cwd=TREE, check=True, stdout=subprocess.DEVNULL)
+        words = ["cmake", "--build", str(BUILD), "-j", str(jobs)] + (["--target", *targets] if targets else [])
+        done = subprocess.run([*words, "--", "-k", "0"], capture_output=True, text=True)
+        if done.returncode == 0:
+            return
+        errors = {(m.group(1), int(m.group(2))) for m in re.finditer(
+            r"((?:generator|render)/[\w/]+\.cpp):(\d+):(?:\d+:)? (?:error|.*required from)", done.stdout)}
+        here = numbered(faults)
+        bad = {f.name for _, f in here if (f.file, f.line) in errors}
+        bad |= {f.name for _, f in here if f.file in {e[0] for e in errors} and not any((f2.file, f2.line) in errors for _, f2 in here if f2.file == f.file)}
+        if not bad:
+            sys.exit("mutants.py: error: what is left does not compile:\n" + done.stdout[-3000:])
+        with open(DROPPED, "a") as file:
+            file.write("".join(name + "\n" for name in sorted(bad)))
+        print(f"{len(bad)} faults do not compile", flush=True)
+    sys.exit("mutants.py: error: it still does not compile")
 
 
-def try_out(mutant, files, comparer):
-    target = TREE / mutant["file"]
-    sound = target.read_text(encoding="utf-8")
+# ---- Running ----
+
+# The tests of a folder, first those that are quick. What is not named here has the tests of its own folder.
+MODULES = {
+    "generator/base": ["base", "mesh", "template", "knife"],
+    "generator/mesh": ["mesh", "surface", "knife", "cut", "scene"],
+    "generator/template": ["template", "variation"],
+    "generator/surface": ["surface", "shapes", "piece"],
+    "generator/variation": ["variation", "piece"],
+    "generator/knife": ["knife", "cut"],
+    "generator/cut": ["cut", "piece"],
+    "generator/diffusion": ["diffusion", "piece"],
+    "generator/piece": ["piece", "render"],
+    "generator/scene": ["scene"],
+    "generator/batch": ["batch"],
+    "render/export": ["render/export", "render"],
+}
+
+
+def test_programs():
+    """All test programs but goldens and those that start other programs, which are no GoogleTest programs at all."""
+    return sorted(p for p in (BUILD / "tests").rglob("*_test") if p.is_file() and os.access(p, os.X_OK))
+
+
+def tests_of(fault, programs):
+    module = max((m for m in MODULES if fault.file.startswith(m + "/")), key=len)
+    return [p for folder in MODULES[module] for p in programs
+            if p.parent.relative_to(BUILD / "tests").as_posix().split("/CMakeFiles")[0].startswith(folder)]
+
+
+def run_one(program, number, limit):
+    """"", or how the fault was seen."""
+    environment = {**os.environ, "POMONA_MUTANT": str(number)}
+    words = [str(program), "--gtest_fail_fast", "--gtest_brief=1"]
     try:
-        target.write_text(mutated(mutant, sound), encoding="utf-8")
-        build()
-        return judge(mutant, files, comparer)
-    except RuntimeError as error:
-        sys.exit(f"mutants.py: error: {mutant['name']}: {error}")
-    finally:
-        target.write_text(sound, encoding="utf-8")
+        done = subprocess.run(words, env=environment, cwd=WORK, capture_output=True, text=True, timeout=limit, errors="replace")
+    except subprocess.TimeoutExpired:
+        return f"{program.name}: time"
+    if done.returncode == 0:
+        return ""
+    failed = re.search(r"\[  FAILED  \] ([\w./]+)", done.stdout)
+    return f"{program.name}: " + (failed.group(1) if failed else f"status {done.returncode}")
 
 
-def by_how_much(figures):
-    if "lines" in figures:
-        return f"{figures['lines']} lines"
-    if "flip" not in figures or not figures["pixels"]:
-        return figures["reasons"][0].splitlines()[0].replace("|", "/")
-    return (f"FLIP {figures['flip']:.4f}, up to {figures['largest']} of 255, "
-            f"{100 * figures['different'] / figures['pixels']:.1f} % of the pixels")
+def time_of(program, times):
+    """Seconds without a fault; it must pass."""
+    if program not in times:
+        began = time.monotonic()
+        if run_one(program, 0, 1200):
+            sys.exit(f"mutants.py: error: {program.name} fails without a fault")
+        times[program] = time.monotonic() - began
+    return times[program]
 
 
-def failures(result):
-    return {file: figures for file, figures in result.items() if not figures["same"]}
+def read_results():
+    lines = RESULTS.read_text(encoding="utf-8").splitlines() if RESULTS.is_file() else []
+    return {line.split("\t")[0]: line.split("\t")[1:] for line in lines}
 
 
-# Reporting
+def run_all(faults, options):
+    part, parts = (int(n) for n in options.shard.split("/"))
+    programs, times, done = test_programs(), {}, read_results()
+    for number, fault in numbered(faults):
+        if number % parts != part - 1 or not fault.file.startswith(options.only):
+            continue
+        state = done.get(fault.name, [""])[0]
+        if state == "seen" or (state == "survived" and not options.wide) or state == "survived all":
+            continue
+        own = tests_of(fault, programs)
+        wanted = [p for p in programs if p not in own] if state == "survived" else own
+        seen = ""
+        for program in wanted:
+            seen = run_one(program, number, 10 + 4 * time_of(program, times))
+            if seen:
+                break
+        state = "seen" if seen else "survived all" if state == "survived" else "survived"
+        with open(RESULTS, "a", encoding="utf-8") as file:
+            file.write(f"{fault.name}\t{state}\t{seen}\t{fault.told()}\n")
+        print(f"{number} {state} {seen}  {fault.told()}", flush=True)
 
 
-def write_report(mutants, results):
-    runs = golden.declared_runs()
-    lines = ["# Mutants", "",
-             "Faults seeded into the program, one at a time, and the golden pictures that saw them. `make mutants` writes this page;",
-             "tests/golden/mutants.toml declares the faults, [golden.md](golden.md) says what the goldens are.", "",
-             f"{len(mutants)} faults, {sum(bool(failures(results[m['name']])) for m in mutants)} seen.", "",
-             "| fault | in | seen by | by how much |", "|---|---|---|---|"]
-    for mutant in mutants:
-        seen = failures(results[mutant["name"]])
-        by = "<br>".join(seen) or "**nothing**"
-        much = "<br>".join(by_how_much(figures) for figures in seen.values())
-        lines.append(f"| {mutant['name']}: {mutant['fault']} | {mutant['file']} | {by} | {much} |")
-    lines += ["", "Which faults each golden sees, of those it was shown:", "", "| golden | faults |", "|---|---|"]
-    for run in runs:
-        for file in run["goldens"]:
-            seen = [m["name"] for m in mutants if file in failures(results[m["name"]])]
-            lines.append(f"| {file} | {', '.join(seen) or '**none**'} |")
+# ---- Reporting ----
+
+
+def reasons():
+    """Why nothing can see a survivor, by what tests/mutants.toml says of its file and its words."""
+    path = ROOT / "tests" / "mutants.toml"
+    return tomllib.loads(path.read_text(encoding="utf-8"))["equivalent"] if path.is_file() else []
+
+
+def why(fault, known):
+    found = [r["why"] for r in known if r["file"] == fault.file and r["sound"] == fault.sound.strip()
+             and r.get("fault", "") == (fault.text or "").strip()]
+    return found[0] if found else ""
+
+
+def report(faults):
+    results, known = read_results(), reasons()
+    judged = [(f, results[f.name]) for _, f in numbered(faults) if f.name in results]
+    survived = [f for f, r in judged if r[0] != "seen"]
+    excused = [f for f in survived if why(f, known)]
+    real = len(judged) - len(excused)
+    lines = ["# Mutants", "", __doc__.split("\n\n")[2].replace("\n", " "), "",
+             f"{len(numbered(faults))} faults compile, {len(judged)} were shown to tests, {len(judged) - len(survived)} were seen, "
+             f"{len(survived)} survived; of these {len(excused)} change nothing that could be seen. "
+             f"Seen of those that could be: {100 * (len(judged) - len(survived)) / max(1, real):.1f} %.", "",
+             "| file | faults | seen | survived |", "|---|--:|--:|--:|"]
+    for file in sorted({f.file for f, _ in judged}):
+        here = [r[0] == "seen" for f, r in judged if f.file == file]
+        lines.append(f"| {file} | {len(here)} | {sum(here)} | {len(here) - sum(here) or ''} |")
+    lines += ["", "Survivors:", "", "| fault | why |", "|---|---|"]
+    lines += [f"| {f.told().replace('|', chr(92) + '|')} | {why(f, known) or '**not known**'} |" for f in survived]
     (ROOT / "docs" / "mutants.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
-
-
-def verdict(mutants, results):
-    """1 if a fault goes unseen by what should see it, or a golden sees no fault."""
-    bad = 0
-    for mutant in mutants:
-        blind = set(mutant["caught_by"]) - set(failures(results[mutant["name"]]))
-        if blind:
-            print(f"{mutant['name']}: NOT SEEN by {', '.join(sorted(blind))}")
-            bad = 1
-    seen = {file for result in results.values() for file in failures(result)}
-    for run in golden.declared_runs():
-        for file in run["goldens"]:
-            if file not in seen:
-                print(f"{file}: sees no fault")
-                bad = 1
-    return bad
+    print(lines[4])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="NAME")
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("--all-goldens", action="store_true")
-    asked = parser.parse_args()
-    mutants = declared_mutants()
-    if asked.check:
-        return check_all(mutants)
-    if check_all(mutants):
-        return 1
-
-    RESULTS.mkdir(parents=True, exist_ok=True)
-    copy_tree()
-    golden.GOLDEN = TREE / "tests" / "golden"  # whatever happens to the tree meanwhile
-    build()
-    sound = WORK / "pomona-sound"  # compares, so that no fault can hide itself
-    shutil.copy2(BUILD / "pomona", sound)
-    source = source_hash()
-    every = sorted(file for run in golden.declared_runs() for file in run["goldens"])
-    results = {}
-    for mutant in mutants:
-        files = every if asked.all_goldens else mutant["caught_by"]
-        key, kept = key_of(mutant, files, source), RESULTS / (mutant["name"] + ".json")
-        old = json.loads(kept.read_text()) if kept.is_file() else {}
-        if old.get("key") != key:
-            if asked.names and mutant["name"] not in asked.names:
-                continue
-            old = {"key": key, "result": try_out(mutant, files, sound)}
-            kept.write_text(json.dumps(old))
-        results[mutant["name"]] = old["result"]
-        seen = failures(old["result"])
-        print(f"{mutant['name']}: " + ("; ".join(f"{f} ({by_how_much(x)})" for f, x in seen.items()) or "NOT SEEN"),
-              flush=True)
-    if len(results) < len(mutants):
-        print(f"{len(results)} of {len(mutants)} faults have a result")
-        return 0
-    write_report(mutants, results)
-    return verdict(mutants, results)
+    parser.add_argument("verb", choices=("list", "make", "run", "report"))
+    parser.add_argument("--count", type=int, default=460, help="how many are drawn; some of them will not compile")
+    parser.add_argument("--only", default="", help="only files whose path begins so")
+    parser.add_argument("--shard", default="1/1")
+    parser.add_argument("--wide", action="store_true")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    options = parser.parse_args()
+    faults = drawn(options.count)
+    WORK.mkdir(parents=True, exist_ok=True)
+    if options.verb == "list":
+        for number, fault in enumerate(faults, 1):
+            if fault.file.startswith(options.only):
+                print(number, fault.kind, fault.told())
+    elif options.verb == "make":
+        compile_all(faults, options.only, options.jobs)
+        print(f"{sum(f.file.startswith(options.only) for _, f in numbered(faults))} faults compile")
+    elif options.verb == "run":
+        run_all(faults, options)
+    else:
+        report(faults)
+    return 0
 
 
 if __name__ == "__main__":

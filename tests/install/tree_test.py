@@ -46,6 +46,10 @@ class InstalledTree(unittest.TestCase):
         self.pomona("scene", "ripeness", "--quality", "draft", "--detail", "0.3", "-o", "ripeness.json")
         self.assertIn('"overripe-half-1"', pathlib.Path(self.folder.name, "ripeness.json").read_text())
 
+    def test_gives_what_is_published(self):
+        # `make verify-table` renews the table where it is meant to be another one.
+        self.assertIn("6 of", self.pomona("verify", "cherry"))
+
     def test_mistyped_scenes_are_told_the_nearest(self):
         self.assertIn("did you mean salad?", self.pomona("scene", "salat", "-o", "x.json", status=66))
 

@@ -63,6 +63,17 @@ TEST(Settle, ConcaveRingsAndWedgesFit) {
   expect_fit(settled);
 }
 
+/// A file of six digits after the point then holds them exactly.
+TEST(Settle, PosesAreWholeMillionths) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.02)};
+  const Solid bowl = heap_shapes::bowl(0.12, 0.06);
+  for (const Pose& pose : settle(solids, repeated(1, 3), &bowl).poses) {
+    const auto is_whole = [](double value) { return value == std::round(value * 1e6) / 1e6; };
+    for (int k = 0; k < 3; ++k) EXPECT_TRUE(is_whole(pose.translation[k])) << pose.translation[k];
+    for (int k = 0; k < 4; ++k) EXPECT_TRUE(is_whole(pose.rotation[k])) << pose.rotation[k];
+  }
+}
+
 TEST(Settle, IsTheSameForAnyNumberOfThreads) {
   const std::vector<Solid> solids{heap_shapes::ring(0.03, 0.02, 0.008), heap_shapes::wedge(0.03, 90)};
   const Solid bowl = heap_shapes::bowl(0.12, 0.06);

@@ -106,6 +106,25 @@ TEST(Sheets, BlurStopsShortOfFoldingOver) {
   EXPECT_EQ(turned, 0u);
 }
 
+/// Of a skin one sheet moves alone: into the ball, where it must stop, or out of a hollow, where it never folds.
+TEST(Sheets, ASkinsBlurStopsWhereItWouldFoldAndNowhereElse) {
+  const DiffusionSurfaces ball = sphere(0.01, 8, blurred(skin_paint(), 0.5f));
+  for (const DiffusionSurfaces& skin : {ball, turned_inside_out(ball)}) {
+    DiffusionSurfaces inner = sheets(skin);
+    inner.triangle.erase(inner.triangle.begin(),
+                         inner.triangle.begin() + static_cast<std::ptrdiff_t>(skin.triangle_count()));
+    const double share = signed_volume(inner) / signed_volume(skin);
+    EXPECT_GT(share, 0.05) << "it has passed through the middle";
+    EXPECT_LT(share, 0.9);
+  }
+
+  DiffusionSurfaces hollow = ball;
+  std::swap(hollow.front_hidden, hollow.back_hidden);
+  const DiffusionSurfaces split = sheets(hollow);
+  for (std::size_t v = hollow.vertex_count(); v < split.vertex_count(); ++v)
+    EXPECT_NEAR(glm::length(split.position[v]), 0.51, 0.01);
+}
+
 TEST(Sheets, WhereBoundaryTurnsInnerVerticesAreDoubledAndBlurIsNone) {
   // A sheet whose left half is skin.
   DiffusionSurfaces sheet = open_sheet(1, 0, 8, blurred({}, 0.02f));

@@ -119,6 +119,35 @@ TEST(Gltf, IndicesAreAsNarrowAsTheyCanBe) {
   EXPECT_EQ(named::read_glb(write_glb(scene)).meshes[1].index_bytes, 4);
 }
 
+/// A strip of so many vertices, all of them apart.
+Solid strip(std::uint32_t vertices) {
+  Solid solid = named::ball("strip", 0.1f, 1, Color(0.5f));
+  solid.position.clear();
+  solid.triangle.clear();
+  for (std::uint32_t i = 0; i < vertices; ++i) {
+    solid.position.emplace_back(1e-4f * static_cast<float>(i), i % 2 == 0 ? 0.0f : 1e-3f, 0.0f);
+    if (i >= 2) solid.triangle.emplace_back(i - 2, i % 2 == 0 ? i - 1 : i, i % 2 == 0 ? i : i - 1);
+  }
+  solid.normal.assign(vertices, {0, 0, 1});
+  solid.color.assign(vertices, Color(0.5f));
+  solid.part.assign(vertices, 0);
+  solid.cut_face.assign(solid.triangle.size(), -1);
+  solid.surface.assign(solid.triangle.size(), 0);
+  return solid;
+}
+
+/// glTF 2.0, section 3.7.2.1: an index must not be 65 535, which restarts a primitive on many machines.
+TEST(Gltf, NoIndexOfTwoBytesRestartsAPrimitive) {
+  for (const auto& [vertices, bytes] : {std::pair{65535u, 2}, {65536u, 4}}) {
+    Scene scene;
+    scene.solids = {strip(vertices)};
+    scene.instances = {{0, {}, "strip"}};
+    const named::Glb glb = named::read_glb(write_glb(scene));
+    ASSERT_EQ(glb.meshes[0].position.size(), vertices);
+    EXPECT_EQ(glb.meshes[0].index_bytes, bytes) << vertices;
+  }
+}
+
 TEST(Gltf, IsTheSameForAnyNumberOfThreads) {
   const Scene scene = named::mixed();
   EXPECT_EQ(write_glb(scene, {.threads = {1}}), write_glb(scene, {.threads = {2}}));

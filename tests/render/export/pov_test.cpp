@@ -204,6 +204,29 @@ TEST(Pov, TheFirstCutFaceHasTheFinishOfFlesh) {
   EXPECT_THAT(counts, testing::UnorderedElementsAre(cut, 12 - cut));
 }
 
+/// The vectors of a list such as "vertex_vectors{3,\n<1,2,3>,...}", the first of its name.
+std::vector<glm::dvec3> vectors_of(const std::string& text, const std::string& name) {
+  const std::size_t begin = text.find(name + "{"), end = text.find('}', begin);
+  const std::string list = text.substr(begin, end - begin);
+  const std::regex vector("<(-?\\d+),(-?\\d+),(-?\\d+)>");
+  std::vector<glm::dvec3> vectors;
+  for (std::sregex_iterator at(list.begin(), list.end(), vector), last; at != last; ++at)
+    vectors.emplace_back(std::stod((*at)[1]), std::stod((*at)[2]), std::stod((*at)[3]));
+  return vectors;
+}
+
+TEST(Pov, NormalsOfABallPointOutOfIt) {
+  Scene scene;
+  scene.solids = {named::ball("ball", 0.05f, 6, Color(0.5f))};
+  const std::string meshes = write_pov(scene, "x")[1].bytes;
+  const std::vector<glm::dvec3> points = vectors_of(meshes, "vertex_vectors");
+  const std::vector<glm::dvec3> normals = vectors_of(meshes, "normal_vectors");
+  ASSERT_GT(points.size(), 100u);
+  ASSERT_EQ(points.size(), normals.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_GT(glm::dot(glm::normalize(points[i]), glm::normalize(normals[i])), 0.999);
+}
+
 TEST(Pov, TheUnitFitsTheView) {
   Scene scene = named::axes_of_balls();
   EXPECT_THAT(write_pov(scene, "x")[0].bytes, HasSubstr("a unit is 1e-2 metres"));

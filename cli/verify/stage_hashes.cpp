@@ -1,0 +1,76 @@
+#include "cli/verify/stage_hashes.h"
+
+#include <string_view>
+#include <utility>
+
+#include "generator/base/sha256.h"
+#include "generator/cut/section/cross_section.h"
+#include "generator/diffusion/pmvc/pmvc_diffuser.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/piece/grow.h"
+#include "generator/piece/slice.h"
+#include "generator/scene/scene.h"
+#include "generator/surface/file/surface_file.h"
+#include "render/export/gltf/write_glb.h"
+#include "render/export/ply.h"
+#include "render/image/png.h"
+#include "render/picture/section_picture.h"
+
+namespace pomona {
+
+namespace {
+
+// Small ones take a fraction of a second each.
+constexpr double verified_detail = 0.3;
+constexpr int verified_width = 240, verified_height = 180;
+
+std::string first_digits(std::string_view bytes) { return sha256(bytes).substr(0, hash_digits); }
+
+/// The numbers as they lie in memory: little-endian, without gaps in any type that this is called with.
+template <typename Number>
+std::string_view memory_of(const std::vector<Number>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
+}
+
+std::string triangles_of(const CrossSection& section) {
+  std::string bytes(memory_of(section.triangle));
+  bytes += memory_of(section.cut);
+  bytes += memory_of(section.part);
+  bytes += memory_of(section.interior);
+  return bytes;
+}
+
+std::string section_png(const CrossSection& section, const Template& fruit, const Style& style, Threads threads) {
+  const Look look(fruit.noise, fruit.details);
+  return write_png(draw_section(section, look, fruit.ink, style,
+                                {.width = verified_width, .height = verified_height, .threads = threads}));
+}
+
+}  // namespace
+
+std::vector<StageHashes> stage_hashes(const Template& drawn, std::uint64_t seed, std::span<const std::string> knives,
+                                      Threads threads, const std::function<void()>& one_done) {
+  const VariantKey key{seed, 0};
+  const GrowOptions growing{.as_drawn = seed == 0, .detail = verified_detail, .threads = threads};
+  const Template fruit = variant_of(drawn, key, growing);
+  const GrownFruit grown = grow(fruit, key, growing);
+  const std::string surfaces = first_digits(write_surfaces(grown.sheets));
+  const auto diffuser = make_pmvc_diffuser({Quality::draft, threads});
+  const ExportOptions exported{.style = style_named("ink"), .threads = threads};
+
+  std::vector<StageHashes> found;
+  for (const std::string& words : knives) {
+    const std::vector<Knife> knife{parse_knife(words)};
+    Slices slices = slice({.grown = grown, .variant = fruit, .knives = knife, .name = drawn.name}, diffuser.get(),
+                          {.cut = {.threads = threads}, .threads = threads});
+    const Scene scene = gathered(std::move(slices.pieces));
+    found.push_back({surfaces, first_digits(memory_of(slices.section.position)),
+                     first_digits(triangles_of(slices.section)), first_digits(memory_of(slices.section.color)),
+                     first_digits(write_solids(scene, exported)), first_digits(write_glb(scene, exported)),
+                     first_digits(section_png(slices.styled, fruit, exported.style, threads))});
+    if (one_done) one_done();
+  }
+  return found;
+}
+
+}  // namespace pomona
