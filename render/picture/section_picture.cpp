@@ -1,10 +1,13 @@
 #include "render/picture/section_picture.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "generator/base/error.h"
+#include "render/picture/inked_pixels.h"
 #include "render/picture/paper.h"
 #include "render/picture/section_raster.h"
 #include "render/picture/section_strokes.h"
@@ -20,12 +23,47 @@ std::vector<PlacedFace> laid_out_in(const PlateBox& box, const CrossSection& sec
   return faces;
 }
 
-struct InkLayers {
-  InkLayer rim, inner;
+/// Ink on some of the picture's rows, as an InkLayer has it for all.
+class RowsOfInk {
+ public:
+  RowsOfInk(int width, PictureRows rows)
+      : width_(width), rows_(rows), samples_(static_cast<std::size_t>(width) * (rows.to - rows.from), 0) {
+    opacity_.resize(samples_.size(), 0.0f);
+  }
+
+  void draw(const std::vector<StrokePoint>& stroke) {
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+      const StrokePoint &a = stroke[i - 1], &b = stroke[i];
+      const auto opacity = static_cast<float>(0.5 * (a.opacity + b.opacity));
+      for_inked_pixels(a, b, width_, rows_, [&](int x, int y, std::uint16_t hits) {
+        const std::size_t pixel = index_of(x, y);
+        samples_[pixel] = static_cast<std::uint16_t>(samples_[pixel] | hits);
+        opacity_[pixel] = std::max(opacity_[pixel], opacity);
+      });
+    }
+  }
+
+  /// Share of the pixel that the ink hides, 0..1.
+  double at(int x, int y) const {
+    const std::size_t pixel = index_of(x, y);
+    return static_cast<double>(opacity_[pixel]) * std::popcount(samples_[pixel]) / 16.0;
+  }
+
+ private:
+  std::size_t index_of(int x, int y) const { return static_cast<std::size_t>(y - rows_.from) * width_ + x; }
+
+  int width_;
+  PictureRows rows_;
+  std::vector<std::uint16_t> samples_;
+  std::vector<float> opacity_;
 };
 
-InkLayers inked(const std::vector<SectionStroke>& strokes, const SectionPictureOptions& options) {
-  InkLayers layers{{options.width, options.height}, {options.width, options.height}};
+struct RowsOfLayers {
+  RowsOfInk rim, inner;
+};
+
+RowsOfLayers inked(const std::vector<SectionStroke>& strokes, int width, PictureRows rows) {
+  RowsOfLayers layers{{width, rows}, {width, rows}};
   for (const SectionStroke& stroke : strokes) (stroke.rim ? layers.rim : layers.inner).draw(stroke.points);
   return layers;
 }
@@ -57,20 +95,23 @@ std::vector<PlateLayer> SectionSheet::plate_layers() const {
 
 Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& faces, const Look& look,
                  const InkStyle& ink, const Style& style, const SectionPictureOptions& options) {
-  // Flat colours first.
   const double side = std::min(options.width, options.height);
-  const std::vector<SectionPixel> pixels = rasterised(section, faces, options.width, options.height, options.threads);
-
-  // Then, pixel by pixel: the colour's noise, the paper around it, the ink above it.
+  const SectionRaster raster(section, faces, options.width, options.height);
   const Paper paper(style, options.width, options.height);
   const Color ink_color = style.ink_color.value_or(ink.color);
-  const InkLayers layers =
-      style.ink ? inked(section_strokes(section, faces, ink, style, side), options) : InkLayers{{0, 0}, {0, 0}};
-  Image image{options.width, options.height, std::vector<glm::u8vec3>(pixels.size())};
-  parallel_for(static_cast<std::size_t>(options.height), options.threads, [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < options.width; ++x) {
-      const std::size_t i = row * options.width + x;
+  const std::vector<SectionStroke> strokes =
+      style.ink ? section_strokes(section, faces, ink, style, side) : std::vector<SectionStroke>{};
+
+  // Band by band, so that a large picture needs little more than its own bytes: flat colours first; then, pixel by
+  // pixel, the colour's noise, the paper around it, the ink above it.
+  const auto width = static_cast<std::size_t>(options.width);
+  Image image{options.width, options.height, std::vector<glm::u8vec3>(width * options.height)};
+  parallel_for(raster.bands(), options.threads, [&](std::size_t band) {
+    const PictureRows rows = raster.rows(band);
+    const std::vector<SectionPixel> pixels = raster.pixels(band);
+    const RowsOfLayers layers = inked(strokes, style.ink ? options.width : 0, rows);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const int x = static_cast<int>(i % width), y = rows.from + static_cast<int>(i / width);
       const SectionPixel& pixel = pixels[i];
 
       // The fruit covers the paper by the share of the pixel's samples that lie in it.
@@ -91,7 +132,7 @@ Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& fac
         color += (ink_color - color) * static_cast<float>(layers.inner.at(x, y) * style.inner_opacity);
         color += (ink_color - color) * static_cast<float>(layers.rim.at(x, y));
       }
-      image.pixels[i] = to_srgb8(color);
+      image.pixels[rows.from * width + i] = to_srgb8(color);
     }
   });
   return image;
