@@ -91,6 +91,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command), command.shared.format);
   check_exports(command.shared, outputs);
+  if (!command.section) check_picture_size(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
   if (any_live(outputs)) check_live_knives(knives);
   if (command.section &&

@@ -51,6 +51,7 @@ ExitStatus grow_fruit(const GrowCommand& command) {
                      Format::svg, Format::html, Format::pomona},
                     command.shared.format);
   check_exports(command.shared, outputs);
+  check_picture_size(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
   if (command.surfaces && !command.shared.aov.empty()) {
     throw Error(ExitStatus::usage, "--aov: what one sees through has no one surface at a pixel",

@@ -53,6 +53,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
                                                      Format::pov, Format::png, Format::svg, Format::json},
                                                     command.shared.format);
   check_exports(command.shared, outputs);
+  check_picture_size(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
   Delivery delivery(command.shared);
   delivery.warn(idle_options(command.shared, outputs));

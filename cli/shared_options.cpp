@@ -45,6 +45,9 @@ std::string no_count(const std::string& text) {
   return fits ? "" : "\"" + text + "\" is not a whole number from 0 to 18446744073709551615";
 }
 
+/// As CLI11 has a word of no letters; what is not given is left out.
+std::string no_empty(const std::string& text) { return text.empty() ? "\"\" says nothing: leave it out" : ""; }
+
 }  // namespace
 
 void add_shared_options(CLI::App& command, SharedOptions& options) {
@@ -101,6 +104,7 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_flag("--feature-ids", options.feature_ids, ".glb: parts as EXT_mesh_features, too");
   command.add_option("--size", options.size, "Size of pictures, WIDTHxHEIGHT");
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
+      ->check(no_empty)
       ->type_name(view_names());
 
   command.add_option("--format", options.format, "What -o - writes to standard output: an ending without its dot")

@@ -44,7 +44,12 @@ std::string file_bytes(const std::filesystem::path& file, std::size_t most, cons
   if (!stream)
     fail(ExitStatus::input_missing,
          "cannot be read" + (errno != 0 ? ": " + std::error_code(errno, std::generic_category()).message() : ""));
-  std::string bytes = first_bytes(stream, most + 1);
+
+  // All at once, and what it may have grown by since.
+  std::string bytes(unknown ? 0 : static_cast<std::size_t>(size), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream) bytes += first_bytes(stream, most + 1 - bytes.size());
   if (stream.bad()) fail(ExitStatus::io_error, "cannot be read to its end");
   if (bytes.size() > most) too_large();
   return bytes;

@@ -31,7 +31,8 @@ TEST(FileBytes, AreTheWholeFileUpToTheLimit) {
   std::ofstream(folder / "x") << std::string(4096, 'x');
   EXPECT_EQ(file_bytes(folder / "x", 4096), std::string(4096, 'x'));
   EXPECT_EQ(readable_bytes(folder / "x", 10), "xxxxxxxxxx");
-  EXPECT_THAT(told(folder / "x", 4095, ExitStatus::bad_data), HasSubstr("is larger than 3 KiB\n  hint: make it smaller"));
+  EXPECT_THAT(told(folder / "x", 4095, ExitStatus::bad_data),
+              HasSubstr("is larger than 3 KiB\n  hint: make it smaller"));
 }
 
 TEST(FileBytes, SayWhyThereAreNone) {

@@ -9,7 +9,10 @@ namespace {
 
 TEST(Printable, SpellsOutWhatMovesACursor) {
   EXPECT_EQ(printable("a\x1b[2Jb\r\x7f"), "a\\x1b[2Jb\\x0d\\x7f");
-  EXPECT_EQ(printable("\xc2\x9b" "2J"), "\\x9b2J") << "the same sequence in one character of UTF-8";
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "2J"),
+            "\\x9b2J")
+      << "the same sequence in one character of UTF-8";
   EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
 }
 

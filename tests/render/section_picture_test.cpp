@@ -107,9 +107,8 @@ TEST(InkedPixels, AreTheSameWhateverRowsAreAskedFor) {
   std::map<std::pair<int, int>, int> whole, in_bands;
   for_inked_pixels(a, b, 20, {0, 40}, [&](int x, int y, int hits) { whole[{x, y}] = hits; });
   for (int from = 0; from < 40; from += 7) {
-    for_inked_pixels(a, b, 20, {from, std::min(40, from + 7)}, [&](int x, int y, int hits) {
-      EXPECT_TRUE(in_bands.emplace(std::pair(x, y), hits).second);
-    });
+    for_inked_pixels(a, b, 20, {from, std::min(40, from + 7)},
+                     [&](int x, int y, int hits) { EXPECT_TRUE(in_bands.emplace(std::pair(x, y), hits).second); });
   }
   EXPECT_GT(whole.size(), 100u);
   EXPECT_EQ(in_bands, whole);

@@ -186,6 +186,10 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
                     "save it from Inkscape as \"Inkscape SVG\" (.svg)");
   }
   check_size(text, file);
+  const std::size_t begin = text.starts_with("\xef\xbb\xbf") ? 3 : 0;  // behind the mark of UTF-8
+  if (text.find_first_not_of(" \t\r\n", begin) != text.find('<'))
+    throw BadSketch(at_place(file, 1, 1) + ": it is not XML: it does not begin with an element",
+                    "save it from Inkscape as \"Inkscape SVG\"");
 
   // The text must be XML; errors are told by line and column.
   pugi::xml_document document;
