@@ -148,6 +148,7 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->type_name("KNIFE")
       ->required()
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       ->add_option(
@@ -156,6 +157,7 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->type_name("FILE")
       ->required()
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
   // What to make of the cut.

@@ -100,6 +100,7 @@ DeclaredCommand scene_command(CLI::App& app) {
       ->type_name("FILE")
       ->required()
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_shared_options(*command, options->shared);
   return {command, [options] { return compose_scene(*options); }};

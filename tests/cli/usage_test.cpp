@@ -78,6 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"cut", POMONA_SOURCE_DIR "/tests/fuzz/corpus/layout/two.json", "--knife", "half", "-o", "x.glb"},
                 65,
                 "templates are .toml"},
+        Mistake{"UnknownEndingBehindTheTemplate", {"cut", "--knife", "half", "tomato", "-o", "x.jpg"}, 64, ".ply .glb"},
         Mistake{"EmptyView", {"grow", "tomato", "--view", "", "-o", "x.png"}, 64, "--view"},
         Mistake{"PictureOfPiecesTooLarge", {"grow", "tomato", "--size", "9000x9000", "-o", "x.png"}, 64, "8192"},
         Mistake{"StandardOutputOfNoFormat", {"grow", "tomato", "-o", "-"}, 64, "--format glb"},
