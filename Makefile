@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew golden-mutants mutants verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops hashes page-errors gallery-page install package test-package clean
+.PHONY: help salad gallery figures build test test-programs golden-renew golden-mutants mutants verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -155,6 +155,21 @@ stops: ## a run that writes files stopped 500 times, by signals, kills and faili
 	cmake --build build --target pomona failing_calls -j $(JOBS)
 	tests/cli/stops_test.py build/pomona $$(find build -name libfailing_calls.so) 500
 
+malformed: build ## our own files spoilt in some 1500 ways, each told with its place within 2 s and 512 MB
+	tests/malformed/malformed.py build/pomona
+
+# The readers alone, by clang, under both sanitizers; a few minutes without ccache.
+.fuzzers:
+	@scripts/setup.sh build fuzz
+	@cmake --preset fuzz >build-fuzz.log 2>&1 || { cat build-fuzz.log; exit 1; }; rm -f build-fuzz.log
+	cmake --build build-fuzz --target fuzzers -j $(JOBS)
+
+fuzz-short: .fuzzers ## ten seconds of libFuzzer for every reader of templates, drawings, scenes, meshes, pictures: what CI does
+	scripts/fuzz.py build-fuzz --seconds $(or $(SECONDS),10) --jobs $(JOBS) $(READERS)
+
+fuzz: .fuzzers ## RUNS=10000000 of libFuzzer for every reader, or READERS="ply glb"; hours; stop it and it goes on later
+	scripts/fuzz.py build-fuzz --runs $(or $(RUNS),10000000) --jobs $(JOBS) $(READERS)
+
 batch-stops: ## a batch killed 500 times, at random moments and at every k-th call; each time it goes on to the same bytes
 	@scripts/setup.sh build test bench
 	cmake --preset test
@@ -195,4 +210,4 @@ test-package: ## installs the .deb in a bare Debian 12 in a folder, and runs the
 	ctest --test-dir build --output-on-failure -L package
 
 clean: ## removes what was built, keeps out/
-	rm -rf build build-sanitize build-clang
+	rm -rf build build-sanitize build-clang build-fuzz

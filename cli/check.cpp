@@ -11,15 +11,25 @@
 
 #include "cli/batch/wanted_batch.h"
 #include "cli/command.h"
+#include "cli/find_style.h"
 #include "cli/find_template.h"
+#include "cli/picture_file.h"
 #include "cli/program_folders.h"
+#include "generator/base/file_bytes.h"
+#include "generator/base/printable.h"
+#include "generator/scene/layout_file.h"
 #include "generator/scene/make_parts.h"
 #include "generator/scene/scene_file.h"
 #include "generator/surface/bodies.h"
+#include "generator/surface/file/plain_mesh_file.h"
 #include "generator/surface/file/surface_file.h"
+#include "generator/surface/grains/grains.h"
 #include "generator/surface/sweep/spots.h"
 #include "generator/surface/sweep/sweep.h"
 #include "generator/template/read/read_template.h"
+#include "generator/template/read/sketch_fault.h"
+#include "generator/template/read/svg_drawing.h"
+#include "generator/template/read/svg_path.h"
 #include "render/style/style_file.h"
 
 namespace pomona {
@@ -45,13 +55,65 @@ std::filesystem::path find_known(const std::string& name) {
   }
 }
 
+/// A drawing by itself: whether it can be read, and the curves in it.
+void check_drawing(const std::filesystem::path& file) {
+  constexpr std::size_t most = std::size_t{64} << 20;
+  try {
+    const SvgDrawing drawing = parse_svg(file_bytes(file, most), file.string());
+    const SvgElement* at = nullptr;
+    try {
+      for (const SvgElement& element : drawing.elements) {
+        at = &element;
+        if (element.d && element.fault.empty()) parse_svg_path(*element.d, {.transform = element.to_page});
+      }
+    } catch (const BadPath& bad) {
+      throw Error(ExitStatus::bad_data, {{{file.string(), at->line, at->column, {}}, bad.what(), bad.hint}});
+    }
+  } catch (const BadSketch& bad) {
+    throw Error(ExitStatus::bad_data, {placed_fault(bad, file.string())});
+  }
+}
+
+/// True, having read it, for a file that templates, scenes or `compare` take, but that is none of its own.
+bool check_part(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending == ".obj" || ending == ".glb") {
+    read_plain_mesh(file);
+  } else if (ending == ".json") {
+    read_layout(file);
+  } else if (ending == ".png") {
+    read_picture(file);
+  } else if (ending == ".svg") {
+    check_drawing(file);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// A scene and all that it names: its style, too.
+void check_scene(const std::filesystem::path& file) {
+  const SceneDescription scene = read_scene(file);
+  ComposeOptions options;
+  options.find_template = find_template;
+  check_sources(scene, options);
+  if (scene.style.empty()) return;
+  try {
+    find_style(scene.style.ends_with(".toml") ? (file.parent_path() / scene.style).string() : scene.style);
+  } catch (const Error& error) {
+    if (error.status() != ExitStatus::input_missing) throw;
+    const Diagnostic& what = error.diagnostics().front();
+    throw Error(error.status(),
+                {{{file.string(), 1, 1, {}}, "style \"" + scene.style + "\": " + what.message, what.hint}});
+  }
+}
+
 /// Reads the file as what it is; surfaces and swept templates are also asked whether they are solid.
 std::vector<std::string> check_file(const std::filesystem::path& file) {
   if (file.extension() == ".ply") return find_bodies(read_surfaces(file)).warnings;
+  if (check_part(file)) return {};
   if (is_scene_file(file)) {
-    ComposeOptions options;
-    options.find_template = find_template;
-    check_sources(read_scene(file), options);
+    check_scene(file);
     return {};
   }
   if (is_batch_file(file)) {
@@ -64,6 +126,7 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
   }
   const Template fruit = read_template(file);
   std::vector<std::string> warnings = find_bodies(sweep(fruit)).warnings;
+  scatter_grains(fruit, {});
   for (const std::string& warning : spot_warnings(fruit)) warnings.push_back(warning);
   return warnings;
 }
@@ -89,9 +152,10 @@ ExitStatus check(const CheckCommand& command) {
         diagnostic.place.file = file.string();
         diagnostic.message = warning;
         found.push_back(as_json(diagnostic, "warning"));
-        if (!command.json && !command.quiet) std::fprintf(stderr, "%s: warning: %s\n", file.c_str(), warning.c_str());
+        if (!command.json && !command.quiet)
+          std::fprintf(stderr, "%s\n", printable(file.string() + ": warning: " + warning).c_str());
       }
-      if (!command.json && !command.quiet) std::printf("%s: ok\n", name.c_str());
+      if (!command.json && !command.quiet) std::printf("%s: ok\n", printable(name).c_str());
     } catch (const Error& error) {
       // Missing files weigh less than bad ones: a bad one can be mended from here.
       if (status != ExitStatus::bad_data) status = error.status();
@@ -113,9 +177,10 @@ DeclaredCommand check_command(CLI::App& app) {
       app.add_subcommand("check", "Check templates, scenes, batches, styles and surface files; all errors at once");
   const auto options = std::make_shared<CheckCommand>();
   command
-      ->add_option(
-          "FILE", options->files,
-          "Names from `pomona list` and `list --scenes`, templates, scenes, batches, styles or surface files (.ply)")
+      ->add_option("FILE", options->files,
+                   "Names from `pomona list` and `list --scenes`, templates, scenes, batches, styles, surface files "
+                   "(.ply), and what "
+                   "these name: meshes (.obj, .glb), drawings (.svg), layouts (.json), pictures (.png)")
       ->required();
   command->add_flag("--json", options->json, "Print what was found as JSON");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");

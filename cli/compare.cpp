@@ -14,6 +14,7 @@
 #include "cli/outputs.h"
 #include "cli/picture_file.h"
 #include "cli/program_folders.h"
+#include "generator/base/printable.h"
 #include "render/compare/comparison.h"
 #include "render/compare/comparison_page.h"
 #include "render/compare/heat_map.h"
@@ -72,7 +73,7 @@ void say(const CompareCommand& command, const Comparison& found) {
     return;
   }
   if (command.quiet) return;
-  for (const std::string& reason : found.reasons) std::fprintf(stderr, "%s\n", reason.c_str());
+  for (const std::string& reason : found.reasons) std::fprintf(stderr, "%s\n", printable(reason).c_str());
   if (pixels > 0) {
     std::printf("%s: mean FLIP %.6f, largest difference %d of 255, %zu of %zu pixels differ\n",
                 found.same ? "same" : "different", found.flip, found.largest, found.different, pixels);

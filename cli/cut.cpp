@@ -127,6 +127,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
   const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command), command.shared.format);
   check_exports(command.shared, outputs);
+  if (!command.section) check_picture_size(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
   if (any_live(outputs)) check_live_knives(knives);
   if (command.section &&
@@ -178,6 +179,7 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->type_name("KNIFE")
       ->required()
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       ->add_option(
@@ -186,6 +188,7 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->type_name("FILE")
       ->required()
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
   // What to make of the cut.

@@ -1,6 +1,9 @@
 #include "cli/deliver.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -44,6 +47,39 @@ Engine engine_called(const std::string& name) {
 }
 
 }  // namespace
+
+namespace {
+
+/// all_baked(), fruit by fruit, whose pieces share what colours them: progress is told after each.
+std::vector<BakedSolid> baked_by_fruit(std::span<const Solid> solids, const Style& style, const BakeOptions& how,
+                                       Progress& progress) {
+  std::vector<BakedSolid> baked_solids;
+  for (std::size_t first = 0; first < solids.size();) {
+    progress.report("bake", first, solids.size());
+    std::size_t end = first + 1;
+    while (end < solids.size() && solids[end].section_colors == solids[first].section_colors) ++end;
+    for (BakedSolid& solid : all_baked(solids.subspan(first, end - first), style, how))
+      baked_solids.push_back(std::move(solid));
+    first = end;
+  }
+  progress.report("bake", solids.size(), solids.size());
+  return baked_solids;
+}
+
+}  // namespace
+
+void check_picture_size(const SharedOptions& options, const std::vector<Output>& outputs) {
+  constexpr int most = max_picture_side / 2;
+  const std::optional<PictureSize> size = picture_size(options);
+  if (!size || std::max(size->width, size->height) <= most) return;
+  for (const Output& output : outputs) {
+    if (output.format == Format::png)
+      throw Error(
+          ExitStatus::usage,
+          "--size " + options.size + ": pictures of pieces have up to " + std::to_string(most) + " pixels a side",
+          "write 8192x6144 or less; pictures of --section, and .svg, may have 16384");
+  }
+}
 
 void check_exports(const SharedOptions& options, const std::vector<Output>& outputs) {
   if (options.lod > 0) check_heeded("--lod", {Format::glb, Format::usda}, outputs);
@@ -154,7 +190,8 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
 
   BakeOptions how{.texel = texel_, .threads = {options_.threads}};
   if (options_.texture > 0) how.texels = options_.texture;
-  const std::vector<BakedSolid> baked_solids = times.time("bake", [&] { return all_baked(scene.solids, style_, how); });
+  const std::vector<BakedSolid> baked_solids =
+      times.time("bake", [&] { return baked_by_fruit(scene.solids, style_, how, progress); });
   const auto coarser = times.time("bake", [&] { return baked_levels(levels, style_, how); });
   count_texels(baked_solids);
   for (const std::vector<BakedSolid>& of_solid : coarser) count_texels(of_solid);

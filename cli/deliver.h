@@ -22,6 +22,10 @@
 
 namespace pomona {
 
+/// OpenGL draws pieces with two samples to each side of a pixel, which bounds the size of their pictures: told before
+/// anything is grown. \throws Error (usage).
+void check_picture_size(const SharedOptions& options, const std::vector<Output>& outputs);
+
 /// \throws Error (usage) if something is asked for that no output holds, or that does not go together.
 void check_exports(const SharedOptions& options, const std::vector<Output>& outputs);
 

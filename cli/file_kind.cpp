@@ -19,12 +19,16 @@ FileKind kind_of(const std::filesystem::path& file) {
 }
 
 void check_kind(const std::filesystem::path& file, FileKind wanted) {
-  const FileKind found = kind_of(file);
-  if (found == wanted || found == FileKind::other) return;
   const std::string name = file.string();
   const auto refuse = [&](const std::string& what, const std::string& hint) {
-    throw Error(ExitStatus::bad_data, {{{name, 0, 0, {}}, what, hint}});
+    throw Error(ExitStatus::bad_data, {{{name, 1, 1, {}}, what, hint}});
   };
+  const bool is_surfaces = file.extension() == ".ply";
+  if (file.extension() != ".toml" && !(is_surfaces && wanted == FileKind::fruit))
+    refuse("is no file of this kind",
+           wanted == FileKind::fruit ? "templates are .toml, surfaces .ply" : "it is a .toml");
+  const FileKind found = kind_of(file);
+  if (found == wanted || found == FileKind::other) return;
   if (found == FileKind::fruit) refuse("is a template", "pomona grow and pomona cut take templates");
   if (found == FileKind::scene) refuse("is a scene", "pomona scene takes scenes");
   if (found == FileKind::batch) refuse("is a batch", "pomona batch takes batches");

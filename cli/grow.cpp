@@ -78,6 +78,7 @@ ExitStatus grow_fruit(const GrowCommand& command) {
                      Format::svg, Format::html, Format::pomona},
                     command.shared.format);
   check_exports(command.shared, outputs);
+  check_picture_size(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
   if (command.surfaces && !command.shared.aov.empty()) {
     throw Error(ExitStatus::usage, "--aov: what one sees through has no one surface at a pixel",
@@ -140,6 +141,7 @@ DeclaredCommand grow_command(CLI::App& app) {
       ->type_name("FILE")
       ->required()
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
   command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");

@@ -36,11 +36,16 @@ std::string bytes_of_file(const fs::path& file, const std::string& place) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// What is wrong with a PNG's head, at its byte.
+[[noreturn]] void fail_at(int byte, const std::string& place, const std::string& message, const std::string& hint) {
+  throw Error(ExitStatus::bad_data, {{{place, 0, 0, "byte " + std::to_string(byte)}, message, hint}});
+}
+
 /// Width and height as a PNG's first chunk states them.
 glm::dvec2 png_size(const std::string& bytes, const std::string& place) {
   constexpr std::string_view signature("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
   if (bytes.size() < 24 || std::string_view(bytes).substr(0, 16) != signature) {
-    fail(place, "the picture is no PNG", "convert it: `convert photo.jpg photo.png`, or export it as PNG");
+    fail_at(0, place, "the picture is no PNG", "convert it: `convert photo.jpg photo.png`, or export it as PNG");
   }
   const auto number = [&](std::size_t at) {
     double value = 0;
@@ -48,8 +53,10 @@ glm::dvec2 png_size(const std::string& bytes, const std::string& place) {
     return value;
   };
   const glm::dvec2 size(number(16), number(20));
-  if (!(size.x >= 1 && size.y >= 1 && size.x * size.y <= most_pixels)) {
-    fail(place, "the picture has more than 100 million pixels", "make it smaller: 2000 pixels a side are plenty");
+  if (!(size.x >= 1 && size.y >= 1)) fail_at(16, place, "the picture has no pixels", "make it anew");
+  if (size.x * size.y > most_pixels) {
+    fail_at(16, place, "the picture has more than 100 million pixels",
+            "make it smaller: 2000 pixels a side are plenty");
   }
   return size;
 }
@@ -125,12 +132,7 @@ TransparentImage read_linked_picture(const std::string& href, const fs::path& fo
 
 TransparentImage read_picture(const fs::path& file) {
   const std::string place = file.string(), bytes = bytes_of_file(file, place);
-  const glm::dvec2 size = png_size(bytes, place);
-
-  // Deflate shrinks by a thousand at most, and a pixel takes an eighth of a byte at least.
-  if (size.x * size.y / 8 > 1100.0 * static_cast<double>(bytes.size())) {
-    fail(place, "the picture claims more pixels than its bytes can hold", "it was cut short: make it anew");
-  }
+  png_size(bytes, place);
   return read_transparent_png(bytes, place);
 }
 

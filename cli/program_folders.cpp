@@ -5,6 +5,7 @@
 #include <map>
 
 #include "generator/base/error.h"
+#include "generator/base/file_bytes.h"
 #include "generator/base/nearest_name.h"
 
 namespace fs = std::filesystem;
@@ -20,8 +21,12 @@ std::vector<fs::path> candidates(const std::string& kind) {
   return folders;
 }
 
+/// What names have none of: a folder, or the ending of a file that is read.
 bool is_path(const std::string& text) {
-  return text.find('/') != std::string::npos || text.ends_with(".toml") || text.ends_with(".ply");
+  const fs::path path(text);
+  for (const char* ending : {".toml", ".ply", ".obj", ".glb", ".svg", ".json", ".png"})
+    if (path.extension() == ending) return true;
+  return text.find('/') != std::string::npos;
 }
 
 }  // namespace
@@ -68,16 +73,9 @@ std::vector<fs::path> own_files(const std::string& kind) {
 }
 
 fs::path existing_file(const std::string& path) {
-  std::error_code ignored;
-  const fs::file_status found = fs::status(path, ignored);
-  if (fs::is_regular_file(found)) return path;
-  std::string why = "there is no such file";
-  if (fs::is_directory(found)) {
-    why = "is a folder, not a file";
-  } else if (fs::exists(found)) {
-    why = "is a device or a pipe, not a file";
-  }
-  throw Error(ExitStatus::input_missing, {{{path, 0, 0, {}}, why, {}}});
+  const std::string why = why_no_file(path);
+  if (!why.empty()) throw Error(ExitStatus::input_missing, {{{path, 0, 0, {}}, why, {}}});
+  return path;
 }
 
 fs::path find_file(const std::string& kind, const std::string& name_or_path) {
@@ -86,6 +84,13 @@ fs::path find_file(const std::string& kind, const std::string& name_or_path) {
   for (const fs::path& folder : searched_folders(kind)) {
     const fs::path file = folder / (name_or_path + ".toml");
     if (fs::is_regular_file(file, ignored)) return file;
+  }
+
+  // No name; but what lies here under it is told as what it is.
+  if (fs::exists(name_or_path, ignored)) {
+    const fs::path file = existing_file(name_or_path);
+    throw Error(ExitStatus::bad_data,
+                {{{file.string(), 1, 1, {}}, "has no ending of a file that is read here", "name it FILE.toml"}});
   }
 
   std::vector<std::string> known;

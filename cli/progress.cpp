@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "generator/base/printable.h"
+
 namespace pomona {
 
 Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -71,7 +73,7 @@ void Progress::line(const std::string& text) {
 void Progress::error(const std::string& text) {
   const std::lock_guard lock(mutex_);
   clear_bar();
-  std::fprintf(stderr, "%s\n", text.c_str());
+  std::fprintf(stderr, "%s\n", printable(text).c_str());
 }
 
 }  // namespace pomona

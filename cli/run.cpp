@@ -8,6 +8,7 @@
 #include <iostream>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "cli/command.h"
 #include "cli/version.h"
 #include "generator/base/nearest_name.h"
+#include "generator/base/printable.h"
 
 namespace pomona {
 
@@ -27,6 +29,7 @@ bool colors_wanted() { return isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLO
 
 /// "error:" in red on a terminal, unless NO_COLOR says otherwise.
 void print_error(std::string text) {
+  text = printable(text);
   const std::string word = "error:";
   const std::size_t at = text.find(word);
   if (colors_wanted() && at != std::string::npos) text.replace(at, word.size(), "\033[1;31merror:\033[0m");
@@ -134,6 +137,11 @@ ExitStatus printed(ExitStatus status) {
   return status == ExitStatus::done ? ExitStatus::io_error : status;
 }
 
+ExitStatus out_of_memory() {
+  print_error("error: out of memory\n  hint: a smaller --detail or --size needs less");
+  return ExitStatus::out_of_memory;
+}
+
 ExitStatus run_action(const std::function<ExitStatus()>& action) {
   try {
     return action();
@@ -141,8 +149,9 @@ ExitStatus run_action(const std::function<ExitStatus()>& action) {
     print(error);
     return error.status();
   } catch (const std::bad_alloc&) {
-    print_error("error: out of memory\n  hint: a smaller --detail or --size needs less");
-    return ExitStatus::out_of_memory;
+    return out_of_memory();
+  } catch (const std::length_error&) {
+    return out_of_memory();  // more than any vector can hold
   } catch (const std::exception& error) {
     print_error(std::string("error: this is a bug in pomona: ") + error.what());
   }

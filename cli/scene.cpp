@@ -55,6 +55,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
                                                      Format::pov, Format::png, Format::svg, Format::json, Format::html},
                                                     command.shared.format);
   check_exports(command.shared, outputs);
+  check_picture_size(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
   Delivery delivery(command.shared);
   delivery.warn(idle_options(command.shared, outputs));
@@ -106,6 +107,7 @@ DeclaredCommand scene_command(CLI::App& app) {
       ->type_name("FILE")
       ->required()
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_shared_options(*command, options->shared);
   return {command, [options] { return compose_scene(*options); }};

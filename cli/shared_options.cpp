@@ -46,6 +46,9 @@ std::string no_count(const std::string& text) {
   return fits ? "" : "\"" + text + "\" is not a whole number from 0 to 18446744073709551615";
 }
 
+/// As CLI11 has a word of no letters; what is not given is left out.
+std::string no_empty(const std::string& text) { return text.empty() ? "\"\" says nothing: leave it out" : ""; }
+
 }  // namespace
 
 void add_shared_options(CLI::App& command, SharedOptions& options) {
@@ -105,6 +108,7 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--dpi", options.dpi, "Pixels per inch that .png and .svg tell programs which print them")
       ->check(between(10.0, 2400.0));
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
+      ->check(no_empty)
       ->type_name(view_names());
 
   command.add_option("--format", options.format, "What -o - writes to standard output: an ending without its dot")

@@ -115,6 +115,7 @@ DeclaredCommand sketch_command(CLI::App& app) {
                    "A picture (.png) to draw over: once for the side view, a second time for the top view")
       ->type_name("FILE")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   CLI::Option* folds =
       command->add_option("--folds", options->folds, "The fruit repeats itself so often")->check(whole_between(1, 64));

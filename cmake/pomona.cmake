@@ -14,6 +14,10 @@ if(POMONA_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+if(POMONA_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 # ccache would not keep what includes a precompiled header unless told that it may: ccache's manual, "Precompiled headers".
 find_program(CCACHE ccache)
 if(CCACHE)

@@ -2,26 +2,9 @@
 
 #include <utility>
 
+#include "generator/base/printable.h"
+
 namespace pomona {
-
-namespace {
-
-/// What files say reaches terminals: control characters are spelt out, line ends within a hint stay.
-std::string without_control_characters(const std::string& text) {
-  constexpr char hex[] = "0123456789abcdef";
-  std::string shown;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte >= 0x20 && byte != 0x7f) || c == '\n' || c == '\t') {
-      shown += c;
-    } else {
-      shown += std::string("\\x") + hex[byte >> 4] + hex[byte & 15];
-    }
-  }
-  return shown;
-}
-
-}  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
   std::string text;
@@ -37,7 +20,7 @@ std::string to_string(const Diagnostic& diagnostic) {
   }
   text += "error: " + diagnostic.message;
   if (!diagnostic.hint.empty()) text += "\n  hint: " + diagnostic.hint;
-  return without_control_characters(text);
+  return printable(text);
 }
 
 namespace {

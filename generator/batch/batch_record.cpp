@@ -96,7 +96,7 @@ constexpr const char* hint = "pomona wrote this file; make the batch again";
 double number_at(const JsonNode& node, std::string_view key, double most) {
   const JsonNode& value = node.need(key);
   const bool is_whole = value.kind == JsonNode::Kind::number && value.number == std::floor(value.number);
-  if (!is_whole || value.number < 0 || value.number > most) fail(value.place, "should be a whole number");
+  if (!is_whole || value.number < 0 || value.number > most) fail(value.place(), "should be a whole number");
   return value.number;
 }
 
@@ -105,9 +105,9 @@ std::int64_t items_of_a_variant(const JsonNode& entry) {
   std::int64_t items = 1;
   for (const char* list : {"knives", "browning", "quality", "texture", "lod"}) {
     const JsonNode& values = entry.need(list);
-    if (values.kind != JsonNode::Kind::array || values.items.empty()) fail(values.place, "should be a list");
+    if (values.kind != JsonNode::Kind::array || values.items.empty()) fail(values.place(), "should be a list");
     items *= static_cast<std::int64_t>(values.items.size());
-    if (items > most_batch_items) fail(values.place, "has too many items");
+    if (items > most_batch_items) fail(values.place(), "has too many items");
   }
   return items;
 }
@@ -148,15 +148,15 @@ RecordedBatch parse_batch_record(const std::string& json, const std::string& fil
                       .entries = {}};
   const JsonNode& entries = root.need("entries");
   if (entries.kind != JsonNode::Kind::array || entries.items.size() > most_batch_entries)
-    fail(entries.place, "should be a list of entries");
+    fail(entries.place(), "should be a list of entries");
   for (const JsonNode& entry : entries.items) {
     // A name becomes a folder's: it must not lead elsewhere.
     const std::string name = text_at(entry, "name", hint);
-    if (!is_plain_name(name)) fail(entry.place, "has no plain name");
+    if (!is_plain_name(name)) fail(entry.place(), "has no plain name");
     batch.entries.push_back(
         {name, static_cast<std::int64_t>(number_at(entry, "items", most_batch_items)), items_of_a_variant(entry)});
   }
-  if (batch.items() > most_batch_items) fail(entries.place, "has too many items");
+  if (batch.items() > most_batch_items) fail(entries.place(), "has too many items");
   return batch;
 }
 

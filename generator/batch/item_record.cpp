@@ -61,14 +61,14 @@ constexpr const char* hint = "remove the item's folder, and go on with --resume"
 
 double number_at(const JsonNode& node, std::string_view key) {
   const JsonNode& value = node.need(key);
-  if (value.kind != JsonNode::Kind::number) fail(value.place, "should be a number");
+  if (value.kind != JsonNode::Kind::number) fail(value.place(), "should be a number");
   return value.number;
 }
 
 /// Sizes and numbers that may be cast: whole, from 0 to what a double holds exactly.
 std::uint64_t whole_at(const JsonNode& node, std::string_view key) {
   const double value = number_at(node, key);
-  if (!(value >= 0 && value <= 0x1p53)) fail(node.need(key).place, "should be a whole number");
+  if (!(value >= 0 && value <= 0x1p53)) fail(node.need(key).place(), "should be a whole number");
   return static_cast<std::uint64_t>(value);
 }
 
@@ -76,7 +76,7 @@ RecordedFile file_of(const JsonNode& node) {
   RecordedFile file{text_at(node, "name", hint), whole_at(node, "bytes"), text_at(node, "sha256", hint)};
   const bool leads_elsewhere =
       file.name.empty() || file.name.front() == '.' || file.name.find('/') != std::string::npos;
-  if (leads_elsewhere) fail(node.place, "has no plain name");
+  if (leads_elsewhere) fail(node.place(), "has no plain name");
   return file;
 }
 

@@ -8,7 +8,7 @@ void refuse_record(const SourcePlace& place, const std::string& message, const s
 
 std::string text_at(const JsonNode& node, std::string_view key, const std::string& hint) {
   const JsonNode& value = node.need(key);
-  if (value.kind != JsonNode::Kind::string) refuse_record(value.place, "should be a text", hint);
+  if (value.kind != JsonNode::Kind::string) refuse_record(value.place(), "should be a text", hint);
   return value.text;
 }
 

@@ -1,16 +1,16 @@
 #include "generator/knife/read_stroke.h"
 
 #include <cmath>
-#include <fstream>
 #include <optional>
-#include <system_error>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/file_bytes.h"
 #include "generator/base/nearest_name.h"
 #include "generator/knife/stroke.h"
+#include "generator/template/read/sketch_fault.h"
 #include "generator/template/read/svg_drawing.h"
 #include "generator/template/read/svg_path.h"
 
@@ -18,27 +18,18 @@ namespace pomona {
 
 namespace {
 
-constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+constexpr const char* too_large = "keep the paths, and link pictures instead of embedding them";
 constexpr std::size_t most_points = 4096;
 
-/// What is read from a drawing: a word for it in messages ("stroke"), and a hint that says how it is written.
-struct Wanted {
-  std::string what, hint;
-};
-
-/// The file's text. \throws Error for a file that cannot be read, or is too large to be a drawing.
-std::string text_of(const std::filesystem::path& file, const Wanted& wanted) {
-  const auto fail = [&](ExitStatus status, const std::string& why) {
-    throw Error(status, {{{file.string(), 0, 0, ""}, "the " + wanted.what + "'s file " + why, wanted.hint}});
-  };
-  std::error_code wrong;
-  if (!std::filesystem::is_regular_file(file, wrong)) fail(ExitStatus::input_missing, "cannot be read");
-  if (std::filesystem::file_size(file, wrong) > most_bytes || wrong) {
-    fail(ExitStatus::bad_data, "is larger than 64 MiB");
+/// What is wrong with the drawing as a whole is told at its first line. \throws Error (bad_data) as BadSketch says,
+/// whose message begins with its place in the file.
+SvgDrawing drawing_of(std::string_view svg, const std::string& file) {
+  try {
+    return parse_svg(svg, file);
+  } catch (const BadSketch& bad) {
+    throw Error(ExitStatus::bad_data, {placed_fault(bad, file)});
   }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) fail(ExitStatus::input_missing, "cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// The path with this id or label. \throws Error (bad_data) where there is none, with the name that may have been
@@ -55,7 +46,7 @@ const SvgElement& element_called(const SvgDrawing& drawing, const std::string& i
   const std::string hint =
       meant ? "did you mean \"" + *meant + "\"?" : "name a path in Inkscape's Objects dialog, or by its id";
   throw Error(ExitStatus::bad_data,
-              {{{drawing.file, 0, 0, ""}, "there is no path \"" + id.substr(0, 200) + "\"", hint}});
+              {{{drawing.file, 1, 1, ""}, "there is no path \"" + id.substr(0, 200) + "\"", hint}});
 }
 
 /// Says what is wrong with the path at its place in the file.
@@ -82,22 +73,19 @@ Curve curve_of(const SvgElement& element, double scale, const Complaint& fail) {
   return curve;
 }
 
-/// Reads the path and hands it to `check`, with what complains about it; all errors name the file and the place.
+/// Finds the path and hands it to `check`, with what complains about it; all errors name the file and the place.
 template <typename Check>
-Curve read_curve(const std::filesystem::path& file, const std::string& id, double scale, const Wanted& wanted,
-                 const Check& check) {
-  const std::string name = wanted.what + " \"" + id.substr(0, 200) + "\"";
+Curve curve_called(const std::string& id, std::string_view svg, const std::string& file, double scale,
+                   const std::string& what, const Check& check) {
+  const SvgDrawing drawing = drawing_of(svg, file);
+  const SvgElement& element = element_called(drawing, id);
+  const Complaint fail{{drawing.file, element.line, element.column, ""}, what + " \"" + id.substr(0, 200) + "\""};
   try {
-    const SvgDrawing drawing = parse_svg(text_of(file, wanted), file.string());
-    const SvgElement& element = element_called(drawing, id);
-    const Complaint fail{{drawing.file, element.line, element.column, ""}, name};
     Curve curve = curve_of(element, scale, fail);
     check(curve, fail);
     return curve;
-  } catch (const BadSketch& bad) {
-    throw Error(ExitStatus::bad_data, bad.what(), bad.hint);
   } catch (const BadPath& bad) {
-    throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, ""}, name + " " + bad.what(), bad.hint}});
+    fail(bad.what(), bad.hint);
   }
 }
 
@@ -138,12 +126,21 @@ void check_profile(Curve& curve, const Complaint& fail) {
 
 }  // namespace
 
+std::vector<glm::dvec2> parse_stroke(std::string_view svg, const std::string& file, const std::string& id,
+                                     double scale) {
+  return curve_called(id, svg, file, scale, "stroke", check_stroke).points;
+}
+
+Curve parse_profile(std::string_view svg, const std::string& file, const std::string& id, double scale) {
+  return curve_called(id, svg, file, scale, "profile", check_profile);
+}
+
 std::vector<glm::dvec2> read_stroke(const std::filesystem::path& file, const std::string& id, double scale) {
-  return read_curve(file, id, scale, {"stroke", "a stroke is written stroke:FILE.svg#id"}, check_stroke).points;
+  return parse_stroke(file_bytes(file, most_bytes, too_large), file.string(), id, scale);
 }
 
 Curve read_profile(const std::filesystem::path& file, const std::string& id, double scale) {
-  return read_curve(file, id, scale, {"profile", "a profile is written revolve:FILE.svg#id"}, check_profile);
+  return parse_profile(file_bytes(file, most_bytes, too_large), file.string(), id, scale);
 }
 
 }  // namespace pomona

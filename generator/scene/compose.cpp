@@ -1,5 +1,6 @@
 #include "generator/scene/compose.h"
 
+#include <optional>
 #include <utility>
 
 #include "generator/base/stage_clock.h"
@@ -15,11 +16,6 @@ std::vector<Instance> unplaced(const SceneParts& parts) {
   for (const ScenePlacedDish& dish : parts.dishes) instances.push_back({dish.solid, {}, dish.name});
   for (const SettleItem& item : parts.items) instances.push_back({item.solid, {}, item.name});
   return instances;
-}
-
-std::vector<Pose> layout_poses(const SceneDescription& scene, const SceneParts& parts) {
-  const std::filesystem::path file = std::filesystem::path(scene.file).parent_path() / scene.layout;
-  return poses_for(read_layout(file), parts.solids, unplaced(parts));
 }
 
 std::vector<Pose> settled_poses(const SceneDescription& scene, const SceneParts& parts, const ComposeOptions& options,
@@ -48,11 +44,14 @@ Scene placed(const SceneDescription& scene, SceneParts parts, const std::vector<
 }
 
 Composition compose(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {
+  // A layout that cannot be read is told before hours of growing and cutting.
+  const std::optional<Layout> layout = layout_of(scene);
   SceneParts parts = make_parts(scene, diffuser, options);
   Composition composition{{}, std::move(parts.report)};
   StageClock clock;
   const std::vector<Pose> poses = clock.time("settle", [&] {
-    return scene.layout.empty() ? settled_poses(scene, parts, options, composition.report) : layout_poses(scene, parts);
+    return layout ? poses_for(*layout, parts.solids, unplaced(parts))
+                  : settled_poses(scene, parts, options, composition.report);
   });
   composition.report.stages.push_back(clock.stages().front());
   composition.scene = placed(scene, std::move(parts), poses);

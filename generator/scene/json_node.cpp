@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <memory>
 
 #include <nlohmann/json.hpp>
 
@@ -11,8 +12,9 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{64} << 20;
 constexpr std::size_t most_levels = 32;
+constexpr std::size_t most_values = 1'500'000;
+constexpr std::size_t most_keys = 1000;  // of an object: each is compared with all before it
 
 /// Reads characters and says how far the parser has come.
 struct CountingIterator {
@@ -62,7 +64,8 @@ class Lines {
 /// Takes nlohmann's events and builds the tree. A value starts at the first sign behind the last token.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  TreeBuilder(std::string_view text, const std::string& file) : text_(text), lines_(text, file) {}
+  TreeBuilder(std::string_view text, const std::string& file)
+      : text_(text), lines_(text, file), file_(std::make_shared<const std::string>(file)) {}
 
   JsonNode run() {
     const char* const end = text_.data() + text_.size();
@@ -91,6 +94,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     const SourcePlace place = next_place(0);
     for (const std::string& known : open_.back()->keys)
       if (known == name) fail(place, "key \"" + name + "\" is there already");
+    if (open_.back()->keys.size() == most_keys) fail(place, "an object with more than 1000 keys");
     open_.back()->keys.push_back(name);
     return true;
   }
@@ -115,8 +119,12 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   JsonNode& add(JsonNode::Kind kind, std::size_t ahead) {
     JsonNode* node = &root_;
     if (!open_.empty()) node = &open_.back()->items.emplace_back();
+    const SourcePlace place = next_place(ahead);
+    if (++values_ > most_values) fail(place, "more than 1 500 000 values");
     node->kind = kind;
-    node->place = next_place(ahead);
+    node->line = place.line;
+    node->column = place.column;
+    node->file = file_;
     return *node;
   }
 
@@ -128,7 +136,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool open(JsonNode::Kind kind) {
     JsonNode& node = add(kind, 0);
     open_.push_back(&node);
-    if (open_.size() > most_levels) fail(node.place, "nests deeper than " + std::to_string(most_levels) + " levels");
+    if (open_.size() > most_levels) fail(node.place(), "nests deeper than " + std::to_string(most_levels) + " levels");
     return true;
   }
 
@@ -139,6 +147,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   std::string_view text_;
   Lines lines_;
+  std::shared_ptr<const std::string> file_;
+  std::size_t values_ = 0;
   const char* reached_ = text_.data();
   std::size_t last_end_ = 0;
   JsonNode root_;
@@ -148,14 +158,14 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 }  // namespace
 
 const JsonNode& JsonNode::need(std::string_view key) const {
-  if (kind != Kind::object) fail(place, "should be an object with \"" + std::string(key) + "\"");
+  if (kind != Kind::object) fail(place(), "should be an object with \"" + std::string(key) + "\"");
   for (std::size_t i = 0; i < keys.size(); ++i)
     if (keys[i] == key) return items[i];
-  fail(place, "\"" + std::string(key) + "\" is missing");
+  fail(place(), "\"" + std::string(key) + "\" is missing");
 }
 
 JsonNode parse_json(std::string_view text, const std::string& file) {
-  if (text.size() > most_bytes) fail({file, 0, 0, {}}, "is larger than 64 MiB");
+  if (text.size() > most_json_bytes) fail({file, 1, 1, {}}, "is larger than 64 MiB");
   return TreeBuilder(text, file).run();
 }
 

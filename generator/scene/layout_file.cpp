@@ -2,13 +2,12 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/file_bytes.h"
 #include "generator/scene/json_node.h"
 
 namespace pomona {
@@ -27,19 +26,19 @@ std::string listed(const std::array<double, count>& numbers) {
 }
 
 std::string read_string(const JsonNode& node) {
-  if (node.kind != JsonNode::Kind::string) fail(node.place, "should be a string");
+  if (node.kind != JsonNode::Kind::string) fail(node.place(), "should be a string");
   return node.text;
 }
 
 template <std::size_t count>
 std::array<double, count> read_numbers(const JsonNode& node) {
   if (node.kind != JsonNode::Kind::array || node.items.size() != count)
-    fail(node.place, "should be " + std::to_string(count) + " numbers");
+    fail(node.place(), "should be " + std::to_string(count) + " numbers");
   std::array<double, count> numbers{};
   for (std::size_t i = 0; i < count; ++i) {
     const JsonNode& item = node.items[i];
     if (item.kind != JsonNode::Kind::number || !(std::fabs(item.number) <= 1e6))
-      fail(item.place, "should be a number up to a million");
+      fail(item.place(), "should be a number up to a million");
     numbers[i] = item.number;
   }
   return numbers;
@@ -50,7 +49,7 @@ Pose read_pose(const JsonNode& node) {
   const auto t = read_numbers<3>(node.need("translation"));
   const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   if (std::fabs(length - 1) > 1e-4)
-    fail(node.need("rotation").place, "rotation is no unit quaternion", "write [w, x, y, z] of length 1");
+    fail(node.need("rotation").place(), "rotation is no unit quaternion", "write [w, x, y, z] of length 1");
   return {glm::dquat(q[0], q[1], q[2], q[3]), {t[0], t[1], t[2]}};
 }
 
@@ -75,29 +74,38 @@ std::string write_layout(const Scene& scene) {
 Layout parse_layout(std::string_view json, const std::string& file) {
   const JsonNode root = parse_json(json, file);
   const JsonNode& format = root.need("format");
-  if (format.kind != JsonNode::Kind::number || format.number != 1) fail(format.place, "format should be 1");
+  if (format.kind != JsonNode::Kind::number || format.number != 1) fail(format.place(), "format should be 1");
   const JsonNode& instances = root.need("instances");
-  if (instances.kind != JsonNode::Kind::array) fail(instances.place, "instances should be an array");
+  if (instances.kind != JsonNode::Kind::array) fail(instances.place(), "instances should be an array");
 
   Layout layout{file, {}};
   std::map<std::string, int> lines;
   for (const JsonNode& node : instances.items) {
     const std::string name = read_string(node.need("name"));
-    const auto [known, is_new] = lines.try_emplace(name, node.place.line);
+    const auto [known, is_new] = lines.try_emplace(name, node.place().line);
     if (!is_new)
-      fail(node.need("name").place,
+      fail(node.need("name").place(),
            "\"" + name + "\" was placed in line " + std::to_string(known->second) + " already");
-    layout.placements.push_back({name, read_string(node.need("solid")), read_pose(node), node.need("name").place});
+    layout.placements.push_back({name, read_string(node.need("solid")), read_pose(node), node.need("name").place()});
   }
   return layout;
 }
 
 Layout read_layout(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
-    throw Error(ExitStatus::input_missing, {{{file.string(), 0, 0, {}}, "cannot be read", {}}});
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return parse_layout(text, file.string());
+  return parse_layout(file_bytes(file, most_json_bytes), file.string());
+}
+
+std::optional<Layout> layout_of(const SceneDescription& scene) {
+  if (scene.layout.empty()) return {};
+  try {
+    return read_layout(std::filesystem::path(scene.file).parent_path() / scene.layout);
+  } catch (const Error& error) {
+    if (error.status() != ExitStatus::input_missing) throw;
+    const Diagnostic& what = error.diagnostics().front();
+    throw Error(error.status(),
+                {{scene.layout_place, "layout \"" + scene.layout + "\": " + what.message,
+                  "settle the scene without it, and write one: pomona scene " + scene.name + " -o FILE.json"}});
+  }
 }
 
 std::vector<Pose> poses_for(const Layout& layout, const std::vector<Solid>& solids,

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "generator/base/error.h"
 #include "generator/scene/scene.h"
+#include "generator/scene/scene_file.h"
 
 namespace pomona {
 
@@ -30,6 +32,9 @@ Layout parse_layout(std::string_view json, const std::string& file);
 
 /// \throws Error (input_missing) if the file cannot be read.
 Layout read_layout(const std::filesystem::path& file);
+
+/// The layout that a scene names, if it names one. \throws Error (input_missing) at the place where it is named.
+std::optional<Layout> layout_of(const SceneDescription& scene);
 
 /// The poses for these instances, in their order (their own poses are not looked at).
 /// \throws Error (bad_data) if the layout belongs to another scene: names that differ, or are missing.

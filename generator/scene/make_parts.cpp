@@ -4,11 +4,15 @@
 #include <memory>
 #include <mutex>
 #include <numeric>
+#include <span>
 
 #include "generator/base/reproducible.h"
+#include "generator/cut/cut.h"
 #include "generator/piece/grow.h"
 #include "generator/piece/slice.h"
+#include "generator/scene/check_cuts.h"
 #include "generator/scene/dish_solids.h"
+#include "generator/scene/layout_file.h"
 #include "generator/template/read/read_template.h"
 
 namespace pomona {
@@ -159,6 +163,23 @@ SliceTask task_of(const PiecesDescription& pieces, int number, const GrownVarian
           .origin = made.origin};
 }
 
+/// Slices, or says which entry could not be cut.
+std::vector<Slices> sliced(const SceneDescription& scene, std::span<const Task> tasks,
+                           const std::vector<SliceTask>& to_slice, const Diffuser* diffuser, const SliceOptions& how) {
+  try {
+    return slice(to_slice, diffuser, how);
+  } catch (const Error&) {
+    for (std::size_t i = 0; i < to_slice.size(); ++i) {
+      try {
+        cut(to_slice[i].grown.sheets, to_slice[i].knives, how.cut);
+      } catch (const Error& error) {
+        throw at_entry(scene.pieces[tasks[i].entry], error);
+      }
+    }
+    throw;
+  }
+}
+
 /// What the report tells of one variant.
 Made reported(Slices slices, const GrownVariant& variant, const std::string& name) {
   Made made{std::move(slices.pieces), {}, {}, variant.clock};
@@ -274,7 +295,9 @@ VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& p
 }
 
 void check_sources(const SceneDescription& scene, const ComposeOptions& options) {
-  read_templates(scene, options);
+  const std::vector<Template> templates = read_templates(scene, options);
+  layout_of(scene);
+  check_cuts(scene, templates);
   DishSolids solids(std::filesystem::path(scene.file).parent_path());
   for (const DishDescription& dish : scene.dishes) solids.index_of(dish);
 }
@@ -308,7 +331,7 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
       const auto& [entry, number] = tasks[first + i];
       to_slice.push_back(task_of(scene.pieces[entry], number, variants[i]));
     }
-    std::vector<Slices> slices = slice(to_slice, diffuser, how);
+    std::vector<Slices> slices = sliced(scene, std::span(tasks).subspan(first, count), to_slice, diffuser, how);
     for (std::size_t i = 0; i < count; ++i) {
       made[first + i] = reported(std::move(slices[i]), variants[i], to_slice[i].name);
     }

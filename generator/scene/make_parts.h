@@ -63,7 +63,7 @@ struct SceneParts {
 /// entry's variants depend on what else the scene holds, in which order, or how many it takes.
 VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& pieces, int n);
 
-/// Reads all that the scene names, templates and meshes, and makes nothing of it.
+/// Reads all that the scene names, templates, meshes and the layout, and tries its knives (check_cuts.h).
 /// \throws Error at the place in the scene that names what is missing or wrong.
 void check_sources(const SceneDescription& scene, const ComposeOptions& options);
 

@@ -38,7 +38,9 @@ class BodyFinder {
       if (shell_[s].volume >= 0) continue;
       // Each wall is held against every solid.
       constexpr std::size_t most_walls = 4096;
-      if (++walls > most_walls) throw Error(ExitStatus::bad_data, "more than 4096 cavities");
+      if (++walls > most_walls)
+        throw Error(ExitStatus::bad_data, "more than 4096 cavities: surfaces that face inwards and are closed",
+                    "flip the surfaces whose back faces air, or leave some out");
       const auto around = std::find_if(solids.begin(), solids.end(), [&](std::size_t solid) {
         return containment_.contains(shell_[solid], shell_[s]);
       });

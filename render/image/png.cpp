@@ -16,19 +16,27 @@ namespace pomona {
 
 namespace {
 
+constexpr double most_pixels = 1e8;  // of a picture that is read
+
+/// What is written or read, for messages.
+struct PngName {
+  std::string file;
+  std::size_t bytes = 0;  ///< of a file that is read
+  std::string_view rest;  ///< what of them has not been read yet
+};
+
 // libpng's own way out of errors is longjmp; an exception thrown from its callback unwinds this side only, so the
 // structures are owned by destructors here.
 [[noreturn]] void fail(png_structp png, png_const_charp message) {
-  const auto* name = static_cast<const std::string*>(png_get_error_ptr(png));
-  SourcePlace place;
-  place.file = *name;
-  throw Error(ExitStatus::bad_data, {Diagnostic{place, std::string("not a readable PNG: ") + message, ""}});
+  const auto* name = static_cast<const PngName*>(png_get_error_ptr(png));
+  const std::string element = "byte " + std::to_string(name->bytes - name->rest.size());
+  throw Error(ExitStatus::bad_data, {{{name->file, 0, 0, element}, std::string("not a readable PNG: ") + message, ""}});
 }
 
 void ignore(png_structp, png_const_charp) {}
 
 struct Writer {
-  std::string name = "picture";
+  PngName name{"picture", 0, {}};
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &name, fail, ignore);
   png_infop info = png_create_info_struct(png);
   Writer() = default;
@@ -38,11 +46,10 @@ struct Writer {
 };
 
 struct Reader {
-  std::string name;
-  std::string_view rest;
+  PngName name;
   png_structp png = nullptr;
   png_infop info = nullptr;
-  Reader(const std::string& bytes, std::string file) : name(std::move(file)), rest(bytes) {
+  Reader(const std::string& bytes, std::string file) : name{std::move(file), bytes.size(), bytes} {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &name, fail, ignore);
     info = png_create_info_struct(png);
   }
@@ -56,7 +63,7 @@ void append(png_structp png, png_bytep data, png_size_t size) {
 }
 
 void take(png_structp png, png_bytep data, png_size_t size) {
-  auto& rest = *static_cast<std::string_view*>(png_get_io_ptr(png));
+  std::string_view& rest = static_cast<PngName*>(png_get_io_ptr(png))->rest;
   if (rest.size() < size) png_error(png, "it ends too early");
   std::memcpy(data, rest.data(), size);
   rest.remove_prefix(size);
@@ -141,13 +148,24 @@ std::string write_png(const TransparentImage& image) {
 
 namespace {
 
+/// Size and kind, within the limits: nothing has been set aside for pixels yet. Deflate shrinks by 1032 times at most,
+/// so that few bytes cannot hold many pixels.
+void read_head(Reader& reader) {
+  png_set_read_fn(reader.png, &reader.name, take);
+  png_set_user_limits(reader.png, max_picture_side, max_picture_side);
+  png_read_info(reader.png, reader.info);
+  const auto pixels = static_cast<double>(png_get_image_width(reader.png, reader.info)) *
+                      static_cast<double>(png_get_image_height(reader.png, reader.info));
+  const int bits = png_get_bit_depth(reader.png, reader.info) * png_get_channels(reader.png, reader.info);
+  if (pixels > most_pixels) png_error(reader.png, "it has more than 100 million pixels");
+  if (pixels * bits / 8 > 1040.0 * static_cast<double>(reader.name.bytes))
+    png_error(reader.png, "it claims more pixels than its bytes can hold");
+}
+
 /// Whatever the file holds becomes eight-bit RGBA, or RGB without the opacity. The image has its size, but no pixels
 /// yet.
 Image start_reading(Reader& reader, bool with_opacity) {
-  png_set_read_fn(reader.png, &reader.rest, take);
-  png_set_user_limits(reader.png, max_picture_side, max_picture_side);
-  png_read_info(reader.png, reader.info);
-
+  read_head(reader);
   png_set_expand(reader.png);
   png_set_strip_16(reader.png);
   if (with_opacity) {
@@ -196,9 +214,7 @@ TransparentImage read_transparent_png(const std::string& bytes, const std::strin
 
 DeepImage read_deep_png(const std::string& bytes, const std::string& name) {
   Reader reader(bytes, name);
-  png_set_read_fn(reader.png, &reader.rest, take);
-  png_set_user_limits(reader.png, max_picture_side, max_picture_side);
-  png_read_info(reader.png, reader.info);
+  read_head(reader);
   const int channels = png_get_channels(reader.png, reader.info);
   if (png_get_bit_depth(reader.png, reader.info) != 16 || (channels != 1 && channels != 3))
     png_error(reader.png, "it is not 16-bit grey or RGB");

@@ -1,11 +1,14 @@
 #include "render/picture/section_picture.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "generator/base/error.h"
 #include "render/marks/marks.h"
+#include "render/picture/inked_pixels.h"
 #include "render/picture/marks_on_picture.h"
 #include "render/picture/paper.h"
 #include "render/picture/section_raster.h"
@@ -22,18 +25,53 @@ std::vector<PlacedFace> laid_out_in(const PlateBox& box, const CrossSection& sec
   return faces;
 }
 
-struct InkLayers {
-  InkLayer rim, inner;
+/// Ink on some of the picture's rows, as an InkLayer has it for all.
+class RowsOfInk {
+ public:
+  RowsOfInk(int width, PictureRows rows)
+      : width_(width), rows_(rows), samples_(static_cast<std::size_t>(width) * (rows.to - rows.from), 0) {
+    opacity_.resize(samples_.size(), 0.0f);
+  }
+
+  void draw(const std::vector<StrokePoint>& stroke) {
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+      const StrokePoint &a = stroke[i - 1], &b = stroke[i];
+      const auto opacity = static_cast<float>(0.5 * (a.opacity + b.opacity));
+      for_inked_pixels(a, b, width_, rows_, [&](int x, int y, std::uint16_t hits) {
+        const std::size_t pixel = index_of(x, y);
+        samples_[pixel] = static_cast<std::uint16_t>(samples_[pixel] | hits);
+        opacity_[pixel] = std::max(opacity_[pixel], opacity);
+      });
+    }
+  }
+
+  /// Share of the pixel that the ink hides, 0..1.
+  double at(int x, int y) const {
+    const std::size_t pixel = index_of(x, y);
+    return static_cast<double>(opacity_[pixel]) * std::popcount(samples_[pixel]) / 16.0;
+  }
+
+ private:
+  std::size_t index_of(int x, int y) const { return static_cast<std::size_t>(y - rows_.from) * width_ + x; }
+
+  int width_;
+  PictureRows rows_;
+  std::vector<std::uint16_t> samples_;
+  std::vector<float> opacity_;
 };
 
-InkLayers inked(const std::vector<SectionStroke>& strokes, const SectionPictureOptions& options) {
-  InkLayers layers{{options.width, options.height}, {options.width, options.height}};
+struct RowsOfLayers {
+  RowsOfInk rim, inner;
+};
+
+RowsOfLayers inked(const std::vector<SectionStroke>& strokes, int width, PictureRows rows) {
+  RowsOfLayers layers{{width, rows}, {width, rows}};
   for (const SectionStroke& stroke : strokes) (stroke.rim ? layers.rim : layers.inner).draw(stroke.points);
   return layers;
 }
 
 /// The picture with both layers of ink over it.
-Image with_ink_layers(Image image, const InkLayers& layers, const Color& ink, double inner_opacity) {
+Image with_ink_layers(Image image, const RowsOfLayers& layers, const Color& ink, double inner_opacity) {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       glm::u8vec3& pixel = image.pixels[static_cast<std::size_t>(y) * image.width + x];
@@ -55,8 +93,9 @@ Image draw_faces_in_marks(const CrossSection& section, const std::vector<PlacedF
   Image image = with_marks(painted, paper, marks_of(painted, style.paper, *style.marks), *style.marks, ink_color);
   if (!style.ink) return image;
   const double side = std::min(options.width, options.height);
-  return with_ink_layers(std::move(image), inked(section_strokes(section, faces, ink, style, side), options), ink_color,
-                         style.inner_opacity);
+  return with_ink_layers(std::move(image),
+                         inked(section_strokes(section, faces, ink, style, side), options.width, {0, options.height}),
+                         ink_color, style.inner_opacity);
 }
 
 }  // namespace
@@ -95,20 +134,23 @@ Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& fac
                  const InkStyle& ink, const Style& style, const SectionPictureOptions& options) {
   if (style.marks) return draw_faces_in_marks(section, faces, look, ink, style, options);
 
-  // Flat colours first.
   const double side = std::min(options.width, options.height);
-  const std::vector<SectionPixel> pixels = rasterised(section, faces, options.width, options.height, options.threads);
-
-  // Then, pixel by pixel: the colour's noise, the paper around it, the ink above it.
+  const SectionRaster raster(section, faces, options.width, options.height);
   const Paper paper(style, options.width, options.height);
   const Color ink_color = style.ink_color.value_or(ink.color);
-  const InkLayers layers =
-      style.ink ? inked(section_strokes(section, faces, ink, style, side), options) : InkLayers{{0, 0}, {0, 0}};
-  Image image{options.width, options.height, std::vector<glm::u8vec3>(pixels.size())};
-  parallel_for(static_cast<std::size_t>(options.height), options.threads, [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < options.width; ++x) {
-      const std::size_t i = row * options.width + x;
+  const std::vector<SectionStroke> strokes =
+      style.ink ? section_strokes(section, faces, ink, style, side) : std::vector<SectionStroke>{};
+
+  // Band by band, so that a large picture needs little more than its own bytes: flat colours first; then, pixel by
+  // pixel, the colour's noise, the paper around it, the ink above it.
+  const auto width = static_cast<std::size_t>(options.width);
+  Image image{options.width, options.height, std::vector<glm::u8vec3>(width * options.height)};
+  parallel_for(raster.bands(), options.threads, [&](std::size_t band) {
+    const PictureRows rows = raster.rows(band);
+    const std::vector<SectionPixel> pixels = raster.pixels(band);
+    const RowsOfLayers layers = inked(strokes, style.ink ? options.width : 0, rows);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const int x = static_cast<int>(i % width), y = rows.from + static_cast<int>(i / width);
       const SectionPixel& pixel = pixels[i];
 
       // The fruit covers the paper by the share of the pixel's samples that lie in it.
@@ -129,7 +171,7 @@ Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& fac
         color += (ink_color - color) * static_cast<float>(layers.inner.at(x, y) * style.inner_opacity);
         color += (ink_color - color) * static_cast<float>(layers.rim.at(x, y));
       }
-      image.pixels[i] = to_srgb8(color);
+      image.pixels[rows.from * width + i] = to_srgb8(color);
     }
   });
   return image;

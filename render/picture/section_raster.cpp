@@ -12,20 +12,7 @@ namespace {
 constexpr std::int64_t unit = 256;               // fixed-point steps a pixel
 constexpr std::int64_t step = unit / 4;          // between samples
 constexpr std::int64_t first_sample = unit / 8;  // of a pixel's samples
-constexpr int band_rows = 16;                    // rows that one task draws
-
-struct FixedPoint {
-  std::int64_t x = 0, y = 0;
-};
-
-/// A triangle on the paper, in fixed point, with positive area (y down: clockwise as seen).
-struct PaperTriangle {
-  std::array<FixedPoint, 3> corner{};
-  std::array<glm::dvec3, 3> color{};
-  std::array<std::uint32_t, 3> vertex{};
-  std::int64_t area = 0;  // twice the area
-  int face = 0;
-};
+constexpr int band_rows = 32;                    // rows that one task draws
 
 std::int64_t side(const FixedPoint& a, const FixedPoint& b, const FixedPoint& p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
@@ -127,29 +114,35 @@ void cover(const PaperTriangle& t, const std::vector<DetailGuide>& guide, std::i
 
 }  // namespace
 
-std::vector<SectionPixel> rasterised(const CrossSection& section, const std::vector<PlacedFace>& faces, int width,
-                                     int height, Threads threads) {
-  const std::vector<PaperTriangle> triangles = on_paper(section, faces);
-
-  // Which triangles touch which band of rows, in the triangles' order.
-  const std::size_t bands = (static_cast<std::size_t>(height) + band_rows - 1) / band_rows;
-  std::vector<std::vector<std::uint32_t>> touching(bands);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const PixelBox box = box_of(triangles[t], width, height);
-    for (std::int64_t band = box.y0 / band_rows; band <= box.y1 / band_rows; ++band) touching[band].push_back(t);
+SectionRaster::SectionRaster(const CrossSection& section, const std::vector<PlacedFace>& faces, int width, int height)
+    : section_(section),
+      width_(width),
+      height_(height),
+      triangles_(on_paper(section, faces)),
+      touching_((static_cast<std::size_t>(height) + band_rows - 1) / band_rows) {
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    const PixelBox box = box_of(triangles_[t], width, height);
+    for (std::int64_t band = box.y0 / band_rows; band <= box.y1 / band_rows; ++band)
+      touching_[static_cast<std::size_t>(band)].push_back(t);
   }
+}
 
-  std::vector<SectionPixel> pixels(static_cast<std::size_t>(width) * height);
-  parallel_for(bands, threads, [&](std::size_t band) {
-    const auto low = static_cast<std::int64_t>(band) * band_rows;
-    for (const std::uint32_t t : touching[band]) {
-      const PixelBox box = box_of(triangles[t], width, height);
-      const std::int64_t y1 = std::min(box.y1, low + band_rows - 1);
-      for (std::int64_t y = std::max(box.y0, low); y <= y1; ++y) {
-        for (std::int64_t x = box.x0; x <= box.x1; ++x) cover(triangles[t], section.guide, x, y, pixels[y * width + x]);
-      }
+PictureRows SectionRaster::rows(std::size_t band) const {
+  const int low = static_cast<int>(band) * band_rows;
+  return {low, std::min(height_, low + band_rows)};
+}
+
+std::vector<SectionPixel> SectionRaster::pixels(std::size_t band) const {
+  const PictureRows rows = this->rows(band);
+  std::vector<SectionPixel> pixels(static_cast<std::size_t>(width_) * (rows.to - rows.from));
+  for (const std::uint32_t t : touching_[band]) {
+    const PixelBox box = box_of(triangles_[t], width_, height_);
+    const std::int64_t y1 = std::min<std::int64_t>(box.y1, rows.to - 1);
+    for (std::int64_t y = std::max<std::int64_t>(box.y0, rows.from); y <= y1; ++y) {
+      for (std::int64_t x = box.x0; x <= box.x1; ++x)
+        cover(triangles_[t], section_.guide, x, y, pixels[static_cast<std::size_t>((y - rows.from) * width_ + x)]);
     }
-  });
+  }
   return pixels;
 }
 

@@ -1,11 +1,13 @@
 // Triangles to pixels, exactly: integer edge tests on a fixed grid of samples.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "generator/base/parallel.h"
 #include "generator/cut/section/cross_section.h"
+#include "render/picture/inked_pixels.h"
 #include "render/picture/section_layout.h"
 
 namespace pomona {
@@ -21,8 +23,38 @@ struct SectionPixel {
 
 constexpr int section_samples = 16;  ///< 4 x 4 a pixel
 
-/// Row by row; a sample on a shared edge belongs to exactly one of the two triangles.
-std::vector<SectionPixel> rasterised(const CrossSection& section, const std::vector<PlacedFace>& faces, int width,
-                                     int height, Threads threads);
+struct FixedPoint {
+  std::int64_t x = 0, y = 0;
+};
+
+/// A triangle on the paper, in fixed point, with positive area (y down: clockwise as seen).
+struct PaperTriangle {
+  std::array<FixedPoint, 3> corner{};
+  std::array<glm::dvec3, 3> color{};
+  std::array<std::uint32_t, 3> vertex{};
+  std::int64_t area = 0;  ///< twice the area
+  int face = 0;
+};
+
+/// A section's triangles, ready to be drawn some rows at a time: a large picture's pixels are never held all at once.
+class SectionRaster {
+ public:
+  /// Both must outlive it.
+  SectionRaster(const CrossSection& section, const std::vector<PlacedFace>& faces, int width, int height);
+
+  /// How many bands the picture has, and which rows each holds, from the top.
+  std::size_t bands() const { return touching_.size(); }
+  PictureRows rows(std::size_t band) const;
+
+  /// The band's pixels, row by row; a sample on a shared edge belongs to exactly one of the two triangles. To be called
+  /// from any thread.
+  std::vector<SectionPixel> pixels(std::size_t band) const;
+
+ private:
+  const CrossSection& section_;
+  int width_, height_;
+  std::vector<PaperTriangle> triangles_;
+  std::vector<std::vector<std::uint32_t>> touching_;  ///< the triangles of each band, in their order
+};
 
 }  // namespace pomona

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/picture/inked_pixels.h"
 #include "render/style/noise.h"
 
 namespace pomona {
@@ -154,35 +155,12 @@ void InkLayer::draw(const std::vector<StrokePoint>& stroke) {
 }
 
 void InkLayer::draw_piece(const StrokePoint& a, const StrokePoint& b) {
-  const double reach = std::max(a.radius, b.radius);
-  const auto pixel = [](double v, int limit) { return static_cast<int>(std::clamp(std::floor(v), 0.0, limit - 1.0)); };
-  const int x0 = pixel(std::min(a.at.x, b.at.x) - reach, width_), x1 = pixel(std::max(a.at.x, b.at.x) + reach, width_);
-  const int y0 = pixel(std::min(a.at.y, b.at.y) - reach, height_);
-  const int y1 = pixel(std::max(a.at.y, b.at.y) + reach, height_);
-  const glm::dvec2 along = b.at - a.at;
-  const double squared = glm::dot(along, along);
-
-  // A sample is inked when it lies within the radius that holds at its nearest place on the piece.
-  const auto inked = [&](const glm::dvec2& p) {
-    const double t = squared > 0 ? std::clamp(glm::dot(p - a.at, along) / squared, 0.0, 1.0) : 0.0;
-    const glm::dvec2 away = p - (a.at + along * t);
-    const double radius = mix(a.radius, b.radius, t);
-    return glm::dot(away, away) <= radius * radius;
-  };
   const auto opacity = static_cast<float>(0.5 * (a.opacity + b.opacity));
-  for (int y = y0; y <= y1; ++y) {
-    for (int x = x0; x <= x1; ++x) {
-      std::uint16_t hits = 0;
-      for (int s = 0; s < 16; ++s) {
-        const glm::dvec2 sample(x + 0.25 * (s % 4) + 0.125, y + 0.25 * (s / 4) + 0.125);
-        if (inked(sample)) hits = static_cast<std::uint16_t>(hits | (1u << s));
-      }
-      if (hits == 0) continue;
-      const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
-      samples_[i] = static_cast<std::uint16_t>(samples_[i] | hits);
-      opacity_[i] = std::max(opacity_[i], opacity);
-    }
-  }
+  for_inked_pixels(a, b, width_, {0, height_}, [&](int x, int y, std::uint16_t hits) {
+    const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
+    samples_[i] = static_cast<std::uint16_t>(samples_[i] | hits);
+    opacity_[i] = std::max(opacity_[i], opacity);
+  });
 }
 
 double InkLayer::at(int x, int y) const {

@@ -1,9 +1,9 @@
 #include "render/style/style_file.h"
 
-#include <fstream>
+#include <sstream>
 
 #include "generator/base/error.h"
-#include "generator/base/first_bytes.h"
+#include "generator/base/file_bytes.h"
 #include "generator/base/units.h"
 #include "generator/template/read/read_name.h"
 #include "generator/template/read/toml_document.h"
@@ -98,20 +98,13 @@ Style parse_style(std::string_view toml, const std::string& file) {
 }
 
 Style read_style(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
-    throw Error(ExitStatus::input_missing, {{{file.string(), 0, 0, {}}, "cannot be read", {}}});
-
-  const std::string text = first_bytes(stream, most_bytes + 1);
-  if (text.size() > most_bytes)
-    throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, {}}, "is longer than 64 KiB: no style is", {}}});
-  return parse_style(text, file.string());
+  return parse_style(file_bytes(file, most_bytes, "no style is that long"), file.string());
 }
 
 bool is_style_file(const std::filesystem::path& file) {
   if (file.extension() != ".toml") return false;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
+  std::istringstream text(readable_bytes(file, most_bytes));
+  for (std::string line; std::getline(text, line);) {
     std::erase_if(line, [](char c) { return c == ' ' || c == '\t' || c == '\'' || c == '"'; });
     if (line.starts_with("kind=style")) return true;
     if (line.starts_with("[")) return false;

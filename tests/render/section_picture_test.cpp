@@ -1,7 +1,11 @@
 #include "render/picture/section_picture.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <map>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -10,6 +14,7 @@
 #include "generator/base/error.h"
 #include "generator/cut/cut.h"
 #include "render/image/png.h"
+#include "render/picture/inked_pixels.h"
 #include "render/picture/section_ink.h"
 #include "render/picture/section_layout.h"
 #include "tests/render/painted_shapes.h"
@@ -94,6 +99,53 @@ TEST(Png, ComesBackAsItWas) {
   const Image back = read_png(write_png(image), "x.png");
   EXPECT_EQ(back.width, image.width);
   EXPECT_EQ(back.pixels, image.pixels);
+}
+
+/// A section's picture is drawn band by band: nothing may show where bands meet, and rows count from the picture's top.
+TEST(InkedPixels, AreTheSameWhateverRowsAreAskedFor) {
+  const StrokePoint a{{3.3, 2.1}, 1.7, 1}, b{{17.9, 36.4}, 2.9, 0.5};
+  std::map<std::pair<int, int>, int> whole, in_bands;
+  for_inked_pixels(a, b, 20, {0, 40}, [&](int x, int y, int hits) { whole[{x, y}] = hits; });
+  for (int from = 0; from < 40; from += 7) {
+    for_inked_pixels(a, b, 20, {from, std::min(40, from + 7)},
+                     [&](int x, int y, int hits) { EXPECT_TRUE(in_bands.emplace(std::pair(x, y), hits).second); });
+  }
+  EXPECT_GT(whole.size(), 100u);
+  EXPECT_EQ(in_bands, whole);
+}
+
+std::string message_of_png(const std::string& bytes) {
+  try {
+    read_png(bytes, "x.png");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "was read";
+}
+
+TEST(Png, SaysWhereItEndsTooEarly) {
+  const std::string bytes = write_png(drawn_disc("plain", 1, 1, 64, 64));
+  EXPECT_THAT(message_of_png(bytes.substr(0, 20)), testing::StartsWith("x.png:byte 1"));
+  EXPECT_THAT(message_of_png(bytes.substr(0, 20)), testing::HasSubstr("it ends too early"));
+}
+
+/// CRC-32 as PNG wants it of a chunk.
+std::uint32_t png_checksum(const std::string& chunk) {
+  std::uint32_t sum = 0xffffffffu;
+  for (const char c : chunk) {
+    sum ^= static_cast<unsigned char>(c);
+    for (int k = 0; k < 8; ++k) sum = (sum >> 1) ^ ((sum & 1u) != 0 ? 0xedb88320u : 0u);
+  }
+  return ~sum;
+}
+
+/// The head of a picture with 9000 x 9000 pixels.
+TEST(Png, ThatCannotHoldItsPixelsIsRefusedBeforeTheyAreSetAside) {
+  std::string bytes = write_png(drawn_disc("plain", 1, 1, 64, 64));
+  bytes.replace(16, 8, std::string("\0\0\x23\x28\0\0\x23\x28", 8));
+  const std::uint32_t checksum = png_checksum(bytes.substr(12, 17));
+  for (int k = 0; k < 4; ++k) bytes[29 + k] = static_cast<char>(checksum >> (24 - 8 * k));
+  EXPECT_THAT(message_of_png(bytes), testing::HasSubstr("more pixels than its bytes can hold"));
 }
 
 TEST(Png, RefusesWhatIsNotOne) {

@@ -1,9 +1,14 @@
 #include "generator/scene/layout_file.h"
 
+#include <sys/stat.h>
+
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "generator/base/error.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/scene/heap_shapes.h"
 
 namespace pomona {
@@ -56,6 +61,45 @@ TEST(LayoutFile, SaysWhereItIsWrong) {
       "\"rotation\": [1, 0, 0, 0], \"translation\": [0, \"up\", 0]}]}",
       "l.json:2:46: error: should be a number");
   expect_error(std::string(100, '['), "l.json:1:33: error: nests deeper");
+}
+
+TEST(LayoutFile, IsRefusedBeforeItFillsTheMemory) {
+  std::string many = "{\"format\": 1, \"instances\": [";
+  for (int i = 0; i < 1'500'000; ++i) many += "0,";
+  expect_error(many + "0]}", "l.json:1:3000023: error: more than 1 500 000 values");
+  std::string keys = "{\"format\": 1";
+  for (int i = 0; i < 1000; ++i) keys += ",\"" + std::to_string(i) + "\": 0";
+  expect_error(keys + "}", "l.json:1:8895: error: an object with more than 1000 keys");
+}
+
+/// Devices and pipes are told without being opened, which would wait or never end.
+TEST(LayoutFile, IsAFile) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe.json").c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/zero", folder / "zero.json");
+  for (const char* name : {"pipe.json", "zero.json"}) {
+    try {
+      read_layout(folder / name);
+      ADD_FAILURE() << "was read";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.status(), ExitStatus::input_missing);
+      EXPECT_THAT(error.what(), testing::HasSubstr("is a device or a pipe, not a file"));
+    }
+  }
+}
+
+TEST(LayoutFile, ThatIsMissingIsToldInTheScene) {
+  SceneDescription scene;
+  scene.file = "folder/scene.toml";
+  scene.layout = "none.json";
+  scene.layout_place = {scene.file, 3, 10, {}};
+  try {
+    layout_of(scene);
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(),
+                testing::StartsWith("folder/scene.toml:3:10: error: layout \"none.json\": there is no such file"));
+  }
 }
 
 TEST(LayoutFile, BelongsToItsScene) {

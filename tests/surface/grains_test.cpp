@@ -1,6 +1,7 @@
 #include "generator/surface/grains/grains.h"
 
 #include <cmath>
+#include <fstream>
 
 #include <gmock/gmock.h>
 
@@ -9,6 +10,7 @@
 #include "generator/base/error.h"
 #include "generator/base/units.h"
 #include "generator/surface/bodies.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/shapes/shapes.h"
 #include "tests/surface/sketches.h"
 
@@ -146,9 +148,23 @@ TEST(Grains, TooManyOrTooFineIsRefusedAtOnce) {
     }
     return std::string();
   };
-  EXPECT_THAT(message(1e-5), testing::HasSubstr("grains \"seeds\": the Poisson radius"));
-  EXPECT_THAT(message(0), testing::HasSubstr("the Poisson radius"));
+  EXPECT_THAT(message(1e-5), testing::HasSubstr("grains \"seeds\": their spacing"));
+  EXPECT_THAT(message(0), testing::HasSubstr("their spacing"));
   EXPECT_THAT(message(0.0003), testing::HasSubstr("more than 20 000"));
+}
+
+/// Found only in growing, and still told where the template says it.
+TEST(Grains, TooFineIsToldAtItsPlaceInTheTemplate) {
+  const TemporaryFolder folder;
+  Template made = seeded(seeds(1e-5));
+  made.file = folder / "x.toml";
+  std::ofstream(made.file) << "format = 1\n\n[[grains]]\nname = \"pits\"\n[[grains]]\nname = \"seeds\"\n";
+  try {
+    scatter_grains(made, {});
+    ADD_FAILURE() << "was grown";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith(made.file + ":6:8: error: grains \"seeds\""));
+  }
 }
 
 TEST(Grains, AnEmptyBandHasNone) {

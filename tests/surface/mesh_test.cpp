@@ -380,6 +380,14 @@ TEST(MeshInTemplate, MistakesAreToldAtTheirPlace) {
   }
 }
 
+/// Each may be in order; together they would fill the memory.
+TEST(Mesh, AllOfATemplateHaveALimitTogether) {
+  const Template fruit = fruit_of({sketch_of(MeshFormat::obj, cube_obj())});
+  EXPECT_NO_THROW(check_meshes_together(fruit, fruit.meshes[0], most_mesh_triangles));
+  EXPECT_THAT(message_of([&] { check_meshes_together(fruit, fruit.meshes[0], most_mesh_triangles + 1); }),
+              HasSubstr("mesh \"cube\": with it the meshes have more than 2 000 000 triangles together"));
+}
+
 TEST(Mesh, WrongUnitsAreFound) {
   MeshSketch mesh = sketch_of(MeshFormat::obj, cube_obj());
   mesh.unit = 1000;

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double farthest = 1e9;                             // in units of the file
 constexpr std::uint32_t most_json = std::uint32_t{4} << 20;  // bytes; what is large lies outside it
+constexpr std::ptrdiff_t most_values = 500'000;              // each takes tinygltf a fifth of a kilobyte
 constexpr int deepest_json = 64;
 constexpr std::size_t most_nodes = 65536;
 
@@ -64,9 +65,10 @@ void check_container(std::string_view bytes, const std::string& file) {
   if (word_at(bytes, 16) != 0x4E4F534Au) refuse(file, "byte 16", "the first chunk is not JSON");
   if (json > bytes.size() - head) refuse(file, "byte 12", "the file ends early");
   if (json > most_json) refuse(file, "byte 12", "more than 4 MiB of JSON", "export the one object, not the scene");
-  if (depth_of(bytes.substr(head, json)) > deepest_json) {
-    refuse(file, "byte 20", "values nested more than 64 deep");
-  }
+  const std::string_view text = bytes.substr(head, json);
+  if (depth_of(text) > deepest_json) refuse(file, "byte 20", "values nested more than 64 deep");
+  if (std::count(text.begin(), text.end(), ',') > most_values)
+    refuse(file, "byte 20", "more than 500 000 values of JSON", "export the one object, not the scene");
 }
 
 bool leave_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
@@ -98,7 +100,8 @@ tinygltf::Model parse_model(std::string_view bytes, const std::string& file) {
   // The reader's message may quote the file: only the first line is shown, and only what can be printed.
   std::string why = error.substr(0, std::min<std::size_t>(error.find('\n'), 200));
   for (char& c : why) c = c < ' ' || c > '~' ? '?' : c;
-  refuse(file, "", "is no glTF that can be read" + (why.empty() ? "" : ": " + why));
+  refuse(file, "byte 20", "its JSON is no glTF that can be read" + (why.empty() ? "" : ": " + why),
+         "export it anew as binary glTF 2.0 (.glb)");
 }
 
 /// The values of one accessor, checked against the bytes that are there.
@@ -117,8 +120,8 @@ class GlbReader {
   PlainMesh read() {
     for (const int root : roots()) visit(root, glm::dmat4(1), 0);
     if (!object_.empty() && !found_)
-      refuse(file_, "", "has no object \"" + object_ + "\"", "it has: " + listed_names(names_));
-    if (mesh_.triangle.empty()) refuse(file_, "", "holds no triangles", "export the mesh as polygons");
+      refuse(file_, "scene", "has no object \"" + object_ + "\"", "it has: " + listed_names(names_));
+    if (mesh_.triangle.empty()) refuse(file_, "scene", "holds no triangles", "export the mesh as polygons");
     if (!colored_) mesh_.color.clear();
     return without_unused(mesh_);
   }

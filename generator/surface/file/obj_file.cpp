@@ -140,7 +140,7 @@ class ObjParser {
   }
 
   [[noreturn]] void fail_whole(const std::string& message, const std::string& hint) const {
-    throw Error(ExitStatus::bad_data, {{{file_, 0, 0, {}}, message, hint}});
+    throw Error(ExitStatus::bad_data, {{{file_, std::max(1, line_number_), 1, {}}, message, hint}});
   }
 
   std::string_view text_;

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/file_bytes.h"
 #include "generator/surface/file/outer_skin.h"
 #include "generator/surface/file/ply.h"
 #include "generator/surface/file/surface_file.h"
@@ -350,21 +351,7 @@ DiffusionSurfaces parse_surfaces(std::string_view bytes, const std::string& file
 }
 
 DiffusionSurfaces read_surfaces(const std::filesystem::path& file) {
-  const auto unreadable = [&] {
-    SourcePlace place;
-    place.file = file.string();
-    return Error(ExitStatus::input_missing, {{place, "cannot be read", {}}});
-  };
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) throw unreadable();
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) throw unreadable();
-  if (size > most_bytes) refuse_size(file.string());
-
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes(size, '\0');
-  if (!stream || !stream.read(bytes.data(), static_cast<std::streamsize>(size))) throw unreadable();
-  return parse_surfaces(bytes, file.string());
+  return parse_surfaces(file_bytes(file, most_bytes, "simplify the mesh"), file.string());
 }
 
 }  // namespace pomona

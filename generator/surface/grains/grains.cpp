@@ -13,6 +13,7 @@
 #include "generator/surface/sweep/dart_throwing.h"
 #include "generator/surface/sweep/grid_painter.h"
 #include "generator/surface/sweep/swept_grid.h"
+#include "generator/template/read/entry_place.h"
 
 namespace pomona {
 
@@ -22,8 +23,8 @@ constexpr double most_grains = 20'000;
 
 [[noreturn]] void refuse(const Template& fruit, const GrainSketch& sketch, const std::string& why,
                          const std::string& hint) {
-  SourcePlace place;
-  place.file = fruit.file.empty() ? fruit.name : fruit.file;
+  const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
+  const SourcePlace place = entry_place(file, "grains", sketch.name);
   throw Error(ExitStatus::bad_data, {{place, "grains \"" + sketch.name + "\": " + why, hint}});
 }
 
@@ -135,13 +136,13 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
   for (const GrainSketch& sketch : fruit.grains) {
     // Refuse what would take too long before throwing the first dart.
     if (!(sketch.spacing.poisson_radius >= 1e-3 * size)) {
-      refuse(fruit, sketch, "the Poisson radius is below 1/1000 of the fruit", "make it the distance between grains");
+      refuse(fruit, sketch, "their spacing is below 1/1000 of the fruit", "make it the distance between grains");
     }
     const GrainDraws draws = grain_draws(key, sketch.name);
     const SurfaceSketch& surface = fruit.surfaces.at(static_cast<std::size_t>(sketch.surface));
     const std::vector<GrainTarget> targets = grain_targets(swept_grids(fruit, surface, options), sketch, draws.folds);
     expected += room_for_grains(targets, sketch);
-    if (expected > most_grains) refuse(fruit, sketch, "more than 20 000 grains", "make the Poisson radius larger");
+    if (expected > most_grains) refuse(fruit, sketch, "more than 20 000 grains", "make their spacing larger");
 
     std::vector<Dart> others;
     for (const int kind : sketch.spacing.apart_from) {

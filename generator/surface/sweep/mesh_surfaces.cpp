@@ -15,6 +15,7 @@
 #include "generator/surface/file/plain_mesh.h"
 #include "generator/surface/file/surface_file.h"
 #include "generator/surface/sweep/grid_painter.h"
+#include "generator/template/read/entry_place.h"
 
 namespace pomona {
 
@@ -148,9 +149,7 @@ DiffusionSurfaces painted_mesh(const Template& fruit, const MeshSketch& mesh) {
   return surfaces;
 }
 
-}  // namespace
-
-DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh) {
+DiffusionSurfaces read_surfaces_of(const Template& fruit, const MeshSketch& mesh) {
   DiffusionSurfaces surfaces = mesh.paint ? painted_mesh(fruit, mesh) : from_surface_file(fruit, mesh);
   // A mesh in the wrong unit is as good as nothing, or larger than a house.
   constexpr double smallest = 1e-6, largest = 100;
@@ -160,6 +159,37 @@ DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh) {
                 "state the length of one unit of the file, as in unit = \"1mm\"");
   }
   return surfaces;
+}
+
+/// What is wrong with a file as a whole is told where the template names it.
+Error told_in_template(const Error& error, const Template& fruit, const MeshSketch& mesh) {
+  std::vector<Diagnostic> diagnostics = error.diagnostics();
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.place.line > 0 || !diagnostic.place.element.empty() || fruit.file.empty()) continue;
+    const std::string file = std::move(diagnostic.place.file);
+    diagnostic.place = entry_place(fruit.file, "mesh", mesh.name);
+    diagnostic.message = file + ": " + diagnostic.message;
+  }
+  return {error.status(), std::move(diagnostics)};
+}
+
+}  // namespace
+
+DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh) {
+  try {
+    return read_surfaces_of(fruit, mesh);
+  } catch (const Error& error) {
+    throw told_in_template(error, fruit, mesh);
+  }
+}
+
+void check_meshes_together(const Template& fruit, const MeshSketch& mesh, std::size_t triangles) {
+  if (triangles <= most_mesh_triangles) return;
+  const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
+  throw Error(ExitStatus::bad_data,
+              {{entry_place(file, "mesh", mesh.name),
+                "mesh \"" + mesh.name + "\": with it the meshes have more than 2 000 000 triangles together",
+                "simplify them"}});
 }
 
 }  // namespace pomona

@@ -18,7 +18,11 @@ DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options) {
       painter.dab(side, placed_spots(fruit, sketch, side, grids, options.key), grids);
     }
   }
-  for (const MeshSketch& mesh : fruit.meshes) surfaces = joined(surfaces, mesh_surfaces(fruit, mesh));
+  const std::size_t drawn = surfaces.triangle_count();
+  for (const MeshSketch& mesh : fruit.meshes) {
+    surfaces = joined(surfaces, mesh_surfaces(fruit, mesh));
+    check_meshes_together(fruit, mesh, surfaces.triangle_count() - drawn);
+  }
   return surfaces;
 }
 

@@ -8,12 +8,13 @@
 #include "generator/base/error.h"
 #include "generator/base/units.h"
 #include "generator/surface/sweep/body_map.h"
+#include "generator/template/read/entry_place.h"
 
 namespace pomona {
 
 void refuse(const Template& fruit, const SurfaceSketch& sketch, const std::string& why, const std::string& hint) {
-  SourcePlace place;
-  place.file = fruit.file.empty() ? fruit.name : fruit.file;
+  const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
+  const SourcePlace place = entry_place(file, "surface", sketch.name);
   throw Error(ExitStatus::bad_data, {{place, "surface \"" + sketch.name + "\": " + why, hint}});
 }
 

@@ -189,6 +189,16 @@ std::vector<GrainCore> read_cores(const TomlTable& table, const Template& fruit)
   return cores;
 }
 
+/// Solid grains lie apart by what they are thick, whatever their spacing says; a spacing far below that would have
+/// millions of places tried in vain.
+void refuse_crowd(const TomlTable& table, const GrainSketch& grain) {
+  constexpr double most = 8;
+  const double thick = std::min({grain.form.length, grain.form.width, grain.form.thickness});
+  if (!grain.spacing.solid || thick <= most * grain.spacing.poisson_radius) return;
+  table.get("spacing").error("is less than an eighth of what these solid grains are thick",
+                             "make it about as large as the grains");
+}
+
 }  // namespace
 
 GrainSketch read_grains(const TomlTable& table, const Template& fruit) {
@@ -201,6 +211,7 @@ GrainSketch read_grains(const TomlTable& table, const Template& fruit) {
   grain.ground = read_ground(table, fruit, at < fruit.surfaces.size() ? &fruit.surfaces[at] : nullptr);
   grain.spacing = read_spacing(table, fruit);
   grain.form = read_form(table);
+  refuse_crowd(table, grain);
   grain.stance = read_stance(table);
   grain.front = read_grain_side(table, "front", fruit.parts);
   grain.back = read_grain_side(table, "back", fruit.parts);

@@ -1,10 +1,10 @@
 #include "generator/template/read/read_mesh.h"
 
-#include <cstdint>
-#include <fstream>
+#include <cstddef>
 #include <optional>
-#include <system_error>
+#include <set>
 
+#include "generator/base/file_bytes.h"
 #include "generator/base/path_within.h"
 #include "generator/template/read/read_paint.h"
 
@@ -14,8 +14,9 @@ namespace pomona {
 
 namespace {
 
-constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
-constexpr Within anywhere{-10, 10};  // metres
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+constexpr std::size_t most_bytes_together = std::size_t{128} << 20;  // of all meshes of a template
+constexpr Within anywhere{-10, 10};                                  // metres
 
 std::optional<MeshFormat> format_of(const fs::path& file) {
   const std::string ending = file.extension().string();
@@ -39,27 +40,16 @@ std::shared_ptr<const MeshFile> read_bytes(const TomlValue& value, const fs::pat
     return {};
   }
 
-  // It must be a file, and not one that fills the memory.
-  std::error_code wrong;
-  if (!fs::is_regular_file(file, wrong)) {
-    value.error("cannot be read", "put the file beside the template");
+  // It must be a file, and neither it nor all of them together may fill the memory.
+  try {
+    return std::make_shared<MeshFile>(MeshFile{file.string(), *format, file_bytes(file, most_bytes)});
+  } catch (const Error& error) {
+    const bool is_long = error.status() == ExitStatus::bad_data;
+    value.error(
+        is_long ? error.diagnostics().front().message : "cannot be read: " + error.diagnostics().front().message,
+        is_long ? "simplify the mesh" : "put the file beside the template");
     return {};
   }
-  const std::uintmax_t bytes = fs::file_size(file, wrong);
-  if (wrong || bytes > most_bytes) {
-    value.error("is larger than 64 MiB", "simplify the mesh");
-    return {};
-  }
-
-  // The file may have become shorter since it was measured.
-  auto read = std::make_shared<MeshFile>();
-  read->path = file.string();
-  read->format = *format;
-  read->bytes.resize(bytes);
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(read->bytes.data(), static_cast<std::streamsize>(bytes));
-  read->bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  return read;
 }
 
 std::shared_ptr<const MeshFile> read_once(const TomlValue& value, const fs::path& folder,
@@ -72,7 +62,15 @@ std::shared_ptr<const MeshFile> read_once(const TomlValue& value, const fs::path
   for (const MeshSketch& mesh : known) {
     if (mesh.file && mesh.file->path == path) return mesh.file;
   }
-  return read_bytes(value, folder);
+  std::set<std::shared_ptr<const MeshFile>> files;
+  for (const MeshSketch& mesh : known)
+    if (mesh.file) files.insert(mesh.file);
+  std::shared_ptr<const MeshFile> read = read_bytes(value, folder);
+  std::size_t together = read ? read->bytes.size() : 0;
+  for (const auto& file : files) together += file->bytes.size();
+  if (together <= most_bytes_together) return read;
+  value.error("makes the meshes larger than 128 MiB together", "simplify them");
+  return {};
 }
 
 glm::dvec3 read_point(const TomlValue& value) {

@@ -161,14 +161,14 @@ std::optional<double> page_unit_of(const pugi::xml_node& root) {
 
 void check_size(std::string_view text, const std::string& file) {
   if (text.size() > most_bytes) {
-    throw BadSketch(file + ": it is larger than 64 MiB",
+    throw BadSketch(at_place(file, 1, 1) + ": it is larger than 64 MiB",
                     "link the picture instead of embedding it, or make it smaller");
   }
   const auto many = [&](char c, std::size_t most) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), c)) > most;
   };
   if (many('<', 2 * most_elements) || many('=', most_attributes)) {
-    throw BadSketch(file + ": it holds more than " + std::to_string(most_elements) + " elements",
+    throw BadSketch(at_place(file, 1, 1) + ": it holds more than " + std::to_string(most_elements) + " elements",
                     "keep the curves and the picture; delete what a tracer made");
   }
 }
@@ -182,9 +182,14 @@ std::string place_of(const SvgDrawing& drawing, const SvgElement& element) {
 SvgDrawing parse_svg(std::string_view text, const std::string& file) {
   // Compressed drawings and those that are too large are refused before they are parsed.
   if (text.starts_with("\x1f\x8b")) {
-    throw BadSketch(file + ": it is compressed (.svgz)", "save it from Inkscape as \"Inkscape SVG\" (.svg)");
+    throw BadSketch(at_place(file, 1, 1) + ": it is compressed (.svgz)",
+                    "save it from Inkscape as \"Inkscape SVG\" (.svg)");
   }
   check_size(text, file);
+  const std::size_t begin = text.starts_with("\xef\xbb\xbf") ? 3 : 0;  // behind the mark of UTF-8
+  if (text.find_first_not_of(" \t\r\n", begin) != text.find('<'))
+    throw BadSketch(at_place(file, 1, 1) + ": it is not XML: it does not begin with an element",
+                    "save it from Inkscape as \"Inkscape SVG\"");
 
   // The text must be XML; errors are told by line and column.
   pugi::xml_document document;
@@ -203,8 +208,9 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
   const pugi::xml_node root = document.document_element();
   const std::string_view name = root.name();
   if (name != "svg" && name != "svg:svg") {
-    throw BadSketch(file + ": it is no SVG drawing: its first element is <" + std::string(name.substr(0, 40)) + ">",
-                    "save it from Inkscape as \"Inkscape SVG\"");
+    throw BadSketch(
+        at_place(file, 1, 1) + ": it is no SVG drawing: its first element is <" + std::string(name.substr(0, 40)) + ">",
+        "save it from Inkscape as \"Inkscape SVG\"");
   }
   drawing.page_unit = page_unit_of(root);
   Reader(text, drawing).read(root, {}, 0);

@@ -1,0 +1,64 @@
+#include "generator/base/file_bytes.h"
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "generator/base/error.h"
+#include "generator/base/first_bytes.h"
+
+namespace pomona {
+
+namespace {
+
+std::string in_units(std::size_t bytes) {
+  const std::size_t mib = std::size_t{1} << 20;
+  return bytes >= mib ? std::to_string(bytes / mib) + " MiB" : std::to_string(bytes >> 10) + " KiB";
+}
+
+}  // namespace
+
+std::string why_no_file(const std::filesystem::path& file) {
+  std::error_code wrong;
+  const std::filesystem::file_status found = std::filesystem::status(file, wrong);
+  if (std::filesystem::is_regular_file(found)) return {};
+  if (std::filesystem::is_directory(found)) return "is a folder, not a file";
+  if (std::filesystem::exists(found)) return "is a device or a pipe, not a file";
+  const bool is_absent = !wrong || wrong == std::errc::no_such_file_or_directory;
+  return is_absent ? "there is no such file" : "cannot be read: " + wrong.message();
+}
+
+std::string file_bytes(const std::filesystem::path& file, std::size_t most, const std::string& hint) {
+  const auto fail = [&](ExitStatus status, const std::string& why, const std::string& remedy = {}) {
+    throw Error(status, {{{file.string(), 0, 0, {}}, why, remedy}});
+  };
+  const std::string why = why_no_file(file);
+  if (!why.empty()) fail(ExitStatus::input_missing, why);
+  const auto too_large = [&] { fail(ExitStatus::bad_data, "is larger than " + in_units(most), hint); };
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+  if (!unknown && size > most) too_large();
+
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    fail(ExitStatus::input_missing,
+         "cannot be read" + (errno != 0 ? ": " + std::error_code(errno, std::generic_category()).message() : ""));
+
+  // All at once, and what it may have grown by since.
+  std::string bytes(unknown ? 0 : static_cast<std::size_t>(size), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream) bytes += first_bytes(stream, most + 1 - bytes.size());
+  if (stream.bad()) fail(ExitStatus::io_error, "cannot be read to its end");
+  if (bytes.size() > most) too_large();
+  return bytes;
+}
+
+std::string readable_bytes(const std::filesystem::path& file, std::size_t most) {
+  if (!why_no_file(file).empty()) return {};
+  std::ifstream stream(file, std::ios::binary);
+  return first_bytes(stream, most);
+}
+
+}  // namespace pomona

@@ -1,0 +1,31 @@
+#include "generator/base/printable.h"
+
+#include <gtest/gtest.h>
+
+#include "generator/base/error.h"
+
+namespace pomona {
+namespace {
+
+TEST(Printable, SpellsOutWhatMovesACursor) {
+  EXPECT_EQ(printable("a\x1b[2Jb\r\x7f"), "a\\x1b[2Jb\\x0d\\x7f");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "2J"),
+            "\\x9b2J")
+      << "the same sequence in one character of UTF-8";
+  EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
+}
+
+TEST(Printable, LeavesWordsLinesAndTabs) {
+  const std::string text = "K\xc3\xbcrbis\t\xe6\x9f\xbf\n\xc2\xa0";
+  EXPECT_EQ(printable(text), text);
+  EXPECT_EQ(printable("\xc2"), "\xc2") << "half a character at the end";
+}
+
+TEST(Printable, HoldsForAllThatIsTold) {
+  const Diagnostic diagnostic{{"x\x1b[2J.toml", 1, 2, {}}, "unknown key \"\x07\"", "\x9b is left alone"};
+  for (const char c : to_string(diagnostic)) EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20);
+}
+
+}  // namespace
+}  // namespace pomona

@@ -1,0 +1,18 @@
+// Path data, as SVG and templates hold it.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "generator/template/read/svg_path.h"
+#include "tests/fuzz/told.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  try {
+    pomona::parse_svg_path(bytes);
+  } catch (const pomona::BadPath&) {
+  }
+  return 0;
+}

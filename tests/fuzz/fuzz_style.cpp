@@ -1,0 +1,14 @@
+// A style file.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "render/style/style_file.h"
+#include "tests/fuzz/told.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  return pomona::fuzz::told([&] { pomona::parse_style(bytes, "fuzz.toml"); });
+}
