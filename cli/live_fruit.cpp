@@ -40,15 +40,21 @@ std::vector<CuttingPlane> planes_in(std::span<const Knife> knives, const Box<dou
   return planes;
 }
 
+Asset live_asset(const FruitSource& source, const SharedOptions& options, const Diffuser* diffuser) {
+  const MakeAssetOptions how{.quality = options.quality == "draft" ? Quality::draft : Quality::final,
+                             .diffuser = diffuser,
+                             .threads = {options.threads}};
+  return make_asset({source.grown, source.fruit, source.name, options.seed}, how);
+}
+
 Asset asset_of(const FruitSource& source, const SharedOptions& options, Delivery& delivery) {
   std::unique_ptr<Diffuser> diffuser;
   if (options.diffuser_given && options.diffuser != "harmonic") diffuser = make_diffuser(options, delivery.progress);
-  const MakeAssetOptions how{.quality = options.quality == "draft" ? Quality::draft : Quality::final,
-                             .diffuser = diffuser.get(),
-                             .threads = {options.threads}};
-  return delivery.times.time("asset", [&] {
-    return make_asset({source.grown, source.fruit, source.name, options.seed}, how);
-  });
+  return delivery.times.time("asset", [&] { return live_asset(source, options, diffuser.get()); });
+}
+
+std::string maker_of(const SharedOptions& options) {
+  return std::string("pomona ") + version + ", seed " + std::to_string(options.seed);
 }
 
 }  // namespace
@@ -74,13 +80,18 @@ void add_live(const std::vector<Output>& outputs, const FruitSource& source, std
   if (!any_live(outputs)) return;
   const std::vector<CuttingPlane> planes = planes_in(knives, bounds_of(source.grown.sheets));
   const Asset asset = asset_of(source, options, delivery);
-  const std::string made_by = std::string("pomona ") + version + ", seed " + std::to_string(options.seed);
+  const std::string made_by = maker_of(options);
   for (const Output& output : outputs) {
     if (output.format == Format::pomona) delivery.add(output.file, [&] { return write_asset(asset, made_by); });
     if (output.format == Format::html)
       delivery.add(output.file,
                    [&] { return write_page(asset, {.style = delivery.style(), .cuts = planes, .made_by = made_by}); });
   }
+}
+
+std::string live_bytes(const FruitSource& source, const SharedOptions& options, bool fast) {
+  constexpr int quick = 1, best = 9;
+  return write_asset(live_asset(source, options, nullptr), maker_of(options), fast ? quick : best);
 }
 
 }  // namespace pomona

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "cli/deliver.h"
@@ -21,6 +22,10 @@ bool all_live(const std::vector<Output>& outputs);
 /// \throws Error (usage) for knives that are no planes, or too many; (bad_data) as make_asset().
 void add_live(const std::vector<Output>& outputs, const FruitSource& source, std::span<const Knife> knives,
               const SharedOptions& options, Delivery& delivery);
+
+/// The bytes of FILE.pomona, as add_live() writes them where no diffuser is named. With `fast` they hold the same and
+/// are more: for those who look at once and keep nothing.
+std::string live_bytes(const FruitSource& source, const SharedOptions& options, bool fast = false);
 
 /// What add_live() would say of the knives. \throws Error (usage)
 void check_live_knives(std::span<const Knife> knives);

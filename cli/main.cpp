@@ -8,6 +8,6 @@ int main(int argc, char** argv) {
   pomona::keep_free_memory();
   return pomona::run({pomona::list_command, pomona::check_command, pomona::sketch_command, pomona::grow_command,
                       pomona::cut_command, pomona::scene_command, pomona::batch_command, pomona::merge_command,
-                      pomona::farm_command, pomona::compare_command, pomona::pages_command},
+                      pomona::farm_command, pomona::compare_command, pomona::studio_command, pomona::pages_command},
                      argc, argv);
 }

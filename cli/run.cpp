@@ -134,6 +134,8 @@ ExitStatus printed(ExitStatus status) {
   return status == ExitStatus::done ? ExitStatus::io_error : status;
 }
 
+}  // namespace
+
 ExitStatus run_action(const std::function<ExitStatus()>& action) {
   try {
     return action();
@@ -148,8 +150,6 @@ ExitStatus run_action(const std::function<ExitStatus()>& action) {
   }
   return ExitStatus::bug;
 }
-
-}  // namespace
 
 int run(const std::vector<Command>& commands, int argc, char** argv) {
   CLI::App app("Grows fruit and vegetables that can be cut anywhere, and fills scenes with them.", "pomona");

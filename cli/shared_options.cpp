@@ -149,6 +149,10 @@ void add_browning_option(CLI::App& command, SharedOptions& options) {
       ->capture_default_str();
 }
 
+void add_watch_option(CLI::App& command, SharedOptions& options) {
+  command.add_flag("--watch", options.watch, "Make the outputs anew when a file that was read changes");
+}
+
 std::optional<PictureSize> picture_size(const SharedOptions& options) {
   if (options.size.empty()) return std::nullopt;
   const std::size_t x = options.size.find('x');

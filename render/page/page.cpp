@@ -135,6 +135,11 @@ std::string filled(std::string_view page, const std::vector<std::pair<std::strin
 
 }  // namespace
 
+PageParts page_parts(const PageOptions& options) {
+  return {safe_in_script(options_of(options).dump()), joined({"read_asset.js", "look_up.js", "skin.js"}),
+          joined({"linear.js", "card.js", "knives.js", "pieces.js", "camera.js", "picture.js"})};
+}
+
 std::string write_page(const Asset& asset, const PageOptions& options) {
   const std::string bytes = write_asset(asset, options.made_by);
   return filled(text_of(page_files(), "page.html"),

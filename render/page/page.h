@@ -23,4 +23,12 @@ struct PageOptions {
 /// Needs nothing besides itself, but a browser with WebGL 2. The same asset gives the same bytes.
 std::string write_page(const Asset& asset, const PageOptions& options);
 
+/// What other pages draw the same fruit with (cli/studio).
+struct PageParts {
+  std::string options;  ///< JSON that is safe within a script element
+  std::string worker;   ///< scripts: Asset, LookUp, Skin
+  std::string picture;  ///< scripts: V, M, Card, Knife, Camera, Picture and what pieces are
+};
+PageParts page_parts(const PageOptions& options);
+
 }  // namespace pomona
