@@ -27,6 +27,8 @@ try {
   const after = await session.nodes('side', 'skin');
   assert.ok(Math.abs(after[middle][0] - before[middle][0] - 14) < 0.6, 'the node is not where it was put');
 
+  await session.tab.keyboard.press('f');
+
   // An end that is let go beside the axis lies on it.
   const axis = (await session.evaluate('studio.drawing.axis("side")'))[0];
   await session.dragNode('side', 'skin', 0, [0.9, 1.5]);
@@ -68,8 +70,10 @@ try {
   // A mistake stands at its curve, in the reader's words.
   await session.dragNode('side', 'skin', middle, [-70, 0]);
   await session.tab.waitForFunction('document.querySelector("#errors button")', { timeout: 30000 });
-  assert.ok(/skin/.test(await session.evaluate('document.querySelector("#errors button").textContent')));
-  assert.ok(await session.evaluate('document.querySelector("#pane-side .curve.wrong") !== null'));
+  await session.settled({ fruit: false });
+  const told = await session.evaluate('document.querySelector("#errors button").textContent');
+  assert.match(told, /skin/);
+  assert.ok(await session.evaluate('document.querySelector("#pane-side .curve.wrong") !== null'), told);
   await session.tab.click('#undo');
   await session.settled();
   assert.equal(await session.evaluate('document.getElementById("errors").textContent'), '');

@@ -89,6 +89,11 @@ class Drawing {
     if (!cx || !cy) return this.texts;
     return {...this.texts, svg: edited(this.texts.svg, [{from: cx.from, to: cx.to, text: text(p[0])}, {from: cy.from, to: cy.to, text: text(p[1])}])};
   }
+  /** "scale 42mm" says how large the fruit is, "stone" which surface a curve is of. */
+  renamed(curve, name) {
+    const label = curve.element?.attributes['inkscape:label'] || curve.element?.attributes.id;
+    return label ? {...this.texts, svg: edited(this.texts.svg, [{from: label.from, to: label.to, text: encoded(name)}])} : this.texts;
+  }
   without(curve) {
     if (curve.file !== 'svg') return this.texts;
     let {from, to} = curve.element;

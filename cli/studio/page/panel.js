@@ -72,6 +72,7 @@ function attachPanel(studio) {
     event.preventDefault();
     keys[key]();
   });
+  $('name').addEventListener('change', () => studio.rename($('name').value));
   let typing = 0;
   $('toml').addEventListener('input', () => {
     clearTimeout(typing);

@@ -60,7 +60,20 @@ class Studio {
     if (this.selected?.curve?.id !== curve?.id) this.chosen.clear();
     this.selected = curve ? {curve} : null;
     if (curve) this.say(`${curve.name}, ${curve.view === 'side' ? 'side view' : 'top view'}`);
+    this.showName();
     this.redraw();
+  }
+  showName() {
+    const curve = this.selected?.curve;
+    $('name').value = curve ? curve.own || curve.name : '';
+    $('name').disabled = curve?.file !== 'svg';
+  }
+  rename(name) {
+    const curve = this.selected?.curve, texts = curve && name.trim() ? this.drawing.renamed(curve, name.trim()) : null;
+    if (!texts) return;
+    this.commit(texts, `it is called ${name.trim()} now`);
+    const {view, from} = curve;
+    this.select(this.drawing.curves.find((other) => other.view === view && Math.abs((other.from ?? -99) - (from ?? -99)) <= 60) || null);
   }
   isChosen(part, node) { return this.chosen.has(`${part}.${node}`); }
   chooseNode(part, node, more = false) {
@@ -139,7 +152,7 @@ class Studio {
     return error.errors;
   }
   showErrors(errors) {
-    this.wrong = new Set(errors.map((e) => (e.svg_line ? this.drawing.curveAt(e.svg_line, e.svg_column) : this.curveAtLine(e.line))?.id).filter(Boolean));
+    this.wrong = new Set(errors.map((e) => this.curveOf(e)?.id).filter(Boolean));
     $('errors').replaceChildren(...errors.slice(0, 12).map((e) => {
       const item = document.createElement('li'), button = document.createElement('button'), hint = document.createElement('small');
       button.type = 'button';
@@ -152,14 +165,16 @@ class Studio {
     }));
     this.redraw();
   }
-  /** Of a mistake that has only a place in the template: the curve of that surface. */
-  curveAtLine(line) {
-    if (!line) return null;
-    const at = offsetOf(this.texts.toml, line, 1), surface = this.drawing.surfaces.find(({from, to}) => from <= at && at < to);
-    return surface && this.drawing.curves.find((curve) => this.drawing.surfaceOf(curve) === surface);
+  /** The curve that a mistake is about: by its place in the drawing, else by its surface in the template, else by its name. */
+  curveOf({svg_line: line, svg_column: column, line: tomlLine, message}) {
+    const {drawing} = this, drawn = line && drawing.curveAt(line, column);
+    if (drawn) return drawn;
+    const at = tomlLine ? offsetOf(this.texts.toml, tomlLine, 1) : -1, named = /(?:surface|curve) "([^"]+)"/.exec(message)?.[1];
+    const surface = drawing.surfaces.find(({from, to}) => from <= at && at < to) || drawing.surfaces.find(({name}) => name === named);
+    return surface && drawing.curves.find((curve) => drawing.surfaceOf(curve) === surface);
   }
   goTo(error) {
-    const curve = error.svg_line ? this.drawing.curveAt(error.svg_line, error.svg_column) : this.curveAtLine(error.line);
+    const curve = this.curveOf(error);
     if (curve) this.select(curve);
     if (!error.line) return;
     $('text').open = true;
