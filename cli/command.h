@@ -32,7 +32,11 @@ DeclaredCommand merge_command(CLI::App& app);
 DeclaredCommand farm_command(CLI::App& app);
 DeclaredCommand compare_command(CLI::App& app);
 DeclaredCommand verify_command(CLI::App& app);
+DeclaredCommand studio_command(CLI::App& app);
 DeclaredCommand pages_command(CLI::App& app);
+
+/// Runs an action and prints what goes wrong.
+ExitStatus run_action(const std::function<ExitStatus()>& action);
 
 /// Parses the line, runs the command, prints what went wrong, and returns the exit status.
 int run(const std::vector<Command>& commands, int argc, char** argv);

@@ -18,6 +18,7 @@
 #include "cli/outputs.h"
 #include "cli/piece_list.h"
 #include "cli/ripeness_variants.h"
+#include "cli/watch.h"
 #include "generator/base/error.h"
 #include "generator/cut/section/section_file.h"
 #include "generator/knife/knife_kinds.h"
@@ -166,6 +167,19 @@ ExitStatus cut_fruit(const CutCommand& command) {
   return ExitStatus::done;
 }
 
+/// What it reads by the words of the line.
+std::vector<std::string> read_by(const CutCommand& command) {
+  std::vector<std::string> words = command.knives;
+  words.insert(words.end(), {command.fruit, command.shared.style});
+  return words;
+}
+
+ExitStatus cut_or_watch(const CutCommand& command) {
+  if (!command.shared.watch) return cut_fruit(command);
+  check_watch(command.outputs);
+  return watched(read_by(command), [&] { return cut_fruit(command); });
+}
+
 }  // namespace
 
 DeclaredCommand cut_command(CLI::App& app) {
@@ -211,8 +225,9 @@ DeclaredCommand cut_command(CLI::App& app) {
   add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);
   add_seeds_option(*command, options->seeds);
+  add_watch_option(*command, options->shared);
   command->footer("Knives, and along what they cut:\n" + knife_help());
-  return {command, [options] { return cut_fruit(*options); }};
+  return {command, [options] { return cut_or_watch(*options); }};
 }
 
 }  // namespace pomona

@@ -49,12 +49,8 @@ void check_piece(int piece, const Slices& slices) {
   throw Error(ExitStatus::usage, "--piece " + std::to_string(piece) + ": there are fewer pieces");
 }
 
-FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& options, std::optional<int> folds,
-                       StageTimes& times) {
-  const std::filesystem::path file = find_template(name_or_path);
-  check_kind(file, FileKind::fruit);
-  if (file.extension() == ".ply") return from_surface_file(file, options, folds, times);
-
+FruitSource fruit_of(const Template& drawn, const std::string& name, const std::string& word,
+                     const SharedOptions& options, std::optional<int> folds, StageTimes& times) {
   // Seed 0 on the command line is the template as drawn; with an index it is a variant, as in scenes.
   const VariantKey key{options.seed, options.index.value_or(0)};
   const GrowOptions grow_options{.as_drawn = options.as_drawn || (options.seed == 0 && !options.index),
@@ -67,13 +63,21 @@ FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& opt
                                  .scale = options.scale,
                                  .threads = {options.threads}};
   FruitSource source;
-  source.name = file.stem().string();
-  const Template drawn = times.time("read", [&] { return read_template(file); });
+  source.name = name;
   source.fruit = times.time("vary", [&] { return variant_of(drawn, key, grow_options); });
   source.grown = times.time("sweep", [&] { return grow(source.fruit, key, grow_options); });
-  source.origin = {.source = source_word(name_or_path), .key = key, .growing = grow_options};
+  source.origin = {.source = source_word(word), .key = key, .growing = grow_options};
   times.count("surface_triangles", static_cast<std::int64_t>(source.grown.sheets.triangle_count()));
   return source;
+}
+
+FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& options, std::optional<int> folds,
+                       StageTimes& times) {
+  const std::filesystem::path file = find_template(name_or_path);
+  check_kind(file, FileKind::fruit);
+  if (file.extension() == ".ply") return from_surface_file(file, options, folds, times);
+  const Template drawn = times.time("read", [&] { return read_template(file); });
+  return fruit_of(drawn, file.stem().string(), name_or_path, options, folds, times);
 }
 
 }  // namespace pomona

@@ -26,6 +26,10 @@ SliceTask slice_task(const FruitSource& source, std::span<const Knife> knives, i
 /// \throws Error (usage) if there is no piece of this number.
 void check_piece(int piece, const Slices& slices);
 
+/// Varies and sweeps a template that has been read. \param word what named it. Adds the stages vary and sweep.
+FruitSource fruit_of(const Template& drawn, const std::string& name, const std::string& word,
+                     const SharedOptions& options, std::optional<int> folds, StageTimes& times);
+
 /// Reads, varies and sweeps; a path ending in .ply is read as surfaces. Adds the stages read, vary and sweep.
 FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& options, std::optional<int> folds,
                        StageTimes& times);

@@ -17,6 +17,7 @@
 #include "cli/option_checks.h"
 #include "cli/outputs.h"
 #include "cli/ripeness_variants.h"
+#include "cli/watch.h"
 #include "generator/base/error.h"
 #include "generator/piece/glass_surfaces.h"
 #include "generator/piece/slice.h"
@@ -126,6 +127,15 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   return ExitStatus::done;
 }
 
+/// What it reads by the words of the line.
+std::vector<std::string> read_by(const GrowCommand& command) { return {command.fruit, command.shared.style}; }
+
+ExitStatus grow_or_watch(const GrowCommand& command) {
+  if (!command.shared.watch) return grow_fruit(command);
+  check_watch(command.outputs);
+  return watched(read_by(command), [&] { return grow_fruit(command); });
+}
+
 }  // namespace
 
 DeclaredCommand grow_command(CLI::App& app) {
@@ -154,7 +164,8 @@ DeclaredCommand grow_command(CLI::App& app) {
   add_ripeness_option(*command, options->shared);
   add_shared_options(*command, options->shared);
   add_seeds_option(*command, options->seeds);
-  return {command, [options] { return grow_fruit(*options); }};
+  add_watch_option(*command, options->shared);
+  return {command, [options] { return grow_or_watch(*options); }};
 }
 
 }  // namespace pomona

@@ -47,13 +47,19 @@ Quality quality_of(const SharedOptions& options) {
   return options.quality == "draft" ? Quality::draft : Quality::final;
 }
 
+Asset live_asset(const FruitSource& source, const SharedOptions& options, Quality quality, const Diffuser* diffuser) {
+  const MakeAssetOptions how{.quality = quality, .diffuser = diffuser, .threads = {options.threads}};
+  return make_asset({source.grown, source.fruit, source.name, source.origin.key.seed}, how);
+}
+
 Asset asset_of(const FruitSource& source, const SharedOptions& options, Quality quality, Delivery& delivery) {
   std::unique_ptr<Diffuser> diffuser;
   if (options.diffuser_given && options.diffuser != "harmonic") diffuser = make_diffuser(options, delivery.progress);
-  const MakeAssetOptions how{.quality = quality, .diffuser = diffuser.get(), .threads = {options.threads}};
-  return delivery.times.time("asset", [&] {
-    return make_asset({source.grown, source.fruit, source.name, source.origin.key.seed}, how);
-  });
+  return delivery.times.time("asset", [&] { return live_asset(source, options, quality, diffuser.get()); });
+}
+
+std::string maker_of(const SharedOptions& options) {
+  return std::string("pomona ") + version + ", seed " + std::to_string(options.seed);
 }
 
 }  // namespace
@@ -82,7 +88,7 @@ void add_live(const std::vector<Output>& outputs, const FruitSource& source, std
   const Asset asset = asset_of(source, options, beside.empty() ? quality : Quality::draft, delivery);
   std::vector<Asset> family = {asset};
   for (const FruitSource& other : beside) family.push_back(asset_of(other, options, Quality::draft, delivery));
-  const std::string made_by = std::string("pomona ") + version + ", seed " + std::to_string(options.seed);
+  const std::string made_by = maker_of(options);
   for (const Output& output : outputs) {
     if (output.format == Format::pomona) delivery.add(output.file, [&] { return write_asset(asset, made_by); });
     if (output.format == Format::html) {
@@ -95,9 +101,14 @@ void add_live(const std::vector<Output>& outputs, const FruitSource& source, std
 void add_cuttable(const Output& output, const Scene& scene, const FruitSource& source, const SharedOptions& options,
                   Delivery& delivery) {
   const Asset asset = asset_of(source, options, quality_of(options), delivery);
-  const std::string made_by = std::string("pomona ") + version + ", seed " + std::to_string(options.seed);
+  const std::string made_by = maker_of(options);
   const ExportOptions how{.style = delivery.style(), .provenance = made_by, .threads = {options.threads}};
   delivery.add(output.file, [&] { return with_asset(write_glb(scene, how), write_asset(asset, made_by)); });
+}
+
+std::string live_bytes(const FruitSource& source, const SharedOptions& options, bool fast) {
+  constexpr int quick = 1, best = 9;
+  return write_asset(live_asset(source, options, quality_of(options), nullptr), maker_of(options), fast ? quick : best);
 }
 
 }  // namespace pomona

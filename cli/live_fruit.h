@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "cli/deliver.h"
@@ -27,6 +28,10 @@ void add_live(const std::vector<Output>& outputs, const FruitSource& source, std
 /// Adds a .glb of the whole fruit that carries its asset (render/page/cuttable_glb.h). \throws Error as make_asset()
 void add_cuttable(const Output& output, const Scene& scene, const FruitSource& source, const SharedOptions& options,
                   Delivery& delivery);
+
+/// The bytes of FILE.pomona, as add_live() writes them where no diffuser is named. With `fast` they hold the same and
+/// are more: for those who look at once and keep nothing.
+std::string live_bytes(const FruitSource& source, const SharedOptions& options, bool fast = false);
 
 /// What add_live() would say of the knives. \throws Error (usage)
 void check_live_knives(std::span<const Knife> knives);

@@ -142,6 +142,8 @@ ExitStatus out_of_memory() {
   return ExitStatus::out_of_memory;
 }
 
+}  // namespace
+
 ExitStatus run_action(const std::function<ExitStatus()>& action) {
   try {
     return action();
@@ -157,8 +159,6 @@ ExitStatus run_action(const std::function<ExitStatus()>& action) {
   }
   return ExitStatus::bug;
 }
-
-}  // namespace
 
 int run(const std::vector<Command>& commands, int argc, char** argv) {
   CLI::App app("Grows fruit and vegetables that can be cut anywhere, and fills scenes with them.", "pomona");

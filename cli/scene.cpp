@@ -15,6 +15,7 @@
 #include "cli/program_folders.h"
 #include "cli/scene_page.h"
 #include "cli/version.h"
+#include "cli/watch.h"
 #include "generator/scene/compose.h"
 #include "generator/scene/layout_file.h"
 #include "generator/scene/scene_file.h"
@@ -93,6 +94,15 @@ ExitStatus compose_scene(const SceneCommand& command) {
   return ExitStatus::done;
 }
 
+/// What it reads by the words of the line.
+std::vector<std::string> read_by(const SceneCommand& command) { return {command.scene, command.shared.style}; }
+
+ExitStatus scene_or_watch(const SceneCommand& command) {
+  if (!command.shared.watch) return compose_scene(command);
+  check_watch(command.outputs);
+  return watched(read_by(command), [&] { return compose_scene(command); });
+}
+
 }  // namespace
 
 DeclaredCommand scene_command(CLI::App& app) {
@@ -110,7 +120,8 @@ DeclaredCommand scene_command(CLI::App& app) {
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_shared_options(*command, options->shared);
-  return {command, [options] { return compose_scene(*options); }};
+  add_watch_option(*command, options->shared);
+  return {command, [options] { return scene_or_watch(*options); }};
 }
 
 }  // namespace pomona

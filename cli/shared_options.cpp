@@ -157,6 +157,10 @@ void add_browning_option(CLI::App& command, SharedOptions& options) {
       ->capture_default_str();
 }
 
+void add_watch_option(CLI::App& command, SharedOptions& options) {
+  command.add_flag("--watch", options.watch, "Make the outputs anew when a file that was read changes");
+}
+
 namespace {
 
 /// How many inches a unit of paper has; nothing for what is none.

@@ -47,7 +47,8 @@ struct SharedOptions {
   std::string format;  ///< of standard output, where an output is "-"
   bool quiet = false;
   bool json = false;
-  std::string aov;  ///< folder for the ground truth of the picture; none = not wanted
+  bool watch = false;  ///< make the outputs anew when a file that was read changes
+  std::string aov;     ///< folder for the ground truth of the picture; none = not wanted
   std::string aov_format = "png";
   std::string ripeness_variants;   ///< "0.3,1,1.7"
   std::optional<double> ripeness;  ///< of one fruit; scenes say it in their file
@@ -65,6 +66,9 @@ void add_ripeness_option(CLI::App& command, SharedOptions& options);
 
 /// --browning, for commands that cut one.
 void add_browning_option(CLI::App& command, SharedOptions& options);
+
+/// --watch, for commands that write files.
+void add_watch_option(CLI::App& command, SharedOptions& options);
 
 /// "800x600", or with --dpi "120x90mm"; 16..16384 pixels a side. Nothing if none was asked for. \throws Error (usage)
 std::optional<PictureSize> picture_size(const SharedOptions& options);

@@ -50,21 +50,6 @@ ExitStatus sample(const SketchCommand& command) {
   return ExitStatus::done;
 }
 
-/// The fruit's name, from that of the file.
-std::string name_for(const fs::path& file) {
-  const std::string name = file.stem().string();
-  const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
-  if (file.extension() != ".toml") {
-    throw Error(ExitStatus::usage, "sketch " + file.string() + ": a template's name ends in .toml",
-                "as in `pomona sketch kiwi.toml`");
-  }
-  if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), plain)) {
-    throw Error(ExitStatus::usage, "sketch " + file.string() + ": \"" + name + "\" is not a plain name",
-                "use a-z, 0-9, - and _, at most 64 of them");
-  }
-  return name;
-}
-
 void refuse_existing(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(file, ignored))) return;
@@ -77,7 +62,7 @@ ExitStatus start(const SketchCommand& command) {
   // Both files must be possible before either is made.
   const fs::path toml = command.file, svg = fs::path(toml).replace_extension(".svg");
   StartingSketchOptions options;
-  options.name = name_for(toml);
+  options.name = fruit_name(toml);
   options.folds = command.folds;
   check_folder(toml);
   check_folder(svg);

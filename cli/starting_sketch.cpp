@@ -278,4 +278,18 @@ back = { part = "gel", color = [[0.0, "#b8a840"], [1.0, "#c8bc58"]] }
 
 StartingSketch starting_sketch(const StartingSketchOptions& options) { return {svg_text(options), toml_text(options)}; }
 
+std::string fruit_name(const std::filesystem::path& file) {
+  const std::string name = file.stem().string();
+  const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
+  if (file.extension() != ".toml") {
+    throw Error(ExitStatus::usage, file.string() + ": a template's name ends in .toml",
+                "as in `pomona sketch kiwi.toml`");
+  }
+  if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), plain)) {
+    throw Error(ExitStatus::usage, file.string() + ": \"" + name + "\" is not a plain name",
+                "use a-z, 0-9, - and _, at most 64 of them");
+  }
+  return name;
+}
+
 }  // namespace pomona

@@ -1,6 +1,7 @@
 // A fruit to start from: an SVG with its layers in place, and the template that takes its curves from it.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,5 +29,8 @@ struct StartingSketch {
 
 /// Curves of a made-up fruit 60 mm wide that can be checked, grown and cut as they are.
 StartingSketch starting_sketch(const StartingSketchOptions& options);
+
+/// A fruit's name, from that of the template to be. \throws Error (usage) where it is no plain name, or ends otherwise
+std::string fruit_name(const std::filesystem::path& file);
 
 }  // namespace pomona

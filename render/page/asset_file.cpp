@@ -261,9 +261,9 @@ void read_look(const Counts& counts, Reader& reader, Asset& a) {
 
 }  // namespace
 
-std::string write_asset(const Asset& asset, const std::string& made_by) {
+std::string write_asset(const Asset& asset, const std::string& made_by, int effort) {
   const std::string header = header_of(asset, made_by).dump();
-  return std::string(magic) + deflated(four_bytes(header.size()) + header + arrays_of(asset));
+  return std::string(magic) + deflated(four_bytes(header.size()) + header + arrays_of(asset), effort);
 }
 
 Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {

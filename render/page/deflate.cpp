@@ -20,9 +20,9 @@ Bytef* bytes_of(std::string_view text) {
 
 }  // namespace
 
-std::string deflated(std::string_view bytes) {
+std::string deflated(std::string_view bytes, int effort) {
   z_stream stream{};
-  if (deflateInit2(&stream, 9, Z_DEFLATED, 15, 9, Z_DEFAULT_STRATEGY) != Z_OK)
+  if (deflateInit2(&stream, effort, Z_DEFLATED, 15, 9, Z_DEFAULT_STRATEGY) != Z_OK)
     throw Error(ExitStatus::bug, "zlib does not start");
   std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
   stream.next_in = bytes_of(bytes);

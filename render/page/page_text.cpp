@@ -134,6 +134,12 @@ std::string filled(std::string_view page, const std::vector<std::pair<std::strin
 
 }  // namespace
 
+PageParts page_parts(const PageOptions& options) {
+  return {safe_in_script(options_of(options).dump()), joined({"read_asset.js", "look_up.js", "skin.js"}),
+          joined({"linear.js", "card.js", "camera.js", "knives.js", "pieces.js", "fruit_textures.js", "face_passes.js",
+                  "faces.js", "body.js", "picture.js"})};
+}
+
 std::string page_text(const PageText& page, const PageOptions& options) {
   std::string packed;
   for (const PageText::Packed& one : page.packed) {

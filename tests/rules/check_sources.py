@@ -69,6 +69,7 @@ HEAVY = {
     "OpenEXR": (r"Imf\w+\.h", r"render/truth/truth_exr\.cpp|tests/\w+/\w+\.cpp"),
     "MurmurHash": (r"murmurhash\.h", r"render/truth/cryptomatte\.cpp"),
     "zlib": (r"zlib\.h", r"render/page/deflate\.cpp"),
+    "cpp-httplib": (r"httplib\.h", r"cli/studio/loopback_server\.cpp"),
     "EGL": (r"EGL/", r"render/gl/\w+\.cpp"),
     "OSMesa": (r"GL/osmesa\.h", r"render/gl/\w+\.cpp"),
     "OpenGL": (r"GL/(?!osmesa)", r"render/gl/\w+\.(cpp|h)"),

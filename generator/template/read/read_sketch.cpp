@@ -45,4 +45,8 @@ Sketch read_sketch(const fs::path& folder, const std::string& name, std::optiona
   return {parse_svg(text, file.string()), unit};
 }
 
+Sketch read_sketch(const fs::path& folder, const std::string& name, std::optional<double> unit, std::string_view svg) {
+  return {parse_svg(svg, (folder / name).string()), unit};
+}
+
 }  // namespace pomona

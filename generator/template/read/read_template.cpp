@@ -26,14 +26,17 @@ constexpr std::size_t most_surfaces = 64, most_meshes = 64, most_grain_kinds = 1
 constexpr double most_triangles = 2e6;  // of all surfaces at detail 1
 
 /// The sketch the template names, if it names one that can be read.
-std::optional<Sketch> read_sketch_of(const TomlTable& root, const std::string& file, std::optional<double> unit) {
+std::optional<Sketch> read_sketch_of(const TomlTable& root, const std::string& file, std::optional<double> unit,
+                                     std::optional<std::string_view> svg) {
   const TomlValue value = root.get("sketch");
   if (!value.is(TomlNode::Kind::string)) {
     value.text();  // notes that it is none, if it is there
     return {};
   }
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   try {
-    return read_sketch(std::filesystem::path(file).parent_path(), value.text(), unit);
+    if (svg) return read_sketch(folder, value.text(), unit, *svg);
+    return read_sketch(folder, value.text(), unit);
   } catch (const BadSketch& bad) {
     value.error(bad.what(), bad.hint);
     return {};
@@ -92,8 +95,8 @@ void check_symmetry(const TomlTable& root, const Template& fruit) {
                             "write kind = \"cylindrical\" under [symmetry], or bring the surface as a [[mesh]]");
 }
 
-/// Moves all vertical curves up or down so that the lowest drawn point is at y = 0.
-void set_on_ground(std::vector<SurfaceSketch>& surfaces) {
+/// Moves all vertical curves up or down so that the lowest drawn point is at y = 0. \return where that was
+double set_on_ground(std::vector<SurfaceSketch>& surfaces) {
   bool found = false;
   double lowest = 0;
   for (const SurfaceSketch& surface : surfaces) {
@@ -105,6 +108,7 @@ void set_on_ground(std::vector<SurfaceSketch>& surfaces) {
   for (SurfaceSketch& surface : surfaces) {
     for (glm::dvec2& p : surface.vertical.points) p.y -= lowest;
   }
+  return lowest;
 }
 
 /// The bend, which must leave room for what is drawn.
@@ -137,12 +141,22 @@ void read_head(const TomlTable& root, Template& fruit) {
   if (root.has("densities")) fruit.densities = read_densities(root.get("densities").table(), fruit);
 }
 
+/// How the drawing lies, of which the lowest point was `lowest` metres high.
+void place_views(const std::optional<Sketch>& sketch, double unit, double lowest, DrawnTemplate& drawn) {
+  const SvgTransform upright{unit, 0, 0, -unit, 0, 0}, lowered = translation({0, -lowest});
+  drawn.side = sketch ? sketch->to_metres(SketchView::side) : upright;
+  drawn.top = sketch ? sketch->to_metres(SketchView::top) : upright;
+  if (drawn.side) drawn.side = lowered * *drawn.side;
+}
+
 }  // namespace
 
-Template parse_template(std::string_view toml, const std::string& file) {
+DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& file,
+                                   std::optional<std::string_view> svg) {
   TomlDocument document(toml, file);
   const TomlTable root = document.root();
-  Template fruit;
+  DrawnTemplate drawn;
+  Template& fruit = drawn.fruit;
   fruit.file = file;
   read_head(root, fruit);
 
@@ -151,11 +165,11 @@ Template parse_template(std::string_view toml, const std::string& file) {
   const TomlValue unit_value = may_lack_unit ? root.get("unit") : root.need("unit");
   const double unit = unit_value.length(1e-3, {1e-6, 1});
   const std::optional<Sketch> sketch =
-      read_sketch_of(root, file, unit_value.given() ? std::optional<double>(unit) : std::nullopt);
+      read_sketch_of(root, file, unit_value.given() ? std::optional<double>(unit) : std::nullopt, svg);
   fruit.symmetry = read_symmetry(root.need("symmetry").table(), sketch ? &*sketch : nullptr);
   const CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
   fruit.surfaces = read_surfaces(root, SurfaceReader(curves, fruit.parts, fruit.symmetry));
-  set_on_ground(fruit.surfaces);
+  place_views(sketch, unit, set_on_ground(fruit.surfaces), drawn);
   fruit.meshes = read_meshes(root, fruit);
   check_symmetry(root, fruit);
 
@@ -177,7 +191,11 @@ Template parse_template(std::string_view toml, const std::string& file) {
   if (root.has("browning")) fruit.browning = read_browning(root.get("browning").table(), fruit);
   if (root.has("variation")) fruit.variation.color = read_color_variation(root.get("variation").table(), fruit);
   document.throw_if_any();
-  return fruit;
+  return drawn;
+}
+
+Template parse_template(std::string_view toml, const std::string& file) {
+  return parse_drawn_template(toml, file, {}).fruit;
 }
 
 Template read_template(const std::filesystem::path& file) {

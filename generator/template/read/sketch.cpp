@@ -226,6 +226,12 @@ Sketch::Frame Sketch::find_frame(SketchView view) const {
   return {SvgTransform{c, s, -s, c, 0, 0} * translation(-axis), unit};
 }
 
+std::optional<SvgTransform> Sketch::to_metres(SketchView view) const {
+  const std::optional<Frame>& frame = views_[view == SketchView::side ? 0 : 1].frame;
+  if (!frame) return {};
+  return SvgTransform{frame->unit, 0, 0, -frame->unit, 0, 0} * frame->from_page;
+}
+
 // ---- Curves ----
 
 DrawnCurve Sketch::drawn(const Placed& shape, const Frame& frame, std::size_t most_points) const {

@@ -48,6 +48,9 @@ class Sketch {
   /// ascend beyond a full turn, the whole view is turned until it lies at the right.
   std::vector<double> fold_angles(int folds) const;
 
+  /// From the page to metres as curve() gives them; nothing for a view that is not there or cannot be measured.
+  std::optional<SvgTransform> to_metres(SketchView view) const;
+
   /// A curve of either view as `count` points of the page, evenly spaced along it, from the bottom up.
   std::vector<glm::dvec2> page_points(const std::string& name, int count) const;
 
@@ -106,5 +109,9 @@ class Sketch {
 
 /// Reads the SVG that a template names. \throws BadSketch, also for a path that leads out of `folder`.
 Sketch read_sketch(const std::filesystem::path& folder, const std::string& name, std::optional<double> unit);
+
+/// The same of a text that is not on disk yet, as if it lay there under that name.
+Sketch read_sketch(const std::filesystem::path& folder, const std::string& name, std::optional<double> unit,
+                   std::string_view svg);
 
 }  // namespace pomona

@@ -1,0 +1,114 @@
+// pomona studio: draw a fruit in the browser, and see it cut.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/find_template.h"
+#include "cli/option_checks.h"
+#include "cli/outputs.h"
+#include "cli/picture_file.h"
+#include "cli/program_folders.h"
+#include "cli/starting_sketch.h"
+#include "cli/studio/studio_api.h"
+#include "cli/studio/studio_page.h"
+#include "generator/base/error.h"
+#include "generator/template/read/toml_text.h"
+
+namespace fs = std::filesystem;
+
+namespace pomona {
+
+namespace {
+
+struct StudioCommand {
+  std::string fruit;
+  std::vector<std::string> pictures;
+  std::optional<int> folds;
+};
+
+/// What the studio opens: files that are there, or texts for files that are not.
+struct Opened {
+  WorkspaceFiles files;
+  std::optional<FruitTexts> starting;
+};
+
+Opened new_fruit(const fs::path& toml, const StudioCommand& command) {
+  StartingSketchOptions options;
+  options.name = fruit_name(toml);
+  options.folds = command.folds;
+  if (command.pictures.size() > 2)
+    throw Error(ExitStatus::usage, "--picture: there are two views, so two pictures are the most");
+  for (const std::string& name : command.pictures) {
+    const LinkedPicture linked = linked_picture(existing_file(name), toml.parent_path());
+    options.pictures.push_back({linked.href, linked.size});
+  }
+  check_folder(toml);
+  StartingSketch made = starting_sketch(options);
+  return {workspace_files(toml, made.toml), FruitTexts{std::move(made.toml), std::move(made.svg)}};
+}
+
+/// One of the program's own fruits is copied into the current folder once it is saved: the original stays as it is.
+Opened copy_of(const fs::path& original) {
+  const std::string toml = read_toml_text(original);
+  const Workspace texts(workspace_files(original, toml), {});
+  const fs::path here = original.filename();
+  return {workspace_files(here, toml), Workspace(texts.files(), {}).state().texts};
+}
+
+Opened opened(const StudioCommand& command) {
+  const fs::path file = command.fruit;
+  const bool is_path = file.extension() == ".toml" || file.has_parent_path();
+  if (is_path && !fs::exists(file)) return new_fruit(file, command);
+  if (!command.pictures.empty() || command.folds)
+    throw Error(ExitStatus::usage, "--picture and --folds are for a fruit that is not there yet",
+                "choose another name, or leave them out");
+  if (is_path) return {workspace_files(file, read_toml_text(file)), {}};
+  const fs::path own = file.string() + ".toml";
+  if (fs::exists(own)) return {workspace_files(own, read_toml_text(own)), {}};
+  return copy_of(find_template(command.fruit));
+}
+
+ExitStatus open_studio(const StudioCommand& command) {
+  Opened fruit = opened(command);
+  Workspace workspace(fruit.files, std::move(fruit.starting));
+  const std::string token = random_token();
+  StudioPage page = studio_page(fruit.files.toml.stem().string(), token, random_token());
+  StudioApi api(workspace, std::move(page.html));
+  LoopbackServer server({.token = token, .page_policy = page.policy},
+                        [&](const WebRequest& request) { return api.answer(request); });
+  std::printf("http://127.0.0.1:%d/?token=%s\n", server.port(), token.c_str());
+  std::fflush(stdout);
+  std::fprintf(stderr,
+               "open this address in a browser; Ctrl-C ends the studio, and edits that are not saved are kept\n");
+  server.serve();
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+DeclaredCommand studio_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("studio", "Draw a fruit in the browser, and see it cut");
+  const auto options = std::make_shared<StudioCommand>();
+  command
+      ->add_option(
+          "TEMPLATE", options->fruit,
+          "A template file, one that is not there yet, or a name from `pomona list`, of which a copy is drawn on")
+      ->required();
+  command
+      ->add_option("--picture", options->pictures,
+                   "Of a new fruit: a picture (.png) to draw over, for the side view; a second time for the top view")
+      ->type_name("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--folds", options->folds, "Of a new fruit: it repeats itself so often")
+      ->check(whole_between(1, 64));
+  return {command, [options] { return open_studio(*options); }};
+}
+
+}  // namespace pomona

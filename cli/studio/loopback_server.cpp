@@ -1,0 +1,155 @@
+#include "cli/studio/loopback_server.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <httplib.h>
+
+#include "generator/base/error.h"
+#include "generator/base/stop_watch.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t longest_path = 100;
+constexpr int most_connections = 32;  // at a time: each has a thread while it lasts
+
+/// Looks at all letters, however many are right.
+bool is_token(std::string_view given, std::string_view token) {
+  unsigned different = given.size() == token.size() ? 0 : 1;
+  for (std::size_t i = 0; i < token.size(); ++i)
+    different |= static_cast<unsigned>(i < given.size() ? given[i] ^ token[i] : 1);
+  return different == 0;
+}
+
+WebReply refused(int status, const std::string& message, const std::string& hint = {}) {
+  const auto quoted = [](const std::string& text) { return "\"" + text + "\""; };  // of our own words, without quotes
+  return {status, "application/json",
+          "{\"errors\":[{\"message\":" + quoted(message) + ",\"hint\":" + quoted(hint) + "}]}"};
+}
+
+}  // namespace
+
+struct LoopbackServer::Listener {
+  LoopbackOptions options;
+  std::function<WebReply(const WebRequest&)> handler;
+  httplib::Server server;
+  int port = -1;
+  std::string host;
+
+  /// Why a request is not even read to its end; nothing if it may be.
+  std::optional<WebReply> fault_of(const httplib::Request& request) const {
+    if (request.get_header_value_count("Host") != 1 || request.get_header_value("Host") != host)
+      return refused(421, "this server answers to http://" + host + " alone");
+    if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host)
+      return refused(403, "no other page may talk to this server");
+    if (request.path.size() > longest_path) return refused(414, "there is no such path");
+    if (request.method != "GET" && request.method != "POST") return refused(405, "only GET and POST are known here");
+    const std::string given =
+        request.path == "/" ? request.get_param_value("token") : request.get_header_value("X-Pomona-Token");
+    if (!is_token(given, options.token))
+      return refused(403, "the token is missing or wrong", "open the whole address that `pomona studio` printed");
+    return request.method == "POST" ? fault_of_body(request) : std::nullopt;
+  }
+
+  std::optional<WebReply> fault_of_body(const httplib::Request& request) const {
+    if (!request.get_header_value("Content-Type").starts_with("application/json"))
+      return refused(415, "what is sent here is JSON", "Content-Type: application/json");
+    if (request.has_header("Transfer-Encoding") || request.has_header("Content-Encoding"))
+      return refused(411, "bodies are sent plain, with their length");
+    const std::string length = request.get_header_value("Content-Length");
+    if (length.empty() || length.size() > 15 || length.find_first_not_of("0123456789") != std::string::npos)
+      return refused(411, "a body states its length");
+    if (std::stoull(length) > options.most_body_bytes)
+      return refused(413, "that is more than " + std::to_string(options.most_body_bytes >> 20) + " MiB",
+                     "link pictures instead of embedding them");
+    return {};
+  }
+
+  static void send(WebReply reply, httplib::Response& response) {
+    response.status = reply.status;
+    response.set_content(std::move(reply.body), reply.type);
+  }
+
+  WebRequest known(const httplib::Request& request) const {
+    WebRequest known{request.method, request.path, {}, {}};
+    for (const auto& [name, value] : request.params) known.query.emplace(name, value);
+    return known;
+  }
+
+  /// Bodies are taken as long as they come in time: the library's own limit starts anew with every byte.
+  void post(const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& read) {
+    WebRequest wanted = known(request);
+    const StopWatch watch;
+    const bool whole = read([&](const char* data, std::size_t size) {
+      wanted.body.append(data, size);
+      return wanted.body.size() <= options.most_body_bytes && watch.milliseconds() < 1000.0 * options.most_body_seconds;
+    });
+    send(whole ? handler(wanted) : refused(408, "the body did not arrive in time"), response);
+  }
+
+  void set_up() {
+    using Answer = httplib::Server::HandlerResponse;
+    server.new_task_queue = [] { return new httplib::ThreadPool(most_connections); };
+    // One request a connection: what is refused leaves nothing behind that could pass for the next request.
+    server.set_keep_alive_max_count(1);
+    server.set_read_timeout(options.idle_seconds);
+    server.set_write_timeout(options.idle_seconds);
+    server.set_payload_max_length(options.most_body_bytes);
+    server.set_tcp_nodelay(true);
+    server.set_default_headers({{"Content-Security-Policy", options.page_policy},
+                                {"X-Content-Type-Options", "nosniff"},
+                                {"X-Frame-Options", "DENY"},
+                                {"Referrer-Policy", "no-referrer"},
+                                {"Cross-Origin-Resource-Policy", "same-origin"},
+                                {"Cross-Origin-Opener-Policy", "same-origin"},
+                                {"Cache-Control", "no-store"}});
+    server.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+      if (std::optional<WebReply> fault = fault_of(request)) {
+        send(std::move(*fault), response);
+        return Answer::Handled;
+      }
+      if (request.method == "POST") return Answer::Unhandled;
+      send(handler(known(request)), response);
+      return Answer::Handled;
+    });
+    server.Post("/.*", [this](const httplib::Request& request, httplib::Response& response,
+                              const httplib::ContentReader& read) { post(request, response, read); });
+  }
+};
+
+LoopbackServer::LoopbackServer(LoopbackOptions options, std::function<WebReply(const WebRequest&)> handler)
+    : listener_(std::make_unique<Listener>()) {
+  listener_->options = std::move(options);
+  listener_->handler = std::move(handler);
+  listener_->set_up();
+  listener_->port = listener_->server.bind_to_any_port("127.0.0.1");
+  if (listener_->port <= 0) throw Error(ExitStatus::cannot_create, "there is no free port on 127.0.0.1");
+  listener_->host = "127.0.0.1:" + std::to_string(listener_->port);
+}
+
+LoopbackServer::~LoopbackServer() = default;
+
+int LoopbackServer::port() const { return listener_->port; }
+
+void LoopbackServer::serve() { listener_->server.listen_after_bind(); }
+
+void LoopbackServer::stop() { listener_->server.stop(); }
+
+std::string random_token() {
+  std::array<std::uint8_t, 16> bytes{};
+  if (::getentropy(bytes.data(), bytes.size()) != 0)
+    throw Error(ExitStatus::io_error, "the system has no random numbers for a token");
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string token;
+  for (const std::uint8_t byte : bytes) token += {digits[byte >> 4], digits[byte & 15u]};
+  return token;
+}
+
+}  // namespace pomona

@@ -1,0 +1,159 @@
+// The fruit itself, as it is cut live: the page's own picture (render/page), fed anew whenever the drawing changes.
+'use strict';
+const glassShader = `
+uniform mat4 camera;
+#ifdef VERTEX
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 color;
+uniform vec3 eye;
+out vec4 tint;
+void main() {
+  float facing = abs(dot(normalize(eye - position), normal));
+  tint = vec4(color, mix(0.5, 0.1, facing));
+  gl_Position = camera * vec4(position, 1.0);
+}
+#endif
+#ifdef FRAGMENT
+in vec4 tint;
+out vec4 result;
+void main() {
+  vec3 c = mix(12.92 * tint.rgb, 1.055 * pow(max(tint.rgb, 0.0), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, tint.rgb));
+  result = vec4(c * tint.a, tint.a);
+}
+#endif
+`;
+
+class FruitView {
+  constructor(canvas, options, workerText, {changed, failed}) {
+    Object.assign(this, {canvas, changed, failed, camera: new Camera(), mode: 'half', shift: 0, number: 0, shown: 0, knives: [], pieces: [], arranged: [], lastMoved: 0});
+    this.picture = new Picture(canvas, options);
+    if (!this.picture.gl) { failed('The fruit is drawn with WebGL 2, which this browser does not have or has switched off.'); return; }
+    this.picture.card.shaders['glass.glsl'] = glassShader;
+    this.glassProgram = this.picture.card.program('glass.glsl', []);
+    this.worker = new Worker(URL.createObjectURL(new Blob([workerText], {type: 'text/javascript'})));
+    this.worker.onmessage = ({data}) => { if (data.error) failed(`The fruit cannot be unpacked: ${data.error}`); else this.take(data); };
+    Object.assign(this.camera, {yaw: 0.35, pitch: 0.3});
+    this.attach();
+    new ResizeObserver(() => this.rearrange()).observe(canvas);
+  }
+
+  /** Bytes of an asset; of several that come quickly, the last counts. */
+  show(bytes) { if (this.worker) this.worker.postMessage({bytes, number: ++this.number}, [bytes.buffer]); }
+
+  take({number, header, skin, glass, rest}) {
+    if (number < this.shown) return;
+    this.shown = number;
+    this.forget();
+    const {picture} = this;
+    picture.takeSkin(header, skin);
+    picture.takeRest(rest);
+    this.glass = picture.card.vertices(glass, [3, 3, 3, 1]);
+    this.samples = samplesOf(header, skin, rest.winding);
+    this.setCut(this.mode);
+    this.changed();
+  }
+  /** What the card held of the fruit before. */
+  forget() {
+    const {picture} = this, {gl} = picture;
+    if (!picture.skin) return;
+    for (const {now, next} of picture.faces.splice(0)) { picture.dropFace(now); picture.dropFace(next); }
+    for (const held of [picture.grid, picture.cell, picture.list, picture.triangle, picture.guide, picture.shares, ...Object.values(picture.look)]) if (held) gl.deleteTexture(held.texture);
+    for (const {array} of [picture.skin, this.glass]) gl.deleteVertexArray(array);
+  }
+
+  // ---- What is seen. ----
+
+  /** "whole", "glass", "half" or "across". */
+  setCut(mode) {
+    this.mode = mode;
+    const {fruit} = this.picture;
+    if (!fruit) return;
+    const knife = mode === 'half' ? new Knife(fruit, 0, 0, 0) : mode === 'across' ? new Knife(fruit, 0, Math.PI / 2, 0) : null;
+    if (knife) knife.shift = this.shift * 0.5 * fruit.size;
+    this.knives = knife ? [knife] : [];
+    this.pieces = piecesOf(this.samples, this.knives);
+    this.rearrange();
+  }
+  setShift(shift) { this.shift = shift; this.setCut(this.mode); }
+  rearrange() {
+    if (!this.picture.fruit || this.pieces.length === 0) return;
+    this.arranged = placed(this.pieces, this.knives, this.picture.fruit, 0, this.knives.length === 1 ? 1 : 0);
+    const {zoom} = this.camera, aspect = this.fitCanvas();
+    Object.assign(this.camera, this.camera.fit(this.arranged.flatMap(({motion, points}) => points.map((p) => M.point(motion, p))), aspect), {zoom});
+    this.moved();
+  }
+  fitCanvas() {
+    const {canvas} = this, scale = Math.min(2, window.devicePixelRatio || 1);
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((v) => Math.max(1, Math.round(v * scale)));
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
+    return width / height;
+  }
+  moved() { this.lastMoved = performance.now(); this.stale = true; this.ask(); }
+  ask() {
+    if (this.asked || this.broken) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      try { this.frame(); } catch (error) { this.broken = true; this.failed(`The fruit cannot be drawn: ${error.message}`); }
+    });
+  }
+  frame() {
+    const {picture, camera} = this;
+    if (!picture.fruit) return;
+    const aspect = this.fitCanvas(), view = camera.view(aspect, 2 * picture.fruit.size);
+    if (this.mode === 'glass') { if (this.stale) this.drawGlass(view); this.stale = false; this.settled = true; return; }
+    const scale = this.canvas.height / (2 * Math.tan(camera.field / 2) * camera.far / camera.zoom);
+    const wanted = Math.max(256, Math.min(2048, Math.ceil(2.1 * picture.fruit.reach * scale / 128) * 128));
+    const {more, changed} = picture.updateFaces(this.knives, wanted, performance.now() - this.lastMoved > 250);
+    if (this.stale || changed) picture.draw({knives: this.knives, pieces: this.arranged, bounds: this.bounds(), dark: this.dark, camera: {view, eye: camera.eye, yaw: camera.yaw}});
+    this.stale = false;
+    this.settled = !more;
+    if (more) this.ask();
+  }
+  bounds() {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (const {motion, points} of this.arranged) for (const p of points) M.point(motion, p).forEach((v, k) => { low[k] = Math.min(low[k], v); high[k] = Math.max(high[k], v); });
+    return {low, high};
+  }
+  /** All surfaces, seen through each other (paper, Figure 9). */
+  drawGlass(view) {
+    const {gl, card, empty} = this.picture, u = card.use(this.glassProgram);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.disable(gl.DEPTH_TEST);
+    gl.disable(gl.CULL_FACE);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.uniformMatrix4fv(u.camera, false, view);
+    gl.uniform3fv(u.eye, this.camera.eye);
+    gl.bindVertexArray(this.glass.array);
+    gl.drawArrays(gl.TRIANGLES, 0, this.glass.count);
+    gl.bindVertexArray(empty);
+    gl.disable(gl.BLEND);
+  }
+
+  attach() {
+    const {canvas, camera} = this;
+    let last = null;
+    canvas.addEventListener('pointerdown', (event) => { canvas.setPointerCapture(event.pointerId); last = [event.clientX, event.clientY]; });
+    canvas.addEventListener('pointermove', (event) => {
+      if (!last) return;
+      this.turn(-(event.clientX - last[0]) / 160, (event.clientY - last[1]) / 160);
+      last = [event.clientX, event.clientY];
+    });
+    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => { last = null; });
+    canvas.addEventListener('wheel', (event) => { event.preventDefault(); camera.zoom = Math.max(0.5, Math.min(6, camera.zoom * Math.exp(-event.deltaY / 900))); this.moved(); }, {passive: false});
+    canvas.addEventListener('keydown', (event) => {
+      const way = {ArrowLeft: [0.12, 0], ArrowRight: [-0.12, 0], ArrowUp: [0, 0.12], ArrowDown: [0, -0.12]}[event.key];
+      if (way) { event.preventDefault(); event.stopPropagation(); this.turn(...way); }
+    });
+  }
+  turn(yaw, pitch) {
+    this.camera.yaw += yaw;
+    this.camera.pitch = Math.max(-0.25, Math.min(1.5, this.camera.pitch + pitch));
+    this.moved();
+  }
+}

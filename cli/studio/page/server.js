@@ -1,0 +1,52 @@
+// Talking to the program: JSON in, JSON or bytes out; what it refuses comes back as an error with all its words.
+'use strict';
+class Refusal extends Error {
+  constructor(status, errors) { super(errors[0]?.message || `the studio answers ${status}`); Object.assign(this, {status, errors}); }
+}
+class Server {
+  constructor(token) { this.token = token; this.alive = true; }
+  async ask(path, body) {
+    let reply;
+    try {
+      reply = await fetch(path, {method: body ? 'POST' : 'GET', headers: {'X-Pomona-Token': this.token, ...(body ? {'Content-Type': 'application/json'} : {})},
+        body: body ? JSON.stringify(body) : undefined});
+    } catch {
+      this.alive = false;
+      throw new Refusal(0, [{message: 'The studio does not answer.', hint: 'start it again; what was drawn is kept beside the template'}]);
+    }
+    this.alive = true;
+    if (reply.ok) return reply;
+    const told = await reply.json().catch(() => ({errors: []}));
+    throw new Refusal(reply.status, told.errors || []);
+  }
+  async json(path, body) { return (await this.ask(path, body)).json(); }
+  async bytes(path, body) { return new Uint8Array(await (await this.ask(path, body)).arrayBuffer()); }
+  /** A section: {head, pictures: [{view, width, height, corner, right, down, image}]}. */
+  async section(body) {
+    const bytes = await this.bytes('/api/section', body), length = new DataView(bytes.buffer).getUint32(0, true);
+    const head = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
+    let at = 4 + length;
+    for (const picture of head.pictures) {
+      const size = 4 * picture.width * picture.height;
+      picture.image = new ImageData(new Uint8ClampedArray(bytes.buffer.slice(at, at + size)), picture.width, picture.height);
+      at += size;
+    }
+    return head;
+  }
+}
+
+/** Does one thing at a time; of what is asked for meanwhile, the last. */
+class Latest {
+  constructor(work) { this.work = work; this.wanted = null; this.busy = false; }
+  async ask(what) {
+    this.wanted = {what};
+    if (this.busy) return;
+    this.busy = true;
+    while (this.wanted) {
+      const {what: next} = this.wanted;
+      this.wanted = null;
+      await this.work(next);
+    }
+    this.busy = false;
+  }
+}

@@ -1,0 +1,16 @@
+// The studio's worker: unpacks one asset after another and lays it out for the card.
+'use strict';
+onmessage = async ({data: {bytes: packed, number}}) => {
+  try {
+    const bytes = await Asset.unpacked(packed), head = Asset.header(bytes, bytes.length), fruit = Asset.surfaces(bytes, head);
+    const skin = Skin.built(fruit), glass = Skin.built({...fruit, hidden: new Uint8Array(fruit.hidden.length).fill(1)});
+    Asset.addWindings(fruit);
+    Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(head)));
+    const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
+    const {noise, details, materials, guide, share, winding} = fruit;
+    postMessage({number, header: head.fields, skin, glass, rest: {grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding}},
+      [skin.buffer, glass.buffer, grid.buffer, cell.buffer, list.buffer, triangle.buffer, winding.buffer]);
+  } catch (error) {
+    postMessage({number, error: String(error && error.message || error)});
+  }
+};

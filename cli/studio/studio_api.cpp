@@ -1,0 +1,250 @@
+#include "cli/studio/studio_api.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <new>
+#include <regex>
+#include <system_error>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/live_fruit.h"
+#include "generator/base/error.h"
+#include "generator/base/path_within.h"
+
+namespace fs = std::filesystem;
+
+namespace pomona {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr std::uintmax_t most_picture_bytes = std::uintmax_t{64} << 20;
+constexpr std::string_view binary = "application/octet-stream";
+
+WebReply told(int status, const ordered_json& body) {
+  return {status, "application/json", body.dump(-1, ' ', false, json::error_handler_t::replace)};
+}
+
+WebReply told_error(int status, const std::string& message, const std::string& hint = {}) {
+  return told(status, {{"errors", {{{"message", message}, {"hint", hint}}}}});
+}
+
+/// Without the folder, which is the same for all: "kiwi.svg:12:5".
+std::string without_folder(std::string text, const fs::path& file) {
+  const std::string folder = file.parent_path().string();
+  if (folder.empty()) return text;
+  for (std::size_t at = text.find(folder + "/"); at != std::string::npos; at = text.find(folder + "/", at))
+    text.erase(at, folder.size() + 1);
+  return text;
+}
+
+/// The reader names a curve and its place in the drawing within the message: "skin" (kiwi.svg:12:5).
+ordered_json error_of(const Diagnostic& diagnostic, const fs::path& file) {
+  ordered_json error = {{"file", without_folder(diagnostic.place.file, file)},
+                        {"line", diagnostic.place.line},
+                        {"column", diagnostic.place.column},
+                        {"message", without_folder(diagnostic.message, file)},
+                        {"hint", without_folder(diagnostic.hint, file)}};
+  static const std::regex place(R"re("([^"]{0,100})" \([^()]{0,300}:(\d{1,9}):(\d{1,9})\))re");
+  std::smatch found;
+  const std::string text = error["message"];
+  if (text.size() < 2000 && std::regex_search(text, found, place)) {
+    error["curve"] = found[1].str();
+    error["svg_line"] = std::stoi(found[2].str());
+    error["svg_column"] = std::stoi(found[3].str());
+  }
+  return error;
+}
+
+json parsed(const std::string& body) {
+  json wanted = json::parse(body, nullptr, false);
+  if (!wanted.is_object()) throw Error(ExitStatus::usage, "that is no JSON object");
+  return wanted;
+}
+
+std::string text_in(const json& wanted, const char* key) {
+  if (!wanted.contains(key) || !wanted[key].is_string())
+    throw Error(ExitStatus::usage, std::string(key) + " is missing, or no text");
+  return wanted[key];
+}
+
+/// A number within bounds; `otherwise` where it is missing or null.
+double number_in(const json& wanted, const char* key, double otherwise, double least, double most) {
+  if (!wanted.contains(key) || wanted[key].is_null()) return otherwise;
+  if (!wanted[key].is_number() || !(wanted[key].get<double>() >= least && wanted[key].get<double>() <= most))
+    throw Error(ExitStatus::usage,
+                std::string(key) + " is not a number from " + std::to_string(least) + " to " + std::to_string(most));
+  return wanted[key];
+}
+
+std::uint64_t version_in(const json& wanted) {
+  return static_cast<std::uint64_t>(number_in(wanted, "seen", 0, 0, 9e15));
+}
+
+FruitTexts texts_in(const json& wanted) { return {text_in(wanted, "toml"), text_in(wanted, "svg")}; }
+
+WantedFruit fruit_in(const json& wanted) {
+  WantedFruit fruit;
+  fruit.texts = texts_in(wanted);
+  fruit.seed = static_cast<std::uint64_t>(number_in(wanted, "seed", 0, 0, 9e15));
+  if (const double folds = number_in(wanted, "folds", 0, 0, 64); folds >= 1) fruit.folds = static_cast<int>(folds);
+  if (const double ripeness = number_in(wanted, "ripeness", -1, -1, 2); ripeness >= 0) fruit.ripeness = ripeness;
+  fruit.browning = number_in(wanted, "browning", 0, 0, 1);
+  fruit.detail = number_in(wanted, "detail", 1, 0.1, 1);
+  fruit.draft = !(wanted.contains("final") && wanted["final"] == true);
+  return fruit;
+}
+
+ordered_json numbers_of(const std::optional<SvgTransform>& t) {
+  if (!t) return nullptr;
+  return {t->a, t->b, t->c, t->d, t->e, t->f};
+}
+
+ordered_json numbers_of(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+/// A header of JSON behind its length, then the pixels of all pictures.
+std::string packed(const StudioFruit& fruit, const std::vector<SectionPicture>& pictures) {
+  ordered_json head = {{"parts", fruit.source.fruit.parts},
+                       {"drawing", {{"side", numbers_of(fruit.drawn.side)}, {"top", numbers_of(fruit.drawn.top)}}},
+                       {"pictures", ordered_json::array()}};
+  for (const SectionPicture& picture : pictures) {
+    const PictureFrame& frame = picture.frame;
+    head["pictures"].push_back({{"view", picture.view},
+                                {"width", frame.width},
+                                {"height", frame.height},
+                                {"corner", numbers_of(frame.corner)},
+                                {"right", numbers_of(frame.right)},
+                                {"down", numbers_of(frame.down)}});
+  }
+  const std::string text = head.dump();
+  std::string bytes;
+  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(text.size() >> shift & 0xffu);
+  bytes += text;
+  for (const SectionPicture& picture : pictures) bytes.append(picture.pixels.begin(), picture.pixels.end());
+  return bytes;
+}
+
+int status_for(const Error& error) {
+  if (error.status() == ExitStatus::usage) return 400;
+  const bool in_texts = error.status() == ExitStatus::bad_data || error.status() == ExitStatus::input_missing;
+  return in_texts ? 422 : 500;
+}
+
+}  // namespace
+
+StudioApi::StudioApi(Workspace& workspace, std::string page)
+    : workspace_(workspace), fruits_(workspace.files().toml), page_(std::move(page)) {}
+
+WebReply StudioApi::answer(const WebRequest& request) {
+  try {
+    return routed(request);
+  } catch (const Error& error) {
+    ordered_json errors = ordered_json::array();
+    for (const Diagnostic& diagnostic : error.diagnostics())
+      errors.push_back(error_of(diagnostic, workspace_.files().toml));
+    return told(status_for(error), {{"errors", errors}});
+  } catch (const std::bad_alloc&) {
+    return told_error(500, "out of memory", "fewer triangles need less: lower around and along");
+  } catch (const std::exception& error) {
+    return told_error(500, std::string("this is a bug in pomona: ") + error.what());
+  }
+}
+
+WebReply StudioApi::routed(const WebRequest& request) {
+  const std::string& path = request.path;
+  if (request.method == "GET") {
+    if (path == "/") return {200, "text/html; charset=utf-8", page_};
+    if (path == "/api/document") return document(true);
+    if (path == "/api/state") return document(false);
+    if (path == "/api/picture") {
+      const auto href = request.query.find("href");
+      return picture(href == request.query.end() ? std::string() : href->second);
+    }
+  } else {
+    if (path == "/api/change") return change(request.body);
+    if (path == "/api/save") return save(request.body);
+    if (path == "/api/revert") return revert(request.body);
+    if (path == "/api/section") return section(request.body);
+    if (path == "/api/asset") return asset(request.body);
+  }
+  return told_error(404, "there is nothing at this path");
+}
+
+WebReply StudioApi::document(bool with_texts) {
+  const WorkspaceState state = workspace_.state();
+  const WorkspaceFiles& files = workspace_.files();
+  ordered_json told_of = {{"version", state.version},
+                          {"unsaved", state.unsaved},
+                          {"recovered", state.recovered},
+                          {"changed_outside", state.changed_outside}};
+  if (!with_texts) return told(200, told_of);
+  told_of.update({{"name", files.toml.stem().string()},
+                  {"toml_file", files.toml.filename().string()},
+                  {"svg_file", files.svg.filename().string()},
+                  {"toml", state.texts.toml},
+                  {"svg", state.texts.svg}});
+  return told(200, told_of);
+}
+
+WebReply StudioApi::change(const std::string& body) {
+  const json wanted = parsed(body);
+  const std::optional<std::uint64_t> version = workspace_.change(version_in(wanted), texts_in(wanted));
+  if (!version) return told_error(409, "the fruit was changed elsewhere in the meantime", "another window has it open");
+  return told(200, {{"version", *version}});
+}
+
+WebReply StudioApi::save(const std::string& body) {
+  const json wanted = parsed(body);
+  const bool over = wanted.contains("over") && wanted["over"] == true;
+  switch (workspace_.save(version_in(wanted), over)) {
+    case SaveResult::saved:
+      return told(200, {{"saved", true}});
+    case SaveResult::behind:
+      return told_error(409, "the fruit was changed elsewhere in the meantime", "another window has it open");
+    case SaveResult::changed_outside:
+      break;
+  }
+  return told_error(409, "another program has changed the files", "save over them, or go back to them");
+}
+
+WebReply StudioApi::revert(const std::string& body) {
+  if (workspace_.revert(version_in(parsed(body)))) return document(true);
+  return told_error(409, "the fruit was changed elsewhere in the meantime", "another window has it open");
+}
+
+WebReply StudioApi::section(const std::string& body) {
+  const json wanted = parsed(body);
+  const auto size = static_cast<int>(number_in(wanted, "size", 256, 16, 1024));
+  const double height = number_in(wanted, "height", 0.5, 0, 1);
+  const std::shared_ptr<const StudioFruit> fruit = fruits_.grown(fruit_in(wanted));
+  return {200, std::string(binary), packed(*fruit, section_pictures(*fruit, size, height))};
+}
+
+WebReply StudioApi::asset(const std::string& body) {
+  const json wanted = parsed(body);
+  const std::shared_ptr<const StudioFruit> fruit = fruits_.grown(fruit_in(wanted));
+  return {200, std::string(binary), live_bytes(fruit->source, fruit->options, fruit->wanted.draft)};
+}
+
+/// A picture that the drawing links to: in its folder or below, and a picture by its first bytes.
+WebReply StudioApi::picture(const std::string& href) const {
+  const fs::path folder = workspace_.files().toml.parent_path(), file = folder / href;
+  std::error_code wrong;
+  const bool within = !href.empty() && !fs::path(href).is_absolute() && path_within(folder, file).has_value();
+  if (!within || !fs::is_regular_file(file, wrong) || fs::file_size(file, wrong) > most_picture_bytes || wrong)
+    return told_error(404, "there is no such picture beside the template");
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (bytes.starts_with("\x89PNG\r\n")) return {200, "image/png", std::move(bytes)};
+  if (bytes.starts_with("\xff\xd8\xff")) return {200, "image/jpeg", std::move(bytes)};
+  return told_error(404, "there is no such picture beside the template");
+}
+
+}  // namespace pomona

@@ -1,0 +1,35 @@
+// What the studio's page asks, and what it is answered: docs/studio.md has the list.
+#pragma once
+
+#include <string>
+
+#include "cli/studio/loopback_server.h"
+#include "cli/studio/studio_fruit.h"
+#include "cli/studio/workspace.h"
+
+namespace pomona {
+
+class StudioApi {
+ public:
+  /// \param page the HTML that "/" is answered with
+  StudioApi(Workspace& workspace, std::string page);
+
+  /// Never throws: what goes wrong is told in the reply, each error with its place in the template and in the drawing.
+  WebReply answer(const WebRequest& request);
+
+ private:
+  WebReply routed(const WebRequest& request);
+  WebReply document(bool with_texts);
+  WebReply change(const std::string& body);
+  WebReply save(const std::string& body);
+  WebReply revert(const std::string& body);
+  WebReply section(const std::string& body);
+  WebReply asset(const std::string& body);
+  WebReply picture(const std::string& href) const;
+
+  Workspace& workspace_;
+  StudioFruits fruits_;
+  std::string page_;
+};
+
+}  // namespace pomona

@@ -1,0 +1,115 @@
+#include "cli/watch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "cli/command.h"
+#include "cli/program_folders.h"
+#include "generator/template/read/toml_node.h"
+#include "generator/template/read/toml_text.h"
+
+namespace fs = std::filesystem;
+
+namespace pomona {
+
+namespace {
+
+constexpr std::chrono::milliseconds between_looks{200};
+constexpr std::size_t most_watched = 10000, longest_word = 255;
+
+class FilesBehind {
+ public:
+  /// A word of the command line, or a text in a TOML file of `folder`.
+  void add_word(const std::string& word, const fs::path& folder) {
+    if (word.empty() || word.size() > longest_word || found_.size() > most_watched) return;
+    add_file(folder / word);
+    for (const char* kind : {"templates", "scenes", "styles"}) {
+      try {
+        add_file(find_file(kind, word));
+      } catch (const Error&) {
+        // Most words name nothing.
+      }
+    }
+  }
+  std::set<fs::path> take() { return std::move(found_); }
+
+ private:
+  void add_file(const fs::path& file) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored) || !found_.insert(file.lexically_normal()).second) return;
+    if (file.extension() != ".toml") return;
+    try {
+      add_texts(parse_toml(read_toml_text(file), file.string()), file.parent_path());
+    } catch (const Error&) {
+      // What is wrong with it is told when it is read.
+    }
+  }
+  void add_texts(const TomlNode& node, const fs::path& folder) {
+    if (node.kind == TomlNode::Kind::string) add_word(node.text, folder);
+    for (const TomlNode& item : node.items) add_texts(item, folder);
+    for (const TomlEntry& entry : node.entries) add_texts(entry.value, folder);
+  }
+
+  std::set<fs::path> found_;
+};
+
+/// When a file was written and how long it is; one that is not there is left out.
+using FileState = std::pair<fs::file_time_type, std::uintmax_t>;
+
+std::map<fs::path, FileState> states_of(const std::set<fs::path>& files) {
+  std::map<fs::path, FileState> states;
+  for (const fs::path& file : files) {
+    std::error_code wrong;
+    const fs::file_time_type time = fs::last_write_time(file, wrong);
+    const std::uintmax_t size = wrong ? 0 : fs::file_size(file, wrong);
+    if (!wrong) states[file] = {time, size};
+  }
+  return states;
+}
+
+}  // namespace
+
+std::set<fs::path> files_behind(const std::vector<std::string>& words) {
+  FilesBehind files;
+  for (const std::string& word : words) {
+    files.add_word(word, {});
+    // mesh:blade.ply,scale=2
+    for (std::size_t at = 0; at < word.size();) {
+      const std::size_t end = std::min(word.find_first_of(":,=", at), word.size());
+      if (end - at < word.size()) files.add_word(word.substr(at, end - at), {});
+      at = end + 1;
+    }
+  }
+  return files.take();
+}
+
+void check_watch(const std::vector<std::string>& outputs) {
+  if (std::find(outputs.begin(), outputs.end(), "-") == outputs.end()) return;
+  throw Error(ExitStatus::usage, "--watch: standard output cannot be made anew", "-o FILE");
+}
+
+ExitStatus watched(const std::vector<std::string>& words, const std::function<ExitStatus()>& make) {
+  std::set<fs::path> files = files_behind(words);
+  for (;;) {
+    // As they were before they were read: what changes meanwhile is seen.
+    std::map<fs::path, FileState> before = states_of(files);
+    run_action(make);
+    std::fprintf(stderr, "watching %zu files; Ctrl-C ends it\n", files.size());
+    while (states_of(files) == before) std::this_thread::sleep_for(between_looks);
+    // An editor writes in several steps: wait for the last.
+    for (std::map<fs::path, FileState> now = states_of(files); now != before; now = states_of(files)) {
+      before = std::move(now);
+      std::this_thread::sleep_for(between_looks);
+    }
+    // What a file no longer names while it is edited may be named again.
+    files.merge(files_behind(words));
+  }
+}
+
+}  // namespace pomona

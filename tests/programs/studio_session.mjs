@@ -1,0 +1,74 @@
+// A studio and a browser that has it open: what tests and the pictures of docs/studio.md work with.
+import { spawn } from 'node:child_process';
+import puppeteer from 'puppeteer-core';
+
+/** {process, address, end(signal)} */
+export async function startStudio(program, words, folder) {
+  const child = spawn(program, ['studio', ...words], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
+  const address = await new Promise((resolve, reject) => {
+    let text = '';
+    child.stdout.on('data', (data) => { text += data; if (text.includes('\n')) resolve(text.trim()); });
+    child.on('exit', (code) => reject(new Error(`the studio ended with ${code}`)));
+  });
+  return { process: child, address, end: (signal = 'SIGKILL') => new Promise((done) => { child.on('exit', done); child.kill(signal); }) };
+}
+
+export const launch = () => puppeteer.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', headless: true, protocolTimeout: 240000,
+  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-dev-shm-usage', '--disable-gpu-watchdog'] });
+
+export class Session {
+  constructor(tab) { this.tab = tab; this.faults = []; this.strangers = []; }
+
+  static async open(browser, address, { width = 1280, height = 800, dark = false } = {}) {
+    const tab = await browser.newPage(), session = new Session(tab), origin = new URL(address).origin;
+    await tab.setViewport({ width, height });
+    await tab.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }]);
+    tab.on('pageerror', (error) => session.faults.push(error.message));
+    tab.on('console', (message) => { if (message.type() === 'error' && !/Failed to load resource/.test(message.text())) session.faults.push(message.text()); });
+    tab.on('request', (request) => { if (!request.url().startsWith(origin) && !/^(blob|data):/.test(request.url())) session.strangers.push(request.url()); });
+    await tab.goto(address);
+    await tab.waitForFunction('window.studio && studio.drawing && studio.loads.section', { timeout: 120000 });
+    return session;
+  }
+  evaluate(code, ...rest) { return this.tab.evaluate(code, ...rest); }
+
+  /** Until nothing is on its way: sections, the fruit, what is kept. */
+  async settled({ fruit = true } = {}) {
+    await this.tab.waitForFunction(`!studio.unsent && !studio.dragging && !studio.sections.busy && !studio.assets.busy && !studio.sending.busy
+      && (${!fruit} || !studio.view || studio.view.shown === studio.view.number && studio.view.shown > 0 && studio.view.settled)`, { timeout: 180000, polling: 100 });
+  }
+  async clear() {
+    await this.evaluate('studio.loads.section = 0');
+  }
+
+  /** Where a place of the page of the drawing is in the window. */
+  where(view, place) {
+    return this.evaluate((name, p) => {
+      const pane = window.studio.panes[name], box = pane.root.getBoundingClientRect(), [x, y] = pane.onScreen(p);
+      return [x + box.left, y + box.top];
+    }, view, place);
+  }
+  /** Nodes of a curve, on the page. */
+  nodes(view, name) {
+    return this.evaluate((v, n) => window.studio.drawing.curves.find((c) => c.view === v && c.name === n).parts[0].nodes.map(({ p }) => p), view, name);
+  }
+  select(view, name) {
+    return this.evaluate((v, n) => window.studio.select(window.studio.drawing.curves.find((c) => c.view === v && c.name === n)), view, name);
+  }
+  async dragNode(view, name, index, by, steps = 6) {
+    await this.select(view, name);
+    const [p] = (await this.nodes(view, name)).slice(index).slice(0, 1);
+    const from = await this.where(view, p), to = await this.where(view, [p[0] + by[0], p[1] + by[1]]);
+    await this.tab.mouse.move(...from);
+    await this.tab.mouse.down();
+    for (let i = 1; i <= steps; ++i) await this.tab.mouse.move(from[0] + (to[0] - from[0]) * i / steps, from[1] + (to[1] - from[1]) * i / steps);
+    await this.tab.mouse.up();
+  }
+  /** The colours of the section under the drawing at a place of the page: [r, g, b, a]. */
+  sectionAt(view, place) {
+    return this.evaluate((name, p) => {
+      const { section } = window.studio.panes[name], [x, y] = A.point(A.inverse(section.placement), p).map(Math.floor);
+      return [...section.canvas.getContext('2d').getImageData(x, y, 1, 1).data];
+    }, view, place);
+  }
+}
