@@ -26,7 +26,7 @@ void main() {
 
 class FruitView {
   constructor(canvas, options, workerText, {changed, failed}) {
-    Object.assign(this, {canvas, changed, failed, camera: new Camera(), mode: 'half', shift: 0, number: 0, shown: 0, knives: [], pieces: [], arranged: [], lastMoved: 0});
+    Object.assign(this, {canvas, changed, failed, camera: new Camera(), mode: 'half', shift: 0, number: 0, shown: 0, body: null, lastMoved: 0});
     this.picture = new Picture(canvas, options);
     if (!this.picture.gl) { failed('The fruit is drawn with WebGL 2, which this browser does not have or has switched off.'); return; }
     this.picture.card.shaders['glass.glsl'] = glassShader;
@@ -45,21 +45,22 @@ class FruitView {
     if (number < this.shown) return;
     this.shown = number;
     this.forget();
-    const {picture} = this;
-    picture.takeSkin(header, skin);
-    picture.takeRest(rest);
+    const {picture} = this, fruit = new FruitTextures(picture.card, header);
+    this.body = new Body(picture, fruit, new Shape(picture.card, skin));
+    fruit.takeRest(rest, picture.passes.makeDetail);
+    this.body.takeSamples(rest.winding);
     this.glass = picture.card.vertices(glass, [3, 3, 3, 1]);
-    this.samples = samplesOf(header, skin, rest.winding);
     this.setCut(this.mode);
     this.changed();
   }
   /** What the card held of the fruit before. */
   forget() {
-    const {picture} = this, {gl} = picture;
-    if (!picture.skin) return;
-    for (const {now, next} of picture.faces.splice(0)) { picture.dropFace(now); picture.dropFace(next); }
-    for (const held of [picture.grid, picture.cell, picture.list, picture.triangle, picture.guide, picture.shares, ...Object.values(picture.look)]) if (held) gl.deleteTexture(held.texture);
-    for (const {array} of [picture.skin, this.glass]) gl.deleteVertexArray(array);
+    const {body, picture: {gl}} = this;
+    if (!body) return;
+    body.faces.drop();
+    const {grid, cell, list, triangle, guide, shares, look} = body.fruit;
+    for (const {texture} of [grid, cell, list, triangle, guide, shares, ...Object.values(look)]) gl.deleteTexture(texture);
+    for (const {array} of [body.mesh, this.glass]) gl.deleteVertexArray(array);
   }
 
   // ---- What is seen. ----
@@ -67,20 +68,20 @@ class FruitView {
   /** "whole", "glass", "half" or "across". */
   setCut(mode) {
     this.mode = mode;
-    const {fruit} = this.picture;
-    if (!fruit) return;
-    const knife = mode === 'half' ? new Knife(fruit, 0, 0, 0) : mode === 'across' ? new Knife(fruit, 0, Math.PI / 2, 0) : null;
-    if (knife) knife.shift = this.shift * 0.5 * fruit.size;
-    this.knives = knife ? [knife] : [];
-    this.pieces = piecesOf(this.samples, this.knives);
+    const {body} = this;
+    if (!body) return;
+    const {frame} = body, knife = mode === 'half' ? new Knife(frame, 0, 0, 0) : mode === 'across' ? new Knife(frame, 0, Math.PI / 2, 0) : null;
+    if (knife) knife.shift = this.shift * 0.5 * frame.size;
+    body.setKnives(knife ? [knife] : []);
     this.rearrange();
   }
   setShift(shift) { this.shift = shift; this.setCut(this.mode); }
   rearrange() {
-    if (!this.picture.fruit || this.pieces.length === 0) return;
-    this.arranged = placed(this.pieces, this.knives, this.picture.fruit, 0, this.knives.length === 1 ? 1 : 0);
-    const {zoom} = this.camera, aspect = this.fitCanvas();
-    Object.assign(this.camera, this.camera.fit(this.arranged.flatMap(({motion, points}) => points.map((p) => M.point(motion, p))), aspect), {zoom});
+    const {body, camera} = this;
+    if (!body) return;
+    body.arrange(0, body.knives.length === 1 ? 1 : 0);
+    const {zoom} = camera, aspect = this.fitCanvas();
+    Object.assign(camera, camera.fit(body.outline, aspect), {zoom});
     this.moved();
   }
   fitCanvas() {
@@ -99,26 +100,22 @@ class FruitView {
     });
   }
   frame() {
-    const {picture, camera} = this;
-    if (!picture.fruit) return;
-    const aspect = this.fitCanvas(), view = camera.view(aspect, 2 * picture.fruit.size);
+    const {picture, camera, body} = this;
+    if (!body) return;
+    const {size, reach} = body.frame, view = camera.view(this.fitCanvas(), 2 * size);
     if (this.mode === 'glass') { if (this.stale) this.drawGlass(view); this.stale = false; this.settled = true; return; }
     const scale = this.canvas.height / (2 * Math.tan(camera.field / 2) * camera.far / camera.zoom);
-    const wanted = Math.max(256, Math.min(2048, Math.ceil(2.1 * picture.fruit.reach * scale / 128) * 128));
-    const {more, changed} = picture.updateFaces(this.knives, wanted, performance.now() - this.lastMoved > 250);
-    if (this.stale || changed) picture.draw({knives: this.knives, pieces: this.arranged, bounds: this.bounds(), dark: this.dark, camera: {view, eye: camera.eye, yaw: camera.yaw}});
+    const wanted = Math.max(256, Math.min(2048, Math.ceil(2.1 * reach * scale / 128) * 128));
+    const {more, changed} = body.faces.update(wanted, performance.now() - this.lastMoved > 250);
+    const bounds = boxOf(body.outline.flat(), 3);
+    if (this.stale || changed) picture.draw({bodies: [body], bounds, size, dark: this.dark, camera: {view, eye: camera.eye, yaw: camera.yaw}});
     this.stale = false;
     this.settled = !more;
     if (more) this.ask();
   }
-  bounds() {
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    for (const {motion, points} of this.arranged) for (const p of points) M.point(motion, p).forEach((v, k) => { low[k] = Math.min(low[k], v); high[k] = Math.max(high[k], v); });
-    return {low, high};
-  }
   /** All surfaces, seen through each other (paper, Figure 9). */
   drawGlass(view) {
-    const {gl, card, empty} = this.picture, u = card.use(this.glassProgram);
+    const {gl, card, passes: {empty}} = this.picture, u = card.use(this.glassProgram);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(0, 0, 0, 0);
