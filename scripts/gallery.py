@@ -172,7 +172,7 @@ def faults():
     made |= {file.name for file in (ROOT / PICTURES).glob("sketch_*.png")}  # by scripts/draw_sketch.py
     made |= {f"scenes/{file.name}" for file in (ROOT / PICTURES / "scenes").glob("*.png")}  # by scripts/figures.py
     made |= {f"style/{file.name}" for file in (ROOT / PICTURES / "style").glob("*.png")}  # by scripts/figures.py
-    made |= {"page/tomato.png"}  # by scripts/page_picture.mjs, as docs/page.md says
+    made |= {"page/tomato.png", "page/board.png", "page/tomatoes.png"}  # by scripts/page_picture.mjs, as docs/page.md says
     for page in pages():
         folder = (ROOT / page).parent
         for link in re.findall(r'(?:src="|\]\()([^")]*\.png)', (ROOT / page).read_text()):
