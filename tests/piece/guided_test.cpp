@@ -95,7 +95,7 @@ TEST(Guided, points_to_the_foot_on_the_skin) {
 
 TEST(Guided, surfaces_that_stay_out_turn_nothing_aside) {
   Template fruit = detailed_fruit();
-  fruit.surfaces = {SurfaceSketch{.name = "skin"}, SurfaceSketch{.name = "rays"}};
+  fruit.surfaces.resize(2);
   const DiffusionSurfaces rays = shapes::moved(shapes::sphere(0.3 * radius, 12), {0.4 * radius, 0, 0});
   const DiffusionSurfaces both = joined(ball(), rays);
   const CrossSection section = section_of(both, {"half"});
