@@ -1,6 +1,7 @@
 #include "generator/cut/cut.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -14,6 +15,7 @@
 #include "generator/cut/plane/split.h"
 #include "generator/cut/plane/triangulate.h"
 #include "generator/cut/section/cut_fruit.h"
+#include "generator/cut/spared.h"
 #include "generator/cut/stage_watch.h"
 #include "generator/knife/closed_knives.h"
 #include "generator/knife/knife_mesh.h"
@@ -71,12 +73,14 @@ class Cutter {
     fruit.section = without_collapsed(std::move(fruit.section));
 
     Cut result;
-    result.pieces = watched(observer_, "pieces", [&] { return pieces(fruit, surfaces_, options_); });
+    SparedFruit done = spared(std::move(fruit), surfaces_, options_.spared_parts);
+    result.pieces = watched(observer_, "pieces", [&] { return pieces(done, surfaces_, options_); });
     result.warnings = bodies_.warnings;
-    for (std::string& warning : misses(knives_, planes_, fruit.section.mesh)) {
-      result.warnings.push_back(std::move(warning));
+    for (std::vector<std::string>& more :
+         std::array{misses(knives_, planes_, done.fruit.section.mesh), done.warnings}) {
+      for (std::string& warning : more) result.warnings.push_back(std::move(warning));
     }
-    result.section = std::move(fruit.section.mesh);
+    result.section = std::move(done.fruit.section.mesh);
     return result;
   }
 
@@ -120,7 +124,8 @@ class Cutter {
 
     // The surfaces, meeting the faces vertex to vertex.
     ClippedSurfaces clipped = watched(observer_, "clip", [&] {
-      return clipped_surfaces(std::move(made.mesh), made.edge_point, surfaces_, {.inner_too = has_closed_knives()});
+      return clipped_surfaces(std::move(made.mesh), made.edge_point, surfaces_,
+                              {.inner_too = has_closed_knives() || !options_.spared_parts.empty()});
     });
     return {{std::move(clipped.mesh), std::move(clipped.surface), empty_section(surfaces_)},
             std::move(made.faces),

@@ -1,7 +1,6 @@
 #include "generator/cut/pieces.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -11,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/parallel.h"
+#include "generator/cut/edge_balance.h"
 #include "generator/cut/piece_groups.h"
 #include "generator/cut/section/pair_numbers.h"
 #include "generator/cut/stray_bits.h"
@@ -27,48 +27,23 @@ double volume_under(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) 
   return glm::dot(glm::dvec3(a), glm::cross(glm::dvec3(b), glm::dvec3(c)));
 }
 
-std::uint64_t mixed(std::uint64_t x) {
-  x ^= x >> 30;
-  x *= 0xbf58476d1ce4e5b9u;
-  x ^= x >> 27;
-  x *= 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-std::uint64_t fingerprint(const glm::vec3& p) {
-  std::uint64_t h = 0;
-  for (int i = 0; i < 3; ++i) h = mixed(h + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint32_t>(p[i] + 0.0f));
-  return h;
-}
-
-/// Counts every edge of a mesh with its direction, by position, in one sum that is zero if all edges are matched by
-/// opposite ones (and, but for a chance of 2^-64, only then).
-class EdgeBalance {
- public:
-  void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    const std::uint64_t ha = fingerprint(a), hb = fingerprint(b), hc = fingerprint(c);
-    add_edge(ha, hb);
-    add_edge(hb, hc);
-    add_edge(hc, ha);
-  }
-  void add(const EdgeBalance& other) { sum_ += other.sum_; }
-  bool closed() const { return sum_ == 0; }
-
- private:
-  void add_edge(std::uint64_t a, std::uint64_t b) { sum_ += a < b ? mixed(a + 3 * b) : 0 - mixed(b + 3 * a); }
-  std::uint64_t sum_ = 0;
-};
-
 class PieceBuilder {
  public:
-  PieceBuilder(const CutFruit& fruit, const DiffusionSurfaces& surfaces, const CutOptions& options)
-      : mesh_(fruit.mesh),
-        section_(fruit.section),
+  PieceBuilder(const SparedFruit& cut, const DiffusionSurfaces& surfaces, const CutOptions& options)
+      : mesh_(cut.fruit.mesh),
+        section_(cut.fruit.section),
+        uncut_(cut.uncut),
         surfaces_(surfaces),
         options_(options),
-        nodes_(fruit.mesh.point.size()) {
-    for (const SurfaceTriangle& t : fruit.surface) {
-      if (surfaces.is_boundary(t.source)) skin_.push_back(t);
+        on_wall_(cut.fruit.mesh.point.size(), 0),
+        nodes_(cut.fruit.mesh.point.size()) {
+    for (const SurfaceTriangle& t : cut.fruit.surface) {
+      if (!surfaces.is_boundary(t.source)) continue;
+      skin_.push_back({t, surfaces.is_hidden(t.source, SideOf::front) ? SideOf::front : SideOf::back});
+    }
+    for (const SparedWall& wall : cut.walls) {
+      skin_.push_back({wall.triangle, wall.shows});
+      for (const std::uint32_t v : wall.triangle.vertex) on_wall_[mesh_.point_of[v]] = 1;
     }
   }
 
@@ -90,9 +65,12 @@ class PieceBuilder {
 
   glm::vec3 position(std::uint32_t point) const { return glm::vec3(mesh_.point[point]); }
 
-  /// A point on planes is one node per cell it touches; any other lies in one cell alone.
+  bool is_uncut(std::size_t cap) const { return cap < uncut_.size() && uncut_[cap] != 0; }
+
+  /// A point on planes or on the wall of a spared part is one node per cell it touches; any other lies in one cell
+  /// alone.
   std::uint32_t node(std::uint32_t cell, std::uint32_t point) {
-    if (mesh_.planes_of[point] == 0) return point;
+    if (mesh_.planes_of[point] == 0 && on_wall_[point] == 0) return point;
     const auto [number, is_new] = nodes_.try_emplace(point, cell, static_cast<std::uint32_t>(sets_.count()));
     if (is_new) sets_.add();
     return number;
@@ -100,14 +78,19 @@ class PieceBuilder {
 
   void connect() {
     sets_ = DisjointSets(mesh_.point.size());
-    for (const SurfaceTriangle& t : skin_) {
+    for (const auto& [t, shows] : skin_) {
       const std::uint32_t a = node(t.cell, mesh_.point_of[t.vertex[0]]);
       sets_.join(a, node(t.cell, mesh_.point_of[t.vertex[1]]));
       sets_.join(a, node(t.cell, mesh_.point_of[t.vertex[2]]));
       node_of_skin_.push_back(a);
     }
-    for (const Cap& cap : section_.cap) {
+    for (std::size_t c = 0; c < section_.cap.size(); ++c) {
+      const Cap& cap = section_.cap[c];
       for (const std::uint32_t cell : cap.closing.cell) {
+        if (is_uncut(c)) {
+          node_of_cap_.push_back(unset);
+          continue;
+        }
         const std::uint32_t a = node(cell, cap.point[0]);
         sets_.join(a, node(cell, cap.point[1]));
         sets_.join(a, node(cell, cap.point[2]));
@@ -127,8 +110,9 @@ class PieceBuilder {
 
   void number_components() {
     component_of_.assign(sets_.count(), unset);
-    for (std::size_t t = 0; t < skin_.size(); ++t) component_at(node_of_skin_[t], skin_[t].cell);
+    for (std::size_t t = 0; t < skin_.size(); ++t) component_at(node_of_skin_[t], skin_[t].triangle.cell);
     for (std::size_t c = 0; c < node_of_cap_.size(); ++c) {
+      if (node_of_cap_[c] == unset) continue;
       component_at(node_of_cap_[c], section_.cap[c / 2].closing.cell[c % 2]);
     }
   }
@@ -136,10 +120,10 @@ class PieceBuilder {
   void fill_skins(std::vector<CutPiece>& pieces) {
     PairNumbers vertex_of(mesh_.point_of.size());  // (vertex, component and side) -> vertex of the piece
     for (std::size_t t = 0; t < skin_.size(); ++t) {
-      const SurfaceTriangle& skin = skin_[t];
+      const SurfaceTriangle& skin = skin_[t].triangle;
       const std::uint32_t component = component_at(node_of_skin_[t], skin.cell);
       CutPiece& piece = pieces[component];
-      const bool front = surfaces_.is_hidden(skin.source, SideOf::front);
+      const bool front = skin_[t].shows == SideOf::front;
       const std::int32_t part = (front ? surfaces_.front_part : surfaces_.back_part)[skin.source];
       glm::uvec3 triangle(0);
       for (int i = 0; i < 3; ++i) {
@@ -164,6 +148,7 @@ class PieceBuilder {
   /// A face inside several bodies closes each of them.
   void fill_caps(std::vector<CutPiece>& pieces) {
     for (std::size_t c = 0; c < node_of_cap_.size(); ++c) {
+      if (node_of_cap_[c] == unset) continue;
       const Cap& cap = section_.cap[c / 2];
       CutPiece& piece = pieces[component_at(node_of_cap_[c], cap.closing.cell[c % 2])];
       for (const BodyWinding& inside : cap.closing.inside) {
@@ -246,10 +231,12 @@ class PieceBuilder {
 
   const SplitMesh& mesh_;
   const Section& section_;
+  const std::vector<std::uint8_t>& uncut_;
   const DiffusionSurfaces& surfaces_;
   const CutOptions& options_;
 
-  std::vector<SurfaceTriangle> skin_;
+  std::vector<SparedWall> skin_;                           // all that faces air, walls of spared parts too
+  std::vector<std::uint8_t> on_wall_;                      // per point
   PairNumbers nodes_;                                      // (point, cell)
   DisjointSets sets_{0};                                   // of nodes
   std::vector<std::uint32_t> node_of_skin_, node_of_cap_;  // one of each triangle's; caps: two sides each
@@ -260,8 +247,8 @@ class PieceBuilder {
 
 }  // namespace
 
-std::vector<CutPiece> pieces(const CutFruit& fruit, const DiffusionSurfaces& surfaces, const CutOptions& options) {
-  return PieceBuilder(fruit, surfaces, options).build();
+std::vector<CutPiece> pieces(const SparedFruit& cut, const DiffusionSurfaces& surfaces, const CutOptions& options) {
+  return PieceBuilder(cut, surfaces, options).build();
 }
 
 }  // namespace pomona

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "generator/cut/cut.h"
-#include "generator/cut/section/cut_fruit.h"
+#include "generator/cut/spared.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
 
-/// Of the fruit's inner surfaces nothing is taken.
-std::vector<CutPiece> pieces(const CutFruit& fruit, const DiffusionSurfaces& surfaces, const CutOptions& options);
+/// Of the fruit's inner surfaces nothing is taken but the walls of spared parts.
+std::vector<CutPiece> pieces(const SparedFruit& cut, const DiffusionSurfaces& surfaces, const CutOptions& options);
 
 }  // namespace pomona

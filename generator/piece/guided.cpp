@@ -46,7 +46,9 @@ DiffusionSurfaces layers_of(const DiffusionSurfaces& swept, const Template& frui
   };
   add_if([&](std::size_t t) {
     const auto surface = static_cast<std::size_t>(swept.surface[t]);
-    return surface < fruit.surfaces.size() && fruit.surfaces[surface].type == SurfaceType::around_axis;
+    if (surface >= fruit.surfaces.size()) return false;
+    const SurfaceSketch& sketch = fruit.surfaces[surface];
+    return sketch.type == SurfaceType::around_axis && sketch.guide;
   });
   if (layers.triangle.empty()) add_if([&](std::size_t t) { return swept.is_boundary(t); });
   return layers;

@@ -106,7 +106,9 @@ Cut without_unseen(Cut cut) {
 
 /// With the faces still without colours.
 OpenedFruit cut_open(const SliceTask& task, const CutOptions& options) {
-  OpenedFruit fruit = opened(cut(task.grown.sheets, task.knives, options));
+  CutOptions how = options;
+  how.spared_parts = task.variant.spared;
+  OpenedFruit fruit = opened(cut(task.grown.sheets, task.knives, how));
   const bool by_number = task.choice && task.choice->only > 0;
   if (!task.crumbs && !by_number) {
     const std::vector<std::size_t> kept = without_crumbs(fruit.cut.pieces, options.crumb);

@@ -42,6 +42,7 @@ struct SurfaceSketch {
   int around = 96;  ///< vertices around the axis (in an N-fold fruit: rounded to a multiple of N), or per loop
   int along = 48;   ///< vertices along the vertical curve
   bool varies = true;
+  bool guide = true;  ///< whether texture details find their way by it (generator/piece/guided.h)
 };
 
 /// The surface's `reference` if set. Else, around the axis: the loop's radius at the reference azimuth, or its mean;

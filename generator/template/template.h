@@ -58,6 +58,7 @@ struct Template {
   Individual individual;          ///< set in variants
   double density = 1000;          ///< kg per cubic metre; that of water where nothing says otherwise
   std::vector<double> densities;  ///< likewise, one per part; or none: all parts have that of the fruit
+  std::vector<int> spared;        ///< parts that knives leave whole in one piece; ascending
 };
 
 /// From the lowest to the highest point of all vertical curves, metres; 0 to 0 where there are none.

@@ -1,6 +1,7 @@
 // Guides of texture detail on cut faces.
 #include "generator/piece/guided.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <tuple>
@@ -90,6 +91,23 @@ TEST(Guided, points_to_the_foot_on_the_skin) {
     EXPECT_EQ(section.guide[v].share[1], 0.5f);
     EXPECT_EQ(section.guide[v].share[2], 0.0f);
   }
+}
+
+TEST(Guided, surfaces_that_stay_out_turn_nothing_aside) {
+  Template fruit = detailed_fruit();
+  fruit.surfaces.resize(2);
+  const DiffusionSurfaces rays = shapes::moved(shapes::sphere(0.3 * radius, 12), {0.4 * radius, 0, 0});
+  const DiffusionSurfaces both = joined(ball(), rays);
+  const CrossSection section = section_of(both, {"half"});
+  const CrossSection aside = guided(section, both, fruit);
+  fruit.surfaces[1].guide = false;
+  const CrossSection straight = guided(section, both, fruit), alone = guided(section, ball(), fruit);
+  float most = 0;
+  for (std::size_t v = 0; v < section.position.size(); ++v) {
+    EXPECT_LT(glm::distance(straight.guide[v].to_skin, alone.guide[v].to_skin), 1e-6f * float(radius));
+    most = std::max(most, glm::distance(aside.guide[v].to_skin, alone.guide[v].to_skin));
+  }
+  EXPECT_GT(most, 0.2f * float(radius)) << "it would have";
 }
 
 TEST(Guided, two_cuts_agree_where_they_share_a_place) {

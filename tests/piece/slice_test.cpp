@@ -55,6 +55,23 @@ TEST(Slice, TakesTheLargestPiecesThatAreChosen) {
   EXPECT_EQ(small.pieces.size(), 2u);
 }
 
+TEST(Slice, LeavesWhatTheTemplateSparesInOnePiece) {
+  const DiffusionSurfaces peach =
+      shapes::nested_spheres(0.05, 0.02, 8, shapes::skin_paint(), {.front_part = "flesh", .back_part = "stone"});
+  const GrownFruit grown{peach, {}, peach};
+  const std::vector<Knife> knives{parse_knife("plane:1,0,0,5mm")};
+  Template fruit;
+  const Slices plain = slice({grown, fruit, knives, "peach"}, nullptr);
+  fruit.spared = {static_cast<int>(std::find(peach.part_names.begin(), peach.part_names.end(), "stone") -
+                                   peach.part_names.begin())};
+  const Slices spared = slice({grown, fruit, knives, "peach"}, nullptr);
+  ASSERT_EQ(spared.pieces.size(), 2u);
+  EXPECT_GT(spared.pieces[0].volume, plain.pieces[0].volume);
+  EXPECT_LT(spared.pieces[1].volume, plain.pieces[1].volume);
+  for (const Solid& piece : spared.pieces) EXPECT_TRUE(piece.closed);
+  EXPECT_EQ(spared.section.triangle, plain.section.triangle);
+}
+
 /// A corner too small to matter goes, unless it is asked for; what matters together does not.
 TEST(Slice, LeavesOutCrumbsThatAreLessThanOneTogether) {
   const DiffusionSurfaces box = shapes::box(glm::dvec3(-0.03), glm::dvec3(0.03), 2, shapes::skin_paint());

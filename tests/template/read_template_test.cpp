@@ -12,6 +12,7 @@
 #include "generator/base/error.h"
 #include "generator/base/random.h"
 #include "generator/base/units.h"
+#include "tests/template/plum.h"
 
 namespace pomona {
 namespace {
@@ -116,6 +117,27 @@ TEST(ReadTemplate, parts_have_the_fruits_density_unless_they_say_their_own) {
   EXPECT_EQ(plum.densities, (std::vector<double>{1040, 1040, 1180}));
   EXPECT_THROW(plum_with("format = 1", "format = 1\ndensities = { stome = 1180 }"), Error) << "no such part";
   EXPECT_THROW(plum_with("format = 1", "format = 1\ndensities = { stone = 0 }"), Error) << "lighter than air";
+}
+
+TEST(ReadTemplate, knives_go_through_all_parts_but_those_that_are_spared) {
+  const Template as_is = read_template(root / "tests/template/good.toml");
+  EXPECT_TRUE(as_is.spared.empty());
+  EXPECT_TRUE(plum_and("[part.stone]\ncut = \"through\"").spared.empty());
+  EXPECT_EQ(plum_with("blur = \"0.4mm\"\nfront = { part = \"flesh\", color = \"#d89a2a\" }\n"
+                      "back = { part = \"stone\", color = \"#7a4a20\" }\n",
+                      "front = { part = \"flesh\", color = \"#d89a2a\" }\n"
+                      "back = { part = \"stone\", color = \"#7a4a20\" }\n[part.stone]\ncut = \"spare\"\n")
+                .spared,
+            std::vector<int>{2});
+  EXPECT_THROW(plum_and("[part.stone]\ncut = \"spare\""), Error) << "its surface is blurred";
+  EXPECT_THROW(plum_and("[part.flesh]\ncut = \"spare\""), Error) << "the surface around it faces air";
+  EXPECT_THROW(plum_and("[part.kernel]\ncut = \"spare\""), Error) << "no such part";
+  EXPECT_THROW(plum_and("[part.stone]\ncut = \"around\""), Error);
+}
+
+TEST(ReadTemplate, details_find_their_way_by_all_surfaces_but_those_that_stay_out) {
+  EXPECT_TRUE(read_template(root / "tests/template/good.toml").surfaces.back().guide);
+  EXPECT_FALSE(plum_with("blur = \"0.4mm\"", "guide = false").surfaces.back().guide);
 }
 
 TEST(ReadTemplate, reads_bend_and_variation) {

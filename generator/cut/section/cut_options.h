@@ -1,6 +1,8 @@
 // What can be chosen of a cut.
 #pragma once
 
+#include <span>
+
 #include "generator/base/parallel.h"
 
 namespace pomona {
@@ -13,6 +15,10 @@ struct CutOptions {
   double contrast = 18 / 255.;  ///< difference of colours between two surfaces that needs no vertices between them
   double crumb = 1e-6;          ///< share of the whole's volume below which a piece is a crumb
   Threads threads{};            ///< the result does not depend on them
+
+  /// Parts of the fruit that knives leave whole (spared.h), ascending; slice() takes them from the template. They must
+  /// outlive the cut. The section goes through them all the same.
+  std::span<const int> spared_parts{};
 };
 
 /// Coarser than for a single fruit: a piece in a heap covers a tenth of the picture.

@@ -172,6 +172,7 @@ SurfaceSketch SurfaceReader::read(const TomlTable& table) {
   sketch.around = table.get("around").integer(sketch.around, 3, 1024);
   sketch.along = table.get("along").integer(sketch.along, 2, 1024);
   sketch.varies = table.get("varies").boolean(sketch.varies);
+  sketch.guide = table.get("guide").boolean(sketch.guide);
   return sketch;
 }
 

@@ -10,6 +10,7 @@
 #include "generator/template/read/read_mesh.h"
 #include "generator/template/read/read_name.h"
 #include "generator/template/read/read_ripeness.h"
+#include "generator/template/read/read_spared.h"
 #include "generator/template/read/read_style.h"
 #include "generator/template/read/read_surface.h"
 #include "generator/template/read/read_symmetry.h"
@@ -181,6 +182,7 @@ DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& fil
     fruit.grains.push_back(read_grains(grains, fruit));
     fruit.grains.back().name = name;
   }
+  if (root.has("part")) fruit.spared = read_spared(root.get("part").table(), fruit);
   if (root.has("bend")) read_bend_of(fruit, root.get("bend"));
   if (root.has("variation")) fruit.variation = read_variation(root.get("variation").table(), fruit);
   if (root.has("material")) fruit.materials = read_materials(root.get("material").table(), fruit.parts);
