@@ -86,7 +86,13 @@ void check_exports(const SharedOptions& options, const std::vector<Output>& outp
   if (!options.engine.empty()) check_heeded("--engine", {Format::glb}, outputs);
   if (options.instances) check_heeded("--instances", {Format::glb, Format::usda}, outputs);
   if (options.feature_ids) check_heeded("--feature-ids", {Format::glb}, outputs);
-  if (!wanted_ripenesses(options).empty()) check_heeded("--ripeness-variants", {Format::glb}, outputs);
+  if (!wanted_ripenesses(options).empty()) check_heeded("--ripeness-variants", {Format::glb, Format::usda}, outputs);
+  const auto is_usda_to_standard_output = [](const Output& output) {
+    return output.file == "-" && output.format == Format::usda;
+  };
+  if (wants_textures(options) && std::any_of(outputs.begin(), outputs.end(), is_usda_to_standard_output))
+    throw Error(ExitStatus::usage, "--texture with --format usda makes several files, and standard output is one",
+                "write -o FILE.usda");
   if (options.lod > 0 && options.engine == "godot") {
     throw Error(ExitStatus::usage, "--lod: Godot makes levels of detail of its own, and Godot 3 shows ours all at once",
                 "leave it out");
@@ -183,29 +189,41 @@ std::vector<std::vector<Solid>> Delivery::levels_of(const Scene& scene) {
   return levels;
 }
 
+/// All of it in textures, at every level and ripeness.
+Delivery::BakedScene Delivery::baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels) {
+  BakeOptions how{.texel = texel_, .threads = {options_.threads}};
+  if (options_.texture > 0) how.texels = options_.texture;
+  BakedScene baked;
+  baked.solids = times.time("bake", [&] { return baked_by_fruit(scene.solids, style_, how, progress); });
+  baked.coarser = times.time("bake", [&] { return baked_levels(levels, style_, how); });
+  count_texels(baked.solids);
+  for (const std::vector<BakedSolid>& of_solid : baked.coarser) count_texels(of_solid);
+  for (const RipenessVariant& riper : variants_) {
+    baked.variants.push_back({riper.name, times.time("bake", [&] { return all_baked(riper.pieces, style_, how); })});
+    count_texels(baked.variants.back().solids);
+  }
+  return baked;
+}
+
 void Delivery::add_glb(const Output& output, const Scene& scene) {
   const ExportOptions options = export_options();
   const std::vector<std::vector<Solid>> levels = levels_of(scene);
   if (!wants_textures(options_)) return add(output.file, [&] { return write_glb(scene, options, levels); });
-
-  BakeOptions how{.texel = texel_, .threads = {options_.threads}};
-  if (options_.texture > 0) how.texels = options_.texture;
-  const std::vector<BakedSolid> baked_solids =
-      times.time("bake", [&] { return baked_by_fruit(scene.solids, style_, how, progress); });
-  const auto coarser = times.time("bake", [&] { return baked_levels(levels, style_, how); });
-  count_texels(baked_solids);
-  for (const std::vector<BakedSolid>& of_solid : coarser) count_texels(of_solid);
-  std::vector<TextureVariant> variants;
-  for (const RipenessVariant& riper : variants_) {
-    variants.push_back({riper.name, times.time("bake", [&] { return all_baked(riper.pieces, style_, how); })});
-    count_texels(variants.back().solids);
-  }
-  add(output.file, [&] { return write_glb(scene, baked_solids, options, coarser, variants); });
+  const BakedScene baked = baked_scene(scene, levels);
+  add(output.file, [&] { return write_glb(scene, baked.solids, options, baked.coarser, baked.variants); });
 }
 
 void Delivery::add_usda(const Output& output, const Scene& scene) {
+  const ExportOptions options = export_options();
   const std::vector<std::vector<Solid>> levels = levels_of(scene);
-  add(output.file, [&] { return write_usda(scene, export_options(), levels); });
+  if (!wants_textures(options_)) return add(output.file, [&] { return write_usda(scene, options, levels); });
+  const BakedScene baked = baked_scene(scene, levels);
+  const std::string stem = output.file.stem().string();
+  UsdaFiles made = times.time(
+      "write", [&] { return write_usda(scene, baked.solids, stem, options, baked.coarser, baked.variants); });
+  files_.push_back({output.file, std::move(made.text)});
+  for (NamedFile& file : made.textures)
+    files_.push_back({output.file.parent_path() / file.name, std::move(file.bytes)});
 }
 
 void Delivery::count_texels(const std::vector<BakedSolid>& baked_solids) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "render/export/output.h"
 #include "render/export/styled_mesh.h"
 #include "render/export/svg.h"
+#include "render/export/texture_variant.h"
 #include "render/plate/plate.h"
 #include "render/style/style.h"
 #include "render/texture/bake.h"
@@ -79,6 +81,13 @@ class Delivery {
                                               const PictureSize& size);
   std::optional<Plate> plate_for(const Scene& scene, const PictureSize& size) const;
   Scene fitted(Scene scene, const PictureSize& size, const std::optional<Plate>& plate) const;
+  /// A scene's solids with their colours in textures.
+  struct BakedScene {
+    std::vector<BakedSolid> solids;
+    std::vector<std::vector<BakedSolid>> coarser;
+    std::vector<TextureVariant> variants;
+  };
+  BakedScene baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels);
   void add_usda(const Output& output, const Scene& scene);
   void add_glb(const Output& output, const Scene& scene);
   std::vector<std::vector<Solid>> levels_of(const Scene& scene);

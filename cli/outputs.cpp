@@ -106,8 +106,8 @@ std::vector<std::string> idle_options(const SharedOptions& options, const std::v
     throw Error(ExitStatus::usage, "--json and -o - both write to standard output", "leave out one of them");
 
   std::vector<std::string> warnings;
-  if (wants_textures(options) && !any_is(outputs, {Format::glb}))
-    warnings.push_back("--texture and --texel are about .glb: no output is one, and nothing is baked");
+  if (wants_textures(options) && !any_is(outputs, {Format::glb, Format::usda}))
+    warnings.push_back("--texture and --texel are about .glb and .usda: no output is one, and nothing is baked");
   if (!options.size.empty() && !any_is(outputs, {Format::png, Format::svg}))
     warnings.push_back("--size is about pictures: no output is one");
   if (!options.view.empty() && !any_is(outputs, {Format::png, Format::svg}))

@@ -145,7 +145,7 @@ void add_ripeness_option(CLI::App& command, SharedOptions& options) {
       ->check(between(0.0, 2.0));
   command
       .add_option("--ripeness-variants", options.ripeness_variants,
-                  ".glb with textures: as KHR_materials_variants these ripenesses, too, as in 0.3,1,1.7")
+                  ".glb, .usda with textures: as variants these ripenesses, too, as in 0.3,1,1.7")
       ->type_name("R,R,...");
 }
 

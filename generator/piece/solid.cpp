@@ -33,6 +33,7 @@ class SolidBuilder {
     solid_.name = std::move(name);
     take_skin();
     for (const CutPiece::CapTriangle& cap : piece_.caps) add_cap(cap);
+    drop_spare_room();
     return std::move(solid_);
   }
 
@@ -51,6 +52,13 @@ class SolidBuilder {
     solid_.triangle = piece_.triangle;
     solid_.surface = piece_.surface;
     solid_.cut_face.assign(piece_.triangle.size(), -1);
+  }
+
+  /// Vectors that have grown hold up to twice what is in them, and a scene holds hundreds of solids.
+  void drop_spare_room() {
+    const auto fit = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
+    fit(solid_.position, solid_.normal, solid_.color, solid_.part, solid_.guide, solid_.triangle, solid_.cut_face,
+        solid_.surface);
   }
 
   void add_cap(const CutPiece::CapTriangle& cap) {

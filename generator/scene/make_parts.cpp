@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <span>
 
 #include "generator/base/reproducible.h"
 #include "generator/cut/cut.h"
-#include "generator/piece/grow.h"
 #include "generator/piece/slice.h"
 #include "generator/scene/check_cuts.h"
 #include "generator/scene/dish_solids.h"
+#include "generator/scene/item_maker.h"
 #include "generator/scene/layout_file.h"
-#include "generator/template/read/read_template.h"
+#include "generator/scene/scene_templates.h"
+#include "generator/scene/scene_variants.h"
 
 namespace pomona {
 
@@ -61,98 +61,6 @@ struct Made {
   StageClock clock;
 };
 
-std::filesystem::path template_file(const SceneDescription& scene, const PiecesDescription& pieces,
-                                    const ComposeOptions& options) {
-  const std::filesystem::path beside = std::filesystem::path(scene.file).parent_path() / pieces.template_name;
-  if (std::filesystem::is_regular_file(beside)) return beside;
-  try {
-    if (options.find_template) return options.find_template(pieces.template_name);
-  } catch (const Error& error) {
-    const Diagnostic& what = error.diagnostics().front();
-    throw Error(error.status(), {{pieces.template_place, what.message, what.hint}});
-  }
-  throw Error(ExitStatus::input_missing,
-              {{pieces.template_place, "there is no template \"" + pieces.template_name + "\"", {}}});
-}
-
-/// Refuses an entry that asks of its template what that does not declare.
-void check_fits(const PiecesDescription& pieces, const Template& fruit) {
-  const auto refuse = [&](const std::string& why) {
-    throw Error(
-        ExitStatus::bad_data,
-        {{pieces.template_place, "pieces \"" + pieces.name + "\": \"" + pieces.template_name + "\" " + why, {}}});
-  };
-  if (pieces.folds && !std::holds_alternative<FoldSymmetry>(fruit.symmetry)) refuse("has no folds");
-  if (pieces.ripeness && !fruit.ripeness.declared()) refuse("does not say how it ripens");
-  if (pieces.browning && !fruit.browning.declared()) refuse("does not say how it turns brown");
-}
-
-/// One template per entry; the same file is read once.
-std::vector<Template> read_templates(const SceneDescription& scene, const ComposeOptions& options) {
-  std::vector<Template> templates;
-  std::vector<std::filesystem::path> files;
-  for (const PiecesDescription& pieces : scene.pieces) {
-    files.push_back(template_file(scene, pieces, options));
-    const auto known = std::find(files.begin(), files.end() - 1, files.back()) - files.begin();
-    templates.push_back(known + 1 < std::ssize(files) ? templates[static_cast<std::size_t>(known)]
-                                                      : read_template(files.back()));
-    check_fits(pieces, templates.back());
-  }
-  return templates;
-}
-
-/// For each entry that wants variants its template made ready for them, once for all entries with the same template.
-std::vector<std::shared_ptr<const Variation>> made_ready(const SceneDescription& scene,
-                                                         const std::vector<Template>& templates) {
-  std::vector<std::shared_ptr<const Variation>> ready(templates.size());
-  for (std::size_t entry = 0; entry < ready.size(); ++entry) {
-    if (scene.pieces[entry].as_drawn) continue;
-    for (std::size_t known = 0; known < entry && !ready[entry]; ++known) {
-      if (scene.pieces[known].template_name == scene.pieces[entry].template_name) ready[entry] = ready[known];
-    }
-    if (!ready[entry]) ready[entry] = std::make_shared<Variation>(templates[entry]);
-  }
-  return ready;
-}
-
-/// A value of the range, if there is one.
-std::optional<double> drawn_between(const std::optional<Within>& range, VariantKey key, const char* purpose) {
-  if (!range) return {};
-  return range->low + (range->high - range->low) * RandomStream(key, purpose).uniform(0);
-}
-
-/// A variant as it has grown.
-struct GrownVariant {
-  Template variant;
-  GrownFruit grown;
-  PieceOrigin origin;
-  StageClock clock;
-};
-
-/// \param variation of the template; none for pieces as drawn.
-GrownVariant grown_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
-                           const Template& fruit, const Variation* variation, const ComposeOptions& options) {
-  GrownVariant made;
-  const VariantKey key = variant_key(scene, pieces, number);
-  const GrowOptions how{.as_drawn = pieces.as_drawn,
-                        .variation = pieces.variation * options.variation,
-                        .curves_only = options.curves_only,
-                        .folds = pieces.folds,
-                        .detail = options.detail * pieces.detail,
-                        .ripeness = drawn_between(pieces.ripeness, key, "scene/ripeness"),
-                        .browning = drawn_between(pieces.browning, key, "scene/browning").value_or(0),
-                        .scale = drawn_between(pieces.size, key, "scene/size").value_or(1)};
-  made.variant = made.clock.time(
-      "vary", [&] { return variation ? variant_of(*variation, key, how) : variant_of(fruit, key, how); });
-  made.grown = made.clock.time("sweep", [&] { return grow(made.variant, key, how); });
-  made.origin = {.source = source_word(pieces.template_name), .key = key, .growing = how, .entry = pieces.name};
-  return made;
-}
-
-std::string variant_name(const PiecesDescription& pieces, int number) {
-  return pieces.name + "-" + std::to_string(number + 1);
-}
-
 /// How an entry's variant is cut, and which of its pieces the scene takes.
 SliceTask task_of(const PiecesDescription& pieces, int number, const GrownVariant& made) {
   return {.grown = made.grown,
@@ -193,75 +101,67 @@ Made reported(Slices slices, const GrownVariant& variant, const std::string& nam
   return made;
 }
 
-/// How many pieces each entry places: by its share of the scene's total, those with the largest rests first; else its
-/// own total. 0 where it says neither.
-std::vector<int> totals_of(const SceneDescription& scene) {
-  double all = 0;
-  for (const PiecesDescription& pieces : scene.pieces) all += pieces.share;
-  std::vector<int> totals;
-  std::vector<std::pair<double, std::size_t>> rests;
-  int left = scene.total;
-  for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
-    const PiecesDescription& pieces = scene.pieces[i];
-    totals.push_back(pieces.total);
-    if (pieces.share <= 0) continue;
-    const double wanted = scene.total * pieces.share / all;
-    totals.back() = static_cast<int>(wanted);
-    left -= totals.back();
-    rests.emplace_back(static_cast<double>(totals.back()) - wanted, i);
-  }
-  std::sort(rests.begin(), rests.end());
-  for (std::size_t k = 0; k < rests.size() && left > 0; ++k, --left) ++totals[rests[k].second];
-  return totals;
+std::vector<Task> tasks_of(const SceneDescription& scene) {
+  std::vector<Task> tasks;
+  for (std::size_t entry = 0; entry < scene.pieces.size(); ++entry)
+    for (int number = 0; number < scene.pieces[entry].count; ++number) tasks.push_back({entry, number});
+  return tasks;
 }
 
-/// Makes the items of one entry: its pieces, each as often as asked for.
-class ItemMaker {
- public:
-  ItemMaker(const SceneDescription& scene, std::size_t entry, int total, SceneParts& parts)
-      : pieces_(scene.pieces[entry]), parts_(parts), total_(static_cast<std::size_t>(total)) {
-    for (std::size_t k = 0; k < scene.dishes.size(); ++k)
-      if (scene.dishes[k].name == pieces_.dish) dish_ = static_cast<int>(k) + (scene.bowl ? 1 : 0);
-    if (pieces_.dish.empty() && scene.bowl) dish_ = 0;
-    if (pieces_.where) {
-      arrangement_ = static_cast<int>(parts_.arrangements.size());
-      parts_.arrangements.push_back(*pieces_.where);
-    }
-  }
-
-  void count(const Solid&) { ++solids_; }
-
-  void add(Solid solid, int fruit) {
-    const bool has_total = pieces_.total > 0 || pieces_.share > 0;
-    const std::size_t times =
-        has_total ? total_ / solids_ + (next_ < total_ % solids_ ? 1 : 0) : static_cast<std::size_t>(pieces_.copies);
-    ++next_;
-    if (times == 0) return;
-    SettleItem item{.solid = static_cast<int>(parts_.solids.size()),
-                    .name = solid.name,
-                    .order = pieces_.order,
-                    .face_up = pieces_.face_up,
-                    .beside = pieces_.beside,
-                    .upright = pieces_.upright,
-                    .arrangement = arrangement_,
-                    .place = pieces_.place};
-    for (std::size_t copy = 0; copy < times; ++copy) {
-      // Copies of a fruit are fruits of their own.
-      item.fruit = fruit + static_cast<int>(copy) * most_fruits;
-      if (copy > 0) item.name = solid.name + ".copy-" + std::to_string(copy + 1);
-      parts_.items.push_back(item);
-      parts_.dish_of.push_back(dish_);
-    }
-    parts_.solids.push_back(std::move(solid));
-  }
-
- private:
-  static constexpr int most_fruits = 1 << 16;  // more than a scene has variants
-  const PiecesDescription& pieces_;
-  SceneParts& parts_;
-  std::size_t total_, solids_ = 0, next_ = 0;
-  int dish_ = -1, arrangement_ = -1;
+/// What variants are made of.
+struct Ingredients {
+  const SceneDescription& scene;
+  const std::vector<Template>& templates;                           ///< one an entry
+  const std::vector<std::shared_ptr<const Variation>>& variations;  ///< likewise
 };
+
+/// Some variants: each grown by itself, all cut and coloured at once. What they were cut from is let go.
+void make_some(std::span<const Task> tasks, const Ingredients& from, const Diffuser* diffuser,
+               const ComposeOptions& options, const SliceOptions& how, std::span<Made> made) {
+  std::vector<GrownVariant> variants(tasks.size());
+  parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
+    const auto& [entry, number] = tasks[i];
+    variants[i] = grown_variant(from.scene, from.scene.pieces[entry], number, from.templates[entry],
+                                from.variations[entry].get(), options);
+    how.one_done();
+  });
+  std::vector<SliceTask> to_slice;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    to_slice.push_back(task_of(from.scene.pieces[tasks[i].entry], tasks[i].number, variants[i]));
+  std::vector<Slices> slices = sliced(from.scene, tasks, to_slice, diffuser, how);
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    made[i] = reported(std::move(slices[i]), variants[i], to_slice[i].name);
+}
+
+/// As many variants at a time as fit into memory.
+std::vector<Made> all_made(std::span<const Task> tasks, const Ingredients& from, const Diffuser* diffuser,
+                           const ComposeOptions& options) {
+  Teller teller(options, "pieces", tasks.size(), 2);
+  const SliceOptions how{.cut = options.cut,
+                         .keep_section_colors = options.keep_section_colors,
+                         .threads = options.threads,
+                         .one_done = [&] { teller.step_done(); }};
+  std::vector<Made> made(tasks.size());
+  const std::size_t at_once = variants_at_once(options.threads);
+  for (std::size_t first = 0; first < tasks.size(); first += at_once) {
+    const std::size_t count = std::min(at_once, tasks.size() - first);
+    make_some(tasks.subspan(first, count), from, diffuser, options, how, std::span(made).subspan(first, count));
+  }
+  return made;
+}
+
+/// All that came of an entry. \param first the number of its first variant among all.
+void gather(std::span<Made> made, int first, ItemMaker& maker, ComposeReport& report, StageClock& clock) {
+  for (const Made& one : made)
+    for (const Solid& solid : one.solids) maker.count(solid);
+  for (Made& one : made) {
+    for (Solid& solid : one.solids) maker.add(std::move(solid), first);
+    ++first;
+    for (const std::string& warning : one.warnings) report.warnings.push_back(warning);
+    for (const auto& [what, number] : one.counts) report.counts[what] += number;
+    clock.add(one.clock);
+  }
+}
 
 /// The bowl, then the dishes of the file; what is made alike is one solid.
 void add_dishes(const SceneDescription& scene, SceneParts& parts) {
@@ -295,7 +195,7 @@ VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& p
 }
 
 void check_sources(const SceneDescription& scene, const ComposeOptions& options) {
-  const std::vector<Template> templates = read_templates(scene, options);
+  const std::vector<Template> templates = scene_templates(scene, options);
   layout_of(scene);
   check_cuts(scene, templates);
   DishSolids solids(std::filesystem::path(scene.file).parent_path());
@@ -304,55 +204,20 @@ void check_sources(const SceneDescription& scene, const ComposeOptions& options)
 
 SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {
   StageClock clock;
-  const std::vector<Template> templates = clock.time("read", [&] { return read_templates(scene, options); });
-  const auto ready = clock.time("vary", [&] { return made_ready(scene, templates); });
-  std::vector<Task> tasks;
-  for (std::size_t entry = 0; entry < scene.pieces.size(); ++entry)
-    for (int number = 0; number < scene.pieces[entry].count; ++number) tasks.push_back({entry, number});
-
-  // As many variants at a time as fit into memory: each grown by itself, all cut and coloured at once.
-  Teller teller(options, "pieces", tasks.size(), 2);
-  const SliceOptions how{.cut = options.cut,
-                         .keep_section_colors = options.keep_section_colors,
-                         .threads = options.threads,
-                         .one_done = [&] { teller.step_done(); }};
-  std::vector<Made> made(tasks.size());
-  const std::size_t at_once = variants_at_once(options.threads);
-  for (std::size_t first = 0; first < tasks.size(); first += at_once) {
-    const std::size_t count = std::min(at_once, tasks.size() - first);
-    std::vector<GrownVariant> variants(count);
-    parallel_for(count, options.threads, [&](std::size_t i) {
-      const auto& [entry, number] = tasks[first + i];
-      variants[i] = grown_variant(scene, scene.pieces[entry], number, templates[entry], ready[entry].get(), options);
-      teller.step_done();
-    });
-    std::vector<SliceTask> to_slice;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& [entry, number] = tasks[first + i];
-      to_slice.push_back(task_of(scene.pieces[entry], number, variants[i]));
-    }
-    std::vector<Slices> slices = sliced(scene, std::span(tasks).subspan(first, count), to_slice, diffuser, how);
-    for (std::size_t i = 0; i < count; ++i) {
-      made[first + i] = reported(std::move(slices[i]), variants[i], to_slice[i].name);
-    }
-  }
+  const std::vector<Template> templates = clock.time("read", [&] { return scene_templates(scene, options); });
+  const auto ready = clock.time("vary", [&] { return variations_of(scene, templates); });
+  const std::vector<Task> tasks = tasks_of(scene);
+  std::vector<Made> made = all_made(tasks, {scene, templates, ready}, diffuser, options);
 
   // Gather them in the order of the file.
   SceneParts parts;
   const std::vector<int> totals = totals_of(scene);
   for (std::size_t first = 0; first < tasks.size();) {
-    const PiecesDescription& pieces = scene.pieces[tasks[first].entry];
-    const auto end = first + static_cast<std::size_t>(pieces.count);
-    ItemMaker maker(scene, tasks[first].entry, totals[tasks[first].entry], parts);
-    for (std::size_t i = first; i < end; ++i)
-      for (const Solid& solid : made[i].solids) maker.count(solid);
-    for (std::size_t i = first; i < end; ++i) {
-      for (Solid& solid : made[i].solids) maker.add(std::move(solid), static_cast<int>(i));
-      for (const std::string& warning : made[i].warnings) parts.report.warnings.push_back(warning);
-      for (const auto& [what, number] : made[i].counts) parts.report.counts[what] += number;
-      clock.add(made[i].clock);
-    }
-    first = end;
+    const std::size_t entry = tasks[first].entry;
+    const auto count = static_cast<std::size_t>(scene.pieces[entry].count);
+    ItemMaker maker(scene, entry, totals[entry], parts);
+    gather(std::span(made).subspan(first, count), static_cast<int>(first), maker, parts.report, clock);
+    first += count;
   }
   add_dishes(scene, parts);
   parts.report.counts["variants"] = std::ssize(tasks);

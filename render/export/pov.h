@@ -4,15 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "render/export/named_file.h"
 #include "render/export/pov_ink.h"
 #include "render/export/styled_mesh.h"
 
 namespace pomona {
-
-struct NamedFile {
-  std::string name;  ///< without folder
-  std::string bytes;
-};
 
 /// `stem`.pov and the include it names, `stem`_meshes.inc, to lie beside it. Every solid is declared once, as a
 /// mesh2 whose vertices have colours, and placed by exact matrices; camera, lights and ground are in the .pov, for

@@ -23,6 +23,24 @@ std::vector<std::size_t> from_the_eye_outwards(const Scene& scene) {
   return order;
 }
 
+/// Waits now and then for what was handed over to be drawn. OpenGL in software holds the triangles of all draws that
+/// stand in line, near a kilobyte each: hundreds of megabytes, where drawing is slower than handing over.
+class Pace {
+ public:
+  explicit Pace(const CurrentGl& gl) : gl_(gl) {}
+  void handed_over(GLsizei indices) {
+    constexpr GLsizei most = 3 * 50'000;
+    waiting_ += indices;
+    if (waiting_ < most) return;
+    gl_->Finish();
+    waiting_ = 0;
+  }
+
+ private:
+  const CurrentGl& gl_;
+  GLsizei waiting_ = 0;
+};
+
 Drawn how_drawn(const Solid& solid) { return solid.opacity < 1 ? Drawn::see_through : Drawn::opaque; }
 
 }  // namespace
@@ -37,6 +55,7 @@ bool PlacedSolids::any(Drawn which) const {
 
 void PlacedSolids::draw(const Program& program, Drawn which) const {
   uploaded_.solids.bind();
+  Pace pace(gl_);
   for (const std::size_t i : nearest_first_) {
     const Instance& instance = scene_.instances[i];
     const Solid& solid = scene_.solids[instance.solid];
@@ -51,6 +70,7 @@ void PlacedSolids::draw(const Program& program, Drawn which) const {
     gl_->DrawElementsBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_INT,
                                 reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t)),
                                 part.first_vertex);
+    pace.handed_over(part.indices);
   }
   gl_->Disable(GL_CULL_FACE);
 }
@@ -58,6 +78,7 @@ void PlacedSolids::draw(const Program& program, Drawn which) const {
 void PlacedSolids::draw_guides(const Program& program) const {
   if (!uploaded_.guides) return;
   uploaded_.guides->vertices.bind();
+  Pace pace(gl_);
   for (const std::size_t i : nearest_first_) {
     const Instance& instance = scene_.instances[i];
     const Solid& solid = scene_.solids[instance.solid];
@@ -67,6 +88,7 @@ void PlacedSolids::draw_guides(const Program& program) const {
     gl_->DrawElementsBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_INT,
                                 reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t)),
                                 part.first_vertex);
+    pace.handed_over(part.indices);
   }
 }
 

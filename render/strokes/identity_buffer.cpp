@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "render/strokes/covered_pixels.h"
 
@@ -15,19 +16,21 @@ struct TriangleName {
   std::uint32_t instance = 0, triangle = 0;
 };
 
-/// Which triangles touch which band of rows, in their order.
-std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std::span<const SeenSolid> seen,
+/// Which triangles of some of the instances, from `first` on, touch which band of rows, in their order.
+std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std::size_t first,
+                                                         std::span<const SeenSolid> seen,
                                                          const IdentityBuffer& buffer) {
   std::vector<std::vector<TriangleName>> bands((buffer.height + band_rows - 1) / band_rows);
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    const Solid& solid = scene.solids[scene.instances[i].solid];
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Solid& solid = scene.solids[scene.instances[first + i].solid];
     for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
       const PictureTriangle triangle = picture_triangle(solid, seen[i], t);
       if (!triangle.can_be_seen(solid.closed)) continue;
       const PixelSpan columns(triangle.low(0), triangle.high(0), 0, buffer.width - 1);
       const PixelSpan rows(triangle.low(1), triangle.high(1), 0, buffer.height - 1);
       if (columns.first > columns.last || rows.first > rows.last) continue;
-      for (int band = rows.first / band_rows; band <= rows.last / band_rows; ++band) bands[band].push_back({i, t});
+      for (int band = rows.first / band_rows; band <= rows.last / band_rows; ++band)
+        bands[band].push_back({static_cast<std::uint32_t>(first + i), t});
     }
   }
   return bands;
@@ -53,19 +56,21 @@ std::size_t IdentityBuffer::pixel_at(const glm::dvec2& place) const {
   return index(place.y, height) * width + index(place.x, width);
 }
 
-IdentityBuffer identity_buffer(const Scene& scene, std::span<const SeenSolid> seen, const Lens& lens, Threads threads) {
+IdentityBuffer identity_buffer(const Scene& scene, const Lens& lens, Threads threads) {
   IdentityBuffer buffer{lens.width(), lens.height(), {}, {}, {}};
   buffer.nearness.assign(static_cast<std::size_t>(buffer.width) * buffer.height, 0.0f);
   buffer.instance.assign(buffer.nearness.size(), 0);
   buffer.triangle.assign(buffer.nearness.size(), 0);
-  const std::vector<std::vector<TriangleName>> bands = sorted_into_bands(scene, seen, buffer);
-  parallel_for(bands.size(), threads, [&](std::size_t band) {
-    const int top = static_cast<int>(band) * band_rows;
-    for (const TriangleName& name : bands[band]) {
-      const Solid& solid = scene.solids[scene.instances[name.instance].solid];
-      const PictureTriangle triangle = picture_triangle(solid, seen[name.instance], name.triangle);
-      draw_triangle(triangle, name, top, top + band_rows - 1, buffer);
-    }
+  visit_seen_solids(scene, lens, threads, [&](std::size_t first, std::span<const SeenSolid> seen) {
+    const std::vector<std::vector<TriangleName>> bands = sorted_into_bands(scene, first, seen, buffer);
+    parallel_for(bands.size(), threads, [&](std::size_t band) {
+      const int top = static_cast<int>(band) * band_rows;
+      for (const TriangleName& name : bands[band]) {
+        const Solid& solid = scene.solids[scene.instances[name.instance].solid];
+        const PictureTriangle triangle = picture_triangle(solid, seen[name.instance - first], name.triangle);
+        draw_triangle(triangle, name, top, top + band_rows - 1, buffer);
+      }
+    });
   });
   return buffer;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "generator/base/parallel.h"
@@ -21,7 +20,6 @@ struct IdentityBuffer {
   std::size_t pixel_at(const glm::dvec2& place) const;
 };
 
-/// `seen` has one entry per instance of the scene.
-IdentityBuffer identity_buffer(const Scene& scene, std::span<const SeenSolid> seen, const Lens& lens, Threads threads);
+IdentityBuffer identity_buffer(const Scene& scene, const Lens& lens, Threads threads);
 
 }  // namespace pomona

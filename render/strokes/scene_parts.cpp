@@ -37,7 +37,7 @@ PartMap scene_parts(const Scene& scene, int width, int height, Threads threads) 
   parallel_for(seen.size(), threads, [&](std::size_t i) {
     seen[i] = seen_solid(scene.solids[scene.instances[i].solid], scene.instances[i].pose, lens);
   });
-  const IdentityBuffer foremost = identity_buffer(scene, seen, lens, threads);
+  const IdentityBuffer foremost = identity_buffer(scene, lens, threads);
 
   // There, the part of the triangle's corner that has the largest share in the pixel's middle.
   parallel_for(static_cast<std::size_t>(height), threads, [&](std::size_t y) {

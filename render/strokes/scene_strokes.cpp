@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -32,7 +34,6 @@ double radius_of(const Solid& solid) {
 
 /// Everything about one instance that lines depend on.
 struct Sitter {
-  SeenSolid seen;
   PenWidths pen{};
   double fine = 1;        // 1 for what fills the picture, less for small things
   double wavelength = 1;  // of the hand, metres on the fruit
@@ -61,8 +62,8 @@ class Draughtsman {
   std::vector<SceneStroke> strokes();
 
  private:
-  Sitter sitter(std::size_t instance) const;
-  std::vector<VisibleRun> runs(const IdentityBuffer& buffer, const std::vector<SeenSolid>& seen) const;
+  Sitter sitter(const Solid& solid, const SeenSolid& seen) const;
+  std::vector<VisibleRun> sitters_lines(const IdentityBuffer& buffer);
   SceneStroke stroke(const VisibleRun& run, const IdentityBuffer& buffer) const;
   double before_all(const glm::dvec2& at, double radius, const IdentityBuffer& buffer) const;
 
@@ -76,35 +77,40 @@ class Draughtsman {
   std::vector<Sitter> sitters_;
 };
 
-Sitter Draughtsman::sitter(std::size_t index) const {
-  const Instance& instance = scene_.instances[index];
-  const Solid& solid = scene_.solids[instance.solid];
-  Sitter result{.seen = seen_solid(solid, instance.pose, lens_)};
+Sitter Draughtsman::sitter(const Solid& solid, const SeenSolid& seen) const {
+  Sitter result;
 
   // By the size at which it is seen.
   const double radius = radius_of(solid);
   double away = 0;
   std::size_t count = 0;
-  for (const glm::dvec3& v : result.seen.vertex) {
+  for (const glm::dvec3& v : seen.vertex) {
     if (v.z > 0) away += v.z, ++count;
   }
   if (count == 0) return result;
-  const double seen = 2 * radius / lens_.pixel_size(away / static_cast<double>(count));
-  result.fine = std::clamp(std::sqrt(seen / (0.7 * side_)), 0.3, 1.0);
+  const double size = 2 * radius / lens_.pixel_size(away / static_cast<double>(count));
+  result.fine = std::clamp(std::sqrt(size / (0.7 * side_)), 0.3, 1.0);
   const double width = side_ * result.fine * solid.ink.width;
   result.pen = {width * style_.outline_width, width * style_.inner_width};
   result.wavelength = 0.3 * radius + 1e-6;
   return result;
 }
 
-std::vector<VisibleRun> Draughtsman::runs(const IdentityBuffer& buffer, const std::vector<SeenSolid>& seen) const {
+/// Every instance as it is seen, with its pens, and what one sees of its lines.
+std::vector<VisibleRun> Draughtsman::sitters_lines(const IdentityBuffer& buffer) {
   std::vector<SolidEdges> edges(scene_.solids.size());
   parallel_for(edges.size(), threads_, [&](std::size_t i) { edges[i] = solid_edges(scene_.solids[i]); });
   std::vector<std::vector<VisibleRun>> by_instance(scene_.instances.size());
-  parallel_for(by_instance.size(), threads_, [&](std::size_t i) {
-    const int solid = scene_.instances[i].solid;
-    by_instance[i] = visible_runs(
-        object_lines(scene_.solids[solid], edges[solid], seen[i], static_cast<std::uint32_t>(i), lens_), buffer, lens_);
+  sitters_.resize(by_instance.size());
+  visit_seen_solids(scene_, lens_, threads_, [&](std::size_t first, std::span<const SeenSolid> seen) {
+    parallel_for(seen.size(), threads_, [&](std::size_t k) {
+      const std::size_t i = first + k;
+      const int number = scene_.instances[i].solid;
+      const Solid& solid = scene_.solids[number];
+      sitters_[i] = sitter(solid, seen[k]);
+      const auto lines = object_lines(solid, edges[number], seen[k], static_cast<std::uint32_t>(i), lens_);
+      by_instance[i] = visible_runs(lines, buffer, lens_);
+    });
   });
   std::vector<VisibleRun> all;
   for (std::vector<VisibleRun>& some : by_instance) std::move(some.begin(), some.end(), std::back_inserter(all));
@@ -112,19 +118,12 @@ std::vector<VisibleRun> Draughtsman::runs(const IdentityBuffer& buffer, const st
 }
 
 std::vector<SceneStroke> Draughtsman::strokes() {
-  // Each instance as it is seen, and the pens that draw it.
-  sitters_.resize(scene_.instances.size());
-  parallel_for(sitters_.size(), threads_, [&](std::size_t i) { sitters_[i] = sitter(i); });
-  std::vector<SeenSolid> seen;
+  const IdentityBuffer buffer = identity_buffer(scene_, lens_, threads_);
+  std::vector<VisibleRun> lines = sitters_lines(buffer);
   std::vector<PenWidths> pens;
-  for (Sitter& one : sitters_) {
-    seen.push_back(std::move(one.seen));
-    pens.push_back(one.pen);
-  }
+  for (const Sitter& one : sitters_) pens.push_back(one.pen);
 
   // Visible lines, joined before and after those beside others are thinned; inner ones come first.
-  const IdentityBuffer buffer = identity_buffer(scene_, seen, lens_, threads_);
-  std::vector<VisibleRun> lines = runs(buffer, seen);
   lines = without_overlaps(joined_runs(std::move(lines), 0.004 * side_), pens, lens_.width(), lens_.height());
   lines = joined_runs(std::move(lines), 0.004 * side_);
   std::stable_sort(lines.begin(), lines.end(),

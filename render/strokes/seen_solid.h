@@ -1,8 +1,11 @@
 // A placed solid as a lens sees it: what the identity buffer and the lines are both made from.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
+#include "generator/base/parallel.h"
 #include "generator/scene/scene.h"
 #include "render/strokes/lens.h"
 
@@ -18,5 +21,10 @@ struct SeenSolid {
 };
 
 SeenSolid seen_solid(const Solid& solid, const Pose& pose, const Lens& lens);
+
+/// All instances in their order, as many at a time as a few tens of megabytes hold: those of a heap of ten thousand
+/// would take a gigabyte together. Calls visit with the index of the first and those that were seen with it.
+void visit_seen_solids(const Scene& scene, const Lens& lens, Threads threads,
+                       const std::function<void(std::size_t first, std::span<const SeenSolid> seen)>& visit);
 
 }  // namespace pomona

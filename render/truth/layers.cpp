@@ -91,7 +91,7 @@ class LayerFiller {
 TruthLayers truth_layers(const Scene& scene, const TruthNaming& names, int width, int height, Threads threads) {
   const Lens lens(scene.view, width, height);
   const std::vector<SeenSolid> seen = seen_solids(scene, lens, threads);
-  const IdentityBuffer foremost = identity_buffer(scene, seen, lens, threads);
+  const IdentityBuffer foremost = identity_buffer(scene, lens, threads);
   return LayerFiller(scene, names, seen, foremost).fill(threads);
 }
 

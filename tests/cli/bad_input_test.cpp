@@ -1,5 +1,7 @@
 // Every malformed template, scene, batch and surface file of the tests, through the program: a clear error with a
 // position, the documented status, nothing written, no crash.
+#include <fstream>
+#include <iterator>
 #include <regex>
 
 #include <gmock/gmock.h>
@@ -45,6 +47,51 @@ TEST(BadInput, LeavesNoFileBehind) {
       run_pomona({"cut", file.string(), "--knife", "half", "-o", "x.ply"}, folder.path());
     }
     EXPECT_TRUE(fs::is_empty(folder.path())) << file;
+  }
+}
+
+/// A scene that reads well and yet cannot be, and what is said of it.
+struct ImpossibleScene {
+  std::string text;
+  int status = 0;
+  std::string told;
+};
+
+const std::string cherries = "[[pieces]]\nname = \"cherry\"\ntemplate = \"cherry\"\nas_drawn = true\ndetail = 0.3\n";
+
+std::vector<ImpossibleScene> impossible_scenes() {
+  const std::string head = "format = 1\nname = \"impossible\"\n";
+  const std::string dish = "[[dishes]]\nname = \"d\"\nmesh = \"line.obj\"\n";
+  const std::string cup = "[bowl]\nprofile = \"M 0 0 L 15 0 L 20 -20 L 18 -20 L 13 -2 L 0 -2\"\n";
+  return {{head + "settle.attempts = 1\n" + cup + cherries + "total = 40\n", 1,
+           "scene.toml:8:8: error: piece \"cherry-1[^\"]*\" (finds no room in|lies outside) the bowl"},
+          {head + "[bowl]\nprofile = \"M 0 0 L 60 0 L 60 -5 L 0 -5\"\n" + cherries, 65,
+           "scene.toml:7:8: error: \"bowl\" has no hollow"},
+          {head + dish + cherries + "on = \"d\"\nwhere = { kind = \"scatter\" }\n", 65,
+           "scene.toml:5:8: error: dish \"d\": .*no area"},
+          {head + "layout = \"other.json\"\n" + cherries + "total = 2\n", 65, "other.json:3:[0-9]+: error: \"guest\""}};
+}
+
+TEST(BadInput, OfScenesThatCannotBeIsNamedAndLeavesWhatWasThere) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "line.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
+  const auto line = [](const std::string& name) {
+    return "{\"name\": \"" + name +
+           "\", \"solid\": \"cherry-1\", \"rotation\": [1, 0, 0, 0], \"translation\": [0, 0, 0]}";
+  };
+  std::ofstream(folder.path() / "other.json") << "{\"format\": 1, \"instances\": [\n"
+                                              << line("cherry-1") << ", " << line("cherry-1.copy-2") << ",\n"
+                                              << line("guest") << "]}\n";
+  std::ofstream(folder.path() / "x.glb") << "as it was";
+  for (const ImpossibleScene& scene : impossible_scenes()) {
+    std::ofstream(folder.path() / "scene.toml") << scene.text;
+    const Outcome outcome = run_pomona({"scene", "scene.toml", "--quality", "draft", "-o", "x.glb", "-o", "x.json",
+                                        "-o", "x.png", "--size", "64x48", "--aov", "truth"},
+                                       folder.path());
+    EXPECT_EQ(outcome.status, scene.status) << outcome.err;
+    EXPECT_TRUE(std::regex_search(outcome.err, std::regex(scene.told))) << outcome.err;
+    EXPECT_EQ(bytes_of(folder.path() / "x.glb"), "as it was");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 4) << outcome.err;
   }
 }
 

@@ -1,10 +1,11 @@
 // TinyUSDZ, a reader of USD that is not ours, composes a .usda and finds in it what the .glb of the same scene holds.
-//   node usd_test.mjs SCENE.usda SCENE.glb LEVELS.usda INSTANCES.usda
+//   node usd_test.mjs SCENE.usda SCENE.glb LEVELS.usda INSTANCES.usda RIPENESSES.usda RIPENESSES.glb
 import assert from 'node:assert';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
 
-const [sceneFile, glbFile, levelsFile, instancesFile] = process.argv.slice(2);
+const [sceneFile, glbFile, levelsFile, instancesFile, ripeFile, ripeGlbFile] = process.argv.slice(2);
 
 // TinyUSDZ is compiled for browsers; it asks for no more of one than this.
 globalThis.window = globalThis;
@@ -32,8 +33,11 @@ function* nodesOf(node, within = '') {
   for (const child of node.children ?? []) yield* nodesOf(child, path);
 }
 
-const bytes = readFileSync(glbFile);
-const gltf = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)));
+function gltfOf(file) {
+  const bytes = readFileSync(file);
+  return JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)));
+}
+const gltf = gltfOf(glbFile);
 const countOf = (accessor) => gltf.accessors[accessor].count;
 const plain = (name) => name.replaceAll(/[^A-Za-z0-9]/g, '_');
 
@@ -82,7 +86,7 @@ console.log(`${placed.length} pieces as in the .glb`);
 // What USD has names for. The reader says all of it again but for applied schemas.
 const flat = composed(text).layerToString();
 for (const word of ['metersPerUnit = 1', 'upAxis = "Y"', 'physics:mass', 'semantics:labels:category = ["tomato"]',
-  'semantics:labels:part = ["gel"]', 'pomona cut tomato', 'UsdPrimvarReader_float3']) assert(flat.includes(word), `${word} is lost`);
+  'semantics:labels:part = ["gel"]', 'string boundCamera = "/Scene/view"', 'rel camera = </Scene/view>', 'pomona cut tomato', 'UsdPrimvarReader_float3']) assert(flat.includes(word), `${word} is lost`);
 for (const schema of ['PhysicsMassAPI', 'SemanticsLabelsAPI:category', 'PhysicsMeshCollisionAPI', 'MaterialBindingAPI'])
   assert(text.includes(`"${schema}"`), `${schema} is not applied`);
 
@@ -103,3 +107,21 @@ assert(instanced.includes('def PointInstancer "pieces"'));
 assert.equal(/protoIndices = \[(.*?)\]/.exec(instanced)[1].split(',').length, shown.length);
 assert.equal(/positions = \[(.*?)\]/.exec(instanced)[1].match(/\(/g).length, shown.length);
 console.log('variants and instances');
+
+// Ripeness is a variant set: each variant has a texture of its own for each piece, on the same places.
+const ripeText = readFileSync(ripeFile, 'utf8');
+const texturesAt = (ripeness) => {
+  const chosen = composed(ripeText.replaceAll('string ripeness = "as_is"', `string ripeness = "${ripeness}"`));
+  assert(chosen.composeVariants(), chosen.error());
+  const seen = chosen.layerToString();
+  const files = [...new Set([...seen.matchAll(/inputs:file = @(.*?)@/g)].map((found) => found[1]))];
+  for (const file of files) assert(existsSync(join(dirname(ripeFile), file)), `${file} is not there`);
+  return files;
+};
+const ripeGltf = gltfOf(ripeGlbFile);
+const named = ripeGltf.extensions.KHR_materials_variants.variants.map((variant) => plain(variant.name));
+assert.deepEqual(named, ['ripeness_0_2', 'ripeness_1_8']);
+const byRipeness = ['as_is', ...named].map(texturesAt);
+for (const files of byRipeness) assert.equal(files.length, ripeGltf.meshes.length, 'a texture for each piece');
+assert.equal(new Set(byRipeness.flat()).size, ripeGltf.images.length, 'and as many in all as the .glb has');
+console.log('ripenesses');

@@ -17,6 +17,7 @@
 #include "generator/template/read/read_template.h"
 #include "render/strokes/ink_on_picture.h"
 #include "render/strokes/lens.h"
+#include "render/strokes/seen_solid.h"
 #include "tests/render/painted_shapes.h"
 
 namespace pomona {
@@ -138,6 +139,30 @@ TEST(Strokes, LieOverNoOtherThatGoesTheSameWay) {
     }
   }
   EXPECT_LT(doubled, 0.03 * total);
+}
+
+TEST(SeenSolids, AreVisitedOnceInTheirOrderSomeAtATime) {
+  // Seen together, all of them would take as much memory as there are instances.
+  Scene scene;
+  Solid large;
+  large.position.assign(600'000, glm::vec3(0, 0, 0.01f));
+  large.normal.assign(large.position.size(), glm::vec3(0, 0, 1));
+  scene.solids = {large, Solid{}};
+  for (int i = 0; i < 5; ++i) scene.instances.push_back({0, {{1, 0, 0, 0}, {0.01 * i, 0, 0}}, ""});
+  scene.instances.push_back({1, {}, ""});
+  const Lens lens(scene.view, 100, 100);
+  std::size_t next = 0, most = 0;
+  visit_seen_solids(scene, lens, {1}, [&](std::size_t first, std::span<const SeenSolid> seen) {
+    EXPECT_EQ(first, next);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      EXPECT_EQ(seen[i].at, scene.instances[first + i].pose.translation);
+      EXPECT_EQ(seen[i].vertex.size(), scene.solids[scene.instances[first + i].solid].position.size());
+    }
+    next += seen.size();
+    most = std::max(most, seen.size());
+  });
+  EXPECT_EQ(next, scene.instances.size());
+  EXPECT_EQ(most, 2u);
 }
 
 TEST(Strokes, AreTheSameForAnyNumberOfThreads) {

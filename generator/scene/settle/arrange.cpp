@@ -9,8 +9,11 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "generator/scene/settle/contact.h"
 #include "generator/scene/settle/drop.h"
 #include "generator/scene/settle/near_bodies.h"
+#include "generator/scene/settle/set_down.h"
+#include "generator/scene/settle/upper_side.h"
 
 namespace pomona {
 
@@ -54,54 +57,6 @@ std::vector<RigidBody> turned(std::span<const Arranged> pieces, const RandomStre
     bodies[i] = RigidBody(*pieces[i].shape, attitude_of(pieces[i], draw, options), glm::dvec3(0));
   });
   return bodies;
-}
-
-/// Moved along a direction until it touches the dish: out of it first, then towards it by what it is clear of it, and
-/// where it slides along a wall by a little.
-void set_down(RigidBody& body, const Dish& dish, const glm::dvec3& away) {
-  constexpr double least_step = 3e-4, near_enough = 1e-5;  // metres
-  const auto clear_at = [&](const glm::dvec3& center) {
-    body.center = center;
-    body.refresh();
-    return static_cast<double>(distance_to(dish, body, 1.0f));
-  };
-  double clear = clear_at(body.center);
-  for (int step = 0; step < 100 && clear <= 0; ++step) clear = clear_at(body.center + away * (least_step - clear));
-  glm::dvec3 above = body.center;
-  for (int step = 0; step < 10000 && clear > near_enough; ++step) {
-    above = body.center;
-    clear = clear_at(above - away * std::max(clear, least_step));
-  }
-
-  // The last step may have gone too far.
-  glm::dvec3 below = body.center;
-  if (clear >= -near_enough) return;
-  while (glm::distance(above, below) > near_enough) {
-    const glm::dvec3 middle = 0.5 * (above + below);
-    (clear_at(middle) > 0 ? above : below) = middle;
-  }
-  clear_at(above);
-}
-
-/// Out of the dish by all vertices: samples miss the tip of what is pointed.
-void lift_out(RigidBody& body, const Solid& solid, const Dish& dish, const glm::dvec3& away) {
-  constexpr double near_enough = 1e-5;  // metres
-  for (int step = 0; step < 20; ++step) {
-    float clear = 1;
-    for (const glm::vec3& p : solid.position)
-      clear =
-          std::min(clear, dish.distance(glm::vec3(body.rotation * (glm::dvec3(p) - body.shape->center) + body.center)));
-    if (clear > -near_enough) return;
-    body.center -= away * static_cast<double>(clear);
-    body.refresh();
-  }
-}
-
-/// The box around a piece as it is turned: by its samples, because that of its body is one around a turned box.
-Box<double> tight_box(const RigidBody& body) {
-  Box<double> box;
-  for (const glm::vec3& sample : body.shape->samples.point) box.add(glm::dvec3(body.matrix * sample) + body.center);
-  return box;
 }
 
 /// With the middle of its box over a place, on the dish.
@@ -176,42 +131,6 @@ Starts in_grid(std::span<const Arranged> pieces, const std::vector<RigidBody>& b
   });
   return starts;
 }
-
-/// The triangles of a mesh that look upwards, to draw places on.
-class UpperSide {
- public:
-  explicit UpperSide(const TriangleTree& mesh, const MeshDish* form) {
-    constexpr double least_slope = 0.2;
-    for (const TriangleTree::Corners& t : mesh.triangles()) {
-      const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-      const double twice_area = glm::length(normal);
-      if (!(normal.y > least_slope * twice_area)) continue;
-      // What lies under something else is no upper side.
-      const glm::dvec3 middle = (t[0] + t[1] + t[2]) / 3.0;
-      if (form == nullptr || middle.y < form->box().low.y - 1e-9 || !form->covers(middle.x, middle.z)) continue;
-      if (mesh.height_below({middle.x + 1e-7, form->box().high.y + 1, middle.z + 1e-7}) > middle.y + 1e-4) continue;
-      corners_.push_back(t);
-      area_.push_back((area_.empty() ? 0 : area_.back()) + 0.5 * twice_area);
-    }
-  }
-  bool empty() const { return area_.empty(); }
-
-  struct Spot {
-    glm::dvec3 at, normal;
-  };
-  Spot spot(double share, double u, double v) const {
-    const auto found = std::upper_bound(area_.begin(), area_.end(), share * area_.back());
-    const TriangleTree::Corners& t =
-        corners_[static_cast<std::size_t>(std::min(found, area_.end() - 1) - area_.begin())];
-    const double root = std::sqrt(u);  // even over the triangle
-    return {(1 - root) * t[0] + root * (1 - v) * t[1] + root * v * t[2],
-            glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]))};
-  }
-
- private:
-  std::vector<TriangleTree::Corners> corners_;
-  std::vector<double> area_;  ///< of all up to here
-};
 
 /// Nothing of it hangs over the border.
 bool lies_within(const RigidBody& body, const Solid& solid, const Dish& dish) {

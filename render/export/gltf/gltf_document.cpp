@@ -17,11 +17,11 @@ void append_word(std::string& bytes, std::size_t word) {
 /// Chunks of a .glb are filled up to multiples of four: text with spaces, bytes with zeros.
 std::size_t filled(std::size_t size) { return (size + 3) / 4 * 4; }
 
-void append_chunk(std::string& file, const char* kind, const std::string& bytes, char filling) {
-  append_word(file, filled(bytes.size()));
+constexpr std::size_t block_size = 8 << 20;  // of the buffer; larger views have a block of their own
+
+void append_chunk_head(std::string& file, const char* kind, std::size_t size) {
+  append_word(file, filled(size));
   file.append(kind, 4);
-  file += bytes;
-  file.append(filled(bytes.size()) - bytes.size(), filling);
 }
 
 }  // namespace
@@ -38,12 +38,21 @@ int GltfDocument::add(const char* list, Json value) {
   return static_cast<int>(values.size()) - 1;
 }
 
+void GltfDocument::append(const void* data, std::size_t size) {
+  if (buffer_.empty() || buffer_.back().size() + size > block_size) {
+    buffer_.emplace_back();
+    buffer_.back().reserve(std::max(block_size, size));
+  }
+  buffer_.back().append(static_cast<const char*>(data), size);
+  buffer_size_ += size;
+}
+
 int GltfDocument::add_view(const void* data, std::size_t size, Target target, std::size_t stride) {
-  buffer_.resize(filled(buffer_.size()));
-  Json view = {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", size}};
+  append("\0\0\0", filled(buffer_size_) - buffer_size_);
+  Json view = {{"buffer", 0}, {"byteOffset", buffer_size_}, {"byteLength", size}};
   if (stride > 0) view["byteStride"] = stride;
   if (target != Target::none) view["target"] = static_cast<int>(target);
-  buffer_.append(static_cast<const char*>(data), size);
+  append(data, size);
   return add("bufferViews", std::move(view));
 }
 
@@ -66,14 +75,14 @@ void GltfDocument::extend(const std::string& name, Json value) {
   json_["extensions"][name] = std::move(value);
 }
 
-std::string GltfDocument::bytes() const {
-  Json json = json_;
-  if (!buffer_.empty()) json["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
+std::string GltfDocument::bytes() && {
+  if (buffer_size_ > 0) json_["buffers"] = Json::array({{{"byteLength", buffer_size_}}});
   // Names may come from files of any encoding; glTF is UTF-8.
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
+  json_ = Json();
 
   std::size_t size = 12 + 8 + filled(text.size());
-  if (!buffer_.empty()) size += 8 + filled(buffer_.size());
+  if (buffer_size_ > 0) size += 8 + filled(buffer_size_);
   if (size > std::numeric_limits<std::uint32_t>::max())
     throw Error(ExitStatus::bad_data, "the scene is too large for a .glb, which ends at 4 GB");
   std::string file;
@@ -81,8 +90,16 @@ std::string GltfDocument::bytes() const {
   file += "glTF";
   append_word(file, 2);
   append_word(file, size);
-  append_chunk(file, "JSON", text, ' ');
-  if (!buffer_.empty()) append_chunk(file, std::string("BIN\0", 4).data(), buffer_, '\0');
+  append_chunk_head(file, "JSON", text.size());
+  file += text;
+  file.append(filled(text.size()) - text.size(), ' ');
+  if (buffer_size_ == 0) return file;
+  append_chunk_head(file, std::string("BIN\0", 4).data(), buffer_size_);
+  for (std::string& block : buffer_) {
+    file += block;
+    block = std::string();
+  }
+  file.append(filled(buffer_size_) - buffer_size_, '\0');
   return file;
 }
 

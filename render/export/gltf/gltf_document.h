@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -39,12 +40,16 @@ class GltfDocument {
 
   Json& scene() { return json_["scenes"][0]; }
 
-  /// As .glb: header, JSON, buffer. \throws Error (bad_data) beyond the 4 GB that the format can tell.
-  std::string bytes() const;
+  /// As .glb: header, JSON, buffer. The document is empty then: what has been copied is let go, so that a file of
+  /// hundreds of megabytes is held once. \throws Error (bad_data) beyond the 4 GB that the format can tell.
+  std::string bytes() &&;
 
  private:
+  void append(const void* data, std::size_t size);
+
   Json json_;
-  std::string buffer_;
+  std::vector<std::string> buffer_;  ///< in blocks: one that grew would be copied over and over
+  std::size_t buffer_size_ = 0;
 };
 
 }  // namespace pomona::gltf

@@ -95,7 +95,7 @@ std::optional<int> GlbWriter::hull_of(const Solid& solid, const std::string& mes
 std::string GlbWriter::finished() {
   add_nodes(document_, scene_, solids_, options_);
   if (!options_.provenance.empty()) document_.scene()["extras"] = {{"provenance", options_.provenance}};
-  return document_.bytes();
+  return std::move(document_).bytes();
 }
 
 void add_levels(GlbWriter& writer, std::size_t i, std::span<const std::vector<Solid>> levels,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/export/styled_mesh.h"
+#include "render/export/texture_variant.h"
 
 namespace pomona {
 
@@ -21,12 +22,6 @@ std::string write_glb(const Scene& scene, const ExportOptions& options = {},
 /// The same for who has the solids' meshes already: `styled` is what styled_meshes() makes of the scene.
 std::string write_glb(const Scene& scene, std::span<const StyledMesh> styled, const ExportOptions& options,
                       std::span<const std::vector<Solid>> levels = {});
-
-/// The solids of a scene once more in other colours, on the same atlases.
-struct TextureVariant {
-  std::string name;
-  std::vector<BakedSolid> solids;
-};
 
 /// The same with the colours in textures: `baked` has one entry per solid of the scene. TEXCOORD_0 takes the place
 /// of COLOR_0, and every solid has materials of its own. \param variants for KHR_materials_variants; viewers that do

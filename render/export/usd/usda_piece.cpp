@@ -12,13 +12,7 @@ namespace pomona::usd {
 namespace {
 
 constexpr double of_points = 1e-7;  ///< metres; equal positions stay equal, so meshes stay closed
-constexpr double of_normals = 1e-3, of_colors = 1e-4;
-
-/// "        int x = 3\n"
-void append_line(std::string& text, int indent, const std::string& line) {
-  text.append(static_cast<std::size_t>(4 * indent), ' ');
-  text += line + "\n";
-}
+constexpr double of_normals = 1e-3, of_colors = 1e-4, of_places = 1e-6;
 
 /// Faces by what they have in common, as subsets of a mesh.
 struct Subset {
@@ -37,11 +31,16 @@ void append_subset(std::string& text, int indent, const Subset& subset) {
   line("}");
 }
 
+/// The piece's own material for a look. Of a level of detail with a texture of its own it is named after both.
+std::string material_name(const std::string& look, const StyledLevel& level, std::size_t number) {
+  return level.texture.empty() || number == 0 ? look : look + "_LOD" + std::to_string(number);
+}
+
 /// A subset for each look, bound to a material that lies beside the mesh.
-std::vector<Subset> subsets_by_look(const StyledLevel& level, Looks& looks) {
+std::vector<Subset> subsets_by_look(const StyledLevel& level, std::size_t number, Looks& looks) {
   std::vector<Subset> subsets;
   for (const LookGroup& group : groups_by_look(level.solid, level.mesh)) {
-    const std::string name = looks.name_for(level.solid, group);
+    const std::string name = material_name(looks.name_for(level.solid, group), level, number);
     Subset subset{"materialBind", "look_" + name, "(\n    prepend apiSchemas = [\"MaterialBindingAPI\"]\n)", {}, {}};
     subset.binding = "    rel material:binding = <../../Looks/" + name + ">";
     subset.faces = group.face;
@@ -86,13 +85,20 @@ void append_arrays(std::string& text, int indent, const StyledMesh& mesh, const 
   line("int[] faceVertexIndices = " + list(corners));
   line("point3f[] points = " + list(points, of_points));
   line("normal3f[] normals = " + list(mesh.normal, of_normals) + " (interpolation = \"vertex\")");
-  line("color3f[] primvars:displayColor = " + list(mesh.color, of_colors) + " (interpolation = \"vertex\")");
+  if (mesh.uv.empty()) {
+    line("color3f[] primvars:displayColor = " + list(mesh.color, of_colors) + " (interpolation = \"vertex\")");
+  } else {
+    // Ours count rows of texels from the top, USD's from the bottom.
+    std::vector<glm::vec2> places = mesh.uv;
+    for (glm::vec2& place : places) place.y = 1 - place.y;
+    line("texCoord2f[] primvars:st = " + list(places, of_places) + " (interpolation = \"vertex\")");
+  }
   line("int[] primvars:part = " + list(mesh.part) + " (interpolation = \"vertex\")");
 }
 
-void append_mesh(std::string& text, int indent, const StyledLevel& level, const glm::vec3& pivot, Looks& looks) {
+void append_mesh(std::string& text, int indent, const StyledLevel& level, const glm::vec3& pivot,
+                 const std::vector<Subset>& by_look) {
   const auto line = [&](const std::string& words) { append_line(text, indent, words); };
-  const std::vector<Subset> by_look = subsets_by_look(level, looks);
   line("def Mesh \"mesh\" (");
   line("    prepend apiSchemas = [\"MaterialBindingAPI\", \"PhysicsCollisionAPI\", \"PhysicsMeshCollisionAPI\"]");
   line(")");
@@ -132,19 +138,56 @@ void append_custom_data(std::string& text, const Solid& solid, const ExportOptio
   append_line(text, 2, "}");
 }
 
-/// The materials of the piece lie within it, because references take nothing along that lies outside.
-void append_looks(std::string& text, std::span<const StyledLevel> levels, Looks& looks) {
+/// The materials of the piece lie within it, because references take nothing along that lies outside. Returns those
+/// of the solid itself. \param has_choices textures are what the variants say.
+std::vector<std::string> append_looks(std::string& text, std::span<const StyledLevel> levels, Looks& looks,
+                                      bool has_choices) {
   std::map<std::string, bool> said;
+  std::vector<std::string> own;
   append_line(text, 2, "def Scope \"Looks\"");
   append_line(text, 2, "{");
-  for (const StyledLevel& level : levels) {
+  for (std::size_t number = 0; number < levels.size(); ++number) {
+    const StyledLevel& level = levels[number];
     for (const LookGroup& group : groups_by_look(level.solid, level.mesh)) {
-      const std::string name = looks.name_for(level.solid, group);
+      const std::string look = looks.name_for(level.solid, group), name = material_name(look, level, number);
       if (std::exchange(said[name], true)) continue;
-      append_line(text, 3, "def Material \"" + name + "\" (prepend references = </Looks/" + name + ">)");
-      append_line(text, 3, "{");
-      append_line(text, 3, "}");
+      if (number == 0) own.push_back(name);
+      if (level.texture.empty()) {
+        append_line(text, 3, "def Material \"" + name + "\" (prepend references = </Looks/" + look + ">)");
+        append_line(text, 3, "{");
+        append_line(text, 3, "}");
+      } else {
+        append_textured_material(text, 3, name, look, has_choices ? "" : level.texture);
+      }
     }
+  }
+  append_line(text, 2, "}");
+  return own;
+}
+
+/// Which variant sets there are, and the first of each chosen.
+void append_variant_sets(std::string& text, bool has_levels, std::span<const TextureChoice> choices) {
+  if (!has_levels && choices.empty()) return;
+  const auto line = [&](const std::string& words) { append_line(text, 2, words); };
+  line("variants = {");
+  if (has_levels) line("    string LOD = \"LOD0\"");
+  if (!choices.empty()) line("    string ripeness = " + quoted(choices.front().name));
+  line("}");
+  const std::string both = "[\"LOD\", \"ripeness\"]";
+  line("prepend variantSets = " + (choices.empty() ? "\"LOD\"" : has_levels ? both : "\"ripeness\""));
+}
+
+/// Its mesh, or those of its levels of detail.
+void append_meshes(std::string& text, std::span<const StyledLevel> levels, const glm::vec3& pivot, Looks& looks) {
+  const auto append = [&](std::size_t number, int indent) {
+    append_mesh(text, indent, levels[number], pivot, subsets_by_look(levels[number], number, looks));
+  };
+  if (levels.size() == 1) return append(0, 2);
+  append_line(text, 2, "variantSet \"LOD\" = {");
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    append_line(text, 3, "\"LOD" + std::to_string(level) + "\" {");
+    append(level, 4);
+    append_line(text, 3, "}");
   }
   append_line(text, 2, "}");
 }
@@ -152,7 +195,7 @@ void append_looks(std::string& text, std::span<const StyledLevel> levels, Looks&
 }  // namespace
 
 std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, Looks& looks,
-                       const ExportOptions& options) {
+                       const ExportOptions& options, std::span<const TextureChoice> choices) {
   const Solid& solid = levels.front().solid;
   const PieceFacts facts = facts_of(solid);
   const glm::vec3 pivot = pivot_of(solid);
@@ -164,30 +207,16 @@ std::string piece_text(const std::string& name, std::span<const StyledLevel> lev
   line("    displayName = " + quoted(solid.name));
   line("    prepend apiSchemas = [\"PhysicsMassAPI\", \"SemanticsLabelsAPI:category\"]");
   append_custom_data(text, solid, options);
-  if (levels.size() > 1) {
-    line("    variants = {");
-    line("        string LOD = \"LOD0\"");
-    line("    }");
-    line("    prepend variantSets = \"LOD\"");
-  }
+  append_variant_sets(text, levels.size() > 1, choices);
   line(")");
   line("{");
   line("    float physics:mass = " + exact(facts.mass));
   line("    float physics:density = " + exact(solid.density));
   line("    point3f physics:centerOfMass = " + tuple(facts.center - glm::dvec3(pivot), of_points));
   line("    token[] semantics:labels:category = [" + quoted(fruit) + "]");
-  append_looks(text, levels, looks);
-  if (levels.size() == 1) {
-    append_mesh(text, 2, levels.front(), pivot, looks);
-  } else {
-    line("    variantSet \"LOD\" = {");
-    for (std::size_t level = 0; level < levels.size(); ++level) {
-      line("        \"LOD" + std::to_string(level) + "\" {");
-      append_mesh(text, 4, levels[level], pivot, looks);
-      line("        }");
-    }
-    line("    }");
-  }
+  const std::vector<std::string> own = append_looks(text, levels, looks, !choices.empty());
+  append_meshes(text, levels, pivot, looks);
+  if (!choices.empty()) append_texture_choices(text, 2, choices, own);
   line("}");
   return text;
 }

@@ -6,6 +6,7 @@
 
 #include "render/export/styled_mesh.h"
 #include "render/export/usd/usda_material.h"
+#include "render/export/usd/usda_texture.h"
 
 namespace pomona::usd {
 
@@ -13,11 +14,14 @@ namespace pomona::usd {
 struct StyledLevel {
   const Solid& solid;
   const StyledMesh& mesh;
+  std::string texture =
+      {};  ///< the file with its colours, for the mesh's texture coordinates; empty: vertices have them
 };
 
 /// "def Xform NAME { ... }", a component: its mesh or, of several levels, the variant set LOD; mass, labels, and what
-/// makes it again. \param levels the solid first. \param looks takes the materials that it needs.
+/// makes it again. \param levels the solid first. \param looks takes the materials that it needs. \param choices of
+/// textures for the solid, as the variant set "ripeness", the first chosen; or none.
 std::string piece_text(const std::string& name, std::span<const StyledLevel> levels, Looks& looks,
-                       const ExportOptions& options);
+                       const ExportOptions& options, std::span<const TextureChoice> choices = {});
 
 }  // namespace pomona::usd

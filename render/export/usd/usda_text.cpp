@@ -59,6 +59,18 @@ std::string list(std::span<const glm::vec3> values, double step) {
   return text + "]";
 }
 
+std::string list(std::span<const glm::vec2> values, double step) {
+  std::string text = "[";
+  for (const glm::vec2& value : values) {
+    text += text.size() > 1 ? ", (" : "(";
+    append_number(text, value.x, step);
+    text += ", ";
+    append_number(text, value.y, step);
+    text += ')';
+  }
+  return text + "]";
+}
+
 std::string list(std::span<const std::int32_t> values) {
   std::string text = "[";
   for (const std::int32_t value : values) {
@@ -79,6 +91,16 @@ std::string quoted(const std::string& text) {
     }
   }
   return result + '"';
+}
+
+void append_line(std::string& text, int indent, const std::string& line) {
+  text.append(static_cast<std::size_t>(4 * indent), ' ');
+  text += line + "\n";
+}
+
+std::string asset(const std::string& file) {
+  const std::string around = file.find('@') == std::string::npos ? "@" : "@@@";
+  return around + "./" + file + around;
 }
 
 std::string PrimNames::name_for(const std::string& wanted) {

@@ -1,11 +1,13 @@
 // Words and numbers as USD's text form has them.
 #pragma once
 
+#include <cstdint>
 #include <set>
 #include <span>
 #include <string>
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace pomona::usd {
@@ -23,7 +25,14 @@ std::string exact_tuple(const glm::dquat& q);  ///< w first
 
 /// "[(0, 0, 1), ...]" of points, colours or normals.
 std::string list(std::span<const glm::vec3> values, double step);
+std::string list(std::span<const glm::vec2> values, double step);
 std::string list(std::span<const std::int32_t> values);
+
+/// A line of four spaces a step of indentation: "        int x = 3\n".
+void append_line(std::string& text, int indent, const std::string& line);
+
+/// Between the signs that hold a file's name: "@./kiwi.png@".
+std::string asset(const std::string& file);
 
 /// Between double quotes, with what is special in it escaped.
 std::string quoted(const std::string& text);

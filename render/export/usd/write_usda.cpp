@@ -6,10 +6,12 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "render/export/piece_groups.h"
 #include "render/export/piece_words.h"
 #include "render/export/usd/usda_piece.h"
+#include "render/image/png.h"
 #include "render/picture/view_frame.h"
 
 namespace pomona {
@@ -58,6 +60,54 @@ Pieces pieces_of(const Scene& scene, const ExportOptions& options, std::span<con
     }
   }
   return pieces;
+}
+
+/// Pieces with textures, and these as files.
+class TexturedPieces {
+ public:
+  TexturedPieces(const std::string& stem, const ExportOptions& options) : stem_(stem), options_(options) {}
+
+  void add(const BakedSolid& solid, std::span<const BakedSolid> coarser, std::span<const TextureVariant> variants,
+           std::size_t number);
+
+  Pieces pieces;
+  std::vector<NamedFile> textures;
+
+ private:
+  /// The file's name. \param what it shows: the piece, and what of it.
+  std::string added_texture(const std::string& what, const Image& picture) {
+    textures.push_back({stem_ + "_" + what + ".png", write_png(picture, PngPacking::fast)});
+    return textures.back().name;
+  }
+
+  const std::string& stem_;
+  const ExportOptions& options_;
+  PrimNames names_;
+};
+
+void TexturedPieces::add(const BakedSolid& solid, std::span<const BakedSolid> coarser,
+                         std::span<const TextureVariant> variants, std::size_t number) {
+  pieces.name.emplace_back();
+  if (solid.solid.triangle.empty()) return;
+  const std::string& name = pieces.name.back() = names_.name_for(solid.solid.name);
+  std::vector<StyledMesh> meshes{textured_mesh(solid)};
+  for (const BakedSolid& level : coarser) meshes.push_back(textured_mesh(level));
+  std::vector<StyledLevel> levels{{solid.solid, meshes[0], added_texture(name, solid.texture)}};
+  for (std::size_t k = 0; k < coarser.size(); ++k) {
+    const std::string what = name + "_LOD" + std::to_string(k + 1);
+    levels.push_back({coarser[k].solid, meshes[k + 1], added_texture(what, coarser[k].texture)});
+  }
+
+  std::vector<TextureChoice> choices;
+  PrimNames of_variants;
+  if (!variants.empty()) choices.push_back({of_variants.name_for("as_is"), levels[0].texture});
+  for (const TextureVariant& variant : variants) {
+    const BakedSolid& other = variant.solids.at(number);
+    if (other.uv != solid.uv) throw Error(ExitStatus::bug, "a variant has an atlas of its own");
+    const std::string called = of_variants.name_for(variant.name);
+    choices.push_back({called, added_texture(name + "_" + called, other.texture)});
+  }
+  pieces.text += piece_text(name, levels, pieces.looks, options_, choices);
 }
 
 std::string indented(int indent) { return std::string(static_cast<std::size_t>(4 * indent), ' '); }
@@ -144,12 +194,12 @@ std::string point_instancer_text(const Scene& scene, const Pieces& pieces, PrimN
 }
 
 /// A lens on a film 24 mm high; tenths of a scene unit are what USD measures both in.
-std::string camera_text(const View& view, PrimNames& names) {
+std::string camera_text(const View& view, const std::string& name) {
   const ViewFrame frame = view_frame(view);
   const double half = view.vertical_field / 2, film = 24;
   const double focal = film / 2 * reproducible::cos(half) / reproducible::sin(half);
   const glm::dquat turned = unit(glm::quat_cast(glm::dmat3(frame.right, frame.up, frame.back)));
-  std::string text = "    def Camera \"" + names.name_for("view") + "\"\n    {\n";
+  std::string text = "    def Camera \"" + name + "\"\n    {\n";
   text += "        float focalLength = " + exact(focal) + "\n        float verticalAperture = 24\n";
   text += "        float horizontalAperture = 32\n        float2 clippingRange = (" + exact(frame.distance / 100) +
           ", " + exact(frame.distance * 100) + ")\n";
@@ -159,19 +209,47 @@ std::string camera_text(const View& view, PrimNames& names) {
   return text + "        uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]\n    }\n";
 }
 
+/// Which camera is the active one: for Omniverse, and by a standard prim for who renders.
+std::string head_text(const std::string& camera, const ExportOptions& options) {
+  std::string text = "#usda 1.0\n(\n    customLayerData = {\n        dictionary cameraSettings = {\n";
+  text += "            string boundCamera = " + quoted(camera) + "\n        }\n    }\n";
+  text += "    defaultPrim = \"Scene\"\n    doc = " + quoted("Made by Pomona. " + options.provenance);
+  return text + "\n    kilogramsPerUnit = 1\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n";
+}
+
+std::string render_text(const std::string& camera) {
+  return "def Scope \"Render\"\n{\n    def RenderSettings \"settings\"\n    {\n        rel camera = <" + camera +
+         ">\n    }\n}\n\n";
+}
+
+/// The whole file.
+std::string file_text(const Scene& scene, const Pieces& pieces, const ExportOptions& options) {
+  PrimNames names;
+  const std::string shown =
+      options.instances ? point_instancer_text(scene, pieces, names) : instances_text(scene, pieces, names);
+  const std::string view = names.name_for("view"), camera = "/Scene/" + view;
+  std::string text = head_text(camera, options) + "def Xform \"Scene\" (\n    kind = \"assembly\"\n)\n{\n";
+  text += shown + camera_text(scene.view, view) + "}\n\n" + render_text(camera);
+  text += "class Scope \"Pieces\"\n{\n" + pieces.text + "}\n\n";
+  return text + "class Scope \"Looks\"\n{\n" + pieces.looks.text() + "}\n";
+}
+
 }  // namespace
 
 std::string write_usda(const Scene& scene, const ExportOptions& options, std::span<const std::vector<Solid>> levels) {
-  const Pieces pieces = pieces_of(scene, options, levels);
-  std::string text =
-      "#usda 1.0\n(\n    defaultPrim = \"Scene\"\n    doc = " + quoted("Made by Pomona. " + options.provenance) +
-      "\n    kilogramsPerUnit = 1\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n";
-  PrimNames names;
-  text += "def Xform \"Scene\" (\n    kind = \"assembly\"\n)\n{\n";
-  text += options.instances ? point_instancer_text(scene, pieces, names) : instances_text(scene, pieces, names);
-  text += camera_text(scene.view, names) + "}\n\n";
-  text += "class Scope \"Pieces\"\n{\n" + pieces.text + "}\n\n";
-  return text + "class Scope \"Looks\"\n{\n" + pieces.looks.text() + "}\n";
+  return file_text(scene, pieces_of(scene, options, levels), options);
+}
+
+UsdaFiles write_usda(const Scene& scene, std::span<const BakedSolid> baked, const std::string& stem,
+                     const ExportOptions& options, std::span<const std::vector<BakedSolid>> levels,
+                     std::span<const TextureVariant> variants) {
+  TexturedPieces made(stem, options);
+  for (std::size_t i = 0; i < baked.size(); ++i) {
+    const std::span<const BakedSolid> coarser =
+        i < levels.size() ? std::span<const BakedSolid>(levels[i]) : std::span<const BakedSolid>();
+    made.add(baked[i], coarser, variants, i);
+  }
+  return {file_text(scene, made.pieces, options), std::move(made.textures)};
 }
 
 }  // namespace pomona

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "render/export/named_file.h"
 #include "render/export/styled_mesh.h"
+#include "render/export/texture_variant.h"
 
 namespace pomona {
 
@@ -15,5 +17,18 @@ namespace pomona {
 /// LOD2, ... of the variant set LOD.
 std::string write_usda(const Scene& scene, const ExportOptions& options = {},
                        std::span<const std::vector<Solid>> levels = {});
+
+/// A .usda and the pictures that belong beside it.
+struct UsdaFiles {
+  std::string text;
+  std::vector<NamedFile> textures;  ///< .png
+};
+
+/// The same with the colours in textures, "`stem`_PIECE.png": `baked` has one entry per solid of the scene, and so have
+/// the levels. \param variants as the variant set "ripeness", after "as_is". \throws Error (bug) if a variant lies
+/// otherwise on its atlas than its solid.
+UsdaFiles write_usda(const Scene& scene, std::span<const BakedSolid> baked, const std::string& stem,
+                     const ExportOptions& options = {}, std::span<const std::vector<BakedSolid>> levels = {},
+                     std::span<const TextureVariant> variants = {});
 
 }  // namespace pomona

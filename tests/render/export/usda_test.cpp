@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "generator/base/error.h"
 #include "render/export/usd/usda_text.h"
 #include "tests/render/export/named_solids.h"
 
@@ -73,6 +74,16 @@ TEST(Usda, NumbersAreShortAndExactToTheirStep) {
   EXPECT_EQ(usd::quoted("a\"b\\c\nd"), "\"a\\\"b\\\\c d\"");
 }
 
+TEST(Usda, TheCameraIsTheActiveOneWhateverItIsCalled) {
+  Scene scene = named::mixed();
+  scene.instances[0].name = "view";
+  scene.solids[0].origin = {};
+  const std::string text = write_usda(scene);
+  EXPECT_THAT(text, HasSubstr("def Camera \"view_2\""));
+  EXPECT_THAT(text, HasSubstr("string boundCamera = \"/Scene/view_2\""));
+  EXPECT_THAT(text, HasSubstr("rel camera = </Scene/view_2>"));
+}
+
 TEST(Usda, InstancesMayBePoints) {
   const Scene scene = named::mixed();
   const std::string text = write_usda(scene, {.instances = true});
@@ -89,6 +100,50 @@ TEST(Usda, SaysMassAndLabels) {
   EXPECT_THAT(text, HasSubstr("token[] semantics:labels:category = [\"kiwi\"]"));
   EXPECT_THAT(text, HasSubstr("token[] semantics:labels:part = [\"skin\"]"));
   EXPECT_THAT(text, HasSubstr("string command = \"pomona cut kiwi --seed 0 --index 0 --knife half --piece 2"));
+}
+
+/// The scene's solids on atlases of a texel each.
+std::vector<BakedSolid> on_atlases(const Scene& scene) {
+  std::vector<BakedSolid> baked;
+  for (const Solid& solid : scene.solids) {
+    BakedSolid one{.solid = solid, .uv = {}, .texture = {1, 1, {glm::u8vec3(9)}}};
+    one.uv.resize(solid.position.size(), {0.25f, 0.25f});
+    baked.push_back(std::move(one));
+  }
+  return baked;
+}
+
+TEST(Usda, ColoursInTexturesAreChosenByVariants) {
+  const Scene scene = named::with_materials();
+  const std::vector<BakedSolid> baked = on_atlases(scene);
+  const std::vector<TextureVariant> variants{{"ripeness 0.2", baked}, {"ripeness 1.8", baked}};
+  const UsdaFiles plain = write_usda(scene, baked, "dish"), chosen = write_usda(scene, baked, "dish", {}, {}, variants);
+
+  // A texture for each solid that has triangles, and each ripeness; none of the vertices has a colour.
+  const std::size_t solids = occurrences(plain.text, "def Mesh ");
+  ASSERT_GE(solids, 1u);
+  EXPECT_EQ(plain.textures.size(), solids);
+  EXPECT_EQ(chosen.textures.size(), 3 * solids);
+  EXPECT_EQ(occurrences(plain.text, "primvars:st ="), solids);
+  EXPECT_EQ(occurrences(plain.text, "primvars:displayColor ="), 0u);
+  EXPECT_THAT(plain.text, HasSubstr("(0.25, 0.75)")) << "rows are counted from the bottom";
+  for (const UsdaFiles& files : {plain, chosen})
+    for (const NamedFile& file : files.textures) EXPECT_THAT(files.text, HasSubstr("@./" + file.name + "@"));
+
+  // What a prim says itself goes before its variants: with variants, they alone name files.
+  EXPECT_EQ(occurrences(plain.text, "variantSet "), 0u);
+  EXPECT_EQ(occurrences(chosen.text, "variantSet \"ripeness\" = {"), solids);
+  EXPECT_EQ(occurrences(chosen.text, "\"ripeness_1_8\" {"), solids);
+  EXPECT_EQ(occurrences(chosen.text, "asset inputs:file"), 3 * occurrences(plain.text, "asset inputs:file"));
+  EXPECT_EQ(chosen.text.find("asset inputs:file") > chosen.text.find("variantSet "), true);
+}
+
+TEST(Usda, VariantsOfAnotherAtlasAreAnError) {
+  const Scene scene = named::with_materials();
+  const std::vector<BakedSolid> baked = on_atlases(scene);
+  std::vector<TextureVariant> variants{{"riper", baked}};
+  for (BakedSolid& solid : variants[0].solids) solid.uv.assign(solid.uv.size(), {0.5f, 0.5f});
+  EXPECT_THROW(write_usda(scene, baked, "dish", {}, {}, variants), Error);
 }
 
 TEST(Usda, IsTheSameForAnyNumberOfThreads) {

@@ -1,0 +1,15 @@
+// The templates that a scene names.
+#pragma once
+
+#include <vector>
+
+#include "generator/scene/make_parts.h"
+#include "generator/template/template.h"
+
+namespace pomona {
+
+/// One per entry; the same file is read once.
+/// \throws Error at the place in the scene that names one which is missing or wrong, or lacks what the entry asks for.
+std::vector<Template> scene_templates(const SceneDescription& scene, const ComposeOptions& options);
+
+}  // namespace pomona

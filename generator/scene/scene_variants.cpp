@@ -1,0 +1,55 @@
+#include "generator/scene/scene_variants.h"
+
+#include <optional>
+
+#include "generator/base/random.h"
+
+namespace pomona {
+
+namespace {
+
+/// A value of the range, if there is one.
+std::optional<double> drawn_between(const std::optional<Within>& range, VariantKey key, const char* purpose) {
+  if (!range) return {};
+  return range->low + (range->high - range->low) * RandomStream(key, purpose).uniform(0);
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const Variation>> variations_of(const SceneDescription& scene,
+                                                            const std::vector<Template>& templates) {
+  std::vector<std::shared_ptr<const Variation>> ready(templates.size());
+  for (std::size_t entry = 0; entry < ready.size(); ++entry) {
+    if (scene.pieces[entry].as_drawn) continue;
+    for (std::size_t known = 0; known < entry && !ready[entry]; ++known) {
+      if (scene.pieces[known].template_name == scene.pieces[entry].template_name) ready[entry] = ready[known];
+    }
+    if (!ready[entry]) ready[entry] = std::make_shared<Variation>(templates[entry]);
+  }
+  return ready;
+}
+
+GrownVariant grown_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
+                           const Template& fruit, const Variation* variation, const ComposeOptions& options) {
+  GrownVariant made;
+  const VariantKey key = variant_key(scene, pieces, number);
+  const GrowOptions how{.as_drawn = pieces.as_drawn,
+                        .variation = pieces.variation * options.variation,
+                        .curves_only = options.curves_only,
+                        .folds = pieces.folds,
+                        .detail = options.detail * pieces.detail,
+                        .ripeness = drawn_between(pieces.ripeness, key, "scene/ripeness"),
+                        .browning = drawn_between(pieces.browning, key, "scene/browning").value_or(0),
+                        .scale = drawn_between(pieces.size, key, "scene/size").value_or(1)};
+  made.variant = made.clock.time(
+      "vary", [&] { return variation ? variant_of(*variation, key, how) : variant_of(fruit, key, how); });
+  made.grown = made.clock.time("sweep", [&] { return grow(made.variant, key, how); });
+  made.origin = {.source = source_word(pieces.template_name), .key = key, .growing = how, .entry = pieces.name};
+  return made;
+}
+
+std::string variant_name(const PiecesDescription& pieces, int number) {
+  return pieces.name + "-" + std::to_string(number + 1);
+}
+
+}  // namespace pomona
