@@ -21,7 +21,7 @@ struct UploadedSolids {
     GLsizei hair_vertices = 0;
   };
   std::vector<Part> parts;
-  GlBuffer position, normal, color, material, index;
+  GlBuffer position, normal, color, material, relief, index;
   GlBuffer hair_position, hair_along, hair_color, hair_normal;
   GlBuffer tag_buffer;
   GlTexture triangle_tags;  ///< per triangle: the low 12 bits of its id (shaders/gbuffer.glsl)
