@@ -9,6 +9,7 @@
 #include "render/style/face_relief.h"
 #include "render/style/hairs.h"
 #include "render/style/noise.h"
+#include "render/style/skin_pits.h"
 
 namespace pomona {
 
@@ -33,6 +34,7 @@ struct Gathered {
   bool translucent = false;
   std::vector<glm::vec4> relief;  // what it adds to the normal; metres to the part's rim
   bool any_relief = false;
+  std::vector<std::vector<glm::vec4>> pit_grids;  // per solid
   std::vector<glm::vec3> hair_position, hair_along, hair_color;
   std::vector<glm::vec4> hair_normal;
 };
@@ -51,7 +53,8 @@ void append(const Hair& hair, Gathered& all) {
 /// What is worked out of a solid for its picture alone.
 struct PictureParts {
   std::vector<Hair> hairs;
-  std::vector<RimPlace> rims;  // per vertex; none where no part has any to show
+  std::vector<RimPlace> rims;   // per vertex; none where no part has any to show
+  std::vector<glm::vec4> pits;  // a grid of them, or none
 };
 
 PictureParts picture_parts_of(const Solid& solid, const Style& style) {
@@ -59,13 +62,14 @@ PictureParts picture_parts_of(const Solid& solid, const Style& style) {
   if (solid.opacity < 1) return parts;
   parts.hairs = hairs_of(solid);
   if (!style.noise) return parts;
+  parts.pits = SkinPits(solid).texels();
   const FaceRelief relief(solid);
   if (!relief.empty()) parts.rims = relief.at_vertices();
   return parts;
 }
 
 void append(const Solid& solid, const PictureParts& made, bool with_noise, Gathered& all) {
-  const auto& [hairs, rims] = made;
+  const auto& [hairs, rims, pits] = made;
   // Where the solid begins in the shared buffers, and how much of them is its own.
   UploadedSolids::Part part;
   part.indices = static_cast<GLsizei>(3 * solid.triangle.size());
@@ -90,6 +94,7 @@ void append(const Solid& solid, const PictureParts& made, bool with_noise, Gathe
         glm::vec4(-rims[v].slope, static_cast<float>(rims[v].rim));
   }
   all.any_relief = all.any_relief || !rims.empty();
+  all.pit_grids.push_back(pits);
   for (const Hair& hair : hairs) append(hair, all);
 
   // The styles of its noise, which stay plain where the picture has none.
@@ -105,6 +110,17 @@ Gathered gathered_solids(const Scene& scene, const Style& style) {
   for (std::size_t i = 0; i < scene.solids.size(); ++i) append(scene.solids[i], made[i], style.noise, all);
   if (!all.any_relief) all.relief.clear();
   return all;
+}
+
+/// For each solid where its grid begins, or -1; then the grids (shaders/skin_pits.glsl).
+std::vector<glm::vec4> pit_texels(const std::vector<std::vector<glm::vec4>>& grids) {
+  std::vector<glm::vec4> texels(grids.size() + 1, glm::vec4(-1));
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    if (grids[i].empty()) continue;
+    texels[i].x = static_cast<float>(texels.size());
+    texels.insert(texels.end(), grids[i].begin(), grids[i].end());
+  }
+  return texels;
 }
 
 std::optional<UploadedSolids::Guides> uploaded_guides(const CurrentGl& gl, const Scene& scene, const Style& style,
@@ -170,6 +186,8 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
   GlTexture noise_styles(gl, GL_RGBA32F, noise_buffer);
   GlBuffer material_buffer(gl, GL_TEXTURE_BUFFER, all.materials.texels());
   GlTexture materials(gl, GL_RGBA32F, material_buffer);
+  GlBuffer pit_buffer(gl, GL_TEXTURE_BUFFER, pit_texels(all.pit_grids));
+  GlTexture pits(gl, GL_RGBA32F, pit_buffer);
   UploadedSolids solids{
       .parts = all.parts,
       .position = GlBuffer(gl, GL_ARRAY_BUFFER, all.position),
@@ -188,6 +206,8 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
       .noise_styles = std::move(noise_styles),
       .material_buffer = std::move(material_buffer),
       .materials = std::move(materials),
+      .pit_buffer = std::move(pit_buffer),
+      .pits = std::move(pits),
       .translucent = all.translucent,
       .solids = GlVertexArray(gl),
       .hairs = GlVertexArray(gl),

@@ -28,7 +28,9 @@ struct UploadedSolids {
   GlBuffer noise_buffer;
   GlTexture noise_styles;  ///< per solid noise_texels texels (shaders/noise.glsl)
   GlBuffer material_buffer;
-  GlTexture materials;       ///< shaders/material.glsl
+  GlTexture materials;  ///< shaders/material.glsl
+  GlBuffer pit_buffer;
+  GlTexture pits;            ///< per solid, and their grids (shaders/skin_pits.glsl)
   bool translucent = false;  ///< whether light passes through any solid
   GlVertexArray solids, hairs;
 

@@ -15,7 +15,8 @@ namespace pomona {
 
 namespace {
 
-constexpr double clear_depth = 0.0034;  // metres of light's way into a part, from which on it is a gel (shaders/lit.glsl)
+constexpr double clear_depth =
+    0.0034;  // metres of light's way into a part, from which on it is a gel (shaders/lit.glsl)
 
 std::uint64_t cell_key(const glm::i64vec3& cell) {
   constexpr std::uint64_t mask = (1u << 21) - 1;
@@ -35,6 +36,15 @@ std::vector<std::uint32_t> welded_numbers(const Solid& solid) {
   return number;
 }
 
+/// A triangle's edge, by its group and where it lies.
+struct GroupEdge {
+  std::int32_t group = 0;
+  std::uint32_t low = 0, high = 0;
+  std::uint32_t triangle = 0;
+  int corner = 0;
+  std::tuple<std::int32_t, std::uint32_t, std::uint32_t> place() const { return {group, low, high}; }
+};
+
 /// The height's profile: of the relief, and by how much it grows per way of 2 |relief|.
 struct Profile {
   double share = 1, growth = 0;
@@ -51,53 +61,53 @@ bool shows_rim(const MaterialSketch& material) {
 }
 
 FaceRelief::FaceRelief(const Solid& solid) : solid_(solid), group_of_(solid.triangle.size(), -1) {
-  // A group for each part on each face.
+  group_triangles();
+  if (!groups_.empty()) find_borders();
+}
+
+/// A group for each part on each face, of parts that have something to show.
+void FaceRelief::group_triangles() {
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> known;
-  bool any = false;
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-    if (solid.cut_face[t] < 0) continue;
-    const std::int32_t part = solid.part[solid.triangle[t].x];
-    const auto [entry, is_new] =
-        known.try_emplace({solid.cut_face[t], part}, static_cast<std::int32_t>(groups_.size()));
+  for (std::size_t t = 0; t < solid_.triangle.size(); ++t) {
+    if (solid_.cut_face[t] < 0) continue;
+    const std::int32_t part = solid_.part[solid_.triangle[t].x];
+    const auto [entry, is_new] = known.try_emplace({solid_.cut_face[t], part}, -1);
     if (is_new) {
-      const MaterialSketch material = material_of(solid, part);
-      groups_.push_back({.cells = {}, .relief = material.relief});
-      if (!shows_rim(material)) entry->second = -1, groups_.pop_back();
+      const MaterialSketch material = material_of(solid_, part);
+      if (shows_rim(material)) {
+        entry->second = static_cast<std::int32_t>(groups_.size());
+        groups_.push_back({.cells = {}, .relief = material.relief});
+      }
     }
     group_of_[t] = entry->second;
-    any = any || entry->second >= 0;
   }
-  if (!any) return;
+}
 
-  // Edges of a group's triangles that no other triangle of the group has.
-  const std::vector<std::uint32_t> number = welded_numbers(solid);
-  struct Side {
-    std::int32_t group;
-    std::uint32_t low, high, triangle, corner;
-  };
-  std::vector<Side> sides;
-  for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
-    for (std::uint32_t k = 0; group_of_[t] >= 0 && k < 3; ++k) {
-      const auto corner = static_cast<glm::length_t>(k);
-      const std::uint32_t a = number[solid.triangle[t][corner]], b = number[solid.triangle[t][(corner + 1) % 3]];
-      sides.push_back({group_of_[t], std::min(a, b), std::max(a, b), t, k});
+/// Edges of a group's triangles that no other triangle of the group has.
+void FaceRelief::find_borders() {
+  const std::vector<std::uint32_t> number = welded_numbers(solid_);
+  std::vector<GroupEdge> edges;
+  for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
+    for (int k = 0; group_of_[t] >= 0 && k < 3; ++k) {
+      const std::uint32_t a = number[solid_.triangle[t][k]], b = number[solid_.triangle[t][(k + 1) % 3]];
+      edges.push_back({group_of_[t], std::min(a, b), std::max(a, b), t, k});
     }
   }
-  const auto edge = [](const Side& s) { return std::tuple(s.group, s.low, s.high); };
-  std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return edge(a) < edge(b); });
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const bool like_last = i > 0 && edge(sides[i - 1]) == edge(sides[i]);
-    const bool like_next = i + 1 < sides.size() && edge(sides[i + 1]) == edge(sides[i]);
+  const auto by_place = [](const GroupEdge& a, const GroupEdge& b) { return a.place() < b.place(); };
+  std::stable_sort(edges.begin(), edges.end(), by_place);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool like_last = i > 0 && edges[i - 1].place() == edges[i].place();
+    const bool like_next = i + 1 < edges.size() && edges[i + 1].place() == edges[i].place();
     if (like_last || like_next) continue;
-    const glm::uvec3& t = solid.triangle[sides[i].triangle];
-    const auto k = static_cast<glm::length_t>(sides[i].corner);
-    const glm::dvec3 a(solid.position[t[k]]), b(solid.position[t[(k + 1) % 3]]), c(solid.position[t[(k + 2) % 3]]);
+    const glm::uvec3& t = solid_.triangle[edges[i].triangle];
+    const int k = edges[i].corner;
+    const glm::dvec3 a(solid_.position[t[k]]), b(solid_.position[t[(k + 1) % 3]]), c(solid_.position[t[(k + 2) % 3]]);
     const glm::dvec3 along = b - a;
     const double squared = glm::dot(along, along);
     if (squared == 0) continue;
     const glm::dvec3 across = c - a - along * (glm::dot(c - a, along) / squared);
     const double width = std::sqrt(glm::dot(across, across));
-    if (width > 0) add(groups_[static_cast<std::size_t>(sides[i].group)], {a, b, across / width});
+    if (width > 0) add(groups_[static_cast<std::size_t>(edges[i].group)], {a, b, across / width});
   }
 }
 

@@ -15,8 +15,8 @@ namespace pomona {
 
 /// Of a place on a cut face.
 struct RimPlace {
-  double rim = 0.004;    ///< metres to where the place's part ends on the face, at most FaceRelief::reach
-  double height = 0;     ///< metres, along the face's normal
+  double rim = 0.004;   ///< metres to where the place's part ends on the face, at most FaceRelief::reach
+  double height = 0;    ///< metres, along the face's normal
   glm::dvec3 slope{0};  ///< of the height, metres per metre, within the face
 };
 
@@ -45,11 +45,13 @@ class FaceRelief {
     glm::dvec3 from{0}, to{0};
     glm::dvec3 inwards{0};  // unit, in the face, away from what borders on the part
   };
-  struct Group {  // a part on a face
+  struct Group {                                                          // a part on a face
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells;  // looked up, never walked over
     double relief = 0;
   };
 
+  void group_triangles();
+  void find_borders();
   void add(Group& group, const Segment& segment);
 
   const Solid& solid_;

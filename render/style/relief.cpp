@@ -9,7 +9,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double least_step = 1e-5;      // metres
+constexpr double least_step = 1e-5;  // metres
 constexpr double least_open = 0.4;
 constexpr double closed_by_depth = 1.2;  // of the light, in a pit as deep as it is wide
 
