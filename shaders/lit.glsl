@@ -76,12 +76,12 @@ float skin_shine(vec3 n, vec3 to_eye, float roughness) {
 float cut_shine(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint) {
   vec3 half_way = normalize(to_light + to_eye);
   float film = smoothstep(0.3, 1.2, wet) * (1.0 - smoothstep(0.25, 0.5, film_frequency * footprint));
-  float sheen = 0.05 * min(wet, 2.0) * pow(max(dot(n, half_way), 0.0), 12.0);
+  float sheen = 0.02 * min(wet, 2.0) * pow(max(dot(n, half_way), 0.0), 24.0);
   if (film <= 0.0 || dot(n, half_way) < 0.5) return sheen;
   vec3 q = position * film_frequency;
   vec3 swell = vec3(gradient_noise(q, 411u), gradient_noise(q + 17.3, 412u), gradient_noise(q - 9.1, 413u));
-  float mirror = dot(normalize(n + 0.75 * swell), half_way);
-  float bright = 0.12 * smoothstep(0.90, 0.995, mirror) + 0.26 * smoothstep(0.972, 0.990, mirror);
+  float mirror = dot(normalize(n + 0.6 * swell), half_way);
+  float bright = 0.025 * smoothstep(0.93, 0.995, mirror) + 0.2 * smoothstep(0.988, 0.997, mirror);
   return sheen + film * (0.6 + 0.25 * min(wet, 2.4)) * bright;
 }
 
@@ -117,7 +117,7 @@ vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, Seen seen, bool cut, Material 
   float slant = aslant * aslant * aslant * aslant * aslant;
   if (cut) {
     // Water reflects a little of the sky, most of it at a slant.
-    vec3 sky_in_film = sky_at(reflect(-to_eye, n).y, seen.sky) * (0.02 + 0.5 * slant) * min(m.wet, 2.0);
+    vec3 sky_in_film = sky_at(reflect(-to_eye, n).y, seen.sky) * (0.008 + 0.4 * slant) * min(m.wet, 2.0);
     return dull + gloss * (cut_shine(n, to_eye, m.wet, position, footprint) * seen.sun * vec3(1.0, 0.98, 0.94) +
                            sky_in_film);
   }

@@ -134,16 +134,19 @@ PitPlace SkinPits::at(const glm::dvec3& place) const {
 
 std::vector<glm::vec4> SkinPits::texels() const {
   if (pits_.empty()) return {};
-  std::vector<glm::vec4> texels{glm::vec4(low_, side_), glm::vec4(count_, 0)};
-  const std::size_t table = texels.size();
-  texels.resize(table + cells_.size());
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
-    texels[table + c] = {texels.size(), cells_[c].size(), 0, 0};
-    for (const std::uint32_t i : cells_[c]) {
-      texels.emplace_back(pits_[i].middle, pits_[i].radius);
-      texels.emplace_back(pits_[i].depth, 0, 0, 0);
+  std::vector<glm::vec4> lists;
+  std::vector<glm::vec4> texels;
+  texels.reserve(2 + cells_.size() + 2 * pits_.size());
+  texels.emplace_back(low_, side_);
+  texels.emplace_back(count_, 0);
+  for (const std::vector<std::uint32_t>& own : cells_) {
+    texels.emplace_back(2 + cells_.size() + lists.size(), own.size(), 0, 0);
+    for (const std::uint32_t i : own) {
+      lists.emplace_back(pits_[i].middle, pits_[i].radius);
+      lists.emplace_back(pits_[i].depth, 0, 0, 0);
     }
   }
+  texels.insert(texels.end(), lists.begin(), lists.end());
   return texels;
 }
 
