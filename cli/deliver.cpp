@@ -11,6 +11,7 @@
 #include "cli/ending_signals.h"
 #include "cli/find_style.h"
 #include "cli/made_folder.h"
+#include "cli/map_files.h"
 #include "cli/outside_parts.h"
 #include "cli/scene_levels.h"
 #include "cli/version.h"
@@ -84,6 +85,7 @@ void check_picture_size(const SharedOptions& options, const std::vector<Output>&
 void check_exports(const SharedOptions& options, const std::vector<Output>& outputs) {
   if (options.lod > 0) check_heeded("--lod", {Format::glb, Format::usda}, outputs);
   if (!options.engine.empty()) check_heeded("--engine", {Format::glb}, outputs);
+  check_maps_dir(options, outputs);
   if (options.instances) check_heeded("--instances", {Format::glb, Format::usda}, outputs);
   if (options.feature_ids) check_heeded("--feature-ids", {Format::glb}, outputs);
   if (!wanted_ripenesses(options).empty()) check_heeded("--ripeness-variants", {Format::glb, Format::usda}, outputs);
@@ -133,6 +135,7 @@ std::string Delivery::command_words() const {
   add("--style", style_word_.empty() ? "ink" : style_word_, "ink");
   add("--texture", std::to_string(options_.texture), std::to_string(usual.texture));
   add("--texel", options_.texel, usual.texel);
+  if (wants_textures(options_)) add("--maps", options_.maps, usual.maps);
   add("--lod", std::to_string(options_.lod), std::to_string(usual.lod));
   return words;
 }
@@ -189,15 +192,16 @@ std::vector<std::vector<Solid>> Delivery::levels_of(const Scene& scene) {
   return levels;
 }
 
-/// All of it in textures, at every level and ripeness.
-Delivery::BakedScene Delivery::baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels) {
-  BakeOptions how{.texel = texel_, .threads = {options_.threads}};
+/// All of it in textures, at every level and ripeness; variants differ in colour alone.
+Delivery::BakedScene Delivery::baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels, Maps maps) {
+  BakeOptions how{.texel = texel_, .maps = maps, .threads = {options_.threads}};
   if (options_.texture > 0) how.texels = options_.texture;
   BakedScene baked;
   baked.solids = times.time("bake", [&] { return baked_by_fruit(scene.solids, style_, how, progress); });
   baked.coarser = times.time("bake", [&] { return baked_levels(levels, style_, how); });
   count_texels(baked.solids);
   for (const std::vector<BakedSolid>& of_solid : baked.coarser) count_texels(of_solid);
+  how.maps = Maps::color;
   for (const RipenessVariant& riper : variants_) {
     baked.variants.push_back({riper.name, times.time("bake", [&] { return all_baked(riper.pieces, style_, how); })});
     count_texels(baked.variants.back().solids);
@@ -209,7 +213,11 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
   const ExportOptions options = export_options();
   const std::vector<std::vector<Solid>> levels = levels_of(scene);
   if (!wants_textures(options_)) return add(output.file, [&] { return write_glb(scene, options, levels); });
-  const BakedScene baked = baked_scene(scene, levels);
+  const BakedScene baked = baked_scene(scene, levels, options_.maps == "all" ? Maps::all : Maps::color);
+  if (!options_.maps_dir.empty()) {
+    for (OutputFile& file : times.time("write", [&] { return map_files(baked.solids, options_.maps_dir); }))
+      files_.push_back(std::move(file));
+  }
   add(output.file, [&] { return write_glb(scene, baked.solids, options, baked.coarser, baked.variants); });
 }
 
@@ -217,7 +225,7 @@ void Delivery::add_usda(const Output& output, const Scene& scene) {
   const ExportOptions options = export_options();
   const std::vector<std::vector<Solid>> levels = levels_of(scene);
   if (!wants_textures(options_)) return add(output.file, [&] { return write_usda(scene, options, levels); });
-  const BakedScene baked = baked_scene(scene, levels);
+  const BakedScene baked = baked_scene(scene, levels, Maps::color);
   const std::string stem = output.file.stem().string();
   UsdaFiles made = times.time(
       "write", [&] { return write_usda(scene, baked.solids, stem, options, baked.coarser, baked.variants); });
@@ -355,9 +363,9 @@ void Delivery::warn(const std::vector<std::string>& warnings) {
 void Delivery::finish() {
   // Ctrl-C is heard before or after, not between two files.
   const HeldSignals held;
-  MadeFolder truth(options_.aov);
+  MadeFolder truth(options_.aov), maps(options_.maps_dir);
   times.time("write", [&] { write_whole(files_); });
-  truth.keep();
+  truth.keep(), maps.keep();
   if (!options_.stats.empty()) write_whole(options_.stats, times.json(resolved({options_.threads})));
   say_what_was_written();
 }

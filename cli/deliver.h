@@ -87,7 +87,7 @@ class Delivery {
     std::vector<std::vector<BakedSolid>> coarser;
     std::vector<TextureVariant> variants;
   };
-  BakedScene baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels);
+  BakedScene baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels, Maps maps);
   void add_usda(const Output& output, const Scene& scene);
   void add_glb(const Output& output, const Scene& scene);
   std::vector<std::vector<Solid>> levels_of(const Scene& scene);
