@@ -2,7 +2,8 @@
 """Draws the triangles of a section, as the paper's Figure 3 does.
 
     pomona cut tomato --knife across --section -o section.ply
-    draw_section_mesh.py section.ply mesh.png             the triangulation, white where colours are still to be diffused
+    draw_section_mesh.py section.ply mesh.png             the triangulation: cut segments with their colours, interior
+                                                         vertices, whose colours are still to be diffused, as dots
     draw_section_mesh.py section.ply split.png --apart    coloured, and drawn apart where duplicate vertices split it
 
 Needs rsvg-convert (Debian: librsvg2-bin).
@@ -53,12 +54,31 @@ def moved_apart(places, faces, share):
             for part, place in zip(parts, places)]
 
 
-def drawn(vertices, places, faces, colored, line):
+def triangles(vertices, places, faces, colored, line):
     for face in faces:
         corners = " ".join(f"{places[i][0]:.6f},{places[i][1]:.6f}" for i in face)
-        known = colored or not any(vertices[i]["interior"] for i in face)
-        fill = srgb([sum(vertices[i][c] for i in face) / 3 for c in "rgb"]) if known else "#ffffff"
-        yield f'<polygon points="{corners}" fill="{fill}" stroke="#333" stroke-width="{line:.6f}" stroke-linejoin="round"/>'
+        fill = srgb([sum(vertices[i][c] for i in face) / 3 for c in "rgb"]) if colored else "#ffffff"
+        ink = "#333" if colored else "#999"
+        yield f'<polygon points="{corners}" fill="{fill}" stroke="{ink}" stroke-width="{line:.6f}" stroke-linejoin="round"/>'
+
+
+def cut_segments(vertices, places, faces, width):
+    """The edges at which the mesh is split, in the colours of their two sides."""
+    count = {}
+    for face in faces:
+        for a, b in zip(face, face[1:] + face[:1]):
+            count[(min(a, b), max(a, b))] = count.get((min(a, b), max(a, b)), 0) + 1
+    for (a, b), times in count.items():
+        if times == 1:
+            color = srgb([(vertices[a][c] + vertices[b][c]) / 2 for c in "rgb"])
+            yield (f'<line x1="{places[a][0]:.6f}" y1="{places[a][1]:.6f}" x2="{places[b][0]:.6f}" y2="{places[b][1]:.6f}" '
+                   f'stroke="{color}" stroke-width="{width:.6f}" stroke-linecap="round"/>')
+
+
+def interior_dots(vertices, places, radius):
+    for vertex, (x, y) in zip(vertices, places):
+        if vertex["interior"]:
+            yield f'<circle cx="{x:.6f}" cy="{y:.6f}" r="{radius:.6f}" fill="#222"/>'
 
 
 def main(section, png, apart):
@@ -71,7 +91,10 @@ def main(section, png, apart):
     margin = 0.02 * max(size)
     box = " ".join(f"{v:.6f}" for v in (low[0] - margin, low[1] - margin, size[0] + 2 * margin, size[1] + 2 * margin))
     height = round(PIXELS * (size[1] + 2 * margin) / (size[0] + 2 * margin))
-    shapes = "".join(drawn(vertices, places, faces, apart, 0.0009 * max(size)))
+    unit = 0.0009 * max(size)
+    shapes = "".join(triangles(vertices, places, faces, apart, unit))
+    if not apart:
+        shapes += "".join((*cut_segments(vertices, places, faces, 5 * unit), *interior_dots(vertices, places, 1.6 * unit)))
     svg = f'<svg xmlns="http://www.w3.org/2000/svg" width="{PIXELS}" height="{height}" viewBox="{box}">{shapes}</svg>'
     subprocess.run(["rsvg-convert", "--unlimited", "--background-color", "white", "-o", png], input=svg.encode(), check=True)
 

@@ -6,6 +6,7 @@
 Needs rsvg-convert and svgelements (Debian: librsvg2-bin, python3-svgelements).
 """
 
+import math
 import pathlib
 import re
 import subprocess
@@ -72,11 +73,16 @@ def name_guides(parent, curves):
 
 def name_curves(parent, curves, right):
     """All others have a line to their name, in a column at the right, of which the end is returned."""
+    named = [(name, color, [p for line in lines for p in line]) for name, color, lines in curves
+             if not name.startswith(("fold ", "scale")) and not (name == "axis" and len(lines[0]) > 1)]
+
+    # Lines leave the widest curve at its upper right, the narrowest at its lower right, and do not cross between.
+    named.sort(key=lambda curve: -max(p[0] for p in curve[2]))
     marks = []
-    for name, color, lines in curves:
-        if name.startswith(("fold ", "scale")) or (name == "axis" and len(lines[0]) > 1):
-            continue
-        marks.append((max((p for line in lines for p in line), key=lambda p: p[0] - 0.3 * p[1]), name, color))
+    for place, (name, color, points) in enumerate(named):
+        angle = math.radians(60 - 110 * place / max(len(named) - 1, 1))
+        at = max(points, key=lambda p: p[0] * math.cos(angle) - p[1] * math.sin(angle))
+        marks.append((at, name, color))
     y = -1e9
     for at, name, color in sorted(marks, key=lambda mark: mark[0][1]):
         y = max(y + LINE, at[1] - 6)

@@ -40,6 +40,12 @@ def made_by(page, section):
     return set(re.findall(rf"docs/(pictures/{page}/\w+\.png)", "\n".join(commands(section))))
 
 
+def with_palette(page, section):
+    """The pictures that 256 colours are enough for. Scenes have more, and a dither would show: they keep theirs."""
+    scenes = [line for line in commands(section) if line.startswith("pomona scene ")]
+    return sorted(path for path in made_by(page, section) if not any(f"docs/{path}" in line for line in scenes))
+
+
 def make(program, page, headings):
     # "pomona" in a command is the given program.
     program = pathlib.Path(program).resolve()
@@ -56,8 +62,9 @@ def make(program, page, headings):
         for command in commands(section):
             quiet = command + " --quiet" if command.startswith("pomona ") else command
             subprocess.run(quiet, shell=True, check=True, cwd=ROOT, env=where)
-        subprocess.run(["pngquant", "--force", "--ext", ".png", "--speed", "1", "256", "--", *pictures], check=True,
-                       cwd=ROOT)
+        if palette := [f"docs/{path}" for path in with_palette(page, section)]:
+            subprocess.run(["pngquant", "--force", "--ext", ".png", "--speed", "1", "256", "--", *palette], check=True,
+                           cwd=ROOT)
         print(f"{heading}: {' '.join(pictures)}", flush=True)
 
 

@@ -71,7 +71,7 @@ def pictures_of(name):
         "whole.png": ["grow", name, *large],
         "half.png": ["cut", name, *section, "half", *large],
         "across.png": ["cut", name, *section, "across", *large],
-        "halves.png": ["cut", name, "--knife", "half", "--view", "30,25", "--size", f"{WIDE[0]}x{WIDE[1]}"],
+        "halves.png": ["cut", name, "--knife", "half", "--size", f"{WIDE[0]}x{WIDE[1]}"],
     }
     for seed in SEEDS if varies(name) else ():
         made[f"seed_{seed}_across.png"] = ["cut", name, *section, "across", "--seed", str(seed), *small]

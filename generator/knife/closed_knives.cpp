@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "generator/base/units.h"
+#include "generator/knife/bite_marks.h"
 #include "generator/knife/skin_offset.h"
 #include "generator/knife/solid_of_revolution.h"
 
@@ -77,24 +77,15 @@ struct SurfaceMaker {
     return posed(revolved(outline, {.tolerance = tolerance}), {.at = knife.at ? *knife.at : front_of(surfaces)});
   }
 
-  /// A ball, not quite as high as wide, that bites level towards the axis. The teeth part in creases along its
-  /// meridians.
+  /// It bites level towards the axis, the teeth above and below.
   ClosedSurface operator()(const BiteKnife& knife) const {
-    // Give it as many teeth as fit around it, from 8 to 64, and as many in each quarter.
-    constexpr double tooth = 0.008;  // metres, about an incisor's
-    const double tolerance = roughness * knife.width;
-    RevolveOptions options;
-    options.tolerance = tolerance;
-    options.teeth = 4 * std::clamp(static_cast<int>(std::lround(0.25 * pi * knife.width / tooth)), 2, 16);
-
-    // Turn its axis towards the fruit's; on that axis there is no level way to go, and it bites downwards.
+    // On the axis there is no level way to go, and it bites downwards.
     SolidPose pose;
     pose.at = knife.at ? *knife.at : front_of(surfaces);
     const glm::dvec3 inwards(-pose.at.x, 0, -pose.at.z);
     pose.axis = glm::length(inwards) > 1e-6 ? glm::normalize(inwards) : glm::dvec3(0, -1, 0);
-    pose.up = glm::cross(level_beside(pose.axis), pose.axis);
-    pose.height = 0.8;
-    return posed(revolved(half_circle(0.5 * knife.width, tolerance), options), pose);
+    pose.up = glm::cross(pose.axis, level_beside(pose.axis));
+    return posed(bite_marks(knife.width), pose);
   }
 
   /// A cylinder along the axis. It stands out of the fruit at the top, and at the bottom unless it has a depth.

@@ -72,20 +72,14 @@ class Revolution {
                 "draw it with fewer points, or make it shorter beside its width");
   }
 
-  /// How many vertices a ring of this radius has: six, or one for each tooth, times a power of two, or half as many
-  /// again. Rings of similar radii then have equally many, and their triangles are alike.
+  /// How many vertices a ring of this radius has: six times a power of two, or half as many again. Rings of similar
+  /// radii then have equally many, and their triangles are alike.
   std::uint32_t count_at(double radius) const {
     if (radius == 0) return 1;
 
-    // A chord, or a tooth's bulge where that is finer, strays from its circle by the tolerance.
-    double wanted = pi * std::sqrt(radius / (2 * options_.tolerance));
-    if (options_.teeth > 0) {
-      const double bulge = radius * options_.scallop;
-      wanted = std::max(wanted, options_.teeth * pi * std::sqrt(bulge / (8 * options_.tolerance)));
-    }
-
-    // Take the smallest multiple that is enough.
-    std::uint32_t count = static_cast<std::uint32_t>(options_.teeth > 0 ? options_.teeth : 6);
+    // A chord strays from its circle by the tolerance; take the smallest multiple that is enough.
+    const double wanted = pi * std::sqrt(radius / (2 * options_.tolerance));
+    std::uint32_t count = 6;
     while (count < wanted && count < most_triangles) {
       if (1.5 * count >= wanted && count % 2 == 0) return count / 2 * 3;
       count *= 2;
@@ -96,12 +90,8 @@ class Revolution {
   void add_row(const glm::dvec2& p) {
     const Row row{static_cast<std::uint32_t>(solid_.point.size()), count_at(p.x)};
     for (std::uint32_t i = 0; i < row.count; ++i) {
-      double turn = 2 * pi * i / row.count, radius = p.x;
-      if (options_.teeth > 0) {
-        radius *= 1 - options_.scallop * (1 - std::fabs(reproducible::sin(0.5 * options_.teeth * turn)));
-        turn += pi / options_.teeth;
-      }
-      solid_.point.emplace_back(radius * reproducible::cos(turn), p.y, -radius * reproducible::sin(turn));
+      const double turn = 2 * pi * i / row.count;
+      solid_.point.emplace_back(p.x * reproducible::cos(turn), p.y, -p.x * reproducible::sin(turn));
     }
     rows_.push_back(row);
   }
@@ -151,7 +141,7 @@ Curve half_circle(double radius, double tolerance) {
 ClosedSurface posed(ClosedSurface solid, const SolidPose& pose) {
   const glm::dvec3 beside = glm::cross(pose.axis, pose.up);
   for (glm::dvec3& p : solid.point) {
-    p = pose.at + p.x * beside + p.y * pose.axis + pose.height * p.z * pose.up;
+    p = pose.at + p.x * beside + p.y * pose.axis + p.z * pose.up;
   }
   return solid;
 }

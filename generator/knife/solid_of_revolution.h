@@ -1,4 +1,4 @@
-// Solids of revolution: what a melon baller, a corer, a bite or a drawn profile takes out of a fruit.
+// Solids of revolution: what a melon baller, a corer or a drawn profile takes out of a fruit.
 #pragma once
 
 #include "generator/base/curve.h"
@@ -8,8 +8,6 @@ namespace pomona {
 
 struct RevolveOptions {
   double tolerance = 2e-5;  ///< metres by which a chord around the axis may stray from its circle
-  int teeth = 0;            ///< bulges around the axis, the first towards +X; 0 = round
-  double scallop = 0.1;     ///< of teeth: share of the radius by which they part in creases
 };
 
 /// The solid that a profile sweeps around the axis +Y: x is the distance from the axis, y the height, metres. The ends
@@ -26,7 +24,6 @@ struct SolidPose {
   glm::dvec3 at{0};          ///< of the solid's origin
   glm::dvec3 axis{0, 1, 0};  ///< of its +Y
   glm::dvec3 up{0, 0, 1};    ///< of its +Z
-  double height = 1;         ///< scale along `up`
 };
 ClosedSurface posed(ClosedSurface solid, const SolidPose& pose);
 

@@ -84,46 +84,26 @@ TEST(SolidOfRevolution, HasATipWhereItsProfileEndsOnTheAxis) {
   EXPECT_EQ(count_in_ring(cone, 0, 0.04), 1);
 }
 
-/// The distance from the axis goes from the profile's, in the middle of a bulge, to that less the scallop, in a crease.
-TEST(SolidOfRevolution, WithTeethHasBulgesAroundItsAxis) {
-  const Curve side{{{0.02, 0}, {0.02, 0.01}}, false};
-  const ClosedSurface toothed = revolved(side, {.tolerance = 1e-5, .teeth = 8, .scallop = 0.1});
-  EXPECT_TRUE(is_closed(toothed));
-  double least = 1, most = 0;
-  for (const glm::dvec3& p : toothed.point) {
-    const double radius = std::hypot(p.x, p.z);
-    if (radius < 0.0175) continue;  // on the flat ends
-    least = std::min(least, radius);
-    most = std::max(most, radius);
-    const double turn = std::fabs(std::remainder(std::atan2(-p.z, p.x), 2 * pi / 8)) / (pi / 8);
-    EXPECT_NEAR(radius, 0.02 * (0.9 + 0.1 * std::cos(0.5 * pi * turn)), 1e-12) << "a bulge in the middle of each tooth";
-  }
-  EXPECT_NEAR(most, 0.02, 1e-12);
-  EXPECT_NEAR(least, 0.018, 1e-12);
-}
-
 TEST(SolidOfRevolution, OfTooManyTrianglesIsRefused) {
   const Curve wire{{{1e-4, 0}, {1e-4, 100}}, false};
   EXPECT_THROW(revolved(wire, {.tolerance = 1e-9}), Error);
 }
 
-/// Moved, turned and flattened: volumes go by the height, and the axis is where it should be.
+/// Moved and turned: volumes stay, and the axis is where it should be.
 TEST(SolidOfRevolution, GoesWhereItsPoseSays) {
   const ClosedSurface ball = revolved(half_circle(0.01, 1e-5));
   SolidPose pose;
   pose.at = {1, 2, 3};
   pose.axis = glm::normalize(glm::dvec3(1, 2, -2));
   pose.up = glm::cross(pose.axis, level_beside(pose.axis));
-  pose.height = 0.5;
   const ClosedSurface moved = posed(ball, pose);
   double high = 0;
   for (const glm::dvec3& p : moved.point) {
     EXPECT_LT(glm::distance(p, pose.at), 0.01 + 1e-12);
-    EXPECT_LT(std::fabs(glm::dot(p - pose.at, pose.up)), 0.005 + 1e-12);
     high = std::max(high, glm::dot(p - pose.at, pose.axis));
   }
   EXPECT_NEAR(high, 0.01, 1e-12) << "the pole lies along the axis";
-  EXPECT_NEAR(volume_of(moved), 0.5 * volume_of(ball), 1e-12);
+  EXPECT_NEAR(volume_of(moved), volume_of(ball), 1e-12);
 
   for (const glm::dvec3& way : {pose.axis, glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)}) {
     EXPECT_NEAR(glm::length(level_beside(way)), 1, 1e-15);
