@@ -25,7 +25,7 @@ middle, reach = (low + high) / 2, (high - low).length / 2
 # The piece's cut face looks to the front, -Y of Blender.
 camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
 scene.collection.objects.link(camera)
-camera.location = middle + Vector((0.45, -1, 0.62)).normalized() * 4.6 * reach
+camera.location = middle + Vector((0.45, -1, 0.62)).normalized() * 3.7 * reach
 camera.rotation_euler = (middle - camera.location).to_track_quat("-Z", "Y").to_euler()
 camera.data.angle = 0.5
 scene.camera = camera

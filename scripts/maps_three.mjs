@@ -28,7 +28,7 @@ scene.add(fruit);
 const box = new THREE.Box3().setFromObject(fruit), middle = box.getCenter(new THREE.Vector3());
 const reach = box.getSize(new THREE.Vector3()).length() / 2;
 const camera = new THREE.PerspectiveCamera(25, 400 / 320, 0.01 * reach, 100 * reach);
-camera.position.copy(middle).add(new THREE.Vector3(0.45, 0.62, 1).normalize().multiplyScalar(5 * reach));
+camera.position.copy(middle).add(new THREE.Vector3(0.45, 0.62, 1).normalize().multiplyScalar(4.1 * reach));
 camera.lookAt(middle);
 renderer.render(scene, camera);
 document.title = 'drawn';

@@ -64,9 +64,10 @@ std::vector<ImpossibleScene> impossible_scenes() {
   const std::string dish = "[[dishes]]\nname = \"d\"\nmesh = \"line.obj\"\n";
   const std::string cup = "[bowl]\nprofile = \"M 0 0 L 15 0 L 20 -20 L 18 -20 L 13 -2 L 0 -2\"\n";
   return {{head + "settle.attempts = 1\n" + cup + cherries + "total = 40\n", 1,
-           "scene.toml:8:8: error: piece \"cherry-1[^\"]*\" (finds no room in|lies outside) the bowl"},
+           "scene.toml:7:8: error: the pieces do not settle: piece \"cherry-1[^\"]*\" (finds no room in|lies outside) "
+           "the bowl"},
           {head + "[bowl]\nprofile = \"M 0 0 L 60 0 L 60 -5 L 0 -5\"\n" + cherries, 65,
-           "scene.toml:7:8: error: \"bowl\" has no hollow"},
+           "scene.toml:6:8: error: \"bowl\" has no hollow"},
           {head + dish + cherries + "on = \"d\"\nwhere = { kind = \"scatter\" }\n", 65,
            "scene.toml:5:8: error: dish \"d\": .*no area"},
           {head + "layout = \"other.json\"\n" + cherries + "total = 2\n", 65, "other.json:3:[0-9]+: error: \"guest\""}};
