@@ -26,6 +26,7 @@
 #include "generator/piece/slice.h"
 #include "generator/scene/explode.h"
 #include "generator/scene/lay_out.h"
+#include "generator/scene/stand.h"
 
 namespace pomona {
 
@@ -76,7 +77,12 @@ void write_piece_files(const CutCommand& command, const std::vector<Output>& out
     if (is_live(output.format)) continue;
     // A picture of pieces in their place would show a whole fruit: lay them out side by side.
     const bool is_picture = output.format == Format::png || output.format == Format::svg;
-    delivery.add(output, is_picture && !apart ? laid_out(in_place) : moved);
+    // Of pieces moved apart the lowest stands on the table.
+    if (!is_picture) {
+      delivery.add(output, moved);
+    } else {
+      delivery.add(output, apart ? standing(moved) : laid_out(in_place, delivery.picture_aspect()));
+    }
   }
 }
 

@@ -249,6 +249,11 @@ std::optional<Plate> Delivery::plate_for(const Scene& scene, const PictureSize& 
   return Plate(style_, *plate_text_, scene.solids[0].part_names, size.width, size.height);
 }
 
+double Delivery::picture_aspect() const {
+  const PictureSize size = size_.value_or(default_size_);
+  return static_cast<double>(size.width) / size.height;
+}
+
 /// The scene seen as the options say, or as it fits a picture of this shape, or the figure on a plate.
 Scene Delivery::fitted(Scene scene, const PictureSize& size, const std::optional<Plate>& plate) const {
   if (!view_ && !scene.view.fitted) return scene;

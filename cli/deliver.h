@@ -60,6 +60,9 @@ class Delivery {
   /// Of pictures when --size says nothing.
   void set_default_size(PictureSize size) { default_size_ = size; }
 
+  /// Width over height of pictures.
+  double picture_aspect() const;
+
   /// What ground truth says of the picture; --seed unless this is called.
   void set_seed(std::uint64_t seed) { seed_ = seed; }
 

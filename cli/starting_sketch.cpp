@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/base/xml_text.h"

@@ -100,7 +100,7 @@ std::vector<NamedFile> asset_files(const AssetOptions& assets, const BatchItem& 
                                    const std::string& name, const ExportOptions& options) {
   // A thumbnail shows the pieces elsewhere, but their meshes are the same.
   std::vector<NamedFile> files;
-  const Scene laid = laid_out(scene);
+  const Scene laid = laid_out(scene, 1);
   const std::vector<StyledMesh> meshes =
       assets.thumbnail > 0 ? styled_meshes(scene, options) : std::vector<StyledMesh>();
   for (const AssetFormat format : assets.formats) {

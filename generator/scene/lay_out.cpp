@@ -2,60 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
 
 #include "generator/base/reproducible.h"
 #include "generator/mesh/box.h"
-#include "generator/surface/diffusion_surfaces.h"
+#include "generator/scene/settle/drop.h"
+#include "generator/scene/table_pose.h"
 
 namespace pomona {
 
 namespace {
 
-/// Where cut faces look: up and towards the eye, so that they are seen without much foreshortening.
-const glm::dvec3 shown_direction = glm::normalize(glm::dvec3(0.0, 1.0, 0.75));
-
-/// The direction in which a piece shows the most of its cut faces; zero for a whole fruit.
-glm::dvec3 cut_direction(const Solid& solid) {
-  std::map<std::int32_t, glm::dvec3> area;  // of each cut face, as a vector along its normal
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-    if (solid.cut_face[t] < 0) continue;
-    const glm::uvec3& v = solid.triangle[t];
-    const glm::dvec3 a(solid.position[v.x]), b(solid.position[v.y]), c(solid.position[v.z]);
-    area[solid.cut_face[t]] += glm::cross(b - a, c - a);
-  }
-  glm::dvec3 sum(0.0), largest(0.0);
-  double total = 0;
-  for (const auto& [face, vector] : area) {
-    sum += vector;
-    total += glm::length(vector);
-    if (glm::length(vector) > 1.001 * glm::length(largest)) largest = vector;
-  }
-  if (total == 0) return glm::dvec3(0.0);
-
-  // The faces of a wedge are shown together; those of a slice look away from each other, so one is shown.
-  return glm::normalize(glm::length(sum) > 0.2 * total ? sum : largest);
-}
-
-/// Right-handed frame with `forward` as its third axis and its second as near to `up` as can be.
-glm::dmat3 frame(const glm::dvec3& forward, const glm::dvec3& up) {
-  const glm::dvec3 helper = std::abs(glm::dot(forward, up)) > 0.95 ? glm::dvec3(0, 0, -1) : up;
-  const glm::dvec3 right = glm::normalize(glm::cross(helper, forward));
-  return {right, glm::cross(forward, right), forward};
-}
-
-glm::dquat shown(const Solid& solid) {
-  const glm::dvec3 direction = cut_direction(solid);
-  if (direction == glm::dvec3(0.0)) return {1, 0, 0, 0};
-  const glm::dvec3 up(0, 1, 0);
-  return glm::normalize(glm::quat_cast(frame(shown_direction, up) * glm::transpose(frame(direction, up))));
-}
+/// Of the space between pieces: shares of the mean of their sizes, and of a piece's height, which hides what lies
+/// behind it.
+constexpr double row_gap = 0.14, hidden = 0.45;
 
 Box<double> turned_bounds(const Solid& solid, const glm::dquat& rotation) {
   if (solid.position.empty()) return {glm::dvec3(0), glm::dvec3(0)};
@@ -64,66 +28,170 @@ Box<double> turned_bounds(const Solid& solid, const glm::dquat& rotation) {
   return bounds;
 }
 
-/// What a piece takes up on the table, seen from shown_direction: a tall one hides what lies behind it.
-glm::dvec2 footprint(const Box<double>& bounds) {
-  const double hidden_behind = bounds.size().y * shown_direction.z / shown_direction.y;
-  return {bounds.size().x, bounds.size().z + hidden_behind};
-}
+/// What is laid out.
+struct Tray {
+  std::vector<Box<double>> bounds;  ///< of pieces, turned back by `turn`
+  std::vector<glm::dvec2> room;     ///< that a piece takes in a row, and towards the eye
+  glm::dquat turn{1, 0, 0, 0};      ///< about +Y: what lies along -z before it, lies along the diagonal after it
+  bool diagonal = false;
+};
 
-/// Rows are filled up to this width, metres: half again as wide as deep, like a picture.
-double row_width(const std::vector<glm::dvec2>& footprints) {
-  double area = 0, widest = 0;
-  for (const glm::dvec2& size : footprints) {
-    area += size.x * size.y;
-    widest = std::max(widest, size.x);
+/// Pieces that lie along the diagonal stand in level rows all the same, like the strokes of ////.
+void measure(Tray& tray) {
+  double mean = 0;
+  for (const Box<double>& box : tray.bounds) mean += box.size().x + box.size().z;
+  mean /= 2 * static_cast<double>(tray.bounds.size());
+  const glm::dvec3 along = tray.diagonal ? diagonal_on_table() : glm::dvec3(0, 0, -1);
+  for (const Box<double>& box : tray.bounds) {
+    const glm::dvec3 size = box.size();
+    const double space = row_gap * mean, behind = hidden * size.y;
+    const double wide = size.x + space + (tray.diagonal ? behind : 0);
+    tray.room.emplace_back(wide / -along.z, size.x * along.x - size.z * along.z + space + behind);
   }
-  return std::max(widest, 1.5 * std::sqrt(area)) * 1.2;
 }
 
-/// Larger pieces first, so that crumbs share a row.
-std::vector<std::size_t> by_size(const std::vector<glm::dvec2>& footprints) {
-  std::vector<std::size_t> order(footprints.size());
+/// Larger pieces first, so that small ones share a row.
+std::vector<std::size_t> by_size(const std::vector<glm::dvec2>& size) {
+  std::vector<std::size_t> order(size.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto rough_size = [&](std::size_t i) {
-    return std::lround(2 * reproducible::log(footprints[i].x + footprints[i].y));
-  };
+  const auto rough_size = [&](std::size_t i) { return std::lround(2 * reproducible::log(size[i].x + size[i].y)); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return rough_size(a) > rough_size(b); });
   return order;
 }
 
-}  // namespace
+/// Fills rows from the left, the first row farthest from the eye, up to a width; then each row is moved to the middle.
+/// Returns where pieces go, from where they were turned.
+std::vector<glm::dvec3> filled_rows(const Tray& tray, const std::vector<std::size_t>& order, double width) {
+  std::vector<glm::dvec3> place(order.size());
+  double z = 0;
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    double x = 0, depth = 0;
+    for (; end < order.size() && (end == begin || x + tray.room[order[end]].x <= width); ++end) {
+      const glm::dvec2& room = tray.room[order[end]];
+      place[order[end]].x = x + 0.5 * room.x;
+      x += room.x;
+      depth = std::max(depth, room.y);
+    }
+    for (std::size_t k = begin; k < end; ++k) {
+      // The pieces of a row stand with their near edges in line, like glasses on a shelf.
+      const std::size_t i = order[k];
+      place[i].x -= 0.5 * x;
+      place[i].z = z + depth - (tray.diagonal ? 0.5 * depth : 0.5 * tray.bounds[i].size().z);
+    }
+    z += depth;
+  }
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const glm::dvec3 middle = tray.turn * tray.bounds[i].center();
+    place[i] -= glm::dvec3(middle.x, tray.bounds[i].low.y, middle.z);
+  }
+  return place;
+}
 
-Scene laid_out(const Scene& scene) {
-  Scene table = scene;
-  std::vector<Box<double>> bounds;
-  std::vector<glm::dvec2> footprints;
+/// How large a metre can be drawn, of a picture's height, so that all pieces and about their shadows are in it.
+double drawn_scale(const Tray& tray, const std::vector<glm::dvec3>& place, const glm::dvec3& back, double aspect) {
+  const glm::dvec3 right(1, 0, 0), up = glm::cross(back, right);
+  // Light comes from over the left shoulder, half way up.
+  const glm::dvec3 shadow(0.65, 0, -0.5);
+  Box<double> seen;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const Box<double>& box = tray.bounds[i];
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::dvec3 share(corner & 1, corner >> 1 & 1, corner >> 2);
+      const glm::dvec3 p = tray.turn * glm::mix(box.low, box.high, share) + place[i];
+      for (const glm::dvec3& q : {p, p + p.y * shadow - glm::dvec3(0, p.y, 0)})
+        seen.add({glm::dot(q, right), glm::dot(q, up), 0});
+    }
+  }
+  return std::min(aspect / seen.size().x, 1 / seen.size().y);
+}
+
+/// Widths to try for the longest row: so that the rows are 1, 2, ... or that the first is just filled by 1, 2, ...
+/// pieces.
+std::vector<double> row_widths(const Tray& tray, const std::vector<std::size_t>& order) {
+  double total = 0, widest = 0;
+  for (const glm::dvec2& room : tray.room) {
+    total += room.x;
+    widest = std::max(widest, room.x);
+  }
+  const std::size_t most = std::min<std::size_t>(order.size(), 40);
+  std::vector<double> widths;
+  double filled = 0;
+  for (std::size_t k = 0; k < most; ++k) {
+    filled += tray.room[order[k]].x;
+    for (const double width : {filled, total / static_cast<double>(k + 1) * 1.06})
+      widths.push_back(std::max(widest, width * 1.0001));
+  }
+  std::sort(widths.rbegin(), widths.rend());
+  return widths;
+}
+
+std::vector<glm::dvec3> best_places(const Tray& tray, const glm::dvec3& back, double aspect) {
+  const std::vector<std::size_t> order = by_size(tray.room);
+  std::vector<glm::dvec3> best;
+  double largest = 0;
+  // Two halves lie side by side, unless they come out much larger one behind the other.
+  const double gain = order.size() <= 4 ? 1.12 : 1.005;
+  for (const double width : row_widths(tray, order)) {
+    std::vector<glm::dvec3> place = filled_rows(tray, order, width);
+    const double scale = drawn_scale(tray, place, back, aspect);
+    if (scale <= largest * gain) continue;
+    largest = scale;
+    best = std::move(place);
+  }
+  return best;
+}
+
+/// Turns all pieces. \returns which of them are slender, and how much of all stands as it grew, shares of volume.
+struct Turned {
+  std::size_t slender = 0;
+  double as_grown = 0;
+};
+Turned turn_all(Scene& table, const glm::dvec3& eye) {
+  Turned turned;
+  double volume = 0, standing_volume = 0;
   for (Instance& instance : table.instances) {
     const Solid& solid = table.solids[static_cast<std::size_t>(instance.solid)];
-    instance.pose.rotation = shown(solid);
-    bounds.push_back(turned_bounds(solid, instance.pose.rotation));
-    footprints.push_back(footprint(bounds.back()));
+    const TablePose pose = table_pose(solid, eye);
+    instance.pose.rotation = pose.rotation;
+    turned.slender += pose.slender ? 1 : 0;
+    volume += solid.volume;
+    if (pose.as_grown && !pose.slender) standing_volume += solid.volume;
   }
+  turned.as_grown = volume > 0 ? standing_volume / volume : 0;
+  return turned;
+}
 
-  // Fill rows from the left, the first row farthest from the eye; gaps follow the size of the pieces.
-  constexpr double gap = 0.15;
-  const double width = row_width(footprints);
-  double x = 0, z = 0, depth = 0;
-  for (const std::size_t i : by_size(footprints)) {
-    const glm::dvec2 size = footprints[i] * (1 + gap);
-    if (x > 0 && x + size.x > width) {
-      x = 0;
-      z += depth;
-      depth = 0;
-    }
-    // Nearer rows hide what lies behind them: leave their height's shadow free on the far side.
-    const double behind = footprints[i].y - bounds[i].size().z;
-    table.instances[i].pose.translation = glm::dvec3(x, 0.0, z + behind) - bounds[i].low;
-    x += size.x;
-    depth = std::max(depth, size.y);
-  }
+/// What lies along the diagonal, turned to lie along -z.
+Tray tray_of(const Scene& table, bool diagonal) {
+  Tray tray;
+  tray.diagonal = diagonal;
+  const glm::dvec3 along = diagonal_on_table();
+  if (diagonal) tray.turn = turn_about({0, 1, 0}, reproducible::atan2(-along.x, -along.z));
+  for (const Instance& instance : table.instances)
+    tray.bounds.push_back(turned_bounds(table.solids[static_cast<std::size_t>(instance.solid)],
+                                        glm::conjugate(tray.turn) * instance.pose.rotation));
+  measure(tray);
+  return tray;
+}
+
+}  // namespace
+
+Scene laid_out(const Scene& scene, double aspect) {
+  Scene table = scene;
   table.ground = true;
-  table.view = fitted_view(table, shown_direction);
+  glm::dvec3 eye = eye_over_table();
+  if (!table.instances.empty()) {
+    Turned turned = turn_all(table, eye);
+    if (turned.as_grown > 0.5) {
+      eye = eye_beside_table();
+      turned = turn_all(table, eye);
+    }
+    const Tray tray = tray_of(table, 2 * turned.slender > table.instances.size());
+    const std::vector<glm::dvec3> place = best_places(tray, eye, aspect);
+    for (std::size_t i = 0; i < place.size(); ++i) table.instances[i].pose.translation = place[i];
+  }
+  table.view = fitted_view(table, eye, aspect);
   return table;
 }
 

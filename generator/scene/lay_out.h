@@ -5,8 +5,10 @@
 
 namespace pomona {
 
-/// The instances of `scene` in rows on the ground, none touching another, each turned so that its cut faces
-/// look up and towards +Z; seen from there. Whole fruits keep their axis upright.
-Scene laid_out(const Scene& scene);
+/// The instances of `scene` in rows on the ground, none touching another, each as table_pose() lays it; seen by
+/// eye_over_table(), or by eye_beside_table() where most of the fruit stands as it grew. Rows are as many as fill the
+/// picture best; where most pieces are slender, they lie in their rows like the strokes of ////.
+/// \param aspect the picture's width over its height.
+Scene laid_out(const Scene& scene, double aspect = 4.0 / 3);
 
 }  // namespace pomona

@@ -1,11 +1,36 @@
 #include "generator/scene/stand.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+
+#include "generator/base/reproducible.h"
+#include "generator/scene/settle/drop.h"
+#include "generator/scene/table_pose.h"
 
 namespace pomona {
 
+namespace {
+
+/// Of one whole fruit that is long.
+void lay_down(Scene& scene) {
+  if (scene.instances.size() != 1 || scene.instances[0].pose.rotation != glm::dquat(1, 0, 0, 0)) return;
+  const Solid& solid = scene.solids[static_cast<std::size_t>(scene.instances[0].solid)];
+  const auto is_cut = [](std::int32_t face) { return face >= 0; };
+  if (std::any_of(solid.cut_face.begin(), solid.cut_face.end(), is_cut)) return;
+  const TablePose pose = table_pose(solid);
+  if (!pose.slender) return;
+
+  // The diagonal is that of who looks from straight in front.
+  const glm::dvec3 back = scene.view.eye - scene.view.target;
+  scene.instances[0].pose.rotation = turn_about({0, 1, 0}, reproducible::atan2(back.x, back.z)) * pose.rotation;
+  scene.view = fitted_view(scene, scene.view.eye - scene.view.target);
+}
+
+}  // namespace
+
 Scene standing(Scene scene) {
+  lay_down(scene);
   double lowest = std::numeric_limits<double>::infinity();
   for (const Instance& instance : scene.instances)
     for (const glm::vec3& p : scene.solids[static_cast<std::size_t>(instance.solid)].position)

@@ -28,7 +28,7 @@ struct BakedSolid {
   Solid solid;
   std::vector<glm::vec2> uv;  ///< one per vertex; (0, 0) is the upper left corner of the texture
   Image texture;              ///< sRGB; 0 x 0 for a solid without triangles
-  SurfaceMaps maps;           ///< empty unless BakeOptions::maps asks for all
+  SurfaceMaps maps{};         ///< empty unless BakeOptions::maps asks for all
 
   int mip_levels = 0;  ///< as promised by BakeOptions, or fewer where charts are many and texels few
   double texel = 0;    ///< metres, exact on cut faces

@@ -1,0 +1,307 @@
+#include "generator/scene/table_pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+#include "generator/mesh/box.h"
+#include "generator/piece/piece_facts.h"
+#include "generator/scene/settle/drop.h"
+#include "generator/scene/side_areas.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr double degree = pi / 180;
+constexpr double eye_height = 48 * degree;  // above the table
+constexpr double low_eye_height = 24 * degree;
+constexpr double diagonal_angle = 50 * degree;  // to the right of straight away from the eye
+constexpr double lean_angle = 12 * degree;      // of what lies on a rounded back, towards the eye
+constexpr double slender_ratio = 1.8;           // of length to width
+
+glm::dvec3 turned_about(const glm::dvec3& axis, double angle, const glm::dvec3& v) {
+  const double c = reproducible::cos(angle), s = reproducible::sin(angle);
+  return c * v + s * glm::cross(axis, v) + (1 - c) * glm::dot(axis, v) * axis;
+}
+
+/// Some unit vector at right angles to this one.
+glm::dvec3 beside(const glm::dvec3& up) {
+  const glm::dvec3 helper = std::fabs(up.y) > 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+  return glm::normalize(helper - glm::dot(helper, up) * up);
+}
+
+struct CutSide {
+  glm::dvec3 normal{0};
+  double area = 0;
+  bool flat = false;
+};
+
+/// The sides to which cut faces look, largest first; at most eight. A ball's hollow looks where its rim does.
+std::vector<CutSide> cut_sides(const Solid& solid) {
+  std::map<std::int32_t, std::pair<glm::dvec3, double>> face;  // area as a vector, and as a number
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+    if (solid.cut_face[t] < 0) continue;
+    const glm::uvec3& v = solid.triangle[t];
+    const glm::dvec3 a(solid.position[v.x]), b(solid.position[v.y]), c(solid.position[v.z]);
+    const glm::dvec3 vector = 0.5 * glm::cross(b - a, c - a);
+    auto& [sum, area] = face.try_emplace(solid.cut_face[t], glm::dvec3(0), 0.0).first->second;
+    sum += vector;
+    area += glm::length(vector);
+  }
+  std::vector<CutSide> sides;
+  for (const auto& [index, of] : face) {
+    const double facing = glm::length(of.first);
+    if (facing > 0.3 * of.second && facing > 0) sides.push_back({of.first / facing, facing, facing > 0.98 * of.second});
+  }
+  std::stable_sort(sides.begin(), sides.end(), [](const CutSide& a, const CutSide& b) { return a.area > b.area; });
+  constexpr std::size_t most = 8;
+  if (sides.size() > most) sides.resize(most);
+  return sides;
+}
+
+/// A piece as the table feels it: the outermost of its vertices in many directions, and its centre of mass.
+class Outline {
+ public:
+  explicit Outline(const Solid& solid) : center_(facts_of(solid).center) {
+    constexpr int cells = 14;
+    std::vector<std::size_t> farthest(6 * cells * cells, none);
+    std::vector<double> reach(farthest.size(), -1);
+    for (std::size_t i = 0; i < solid.position.size(); ++i) {
+      const glm::dvec3 arm = glm::dvec3(solid.position[i]) - center_;
+      const double length = glm::length(arm);
+      if (!(length > 0)) continue;
+      const std::size_t bin = bin_of(arm, cells);
+      if (length > reach[bin]) {
+        reach[bin] = length;
+        farthest[bin] = i;
+      }
+      radius_ = std::max(radius_, length);
+    }
+    for (const std::size_t i : farthest)
+      if (i != none) arms_.push_back(glm::dvec3(solid.position[i]) - center_);
+  }
+
+  double radius() const { return radius_; }
+
+  /// How high the centre of mass is over the table with this side up, metres.
+  double height(const glm::dvec3& up) const { return -glm::dot(lowest(up), up); }
+
+  /// The side that is up after it has been laid down with `up` up and has come to rest: downhill steps that become
+  /// smaller, away from the point it stands on.
+  glm::dvec3 rested(glm::dvec3 up) const {
+    double step = 0.08;
+    for (int i = 0; i < 90 && !arms_.empty(); ++i, step *= 0.94) {
+      const glm::dvec3 arm = lowest(up);  // to the point it stands on
+      const glm::dvec3 aside = arm - glm::dot(arm, up) * up;
+      const double off = glm::length(aside);
+      if (off < 1e-3 * radius_) break;
+      up = glm::normalize(up + std::min(step, off / radius_) * aside / off);
+    }
+    return up;
+  }
+
+  struct Plan {
+    glm::dvec3 along{0};  ///< level, unit length
+    double ratio = 1;     ///< of length to width
+  };
+  /// Seen from above.
+  Plan plan(const glm::dvec3& up) const {
+    const glm::dvec3 first = beside(up), second = glm::cross(up, first);
+    Plan plan{first, 0};
+    for (int i = 0; i < 36; ++i) {
+      const double angle = i * 5 * degree;
+      const glm::dvec3 along = reproducible::cos(angle) * first + reproducible::sin(angle) * second;
+      const double width = extent(glm::cross(up, along));
+      const double ratio = width > 0 ? extent(along) / width : 1;
+      if (ratio > plan.ratio) plan = {along, ratio};
+    }
+    return plan;
+  }
+
+ private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  static std::size_t bin_of(const glm::dvec3& direction, int cells) {
+    const int axis = longest_axis(glm::abs(direction));
+    const auto cell = [&](int other) {
+      return std::min(static_cast<int>(0.5 * (1 + direction[other] / std::fabs(direction[axis])) * cells), cells - 1);
+    };
+    const int side = 2 * axis + (direction[axis] < 0 ? 1 : 0);
+    return static_cast<std::size_t>((side * cells + cell((axis + 1) % 3)) * cells + cell((axis + 2) % 3));
+  }
+
+  glm::dvec3 lowest(const glm::dvec3& up) const {
+    glm::dvec3 arm(0);
+    double least = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& a : arms_) {
+      const double height = glm::dot(a, up);
+      if (height < least) {
+        least = height;
+        arm = a;
+      }
+    }
+    return arm;
+  }
+
+  double extent(const glm::dvec3& along) const {
+    double low = 0, high = 0;
+    for (const glm::dvec3& a : arms_) {
+      low = std::min(low, glm::dot(a, along));
+      high = std::max(high, glm::dot(a, along));
+    }
+    return high - low;
+  }
+
+  glm::dvec3 center_;
+  double radius_ = 0;
+  std::vector<glm::dvec3> arms_;
+};
+
+/// One way to lie.
+struct Rest {
+  glm::dvec3 up{0, 1, 0};
+  bool on_flat = false;   ///< on a flat cut face
+  bool as_grown = false;  ///< it stands as the fruit did
+};
+
+std::vector<Rest> ways_to_rest(const Outline& outline, const std::vector<CutSide>& sides) {
+  std::vector<Rest> ways;
+  const auto add = [&](const glm::dvec3& start) {
+    Rest rest{outline.rested(start)};
+    for (const CutSide& side : sides) {
+      if (!side.flat || glm::dot(rest.up, -side.normal) < 0.997) continue;
+      rest = {-side.normal, true, false};
+      break;
+    }
+    // On a round back nobody sees a few degrees: the largest face then lies level, whichever end is heavier.
+    if (!rest.on_flat && !sides.empty() && glm::dot(rest.up, sides[0].normal) > 0.85) rest.up = sides[0].normal;
+    ways.push_back(rest);
+  };
+  glm::dvec3 together(0);
+  for (const CutSide& side : sides) {
+    add(side.normal);
+    add(-side.normal);
+    together += side.area * side.normal;
+  }
+  if (!sides.empty() && glm::length(together) > 0.2 * sides[0].area) add(glm::normalize(together));
+  return ways;
+}
+
+/// How a piece may be turned on the spot: the level direction of its own that comes to look towards the eye.
+std::vector<glm::dvec3> ways_to_turn(const glm::dvec3& up, const Outline::Plan& plan) {
+  std::vector<glm::dvec3> fronts;
+  if (plan.ratio > slender_ratio) {
+    // What lies along the diagonal turns its side to the eye: the front is `along` turned back by the diagonal.
+    for (const double sign : {1.0, -1.0}) fronts.push_back(turned_about(up, diagonal_angle + pi, sign * plan.along));
+    return fronts;
+  }
+  const glm::dvec3 first = beside(up);
+  for (int i = 0; i < 24; ++i) fronts.push_back(turned_about(up, (15 * i + 180) * degree, first));
+  return fronts;
+}
+
+/// The rotation that takes `up` to +Y and `front`, level, to +Z.
+glm::dquat standing_frame(const glm::dvec3& up, const glm::dvec3& front) {
+  const glm::dmat3 own(glm::cross(up, front), up, front);
+  return glm::normalize(glm::quat_cast(glm::transpose(own)));
+}
+
+struct Choice {
+  Rest rest;
+  glm::dvec3 front{0, 0, 1};
+  bool slender = false;
+  double score = -1;
+};
+
+/// Chooses among ways to lie by how much is seen.
+class Chooser {
+ public:
+  Chooser(const Solid& solid, const glm::dvec3& eye)
+      : eye_(eye), outline_(solid), areas_(solid), sides_(cut_sides(solid)) {}
+
+  Choice choose() const {
+    Choice best;
+    const bool hardly_cut = areas_.cut() < 0.25 * areas_.skin();
+    if (hardly_cut) {
+      try_all(as_it_grew(), best);
+      return best;
+    }
+    for (const Rest& rest : ways_to_rest(outline_, sides_)) try_all(rest, best);
+    if (best.score < 0) try_all(as_it_grew(), best);
+    return best;
+  }
+
+  /// Whether the piece lies on its back, and its largest cut face looks up.
+  bool on_its_back(const Rest& rest) const {
+    return !rest.as_grown && !rest.on_flat && !sides_.empty() && glm::dot(sides_[0].normal, rest.up) > 0.8;
+  }
+
+ private:
+  /// Upright; what is long lies down.
+  Rest as_it_grew() const {
+    Rest rest{.up = {0, 1, 0}, .on_flat = false, .as_grown = true};
+    const double sideways = std::min(outline_.height({1, 0, 0}) + outline_.height({-1, 0, 0}),
+                                     outline_.height({0, 0, 1}) + outline_.height({0, 0, -1}));
+    const double upright = outline_.height({0, 1, 0}) + outline_.height({0, -1, 0});
+    if (upright > 2 * sideways) rest.up = outline_.rested({0, 0, 1});
+    return rest;
+  }
+
+  void try_all(const Rest& rest, Choice& best) const {
+    const Outline::Plan plan = outline_.plan(rest.up);
+    const bool slender = plan.ratio > slender_ratio;
+    for (const glm::dvec3& front : ways_to_turn(rest.up, plan)) {
+      const double score = score_of(rest, front);
+      if (score > best.score * (1 + 1e-9)) best = {rest, front, slender, score};
+    }
+  }
+
+  double score_of(const Rest& rest, const glm::dvec3& front) const {
+    const SideAreas::Seen seen = areas_.from(eye_.y * rest.up + eye_.z * front);
+
+    // Cut faces count, and so much skin beside them as makes clear what was cut. What lies low and flat lies
+    // naturally; a fruit's top is away from the eye, or to the right.
+    const glm::dvec3 right = glm::cross(rest.up, front);
+    const double away = -glm::dot(front, glm::dvec3(0, 1, 0)), aside = glm::dot(right, glm::dvec3(0, 1, 0));
+    const double low = 1.25 - 0.5 * outline_.height(rest.up) / std::max(outline_.radius(), 1e-12);
+    const double shown = seen.cut + 0.6 * std::min(seen.skin, 0.5 * seen.cut) + 1e-3 * seen.skin;
+    return shown * low * (rest.on_flat ? 1.15 : 1.0) * (1 + 0.15 * away + 0.05 * aside);
+  }
+
+  glm::dvec3 eye_;
+  Outline outline_;
+  SideAreas areas_;
+  std::vector<CutSide> sides_;
+};
+
+}  // namespace
+
+glm::dvec3 eye_over_table() { return {0, reproducible::sin(eye_height), reproducible::cos(eye_height)}; }
+glm::dvec3 eye_beside_table() { return {0, reproducible::sin(low_eye_height), reproducible::cos(low_eye_height)}; }
+
+glm::dvec3 diagonal_on_table() { return {reproducible::sin(diagonal_angle), 0, -reproducible::cos(diagonal_angle)}; }
+
+TablePose table_pose(const Solid& solid, const glm::dvec3& eye) {
+  if (solid.position.empty()) return {};
+  const Chooser chooser(solid, eye);
+  const Choice choice = chooser.choose();
+  if (choice.score < 0) return {};
+  TablePose pose{standing_frame(choice.rest.up, choice.front), choice.slender, choice.rest.as_grown};
+  if (!chooser.on_its_back(choice.rest)) return pose;
+  // About the level line across the sight; of what lies along the diagonal, about that.
+  const glm::dvec3 axis = choice.slender ? diagonal_on_table() : glm::dvec3(1, 0, 0);
+  pose.rotation = glm::normalize(turn_about(axis, lean_angle) * pose.rotation);
+  return pose;
+}
+
+}  // namespace pomona

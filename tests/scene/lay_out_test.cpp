@@ -1,0 +1,169 @@
+// Pieces laid out for a picture lie on the table, apart, and show their cut faces, their skin and their thickness.
+#include "generator/scene/lay_out.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "generator/base/units.h"
+#include "generator/knife/parse_knife.h"
+#include "generator/mesh/box.h"
+#include "generator/scene/side_areas.h"
+#include "generator/scene/stand.h"
+#include "generator/scene/table_pose.h"
+#include "tests/shapes/shapes.h"
+#include "tests/shapes/sliced.h"
+
+namespace pomona {
+namespace {
+
+Scene pieces_of(const DiffusionSurfaces& fruit, const std::vector<std::string>& knives) {
+  std::vector<Knife> parsed;
+  for (const std::string& text : knives) parsed.push_back(parse_knife(text));
+  return gathered(shapes::sliced(fruit, parsed).pieces);
+}
+
+DiffusionSurfaces ball() { return shapes::moved(shapes::sphere(0.03, 12, shapes::skin_paint()), {0, 0.03, 0}); }
+
+/// As long as a cucumber; its axis is up.
+DiffusionSurfaces bar() { return shapes::box({-0.02, 0, -0.02}, {0.02, 0.18, 0.02}, 3, shapes::skin_paint()); }
+
+std::vector<glm::dvec3> placed_points(const Scene& scene, const Instance& instance) {
+  std::vector<glm::dvec3> points;
+  for (const glm::vec3& p : scene.solids[static_cast<std::size_t>(instance.solid)].position)
+    points.push_back(instance.pose.rotation * glm::dvec3(p) + instance.pose.translation);
+  return points;
+}
+
+/// Of each cut face its area vector, as it lies.
+std::vector<glm::dvec3> face_vectors(const Scene& scene, const Instance& instance) {
+  const Solid& solid = scene.solids[static_cast<std::size_t>(instance.solid)];
+  const std::vector<glm::dvec3> at = placed_points(scene, instance);
+  std::vector<glm::dvec3> faces;
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+    if (solid.cut_face[t] < 0) continue;
+    const auto face = static_cast<std::size_t>(solid.cut_face[t]);
+    if (face >= faces.size()) faces.resize(face + 1, glm::dvec3(0));
+    const glm::uvec3& v = solid.triangle[t];
+    faces[face] += 0.5 * glm::cross(at[v.y] - at[v.x], at[v.z] - at[v.x]);
+  }
+  std::erase_if(faces, [](const glm::dvec3& vector) { return glm::length(vector) == 0; });
+  return faces;
+}
+
+const std::vector<std::vector<std::string>> ways_to_cut{
+    {"half"}, {"wedges:6"}, {"slices:8mm"}, {"dice:15mm"}, {"ball:24mm"}, {"bite:25mm"}, {"core:15mm", "half"}};
+
+TEST(LaidOut, NoPieceFloatsOrIsSunk) {
+  for (const std::vector<std::string>& knives : ways_to_cut) {
+    const Scene table = laid_out(pieces_of(ball(), knives));
+    ASSERT_GE(table.instances.size(), 2u);
+    EXPECT_TRUE(table.ground);
+    for (const Instance& instance : table.instances)
+      EXPECT_NEAR(box_around(placed_points(table, instance)).low.y, 0, 1e-9) << knives[0] << ' ' << instance.name;
+  }
+}
+
+TEST(LaidOut, PiecesLieApart) {
+  for (const std::vector<std::string>& knives : ways_to_cut) {
+    const Scene table = laid_out(pieces_of(ball(), knives));
+    std::vector<Box<double>> boxes;
+    for (const Instance& instance : table.instances) boxes.push_back(box_around(placed_points(table, instance)));
+    // Where rows are turned boxes along the axes say nothing.
+    if (knives[0] == "wedges:6") continue;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(boxes[i].meets(boxes[j])) << knives[0] << ' ' << i << ' ' << j;
+  }
+}
+
+/// From the eye, each piece of a ball in halves shows most of its face, and skin besides.
+TEST(LaidOut, AHalfShowsItsFaceAndItsSkin) {
+  const Scene table = laid_out(pieces_of(ball(), {"half"}));
+  const double disc = pi * 0.03 * 0.03;
+  for (const Instance& instance : table.instances) {
+    const glm::dvec3 eye = glm::conjugate(instance.pose.rotation) * eye_over_table();
+    const SideAreas::Seen seen = SideAreas(table.solids[static_cast<std::size_t>(instance.solid)]).from(eye);
+    EXPECT_GT(seen.cut, 0.75 * disc);
+    EXPECT_LT(seen.cut, 0.95 * disc) << "from straight above one sees no thickness";
+    EXPECT_GT(seen.skin, 0.05 * disc);
+  }
+}
+
+TEST(LaidOut, WedgesLieOnTheirSides) {
+  const Scene table = laid_out(pieces_of(ball(), {"wedges:6"}));
+  for (const Instance& instance : table.instances) {
+    double lying = 0, facing = 0;
+    for (const glm::dvec3& face : face_vectors(table, instance)) {
+      lying = std::max(lying, -glm::normalize(face).y);
+      facing = std::max(facing, glm::dot(glm::normalize(face), eye_over_table()));
+    }
+    EXPECT_GT(lying, 0.9999) << instance.name;
+    EXPECT_GT(facing, 0.6) << instance.name << " turns its face away";
+  }
+}
+
+TEST(LaidOut, SlicesLieFlat) {
+  const Scene table = laid_out(pieces_of(ball(), {"slices:6mm"}));
+  for (const Instance& instance : table.instances) {
+    double up = 0;
+    for (const glm::dvec3& face : face_vectors(table, instance)) up = std::max(up, glm::normalize(face).y);
+    EXPECT_GT(up, 0.97) << instance.name;
+  }
+}
+
+void expect_diagonal(const Scene& table) {
+  for (const Instance& instance : table.instances) {
+    const glm::dvec3 axis = instance.pose.rotation * glm::dvec3(0, 1, 0);
+    EXPECT_NEAR(std::fabs(glm::dot(axis, diagonal_on_table())), 1, 0.02) << instance.name;
+    EXPECT_NEAR(box_around(placed_points(table, instance)).low.y, 0, 1e-9);
+  }
+}
+
+TEST(LaidOut, WhatIsLongLiesDiagonally) {
+  expect_diagonal(laid_out(pieces_of(bar(), {"half"})));
+  expect_diagonal(laid_out(pieces_of(bar(), {})));
+  Scene seen = pieces_of(bar(), {});
+  seen.view = fitted_view(seen, {0, 0.5, 1});
+  expect_diagonal(standing(seen));
+}
+
+TEST(LaidOut, AWholeFruitStandsAsItGrew) {
+  const Scene table = laid_out(pieces_of(ball(), {}));
+  EXPECT_GT((table.instances[0].pose.rotation * glm::dvec3(0, 1, 0)).y, 1 - 1e-9);
+}
+
+/// What a picture of this shape has on it, -1 to 1 to the right and upwards.
+Box<double> on_picture(const Scene& scene, const View& view, double aspect) {
+  const glm::dvec3 back = glm::normalize(view.eye - view.target);
+  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back)), up = glm::cross(back, right);
+  const double slope = std::tan(0.5 * view.vertical_field);
+  Box<double> filled;
+  for (const Instance& instance : scene.instances)
+    for (const glm::dvec3& p : placed_points(scene, instance)) {
+      const glm::dvec3 away = p - view.eye;
+      const double depth = -glm::dot(away, back);
+      filled.add({glm::dot(away, right) / (depth * slope * aspect), glm::dot(away, up) / (depth * slope), 0});
+    }
+  return filled;
+}
+
+/// Many pieces fill pictures of any shape: no half of a canvas stays empty.
+TEST(LaidOut, RowsFillThePicture) {
+  const Scene dice = pieces_of(ball(), {"dice:12mm"}), sticks = pieces_of(bar(), {"slices:60mm", "sticks:8mm"});
+  for (const Scene* scene : {&dice, &sticks}) {
+    for (const double aspect : {0.7, 1.0, 4.0 / 3, 2.0}) {
+      const Scene table = laid_out(*scene, aspect);
+      const glm::dvec3 filled = on_picture(table, table.view, aspect).size() / 2.0;
+      EXPECT_GT(std::max(filled.x, filled.y), 0.9) << aspect;
+      EXPECT_GT(std::min(filled.x, filled.y), 0.6) << aspect;
+    }
+  }
+}
+
+TEST(LaidOut, NothingIsNothing) { EXPECT_TRUE(laid_out(Scene{}).instances.empty()); }
+
+}  // namespace
+}  // namespace pomona
