@@ -125,8 +125,8 @@ std::string message_of_png(const std::string& bytes) {
 
 TEST(Png, SaysWhereItEndsTooEarly) {
   const std::string bytes = write_png(drawn_disc("plain", 1, 1, 64, 64));
-  EXPECT_THAT(message_of_png(bytes.substr(0, 20)), testing::StartsWith("x.png:byte 1"));
-  EXPECT_THAT(message_of_png(bytes.substr(0, 20)), testing::HasSubstr("it ends too early"));
+  EXPECT_THAT(message_of_png(bytes.substr(0, 20)), ::testing::StartsWith("x.png:byte 1"));
+  EXPECT_THAT(message_of_png(bytes.substr(0, 20)), ::testing::HasSubstr("it ends too early"));
 }
 
 /// CRC-32 as PNG wants it of a chunk.
@@ -145,7 +145,7 @@ TEST(Png, ThatCannotHoldItsPixelsIsRefusedBeforeTheyAreSetAside) {
   bytes.replace(16, 8, std::string("\0\0\x23\x28\0\0\x23\x28", 8));
   const std::uint32_t checksum = png_checksum(bytes.substr(12, 17));
   for (int k = 0; k < 4; ++k) bytes[29 + k] = static_cast<char>(checksum >> (24 - 8 * k));
-  EXPECT_THAT(message_of_png(bytes), testing::HasSubstr("more pixels than its bytes can hold"));
+  EXPECT_THAT(message_of_png(bytes), ::testing::HasSubstr("more pixels than its bytes can hold"));
 }
 
 TEST(Png, RefusesWhatIsNotOne) {
