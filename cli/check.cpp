@@ -91,20 +91,16 @@ bool check_part(const std::filesystem::path& file) {
   return true;
 }
 
-/// A scene and all that it names: its style, too.
-void check_scene(const std::filesystem::path& file) {
-  const SceneDescription scene = read_scene(file);
-  ComposeOptions options;
-  options.find_template = find_template;
-  check_sources(scene, options);
+/// The style that a scene names, if it names one.
+void check_style(const SceneDescription& scene, const std::filesystem::path& folder) {
   if (scene.style.empty()) return;
   try {
-    find_style(scene.style.ends_with(".toml") ? (file.parent_path() / scene.style).string() : scene.style);
+    find_style(scene.style.ends_with(".toml") ? (folder / scene.style).string() : scene.style);
   } catch (const Error& error) {
     if (error.status() != ExitStatus::input_missing) throw;
     const Diagnostic& what = error.diagnostics().front();
     throw Error(error.status(),
-                {{{file.string(), 1, 1, {}}, "style \"" + scene.style + "\": " + what.message, what.hint}});
+                {{{scene.file, 1, 1, {}}, "style \"" + scene.style + "\": " + what.message, what.hint}});
   }
 }
 
@@ -113,7 +109,11 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
   if (file.extension() == ".ply") return find_bodies(read_surfaces(file)).warnings;
   if (check_part(file)) return {};
   if (is_scene_file(file)) {
-    check_scene(file);
+    const SceneDescription scene = read_scene(file);
+    check_style(scene, file.parent_path());
+    ComposeOptions options;
+    options.find_template = find_template;
+    check_sources(scene, options);
     return {};
   }
   if (is_batch_file(file)) {
