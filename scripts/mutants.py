@@ -238,7 +238,8 @@ def with_faults(file, faults):
         if fault.text is None:
             new = f"if (pomona_mutant != {number}) {{ {fault.sound} }}"
         else:
-            new = f"(pomona_mutant == {number} ? ({fault.text}) : ({fault.sound}))"
+            sound = f"!!({fault.sound})" if fault.kind == "condition" else f"({fault.sound})"
+            new = f"(pomona_mutant == {number} ? ({fault.text}) : {sound})"
         line = line[:fault.begin] + new + line[fault.end:]
         lines[fault.line - 1] = re.sub(r"^(\s*)(?:static )?constexpr (double|float) ", r"\1static const \2 ", line)
     return '#include "generator/base/pomona_mutant.h"\n#line 1\n' + "\n".join(lines)
@@ -408,10 +409,14 @@ def report(faults):
     survived = [f for f, r in judged if r[0] != "seen"]
     excused = [f for f in survived if why(f, known)]
     real = len(judged) - len(excused)
-    lines = ["# Mutants", "", __doc__.split("\n\n")[2].replace("\n", " "), "",
-             f"{len(numbered(faults))} faults compile, {len(judged)} were shown to tests, {len(judged) - len(survived)} were seen, "
-             f"{len(survived)} survived; of these {len(excused)} change nothing that could be seen. "
-             f"Seen of those that could be: {100 * (len(judged) - len(survived)) / max(1, real):.1f} %.", "",
+    drops = len(faults) - len(numbered(faults))
+    share = 100 * (len(judged) - len(survived)) / max(1, real)
+    lines = ["# Mutants", "",
+             "Faults that a tool has put into the sources, and whether tests other than goldens see them. `make mutants` writes this page. "
+             + __doc__.split("\n\n")[2].replace("\n", " "), "",
+             f"{len(faults)} faults are drawn; {drops} of them are known not to compile. {len(judged)} have been shown to tests so far: "
+             f"{len(judged) - len(survived)} were seen, {len(survived)} survived, of which {len(excused)} change nothing that could be seen. "
+             f"That is {share:.0f} % of those that could be seen.", "",
              "| file | faults | seen | survived |", "|---|--:|--:|--:|"]
     for file in sorted({f.file for f, _ in judged}):
         here = [r[0] == "seen" for f, r in judged if f.file == file]

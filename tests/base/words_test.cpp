@@ -1,0 +1,37 @@
+// Files taken in as far as they may be long, and names that are nearly right.
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "generator/base/first_bytes.h"
+#include "generator/base/nearest_name.h"
+
+namespace pomona {
+namespace {
+
+TEST(FirstBytes, AreAsManyAsAskedForOrAsThereAre) {
+  std::string all;
+  for (int i = 0; i < 200000; ++i) all += static_cast<char>('a' + i % 23);
+  for (const std::size_t most : {0u, 1u, 100u, 65535u, 65536u, 65537u, 150000u, 200000u, 300000u}) {
+    std::istringstream stream(all);
+    EXPECT_EQ(first_bytes(stream, most), all.substr(0, most)) << most;
+  }
+}
+
+TEST(NearestName, IsOfWordsOfUpTo64Letters) {
+  const std::string longest(64, 'x'), known = longest + "y";
+  EXPECT_EQ(nearest_name(longest, {known}), known);
+  EXPECT_EQ(nearest_name(longest + "z", {known}), std::nullopt);
+}
+
+TEST(NearestName, IsNoFartherThanAThirdOfTheWord) {
+  EXPECT_EQ(nearest_name("tmoato", {"potato", "tomato"}), "tomato") << "letters that change places are one mistake";
+  EXPECT_EQ(nearest_name("abcdef", {"abcdxy"}), "abcdxy");
+  EXPECT_EQ(nearest_name("abcdef", {"abcxyz"}), std::nullopt);
+  EXPECT_EQ(nearest_name("a", {"b"}), "b");
+  EXPECT_EQ(nearest_name("first", {"firsts", "fists"}), "firsts") << "the first of those that are as near";
+}
+
+}  // namespace
+}  // namespace pomona
