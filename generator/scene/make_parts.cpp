@@ -62,7 +62,7 @@ struct Made {
 };
 
 /// How an entry's variant is cut, and which of its pieces the scene takes.
-SliceTask task_of(const PiecesDescription& pieces, int number, const GrownVariant& made) {
+SliceTask task_of(const PiecesDescription& pieces, int number, const GrownSceneVariant& made) {
   return {.grown = made.grown,
           .variant = made.variant,
           .knives = pieces.knives,
@@ -89,7 +89,7 @@ std::vector<Slices> sliced(const SceneDescription& scene, std::span<const Task> 
 }
 
 /// What the report tells of one variant.
-Made reported(Slices slices, const GrownVariant& variant, const std::string& name) {
+Made reported(Slices slices, const GrownSceneVariant& variant, const std::string& name) {
   Made made{std::move(slices.pieces), {}, {}, variant.clock};
   made.clock.add(slices.times);
   const CrossSection& section = slices.section;
@@ -118,7 +118,7 @@ struct Ingredients {
 /// Some variants: each grown by itself, all cut and coloured at once. What they were cut from is let go.
 void make_some(std::span<const Task> tasks, const Ingredients& from, const Diffuser* diffuser,
                const ComposeOptions& options, const SliceOptions& how, std::span<Made> made) {
-  std::vector<GrownVariant> variants(tasks.size());
+  std::vector<GrownSceneVariant> variants(tasks.size());
   parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
     const auto& [entry, number] = tasks[i];
     variants[i] = grown_variant(from.scene, from.scene.pieces[entry], number, from.templates[entry],

@@ -29,9 +29,9 @@ std::vector<std::shared_ptr<const Variation>> variations_of(const SceneDescripti
   return ready;
 }
 
-GrownVariant grown_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
-                           const Template& fruit, const Variation* variation, const ComposeOptions& options) {
-  GrownVariant made;
+GrownSceneVariant grown_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
+                                const Template& fruit, const Variation* variation, const ComposeOptions& options) {
+  GrownSceneVariant made;
   const VariantKey key = variant_key(scene, pieces, number);
   const GrowOptions how{.as_drawn = pieces.as_drawn,
                         .variation = pieces.variation * options.variation,

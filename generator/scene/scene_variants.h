@@ -19,7 +19,7 @@ std::vector<std::shared_ptr<const Variation>> variations_of(const SceneDescripti
                                                             const std::vector<Template>& templates);
 
 /// A variant as it has grown.
-struct GrownVariant {
+struct GrownSceneVariant {
   Template variant;
   GrownFruit grown;
   PieceOrigin origin;
@@ -27,8 +27,8 @@ struct GrownVariant {
 };
 
 /// An entry's n-th variant. \param variation of the template; none for pieces as drawn.
-GrownVariant grown_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
-                           const Template& fruit, const Variation* variation, const ComposeOptions& options);
+GrownSceneVariant grown_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
+                                const Template& fruit, const Variation* variation, const ComposeOptions& options);
 
 /// "tomato-wedges-3"
 std::string variant_name(const PiecesDescription& pieces, int number);
