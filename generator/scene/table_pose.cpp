@@ -231,8 +231,7 @@ class Chooser {
 
   Choice choose() const {
     Choice best;
-    const bool hardly_cut = areas_.cut() < 0.25 * areas_.skin();
-    if (hardly_cut) {
+    if (is_hardly_cut()) {
       try_all(as_it_grew(), best);
       return best;
     }
@@ -247,6 +246,12 @@ class Chooser {
   }
 
  private:
+  /// What somebody has bitten, cored or taken the tip from; not half of a star fruit, of which the cut is small, too.
+  bool is_hardly_cut() const {
+    const auto is_wide = [&](const CutSide& side) { return side.flat && side.area > 0.04 * areas_.skin(); };
+    return areas_.cut() < 0.25 * areas_.skin() && std::none_of(sides_.begin(), sides_.end(), is_wide);
+  }
+
   /// Upright; what is long lies down.
   Rest as_it_grew() const {
     Rest rest{.up = {0, 1, 0}, .on_flat = false, .as_grown = true};
@@ -267,14 +272,18 @@ class Chooser {
   }
 
   double score_of(const Rest& rest, const glm::dvec3& front) const {
-    const SideAreas::Seen seen = areas_.from(eye_.y * rest.up + eye_.z * front);
+    const glm::dvec3 eye = eye_.y * rest.up + eye_.z * front;
+    const SideAreas::Seen seen = areas_.from(eye);
+    double flat = 0;  // a plane's cut shows more than a peeler's or a baller's
+    for (const CutSide& side : sides_)
+      if (side.flat) flat += side.area * std::max(0.0, glm::dot(side.normal, eye));
 
     // Cut faces count, and so much skin beside them as makes clear what was cut. What lies low and flat lies
     // naturally; a fruit's top is away from the eye, or to the right.
     const glm::dvec3 right = glm::cross(rest.up, front);
     const double away = -glm::dot(front, glm::dvec3(0, 1, 0)), aside = glm::dot(right, glm::dvec3(0, 1, 0));
     const double low = 1.25 - 0.5 * outline_.height(rest.up) / std::max(outline_.radius(), 1e-12);
-    const double shown = seen.cut + 0.6 * std::min(seen.skin, 0.5 * seen.cut) + 1e-3 * seen.skin;
+    const double shown = seen.cut + flat + 0.6 * std::min(seen.skin, 0.5 * seen.cut) + 1e-3 * seen.skin;
     return shown * low * (rest.on_flat ? 1.15 : 1.0) * (1 + 0.15 * away + 0.05 * aside);
   }
 

@@ -14,7 +14,7 @@ import zlib
 
 COMMANDS = (
     "cut tomato --knife wedges:6", "cut cucumber --knife half", "cut apple --knife bite:45mm",
-    "cut kiwi --knife dice:15mm", "cut apple --knife half --explode 1.5", "grow carrot",
+    "cut kiwi --knife dice:15mm", "grow carrot",
 )
 WIDTH, HEIGHT = 160, 120
 FAINT = 10  # of 255: how much darker than the paper the grain of it may be

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -38,20 +41,23 @@ std::vector<glm::dvec3> placed_points(const Scene& scene, const Instance& instan
   return points;
 }
 
-/// Of each cut face its area vector, as it lies.
+/// Of each cut face its area vector, as it lies; of flat ones alone.
 std::vector<glm::dvec3> face_vectors(const Scene& scene, const Instance& instance) {
   const Solid& solid = scene.solids[static_cast<std::size_t>(instance.solid)];
   const std::vector<glm::dvec3> at = placed_points(scene, instance);
-  std::vector<glm::dvec3> faces;
+  std::map<std::int32_t, std::pair<glm::dvec3, double>> faces;
   for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
     if (solid.cut_face[t] < 0) continue;
-    const auto face = static_cast<std::size_t>(solid.cut_face[t]);
-    if (face >= faces.size()) faces.resize(face + 1, glm::dvec3(0));
     const glm::uvec3& v = solid.triangle[t];
-    faces[face] += 0.5 * glm::cross(at[v.y] - at[v.x], at[v.z] - at[v.x]);
+    const glm::dvec3 vector = 0.5 * glm::cross(at[v.y] - at[v.x], at[v.z] - at[v.x]);
+    auto& [sum, area] = faces.try_emplace(solid.cut_face[t], glm::dvec3(0), 0.0).first->second;
+    sum += vector;
+    area += glm::length(vector);
   }
-  std::erase_if(faces, [](const glm::dvec3& vector) { return glm::length(vector) == 0; });
-  return faces;
+  std::vector<glm::dvec3> flat;
+  for (const auto& [index, of] : faces)
+    if (of.second > 0 && glm::length(of.first) > 0.98 * of.second) flat.push_back(of.first);
+  return flat;
 }
 
 const std::vector<std::vector<std::string>> ways_to_cut{
@@ -76,6 +82,29 @@ TEST(LaidOut, PiecesLieApart) {
     if (knives[0] == "wedges:6") continue;
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(boxes[i].meets(boxes[j])) << knives[0] << ' ' << i << ' ' << j;
+  }
+}
+
+/// A star's arms have much skin beside the cut.
+TEST(LaidOut, AHalfShowsItsFaceHoweverSmall) {
+  const DiffusionSurfaces column = shapes::box({-0.006, 0, -0.03}, {0.006, 0.05, 0.03}, 4, shapes::skin_paint());
+  const Scene table = laid_out(pieces_of(column, {"across"}));
+  for (const Instance& instance : table.instances) {
+    double facing = 0;
+    for (const glm::dvec3& face : face_vectors(table, instance))
+      facing = std::max(facing, glm::dot(glm::normalize(face), eye_over_table()));
+    EXPECT_GT(facing, 0.5) << instance.name;
+  }
+}
+
+/// The round side of a peeled half is a cut face, too; the flat one is what one wants to see.
+TEST(LaidOut, APeeledHalfShowsItsFlatFace) {
+  const Scene table = laid_out(pieces_of(ball(), {"peel:2mm", "half"}));
+  for (const Instance& instance : table.instances) {
+    glm::dvec3 widest(0);
+    for (const glm::dvec3& face : face_vectors(table, instance))
+      if (glm::length(face) > glm::length(widest)) widest = face;
+    EXPECT_GT(glm::dot(glm::normalize(widest), eye_over_table()), 0.5) << instance.name;
   }
 }
 
