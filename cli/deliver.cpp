@@ -8,6 +8,7 @@
 #include "cli/ending_signals.h"
 #include "cli/find_style.h"
 #include "cli/made_folder.h"
+#include "cli/map_files.h"
 #include "cli/scene_levels.h"
 #include "cli/version.h"
 #include "generator/base/error.h"
@@ -57,6 +58,7 @@ OutsideParts outside_parts(const Template& fruit) {
 void check_exports(const SharedOptions& options, const std::vector<Output>& outputs) {
   if (options.lod > 0) check_heeded("--lod", {Format::glb, Format::usda}, outputs);
   if (!options.engine.empty()) check_heeded("--engine", {Format::glb}, outputs);
+  check_maps_dir(options, outputs);
   if (options.instances) check_heeded("--instances", {Format::glb, Format::usda}, outputs);
   if (options.feature_ids) check_heeded("--feature-ids", {Format::glb}, outputs);
   if (!wanted_ripenesses(options).empty()) check_heeded("--ripeness-variants", {Format::glb}, outputs);
@@ -100,6 +102,7 @@ std::string Delivery::command_words() const {
   add("--style", style_word_.empty() ? "ink" : style_word_, "ink");
   add("--texture", std::to_string(options_.texture), std::to_string(usual.texture));
   add("--texel", options_.texel, usual.texel);
+  if (wants_textures(options_)) add("--maps", options_.maps, usual.maps);
   add("--lod", std::to_string(options_.lod), std::to_string(usual.lod));
   return words;
 }
@@ -161,12 +164,19 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
   const std::vector<std::vector<Solid>> levels = levels_of(scene);
   if (!wants_textures(options_)) return add(output.file, [&] { return write_glb(scene, options, levels); });
 
-  BakeOptions how{.texel = texel_, .threads = {options_.threads}};
+  BakeOptions how{
+      .texel = texel_, .maps = options_.maps == "all" ? Maps::all : Maps::color, .threads = {options_.threads}};
   if (options_.texture > 0) how.texels = options_.texture;
   const std::vector<BakedSolid> baked_solids = times.time("bake", [&] { return all_baked(scene.solids, style_, how); });
   const auto coarser = times.time("bake", [&] { return baked_levels(levels, style_, how); });
   count_texels(baked_solids);
+  if (!options_.maps_dir.empty()) {
+    for (OutputFile& file : times.time("write", [&] { return map_files(baked_solids, options_.maps_dir); }))
+      files_.push_back(std::move(file));
+  }
   for (const std::vector<BakedSolid>& of_solid : coarser) count_texels(of_solid);
+  // Variants differ in colour alone.
+  how.maps = Maps::color;
   std::vector<TextureVariant> variants;
   for (const RipenessVariant& riper : variants_) {
     variants.push_back({riper.name, times.time("bake", [&] { return all_baked(riper.pieces, style_, how); })});
@@ -290,9 +300,9 @@ void Delivery::warn(const std::vector<std::string>& warnings) {
 void Delivery::finish() {
   // Ctrl-C is heard before or after, not between two files.
   const HeldSignals held;
-  MadeFolder truth(options_.aov);
+  MadeFolder truth(options_.aov), maps(options_.maps_dir);
   times.time("write", [&] { write_whole(files_); });
-  truth.keep();
+  truth.keep(), maps.keep();
   if (!options_.stats.empty()) write_whole(options_.stats, times.json(resolved({options_.threads})));
   say_what_was_written();
 }

@@ -130,6 +130,21 @@ void check_heeded(const std::string& option, const std::vector<Format>& holding,
               "add -o FILE" + list.substr(0, list.find(' ')));
 }
 
+namespace {
+
+/// A folder that is there takes files, one of them being `name`; one that is not is made when they are.
+void check_files_folder(const fs::path& folder, const char* name) {
+  const fs::path place = folder.has_filename() ? folder : folder.parent_path();
+  std::error_code ignored;
+  if (fs::is_directory(place, ignored)) return check_folder(place / name);
+  if (fs::exists(fs::symlink_status(place, ignored))) {
+    throw Error(ExitStatus::cannot_create, {{{place.string(), 0, 0, {}}, "is a file, not a folder", {}}});
+  }
+  check_folder(place);
+}
+
+}  // namespace
+
 void check_aov(const fs::path& folder, const std::vector<Output>& outputs) {
   if (folder.empty()) return;
   const auto pictures =
@@ -141,14 +156,17 @@ void check_aov(const fs::path& folder, const std::vector<Output>& outputs) {
         "give one -o FILE.png");
   }
 
-  // A folder that is there takes files; one that is not is made when they are.
-  const fs::path place = folder.has_filename() ? folder : folder.parent_path();
-  std::error_code ignored;
-  if (fs::is_directory(place, ignored)) return check_folder(place / "annotations.json");
-  if (fs::exists(fs::symlink_status(place, ignored))) {
-    throw Error(ExitStatus::cannot_create, {{{place.string(), 0, 0, {}}, "is a file, not a folder", {}}});
-  }
-  check_folder(place);
+  check_files_folder(folder, "annotations.json");
+}
+
+void check_maps_dir(const SharedOptions& options, const std::vector<Output>& outputs) {
+  if (options.maps_dir.empty()) return;
+  if (!wants_textures(options))
+    throw Error(ExitStatus::usage, "--maps-dir: there are no textures", "add --texture 1024");
+  const auto files =
+      std::count_if(outputs.begin(), outputs.end(), [](const Output& output) { return output.format == Format::glb; });
+  if (files != 1) throw Error(ExitStatus::usage, "--maps-dir is about one .glb's textures", "give one -o FILE.glb");
+  check_files_folder(options.maps_dir, "parts.json");
 }
 
 }  // namespace pomona

@@ -38,6 +38,10 @@ void check_other_file(const std::string& option, const std::string& file, const 
 /// \throws Error (usage) if `outputs` hold no .png or two, (cannot_create) for a folder that cannot be.
 void check_aov(const std::filesystem::path& folder, const std::vector<Output>& outputs);
 
+/// The maps of one .glb's textures, likewise into a folder. \throws Error (usage) where there are none to be had, or
+/// those of several; (cannot_create)
+void check_maps_dir(const SharedOptions& options, const std::vector<Output>& outputs);
+
 /// An absent or read-only folder is told now, not after minutes of work. \throws Error (cannot_create)
 void check_folder(const std::filesystem::path& file);
 

@@ -89,6 +89,13 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
                   "Bake colours into textures with texels of this size (0.2mm) instead of a size of their own")
       ->excludes("--texture");
   command
+      .add_option("--maps", options.maps,
+                  "Of textures: color = base colour alone; all = normal, occlusion, roughness and thickness, too")
+      ->check(one_of({"color", "all"}))
+      ->capture_default_str();
+  command.add_option("--maps-dir", options.maps_dir, "The textures as .png, too, in this folder, with part numbers")
+      ->type_name("FOLDER");
+  command
       .add_option("--lod", options.lod,
                   ".glb: each solid at so many further levels of detail, with a half, a quarter, ... of the triangles")
       ->check(whole_between(1, 6));

@@ -36,6 +36,8 @@ struct SharedOptions {
   std::string style;         ///< name or path; none = what the scene says, or ink
   int texture = 0;           ///< texels along an atlas's edge; 0 = not said
   std::string texel;         ///< size of a texel, with its unit
+  std::string maps = "all";  ///< "color" or "all": what textures hold
+  std::string maps_dir;      ///< folder for them as pictures, too; none = not wanted
   int lod = 0;               ///< further levels of detail
   std::string engine;        ///< "godot", "unreal" or "unity"
   bool instances = false;    ///< what repeats as one node with many places

@@ -2,6 +2,7 @@
 #include "gbuffer.glsl"
 #include "lit.glsl"
 #include "paper.glsl"
+#include "skin_pits.glsl"
 
 uniform usampler2D ids;
 uniform sampler2D depth;
@@ -55,6 +56,7 @@ struct Nearest {
   uint id;
   vec4 albedo;  // and the number of the material
   vec3 normal;
+  float rim;  // of a part on a cut face: millimetres to its border
 #ifdef DETAILED
   vec4 guide_way, guide_share;
 #endif
@@ -65,7 +67,9 @@ Nearest nearest_at(ivec2 at) {
   found.depth = texelFetch(depth, at, 0).r;
   found.id = texelFetch(ids, at, 0).r;
   found.albedo = texelFetch(albedo, at, 0);
-  found.normal = texelFetch(normal_line, at, 0).xyz;
+  vec4 normal_rim = texelFetch(normal_line, at, 0);
+  found.normal = normal_rim.xyz;
+  found.rim = normal_rim.w;
 #ifdef DETAILED
   found.guide_way = texelFetch(guide_ways, at, 0);
   found.guide_share = texelFetch(guide_shares, at, 0);
@@ -91,6 +95,7 @@ bool is_one(ivec2 pixel, out Nearest mean) {
     mean.depth = mix(mean.depth, other.depth, share);
     mean.albedo.rgb = mix(mean.albedo.rgb, other.albedo.rgb, share);
     mean.normal = mix(mean.normal, other.normal, share);
+    mean.rim = mix(mean.rim, other.rim, share);
 #ifdef DETAILED
     if (other.guide_share != vec4(0.0)) return false;
 #endif
@@ -124,12 +129,22 @@ vec3 fruit_at(Nearest nearest, vec2 at, vec2 size, Seen seen, float distance_to,
   float footprint = pixel_angle * distance_to / max(dot(nearest.normal, to_eye), 0.3);
   int solid = int(pen_of(instance).z);
   vec3 color = modulated(nearest.albedo.rgb, fruit_position, footprint, solid);
+  vec3 normal = nearest.normal;
 #ifdef DETAILED
+  normal = detail_normal(normal, turn_to_fruit(instance), nearest.albedo.rgb, fruit_position, footprint, solid, cut,
+                         nearest.guide_way, nearest.guide_share);
   color = detailed(color, nearest.albedo.rgb, fruit_position, footprint, solid, cut, nearest.guide_way,
                    nearest.guide_share);
 #endif
   Material material = material_at(nearest.albedo.a);
-  return painted(fruit_color(color, nearest.normal, to_eye, seen, cut, material, fruit_position, footprint),
+  vec4 pit = cut || material.pit > 0.0 ? vec4(0.0) : pit_at(solid, fruit_position);
+  if (pit.w > 0.0) {
+    vec3 slope = transpose(turn_to_fruit(instance)) * pit.xyz;
+    normal = normalize(normal - (slope - nearest.normal * dot(slope, nearest.normal)));
+    seen.sky *= 1.0 - 0.6 * pit.w;
+  }
+  return painted(fruit_color(color, normal, to_eye, seen, cut, material, fruit_position, footprint,
+                             nearest.rim),
                  grain_here);
 }
 

@@ -3,7 +3,7 @@
 
 // Every solid's details, four of its cut faces and four of its skin (render/gl/detail_texels.h): kind, run, amount,
 // whether it has a colour; size, length, width, density; softness, wander, variety, near_within or 0; OKLab target,
-// smallest; OKLab near, pitch; threshold, ramp, mean share, mean tone; reach, middle, seed.
+// smallest; OKLab near, pitch; threshold, ramp, mean share, mean tone; reach, middle, seed, relief.
 uniform samplerBuffer detail_styles;
 const int detail_texels = 7;
 const int details_of_a_face = 4;
@@ -132,4 +132,63 @@ vec3 detailed(vec3 color, vec3 unmodulated, vec3 position, float footprint, int 
     changed = true;
   }
   return changed ? clamp(from_oklab(lab), 0.0, 1.0) : color;
+}
+
+// How high a solid's details stand out, metres: the mirror of Look::height in render/style/look.cpp. `plain`: OKLab of the
+// colour before its modulation.
+float detail_height(vec3 plain, vec3 position, float footprint, int solid, bool cut, vec4 way_layer, vec4 share) {
+  float sum = 0.0;
+  for (int i = 0; i < details_of_a_face; ++i) {
+    int detail = detail_texels * (details_of_a_face * (2 * solid + (cut ? 0 : 1)) + i);
+    vec4 head = texelFetch(detail_styles, detail), last = texelFetch(detail_styles, detail + 6);
+    float relief = last.w * share[i];
+    if (int(head.x) == no_detail || relief == 0.0) continue;
+    float within = texelFetch(detail_styles, detail + 2).w;
+    vec3 d = plain - texelFetch(detail_styles, detail + 4).xyz;
+    if (within > 0.0) relief *= exp(-dot(d, d) / (2.0 * within * within));
+
+    vec4 sizes = texelFetch(detail_styles, detail + 1);
+    vec4 place = pattern_place(int(head.y), sizes, last.xy, position, way_layer);
+    float cycles = footprint * place.w / sizes.x;
+    float shown = 1.0 - smoothstep(0.25, 0.5, cycles);
+    float value = texelFetch(detail_styles, detail + 5).z;
+    if (shown > 0.0)
+      value = mix(value, pattern_at(detail, int(head.x), place.xyz, 1.0 - smoothstep(0.125, 0.25, cycles)).x, shown);
+    sum += relief * value;
+  }
+  return sum;
+}
+
+// The way to the skin and the layer at a place beside (render/style/relief.cpp).
+vec4 guide_beside(vec4 way_layer, vec3 step_away) {
+  float way = length(way_layer.xyz);
+  if (way < 1e-6) return way_layer;
+  float nearer = dot(step_away, way_layer.xyz) / way;
+  return vec4(way_layer.xyz * (1.0 - nearer / way), way_layer.w - nearer);
+}
+
+// Whether any detail of such faces has a relief and counts here.
+bool any_relief(int solid, bool cut, vec4 share) {
+  vec4 relief = vec4(0.0);
+  for (int i = 0; i < details_of_a_face; ++i)
+    relief[i] = texelFetch(detail_styles, detail_texels * (details_of_a_face * (2 * solid + (cut ? 0 : 1)) + i) + 6).w;
+  return relief * share != vec4(0.0);
+}
+
+// A scene's normal, tilted by the slope of the details' height. The columns of `to_fruit` are the scene's directions in the
+// fruit.
+vec3 detail_normal(vec3 normal, mat3 to_fruit, vec3 unmodulated, vec3 position, float footprint, int solid, bool cut,
+                   vec4 way_layer, vec4 share) {
+  if (share == vec4(0.0) || !any_relief(solid, cut, share)) return normal;
+  vec3 plain = to_oklab(unmodulated);
+  float by = max(0.5 * footprint, 1e-5);
+  vec3 first = normalize(cross(abs(normal.y) < 0.8 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), normal));
+  vec3 second = cross(normal, first);
+  vec3 steps[3] = vec3[3](vec3(0.0), by * first, by * second);
+  float height[3];
+  for (int i = 0; i < 3; ++i) {
+    vec3 step_away = to_fruit * steps[i];
+    height[i] = detail_height(plain, position + step_away, footprint, solid, cut, guide_beside(way_layer, step_away), share);
+  }
+  return normalize(normal - ((height[1] - height[0]) * first + (height[2] - height[0]) * second) / by);
 }

@@ -19,6 +19,13 @@ vec3 in_fruit(uint instance, vec3 scene_point) {
               dot(texelFetch(instances, row + 2), p));
 }
 
+// Its columns: the scene's directions in the fruit.
+mat3 turn_to_fruit(uint instance) {
+  int row = instance_texels * int(instance - 1u) + 2;
+  return transpose(mat3(texelFetch(instances, row).xyz, texelFetch(instances, row + 1).xyz,
+                        texelFetch(instances, row + 2).xyz));
+}
+
 uniform vec2 depth_range;  // near, far
 
 float distance_from_depth(float depth) {

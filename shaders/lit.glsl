@@ -8,6 +8,7 @@ uniform vec2 light_strengths;  // of the light, of what comes from all sides
 const vec3 sun = vec3(0.74, 0.70, 0.62);
 const vec3 sky = vec3(0.47, 0.50, 0.54);
 const vec3 bounce = vec3(0.40, 0.36, 0.31);
+const float film_frequency = 95.0;  // of the swells of a film of juice, cycles per metre
 
 // What is known of the light at a place: how much of the sky and of the sun reaches it, and of each colour of the
 // sunlight the share that comes to it through the fruit, and that would leave the fruit behind it.
@@ -69,15 +70,34 @@ float skin_shine(vec3 n, vec3 to_eye, float roughness) {
   return mix(lobes, 0.06 * pow(spot, 14.0) + 0.42 * window(n, to_eye, roughness), smooth_skin);
 }
 
-// A cut face is just moist: a broad sheen, and in it small bright highlights where the flesh stands up.
-float cut_shine(vec3 n, vec3 to_eye, vec3 position, float footprint) {
-  float spot = max(dot(n, normalize(to_light + to_eye)), 0.0);
-  float sheen = 0.035 * pow(spot, 24.0);
-  float chance = pow(spot, 6.0) * (1.0 - smoothstep(0.25, 0.6, 1300.0 * footprint));
-  if (chance < 0.02) return sheen;
-  float bump = gradient_noise(position * 1300.0, 411u) + 0.6 * gradient_noise(position * 310.0, 412u);
-  float edge = 0.98 - 0.42 * chance;
-  return sheen + 0.30 * smoothstep(edge, edge + 0.25, bump);
+// A film of juice is not quite flat: it swells by some millimetres. What a wet face shows of the light is a broad sheen,
+// and few highlights of some millimetres' size where the film leans towards the light's mirror direction. What is
+// hardly wet shows only a little of the sheen, and no highlights. The film's slope is noise at the place in the fruit.
+float cut_shine(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint) {
+  vec3 half_way = normalize(to_light + to_eye);
+  float film = smoothstep(0.3, 1.2, wet) * (1.0 - smoothstep(0.25, 0.5, film_frequency * footprint));
+  float sheen = 0.02 * min(wet, 2.0) * pow(max(dot(n, half_way), 0.0), 24.0);
+  if (film <= 0.0 || dot(n, half_way) < 0.5) return sheen;
+  vec3 q = position * film_frequency;
+  vec3 swell = vec3(gradient_noise(q, 411u), gradient_noise(q + 17.3, 412u), gradient_noise(q - 9.1, 413u));
+  float mirror = dot(normalize(n + 0.6 * swell), half_way);
+  float bright = 0.025 * smoothstep(0.93, 0.995, mirror) + 0.17 * smoothstep(0.990, 0.998, mirror);
+  return sheen + film * (0.6 + 0.25 * min(wet, 2.4)) * bright;
+}
+
+// How much of a gel a part is: light goes deep into it, and it is wet.
+float gel_of(Material m) { return smoothstep(0.0034, 0.0055, m.depth) * smoothstep(1.0, 2.2, m.wet); }
+
+// A gel shows its depth: next to the walls that hold it, light comes back from them through little of it, and it has a pale
+// halo; farther in, it deepens by the colour that it lets through [Beer-Lambert]. `rim`: millimetres to the wall.
+vec3 gel_color(vec3 color, Material m, float rim) {
+  float gel = gel_of(m);
+  if (gel <= 0.0) return color;
+  vec3 through = m.inner_color / max(max(m.inner_color.r, m.inner_color.g), m.inner_color.b);
+  float way = 2.0 * min(rim, 3.5);
+  vec3 deep = color * pow(max(through, 0.05), vec3(way / 8.0)) * exp(-way / 22.0);
+  vec3 halo = mix(color, min(1.25 * color + 0.12 * through, 1.0), 0.75);
+  return mix(color, mix(deep, halo, exp(-rim * rim / 0.4)), gel);
 }
 
 float shine(vec3 n, vec3 to_eye, bool cut) {
@@ -85,24 +105,30 @@ float shine(vec3 n, vec3 to_eye, bool cut) {
 }
 
 // `position`: in the fruit, metres; a pixel covers `footprint` metres of it.
-vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, Seen seen, bool cut, Material m, vec3 position, float footprint) {
+// `rim`: of a cut face's part, millimetres to its border.
+vec3 fruit_color(vec3 color, vec3 n, vec3 to_eye, Seen seen, bool cut, Material m, vec3 position, float footprint,
+                 float rim) {
   float cosine = clamp(dot(n, to_eye), 0.0, 1.0);
   float veil = cut ? 0.0 : bloom_cover(m, position, cosine);
   color = mix(color, m.bloom.rgb, veil);
+  if (cut) color = gel_color(color, m, rim);
   vec3 dull = dull_color(color, n, seen, cut, m.depth);
+  float aslant = 1.0 - cosine;
+  float slant = aslant * aslant * aslant * aslant * aslant;
   if (cut) {
-    return dull + gloss * m.wet * cut_shine(n, to_eye, position, footprint) * seen.sun * vec3(1.0, 0.98, 0.94);
+    // Water reflects a little of the sky, most of it at a slant.
+    vec3 sky_in_film = sky_at(reflect(-to_eye, n).y, seen.sky) * (0.008 + 0.4 * slant) * min(m.wet, 2.0);
+    return dull + gloss * (cut_shine(n, to_eye, m.wet, position, footprint) * seen.sun * vec3(1.0, 0.98, 0.94) +
+                           sky_in_film);
   }
 
   // Of hairs too fine to be drawn one sees most where they are seen through each other, along the rim.
-  float rim = 1.0 - cosine;
-  float hairs = m.fuzz.a * rim * rim * rim;
+  float hairs = m.fuzz.a * aslant * aslant * aslant;
   float on_side = mix(0.3, 1.0, seen.sun) * wrapped(dot(n, to_light) + 0.35);
   vec3 on_hairs = sky_at(0.4 + 0.5 * n.y, seen.sky) + light_strengths.x * sun * on_side;
   dull = mix(dull, 1.1 * m.fuzz.rgb * on_hairs, hairs);
 
   // At a slant even a dull skin reflects the sky.
-  float slant = rim * rim * rim * rim * rim;
   vec3 reflected = sky_at(reflect(-to_eye, n).y, seen.sky) * slant * 0.5 * smoothstep(0.5, 0.1, m.roughness);
   float polish = gloss * m.gloss * (1.0 - 0.8 * veil) * (1.0 - m.fuzz.a);
   return dull + polish * (skin_shine(n, to_eye, m.roughness) * seen.sun * vec3(1.0, 0.98, 0.94) + reflected);

@@ -3,7 +3,7 @@
 
 // Every material's texels (render/gl/scene_materials.h): gloss, roughness, wet, depth that light reaches in metres;
 // its colour, how much bloom covers; bloom's colour and frequency; fuzz's colour, how much it covers; share of the
-// bloom that is rubbed off.
+// bloom that is rubbed off, length of the fuzz, depth of the pit around the part.
 uniform samplerBuffer materials;
 const int material_texels = 5;
 
@@ -15,6 +15,7 @@ struct Material {
   float patches;    // cycles per metre
   float rubbed;
   vec4 fuzz;        // colour, cover
+  float pit;        // metres
 };
 
 Material material_at(float number) {
@@ -25,7 +26,7 @@ Material material_at(float number) {
   vec4 fuzz = texelFetch(materials, first + 3);
   vec4 more = texelFetch(materials, first + 4);
   return Material(surface.x, surface.y, surface.z, surface.w, inner.rgb, vec4(bloom.rgb, inner.a), bloom.a, more.x,
-                  fuzz);
+                  fuzz, more.z);
 }
 
 // How much of a skin the bloom hides here: it lies thick where it is seen at a slant, and is rubbed off in patches that

@@ -9,6 +9,7 @@ uniform usamplerBuffer triangle_tags;
 in vec3 scene_normal;
 in vec3 plain_color;
 flat in float material_number;
+in float rim;
 
 layout(location = 0) out vec4 albedo;
 layout(location = 1) out vec4 normal_line;
@@ -17,6 +18,6 @@ layout(location = 2) out uint id;
 void main() {
   vec3 n = normalize(scene_normal);
   albedo = vec4(plain_color, material_number);
-  normal_line = vec4(gl_FrontFacing ? n : -n, 0.0);
+  normal_line = vec4(gl_FrontFacing ? n : -n, rim);
   id = instance_id | texelFetch(triangle_tags, first_triangle + gl_PrimitiveID).r;
 }

@@ -119,7 +119,7 @@ std::vector<NamedFile> asset_files(const AssetOptions& assets, const BatchItem& 
 std::string command_words(const BatchItem& item) {
   std::string words;
   if (item.quality != Quality::final) words += std::string(" --quality ") + name_of(item.quality);
-  if (item.texture > 0) words += " --texture " + std::to_string(item.texture);
+  if (item.texture > 0) words += " --texture " + std::to_string(item.texture) + " --maps color";
   if (item.lod > 0) words += " --lod " + std::to_string(item.lod);
   return words;
 }

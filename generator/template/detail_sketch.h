@@ -53,6 +53,7 @@ struct DetailSketch {
   std::optional<Color> near;   ///< only near this unmodulated colour
   double near_within = 0.12;   ///< OKLab distance over which that fades
   Ramp<double> depth = Ramp<double>::constant(1);  ///< share of the amount by the depth below the skin, metres
+  double relief = 0;  ///< metres that the marks stand out, or are sunk where negative; the look alone, no vertex moves
 
   double reach = 0.03;   ///< metres: the fruit's largest drawn radius
   double middle = 0.03;  ///< metres: half its drawn height

@@ -32,7 +32,9 @@ struct Translucency {
 struct MaterialSketch {
   double gloss = 1;        ///< strength of the highlight on skins, 0..4
   double roughness = 0.3;  ///< how far it spreads: 0 = a mirror, 1 = dull
-  double wet = 1;          ///< strength of the small highlights on cut faces, 0..4
+  double wet = 1;          ///< how wet cut faces are: strength of their sheen and highlights, 0..4
+  double relief = 0;       ///< metres that the part stands proud of cut faces, or is sunk in them where negative
+  double pit = 0;          ///< metres that the skin around it is sunk, where it lies on a skin
   Bloom bloom;
   Fuzz fuzz;
   Translucency translucency;

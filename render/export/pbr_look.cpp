@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/base/reproducible.h"
+#include "render/style/pbr_roughness.h"
 
 namespace pomona {
 
@@ -21,7 +22,7 @@ PbrLook look_of_skin(const MaterialSketch& material) {
   // A template's roughness of 0.3 is glTF's 0.6; smoother skins shine by their coat, rougher ones lose their shine.
   const double smoothness = std::max(0.0, 0.3 - material.roughness);
   PbrLook look;
-  look.roughness = rounded(0.6 + (material.roughness > 0.3 ? 0.57 * (material.roughness - 0.3) : -0.8 * smoothness));
+  look.roughness = rounded(pbr_roughness(material, false));
   look.specular = rounded(std::min(material.gloss, 1.0));
   look.clearcoat = rounded(std::min(1.0, 3.2 * smoothness * material.gloss));
   if (look.clearcoat > 0) look.clearcoat_roughness = rounded(material.roughness);
@@ -36,9 +37,10 @@ PbrLook look_of_skin(const MaterialSketch& material) {
 
 PbrLook look_of_cut_face(const MaterialSketch& material) {
   PbrLook look;
-  look.roughness = rounded(0.6 + 0.25 * std::max(0.0, 1 - material.wet));
-  look.clearcoat = rounded(std::min(0.7, 0.3 * std::max(0.0, material.wet - 1)));
-  if (look.clearcoat > 0) look.clearcoat_roughness = 0.2;
+  // A film of juice is smooth whatever lies under it: a coat, whose highlights are broad.
+  look.roughness = rounded(pbr_roughness(material, true));
+  look.clearcoat = rounded(std::min(0.8, 0.5 * std::max(0.0, material.wet - 1)));
+  if (look.clearcoat > 0) look.clearcoat_roughness = 0.15;
   return look;
 }
 

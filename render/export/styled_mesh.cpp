@@ -124,8 +124,9 @@ VertexBits vertex_bits(const Solid& solid, const glm::vec3& normal, const glm::v
   return bits;
 }
 
-/// The solid's vertices, each once, numbered in the order in which triangles first use them. `uv` may be empty.
-StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
+/// The solid's vertices, each once, numbered in the order in which triangles first use them. `uv` and
+/// `tangent` may be empty.
+StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv, const std::vector<glm::vec4>& tangent) {
   const std::vector<glm::vec3> normals = unit_normals(solid);
   StyledMesh mesh;
 
@@ -142,6 +143,7 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv) {
       mesh.face.push_back(cut ? DetailFace::cut : DetailFace::skin);
       if (!solid.guide.empty()) mesh.guide.push_back(solid.guide[v]);
       if (!uv.empty()) mesh.uv.push_back(uv[v]);
+      if (!tangent.empty()) mesh.tangent.push_back(tangent[v]);
     }
     return number;
   };
@@ -169,7 +171,7 @@ std::vector<StyledMesh> styled_meshes(std::span<const Solid> solids, const Expor
   const Look first = solids.empty() ? Look() : look_of(solids.front(), nullptr);
   std::vector<StyledMesh> meshes(solids.size());
   parallel_for(meshes.size(), options.threads, [&](std::size_t i) {
-    meshes[i] = welded(solids[i], {});
+    meshes[i] = welded(solids[i], {}, {});
     meshes[i].color = styled_colors(meshes[i], look_of(solids[i], &first), Paint(options.style));
   });
   return meshes;
@@ -179,6 +181,6 @@ std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& o
   return styled_meshes(scene.solids, options);
 }
 
-StyledMesh textured_mesh(const BakedSolid& baked) { return welded(baked.solid, baked.uv); }
+StyledMesh textured_mesh(const BakedSolid& baked) { return welded(baked.solid, baked.uv, baked.maps.tangent); }
 
 }  // namespace pomona

@@ -38,6 +38,7 @@ struct StyledMesh {
   std::vector<DetailGuide> guide;   ///< as in Solid
   std::vector<DetailFace> face;     ///< what the vertex lies on
   std::vector<glm::vec2> uv;        ///< into a baked texture, (0, 0) its upper left corner; else empty
+  std::vector<glm::vec4> tangent;   ///< of a texture with a normal map; else empty
 
   std::vector<glm::uvec3> triangle;    ///< counter-clockwise seen from the air
   std::vector<std::int32_t> cut_face;  ///< per triangle, as in Solid

@@ -17,7 +17,7 @@ std::vector<glm::vec4> texels_of(const Look::Detail& detail) {
       {glm::vec3(detail.target), sketch.smallest},
       {glm::vec3(detail.near), shape.pitch},
       {shape.threshold, shape.ramp, shape.mean.share, shape.mean.tone},
-      {sketch.reach, sketch.middle, static_cast<float>(shape.seed), 0},
+      {sketch.reach, sketch.middle, static_cast<float>(shape.seed), sketch.relief},
   };
 }
 

@@ -31,6 +31,7 @@ class PlacedSolids {
   const GlTexture& triangle_tags() const { return uploaded_.triangle_tags; }
   const GlTexture& noise_styles() const { return uploaded_.noise_styles; }
   const GlTexture& materials() const { return uploaded_.materials; }
+  const GlTexture& pits() const { return uploaded_.pits; }
 
  private:
   const CurrentGl& gl_;

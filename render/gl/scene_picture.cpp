@@ -385,6 +385,8 @@ void ScenePainter::compose() {
     program.set("guide_shares", 15), targets_.guide_shares->bind(15);
   }
   bind_materials(program);
+  program.set("pits", 12);
+  solids_.pits().bind(12);
   program.set("see_through", targets_.glass ? 1 : 0);
   program.set("glass", 9);
   if (targets_.glass) targets_.glass->bind(9);

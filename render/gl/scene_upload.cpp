@@ -6,8 +6,10 @@
 #include "generator/base/parallel.h"
 #include "render/gl/detail_texels.h"
 #include "render/gl/scene_materials.h"
+#include "render/style/face_relief.h"
 #include "render/style/hairs.h"
 #include "render/style/noise.h"
+#include "render/style/skin_pits.h"
 
 namespace pomona {
 
@@ -30,6 +32,9 @@ struct Gathered {
   std::vector<float> material;
   SceneMaterials materials;
   bool translucent = false;
+  std::vector<glm::vec4> relief;  // what it adds to the normal; metres to the part's rim
+  bool any_relief = false;
+  std::vector<std::vector<glm::vec4>> pit_grids;  // per solid
   std::vector<glm::vec3> hair_position, hair_along, hair_color;
   std::vector<glm::vec4> hair_normal;
 };
@@ -45,7 +50,26 @@ void append(const Hair& hair, Gathered& all) {
   }
 }
 
-void append(const Solid& solid, const std::vector<Hair>& hairs, bool with_noise, Gathered& all) {
+/// What is worked out of a solid for its picture alone.
+struct PictureParts {
+  std::vector<Hair> hairs;
+  std::vector<RimPlace> rims;   // per vertex; none where no part has any to show
+  std::vector<glm::vec4> pits;  // a grid of them, or none
+};
+
+PictureParts picture_parts_of(const Solid& solid, const Style& style) {
+  PictureParts parts;
+  if (solid.opacity < 1) return parts;
+  parts.hairs = hairs_of(solid);
+  if (!style.noise) return parts;
+  parts.pits = SkinPits(solid).texels();
+  const FaceRelief relief(solid);
+  if (!relief.empty()) parts.rims = relief.at_vertices();
+  return parts;
+}
+
+void append(const Solid& solid, const PictureParts& made, bool with_noise, Gathered& all) {
+  const auto& [hairs, rims, pits] = made;
   // Where the solid begins in the shared buffers, and how much of them is its own.
   UploadedSolids::Part part;
   part.indices = static_cast<GLsizei>(3 * solid.triangle.size());
@@ -64,6 +88,13 @@ void append(const Solid& solid, const std::vector<Hair>& hairs, bool with_noise,
   const std::vector<float> materials = all.materials.numbers_of(solid);
   all.material.insert(all.material.end(), materials.begin(), materials.end());
   all.translucent = all.translucent || lets_light_in(solid);
+  all.relief.resize(all.position.size(), glm::vec4(0, 0, 0, 1));
+  for (std::size_t v = 0; v < rims.size(); ++v) {
+    all.relief[static_cast<std::size_t>(part.first_vertex) + v] =
+        glm::vec4(-rims[v].slope, static_cast<float>(rims[v].rim));
+  }
+  all.any_relief = all.any_relief || !rims.empty();
+  all.pit_grids.push_back(pits);
   for (const Hair& hair : hairs) append(hair, all);
 
   // The styles of its noise, which stay plain where the picture has none.
@@ -73,13 +104,23 @@ void append(const Solid& solid, const std::vector<Hair>& hairs, bool with_noise,
 }
 
 Gathered gathered_solids(const Scene& scene, const Style& style) {
-  std::vector<std::vector<Hair>> hairs(scene.solids.size());
-  parallel_for(scene.solids.size(), {}, [&](std::size_t i) {
-    if (scene.solids[i].opacity >= 1) hairs[i] = hairs_of(scene.solids[i]);
-  });
+  std::vector<PictureParts> made(scene.solids.size());
+  parallel_for(scene.solids.size(), {}, [&](std::size_t i) { made[i] = picture_parts_of(scene.solids[i], style); });
   Gathered all;
-  for (std::size_t i = 0; i < scene.solids.size(); ++i) append(scene.solids[i], hairs[i], style.noise, all);
+  for (std::size_t i = 0; i < scene.solids.size(); ++i) append(scene.solids[i], made[i], style.noise, all);
+  if (!all.any_relief) all.relief.clear();
   return all;
+}
+
+/// For each solid where its grid begins, or -1; then the grids (shaders/skin_pits.glsl).
+std::vector<glm::vec4> pit_texels(const std::vector<std::vector<glm::vec4>>& grids) {
+  std::vector<glm::vec4> texels(grids.size() + 1, glm::vec4(-1));
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    if (grids[i].empty()) continue;
+    texels[i].x = static_cast<float>(texels.size());
+    texels.insert(texels.end(), grids[i].begin(), grids[i].end());
+  }
+  return texels;
 }
 
 std::optional<UploadedSolids::Guides> uploaded_guides(const CurrentGl& gl, const Scene& scene, const Style& style,
@@ -145,12 +186,15 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
   GlTexture noise_styles(gl, GL_RGBA32F, noise_buffer);
   GlBuffer material_buffer(gl, GL_TEXTURE_BUFFER, all.materials.texels());
   GlTexture materials(gl, GL_RGBA32F, material_buffer);
+  GlBuffer pit_buffer(gl, GL_TEXTURE_BUFFER, pit_texels(all.pit_grids));
+  GlTexture pits(gl, GL_RGBA32F, pit_buffer);
   UploadedSolids solids{
       .parts = all.parts,
       .position = GlBuffer(gl, GL_ARRAY_BUFFER, all.position),
       .normal = GlBuffer(gl, GL_ARRAY_BUFFER, all.normal),
       .color = GlBuffer(gl, GL_ARRAY_BUFFER, all.color),
       .material = GlBuffer(gl, GL_ARRAY_BUFFER, all.material),
+      .relief = GlBuffer(gl, GL_ARRAY_BUFFER, all.relief),
       .index = GlBuffer(gl, GL_ARRAY_BUFFER, all.triangle),
       .hair_position = GlBuffer(gl, GL_ARRAY_BUFFER, all.hair_position),
       .hair_along = GlBuffer(gl, GL_ARRAY_BUFFER, all.hair_along),
@@ -162,6 +206,8 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
       .noise_styles = std::move(noise_styles),
       .material_buffer = std::move(material_buffer),
       .materials = std::move(materials),
+      .pit_buffer = std::move(pit_buffer),
+      .pits = std::move(pits),
       .translucent = all.translucent,
       .solids = GlVertexArray(gl),
       .hairs = GlVertexArray(gl),
@@ -173,6 +219,7 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
   solids.solids.attach(1, 3, solids.normal);
   solids.solids.attach(2, 3, solids.color);
   solids.solids.attach(3, 1, solids.material);
+  if (all.any_relief) solids.solids.attach(4, 4, solids.relief);  // else it is (0, 0, 0, 1): level, and far from rims
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());
   if (std::optional<UploadedSolids::Guides> guides = uploaded_guides(gl, scene, style, solids.position)) {
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());

@@ -21,14 +21,16 @@ struct UploadedSolids {
     GLsizei hair_vertices = 0;
   };
   std::vector<Part> parts;
-  GlBuffer position, normal, color, material, index;
+  GlBuffer position, normal, color, material, relief, index;
   GlBuffer hair_position, hair_along, hair_color, hair_normal;
   GlBuffer tag_buffer;
   GlTexture triangle_tags;  ///< per triangle: the low 12 bits of its id (shaders/gbuffer.glsl)
   GlBuffer noise_buffer;
   GlTexture noise_styles;  ///< per solid noise_texels texels (shaders/noise.glsl)
   GlBuffer material_buffer;
-  GlTexture materials;       ///< shaders/material.glsl
+  GlTexture materials;  ///< shaders/material.glsl
+  GlBuffer pit_buffer;
+  GlTexture pits;            ///< per solid, and their grids (shaders/skin_pits.glsl)
   bool translucent = false;  ///< whether light passes through any solid
   GlVertexArray solids, hairs;
 

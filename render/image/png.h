@@ -15,9 +15,15 @@ enum class PngPacking {
   fast,   ///< for textures by the thousand: a quarter of the time, 3 to 8 % more bytes (docs/textures.md)
 };
 
+/// What the numbers of a picture are.
+enum class PngValues {
+  srgb,    ///< colours, and the file says so
+  shares,  ///< shares of 255, as in normal maps: the file says nothing of colours
+};
+
 /// The file's bytes: 8-bit RGB marked as sRGB, no time, the same for the same picture (filter and compression
 /// level are fixed).
-std::string write_png(const Image& image, PngPacking packing = PngPacking::small);
+std::string write_png(const Image& image, PngPacking packing = PngPacking::small, PngValues values = PngValues::srgb);
 
 /// The same with opacity: 8-bit RGBA.
 std::string write_png(const TransparentImage& image);

@@ -15,13 +15,18 @@ namespace {
 /// Weights below this change nothing that eight bits could show.
 constexpr double least_weight = 1e-3;
 
+/// How near a colour is to what a detail keeps to, 0..1. \param unmodulated in OKLab
+double nearness(const Look::Detail& detail, const glm::dvec3& unmodulated) {
+  const DetailSketch& sketch = detail.pattern.detail();
+  if (!sketch.near) return 1;
+  const glm::dvec3 d = unmodulated - detail.near;
+  return reproducible::exp(-glm::dot(d, d) / (2 * sketch.near_within * sketch.near_within));
+}
+
 /// How much a detail counts for a colour.
 double weight_of(const Look::Detail& detail, const glm::dvec3& unmodulated, double share) {
-  const DetailSketch& sketch = detail.pattern.detail();
-  double weight = sketch.amount * share;
-  if (!sketch.near || std::fabs(weight) < least_weight) return weight;
-  const glm::dvec3 d = unmodulated - detail.near;
-  return weight * reproducible::exp(-glm::dot(d, d) / (2 * sketch.near_within * sketch.near_within));
+  const double weight = detail.pattern.detail().amount * share;
+  return std::fabs(weight) < least_weight ? weight : weight * nearness(detail, unmodulated);
 }
 
 }  // namespace
@@ -40,6 +45,29 @@ Look::Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details, co
     if (sketch.near) detail.near = to_oklab(*sketch.near);
     of_face.push_back(detail);
   }
+}
+
+Look::Height Look::height(const Color& unmodulated, const LookPlace& place) const {
+  Height sum;
+  std::optional<glm::dvec3> plain;
+  const std::vector<Detail>& details = this->details(place.face);
+  for (std::size_t i = 0; i < details.size(); ++i) {
+    const DetailSketch& sketch = details[i].pattern.detail();
+    double relief = sketch.relief * static_cast<double>(place.guide.share[static_cast<int>(i)]);
+    if (relief == 0) continue;
+    if (sketch.near && !plain) plain = to_oklab(unmodulated);
+    if (sketch.near) relief *= nearness(details[i], *plain);
+    const double share = details[i].pattern(place.position, place.guide, place.footprint).share;
+    sum.height += relief * share;
+    sum.below += std::max(relief * (details[i].pattern.shape().mean.share - share), 0.0) / sketch.size;
+  }
+  return sum;
+}
+
+bool Look::has_relief(DetailFace face) const {
+  const std::vector<Detail>& of_face = details(face);
+  return std::any_of(of_face.begin(), of_face.end(),
+                     [](const Detail& detail) { return detail.pattern.detail().relief != 0; });
 }
 
 bool Look::is_plain() const { return modulation_.bands() == 0 && details_[0].empty() && details_[1].empty(); }

@@ -34,6 +34,18 @@ class Look {
   /// cuts of a fruit agree where they meet.
   Color operator()(const Color& unmodulated, const LookPlace& place) const;
 
+  /// How high the details stand out at a place, and how far that lies below their mean: the sum over them of
+  ///   relief guide.share exp(-|OKLab(unmodulated) - OKLab(near)|^2 / 2 near_within^2) s
+  /// with s the pattern's share there; patterns too fine for the footprint have their mean height.
+  struct Height {
+    double height = 0;  ///< metres, along the normal
+    double below = 0;   ///< how much lower than the mean of each pattern, by that pattern's size
+  };
+  Height height(const Color& unmodulated, const LookPlace& place) const;
+
+  /// Whether any detail of such faces has a relief.
+  bool has_relief(DetailFace face) const;
+
   /// Whether it leaves all colours alone.
   bool is_plain() const;
   const Modulation& modulation() const { return modulation_; }

@@ -12,6 +12,8 @@
 #include "render/texture/chart_canvas.h"
 #include "render/texture/charts.h"
 #include "render/texture/sample_colors.h"
+#include "render/texture/sample_maps.h"
+#include "render/texture/tangents.h"
 
 namespace pomona {
 
@@ -32,8 +34,9 @@ class Baker {
   BakedSolid bake(const SampleColors::OfCutFaces& of_cut_faces) {
     colors_.emplace(solid_, style_, of_cut_faces, texel(), options_.threads);
     Image& image = result_.texture;
-    image = {atlas_.size.x, atlas_.size.y,
-             std::vector<glm::u8vec3>(static_cast<std::size_t>(atlas_.size.x) * atlas_.size.y)};
+    image = image_of({0, 0, 0});
+    add_mesh();
+    if (options_.maps == Maps::all) start_maps();
     // Charts by the handful, as many as have a million texels or two.
     for (std::size_t first = 0; first < charts_.size();) {
       std::size_t end = first, texels = 0;
@@ -43,7 +46,6 @@ class Baker {
       first = end;
     }
     fill_gaps(image, atlas_);
-    add_mesh();
     measure();
     return std::move(result_);
   }
@@ -52,6 +54,27 @@ class Baker {
   std::size_t texels_of(std::size_t chart) const {
     const glm::dvec2 size = charts_[chart].size * atlas_.texels_per_metre + 4.0;
     return static_cast<std::size_t>(size.x * size.y);
+  }
+
+  Image image_of(const glm::u8vec3& value) const {
+    return {atlas_.size.x, atlas_.size.y,
+            std::vector<glm::u8vec3>(static_cast<std::size_t>(atlas_.size.x) * atlas_.size.y, value)};
+  }
+
+  /// Where no chart is, maps are level, open, dull and thick.
+  void start_maps() {
+    const Solid& mesh = result_.solid;
+    SurfaceMaps& maps = result_.maps;
+    maps.normal = image_of({128, 128, 255});
+    maps.orm = image_of({255, 153, 0});
+    maps.thickness = image_of({0, 255, 0});
+    maps.part = image_of({255, 255, 255});
+    maps.tangent = tangents(mesh.position, mesh.normal, result_.uv, mesh.triangle);
+    tangent_mesh_ = {mesh.triangle, maps.tangent, std::vector<std::uint32_t>(solid_.triangle.size(), 0)};
+    std::uint32_t next = 0;
+    for (const Chart& chart : charts_)
+      for (const std::uint32_t t : chart.triangles) tangent_mesh_.number[t] = next++;
+    sample_maps_.emplace(solid_, colors_->look(), tangent_mesh_, texel(), options_.threads);
   }
 
   /// Colours the charts from `first` to before `end`.
@@ -65,24 +88,60 @@ class Baker {
       samples.insert(samples.end(), own.begin(), own.end());
       begin.push_back(samples.size());
     }
-    const std::vector<Color> colors = colors_->of(samples);
+    std::vector<Color> colors = colors_->plain(samples);
+    std::vector<MapSample> shading;
+    if (sample_maps_) shading = sample_maps_->of(samples, colors);
+    colors = colors_->styled(samples, std::move(colors));
     parallel_for(of_chart.size(), options_.threads, [&](std::size_t i) {
       ChartCanvas canvas(atlas_, first + i);
-      draw(canvas, of_chart[i], colors.data() + begin[i]);
+      draw(canvas, of_chart[i], [&](std::size_t k) { return colors[begin[i] + k]; });
       if (of_chart[i].empty()) canvas.fill_with(colors_->mean_of(charts_[first + i]));
       if (style_.ink && charts_[first + i].cut_face >= 0 && !of_chart[i].empty()) ink(canvas, first + i);
       canvas.fill();
       canvas.write(result_.texture);
+      if (sample_maps_) draw_maps(first + i, of_chart[i], shading.data() + begin[i]);
     });
   }
 
+  /// A chart's place on each map.
+  void draw_maps(std::size_t chart, const std::vector<TexelSample>& samples, const MapSample* shading) {
+    const auto drawn = [&](auto value) {
+      ChartCanvas canvas(atlas_, chart);
+      draw(canvas, samples, [&](std::size_t k) { return value(shading[k]); });
+      if (samples.empty()) canvas.fill_with(value(sample_maps_->speck(charts_[chart].triangles.front())));
+      canvas.fill();
+      return canvas;
+    };
+    drawn([](const MapSample& s) { return s.normal; }).write_directions(result_.maps.normal);
+    drawn([](const MapSample& s) { return s.orm; }).write_shares(result_.maps.orm);
+    drawn([](const MapSample& s) { return s.thickness; }).write_shares(result_.maps.thickness);
+    draw_parts(chart, samples);
+  }
+
+  /// Numbers have no means: the part of each texel's first sample, and around them nothing.
+  void draw_parts(std::size_t chart, const std::vector<TexelSample>& samples) {
+    ChartCanvas canvas(atlas_, chart);
+    const auto color_of = [](std::int32_t part) { return Color(static_cast<float>(std::min(part, 254)) / 255.0f); };
+    for (const TexelSample& sample : samples) {
+      const glm::ivec2 at = sample.texel;
+      if (canvas.owns(at.x, at.y) && !canvas.has(at.x, at.y))
+        canvas.set(at.x, at.y, color_of(sample_maps_->part(sample)));
+    }
+    if (samples.empty()) {
+      const glm::uvec3& speck = solid_.triangle[charts_[chart].triangles.front()];
+      canvas.fill_with(color_of(solid_.part[speck.x]));
+    }
+    canvas.write_shares(result_.maps.part);
+  }
+
   /// The mean of each texel's samples, which follow one another.
-  static void draw(ChartCanvas& canvas, const std::vector<TexelSample>& samples, const Color* colors) {
+  template <typename ColorOf>
+  static void draw(ChartCanvas& canvas, const std::vector<TexelSample>& samples, const ColorOf& color_of) {
     for (std::size_t i = 0; i < samples.size();) {
       const glm::ivec2 texel = samples[i].texel;
       glm::dvec3 sum(0);
       std::size_t end = i;
-      for (; end < samples.size() && samples[end].texel == texel; ++end) sum += glm::dvec3(colors[end]);
+      for (; end < samples.size() && samples[end].texel == texel; ++end) sum += glm::dvec3(color_of(end));
       if (canvas.owns(texel.x, texel.y)) canvas.set(texel.x, texel.y, Color(sum / static_cast<double>(end - i)));
       i = end;
     }
@@ -156,6 +215,8 @@ class Baker {
   std::vector<Chart> charts_;
   Atlas atlas_;
   std::optional<SampleColors> colors_;
+  TangentMesh tangent_mesh_;
+  std::optional<SampleMaps> sample_maps_;
   BakedSolid result_;
 };
 

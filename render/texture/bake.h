@@ -10,6 +10,7 @@
 #include "generator/piece/solid.h"
 #include "render/image/image.h"
 #include "render/style/style.h"
+#include "render/texture/maps.h"
 
 namespace pomona {
 
@@ -17,6 +18,7 @@ struct BakeOptions {
   int texels = 1024;   ///< along the texture's edge; a multiple of 2^mip_levels keeps all of these
   double texel = 0;    ///< metres: if above 0 the texture is as large as that asks for, and `texels` means nothing
   int mip_levels = 3;  ///< down to which no chart takes on another one's colours
+  Maps maps = Maps::color;
   bool every_texel = false;  ///< diffuses each by itself, as a measure for others; slow
   Threads threads{};
 };
@@ -26,6 +28,7 @@ struct BakedSolid {
   Solid solid;
   std::vector<glm::vec2> uv;  ///< one per vertex; (0, 0) is the upper left corner of the texture
   Image texture;              ///< sRGB; 0 x 0 for a solid without triangles
+  SurfaceMaps maps;           ///< empty unless BakeOptions::maps asks for all
 
   int mip_levels = 0;  ///< as promised by BakeOptions, or fewer where charts are many and texels few
   double texel = 0;    ///< metres, exact on cut faces

@@ -1,6 +1,10 @@
 #include "render/texture/chart_canvas.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace pomona {
 
@@ -13,6 +17,10 @@ void around(const glm::ivec2& p, const Visit& visit) {
       if (x != p.x || y != p.y) visit(x, y);
     }
   }
+}
+
+glm::u8vec3 eight_bits_of(const glm::vec3& share) {
+  return {glm::floor(glm::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f)};
 }
 
 }  // namespace
@@ -56,11 +64,16 @@ void ChartCanvas::fill() {
 }
 
 void ChartCanvas::write(Image& image) const {
-  for (int y = low_.y; y < high_.y; ++y) {
-    for (int x = low_.x; x < high_.x; ++x) {
-      if (has(x, y)) image.pixels[static_cast<std::size_t>(y) * image.width + x] = to_srgb8(color_[at(x, y)]);
-    }
-  }
+  write_as(image, [](const Color& color) { return to_srgb8(color); });
+}
+
+void ChartCanvas::write_shares(Image& image) const { write_as(image, eight_bits_of); }
+
+void ChartCanvas::write_directions(Image& image) const {
+  write_as(image, [](const Color& direction) {
+    const float length = std::sqrt(glm::dot(direction, direction));
+    return eight_bits_of(0.5f + 0.5f * direction / std::max(length, 1e-6f));
+  });
 }
 
 std::vector<glm::ivec2> ChartCanvas::border() const {

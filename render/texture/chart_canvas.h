@@ -37,7 +37,20 @@ class ChartCanvas {
   /// Copies what is filled, as sRGB.
   void write(Image& image) const;
 
+  /// The same of what are no colours but shares, as shares of 255; or of directions, made unit, as (n + 1) / 2.
+  void write_shares(Image& image) const;
+  void write_directions(Image& image) const;
+
  private:
+  template <typename Encode>
+  void write_as(Image& image, const Encode& encode) const {
+    for (int y = low_.y; y < high_.y; ++y) {
+      for (int x = low_.x; x < high_.x; ++x) {
+        if (has(x, y)) image.pixels[static_cast<std::size_t>(y) * image.width + x] = encode(color_[at(x, y)]);
+      }
+    }
+  }
+
   std::size_t at(int x, int y) const { return static_cast<std::size_t>(y - low_.y) * (high_.x - low_.x) + x - low_.x; }
 
   /// Owned and empty beside something filled; row by row.

@@ -29,7 +29,7 @@ SampleColors::SampleColors(const Solid& solid, const Style& style, const OfCutFa
       texel_(texel),
       threads_(threads) {}
 
-std::vector<Color> SampleColors::of(const std::vector<TexelSample>& samples) {
+std::vector<Color> SampleColors::plain(const std::vector<TexelSample>& samples) {
   std::vector<Color> colors(samples.size());
   std::vector<glm::vec3> points(samples.size());
   parallel_for(chunks(samples.size()), threads_, [&](std::size_t chunk) {
@@ -39,6 +39,10 @@ std::vector<Color> SampleColors::of(const std::vector<TexelSample>& samples) {
     });
   });
   diffuse(samples, points, colors);
+  return colors;
+}
+
+std::vector<Color> SampleColors::styled(const std::vector<TexelSample>& samples, std::vector<Color> colors) const {
   if (look_.is_plain() && paint_.is_plain()) return colors;
   parallel_for(chunks(samples.size()), threads_, [&](std::size_t chunk) {
     for_chunk(chunk, samples.size(),

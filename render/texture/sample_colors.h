@@ -27,8 +27,14 @@ class SampleColors {
   /// \param texel size, metres
   SampleColors(const Solid& solid, const Style& style, const OfCutFaces& of_cut_faces, double texel, Threads threads);
 
-  /// Linear, one per sample.
-  std::vector<Color> of(const std::vector<TexelSample>& samples);
+  /// Linear, one per sample, as they look: styled() of what plain() gives.
+  std::vector<Color> of(const std::vector<TexelSample>& samples) { return styled(samples, plain(samples)); }
+
+  /// Before noise, details and paint.
+  std::vector<Color> plain(const std::vector<TexelSample>& samples);
+  std::vector<Color> styled(const std::vector<TexelSample>& samples, std::vector<Color> colors) const;
+
+  const Look& look() const { return look_; }
 
   /// The mean of a chart that is smaller than a texel.
   Color mean_of(const Chart& chart) const;

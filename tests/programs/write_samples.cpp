@@ -20,6 +20,11 @@ int main(int, char** arguments) {
   write_whole(folder / "materials.glb", write_glb(named::with_materials()));
   write_whole(folder / "large.glb", write_glb(large));
   write_whole(folder / "textured.glb", write_glb(large, std::vector{baked(large.solids[0], style_named("ink"))}));
+  const Scene shining = named::with_materials();
+  std::vector<BakedSolid> with_maps;
+  for (const Solid& solid : shining.solids)
+    with_maps.push_back(baked(solid, style_named("ink"), {.texels = 128, .maps = Maps::all}));
+  write_whole(folder / "maps.glb", write_glb(shining, with_maps));
   const std::vector<std::vector<Solid>> levels{{named::ball("large_LOD1", 0.1f, 70, Color(0.5f))}};
   write_whole(folder / "levels.glb", write_glb(large, {}, levels));
   write_whole(folder / "empty.glb", write_glb(Scene{}));

@@ -59,6 +59,7 @@ color = "#ffffff"
 near = "#000000"
 near_within = 0.3
 depth = [["0mm", 0.0], ["10mm", 1.0]]
+relief = "-0.3mm"
 
 [[detail]]
 kind = "net"
@@ -81,6 +82,8 @@ axis = [0, 1, 0]
   EXPECT_NEAR(details[0].depth(0.005), 0.5, 1e-6);
   EXPECT_GT(details[0].reach, 0.0);
   EXPECT_GT(details[0].middle, 0.0);
+  EXPECT_NEAR(details[0].relief, -3e-4, 1e-12);
+  EXPECT_EQ(details[1].relief, 0.0);
   EXPECT_EQ(details[1].face, DetailFace::skin);
   EXPECT_EQ(details[1].run, DetailRun::none);
   EXPECT_EQ(details[1].length, details[1].size);

@@ -100,6 +100,7 @@ DetailSketch read_detail(const TomlTable& table, const Template& fruit) {
   if (table.has("near")) detail.near = table.get("near").color();
   detail.near_within = table.get("near_within").number(detail.near_within, {1e-3, 10});
   detail.depth = read_depth_ramp(table.get("depth"), 1, {0, 1});
+  detail.relief = table.get("relief").length(0, {-0.01, 0.01});
   measure(fruit, detail);
   return detail;
 }

@@ -6,6 +6,9 @@ namespace {
 
 constexpr Within share{0, 1};
 constexpr Within strength{0, 4};
+constexpr Within relief_height{-0.01, 0.01};  // metres
+constexpr double dry_roughness = 0.45;        // what is so rough is dry, where nothing says how wet it is
+constexpr double usual_dry_wet = 0.15;
 
 Bloom read_bloom(const TomlTable& table) {
   Bloom bloom;
@@ -36,7 +39,10 @@ MaterialSketch read_material(const TomlTable& table) {
   MaterialSketch material;
   material.gloss = table.get("gloss").number(material.gloss, strength);
   material.roughness = table.get("roughness").number(material.roughness, {0.02, 1});
-  material.wet = table.get("wet").number(material.wet, strength);
+  const double usual_wet = material.roughness >= dry_roughness ? usual_dry_wet : material.wet;
+  material.wet = table.get("wet").number(usual_wet, strength);
+  material.relief = table.get("relief").length(0, relief_height);
+  material.pit = table.get("pit").length(0, {0, relief_height.high});
   if (table.has("bloom")) material.bloom = read_bloom(table.get("bloom").table());
   if (table.has("fuzz")) material.fuzz = read_fuzz(table.get("fuzz").table());
   if (table.has("translucency")) material.translucency = read_translucency(table.get("translucency").table());

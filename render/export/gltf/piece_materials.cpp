@@ -1,8 +1,7 @@
 #include "render/export/gltf/piece_materials.h"
 
+#include <algorithm>
 #include <utility>
-
-#include "render/image/png.h"
 
 namespace pomona::gltf {
 
@@ -20,24 +19,34 @@ std::string name_of(const Solid& solid, const LookGroup& group, const std::strin
   return name;
 }
 
+/// The inverse of what look_of() makes of a depth, metres.
+double depth_of_transmission(double transmission) { return 1e-3 * transmission / std::max(0.45 - transmission, 0.01); }
+
+bool lets_light_through(const Solid& solid) {
+  return std::any_of(solid.materials.begin(), solid.materials.end(),
+                     [](const MaterialSketch& material) { return material.translucency.depth > 0; });
+}
+
 }  // namespace
 
-int PieceMaterials::material(const Solid& solid, const LookGroup& group, std::optional<int> texture) {
-  const std::string picture = texture ? document_.at("textures", *texture)["name"].get<std::string>() : "";
+int PieceMaterials::material(const Solid& solid, const LookGroup& group, const std::optional<PieceTextures>& textures) {
+  const std::string picture =
+      textures ? document_.at("textures", textures->color)["name"].get<std::string>() : std::string();
   const std::string name = name_of(solid, group, picture);
-  const auto known = known_.find({name, solid.closed, solid.opacity, group.look, texture});
+  const auto known = known_.find({name, solid.closed, solid.opacity, group.look, textures});
   if (known != known_.end()) return known->second;
 
   // White where vertices have colours, so that those speak. Open meshes show both sides.
   Json metal = {{"metallicFactor", 0.0}, {"roughnessFactor", group.look.roughness}};
   if (solid.opacity < 1) metal["baseColorFactor"] = {1.0, 1.0, 1.0, static_cast<double>(solid.opacity)};
-  if (texture) metal["baseColorTexture"] = {{"index", *texture}};
+  if (textures) metal["baseColorTexture"] = {{"index", textures->color}};
   Json material = {{"name", name}, {"pbrMetallicRoughness", std::move(metal)}};
   if (solid.opacity < 1) material["alphaMode"] = "BLEND";
   if (!solid.closed) material["doubleSided"] = true;
   add_extensions(material, group.look);
+  if (textures) add_maps(material, group.look, *textures);
   const int index = document_.add("materials", std::move(material));
-  known_[{name, solid.closed, solid.opacity, group.look, texture}] = index;
+  known_[{name, solid.closed, solid.opacity, group.look, textures}] = index;
   return index;
 }
 
@@ -61,6 +70,34 @@ void PieceMaterials::add_extensions(Json& material, const PbrLook& look) {
   }
 }
 
+/// Maps say all of the roughness. Of the light that goes in, what comes through goes by the way through the part: after
+/// the material's depth, which its share of transmission tells, 1/e of it is left.
+void PieceMaterials::add_maps(Json& material, const PbrLook& look, const PieceTextures& textures) {
+  if (textures.normal) material["normalTexture"] = {{"index", *textures.normal}};
+  if (textures.orm) {
+    material["pbrMetallicRoughness"]["roughnessFactor"] = 1.0;
+    material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", *textures.orm}};
+    material["occlusionTexture"] = {{"index", *textures.orm}};
+  }
+  if (!textures.thickness || !(look.transmission > 0)) return;
+  material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", most_thickness},
+                                                    {"thicknessTexture", {{"index", *textures.thickness}}},
+                                                    {"attenuationDistance", depth_of_transmission(look.transmission)},
+                                                    {"attenuationColor", look.transmission_color}};
+  document_.use_extension("KHR_materials_volume");
+}
+
+PieceTextures PieceMaterials::add_textures(const BakedSolid& baked) {
+  const std::string& name = baked.solid.name;
+  PieceTextures textures{.color = add_texture(name, baked.texture)};
+  if (baked.maps.empty()) return textures;
+  textures.normal = add_texture(name + " normal", baked.maps.normal, PngValues::shares);
+  textures.orm = add_texture(name + " orm", baked.maps.orm, PngValues::shares);
+  if (lets_light_through(baked.solid))
+    textures.thickness = add_texture(name + " thickness", baked.maps.thickness, PngValues::shares);
+  return textures;
+}
+
 /// Trilinear; one for all textures. Charts lie apart, and nothing repeats.
 int PieceMaterials::smooth_sampler() {
   if (!sampler_) {
@@ -72,8 +109,8 @@ int PieceMaterials::smooth_sampler() {
   return *sampler_;
 }
 
-int PieceMaterials::add_texture(const std::string& name, const Image& picture) {
-  const std::string png = write_png(picture, PngPacking::fast);
+int PieceMaterials::add_texture(const std::string& name, const Image& picture, PngValues values) {
+  const std::string png = write_png(picture, PngPacking::fast, values);
   const int view = document_.add_view(png.data(), png.size(), Target::none);
   const int image = document_.add("images", {{"name", name}, {"mimeType", "image/png"}, {"bufferView", view}});
   return document_.add("textures", {{"name", name}, {"sampler", smooth_sampler()}, {"source", image}});

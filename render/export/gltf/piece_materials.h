@@ -9,8 +9,18 @@
 #include "render/export/gltf/gltf_document.h"
 #include "render/export/pbr_look.h"
 #include "render/image/image.h"
+#include "render/image/png.h"
+#include "render/texture/bake.h"
 
 namespace pomona::gltf {
+
+/// Textures of one piece, as the document's indices.
+struct PieceTextures {
+  int color = 0;
+  std::optional<int> normal = {}, orm = {}, thickness = {};
+
+  auto operator<=>(const PieceTextures&) const = default;
+};
 
 /// All pieces of a fruit share its materials, named by what they show: "tomato skin", "tomato gel". With textures each
 /// texture has its own: "tomato.piece-2 skin".
@@ -18,19 +28,23 @@ class PieceMaterials {
  public:
   explicit PieceMaterials(GltfDocument& document) : document_(document) {}
 
-  /// \param look of one of the solid's groups. \param texture of add_texture(), or nothing where vertices have colours.
-  int material(const Solid& solid, const LookGroup& group, std::optional<int> texture);
+  /// \param group of the solid. \param textures of add_textures(), or nothing where vertices have colours.
+  int material(const Solid& solid, const LookGroup& group, const std::optional<PieceTextures>& textures);
+
+  /// Its colours, and its maps if it has any.
+  PieceTextures add_textures(const BakedSolid& baked);
 
   /// As a PNG in the buffer, looked up trilinearly.
-  int add_texture(const std::string& name, const Image& picture);
+  int add_texture(const std::string& name, const Image& picture, PngValues values = PngValues::srgb);
 
  private:
   int smooth_sampler();
+  void add_maps(Json& material, const PbrLook& look, const PieceTextures& textures);
   void add_extensions(Json& material, const PbrLook& look);
 
   GltfDocument& document_;
   std::optional<int> sampler_;
-  std::map<std::tuple<std::string, bool, float, PbrLook, std::optional<int>>, int> known_;
+  std::map<std::tuple<std::string, bool, float, PbrLook, std::optional<PieceTextures>>, int> known_;
 };
 
 }  // namespace pomona::gltf

@@ -54,7 +54,10 @@ void add_variants(Json& primitive, PieceMaterials& materials, const Solid& solid
                   const PieceMeshOptions& mesh) {
   Json mappings = Json::array();
   for (std::size_t i = 0; i < mesh.variant_textures.size(); ++i) {
-    Json mapping = {{"material", materials.material(solid, group, mesh.variant_textures[i])}};
+    // The surface stays as it is.
+    PieceTextures textures = mesh.textures.value_or(PieceTextures{});
+    textures.color = mesh.variant_textures[i];
+    Json mapping = {{"material", materials.material(solid, group, textures)}};
     mapping["variants"] = {i};
     mappings.push_back(std::move(mapping));
   }
@@ -71,7 +74,7 @@ int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Soli
   for (const LookGroup& group : groups_by_look(solid, styled)) {
     Json primitive = {{"attributes", attributes}};
     primitive["indices"] = add_triangles(document, group.triangle, styled.position.size());
-    primitive["material"] = materials.material(solid, group, mesh.texture);
+    primitive["material"] = materials.material(solid, group, mesh.textures);
     add_variants(primitive, materials, solid, group, mesh);
     if (options.feature_ids) add_feature_ids(document, primitive, solid.part_names.size());
     primitives.push_back(std::move(primitive));

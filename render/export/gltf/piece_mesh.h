@@ -12,11 +12,11 @@
 namespace pomona::gltf {
 
 struct PieceMeshOptions {
-  std::string name;                 ///< of the mesh
-  glm::vec3 pivot{0};               ///< becomes the origin
-  std::optional<int> texture = {};  ///< of PieceMaterials; or none, where vertices have colours
+  std::string name;                            ///< of the mesh
+  glm::vec3 pivot{0};                          ///< becomes the origin
+  std::optional<PieceTextures> textures = {};  ///< of PieceMaterials; or none, where vertices have colours
 
-  std::vector<int> variant_textures = {};  ///< one for each of the file's variants, or none at all
+  std::vector<int> variant_textures = {};  ///< the colours of each of the file's variants, or none at all
 };
 
 /// A primitive for each look, all of the same vertices, and `extras`. The index of the mesh.

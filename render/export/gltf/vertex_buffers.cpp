@@ -69,6 +69,11 @@ Json add_vertices(GltfDocument& document, const StyledMesh& mesh, const glm::vec
   } else {
     attribute("TEXCOORD_0", offsetof(GlbVertex, color_or_uv), Component::f32, "VEC2");
   }
+  if (!mesh.tangent.empty()) {
+    const std::size_t size = mesh.tangent.size() * sizeof(glm::vec4);
+    const int tangent_view = document.add_view(mesh.tangent.data(), size, Target::vertices);
+    attributes["TANGENT"] = document.add_accessor(tangent_view, 0, mesh.tangent.size(), Component::f32, "VEC4");
+  }
   return attributes;
 }
 

@@ -9,7 +9,7 @@
 namespace pomona::gltf {
 
 /// Lays a mesh's vertices down once, interleaved, and returns the attributes over them: POSITION, NORMAL, _PART, and
-/// COLOR_0 or, where there is a texture, TEXCOORD_0.
+/// COLOR_0 or, where there is a texture, TEXCOORD_0, and TANGENT where that has a normal map.
 /// \param pivot becomes the origin of positions.
 Json add_vertices(GltfDocument& document, const StyledMesh& mesh, const glm::vec3& pivot);
 

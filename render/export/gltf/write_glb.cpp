@@ -33,7 +33,7 @@ class GlbWriter {
 
   /// A level, 0 the finest, of `count` of the scene's solid `i`. What has no triangles is left out.
   void add(std::size_t i, std::size_t level, std::size_t count, const Solid& solid, const StyledMesh& mesh,
-           const Image* picture = nullptr);
+           const BakedSolid* baked = nullptr);
 
   /// What add() adds from now on has these materials, too: by the variants' textures of solid `i`.
   void set_variants(std::size_t i, std::span<const TextureVariant> variants);
@@ -55,12 +55,12 @@ class GlbWriter {
 };
 
 void GlbWriter::add(std::size_t i, std::size_t level, std::size_t count, const Solid& solid, const StyledMesh& mesh,
-                    const Image* picture) {
+                    const BakedSolid* baked) {
   if (mesh.triangle.empty()) return;
   SolidMeshes& made = solids_[i];
   const std::string own_name = engine_name(options_.engine, scene_.solids[i].name);
   PieceMeshOptions how{.name = level_name(options_.engine, own_name, level, count), .pivot = made.pivot};
-  if (picture != nullptr) how.texture = materials_.add_texture(solid.name, *picture);
+  if (baked != nullptr) how.textures = materials_.add_textures(*baked);
   how.variant_textures = variant_textures_;
   made.meshes.push_back(add_piece_mesh(document_, materials_, solid, mesh, how, options_));
   if (level == 0) made.hull = hull_of(solid, how.name, made.pivot);
@@ -143,11 +143,11 @@ std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, con
       if (variant.solids.at(i).uv != baked[i].uv) throw Error(ExitStatus::bug, "a variant has an atlas of its own");
     }
     if (!baked[i].solid.triangle.empty()) writer.set_variants(i, variants);
-    writer.add(i, 0, level_count(i, levels), baked[i].solid, textured_mesh(baked[i]), &baked[i].texture);
+    writer.add(i, 0, level_count(i, levels), baked[i].solid, textured_mesh(baked[i]), &baked[i]);
     if (i >= levels.size()) continue;
     for (std::size_t level = 0; level < levels[i].size(); ++level) {
       const BakedSolid& coarser = levels[i][level];
-      writer.add(i, level + 1, levels[i].size() + 1, coarser.solid, textured_mesh(coarser), &coarser.texture);
+      writer.add(i, level + 1, levels[i].size() + 1, coarser.solid, textured_mesh(coarser), &coarser);
     }
   }
   return writer.finished();

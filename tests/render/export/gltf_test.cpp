@@ -320,6 +320,37 @@ TEST(Gltf, SaysMaterialsInExtensionsThatNobodyMustKnow) {
   EXPECT_THAT(json_of(write_glb(named::mixed())), ::testing::Not(::testing::HasSubstr("extensions")));
 }
 
+TEST(Gltf, HasMapsInTheirSlotsWhereTheyWereBaked) {
+  const Scene scene = named::with_materials();
+  const auto written = [&](Maps maps) {
+    return parsed(
+        write_glb(scene, std::vector{baked(scene.solids[0], style_named("plain"), {.texels = 64, .maps = maps})}));
+  };
+  const Json color = written(Maps::color), all = written(Maps::all);
+  EXPECT_EQ(color["textures"].size(), 1u);
+  EXPECT_EQ(all["textures"].size(), 4u);
+  EXPECT_FALSE(all.contains("extensionsRequired"));
+  for (const Json& material : color["materials"]) EXPECT_FALSE(material.contains("normalTexture"));
+  bool any_volume = false;
+  for (const Json& material : all["materials"]) {
+    const auto name_of = [&](const Json& slot) {
+      return all["textures"][slot["index"].get<int>()]["name"].get<std::string>();
+    };
+    EXPECT_EQ(name_of(material["normalTexture"]), "box normal");
+    EXPECT_EQ(name_of(material["occlusionTexture"]), "box orm");
+    EXPECT_EQ(name_of(material["pbrMetallicRoughness"]["metallicRoughnessTexture"]), "box orm");
+    EXPECT_EQ(material["pbrMetallicRoughness"]["roughnessFactor"], 1.0);
+    if (!material.contains("extensions") || !material["extensions"].contains("KHR_materials_volume")) continue;
+    any_volume = true;
+    const Json& volume = material["extensions"]["KHR_materials_volume"];
+    EXPECT_EQ(name_of(volume["thicknessTexture"]), "box thickness");
+    EXPECT_NEAR(volume["attenuationDistance"].get<double>(), 0.004, 2e-4) << "the depth of its translucency";
+  }
+  EXPECT_TRUE(any_volume);
+  EXPECT_TRUE(all["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));
+  EXPECT_FALSE(color["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));
+}
+
 TEST(Gltf, SplitsAMeshByLookAndLosesNoTriangle) {
   const Scene scene = named::with_materials();
   const StyledMesh mesh = styled_meshes(scene, {})[0];

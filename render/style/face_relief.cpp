@@ -1,0 +1,186 @@
+#include "render/style/face_relief.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace pomona {
+
+namespace {
+
+constexpr double clear_depth =
+    0.0034;  // metres of light's way into a part, from which on it is a gel (shaders/lit.glsl)
+
+std::uint64_t cell_key(const glm::i64vec3& cell) {
+  constexpr std::uint64_t mask = (1u << 21) - 1;
+  const auto bits = [](std::int64_t v) { return static_cast<std::uint64_t>(v) & mask; };
+  return (bits(cell.x) << 42) | (bits(cell.y) << 21) | bits(cell.z);
+}
+
+glm::i64vec3 rim_cell(const glm::dvec3& p) { return {glm::floor(p / FaceRelief::reach)}; }
+
+/// Vertices at one place have one number.
+std::vector<std::uint32_t> welded_numbers(const Solid& solid) {
+  std::map<std::tuple<float, float, float>, std::uint32_t> known;
+  std::vector<std::uint32_t> number;
+  number.reserve(solid.position.size());
+  for (const glm::vec3& p : solid.position)
+    number.push_back(known.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(known.size())).first->second);
+  return number;
+}
+
+/// A triangle's edge, by its group and where it lies.
+struct GroupEdge {
+  std::int32_t group = 0;
+  std::uint32_t low = 0, high = 0;
+  std::uint32_t triangle = 0;
+  int corner = 0;
+  std::tuple<std::int32_t, std::uint32_t, std::uint32_t> place() const { return {group, low, high}; }
+};
+
+/// The height's profile: of the relief, and by how much it grows per way of 2 |relief|.
+struct Profile {
+  double share = 1, growth = 0;
+};
+Profile profile(double distance, double way) {
+  const double left = 1 - distance / way;
+  return left > 0 ? Profile{1 - left * left, 2 * left} : Profile{};
+}
+
+}  // namespace
+
+bool shows_rim(const MaterialSketch& material) {
+  return material.relief != 0 || material.translucency.depth > clear_depth;
+}
+
+FaceRelief::FaceRelief(const Solid& solid) : solid_(solid), group_of_(solid.triangle.size(), -1) {
+  group_triangles();
+  if (!groups_.empty()) find_borders();
+}
+
+/// A group for each part on each face, of parts that have something to show.
+void FaceRelief::group_triangles() {
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> known;
+  for (std::size_t t = 0; t < solid_.triangle.size(); ++t) {
+    if (solid_.cut_face[t] < 0) continue;
+    const std::int32_t part = solid_.part[solid_.triangle[t].x];
+    const auto [entry, is_new] = known.try_emplace({solid_.cut_face[t], part}, -1);
+    if (is_new) {
+      const MaterialSketch material = material_of(solid_, part);
+      if (shows_rim(material)) {
+        entry->second = static_cast<std::int32_t>(groups_.size());
+        groups_.push_back({.cells = {}, .relief = material.relief});
+      }
+    }
+    group_of_[t] = entry->second;
+  }
+}
+
+/// Edges of a group's triangles that no other triangle of the group has.
+void FaceRelief::find_borders() {
+  const std::vector<std::uint32_t> number = welded_numbers(solid_);
+  std::vector<GroupEdge> edges;
+  for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
+    for (int k = 0; group_of_[t] >= 0 && k < 3; ++k) {
+      const std::uint32_t a = number[solid_.triangle[t][k]], b = number[solid_.triangle[t][(k + 1) % 3]];
+      edges.push_back({group_of_[t], std::min(a, b), std::max(a, b), t, k});
+    }
+  }
+  const auto by_place = [](const GroupEdge& a, const GroupEdge& b) { return a.place() < b.place(); };
+  std::stable_sort(edges.begin(), edges.end(), by_place);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool like_last = i > 0 && edges[i - 1].place() == edges[i].place();
+    const bool like_next = i + 1 < edges.size() && edges[i + 1].place() == edges[i].place();
+    if (like_last || like_next) continue;
+    const glm::uvec3& t = solid_.triangle[edges[i].triangle];
+    const int k = edges[i].corner;
+    const glm::dvec3 a(solid_.position[t[k]]), b(solid_.position[t[(k + 1) % 3]]), c(solid_.position[t[(k + 2) % 3]]);
+    const glm::dvec3 along = b - a;
+    const double squared = glm::dot(along, along);
+    if (squared == 0) continue;
+    const glm::dvec3 across = c - a - along * (glm::dot(c - a, along) / squared);
+    const double width = std::sqrt(glm::dot(across, across));
+    if (width > 0) add(groups_[static_cast<std::size_t>(edges[i].group)], {a, b, across / width});
+  }
+}
+
+void FaceRelief::add(Group& group, const Segment& segment) {
+  // Known in every cell from which it is within reach.
+  const glm::i64vec3 low = rim_cell(glm::min(segment.from, segment.to) - reach);
+  const glm::i64vec3 high = rim_cell(glm::max(segment.from, segment.to) + reach);
+  const auto index = static_cast<std::uint32_t>(segments_.size());
+  segments_.push_back(segment);
+  for (std::int64_t x = low.x; x <= high.x; ++x) {
+    for (std::int64_t y = low.y; y <= high.y; ++y) {
+      for (std::int64_t z = low.z; z <= high.z; ++z) group.cells[cell_key({x, y, z})].push_back(index);
+    }
+  }
+}
+
+RimPlace FaceRelief::at(std::uint32_t triangle, const glm::dvec3& place) const {
+  if (group_of_[triangle] < 0) return {};
+  const Group& group = groups_[static_cast<std::size_t>(group_of_[triangle])];
+  const auto cell = group.cells.find(cell_key(rim_cell(place)));
+  RimPlace found{.height = group.relief};
+  if (cell == group.cells.end()) return found;
+
+  // The nearest; at a corner the mean of both sides' ways inwards.
+  constexpr double alike = 1e-9;  // metres
+  double least = reach;
+  glm::dvec3 inwards(0);
+  for (const std::uint32_t i : cell->second) {
+    const Segment& s = segments_[i];
+    const glm::dvec3 along = s.to - s.from;
+    const double share = std::clamp(glm::dot(place - s.from, along) / glm::dot(along, along), 0.0, 1.0);
+    const glm::dvec3 away = place - s.from - along * share;
+    const double distance = std::sqrt(glm::dot(away, away));
+    if (distance > least + alike) continue;
+    const glm::dvec3 way = distance > alike ? away / distance : s.inwards;
+    inwards = distance < least - alike ? way : inwards + way;
+    least = std::min(least, distance);
+  }
+  found.rim = least;
+  if (group.relief == 0) return found;
+  const double way = 2 * std::fabs(group.relief), length = std::sqrt(glm::dot(inwards, inwards));
+  const Profile at_distance = profile(least, way);
+  found.height = group.relief * at_distance.share;
+  if (length > 0) found.slope = inwards * (group.relief * at_distance.growth / way / length);
+  return found;
+}
+
+std::vector<RimPlace> FaceRelief::at_vertices() const {
+  std::vector<RimPlace> places(solid_.position.size());
+  if (empty()) return places;
+  // Just within each triangle, so that a corner on the border knows which way is inwards.
+  std::vector<int> count(places.size(), 0);
+  constexpr double within = 0.02;
+  for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
+    if (group_of_[t] < 0) continue;
+    const glm::uvec3& v = solid_.triangle[t];
+    const std::array<glm::dvec3, 3> p{glm::dvec3(solid_.position[v.x]), glm::dvec3(solid_.position[v.y]),
+                                      glm::dvec3(solid_.position[v.z])};
+    const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const RimPlace here = at(t, p[k] + (middle - p[k]) * within);
+      const std::uint32_t vertex = v[static_cast<glm::length_t>(k)];
+      RimPlace& sum = places[vertex];
+      if (count[vertex]++ == 0) sum = {.rim = 0, .height = 0};
+      sum.rim += here.rim, sum.height += here.height, sum.slope += here.slope;
+    }
+  }
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    if (count[v] == 0) continue;
+    const double share = 1.0 / count[v];
+    places[v] = {places[v].rim * share, places[v].height * share, places[v].slope * share};
+  }
+  return places;
+}
+
+}  // namespace pomona

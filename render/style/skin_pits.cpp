@@ -1,0 +1,153 @@
+#include "render/style/skin_pits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace pomona {
+
+namespace {
+
+constexpr int most_cells_along = 64;
+constexpr std::size_t most_pits = 100'000;
+
+/// Which vertices hang together, by triangles or by lying at one place.
+class Islands {
+ public:
+  explicit Islands(std::size_t count) : root_(count) { std::iota(root_.begin(), root_.end(), 0u); }
+  std::uint32_t of(std::uint32_t v) {
+    while (root_[v] != v) v = root_[v] = root_[root_[v]];
+    return v;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = of(a), b = of(b);
+    root_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> root_;
+};
+
+double depth_around(const Solid& solid, std::size_t triangle) {
+  return solid.cut_face[triangle] >= 0 ? 0 : material_of(solid, solid.part[solid.triangle[triangle].x]).pit;
+}
+
+}  // namespace
+
+SkinPits::SkinPits(const Solid& solid) {
+  const bool any = std::any_of(solid.materials.begin(), solid.materials.end(),
+                               [](const MaterialSketch& material) { return material.pit > 0; });
+  if (!any) return;
+  find(solid);
+  if (!pits_.empty()) sort_into_cells();
+}
+
+/// What hangs together of a part on the skin is a grain.
+void SkinPits::find(const Solid& solid) {
+  Islands islands(solid.position.size());
+  std::map<std::tuple<float, float, float>, std::uint32_t> known;
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+    if (!(depth_around(solid, t) > 0)) continue;
+    const glm::uvec3& corners = solid.triangle[t];
+    islands.join(corners.x, corners.y), islands.join(corners.x, corners.z);
+    for (int k = 0; k < 3; ++k) {
+      const glm::vec3& p = solid.position[corners[k]];
+      islands.join(corners[k], known.try_emplace({p.x, p.y, p.z}, corners[k]).first->second);
+    }
+  }
+
+  // The middle of each grain's box, and how far it reaches from there.
+  struct Grain {
+    glm::vec3 low{1e9f}, high{-1e9f};
+    double depth = 0, reach = 0;
+  };
+  std::map<std::uint32_t, Grain> grains;
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+    const double depth = depth_around(solid, t);
+    if (!(depth > 0)) continue;
+    Grain& grain = grains[islands.of(solid.triangle[t].x)];
+    grain.depth = depth;
+    for (int k = 0; k < 3; ++k) {
+      const glm::vec3& p = solid.position[solid.triangle[t][k]];
+      grain.low = glm::min(grain.low, p), grain.high = glm::max(grain.high, p);
+    }
+  }
+  for (const auto& [island, grain] : grains) {
+    const glm::dvec3 size(grain.high - grain.low);
+    const double radius = 0.5 * wider * std::sqrt(glm::dot(size, size));
+    if (radius > 0 && pits_.size() < most_pits)
+      pits_.push_back({glm::dvec3(grain.low + grain.high) / 2.0, radius, grain.depth});
+  }
+}
+
+void SkinPits::sort_into_cells() {
+  glm::dvec3 low(1e9), high(-1e9);
+  double widest = 0;
+  for (const Pit& pit : pits_) {
+    low = glm::min(low, pit.middle - pit.radius), high = glm::max(high, pit.middle + pit.radius);
+    widest = std::max(widest, pit.radius);
+  }
+  const glm::dvec3 size = high - low;
+  low_ = low;
+  side_ = std::max(2 * widest, std::max({size.x, size.y, size.z}) / most_cells_along);
+  count_ = glm::ivec3(glm::floor(size / side_)) + 1;
+  cells_.resize(static_cast<std::size_t>(count_.x) * count_.y * count_.z);
+  for (std::uint32_t i = 0; i < pits_.size(); ++i) {
+    const glm::ivec3 from = glm::max(cell_at(pits_[i].middle - pits_[i].radius), glm::ivec3(0));
+    const glm::ivec3 to = glm::min(cell_at(pits_[i].middle + pits_[i].radius), count_ - 1);
+    for (int x = from.x; x <= to.x; ++x) {
+      for (int y = from.y; y <= to.y; ++y) {
+        for (int z = from.z; z <= to.z; ++z) cells_[index({x, y, z})].push_back(i);
+      }
+    }
+  }
+}
+
+glm::ivec3 SkinPits::cell_at(const glm::dvec3& place) const { return {glm::floor((place - low_) / side_)}; }
+
+std::size_t SkinPits::index(const glm::ivec3& cell) const {
+  return (static_cast<std::size_t>(cell.x) * count_.y + cell.y) * count_.z + cell.z;
+}
+
+PitPlace SkinPits::at(const glm::dvec3& place) const {
+  PitPlace found;
+  if (pits_.empty()) return found;
+  const glm::ivec3 cell = cell_at(place);
+  for (int k = 0; k < 3; ++k)
+    if (cell[k] < 0 || cell[k] >= count_[k]) return found;
+  for (const std::uint32_t i : cells_[index(cell)]) {
+    const Pit& pit = pits_[i];
+    const glm::dvec3 away = (place - pit.middle) / pit.radius;
+    const double left = 1 - glm::dot(away, away);
+    if (left <= 0) continue;
+    found.height -= pit.depth * left * left;
+    found.slope += away * (4 * pit.depth * left / pit.radius);
+    found.inside = std::max(found.inside, left * left);
+  }
+  return found;
+}
+
+std::vector<glm::vec4> SkinPits::texels() const {
+  if (pits_.empty()) return {};
+  std::vector<glm::vec4> lists;
+  std::vector<glm::vec4> texels;
+  texels.reserve(2 + cells_.size() + 2 * pits_.size());
+  texels.emplace_back(low_, side_);
+  texels.emplace_back(count_, 0);
+  for (const std::vector<std::uint32_t>& own : cells_) {
+    texels.emplace_back(2 + cells_.size() + lists.size(), own.size(), 0, 0);
+    for (const std::uint32_t i : own) {
+      lists.emplace_back(pits_[i].middle, pits_[i].radius);
+      lists.emplace_back(pits_[i].depth, 0, 0, 0);
+    }
+  }
+  texels.insert(texels.end(), lists.begin(), lists.end());
+  return texels;
+}
+
+}  // namespace pomona

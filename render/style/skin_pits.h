@@ -1,0 +1,59 @@
+// The pits that parts lie in on skins: a strawberry's achenes. The look alone; no vertex moves.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "generator/piece/solid.h"
+
+namespace pomona {
+
+/// Of a place on a skin.
+struct PitPlace {
+  double height = 0;    ///< metres, below 0 in pits
+  glm::dvec3 slope{0};  ///< of the height, metres per metre; not yet within the skin
+  double inside = 0;    ///< 0 = out of all pits, 1 = in the middle of one
+};
+
+/// A pit around each grain of a part with `pit` that a solid shows on its skin. With x the distance from the grain's
+/// middle as a share of the pit's radius, which is `wider` times the grain's own,
+///   height = -pit (1 - x^2)^2, from x = 1 on 0
+/// and heights of pits that overlap add up. shaders/skin_pits.glsl does the same.
+class SkinPits {
+ public:
+  static constexpr double wider = 1.9;
+
+  explicit SkinPits(const Solid& solid);
+
+  bool empty() const { return pits_.empty(); }
+  std::size_t count() const { return pits_.size(); }
+
+  PitPlace at(const glm::dvec3& place) const;
+
+  /// As shaders read it: the grid's lowest corner and its cells' side; the numbers of cells along x, y and z; for each
+  /// cell where its list begins in these texels, and how many pits it has; the lists, two texels a pit: middle and
+  /// radius, depth.
+  std::vector<glm::vec4> texels() const;
+
+ private:
+  struct Pit {
+    glm::dvec3 middle{0};
+    double radius = 0, depth = 0;
+  };
+
+  void find(const Solid& solid);
+  void sort_into_cells();
+  glm::ivec3 cell_at(const glm::dvec3& place) const;
+  std::size_t index(const glm::ivec3& cell) const;
+
+  std::vector<Pit> pits_;
+  glm::dvec3 low_{0};
+  double side_ = 1;  // of a cell, metres
+  glm::ivec3 count_{0};
+  std::vector<std::vector<std::uint32_t>> cells_;  // pits that reach into each
+};
+
+}  // namespace pomona

@@ -1,0 +1,34 @@
+// What a texture has besides colours: maps of how a surface shades (docs/textures.md).
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/image/image.h"
+
+namespace pomona {
+
+/// Which maps are baked.
+enum class Maps {
+  color,  ///< base colour alone
+  all,    ///< and those below
+};
+
+/// On the texture's own atlas, as glTF has them: values are shares of 255, not sRGB. 0 x 0 where there are none.
+struct SurfaceMaps {
+  Image normal;     ///< n of the tangent frame as (n + 1) / 2; level: (128, 128, 255)
+  Image orm;        ///< occlusion, roughness, metal (none)
+  Image thickness;  ///< in green: of what light passes through, share of most_thickness
+  Image part;       ///< the part's number in Solid::part_names, in all channels; 255 where there is none
+
+  std::vector<glm::vec4> tangent;  ///< per vertex: the direction of u, and 1: v runs against n x u
+
+  bool empty() const { return tangent.empty(); }
+};
+
+/// Metres: thicker parts count as this thick.
+constexpr double most_thickness = 0.006;
+
+}  // namespace pomona

@@ -1,0 +1,67 @@
+// What the maps of a texture show at a texel: relief as a normal, how open and rough it is, how thick.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "generator/base/parallel.h"
+#include "generator/piece/solid.h"
+#include "render/style/face_relief.h"
+#include "render/style/look.h"
+#include "render/style/skin_pits.h"
+#include "render/texture/texels.h"
+
+namespace pomona {
+
+/// Of one sample; each is a triple that means over samples are taken of.
+struct MapSample {
+  glm::vec3 normal{0, 0, 1};     ///< in the tangent frame, unit
+  glm::vec3 orm{1, 0.6f, 0};     ///< occlusion, roughness, metal
+  glm::vec3 thickness{0, 1, 0};  ///< green, share of most_thickness
+};
+
+/// What a texel's frame is made of, per vertex of the texture's mesh.
+struct TangentMesh {
+  std::vector<glm::uvec3> triangle;  ///< in the order of the charts
+  std::vector<glm::vec4> tangent;
+  std::vector<std::uint32_t> number;  ///< per triangle of the solid: its number there
+};
+
+class SampleMaps {
+ public:
+  /// All must outlive this. \param texel size, metres
+  SampleMaps(const Solid& solid, const Look& look, const TangentMesh& mesh, double texel, Threads threads);
+
+  /// \param plain the samples' colours before noise and details.
+  std::vector<MapSample> of(const std::vector<TexelSample>& samples, const std::vector<Color>& plain) const;
+
+  /// Of a chart that is smaller than a texel: level.
+  MapSample speck(std::uint32_t triangle) const;
+
+  /// The part that a sample shows.
+  std::int32_t part(const TexelSample& sample) const { return solid_.part[solid_.triangle[sample.triangle].x]; }
+
+ private:
+  MapSample at(const TexelSample& sample, const Color& plain) const;
+  LookPlace look_place(const TexelSample& sample, const glm::dvec3& place) const;
+  double roughness(std::uint32_t triangle, const glm::dvec3& place) const;
+
+  /// What a part's material is like on skins and on cut faces.
+  struct OfPart {
+    std::array<double, 2> roughness{};  // skin, cut
+    bool shows_rim = false;
+    double wet = 0;
+  };
+
+  const Solid& solid_;
+  const Look& look_;
+  const TangentMesh& mesh_;
+  FaceRelief faces_;
+  SkinPits pits_;
+  double texel_;
+  Threads threads_;
+  std::vector<OfPart> of_part_;
+};
+
+}  // namespace pomona

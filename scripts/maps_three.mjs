@@ -1,0 +1,55 @@
+// Draws a .glb with maps by three.js in a headless Chromium, in the light of a room: docs/textures.md.
+//   node scripts/maps_three.mjs FILE.glb PICTURE.png
+// Run where node_modules lies (npm ci).
+import { execFile } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { extname, join, resolve } from 'node:path';
+import { promisify } from 'node:util';
+
+const [glb, picture] = process.argv.slice(2).map((path) => resolve(path));
+const page = `<!DOCTYPE html><meta charset="utf-8"><script type="importmap">
+{"imports": {"three": "/node_modules/three/build/three.module.js", "three/addons/": "/node_modules/three/examples/jsm/"}}
+</script><body style="margin: 0"><script type="module">
+import * as THREE from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
+const { scene: fruit } = await new GLTFLoader().loadAsync('/scene.glb');
+const renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+renderer.setSize(400, 320);
+renderer.toneMapping = THREE.NeutralToneMapping;
+document.body.append(renderer.domElement);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0xf7f3eb);
+scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment(), 0.03).texture;
+scene.environmentIntensity = 0.8;
+scene.add(fruit);
+const box = new THREE.Box3().setFromObject(fruit), middle = box.getCenter(new THREE.Vector3());
+const reach = box.getSize(new THREE.Vector3()).length() / 2;
+const camera = new THREE.PerspectiveCamera(25, 400 / 320, 0.01 * reach, 100 * reach);
+camera.position.copy(middle).add(new THREE.Vector3(0.45, 0.62, 1).normalize().multiplyScalar(4.1 * reach));
+camera.lookAt(middle);
+renderer.render(scene, camera);
+document.title = 'drawn';
+</script>`;
+const kinds = { '.js': 'text/javascript', '.glb': 'model/gltf-binary' };
+const server = createServer((request, response) => {
+  const path = new URL(request.url, 'http://x').pathname;
+  if (path === '/') return response.setHeader('Content-Type', 'text/html').end(page);
+  const file = path === '/scene.glb' ? glb : path.startsWith('/node_modules/three/') ? resolve(`.${path}`) : null;
+  try {
+    response.setHeader('Content-Type', kinds[extname(file)]);
+    response.end(readFileSync(file));
+  } catch {
+    response.writeHead(404).end();
+  }
+}).listen(0, '127.0.0.1');
+await new Promise((done) => server.on('listening', done));
+const profile = mkdtempSync(join(tmpdir(), 'maps_three-'));
+await promisify(execFile)('chromium', [
+  '--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+  '--hide-scrollbars', '--window-size=400,320', `--user-data-dir=${profile}`, '--virtual-time-budget=20000',
+  `--screenshot=${picture}`, `http://127.0.0.1:${server.address().port}/`], { timeout: 200000 });
+server.close();
+rmSync(profile, { recursive: true, force: true });
