@@ -14,7 +14,7 @@ mkdirSync(pictures, { recursive: true });
 
 /** A segment between two membranes, as a loop with rounded corners. */
 function segment(k) {
-  const middle = 2 * Math.PI * (k + 0.5) / folds, half = Math.PI / folds - 0.035, long = 1 - 0.03 * Math.cos(2.3 * k);
+  const middle = 2 * Math.PI * (k + 1) / folds, half = Math.PI / folds - 0.06, long = 1 - 0.03 * Math.cos(2.3 * k);
   const at = (r, a) => `${(r * Math.cos(middle + a)).toFixed(2)} ${(-r * Math.sin(middle + a)).toFixed(2)}`;
   const outer = 32.6 * long;
   return `M ${at(5, 0)} C ${at(8, -half * 0.5)} ${at(16, -half)} ${at(outer * 0.92, -half)} C ${at(outer, -half)} ${at(outer, -half * 0.9)} ${at(outer, -half * 0.5)} ` +
@@ -28,6 +28,7 @@ parts = ["skin", "pith", "pulp", "core"]
 [symmetry]
 kind = "folds"
 folds = ${folds}
+fold_angles = [${Array.from({ length: folds }, (_, k) => (360 * (k + 0.5) / folds).toFixed(0)).join(', ')}]
 [[surface]]
 name = "skin"
 type = "around-axis"
@@ -65,7 +66,7 @@ const browser = await launch();
 const studio = await startStudio(program, ['orange.toml', '--picture', 'half.png', '--picture', 'across.png', '--folds', String(folds)], folder);
 try {
   const session = await Session.open(browser, studio.address, { width: 1440, height: 860 }), { tab } = session;
-  const keep = async (name) => { await session.settled(); await new Promise((done) => setTimeout(done, 800)); await tab.screenshot({ path: join(pictures, `${name}.png`) }); console.log(name); };
+  const keep = async (name) => { await session.settled(); await tab.waitForFunction('studio.loads.variants > 0', { timeout: 120000, polling: 200 }); await tab.screenshot({ path: join(pictures, `${name}.png`) }); console.log(name); };
   const key = (name) => tab.keyboard.press(name);
   await keep('start');
 
@@ -98,7 +99,7 @@ try {
     // Fold lines onto the membranes.
     const [low, high] = boxes.top, middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], reach = 0.55 * (high[0] - low[0]);
     for (let k = 0; k < 10; ++k) {
-      const fold = studio.drawing.curves.filter((c) => c.kind === 'fold')[k], a = 2 * Math.PI * k / 10;
+      const fold = studio.drawing.curves.filter((c) => c.kind === 'fold')[k], a = 2 * Math.PI * (k + 0.5) / 10;
       studio.commit(studio.drawing.withParts(fold, [{ closed: false, nodes: [middle, [middle[0] + reach * Math.cos(a), middle[1] - reach * Math.sin(a)]].map(nodeAt) }]));
     }
     studio.select(null);
@@ -121,15 +122,8 @@ try {
   await trace('top', 'flesh', [tmiddle[0] + 0.465 * tsize, tmiddle[1]]);
   await trace('side', 'chamber', [middle[0] + 0.25 * size, middle[1]]);
   for (let k = 0; k < folds; ++k) {
-    const a = 2 * Math.PI * (k + 0.5) / folds;
-    const loop = await session.evaluate((m, angle) => {
-      const turn = (p) => (Math.atan2(m[1] - p[1], p[0] - m[0]) + 4 * Math.PI) % (2 * Math.PI);
-      const off = (p) => Math.abs(Math.atan2(Math.sin(turn(p) - angle), Math.cos(turn(p) - angle)));
-      const loops = studio.drawing.curves.filter((c) => c.name === 'chambers');
-      const centre = (c) => c.parts[0].nodes.reduce((s, { p }) => [s[0] + p[0] / c.parts[0].nodes.length, s[1] + p[1] / c.parts[0].nodes.length], [0, 0]);
-      return loops.indexOf(loops.reduce((best, c) => (off(centre(c)) < off(centre(best)) ? c : best)));
-    }, tmiddle, a);
-    await trace('top', 'chambers', [tmiddle[0] + 0.28 * tsize * Math.cos(a), tmiddle[1] - 0.28 * tsize * Math.sin(a)], loop);
+    const a = 2 * Math.PI * (k + 1) / folds;
+    await trace('top', 'chambers', [tmiddle[0] + 0.28 * tsize * Math.cos(a), tmiddle[1] - 0.28 * tsize * Math.sin(a)], k);
   }
   await key('v');
   // The core is drawn by hand: its curve is moved, node by node, into the white around the axis.
@@ -156,11 +150,11 @@ try {
     await tab.mouse.click(...await session.where(view, place));
   };
   await pick('skin', 'front', 'side', [high[0] - 0.008 * size, middle[1]]);
-  await pick('skin', 'back', 'side', [high[0] - 0.014 * size, middle[1]]);
-  await pick('flesh', 'front', 'top', [tmiddle[0] + 0.478 * tsize, tmiddle[1] + 0.02 * tsize]);
-  await pick('flesh', 'back', 'top', [tmiddle[0] + 0.45 * tsize, tmiddle[1]]);
-  await pick('chamber', 'front', 'top', [tmiddle[0] + 0.45 * tsize, tmiddle[1]]);
-  await pick('chamber', 'back', 'top', [tmiddle[0] + 0.28 * tsize * Math.cos(0.314), tmiddle[1] - 0.28 * tsize * Math.sin(0.314)]);
+  await pick('skin', 'back', 'side', [high[0] - 0.012 * size, middle[1]]);
+  await pick('flesh', 'front', 'top', [tmiddle[0] + 0.487 * tsize, tmiddle[1]]);
+  await pick('flesh', 'back', 'top', [tmiddle[0] + 0.455 * tsize, tmiddle[1]]);
+  await pick('chamber', 'front', 'top', [tmiddle[0] + 0.455 * tsize, tmiddle[1]]);
+  await pick('chamber', 'back', 'top', [tmiddle[0] + 0.28 * tsize, tmiddle[1]]);
   await pick('core', 'front', 'top', [tmiddle[0] + 0.05 * tsize, tmiddle[1]]);
   await pick('core', 'back', 'top', tmiddle);
   await key('v');

@@ -93,8 +93,9 @@ class NodeTool {
     this.grab = null;
     if (!grab) return;
     // What was clicked has been drawn anew since, so that browsers tell of no double click.
-    this.last = grab.moved ? null : {at, time: event.timeStamp};
-    if (last && !grab.moved && event.timeStamp - last.time < 400 && Math.hypot(at[0] - last.at[0], at[1] - last.at[1]) < 6) { this.last = null; this.insert(pane, at, grab.kind); return; }
+    this.last = grab.moved ? null : {pane, at, time: event.timeStamp};
+    const twice = last?.pane === pane && (studio.tool === 'nodes' || studio.tool === 'pen');
+    if (twice && !grab.moved && event.timeStamp - last.time < 400 && Math.hypot(at[0] - last.at[0], at[1] - last.at[1]) < 6) { this.last = null; this.insert(pane, at, grab.kind); return; }
     if (grab.kind === 'tool') studio.toolUp(pane, pane.onPage(pane.placeOn(event)), event);
     else if (grab.moved) studio.drop();
     else if (grab.kind !== 'pan') pane.draw();

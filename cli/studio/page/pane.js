@@ -29,10 +29,13 @@ class Pane {
   }
   pan(dx, dy) { this.offset = [this.offset[0] + dx, this.offset[1] + dy]; this.draw(); }
 
-  /** All curves of this view, and some room around them. */
+  /** All curves and pictures of this view, and some room around them. */
   fit() {
     const points = this.studio.drawing.curves.filter(({view, kind}) => view === this.view && kind !== 'scale').flatMap(({parts, dot}) =>
       dot ? [dot] : parts.flatMap((part) => Bezier.segments(part).flatMap((pair) => [0, 0.5, 1].map((t) => Bezier.at(pair, t)))));
+    for (const {view, matrix, x, y, width, height} of this.studio.drawing.images) {
+      if (view === this.view) points.push(...[[x, y], [x + width, y], [x, y + height], [x + width, y + height]].map((p) => A.point(matrix, p)));
+    }
     const {clientWidth, clientHeight} = this.root;
     if (points.length === 0 || clientWidth < 20) return;
     const low = [0, 1].map((k) => Math.min(...points.map((p) => p[k]))), high = [0, 1].map((k) => Math.max(...points.map((p) => p[k])));

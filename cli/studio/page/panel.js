@@ -20,7 +20,10 @@ async function showVariants(studio) {
       const canvas = strip.children[seed].firstChild;
       Object.assign(canvas, {width: image.width, height: image.height});
       canvas.getContext('2d').putImageData(image, 0, 0);
-    } catch { return; }
+    } catch {
+      // A drawing may be right and a variant of it not: it has no picture.
+      strip.children[seed].firstChild.width = 64;
+    }
   }
   studio.loads.variants = performance.now();
 }

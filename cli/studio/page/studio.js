@@ -135,6 +135,7 @@ class Studio {
   refresh() {
     const texts = this.texts, began = performance.now();
     this.sections.ask({texts, draft: true, began});
+    this.loads.variants = 0;
     clearTimeout(this.later);
     this.later = setTimeout(() => {
       if (this.dragging) return;

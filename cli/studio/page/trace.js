@@ -12,10 +12,18 @@ function traced(studio, view, place, closed) {
     const outline = simplified(rim.map((p) => A.point(toPage, p)), 0.006);
     const part = closed || view === 'top' ? {nodes: outline.map(nodeAt), closed: true} : rightHalf(outline, studio.drawing.axis('side'));
     if (!part || part.nodes.length < 3) return null;
-    Bezier.smooth(part);
+    Bezier.smooth(part, (node, i) => turnAt(part, i) < 0.9);
     return part;
   }
   return null;
+}
+
+/** By how much the way turns at a node, radians: sharp ones stay corners, for a smooth curve would swing out there. */
+function turnAt({nodes, closed}, i) {
+  const a = nodes[closed ? (i + nodes.length - 1) % nodes.length : i - 1], b = nodes[closed ? (i + 1) % nodes.length : i + 1], {p} = nodes[i];
+  if (!a || !b) return 0;
+  const before = [p[0] - a.p[0], p[1] - a.p[1]], after = [b.p[0] - p[0], b.p[1] - p[1]];
+  return Math.abs(Math.atan2(before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]));
 }
 
 /** 1 where the picture is like the place clicked and joined to it. Likeness is Euclidean in sRGB, a fifth of its range. */
