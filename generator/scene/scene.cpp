@@ -47,22 +47,23 @@ View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect,
   // r - R and R - r are at most s (B - b). So of all points only the largest s b + r and s b - r count; likewise
   // upwards.
   constexpr double margin = 1.06;
+  constexpr double penumbra = 0.1;  // a shadow's edge has grown as soft as this share of the height that casts it
   const double half = 0.5 * view.vertical_field;
   const double slope_up = reproducible::sin(half) / reproducible::cos(half) / margin, slope_right = slope_up * aspect;
   constexpr double none = -std::numeric_limits<double>::infinity();
   double to_right = none, to_left = none, above = none, below = none, nearest = none;
-  const auto hold = [&](const glm::dvec3& p) {
+  const auto hold = [&](const glm::dvec3& p, double around = 0) {
     const double r = glm::dot(p, right), u = glm::dot(p, up), b = glm::dot(p, back);
-    to_right = std::max(to_right, slope_right * b + r);
-    to_left = std::max(to_left, slope_right * b - r);
-    above = std::max(above, slope_up * b + u);
-    below = std::max(below, slope_up * b - u);
+    to_right = std::max(to_right, slope_right * b + r + around);
+    to_left = std::max(to_left, slope_right * b - r + around);
+    above = std::max(above, slope_up * b + u + around);
+    below = std::max(below, slope_up * b - u + around);
     nearest = std::max(nearest, b);
   };
   const bool has_shadow = light && scene.ground && light->y > 0.05;
   for_each_placed_point(scene, [&](const glm::dvec3& p) {
     hold(p);
-    if (has_shadow && p.y > 0) hold(p - *light * (p.y / light->y));
+    if (has_shadow && p.y > 0) hold(p - *light * (p.y / light->y), penumbra * p.y);
   });
   if (!(nearest > none)) return view;
 

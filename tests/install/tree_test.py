@@ -90,7 +90,7 @@ printf '%s\\n' "${COMPREPLY[@]}" """
         return run("env", path, "bash", "-c", script, "bash", page, *words).split()
 
     def test_bash_completes_commands_options_and_values(self):
-        self.assertEqual(self.complete("pomona", "s"), ["sketch", "scene"])
+        self.assertEqual(self.complete("pomona", "s"), ["sketch", "scene", "studio"])
         self.assertEqual(self.complete("pomona", "cut", "tomato", "--kn"), ["--knife"])
         self.assertEqual(self.complete("pomona", "grow", "tom"), ["tomato"])
         self.assertEqual(self.complete("pomona", "scene", "sal"), ["salad"])

@@ -26,9 +26,9 @@ struct Mistake {
 
 const Mistake mistakes[] = {
     {"not_xml", 3, 10, "sketch not_xml.svg:24:3: it is not XML: Start-end tags mismatch"},
-    {"compressed", 3, 10, "sketch compressed.svg: it is compressed (.svgz)"},
+    {"compressed", 3, 10, "sketch compressed.svg:1:1: it is compressed (.svgz)"},
     {"plain_svg", 8, 9, "symmetry folds has no layer \"top view\" in plain_svg.svg, nor anything else with a label"},
-    {"no_svg", 3, 10, "sketch no_svg.svg: it is no SVG drawing: its first element is <html>"},
+    {"no_svg", 3, 10, "sketch no_svg.svg:1:1: it is no SVG drawing: its first element is <html>"},
     {"no_side_view", 13, 12, "surface \"skin\": vertical has no layer \"side view\" in no_side_view.svg"},
     {"no_top_view", 8, 9, "symmetry folds has no layer \"top view\" in no_top_view.svg"},
     {"two_side_views", 3, 10,
