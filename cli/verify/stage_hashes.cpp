@@ -3,6 +3,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/verify/variant_numbers.h"
 #include "generator/base/sha256.h"
 #include "generator/cut/section/cross_section.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
@@ -53,6 +54,7 @@ std::vector<StageHashes> stage_hashes(const Template& drawn, std::uint64_t seed,
   const VariantKey key{seed, 0};
   const GrowOptions growing{.as_drawn = seed == 0, .detail = verified_detail, .threads = threads};
   const Template fruit = variant_of(drawn, key, growing);
+  const std::string curves = first_digits(memory_of(variant_numbers(fruit)));
   const GrownFruit grown = grow(fruit, key, growing);
   const std::string surfaces = first_digits(write_surfaces(grown.sheets));
   const auto diffuser = make_pmvc_diffuser({Quality::draft, threads});
@@ -64,7 +66,7 @@ std::vector<StageHashes> stage_hashes(const Template& drawn, std::uint64_t seed,
     Slices slices = slice({.grown = grown, .variant = fruit, .knives = knife, .name = drawn.name}, diffuser.get(),
                           {.cut = {.threads = threads}, .threads = threads});
     const Scene scene = gathered(std::move(slices.pieces));
-    found.push_back({surfaces, first_digits(memory_of(slices.section.position)),
+    found.push_back({curves, surfaces, first_digits(memory_of(slices.section.position)),
                      first_digits(triangles_of(slices.section)), first_digits(memory_of(slices.section.color)),
                      first_digits(write_solids(scene, exported)), first_digits(write_glb(scene, exported)),
                      first_digits(section_png(slices.styled, fruit, exported.style, threads))});

@@ -10,8 +10,8 @@
 namespace pomona {
 
 /// The stages, in the order of the road; those with a dot are files. The first that differs is where to look.
-inline constexpr std::array<const char*, 7> verified_stages = {"surfaces", "places", "triangles", "colours",
-                                                               ".ply",     ".glb",   ".png"};
+inline constexpr std::array<const char*, 8> verified_stages = {"curves",  "surfaces", "places", "triangles",
+                                                               "colours", ".ply",     ".glb",   ".png"};
 
 /// So many hexadecimal digits of the SHA-256 of what each stage gives: what differs is taken for the same once in
 /// 4 000 000 000 times.

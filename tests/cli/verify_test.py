@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 PROGRAM, SOURCE = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
-STAGES = ["surfaces", "places", "triangles", "colours", ".ply", ".glb", ".png"]
+STAGES = ["curves", "surfaces", "places", "triangles", "colours", ".ply", ".glb", ".png"]
 
 
 class Verify(unittest.TestCase):
