@@ -3,7 +3,7 @@
 
     mutants.py list [--count N] [--only PATH]        the faults, one a line
     mutants.py make [...]                            compiles them all at once; drops those that do not compile
-    mutants.py run  [...] [--shard I/N] [--wide]     runs each fault's tests; goes on where it was stopped
+    mutants.py run  [...] [--wide]                   runs each fault's tests; goes on where it was stopped
     mutants.py report                                what was seen, file by file, and what survived: docs/mutants.md
 
 Faults are turned comparisons, signs and conditions, other constants, limits that are left out, arguments that change
@@ -272,25 +272,31 @@ def numbered(faults):
     return [(number, fault) for number, fault in enumerate(faults, 1) if fault.name not in dropped]
 
 
-def write_sources(faults, only):
+def asked_for(faults, options):
+    """Those of the files and of the share that the options name."""
+    part, parts = (int(n) for n in options.shard.split("/"))
+    only = tuple(options.only.split(","))
+    return [(n, f) for n, f in numbered(faults) if n % parts == part - 1 and f.file.startswith(only)]
+
+
+def write_sources(faults, options):
     by_file = {file: [] for file in sources()}
-    for number, fault in numbered(faults):
-        if fault.file.startswith(only):
-            by_file[fault.file].append((number, fault))
+    for number, fault in asked_for(faults, options):
+        by_file[fault.file].append((number, fault))
     for file, here in by_file.items():
         put(TREE / file, with_faults(file, here) if here else (ROOT / file).read_text(encoding="utf-8"))
 
 
-def compile_all(faults, only, jobs):
+def compile_all(faults, options):
     """Compiles until what is left compiles: an error drops the faults of its line, or of its file if there are none."""
     copy_tree()
-    modules = [m for m in MODULES if m.startswith(only) or only.startswith(m + "/")] if only else []
-    targets = sorted({f"tests/{folder}/all" for m in modules for folder in MODULES[m]})
+    modules = [m for m in MODULES for only in options.only.split(",") if only and (m.startswith(only) or only.startswith(m + "/"))]
+    targets = sorted({f"tests/{folder}/all" for m in modules for folder in shown_to(m, options)})
     for _ in range(20):
-        write_sources(faults, only)
+        write_sources(faults, options)
         if not (BUILD / "build.ninja").is_file():
             subprocess.run(["cmake", "--preset", "test"], cwd=TREE, check=True, stdout=subprocess.DEVNULL)
-        words = ["cmake", "--build", str(BUILD), "-j", str(jobs)] + (["--target", *targets] if targets else [])
+        words = ["cmake", "--build", str(BUILD), "-j", str(options.jobs)] + (["--target", *targets] if targets else [])
         done = subprocess.run([*words, "--", "-k", "0"], capture_output=True, text=True)
         if done.returncode == 0:
             return
@@ -326,14 +332,18 @@ MODULES = {
 }
 
 
+def shown_to(module, options):
+    return MODULES[module][:1] if options.own else MODULES[module]
+
+
 def test_programs():
     """All test programs but goldens and those that start other programs, which are no GoogleTest programs at all."""
     return sorted(p for p in (BUILD / "tests").rglob("*_test") if p.is_file() and os.access(p, os.X_OK))
 
 
-def tests_of(fault, programs):
+def tests_of(fault, programs, options):
     module = max((m for m in MODULES if fault.file.startswith(m + "/")), key=len)
-    return [p for folder in MODULES[module] for p in programs
+    return [p for folder in shown_to(module, options) for p in programs
             if p.parent.relative_to(BUILD / "tests").as_posix().split("/CMakeFiles")[0].startswith(folder)]
 
 
@@ -367,15 +377,12 @@ def read_results():
 
 
 def run_all(faults, options):
-    part, parts = (int(n) for n in options.shard.split("/"))
     programs, times, done = test_programs(), {}, read_results()
-    for number, fault in numbered(faults):
-        if number % parts != part - 1 or not fault.file.startswith(options.only):
-            continue
+    for number, fault in asked_for(faults, options):
         state = done.get(fault.name, [""])[0]
         if state == "seen" or (state == "survived" and not options.wide) or state == "survived all":
             continue
-        own = tests_of(fault, programs)
+        own = tests_of(fault, programs, options)
         wanted = [p for p in programs if p not in own] if state == "survived" else own
         seen = ""
         for program in wanted:
@@ -431,8 +438,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("verb", choices=("list", "make", "run", "report"))
     parser.add_argument("--count", type=int, default=460, help="how many are drawn; some of them will not compile")
-    parser.add_argument("--only", default="", help="only files whose path begins so")
-    parser.add_argument("--shard", default="1/1")
+    parser.add_argument("--only", default="", help="only files whose path begins so; several with commas between")
+    parser.add_argument("--shard", default="1/1", help="of N shares of the faults the I-th")
+    parser.add_argument("--own", action="store_true", help="only the tests of the fault's own folder")
     parser.add_argument("--wide", action="store_true")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
@@ -440,11 +448,11 @@ def main():
     WORK.mkdir(parents=True, exist_ok=True)
     if options.verb == "list":
         for number, fault in enumerate(faults, 1):
-            if fault.file.startswith(options.only):
+            if fault.file.startswith(tuple(options.only.split(","))):
                 print(number, fault.kind, fault.told())
     elif options.verb == "make":
-        compile_all(faults, options.only, options.jobs)
-        print(f"{sum(f.file.startswith(options.only) for _, f in numbered(faults))} faults compile")
+        compile_all(faults, options)
+        print(f"{len(asked_for(faults, options))} faults compile")
     elif options.verb == "run":
         run_all(faults, options)
     else:
