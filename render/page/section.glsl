@@ -224,7 +224,7 @@ void main() {
   float footprint = lattice.w * length(fwidth(in_fruit)) * 0.6;
   float part = texelFetch(tags, ivec2(at * vec2(textureSize(tags, 0))), 0).r * 255.0 - 1.0;
   Seen seen = Seen(sky_seen(there, n), sun_seen(there, n), vec3(0.0), vec3(0.0));
-  vec3 shown = fruit_color(color.rgb, n, to_eye, seen, true, material_at(max(part, 0.0)), position, footprint);
+  vec3 shown = fruit_color(color.rgb, n, to_eye, seen, true, material_at(max(part, 0.0)), position, footprint, gel_rim);
   shown = painted(shown, paint);
   shown = mix(shown, ink.rgb, outline * smoothstep(0.35, 0.65, air) * 0.92);
   pixel = vec4(srgb_from_linear(shown), 1.0);

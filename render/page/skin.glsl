@@ -117,7 +117,7 @@ void main() {
   vec3 color = clamp(bare, 0.0, 1.0);
   if (painted_noise) color = modulated(color, position, footprint, 0);
   Seen seen = Seen(sky_seen(there, n), sun_seen(there, n), vec3(0.0), vec3(0.0));
-  color = fruit_color(color, n, to_eye, seen, on_cut > 0.5, material_at(tag), position, footprint);
+  color = fruit_color(color, n, to_eye, seen, on_cut > 0.5, material_at(tag), position, footprint, gel_rim);
   pixel = vec4(srgb_from_linear(painted(color, paint)), 1.0);
 }
 #endif

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "render/lettering/coverage.h"
 #include "render/lettering/typeface.h"
 #include "render/picture/paper.h"

@@ -27,7 +27,7 @@ small -o small.glb -o small.usda -o small.pov -o small.png -o small.html -o smal
 small --instances --feature-ids -o small-instances.glb -o small-instances.usda
 small --lod 2 -o small-levels.glb -o small-levels.usda
 small --engine godot -o small-godot.glb
-"$program" cut tomato --knife half --detail 0.4 --quality draft --texture 256 --ripeness-variants 0.2,1.8 --quiet -o ripenesses.glb -o ripenesses.usda
+"$program" cut tomato --knife half --detail 0.4 --quality draft --texture 256 --maps color --ripeness-variants 0.2,1.8 --quiet -o ripenesses.glb -o ripenesses.usda
 small --engine unreal --lod 1 -o small-unreal.glb
 
 # Megabytes that docs and users count on.
