@@ -4,9 +4,6 @@
 #include <cstdint>
 #include <string>
 
-#include <png.h>
-#include <zlib.h>
-
 #include "render/image/png.h"
 #include "tests/fuzz/told.h"
 
@@ -18,13 +15,28 @@ namespace {
 
 constexpr std::size_t signature = 8, head = 8, checksum = 4;  // bytes
 
-/// Of the length of a chunk, its kind and bytes: the checksum of the last two.
+std::size_t word_at(const std::uint8_t* at) {
+  return std::size_t{at[0]} << 24 | std::size_t{at[1]} << 16 | std::size_t{at[2]} << 8 | at[3];
+}
+
+/// PNG's specification, "CRC algorithm".
+std::uint32_t checksum_of(const std::uint8_t* data, std::size_t size) {
+  std::uint32_t sum = ~std::uint32_t{0};
+  for (std::size_t i = 0; i < size; ++i) {
+    sum ^= data[i];
+    for (int bit = 0; bit < 8; ++bit) sum = sum & 1 ? sum >> 1 ^ 0xEDB88320u : sum >> 1;
+  }
+  return ~sum;
+}
+
+/// A chunk is the length of its bytes, its kind, its bytes, and the checksum of the last two.
 void set_checksums(std::uint8_t* data, std::size_t size) {
   for (std::size_t at = signature; at + head + checksum <= size;) {
-    const std::size_t length = png_get_uint_32(data + at);
+    const std::size_t length = word_at(data + at);
     if (length > size - at - head - checksum) return;
-    png_save_uint_32(data + at + head + length,
-                     static_cast<png_uint_32>(crc32(0, data + at + 4, static_cast<unsigned>(length + 4))));
+    const std::uint32_t sum = checksum_of(data + at + 4, length + 4);
+    for (std::size_t k = 0; k < 4; ++k)
+      data[at + head + length + k] = static_cast<std::uint8_t>(sum >> (24 - 8 * k) & 255);
     at += head + length + checksum;
   }
 }
