@@ -114,7 +114,7 @@ def main():
     parser.add_argument("--runs", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "out" / "fuzz")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()  # readers may follow options, as the Makefile has them
     unknown = set(options.readers) - set(READERS)
     if unknown:
         parser.error(f"there is no reader {', '.join(sorted(unknown))}: {', '.join(READERS)}")
