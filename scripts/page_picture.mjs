@@ -1,13 +1,11 @@
 // A picture of a page as a browser shows it: Chromium, without a display or a graphics card.
 //   node scripts/page_picture.mjs FILE.html PICTURE.png [WIDTHxHEIGHT [SCRIPT]]      needs `npm ci` and chromium; SCRIPT is run in the page before
 import { resolve } from 'node:path';
-import puppeteer from 'puppeteer-core';
+import { launch } from '../tests/programs/browser.mjs';
 
 const [page, picture, size = '1200x800', script = ''] = process.argv.slice(2);
 const [width, height] = size.split('x').map(Number);
-const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', headless: true, protocolTimeout: 600000,
-  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
-    '--disable-dev-shm-usage', '--disable-gpu-watchdog', '--hide-scrollbars'] });
+const browser = await launch({ flags: ['--hide-scrollbars'], timeout: 600000 });
 try {
   const tab = await browser.newPage();
   await tab.setViewport({ width, height });

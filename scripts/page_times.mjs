@@ -5,7 +5,7 @@ import { createRequire } from 'node:module';
 import { loadavg } from 'node:os';
 import { resolve } from 'node:path';
 import { inflateSync } from 'node:zlib';
-import puppeteer from 'puppeteer-core';
+import { launch } from '../tests/programs/browser.mjs';
 
 const require = createRequire(import.meta.url);
 const Asset = require('../render/page/read_asset.js'), LookUp = require('../render/page/look_up.js');
@@ -38,8 +38,7 @@ function processorTime(root) {
 
 const loads = { skin: [], cut: [], face: [], frame: [], processor: [] };
 for (let run = 0; run < Number(runs); ++run) {
-  const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', headless: true, protocolTimeout: 600000,
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-dev-shm-usage', '--disable-gpu-watchdog'] });
+  const browser = await launch({ timeout: 600000 });
   try {
     const tab = await browser.newPage();
     await tab.setViewport({ width: 640, height: 480 });

@@ -5,7 +5,8 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { Session, launch, startStudio } from '../tests/programs/studio_session.mjs';
+import { launch } from '../tests/programs/browser.mjs';
+import { Session, startStudio } from '../tests/programs/studio_session.mjs';
 
 const program = resolve(process.argv[2]), pictures = resolve(process.argv[3]), folder = process.argv[4] ? resolve(process.argv[4]) : mkdtempSync(join(tmpdir(), 'orange-'));
 const folds = 10;

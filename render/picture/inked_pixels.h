@@ -12,11 +12,6 @@
 
 namespace pomona {
 
-/// Some of a picture's rows, the last not included.
-struct PictureRows {
-  int from = 0, to = 0;
-};
-
 /// Calls `found(x, y, hits)` for each pixel of these rows with samples, of 4 x 4, that lie within the radius that holds
 /// at their nearest place on the piece from a to b; bit s of `hits` is sample s. The same for a pixel whatever the rows
 /// around it.

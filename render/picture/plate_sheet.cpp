@@ -11,6 +11,7 @@
 #include "render/lettering/typeface.h"
 #include "render/picture/paper.h"
 #include "render/plate/labels.h"
+#include "render/plate/scale_bar.h"
 
 namespace pomona {
 
@@ -20,22 +21,6 @@ constexpr double least_of_figure = 0.002;  // share that a part must cover to be
 constexpr double row_ems = 1.35;           // from line to line of the legend
 constexpr double beside_ems = 2.2;         // what numbers take to the left and to the right of a figure
 constexpr double below_ems = 2.6;          // what a figure's letter and scale take below it
-
-/// 1, 2 or 5 times a power of ten metres, at most `most`.
-double round_length(double most) {
-  double power = 1e-7;
-  while (power * 10 <= most) power *= 10;
-  return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
-}
-
-std::string in_words(double metres) {
-  const bool small = metres < 0.00995;
-  const double number = metres * (small ? 1000 : 100);
-  std::string text = std::to_string(number);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text + (small ? " mm" : " cm");
-}
 
 /// A figure's pixels on the sheet: what it has more or less of than its own bare paper, on the sheet's.
 void lay_figure(const Image& figure, const glm::ivec2& corner, const Color& bare, const Paper& paper, Image& sheet) {
@@ -134,10 +119,7 @@ void PlateSheet::add_numbers(const std::vector<Numbered>& parts, const SheetFigu
   const glm::dvec2 size(figure.picture.width, figure.picture.height), corner = rooms_[index].low;
   for (const Label& label : placed_labels(std::move(wishes), {{0, 0}, size}, em_, 0.5 * em_)) {
     const glm::dvec2 from = label.leader + corner, to = label.tip + corner;
-    layers[0].marks.push_back({line_outline(from, to, 2.6 * hair()), {}});
-    layers[0].marks.push_back({disc_outline(to, 2.7 * hair()), {}});
-    layers[1].marks.push_back({line_outline(from, to, hair()), {}});
-    layers[1].marks.push_back({disc_outline(to, 1.7 * hair()), {}});
+    add_leader(from, to, hair(), layers[0], layers[1]);
     layers[2].marks.push_back({italic.outline(label.text, label.start + corner, em_), label.text});
   }
 }
@@ -149,19 +131,18 @@ void PlateSheet::add_bar(const SheetFigure& figure, std::size_t index, PlateLaye
   const std::string letter(1, static_cast<char>('a' + static_cast<int>(index)));
   const double base = room.high.y + 1.6 * em_;
   letters.marks.push_back({italic.outline(letter, {room.low.x, base}, 1.15 * em_), letter});
-  if (!plate_.scale_bar || !(figure.pixels_per_metre > 0)) return;
+  const ScaleLength scale = scale_length(0.3 * (room.high.x - room.low.x), figure.pixels_per_metre);
+  if (!plate_.scale_bar || !(scale.pixels > 0)) return;
 
-  const double metres = round_length(0.3 * (room.high.x - room.low.x) / figure.pixels_per_metre);
-  const double length = metres * figure.pixels_per_metre, middle = 0.5 * (room.low.x + room.high.x);
+  const double length = scale.pixels, middle = 0.5 * (room.low.x + room.high.x);
   const glm::dvec2 a(middle - 0.5 * length, base), b(middle + 0.5 * length, base);
   const glm::dvec2 tick(0, 0.25 * em_), inset(0.5 * hair(), 0);
   letters.marks.push_back({line_outline(a, b, hair()), {}});
   letters.marks.push_back({line_outline(a + inset - tick, a + inset + tick, hair()), {}});
   letters.marks.push_back({line_outline(b - inset - tick, b - inset + tick, hair()), {}});
-  const std::string text = in_words(metres);
   const double em = 0.85 * em_;
   letters.marks.push_back(
-      {italic.outline(text, {middle - 0.5 * italic.width(text) * em, base - 0.45 * em_}, em), text});
+      {italic.outline(scale.text, {middle - 0.5 * italic.width(scale.text) * em, base - 0.45 * em_}, em), scale.text});
 }
 
 void PlateSheet::add_legend(const std::vector<Numbered>& parts, PlateLayer& letters) const {

@@ -1,14 +1,11 @@
 #include "render/picture/section_picture.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 
 #include "generator/base/error.h"
 #include "render/marks/marks.h"
-#include "render/picture/inked_pixels.h"
 #include "render/picture/marks_on_picture.h"
 #include "render/picture/paper.h"
 #include "render/picture/section_raster.h"
@@ -25,60 +22,30 @@ std::vector<PlacedFace> laid_out_in(const PlateBox& box, const CrossSection& sec
   return faces;
 }
 
-/// Ink on some of the picture's rows, as an InkLayer has it for all.
-class RowsOfInk {
- public:
-  RowsOfInk(int width, PictureRows rows)
-      : width_(width), rows_(rows), samples_(static_cast<std::size_t>(width) * (rows.to - rows.from), 0) {
-    opacity_.resize(samples_.size(), 0.0f);
+/// The ink of some of the picture's rows.
+struct InkLayers {
+  InkLayer rim, inner;
+
+  /// Inner lines lie over the colour, the rim above them.
+  Color over(Color color, const Color& ink, double inner_opacity, int x, int y) const {
+    color += (ink - color) * static_cast<float>(inner.at(x, y) * inner_opacity);
+    color += (ink - color) * static_cast<float>(rim.at(x, y));
+    return color;
   }
-
-  void draw(const std::vector<StrokePoint>& stroke) {
-    for (std::size_t i = 1; i < stroke.size(); ++i) {
-      const StrokePoint &a = stroke[i - 1], &b = stroke[i];
-      const auto opacity = static_cast<float>(0.5 * (a.opacity + b.opacity));
-      for_inked_pixels(a, b, width_, rows_, [&](int x, int y, std::uint16_t hits) {
-        const std::size_t pixel = index_of(x, y);
-        samples_[pixel] = static_cast<std::uint16_t>(samples_[pixel] | hits);
-        opacity_[pixel] = std::max(opacity_[pixel], opacity);
-      });
-    }
-  }
-
-  /// Share of the pixel that the ink hides, 0..1.
-  double at(int x, int y) const {
-    const std::size_t pixel = index_of(x, y);
-    return static_cast<double>(opacity_[pixel]) * std::popcount(samples_[pixel]) / 16.0;
-  }
-
- private:
-  std::size_t index_of(int x, int y) const { return static_cast<std::size_t>(y - rows_.from) * width_ + x; }
-
-  int width_;
-  PictureRows rows_;
-  std::vector<std::uint16_t> samples_;
-  std::vector<float> opacity_;
 };
 
-struct RowsOfLayers {
-  RowsOfInk rim, inner;
-};
-
-RowsOfLayers inked(const std::vector<SectionStroke>& strokes, int width, PictureRows rows) {
-  RowsOfLayers layers{{width, rows}, {width, rows}};
+InkLayers inked(const std::vector<SectionStroke>& strokes, int width, PictureRows rows) {
+  InkLayers layers{{width, rows}, {width, rows}};
   for (const SectionStroke& stroke : strokes) (stroke.rim ? layers.rim : layers.inner).draw(stroke.points);
   return layers;
 }
 
 /// The picture with both layers of ink over it.
-Image with_ink_layers(Image image, const RowsOfLayers& layers, const Color& ink, double inner_opacity) {
+Image with_ink_layers(Image image, const InkLayers& layers, const Color& ink, double inner_opacity) {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       glm::u8vec3& pixel = image.pixels[static_cast<std::size_t>(y) * image.width + x];
-      Color color = from_srgb8(pixel);
-      color += (ink - color) * static_cast<float>(layers.inner.at(x, y) * inner_opacity);
-      color += (ink - color) * static_cast<float>(layers.rim.at(x, y));
-      pixel = to_srgb8(color);
+      pixel = to_srgb8(layers.over(from_srgb8(pixel), ink, inner_opacity, x, y));
     }
   }
   return image;
@@ -148,7 +115,7 @@ Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& fac
   parallel_for(raster.bands(), options.threads, [&](std::size_t band) {
     const PictureRows rows = raster.rows(band);
     const std::vector<SectionPixel> pixels = raster.pixels(band);
-    const RowsOfLayers layers = inked(strokes, style.ink ? options.width : 0, rows);
+    const InkLayers layers = inked(strokes, style.ink ? options.width : 0, rows);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       const int x = static_cast<int>(i % width), y = rows.from + static_cast<int>(i / width);
       const SectionPixel& pixel = pixels[i];
@@ -166,11 +133,7 @@ Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& fac
         color += (fruit - color) * (static_cast<float>(pixel.samples) / section_samples);
       }
 
-      // Ink lies over both: inner lines first, the rim above them.
-      if (style.ink) {
-        color += (ink_color - color) * static_cast<float>(layers.inner.at(x, y) * style.inner_opacity);
-        color += (ink_color - color) * static_cast<float>(layers.rim.at(x, y));
-      }
+      if (style.ink) color = layers.over(color, ink_color, style.inner_opacity, x, y);
       image.pixels[rows.from * width + i] = to_srgb8(color);
     }
   });

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "generator/cut/section/cross_section.h"
-#include "render/picture/inked_pixels.h"
 #include "render/picture/section_layout.h"
+#include "render/picture/stroke.h"
 
 namespace pomona {
 

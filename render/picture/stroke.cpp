@@ -144,11 +144,11 @@ std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options) {
   return result;
 }
 
-InkLayer::InkLayer(int width, int height)
+InkLayer::InkLayer(int width, PictureRows rows)
     : width_(width),
-      height_(height),
-      samples_(static_cast<std::size_t>(width) * height, 0),
-      opacity_(static_cast<std::size_t>(width) * height, 0.0f) {}
+      rows_(rows),
+      samples_(static_cast<std::size_t>(width) * (rows.to - rows.from), 0),
+      opacity_(samples_.size(), 0.0f) {}
 
 void InkLayer::draw(const std::vector<StrokePoint>& stroke) {
   for (std::size_t i = 1; i < stroke.size(); ++i) draw_piece(stroke[i - 1], stroke[i]);
@@ -156,16 +156,16 @@ void InkLayer::draw(const std::vector<StrokePoint>& stroke) {
 
 void InkLayer::draw_piece(const StrokePoint& a, const StrokePoint& b) {
   const auto opacity = static_cast<float>(0.5 * (a.opacity + b.opacity));
-  for_inked_pixels(a, b, width_, {0, height_}, [&](int x, int y, std::uint16_t hits) {
-    const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
-    samples_[i] = static_cast<std::uint16_t>(samples_[i] | hits);
-    opacity_[i] = std::max(opacity_[i], opacity);
+  for_inked_pixels(a, b, width_, rows_, [&](int x, int y, std::uint16_t hits) {
+    const std::size_t pixel = index_of(x, y);
+    samples_[pixel] = static_cast<std::uint16_t>(samples_[pixel] | hits);
+    opacity_[pixel] = std::max(opacity_[pixel], opacity);
   });
 }
 
 double InkLayer::at(int x, int y) const {
-  const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
-  return static_cast<double>(opacity_[i]) * std::popcount(samples_[i]) / 16.0;
+  const std::size_t pixel = index_of(x, y);
+  return static_cast<double>(opacity_[pixel]) * std::popcount(samples_[pixel]) / 16.0;
 }
 
 }  // namespace pomona

@@ -1,6 +1,7 @@
 // Strokes: lines of varying width, as a pen or a brush leaves them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -45,10 +46,17 @@ struct StrokePoint {
 /// [Northrup & Markosian 2000].
 std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options);
 
-/// Ink on a picture: 16 fixed samples a pixel, so that what is drawn twice is as dark as what is drawn once.
+/// Some of a picture's rows, the last not included.
+struct PictureRows {
+  int from = 0, to = 0;
+};
+
+/// Ink on a picture, or on some of its rows: 16 fixed samples a pixel, so that what is drawn twice is as dark as what
+/// is drawn once. A pixel has the same ink whatever the rows around it.
 class InkLayer {
  public:
-  InkLayer(int width, int height);
+  InkLayer(int width, int height) : InkLayer(width, PictureRows{0, height}) {}
+  InkLayer(int width, PictureRows rows);
 
   void draw(const std::vector<StrokePoint>& stroke);
 
@@ -56,9 +64,11 @@ class InkLayer {
   double at(int x, int y) const;
 
  private:
+  std::size_t index_of(int x, int y) const { return static_cast<std::size_t>(y - rows_.from) * width_ + x; }
   void draw_piece(const StrokePoint& a, const StrokePoint& b);
 
-  int width_, height_;
+  int width_;
+  PictureRows rows_;
   std::vector<std::uint16_t> samples_;
   std::vector<float> opacity_;
 };

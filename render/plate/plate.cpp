@@ -6,6 +6,7 @@
 
 #include "render/lettering/coverage.h"
 #include "render/lettering/typeface.h"
+#include "render/plate/scale_bar.h"
 
 namespace pomona {
 
@@ -43,18 +44,14 @@ PlateBox columns_beside(const PartMap& map, const PlateBox& room) {
   return box;
 }
 
-std::string length_text(double metres) {
-  const auto [unit, name] = metres < 0.00995 ? std::pair(0.001, "mm")
-                            : metres < 0.995 ? std::pair(0.01, "cm")
-                                             : std::pair(1.0, "m");
-  const double number = metres / unit;
-  if (number >= 0.995) return std::to_string(static_cast<long>(number + 0.5)) + " " + name;
-  std::string text = std::to_string(number);  // a tenth of a millimetre and less
-  text.erase(text.find_last_not_of('0') + 1);
-  return text + " " + name;
-}
-
 }  // namespace
+
+void add_leader(const glm::dvec2& from, const glm::dvec2& tip, double hair, PlateLayer& halos, PlateLayer& lines) {
+  lines.marks.push_back({line_outline(from, tip, hair), {}});
+  lines.marks.push_back({disc_outline(tip, 1.7 * hair), {}});
+  halos.marks.push_back({line_outline(from, tip, 2.6 * hair), {}});
+  halos.marks.push_back({disc_outline(tip, 2.7 * hair), {}});
+}
 
 std::string words_of(const std::string& name) {
   std::string words = name;
@@ -108,13 +105,12 @@ std::vector<Label> Plate::labels(const PartMap& map) const {
 
 Plate::ScaleBar Plate::scale_bar(double pixels_per_metre) const {
   ScaleBar bar;
-  if (!style_.scale_bar || !(pixels_per_metre > 0)) return bar;
-  const double most = 0.3 * (figure_.high.x - figure_.low.x) / pixels_per_metre;
-  double power = 1e-7;
-  while (power * 10 <= most) power *= 10;
-  bar.metres = most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
-  bar.text = length_text(bar.metres);
-  bar.length = bar.metres * pixels_per_metre;
+  if (!style_.scale_bar) return bar;
+  const ScaleLength scale = scale_length(0.3 * (figure_.high.x - figure_.low.x), pixels_per_metre);
+  if (!(scale.pixels > 0)) return bar;
+  bar.metres = scale.metres;
+  bar.text = scale.text;
+  bar.length = scale.pixels;
   bar.start = {0.5 * (width_ - bar.length), bar_height_};
   return bar;
 }
@@ -125,10 +121,7 @@ void Plate::add_labels(const PartMap& map, PlateLayer& halos, PlateLayer& lines,
   const Typeface italic("italic");
   for (const Label& label : labels(map)) {
     letters.marks.push_back({italic.outline(label.text, label.start, em_), label.text});
-    lines.marks.push_back({line_outline(label.leader, label.tip, hair()), {}});
-    lines.marks.push_back({disc_outline(label.tip, 1.7 * hair()), {}});
-    halos.marks.push_back({line_outline(label.leader, label.tip, 2.6 * hair()), {}});
-    halos.marks.push_back({disc_outline(label.tip, 2.7 * hair()), {}});
+    add_leader(label.leader, label.tip, hair(), halos, lines);
   }
 }
 

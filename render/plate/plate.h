@@ -30,6 +30,10 @@ struct PlateLayer {
   std::vector<PlateMark> marks;
 };
 
+/// Adds the line from a name to the part that it names, a dot at its end, and what sets both off from dark paint.
+/// \param hair width of lines, pixels
+void add_leader(const glm::dvec2& from, const glm::dvec2& tip, double hair, PlateLayer& halos, PlateLayer& lines);
+
 /// Where everything goes, before anything is drawn.
 class Plate {
  public:

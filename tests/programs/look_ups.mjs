@@ -9,7 +9,7 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { basename, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import puppeteer from 'puppeteer-core';
+import { launch } from './browser.mjs';
 import { errorsOf, holds, line, readSections } from './section_errors.mjs';
 
 const [folder, name, glb, picture] = process.argv.slice(2), root = resolve(fileURLToPath(import.meta.url), '../../..');
@@ -191,9 +191,7 @@ async function throughGpu(shader, frame) {
   return [...new Uint8Array(back.getMappedRange())];
 }
 
-const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', headless: true, protocolTimeout: 240000,
-  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-dev-shm-usage', '--disable-gpu-watchdog',
-    '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan'] });
+const browser = await launch({ flags: ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan'] });
 try {
   const tab = await browser.newPage(), step = 2 * reach / size;
   const frame = { size, origin: [0, 1, 2].map((k) => origin[k] - reach * (u[k] + v[k])), u: u.map((x) => step * x), v: v.map((x) => step * x) };

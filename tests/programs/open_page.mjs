@@ -3,13 +3,11 @@
 //   node open_page.mjs FOLDER NAME [PICTURE.png]
 import assert from 'node:assert/strict';
 import { resolve } from 'node:path';
-import puppeteer from 'puppeteer-core';
+import { launch } from './browser.mjs';
 import { errorsOf, holds, line, readSections } from './section_errors.mjs';
 
 const [folder, name, picture] = process.argv.slice(2);
-const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', headless: true, protocolTimeout: 240000,
-  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
-    '--disable-dev-shm-usage', '--disable-gpu-watchdog'] });
+const browser = await launch();
 try {
   const tab = await browser.newPage(), faults = [], asked = [];
   await tab.setViewport({ width: 480, height: 400 });

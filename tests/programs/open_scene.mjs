@@ -4,13 +4,11 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
-import puppeteer from 'puppeteer-core';
+import { launch } from './browser.mjs';
 
 const [page, layout, picture] = process.argv.slice(2);
 const { instances } = JSON.parse(readFileSync(layout));
-const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', headless: true, protocolTimeout: 240000,
-  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
-    '--disable-dev-shm-usage', '--disable-gpu-watchdog'] });
+const browser = await launch();
 try {
   const tab = await browser.newPage(), faults = [], asked = [];
   await tab.setViewport({ width: 480, height: 400 });

@@ -4,7 +4,8 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
-import { Session, launch, startStudio } from './studio_session.mjs';
+import { launch } from './browser.mjs';
+import { Session, startStudio } from './studio_session.mjs';
 
 const [program, folder, picture] = process.argv.slice(2);
 rmSync(folder, { recursive: true, force: true });

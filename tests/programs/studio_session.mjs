@@ -1,6 +1,5 @@
 // A studio and a browser that has it open: what tests and the pictures of docs/studio.md work with.
 import { spawn } from 'node:child_process';
-import puppeteer from 'puppeteer-core';
 
 /** {process, address, end(signal)} */
 export async function startStudio(program, words, folder) {
@@ -12,9 +11,6 @@ export async function startStudio(program, words, folder) {
   });
   return { process: child, address, end: (signal = 'SIGKILL') => new Promise((done) => { child.on('exit', done); child.kill(signal); }) };
 }
-
-export const launch = () => puppeteer.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', headless: true, protocolTimeout: 240000,
-  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-dev-shm-usage', '--disable-gpu-watchdog'] });
 
 export class Session {
   constructor(tab) { this.tab = tab; this.faults = []; this.strangers = []; }

@@ -1,0 +1,18 @@
+// How long a figure's scale bar is, and what it says.
+#pragma once
+
+#include <string>
+
+namespace pomona {
+
+/// A round length: 1, 2 or 5 times a power of ten metres.
+struct ScaleLength {
+  double metres = 0;
+  std::string text;   ///< "2 cm"
+  double pixels = 0;  ///< 0 where there is no scale
+};
+
+/// The longest of at most `most` pixels. \param pixels_per_metre 0 = there is no scale
+ScaleLength scale_length(double most, double pixels_per_metre);
+
+}  // namespace pomona
