@@ -165,6 +165,7 @@ malformed: build ## our own files spoilt in some 1600 ways, each told with its p
 	cmake --build build-fuzz --target fuzzers -j $(JOBS)
 
 fuzz-short: .fuzzers ## ten seconds of libFuzzer for every reader of templates, drawings, scenes, meshes, pictures: what CI does
+	tests/fuzz/fuzz_test.py build-fuzz
 	scripts/fuzz.py build-fuzz --seconds $(or $(SECONDS),10) --jobs $(JOBS) $(READERS)
 
 fuzz: .fuzzers ## RUNS=10000000 of libFuzzer for every reader, or READERS="ply glb"; hours; stop it and it goes on later

@@ -7,7 +7,10 @@
 
 Prints a line for each reader: its runs so far, the inputs that made it do something new, what it found. What is new is
 kept in out/fuzz/READER, findings in out/fuzz/findings. Ends with 1 if there are any; what made them belongs into
-tests/fuzz/corpus/READER when it is mended, where every later run begins with it."""
+tests/fuzz/corpus/READER when it is mended, where every later run begins with it. Most
+inputs have at most 2 KB, which readers take by thousands a second and in which most of what can be wrong has room; some
+have up to 32 KB, and with those AddressSanitizer looks for uses of the stack after a return, too, which halves the
+pace."""
 
 import argparse
 import json
@@ -25,7 +28,7 @@ FUZZ = ROOT / "tests" / "fuzz"
 
 # Beside tests/fuzz/corpus/READER every reader begins with files of ours: patterns, and the dictionary.
 READERS = {
-    "template": (["templates/*.toml", "tests/template/bad/*.toml"], "toml"),
+    "template": (["templates/*.toml", "tests/template/good.toml", "tests/template/bad/*.toml"], "toml"),
     "sketch": (["templates/*.svg", "tests/template/sketches/*.svg", "tests/template/sketches/bad/*.svg"], "svg"),
     "stroke": (["scenes/*.svg"], "svg"),
     "path": ([], "path"),
@@ -40,37 +43,44 @@ READERS = {
     "png": ([], None),
 }
 
-LONGEST = 1 << 15  # bytes of an input
+SHORT, LONGEST = 1 << 11, 1 << 15  # bytes of an input
+SHORT_STEP, LONGEST_STEP = 100000, 2000  # runs of a step, where runs are counted
+FEWEST = 20  # runs that every step makes, or the reader takes too long to be fuzzed at all
 LIMITS = ["-timeout=10", "-rss_limit_mb=2048", "-malloc_limit_mb=512"]
-ENVIRONMENT = {"ASAN_OPTIONS": "detect_stack_use_after_return=1:allocator_may_return_null=0",
-               "UBSAN_OPTIONS": "print_stacktrace=1"}
 
 
-def seeds_of(reader, folder):
+def sanitizers(longest):
+    """What the sanitizers look for beside inputs of that length; stacks of allocations are short, to be quick."""
+    returns = 1 if longest == LONGEST else 0
+    return {"ASAN_OPTIONS": f"detect_stack_use_after_return={returns}:allocator_may_return_null=0:malloc_context_size=4",
+            "UBSAN_OPTIONS": "print_stacktrace=1"}
+
+
+def seeds_of(reader, folder, longest):
     """What every run begins with: our own files, whole, if they are short enough."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    patterns = READERS[reader][0] + [f"tests/fuzz/corpus/{reader}/*"]
+    patterns = READERS.get(reader, ([], None))[0] + [f"tests/fuzz/corpus/{reader}/*"]
     for path in sorted(p for pattern in patterns for p in ROOT.glob(pattern)):
-        if path.stat().st_size <= LONGEST:
+        if path.stat().st_size <= longest:
             shutil.copy(path, folder / f"{path.parent.name}-{path.name}")
     return folder
 
 
-def run(reader, build, work, wanted):
-    """One program: its runs and findings."""
+def run(reader, build, work, wanted, longest):
+    """One program, with inputs of at most so many bytes: its runs, whether it found something, what it said."""
     grown = work / reader
     findings = work / "findings"
     for folder in (grown, findings):
         folder.mkdir(parents=True, exist_ok=True)
-    command = [build / "tests" / "fuzz" / f"fuzz_{reader}", *LIMITS, f"-max_len={LONGEST}", "-print_final_stats=1",
+    command = [build / "tests" / "fuzz" / f"fuzz_{reader}", *LIMITS, f"-max_len={longest}", "-print_final_stats=1",
                "-verbosity=1", f"-artifact_prefix={findings}/{reader}-", *wanted]
-    dictionary = READERS[reader][1]
+    dictionary = READERS.get(reader, ([], None))[1]
     if dictionary:
         command.append(f"-dict={FUZZ / 'dictionaries' / dictionary}.dict")
-    command += [grown, seeds_of(reader, work / "seeds" / reader)]
+    command += [grown, seeds_of(reader, work / "seeds" / reader, longest)]
     done = subprocess.run([str(part) for part in command], capture_output=True, text=True, errors="replace",
-                          env={**os.environ, **ENVIRONMENT}, check=False)
+                          env={**os.environ, **sanitizers(longest)}, check=False)
     runs = re.search(r"number_of_executed_units: (\d+)", done.stderr)
     crashed = done.returncode != 0
     if crashed:
@@ -78,30 +88,38 @@ def run(reader, build, work, wanted):
     return (int(runs.group(1)) if runs else 0), crashed, done.stderr
 
 
+def steps(options, known):
+    """What is asked of the program one after the other, and how long its inputs may be."""
+    if not options.runs:
+        yield f"-max_total_time={max(1, round(0.9 * options.seconds))}", SHORT
+        yield f"-max_total_time={max(1, round(0.1 * options.seconds))}", LONGEST
+        return
+    while known["runs"] < options.runs:
+        left = options.runs - known["runs"]
+        yield f"-runs={min(left, LONGEST_STEP)}", LONGEST
+        if left > LONGEST_STEP:
+            yield f"-runs={min(left - LONGEST_STEP, SHORT_STEP)}", SHORT
+
+
 def fuzz(reader, build, work, options):
     """Runs the reader as long or as often as asked for, in steps that are written down."""
     book = work / f"{reader}.json"
     known = json.loads(book.read_text()) if book.exists() and options.runs else {"runs": 0, "findings": 0}
     begun, made = time.monotonic(), 0
-    while True:
-        if options.runs:
-            left = options.runs - known["runs"]
-            wanted = [f"-runs={min(left, 100000)}"]
-        else:
-            left = options.seconds - (time.monotonic() - begun)
-            wanted = [f"-max_total_time={max(1, int(left))}"]
-        if left <= 0 or known["findings"]:
+    for wanted, longest in steps(options, known):
+        if known["findings"]:
             break
-        runs, crashed, output = run(reader, build, work, wanted)
+        runs, crashed, output = run(reader, build, work, [wanted], longest)
+        if runs < FEWEST and not crashed:
+            crashed, output = True, f"{reader}: {runs} runs in a step ({wanted}), which tries nothing\n{output}"
         made += runs
-        known = {"runs": known["runs"] + runs, "findings": known["findings"] + crashed}
+        known["runs"] += runs
+        known["findings"] += crashed
         book.write_text(json.dumps(known))
         if crashed:
             print(output[-3000:], file=sys.stderr)
-        if runs == 0 or not options.runs:
-            break
     passed = max(time.monotonic() - begun, 1e-3)
-    new = len(list((work / reader).iterdir()))
+    new = len(list((work / reader).iterdir())) if (work / reader).exists() else 0
     print(f"{reader:9} {known['runs']:>10} runs {made / passed:>8.0f}/s {new:>6} inputs kept {known['findings']:>3} findings", flush=True)
     return known
 
@@ -115,7 +133,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "out" / "fuzz")
     options = parser.parse_intermixed_args()  # readers may follow options, as the Makefile has them
-    unknown = set(options.readers) - set(READERS)
+    unknown = set(options.readers) - set(READERS) - {"planted"}
     if unknown:
         parser.error(f"there is no reader {', '.join(sorted(unknown))}: {', '.join(READERS)}")
     with ThreadPoolExecutor(options.jobs) as pool:
