@@ -104,9 +104,18 @@ void check_style(const SceneDescription& scene, const std::filesystem::path& fol
   }
 }
 
+/// What closed bodies the surfaces bound: warnings about those that are none.
+std::vector<std::string> body_warnings(const DiffusionSurfaces& surfaces, const std::filesystem::path& file) {
+  try {
+    return find_bodies(surfaces).warnings;
+  } catch (const Error& error) {
+    throw told_of(error, file.string());
+  }
+}
+
 /// Reads the file as what it is; surfaces and swept templates are also asked whether they are solid.
 std::vector<std::string> check_file(const std::filesystem::path& file) {
-  if (file.extension() == ".ply") return find_bodies(read_surfaces(file)).warnings;
+  if (file.extension() == ".ply") return body_warnings(read_surfaces(file), file);
   if (check_part(file)) return {};
   if (is_scene_file(file)) {
     const SceneDescription scene = read_scene(file);
@@ -125,7 +134,7 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
     return {};
   }
   const Template fruit = read_template(file);
-  std::vector<std::string> warnings = find_bodies(sweep(fruit)).warnings;
+  std::vector<std::string> warnings = body_warnings(sweep(fruit), file);
   scatter_grains(fruit, {});
   for (const std::string& warning : spot_warnings(fruit)) warnings.push_back(warning);
   return warnings;

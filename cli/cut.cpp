@@ -116,7 +116,7 @@ ExitStatus cut_family(const CutCommand& command, std::span<const Knife> knives, 
     const FruitSource source = open_fruit(command.fruit, one, command.folds, delivery.times);
     SliceTask task = slice_task(source, knives, command.piece);
     task.crumbs = command.crumbs;
-    Slices slices = slice(task, &diffuser, slice_options(command));
+    Slices slices = sliced(source, task, &diffuser, slice_options(command));
     check_piece(command.piece, slices);
     delivery.times.add(slices.times);
     delivery.warn(slices.warnings);
@@ -157,7 +157,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   }
   SliceTask task = slice_task(source, knives, command.piece);
   task.crumbs = command.crumbs;
-  Slices slices = slice(task, diffuser.get(), slice_options(command));
+  Slices slices = sliced(source, task, diffuser.get(), slice_options(command));
   check_piece(command.piece, slices);
   delivery.times.add(slices.times);
   delivery.warn(slices.warnings);

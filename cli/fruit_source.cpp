@@ -23,6 +23,7 @@ FruitSource from_surface_file(const std::filesystem::path& file, const SharedOpt
   }
   FruitSource source;
   source.name = file.stem().string();
+  source.file = file.string();
   source.fruit.name = source.name;
   source.fruit.title = words_of(source.name);
   source.grown.swept = times.time("read", [&] { return read_surfaces(file); });
@@ -42,6 +43,15 @@ SliceTask slice_task(const FruitSource& source, std::span<const Knife> knives, i
   task.name += ".piece-" + std::to_string(piece);
   task.choice = PieceChoice{.only = piece};
   return task;
+}
+
+Slices sliced(const FruitSource& source, const SliceTask& task, const Diffuser* diffuser, const SliceOptions& options) {
+  try {
+    return slice(task, diffuser, options);
+  } catch (const Error& error) {
+    if (error.status() != ExitStatus::bad_data) throw;
+    throw told_of(error, source.file);
+  }
 }
 
 void check_piece(int piece, const Slices& slices) {
@@ -64,6 +74,7 @@ FruitSource fruit_of(const Template& drawn, const std::string& name, const std::
                                  .threads = {options.threads}};
   FruitSource source;
   source.name = name;
+  source.file = drawn.file;
   source.fruit = times.time("vary", [&] { return variant_of(drawn, key, grow_options); });
   source.grown = times.time("sweep", [&] { return grow(source.fruit, key, grow_options); });
   source.origin = {.source = source_word(word), .key = key, .growing = grow_options};

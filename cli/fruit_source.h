@@ -18,10 +18,15 @@ struct FruitSource {
   GrownFruit grown;
   PieceOrigin origin;
   std::string name;  ///< of the template or file, without folder and ending
+  std::string file;  ///< the template or file
 };
 
 /// What slice() is to do with it. \param piece this one alone, by its number; 0 = all.
 SliceTask slice_task(const FruitSource& source, std::span<const Knife> knives, int piece);
+
+/// slice(), where what is wrong with the fruit is told of its file.
+Slices sliced(const FruitSource& source, const SliceTask& task, const Diffuser* diffuser,
+              const SliceOptions& options = {});
 
 /// \throws Error (usage) if there is no piece of this number.
 void check_piece(int piece, const Slices& slices);

@@ -44,7 +44,7 @@ struct GrowCommand {
 /// The shells of the fruit, cavity walls included, with nothing inside; or all its surfaces as glass.
 std::vector<Solid> whole_fruit(const FruitSource& source, const GrowCommand& command, Delivery& delivery) {
   if (command.surfaces) return glass_surfaces(source.grown, source.fruit, source.name);
-  Slices whole = slice(slice_task(source, {}, command.piece), nullptr);
+  Slices whole = sliced(source, slice_task(source, {}, command.piece), nullptr);
   check_piece(command.piece, whole);
   delivery.times.add(whole.times);
   delivery.warn(whole.warnings);

@@ -54,15 +54,15 @@ Slices sliced(const FruitSource& source, const std::string& knife, const Diffuse
               const PlateCommand& command) {
   const std::vector<Knife> knives{parse_knife(knife)};
   const Threads threads{command.shared.threads};
-  return slice(slice_task(source, knives, 0), &diffuser,
-               {.cut = {.threads = threads}, .pieces = pieces, .threads = threads});
+  return sliced(source, slice_task(source, knives, 0), &diffuser,
+                {.cut = {.threads = threads}, .pieces = pieces, .threads = threads});
 }
 
 PlateContents contents_of(const FruitSource& source, const PlateCommand& command, Delivery& delivery) {
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
   PlateContents contents;
-  Slices whole = slice(slice_task(source, {}, 0), nullptr);
+  Slices whole = sliced(source, slice_task(source, {}, 0), nullptr);
   Slices half = sliced(source, command.half, *diffuser, true, command);
   Slices across = sliced(source, command.section, *diffuser, false, command);
   for (const Slices* each : {&whole, &half, &across}) {

@@ -91,12 +91,26 @@ std::optional<std::string> fault_of_command(const NamedCommand& named, const std
          word + "\"\n  hint: " + (near ? "did you mean " + *near + "?" : "see `" + named.words + " -h`");
 }
 
+/// The subcommand among the words that knows the option, which stands before it.
+std::optional<std::string> command_with(const NamedCommand& named, const std::string& option,
+                                        const std::vector<std::string>& arguments) {
+  for (const CLI::App* command : named.app->get_subcommands({})) {
+    const std::vector<std::string> known = option_names(*command);
+    const bool is_named = std::find(arguments.begin(), arguments.end(), command->get_name()) != arguments.end();
+    if (is_named && std::find(known.begin(), known.end(), option) != known.end()) return command->get_name();
+  }
+  return {};
+}
+
 /// A mistyped option hides the one that was meant, which may be one that is needed: it is told first.
 std::optional<std::string> fault_of_options(const NamedCommand& named, const std::vector<std::string>& arguments) {
   const std::vector<std::string> known = option_names(*named.app);
   for (std::size_t i = static_cast<std::size_t>(named.next); i < arguments.size() && arguments[i] != "--"; ++i) {
     const std::string word = arguments[i].substr(0, arguments[i].find('='));
     if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
+    if (const auto command = command_with(named, word, arguments))
+      return "error: " + word + " stands before the command\n  hint: it belongs behind it: `" + named.words + " " +
+             *command + " ... " + word + "`";
     const auto near = nearest_name(word, known);
     return "error: there is no option " + word + "\n  hint: " + (near ? "did you mean " + *near + "? " : "") + "see `" +
            named.words + " -h`";

@@ -42,4 +42,12 @@ Error::Error(ExitStatus status, std::vector<Diagnostic> diagnostics)
 Error::Error(ExitStatus status, std::string message, std::string hint)
     : Error(status, std::vector<Diagnostic>{{{}, std::move(message), std::move(hint)}}) {}
 
+Error told_of(const Error& error, const std::string& file) {
+  std::vector<Diagnostic> diagnostics = error.diagnostics();
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.place.file.empty()) diagnostic.place.file = file;
+  }
+  return {error.status(), std::move(diagnostics)};
+}
+
 }  // namespace pomona

@@ -55,4 +55,8 @@ class Error : public std::runtime_error {
   std::vector<Diagnostic> diagnostics_;
 };
 
+/// The same error, told of this file wherever it names none: for what is found wrong in a fruit long after its file was
+/// read.
+Error told_of(const Error& error, const std::string& file);
+
 }  // namespace pomona

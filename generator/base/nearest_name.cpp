@@ -25,16 +25,25 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+/// Capitals of ASCII as small letters.
+std::string in_small_letters(std::string word) {
+  for (char& letter : word) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return word;
+}
+
 }  // namespace
 
 std::optional<std::string> nearest_name(const std::string& name, const std::vector<std::string>& known) {
   // Long words may differ more; beyond a third of the word a guess would only confuse.
   constexpr std::size_t longest = 64;
   if (name.size() > longest) return std::nullopt;
-  std::size_t best = std::max<std::size_t>(1, name.size() / 3) + 1;
+  std::size_t best = std::max<std::size_t>(1, (name.size() + 1) / 3) + 1;
   std::optional<std::string> nearest;
+  const std::string small = in_small_letters(name);
   for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(name, candidate);
+    const std::size_t distance = edit_distance(small, in_small_letters(candidate));
     if (distance < best) {
       best = distance;
       nearest = candidate;

@@ -7,7 +7,8 @@
 
 namespace pomona {
 
-/// The known name with the smallest edit distance to `name`, if it is near enough to be meant.
+/// The known name with the smallest edit distance to `name`, capitals taken for small letters, if it is near enough to
+/// be meant: a third of its letters may be wrong, two of five.
 std::optional<std::string> nearest_name(const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace pomona

@@ -5,12 +5,26 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <thread>
 
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 namespace pomona {
+
+namespace {
+
+/// More than the machine has cores are had only by leave, and asking without it makes TBB print a warning.
+std::optional<tbb::global_control> leave_for(int width) {
+  if (width <= tbb::info::default_concurrency()) return {};
+  return std::make_optional<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                 static_cast<std::size_t>(width));
+}
+
+}  // namespace
 
 int resolved(Threads threads) {
   if (threads.count > 0) return threads.count;
@@ -18,7 +32,7 @@ int resolved(Threads threads) {
 }
 
 void parallel_for(std::size_t count, Threads threads, const std::function<void(std::size_t)>& body) {
-  const int width = resolved(threads);
+  const int width = std::min(resolved(threads), most_threads);
   if (width == 1 || count < 2) {
     for (std::size_t i = 0; i < count; ++i) body(i);
     return;
@@ -29,6 +43,7 @@ void parallel_for(std::size_t count, Threads threads, const std::function<void(s
   std::size_t failed = std::numeric_limits<std::size_t>::max();
   std::exception_ptr failure;
   std::atomic<std::size_t> next = 0;
+  const std::optional<tbb::global_control> leave = leave_for(width);
   tbb::task_arena arena(width);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t) {

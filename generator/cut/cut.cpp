@@ -34,7 +34,7 @@ std::vector<std::string> misses(std::span<const Knife> knives, const CutPlanes& 
     };
     if (std::any_of(section.faces.begin(), section.faces.end(), cuts)) continue;
     if (std::any_of(planes.planes.begin(), planes.planes.end(), repeats)) continue;
-    warnings.push_back("knife \"" + knives[k].text + "\" misses the fruit");
+    warnings.push_back("knife \"" + knives[k].text + "\" cuts nothing: it misses the fruit, or holds all of it");
   }
   return warnings;
 }

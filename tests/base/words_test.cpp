@@ -30,6 +30,8 @@ TEST(NearestName, IsNoFartherThanAThirdOfTheWord) {
   EXPECT_EQ(nearest_name("abcdef", {"abcdxy"}), "abcdxy");
   EXPECT_EQ(nearest_name("abcdef", {"abcxyz"}), std::nullopt);
   EXPECT_EQ(nearest_name("a", {"b"}), "b");
+  EXPECT_EQ(nearest_name("HALF", {"bite", "half"}), "half") << "capitals are no mistakes";
+  EXPECT_EQ(nearest_name("halve", {"bite", "half"}), "half") << "two letters of five";
   EXPECT_EQ(nearest_name("first", {"firsts", "fists"}), "firsts") << "the first of those that are as near";
 }
 

@@ -96,5 +96,45 @@ TEST(BadInput, OfScenesThatCannotBeIsNamedAndLeavesWhatWasThere) {
   }
 }
 
+/// A box of 1 m with 4097 boxes in it that face inwards: walls of cavities, one more than are allowed.
+std::string box_of_cavities() {
+  std::string vertices, faces;
+  int first = 1;
+  const auto add_box = [&](double x, double y, double z, double size, bool inwards) {
+    for (int corner = 0; corner < 8; ++corner) {
+      vertices += "v " + std::to_string(x + size * (corner & 1)) + " " + std::to_string(y + size * (corner >> 1 & 1)) +
+                  " " + std::to_string(z + size * (corner >> 2)) + "\n";
+    }
+    const int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& side : sides) {
+      faces += "f";
+      for (int i = 0; i < 4; ++i) faces += " " + std::to_string(first + side[inwards ? 3 - i : i]);
+      faces += "\n";
+    }
+    first += 8;
+  };
+  add_box(0, 0, 0, 1, false);
+  for (int i = 0; i < 4097; ++i)
+    add_box(0.05 * (i % 17) + 0.05, 0.05 * (i / 17 % 17) + 0.05, 0.05 * (i / 289) + 0.05, 0.02, true);
+  return vertices + faces;
+}
+
+TEST(BadInput, OfAFruitWithTooManyCavitiesIsToldOfItsFile) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "sponge.obj") << box_of_cavities();
+  std::ofstream(folder.path() / "sponge.toml")
+      << "format = 1\nname = \"sponge\"\nparts = [\"skin\", \"flesh\"]\n[symmetry]\nkind = \"none\"\n"
+         "[[mesh]]\nname = \"skin\"\nfile = \"sponge.obj\"\nback = { part = \"flesh\", color = \"#d9a03c\" }\n"
+         "front = { part = \"skin\", hidden = true, color = \"#5b2a55\" }\n";
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"check", "sponge.toml"},
+                                                {"cut", "sponge.toml", "--knife", "half", "-o", "x.ply"},
+                                                {"grow", "sponge.toml", "-o", "x.glb"}}) {
+    const Outcome outcome = run_pomona(words, folder.path());
+    EXPECT_EQ(outcome.status, 65);
+    EXPECT_TRUE(outcome.err.starts_with("sponge.toml: error: more than 4096 cavities")) << outcome.err;
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2) << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace pomona::testing

@@ -37,6 +37,11 @@ TEST_P(Mistakes, GetAClearErrorAndTheDocumentedStatus) {
 INSTANTIATE_TEST_SUITE_P(
     CommandLine, Mistakes,
     ::testing::Values(
+        Mistake{"OptionBeforeTheCommand",
+                {"--quiet", "cut", "kiwi", "--knife", "half", "-o", "x.glb"},
+                64,
+                "it belongs behind it: `pomona cut ... --quiet`"},
+        Mistake{"KnifeInCapitals", {"cut", "kiwi", "--knife", "HALF", "-o", "x.glb"}, 64, "did you mean \"half\"?"},
         Mistake{"PlateOfNoPicture", {"plate", "kiwi", "-o", "x.glb"}, 64, "it writes .png"},
         Mistake{"PlateWithoutAKnife", {"plate", "kiwi", "--section", "acros", "-o", "x.png"}, 64, "across"},
         Mistake{"PlateWithTruth", {"plate", "kiwi", "--aov", "truth", "-o", "x.png"}, 64, "several pictures"},

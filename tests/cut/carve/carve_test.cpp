@@ -63,7 +63,7 @@ TEST(Carve, SaysWhenAKnifeMisses) {
     ASSERT_EQ(result.pieces.size(), 1u);
     EXPECT_TRUE(result.pieces[0].closed);
     ASSERT_EQ(result.warnings.size(), 1u);
-    EXPECT_EQ(result.warnings[0], "knife \"solid\" misses the fruit");
+    EXPECT_EQ(result.warnings[0], "knife \"solid\" cuts nothing: it misses the fruit, or holds all of it");
   }
 }
 

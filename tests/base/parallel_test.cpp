@@ -1,0 +1,61 @@
+#include "generator/base/parallel.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pomona {
+namespace {
+
+/// How many bodies are inside at once, when each waits for the others, but not for ever.
+std::size_t met_at_once(std::size_t count, Threads threads) {
+  std::mutex mutex;
+  std::condition_variable all_here;
+  std::size_t inside = 0, most = 0;
+  parallel_for(count, threads, [&](std::size_t) {
+    std::unique_lock lock(mutex);
+    most = std::max(most, ++inside);
+    all_here.notify_all();
+    all_here.wait_for(lock, std::chrono::seconds(20), [&] { return most == count; });
+    --inside;
+  });
+  return most;
+}
+
+TEST(Parallel, HasAsManyThreadsAsAskedForAlsoBeyondTheCores) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(met_at_once(5, {5}), 5u);
+  EXPECT_EQ(met_at_once(40, {40}), 40u);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "TBB warns of more workers than cores";
+}
+
+TEST(Parallel, DoesEachOnceHoweverManyThreadsAreAskedFor) {
+  testing::internal::CaptureStderr();
+  for (const int threads : {1, 2, 16, 1000000}) {
+    std::vector<int> done(1000);
+    parallel_for(done.size(), {threads}, [&](std::size_t i) { ++done[i]; });
+    EXPECT_EQ(done, std::vector<int>(1000, 1)) << threads;
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Parallel, TellsOfTheFirstThatFailed) {
+  for (const int threads : {1, 16}) {
+    try {
+      parallel_for(100, {threads}, [&](std::size_t i) {
+        if (i % 10 == 7) throw std::runtime_error(std::to_string(i));
+      });
+      FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "7") << threads;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pomona
