@@ -106,7 +106,11 @@ LinkedPicture linked_picture(const fs::path& picture, const fs::path& folder) {
     throw Error(ExitStatus::usage, "--picture " + picture.string() + " lies outside the template's folder",
                 "cp " + picture.string() + " " + (folder.empty() ? std::string(".") : folder.string()));
   }
-  return {uri_encoded(step->generic_string()), png_size(bytes_of_file(picture, picture.string()), picture.string())};
+  return linked_picture_of(*step, bytes_of_file(picture, picture.string()), picture.string());
+}
+
+LinkedPicture linked_picture_of(const fs::path& step, const std::string& bytes, const std::string& file) {
+  return {uri_encoded(step.generic_string()), png_size(bytes, file)};
 }
 
 TransparentImage read_linked_picture(const std::string& href, const fs::path& folder, const std::string& place) {

@@ -18,6 +18,10 @@ struct LinkedPicture {
 /// How an SVG in `folder` names the picture. \throws Error (usage) if it lies elsewhere, (bad_data) if it is no PNG.
 LinkedPicture linked_picture(const std::filesystem::path& picture, const std::filesystem::path& folder);
 
+/// How an SVG names a picture with these bytes that is to lie at `step`, from the SVG's folder. \param file its name,
+/// for messages. \throws Error (bad_data) if it is no PNG.
+LinkedPicture linked_picture_of(const std::filesystem::path& step, const std::string& bytes, const std::string& file);
+
 /// The picture that an SVG in `folder` names: a relative path to a PNG in that folder or below, or a data URI.
 /// \param place where it is named, for messages.
 /// \throws Error (bad_data) for other kinds of links and pictures, and beyond 100 million pixels, (input_missing).

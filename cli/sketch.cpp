@@ -9,12 +9,10 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
-#include "cli/option_checks.h"
+#include "cli/new_fruit.h"
 #include "cli/outputs.h"
-#include "cli/picture_file.h"
 #include "cli/program_folders.h"
 #include "cli/sample_colors.h"
-#include "cli/starting_sketch.h"
 #include "generator/template/read/read_template.h"
 #include "render/export/output.h"
 
@@ -26,8 +24,7 @@ namespace {
 
 struct SketchCommand {
   std::string file;
-  std::vector<std::string> pictures;
-  std::optional<int> folds;
+  NewFruit fruit;
   bool cylindrical = false;
   bool sample = false;
   bool force = false;
@@ -39,7 +36,7 @@ void say(const SketchCommand& command, const std::string& line) {
 }
 
 ExitStatus sample(const SketchCommand& command) {
-  if (!command.pictures.empty() || command.folds || command.cylindrical || command.force) {
+  if (command.fruit.is_told() || command.cylindrical || command.force) {
     throw Error(ExitStatus::usage, "--sample goes with no other option",
                 "it takes colours for a template that is there already");
   }
@@ -61,9 +58,6 @@ void refuse_existing(const fs::path& file) {
 ExitStatus start(const SketchCommand& command) {
   // Both files must be possible before either is made.
   const fs::path toml = command.file, svg = fs::path(toml).replace_extension(".svg");
-  StartingSketchOptions options;
-  options.name = fruit_name(toml);
-  options.folds = command.folds;
   check_folder(toml);
   check_folder(svg);
   if (!command.force) {
@@ -71,18 +65,12 @@ ExitStatus start(const SketchCommand& command) {
     refuse_existing(svg);
   }
 
-  // Pictures are linked to, by their path from the sketch's folder.
-  if (command.pictures.size() > 2) {
-    throw Error(ExitStatus::usage, "--picture: there are two views, so two pictures are the most");
-  }
-  for (const std::string& name : command.pictures) {
-    const LinkedPicture linked = linked_picture(existing_file(name), toml.parent_path());
-    options.pictures.push_back({linked.href, linked.size});
-  }
-
-  // The drawing and the template appear together, or neither does.
-  StartingSketch made = starting_sketch(options);
-  const std::vector<OutputFile> files = {{svg, std::move(made.svg)}, {toml, std::move(made.toml)}};
+  // The drawing, the template and the pictures beside them appear together, or none does.
+  BegunFruit made = begun(toml, command.fruit);
+  std::vector<OutputFile> files = std::move(made.pictures);
+  for (const OutputFile& copy : files) say(command, "copied " + copy.path.string());
+  files.push_back({svg, std::move(made.texts.svg)});
+  files.push_back({toml, std::move(made.texts.toml)});
   write_whole(files);
   say(command, "wrote " + svg.string() + " and " + toml.string());
   say(command, "draw in " + svg.string() + " (inkscape), then: pomona check " + toml.string());
@@ -95,15 +83,7 @@ DeclaredCommand sketch_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("sketch", "Start a fruit: an SVG to draw in, and its template");
   const auto options = std::make_shared<SketchCommand>();
   command->add_option("FILE", options->file, "The template to write; its SVG comes to lie beside it")->required();
-  command
-      ->add_option("--picture", options->pictures,
-                   "A picture (.png) to draw over: once for the side view, a second time for the top view")
-      ->type_name("FILE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  CLI::Option* folds =
-      command->add_option("--folds", options->folds, "The fruit repeats itself so often")->check(whole_between(1, 64));
+  CLI::Option* folds = add_new_fruit_options(*command, options->fruit);
   command->add_flag("--cylindrical", options->cylindrical, "The fruit looks the same from all sides (the default)")
       ->excludes(folds);
   command->add_flag("--sample", options->sample, "Take the colours of FILE, which is there, from the picture anew");

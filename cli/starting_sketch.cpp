@@ -91,14 +91,13 @@ std::string guide(const std::string& id, const std::string& label, const glm::dv
 }
 
 /// As large as its field of the page allows, around its axis, and locked.
-std::string picture(const StartingSketchOptions& options, std::size_t view, const glm::dvec2& center) {
-  if (view >= options.pictures.size()) return {};
-  const SketchPicture& shown = options.pictures[view];
-  const double scale = std::min(130 / shown.size.x, 130 / shown.size.y);
-  const glm::dvec2 size = scale * shown.size, at = center - 0.5 * size;
-  return "    <image\n       inkscape:label=\"picture\"\n       id=\"picture-" + std::to_string(view + 1) +
+std::string picture(const std::optional<SketchPicture>& shown, int view, const glm::dvec2& center) {
+  if (!shown) return {};
+  const double scale = std::min(130 / shown->size.x, 130 / shown->size.y);
+  const glm::dvec2 size = scale * shown->size, at = center - 0.5 * size;
+  return "    <image\n       inkscape:label=\"picture\"\n       id=\"picture-" + std::to_string(view) +
          "\"\n       sodipodi:insensitive=\"true\"\n       preserveAspectRatio=\"none\"\n       xlink:href=\"" +
-         xml_escaped(shown.href) + "\"\n       x=\"" + number(at.x) + "\" y=\"" + number(at.y) + "\" width=\"" +
+         xml_escaped(shown->href) + "\"\n       x=\"" + number(at.x) + "\" y=\"" + number(at.y) + "\" width=\"" +
          number(size.x) + "\" height=\"" + number(size.y) + "\" />\n";
 }
 
@@ -112,7 +111,7 @@ std::string side_view(const StartingSketchOptions& options) {
   const auto from = [](const glm::dvec2& step, const char* rest) {
     return "M " + point(side_axis + step) + " " + rest;
   };
-  std::string text = picture(options, 0, side_axis - glm::dvec2(0, 39));
+  std::string text = picture(options.side, 1, side_axis - glm::dvec2(0, 39));
   text += guide("side-axis", "axis", side_axis + glm::dvec2(0, 4), side_axis - glm::dvec2(0, 84));
   text += guide("side-scale", "scale 60mm", side_axis + glm::dvec2(-40, 12), side_axis + glm::dvec2(40, 12));
   text +=
@@ -120,7 +119,7 @@ std::string side_view(const StartingSketchOptions& options) {
   text += path("side-flesh", "flesh", "#d89a2a",
                from({0, -5}, "c 14,0 34,-13 34,-35 0,-20 -12,-34 -23,-34 -4,0 -8,4 -11,6"));
   text += path("side-core", "core", "#6a8c2a", from({0, -10}, "c 5,0 8,-8 8,-28 0,-16 -2,-26 -8,-28"));
-  if (!options.pictures.empty()) {
+  if (options.side) {
     // The line along which the picture's colours are taken lies just inside the skin.
     text += path("side-colors", "skin colours", "#8020c0",
                  from({2, -2}, "c 16,0 36,-15 36,-38 0,-23 -14,-38 -26,-38 -4,0 -6,3 -9,5"));
@@ -135,7 +134,7 @@ std::string side_view(const StartingSketchOptions& options) {
 std::string top_view(const StartingSketchOptions& options) {
   // The picture, the axis and the scale; fold lines where the walls are.
   const int folds = options.folds.value_or(0);
-  std::string text = picture(options, 1, top_axis);
+  std::string text = picture(options.top, 2, top_axis);
   text +=
       "    <circle\n       inkscape:label=\"axis\"\n       id=\"top-axis\"\n       style=\"fill:#0050ff\"\n"
       "       cx=\"" +
@@ -197,7 +196,7 @@ std::string svg_text(const StartingSketchOptions& options) {
 
 /// A colour that can be taken from the picture anew, where there is one.
 std::string ramp(const StartingSketchOptions& options, const std::string& line, const std::string& stops) {
-  if (options.pictures.empty()) return stops;
+  if (!options.side) return stops;
   return "{ sample = \"#" + line + "\", along = " + stops + " }";
 }
 
@@ -206,7 +205,7 @@ std::string toml_text(const StartingSketchOptions& options) {
   const bool folds = options.folds.has_value();
   std::string text = "#:schema ./template.schema.json\n# Curves are drawn in " + options.name +
                      ".svg: \"#skin\" is the curve labelled \"skin\" there.\n";
-  if (!options.pictures.empty()) {
+  if (options.side) {
     text +=
         "# `pomona sketch " + options.name + ".toml --sample` takes the colours with a \"sample\" from its pictures.\n";
   }

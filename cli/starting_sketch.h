@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -17,9 +16,10 @@ struct SketchPicture {
 };
 
 struct StartingSketchOptions {
-  std::string name;                     ///< of the fruit; a-z 0-9 - _
-  std::optional<int> folds = {};        ///< 1..64; none: cylindrical
-  std::vector<SketchPicture> pictures;  ///< none, that of the side view, or those of both views
+  std::string name;                   ///< of the fruit; a-z 0-9 - _
+  std::optional<int> folds = {};      ///< 1..64; none: cylindrical
+  std::optional<SketchPicture> side;  ///< under the side view; colours are taken from it
+  std::optional<SketchPicture> top;   ///< under the top view
 };
 
 struct StartingSketch {

@@ -10,11 +10,9 @@
 
 #include "cli/command.h"
 #include "cli/find_template.h"
-#include "cli/option_checks.h"
+#include "cli/new_fruit.h"
 #include "cli/outputs.h"
-#include "cli/picture_file.h"
 #include "cli/program_folders.h"
-#include "cli/starting_sketch.h"
 #include "cli/studio/studio_api.h"
 #include "cli/studio/studio_page.h"
 #include "generator/base/error.h"
@@ -28,8 +26,7 @@ namespace {
 
 struct StudioCommand {
   std::string fruit;
-  std::vector<std::string> pictures;
-  std::optional<int> folds;
+  NewFruit starting;
 };
 
 /// What the studio opens: files that are there, or texts for files that are not.
@@ -39,18 +36,10 @@ struct Opened {
 };
 
 Opened new_fruit(const fs::path& toml, const StudioCommand& command) {
-  StartingSketchOptions options;
-  options.name = fruit_name(toml);
-  options.folds = command.folds;
-  if (command.pictures.size() > 2)
-    throw Error(ExitStatus::usage, "--picture: there are two views, so two pictures are the most");
-  for (const std::string& name : command.pictures) {
-    const LinkedPicture linked = linked_picture(existing_file(name), toml.parent_path());
-    options.pictures.push_back({linked.href, linked.size});
-  }
   check_folder(toml);
-  StartingSketch made = starting_sketch(options);
-  return {workspace_files(toml, made.toml), FruitTexts{std::move(made.toml), std::move(made.svg)}};
+  BegunFruit made = begun(toml, command.starting);
+  write_whole(made.pictures);
+  return {workspace_files(toml, made.texts.toml), FruitTexts{std::move(made.texts.toml), std::move(made.texts.svg)}};
 }
 
 /// One of the program's own fruits is copied into the current folder once it is saved: the original stays as it is.
@@ -65,7 +54,7 @@ Opened opened(const StudioCommand& command) {
   const fs::path file = command.fruit;
   const bool is_path = file.extension() == ".toml" || file.has_parent_path();
   if (is_path && !fs::exists(file)) return new_fruit(file, command);
-  if (!command.pictures.empty() || command.folds)
+  if (command.starting.is_told())
     throw Error(ExitStatus::usage, "--picture and --folds are for a fruit that is not there yet",
                 "choose another name, or leave them out");
   if (is_path) return {workspace_files(file, read_toml_text(file)), {}};
@@ -100,14 +89,7 @@ DeclaredCommand studio_command(CLI::App& app) {
           "TEMPLATE", options->fruit,
           "A template file, one that is not there yet, or a name from `pomona list`, of which a copy is drawn on")
       ->required();
-  command
-      ->add_option("--picture", options->pictures,
-                   "Of a new fruit: a picture (.png) to draw over, for the side view; a second time for the top view")
-      ->type_name("FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--folds", options->folds, "Of a new fruit: it repeats itself so often")
-      ->check(whole_between(1, 64));
+  add_new_fruit_options(*command, options->starting);
   return {command, [options] { return open_studio(*options); }};
 }
 

@@ -61,6 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Sketches, Started,
                                            std::vector<std::string>{"--folds", "5"},
                                            std::vector<std::string>{"--folds", "13"},
                                            std::vector<std::string>{"--picture", "photo 1.png"},
+                                           std::vector<std::string>{"--picture-above", "photo 1.png"},
                                            std::vector<std::string>{"--picture", "photo 1.png", "--picture",
                                                                     "photo 1.png", "--folds", "3"}));
 
@@ -98,10 +99,37 @@ TEST(Sketch, RefusesWhatCannotBe) {
   refused({"fig.toml", "--folds", "3", "--cylindrical"}, 64, "--cylindrical");
   refused({"fig.toml", "--picture", "none.png"}, 66, "no such file");
   refused({"fig.toml", "--picture", "photo.jpg"}, 65, "no PNG");
-  refused({"fig.toml", "--picture", elsewhere / "photo.png"}, 64, "outside the template's folder");
+  write(elsewhere / "photo.png", gradient() + "of another day");
+  refused({"fig.toml", "--picture", elsewhere / "photo.png"}, 73, "has its name here");
+  refused({"fig.toml", "--picture", "photo.png", "--picture-above", "photo.png"}, 64, "--picture-above");
   refused({"fig.toml", "--picture", "photo.png", "--picture", "photo.png", "--picture", "photo.png"}, 64, "two");
   refused({"fig.toml", "--sample"}, 66, "no such file");
   refused({"fig.toml", "--sample", "--force"}, 64, "--sample");
+}
+
+TEST(Sketch, CopiesAPictureThatLiesElsewhere) {
+  const TemporaryFolder folder, elsewhere;
+  write(elsewhere / "ph oto.png", gradient());
+  const std::vector<std::string> words = {"sketch", "fig.toml", "--force", "--picture", elsewhere / "ph oto.png"};
+  for (int again = 0; again < 2; ++again) {
+    const Outcome outcome = run_pomona(words, folder.path());
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("copied ph oto.png") != std::string::npos, again == 0) << outcome.err;
+    EXPECT_EQ(bytes_of(folder / "ph oto.png"), gradient());
+    EXPECT_THAT(bytes_of(folder / "fig.svg"), HasSubstr("xlink:href=\"ph%20oto.png\""));
+  }
+}
+
+TEST(Sketch, OverAPictureFromAboveTakesNoColoursFromTheSide) {
+  const TemporaryFolder folder;
+  write(folder / "photo.png", gradient());
+  EXPECT_EQ(run_pomona({"sketch", "fig.toml", "--picture-above", "photo.png"}, folder.path()).status, 0);
+  const std::string svg = bytes_of(folder / "fig.svg");
+  const std::size_t picture = svg.find("<image"), top = svg.find("inkscape:label=\"top view\"");
+  ASSERT_NE(picture, std::string::npos);
+  EXPECT_GT(picture, top) << "it lies in the layer of the side view";
+  EXPECT_EQ(svg.find("<image", picture + 1), std::string::npos);
+  EXPECT_EQ(bytes_of(folder / "fig.toml").find("sample ="), std::string::npos);
 }
 
 // ---- Colours ----
