@@ -103,6 +103,10 @@ TEST(Sketch, RefusesWhatCannotBe) {
   refused({"fig.toml", "--picture", elsewhere / "photo.png"}, 73, "has its name here");
   refused({"fig.toml", "--picture", "photo.png", "--picture-above", "photo.png"}, 64, "--picture-above");
   refused({"fig.toml", "--picture", "photo.png", "--picture", "photo.png", "--picture", "photo.png"}, 64, "two");
+  refused({"fig.toml", "--like", "kidney"}, 64, "meshes");
+  refused({"fig.toml", "--like", "lemmon"}, 66, "did you mean lemon?");
+  refused({"fig.toml", "--like", "lemon", "--folds", "3"}, 64, "--like");
+  refused({"fig.toml", "--like", "lemon", "--cylindrical"}, 64, "--like");
   refused({"fig.toml", "--sample"}, 66, "no such file");
   refused({"fig.toml", "--sample", "--force"}, 64, "--sample");
 }
@@ -130,6 +134,28 @@ TEST(Sketch, OverAPictureFromAboveTakesNoColoursFromTheSide) {
   EXPECT_GT(picture, top) << "it lies in the layer of the side view";
   EXPECT_EQ(svg.find("<image", picture + 1), std::string::npos);
   EXPECT_EQ(bytes_of(folder / "fig.toml").find("sample ="), std::string::npos);
+}
+
+TEST(Sketch, LikeAnotherIsThatFruitUnderItsOwnName) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> cut = {"--knife", "across", "--section", "--quiet", "--detail", "0.3", "-o"};
+  for (const char* like : {"lemon", "okra"}) {
+    const Outcome outcome = run_pomona({"sketch", "blood_orange.toml", "--force", "--like", like}, folder.path());
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::string text = bytes_of(folder / "blood_orange.toml");
+    EXPECT_THAT(text, HasSubstr("name = \"blood_orange\"\ntitle = \"blood orange\"\n"));
+    EXPECT_EQ(text.find("latin"), std::string::npos);
+    EXPECT_EQ(run_pomona({"check", "blood_orange.toml"}, folder.path()).status, 0);
+
+    std::vector<std::string> copy = {"cut", "blood_orange.toml"}, original = {"cut", like};
+    copy.insert(copy.end(), cut.begin(), cut.end());
+    original.insert(original.end(), cut.begin(), cut.end());
+    copy.emplace_back("copy.ply");
+    original.emplace_back("original.ply");
+    EXPECT_EQ(run_pomona(copy, folder.path()).status, 0);
+    EXPECT_EQ(run_pomona(original, folder.path()).status, 0);
+    EXPECT_EQ(bytes_of(folder / "copy.ply"), bytes_of(folder / "original.ply"));
+  }
 }
 
 // ---- Colours ----
