@@ -36,6 +36,9 @@ class Variation {
 
   Template with_varied_body(const Template& variant, VariantKey key, const VariationOptions& options) const;
 
+  /// As the template has it, but for a bend that makes surfaces cross.
+  Template with_drawn_body(const Template& variant) const;
+
   Template fruit_;
   std::optional<SweptCheck> swept_;  ///< none without symmetry: then nothing varies
   std::variant<std::monostate, LoopVariation, FoldVariation> curves_;

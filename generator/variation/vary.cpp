@@ -66,7 +66,18 @@ Template Variation::with_varied_body(const Template& variant, VariantKey key, co
     Template body = gently_bent(vary_body(variant, key, share * options.amount), fruit_);
     if (!swept_->crosses_anew(body)) return body;
   }
-  return gently_bent(variant, fruit_);
+  return with_drawn_body(variant);
+}
+
+Template Variation::with_drawn_body(const Template& variant) const {
+  // Curves were held to the straight axis. Where bending it alone brings facets together, it stays straighter.
+  Template body = gently_bent(variant, fruit_);
+  for (int attempt = 0; attempt < 6 && swept_->crosses_anew(body); ++attempt) {
+    body.bend.angle *= 0.7;
+    body.bend.swing *= 0.7;
+  }
+  if (swept_->crosses_anew(body)) body.bend = {};
+  return body;
 }
 
 Variant Variation::with_varied_curves(VariantKey key, const VariationOptions& options) const {

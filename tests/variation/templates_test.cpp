@@ -11,6 +11,7 @@
 #include "generator/surface/shells.h"
 #include "generator/surface/sweep/sweep.h"
 #include "generator/template/read/read_template.h"
+#include "generator/variation/variation.h"
 #include "generator/variation/vary.h"
 #include "generator/variation/vary_folds.h"
 #include "generator/variation/vary_loops.h"
@@ -102,6 +103,19 @@ TEST(FoldVariation, KeepsSurfacesFromCrossingByAFacet) {
         FoldVariation(fruit).draw({static_cast<std::uint64_t>(seed), 0}, amount, fold_count(fruit));
     const DiffusionSurfaces swept = sweep(variant.fruit);
     for (const CrossingKind& kind : kinds_of(swept, crossing_triangles(swept))) EXPECT_TRUE(crossings.contains(kind));
+  }
+}
+
+/// Seeds whose surfaces keep apart while the axis is straight, and crossed once it was bent as drawn.
+TEST(Variation, KeepsSurfacesFromCrossingWhereTheAxisBends) {
+  const Template fruit = drawn("cucumber");
+  const DiffusionSurfaces as_drawn = sweep(fruit);
+  const std::set<CrossingKind> crossings = kinds_of(as_drawn, crossing_triangles(as_drawn));
+  const Variation variation(fruit);
+  for (const std::uint64_t seed : {42, 374, 668, 820, 899}) {
+    const DiffusionSurfaces swept = sweep(variation.draw({seed, 0}, {}).fruit);
+    for (const CrossingKind& kind : kinds_of(swept, crossing_triangles(swept)))
+      EXPECT_TRUE(crossings.contains(kind)) << seed;
   }
 }
 
