@@ -22,6 +22,7 @@ survivors why nothing can see them. Works in build/mutants; what was shown is ke
 
 import argparse
 import hashlib
+import json
 import os
 import pathlib
 import random
@@ -76,8 +77,14 @@ unsigned char* pomona_reached_places() {
 }
 '''
 
-# Where faults are, and there alone: what is odd about one need not keep it from compiling, and less is optimised.
-FOLDERS = {"generator": "add_compile_options(-O1 -w -Wno-narrowing)\n", "render/export": "add_compile_options(-O1 -w -Wno-narrowing)\n"}
+# Where faults are, and there alone: what is odd about one need not keep it from compiling, less is optimised, and all
+# sources of a folder are compiled together, where no two of them name things alike.
+FLAGS = "add_compile_options(-O1 -w -Wno-narrowing)\n"
+TOGETHER = """
+target_sources(pomona_base PRIVATE ${PROJECT_SOURCE_DIR}/generator/base/pomona_mutant.cpp)
+set_target_properties(pomona_template pomona_variation pomona_knife pomona_cut pomona_piece PROPERTIES UNITY_BUILD_BATCH_SIZE 100)
+"""
+FOLDERS = {"generator": TOGETHER, "render/export": ""}
 
 # ---- Finding places ----
 
@@ -290,10 +297,7 @@ def copy_tree():
     put(TREE / "generator/base/pomona_mutant.h", SWITCH)
     put(TREE / "generator/base/pomona_mutant.cpp", NOTES)
     for folder, words in FOLDERS.items():
-        lists = (ROOT / folder / "CMakeLists.txt").read_text(encoding="utf-8")
-        if folder == "generator":
-            lists += "\ntarget_sources(pomona_base PRIVATE ${PROJECT_SOURCE_DIR}/generator/base/pomona_mutant.cpp)\n"
-        put(TREE / folder / "CMakeLists.txt", words + lists)
+        put(TREE / folder / "CMakeLists.txt", FLAGS + (ROOT / folder / "CMakeLists.txt").read_text(encoding="utf-8") + words)
 
 
 def numbered(faults):
@@ -316,29 +320,50 @@ def write_sources(faults):
         put(TREE / file, with_faults(file, here) if here else (ROOT / file).read_text(encoding="utf-8"))
 
 
+def errors_of(unit):
+    """The places (file, line) that a unit of the build names in errors, when its syntax alone is looked at."""
+    words = re.sub(r"^.*?ccache ", "", unit["command"])
+    words = re.sub(r" -o \S+", "", re.sub(r" -M\S+( \S+\.(o|d))?", "", words)) + " -fsyntax-only -fmax-errors=0"
+    done = subprocess.run(words, shell=True, cwd=unit["directory"], capture_output=True, text=True)
+    found = {(m.group(1), int(m.group(2))) for m in re.finditer(
+        r"((?:generator|render)/[\w/]+\.cpp):(\d+):(?:\d+:)? (?:error|.*required from)", done.stderr)}
+    if done.returncode != 0 and not found:
+        sys.exit("mutants.py: error: this does not compile:\n" + done.stderr[-3000:])
+    return found
+
+
+def drop(errors, faults):
+    """An error drops the faults of its line, or all of its file if its line has none."""
+    here = numbered(faults)
+    bad = {f.name for _, f in here if (f.file, f.line) in errors}
+    plain = {file for file, _ in errors} - {f.file for _, f in here if f.name in bad}
+    bad |= {f.name for _, f in here if f.file in plain}
+    with open(DROPPED, "a") as file:
+        file.write("".join(name + "\n" for name in sorted(bad)))
+    print(f"{len(bad)} faults do not compile", flush=True)
+    return bool(bad)
+
+
 def compile_all(faults, options):
-    """Compiles until what is left compiles: an error drops the faults of its line, or of its file if there are none."""
+    """Looks at the syntax until it is sound, which is quicker than compiling, and compiles what is left."""
     copy_tree()
-    targets = [f"tests/{folder}/all" for folder in options.tests.split(",") if folder]
-    for _ in range(20):
+    write_sources(faults)
+    if not (BUILD / "build.ninja").is_file():
+        subprocess.run(["cmake", "--preset", "test"], cwd=TREE, check=True, stdout=subprocess.DEVNULL)
+    units = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
+    left = [u for u in units if re.search(r"/pomona_\w+\.dir/", u["command"]) and f"{u['file']}".startswith(
+        tuple(str(place / part) for place in (TREE, BUILD) for part in MUTATED))]
+    while left and not options.unchecked:
+        found = dict(mutant_tests.in_turn(lambda unit: (unit["file"], errors_of(unit)), left, options.jobs))
+        left = [unit for unit in left if found[unit["file"]]]
+        if left and not drop(set().union(*found.values()), faults):
+            sys.exit(f"mutants.py: error: no fault is to blame for {sorted(set().union(*found.values()))}")
         write_sources(faults)
-        if not (BUILD / "build.ninja").is_file():
-            subprocess.run(["cmake", "--preset", "test"], cwd=TREE, check=True, stdout=subprocess.DEVNULL)
-        words = ["cmake", "--build", str(BUILD), "-j", str(options.jobs)] + (["--target", *targets] if targets else [])
-        done = subprocess.run([*words, "--", "-k", "0"], capture_output=True, text=True)
-        if done.returncode == 0:
-            return
-        errors = {(m.group(1), int(m.group(2))) for m in re.finditer(
-            r"((?:generator|render)/[\w/]+\.cpp):(\d+):(?:\d+:)? (?:error|.*required from)", done.stdout)}
-        here = numbered(faults)
-        bad = {f.name for _, f in here if (f.file, f.line) in errors}
-        bad |= {f.name for _, f in here if f.file in {e[0] for e in errors} and not any((f2.file, f2.line) in errors for _, f2 in here if f2.file == f.file)}
-        if not bad:
-            sys.exit("mutants.py: error: what is left does not compile:\n" + done.stdout[-3000:])
-        with open(DROPPED, "a") as file:
-            file.write("".join(name + "\n" for name in sorted(bad)))
-        print(f"{len(bad)} faults do not compile", flush=True)
-    sys.exit("mutants.py: error: it still does not compile")
+    targets = [f"tests/{folder}/all" for folder in options.tests.split(",") if folder]
+    words = ["cmake", "--build", str(BUILD), "-j", str(options.jobs)] + (["--target", *targets] if targets else [])
+    done = subprocess.run([*words, "--", "-k", "0"], capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit("mutants.py: error: what is left does not compile:\n" + done.stdout[-3000:])
 
 
 # ---- Showing ----
@@ -441,6 +466,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=1e9, help="of processor time after which a fault is shown to no further tests")
     parser.add_argument("--again", default="", help="tests that are noted once more, as a regular expression")
     parser.add_argument("--tests", default="", help="make only the tests of these folders, with commas between; only they are asked then")
+    parser.add_argument("--unchecked", action="store_true", help="what is left is known to compile")
     parser.add_argument("--longest", type=float, default=300, help="of processor time that a test may take without a fault, to be asked at all")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
