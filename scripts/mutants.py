@@ -3,22 +3,26 @@
 
     mutants.py list [--count N] [--only PATH]        the faults, one a line
     mutants.py make [...]                            compiles them all at once; drops those that do not compile
-    mutants.py run  [...] [--wide]                   runs each fault's tests; goes on where it was stopped
-    mutants.py report                                what was seen, file by file, and what survived: docs/mutants.md
+    mutants.py map                                   which test reaches which fault, and what each test costs
+    mutants.py show [...] [--seconds S]              shows each fault to the tests that reach it; goes on where it was stopped
+    mutants.py report                                what was seen, folder by folder, and what survived: docs/mutants.md
 
 Faults are turned comparisons, signs and conditions, other constants, limits that are left out, arguments that change
 places, statements that are missing. They are drawn with a fixed seed from all sources (.cpp) of `generator` and
 `render/export`, from each file in proportion to its lines. All of them are compiled into one copy of the sources, each
-behind `(pomona_mutant == K ? faulty : sound)`; the environment variable POMONA_MUTANT chooses one when a program starts.
+behind `(pomona_fault(K) ? faulty : sound)`; the environment variable POMONA_MUTANT chooses one when a program starts.
 
-A fault is shown to the test programs of its module, one after another until one sees it, and --wide then shows those
-that survived to all others. Golden pictures and tests of other programs are never asked. "Seen by time" is a test that
-takes longer than four times what it takes without a fault, and ten seconds. tests/mutants.toml says of survivors why
-nothing can see them. Works in build/mutants.
+Asked are the GoogleTest tests that ctest knows, those that start the program among them. Golden pictures, tests by
+other programs, scripts and published hashes are not. Each test first runs once without a fault, by itself, and notes
+which faults' places it comes by (POMONA_MUTANT_MAP). A fault is then shown to those tests alone, the cheap ones first,
+until one fails; to a test that does not come by its place it changes nothing. A test also sees a fault when it crashes,
+or takes more than four times its usual processor time and ten seconds, or more than 6 GB. tests/mutants.toml says of
+survivors why nothing can see them. Works in build/mutants; what was shown is kept in tests/mutants_shown.tsv.
 """
 
 import argparse
 import hashlib
+import json
 import os
 import pathlib
 import random
@@ -26,36 +30,61 @@ import re
 import shutil
 import subprocess
 import sys
-import time
 import tomllib
+
+import mutant_tests
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WORK = ROOT / "build" / "mutants"
 TREE, BUILD = WORK / "tree", WORK / "tree" / "build"
-DROPPED, RESULTS = WORK / "dropped.txt", WORK / "results.tsv"
+DROPPED, RESULTS = WORK / "dropped.txt", ROOT / "tests" / "mutants_shown.tsv"
 MUTATED = ("generator", "render/export")
 PARTS = ("generator", "render", "cli", "shaders", "styles", "templates", "scenes", "cmake", "tests", "bench/baselines",
          "docs", "scripts", "CMakeLists.txt", "CMakePresets.json")
 SEED = 18
 
-SWITCH = '''// Which fault this run has; 0 = none.
+SWITCH = '''// Whether this run has the fault of a number, and a note that it came by.
 #pragma once
 
 #include <cstdlib>
 
-// What is odd about a fault need not keep it from compiling.
-#pragma GCC diagnostic ignored "-Wparentheses"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wtype-limits"
-#pragma GCC diagnostic ignored "-Wunused-variable"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+unsigned char* pomona_reached_places();
 
+inline unsigned char* const pomona_reached = pomona_reached_places();
 inline const int pomona_mutant = [] {
   const char* text = std::getenv("POMONA_MUTANT");
   return text == nullptr ? 0 : std::atoi(text);
 }();
+
+inline bool pomona_fault(int number) {
+  if (pomona_reached != nullptr) pomona_reached[number] = 1;
+  return pomona_mutant == number;
+}
 '''
+
+# The notes are a file that all processes of a test share, so that they outlive a crash.
+NOTES = '''#include <fcntl.h>
+#include <sys/mman.h>
+
+#include <cstdlib>
+
+unsigned char* pomona_reached_places() {
+  const char* path = std::getenv("POMONA_MUTANT_MAP");
+  const int file = path == nullptr ? -1 : open(path, O_RDWR | O_CLOEXEC);
+  if (file < 0) return nullptr;
+  void* const notes = mmap(nullptr, 65536, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  return notes == MAP_FAILED ? nullptr : static_cast<unsigned char*>(notes);
+}
+'''
+
+# Where faults are, and there alone: what is odd about one need not keep it from compiling, less is optimised, and all
+# sources of a folder are compiled together, where no two of them name things alike.
+FLAGS = "add_compile_options(-O1 -w -Wno-narrowing)\n"
+TOGETHER = """
+target_sources(pomona_base PRIVATE ${PROJECT_SOURCE_DIR}/generator/base/pomona_mutant.cpp)
+set_target_properties(pomona_template pomona_variation pomona_knife pomona_cut pomona_piece PROPERTIES UNITY_BUILD_BATCH_SIZE 100)
+"""
+FOLDERS = {"generator": TOGETHER, "render/export": ""}
 
 # ---- Finding places ----
 
@@ -220,8 +249,9 @@ def drawn(count):
             fault = by_kind[kind].pop(stream.randrange(len(by_kind[kind])))
             if not by_kind[kind]:
                 del by_kind[kind]
-            if fault.line not in taken:
-                taken.add(fault.line)
+            # Two like lines of a file have like faults, of one name.
+            if fault.line not in taken and fault.name not in taken:
+                taken |= {fault.line, fault.name}
                 chosen.append(fault)
                 owed -= 1
     return chosen
@@ -236,10 +266,10 @@ def with_faults(file, faults):
     for number, fault in faults:
         line = lines[fault.line - 1]
         if fault.text is None:
-            new = f"if (pomona_mutant != {number}) {{ {fault.sound} }}"
+            new = f"if (!pomona_fault({number})) {{ {fault.sound} }}"
         else:
             sound = f"!!({fault.sound})" if fault.kind == "condition" else f"({fault.sound})"
-            new = f"(pomona_mutant == {number} ? ({fault.text}) : {sound})"
+            new = f"(pomona_fault({number}) ? ({fault.text}) : {sound})"
         line = line[:fault.begin] + new + line[fault.end:]
         lines[fault.line - 1] = re.sub(r"^(\s*)(?:static )?constexpr (double|float) ", r"\1static const \2 ", line)
     return '#include "generator/base/pomona_mutant.h"\n#line 1\n' + "\n".join(lines)
@@ -257,13 +287,17 @@ def copy_tree():
         files = [ROOT / part] if (ROOT / part).is_file() else [p for p in (ROOT / part).rglob("*") if p.is_file()]
         for path in files:
             name = path.relative_to(ROOT)
-            is_mutated = path.suffix == ".cpp" and name.as_posix().startswith(tuple(part + "/" for part in MUTATED))
+            is_changed = (path.suffix == ".cpp" and name.as_posix().startswith(tuple(part + "/" for part in MUTATED))
+                          or name.as_posix() in {folder + "/CMakeLists.txt" for folder in FOLDERS})
             target = TREE / name
-            if not is_mutated and "__pycache__" not in path.parts and (
+            if not is_changed and "__pycache__" not in path.parts and (
                     not target.is_file() or target.read_bytes() != path.read_bytes()):
                 target.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy2(path, target)
     put(TREE / "generator/base/pomona_mutant.h", SWITCH)
+    put(TREE / "generator/base/pomona_mutant.cpp", NOTES)
+    for folder, words in FOLDERS.items():
+        put(TREE / folder / "CMakeLists.txt", FLAGS + (ROOT / folder / "CMakeLists.txt").read_text(encoding="utf-8") + words)
 
 
 def numbered(faults):
@@ -273,102 +307,66 @@ def numbered(faults):
 
 
 def asked_for(faults, options):
-    """Those of the files and of the share that the options name."""
-    part, parts = (int(n) for n in options.shard.split("/"))
+    """Those of the files that the options name, in an order that any first part of is spread over all of them."""
     only = tuple(options.only.split(","))
-    return [(n, f) for n, f in numbered(faults) if n % parts == part - 1 and f.file.startswith(only)]
+    return sorted(((n, f) for n, f in numbered(faults) if f.file.startswith(only)), key=lambda one: one[1].name)
 
 
-def write_sources(faults, options):
+def write_sources(faults):
     by_file = {file: [] for file in sources()}
-    for number, fault in asked_for(faults, options):
+    for number, fault in numbered(faults):
         by_file[fault.file].append((number, fault))
     for file, here in by_file.items():
         put(TREE / file, with_faults(file, here) if here else (ROOT / file).read_text(encoding="utf-8"))
 
 
+def errors_of(unit):
+    """The places (file, line) that a unit of the build names in errors, when its syntax alone is looked at."""
+    words = re.sub(r"^.*?ccache ", "", unit["command"])
+    words = re.sub(r" -o \S+", "", re.sub(r" -M\S+( \S+\.(o|d))?", "", words)) + " -fsyntax-only -fmax-errors=0"
+    done = subprocess.run(words, shell=True, cwd=unit["directory"], capture_output=True, text=True)
+    found = {(m.group(1), int(m.group(2))) for m in re.finditer(
+        r"((?:generator|render)/[\w/]+\.cpp):(\d+):(?:\d+:)? (?:error|.*required from)", done.stderr)}
+    if done.returncode != 0 and not found:
+        sys.exit("mutants.py: error: this does not compile:\n" + done.stderr[-3000:])
+    return found
+
+
+def drop(errors, faults):
+    """An error drops the faults of its line, or all of its file if its line has none."""
+    here = numbered(faults)
+    bad = {f.name for _, f in here if (f.file, f.line) in errors}
+    plain = {file for file, _ in errors} - {f.file for _, f in here if f.name in bad}
+    bad |= {f.name for _, f in here if f.file in plain}
+    with open(DROPPED, "a") as file:
+        file.write("".join(name + "\n" for name in sorted(bad)))
+    print(f"{len(bad)} faults do not compile", flush=True)
+    return bool(bad)
+
+
 def compile_all(faults, options):
-    """Compiles until what is left compiles: an error drops the faults of its line, or of its file if there are none."""
+    """Looks at the syntax until it is sound, which is quicker than compiling, and compiles what is left."""
     copy_tree()
-    modules = [m for m in MODULES for only in options.only.split(",") if only and (m.startswith(only) or only.startswith(m + "/"))]
-    targets = sorted({f"tests/{folder}/all" for m in modules for folder in shown_to(m, options)})
-    for _ in range(20):
-        write_sources(faults, options)
-        if not (BUILD / "build.ninja").is_file():
-            subprocess.run(["cmake", "--preset", "test"], cwd=TREE, check=True, stdout=subprocess.DEVNULL)
-        words = ["cmake", "--build", str(BUILD), "-j", str(options.jobs)] + (["--target", *targets] if targets else [])
-        done = subprocess.run([*words, "--", "-k", "0"], capture_output=True, text=True)
-        if done.returncode == 0:
-            return
-        errors = {(m.group(1), int(m.group(2))) for m in re.finditer(
-            r"((?:generator|render)/[\w/]+\.cpp):(\d+):(?:\d+:)? (?:error|.*required from)", done.stdout)}
-        here = numbered(faults)
-        bad = {f.name for _, f in here if (f.file, f.line) in errors}
-        bad |= {f.name for _, f in here if f.file in {e[0] for e in errors} and not any((f2.file, f2.line) in errors for _, f2 in here if f2.file == f.file)}
-        if not bad:
-            sys.exit("mutants.py: error: what is left does not compile:\n" + done.stdout[-3000:])
-        with open(DROPPED, "a") as file:
-            file.write("".join(name + "\n" for name in sorted(bad)))
-        print(f"{len(bad)} faults do not compile", flush=True)
-    sys.exit("mutants.py: error: it still does not compile")
+    write_sources(faults)
+    if not (BUILD / "build.ninja").is_file():
+        subprocess.run(["cmake", "--preset", "test"], cwd=TREE, check=True, stdout=subprocess.DEVNULL)
+    units = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
+    left = [u for u in units if re.search(r"/pomona_\w+\.dir/", u["command"]) and f"{u['file']}".startswith(
+        tuple(str(place / part) for place in (TREE, BUILD) for part in MUTATED))]
+    while left and not options.unchecked:
+        found = dict(mutant_tests.in_turn(lambda unit: (unit["file"], errors_of(unit)), left, options.jobs))
+        left = [unit for unit in left if found[unit["file"]]]
+        if left and not drop(set().union(*found.values()), faults):
+            sys.exit(f"mutants.py: error: no fault is to blame for {sorted(set().union(*found.values()))}")
+        write_sources(faults)
+    targets = [f"tests/{folder}/all" for folder in options.tests.split(",") if folder]
+    words = ["cmake", "--build", str(BUILD), "-j", str(options.jobs)] + (["--target", *targets] if targets else [])
+    done = subprocess.run([*words, "--", "-k", "0"], capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit("mutants.py: error: what is left does not compile:\n" + done.stdout[-3000:])
 
 
-# ---- Running ----
-
-# The tests of a folder, first those that are quick. What is not named here has the tests of its own folder.
-MODULES = {
-    "generator/base": ["base", "mesh", "template", "knife"],
-    "generator/mesh": ["mesh", "surface", "knife", "cut", "scene"],
-    "generator/template": ["template", "variation"],
-    "generator/surface": ["surface", "shapes", "piece"],
-    "generator/variation": ["variation", "piece"],
-    "generator/knife": ["knife", "cut"],
-    "generator/cut": ["cut", "piece"],
-    "generator/diffusion": ["diffusion", "piece"],
-    "generator/piece": ["piece", "render"],
-    "generator/scene": ["scene"],
-    "generator/batch": ["batch"],
-    "render/export": ["render/export", "render"],
-}
-
-
-def shown_to(module, options):
-    return MODULES[module][:1] if options.own else MODULES[module]
-
-
-def test_programs():
-    """All test programs but goldens and those that start other programs, which are no GoogleTest programs at all."""
-    return sorted(p for p in (BUILD / "tests").rglob("*_test") if p.is_file() and os.access(p, os.X_OK))
-
-
-def tests_of(fault, programs, options):
-    module = max((m for m in MODULES if fault.file.startswith(m + "/")), key=len)
-    return [p for folder in shown_to(module, options) for p in programs
-            if p.parent.relative_to(BUILD / "tests").as_posix().split("/CMakeFiles")[0].startswith(folder)]
-
-
-def run_one(program, number, limit):
-    """"", or how the fault was seen."""
-    environment = {**os.environ, "POMONA_MUTANT": str(number)}
-    words = [str(program), "--gtest_fail_fast", "--gtest_brief=1"]
-    try:
-        done = subprocess.run(words, env=environment, cwd=WORK, capture_output=True, text=True, timeout=limit, errors="replace")
-    except subprocess.TimeoutExpired:
-        return f"{program.name}: time"
-    if done.returncode == 0:
-        return ""
-    failed = re.search(r"\[  FAILED  \] ([\w./]+)", done.stdout)
-    return f"{program.name}: " + (failed.group(1) if failed else f"status {done.returncode}")
-
-
-def time_of(program, times):
-    """Seconds without a fault; it must pass."""
-    if program not in times:
-        began = time.monotonic()
-        if run_one(program, 0, 1200):
-            sys.exit(f"mutants.py: error: {program.name} fails without a fault")
-        times[program] = time.monotonic() - began
-    return times[program]
+# ---- Showing ----
 
 
 def read_results():
@@ -376,23 +374,28 @@ def read_results():
     return {line.split("\t")[0]: line.split("\t")[1:] for line in lines}
 
 
-def run_all(faults, options):
-    programs, times, done = test_programs(), {}, read_results()
-    for number, fault in asked_for(faults, options):
-        state = done.get(fault.name, [""])[0]
-        if state == "seen" or (state == "survived" and not options.wide) or state == "survived all":
-            continue
-        own = tests_of(fault, programs, options)
-        wanted = [p for p in programs if p not in own] if state == "survived" else own
-        seen = ""
-        for program in wanted:
-            seen = run_one(program, number, 10 + 4 * time_of(program, times))
-            if seen:
-                break
-        state = "seen" if seen else "survived all" if state == "survived" else "survived"
+def map_all(faults, options):
+    """Notes for each test that was not noted yet which faults it reaches, by their names."""
+    names = {number: fault.name for number, fault in enumerate(faults, 1)}
+    mutant_tests.note_all(mutant_tests.tests_of(BUILD), WORK, names, options)
+
+
+def show_all(faults, options):
+    """A line in the results for each fault that has none; those that survived are asked again where they may be seen now."""
+    tests, done, known = mutant_tests.noted(mutant_tests.tests_of(BUILD), WORK), read_results(), reasons()
+    wanted = [(n, f) for n, f in asked_for(faults, options)
+              if f.name not in done or options.survivors and done[f.name][0] == "survived" and not why(f, known)]
+
+    def shown(one):
+        number, fault = one
+        seen, asked, reaching = mutant_tests.show(number, fault.name, fault.file, tests, WORK, options.seconds)
+        state = "seen" if seen else "survived"
+        told = f"{state}\t{seen}\t{asked}/{reaching}\t{fault.told()}"
         with open(RESULTS, "a", encoding="utf-8") as file:
-            file.write(f"{fault.name}\t{state}\t{seen}\t{fault.told()}\n")
-        print(f"{number} {state} {seen}  {fault.told()}", flush=True)
+            file.write(f"{fault.name}\t{told}\n")
+        print(f"{number}\t{told}", flush=True)
+
+    mutant_tests.in_turn(shown, wanted, options.jobs)
 
 
 # ---- Reporting ----
@@ -418,42 +421,53 @@ def why(fault, known):
     return found[0] if found else ""
 
 
+def folder_of(file):
+    return "/".join(file.split("/")[:2])
+
+
 def report(faults):
     results, known = read_results(), reasons()
-    # A change of some source moves what is drawn; what was shown counts as long as it can be found in its file. Two like
-    # lines of a file have like faults, of one name.
+    # A change of some source moves what is drawn; what was shown counts as long as it can be found in its file.
     there = {f.name: f for file in sources() for f in all_faults(file)} | {f.name: f for f in faults}
     judged = sorted(((there[name], result) for name, result in results.items() if name in there), key=lambda one: (one[0].file, one[0].line))
-    survived = [f for f, r in judged if r[0] != "seen"]
-    excused = [f for f in survived if why(f, known)]
-    real = len(judged) - len(excused)
+    survived = [(f, r) for f, r in judged if r[0] != "seen"]
+    excused = [f for f, _ in survived if why(f, known)]
     drops = len(faults) - len(numbered(faults))
-    share = 100 * (len(judged) - len(survived)) / max(1, real)
+    seen, could = len(judged) - len(survived), len(judged) - len(excused)
+    of = {file: sum(f.file == file for f, _ in judged) for file in {f.file for f, _ in judged}}
     lines = ["# Mutants", "",
              "Faults that a tool has put into the sources, and whether tests other than goldens see them. `make mutants` writes this page. "
-             + __doc__.split("\n\n")[2].replace("\n", " "), "",
-             f"{len(faults)} faults are drawn; {drops} of them are known not to compile. {len(judged)} have been shown to tests so far: "
-             f"{len(judged) - len(survived)} were seen, {len(survived)} survived, of which {len(excused)} change nothing that could be seen. "
-             f"That is {share:.0f} % of those that could be seen.", "", *[line for told in first_figures() for line in (told, "")],
-             "The share is of those files that the table names, and says nothing of the others.", "",
-             "| file | faults | seen | survived |", "|---|--:|--:|--:|"]
-    for file in sorted({f.file for f, _ in judged}):
-        here = [r[0] == "seen" for f, r in judged if f.file == file]
-        lines.append(f"| {file} | {len(here)} | {sum(here)} | {len(here) - sum(here) or ''} |")
-    lines += ["", "Survivors:", "", "| fault | why |", "|---|---|"]
-    lines += [f"| {f.told().replace('|', chr(92) + '|')} | {why(f, known) or '**not known**'} |" for f in survived]
+             + " ".join(__doc__.split("\n\n")[2:]).replace("\n", " ").strip(), "",
+             f"{len(faults)} faults are drawn, {drops} of which are known not to compile. {len(judged)} of the others have been shown, in "
+             f"{len(of)} of {len(sources())} files: {seen} were seen, {len(survived)} survived, of which {len(excused)} change nothing "
+             f"that could be seen. That is {100 * seen / max(1, could):.1f} % of the {could} that could be seen, or {100 * seen / max(1, len(judged)):.1f} % of all.",
+             "", *[line for told in first_figures() for line in (told, "")],
+             "| folder | faults | seen | survived | that could be seen |", "|---|--:|--:|--:|--:|"]
+    for folder in sorted({folder_of(file) for file in of}):
+        here = [(f, r) for f, r in judged if folder_of(f.file) == folder]
+        left = [f for f, r in here if r[0] != "seen"]
+        lines.append(f"| {folder} | {len(here)} | {len(here) - len(left)} | {len(left) or ''} | {sum(not why(f, known) for f in left) or ''} |")
+    lines += ["", "Survivors. \"Asked\" is how many tests it was shown to, of those that come by its place.", "", "| fault | asked | why |", "|---|--:|---|"]
+    lines += [f"| {f.told().replace('|', chr(92) + '|')} | {r[2].replace('/', ' of ')} | {why(f, known) or untold(r[2])} |" for f, r in survived]
     (ROOT / "docs" / "mutants.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(lines[4])
 
 
+def untold(asked):
+    return "**no test comes by**" if asked.endswith("/0") else "**not seen**"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("verb", choices=("list", "make", "run", "report"))
+    parser.add_argument("verb", choices=("list", "make", "map", "show", "report"))
     parser.add_argument("--count", type=int, default=460, help="how many are drawn; some of them will not compile")
-    parser.add_argument("--only", default="", help="only files whose path begins so; several with commas between")
-    parser.add_argument("--shard", default="1/1", help="of N shares of the faults the I-th")
-    parser.add_argument("--own", action="store_true", help="only the tests of the fault's own folder")
-    parser.add_argument("--wide", action="store_true")
+    parser.add_argument("--only", default="", help="show only files whose path begins so; several with commas between")
+    parser.add_argument("--survivors", action="store_true", help="show those again that survived, and are not said to be no faults")
+    parser.add_argument("--seconds", type=float, default=1e9, help="of processor time after which a fault is shown to no further tests")
+    parser.add_argument("--again", default="", help="tests that are noted once more, as a regular expression")
+    parser.add_argument("--tests", default="", help="make only the tests of these folders, with commas between; only they are asked then")
+    parser.add_argument("--unchecked", action="store_true", help="what is left is known to compile")
+    parser.add_argument("--longest", type=float, default=300, help="of processor time that a test may take without a fault, to be asked at all")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
     faults = drawn(options.count)
@@ -464,9 +478,11 @@ def main():
                 print(number, fault.kind, fault.told())
     elif options.verb == "make":
         compile_all(faults, options)
-        print(f"{len(asked_for(faults, options))} faults compile")
-    elif options.verb == "run":
-        run_all(faults, options)
+        print(f"{len(numbered(faults))} faults compile")
+    elif options.verb == "map":
+        map_all(faults, options)
+    elif options.verb == "show":
+        show_all(faults, options)
     else:
         report(faults)
     return 0

@@ -183,6 +183,9 @@ TEST(Stroke, CrossingItselfIsAnError) {
   EXPECT_TRUE(crosses_itself({{0, 0}, {2, 0}, {1, 1}, {1, -1}}, {0, 0}, 0));
   EXPECT_FALSE(crosses_itself({{0, 0}, {2, 0}, {2, 1}, {1, 0.5}}, {0, 0}, 0));
   EXPECT_TRUE(crosses_itself({{0, 0}, {2, 0}, {2, 1}, {1, 0.5}}, {0, 0}, 5)) << "where it goes on straight";
+  // The first piece goes on to the left, not the way of a chord between its ends' neighbours.
+  EXPECT_FALSE(crosses_itself({{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, -2}, {-1.5, -2}}, {0, 0}, 5));
+  EXPECT_TRUE(crosses_itself({{0, 0}, {1, 1}, {2, 1}, {2, -2}, {-1.5, -2}}, {0, 0}, 5));
   EXPECT_THROW(cut(box(), std::vector<Knife>{stroke_knife({{0, 0}, {0.02, 0}, {0.02, 0.01}, {0.01, 0.005}})}), Error);
 }
 

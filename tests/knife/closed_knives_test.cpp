@@ -64,6 +64,23 @@ TEST(ClosedKnives, ABallIsABallWhereTheFruitIsSeen) {
   EXPECT_NEAR(glm::distance(middle_of(solid_of("ball:3cm,at=1cm,2cm,-3mm")), {0.01, 0.02, -0.003}), 0, 1e-7);
 }
 
+TEST(ClosedKnives, ABallIsWhereTheLineToTheAxisMeetsTheSkin) {
+  // Off the axis the line enters the ball behind its foremost place; beside it there is no skin to meet.
+  for (const double aside : {0.0, 0.01, 0.02, 0.03}) {
+    const DiffusionSurfaces fruit = shapes::moved(ball_fruit(), {aside, 0, 0.005});
+    const double depth = std::sqrt(0.035 * 0.035 - aside * aside);
+    EXPECT_NEAR(glm::distance(middle_of(solid_of("ball:1cm", fruit)), {0, 0.035, 0.005 + depth}), 0, 2e-4) << aside;
+  }
+  const DiffusionSurfaces beside = shapes::moved(ball_fruit(), {0.1, 0, 0});
+  EXPECT_NEAR(middle_of(solid_of("ball:1cm", beside)).z, 0.035, 1e-4);
+}
+
+TEST(ClosedKnives, ACorerFindsAFlatFruitWhereItLies) {
+  const Box<double> bounds = bounds_of(as_surfaces(solid_of("core:1cm", shapes::open_sheet(0.1, 0.25))));
+  EXPECT_LT(bounds.low.y, 0.25);
+  EXPECT_GT(bounds.high.y, 0.25);
+}
+
 TEST(ClosedKnives, ACorerGoesThroughOrAsDeepAsAsked) {
   const ClosedSurface through = solid_of("core:18mm");
   EXPECT_GT(expect_sound(through), 0.1);

@@ -111,6 +111,18 @@ TEST(Crossings, AreSeenHoweverSlight) {
   EXPECT_TRUE(at_height(std::nextafter(top, 9.0f)).empty());
 }
 
+TEST(Crossings, AreTheSameOfTheSmallestFruit) {
+  // Powers of two, so that nothing is rounded otherwise.
+  const DiffusionSurfaces ball = shapes::sphere(1, 6);
+  DiffusionSurfaces both = joined(ball, shapes::moved(shapes::tilted(ball), {1.3, 0.1, 0.07}));
+  const std::size_t crossings = crossing_triangles(both).size();
+  ASSERT_GT(crossings, 10u);
+  for (int k = 0; k < 12; ++k) {
+    for (glm::vec3& p : both.position) p *= 0.5f;
+    EXPECT_EQ(crossing_triangles(both).size(), crossings) << k;
+  }
+}
+
 TEST(Crossings, OfWhatIsNotANumberAreNone) {
   DiffusionSurfaces ball = shapes::sphere(1, 4);
   for (const float odd : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {

@@ -65,6 +65,12 @@ TEST(Grains, NoTwoAreNearerThanThePoissonRadiusAndFewMoreWouldFit) {
   }
 }
 
+TEST(Grains, KnowThePartsByName) {
+  Template made = seeded(seeds(0.008));
+  made.parts = {"peel", "pulp", "pip"};
+  EXPECT_EQ(scatter_grains(made, {1, 0}).part_names, made.parts);
+}
+
 TEST(Grains, TheSameKeyScattersTheSameGrains) {
   const Template fruit = seeded(seeds(0.006));
   const DiffusionSurfaces first = scatter_grains(fruit, {7, 3});

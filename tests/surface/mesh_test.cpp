@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
@@ -21,6 +22,7 @@
 #include "generator/surface/file/surface_file.h"
 #include "generator/surface/sweep/sweep.h"
 #include "generator/template/read/read_template.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/shapes/shapes.h"
 #include "tests/surface/mesh_files.h"
 
@@ -378,6 +380,33 @@ TEST(MeshInTemplate, MistakesAreToldAtTheirPlace) {
     EXPECT_THAT(message_of([&, &text = text] { parse_template(template_with(text), (templates / "x.toml").string()); }),
                 HasSubstr(message));
   }
+}
+
+TEST(MeshInTemplate, AFileIsReadOnceHoweverManyShowIt) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.obj", "b.obj"}) std::ofstream(folder / name) << cube_obj();
+  std::string meshes;
+  for (const char* file : {"a", "b", "a"})
+    meshes += "[[mesh]]\nname = \"m" + std::to_string(meshes.size()) + "\"\nfile = \"" + file + ".obj\"\n" +
+              "front = { part = \"a\" }\nback = { part = \"b\" }\n";
+  const Template fruit = parse_template(template_with(meshes), folder / "x.toml");
+  ASSERT_EQ(fruit.meshes.size(), 3u);
+  EXPECT_EQ(fruit.meshes[0].file, fruit.meshes[2].file);
+  EXPECT_NE(fruit.meshes[0].file, fruit.meshes[1].file);
+  EXPECT_EQ(std::filesystem::path(fruit.meshes[1].file->path).filename(), "b.obj");
+}
+
+TEST(MeshInTemplate, WhatIsWrongInALineOfItsFileIsToldThere) {
+  const TemporaryFolder folder;
+  const std::string mesh = "[[mesh]]\nname = \"m\"\nfile = \"x.obj\"\nfront = { part = \"a\" }\nback = { part = \"b\" }\n";
+  std::ofstream(folder / "x.toml") << template_with(mesh);
+  const auto told = [&](const std::string& obj) {
+    std::ofstream(folder / "x.obj") << obj;
+    return message_of([&] { sweep(read_template(folder / "x.toml")); });
+  };
+  EXPECT_THAT(told("v 0 0\n"), HasSubstr("x.obj:1:6: error: a vertex needs three numbers"));
+  EXPECT_THAT(told("v 0 0 0\nv 0 0\n"), HasSubstr("x.obj:2:6: error: a vertex needs three numbers"));
+  EXPECT_THAT(told("v 0 0 0\n"), HasSubstr("x.toml:")) << "the file as a whole: told where the template names it";
 }
 
 /// Each may be in order; together they would fill the memory.

@@ -182,6 +182,34 @@ TEST(SurfaceFile, ASheetOnTheSkinsOwnVerticesStaysInner) {
   EXPECT_EQ(find_bodies(read).bodies.size(), 1u);
 }
 
+TEST(SurfaceFile, NothingIsDoubledWhereSkinAndInnerSurfacesShareNoVertex) {
+  for (const bool inner_first : {false, true}) {
+    const DiffusionSurfaces skin = sphere(1, 4), inner = sphere(0.5, 4);
+    const DiffusionSurfaces both = inner_first ? joined(inner, skin) : joined(skin, inner);
+    EXPECT_EQ(parse_surfaces(write_surfaces(both), "a.ply").vertex_count(), both.vertex_count()) << inner_first;
+  }
+}
+
+TEST(SurfaceFile, TrianglesMayHaveVerticesOfTheirOwn) {
+  const DiffusionSurfaces ball = sphere(1, 20);
+  DiffusionSurfaces loose = ball;
+  loose.position.clear();
+  const auto unshared = [&](auto& loose_values, const auto& values) {
+    loose_values.clear();
+    for (const glm::uvec3& t : ball.triangle)
+      for (int k = 0; k < 3; ++k) loose_values.push_back(values[t[k]]);
+  };
+  unshared(loose.position, ball.position);
+  unshared(loose.front_color, ball.front_color);
+  unshared(loose.back_color, ball.back_color);
+  unshared(loose.blur, ball.blur);
+  unshared(loose.front_hidden, ball.front_hidden);
+  unshared(loose.back_hidden, ball.back_hidden);
+  for (std::uint32_t t = 0; t < loose.triangle_count(); ++t) loose.triangle[t] = {3 * t, 3 * t + 1, 3 * t + 2};
+  ASSERT_GT(loose.vertex_count(), 2000u);
+  EXPECT_EQ(parse_surfaces(write_surfaces(loose), "a.ply").position, loose.position);
+}
+
 TEST(SurfaceFile, AMissingFileIsMissingInput) {
   try {
     read_surfaces("/nowhere/at/all.ply");

@@ -48,6 +48,12 @@ TEST(Sweep, ASphereHasItsVolumeAndTwoPoles) {
   EXPECT_EQ(ball.position.back().x, 0);
 }
 
+TEST(Sweep, KnowsThePartsByName) {
+  Template made = fruit({around_axis(meridian(0.04), circle(0.1))});
+  made.parts = {"peel", "pulp", "pip"};
+  EXPECT_EQ(sweep(made).part_names, made.parts);
+}
+
 TEST(Sweep, AClosedProfileMakesATorus) {
   const DiffusionSurfaces ring = sweep(fruit({around_axis(circle_at({0.05, 0.02}, 0.02), circle(1))}));
   EXPECT_EQ(euler_characteristic(ring), 0);

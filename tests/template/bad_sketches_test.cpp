@@ -180,6 +180,19 @@ TEST(BadSketches, none_is_forgotten) {
   EXPECT_EQ(files, std::size(mistakes));
 }
 
+TEST(BadSketches, a_page_directly_in_the_page_is_one_too) {
+  std::ifstream stream(here / "good.svg", std::ios::binary);
+  std::string svg{std::istreambuf_iterator<char>(stream), {}};
+  svg.insert(svg.find("  <g inkscape:groupmode"), "<svg>");
+  svg.insert(svg.rfind("</svg>"), "</svg>");
+  try {
+    parse_drawn_template(template_with("good.svg"), (here / "x.toml").string(), svg);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("lies in a page within the page"));
+  }
+}
+
 TEST(BadSketches, a_sketch_lies_beside_its_template) {
   for (const char* path :
        {"../good.svg", "/etc/passwd", "no_such.svg", "", ".", "bad", "a/../../good.svg", "/dev/zero"}) {

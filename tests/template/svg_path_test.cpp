@@ -50,11 +50,10 @@ TEST(SvgPath, arcs_take_the_way_their_flags_say) {
   EXPECT_NEAR(point_at(parse_svg_path("M -10 0 A 20 5 30 0 1 10 0")[0], 1).x, 0.01, 1e-9);
 }
 
-TEST(SvgPath, curves_stay_within_the_tolerance) {
-  const glm::dvec2 a(0, 0), b(40, -10), c(-20, -30), d(10, -50);
-  const auto curve = parse_svg_path("M0 0C40 10-20 30 10 50")[0];
+/// How far the middles of the chords are from a cubic curve at most, in the drawing's units, y upwards as in the result.
+double farthest_chord(const Curve& curve, glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
+  double farthest = 0;
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
-    // The curve's point nearest to the chord's middle must be within the tolerance of it.
     const glm::dvec2 middle = 500.0 * (curve.points[i] + curve.points[i + 1]);
     double nearest = 1e9;
     for (int k = 0; k <= 4000; ++k) {
@@ -62,9 +61,20 @@ TEST(SvgPath, curves_stay_within_the_tolerance) {
       nearest = std::min(nearest,
                          glm::distance(middle, s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d));
     }
-    EXPECT_LT(nearest, 0.02);
+    farthest = std::max(farthest, nearest);
   }
+  return farthest;
+}
+
+TEST(SvgPath, curves_stay_within_the_tolerance) {
+  const auto curve = parse_svg_path("M0 0C40 10-20 30 10 50")[0];
+  EXPECT_LT(farthest_chord(curve, {0, 0}, {40, -10}, {-20, -30}, {10, -50}), 0.02);
   EXPECT_NEAR(glm::distance(curve.points.back(), glm::dvec2(0.01, -0.05)), 0, 1e-9);
+}
+
+TEST(SvgPath, curves_that_bend_at_one_end_alone_stay_within_it_too) {
+  EXPECT_LT(farthest_chord(parse_svg_path("M0 0C10 0 20 0 0 40")[0], {0, 0}, {10, 0}, {20, 0}, {0, -40}), 0.02);
+  EXPECT_LT(farthest_chord(parse_svg_path("M0 40C20 0 10 0 0 0")[0], {0, -40}, {20, 0}, {10, 0}, {0, 0}), 0.02);
 }
 
 TEST(SvgPath, points_lie_on_the_grid) {
