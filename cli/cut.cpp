@@ -143,6 +143,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
   }
   if (!command.pieces.empty()) check_other_file("--pieces", command.pieces, outputs);
   Delivery delivery(command.shared);
+  delivery.set_outputs(outputs);
   delivery.warn(idle_options(command.shared, outputs));
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());

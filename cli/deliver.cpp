@@ -292,7 +292,7 @@ void Delivery::say_what_was_written() {
   if (options_.json) {
     nlohmann::ordered_json result = {{"files", nlohmann::ordered_json::array()}, {"warnings", warnings_}};
     for (const OutputFile& file : files_) {
-      result["files"].push_back({{"path", file.path.string()}, {"bytes", file.bytes.size()}});
+      result["files"].push_back({{"path", file.path.string()}, {"bytes", size_of(file)}});
     }
     // A name that is not UTF-8 cannot be said in JSON otherwise.
     std::printf("%s\n", result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
@@ -300,7 +300,7 @@ void Delivery::say_what_was_written() {
   }
   for (const OutputFile& file : files_) {
     char line[64];
-    std::snprintf(line, sizeof line, " (%.1f MB)", static_cast<double>(file.bytes.size()) * 1e-6);
+    std::snprintf(line, sizeof line, " (%.1f MB)", static_cast<double>(size_of(file)) * 1e-6);
     progress.line("wrote " + file.path.string() + line);
   }
   progress.line(times.summary());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "cli/ripeness_variants.h"
 #include "cli/shared_options.h"
 #include "cli/stage_times.h"
+#include "cli/streamed_glb.h"
 #include "generator/scene/scene.h"
 #include "render/export/output.h"
 #include "render/export/styled_mesh.h"
@@ -50,6 +52,14 @@ class Delivery {
   void set_variants(std::vector<RipenessVariant> variants) { variants_ = std::move(variants); }
 
   const Style& style() const { return style_; }
+
+  /// All that will be added, for what several of them share: levels of detail, and textures.
+  void set_outputs(const std::vector<Output>& outputs);
+
+  /// For a scene whose outputs do not need all of it at once: takes its solids as they are made (make_parts.h), and
+  /// writes them on their way to the .glb files; add() then finishes these. Empty where other outputs need the solids.
+  /// After set_outputs() and set_default_style().
+  std::function<void(std::span<const Solid> solids)> taker();
 
   /// A scene as .ply, .glb, .pov (with its includes), .png or .svg.
   void add(const Output& output, const Scene& scene);
@@ -90,11 +100,19 @@ class Delivery {
     std::vector<std::vector<BakedSolid>> coarser;
     std::vector<TextureVariant> variants;
   };
-  BakedScene baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels, Maps maps);
+  /// What files of meshes with levels or textures are made of, made once for all of them.
+  struct ReadyMeshes {
+    const Solid* of = nullptr;  ///< the scene's first solid
+    std::vector<std::vector<Solid>> levels;
+    BakedScene baked;
+  };
+  std::shared_ptr<const ReadyMeshes> ready_meshes(const Scene& scene);
+  BakedScene baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels);
+  std::optional<BakeOptions> bake_options() const;
   void add_usda(const Output& output, const Scene& scene);
   void add_glb(const Output& output, const Scene& scene);
   std::vector<std::vector<Solid>> levels_of(const Scene& scene);
-  void count_texels(const std::vector<BakedSolid>& baked_solids);
+  void finish_glb(StreamedGlb& stream, const Scene& scene);
   void say_what_was_written();
 
   ExportOptions export_options() const;
@@ -103,6 +121,10 @@ class Delivery {
   const SharedOptions& options_;
   Style style_;
   std::vector<RipenessVariant> variants_;
+  std::vector<Output> outputs_;
+  std::vector<std::unique_ptr<StreamedGlb>> streams_;
+  std::shared_ptr<const ReadyMeshes> ready_;
+  std::ptrdiff_t uses_left_ = 0;  ///< of ready_
   std::string style_word_;  ///< what names it; empty = the default
   std::optional<PlateText> plate_text_;
   PictureSize default_size_{960, 720};

@@ -1,5 +1,7 @@
 // The part of Delivery that writes meshes with levels of detail and textures: .glb and .usda.
-#include <cstdint>
+#include <algorithm>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -35,40 +37,71 @@ std::vector<BakedSolid> baked_by_fruit(std::span<const Solid> solids, const Styl
 
 }  // namespace
 
+void Delivery::set_outputs(const std::vector<Output>& outputs) { outputs_ = outputs; }
+
 /// Nothing unless --lod asks for it.
 std::vector<std::vector<Solid>> Delivery::levels_of(const Scene& scene) {
   if (options_.lod == 0) return {};
   const LodOptions how{.levels = options_.lod, .threads = {options_.threads}};
   std::vector<std::vector<Solid>> levels = times.time("lod", [&] { return all_levels_of_detail(scene.solids, how); });
   const LevelCounts counts = level_counts(scene.solids, levels, options_.lod);
-  for (std::size_t level = 0; level < counts.triangles.size(); ++level)
-    times.count("lod_" + std::to_string(level) + "_triangles", static_cast<std::int64_t>(counts.triangles[level]));
+  count_levels(counts, times);
   warn(level_warnings(counts));
   return levels;
 }
 
-/// All of it in textures, at every level and ripeness; variants differ in colour alone.
-Delivery::BakedScene Delivery::baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels, Maps maps) {
-  BakeOptions how{.texel = texel_, .maps = maps, .threads = {options_.threads}};
+/// Nothing unless textures are asked for. Maps are for .glb alone.
+std::optional<BakeOptions> Delivery::bake_options() const {
+  if (!wants_textures(options_)) return {};
+  const bool any_glb = std::any_of(outputs_.begin(), outputs_.end(),
+                                   [](const Output& output) { return output.format == Format::glb; });
+  BakeOptions how{.texel = texel_,
+                  .maps = any_glb && options_.maps == "all" ? Maps::all : Maps::color,
+                  .threads = {options_.threads}};
   if (options_.texture > 0) how.texels = options_.texture;
+  return how;
+}
+
+/// All of it in textures, at every level and ripeness; variants differ in colour alone.
+Delivery::BakedScene Delivery::baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels) {
   BakedScene baked;
+  if (!wants_textures(options_)) return baked;
+  BakeOptions how = *bake_options();
   baked.solids = times.time("bake", [&] { return baked_by_fruit(scene.solids, style_, how, progress); });
   baked.coarser = times.time("bake", [&] { return baked_levels(levels, style_, how); });
-  count_texels(baked.solids);
-  for (const std::vector<BakedSolid>& of_solid : baked.coarser) count_texels(of_solid);
+  count_texels(baked.solids, times);
+  for (const std::vector<BakedSolid>& of_solid : baked.coarser) count_texels(of_solid, times);
   how.maps = Maps::color;
   for (const RipenessVariant& riper : variants_) {
     baked.variants.push_back({riper.name, times.time("bake", [&] { return all_baked(riper.pieces, style_, how); })});
-    count_texels(baked.variants.back().solids);
+    count_texels(baked.variants.back().solids, times);
   }
   return baked;
 }
 
+/// They are let go with the last output that wants them.
+std::shared_ptr<const Delivery::ReadyMeshes> Delivery::ready_meshes(const Scene& scene) {
+  const auto wants_them = [](const Output& output) {
+    return output.format == Format::glb || output.format == Format::usda;
+  };
+  std::shared_ptr<const ReadyMeshes> ready = ready_;
+  if (!ready || ready->of != scene.solids.data()) {
+    ReadyMeshes made{scene.solids.data(), levels_of(scene), {}};
+    made.baked = baked_scene(scene, made.levels);
+    ready = std::make_shared<const ReadyMeshes>(std::move(made));
+    uses_left_ = std::count_if(outputs_.begin(), outputs_.end(), wants_them);
+  }
+  ready_ = --uses_left_ > 0 ? ready : nullptr;
+  return ready;
+}
+
 void Delivery::add_glb(const Output& output, const Scene& scene) {
+  for (const std::unique_ptr<StreamedGlb>& stream : streams_)
+    if (stream->file() == output.file) return finish_glb(*stream, scene);
   const ExportOptions options = export_options();
-  const std::vector<std::vector<Solid>> levels = levels_of(scene);
-  if (!wants_textures(options_)) return add(output.file, [&] { return write_glb(scene, options, levels); });
-  const BakedScene baked = baked_scene(scene, levels, options_.maps == "all" ? Maps::all : Maps::color);
+  const std::shared_ptr<const ReadyMeshes> ready = ready_meshes(scene);
+  const BakedScene& baked = ready->baked;
+  if (!wants_textures(options_)) return add(output.file, [&] { return write_glb(scene, options, ready->levels); });
   if (!options_.maps_dir.empty()) {
     for (OutputFile& file : times.time("write", [&] { return map_files(baked.solids, options_.maps_dir); }))
       files_.push_back(std::move(file));
@@ -78,9 +111,9 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
 
 void Delivery::add_usda(const Output& output, const Scene& scene) {
   const ExportOptions options = export_options();
-  const std::vector<std::vector<Solid>> levels = levels_of(scene);
-  if (!wants_textures(options_)) return add(output.file, [&] { return write_usda(scene, options, levels); });
-  const BakedScene baked = baked_scene(scene, levels, Maps::color);
+  const std::shared_ptr<const ReadyMeshes> ready = ready_meshes(scene);
+  const BakedScene& baked = ready->baked;
+  if (!wants_textures(options_)) return add(output.file, [&] { return write_usda(scene, options, ready->levels); });
   const std::string stem = output.file.stem().string();
   UsdaFiles made = times.time(
       "write", [&] { return write_usda(scene, baked.solids, stem, options, baked.coarser, baked.variants); });
@@ -89,14 +122,29 @@ void Delivery::add_usda(const Output& output, const Scene& scene) {
     files_.push_back({output.file.parent_path() / file.name, std::move(file.bytes)});
 }
 
-void Delivery::count_texels(const std::vector<BakedSolid>& baked_solids) {
-  std::int64_t texels = 0, diffused = 0;
-  for (const BakedSolid& solid : baked_solids) {
-    texels += static_cast<std::int64_t>(solid.texture.width) * solid.texture.height;
-    diffused += static_cast<std::int64_t>(solid.diffused);
+std::function<void(std::span<const Solid> solids)> Delivery::taker() {
+  const auto is_streamed = [](const Output& output) { return output.format == Format::glb; };
+  const auto needs_no_looks = [](const Output& output) {
+    return output.format == Format::glb || output.format == Format::json;
+  };
+  if (!options_.maps_dir.empty() || std::none_of(outputs_.begin(), outputs_.end(), is_streamed)) return {};
+  if (!std::all_of(outputs_.begin(), outputs_.end(), needs_no_looks)) return {};
+  for (const Output& output : outputs_) {
+    if (!is_streamed(output)) continue;
+    const StreamedGlbOptions how{.exported = export_options(), .lod = options_.lod, .bake = bake_options()};
+    streams_.push_back(std::make_unique<StreamedGlb>(output.file, how));
   }
-  times.count("texels", texels);
-  times.count("diffused_texels", diffused);
+  return [this](std::span<const Solid> solids) {
+    for (const std::unique_ptr<StreamedGlb>& stream : streams_) stream->take(solids);
+  };
+}
+
+void Delivery::finish_glb(StreamedGlb& stream, const Scene& scene) {
+  files_.push_back(stream.finished(scene));
+  times.add(stream.times());
+  if (&stream != streams_.front().get()) return;
+  count_levels(stream.levels(), times);
+  warn(level_warnings(stream.levels()));
 }
 
 }  // namespace pomona

@@ -93,6 +93,7 @@ ExitStatus grow_fruit(const GrowCommand& command) {
                   "leave out --texture, --texel, --lod, --surfaces, --piece and --seeds");
   }
   Delivery delivery(command.shared);
+  delivery.set_outputs(outputs);
   delivery.warn(idle_options(command.shared, outputs));
   if (!command.seeds.empty()) return grow_family(command, outputs, delivery);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);

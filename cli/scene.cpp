@@ -59,6 +59,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
   check_picture_size(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
   Delivery delivery(command.shared);
+  delivery.set_outputs(outputs);
   delivery.warn(idle_options(command.shared, outputs));
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
@@ -71,7 +72,9 @@ ExitStatus compose_scene(const SceneCommand& command) {
   delivery.set_seed(description.seed);
   delivery.set_default_size({description.width, description.height});
   if (!description.style.empty()) delivery.set_default_style(style_of(description, file));
-  Composition composition = compose(description, diffuser.get(), compose_options(command.shared, delivery.progress));
+  ComposeOptions how = compose_options(command.shared, delivery.progress);
+  how.take = delivery.taker();
+  Composition composition = compose(description, diffuser.get(), how);
   if (!description.paper) composition.scene.paper = delivery.style().paper;
 
   // The composition's figures go into --stats; its layout, or itself, into the outputs.

@@ -1,6 +1,7 @@
 #include "cli/scene_levels.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace pomona {
@@ -18,6 +19,21 @@ LevelCounts level_counts(std::span<const Solid> solids, std::span<const std::vec
     counts.triangles.push_back(triangles);
   }
   return counts;
+}
+
+LevelCounts added(LevelCounts counts, const LevelCounts& more) {
+  const std::size_t levels = std::max(counts.wanted.size(), more.wanted.size());
+  counts.wanted.resize(levels), counts.triangles.resize(levels);
+  for (std::size_t level = 0; level < more.wanted.size(); ++level) {
+    counts.wanted[level] += more.wanted[level];
+    counts.triangles[level] += more.triangles[level];
+  }
+  return counts;
+}
+
+void count_levels(const LevelCounts& counts, StageTimes& times) {
+  for (std::size_t level = 0; level < counts.triangles.size(); ++level)
+    times.count("lod_" + std::to_string(level) + "_triangles", static_cast<std::int64_t>(counts.triangles[level]));
 }
 
 std::vector<std::string> level_warnings(const LevelCounts& counts) {
@@ -49,6 +65,16 @@ std::vector<std::vector<BakedSolid>> baked_levels(std::span<const std::vector<So
     std::vector<BakedSolid> done = all_baked(solids, style, how);
     for (std::size_t k = 0; k < done.size(); ++k) baked[owner[k]].push_back(std::move(done[k]));
   }
+}
+
+void count_texels(std::span<const BakedSolid> baked_solids, StageTimes& times) {
+  std::int64_t texels = 0, diffused = 0;
+  for (const BakedSolid& solid : baked_solids) {
+    texels += static_cast<std::int64_t>(solid.texture.width) * solid.texture.height;
+    diffused += static_cast<std::int64_t>(solid.diffused);
+  }
+  times.count("texels", texels);
+  times.count("diffused_texels", diffused);
 }
 
 }  // namespace pomona

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/stage_times.h"
 #include "generator/piece/solid.h"
 #include "render/texture/bake.h"
 
@@ -18,6 +19,12 @@ struct LevelCounts {
 };
 LevelCounts level_counts(std::span<const Solid> solids, std::span<const std::vector<Solid>> levels, int count);
 
+/// Of both together.
+LevelCounts added(LevelCounts counts, const LevelCounts& more);
+
+/// Tells how many triangles each level has: "lod_1_triangles".
+void count_levels(const LevelCounts& counts, StageTimes& times);
+
 /// A line for each level that has a tenth more triangles than it should.
 std::vector<std::string> level_warnings(const LevelCounts& counts);
 
@@ -25,5 +32,8 @@ std::vector<std::string> level_warnings(const LevelCounts& counts);
 /// every second level.
 std::vector<std::vector<BakedSolid>> baked_levels(std::span<const std::vector<Solid>> levels, const Style& style,
                                                   const BakeOptions& options);
+
+/// Tells how many texels there are, and at how many points colours were diffused for them.
+void count_texels(std::span<const BakedSolid> baked_solids, StageTimes& times);
 
 }  // namespace pomona

@@ -19,6 +19,10 @@ class StageTimes {
   }
   void add(const std::string& stage, double milliseconds) { clock_.add(stage, milliseconds); }
   void add(const StageClock& clock) { clock_.add(clock); }
+  void add(const StageTimes& more) {
+    clock_.add(more.clock_);
+    for (const auto& [what, number] : more.counts_) counts_[what] += number;
+  }
 
   void count(const std::string& what, std::int64_t number) { counts_[what] += number; }
 

@@ -135,4 +135,20 @@ std::vector<Solid> solids(std::span<const CutPiece> pieces, const CrossSection& 
   return all;
 }
 
+Solid without_looks(Solid solid) {
+  Solid shape;
+  shape.name = std::move(solid.name);
+  shape.position = std::move(solid.position);
+  shape.triangle = std::move(solid.triangle);
+  shape.cut_face = std::move(solid.cut_face);
+  shape.opacity = solid.opacity;
+  shape.volume = solid.volume;
+  shape.density = solid.density;
+  shape.weighed = solid.weighed;
+  shape.origin = std::move(solid.origin);
+  shape.closed = solid.closed;
+  shape.crumb = solid.crumb;
+  return shape;
+}
+
 }  // namespace pomona

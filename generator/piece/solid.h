@@ -66,4 +66,8 @@ std::vector<MaterialSketch> materials_of(const Template& fruit, const std::vecto
 std::vector<Solid> solids(std::span<const CutPiece> pieces, const CrossSection& colored_section, const Template& fruit,
                           const std::string& name);
 
+/// Its triangles, what it weighs, and where it comes from, without what it looks like: enough to settle it, and to name
+/// it in files.
+Solid without_looks(Solid solid);
+
 }  // namespace pomona

@@ -1,10 +1,13 @@
 #include "generator/scene/make_parts.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <span>
 
+#include "generator/base/background_work.h"
 #include "generator/base/reproducible.h"
 #include "generator/cut/cut.h"
 #include "generator/piece/slice.h"
@@ -133,6 +136,38 @@ void make_some(std::span<const Task> tasks, const Ingredients& from, const Diffu
     made[i] = reported(std::move(slices[i]), variants[i], to_slice[i].name);
 }
 
+/// How many more solids each entry places. One with a total places its first ones; the others are let go at once.
+class RoomLeft {
+ public:
+  explicit RoomLeft(const SceneDescription& scene) {
+    const std::vector<int> totals = totals_of(scene);
+    for (std::size_t entry = 0; entry < totals.size(); ++entry) {
+      const PiecesDescription& pieces = scene.pieces[entry];
+      const bool has_total = pieces.total > 0 || pieces.share > 0;
+      left_.push_back(has_total ? static_cast<std::size_t>(totals[entry]) : std::numeric_limits<std::size_t>::max());
+    }
+  }
+
+  std::vector<Solid> placed(std::size_t entry, std::vector<Solid> solids) {
+    if (solids.size() > left_[entry]) solids.resize(left_[entry]);
+    left_[entry] -= solids.size();
+    return solids;
+  }
+
+ private:
+  std::vector<std::size_t> left_;
+};
+
+/// Hands some variants' solids to who takes them; their shapes stay.
+void hand_on(std::span<Made> made, const ComposeOptions& options) {
+  std::vector<Solid> solids;
+  for (Made& one : made) std::move(one.solids.begin(), one.solids.end(), std::back_inserter(solids));
+  options.take(solids);
+  auto next = solids.begin();
+  for (Made& one : made)
+    for (Solid& solid : one.solids) solid = without_looks(std::move(*next++));
+}
+
 /// As many variants at a time as fit into memory.
 std::vector<Made> all_made(std::span<const Task> tasks, const Ingredients& from, const Diffuser* diffuser,
                            const ComposeOptions& options) {
@@ -142,11 +177,18 @@ std::vector<Made> all_made(std::span<const Task> tasks, const Ingredients& from,
                          .threads = options.threads,
                          .one_done = [&] { teller.step_done(); }};
   std::vector<Made> made(tasks.size());
+  RoomLeft room(from.scene);
+  BackgroundWork taking(options.threads);
   const std::size_t at_once = variants_at_once(options.threads);
   for (std::size_t first = 0; first < tasks.size(); first += at_once) {
     const std::size_t count = std::min(at_once, tasks.size() - first);
-    make_some(tasks.subspan(first, count), from, diffuser, options, how, std::span(made).subspan(first, count));
+    const std::span<Made> some = std::span(made).subspan(first, count);
+    make_some(tasks.subspan(first, count), from, diffuser, options, how, some);
+    for (std::size_t i = 0; i < count; ++i)
+      some[i].solids = room.placed(tasks[first + i].entry, std::move(some[i].solids));
+    if (options.take) taking.begin([some, &options] { hand_on(some, options); });
   }
+  taking.finish();
   return made;
 }
 
@@ -219,7 +261,13 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
     gather(std::span(made).subspan(first, count), static_cast<int>(first), maker, parts.report, clock);
     first += count;
   }
+  const std::size_t pieces = parts.solids.size();
   add_dishes(scene, parts);
+  if (options.take && parts.solids.size() > pieces) {
+    options.take(std::span(parts.solids).subspan(pieces));
+    for (std::size_t k = pieces; k < parts.solids.size(); ++k)
+      parts.solids[k] = without_looks(std::move(parts.solids[k]));
+  }
   parts.report.counts["variants"] = std::ssize(tasks);
   parts.report.counts["pieces"] = std::ssize(parts.items);
   parts.report.stages = clock.stages();

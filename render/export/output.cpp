@@ -40,7 +40,7 @@ class FileSet {
   void add(const OutputFile& file) {
     const fs::path destination = followed(file.path);
     const fs::path folder = destination.has_parent_path() ? destination.parent_path() : fs::path(".");
-    folder_for(folder, file.path).add(destination.filename().native(), file.bytes);
+    folder_for(folder, file.path).add(destination.filename().native(), file.bytes, file.rest.get());
     ++size_;
   }
 
@@ -119,19 +119,26 @@ Destination checked(const fs::path& path) {
 /// Programs write there for those who read on.
 bool is_standard_output(const OutputFile& file) { return file.path == "-"; }
 
+void write_all_of(const OutputFile& file, const Descriptor& descriptor, const fs::path& meant) {
+  write_all(descriptor, file.bytes, meant);
+  if (file.rest) file.rest->copy_to(descriptor);
+}
+
 void write_to_device(const OutputFile& file) {
   if (is_standard_output(file)) {
     const Descriptor descriptor(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
     if (!descriptor.is_open()) fail_at(ExitStatus::io_error, "standard output", "cannot be written", errno);
-    return write_all(descriptor, file.bytes, "standard output");
+    return write_all_of(file, descriptor, "standard output");
   }
   Descriptor descriptor(::open(file.path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!descriptor.is_open()) fail_at(ExitStatus::cannot_create, file.path, "cannot be opened", errno);
-  write_all(descriptor, file.bytes, file.path);
+  write_all_of(file, descriptor, file.path);
   if (!descriptor.close()) fail_at(ExitStatus::io_error, file.path, "cannot be written", errno);
 }
 
 }  // namespace
+
+std::size_t size_of(const OutputFile& file) { return file.bytes.size() + (file.rest ? file.rest->size() : 0); }
 
 void write_whole(std::span<const OutputFile> files) {
   const WithoutPipeSignal no_signal;

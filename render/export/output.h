@@ -1,16 +1,24 @@
 // Putting files where the user wants them, whole or not at all.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
+
+#include "render/export/spooled_bytes.h"
 
 namespace pomona {
 
 struct OutputFile {
   std::filesystem::path path;
   std::string bytes;
+  std::shared_ptr<const SpooledBytes> rest = {};  ///< what comes after these, where there is more
 };
+
+/// Of all of it.
+std::size_t size_of(const OutputFile& file);
 
 /// Writes every file beside its destination, down to the disk, and only when all are there puts them into place by
 /// renaming. If anything fails, renaming included, all destinations are as they were and nothing is left behind. If

@@ -170,7 +170,7 @@ SetFolder::~SetFolder() {
   if (file_.is_open()) remove_remains(folder_, stem_);
 }
 
-void SetFolder::add(const std::string& name, std::string_view bytes) {
+void SetFolder::add(const std::string& name, std::string_view bytes, const SpooledBytes* rest) {
   const fs::path destination = folder_ / name;
   const auto before = about(destination);
   const std::size_t n = record_.members.size();
@@ -182,6 +182,7 @@ void SetFolder::add(const std::string& name, std::string_view bytes) {
   ::fstat(file.number(), &made);
   record_.members.push_back({name, made.st_ino, before.has_value()});
   write_all(file, bytes, destination);
+  if (rest != nullptr) rest->copy_to(file);
   bring_to_disk(file, destination);
 }
 

@@ -7,6 +7,7 @@
 
 #include "render/export/durable_file.h"
 #include "render/export/set_record.h"
+#include "render/export/spooled_bytes.h"
 
 namespace pomona {
 
@@ -27,9 +28,9 @@ class SetFolder {
   std::filesystem::path record_path() const { return folder_ / (stem_ + ".set"); }
   std::size_t size() const { return record_.members.size(); }
 
-  /// Writes these bytes beside the destination `name`, down to the disk, with the permissions of what is there.
+  /// Writes these bytes, and the rest if there is one, beside the destination `name`, down to the disk, with the permissions of what is there.
   /// \throws Error (cannot_create, io_error)
-  void add(const std::string& name, std::string_view bytes);
+  void add(const std::string& name, std::string_view bytes, const SpooledBytes* rest = nullptr);
 
   /// Keeps what the files replace, each under a second name. \throws Error (cannot_create)
   void keep_old();

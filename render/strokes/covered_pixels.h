@@ -22,17 +22,23 @@ struct PictureTriangle {
   bool can_be_seen(bool closed) const { return closed ? area > 0 : area != 0; }
 };
 
-/// Triangle `t` of a solid. What reaches behind the eye is left out.
-inline PictureTriangle picture_triangle(const Solid& solid, const SeenSolid& seen, std::uint32_t t) {
+/// By its corners as Lens::seen(). What reaches behind the eye is left out.
+inline PictureTriangle picture_triangle(const std::array<glm::dvec3, 3>& seen) {
   PictureTriangle result;
   for (int i = 0; i < 3; ++i) {
-    const glm::dvec3& v = seen.vertex[solid.triangle[t][i]];
+    const glm::dvec3& v = seen[i];
     if (!(v.z > 0)) return {};
     result.corner[i] = {v.x, v.y, 1 / v.z};
   }
   const glm::dvec3 &a = result.corner[0], &b = result.corner[1], &c = result.corner[2];
   result.area = (c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y);
   return result;
+}
+
+/// Triangle `t` of a solid.
+inline PictureTriangle picture_triangle(const Solid& solid, const SeenSolid& seen, std::uint32_t t) {
+  const glm::uvec3& corner = solid.triangle[t];
+  return picture_triangle({seen.vertex[corner.x], seen.vertex[corner.y], seen.vertex[corner.z]});
 }
 
 /// First and last pixel, of those from `least` to `most`, whose middle lies in [low, high].

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/truth/seen_solids.h"
+#include "render/strokes/seen_solid.h"
 
 namespace pomona {
 

@@ -15,11 +15,16 @@ namespace pomona {
 namespace {
 
 std::vector<TruthFile> png_files(const TruthLayers& layers, const std::vector<Mask>& amodal, Threads threads) {
-  std::vector<TruthPicture> pictures = pictures_of(layers);
-  for (TruthPicture& picture : pictures_of(amodal, layers.width, layers.height)) pictures.push_back(std::move(picture));
-  std::vector<TruthFile> files(pictures.size());
+  // Whole masks are drawn, packed and let go one by one: a large heap has hundreds of pictures of them.
+  const std::vector<TruthPicture> pictures = pictures_of(layers);
+  std::vector<TruthFile> files(pictures.size() + amodal_pictures(amodal.size()));
+  const auto packed = [](const TruthPicture& picture) {
+    return TruthFile{picture.name + ".png", write_png(picture.image)};
+  };
   parallel_for(files.size(), threads, [&](std::size_t i) {
-    files[i] = {pictures[i].name + ".png", write_png(pictures[i].image)};
+    const bool is_mask = i >= pictures.size();
+    files[i] = is_mask ? packed(amodal_picture(amodal, i - pictures.size(), layers.width, layers.height))
+                       : packed(pictures[i]);
   });
   return files;
 }
@@ -41,8 +46,7 @@ std::vector<Cryptomatte> mattes_of(const Scene& scene, const TruthNaming& names,
 
 TruthFile exr_file(const Scene& scene, const TruthNaming& names, const TruthLayers& layers,
                    const std::vector<Mask>& amodal, const TruthOptions& options) {
-  const std::vector<TruthPicture> pictures = pictures_of(amodal, layers.width, layers.height);
-  return {"truth.exr", write_truth_exr(layers, pictures, mattes_of(scene, names, options), options.made_by)};
+  return {"truth.exr", write_truth_exr(layers, amodal, mattes_of(scene, names, options), options.made_by)};
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include <array>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "generator/base/cross.h"
 #include "render/strokes/covered_pixels.h"
 #include "render/strokes/identity_buffer.h"
-#include "render/truth/seen_solids.h"
 
 namespace pomona {
 
@@ -30,9 +30,9 @@ std::array<double, 3> shares_at(const PictureTriangle& triangle, const glm::dvec
 
 class LayerFiller {
  public:
-  LayerFiller(const Scene& scene, const TruthNaming& names, const std::vector<SeenSolid>& seen,
-              const IdentityBuffer& foremost)
-      : scene_(scene), names_(names), seen_(seen), foremost_(foremost) {
+  LayerFiller(const Scene& scene, const TruthNaming& names, const Lens& lens, const IdentityBuffer& foremost)
+      : scene_(scene), names_(names), lens_(lens), foremost_(foremost) {
+    for (const Instance& instance : scene.instances) turn_.push_back(glm::mat3_cast(instance.pose.rotation));
     const std::size_t pixels = foremost.instance.size();
     layers_.width = foremost.width;
     layers_.height = foremost.height;
@@ -61,13 +61,23 @@ class LayerFiller {
     layers_.depth[pixel] = 1 / foremost_.nearness[pixel];
     layers_.section[pixel] = t < solid.cut_face.size() && solid.cut_face[t] >= 0 ? 1 : 0;
 
-    const PictureTriangle triangle = picture_triangle(solid, seen_[i], t);
+    const PictureTriangle triangle = seen_triangle(i, t);
     const std::array<double, 3> share = shares_at(triangle, {x + 0.5, y + 0.5});
     const auto largest = static_cast<int>(std::max_element(share.begin(), share.end()) - share.begin());
     const std::int32_t part = solid.part[solid.triangle[t][largest]];
     const std::vector<std::uint16_t>& parts = names_.parts_of_solid[number];
     if (part >= 0 && static_cast<std::size_t>(part) < parts.size()) layers_.part[pixel] = parts[part];
-    layers_.normal[pixel] = normal_at(solid, t, share, seen_[i].turn, triangle.area > 0);
+    layers_.normal[pixel] = normal_at(solid, t, share, turn_[i], triangle.area > 0);
+  }
+
+  /// As the identity buffer saw it, alone: all vertices of all instances would take a gigabyte in a large heap.
+  PictureTriangle seen_triangle(std::size_t instance, std::uint32_t t) const {
+    const Instance& placed = scene_.instances[instance];
+    const Solid& solid = scene_.solids[static_cast<std::size_t>(placed.solid)];
+    std::array<glm::dvec3, 3> corner{};
+    for (int i = 0; i < 3; ++i)
+      corner[i] = lens_.seen(turn_[instance] * glm::dvec3(solid.position[solid.triangle[t][i]]) + placed.pose.translation);
+    return picture_triangle(corner);
   }
 
   static glm::vec3 normal_at(const Solid& solid, std::uint32_t t, const std::array<double, 3>& share,
@@ -81,7 +91,8 @@ class LayerFiller {
 
   const Scene& scene_;
   const TruthNaming& names_;
-  const std::vector<SeenSolid>& seen_;
+  const Lens& lens_;
+  std::vector<glm::dmat3> turn_;  // of instances
   const IdentityBuffer& foremost_;
   TruthLayers layers_;
 };
@@ -90,9 +101,8 @@ class LayerFiller {
 
 TruthLayers truth_layers(const Scene& scene, const TruthNaming& names, int width, int height, Threads threads) {
   const Lens lens(scene.view, width, height);
-  const std::vector<SeenSolid> seen = seen_solids(scene, lens, threads);
   const IdentityBuffer foremost = identity_buffer(scene, lens, threads);
-  return LayerFiller(scene, names, seen, foremost).fill(threads);
+  return LayerFiller(scene, names, lens, foremost).fill(threads);
 }
 
 }  // namespace pomona

@@ -15,8 +15,8 @@ namespace pomona {
 /// The bytes of an OpenEXR file of one part, 32-bit floats, ZIP: channels Instance.X, Fruit.X, Part.X, Section.X,
 /// Depth.Z (metres), Normal.X .Y .Z, Amodal1.X, ... (numbers as in the PNGs of those names), and Cryptomatte's
 /// <name>00.R .G .B .A, ... with its metadata. The same for the same layers.
-/// \param amodal as pictures_of(masks) makes them.
-std::string write_truth_exr(const TruthLayers& layers, std::span<const TruthPicture> amodal,
+/// \param amodal per instance.
+std::string write_truth_exr(const TruthLayers& layers, std::span<const Mask> amodal,
                             std::span<const Cryptomatte> mattes, const std::string& made_by);
 
 }  // namespace pomona

@@ -75,23 +75,28 @@ std::vector<TruthPicture> pictures_of(const TruthLayers& layers) {
           sections(layers)};
 }
 
-std::vector<TruthPicture> pictures_of(const std::vector<Mask>& amodal, int width, int height) {
-  std::vector<TruthPicture> pictures;
-  for (std::size_t i = 0; i < amodal.size(); ++i) {
-    if (i % 16 == 0) {
-      pictures.push_back({"amodal_" + std::to_string(i / 16 + 1), {width, height, 1, {}}});
-      pictures.back().image.values.assign(static_cast<std::size_t>(width) * height, 0);
-    }
+std::size_t amodal_pictures(std::size_t instances) { return (instances + masks_in_picture - 1) / masks_in_picture; }
+
+std::vector<std::uint16_t> amodal_rows(std::span<const Mask> amodal, std::size_t number, int width, int top,
+                                       int bottom) {
+  std::vector<std::uint16_t> rows(static_cast<std::size_t>(width) * (bottom - top + 1));
+  const std::size_t first = masks_in_picture * number, end = std::min(first + masks_in_picture, amodal.size());
+  for (std::size_t i = first; i < end; ++i) {
     const Mask& mask = amodal[i];
-    for (int y = mask.box.top; y <= mask.box.bottom; ++y) {
+    for (int y = std::max(top, mask.box.top); y <= std::min(bottom, mask.box.bottom); ++y) {
       for (int x = mask.box.left; x <= mask.box.right; ++x) {
         if (!mask.at(x, y)) continue;
-        std::uint16_t& value = pictures.back().image.values[static_cast<std::size_t>(y) * width + x];
-        value = static_cast<std::uint16_t>(value | 1u << i % 16);
+        std::uint16_t& value = rows[static_cast<std::size_t>(y - top) * width + x];
+        value = static_cast<std::uint16_t>(value | 1u << (i - first));
       }
     }
   }
-  return pictures;
+  return rows;
+}
+
+TruthPicture amodal_picture(std::span<const Mask> amodal, std::size_t number, int width, int height) {
+  return {"amodal_" + std::to_string(number + 1),
+          {width, height, 1, amodal_rows(amodal, number, width, 0, height - 1)}};
 }
 
 }  // namespace pomona

@@ -1,6 +1,8 @@
 // Layers as pictures of numbers.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +25,17 @@ double depth_step(const TruthLayers& layers);
 /// "normal": (n + 1) / 2 * 65 535, rounded; 0 where nothing is. "section": 65 535 on cut faces.
 std::vector<TruthPicture> pictures_of(const TruthLayers& layers);
 
-/// "amodal_1" has instances 1 to 16, "amodal_2" 17 to 32, ...: a bit for each, the lowest for the first.
-std::vector<TruthPicture> pictures_of(const std::vector<Mask>& amodal, int width, int height);
+/// So many instances' masks are in one picture, a bit for each.
+constexpr std::size_t masks_in_picture = 16;
+
+/// How many pictures hold the masks of so many instances.
+std::size_t amodal_pictures(std::size_t instances);
+
+/// Rows `top` to `bottom` of the picture "amodal_1", which has instances 1 to 16, for `number` 0, of "amodal_2", which has
+/// 17 to 32, for 1, ...: the lowest bit is the first instance's. Whole pictures of a large heap would take gigabytes together.
+std::vector<std::uint16_t> amodal_rows(std::span<const Mask> amodal, std::size_t number, int width, int top, int bottom);
+
+/// All rows.
+TruthPicture amodal_picture(std::span<const Mask> amodal, std::size_t number, int width, int height);
 
 }  // namespace pomona

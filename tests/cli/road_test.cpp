@@ -1,4 +1,9 @@
 // The whole road through the program: same seed, same bytes; file and program agree.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -327,6 +332,66 @@ TEST(Pieces, WeighTheSameInTheListAndInTheGlb) {
   const double one = list[0].at("density"), other = list[1].at("density");
   EXPECT_GT(std::max(one, other), 1046);
   EXPECT_LT(std::min(one, other), 1041);
+}
+
+/// More variants than are made at once, a dish of its own, and pieces that are placed more than once.
+const char* const small_scene =
+    "format = 1\nname = \"small\"\nseed = 3\n"
+    "[bowl]\nprofile = \"M 0 0 L 60 0 L 110 -50 L 106 -50 L 58 -4 L 0 -4\"\n"
+    "[[pieces]]\nname = \"halves\"\ntemplate = \"cherry\"\nknives = [\"half\"]\ncount = 20\ntotal = 30\n"
+    "[[pieces]]\nname = \"slices\"\ntemplate = \"radish\"\nknives = [\"slices:9mm\"]\ntake = 2\n";
+
+/// A .glb alone is written while the scene is made. Beside a file that needs the whole scene it is written at the end.
+TEST(Scenes, WrittenOnTheirWayAreTheSameBytesForAnyThreads) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{}, {"--lod", "2", "--engine", "unity"}, {"--texture", "64", "--maps", "all"}}) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "small.toml") << small_scene;
+    const auto make = [&](const std::vector<std::string>& words) {
+      expect_done(run_pomona(with(with({"scene", "small.toml"}, words), with(options, coarse)), folder.path()));
+    };
+    make({"-o", "whole.glb", "-o", "whole.obj", "-o", "whole.json"});
+    make({"--threads", "1", "-o", "one.glb", "-o", "one.json"});
+    make({"--threads", "2", "-o", "two.glb"});
+    make({"--threads", "5", "-o", "five.glb", "-o", "six.glb"});
+    const std::string whole = bytes_of(folder / "whole.glb");
+    ASSERT_GT(whole.size(), 10000u);
+    for (const char* file : {"one.glb", "two.glb", "five.glb", "six.glb"})
+      EXPECT_TRUE(bytes_of(folder / file) == whole) << file << " " << (options.empty() ? "" : options.front());
+    EXPECT_EQ(bytes_of(folder / "one.json"), bytes_of(folder / "whole.json"));
+  }
+}
+
+/// What is on its way when a scene is refused leaves nothing behind, whatever lay there stays.
+TEST(Scenes, RefusedOnTheirWayLeaveNothingBehind) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "full.toml") << std::regex_replace(small_scene, std::regex("total = 30"), "total = 3000");
+  std::ofstream(folder / "full.glb") << "as it was";
+  const Outcome outcome =
+      run_pomona(with({"scene", "full.toml", "-o", "full.glb", "-o", "full.json"}, coarse), folder.path());
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("full.toml:6:"));
+  EXPECT_EQ(bytes_of(folder / "full.glb"), "as it was");
+  const auto files = std::filesystem::directory_iterator(folder.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 2);
+}
+
+/// Levels and textures are made once for all files that have them, whichever comes first.
+TEST(Scenes, AreBakedOnceForAllTheirFiles) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "small.toml") << std::regex_replace(small_scene, std::regex("count = 20\ntotal = 30"), "");
+  const std::vector<std::string> how = with({"scene", "small.toml", "--texture", "64", "--maps", "all", "--lod", "1"}, coarse);
+  const auto texels = [&](const std::string& stats) {
+    return nlohmann::json::parse(bytes_of(folder / stats)).at("counts").at("texels").get<int>();
+  };
+  expect_done(run_pomona(with(how, {"-o", "one.glb", "--stats", "glb.json"}), folder.path()));
+  expect_done(run_pomona(with(how, {"-o", "one.usda"}), folder.path()));
+  std::filesystem::rename(folder / "one.usda", folder / "alone.usda");
+  expect_done(run_pomona(with(how, {"-o", "one.usda", "-o", "both.glb", "--stats", "both.json"}), folder.path()));
+  EXPECT_GT(texels("glb.json"), 0);
+  EXPECT_EQ(texels("both.json"), texels("glb.json"));
+  EXPECT_TRUE(bytes_of(folder / "both.glb") == bytes_of(folder / "one.glb"));
+  EXPECT_TRUE(bytes_of(folder / "one.usda") == bytes_of(folder / "alone.usda"));
 }
 
 }  // namespace

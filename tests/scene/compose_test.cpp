@@ -107,6 +107,51 @@ TEST(Compose, SizesAreTimesTheVariantsOwn) {
   EXPECT_NEAR(radius(small), 0.5 * radius(plain), 1e-3);
 }
 
+/// Where solids are taken on their way, all are, once, in the scene's order; what is left of them is enough to settle them.
+TEST(Compose, SolidsAreTakenInTheirOrderAndTheirLooksLetGo) {
+  const std::string many =
+      "[bowl]\nprofile = \"M 0 0 L 80 0 L 130 -60 L 126 -60 L 78 -4 L 0 -4\"\n" + wedges + "count = 20\ntotal = 30\n" +
+      rings;
+  const SceneDescription scene = parse_scene(head + many, "a.toml");
+  const Composition whole = compose(scene, nullptr, coarse());
+  for (const int threads : {1, 2}) {
+    ComposeOptions options = coarse();
+    options.threads = {threads};
+    std::vector<Solid> taken;
+    std::size_t most = 0;
+    options.take = [&](std::span<const Solid> solids) {
+      most = std::max(most, solids.size());
+      taken.insert(taken.end(), solids.begin(), solids.end());
+    };
+    const Composition streamed = compose(scene, nullptr, options);
+    ASSERT_EQ(taken.size(), whole.scene.solids.size());
+    ASSERT_EQ(streamed.scene.solids.size(), whole.scene.solids.size());
+    EXPECT_LT(most, taken.size() - 1) << "one after another, not all at the end";
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      const Solid &expected = whole.scene.solids[i], &kept = streamed.scene.solids[i];
+      EXPECT_EQ(taken[i].name, expected.name);
+      EXPECT_EQ(taken[i].color, expected.color);
+      EXPECT_EQ(kept.name, expected.name);
+      EXPECT_EQ(kept.position, expected.position);
+      EXPECT_TRUE(kept.color.empty() && kept.normal.empty() && kept.surface.empty());
+    }
+    EXPECT_EQ(write_layout(streamed.scene), write_layout(whole.scene));
+    EXPECT_EQ(streamed.scene.view.eye, whole.scene.view.eye);
+  }
+}
+
+TEST(Compose, WhatTakesSolidsMayFail) {
+  ComposeOptions options = coarse();
+  options.threads = {2};
+  options.take = [](std::span<const Solid>) { throw Error(ExitStatus::io_error, "the disk is full"); };
+  try {
+    compose(parse_scene(head + wedges, "a.toml"), nullptr, options);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::io_error);
+  }
+}
+
 /// Two crates from one mesh share a solid, and their heaps lie where they stand.
 class Dishes : public testing::Test {
  protected:

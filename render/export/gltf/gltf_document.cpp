@@ -19,6 +19,11 @@ std::size_t filled(std::size_t size) { return (size + 3) / 4 * 4; }
 
 constexpr std::size_t block_size = 8 << 20;  // of the buffer; larger views have a block of their own
 
+void check_size(std::size_t size) {
+  if (size > std::numeric_limits<std::uint32_t>::max())
+    throw Error(ExitStatus::bad_data, "the scene is too large for a .glb, which ends at 4 GB");
+}
+
 void append_chunk_head(std::string& file, const char* kind, std::size_t size) {
   append_word(file, filled(size));
   file.append(kind, 4);
@@ -26,7 +31,7 @@ void append_chunk_head(std::string& file, const char* kind, std::size_t size) {
 
 }  // namespace
 
-GltfDocument::GltfDocument() {
+GltfDocument::GltfDocument(SpooledBytes* spool) : spool_(spool) {
   json_["asset"] = {{"version", "2.0"}, {"generator", "Pomona"}};
   json_["scene"] = 0;
   json_["scenes"] = Json::array({{{"name", "scene"}, {"nodes", Json::array()}}});
@@ -39,7 +44,12 @@ int GltfDocument::add(const char* list, Json value) {
 }
 
 void GltfDocument::append(const void* data, std::size_t size) {
+  check_size(buffer_size_ + size);
   if (buffer_.empty() || buffer_.back().size() + size > block_size) {
+    if (spool_ != nullptr && !buffer_.empty()) {
+      spool_->append(buffer_.back());
+      buffer_.clear();
+    }
     buffer_.emplace_back();
     buffer_.back().reserve(std::max(block_size, size));
   }
@@ -83,10 +93,9 @@ std::string GltfDocument::bytes() && {
 
   std::size_t size = 12 + 8 + filled(text.size());
   if (buffer_size_ > 0) size += 8 + filled(buffer_size_);
-  if (size > std::numeric_limits<std::uint32_t>::max())
-    throw Error(ExitStatus::bad_data, "the scene is too large for a .glb, which ends at 4 GB");
+  check_size(size);
   std::string file;
-  file.reserve(size);
+  file.reserve(spool_ != nullptr ? size - buffer_size_ : size);
   file += "glTF";
   append_word(file, 2);
   append_word(file, size);
@@ -95,11 +104,14 @@ std::string GltfDocument::bytes() && {
   file.append(filled(text.size()) - text.size(), ' ');
   if (buffer_size_ == 0) return file;
   append_chunk_head(file, std::string("BIN\0", 4).data(), buffer_size_);
+  buffer_.emplace_back(filled(buffer_size_) - buffer_size_, '\0');
   for (std::string& block : buffer_) {
-    file += block;
+    if (spool_ != nullptr)
+      spool_->append(block);
+    else
+      file += block;
     block = std::string();
   }
-  file.append(filled(buffer_size_) - buffer_size_, '\0');
   return file;
 }
 

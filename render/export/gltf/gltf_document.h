@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "render/export/spooled_bytes.h"
+
 namespace pomona::gltf {
 
 using Json = nlohmann::ordered_json;
@@ -19,7 +21,8 @@ enum class Target : int { none = 0, vertices = 34962, indices = 34963 };
 /// Every add_... returns the index of what it added.
 class GltfDocument {
  public:
-  GltfDocument();
+  /// \param spool where the buffer goes as it grows; none: memory holds it. Must live as long as the document.
+  explicit GltfDocument(SpooledBytes* spool = nullptr);
 
   /// Appends a value to one of the file's lists: "meshes", "nodes", ...
   int add(const char* list, Json value);
@@ -41,12 +44,13 @@ class GltfDocument {
   Json& scene() { return json_["scenes"][0]; }
 
   /// As .glb: header, JSON, buffer. The document is empty then: what has been copied is let go, so that a file of
-  /// hundreds of megabytes is held once. \throws Error (bad_data) beyond the 4 GB that the format can tell.
+  /// hundreds of megabytes is held once. With a spool these are the file's first bytes, and the spool has the rest. \throws Error (bad_data) beyond the 4 GB that the format can tell.
   std::string bytes() &&;
 
  private:
   void append(const void* data, std::size_t size);
 
+  SpooledBytes* spool_;
   Json json_;
   std::vector<std::string> buffer_;  ///< in blocks: one that grew would be copied over and over
   std::size_t buffer_size_ = 0;

@@ -1,10 +1,12 @@
 // glTF 2.0 in its binary form (.glb): for Blender, three.js, game engines (docs/formats.md).
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "render/export/spooled_bytes.h"
 #include "render/export/styled_mesh.h"
 #include "render/export/texture_variant.h"
 
@@ -29,5 +31,31 @@ std::string write_glb(const Scene& scene, std::span<const StyledMesh> styled, co
 std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, const ExportOptions& options = {},
                       std::span<const std::vector<BakedSolid>> levels = {},
                       std::span<const TextureVariant> variants = {});
+
+/// The same bytes for who makes a scene's solids one after another and need not hold them: these are added in their
+/// order, any number at a time, all in the same of the three ways.
+class GlbStream {
+ public:
+  /// \param spool where what has been added goes; none: memory holds it. Must live as long as the stream.
+  explicit GlbStream(ExportOptions options, SpooledBytes* spool = nullptr);
+  ~GlbStream();
+  GlbStream(const GlbStream&) = delete;
+  GlbStream& operator=(const GlbStream&) = delete;
+
+  /// As for write_glb(), with entries for these solids alone.
+  void add(std::span<const Solid> solids, std::span<const std::vector<Solid>> levels = {});
+  void add_styled(std::span<const Solid> solids, std::span<const StyledMesh> styled,
+                  std::span<const std::vector<Solid>> levels = {});
+  void add_baked(std::span<const Solid> solids, std::span<const BakedSolid> baked,
+                 std::span<const std::vector<BakedSolid>> levels = {}, std::span<const TextureVariant> variants = {});
+
+  /// The file; with a spool its first bytes, and the spool has the rest.
+  /// \param scene with the solids that were added: without_looks() of them is enough.
+  std::string finished(const Scene& scene) &&;
+
+ private:
+  class Writer;
+  std::unique_ptr<Writer> writer_;
+};
 
 }  // namespace pomona

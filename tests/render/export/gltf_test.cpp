@@ -7,7 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/file_bytes.h"
+#include "render/export/output.h"
 #include "render/export/pbr_look.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/render/export/named_solids.h"
 #include "tests/render/export/read_glb.h"
 
@@ -152,6 +155,62 @@ TEST(Gltf, IsTheSameForAnyNumberOfThreads) {
   const Scene scene = named::mixed();
   EXPECT_EQ(write_glb(scene, {.threads = {1}}), write_glb(scene, {.threads = {2}}));
 }
+
+/// What comes one after another: by threes, by itself, from the disk or not.
+class GltfStream : public testing::TestWithParam<std::size_t> {
+ protected:
+  /// \param add adds the scene's solids from `first` on, so many.
+  template <typename Add>
+  std::string streamed(const Scene& scene, const Add& add, const ExportOptions& options = {}) const {
+    const TemporaryFolder folder;
+    const auto spool = std::make_shared<SpooledBytes>(folder / "a.glb");
+    GlbStream stream(options, spool.get());
+    for (std::size_t first = 0; first < scene.solids.size(); first += GetParam())
+      add(stream, first, std::min(GetParam(), scene.solids.size() - first));
+    Scene shapes = scene;
+    for (Solid& solid : shapes.solids) solid = without_looks(std::move(solid));
+    write_whole(std::vector{OutputFile{folder / "a.glb", std::move(stream).finished(shapes), spool}});
+    return file_bytes(folder / "a.glb", std::size_t{1} << 30);
+  }
+};
+
+TEST_P(GltfStream, GivesTheBytesOfTheWhole) {
+  Scene scene = named::mixed();
+  scene.solids.push_back(named::ball("large", 0.1f, 200, Color(0.5f)));  // more than a block of the buffer
+  scene.instances.push_back({static_cast<int>(scene.solids.size()) - 1, {}, "large"});
+  std::vector<std::vector<Solid>> levels(scene.solids.size());
+  levels[0] = {scene.solids[0]};
+  const std::span<const Solid> solids = scene.solids;
+  for (const int threads : {1, 2}) {
+    const ExportOptions options{.provenance = "x", .threads = {threads}};
+    const std::string whole = write_glb(scene, options, levels);
+    ASSERT_GT(whole.size(), std::size_t{8} << 20);
+    EXPECT_TRUE(streamed(
+                    scene,
+                    [&](GlbStream& stream, std::size_t first, std::size_t count) {
+                      stream.add(solids.subspan(first, count), std::span(levels).subspan(first, count));
+                    },
+                    options) == whole);
+  }
+}
+
+TEST_P(GltfStream, GivesTheBytesOfTheWholeWithTextures) {
+  Scene scene = named::mixed();
+  std::erase_if(scene.solids, [](const Solid& solid) { return solid.triangle.empty(); });
+  scene.instances.clear();
+  for (std::size_t i = 0; i < scene.solids.size(); ++i)
+    scene.instances.push_back({static_cast<int>(i), {}, scene.solids[i].name});
+  const std::span<const Solid> solids = scene.solids;
+  const auto in_textures = [](std::span<const Solid> some) {
+    return all_baked(some, style_named("plain"), {.texels = 64, .maps = Maps::all});
+  };
+  const std::string whole = write_glb(scene, in_textures(solids));
+  EXPECT_TRUE(streamed(scene, [&](GlbStream& stream, std::size_t first, std::size_t count) {
+                stream.add_baked(solids.subspan(first, count), in_textures(solids.subspan(first, count)));
+              }) == whole);
+}
+
+INSTANTIATE_TEST_SUITE_P(SolidsAtOnce, GltfStream, testing::Values(1, 3, 100));
 
 TEST(Gltf, TexturesTakeThePlaceOfVertexColours) {
   Scene scene;

@@ -1,0 +1,56 @@
+// A scene's .glb that is written while the scene is still being made.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/scene_levels.h"
+#include "cli/stage_times.h"
+#include "generator/scene/scene.h"
+#include "render/export/gltf/write_glb.h"
+#include "render/export/output.h"
+#include "render/texture/bake.h"
+
+namespace pomona {
+
+struct StreamedGlbOptions {
+  ExportOptions exported{};
+  int lod = 0;                        ///< levels of detail besides the solids
+  std::optional<BakeOptions> bake{};  ///< none: colours at vertices
+};
+
+/// Takes solids as they come, and holds none: what has become of them waits on the disk. The bytes are those that
+/// write_glb() makes of the whole scene.
+class StreamedGlb {
+ public:
+  /// \throws Error (cannot_create)
+  StreamedGlb(std::filesystem::path file, StreamedGlbOptions options);
+
+  const std::filesystem::path& file() const { return file_; }
+
+  /// The scene's next solids.
+  void take(std::span<const Solid> solids);
+
+  /// Once, when all have been taken. \param scene with without_looks() of them.
+  OutputFile finished(const Scene& scene);
+
+  /// What was measured and counted.
+  const StageTimes& times() const { return times_; }
+
+  /// What the levels came to.
+  const LevelCounts& levels() const { return levels_; }
+
+ private:
+  std::filesystem::path file_;
+  StreamedGlbOptions options_;
+  std::shared_ptr<SpooledBytes> spool_;
+  GlbStream stream_;
+  StageTimes times_;
+  LevelCounts levels_;
+};
+
+}  // namespace pomona
