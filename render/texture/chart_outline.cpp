@@ -79,9 +79,9 @@ void mark_line(BlockMask& mask, const glm::dvec2& p, const glm::dvec2& q) {
       from = std::clamp((y - slack - upper.y) / rise, 0.0, 1.0);
       to = std::clamp((y + 1 + slack - upper.y) / rise, 0.0, 1.0);
     }
-    const auto [low, high] = std::minmax(upper.x + from * (lower.x - upper.x), upper.x + to * (lower.x - upper.x));
-    const int left = std::max(0, static_cast<int>(std::floor(low - slack)));
-    const int right = std::min(mask.width - 1, static_cast<int>(std::floor(high + slack)));
+    const double begin = upper.x + from * (lower.x - upper.x), end = upper.x + to * (lower.x - upper.x);
+    const int left = std::max(0, static_cast<int>(std::floor(std::min(begin, end) - slack)));
+    const int right = std::min(mask.width - 1, static_cast<int>(std::floor(std::max(begin, end) + slack)));
     for (int x = left; x <= right; ++x) mask.set(x, y);
   }
 }
