@@ -260,8 +260,8 @@ class Packer {
 };
 
 /// What finding a better place for charts may cost, words that are read: a share of what a texel costs.
-std::size_t looks_for(const glm::ivec2& size) { return static_cast<std::size_t>(size.x) * size.y * 16; }
-constexpr std::uint64_t most_ways = 200, ways_at_a_scale = 12;
+std::size_t looks_for(const glm::ivec2& size) { return static_cast<std::size_t>(size.x) * size.y * 24; }
+constexpr std::uint64_t most_ways = 2000, ways_at_a_scale = 24;
 
 /// Halves the interval between a scale that fits and one that cannot; then looks for other ways to place the charts
 /// that let them be a little larger.
