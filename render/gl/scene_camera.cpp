@@ -50,12 +50,14 @@ SceneBall ball_around(const Scene& scene) {
 TableShade table_shade_of(const Scene& scene, const SceneBall& ball) {
   const std::vector<Box<float>> boxes = placed_boxes(scene);
   if (!scene.ground || boxes.empty()) return {};
-  float height = 0;
-  for (const Box<float>& box : boxes) height += box.size().y / static_cast<float>(boxes.size());
+  // A cherry's stem or a leek makes nothing larger that stands on the table.
+  float size = 0;
+  for (const Box<float>& box : boxes)
+    size += std::min(box.size().y, std::max(box.size().x, box.size().z)) / static_cast<float>(boxes.size());
 
   // The map's depth runs from a little under the table up to its reach.
   TableShade shade;
-  shade.reach = std::clamp(0.6f * height, 0.01f * ball.radius, ball.radius);
+  shade.reach = std::clamp(0.6f * size, 0.01f * ball.radius, ball.radius);
   shade.side = 2.04f * ball.radius;
   const float half = 0.5f * shade.side, under = 0.02f * shade.reach;
   const glm::vec3 eye(ball.center.x, -under, ball.center.z);

@@ -36,7 +36,7 @@ SceneLight light_of(const SceneCamera& camera, const SceneBall& ball, const Ligh
 /// What stands on the table, seen from below: it takes sky from the table around where it stands.
 struct TableShade {
   glm::mat4 to_clip{1};  ///< scene to clip space; depth is height over the table, up to the reach
-  float reach = 0;       ///< metres: six tenths of the pieces' mean height; 0 without a table
+  float reach = 0;       ///< metres: six tenths of the pieces' mean height, or width if that is less; 0 without a table
   float side = 1;        ///< of the map, metres
 };
 
