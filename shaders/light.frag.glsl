@@ -15,6 +15,9 @@ uniform float reach;          // metres over which things take each other's sky
 uniform float light_size;     // share of the shadow map's side per unit of its depth
 uniform vec2 shadow_bias;     // metres along the normal; depth
 uniform vec2 strengths;       // of what surroundings take; of shadows
+uniform sampler2D lowest;     // how high over the table something begins, shares of its reach; 1: nothing
+uniform mat4 camera_to_table; // camera to that map's box, 0..1 each way
+uniform vec2 table_reach;     // over which the table loses sky: metres, and a share of the map's side
 
 layout(location = 0) out vec4 light;  // sky, light, distance
 
@@ -38,11 +41,13 @@ float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, float tur
     vec2 step_away = spiral(i, count, turn);
     step_away *= length(step_away);  // denser near the point: contacts count most
     ivec2 there = clamp(at + ivec2(step_away * radius), ivec2(0), ivec2(size) - 1);
-    float unused;
-    vec3 v = camera_point(there, size, unused) - p;
+    float beyond;
+    vec3 v = camera_point(there, size, beyond) - p;
     float squared = dot(v, v);
     float rise = dot(v, n) - 0.0015 * distance_to;
     float fade = max(0.0, 1.0 - squared / (reach * reach));
+    // Where nothing is there is no wall either: the table's far end stays clean.
+    fade = beyond < 0.999 * depth_range.y ? fade : 0.0;
     taken += fade * fade * max(rise, 0.0) * inversesqrt(squared + 1e-4 * reach * reach);
   }
   return clamp(1.0 - 3.4 * taken / float(count), 0.0, 1.0);
@@ -65,6 +70,20 @@ float behind_others(float distance_to, ivec2 at, vec2 size, float turn) {
     standing += share * smoothstep(0.05 * reach, 0.35 * reach, gap) * (1.0 - smoothstep(1.5 * reach, 4.0 * reach, gap));
   }
   return standing / all;
+}
+
+// What the table sees of the sky beside and under what stands on it, however much of that the eye sees: each piece is
+// seen to stand, and not to hover.
+float sky_over_table(vec3 p, float turn) {
+  const int count = 24;
+  vec2 here = (camera_to_table * vec4(p, 1.0)).xy;
+  float taken = 0.0;
+  for (int i = 0; i < count; ++i) {
+    vec2 away = spiral(i, count, turn);
+    float height = texture(lowest, here + table_reach.y * away).r;
+    taken += max(0.0, 1.0 - sqrt(dot(away, away) + height * height));
+  }
+  return clamp(1.0 - 3.0 * taken / float(count), 0.0, 1.0);
 }
 
 float light_seen(vec3 p, vec3 n, float turn) {
@@ -100,6 +119,7 @@ void main() {
   vec3 n = mat3(view) * texelFetch(normal_line, at, 0).xyz;
   float turn = interleaved(gl_FragCoord.xy);
   vec2 seen = vec2(sky_seen(p, n, distance_to, at, size, turn), light_seen(p, n, turn));
+  if (table_reach.x > 0.0 && instance_of(texelFetch(ids, at, 0).r) == 0u) seen.x *= sky_over_table(p, turn);
   seen.x *= 1.0 - 1.1 * behind_others(distance_to, at, size, turn);
   light = vec4(clamp(1.0 - strengths * (1.0 - seen), 0.0, 1.0), distance_to, 0.0);
 }

@@ -96,9 +96,15 @@ std::string thumbnail(const Scene& laid, std::span<const StyledMesh> meshes, con
       draw_thumbnail(laid, meshes, style, {.size = assets.thumbnail, .on_paper = assets.thumbnail_on_paper}));
 }
 
+/// Whether any solid has another shape.
+bool is_bent(const Scene& laid, const Scene& scene) {
+  return !std::equal(laid.solids.begin(), laid.solids.end(), scene.solids.begin(), scene.solids.end(),
+                     [](const Solid& a, const Solid& b) { return a.position == b.position; });
+}
+
 std::vector<NamedFile> asset_files(const AssetOptions& assets, const BatchItem& item, const Scene& scene,
                                    const std::string& name, const ExportOptions& options) {
-  // A thumbnail shows the pieces elsewhere, but their meshes are the same.
+  // A thumbnail shows the pieces elsewhere; their meshes are the same, but for a peel that hangs.
   std::vector<NamedFile> files;
   const Scene laid = laid_out(scene, 1);
   const std::vector<StyledMesh> meshes =
@@ -111,7 +117,9 @@ std::vector<NamedFile> asset_files(const AssetOptions& assets, const BatchItem& 
     if (format != AssetFormat::pov) continue;
     for (NamedFile& part : pov(scene, name, options)) files.push_back(std::move(part));
   }
-  if (assets.thumbnail > 0) files.push_back({"thumbnail.png", thumbnail(laid, meshes, assets, options.style)});
+  if (assets.thumbnail > 0)
+    files.push_back({"thumbnail.png", thumbnail(laid, is_bent(laid, scene) ? styled_meshes(laid, options) : meshes,
+                                                assets, options.style)});
   return files;
 }
 

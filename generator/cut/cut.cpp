@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/parallel.h"
 #include "generator/cut/carve/carve.h"
 #include "generator/cut/cut_observer.h"
+#include "generator/cut/held_back.h"
 #include "generator/cut/pieces.h"
 #include "generator/cut/plane/clipped_surfaces.h"
 #include "generator/cut/plane/plane_regions.h"
@@ -143,15 +145,23 @@ class Cutter {
     return watched(observer_, "carve", [&] {
       fruit = with_joined_points(std::move(fruit));
       const Knife& shape = knives_[number];
+      const ClosedCut& closed = std::get<ClosedCut>(shape.cut);
+      const ClosedSurface surface = surface_of(closed, surfaces_);
       ClosedKnife knife;
-      knife.mesh =
-          refined_for(fruit, knife_mesh(surface_of(std::get<ClosedCut>(shape.cut), surfaces_), shape.text), limits);
       knife.number = static_cast<int>(number);
       knife.plane = planes_.count() + knife.number;
       for (std::size_t later = number + 1; later < knives_.size(); ++later) {
         knife.stride *= static_cast<std::uint32_t>(planes_.knives[later].cell_count());
       }
-      return carve(std::move(fruit), knife, surfaces_, bodies_);
+      // A corer pushes leaves aside.
+      HeldBack held{std::move(fruit), {}};
+      if (std::holds_alternative<CoreKnife>(closed))
+        held = held_back(std::move(held.fruit), surface, knife.stride, surfaces_, bodies_);
+      knife.mesh = refined_for(held.fruit, knife_mesh(surface, shape.text), limits);
+      Cutting cutting = carve(std::move(held.fruit), knife, surfaces_, bodies_);
+      std::vector<SurfaceTriangle>& all = cutting.fruit.surface;
+      all.insert(all.end(), held.triangle.begin(), held.triangle.end());
+      return cutting;
     });
   }
 

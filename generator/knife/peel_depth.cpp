@@ -6,15 +6,11 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
-#include "generator/surface/shell_geometry.h"
+#include "generator/surface/outer_bodies.h"
 
 namespace pomona {
 
 namespace {
-
-/// Share of the fruit's diagonal from which on a body that sticks out stays. Seeds and achenes in the skin are smaller,
-/// and are peeled off with it.
-constexpr double least_stem = 0.1;
 
 /// The distance from a body's surface, metres, negative inside, as a "depth", and the direction in which it grows.
 /// Outside, surface farther than `within` is not looked for, and the distance is then infinite.
@@ -26,12 +22,6 @@ PeelDepth::Place outside_of(const TriangleTree& body, const glm::dvec3& point, d
   return {distance, near.distance > 0 && std::isfinite(near.distance) ? way / near.distance : glm::dvec3(0)};
 }
 
-/// True if any triangle of the body begins outside the skin.
-bool sticks_out(const TriangleTree& body, const TriangleTree& skin) {
-  return std::any_of(body.triangles().begin(), body.triangles().end(),
-                     [&](const TriangleTree::Corners& t) { return !skin.contains(t[0]); });
-}
-
 }  // namespace
 
 PeelDepth::PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double clearance)
@@ -41,16 +31,9 @@ PeelDepth::PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double
                 "see docs/formats.md on hidden sides");
   }
 
-  // Keep the bodies that are large and stick out. The main body itself, which is among the shells, is none of them.
   box_ = skin().box();
-  const double size = glm::length(box_.high - box_.low);
-  for (const Shell& shell : measured_shells(surfaces, find_shells(surfaces))) {
-    if (!shell.closed || shell.volume <= 0 || glm::length(shell.bounds.size()) < least_stem * size) continue;
-    const TriangleTree body(surfaces.position, shell.triangles);
-    if (body.triangles() == skin().triangles() || !sticks_out(body, skin())) continue;
-    stays_.push_back(body);
-    box_.add(body.box());
-  }
+  stays_ = outer_bodies(surfaces, skin()).body;
+  for (const TriangleTree& body : stays_) box_.add(body.box());
 }
 
 PeelDepth::Place PeelDepth::at(const glm::dvec3& point) const {

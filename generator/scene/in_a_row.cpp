@@ -27,8 +27,10 @@ Scene in_a_row(std::vector<Solid> solids) {
   std::vector<Box<double>> bounds;
   std::vector<Pose> poses;
   double widest = 0;
-  for (const Solid& solid : solids) {
-    poses.push_back(laid_out(gathered({solid})).instances.front().pose);
+  for (Solid& solid : solids) {
+    Scene laid = laid_out(gathered({solid}));
+    poses.push_back(laid.instances.front().pose);
+    solid = std::move(laid.solids.front());
     bounds.push_back(posed_bounds(solid, poses.back()));
     widest = std::max(widest, bounds.back().size().x);
   }

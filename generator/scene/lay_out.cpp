@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -10,6 +11,7 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/mesh/box.h"
+#include "generator/scene/hanging_peel.h"
 #include "generator/scene/settle/drop.h"
 #include "generator/scene/table_pose.h"
 
@@ -142,17 +144,30 @@ std::vector<glm::dvec3> best_places(const Tray& tray, const glm::dvec3& back, do
   return best;
 }
 
-/// Turns all pieces. \returns which of them are slender, and how much of all stands as it grew, shares of volume.
+/// Hangs up what is a strip of peel. \returns whether there is any.
+bool hang_peels(Scene& table) {
+  bool any = false;
+  for (Solid& solid : table.solids) {
+    std::optional<Solid> hung = hanging_peel(solid);
+    if (!hung) continue;
+    solid = std::move(*hung);
+    any = true;
+  }
+  return any;
+}
+
+/// Turns all pieces. \param upright what is not cut flat stands as it grew. \returns which of them are slender, and how
+/// much of all stands as it grew, shares of volume.
 struct Turned {
   std::size_t slender = 0;
   double as_grown = 0;
 };
-Turned turn_all(Scene& table, const glm::dvec3& eye) {
+Turned turn_all(Scene& table, const glm::dvec3& eye, bool upright) {
   Turned turned;
   double volume = 0, standing_volume = 0;
   for (Instance& instance : table.instances) {
     const Solid& solid = table.solids[static_cast<std::size_t>(instance.solid)];
-    const TablePose pose = table_pose(solid, eye);
+    const TablePose pose = upright ? standing_pose(solid, eye) : table_pose(solid, eye);
     instance.pose.rotation = pose.rotation;
     turned.slender += pose.slender ? 1 : 0;
     volume += solid.volume;
@@ -182,10 +197,11 @@ Scene laid_out(const Scene& scene, double aspect) {
   table.ground = true;
   glm::dvec3 eye = eye_over_table();
   if (!table.instances.empty()) {
-    Turned turned = turn_all(table, eye);
+    const bool hangs = hang_peels(table);
+    Turned turned = turn_all(table, eye, hangs);
     if (turned.as_grown > 0.5) {
       eye = eye_beside_table();
-      turned = turn_all(table, eye);
+      turned = turn_all(table, eye, hangs);
     }
     const Tray tray = tray_of(table, 2 * turned.slender > table.instances.size());
     const std::vector<glm::dvec3> place = best_places(tray, eye, aspect);

@@ -240,6 +240,14 @@ class Chooser {
     return best;
   }
 
+  /// As it grew, and not laid down either; nothing is chosen for what was cut flat.
+  Choice choose_standing() const {
+    Choice best;
+    const auto is_wide = [&](const CutSide& side) { return side.flat && side.area > 0.15 * areas_.cut(); };
+    if (std::none_of(sides_.begin(), sides_.end(), is_wide)) try_all({{0, 1, 0}, false, true}, best);
+    return best;
+  }
+
   /// Whether the piece lies on its back, and its largest cut face looks up.
   bool on_its_back(const Rest& rest) const {
     return !rest.as_grown && !rest.on_flat && !sides_.empty() && glm::dot(sides_[0].normal, rest.up) > 0.8;
@@ -299,6 +307,13 @@ glm::dvec3 eye_over_table() { return {0, reproducible::sin(eye_height), reproduc
 glm::dvec3 eye_beside_table() { return {0, reproducible::sin(low_eye_height), reproducible::cos(low_eye_height)}; }
 
 glm::dvec3 diagonal_on_table() { return {reproducible::sin(diagonal_angle), 0, -reproducible::cos(diagonal_angle)}; }
+
+TablePose standing_pose(const Solid& solid, const glm::dvec3& eye) {
+  if (solid.position.empty()) return {};
+  const Choice choice = Chooser(solid, eye).choose_standing();
+  if (choice.score < 0) return table_pose(solid, eye);
+  return {standing_frame(choice.rest.up, choice.front), false, true};
+}
 
 TablePose table_pose(const Solid& solid, const glm::dvec3& eye) {
   if (solid.position.empty()) return {};

@@ -32,4 +32,7 @@ struct TablePose {
 /// \param eye eye_over_table() or eye_beside_table().
 TablePose table_pose(const Solid& solid, const glm::dvec3& eye = eye_over_table());
 
+/// The same for a piece beside a hanging peel: what has no flat cut faces stands as it grew, and is not laid down.
+TablePose standing_pose(const Solid& solid, const glm::dvec3& eye);
+
 }  // namespace pomona

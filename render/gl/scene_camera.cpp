@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -16,23 +17,53 @@ glm::mat4 matrix_of(const Pose& pose) {
   return glm::mat4(matrix);
 }
 
-SceneBall ball_around(const Scene& scene) {
-  // The box of each solid, placed; then the box of all.
-  std::vector<Box<float>> boxes;
-  for (const Solid& solid : scene.solids) boxes.push_back(box_around(solid.position));
-  Box<float> all;
+namespace {
+
+/// Of every instance that has any vertices, the box of its solid's box, placed.
+std::vector<Box<float>> placed_boxes(const Scene& scene) {
+  std::vector<Box<float>> own;
+  for (const Solid& solid : scene.solids) own.push_back(box_around(solid.position));
+  std::vector<Box<float>> placed;
   for (const Instance& instance : scene.instances) {
-    const auto& [a, b] = boxes[instance.solid];
+    const auto& [a, b] = own[instance.solid];
     if (a.x > b.x) continue;
     const glm::mat4 place = matrix_of(instance.pose);
+    Box<float>& box = placed.emplace_back();
     for (int corner = 0; corner < 8; ++corner) {
       const glm::vec4 at((corner & 1) != 0 ? b.x : a.x, (corner & 2) != 0 ? b.y : a.y, (corner & 4) != 0 ? b.z : a.z,
                          1);
-      all.add(glm::vec3(place * at));
+      box.add(glm::vec3(place * at));
     }
   }
+  return placed;
+}
+
+}  // namespace
+
+SceneBall ball_around(const Scene& scene) {
+  Box<float> all;
+  for (const Box<float>& box : placed_boxes(scene)) all.add(box);
   if (all.low.x > all.high.x) return {glm::vec3(0), 0.1f};
   return {all.center(), std::max(0.5f * glm::length(all.size()), 1e-4f)};
+}
+
+TableShade table_shade_of(const Scene& scene, const SceneBall& ball) {
+  const std::vector<Box<float>> boxes = placed_boxes(scene);
+  if (!scene.ground || boxes.empty()) return {};
+  // A cherry's stem or a leek makes nothing larger that stands on the table.
+  float size = 0;
+  for (const Box<float>& box : boxes)
+    size += std::min(box.size().y, std::max(box.size().x, box.size().z)) / static_cast<float>(boxes.size());
+
+  // The map's depth runs from a little under the table up to its reach.
+  TableShade shade;
+  shade.reach = std::clamp(0.6f * size, 0.01f * ball.radius, ball.radius);
+  shade.side = 2.04f * ball.radius;
+  const float half = 0.5f * shade.side, under = 0.02f * shade.reach;
+  const glm::vec3 eye(ball.center.x, -under, ball.center.z);
+  const glm::mat4 view = glm::lookAt(eye, eye + glm::vec3(0, 1, 0), glm::vec3(0, 0, 1));
+  shade.to_clip = glm::ortho(-half, half, -half, half, 0.0f, shade.reach + under) * view;
+  return shade;
 }
 
 SceneCamera camera_of(const Scene& scene, const SceneBall& ball, double aspect) {

@@ -33,6 +33,15 @@ struct SceneLight {
 
 SceneLight light_of(const SceneCamera& camera, const SceneBall& ball, const LightStyle& style);
 
+/// What stands on the table, seen from below: it takes sky from the table around where it stands.
+struct TableShade {
+  glm::mat4 to_clip{1};  ///< scene to clip space; depth is height over the table, up to the reach
+  float reach = 0;       ///< metres: six tenths of the pieces' mean height, or width if that is less; 0 without a table
+  float side = 1;        ///< of the map, metres
+};
+
+TableShade table_shade_of(const Scene& scene, const SceneBall& ball);
+
 /// A pose as a matrix.
 glm::mat4 matrix_of(const Pose& pose);
 

@@ -21,7 +21,7 @@ namespace pomona {
 
 namespace {
 
-constexpr int shadow_side = 2048;  // samples of the shadow map each way
+constexpr int shadow_side = 2048, table_side = 1024;  // samples of the maps each way
 
 /// What is nearest at each sample.
 struct Surfaces {
@@ -42,6 +42,7 @@ struct Targets {
         light{GlTexture(gl, GL_RGBA16F, options.width, options.height),
               GlTexture(gl, GL_RGBA16F, options.width, options.height)},
         shadow(gl, GL_DEPTH_COMPONENT32F, shadow_side, shadow_side),
+        lowest(gl, GL_DEPTH_COMPONENT32F, table_side, table_side),
         picture(gl, GL_RGBA8, options.width, options.height) {}
 
   glm::ivec2 samples;
@@ -50,6 +51,7 @@ struct Targets {
   std::optional<GlTexture> guide_ways, guide_shares;  // what guides texture detail, where there is any
   std::array<GlTexture, 2> light;                     // one per pixel: sky, light, distance
   GlTexture shadow;
+  GlTexture lowest;                          // what stands on the table, from below
   std::optional<GlTexture> far_shadow;       // what lies farthest from the light, where anything is translucent
   std::optional<GlTexture> arrives, leaves;  // one per pixel: sunlight through the fruit, likewise
   std::optional<GlTexture> hairs;            // over the ink, where there are any
@@ -68,6 +70,7 @@ class ScenePainter {
         ball_(ball_around(scene)),
         camera_(camera_of(scene, ball_, static_cast<double>(options.width) / options.height)),
         light_(light_of(camera_, ball_, style.light)),
+        shade_(table_shade_of(scene, ball_)),
         targets_(gl, options, side_),
         solids_(gl, scene, style),
         texels_(instance_texels(scene, camera_, style, targets_.samples)),
@@ -76,7 +79,8 @@ class ScenePainter {
         nothing_(gl) {}
 
   Image painted() {
-    cast_shadows();
+    cast_shadows(targets_.shadow, shadow_side, light_.to_clip);
+    if (shade_.reach > 0) cast_shadows(targets_.lowest, table_side, shade_.to_clip);
     draw_surfaces();
     if (solids_.detail_styles()) draw_guides();
     if (solids_.any(Drawn::see_through)) draw_glass();
@@ -88,7 +92,7 @@ class ScenePainter {
   }
 
  private:
-  void cast_shadows();
+  void cast_shadows(const GlTexture& map, int side, const glm::mat4& to_clip);
   void draw_surfaces();
   void draw_ground();
   void draw_guides();
@@ -103,7 +107,7 @@ class ScenePainter {
 
   void fill(const GlFramebuffer& target, const glm::ivec2& size);
   void set_camera(const Program& program, const Surfaces& surfaces) const;
-  glm::mat4 to_light_box() const;
+  glm::mat4 to_unit_box(const glm::mat4& to_clip) const;
 
   const CurrentGl& gl_;
   const Scene& scene_;
@@ -113,6 +117,7 @@ class ScenePainter {
   SceneBall ball_;
   SceneCamera camera_;
   SceneLight light_;
+  TableShade shade_;
   Targets targets_;
   PlacedSolids solids_;
   std::vector<InstanceTexels> texels_;
@@ -121,9 +126,9 @@ class ScenePainter {
   GlVertexArray nothing_;  // for passes that fill the picture
 };
 
-void ScenePainter::cast_shadows() {
-  const GlFramebuffer target(gl_, {}, &targets_.shadow);
-  target.bind(shadow_side, shadow_side);
+void ScenePainter::cast_shadows(const GlTexture& map, int side, const glm::mat4& to_clip) {
+  const GlFramebuffer target(gl_, {}, &map);
+  target.bind(side, side);
   const float far = 1;
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_LESS);
@@ -138,10 +143,10 @@ void ScenePainter::cast_shadows() {
     const char* definition = which == Drawn::see_through ? "SEE_THROUGH" : "";
     const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl", definition);
     program.use();
-    program.set("projection", light_.to_clip);
+    program.set("projection", to_clip);
     solids_.draw(program, which);
   }
-  gl_.check("the shadow map");
+  gl_.check("a shadow map");
 }
 
 void ScenePainter::draw_surfaces() {
@@ -239,11 +244,11 @@ void ScenePainter::set_camera(const Program& program, const Surfaces& surfaces) 
   instances_.bind(3);
 }
 
-/// From the camera to the shadow map's box, 0..1 each way.
-glm::mat4 ScenePainter::to_light_box() const {
+/// From the camera to a map's box, 0..1 each way.
+glm::mat4 ScenePainter::to_unit_box(const glm::mat4& to_clip) const {
   const glm::mat4 to_unit(glm::vec4(0.5f, 0, 0, 0), glm::vec4(0, 0.5f, 0, 0), glm::vec4(0, 0, 0.5f, 0),
                           glm::vec4(0.5f, 0.5f, 0.5f, 1));
-  return to_unit * light_.to_clip * glm::inverse(camera_.view);
+  return to_unit * to_clip * glm::inverse(camera_.view);
 }
 
 void ScenePainter::look_for_light() {
@@ -251,13 +256,17 @@ void ScenePainter::look_for_light() {
   const Program program(gl_, "fullscreen.vert.glsl", "light.frag.glsl");
   program.use();
   set_camera(program, targets_.opaque);
-  program.set("camera_to_light", to_light_box());
+  program.set("camera_to_light", to_unit_box(light_.to_clip));
   program.set("reach", 0.16f * ball_.radius);
   program.set("light_size", static_cast<float>(style_.light.softness));
   program.set("strengths", glm::vec2(style_.light.occlusion, style_.shadow.strength));
   program.set("shadow_bias", glm::vec2(0.004f * ball_.radius, 0.0012f));
   program.set("shadow_map", 4);
   targets_.shadow.bind(4);
+  program.set("camera_to_table", to_unit_box(shade_.to_clip));
+  program.set("table_reach", glm::vec2(shade_.reach, shade_.reach / shade_.side));
+  program.set("lowest", 5);
+  targets_.lowest.bind(5);
   const std::array<const GlTexture*, 1> raw{&targets_.light[0]}, soft{&targets_.light[1]};
   const GlFramebuffer to_raw(gl_, raw, nullptr), to_soft(gl_, soft, nullptr);
   fill(to_raw, size);
@@ -287,7 +296,7 @@ void ScenePainter::look_through() {
   const Program program(gl_, "fullscreen.vert.glsl", "through.frag.glsl");
   program.use();
   set_camera(program, targets_.opaque);
-  program.set("camera_to_light", to_light_box());
+  program.set("camera_to_light", to_unit_box(light_.to_clip));
   program.set("light_box", light_.box);
   program.set("slack", 0.004f * ball_.radius);
   program.set("shadow_map", 4);

@@ -1,241 +1,315 @@
 #include "render/texture/atlas.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <utility>
 
 #include "generator/base/cross.h"
 #include "generator/base/error.h"
+#include "generator/base/random.h"
+#include "generator/base/reproducible.h"
+#include "render/texture/chart_outline.h"
 
 namespace pomona {
 
 namespace {
 
-/// Which blocks a chart needs, as rows of bits.
-struct Mask {
-  int width = 0, height = 0;
-  std::vector<std::uint64_t> bits;  // words() per row
-  std::int64_t count = 0;
+/// A row of blocks as bits.
+using BitRow = std::vector<std::uint64_t>;
 
-  Mask(int w, int h) : width(w), height(h), bits(static_cast<std::size_t>(words()) * h, 0) {}
-  int words() const { return (width + 63) / 64; }
-  void set(int x, int y) { bits[static_cast<std::size_t>(y) * words() + x / 64] |= std::uint64_t{1} << (x % 64); }
-  bool has(int x, int y) const { return ((bits[static_cast<std::size_t>(y) * words() + x / 64] >> (x % 64)) & 1) != 0; }
-  bool operator==(const Mask& o) const { return width == o.width && height == o.height && bits == o.bits; }
+/// ORs the row, moved down by `shift` bits, into `to`. Beyond its end all is 0.
+void or_moved(BitRow& to, const BitRow& row, int shift) {
+  const std::size_t words = row.size(), skip = static_cast<std::size_t>(shift / 64);
+  const int bits = shift % 64;
+  for (std::size_t w = 0; w + skip < words; ++w) {
+    std::uint64_t word = row[w + skip] >> bits;
+    if (bits != 0 && w + skip + 1 < words) word |= row[w + skip + 1] << (64 - bits);
+    to[w] |= word;
+  }
+}
+
+/// A mask's rows as runs of blocks side by side.
+struct Run {
+  int row = 0, begin = 0, length = 0;
+};
+std::vector<Run> runs_of(const BlockMask& mask) {
+  std::vector<Run> runs;
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x) {
+      if (!mask.has(x, y)) continue;
+      const int begin = x;
+      while (x < mask.width && mask.has(x, y)) ++x;
+      runs.push_back({y, begin, x - begin});
+    }
+  }
+  return runs;
+}
+
+/// What a chart needs when it is turned in one way.
+struct Shape {
+  BlockMask mask;
+  std::vector<Run> runs;
+  explicit Shape(BlockMask of) : mask(std::move(of)), runs(runs_of(mask)) {}
 };
 
-/// Whether a triangle comes within `slack` of the unit square at (x, y).
-bool touches(const std::array<glm::dvec2, 3>& p, int x, int y, double slack) {
-  const glm::dvec2 center(x + 0.5, y + 0.5);
-  const double half = 0.5 + slack;
-  const double turn = cross(p[1] - p[0], p[2] - p[0]) < 0 ? -1 : 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const glm::dvec2 e = turn * (p[(k + 1) % 3] - p[k]);
-    if (cross(e, center - p[k]) < -half * (std::abs(e.x) + std::abs(e.y))) return false;
-  }
-  return true;  // within the triangle's box, as the caller sees to
-}
-
-/// The blocks whose texels a bilinear look-up reads, at the scale `blocks_per_metre`: with the chart's lower corner in
-/// the middle of block (0, 0), a look-up at p reads block floor(p) and its right and lower neighbours.
-Mask mask_of(const Chart& chart, double blocks_per_metre) {
-  // The blocks in which a look-up may lie: those that a triangle touches.
-  constexpr double slack = 1e-3;
-  const glm::ivec2 cells(glm::floor(chart.size * blocks_per_metre + slack) + 1.0);
-  Mask touched(cells.x, cells.y);
-  for (const glm::uvec3& t : chart.corners) {
-    const std::array<glm::dvec2, 3> p{chart.flat[t.x] * blocks_per_metre, chart.flat[t.y] * blocks_per_metre,
-                                      chart.flat[t.z] * blocks_per_metre};
-    const glm::ivec2 low(glm::floor(glm::min(p[0], glm::min(p[1], p[2])) - slack));
-    const glm::ivec2 high(glm::floor(glm::max(p[0], glm::max(p[1], p[2])) + slack));
-    for (int y = std::max(0, low.y); y <= std::min(high.y, cells.y - 1); ++y) {
-      for (int x = std::max(0, low.x); x <= std::min(high.x, cells.x - 1); ++x) {
-        if (!touched.has(x, y) && touches(p, x, y, slack)) touched.set(x, y);
-      }
-    }
-  }
-
-  // From each of them a look-up also reads the blocks to the right and below.
-  Mask mask(cells.x + 1, cells.y + 1);
-  for (int y = 0; y < cells.y; ++y) {
-    for (int x = 0; x < cells.x; ++x) {
-      if (!touched.has(x, y)) continue;
-      for (const glm::ivec2 at : {glm::ivec2(x, y), {x + 1, y}, {x, y + 1}, {x + 1, y + 1}}) mask.set(at.x, at.y);
-    }
-  }
-  for (const std::uint64_t word : mask.bits) mask.count += std::popcount(word);
-  return mask;
-}
-
-Mask speck_mask() {
-  Mask mask(1, 1);
-  mask.set(0, 0);
-  mask.count = 1;
-  return mask;
-}
-
-/// Blocks that are taken, row by row, with room to read past a row's end.
+/// Blocks that are taken. Each row is also kept with every block taken that has a taken one among the 2^k that begin
+/// with it, so that one look tells for a whole row of places whether a run meets anything.
 class Field {
  public:
-  explicit Field(const glm::ivec2& blocks)
-      : blocks_(blocks), words_((blocks.x + 63) / 64 + 1), taken_(static_cast<std::size_t>(words_) * blocks.y, 0) {}
+  explicit Field(const glm::ivec2& blocks) : blocks_(blocks), words_(static_cast<std::size_t>(blocks.x + 63) / 64) {
+    const auto levels = static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(blocks.x)));
+    rows_.assign(static_cast<std::size_t>(blocks.y), std::vector<BitRow>(levels, BitRow(words_, 0)));
+  }
 
-  /// The first place, row by row and not before `start`, where the mask meets nothing.
-  std::optional<glm::ivec2> place(const Mask& mask, glm::ivec2 start) const {
-    for (int y = start.y; y + mask.height <= blocks_.y; ++y) {
-      for (int x = y == start.y ? start.x : 0; x + mask.width <= blocks_.x; ++x) {
-        if (fits(mask, x, y)) return glm::ivec2(x, y);
+  /// The first place, row by row and not before row `start`, where the shape meets nothing.
+  std::optional<glm::ivec2> place(const Shape& shape, int start) const {
+    BitRow blocked(words_);
+    const int last = blocks_.x - shape.mask.width;
+    for (int y = start; y + shape.mask.height <= blocks_.y && last >= 0; ++y) {
+      std::fill(blocked.begin(), blocked.end(), 0);
+      for (const Run& run : shape.runs) {
+        const std::vector<BitRow>& row = rows_[static_cast<std::size_t>(y + run.row)];
+        const int level = std::bit_width(static_cast<unsigned>(run.length)) - 1;
+        or_moved(blocked, row[static_cast<std::size_t>(level)], run.begin);
+        or_moved(blocked, row[static_cast<std::size_t>(level)], run.begin + run.length - (1 << level));
+        looks_ += 2 * words_;
+      }
+      for (int x = 0; x <= last; ++x) {
+        const std::uint64_t rest = blocked[static_cast<std::size_t>(x) / 64] >> (x % 64);
+        const int taken = std::countr_one(rest);
+        if (taken == 0) return glm::ivec2(x, y);
+        x += std::min(taken, 64 - x % 64) - 1;
       }
     }
     return std::nullopt;
   }
 
-  void take(const Mask& mask, const glm::ivec2& at) {
-    for (int y = 0; y < mask.height; ++y) {
-      for (int x = 0; x < mask.width; ++x) {
-        if (mask.has(x, y)) word(at.x + x, at.y + y) |= std::uint64_t{1} << ((at.x + x) % 64);
+  void take(const Shape& shape, const glm::ivec2& at) {
+    for (const Run& run : shape.runs) {
+      std::vector<BitRow>& row = rows_[static_cast<std::size_t>(at.y + run.row)];
+      for (int x = at.x + run.begin; x < at.x + run.begin + run.length; ++x)
+        row[0][static_cast<std::size_t>(x) / 64] |= std::uint64_t{1} << (x % 64);
+      for (std::size_t level = 1; level < row.size(); ++level) {
+        row[level] = row[level - 1];
+        or_moved(row[level], row[level - 1], 1 << (level - 1));
       }
     }
   }
+
+  std::size_t looks() const { return looks_; }  ///< what has been done so far: words that were read
 
  private:
-  std::uint64_t& word(int x, int y) { return taken_[static_cast<std::size_t>(y) * words_ + x / 64]; }
-
-  bool fits(const Mask& mask, int x, int y) const {
-    const int shift = x % 64, words = mask.words();
-    for (int row = 0; row < mask.height; ++row) {
-      const std::uint64_t* const taken = &taken_[static_cast<std::size_t>(y + row) * words_ + x / 64];
-      const std::uint64_t* const wanted = &mask.bits[static_cast<std::size_t>(row) * words];
-      for (int w = 0; w < words; ++w) {
-        if ((taken[w] & (wanted[w] << shift)) != 0) return false;
-        if (shift != 0 && x / 64 + w + 1 < words_ && (taken[w + 1] & (wanted[w] >> (64 - shift))) != 0) return false;
-      }
-    }
-    return true;
-  }
-
   glm::ivec2 blocks_;
-  int words_;
-  std::vector<std::uint64_t> taken_;
+  std::size_t words_;
+  std::vector<std::vector<BitRow>> rows_;  // per row, per k
+  mutable std::size_t looks_ = 0;
 };
 
-double area_of(const Chart& chart) {
+double area_of(const std::vector<ChartOutline>& charts) {
   double area = 0;
-  for (const glm::uvec3& t : chart.corners)
-    area += 0.5 * std::abs(cross(chart.flat[t.y] - chart.flat[t.x], chart.flat[t.z] - chart.flat[t.x]));
-  return area;
-}
-
-double area_of(const std::vector<Chart>& charts) {
-  double area = 0;
-  for (const Chart& chart : charts) area += area_of(chart);
+  for (const ChartOutline& chart : charts) area += chart.area();
   return area;
 }
 
 constexpr double longest_speck = 16, largest_speck = 6;  // texels, and square texels
 
-/// All charts at one scale, the largest first; nothing if they do not fit.
-class Packer {
- public:
-  Packer(const std::vector<Chart>& charts, double texels_per_metre, int mip_levels)
-      : charts_(charts), scale_(texels_per_metre), mip_levels_(mip_levels) {
-    const double texels_per_block = 1 << mip_levels;
-    masks_.reserve(charts.size());
-    for (const Chart& chart : charts) areas_.push_back(area_of(chart));
-    for (std::size_t c = 0; c < charts.size(); ++c)
-      masks_.push_back(is_speck(c) ? speck_mask() : mask_of(charts[c], texels_per_metre / texels_per_block));
-    order_.resize(charts.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t a, std::size_t b) { return masks_[a].count > masks_[b].count; });
-  }
-
-  std::optional<Atlas> into(const glm::ivec2& size) const {
-    // A size with fewer blocks than are wanted is not tried.
-    const int block = 1 << mip_levels_;
-    Atlas atlas{
-        .size = size, .mip_levels = mip_levels_, .texels_per_metre = scale_, .corner = {}, .speck = {}, .owner = {}};
-    const glm::ivec2 blocks = atlas.blocks();
-    std::int64_t wanted = 0;
-    for (const Mask& mask : masks_) wanted += mask.count;
-    if (wanted > static_cast<std::int64_t>(blocks.x) * blocks.y) return std::nullopt;
-
-    // Each mask at the first place where it fits; one like the mask before it can only come after that.
-    Field field(blocks);
-    atlas.corner.resize(charts_.size());
-    atlas.speck.resize(charts_.size());
-    atlas.owner.assign(static_cast<std::size_t>(blocks.x) * blocks.y, -1);
-    const Mask* last = nullptr;
-    glm::ivec2 start(0);
-    for (const std::size_t c : order_) {
-      const Mask& mask = masks_[c];
-      if (last == nullptr || !(*last == mask)) start = glm::ivec2(0);
-      const std::optional<glm::ivec2> at = field.place(mask, start);
-      if (!at) return std::nullopt;
-      field.take(mask, *at);
-      own(atlas, mask, *at, static_cast<std::int32_t>(c));
-      atlas.corner[c] = (glm::dvec2(*at) + 0.5) * static_cast<double>(block);
-      atlas.speck[c] = is_speck(c) ? 1 : 0;
-      last = &mask;
-      start = *at;
-    }
-    return atlas;
-  }
-
- private:
-  /// Hairs and crumbs, which would show nothing but their edges.
-  bool is_speck(std::size_t chart) const {
-    const double longest = std::max(charts_[chart].size.x, charts_[chart].size.y) * scale_;
-    return longest < 1 || (longest < longest_speck && areas_[chart] * scale_ * scale_ < largest_speck);
-  }
-
-  static void own(Atlas& atlas, const Mask& mask, const glm::ivec2& at, std::int32_t chart) {
-    for (int y = 0; y < mask.height; ++y) {
-      for (int x = 0; x < mask.width; ++x) {
-        if (mask.has(x, y)) atlas.owner[static_cast<std::size_t>(at.y + y) * atlas.blocks().x + at.x + x] = chart;
-      }
-    }
-  }
-
-  const std::vector<Chart>& charts_;
-  double scale_;
-  int mip_levels_;
-  std::vector<double> areas_;
-  std::vector<Mask> masks_;
-  std::vector<std::size_t> order_;
+/// Charts at one scale, turned in all ways.
+struct Shapes {
+  double texels_per_metre = 0;
+  int mip_levels = 0;
+  std::vector<std::vector<Shape>> of_chart;
+  std::vector<std::uint8_t> speck;
+  std::int64_t least = 0;  ///< blocks
 };
 
-/// Halves the interval between a scale that fits and one that cannot.
-std::optional<Atlas> largest(const std::vector<Chart>& charts, int side, int mip_levels) {
-  const double area = area_of(charts);
-  double fits = 0, too_large = area > 0 ? side / std::sqrt(area) : side;
-  std::optional<Atlas> best = Packer(charts, fits, mip_levels).into(glm::ivec2(side));
-  constexpr int halvings = 10;
-  for (int i = 0; best && i < halvings; ++i) {
-    const double middle = 0.5 * (fits + too_large);
-    std::optional<Atlas> at_middle = Packer(charts, middle, mip_levels).into(glm::ivec2(side));
-    (at_middle ? fits : too_large) = middle;
-    if (at_middle) best = std::move(at_middle);
+/// Hairs and crumbs, which would show nothing but their edges.
+bool is_speck(const Chart& chart, double area, double scale) {
+  const double longest = std::max(chart.size.x, chart.size.y) * scale;
+  return longest < 1 || (longest < longest_speck && area * scale * scale < largest_speck);
+}
+
+/// How charts are placed: which first, and for which of the ways to turn them.
+struct Way {
+  std::vector<std::size_t> order;
+  double height = 1;  ///< how much a shape's own height counts beside that of its place
+};
+
+struct Placed {
+  std::vector<glm::ivec2> at;       ///< blocks
+  std::vector<std::size_t> turned;  ///< which of its shapes
+};
+
+/// Finds places for charts on a texture.
+class Packer {
+ public:
+  Packer(const std::vector<Chart>& charts, int mip_levels) : charts_(charts), mip_levels_(mip_levels) {
+    for (const Chart& chart : charts) outlines_.emplace_back(chart);
   }
-  return best;
+
+  double area() const { return area_of(outlines_); }
+
+  Shapes shapes_at(double texels_per_metre) const {
+    Shapes shapes{.texels_per_metre = texels_per_metre, .mip_levels = mip_levels_, .of_chart = {}, .speck = {}};
+    for (std::size_t c = 0; c < charts_.size(); ++c) {
+      std::vector<Shape> ways;
+      const bool speck = is_speck(charts_[c], outlines_[c].area(), texels_per_metre);
+      if (speck) ways.emplace_back(speck_mask());
+      for (const Turn& turn : outlines_[c].turns())
+        if (!speck) ways.emplace_back(outlines_[c].mask(turn, texels_per_metre / (1 << mip_levels_)));
+      std::int64_t least = ways.front().mask.count;
+      for (const Shape& way : ways) least = std::min(least, way.mask.count);
+      shapes.least += least;
+      shapes.of_chart.push_back(std::move(ways));
+      shapes.speck.push_back(speck ? 1 : 0);
+    }
+    return shapes;
+  }
+
+  /// The largest first.
+  Way first_way(const Shapes& shapes) const {
+    Way way;
+    way.order.resize(charts_.size());
+    std::iota(way.order.begin(), way.order.end(), std::size_t{0});
+    std::stable_sort(way.order.begin(), way.order.end(), [&](std::size_t a, std::size_t b) {
+      return shapes.of_chart[a].front().mask.count > shapes.of_chart[b].front().mask.count;
+    });
+    return way;
+  }
+
+  /// About the largest first; one that is half as large may come before it.
+  Way other_way(const Shapes& shapes, std::uint64_t number) const {
+    const RandomStream random({number, 0}, "atlas");
+    std::vector<double> size;
+    for (std::size_t c = 0; c < charts_.size(); ++c) {
+      const double blocks = static_cast<double>(shapes.of_chart[c].front().mask.count);
+      size.push_back(blocks * reproducible::exp(1.4 * random.uniform(c + 1)));
+    }
+    Way way = first_way(shapes);
+    std::stable_sort(way.order.begin(), way.order.end(),
+                     [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
+    way.height = random.uniform(0);
+    return way;
+  }
+
+  std::optional<Placed> placed(const Shapes& shapes, const glm::ivec2& size, const Way& way) {
+    // A size with fewer blocks than are wanted is not tried.
+    const glm::ivec2 blocks = size >> mip_levels_;
+    if (shapes.least > static_cast<std::int64_t>(blocks.x) * blocks.y) return std::nullopt;
+    Placed found{std::vector<glm::ivec2>(charts_.size()), std::vector<std::size_t>(charts_.size(), 0)};
+    Field field(blocks);
+    int speck_row = 0;
+    for (const std::size_t c : way.order) {
+      const std::vector<Shape>& ways = shapes.of_chart[c];
+      double lowest = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < ways.size(); ++i) {
+        const std::optional<glm::ivec2> at = field.place(ways[i], shapes.speck[c] != 0 ? speck_row : 0);
+        if (!at) continue;
+        const double reach = at->y + way.height * ways[i].mask.height;
+        if (reach >= lowest) continue;
+        lowest = reach;
+        found.at[c] = *at, found.turned[c] = i;
+      }
+      if (lowest == std::numeric_limits<double>::infinity()) break;
+      field.take(ways[found.turned[c]], found.at[c]);
+      if (shapes.speck[c] != 0) speck_row = found.at[c].y;
+      if (c == way.order.back()) {
+        looks_ += field.looks();
+        return found;
+      }
+    }
+    looks_ += field.looks();
+    if (way.order.empty()) return found;
+    return std::nullopt;
+  }
+
+  PackedCharts packed(const Shapes& shapes, const glm::ivec2& size, const Placed& placed) const {
+    PackedCharts result;
+    Atlas& atlas = result.atlas;
+    atlas.size = size, atlas.mip_levels = mip_levels_, atlas.texels_per_metre = shapes.texels_per_metre;
+    atlas.speck = shapes.speck;
+    atlas.owner.assign(static_cast<std::size_t>(atlas.blocks().x) * atlas.blocks().y, -1);
+    for (std::size_t c = 0; c < charts_.size(); ++c) {
+      const std::size_t way = placed.turned[c];
+      const BlockMask& mask = shapes.of_chart[c][way].mask;
+      for (int y = 0; y < mask.height; ++y) {
+        for (int x = 0; x < mask.width; ++x) {
+          const std::size_t block =
+              static_cast<std::size_t>(placed.at[c].y + y) * atlas.blocks().x + placed.at[c].x + x;
+          if (mask.has(x, y)) atlas.owner[block] = static_cast<std::int32_t>(c);
+        }
+      }
+      atlas.corner.push_back((glm::dvec2(placed.at[c]) + 0.5) * static_cast<double>(atlas.block()));
+      const bool turns = !charts_[c].frame && shapes.speck[c] == 0;
+      result.charts.push_back(turns ? turned(charts_[c], outlines_[c].turns()[way]) : charts_[c]);
+    }
+    return result;
+  }
+
+  std::size_t looks() const { return looks_; }
+
+ private:
+  const std::vector<Chart>& charts_;
+  int mip_levels_;
+  std::vector<ChartOutline> outlines_;
+  std::size_t looks_ = 0;
+};
+
+/// What finding a better place for charts may cost, words that are read: a share of what a texel costs.
+std::size_t looks_for(const glm::ivec2& size) { return static_cast<std::size_t>(size.x) * size.y * 24; }
+constexpr std::uint64_t most_ways = 2000, ways_at_a_scale = 24;
+
+/// Halves the interval between a scale that fits and one that cannot; then looks for other ways to place the charts
+/// that let them be a little larger.
+std::optional<PackedCharts> largest(const std::vector<Chart>& charts, int side, int mip_levels) {
+  Packer packer(charts, mip_levels);
+  const glm::ivec2 size(side);
+  const double area = packer.area();
+  double fits = 0, too_large = area > 0 ? side / std::sqrt(area) : side;
+  Shapes best = packer.shapes_at(fits);
+  std::optional<Placed> places = packer.placed(best, size, packer.first_way(best));
+  if (!places) return std::nullopt;
+  constexpr int halvings = 8;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (fits + too_large);
+    Shapes shapes = packer.shapes_at(middle);
+    std::optional<Placed> at_middle = packer.placed(shapes, size, packer.first_way(shapes));
+    (at_middle ? fits : too_large) = middle;
+    if (at_middle) best = std::move(shapes), places = std::move(at_middle);
+  }
+
+  const std::size_t enough = packer.looks() + looks_for(size);
+  double step = 0.08;
+  std::uint64_t tried = 0, number = 0;
+  Shapes larger = packer.shapes_at(best.texels_per_metre * (1 + step));
+  while (step > 0.002 && number < most_ways && packer.looks() < enough) {
+    const std::optional<Placed> found = packer.placed(larger, size, packer.other_way(larger, ++number));
+    ++tried;
+    if (!found && tried < ways_at_a_scale) continue;
+    if (found)
+      best = std::move(larger), places = found;
+    else
+      step *= 0.6;
+    tried = 0;
+    larger = packer.shapes_at(best.texels_per_metre * (1 + step));
+  }
+  return packer.packed(best, size, *places);
 }
 
 }  // namespace
 
-Atlas atlas_of_side(const std::vector<Chart>& charts, int side, int mip_levels) {
+PackedCharts packed_to_side(const std::vector<Chart>& charts, int side, int mip_levels) {
   constexpr double worth = 1.5;
-  std::optional<Atlas> best;
+  std::optional<PackedCharts> best;
   for (int levels = mip_levels; levels >= 0; --levels) {
     if (side % (1 << levels) != 0) continue;
-    std::optional<Atlas> atlas = largest(charts, side, levels);
-    if (atlas && best && atlas->texels_per_metre < worth * best->texels_per_metre) break;
-    if (atlas) best = std::move(atlas);
+    std::optional<PackedCharts> packed = largest(charts, side, levels);
+    if (packed && best && packed->atlas.texels_per_metre < worth * best->atlas.texels_per_metre) break;
+    if (packed) best = std::move(packed);
   }
   if (!best) {
     throw Error(ExitStatus::usage, "--texture " + std::to_string(side) + ": too few texels for this piece",
@@ -244,7 +318,7 @@ Atlas atlas_of_side(const std::vector<Chart>& charts, int side, int mip_levels) 
   return *best;
 }
 
-Atlas atlas_of_texel(const std::vector<Chart>& charts, double texel, int mip_levels) {
+PackedCharts packed_at_texel(const std::vector<Chart>& charts, double texel, int mip_levels) {
   const auto too_many = [&] {
     return Error(ExitStatus::usage,
                  "--texel: this piece would need a texture of more than " + std::to_string(max_texture_side) + " x " +
@@ -254,23 +328,32 @@ Atlas atlas_of_texel(const std::vector<Chart>& charts, double texel, int mip_lev
   // Told before anything is made of that size.
   const double scale = 1 / texel;
   constexpr double most = static_cast<double>(max_texture_side) * max_texture_side;
-  if (!(area_of(charts) * scale * scale <= most)) throw too_many();
+  Packer packer(charts, mip_levels);
+  if (!(packer.area() * scale * scale <= most)) throw too_many();
   for (const Chart& chart : charts) {
     if (!(std::max(chart.size.x, chart.size.y) * scale < max_texture_side)) throw too_many();
   }
 
-  const Packer packer(charts, scale, mip_levels);
+  const Shapes shapes = packer.shapes_at(scale);
   for (int side = 64; side <= max_texture_side; side *= 2) {
     for (const glm::ivec2 size : {glm::ivec2(side, side), {2 * side, side}}) {
       if (size.x > max_texture_side) continue;
-      if (std::optional<Atlas> atlas = packer.into(size)) return *atlas;
+      std::optional<Placed> placed = packer.placed(shapes, size, packer.first_way(shapes));
+      for (std::uint64_t number = 1; !placed && number <= ways_at_a_scale; ++number)
+        placed = packer.placed(shapes, size, packer.other_way(shapes, number));
+      if (placed) return packer.packed(shapes, size, *placed);
     }
   }
   throw too_many();
 }
 
 double filled_share(const std::vector<Chart>& charts, const Atlas& atlas) {
-  const double texels = area_of(charts) * atlas.texels_per_metre * atlas.texels_per_metre;
+  double area = 0;
+  for (const Chart& chart : charts) {
+    for (const glm::uvec3& t : chart.corners)
+      area += 0.5 * std::abs(cross(chart.flat[t.y] - chart.flat[t.x], chart.flat[t.z] - chart.flat[t.x]));
+  }
+  const double texels = area * atlas.texels_per_metre * atlas.texels_per_metre;
   return texels / (static_cast<double>(atlas.size.x) * atlas.size.y);
 }
 

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -32,13 +30,19 @@ struct Atlas {
   }
 };
 
-/// At the largest scale that a square of `side` texels holds. Mip levels are given up one by one if they would cost
-/// more than a third of that scale. \throws Error (usage) if there are more charts than texels.
-Atlas atlas_of_side(const std::vector<Chart>& charts, int side, int mip_levels);
+/// Charts as they lie on the atlas: those of curved surfaces turned.
+struct PackedCharts {
+  std::vector<Chart> charts;
+  Atlas atlas;
+};
+
+/// At the largest scale found at which a square of `side` texels holds them. Mip levels are given up one by one if they
+/// would cost more than a third of that scale. \throws Error (usage) if there are more charts than texels.
+PackedCharts packed_to_side(const std::vector<Chart>& charts, int side, int mip_levels);
 
 /// At `texel` metres a texel, in the smallest texture that holds it; its sides are powers of two, 64 at least.
 /// \throws Error (usage) if one of max_texture_side is not enough.
-Atlas atlas_of_texel(const std::vector<Chart>& charts, double texel, int mip_levels);
+PackedCharts packed_at_texel(const std::vector<Chart>& charts, double texel, int mip_levels);
 
 /// Share of the texture that triangles cover.
 double filled_share(const std::vector<Chart>& charts, const Atlas& atlas);

@@ -19,15 +19,16 @@ namespace pomona {
 
 namespace {
 
+PackedCharts packed_charts(const Solid& solid, const BakeOptions& options) {
+  const std::vector<Chart> charts = charts_of(solid, options.threads);
+  return options.texel > 0 ? packed_at_texel(charts, options.texel, options.mip_levels)
+                           : packed_to_side(charts, options.texels, options.mip_levels);
+}
+
 class Baker {
  public:
   Baker(const Solid& solid, const Style& style, const BakeOptions& options)
-      : solid_(solid),
-        style_(style),
-        options_(options),
-        charts_(charts_of(solid, options.threads)),
-        atlas_(options.texel > 0 ? atlas_of_texel(charts_, options.texel, options.mip_levels)
-                                 : atlas_of_side(charts_, options.texels, options.mip_levels)) {}
+      : solid_(solid), style_(style), options_(options), packed_(packed_charts(solid, options)) {}
 
   double texel() const { return 1 / atlas_.texels_per_metre; }
 
@@ -212,8 +213,9 @@ class Baker {
   const Solid& solid_;
   const Style& style_;
   const BakeOptions& options_;
-  std::vector<Chart> charts_;
-  Atlas atlas_;
+  const PackedCharts packed_;
+  const std::vector<Chart>& charts_ = packed_.charts;
+  const Atlas& atlas_ = packed_.atlas;
   std::optional<SampleColors> colors_;
   TangentMesh tangent_mesh_;
   std::optional<SampleMaps> sample_maps_;

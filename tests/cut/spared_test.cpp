@@ -181,5 +181,46 @@ TEST(Spared, KnivesThatMissItLeaveAllAsItWas) {
   shapes::expect_same(cut_sparing(peach(), knife), cut(peach(), knife));
 }
 
+/// A ball under a leaf that lies on it and is sunk in it a little, on one side of the axis or on both.
+DiffusionSurfaces leafy(double from, double to) {
+  shapes::Paint green = shapes::skin_paint();
+  green.front_part = green.back_part = "leaf";
+  return joined(shapes::sphere(outer, 10, shapes::skin_paint()),
+                shapes::box({from, 0.029, -0.004}, {to, 0.032, 0.004}, 16, green));
+}
+
+TEST(HeldBack, ACorerLeavesLeavesWhole) {
+  for (const double from : {-0.011, -0.001, 0.0055}) {
+    SCOPED_TRACE(from);
+    const DiffusionSurfaces fruit = leafy(from, from + 0.022);
+    const Cut found = cut(fruit, parsed({"core:12mm"}));
+    shapes::expect_whole(found, shapes::volume_of(cut(fruit, {})));
+    EXPECT_EQ(pieces_with_walls_of(found, "leaf"), 1);
+    EXPECT_GT(pieces_with_walls_of(cut(fruit, parsed({"ball:9mm,at=9mm,30mm,0"})), "leaf"), 1) << "others cut them";
+  }
+}
+
+/// A leaf whose foot is in the core goes with it, however far it reaches beyond.
+TEST(HeldBack, ALeafGoesWithWhatItSitsOn) {
+  const auto volume_of_core = [](const DiffusionSurfaces& fruit) {
+    const Cut found = cut(fruit, parsed({"core:12mm"}));
+    double least = 1;
+    for (const CutPiece& piece : found.pieces) least = std::min(least, piece.volume);
+    return least;
+  };
+  const double bare = volume_of_core(shapes::sphere(outer, 10, shapes::skin_paint()));
+  const double leaf = 0.022 * 0.003 * 0.008;
+  EXPECT_NEAR(volume_of_core(leafy(-0.002, 0.02)) - bare, leaf, 1e-3 * leaf);
+  EXPECT_NEAR(volume_of_core(leafy(0.0055, 0.0275)) - bare, 0, 1e-3 * leaf);
+}
+
+/// Where a plane has cut it, there is no leaf to push aside.
+TEST(HeldBack, WhatIsCutAlreadyIsCut) {
+  const DiffusionSurfaces fruit = leafy(-0.02, 0.02);
+  const Cut found = cut(fruit, parsed({"half", "core:12mm"}));
+  shapes::expect_whole(found, shapes::volume_of(cut(fruit, {})));
+  EXPECT_EQ(pieces_with_walls_of(found, "leaf"), 4);
+}
+
 }  // namespace
 }  // namespace pomona

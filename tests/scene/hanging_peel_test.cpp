@@ -1,0 +1,126 @@
+// A peel that came off in a strip hangs, its turns apart; other pieces are as they were.
+#include "generator/scene/hanging_peel.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "generator/knife/parse_knife.h"
+#include "generator/mesh/box.h"
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
+#include "generator/scene/lay_out.h"
+#include "tests/shapes/shapes.h"
+#include "tests/shapes/sliced.h"
+
+namespace pomona {
+namespace {
+
+std::vector<Solid> pieces_of(const std::vector<std::string>& words) {
+  std::vector<Knife> knives;
+  for (const std::string& word : words) knives.push_back(parse_knife(word));
+  return shapes::sliced(shapes::moved(shapes::sphere(0.03, 8, shapes::skin_paint()), {0, 0.03, 0}), knives).pieces;
+}
+
+double volume_of(const Solid& solid) {
+  double six = 0;
+  for (const glm::uvec3& t : solid.triangle) {
+    const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
+    six += glm::dot(a, glm::cross(b, c));
+  }
+  return six / 6;
+}
+
+Box<double> bounds_of(const Solid& solid) {
+  Box<double> box;
+  for (const glm::vec3& p : solid.position) box.add(glm::dvec3(p));
+  return box;
+}
+
+/// The one of a ball's two pieces that hangs.
+struct Peel {
+  Solid lying, hanging;
+  int count = 0;  ///< of pieces that hang
+};
+/// Peeled once for all tests: a strip takes a peeler seconds.
+const std::vector<Solid>& peeled_ball() {
+  static const std::vector<Solid> pieces = pieces_of({"peel:2mm,spiral=16mm"});
+  return pieces;
+}
+
+Peel peel_of_ball() {
+  Peel peel;
+  for (const Solid& piece : peeled_ball()) {
+    const std::optional<Solid> hung = hanging_peel(piece);
+    if (!hung) continue;
+    peel.lying = piece, peel.hanging = *hung;
+    ++peel.count;
+  }
+  return peel;
+}
+
+TEST(HangingPeel, IsTheStripAlone) {
+  EXPECT_EQ(peel_of_ball().count, 1);
+  for (const char* other : {"half", "slices:8mm", "core:12mm", "peel:2mm", "ball:30mm,at=0,6cm,0"}) {
+    for (const Solid& piece : pieces_of({other})) EXPECT_FALSE(hanging_peel(piece)) << other << ' ' << piece.name;
+  }
+}
+
+TEST(HangingPeel, IsLongerAndStaysClosedAndAsLarge) {
+  const auto [lying, hanging, count] = peel_of_ball();
+  ASSERT_EQ(count, 1);
+  EXPECT_GT(bounds_of(hanging).size().y, 1.4 * bounds_of(lying).size().y);
+  EXPECT_NEAR(volume_of(hanging), volume_of(lying), 0.03 * volume_of(lying));
+  EXPECT_TRUE(is_closed(welded_triangles(weld(lying.position), lying.triangle)));
+  EXPECT_TRUE(is_closed(welded_triangles(weld(hanging.position), hanging.triangle)));
+}
+
+/// Edges keep their lengths but for the little by which a helix that is drawn out is longer.
+TEST(HangingPeel, IsHardlyStretched) {
+  const auto [lying, hanging, count] = peel_of_ball();
+  ASSERT_EQ(count, 1);
+  double before = 0, after = 0;
+  for (const glm::uvec3& t : lying.triangle) {
+    before += glm::distance(lying.position[t.x], lying.position[t.y]);
+    after += glm::distance(hanging.position[t.x], hanging.position[t.y]);
+  }
+  EXPECT_NEAR(after, before, 0.05 * before);
+}
+
+TEST(HangingPeel, HasTheNormalsOfItsSurface) {
+  const Solid hanging = peel_of_ball().hanging;
+  double wrong = 0, all = 0;
+  for (const glm::uvec3& t : hanging.triangle) {
+    const glm::dvec3 a(hanging.position[t.x]), b(hanging.position[t.y]), c(hanging.position[t.z]);
+    const glm::dvec3 area = glm::cross(b - a, c - a);
+    const glm::dvec3 mean(hanging.normal[t.x] + hanging.normal[t.y] + hanging.normal[t.z]);
+    all += glm::length(area);
+    if (glm::dot(area, mean) < 0.9 * glm::length(area) * glm::length(mean)) wrong += glm::length(area);
+  }
+  EXPECT_GT(all, 0);
+  EXPECT_LT(wrong, 0.03 * all);
+}
+
+/// In a picture it is as it hangs, upright on the table beside the ball.
+TEST(HangingPeel, HangsInPictures) {
+  const Scene in_place = gathered(peeled_ball());
+  const Scene table = laid_out(in_place);
+  ASSERT_EQ(table.instances.size(), 2u);
+  double tallest = 0;
+  for (const Instance& instance : table.instances) {
+    const Solid& solid = table.solids[static_cast<std::size_t>(instance.solid)];
+    Box<double> box;
+    for (const glm::vec3& p : solid.position)
+      box.add(instance.pose.rotation * glm::dvec3(p) + instance.pose.translation);
+    EXPECT_NEAR(box.low.y, 0, 1e-9);
+    tallest = std::max(tallest, box.size().y);
+    EXPECT_NEAR((instance.pose.rotation * glm::dvec3(0, 1, 0)).y, 1, 1e-6) << "as it grew";
+  }
+  EXPECT_GT(tallest, 1.4 * 0.06);
+}
+
+}  // namespace
+}  // namespace pomona
