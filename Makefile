@@ -182,11 +182,11 @@ hashes: build ## SHA-256 of all that the program writes, out/hashes.tsv: to comp
 	@mkdir -p out
 	scripts/hashes.py make build/pomona out/hashes.tsv
 
-page-errors: ## how far the colours of pages are from the field's in C++, on three cuts of every template, and how large pages are
+page-errors: ## how far the colours of pages are from the field's in C++, on three cuts of three seeds of every template, and how large pages are
 	@scripts/setup.sh build test programs
 	cmake --preset test-programs
 	cmake --build build --target write_sections -j $(JOBS)
-	build/tests/programs/write_sections out/sections 96 $(basename $(notdir $(wildcard templates/*.toml)))
+	build/tests/programs/write_sections out/sections 96 $(foreach name,$(basename $(notdir $(wildcard templates/*.toml))),$(name) $(name):1 $(name):2)
 	node tests/programs/look_up.mjs out/sections --table
 
 gallery-page: build ## a gallery for the web: out/gallery/index.html, and a page for each fruit that cuts it

@@ -13,6 +13,7 @@
 #include "cli/new_fruit.h"
 #include "cli/outputs.h"
 #include "cli/program_folders.h"
+#include "cli/studio/only_studio.h"
 #include "cli/studio/studio_api.h"
 #include "cli/studio/studio_page.h"
 #include "generator/base/error.h"
@@ -65,6 +66,7 @@ Opened opened(const StudioCommand& command) {
 
 ExitStatus open_studio(const StudioCommand& command) {
   Opened fruit = opened(command);
+  const OnlyStudio only(fruit.files.toml);
   Workspace workspace(fruit.files, std::move(fruit.starting));
   const std::string token = random_token();
   StudioPage page = studio_page(fruit.files.toml.stem().string(), token, random_token());

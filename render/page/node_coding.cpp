@@ -92,41 +92,48 @@ class Walk {
   int last_ = 0;
 };
 
-// Differences of 0 and 1 are exact; from there on every third stands for those beside it, and beyond 22 every fifth:
-// large ones lie beside surfaces, whose own colours tell more there.
-constexpr int exact = 1, thirds = 8;
+/// Large differences lie beside surfaces, whose own colours tell more there: they are rounded.
+class Steps {
+ public:
+  explicit Steps(int thirds) : thirds_(thirds) {}
 
-int size_of(int code) {
-  return code <= exact    ? code
-         : code <= thirds ? exact + 3 * (code - exact)
-                          : exact + 3 * (thirds - exact) + 5 * (code - thirds);
-}
-int code_of(int size) {
-  int code = 0;
-  while (std::abs(size_of(code + 1) - size) < std::abs(size_of(code) - size)) ++code;
-  return code;
-}
+  /// Those near 0 become small numbers, whatever their sign.
+  std::uint8_t symbol_of(int difference) const {
+    const int code = code_of(std::abs(difference));
+    return static_cast<std::uint8_t>(difference < 0 ? 2 * code - (code > 0 ? 1 : 0) : 2 * code);
+  }
+  std::uint8_t value_of(int guess, std::uint8_t symbol) const {
+    const int size = size_of((symbol + 1) / 2);
+    return static_cast<std::uint8_t>(std::clamp(guess + (symbol % 2 != 0 ? -size : size), 0, 255));
+  }
 
-/// Those near 0 become small numbers, whatever their sign.
-std::uint8_t symbol_of(int difference) {
-  const int code = code_of(std::abs(difference));
-  return static_cast<std::uint8_t>(difference < 0 ? 2 * code - (code > 0 ? 1 : 0) : 2 * code);
-}
-std::uint8_t value_of(int guess, std::uint8_t symbol) {
-  const int size = size_of((symbol + 1) / 2);
-  return static_cast<std::uint8_t>(std::clamp(guess + (symbol % 2 != 0 ? -size : size), 0, 255));
-}
+ private:
+  int size_of(int code) const {
+    constexpr int exact = 1;
+    return code <= exact     ? code
+           : code <= thirds_ ? exact + 3 * (code - exact)
+                             : exact + 3 * (thirds_ - exact) + 5 * (code - thirds_);
+  }
+  int code_of(int size) const {
+    int code = 0;
+    while (std::abs(size_of(code + 1) - size) < std::abs(size_of(code) - size)) ++code;
+    return code;
+  }
+
+  int thirds_;
+};
 
 }  // namespace
 
-std::vector<std::uint8_t> coded_nodes(const Asset& asset) {
+std::vector<std::uint8_t> coded_nodes(const Asset& asset, int thirds) {
+  const Steps steps(thirds);
   std::vector<std::uint8_t> lengths, symbols;
   Walk walk(asset);
   for (int channel = 0; channel < 3; ++channel) {
     std::array<std::vector<std::uint8_t>, node_streams> streams;
     walk.run([&](std::size_t node, int guess, std::size_t stream) {
-      streams[stream].push_back(symbol_of(asset.node_color[node][channel] - guess));
-      return value_of(guess, streams[stream].back());
+      streams[stream].push_back(steps.symbol_of(asset.node_color[node][channel] - guess));
+      return steps.value_of(guess, streams[stream].back());
     });
     for (const std::vector<std::uint8_t>& stream : streams) {
       for (int b = 0; b < 4; ++b) lengths.push_back(static_cast<std::uint8_t>(stream.size() >> (8 * b) & 255));
@@ -137,7 +144,8 @@ std::vector<std::uint8_t> coded_nodes(const Asset& asset) {
   return lengths;
 }
 
-std::optional<std::vector<glm::u8vec3>> decoded_nodes(const Asset& asset, std::span<const std::uint8_t> coded) {
+std::optional<std::vector<glm::u8vec3>> decoded_nodes(const Asset& asset, std::span<const std::uint8_t> coded, int thirds) {
+  const Steps steps(thirds);
   // Where each stream begins and ends.
   std::array<std::size_t, 3 * node_streams> next{}, end{};
   std::size_t at = node_lengths;
@@ -155,7 +163,7 @@ std::optional<std::vector<glm::u8vec3>> decoded_nodes(const Asset& asset, std::s
     walk.run([&](std::size_t node, int guess, std::size_t stream) {
       const std::size_t i = node_streams * static_cast<std::size_t>(channel) + stream;
       whole = whole && next[i] < end[i];
-      return color[node][channel] = whole ? value_of(guess, coded[next[i]++]) : std::uint8_t{0};
+      return color[node][channel] = whole ? steps.value_of(guess, coded[next[i]++]) : std::uint8_t{0};
     });
   }
   if (!whole) return std::nullopt;

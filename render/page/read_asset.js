@@ -123,15 +123,15 @@ const Asset = (() => {
 
   // ---- Colours of nodes (node_coding.h). ----
 
-  // What a symbol stands for: differences of 0 and 1 exactly, larger ones in steps of 3 and 5.
-  const differenceOf = Int32Array.from({length: 256}, (_, symbol) => {
-    const code = symbol + 1 >> 1, size = code <= 1 ? code : code <= 8 ? 1 + 3 * (code - 1) : 22 + 5 * (code - 8);
+  /** What a symbol stands for: differences of 0 and 1 exactly, larger ones in steps of 3, those beyond code `thirds` in steps of 5. */
+  const differences = (thirds) => Int32Array.from({length: 256}, (_, symbol) => {
+    const code = symbol + 1 >> 1, size = code <= 1 ? code : code <= thirds ? 1 + 3 * (code - 1) : 1 + 3 * (thirds - 1) + 5 * (code - thirds);
     return symbol & 1 ? -size : size;
   });
   const weightOf = Int32Array.from({length: 256}, (_, d) => Math.max(1, Math.floor(1024 / (1 + d * d))));
 
   /** One channel of all nodes inside, from coarse to fine; `at`: where its four streams begin. */
-  function decodeChannel(winding, [nx, ny, nz], bytes, at, value) {
+  function decodeChannel(winding, [nx, ny, nz], bytes, at, value, differenceOf) {
     let last = 0;
     const away = [1, nx, nx * ny], count = [nx, ny, nz], place = [0, 0, 0];
     const each = (first, every, step) => {
@@ -179,12 +179,13 @@ const Asset = (() => {
 
   /** Adds `nodeColor`: [red, green, blue], a Uint8Array each. Returns where they end. */
   function addNodes(fruit, bytes, at) {
+    const differenceOf = differences(fruit.header.format === 1 ? 8 : fruit.header.thirds);
     const view = new DataView(bytes.buffer, bytes.byteOffset), lengths = Array.from({length: 12}, (_, i) => view.getUint32(at + 4 * i, true));
     at += 48;
     const begins = lengths.map((length) => (at += length) - length);
     fruit.nodeColor = [0, 1, 2].map((channel) => {
       const value = new Uint8Array(fruit.winding.length);
-      decodeChannel(fruit.winding, fruit.count, bytes, begins.slice(4 * channel, 4 * channel + 4), value);
+      decodeChannel(fruit.winding, fruit.count, bytes, begins.slice(4 * channel, 4 * channel + 4), value, differenceOf);
       return value;
     });
     return at;

@@ -160,6 +160,21 @@ class Edits(WithAFruit):
         self.assertEqual(studio.json("/api/document")["svg"], one["svg"])
         self.assertEqual(studio.ask("/api/save", {"seen": two["seen"]})[0], 409)
 
+    def test_a_second_studio_of_a_file_is_refused_until_the_first_has_ended(self):
+        first = self.studio()
+        (self.folder / "same").symlink_to(self.folder)
+        for path in ("cherry.toml", self.folder / "cherry.toml", "same/cherry.toml", "./cherry.toml"):
+            second = subprocess.run([PROGRAM, "studio", str(path)], cwd=self.folder, capture_output=True, text=True, timeout=60)
+            self.assertEqual(second.returncode, 75, second.stderr)
+            self.assertIn("is open in another studio", second.stderr)
+            self.assertEqual(second.stdout, "")
+        edit = self.wider(first)
+        first.json("/api/change", edit)
+        other = self.studio("plum.toml")  # of another file there may be one
+        other.end("kill")
+        first.end("kill")
+        self.assertEqual(self.studio().json("/api/document")["svg"], edit["svg"])
+
     def test_another_editors_change_is_taken_in(self):
         studio = self.studio()
         before = studio.json("/api/document")

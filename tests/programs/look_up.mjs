@@ -1,5 +1,5 @@
 // The look-up in JavaScript against the C++ field, at all points of the squares that write_sections has left.
-//   node look_up.mjs FOLDER [--table]    fails if a bar is missed; --table prints a table of all fruits, as docs/page.md has it
+//   node look_up.mjs FOLDER [--table]    fails if a bar is missed; --table prints a table of all templates, the worst of their seeds, as docs/page.md has it
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { inflateSync } from 'node:zlib';
@@ -9,6 +9,7 @@ const require = createRequire(import.meta.url);
 const Asset = require('../../render/page/read_asset.js'), LookUp = require('../../render/page/look_up.js');
 const [folder, how] = process.argv.slice(2);
 let missed = 0, seen = 0;
+const rows = new Map(); // by template: the worst of its planes and seeds
 
 /** An asset's surfaces lie up to half a unit from where they were: nearer than a unit to one, the colours of both its sides are right. */
 function nearestColor(lookUp, units, place, truth) {
@@ -18,7 +19,6 @@ function nearestColor(lookUp, units, place, truth) {
   const beside = [0, 1, 2].flatMap((axis) => [1, -1].map((way) => lookUp(place.map((x, k) => (k === axis ? x + way / units : x)))));
   return beside.reduce((best, color) => (away(color) < away(best) ? color : best), here);
 }
-if (how === '--table') console.log('| | page, KB | RMS | 95th percentile | in or out wrong |\n|---|---|---|---|---|');
 for (const file of readdirSync(folder).filter((name) => name.endsWith('.pomona')).sort()) {
   const name = file.slice(0, -7), packed = readFileSync(`${folder}/${file}`);
   const fruit = Asset.decoded(new Uint8Array(inflateSync(packed.subarray(8)))), lists = LookUp.cells(fruit), hull = LookUp.range(fruit);
@@ -40,8 +40,15 @@ for (const file of readdirSync(folder).filter((name) => name.endsWith('.pomona')
   }
   // Okra is long and thin: of its squares some fifty pixels count.
   if (!all.some((e) => e.pixels > 40)) ++missed;
-  const most = (key) => Math.max(...all.map((e) => e[key]));
-  if (how === '--table')
-    console.log(`| ${name} | ${Math.round(statSync(`${folder}/${name}.html`).size / 1000)} | ${most('rms').toFixed(2)} | ${most('p95').toFixed(2)} | ${most('wrong')} |`);
+  const template = name.replace(/-\d+$/, ''), row = rows.get(template) ?? { seeds: 0, size: 0, rms: 0, p95: 0, wrong: 0 };
+  ++row.seeds;
+  row.size = Math.max(row.size, statSync(`${folder}/${name}.html`).size);
+  for (const key of ['rms', 'p95', 'wrong']) row[key] = Math.max(row[key], ...all.map((e) => e[key]));
+  rows.set(template, row);
+}
+if (how === '--table') {
+  console.log('| | seeds | page, KB | RMS | 95th percentile | in or out wrong |\n|---|---|---|---|---|---|');
+  for (const [name, row] of rows)
+    console.log(`| ${name} | ${row.seeds} | ${Math.round(row.size / 1000)} | ${row.rms.toFixed(2)} | ${row.p95.toFixed(2)} | ${row.wrong} |`);
 }
 process.exit(missed > 0 || seen === 0 ? 1 : 0);

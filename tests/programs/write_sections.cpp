@@ -1,6 +1,7 @@
 // Fruits as assets and pages, and squares of their sections as the harmonic field colours them in C++: what browsers
 // and Node are held to.
-//   write_sections FOLDER SIZE TEMPLATE...    makes FOLDER/NAME.pomona, NAME.html, NAME.json and NAME.sections
+//   write_sections FOLDER SIZE TEMPLATE[:SEED]...    makes FOLDER/NAME.pomona, NAME.html, NAME.json and NAME.sections;
+// NAME is TEMPLATE, or TEMPLATE-SEED for a variant.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -94,12 +95,27 @@ std::string bytes_of(const std::vector<glm::vec3>& points, const ColorField& fie
   return bytes;
 }
 
-void write_fruit(const std::string& name, int size, const fs::path& folder) {
-  const VariantKey key{0, 0};
-  const Template fruit = variant_of(read_template(std::string(POMONA_SOURCE_DIR) + "/templates/" + name + ".toml"), key,
-                                    {.as_drawn = true});
-  const GrownFruit grown = grow(fruit, key, {.as_drawn = true});
-  const Asset asset = make_asset({grown, fruit, name, 0});
+/// A template, as drawn or as a seed varies it.
+struct Wanted {
+  std::string name;
+  std::uint64_t seed = 0;  ///< 0: as drawn
+};
+
+Wanted wanted_of(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return {text, 0};
+  return {text.substr(0, colon), std::stoull(text.substr(colon + 1))};
+}
+
+void write_fruit(const Wanted& wanted, int size, const fs::path& folder) {
+  const VariantKey key{wanted.seed, 0};
+  const GrowOptions how{.as_drawn = wanted.seed == 0};
+  const fs::path file = fs::path(POMONA_SOURCE_DIR) / "templates" / (wanted.name + ".toml");
+  const Template fruit = variant_of(read_template(file), key, how);
+  const GrownFruit grown = grow(fruit, key, how);
+  const Asset asset = make_asset({grown, fruit, wanted.name, wanted.seed});
+  std::string name = wanted.name;
+  if (wanted.seed != 0) name += "-" + std::to_string(wanted.seed);
   write(folder / (name + ".pomona"), write_asset(asset, "a test"));
   write(folder / (name + ".html"),
         write_page(asset, {.style = style_named("ink"), .cuts = {{{0, 0, 1}, 0}}, .made_by = "a test"}));
@@ -127,7 +143,7 @@ void write_fruit(const std::string& name, int size, const fs::path& folder) {
 int main(int argc, char** argv) try {
   if (argc < 4) return 64;
   fs::create_directories(argv[1]);
-  for (int i = 3; i < argc; ++i) write_fruit(argv[i], std::stoi(argv[2]), argv[1]);
+  for (int i = 3; i < argc; ++i) write_fruit(wanted_of(argv[i]), std::stoi(argv[2]), argv[1]);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

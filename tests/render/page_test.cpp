@@ -101,10 +101,10 @@ TEST(Asset, IsReadAsItWasWritten) {
   EXPECT_EQ(a.guide->share, b.guide->share);
 }
 
-// Large differences between nodes are rounded, by no more than this.
-TEST(Asset, KeepsColoursOfNodesWithinTwo) {
+/// The largest difference between what nodes are and what comes back.
+int worst_of_nodes(int thirds) {
   const Asset& a = asset();
-  const std::vector<glm::u8vec3> read = decoded_nodes(a, coded_nodes(a)).value();
+  const std::vector<glm::u8vec3> read = decoded_nodes(a, coded_nodes(a, thirds), thirds).value();
   int worst = 0;
   std::size_t inside = 0;
   for (std::size_t i = 0; i < read.size(); ++i) {
@@ -113,7 +113,39 @@ TEST(Asset, KeepsColoursOfNodesWithinTwo) {
     for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(read[i][k] - a.node_color[i][k]));
   }
   EXPECT_GT(inside, 10000u);
-  EXPECT_LE(worst, 2);
+  return worst;
+}
+
+// Large differences between nodes are rounded, by no more than this.
+TEST(Asset, KeepsColoursOfNodesWithinOneOrTwo) {
+  EXPECT_EQ(worst_of_nodes(all_thirds), 1);
+  for (const int thirds : {3, thirds_of_first_format}) EXPECT_EQ(worst_of_nodes(thirds), 2);
+}
+
+// Files say how their nodes are rounded; those of the first format could not.
+TEST(Asset, IsReadAsItIsRounded) {
+  const Asset& a = asset();
+  const std::string whole = write_asset(a, "a test"), magic = whole.substr(0, 8);
+  std::string plain = *inflated(std::string_view(whole).substr(8), std::size_t{1} << 28);
+  const std::string key = ",\"thirds\":86";
+  const std::size_t format = plain.find("\"format\":2"), thirds = plain.find(key);
+  ASSERT_TRUE(format < 100 && thirds < 1000);
+  const std::vector<std::uint8_t> coded = coded_nodes(a), first = coded_nodes(a, thirds_of_first_format);
+  ASSERT_EQ(coded.size(), first.size());
+
+  // The same as it was written before there was a choice.
+  const std::size_t nodes = plain.find(std::string(coded.begin(), coded.end()));
+  ASSERT_NE(nodes, std::string::npos);
+  plain.replace(nodes, first.size(), std::string(first.begin(), first.end()));
+  plain.replace(format, 10, "\"format\":1");
+  plain.erase(thirds, key.size());
+  std::uint32_t length = 0;
+  for (int b = 3; b >= 0; --b) length = length << 8 | static_cast<unsigned char>(plain[static_cast<std::size_t>(b)]);
+  length -= static_cast<std::uint32_t>(key.size());
+  for (std::size_t b = 0; b < 4; ++b) plain[b] = static_cast<char>(length >> (8 * b) & 255);
+  const Asset read = read_asset(magic + deflated(plain), "x.pomona");
+  EXPECT_EQ(read.node_color, decoded_nodes(a, first, thirds_of_first_format).value());
+  EXPECT_NE(read.node_color, read_asset(whole, "x.pomona").node_color);
 }
 
 // Another way to tell inside from outside: how often the shells wind around a point, by solid angles' columns.
@@ -164,7 +196,8 @@ TEST(Asset, IsRefusedWhereItPointsOutsideItself) {
     EXPECT_NE(at, std::string::npos) << from;
     return magic + deflated(bytes.replace(at, from.size(), to));
   };
-  EXPECT_THAT(refusal(changed("\"format\":1", "\"format\":9")), testing::HasSubstr("format"));
+  EXPECT_THAT(refusal(changed("\"format\":2", "\"format\":9")), testing::HasSubstr("format"));
+  EXPECT_THAT(refusal(changed("\"thirds\":86", "\"thirds\":-6")), testing::HasSubstr("rounded"));
   EXPECT_THAT(refusal(changed("\"units\":", "\"unity\":")), testing::HasSubstr("header"));
   const std::string triangles = "\"triangles\":" + std::to_string(asset().triangle.size());
   EXPECT_THAT(refusal(changed(triangles, triangles.substr(0, triangles.size() - 1) + "9")), testing::Not(""));

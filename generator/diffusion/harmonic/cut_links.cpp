@@ -27,6 +27,13 @@ void open_links(const NodeRuns& runs, std::span<const std::uint8_t> members, std
                                           members_of(run.block, run.y + 1, run.z),
                                           members_of(run.block, run.y, run.z - 1),
                                           members_of(run.block, run.y, run.z + 1)};
+
+  // Most runs lie among others, or hold nothing.
+  const unsigned all = beside[0] & beside[1] & beside[2] & beside[3] & beside[4] & beside[5] & here & 255;
+  if (all == 255 || here == 0) {
+    std::memset(open, all == 255 ? all_open : takes_no_part, NodeRuns::length);
+    return;
+  }
   for (int k = 0; k < NodeRuns::length; ++k) {
     unsigned bits = 0;
     for (unsigned d = 0; d < 6; ++d) bits |= (beside[d] >> k & 1) << d;
@@ -191,8 +198,13 @@ CutLinks LinkFinder::links(const NodeRuns& kept, const std::vector<std::uint8_t>
       const NodeRun& run = runs_[r];
       const std::int32_t place = kept.at(run.block, run.y, run.z);
       if (place == NodeRuns::none) continue;
+      const std::size_t first = NodeRuns::length * r, first_to = static_cast<std::size_t>(NodeRuns::length * place);
+      if (marked[r] == 0 && eight_at(&open_[first]) == eight_of(all_open)) {
+        std::memset(&links.open[first_to], all_open, NodeRuns::length);
+        continue;
+      }
       for (std::size_t k = 0; k < NodeRuns::length; ++k) {
-        const std::size_t from = NodeRuns::length * r + k, to = static_cast<std::size_t>(NodeRuns::length * place) + k;
+        const std::size_t from = first + k, to = first_to + k;
         links.open[to] = marked[r] >> k & 1 ? takes_no_part : open_[from];
         if (links.open[to] == all_open || (links.open[to] & takes_no_part)) continue;
         slabs_[i].add_node(*snapped_.surfaces, from, static_cast<std::uint32_t>(to), parts[i]);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,14 @@ struct CutNode {
 constexpr std::uint8_t all_open = 63;
 constexpr std::uint8_t is_given = 64;
 constexpr std::uint8_t takes_no_part = 128;
+
+/// The links of a run's eight nodes as one word, to be looked at all at once.
+constexpr std::uint64_t eight_of(std::uint8_t open) { return 0x0101010101010101u * open; }
+inline std::uint64_t eight_at(const std::uint8_t* open) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, open, sizeof word);
+  return word;
+}
 
 struct CutLinks {
   std::vector<std::uint8_t> open;  ///< per stored node; symmetric

@@ -23,13 +23,12 @@ RunLinks links_of_run(const NodeRuns& runs, const CutLinks& links, std::size_t r
   };
   RunLinks result{offset(run.y - 1, run.z), offset(run.y + 1, run.z), offset(run.y, run.z - 1),
                   offset(run.y, run.z + 1)};
-  result.plain = 1;
   result.parity = static_cast<std::uint8_t>((run.y + run.z) & 1);
+  result.plain = eight_at(&links.open[NodeRuns::length * r]) == eight_of(all_open) ? 1 : 0;
+  if (result.plain) return result;
   for (int k = 0; k < NodeRuns::length; ++k) {
     const std::uint8_t open = links.open[NodeRuns::length * r + static_cast<std::size_t>(k)];
-    if (open == all_open) continue;
-    result.plain = 0;
-    if ((open & takes_no_part) == 0) result.irregular = static_cast<std::uint8_t>(result.irregular | 1 << k);
+    if (open != all_open && (open & takes_no_part) == 0) result.irregular = static_cast<std::uint8_t>(result.irregular | 1 << k);
   }
   return result;
 }
@@ -192,9 +191,10 @@ GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links,
       level.run_links[r] = links_of_run(level.runs, level.links, r);
       level.run_links[r].first_stencil = stencil;
       const NodeRun& run = level.runs[r];
+      std::fill_n(&level.value[NodeRuns::length * r], NodeRuns::length, Quad{});
+      std::fill_n(&level.residual[NodeRuns::length * r], NodeRuns::length, Quad{});
+      if (level.run_links[r].irregular == 0) continue;
       for (int k = 0; k < NodeRuns::length; ++k) {
-        const std::size_t node = NodeRuns::length * r + static_cast<std::size_t>(k);
-        level.value[node] = level.residual[node] = Quad{};
         if ((level.run_links[r].irregular >> k & 1) == 0) continue;
         level.stencil[stencil] = stencil_at(lattice, {NodeRuns::length * run.block + k, run.y, run.z}, level.links,
                                             level.links.node[stencil], middle);

@@ -51,11 +51,12 @@ std::array<std::ptrdiff_t, 6> offsets(const RunLinks& run) {
 
 /// The sum of values beyond open links, weighted.
 Quad pulled(const Quad* value, const At& at, const std::array<std::ptrdiff_t, 6>& offset) {
-  Quad sum{};
-  for (std::size_t d = 0; d < 6; ++d) {
-    const bool is_open = at.open >> d & 1;
-    sum += at.stencil->weight[d] * value[static_cast<std::ptrdiff_t>(at.node) + (is_open ? offset[d] : 0)];
-  }
+  // Closed links weigh nothing, whatever is there; only along x there may be no memory at all.
+  const Quad* here = value + at.node;
+  const auto& weight = at.stencil->weight;
+  Quad sum = weight[x_down] * here[at.open >> x_down & 1 ? -1 : 0];
+  sum += weight[x_up] * here[at.open >> x_up & 1 ? 1 : 0];
+  for (std::size_t d = y_down; d <= z_up; ++d) sum += weight[d] * here[offset[d]];
   return sum;
 }
 
