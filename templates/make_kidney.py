@@ -516,14 +516,14 @@ def add_pyramid(model, pyramid):
         model.grid(rows, True, "streaks", ("medulla", "medulla"))
 
 
-def add_tube(model, points, radii, name, front, back, part, around=8, blur=0.1):
+def add_tube(model, points, radii, name, front, back, part, around=8):
     rows = []
     for i, p in enumerate(points):
         way = unit(sub(points[min(i + 1, len(points) - 1)], points[max(i - 1, 0)]))
         side = unit(cross(way, (0.0, 0.0, 1.0)))
         up = cross(way, side)
         rows.append([model.vertex(add(add(p, side, radii[i] * math.cos(a)), up, radii[i] * math.sin(a)),
-                                  front(p), back, blur) for a in (2 * math.pi * k / around for k in range(around))])
+                                  front(p), back, 0.1) for a in (2 * math.pi * k / around for k in range(around))])
     rows = [[model.vertex(points[0], front(points[0]), back)]] + rows + [[model.vertex(points[-1], front(points[-1]), back)]]
     model.grid(rows, True, name, (part, part))
 
@@ -542,8 +542,7 @@ def smooth_path(points, count):
 
 
 def add_arcade(model, angle, way, name, back, size):
-    """Where a vessel has come up between two pyramids it bends and runs over the base of one of them; arteries send twigs
-    from there to the capsule."""
+    """Where a vessel has come up between two pyramids it bends and runs over the base of one of them."""
     def over_base(share, depth):
         ray = fan(angle + way * share * SPREAD / 2)
         return add(along_ray(along_ray(CENTER, ray, sinus, 3.0), ray, bean, -depth), (0.0, 0.0, 1.0), 0.07)
@@ -551,11 +550,7 @@ def add_arcade(model, angle, way, name, back, size):
     curve = [over_base(share, ramp([(0.0, 9.4), (0.35, 7.2), (0.9, 6.2)], share) + inner * min(1.0, 2 * share))
              for share in (0.03, 0.15, 0.3, 0.45, 0.6, 0.75, 0.88)]
     radii = [size * ramp([(0, 0.42), (6, 0.2)], float(k)) * 1.2 for k in range(len(curve))]
-    add_tube(model, curve, radii, name, lambda p: INNER_CORTEX, back, name, 5, 0.0)
-    for share in (0.3, 0.66) if name == "artery" else ():
-        low = ramp([(0.0, 9.4), (0.35, 7.2), (0.9, 6.2)], share)
-        twig = [over_base(share + 0.05 * k, low - k * (low - 2.2) / 3) for k in range(4)]
-        add_tube(model, twig, [0.2, 0.18, 0.15, 0.1], name, lambda p: CORTEX, back, name, 3, 0.0)
+    add_tube(model, curve, radii, name, lambda p: INNER_CORTEX, back, name, 6)
 
 
 def add_vessels(model):
