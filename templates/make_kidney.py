@@ -542,8 +542,7 @@ def smooth_path(points, count):
 
 
 def add_arcade(model, angle, way, name, back, size):
-    """Where a vessel has come up between two pyramids it bends and runs over the base of one of them; arteries send twigs
-    from there to the capsule."""
+    """Where a vessel has come up between two pyramids it bends and runs over the base of one of them."""
     def over_base(share, depth):
         ray = fan(angle + way * share * SPREAD / 2)
         return add(along_ray(along_ray(CENTER, ray, sinus, 3.0), ray, bean, -depth), (0.0, 0.0, 1.0), 0.07)
@@ -552,10 +551,6 @@ def add_arcade(model, angle, way, name, back, size):
              for share in (0.03, 0.15, 0.3, 0.45, 0.6, 0.75, 0.88)]
     radii = [size * ramp([(0, 0.42), (6, 0.2)], float(k)) * 1.2 for k in range(len(curve))]
     add_tube(model, curve, radii, name, lambda p: INNER_CORTEX, back, name, 6)
-    for share in (0.25, 0.5, 0.75) if name == "artery" else ():
-        low = ramp([(0.0, 9.4), (0.35, 7.2), (0.9, 6.2)], share)
-        twig = [over_base(share + 0.05 * k, low - k * (low - 2.2) / 3) for k in range(4)]
-        add_tube(model, twig, [0.2, 0.18, 0.15, 0.1], name, lambda p: CORTEX, back, name, 5)
 
 
 def add_vessels(model):
