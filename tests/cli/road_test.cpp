@@ -380,7 +380,8 @@ TEST(Scenes, RefusedOnTheirWayLeaveNothingBehind) {
 TEST(Scenes, AreBakedOnceForAllTheirFiles) {
   const TemporaryFolder folder;
   std::ofstream(folder / "small.toml") << std::regex_replace(small_scene, std::regex("count = 20\ntotal = 30"), "");
-  const std::vector<std::string> how = with({"scene", "small.toml", "--texture", "64", "--maps", "all", "--lod", "1"}, coarse);
+  const std::vector<std::string> how =
+      with({"scene", "small.toml", "--texture", "64", "--maps", "all", "--lod", "1"}, coarse);
   const auto texels = [&](const std::string& stats) {
     return nlohmann::json::parse(bytes_of(folder / stats)).at("counts").at("texels").get<int>();
   };
