@@ -125,7 +125,7 @@ class Delivery {
   std::vector<std::unique_ptr<StreamedGlb>> streams_;
   std::shared_ptr<const ReadyMeshes> ready_;
   std::ptrdiff_t uses_left_ = 0;  ///< of ready_
-  std::string style_word_;  ///< what names it; empty = the default
+  std::string style_word_;        ///< what names it; empty = the default
   std::optional<PlateText> plate_text_;
   PictureSize default_size_{960, 720};
   std::optional<PictureSize> size_;

@@ -53,8 +53,8 @@ std::vector<std::vector<Solid>> Delivery::levels_of(const Scene& scene) {
 /// Nothing unless textures are asked for. Maps are for .glb alone.
 std::optional<BakeOptions> Delivery::bake_options() const {
   if (!wants_textures(options_)) return {};
-  const bool any_glb = std::any_of(outputs_.begin(), outputs_.end(),
-                                   [](const Output& output) { return output.format == Format::glb; });
+  const bool any_glb =
+      std::any_of(outputs_.begin(), outputs_.end(), [](const Output& output) { return output.format == Format::glb; });
   BakeOptions how{.texel = texel_,
                   .maps = any_glb && options_.maps == "all" ? Maps::all : Maps::color,
                   .threads = {options_.threads}};

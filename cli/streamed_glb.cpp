@@ -22,8 +22,7 @@ void StreamedGlb::take(std::span<const Solid> solids) {
   if (!options_.bake) return times_.time("write", [&] { stream_.add(solids, levels); });
 
   const Style& style = options_.exported.style;
-  const std::vector<BakedSolid> baked =
-      times_.time("bake", [&] { return all_baked(solids, style, *options_.bake); });
+  const std::vector<BakedSolid> baked = times_.time("bake", [&] { return all_baked(solids, style, *options_.bake); });
   const std::vector<std::vector<BakedSolid>> coarser =
       times_.time("bake", [&] { return baked_levels(levels, style, *options_.bake); });
   count_texels(baked, times_);

@@ -28,8 +28,8 @@ class SetFolder {
   std::filesystem::path record_path() const { return folder_ / (stem_ + ".set"); }
   std::size_t size() const { return record_.members.size(); }
 
-  /// Writes these bytes, and the rest if there is one, beside the destination `name`, down to the disk, with the permissions of what is there.
-  /// \throws Error (cannot_create, io_error)
+  /// Writes these bytes, and the rest if there is one, beside the destination `name`, down to the disk, with the
+  /// permissions of what is there. \throws Error (cannot_create, io_error)
   void add(const std::string& name, std::string_view bytes, const SpooledBytes* rest = nullptr);
 
   /// Keeps what the files replace, each under a second name. \throws Error (cannot_create)

@@ -76,7 +76,8 @@ class LayerFiller {
     const Solid& solid = scene_.solids[static_cast<std::size_t>(placed.solid)];
     std::array<glm::dvec3, 3> corner{};
     for (int i = 0; i < 3; ++i)
-      corner[i] = lens_.seen(turn_[instance] * glm::dvec3(solid.position[solid.triangle[t][i]]) + placed.pose.translation);
+      corner[i] =
+          lens_.seen(turn_[instance] * glm::dvec3(solid.position[solid.triangle[t][i]]) + placed.pose.translation);
     return picture_triangle(corner);
   }
 

@@ -39,7 +39,8 @@ class BytesInMemory : public Imf::OStream {
   std::size_t place_ = 0;
 };
 
-/// Channels of floats, one value a pixel. They are asked for a few rows at a time: a large heap has hundreds of channels.
+/// Channels of floats, one value a pixel. They are asked for a few rows at a time: a large heap has hundreds of
+/// channels.
 class FloatChannels {
  public:
   FloatChannels(int width, int height) : header_(width, height), width_(width), height_(height) {

@@ -31,9 +31,11 @@ constexpr std::size_t masks_in_picture = 16;
 /// How many pictures hold the masks of so many instances.
 std::size_t amodal_pictures(std::size_t instances);
 
-/// Rows `top` to `bottom` of the picture "amodal_1", which has instances 1 to 16, for `number` 0, of "amodal_2", which has
-/// 17 to 32, for 1, ...: the lowest bit is the first instance's. Whole pictures of a large heap would take gigabytes together.
-std::vector<std::uint16_t> amodal_rows(std::span<const Mask> amodal, std::size_t number, int width, int top, int bottom);
+/// Rows `top` to `bottom` of the picture "amodal_1", which has instances 1 to 16, for `number` 0, of "amodal_2", which
+/// has 17 to 32, for 1, ...: the lowest bit is the first instance's. Whole pictures of a large heap would take
+/// gigabytes together.
+std::vector<std::uint16_t> amodal_rows(std::span<const Mask> amodal, std::size_t number, int width, int top,
+                                       int bottom);
 
 /// All rows.
 TruthPicture amodal_picture(std::span<const Mask> amodal, std::size_t number, int width, int height);

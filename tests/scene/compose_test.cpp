@@ -107,11 +107,11 @@ TEST(Compose, SizesAreTimesTheVariantsOwn) {
   EXPECT_NEAR(radius(small), 0.5 * radius(plain), 1e-3);
 }
 
-/// Where solids are taken on their way, all are, once, in the scene's order; what is left of them is enough to settle them.
+/// Where solids are taken on their way, all are, once, in the scene's order; what is left of them is enough to settle
+/// them.
 TEST(Compose, SolidsAreTakenInTheirOrderAndTheirLooksLetGo) {
-  const std::string many =
-      "[bowl]\nprofile = \"M 0 0 L 80 0 L 130 -60 L 126 -60 L 78 -4 L 0 -4\"\n" + wedges + "count = 20\ntotal = 30\n" +
-      rings;
+  const std::string many = "[bowl]\nprofile = \"M 0 0 L 80 0 L 130 -60 L 126 -60 L 78 -4 L 0 -4\"\n" + wedges +
+                           "count = 20\ntotal = 30\n" + rings;
   const SceneDescription scene = parse_scene(head + many, "a.toml");
   const Composition whole = compose(scene, nullptr, coarse());
   for (const int threads : {1, 2}) {

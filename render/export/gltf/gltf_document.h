@@ -44,7 +44,8 @@ class GltfDocument {
   Json& scene() { return json_["scenes"][0]; }
 
   /// As .glb: header, JSON, buffer. The document is empty then: what has been copied is let go, so that a file of
-  /// hundreds of megabytes is held once. With a spool these are the file's first bytes, and the spool has the rest. \throws Error (bad_data) beyond the 4 GB that the format can tell.
+  /// hundreds of megabytes is held once. With a spool these are the file's first bytes, and the spool has the rest.
+  /// \throws Error (bad_data) beyond the 4 GB that the format can tell.
   std::string bytes() &&;
 
  private:

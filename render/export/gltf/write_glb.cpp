@@ -90,7 +90,8 @@ void GlbStream::Writer::name_variants(std::span<const TextureVariant> variants) 
   document_.extend("KHR_materials_variants", {{"variants", std::move(names)}});
 }
 
-std::optional<int> GlbStream::Writer::hull_of(const Solid& solid, const std::string& mesh_name, const glm::vec3& pivot) {
+std::optional<int> GlbStream::Writer::hull_of(const Solid& solid, const std::string& mesh_name,
+                                              const glm::vec3& pivot) {
   const std::string name = hull_name(options_.engine, mesh_name);
   if (name.empty()) return {};
   ConvexHull hull = convex_hull(solid.position);
