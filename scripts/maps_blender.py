@@ -11,7 +11,7 @@ numpy.bool = bool  # what Debian's Blender asks of its numpy, which has it no mo
 
 import bmesh  # noqa: E402
 import bpy  # noqa: E402
-from mathutils import Matrix, Vector  # noqa: E402
+from mathutils import Vector  # noqa: E402
 
 source, picture = sys.argv[sys.argv.index("--") + 1:]
 bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -34,18 +34,15 @@ for thing in fruit:
     mesh.to_mesh(thing.data)
     mesh.free()
 
-# Leaning back, its cut face looks to the front, -Y of Blender, and up, where the window is mirrored in it.
-for thing in fruit:
-    thing.matrix_world = Matrix.Rotation(-0.6, 4, "X") @ thing.matrix_world
-bpy.context.view_layer.update()
 corners = [thing.matrix_world @ Vector(corner) for thing in fruit for corner in thing.bound_box]
 low = Vector([min(corner[k] for corner in corners) for k in range(3)])
 high = Vector([max(corner[k] for corner in corners) for k in range(3)])
 middle, reach = (low + high) / 2, (high - low).length / 2
 
+# The piece's cut face looks to the front, -Y of Blender.
 camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
 scene.collection.objects.link(camera)
-camera.location = middle + Vector((0.45, -1, 0.62)).normalized() * 5.2 * reach
+camera.location = middle + Vector((0.45, -1, 0.62)).normalized() * 4.6 * reach
 camera.rotation_euler = (middle - camera.location).to_track_quat("-Z", "Y").to_euler()
 camera.data.angle = 0.5
 scene.camera = camera

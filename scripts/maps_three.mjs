@@ -25,11 +25,10 @@ scene.background = new THREE.Color(0xf7f3eb);
 scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment(), 0.03).texture;
 scene.environmentIntensity = 0.8;
 scene.add(fruit);
-fruit.rotation.x = -0.6;  // leaning back: the room's lamps are mirrored in the cut face
 const box = new THREE.Box3().setFromObject(fruit), middle = box.getCenter(new THREE.Vector3());
 const reach = box.getSize(new THREE.Vector3()).length() / 2;
 const camera = new THREE.PerspectiveCamera(25, 400 / 320, 0.01 * reach, 100 * reach);
-camera.position.copy(middle).add(new THREE.Vector3(0.45, 0.62, 1).normalize().multiplyScalar(3.9 * reach));
+camera.position.copy(middle).add(new THREE.Vector3(0.45, 0.62, 1).normalize().multiplyScalar(4.1 * reach));
 camera.lookAt(middle);
 renderer.render(scene, camera);
 document.title = 'drawn';

@@ -39,9 +39,9 @@ struct Turns {
 };
 
 /// A link from each part to the one after it; nothing if the parts make no chain.
-class Chain {
+class TurnChain {
  public:
-  explicit Chain(std::size_t count) : next_(count, none), previous_(count, none), closed_(count, 0) {}
+  explicit TurnChain(std::size_t count) : next_(count, none), previous_(count, none), closed_(count, 0) {}
 
   void link(std::uint32_t from, std::uint32_t to) {
     if (from == to) {
@@ -94,7 +94,7 @@ Turns turns_of(std::span<const double> azimuth, std::span<const glm::uvec3> tria
   }
 
   // String the parts together.
-  Chain links(azimuth.size());
+  TurnChain links(azimuth.size());
   for (const auto& [before, after] : across) links.link(sets.root(before), sets.root(after));
   const std::vector<std::uint32_t> chain = links.longest();
   std::vector<std::uint32_t> place(azimuth.size(), none);
