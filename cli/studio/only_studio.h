@@ -7,7 +7,8 @@
 
 namespace pomona {
 
-/// Held as long as a studio is open. It is a name of the machine's, no file: it goes with the process, however that ends.
+/// Held as long as a studio is open. It is a name of the machine's, no file: it goes with the process, however that
+/// ends.
 class OnlyStudio {
  public:
   /// \param toml the template, which need not be there yet; all paths to one file are the same.

@@ -28,7 +28,8 @@ RunLinks links_of_run(const NodeRuns& runs, const CutLinks& links, std::size_t r
   if (result.plain) return result;
   for (int k = 0; k < NodeRuns::length; ++k) {
     const std::uint8_t open = links.open[NodeRuns::length * r + static_cast<std::size_t>(k)];
-    if (open != all_open && (open & takes_no_part) == 0) result.irregular = static_cast<std::uint8_t>(result.irregular | 1 << k);
+    if (open != all_open && (open & takes_no_part) == 0)
+      result.irregular = static_cast<std::uint8_t>(result.irregular | 1 << k);
   }
   return result;
 }
