@@ -102,7 +102,7 @@ def note_all(tests, work, names, options):
 
     in_turn(note, wanted, options.jobs)
     bad = [test.name for test in noted(tests, work, passing=False)]
-    print(f"{len(tests)} tests, {len(wanted)} noted now; {len(bad)} fail without a fault, and are not asked: {' '.join(bad)}", flush=True)
+    print(f"{len(tests)} tests, {len(wanted)} noted now; {len(bad)} fail without a fault or take too long, and are not asked: {' '.join(bad)}", flush=True)
 
 
 def noted(tests, work, passing=True):

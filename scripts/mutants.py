@@ -401,23 +401,24 @@ def show_all(faults, options):
 # ---- Reporting ----
 
 
-def reasons():
-    """Why nothing can see a survivor, by what tests/mutants.toml says of its file and its words."""
+def reasons(kind="equivalent"):
+    """What tests/mutants.toml says of survivors: why nothing can see them, or (unseen) why nothing does."""
     path = ROOT / "tests" / "mutants.toml"
-    return tomllib.loads(path.read_text(encoding="utf-8"))["equivalent"] if path.is_file() else []
+    return tomllib.loads(path.read_text(encoding="utf-8")).get(kind, []) if path.is_file() else []
 
 
 def first_figures():
     """What was seen before tests were added for survivors, as tests/mutants.toml says; the results themselves know only the last."""
     path = ROOT / "tests" / "mutants.toml"
     told = tomllib.loads(path.read_text(encoding="utf-8")).get("first", []) if path.is_file() else []
-    return [f"At first {r['seen']} of {r['shown']} faults of `{r['folder']}` were seen; tests were added for what survived, and the table is what they see now."
-            for r in told]
+    return [r.get("text") or f"At first {r['seen']} of {r['shown']} faults of `{r['folder']}` were seen; tests were added for what survived, and the "
+            "table is what they see now." for r in told]
 
 
 def why(fault, known):
-    found = [r["why"] for r in known if r["file"] == fault.file and r["sound"] == fault.sound.strip()
-             and r.get("fault", "") == (fault.text or "").strip()]
+    """Constants are alike in many lines: what tests/mutants.toml says of one goes by the fault's name."""
+    found = [r["why"] for r in known if (r["file"], r["sound"], r.get("fault", "")) == (fault.file, fault.sound.strip(), (fault.text or "").strip())
+             and r.get("name", fault.name) == fault.name]
     return found[0] if found else ""
 
 
@@ -426,7 +427,7 @@ def folder_of(file):
 
 
 def report(faults):
-    results, known = read_results(), reasons()
+    results, known, told = read_results(), reasons(), reasons("unseen")
     # A change of some source moves what is drawn; what was shown counts as long as it can be found in its file.
     there = {f.name: f for file in sources() for f in all_faults(file)} | {f.name: f for f in faults}
     judged = sorted(((there[name], result) for name, result in results.items() if name in there), key=lambda one: (one[0].file, one[0].line))
@@ -441,14 +442,14 @@ def report(faults):
              f"{len(faults)} faults are drawn, {drops} of which are known not to compile. {len(judged)} of the others have been shown, in "
              f"{len(of)} of {len(sources())} files: {seen} were seen, {len(survived)} survived, of which {len(excused)} change nothing "
              f"that could be seen. That is {100 * seen / max(1, could):.1f} % of the {could} that could be seen, or {100 * seen / max(1, len(judged)):.1f} % of all.",
-             "", *[line for told in first_figures() for line in (told, "")],
+             "", *[line for first in first_figures() for line in (first, "")],
              "| folder | faults | seen | survived | that could be seen |", "|---|--:|--:|--:|--:|"]
     for folder in sorted({folder_of(file) for file in of}):
         here = [(f, r) for f, r in judged if folder_of(f.file) == folder]
         left = [f for f, r in here if r[0] != "seen"]
         lines.append(f"| {folder} | {len(here)} | {len(here) - len(left)} | {len(left) or ''} | {sum(not why(f, known) for f in left) or ''} |")
     lines += ["", "Survivors. \"Asked\" is how many tests it was shown to, of those that come by its place.", "", "| fault | asked | why |", "|---|--:|---|"]
-    lines += [f"| {f.told().replace('|', chr(92) + '|')} | {r[2].replace('/', ' of ')} | {why(f, known) or untold(r[2])} |" for f, r in survived]
+    lines += [f"| {f.told().replace('|', chr(92) + '|')} | {r[2].replace('/', ' of ')} | {why(f, known) or untold(r[2]) + ' ' + why(f, told)} |" for f, r in survived]
     (ROOT / "docs" / "mutants.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(lines[4])
 

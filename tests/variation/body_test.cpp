@@ -1,6 +1,9 @@
 // Size, proportions and bend: what variants differ in beyond the paper.
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <glm/geometric.hpp>
@@ -168,6 +171,26 @@ TEST(Body, proportions_are_a_monotone_map_of_the_half_plane) {
       EXPECT_GT(proportions.radius_factor(u), 0.05);
       EXPECT_LT(proportions.radius_factor(u), 20);
     }
+  }
+}
+
+TEST(Body, no_two_proportions_go_together) {
+  Template fruit = fruits::onion();
+  fruit.variation.profile = 0.1;
+  constexpr std::size_t count = 600;
+  std::array<std::vector<double>, 5> drawn;
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    const Proportions p = vary_body(fruit, {seed, 0}, 1).proportions;
+    const std::array<double, 5> one{p.slenderness, p.pear, p.barrel, p.shoulders, p.stretch};
+    for (std::size_t i = 0; i < one.size(); ++i) drawn[i].push_back(one[i]);
+  }
+  const auto product = [&](std::size_t i, std::size_t j) {
+    return std::inner_product(drawn[i].begin(), drawn[i].end(), drawn[j].begin(), 0.0);
+  };
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    ASSERT_GT(product(i, i), 0) << i;
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_LT(std::fabs(product(i, j)) / std::sqrt(product(i, i) * product(j, j)), 0.2) << i << " " << j;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "generator/base/units.h"
 #include "generator/surface/crossings.h"
 #include "generator/surface/sweep/sweep.h"
+#include "generator/variation/fold_room.h"
 #include "generator/variation/fold_blend.h"
 #include "generator/variation/fold_samples.h"
 #include "generator/variation/vary.h"
@@ -188,6 +189,21 @@ TEST(FoldVariation, KeepsChambersInTheirFoldsAndNothingCrosses) {
     EXPECT_TRUE(crossing_triangles(sweep(variant.fruit)).empty()) << seed;
   }
   EXPECT_LT(stepped, 120 * 5 / 4);
+}
+
+TEST(FoldRoom, KnowsWhenAChamberLeavesItsLayer) {
+  for (const double taper : {0.0, 1.0}) {
+    Template tomato = fruits::tomato();
+    tomato.surfaces[3].taper = taper;
+    const FoldRoom room(tomato);
+    EXPECT_EQ(room.is_sound(tomato), std::vector<bool>(tomato.surfaces[3].horizontal.size(), true)) << taper;
+    for (std::size_t k = 0; k < tomato.surfaces[3].horizontal.size(); ++k) {
+      Template out = tomato;
+      for (glm::dvec2& p : out.surfaces[3].horizontal[k].points) p *= 1.6;
+      const std::vector<bool> sound = room.is_sound(out);
+      for (std::size_t j = 0; j < sound.size(); ++j) EXPECT_EQ(sound[j], j != k) << taper << " " << k << " " << j;
+    }
+  }
 }
 
 TEST(FoldVariation, LeavesAMissingChamberMissing) {

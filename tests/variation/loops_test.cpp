@@ -102,6 +102,26 @@ TEST(CylindricalVariation, DepartsFurtherWithTheAmount) {
   }
 }
 
+TEST(CylindricalVariation, BeyondOneTheSwingsGrowWhereTheyAre) {
+  // Half as much again at amount 2 as at 1, about the same mean, at the same azimuths.
+  const LoopVariation variation(fruits::onion(1));
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const Template once = variation.draw({seed, 0}, 1), twice = variation.draw({seed, 0}, 2);
+    const std::vector<glm::dvec2>&p = loop_of(once).points, &q = loop_of(twice).points;
+    ASSERT_EQ(p.size(), q.size());
+    double mean_p = 0, mean_q = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      mean_p += std::log(glm::length(p[i])) / static_cast<double>(p.size());
+      mean_q += std::log(glm::length(q[i])) / static_cast<double>(p.size());
+    }
+    EXPECT_NEAR(mean_p, mean_q, 1e-9);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      EXPECT_NEAR(glm::distance(glm::normalize(p[i]), glm::normalize(q[i])), 0, 1e-9);
+      EXPECT_NEAR(std::log(glm::length(q[i])) - mean_q, 1.5 * (std::log(glm::length(p[i])) - mean_p), 1e-9);
+    }
+  }
+}
+
 TEST(CylindricalVariation, ClosesWithoutAJump) {
   const LoopVariation variation(fruits::onion(3));
   for (std::uint64_t seed = 0; seed < 100; ++seed) {

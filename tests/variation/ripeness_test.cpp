@@ -114,6 +114,25 @@ TEST(Ripening, colours_lie_between_drawn_and_target_and_go_on_towards_it) {
   }
 }
 
+TEST(Ripening, at_the_ends_both_sides_have_their_targets) {
+  const DiffusionSurfaces drawn = nested_fruit();
+  for (const auto& [ripeness, target] : {std::pair{0.0, green}, {2.0, brown}}) {
+    const DiffusionSurfaces now = ripened_to(ripeness, ripening_fruit(), drawn);
+    for (std::size_t t = 0; t < drawn.triangle_count(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t v = drawn.triangle[t][k];
+        const auto ripens = [&](std::int32_t part) { return drawn.part_names[static_cast<std::size_t>(part)] != "stone"; };
+        if (ripens(drawn.front_part[t])) {
+          EXPECT_LT(glm::distance(now.front_color[v], target), 1e-4) << ripeness;
+        }
+        if (ripens(drawn.back_part[t])) {
+          EXPECT_LT(glm::distance(now.back_color[v], target), 1e-4) << ripeness;
+        }
+      }
+    }
+  }
+}
+
 TEST(Ripening, parts_that_are_not_named_keep_their_bits) {
   const DiffusionSurfaces drawn = nested_fruit();
   const DiffusionSurfaces unripe = ripened_to(0, ripening_fruit(), drawn);
@@ -217,6 +236,22 @@ TEST(Individuals, differ_as_far_as_declared_and_never_more_than_two_deviations) 
   EXPECT_NEAR(sum / count, 0, 0.003);
   EXPECT_NEAR(std::sqrt(squares / count), 0.03 * 0.96, 0.002);  // clipping takes 4 %
   EXPECT_LE(most, 0.06 + 1e-12);
+}
+
+TEST(Individuals, chroma_and_hue_differ_as_much_as_lightness_of_a_typical_colour) {
+  Template fruit = ripening_fruit();
+  fruit.variation.color = {.all = 0, .parts = {0.03, 0, 0}, .ripeness = 0};
+  constexpr int count = 2000;
+  constexpr double deviation = 0.03 / 0.25;
+  double chroma = 0, hue = 0;
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    const ColorShift shift = drawn_individual(fruit, {seed, 0}).shifts.at(0);
+    ASSERT_LE(std::fabs(shift.chroma - 1), 2 * deviation + 1e-12);
+    ASSERT_LE(std::fabs(shift.hue), 2 * deviation + 1e-12);
+    chroma += (shift.chroma - 1) * (shift.chroma - 1), hue += shift.hue * shift.hue;
+  }
+  EXPECT_NEAR(std::sqrt(chroma / count), 0.96 * deviation, 0.008);
+  EXPECT_NEAR(std::sqrt(hue / count), 0.96 * deviation, 0.008);
 }
 
 TEST(Individuals, draws_of_one_part_do_not_depend_on_another) {
