@@ -130,12 +130,14 @@ Turns most_turns(std::span<const glm::vec3> position, std::span<const glm::uvec3
 
 /// How far along the strip each vertex is, turns of those that are free; beyond their ends as at the ends. What is not
 /// joined to the strip goes with its nearest vertex.
-std::vector<double> places_along(const Turns& turns, std::span<const glm::vec3> position) {
+/// \param first the vertex that stands for all at its place; others have no place along the strip.
+std::vector<double> places_along(const Turns& turns, std::span<const glm::vec3> position,
+                                 std::span<const std::uint32_t> first) {
   std::vector<double> along(position.size(), -1);
   std::vector<std::uint32_t> strip, strays;
   for (std::uint32_t v = 0; v < position.size(); ++v) {
     if (turns.part[v] == none) {
-      strays.push_back(v);
+      if (first[v] == v) strays.push_back(v);
       continue;
     }
     strip.push_back(v);
@@ -207,7 +209,7 @@ std::optional<Solid> hanging_peel(const Solid& solid) {
 
   // Vertices at one place go one way: their strip's is that of the first.
   const double count = static_cast<double>(turns.free());
-  const std::vector<double> of_welded = places_along(turns, solid.position);
+  const std::vector<double> of_welded = places_along(turns, solid.position, first);
   std::vector<double> along;
   for (const std::uint32_t v : first) along.push_back(of_welded[v]);
   const bool rises = is_rising(solid.position, along, 0.5 * count);
