@@ -157,7 +157,8 @@ ExitStatus write_table(const VerifyCommand& command, Progress& progress) {
   check_folder(command.output);
   const auto templates = published_templates();
   const std::vector<VerifiedCut> wanted = wanted_cuts(command, all_cuts(templates));
-  const HashTable made = made_hashes(wanted, templates, {command.threads}, progress);
+  HashTable made = made_hashes(wanted, templates, {command.threads}, progress);
+  std::erase_if(made, [](const auto& entry) { return entry.second.back().empty(); });  // cuts that cannot be made
   write_whole(command.output, write_hash_table(made));
   if (!command.quiet) std::printf("%s: hashes of %zu cuts\n", command.output.c_str(), made.size());
   return ExitStatus::done;

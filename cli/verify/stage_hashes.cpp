@@ -1,9 +1,11 @@
 #include "cli/verify/stage_hashes.h"
 
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "cli/verify/variant_numbers.h"
+#include "generator/base/error.h"
 #include "generator/base/sha256.h"
 #include "generator/cut/section/cross_section.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
@@ -47,6 +49,16 @@ std::string section_png(const CrossSection& section, const Template& fruit, cons
                                 {.width = verified_width, .height = verified_height, .threads = threads}));
 }
 
+/// Nothing where the knife is not for this fruit, as a peel thicker than a leaf.
+std::optional<Slices> sliced_if_fit(const SliceTask& task, const Diffuser& diffuser, Threads threads) {
+  try {
+    return slice(task, &diffuser, {.cut = {.threads = threads}, .threads = threads});
+  } catch (const Error& error) {
+    if (error.status() != ExitStatus::usage) throw;
+    return {};
+  }
+}
+
 }  // namespace
 
 std::vector<StageHashes> stage_hashes(const Template& drawn, std::uint64_t seed, std::span<const std::string> knives,
@@ -63,14 +75,19 @@ std::vector<StageHashes> stage_hashes(const Template& drawn, std::uint64_t seed,
   std::vector<StageHashes> found;
   for (const std::string& words : knives) {
     const std::vector<Knife> knife{parse_knife(words)};
-    Slices slices = slice({.grown = grown, .variant = fruit, .knives = knife, .name = drawn.name}, diffuser.get(),
-                          {.cut = {.threads = threads}, .threads = threads});
+    if (one_done) one_done();
+    std::optional<Slices> cut =
+        sliced_if_fit({.grown = grown, .variant = fruit, .knives = knife, .name = drawn.name}, *diffuser, threads);
+    if (!cut) {
+      found.push_back({curves, surfaces});
+      continue;
+    }
+    Slices slices = std::move(*cut);
     const Scene scene = gathered(std::move(slices.pieces));
     found.push_back({curves, surfaces, first_digits(memory_of(slices.section.position)),
                      first_digits(triangles_of(slices.section)), first_digits(memory_of(slices.section.color)),
                      first_digits(write_solids(scene, exported)), first_digits(write_glb(scene, exported)),
                      first_digits(section_png(slices.styled, fruit, exported.style, threads))});
-    if (one_done) one_done();
   }
   return found;
 }

@@ -15,7 +15,8 @@ namespace pomona {
 
 /// For each knife, of the template's variant of that seed, coarsely swept and coloured as a draft: what is compared is
 /// whether the numbers are the same, not whether they are good ones.
-/// \param one_done called after each knife. \throws Error as parse_knife() and slice() do.
+/// Where the knife is not for this fruit, the stages from the cut on have empty ones.
+/// \param one_done called for each knife. \throws Error as parse_knife() and slice() do.
 std::vector<StageHashes> stage_hashes(const Template& drawn, std::uint64_t seed, std::span<const std::string> knives,
                                       Threads threads, const std::function<void()>& one_done = {});
 
