@@ -298,7 +298,8 @@ Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {
   const auto inside = static_cast<std::size_t>(
       std::count_if(asset.winding.begin(), asset.winding.end(), [](std::int8_t w) { return w != 0; }));
   const std::string_view coded = reader.take(node_lengths + 3 * inside, "nodes");
-  auto colors = decoded_nodes(asset, {reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size()}, counts.thirds);
+  auto colors =
+      decoded_nodes(asset, {reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size()}, counts.thirds);
   reader.require(colors.has_value(), "its nodes do not fit together");
   asset.node_color = std::move(*colors);
   read_look(counts, reader, asset);

@@ -144,7 +144,8 @@ std::vector<std::uint8_t> coded_nodes(const Asset& asset, int thirds) {
   return lengths;
 }
 
-std::optional<std::vector<glm::u8vec3>> decoded_nodes(const Asset& asset, std::span<const std::uint8_t> coded, int thirds) {
+std::optional<std::vector<glm::u8vec3>> decoded_nodes(const Asset& asset, std::span<const std::uint8_t> coded,
+                                                      int thirds) {
   const Steps steps(thirds);
   // Where each stream begins and ends.
   std::array<std::size_t, 3 * node_streams> next{}, end{};

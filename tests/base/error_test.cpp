@@ -15,7 +15,8 @@ TEST(Diagnostic, SaysWhereAsExactlyAsItIsKnown) {
   EXPECT_EQ(told({"a.toml", 1, 1, ""}), "a.toml:1:1: error: is odd") << "the first line is a line";
   EXPECT_EQ(told({"a.toml", 12, 9, ""}), "a.toml:12:9: error: is odd");
   EXPECT_EQ(told({"a.ply", 12, 9, "vertex 3, byte 45"}), "a.ply:vertex 3, byte 45: error: is odd");
-  EXPECT_EQ(to_string({{"a.toml", 2, 3, ""}, "is odd", "make it even"}), "a.toml:2:3: error: is odd\n  hint: make it even");
+  EXPECT_EQ(to_string({{"a.toml", 2, 3, ""}, "is odd", "make it even"}),
+            "a.toml:2:3: error: is odd\n  hint: make it even");
 }
 
 TEST(Error, HoldsAllThatIsWrong) {

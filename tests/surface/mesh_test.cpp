@@ -398,7 +398,8 @@ TEST(MeshInTemplate, AFileIsReadOnceHoweverManyShowIt) {
 
 TEST(MeshInTemplate, WhatIsWrongInALineOfItsFileIsToldThere) {
   const TemporaryFolder folder;
-  const std::string mesh = "[[mesh]]\nname = \"m\"\nfile = \"x.obj\"\nfront = { part = \"a\" }\nback = { part = \"b\" }\n";
+  const std::string mesh =
+      "[[mesh]]\nname = \"m\"\nfile = \"x.obj\"\nfront = { part = \"a\" }\nback = { part = \"b\" }\n";
   std::ofstream(folder / "x.toml") << template_with(mesh);
   const auto told = [&](const std::string& obj) {
     std::ofstream(folder / "x.obj") << obj;

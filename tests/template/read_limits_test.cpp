@@ -42,17 +42,19 @@ std::string complaint(const std::string& toml, Read read) {
 
 TEST(TomlLengths, MayBeTheirLimitsAndAreToldThem) {
   const auto said = [](const std::string& length) {
-    return complaint("w = \"" + length + "\"\n", [](const TomlTable& root) { root.get("w").length(0.003, {0.002, 0.005}); });
+    return complaint("w = \"" + length + "\"\n", [](const TomlTable& root) {
+      root.get("w").length(0.003, {0.002, 0.005});
+    });
   };
   for (const char* good : {"2mm", "0.5cm", "3mm"}) EXPECT_EQ(said(good), "") << good;
-  for (const char* bad : {"1.999mm", "5.001mm"}) EXPECT_THAT(said(bad), HasSubstr("must lie between 2mm and 5mm")) << bad;
+  for (const char* bad : {"1.999mm", "5.001mm"})
+    EXPECT_THAT(said(bad), HasSubstr("must lie between 2mm and 5mm")) << bad;
 }
 
 TEST(NoiseLimits, AreThousandfoldEachWay) {
   const auto said = [](const std::string& stretch) {
-    return complaint("base_frequency = 10\nstretch = [1, " + stretch + ", 1]\n", [](const TomlTable& root) {
-      read_noise(root);
-    });
+    return complaint("base_frequency = 10\nstretch = [1, " + stretch + ", 1]\n",
+                     [](const TomlTable& root) { read_noise(root); });
   };
   for (const char* good : {"0.001", "1", "1000"}) EXPECT_EQ(said(good), "") << good;
   for (const char* bad : {"0.0009", "1001"}) EXPECT_THAT(said(bad), HasSubstr("stretch")) << bad;
@@ -86,7 +88,8 @@ TEST(ReadDetail, scales_patterns_by_the_fruit_itself) {
 
 TEST(EndedOnAxis, TakesAwayWhatWaversAboutTheAxis) {
   Curve curve;
-  curve.points = {{0.005, 0}, {-0.004, 0.1}, {-0.002, 0.2}, {0.5, 0.5}, {1, 1}, {0.6, 1.4}, {-0.006, 1.5}, {0.003, 1.6}};
+  curve.points = {{0.005, 0}, {-0.004, 0.1}, {-0.002, 0.2}, {0.5, 0.5},
+                  {1, 1},     {0.6, 1.4},    {-0.006, 1.5}, {0.003, 1.6}};
   const Curve ended = ended_on_axis(curve);
   ASSERT_EQ(ended.points.size(), 5u);
   EXPECT_EQ(ended.points.front().x, 0);

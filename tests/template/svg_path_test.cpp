@@ -50,7 +50,8 @@ TEST(SvgPath, arcs_take_the_way_their_flags_say) {
   EXPECT_NEAR(point_at(parse_svg_path("M -10 0 A 20 5 30 0 1 10 0")[0], 1).x, 0.01, 1e-9);
 }
 
-/// How far the middles of the chords are from a cubic curve at most, in the drawing's units, y upwards as in the result.
+/// How far the middles of the chords are from a cubic curve at most, in the drawing's units, y upwards as in the
+/// result.
 double farthest_chord(const Curve& curve, glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
   double farthest = 0;
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {

@@ -121,7 +121,9 @@ TEST(Ripening, at_the_ends_both_sides_have_their_targets) {
     for (std::size_t t = 0; t < drawn.triangle_count(); ++t) {
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t v = drawn.triangle[t][k];
-        const auto ripens = [&](std::int32_t part) { return drawn.part_names[static_cast<std::size_t>(part)] != "stone"; };
+        const auto ripens = [&](std::int32_t part) {
+          return drawn.part_names[static_cast<std::size_t>(part)] != "stone";
+        };
         if (ripens(drawn.front_part[t])) {
           EXPECT_LT(glm::distance(now.front_color[v], target), 1e-4) << ripeness;
         }

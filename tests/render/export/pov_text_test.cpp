@@ -27,7 +27,8 @@ TEST(PovText, QuotesAndCommentsHoldAnyText) {
 }
 
 TEST(PovText, NumbersReadBackAsTheyWere) {
-  for (const double number : {0.1, 1.0 / 3, -2.5e-9, 123456789.0, 0.0}) EXPECT_EQ(std::stod(number_text(number)), number);
+  for (const double number : {0.1, 1.0 / 3, -2.5e-9, 123456789.0, 0.0})
+    EXPECT_EQ(std::stod(number_text(number)), number);
   EXPECT_EQ(vector_text({1, 0.5, -2}), "<1, 0.5, -2>");
 }
 
