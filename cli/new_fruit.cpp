@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "cli/option_checks.h"
-#include "cli/outputs.h"
+#include "cli/program_folders.h"
 #include "cli/picture_file.h"
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
