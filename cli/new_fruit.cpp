@@ -3,10 +3,9 @@
 #include <utility>
 
 #include "cli/option_checks.h"
-#include "cli/program_folders.h"
 #include "cli/picture_file.h"
+#include "cli/program_folders.h"
 #include "generator/base/error.h"
-#include "generator/base/file_bytes.h"
 #include "generator/base/path_within.h"
 
 namespace fs = std::filesystem;
@@ -15,22 +14,18 @@ namespace pomona {
 
 namespace {
 
-/// All bytes of a picture, which holds no more than 256 MiB.
-std::string picture_bytes(const fs::path& file) { return file_bytes(file, std::size_t{256} << 20, "make it smaller"); }
-
 /// The picture as it comes to lie in the folder or below, and its copy where it does not lie there.
 SketchPicture picture_beside(const std::string& name, const fs::path& folder, std::vector<OutputFile>& copies) {
   const fs::path picture = existing_file(name);
-  if (path_within(folder, picture)) {
-    const LinkedPicture linked = linked_picture(picture, folder);
-    return {linked.href, linked.size};
-  }
-  std::string bytes = picture_bytes(picture);
-  const LinkedPicture linked = linked_picture_of(picture.filename(), bytes, picture.string());
+  std::string bytes = picture_bytes(picture, picture.string());
+  const std::optional<fs::path> step = path_within(folder, picture);
+  const LinkedPicture linked = linked_picture(step.value_or(picture.filename()), bytes, picture.string());
+  if (step) return {linked.href, linked.size};
+
   const fs::path copy = folder / picture.filename();
   if (!fs::exists(copy)) {
     copies.push_back({copy, std::move(bytes)});
-  } else if (picture_bytes(copy) != bytes) {
+  } else if (picture_bytes(copy, copy.string()) != bytes) {
     throw Error(ExitStatus::cannot_create, {{{copy.string(), 0, 0, {}},
                                              "another file than " + picture.string() + " has its name here",
                                              "rename one of the two: pictures are copied beside the template"}});

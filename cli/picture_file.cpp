@@ -25,17 +25,6 @@ constexpr double most_pixels = 1e8;
   throw Error(status, {{{place, 0, 0, {}}, message, hint}});
 }
 
-std::string bytes_of_file(const fs::path& file, const std::string& place) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) {
-    fail(place, "the picture " + file.string() + " is not there", "put it back, or keep the colours as they are",
-         ExitStatus::input_missing);
-  }
-  if (fs::file_size(file, ignored) > most_bytes) fail(place, "the picture is larger than 256 MiB", "make it smaller");
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// What is wrong with a PNG's head, at its byte.
 [[noreturn]] void fail_at(int byte, const std::string& place, const std::string& message, const std::string& hint) {
   throw Error(ExitStatus::bad_data, {{{place, 0, 0, "byte " + std::to_string(byte)}, message, hint}});
@@ -100,16 +89,18 @@ std::string uri_encoded(const std::string& text) {
 
 }  // namespace
 
-LinkedPicture linked_picture(const fs::path& picture, const fs::path& folder) {
-  const std::optional<fs::path> step = path_within(folder, picture);
-  if (!step) {
-    throw Error(ExitStatus::usage, "--picture " + picture.string() + " lies outside the template's folder",
-                "cp " + picture.string() + " " + (folder.empty() ? std::string(".") : folder.string()));
+std::string picture_bytes(const fs::path& file, const std::string& place) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) {
+    fail(place, "the picture " + file.string() + " is not there", "put it back, or keep the colours as they are",
+         ExitStatus::input_missing);
   }
-  return linked_picture_of(*step, bytes_of_file(picture, picture.string()), picture.string());
+  if (fs::file_size(file, ignored) > most_bytes) fail(place, "the picture is larger than 256 MiB", "make it smaller");
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-LinkedPicture linked_picture_of(const fs::path& step, const std::string& bytes, const std::string& file) {
+LinkedPicture linked_picture(const fs::path& step, const std::string& bytes, const std::string& file) {
   return {uri_encoded(step.generic_string()), png_size(bytes, file)};
 }
 
@@ -128,14 +119,14 @@ TransparentImage read_linked_picture(const std::string& href, const fs::path& fo
       fail(place, "the picture lies outside the template's folder",
            "put it beside the template and link it anew, or embed it (Extensions > Images > Embed Images)");
     }
-    bytes = bytes_of_file(file, place);
+    bytes = picture_bytes(file, place);
   }
   png_size(bytes, place);
   return read_transparent_png(bytes, place);
 }
 
 TransparentImage read_picture(const fs::path& file) {
-  const std::string place = file.string(), bytes = bytes_of_file(file, place);
+  const std::string place = file.string(), bytes = picture_bytes(file, place);
   png_size(bytes, place);
   return read_transparent_png(bytes, place);
 }

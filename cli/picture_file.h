@@ -15,12 +15,13 @@ struct LinkedPicture {
   glm::dvec2 size{0};  ///< pixels
 };
 
-/// How an SVG in `folder` names the picture. \throws Error (usage) if it lies elsewhere, (bad_data) if it is no PNG.
-LinkedPicture linked_picture(const std::filesystem::path& picture, const std::filesystem::path& folder);
+/// All bytes of a picture's file. \param place where it is named, for messages.
+/// \throws Error (input_missing), (bad_data) beyond 256 MiB.
+std::string picture_bytes(const std::filesystem::path& file, const std::string& place);
 
 /// How an SVG names a picture with these bytes that is to lie at `step`, from the SVG's folder. \param file its name,
 /// for messages. \throws Error (bad_data) if it is no PNG.
-LinkedPicture linked_picture_of(const std::filesystem::path& step, const std::string& bytes, const std::string& file);
+LinkedPicture linked_picture(const std::filesystem::path& step, const std::string& bytes, const std::string& file);
 
 /// The picture that an SVG in `folder` names: a relative path to a PNG in that folder or below, or a data URI.
 /// \param place where it is named, for messages.

@@ -1,5 +1,6 @@
 // A peel that came off in a strip hangs, its turns apart; other pieces are as they were.
 #include "generator/scene/hanging_peel.h"
+#include "generator/mesh/moments.h"
 
 #include <cmath>
 #include <string>
@@ -25,14 +26,7 @@ std::vector<Solid> pieces_of(const std::vector<std::string>& words) {
   return shapes::sliced(shapes::moved(shapes::sphere(0.03, 8, shapes::skin_paint()), {0, 0.03, 0}), knives).pieces;
 }
 
-double volume_of(const Solid& solid) {
-  double six = 0;
-  for (const glm::uvec3& t : solid.triangle) {
-    const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
-    six += glm::dot(a, glm::cross(b, c));
-  }
-  return six / 6;
-}
+double volume_of(const Solid& solid) { return moments_of(solid.position, solid.triangle, {}).mass; }
 
 Box<double> bounds_of(const Solid& solid) {
   Box<double> box;

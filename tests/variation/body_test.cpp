@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/units.h"
+#include "generator/mesh/moments.h"
 #include "generator/surface/bodies.h"
 #include "generator/surface/crossings.h"
 #include "generator/surface/grains/grains.h"
@@ -61,14 +62,7 @@ Template tube() {
 }
 
 /// Enclosed, by the divergence theorem.
-double volume(const DiffusionSurfaces& surfaces) {
-  double six_times = 0;
-  for (const glm::uvec3& t : surfaces.triangle) {
-    const glm::dvec3 a(surfaces.position[t.x]), b(surfaces.position[t.y]), c(surfaces.position[t.z]);
-    six_times += glm::dot(a, glm::cross(b, c));
-  }
-  return six_times / 6;
-}
+double volume(const DiffusionSurfaces& surfaces) { return moments_of(surfaces.position, surfaces.triangle, {}).mass; }
 
 /// The determinant of the map's derivative, by differences over a hundredth of a millimetre.
 double jacobian(const BodyMap& map, const glm::dvec3& p) {

@@ -7,19 +7,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/mesh/moments.h"
 #include "tests/render/export/named_solids.h"
 
 namespace pomona {
 namespace {
 
-double volume_of(const ConvexHull& hull) {
-  double six = 0;
-  for (const glm::uvec3& t : hull.triangle) {
-    const glm::dvec3 a(hull.position[t.x]), b(hull.position[t.y]), c(hull.position[t.z]);
-    six += glm::dot(a, glm::cross(b, c));
-  }
-  return six / 6;
-}
+double volume_of(const ConvexHull& hull) { return moments_of(hull.position, hull.triangle, {}).mass; }
 
 /// Closed, and no vertex in front of any face.
 void expect_convex(const ConvexHull& hull) {
