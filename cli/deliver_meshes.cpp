@@ -65,8 +65,9 @@ std::optional<BakeOptions> Delivery::bake_options() const {
 /// All of it in textures, at every level and ripeness; variants differ in colour alone.
 Delivery::BakedScene Delivery::baked_scene(const Scene& scene, std::span<const std::vector<Solid>> levels) {
   BakedScene baked;
-  if (!wants_textures(options_)) return baked;
-  BakeOptions how = *bake_options();
+  const std::optional<BakeOptions> wanted = bake_options();
+  if (!wanted) return baked;
+  BakeOptions how = *wanted;
   baked.solids = times.time("bake", [&] { return baked_by_fruit(scene.solids, style_, how, progress); });
   baked.coarser = times.time("bake", [&] { return baked_levels(levels, style_, how); });
   count_texels(baked.solids, times);
