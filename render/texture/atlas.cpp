@@ -4,9 +4,11 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "generator/base/cross.h"
@@ -50,27 +52,43 @@ std::vector<Run> runs_of(const BlockMask& mask) {
   return runs;
 }
 
-/// What a chart needs when it is turned in one way.
+/// What a chart needs when it is turned in one way. Shapes of one kind need the same blocks.
 struct Shape {
   BlockMask mask;
   std::vector<Run> runs;
-  explicit Shape(BlockMask of) : mask(std::move(of)), runs(runs_of(mask)) {}
+  std::size_t kind = 0;
+  Shape(BlockMask of, std::size_t number) : mask(std::move(of)), runs(runs_of(mask)), kind(number) {}
+};
+
+/// Numbers masks: equal ones have the same number.
+class Kinds {
+ public:
+  std::size_t of(const BlockMask& mask) {
+    return kinds_.try_emplace({mask.width, mask.height, mask.bits}, kinds_.size()).first->second;
+  }
+  std::size_t count() const { return kinds_.size(); }
+
+ private:
+  std::map<std::tuple<int, int, std::vector<std::uint64_t>>, std::size_t> kinds_;
 };
 
 /// Blocks that are taken. Each row is also kept with every block taken that has a taken one among the 2^k that begin
 /// with it, so that one look tells for a whole row of places whether a run meets anything.
 class Field {
  public:
-  explicit Field(const glm::ivec2& blocks) : blocks_(blocks), words_(static_cast<std::size_t>(blocks.x + 63) / 64) {
+  Field(const glm::ivec2& blocks, std::size_t kinds)
+      : blocks_(blocks), words_(static_cast<std::size_t>(blocks.x + 63) / 64), first_row_(kinds, 0) {
     const auto levels = static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(blocks.x)));
     rows_.assign(static_cast<std::size_t>(blocks.y), std::vector<BitRow>(levels, BitRow(words_, 0)));
   }
 
-  /// The first place, row by row and not before row `start`, where the shape meets nothing.
-  std::optional<glm::ivec2> place(const Shape& shape, int start) const {
+  /// The first place, row by row and before row `end`, where the shape meets nothing. Blocks are never given back, so
+  /// that shapes of its kind need not be tried in earlier rows again.
+  std::optional<glm::ivec2> place(const Shape& shape, double end) {
     BitRow blocked(words_);
     const int last = blocks_.x - shape.mask.width;
-    for (int y = start; y + shape.mask.height <= blocks_.y && last >= 0; ++y) {
+    int& y = first_row_[shape.kind];
+    for (; y < end && y + shape.mask.height <= blocks_.y && last >= 0; ++y) {
       std::fill(blocked.begin(), blocked.end(), 0);
       for (const Run& run : shape.runs) {
         const std::vector<BitRow>& row = rows_[static_cast<std::size_t>(y + run.row)];
@@ -107,7 +125,8 @@ class Field {
   glm::ivec2 blocks_;
   std::size_t words_;
   std::vector<std::vector<BitRow>> rows_;  // per row, per k
-  mutable std::size_t looks_ = 0;
+  std::vector<int> first_row_;             // per kind: there is no place for it before this row
+  std::size_t looks_ = 0;
 };
 
 double area_of(const std::vector<ChartOutline>& charts) {
@@ -124,8 +143,13 @@ struct Shapes {
   int mip_levels = 0;
   std::vector<std::vector<Shape>> of_chart;
   std::vector<std::uint8_t> speck;
+  std::size_t kinds = 0;   ///< of shapes
   std::int64_t least = 0;  ///< blocks
 };
+
+/// A chart of a few blocks needs about the same ones however it is turned.
+constexpr double few_blocks = 3;
+constexpr std::size_t turns_of_small_ones = 1;
 
 /// Hairs and crumbs, which would show nothing but their edges.
 bool is_speck(const Chart& chart, double area, double scale) {
@@ -155,18 +179,27 @@ class Packer {
 
   Shapes shapes_at(double texels_per_metre) const {
     Shapes shapes{.texels_per_metre = texels_per_metre, .mip_levels = mip_levels_, .of_chart = {}, .speck = {}};
+    Kinds kinds;
     for (std::size_t c = 0; c < charts_.size(); ++c) {
       std::vector<Shape> ways;
       const bool speck = is_speck(charts_[c], outlines_[c].area(), texels_per_metre);
-      if (speck) ways.emplace_back(speck_mask());
-      for (const Turn& turn : outlines_[c].turns())
-        if (!speck) ways.emplace_back(outlines_[c].mask(turn, texels_per_metre / (1 << mip_levels_)));
+      const auto add = [&](BlockMask mask) {
+        const std::size_t kind = kinds.of(mask);
+        ways.emplace_back(std::move(mask), kind);
+      };
+      if (speck) add(speck_mask());
+      const double blocks_per_metre = texels_per_metre / (1 << mip_levels_);
+      const bool small = std::max(charts_[c].size.x, charts_[c].size.y) * blocks_per_metre < few_blocks;
+      const std::vector<Turn>& turns = outlines_[c].turns();
+      const std::size_t count = small ? std::min(turns_of_small_ones, turns.size()) : turns.size();
+      for (std::size_t i = 0; i < count && !speck; ++i) add(outlines_[c].mask(turns[i], blocks_per_metre));
       std::int64_t least = ways.front().mask.count;
       for (const Shape& way : ways) least = std::min(least, way.mask.count);
       shapes.least += least;
       shapes.of_chart.push_back(std::move(ways));
       shapes.speck.push_back(speck ? 1 : 0);
     }
+    shapes.kinds = kinds.count();
     return shapes;
   }
 
@@ -201,22 +234,19 @@ class Packer {
     const glm::ivec2 blocks = size >> mip_levels_;
     if (shapes.least > static_cast<std::int64_t>(blocks.x) * blocks.y) return std::nullopt;
     Placed found{std::vector<glm::ivec2>(charts_.size()), std::vector<std::size_t>(charts_.size(), 0)};
-    Field field(blocks);
-    int speck_row = 0;
+    Field field(blocks, shapes.kinds);
     for (const std::size_t c : way.order) {
       const std::vector<Shape>& ways = shapes.of_chart[c];
       double lowest = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < ways.size(); ++i) {
-        const std::optional<glm::ivec2> at = field.place(ways[i], shapes.speck[c] != 0 ? speck_row : 0);
+        const double own = way.height * ways[i].mask.height;
+        const std::optional<glm::ivec2> at = field.place(ways[i], lowest - own);
         if (!at) continue;
-        const double reach = at->y + way.height * ways[i].mask.height;
-        if (reach >= lowest) continue;
-        lowest = reach;
+        lowest = at->y + own;
         found.at[c] = *at, found.turned[c] = i;
       }
       if (lowest == std::numeric_limits<double>::infinity()) break;
       field.take(ways[found.turned[c]], found.at[c]);
-      if (shapes.speck[c] != 0) speck_row = found.at[c].y;
       if (c == way.order.back()) {
         looks_ += field.looks();
         return found;
@@ -263,59 +293,72 @@ class Packer {
 std::size_t looks_for(const glm::ivec2& size) { return static_cast<std::size_t>(size.x) * size.y * 24; }
 constexpr std::uint64_t most_ways = 2000, ways_at_a_scale = 24;
 
-/// Halves the interval between a scale that fits and one that cannot; then looks for other ways to place the charts
-/// that let them be a little larger.
-std::optional<PackedCharts> largest(const std::vector<Chart>& charts, int side, int mip_levels) {
-  Packer packer(charts, mip_levels);
-  const glm::ivec2 size(side);
+/// Charts at a scale, and where they are.
+struct Fit {
+  Shapes shapes;
+  Placed places;
+};
+
+/// Halves the interval between a scale that fits and one that cannot, the largest charts placed first.
+std::optional<Fit> fit_of(Packer& packer, const glm::ivec2& size) {
   const double area = packer.area();
-  double fits = 0, too_large = area > 0 ? side / std::sqrt(area) : side;
-  Shapes best = packer.shapes_at(fits);
-  std::optional<Placed> places = packer.placed(best, size, packer.first_way(best));
+  double fits = 0, too_large = area > 0 ? size.x / std::sqrt(area) : size.x;
+  Shapes shapes = packer.shapes_at(fits);
+  std::optional<Placed> places = packer.placed(shapes, size, packer.first_way(shapes));
   if (!places) return std::nullopt;
-  constexpr int halvings = 8;
+  Fit best{std::move(shapes), std::move(*places)};
+  constexpr int halvings = 6;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (fits + too_large);
-    Shapes shapes = packer.shapes_at(middle);
-    std::optional<Placed> at_middle = packer.placed(shapes, size, packer.first_way(shapes));
-    (at_middle ? fits : too_large) = middle;
-    if (at_middle) best = std::move(shapes), places = std::move(at_middle);
+    shapes = packer.shapes_at(middle);
+    places = packer.placed(shapes, size, packer.first_way(shapes));
+    (places ? fits : too_large) = middle;
+    if (places) best = {std::move(shapes), std::move(*places)};
   }
+  return best;
+}
 
+/// Looks for other ways to place the charts that let them be a little larger.
+Fit enlarged(Packer& packer, const glm::ivec2& size, Fit best) {
   const std::size_t enough = packer.looks() + looks_for(size);
   double step = 0.08;
   std::uint64_t tried = 0, number = 0;
-  Shapes larger = packer.shapes_at(best.texels_per_metre * (1 + step));
+  Shapes larger = packer.shapes_at(best.shapes.texels_per_metre * (1 + step));
   while (step > 0.002 && number < most_ways && packer.looks() < enough) {
-    const std::optional<Placed> found = packer.placed(larger, size, packer.other_way(larger, ++number));
+    std::optional<Placed> found = packer.placed(larger, size, packer.other_way(larger, ++number));
     ++tried;
     if (!found && tried < ways_at_a_scale) continue;
     if (found)
-      best = std::move(larger), places = found;
+      best = {std::move(larger), std::move(*found)};
     else
       step *= 0.6;
     tried = 0;
-    larger = packer.shapes_at(best.texels_per_metre * (1 + step));
+    larger = packer.shapes_at(best.shapes.texels_per_metre * (1 + step));
   }
-  return packer.packed(best, size, *places);
+  return best;
 }
 
 }  // namespace
 
 PackedCharts packed_to_side(const std::vector<Chart>& charts, int side, int mip_levels) {
+  // A level less is worth charts that are half as large again.
   constexpr double worth = 1.5;
-  std::optional<PackedCharts> best;
+  const glm::ivec2 size(side);
+  std::optional<Packer> chosen;
+  std::optional<Fit> best;
   for (int levels = mip_levels; levels >= 0; --levels) {
     if (side % (1 << levels) != 0) continue;
-    std::optional<PackedCharts> packed = largest(charts, side, levels);
-    if (packed && best && packed->atlas.texels_per_metre < worth * best->atlas.texels_per_metre) break;
-    if (packed) best = std::move(packed);
+    Packer packer(charts, levels);
+    std::optional<Fit> fit = fit_of(packer, size);
+    if (fit && best && fit->shapes.texels_per_metre < worth * best->shapes.texels_per_metre) break;
+    if (fit) best = std::move(fit), chosen.emplace(std::move(packer));
   }
   if (!best) {
     throw Error(ExitStatus::usage, "--texture " + std::to_string(side) + ": too few texels for this piece",
                 "its surface falls into " + std::to_string(charts.size()) + " charts; take a larger texture");
   }
-  return *best;
+  const Fit fit = enlarged(*chosen, size, std::move(*best));
+  return chosen->packed(fit.shapes, size, fit.places);
 }
 
 PackedCharts packed_at_texel(const std::vector<Chart>& charts, double texel, int mip_levels) {

@@ -203,8 +203,7 @@ class Baker {
     double area = 0, sum = 0;
     for (const Chart& chart : charts_) {
       if (chart.cut_face >= 0) continue;
-      const double own = chart.size.x * chart.size.y;
-      area += own, sum += own * chart.stretch.mean;
+      area += chart.stretch.area, sum += chart.stretch.area * chart.stretch.mean;
       result_.worst_stretch = std::max(result_.worst_stretch, chart.stretch.worst);
     }
     if (area > 0) result_.mean_stretch = sum / area;

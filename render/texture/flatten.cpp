@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/cross.h"
+#include "generator/mesh/box.h"
 
 namespace pomona {
 
@@ -202,14 +203,23 @@ bool share_a_corner(const glm::uvec3& a, const glm::uvec3& b) {
   return false;
 }
 
+double longest_edge(const std::array<glm::dvec2, 3>& corners) {
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, glm::distance(corners[k], corners[(k + 1) % 3]));
+  return longest;
+}
+
 }  // namespace
 
 Stretch stretch_of(const Patch3& patch, std::span<const glm::dvec2> flat) {
+  Box<double> box;
+  for (const glm::dvec3& p : patch.point) box.add(p);
+  const double narrowest = 1e-4 * glm::length(box.size());
   double sum = 0, area = 0, worst = 1;
   for (const glm::uvec3& t : patch.triangle) {
     const auto r = at_rest_shape(patch.point[t.x], patch.point[t.y], patch.point[t.z]);
     const double own = cross(r[1] - r[0], r[2] - r[0]);
-    if (!(own > 0)) continue;
+    if (!(own > narrowest * longest_edge(r))) continue;
     // The map's two columns: where a unit step along x and along y of the triangle's own plane goes.
     const glm::dvec2 e = flat[t.y] - flat[t.x], f = flat[t.z] - flat[t.x];
     const glm::dvec2 x = e / r[1].x, y = (f - x * r[2].x) / r[2].y;
@@ -222,7 +232,7 @@ Stretch stretch_of(const Patch3& patch, std::span<const glm::dvec2> flat) {
     area += own;
     worst = std::max(worst, either);
   }
-  return {area > 0 ? sum / area : 1.0, worst};
+  return {area > 0 ? sum / area : 1.0, worst, 0.5 * area};
 }
 
 std::vector<glm::dvec2> relaxed(const Patch3& patch, std::vector<glm::dvec2> projected) {

@@ -17,10 +17,12 @@ struct Patch3 {
 };
 
 /// How lengths change on the way to the plane: of the two principal stretches s >= t of each triangle (1 where
-/// nothing changes) the means, by area, and the worst of max(s, 1 / t).
+/// nothing changes) the mean of max(s, 1 / t), by area, and the worst. Triangles narrower than a
+/// ten-thousandth of the patch are left out: less than a texel of any texture, they show nothing.
 struct Stretch {
-  double mean = 1;   ///< of max(s, 1 / t)
-  double worst = 1;  ///< of triangles that have an area
+  double mean = 1;
+  double worst = 1;
+  double area = 0;  ///< of the triangles that count, square metres
 };
 Stretch stretch_of(const Patch3& patch, std::span<const glm::dvec2> flat);
 

@@ -130,6 +130,19 @@ TEST(Charts, OfABallAreFewAndHardlyStretched) {
   EXPECT_LT(worst, 1.6);
 }
 
+/// A vertex that lies on an edge but for rounding makes a triangle that the plane shows as it likes.
+TEST(Flatten, MeasuresNoStretchOfTrianglesTooNarrowToBeSeen) {
+  const Patch3 patch{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5, -1e-16, 0}}, {{0, 1, 2}, {0, 3, 1}}};
+  std::vector<glm::dvec2> flat = {{0, 0}, {1, 0}, {1, 1}, {0.5, -1e-3}};
+  const Stretch narrow = stretch_of(patch, flat);
+  EXPECT_NEAR(narrow.worst, 1, 1e-9);
+  EXPECT_NEAR(narrow.mean, 1, 1e-9);
+  EXPECT_NEAR(narrow.area, 0.5, 1e-9);
+
+  flat[2] = {3, 1};
+  EXPECT_GT(stretch_of(patch, flat).worst, 2) << "of those that can be seen it does";
+}
+
 TEST(Flatten, FindsTrianglesThatLieOnOthers) {
   const std::vector<glm::uvec3> triangles = {{0, 1, 2}, {1, 3, 2}, {4, 5, 6}};
   std::vector<glm::dvec2> flat = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0}, {3, 0}, {2, 1}};
