@@ -307,7 +307,7 @@ std::optional<Fit> fit_of(Packer& packer, const glm::ivec2& size) {
   std::optional<Placed> places = packer.placed(shapes, size, packer.first_way(shapes));
   if (!places) return std::nullopt;
   Fit best{std::move(shapes), std::move(*places)};
-  constexpr int halvings = 6;
+  constexpr int halvings = 8;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (fits + too_large);
     shapes = packer.shapes_at(middle);
