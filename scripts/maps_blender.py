@@ -1,8 +1,9 @@
-"""Renders a .glb with maps by Blender's Cycles, under a soft sky and one window: docs/textures.md. Runs within Blender:
+"""Renders a .glb with maps by Blender's Cycles, on a table under a soft sky and one window: docs/textures.md. Runs within Blender:
 
     blender -b --factory-startup --python-exit-code 1 -P scripts/maps_blender.py -- FILE.glb PICTURE.png
 """
 
+import math
 import sys
 
 import numpy
@@ -11,7 +12,7 @@ numpy.bool = bool  # what Debian's Blender asks of its numpy, which has it no mo
 
 import bmesh  # noqa: E402
 import bpy  # noqa: E402
-from mathutils import Vector  # noqa: E402
+from mathutils import Matrix, Vector  # noqa: E402
 
 source, picture = sys.argv[sys.argv.index("--") + 1:]
 bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -34,33 +35,45 @@ for thing in fruit:
     mesh.to_mesh(thing.data)
     mesh.free()
 
-corners = [thing.matrix_world @ Vector(corner) for thing in fruit for corner in thing.bound_box]
-low = Vector([min(corner[k] for corner in corners) for k in range(3)])
-high = Vector([max(corner[k] for corner in corners) for k in range(3)])
+# The cut face looks to the front, -Y of Blender. The piece leans back until the face looks up, as a half lies on a table.
+lean = Matrix.Rotation(math.radians(-70), 4, "X")
+for thing in fruit:
+    thing.matrix_world = lean @ thing.matrix_world
+bpy.context.view_layer.update()
+places = [thing.matrix_world @ corner.co for thing in fruit for corner in thing.data.vertices]
+low = Vector([min(place[k] for place in places) for k in range(3)])
+high = Vector([max(place[k] for place in places) for k in range(3)])
 middle, reach = (low + high) / 2, (high - low).length / 2
 
-# The piece's cut face looks to the front, -Y of Blender.
+# A table of pale paper under it.
+bpy.ops.mesh.primitive_plane_add(size=40 * reach, location=(middle.x, middle.y, low.z))
+paper = bpy.data.materials.new("paper")
+paper.use_nodes = True
+paper.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = (0.86, 0.82, 0.74, 1)
+paper.node_tree.nodes["Principled BSDF"].inputs["Roughness"].default_value = 0.9
+bpy.context.object.data.materials.append(paper)
+
 camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
 scene.collection.objects.link(camera)
-camera.location = middle + Vector((0.45, -1, 0.62)).normalized() * 4.6 * reach
+camera.location = middle + Vector((0.3, -1, 0.8)).normalized() * 3.9 * reach
 camera.rotation_euler = (middle - camera.location).to_track_quat("-Z", "Y").to_euler()
 camera.data.angle = 0.5
 scene.camera = camera
 
-# A window of one fruit's width to the upper left, and a pale sky.
+# A window to the upper left, whose mirror image lies on a part of the wet face, and a pale sky.
 light = bpy.data.objects.new("window", bpy.data.lights.new("window", "AREA"))
 scene.collection.objects.link(light)
-light.data.size, light.data.energy = 2.5 * reach, 900 * reach * reach
-light.location = middle + Vector((-1.2, -1.1, 1.9)) * 2.6 * reach
+light.data.size, light.data.energy = 0.8 * reach, 130 * reach * reach
+light.location = middle + Vector((-0.42, 0.42, 0.9)) * 3 * reach
 light.rotation_euler = (middle - light.location).to_track_quat("-Z", "Y").to_euler()
 scene.world = bpy.data.worlds.new("sky")
 scene.world.use_nodes = True
 scene.world.node_tree.nodes["Background"].inputs[0].default_value = (0.75, 0.78, 0.82, 1)
-scene.world.node_tree.nodes["Background"].inputs[1].default_value = 0.6
+scene.world.node_tree.nodes["Background"].inputs[1].default_value = 0.45
 
 scene.render.engine = "CYCLES"
-scene.cycles.samples, scene.cycles.seed, scene.cycles.use_denoising = 24, 0, False
-scene.render.resolution_x, scene.render.resolution_y = 400, 320
+scene.cycles.samples, scene.cycles.seed, scene.cycles.use_denoising = 64, 0, False
+scene.render.resolution_x, scene.render.resolution_y = 480, 384
 scene.view_settings.view_transform = "Standard"
 scene.render.filepath = picture
 bpy.ops.render.render(write_still=True)

@@ -1,4 +1,4 @@
-// Draws a .glb with maps by three.js in a headless Chromium, in the light of a room: docs/textures.md.
+// Draws a .glb with maps by three.js in a headless Chromium, on a table in the light of a room and a lamp: docs/textures.md.
 //   node scripts/maps_three.mjs FILE.glb PICTURE.png
 // Run where node_modules lies (npm ci).
 import { execFile } from 'node:child_process';
@@ -17,18 +17,35 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 const { scene: fruit } = await new GLTFLoader().loadAsync('/scene.glb');
 const renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
-renderer.setSize(400, 320);
+renderer.setSize(480, 384);
+renderer.shadowMap.enabled = true;
+renderer.shadowMap.type = THREE.PCFSoftShadowMap;
 renderer.toneMapping = THREE.NeutralToneMapping;
 document.body.append(renderer.domElement);
 const scene = new THREE.Scene();
 scene.background = new THREE.Color(0xf7f3eb);
 scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment(), 0.03).texture;
-scene.environmentIntensity = 0.8;
+scene.environmentIntensity = 0.35;
+fruit.rotation.x = -70 * Math.PI / 180;  // the face looks up, as a half lies on a table
 scene.add(fruit);
-const box = new THREE.Box3().setFromObject(fruit), middle = box.getCenter(new THREE.Vector3());
+const box = new THREE.Box3().setFromObject(fruit, true), middle = box.getCenter(new THREE.Vector3());
 const reach = box.getSize(new THREE.Vector3()).length() / 2;
-const camera = new THREE.PerspectiveCamera(25, 400 / 320, 0.01 * reach, 100 * reach);
-camera.position.copy(middle).add(new THREE.Vector3(0.45, 0.62, 1).normalize().multiplyScalar(4.1 * reach));
+const table = new THREE.Mesh(new THREE.PlaneGeometry(60 * reach, 60 * reach), new THREE.ShadowMaterial({ opacity: 0.28 }));
+table.rotation.x = -Math.PI / 2;
+table.position.set(middle.x, box.min.y, middle.z);
+table.receiveShadow = true;
+const sun = new THREE.DirectionalLight(0xfff6e8, 3);
+sun.position.copy(middle).add(new THREE.Vector3(-0.42, 0.9, -0.42).multiplyScalar(6 * reach));
+sun.target.position.copy(middle);
+sun.castShadow = true;
+sun.shadow.mapSize.set(1024, 1024);
+sun.shadow.radius = 8;
+sun.shadow.normalBias = 0.02 * reach;
+Object.assign(sun.shadow.camera, { left: -3 * reach, right: 3 * reach, top: 3 * reach, bottom: -3 * reach, near: 0.1 * reach, far: 14 * reach });
+fruit.traverse((part) => { part.castShadow = part.isMesh; });
+scene.add(table, sun, sun.target);
+const camera = new THREE.PerspectiveCamera(25, 480 / 384, 0.01 * reach, 100 * reach);
+camera.position.copy(middle).add(new THREE.Vector3(0.3, 0.8, 1).normalize().multiplyScalar(4.3 * reach));
 camera.lookAt(middle);
 renderer.render(scene, camera);
 document.title = 'drawn';
@@ -49,7 +66,7 @@ await new Promise((done) => server.on('listening', done));
 const profile = mkdtempSync(join(tmpdir(), 'maps_three-'));
 await promisify(execFile)('chromium', [
   '--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-  '--hide-scrollbars', '--window-size=400,320', `--user-data-dir=${profile}`, '--virtual-time-budget=20000',
+  '--hide-scrollbars', '--window-size=480,384', `--user-data-dir=${profile}`, '--virtual-time-budget=60000', '--run-all-compositor-stages-before-draw',
   `--screenshot=${picture}`, `http://127.0.0.1:${server.address().port}/`], { timeout: 200000 });
 server.close();
 rmSync(profile, { recursive: true, force: true });
