@@ -60,6 +60,7 @@ std::vector<LoopShape> loop_shapes(const Template& fruit) {
     if (surface.type != SurfaceType::around_axis || !surface.varies || surface.horizontal.empty()) continue;
     if (encloses(surface.horizontal.front(), {0, 0})) shapes.push_back(shape_of(surface));
   }
+  if (total_variance(shapes) < 1e-12) shapes.clear();  // circles have no shape that could be synthesised
   return shapes;
 }
 
