@@ -4,7 +4,7 @@
 
 #include "generator/base/error.h"
 #include "generator/batch/record_fields.h"
-#include "generator/piece/piece_facts.h"
+#include "generator/piece/facts_json.h"
 
 namespace pomona {
 
@@ -12,20 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json numbers(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
-
 Json piece_of(const Solid& solid) {
-  const PieceFacts facts = facts_of(solid);
-  return {{"name", solid.name},
-          {"volume", facts.volume},
-          {"mass", facts.mass},
-          {"center", numbers(facts.center)},
-          {"inertia", Json::array({numbers(facts.inertia[0]), numbers(facts.inertia[1]), numbers(facts.inertia[2])})},
-          {"low", numbers(facts.low)},
-          {"high", numbers(facts.high)},
-          {"triangles", facts.triangles},
-          {"closed", solid.closed},
-          {"crumb", solid.crumb}};
+  Json piece = {{"name", solid.name}};
+  piece.update(facts_json(solid));
+  return piece;
 }
 
 /// What made the item: enough to make it again by hand with `pomona cut`.

@@ -1,0 +1,31 @@
+#include "generator/piece/facts_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "generator/piece/piece_facts.h"
+
+namespace pomona {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numbers(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+}  // namespace
+
+Json facts_json(const Solid& solid) {
+  const PieceFacts facts = facts_of(solid);
+  return {{"volume", facts.volume},
+          {"density", facts.density},
+          {"mass", facts.mass},
+          {"center", numbers(facts.center)},
+          {"inertia", Json::array({numbers(facts.inertia[0]), numbers(facts.inertia[1]), numbers(facts.inertia[2])})},
+          {"low", numbers(facts.low)},
+          {"high", numbers(facts.high)},
+          {"triangles", facts.triangles},
+          {"closed", solid.closed},
+          {"crumb", solid.crumb}};
+}
+
+}  // namespace pomona

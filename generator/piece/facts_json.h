@@ -1,0 +1,13 @@
+// Facts of a piece as lists of pieces and the records of batches tell them.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "generator/piece/solid.h"
+
+namespace pomona {
+
+/// Volume, density, mass, centre, inertia, box, triangles, and whether the piece is closed or a crumb: docs/formats.md.
+nlohmann::ordered_json facts_json(const Solid& solid);
+
+}  // namespace pomona
