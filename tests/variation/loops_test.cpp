@@ -71,6 +71,37 @@ TEST(TextureSynthesis, OnlyTurnsTheSampleAtThresholdZero) {
   for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(map.level[0][i], (i + shift) % 256);
 }
 
+/// Noise that comes twice, a little otherwise the second time: at every level the two halves are about as much alike.
+CyclicSignal nearly_repeated(double difference) {
+  const RandomStream random({7, 0}, "test");
+  CyclicSignal signal(256);
+  for (std::size_t i = 0; i < 256; ++i) signal[i] = random.normal(i % 128) + difference * random.normal(1000 + i);
+  return signal;
+}
+
+/// How many of a level's values come from the half that is not their parent's.
+double share_that_changes_halves(const SourceMap& map, std::size_t level) {
+  const std::size_t n = map.level[level].size();
+  double changed = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t natural = 2 * map.level[level + 1][i / 2] + i % 2;
+    changed += (map.level[level][i] < n / 2) != (natural < n / 2) ? 1 : 0;
+  }
+  return changed / static_cast<double>(n);
+}
+
+/// The threshold is a mean over all levels above: what is alike enough at each of them is so at all of them together.
+TEST(TextureSynthesis, ChoosesAsFreelyAtTheFinestLevelAsAtCoarserOnes) {
+  double coarse = 0, fine = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const SourceMap map = draw_source_map({nearly_repeated(0.15)}, {seed, 0}, {.threshold = 0.35, .smooth_levels = 0});
+    coarse += share_that_changes_halves(map, map.level.size() - 3) / 10;
+    fine += share_that_changes_halves(map, 0) / 10;
+  }
+  EXPECT_GT(coarse, 0.3);
+  EXPECT_GT(fine, 0.3);
+}
+
 TEST(CylindricalVariation, IsAsDrawnUpToATurnAtAmountZero) {
   const Template onion = fruits::onion();
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
