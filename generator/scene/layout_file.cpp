@@ -78,7 +78,7 @@ Layout parse_layout(std::string_view json, const std::string& file) {
   const JsonNode& instances = root.need("instances");
   if (instances.kind != JsonNode::Kind::array) fail(instances.place(), "instances should be an array");
 
-  Layout layout{file, {}};
+  Layout layout{instances.place(), {}};
   std::map<std::string, int> lines;
   for (const JsonNode& node : instances.items) {
     const std::string name = read_string(node.need("name"));
@@ -116,7 +116,7 @@ std::vector<Pose> poses_for(const Layout& layout, const std::vector<Solid>& soli
   std::vector<Pose> poses;
   for (const Instance& instance : instances) {
     const auto found = by_name.find(instance.name);
-    if (found == by_name.end()) fail({layout.file, 0, 0, {}}, "does not place \"" + instance.name + "\"", hint);
+    if (found == by_name.end()) fail(layout.list, "\"" + instance.name + "\" has no place here", hint);
     const std::string& solid = solids[static_cast<std::size_t>(instance.solid)].name;
     if (found->second->solid != solid)
       fail(found->second->place, "\"" + instance.name + "\" is of solid \"" + solid + "\" in the scene", hint);

@@ -20,7 +20,7 @@ struct Layout {
     Pose pose;
     SourcePlace place;  ///< of the name
   };
-  std::string file;  ///< where it was read from, for messages
+  SourcePlace list;  ///< where its placements begin, for messages
   std::vector<Placement> placements;
 };
 

@@ -105,7 +105,7 @@ TEST(LayoutFile, ThatIsMissingIsToldInTheScene) {
 TEST(LayoutFile, BelongsToItsScene) {
   const Scene scene = two_balls();
   std::string text = write_layout(scene);
-  expect_error("{\"format\": 1, \"instances\": []}", "l.json: error: does not place \"first\"");
+  expect_error("{\"format\": 1, \"instances\": []}", "l.json:1:28: error: \"first\" has no place here");
   text.replace(text.find("\"ball\""), 6, "\"bell\"");
   expect_error(text, "l.json:4:14: error: \"first\" is of solid \"ball\" in the scene");
 }
