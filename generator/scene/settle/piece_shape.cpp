@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -83,19 +84,31 @@ double area_of(const WeldedMesh& mesh) {
   return area;
 }
 
-/// The direction that the largest cut face looks; zero where there is none.
-glm::dvec3 largest_face(const Solid& solid) {
-  std::map<std::int32_t, glm::dvec3> areas;
+/// A cut face: twice its area, and twice the area that it shows where it shows most.
+struct FaceAreas {
+  double whole = 0;
+  glm::dvec3 shown{0};
+
+  bool is_flat() const { return glm::length(shown) > 0.97 * whole; }
+};
+
+/// The direction that the largest flat cut face looks, or the largest where none is flat; zero where there is none. The
+/// round side of what was peeled is a cut face, too, but not the one to be seen.
+glm::dvec3 face_to_show(const Solid& solid) {
+  std::map<std::int32_t, FaceAreas> faces;
   for (std::size_t i = 0; i < solid.triangle.size(); ++i) {
     if (i >= solid.cut_face.size() || solid.cut_face[i] < 0) continue;
     const glm::uvec3& t = solid.triangle[i];
     const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
-    areas.try_emplace(solid.cut_face[i], 0.0).first->second += glm::cross(b - a, c - a);
+    const glm::dvec3 area = glm::cross(b - a, c - a);
+    FaceAreas& face = faces[solid.cut_face[i]];
+    face.whole += glm::length(area), face.shown += area;
   }
-  glm::dvec3 best(0);
-  for (const auto& [face, area] : areas)
-    if (glm::dot(area, area) > glm::dot(best, best)) best = area;
-  return best == glm::dvec3(0) ? best : glm::normalize(best);
+  FaceAreas best;
+  const auto rank = [](const FaceAreas& face) { return std::pair(face.is_flat(), glm::dot(face.shown, face.shown)); };
+  for (const auto& [number, face] : faces)
+    if (rank(face) > rank(best)) best = face;
+  return best.shown == glm::dvec3(0) ? best.shown : glm::normalize(best.shown);
 }
 
 Box<double> box_of(const Solid& solid) {
@@ -115,7 +128,7 @@ PieceShape piece_shape(const Solid& solid, double unit, int cells) {
   WeldedMesh mesh = welded(solid);
   const Box<double> box = box_of(solid);
   shape.size = glm::length(box.size());
-  shape.up = largest_face(solid);
+  shape.up = face_to_show(solid);
   weigh(shape, mesh, box.center());
   const double volume = shape.mass;
   if (solid.weighed) take_weight(shape, *solid.weighed, solid.density);

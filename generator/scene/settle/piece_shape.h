@@ -19,7 +19,7 @@ struct PieceShape {
   double size = 0;       ///< diagonal of its box
   double radius = 0;     ///< of the ball around the centre of mass
   double thickness = 0;  ///< twice the volume per area: that of a plate
-  glm::dvec3 up{0};      ///< where the largest cut face looks; zero where there is none
+  glm::dvec3 up{0};      ///< where the largest cut face looks, a flat one if there is any; zero where there is none
   Box<float> box;
   DistanceGrid distance;
   SurfaceSamples samples;
