@@ -24,7 +24,9 @@ std::vector<Shell> measured_shells(const DiffusionSurfaces& surfaces, const Shel
 /// hostile files from asking without end.
 class Containment {
  public:
-  explicit Containment(const DiffusionSurfaces& surfaces) : surfaces_(surfaces) {}
+  /// \param solid_angles the budget: of so many triangles; as it is, some ten seconds
+  explicit Containment(const DiffusionSurfaces& surfaces, double solid_angles = 4e8)
+      : surfaces_(surfaces), solid_angles_left_(solid_angles) {}
 
   /// By the mean winding number of some of the inner shell's triangles, so that touching in places, and rims
   /// that do not close, change nothing.
@@ -35,7 +37,7 @@ class Containment {
   double winding_number(const Shell& shell, const glm::dvec3& point);
 
   const DiffusionSurfaces& surfaces_;
-  double solid_angles_left_ = 4e8;  ///< some ten seconds
+  double solid_angles_left_;
 };
 
 }  // namespace pomona

@@ -1,11 +1,14 @@
 #include "generator/surface/bodies.h"
 
-#include <gmock/gmock.h>
+#include <algorithm>
+#include <vector>
 
+#include <gmock/gmock.h>
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
 #include "generator/base/units.h"
+#include "generator/surface/shell_geometry.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {
@@ -61,6 +64,38 @@ TEST(Bodies, OverlappingAndTouchingBodiesStayTwo) {
     EXPECT_TRUE(found.bodies[0].closed && found.bodies[1].closed);
     EXPECT_NEAR(found.bodies[1].volume, 1, 1e-6);
   }
+}
+
+TEST(Bodies, ABodyThatTouchesOthersAtAllItsEdgesIsOneStill) {
+  // A cube, and at each of its twelve edges one that touches it there alone, in every order.
+  std::vector<glm::dvec3> places{{0, 0, 0}};
+  for (const double a : {-1.0, 1.0}) {
+    for (const double b : {-1.0, 1.0}) places.insert(places.end(), {{a, b, 0}, {a, 0, b}, {0, a, b}});
+  }
+  for (std::size_t turn = 0; turn < places.size(); ++turn) {
+    DiffusionSurfaces all;
+    for (const glm::dvec3& low : places) all = joined(all, box(low, low + 1.0, 1, skin_paint()));
+    const Bodies found = find_bodies(all);
+    ASSERT_EQ(found.bodies.size(), places.size()) << turn;
+    for (const auto& body : found.bodies) {
+      EXPECT_TRUE(body.closed);
+      EXPECT_EQ(body.shells, 1);
+      EXPECT_NEAR(body.volume, 1, 1e-6);
+    }
+    std::rotate(places.begin(), places.begin() + 1, places.end());
+  }
+}
+
+TEST(Containment, IsToldUntilItsBudgetIsSpent) {
+  const DiffusionSurfaces both = joined(hollow_ball(1, 0.5, 2), moved(sphere(0.1, 1, skin_paint()), {0, 0.7, 0}));
+  const std::vector<Shell> shells = measured_shells(both, find_shells(both));
+  ASSERT_EQ(shells.size(), 3u);
+  // Each question is asked of eight of the inner shell's triangles, and looks at the outer shell's 32.
+  Containment containment(both, 2.5 * 8 * 32);
+  EXPECT_TRUE(containment.contains(shells[0], shells[1]));
+  EXPECT_FALSE(containment.contains(shells[1], shells[0])) << "a box in no box costs nothing";
+  EXPECT_TRUE(containment.contains(shells[0], shells[2]));
+  EXPECT_THROW(containment.contains(shells[0], shells[1]), Error);
 }
 
 TEST(Bodies, OpenBoundariesWarnByName) {

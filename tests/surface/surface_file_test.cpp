@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -208,6 +209,18 @@ TEST(SurfaceFile, TrianglesMayHaveVerticesOfTheirOwn) {
   for (std::uint32_t t = 0; t < loose.triangle_count(); ++t) loose.triangle[t] = {3 * t, 3 * t + 1, 3 * t + 2};
   ASSERT_GT(loose.vertex_count(), 2000u);
   EXPECT_EQ(parse_surfaces(write_surfaces(loose), "a.ply").position, loose.position);
+}
+
+TEST(SurfaceFile, WhatIsTooLargeIsRefusedUnreadAndByName) {
+  const std::size_t size = (std::size_t{512} << 20) + 1;
+  const auto bytes = std::make_unique_for_overwrite<char[]>(size);  // nobody looks at them, so that they take no memory
+  try {
+    parse_surfaces({bytes.get(), size}, "huge.ply");
+    FAIL() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::bad_data);
+    EXPECT_THAT(error.what(), testing::StartsWith("huge.ply: error: the file is larger than 512 MiB"));
+  }
 }
 
 TEST(SurfaceFile, AMissingFileIsMissingInput) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -256,6 +257,22 @@ TEST(Body, an_arc_of_a_circle_is_one) {
   for (double y = 0; y <= 0.2; y += 0.01) {
     EXPECT_NEAR(glm::distance(map({0, y, 0}), center), radius, 1e-9);
     EXPECT_NEAR(glm::distance(map({0.02, y, 0}), center), radius - 0.02, 1e-9);
+  }
+}
+
+TEST(Body, beyond_its_ends_a_bent_fruit_goes_on_straight) {
+  // Stems and grains stand out there: what is drawn upright beyond an end comes to stand along the axis at that end.
+  Template fruit = tube();
+  fruit.bend = {.angle = 1.2, .swing = 0.5, .direction = 0.4};
+  const BodyMap map(fruit);
+  for (const glm::dvec3& aside : {glm::dvec3(0), glm::dvec3(0.015, 0, 0), glm::dvec3(-0.004, 0, 0.01)}) {
+    for (const auto& [end, away] : {std::pair{0.2, 1.0}, {0.0, -1.0}}) {
+      const auto at = [&](double distance) { return map(aside + glm::dvec3(0, end + away * distance, 0)); };
+      const glm::dvec3 way = at(0.01) - at(0);
+      EXPECT_NEAR(glm::length(way), 0.01, 1e-12);
+      for (const double distance : {0.001, 0.03, 0.1})
+        EXPECT_NEAR(glm::distance(at(distance), at(0) + distance / 0.01 * way), 0, 1e-12) << distance;
+    }
   }
 }
 

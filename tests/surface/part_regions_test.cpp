@@ -1,0 +1,48 @@
+#include "generator/surface/part_regions.h"
+
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+using namespace shapes;
+
+TEST(PartRegions, AreTheRoomsThatSurfacesEncloseTheSmallestFirst) {
+  Paint stone;
+  stone.name = "stone", stone.front_part = "flesh", stone.back_part = "stone";
+  const DiffusionSurfaces skin = box({0, 0, 0}, {4, 4, 4}, 1, skin_paint());
+  const DiffusionSurfaces fruit = joined(skin, box({1, 1, 1}, {2, 2, 3}, 1, stone));
+  for (const DiffusionSurfaces& surfaces : {fruit, turned_inside_out(fruit)}) {
+    const PartRegions regions = part_regions(surfaces);
+    ASSERT_EQ(regions.region.size(), 2u);
+    const auto& [inner, outer] = std::pair(regions.region[0], regions.region[1]);
+    EXPECT_DOUBLE_EQ(inner.volume, 2);
+    EXPECT_DOUBLE_EQ(outer.volume, 64);
+    EXPECT_EQ(regions.part_names[static_cast<std::size_t>(inner.part)], "stone");
+    EXPECT_EQ(regions.part_names[static_cast<std::size_t>(outer.part)], "flesh");
+    EXPECT_EQ(inner.count + outer.count, surfaces.triangle_count());
+  }
+}
+
+TEST(PartRegions, ThatTouchAreTwo) {
+  Paint left, right;
+  left.name = "left", right.name = "right", right.back_part = "gel";
+  const PartRegions regions =
+      part_regions(joined(box({0, 0, 0}, {1, 1, 1}, 1, left), box({1, 0, 0}, {3, 1, 1}, 1, right)));
+  ASSERT_EQ(regions.region.size(), 2u);
+  EXPECT_DOUBLE_EQ(regions.region[0].volume, 1);
+  EXPECT_DOUBLE_EQ(regions.region[1].volume, 2);
+  EXPECT_EQ(regions.part_names[static_cast<std::size_t>(regions.region[1].part)], "gel");
+}
+
+TEST(PartRegions, OpenSurfacesEncloseNothing) {
+  EXPECT_TRUE(part_regions(open_sheet(1, 0, 3)).region.empty());
+  EXPECT_TRUE(part_regions({}).region.empty());
+}
+
+}  // namespace
+}  // namespace pomona
