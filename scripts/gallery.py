@@ -23,6 +23,7 @@ VARIATION = {  # of docs/variation.md: what is grown, at seed 2
     **{f"pepper_folds_{folds}.png": ["pepper", "--folds", str(folds)] for folds in (3, 4, 6)},
     **{f"tomato_variation_{amount}.png": ["tomato", "--variation", amount] for amount in ("0.5", "1", "2")},
 }
+STANDING = {"volcano": ["--piece", "1", "--explode", "1.01", "--view", "25,24"]}  # whose halves do not lie down
 ROW = 800, 240  # pixels: seeds side by side, at one scale; shown at ROW_SHOWN
 WIDE = 360, 240  # pixels; shown at WIDE_SHOWN
 LARGE, SMALL = 240, 150  # pixels; shown at LARGE_SHOWN and SMALL_SHOWN
@@ -71,7 +72,7 @@ def pictures_of(name):
         "whole.png": ["grow", name, *large],
         "half.png": ["cut", name, *section, "half", *large],
         "across.png": ["cut", name, *section, "across", *large],
-        "halves.png": ["cut", name, "--knife", "half", "--size", f"{WIDE[0]}x{WIDE[1]}"],
+        "halves.png": ["cut", name, "--knife", "half", *STANDING.get(name, []), "--size", f"{WIDE[0]}x{WIDE[1]}"],
     }
     for seed in SEEDS if varies(name) else ():
         made[f"seed_{seed}_across.png"] = ["cut", name, *section, "across", "--seed", str(seed), *small]
