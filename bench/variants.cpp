@@ -146,7 +146,8 @@ Json measured(const std::string& name, const Template& fruit, const VariantSetti
   if (std::holds_alternative<CylindricalSymmetry>(fruit.symmetry)) {
     std::vector<std::vector<LoopShape>> loops;
     for (const VariantFacts& variant : facts) loops.push_back(variant.loops);
-    if (!loop_shapes(fruit).empty()) row["loops"] = json_of(loop_statistics(loop_shapes(fruit), loops));
+    const std::vector<LoopShape> drawn = loop_shapes(fruit);
+    if (!drawn.empty()) row["loops"] = json_of(loop_statistics(drawn, loops));
   } else if (std::holds_alternative<FoldSymmetry>(fruit.symmetry)) {
     row["steps"] = folds_of(facts);
     row["blends"] = json_of(fold_statistics(fruit, settings, facts));
