@@ -2,9 +2,10 @@
 """How fast batches are made: items in a second on 1 and 2 threads, processor time for each, and memory. New variants of all
 templates in turn, halved, at draft, as .glb with vertex colours and a thumbnail of 256 pixels.
 
-    measure_batch.py PROGRAM [--texture N] [ITEMS ...]      50, 500 and 5000 of them unless said
+    measure_batch.py PROGRAM [--texture N [--maps]] [ITEMS ...]      50, 500 and 5000 of them unless said
 
-An item is one variant in two pieces, so that 500 items are a thousand pieces. With --texture colours are baked into N x N texels for each piece.
+An item is one variant in two pieces, so that 500 items are a thousand pieces. With --texture colours are baked into N x N texels for each piece,
+with --maps normals, roughness and what else textures can hold, too.
 """
 
 import argparse
@@ -46,10 +47,13 @@ def main():
     parser.add_argument("program")
     parser.add_argument("items", type=int, nargs="*", default=[50, 500, 5000])
     parser.add_argument("--texture", type=int, default=0)
+    parser.add_argument("--maps", action="store_true")
     parser.add_argument("--threads", type=int, action="append")
     asked = parser.parse_args()
     program = str(pathlib.Path(asked.program).resolve())
     texture = f"texture = {asked.texture}" if asked.texture else ""
+    if asked.maps:
+        texture += '\nmaps = "all"'
     print("| items | threads | time | items a second | processor time of an item | memory |")
     print("|--:|--:|--:|--:|--:|--:|")
     for items in asked.items:

@@ -65,13 +65,13 @@ Scene pieces_of(const BatchEntry& entry, const GrownVariant& grown, const BatchI
 }
 
 /// \param meshes of the scene's solids, where they are at hand.
-std::string glb(const Scene& scene, std::span<const StyledMesh> meshes, const BatchItem& item,
-                const ExportOptions& options) {
+std::string glb(const Scene& scene, std::span<const StyledMesh> meshes, const AssetOptions& assets,
+                const BatchItem& item, const ExportOptions& options) {
   std::vector<std::vector<Solid>> levels;
   if (item.lod > 0) levels = all_levels_of_detail(scene.solids, {.levels = item.lod, .threads = alone});
   if (item.texture == 0 && !meshes.empty()) return write_glb(scene, meshes, options, levels);
   if (item.texture == 0) return write_glb(scene, options, levels);
-  const BakeOptions how{.texels = item.texture, .threads = alone};
+  const BakeOptions how{.texels = item.texture, .maps = assets.all_maps ? Maps::all : Maps::color, .threads = alone};
   const std::vector<BakedSolid> baked = all_baked(scene.solids, options.style, how);
   return write_glb(scene, baked, options, baked_levels(levels, options.style, how));
 }
@@ -111,7 +111,7 @@ std::vector<NamedFile> asset_files(const AssetOptions& assets, const BatchItem& 
       assets.thumbnail > 0 ? styled_meshes(scene, options) : std::vector<StyledMesh>();
   for (const AssetFormat format : assets.formats) {
     const std::string file = name + "." + name_of(format);
-    if (format == AssetFormat::glb) files.push_back({file, glb(scene, meshes, item, options)});
+    if (format == AssetFormat::glb) files.push_back({file, glb(scene, meshes, assets, item, options)});
     if (format == AssetFormat::ply) files.push_back({file, write_solids(scene, options)});
     if (format == AssetFormat::svg) files.push_back({file, svg(laid, options)});
     if (format != AssetFormat::pov) continue;
@@ -124,10 +124,11 @@ std::vector<NamedFile> asset_files(const AssetOptions& assets, const BatchItem& 
 }
 
 /// As Delivery's: the item is what `pomona cut` makes with the same words.
-std::string command_words(const BatchItem& item) {
+std::string command_words(const AssetOptions& assets, const BatchItem& item) {
   std::string words;
   if (item.quality != Quality::final) words += std::string(" --quality ") + name_of(item.quality);
-  if (item.texture > 0) words += " --texture " + std::to_string(item.texture) + " --maps color";
+  if (item.texture > 0) words += " --texture " + std::to_string(item.texture);
+  if (item.texture > 0 && !assets.all_maps) words += " --maps color";
   if (item.lod > 0) words += " --lod " + std::to_string(item.lod);
   return words;
 }
@@ -171,7 +172,7 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Grown
       const ExportOptions options{
           .style = style,
           .provenance = std::string("pomona ") + version + ", seed " + std::to_string(which.seed),
-          .command_words = command_words(item),
+          .command_words = command_words(entry.wanted.assets, item),
           .threads = alone};
       made.files = asset_files(entry.wanted.assets, item, scene, name, options);
       outcome.pieces = scene.solids;

@@ -62,6 +62,7 @@ AssetOptions read_assets(const TomlTable& table, AssetOptions assets) {
     if (texels > 0 && texels < 64) value.error("is below 64 texels", "0 leaves colours on vertices");
     return texels;
   });
+  assets.all_maps = table.get("maps").choice({"color", "all"}, assets.all_maps ? 1 : 0) == 1;
   read_list(table.get("lod"), assets.lods, [](const TomlValue& value) { return value.integer(0, 0, 6); });
 
   // ... and how finely.
@@ -73,9 +74,9 @@ AssetOptions read_assets(const TomlTable& table, AssetOptions assets) {
   assets.thumbnail_on_paper =
       table.get("thumbnail_ground").choice({"transparent", "paper"}, assets.thumbnail_on_paper ? 1 : 0) == 1;
 
-  // Texture and levels of detail are .glb's alone.
+  // Textures, what they show and levels of detail are .glb's alone.
   const bool has_glb = std::count(assets.formats.begin(), assets.formats.end(), AssetFormat::glb) > 0;
-  for (const char* key : {"texture", "lod"}) {
+  for (const char* key : {"texture", "maps", "lod"}) {
     if (table.has(key) && !has_glb) table.get(key).error("is about .glb: no format is one", "add \"glb\" to formats");
   }
   return assets;
@@ -134,6 +135,9 @@ class BatchReader {
     for (const TomlValue& alternative : alternatives)
       entry.knives.push_back(read_alternative(alternative, std::filesystem::path(file_).parent_path()));
     entry.assets = read_assets(table, usual);
+    const std::vector<int>& textures = entry.assets.textures;
+    if (table.has("maps") && std::count(textures.begin(), textures.end(), 0) == std::ssize(textures))
+      table.get("maps").error("is about textures: there are none", "add texture = 512");
     return entry;
   }
 

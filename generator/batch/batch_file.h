@@ -31,6 +31,7 @@ struct AssetOptions {
   std::vector<AssetFormat> formats{AssetFormat::glb};  ///< a file of each
   std::vector<Quality> qualities{Quality::draft};
   std::vector<int> textures{0};  ///< texels along a texture's edge; 0 = colours on vertices
+  bool all_maps = false;         ///< textures of relief, roughness, occlusion and thickness beside those of colour
   std::vector<int> lods{0};      ///< further levels of detail
   double detail = 1;             ///< see SweepOptions
   double variation = 1;          ///< 0..2, see VariationOptions::amount

@@ -64,6 +64,7 @@ Json entry_of(const BatchPlan& plan, const PlannedEntry& entry) {
   json["formats"] = names_of(assets.formats);
   json["quality"] = names_of(assets.qualities);
   json["texture"] = assets.textures;
+  json["maps"] = assets.all_maps ? "all" : "color";
   json["lod"] = assets.lods;
   json["detail"] = assets.detail;
   json["variation"] = assets.variation;

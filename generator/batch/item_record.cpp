@@ -35,6 +35,7 @@ Json recipe(const BatchPlan& plan, const BatchVariant& variant, const BatchItem&
   if (item.browning > 0) json["browning"] = item.browning;
   json["quality"] = name_of(item.quality);
   if (item.texture > 0) json["texture"] = item.texture;
+  if (item.texture > 0 && entry.wanted.assets.all_maps) json["maps"] = "all";
   if (item.lod > 0) json["lod"] = item.lod;
   return json;
 }

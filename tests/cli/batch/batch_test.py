@@ -104,6 +104,21 @@ class SameBytes(Sandbox):
                         *(word for knife in item["knives"] for word in ("--knife", knife)), "-o", "by_hand.glb")
         self.assertEqual((self.path / "by_hand.glb").read_bytes(), (self.whole / "cut/001/radish.glb").read_bytes())
 
+    def test_with_all_maps_as_cut_writes(self):
+        text = ('[batch]\nformat = 1\nname = "b"\ntexture = 64\nmaps = "all"\ndetail = 0.1\n'
+                '[[entry]]\nname = "all"\ntemplates = "radish"\nseeds = 3\nknives = "half"\n'
+                '[[entry]]\nname = "color"\ntemplates = "radish"\nseeds = 3\nknives = "half"\nmaps = "color"\n')
+        (self.path / "maps.toml").write_text(text)
+        self.run_batch(batch="maps.toml")
+        for name, words in ("all", ()), ("color", ("--maps", "color")):
+            item = json.loads((self.path / f"out/{name}/000/item.json").read_text())
+            self.assertEqual(item.get("maps"), "all" if name == "all" else None)
+            self.run_pomona("cut", "radish", "--seed", "3", "--knife", "half", "--quality", "draft", "--detail", "0.1",
+                            "--texture", "64", *words, "-o", f"{name}.glb")
+            made = (self.path / f"out/{name}/000/radish.glb").read_bytes()
+            self.assertEqual(made, (self.path / f"{name}.glb").read_bytes())
+            self.assertEqual(b"normalTexture" in made, name == "all")
+
     def test_of_an_entry_whatever_stands_beside_it(self):
         other = SMALL.replace('name = "files"', 'name = "other"').replace("count = 2", "count = 2\nlod = 0")
         (self.path / "other.toml").write_text(other)
@@ -352,7 +367,8 @@ class Schema(Sandbox):
 
     def test_refuses_what_the_program_refuses(self):
         # What only a reader of knives and templates, or of several entries at once, can know.
-        beyond = {"not_toml", "bad_knife", "bad_knife_within", "same_names", "too_many", "no_ripeness", "texture_without_glb"}
+        beyond = {"not_toml", "bad_knife", "bad_knife_within", "same_names", "too_many", "no_ripeness",
+                  "texture_without_glb", "maps_without_texture"}
         for file in (SOURCE / "tests/batch/bad").glob("*.toml"):
             if file.stem not in beyond:
                 with self.assertRaises(jsonschema.ValidationError, msg=file.stem):
