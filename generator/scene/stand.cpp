@@ -12,7 +12,7 @@ namespace pomona {
 
 namespace {
 
-/// Of one whole fruit that is long.
+/// Of one whole fruit that is long, or would balance on its root.
 void lay_down(Scene& scene) {
   if (scene.instances.size() != 1 || scene.instances[0].pose.rotation != glm::dquat(1, 0, 0, 0)) return;
   const Solid& solid = scene.solids[static_cast<std::size_t>(scene.instances[0].solid)];

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <vector>
 
@@ -13,8 +12,7 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
-#include "generator/mesh/box.h"
-#include "generator/piece/piece_facts.h"
+#include "generator/scene/piece_outline.h"
 #include "generator/scene/settle/drop.h"
 #include "generator/scene/side_areas.h"
 
@@ -32,12 +30,6 @@ constexpr double slender_ratio = 1.8;           // of length to width
 glm::dvec3 turned_about(const glm::dvec3& axis, double angle, const glm::dvec3& v) {
   const double c = reproducible::cos(angle), s = reproducible::sin(angle);
   return c * v + s * glm::cross(axis, v) + (1 - c) * glm::dot(axis, v) * axis;
-}
-
-/// Some unit vector at right angles to this one.
-glm::dvec3 beside(const glm::dvec3& up) {
-  const glm::dvec3 helper = std::fabs(up.y) > 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-  return glm::normalize(helper - glm::dot(helper, up) * up);
 }
 
 struct CutSide {
@@ -69,104 +61,6 @@ std::vector<CutSide> cut_sides(const Solid& solid) {
   return sides;
 }
 
-/// A piece as the table feels it: the outermost of its vertices in many directions, and its centre of mass.
-class Outline {
- public:
-  explicit Outline(const Solid& solid) : center_(facts_of(solid).center) {
-    constexpr int cells = 14;
-    std::vector<std::size_t> farthest(6 * cells * cells, none);
-    std::vector<double> reach(farthest.size(), -1);
-    for (std::size_t i = 0; i < solid.position.size(); ++i) {
-      const glm::dvec3 arm = glm::dvec3(solid.position[i]) - center_;
-      const double length = glm::length(arm);
-      if (!(length > 0)) continue;
-      const std::size_t bin = bin_of(arm, cells);
-      if (length > reach[bin]) {
-        reach[bin] = length;
-        farthest[bin] = i;
-      }
-      radius_ = std::max(radius_, length);
-    }
-    for (const std::size_t i : farthest)
-      if (i != none) arms_.push_back(glm::dvec3(solid.position[i]) - center_);
-  }
-
-  double radius() const { return radius_; }
-
-  /// How high the centre of mass is over the table with this side up, metres.
-  double height(const glm::dvec3& up) const { return -glm::dot(lowest(up), up); }
-
-  /// The side that is up after it has been laid down with `up` up and has come to rest: downhill steps that become
-  /// smaller, away from the point it stands on.
-  glm::dvec3 rested(glm::dvec3 up) const {
-    double step = 0.08;
-    for (int i = 0; i < 90 && !arms_.empty(); ++i, step *= 0.94) {
-      const glm::dvec3 arm = lowest(up);  // to the point it stands on
-      const glm::dvec3 aside = arm - glm::dot(arm, up) * up;
-      const double off = glm::length(aside);
-      if (off < 1e-3 * radius_) break;
-      up = glm::normalize(up + std::min(step, off / radius_) * aside / off);
-    }
-    return up;
-  }
-
-  struct Plan {
-    glm::dvec3 along{0};  ///< level, unit length
-    double ratio = 1;     ///< of length to width
-  };
-  /// Seen from above.
-  Plan plan(const glm::dvec3& up) const {
-    const glm::dvec3 first = beside(up), second = glm::cross(up, first);
-    Plan plan{first, 0};
-    for (int i = 0; i < 36; ++i) {
-      const double angle = i * 5 * degree;
-      const glm::dvec3 along = reproducible::cos(angle) * first + reproducible::sin(angle) * second;
-      const double width = extent(glm::cross(up, along));
-      const double ratio = width > 0 ? extent(along) / width : 1;
-      if (ratio > plan.ratio) plan = {along, ratio};
-    }
-    return plan;
-  }
-
- private:
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-
-  static std::size_t bin_of(const glm::dvec3& direction, int cells) {
-    const int axis = longest_axis(glm::abs(direction));
-    const auto cell = [&](int other) {
-      return std::min(static_cast<int>(0.5 * (1 + direction[other] / std::fabs(direction[axis])) * cells), cells - 1);
-    };
-    const int side = 2 * axis + (direction[axis] < 0 ? 1 : 0);
-    return static_cast<std::size_t>((side * cells + cell((axis + 1) % 3)) * cells + cell((axis + 2) % 3));
-  }
-
-  glm::dvec3 lowest(const glm::dvec3& up) const {
-    glm::dvec3 arm(0);
-    double least = std::numeric_limits<double>::infinity();
-    for (const glm::dvec3& a : arms_) {
-      const double height = glm::dot(a, up);
-      if (height < least) {
-        least = height;
-        arm = a;
-      }
-    }
-    return arm;
-  }
-
-  double extent(const glm::dvec3& along) const {
-    double low = 0, high = 0;
-    for (const glm::dvec3& a : arms_) {
-      low = std::min(low, glm::dot(a, along));
-      high = std::max(high, glm::dot(a, along));
-    }
-    return high - low;
-  }
-
-  glm::dvec3 center_;
-  double radius_ = 0;
-  std::vector<glm::dvec3> arms_;
-};
-
 /// One way to lie.
 struct Rest {
   glm::dvec3 up{0, 1, 0};
@@ -174,7 +68,7 @@ struct Rest {
   bool as_grown = false;  ///< it stands as the fruit did
 };
 
-std::vector<Rest> ways_to_rest(const Outline& outline, const std::vector<CutSide>& sides) {
+std::vector<Rest> ways_to_rest(const PieceOutline& outline, const std::vector<CutSide>& sides) {
   std::vector<Rest> ways;
   const auto add = [&](const glm::dvec3& start) {
     Rest rest{outline.rested(start)};
@@ -198,14 +92,14 @@ std::vector<Rest> ways_to_rest(const Outline& outline, const std::vector<CutSide
 }
 
 /// How a piece may be turned on the spot: the level direction of its own that comes to look towards the eye.
-std::vector<glm::dvec3> ways_to_turn(const glm::dvec3& up, const Outline::Plan& plan) {
+std::vector<glm::dvec3> ways_to_turn(const glm::dvec3& up, const PieceOutline::Plan& plan) {
   std::vector<glm::dvec3> fronts;
   if (plan.ratio > slender_ratio) {
     // What lies along the diagonal turns its side to the eye: the front is `along` turned back by the diagonal.
     for (const double sign : {1.0, -1.0}) fronts.push_back(turned_about(up, diagonal_angle + pi, sign * plan.along));
     return fronts;
   }
-  const glm::dvec3 first = beside(up);
+  const glm::dvec3 first = level_direction(up);
   for (int i = 0; i < 24; ++i) fronts.push_back(turned_about(up, (15 * i + 180) * degree, first));
   return fronts;
 }
@@ -227,7 +121,7 @@ struct Choice {
 class Chooser {
  public:
   Chooser(const Solid& solid, const glm::dvec3& eye)
-      : eye_(eye), outline_(solid), areas_(solid), sides_(cut_sides(solid)) {}
+      : solid_(solid), eye_(eye), outline_(solid), areas_(solid), sides_(cut_sides(solid)) {}
 
   Choice choose() const {
     Choice best;
@@ -260,18 +154,25 @@ class Chooser {
     return areas_.cut() < 0.25 * areas_.skin() && std::none_of(sides_.begin(), sides_.end(), is_wide);
   }
 
-  /// Upright; what is long lies down.
+  /// Upright; what is long, or would stand on its root, lies down.
   Rest as_it_grew() const {
     Rest rest{.up = {0, 1, 0}, .on_flat = false, .as_grown = true};
     const double sideways = std::min(outline_.height({1, 0, 0}) + outline_.height({-1, 0, 0}),
                                      outline_.height({0, 0, 1}) + outline_.height({0, 0, -1}));
     const double upright = outline_.height({0, 1, 0}) + outline_.height({0, -1, 0});
-    if (upright > 2 * sideways) rest.up = outline_.rested({0, 0, 1});
+    if (upright > 2 * sideways || stands_on_a_tail(solid_)) rest.up = outline_.rested({0, 0, 1});
     return rest;
   }
 
+  /// The level direction closest to that in which it grew: what was laid down lies along it, whatever its shape.
+  static glm::dvec3 along_the_axis(const glm::dvec3& up) {
+    constexpr glm::dvec3 axis(0, 1, 0);
+    return glm::normalize(axis - glm::dot(axis, up) * up);
+  }
+
   void try_all(const Rest& rest, Choice& best) const {
-    const Outline::Plan plan = outline_.plan(rest.up);
+    PieceOutline::Plan plan = outline_.plan(rest.up);
+    if (rest.as_grown && rest.up.y < 0.5) plan = {along_the_axis(rest.up), std::max(plan.ratio, 2 * slender_ratio)};
     const bool slender = plan.ratio > slender_ratio;
     for (const glm::dvec3& front : ways_to_turn(rest.up, plan)) {
       const double score = score_of(rest, front);
@@ -295,8 +196,9 @@ class Chooser {
     return shown * low * (rest.on_flat ? 1.15 : 1.0) * (1 + 0.15 * away + 0.05 * aside);
   }
 
+  const Solid& solid_;
   glm::dvec3 eye_;
-  Outline outline_;
+  PieceOutline outline_;
   SideAreas areas_;
   std::vector<CutSide> sides_;
 };

@@ -164,6 +164,26 @@ TEST(LaidOut, AWholeFruitStandsAsItGrew) {
   EXPECT_GT((table.instances[0].pose.rotation * glm::dvec3(0, 1, 0)).y, 1 - 1e-9);
 }
 
+/// A ball whose lowest tenth is drawn out into a root, thin as a beetroot's or as wide as a cone.
+DiffusionSurfaces rooted_ball(double thinness) {
+  constexpr double radius = 0.03, begin = -0.9 * radius, length = 0.02;
+  DiffusionSurfaces fruit = shapes::sphere(radius, 24, shapes::skin_paint());
+  for (glm::vec3& p : fruit.position) {
+    if (p.y >= begin) continue;
+    const double along = (begin - p.y) / (0.1 * radius);
+    p = glm::vec3(thinness * p.x, begin - length * along, thinness * p.z);
+  }
+  return fruit;
+}
+
+TEST(LaidOut, WhatWouldBalanceOnItsRootLiesDown) {
+  const auto uprightness = [](const DiffusionSurfaces& fruit) {
+    return (table_pose(pieces_of(fruit, {}).solids[0]).rotation * glm::dvec3(0, 1, 0)).y;
+  };
+  EXPECT_LT(std::fabs(uprightness(rooted_ball(0.1))), 0.7);
+  EXPECT_GT(uprightness(rooted_ball(1)), 1 - 1e-9);
+}
+
 /// What a picture of this shape has on it, -1 to 1 to the right and upwards.
 Box<double> on_picture(const Scene& scene, const View& view, double aspect) {
   const glm::dvec3 back = glm::normalize(view.eye - view.target);

@@ -1,0 +1,51 @@
+// A piece as the table feels it: what it would rest on, and how long and wide it is.
+#pragma once
+
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "generator/piece/solid.h"
+
+namespace pomona {
+
+/// The outermost of a piece's vertices in many directions, and its centre of mass.
+class PieceOutline {
+ public:
+  explicit PieceOutline(const Solid& solid);
+
+  double radius() const { return radius_; }
+
+  /// How high the centre of mass is over the table with this side up, metres.
+  double height(const glm::dvec3& up) const { return -glm::dot(lowest(up), up); }
+
+  /// The side that is up after it has been laid down with `up` up and has come to rest: downhill steps that become
+  /// smaller, away from the point it stands on.
+  glm::dvec3 rested(glm::dvec3 up) const;
+
+  struct Plan {
+    glm::dvec3 along{0};  ///< level, unit length
+    double ratio = 1;     ///< of length to width
+  };
+  /// Seen from above.
+  Plan plan(const glm::dvec3& up) const;
+
+ private:
+  glm::dvec3 lowest(const glm::dvec3& up) const;
+  double extent(const glm::dvec3& along) const;
+
+  glm::dvec3 center_;
+  double radius_ = 0;
+  std::vector<glm::dvec3> arms_;
+};
+
+/// Some unit vector at right angles to this one.
+glm::dvec3 level_direction(const glm::dvec3& up);
+
+/// Whether a piece that stands as it grew (+Y is up) would balance on something thin, as a beetroot does on its root:
+/// the surface of its lowest fifth lies, in the mean, within a sixteenth of its width around the middle of that fifth.
+/// A cone on its tip is a little wider there, a strawberry three times as wide.
+bool stands_on_a_tail(const Solid& solid);
+
+}  // namespace pomona
