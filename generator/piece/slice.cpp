@@ -182,7 +182,9 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
     slices.times.time("style", [&] {
       slices.styled = guided(browned(slices.section, task.grown.sheets, task.variant, options.threads),
                              task.grown.swept, task.variant, options.threads, task.grown.skin.get());
-      if (options.pieces) slices.pieces = finished(fruits[i], slices.styled, task, diffuser, options);
+      if (!options.pieces) return;
+      fruits[i].cut.pieces = browned(std::move(fruits[i].cut.pieces), task.grown.sheets, task.variant);
+      slices.pieces = finished(fruits[i], slices.styled, task, diffuser, options);
     });
     if (options.one_done) options.one_done();
   });
