@@ -141,9 +141,8 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, double with
 
 TriangleTree::Nearest TriangleTree::nearest_facing(const glm::dvec3& point, const glm::dvec3& normal,
                                                    double within) const {
-  return nearest_that(point, within, [&](const Corners& c) {
-    return glm::dot(glm::cross(c[1] - c[0], c[2] - c[0]), normal) >= 0;
-  });
+  return nearest_that(point, within,
+                      [&](const Corners& c) { return glm::dot(glm::cross(c[1] - c[0], c[2] - c[0]), normal) >= 0; });
 }
 
 bool TriangleTree::contains(const glm::dvec3& point) const {

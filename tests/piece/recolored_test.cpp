@@ -45,9 +45,8 @@ TEST(Recolored, SkinHasTheOtherFruitsColoursAtItsPlacesAndNothingElseChanges) {
 /// Browned, a socket's flesh may be more like the stone in its coat than like fresh flesh.
 TEST(Recolored, TellsTheSidesOfASpareStoneByTheirParts) {
   const Color flesh(0.8f, 0.7f, 0.4f), coat(0.2f, 0.1f, 0.05f), riper(0.9f, 0.4f, 0.2f);
-  DiffusionSurfaces own =
-      shapes::nested_spheres(0.03, 0.01, 8, shapes::skin_paint(),
-                             {.front = flesh, .back = coat, .front_part = "flesh", .back_part = "coat"});
+  DiffusionSurfaces own = shapes::nested_spheres(
+      0.03, 0.01, 8, shapes::skin_paint(), {.front = flesh, .back = coat, .front_part = "flesh", .back_part = "coat"});
   Template fruit;
   fruit.parts = own.part_names;
   const auto number = [&](const char* part) {

@@ -401,9 +401,9 @@ TEST(Spots, those_with_relief_lie_where_they_are_painted_and_look_to_the_air) {
     as_painted.softness = 0.4;
     for (int k = 0; k < 12; ++k) {
       const double angle = 2 * pi * k / 12;
-      const glm::dvec3 beside = all[i].center + 0.002 * (reproducible::cos(angle) * painted[i].tangent +
-                                                         reproducible::sin(angle) *
-                                                             glm::cross(painted[i].normal, painted[i].tangent));
+      const glm::dvec3 beside =
+          all[i].center + 0.002 * (reproducible::cos(angle) * painted[i].tangent +
+                                   reproducible::sin(angle) * glm::cross(painted[i].normal, painted[i].tangent));
       EXPECT_DOUBLE_EQ(cover_of(all[i], beside, all[i].normal), cover_of(as_painted, beside, painted[i].normal));
     }
   }

@@ -227,8 +227,8 @@ std::optional<double> CollapseRules::cost_of_sector(const CollapseRing& ring, co
   return sum;
 }
 
-/// The other way round: whether the triangle is near the solid, and does not leap over a hollow or cut off a ridge. Near
-/// what faces as it does: the other side of a leaf is no nearer for being thin.
+/// The other way round: whether the triangle is near the solid, and does not leap over a hollow or cut off a ridge.
+/// Near what faces as it does: the other side of a leaf is no nearer for being thin.
 bool CollapseRules::lies_near(std::uint32_t face, const Target& target) const {
   const TriangleCorners& c = target.corner;
   const glm::dvec3 normal = area_vector(c);

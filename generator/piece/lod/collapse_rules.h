@@ -112,8 +112,8 @@ class CollapseRules {
   std::vector<Target> targets_of(const CollapseRing& ring, const Sector& sector) const;
 
   const Solid& solid_;
-  std::vector<TriangleTree> trees_;         // of each cut face and surface of the solid
-  std::vector<std::uint32_t> tree_of_;      // per face: that in which it lay
+  std::vector<TriangleTree> trees_;     // of each cut face and surface of the solid
+  std::vector<std::uint32_t> tree_of_;  // per face: that in which it lay
   CollapseBounds bounds_;
   std::vector<std::uint32_t> source_;
   std::vector<CornerFace> face_;
