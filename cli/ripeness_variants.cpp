@@ -65,7 +65,7 @@ std::vector<RipenessVariant> ripeness_variants(std::span<const Solid> pieces, co
     const auto colors =
         diffuser ? std::make_shared<const SectionColors>(riper.grown.sheets, riper.fruit, *diffuser) : nullptr;
     for (const Solid& piece : pieces) {
-      Solid same = recolored(piece, source.grown.swept, riper.grown.swept);
+      Solid same = recolored(piece, source.grown.swept, riper.grown.swept, riper.fruit);
       if (colors) same = with_cut_faces(std::move(same), *colors);
       same.section_colors = colors;
       variant.pieces.push_back(std::move(same));

@@ -137,8 +137,8 @@ vec3 fruit_at(Nearest nearest, vec2 at, vec2 size, Seen seen, float distance_to,
                    nearest.guide_share);
 #endif
   Material material = material_at(nearest.albedo.a);
-  vec4 pit = cut || material.pit > 0.0 ? vec4(0.0) : pit_at(solid, fruit_position);
-  if (pit.w > 0.0) {
+  vec4 pit = cut || material.pit > 0.0 ? vec4(0.0) : pit_at(solid, fruit_position, turn_to_fruit(instance) * nearest.normal);
+  if (pit != vec4(0.0)) {
     vec3 slope = transpose(turn_to_fruit(instance)) * pit.xyz;
     normal = normalize(normal - (slope - nearest.normal * dot(slope, nearest.normal)));
     seen.sky *= 1.0 - 0.6 * pit.w;

@@ -541,8 +541,28 @@ def smooth_path(points, count):
     return result
 
 
+def add_arcade(model, angle, way, name, back, size):
+    """Where a vessel has come up between two pyramids it bends and runs over the base of one of them."""
+    def over_base(share, depth):
+        ray = fan(angle + way * share * SPREAD / 2)
+        return add(along_ray(along_ray(CENTER, ray, sinus, 3.0), ray, bean, -depth), (0.0, 0.0, 1.0), 0.07)
+    inner = 0.0 if name == "artery" else 1.3
+    curve = [over_base(share, ramp([(0.0, 9.4), (0.35, 7.2), (0.9, 6.2)], share) + inner * min(1.0, 2 * share))
+             for share in (0.03, 0.15, 0.3, 0.45, 0.6, 0.75, 0.88)]
+    radii = [size * ramp([(0, 0.42), (6, 0.2)], float(k)) * 1.2 for k in range(len(curve))]
+    add_tube(model, curve, radii, name, lambda p: INNER_CORTEX, back, name, 6)
+
+
+def in_front_of_hollows(p, room):
+    """The place, or the nearest one towards the viewer that is so far from the calyces and the pelvis."""
+    while drainage(p) < room:
+        p = add(p, (0.0, 0.0, 1.0), 0.2)
+    return p
+
+
 def add_vessels(model):
-    """From the hilum through the fat, in front of the calyces, into the columns between the pyramids."""
+    """From the hilum through the fat, in front of the calyces where these are in the way, into the columns between the
+    pyramids, and over their bases."""
     def around(p, start, blood):
         # Where branches leave the trunk they lie in each other, and nothing parts them.
         way = sub(p, start)
@@ -554,12 +574,15 @@ def add_vessels(model):
         side = unit(cross((0.0, 0.0, 1.0), ray))
         for start, offset, name, back, size in (((21.0, 61.0, 3.0), 0.6, "artery", ARTERY_BLOOD, 0.7),
                                                 ((21.0, 54.5, 6.5), -0.7, "vein", VEIN_BLOOD, 1.0)):
-            before = add(mix(CENTER, rim, 0.75), (0.0, 0.0, 1.0), 4.8)
-            points = [start, add(mix(start, before, 0.5), (0.0, 0.0, 1.0), 1.5), before,
+            room = 1.9 * size
+            before = in_front_of_hollows(add(mix(CENTER, rim, 0.8), side, offset), room)
+            points = [start, in_front_of_hollows(mix(start, before, 0.55), room), before,
                       add(add(rim, ray, 2.0), side, offset), add(end, side, offset)]
             curve = smooth_path(points, 13)
             radii = [ramp([(0, 1.6), (6, 1.2), (9, 0.6), (12, 0.4)], float(k)) * size for k in range(13)]
             add_tube(model, curve, radii, name, lambda p: around(p, start, back), back, name)
+            for way in (1, -1):
+                add_arcade(model, angle, way, name, back, size)
 
 
 def main():

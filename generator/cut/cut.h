@@ -20,7 +20,8 @@ struct CutPiece {
   std::vector<glm::vec3> position;
   std::vector<glm::vec3> normal;  ///< smooth, pointing to air
   std::vector<Color> color;
-  std::vector<std::int32_t> part;  ///< per vertex; index into CrossSection::part_names
+  std::vector<std::int32_t> part;   ///< per vertex; index into CrossSection::part_names
+  std::vector<std::uint8_t> bared;  ///< per vertex: 1 on the wall of what knives went around: as new to air as a face
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> surface;  ///< per triangle
 

@@ -41,6 +41,7 @@ class PieceBuilder {
       if (!surfaces.is_boundary(t.source)) continue;
       skin_.push_back({t, surfaces.is_hidden(t.source, SideOf::front) ? SideOf::front : SideOf::back});
     }
+    first_wall_ = skin_.size();
     for (const SparedWall& wall : cut.walls) {
       skin_.push_back({wall.triangle, wall.shows});
       for (const std::uint32_t v : wall.triangle.vertex) on_wall_[mesh_.point_of[v]] = 1;
@@ -135,6 +136,7 @@ class PieceBuilder {
           piece.normal.push_back(mesh_.normal[v]);
           piece.color.push_back((front ? mesh_.front_color : mesh_.back_color)[v]);
           piece.part.push_back(part);
+          piece.bared.push_back(t >= first_wall_ ? 1 : 0);
         }
         triangle[i] = number;
       }
@@ -205,6 +207,7 @@ class PieceBuilder {
     append(piece.normal, part.normal);
     append(piece.color, part.color);
     append(piece.part, part.part);
+    append(piece.bared, part.bared);
     for (const glm::uvec3& t : part.triangle) piece.triangle.push_back(t + glm::uvec3(first));
     append(piece.surface, part.surface);
     append(piece.caps, part.caps);
@@ -236,6 +239,7 @@ class PieceBuilder {
   const CutOptions& options_;
 
   std::vector<SparedWall> skin_;                           // all that faces air, walls of spared parts too
+  std::size_t first_wall_ = 0;                             // of skin_: from here on
   std::vector<std::uint8_t> on_wall_;                      // per point
   PairNumbers nodes_;                                      // (point, cell)
   DisjointSets sets_{0};                                   // of nodes

@@ -88,4 +88,18 @@ DiffusedColors browned(DiffusedColors colors, std::span<const glm::vec3> points,
   return colors;
 }
 
+std::vector<CutPiece> browned(std::vector<CutPiece> pieces, const DiffusionSurfaces& surfaces, const Template& fruit) {
+  const auto has_bared = [](const CutPiece& piece) {
+    return std::find(piece.bared.begin(), piece.bared.end(), std::uint8_t{1}) != piece.bared.end();
+  };
+  if (!turns_brown(fruit) || std::none_of(pieces.begin(), pieces.end(), has_bared)) return pieces;
+  const Browning browning(surfaces, fruit);
+  for (CutPiece& piece : pieces) {
+    parallel_for(piece.bared.size(), {}, [&](std::size_t v) {
+      if (piece.bared[v]) piece.color[v] = browning(piece.color[v], piece.part[v], glm::dvec3(piece.position[v]));
+    });
+  }
+  return pieces;
+}
+
 }  // namespace pomona

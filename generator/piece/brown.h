@@ -2,7 +2,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "generator/cut/cut.h"
 #include "generator/cut/section/cross_section.h"
 #include "generator/diffusion/diffuser.h"
 #include "generator/surface/diffusion_surfaces.h"
@@ -19,5 +21,8 @@ CrossSection browned(CrossSection section, const DiffusionSurfaces& surfaces, co
 /// The same for colours diffused at any points of cut faces, one per point.
 DiffusedColors browned(DiffusedColors colors, std::span<const glm::vec3> points, const DiffusionSurfaces& surfaces,
                        const Template& fruit);
+
+/// The same for what knives went around and laid bare: the socket of a stone, and the stone.
+std::vector<CutPiece> browned(std::vector<CutPiece> pieces, const DiffusionSurfaces& surfaces, const Template& fruit);
 
 }  // namespace pomona

@@ -7,6 +7,7 @@
 #include "generator/surface/grains/grains.h"
 #include "generator/surface/sheets.h"
 #include "generator/surface/skin_depth.h"
+#include "generator/surface/sweep/spots.h"
 #include "generator/surface/sweep/sweep.h"
 #include "generator/variation/individual_colors.h"
 #include "generator/variation/ripen.h"
@@ -53,6 +54,7 @@ GrownFruit grow(const Template& variant, VariantKey users_key, const GrowOptions
   GrownFruit grown;
   grown.swept = sweep(variant, sweep_options);
   grown.grains = scatter_grains(variant, key, sweep_options);
+  grown.raised = spots_with_relief(variant, sweep_options);
   if (has_own_colors(variant)) {
     grown.skin = std::make_shared<const SkinDepth>(grown.swept);
     grown.swept = ripened(std::move(grown.swept), variant, *grown.skin, options.threads);

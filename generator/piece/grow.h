@@ -3,11 +3,13 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "generator/base/parallel.h"
 #include "generator/base/random.h"
 #include "generator/surface/diffusion_surfaces.h"
 #include "generator/surface/skin_depth.h"
+#include "generator/surface/sweep/spot.h"
 #include "generator/template/template.h"
 #include "generator/variation/variation.h"
 
@@ -40,6 +42,8 @@ struct GrownFruit {
 
   /// Of `swept`, where growing has made it already; else none.
   std::shared_ptr<const SkinDepth> skin = {};
+
+  std::vector<Spot> raised = {};  ///< spots that stand out or are sunk (spots.h): pictures show it, no vertex does
 };
 
 /// Sweeps a variant, ripens its colours, splits its blur and scatters its grains.

@@ -6,32 +6,69 @@
 
 #include "generator/base/error.h"
 #include "generator/diffusion/nearest_side.h"
+#include "generator/piece/brown.h"
 
 namespace pomona {
 
-Solid recolored(Solid piece, const DiffusionSurfaces& own, const DiffusionSurfaces& other) {
+namespace {
+
+/// Which of the two sides a vertex on the surface itself is on: the place does not tell. Its part does, and where both
+/// sides are of one part, its colour.
+SurfaceSide side_of(const Solid& piece, std::uint32_t v, const DiffusionSurfaces& own, const SurfaceSide& at) {
+  SurfaceSide across = at;
+  across.side = at.side == SideOf::front ? SideOf::back : SideOf::front;
+  const std::int32_t here = part_of(own, at), beyond = part_of(own, across);
+  if (here != beyond) {
+    const std::string& part = piece.part_names.at(static_cast<std::size_t>(piece.part[v]));
+    return part == own.part_names.at(static_cast<std::size_t>(beyond)) ? across : at;
+  }
+  const glm::dvec3 color(piece.color[v]);
+  return glm::distance(color_of(own, across), color) < glm::distance(color_of(own, at), color) ? across : at;
+}
+
+/// Vertices on surfaces that a knife has laid bare, in the colours that they had within.
+class Bared {
+ public:
+  void add(const Solid& piece, std::uint32_t v) {
+    vertex_.push_back(v);
+    place_.push_back(piece.position[v]);
+    fresh_.color.push_back(piece.color[v]);
+    fresh_.part.push_back(piece.part[v]);
+  }
+
+  Solid browned_on(Solid piece, const DiffusionSurfaces& surfaces, const Template& fruit) && {
+    const DiffusedColors brown = browned(std::move(fresh_), place_, surfaces, fruit);
+    for (std::size_t i = 0; i < vertex_.size(); ++i) piece.color[vertex_[i]] = brown.color[i];
+    return piece;
+  }
+
+ private:
+  std::vector<std::uint32_t> vertex_;
+  std::vector<glm::vec3> place_;
+  DiffusedColors fresh_;
+};
+
+}  // namespace
+
+Solid recolored(Solid piece, const DiffusionSurfaces& own, const DiffusionSurfaces& other, const Template& fruit) {
   if (own.position != other.position || own.triangle != other.triangle)
     throw Error(ExitStatus::bug, "the fruits differ in more than their colours");
   const SurfaceTree tree = make_surface_tree(own);
   std::vector<std::uint8_t> is_done(piece.position.size(), 0);
+  Bared bared;
   for (std::size_t t = 0; t < piece.triangle.size(); ++t) {
     if (piece.cut_face[t] >= 0) continue;
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t v = piece.triangle[t][k];
       if (is_done[v] != 0) continue;
       is_done[v] = 1;
-      std::optional<SurfaceSide> at = nearest_side(own, tree, glm::dvec3(piece.position[v]));
+      const std::optional<SurfaceSide> at = nearest_side(own, tree, glm::dvec3(piece.position[v]));
       if (!at) continue;
-
-      // On the surface itself a side is not told by the place, but by the colour that the vertex has of it.
-      SurfaceSide across = *at;
-      across.side = at->side == SideOf::front ? SideOf::back : SideOf::front;
-      const glm::dvec3 color(piece.color[v]);
-      const bool is_across = glm::distance(color_of(own, across), color) < glm::distance(color_of(own, *at), color);
-      piece.color[v] = Color(color_of(other, is_across ? across : *at));
+      piece.color[v] = Color(color_of(other, side_of(piece, v, own, *at)));
+      if (!own.is_boundary(at->triangle)) bared.add(piece, v);
     }
   }
-  return piece;
+  return std::move(bared).browned_on(std::move(piece), other, fruit);
 }
 
 }  // namespace pomona

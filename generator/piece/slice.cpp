@@ -4,6 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "generator/base/parallel.h"
 #include "generator/piece/brown.h"
 #include "generator/piece/guided.h"
@@ -133,6 +136,19 @@ PieceOrigin origin_of(const SliceTask& task, const CutOptions& how) {
   return origin;
 }
 
+/// Those that reach into the box of a piece.
+std::vector<Spot> raised_on(const Solid& piece, const std::vector<Spot>& all) {
+  std::vector<Spot> near;
+  if (all.empty() || piece.position.empty()) return near;
+  glm::dvec3 low(piece.position.front()), high = low;
+  for (const glm::vec3& p : piece.position) low = glm::min(low, glm::dvec3(p)), high = glm::max(high, glm::dvec3(p));
+  for (const Spot& spot : all) {
+    const glm::dvec3 away = spot.center - glm::clamp(spot.center, low, high);
+    if (glm::dot(away, away) < reach_of(spot) * reach_of(spot)) near.push_back(spot);
+  }
+  return near;
+}
+
 /// The pieces of one fruit as solids.
 std::vector<Solid> finished(const OpenedFruit& fruit, const CrossSection& styled, const SliceTask& task,
                             const Diffuser* diffuser, const SliceOptions& options) {
@@ -141,6 +157,7 @@ std::vector<Solid> finished(const OpenedFruit& fruit, const CrossSection& styled
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     pieces[i].origin = origin_of(task, options.cut);
     pieces[i].on_skin = fruit.on_skin;
+    pieces[i].raised = raised_on(pieces[i], task.grown.raised);
     pieces[i].origin.number = fruit.number[i];
     pieces[i].origin.pieces = static_cast<int>(fruit.piece_count);
   }
@@ -182,7 +199,9 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
     slices.times.time("style", [&] {
       slices.styled = guided(browned(slices.section, task.grown.sheets, task.variant, options.threads),
                              task.grown.swept, task.variant, options.threads, task.grown.skin.get());
-      if (options.pieces) slices.pieces = finished(fruits[i], slices.styled, task, diffuser, options);
+      if (!options.pieces) return;
+      fruits[i].cut.pieces = browned(std::move(fruits[i].cut.pieces), task.grown.sheets, task.variant);
+      slices.pieces = finished(fruits[i], slices.styled, task, diffuser, options);
     });
     if (options.one_done) options.one_done();
   });

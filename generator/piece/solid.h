@@ -14,6 +14,7 @@
 #include "generator/cut/cut.h"
 #include "generator/mesh/moments.h"
 #include "generator/piece/piece_origin.h"
+#include "generator/surface/sweep/spot.h"
 #include "generator/template/template.h"
 
 namespace pomona {
@@ -37,6 +38,7 @@ struct Solid {
   std::vector<std::uint8_t> on_skin;      ///< per part: whether the whole fruit shows it; empty where nobody knows
   NoiseStyle noise;
   std::vector<DetailSketch> details;
+  std::vector<Spot> raised;  ///< spots of its skin that stand out or are sunk
   InkStyle ink;
   float opacity = 1.0f;   ///< below 1 where one sees through it, looking at right angles
   double volume = 0;      ///< cubic metres

@@ -26,6 +26,7 @@ struct SpotSketch {
   double softness = 0.5;                         ///< share of the way from the middle to the rim over which it fades
   double raggedness = 0;                         ///< 0 = round, 0.9 = an outline that wanders far in
   double strength = 1;                           ///< share it covers in its middle
+  double relief = 0;                             ///< metres that it stands out, or is sunk where negative
 };
 
 }  // namespace pomona

@@ -13,6 +13,7 @@ void scale(Side& side, double factor) {
     spot.spacing *= factor;
     spot.size_least *= factor;
     spot.size_most *= factor;
+    spot.relief *= factor;
   }
 }
 

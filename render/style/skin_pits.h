@@ -1,4 +1,5 @@
-// The pits that parts lie in on skins: a strawberry's achenes. The look alone; no vertex moves.
+// What is sunk in skins or stands out from them: the pits that parts lie in, a strawberry's achenes, and spots with a
+// relief. The look alone; no vertex moves.
 #pragma once
 
 #include <cstdint>
@@ -13,29 +14,32 @@ namespace pomona {
 
 /// Of a place on a skin.
 struct PitPlace {
-  double height = 0;    ///< metres, below 0 in pits
+  double height = 0;    ///< metres, below 0 in pits and sunken spots
   glm::dvec3 slope{0};  ///< of the height, metres per metre; not yet within the skin
-  double inside = 0;    ///< 0 = out of all pits, 1 = in the middle of one
+  double inside = 0;    ///< 0 = out of all that is sunk, 1 = in the middle of it
 };
 
 /// A pit around each grain of a part with `pit` that a solid shows on its skin. With x the distance from the grain's
 /// middle as a share of the pit's radius, which is `wider` times the grain's own,
 ///   height = -pit (1 - x^2)^2, from x = 1 on 0
-/// and heights of pits that overlap add up. shaders/skin_pits.glsl does the same.
+/// A spot stands out, or is sunk, by its relief times its share there (cover_of). Heights of what overlaps add up.
+/// shaders/skin_pits.glsl does the same.
 class SkinPits {
  public:
   static constexpr double wider = 1.9;
 
   explicit SkinPits(const Solid& solid);
 
-  bool empty() const { return pits_.empty(); }
+  bool empty() const { return pits_.empty() && spots_.empty(); }
   std::size_t count() const { return pits_.size(); }
 
-  PitPlace at(const glm::dvec3& place) const;
+  /// \param normal the surface's there, to air, unit.
+  PitPlace at(const glm::dvec3& place, const glm::dvec3& normal) const;
 
   /// As shaders read it: the grid's lowest corner and its cells' side; the numbers of cells along x, y and z; for each
-  /// cell where its list begins in these texels, and how many pits it has; the lists, two texels a pit: middle and
-  /// radius, depth.
+  /// cell where its list begins in these texels, how many pits it has, and how many spots behind them; the lists, two
+  /// texels a pit: middle and radius, depth; six a spot: middle and radius, tangent and stretch, normal and softness,
+  /// four waves, relief.
   std::vector<glm::vec4> texels() const;
 
  private:
@@ -45,15 +49,24 @@ class SkinPits {
   };
 
   void find(const Solid& solid);
+  void add_pits(const std::vector<std::uint32_t>& own, const glm::dvec3& place, PitPlace& found) const;
+  void add_spots(const std::vector<std::uint32_t>& own, const glm::dvec3& place, const glm::dvec3& normal,
+                 PitPlace& found) const;
   void sort_into_cells();
   glm::ivec3 cell_at(const glm::dvec3& place) const;
   std::size_t index(const glm::ivec3& cell) const;
 
+  /// Numbers of what reaches into a cell.
+  struct Cell {
+    std::vector<std::uint32_t> pits, spots;
+  };
+
   std::vector<Pit> pits_;
+  std::vector<Spot> spots_;
   glm::dvec3 low_{0};
   double side_ = 1;  // of a cell, metres
   glm::ivec3 count_{0};
-  std::vector<std::vector<std::uint32_t>> cells_;  // pits that reach into each
+  std::vector<Cell> cells_;
 };
 
 }  // namespace pomona

@@ -72,7 +72,7 @@ MapSample SampleMaps::at(const TexelSample& sample, const Color& plain) const {
   const Relief relief = relief_at(look_, plain, look_place(sample, place), normal);
   const RimPlace rim = cut ? faces_.at(sample.triangle, place) : RimPlace{};
   const bool lies_in_pit = cut || material_of(solid_, part(sample)).pit > 0;
-  const PitPlace pit = lies_in_pit ? PitPlace{} : pits_.at(place);
+  const PitPlace pit = lies_in_pit ? PitPlace{} : pits_.at(place, normal);
 
   // Level places are level to the bit.
   MapSample made;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -27,6 +29,23 @@ TEST(TriangleTree, FindsTheNearestPointAsTryingAllTrianglesDoes) {
     EXPECT_DOUBLE_EQ(glm::distance(found.point, p), least);
     EXPECT_EQ(tree.nearest(p, 0.999 * least).distance, std::numeric_limits<double>::infinity());
   }
+}
+
+TEST(TriangleTree, FindsTheNearestPointOfWhatFacesTheSameWay) {
+  const TriangleTree tree = tree_of(shapes::torus(2, 0.7, 24, 12));
+  const std::vector<glm::dvec3> ways = random_points(200, 1);
+  std::size_t farther = 0, i = 0;
+  for (const glm::dvec3& p : random_points(200, 3)) {
+    const glm::dvec3& way = ways[199 - i++];  // of other draws than the place
+    double least = std::numeric_limits<double>::infinity();
+    for (const TriangleTree::Corners& t : tree.triangles()) {
+      if (glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), way) >= 0)
+        least = std::min(least, glm::distance(p, nearest_on_triangle(p, t)));
+    }
+    EXPECT_DOUBLE_EQ(tree.nearest_facing(p, way).distance, least);
+    farther += least > tree.nearest(p).distance ? 1 : 0;
+  }
+  EXPECT_GT(farther, 50u);
 }
 
 TEST(TriangleTree, ContainsWhatItsMeshWindsAround) {

@@ -14,6 +14,7 @@
 #include "generator/cut/cut.h"
 #include "generator/knife/knife.h"
 #include "generator/knife/parse_knife.h"
+#include "generator/piece/slice.h"
 #include "generator/surface/skin_depth.h"
 #include "tests/shapes/shapes.h"
 
@@ -142,6 +143,67 @@ TEST(Browning, two_cuts_agree_where_they_meet) {
     EXPECT_EQ(at->second, both.color[v]);
   }
   EXPECT_GT(shared, 10u);
+}
+
+/// Knives go around the stone of a peach. The half without it has the socket, whose wall was flesh within until then.
+struct SparedPeach {
+  DiffusionSurfaces surfaces =
+      shapes::nested_spheres(0.03, 0.01, 12, shapes::skin_paint(),
+                             {.front = cream, .name = "stone", .front_part = "flesh", .back_part = "stone"});
+  Template fruit = browning_fruit();
+
+  std::vector<CutPiece> halves() {
+    fruit.parts = surfaces.part_names;
+    const auto number = [&](const char* part) {
+      return static_cast<int>(std::find(fruit.parts.begin(), fruit.parts.end(), part) - fruit.parts.begin());
+    };
+    fruit.browning.parts[0].part = number("flesh");
+    fruit.spared = {number("stone")};
+    const std::vector<Knife> knives{parse_knife("half")};
+    CutOptions options;
+    options.spared_parts = fruit.spared;
+    return cut(surfaces, knives, options).pieces;
+  }
+};
+
+TEST(Browning, of_a_spared_socket_is_that_of_a_cut_face) {
+  SparedPeach peach;
+  const std::vector<CutPiece> fresh = peach.halves(), old = browned(fresh, peach.surfaces, peach.fruit);
+  ASSERT_EQ(old.size(), 2u);
+  std::size_t socket = 0, kept = 0;
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    ASSERT_EQ(fresh[i].bared.size(), fresh[i].position.size());
+    for (std::size_t v = 0; v < old[i].position.size(); ++v) {
+      const bool is_within = glm::length(glm::dvec3(old[i].position[v])) < 0.02;
+      EXPECT_EQ(fresh[i].bared[v] != 0, is_within);
+      if (is_within && peach.fruit.parts[static_cast<std::size_t>(old[i].part[v])] == "flesh") {
+        EXPECT_NEAR(share_of_way(old[i].color[v]), 0.8 * (1 - std::exp(-1.5)), 1e-4);
+        ++socket;
+      } else {
+        EXPECT_EQ(old[i].color[v], fresh[i].color[v]) << "neither the skin nor the stone browns";
+        ++kept;
+      }
+    }
+  }
+  EXPECT_GT(socket, 50u);
+  EXPECT_GT(kept, socket);
+}
+
+TEST(Browning, of_a_spared_socket_is_in_the_pieces_of_a_slice) {
+  SparedPeach peach;
+  peach.halves();
+  const GrownFruit grown{peach.surfaces, {}, peach.surfaces};
+  const std::vector<Knife> knives{parse_knife("half")};
+  const Slices halves = slice({grown, peach.fruit, knives, "peach"}, nullptr);
+  double most = 0;
+  for (const Solid& half : halves.pieces) {
+    for (std::size_t t = 0; t < half.triangle.size(); ++t) {
+      const std::uint32_t v = half.triangle[t].x;
+      if (half.cut_face[t] < 0 && half.part_names[static_cast<std::size_t>(half.part[v])] == "flesh")
+        most = std::max(most, share_of_way(half.color[v]));
+    }
+  }
+  EXPECT_NEAR(most, 0.8 * (1 - std::exp(-1.5)), 1e-4);
 }
 
 }  // namespace

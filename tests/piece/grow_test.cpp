@@ -31,6 +31,16 @@ TEST(Grow, EveryVariantHasAPatternOfItsOwn) {
   EXPECT_EQ(patterns.size(), 4u);
 }
 
+TEST(Grow, SpotsThatStandOutGoWithTheVariant) {
+  Template fruit = shipped("avocado");
+  EXPECT_TRUE(grow(fruit, {1, 0}).raised.empty());
+  fruit.surfaces[0].front.spots.back().relief = 2e-4;
+  const GrownFruit one = grow(fruit, {1, 0}), other = grow(fruit, {2, 0});
+  ASSERT_GT(one.raised.size(), 50u);
+  EXPECT_EQ(one.raised[0].center, grow(fruit, {1, 0}).raised[0].center);
+  EXPECT_NE(one.raised[0].center, other.raised[0].center);
+}
+
 TEST(Grow, TheDrawingsPatternStaysWhereNothingVaries) {
   EXPECT_EQ(variant_of(shipped("melon"), {5, 0}, {.as_drawn = true, .folds = {}}).noise.pattern, 0u);
   EXPECT_EQ(variant_of(shipped("kidney"), {5, 0}).noise.pattern, 0u);

@@ -1,6 +1,7 @@
 // slice(): one fruit or many, the same pieces; what is not wanted is not diffused.
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
 
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
@@ -70,6 +71,24 @@ TEST(Slice, LeavesWhatTheTemplateSparesInOnePiece) {
   EXPECT_LT(spared.pieces[1].volume, plain.pieces[1].volume);
   for (const Solid& piece : spared.pieces) EXPECT_TRUE(piece.closed);
   EXPECT_EQ(spared.section.triangle, plain.section.triangle);
+}
+
+TEST(Slice, GivesEachPieceTheSpotsOfItsSkinThatStandOut) {
+  const DiffusionSurfaces ball = shapes::sphere(0.05, 10, shapes::skin_paint());
+  GrownFruit grown{ball, {}, ball};
+  for (const double z : {-1.0, 1.0, 0.0}) {
+    Spot spot;
+    spot.normal = glm::dvec3(std::sqrt(1 - z * z), 0, z);
+    spot.center = 0.05 * spot.normal;
+    spot.radius = 0.002;
+    spot.relief = 1e-4;
+    grown.raised.push_back(spot);
+  }
+  const std::vector<Knife> knives{parse_knife("half")};
+  const Template plain;
+  const Slices halves = slice({grown, plain, knives, "ball"}, nullptr);
+  ASSERT_EQ(halves.pieces.size(), 2u);
+  for (const Solid& half : halves.pieces) EXPECT_EQ(half.raised.size(), 2u) << "its own, and the one on the cut";
 }
 
 /// A corner too small to matter goes, unless it is asked for; what matters together does not.

@@ -120,6 +120,31 @@ TEST(Materials, ThinSlicesGlowAgainstTheLight) {
   }
 }
 
+/// The picture's side towards the light is brighter on what stands out, darker on what is sunk.
+TEST(Materials, SpotsStandOutOrAreSunk) {
+  Style style = style_named("ink");
+  style.ink = false;
+  style.gloss = 0;
+  style.light.azimuth = -pi / 2;  // from the left
+  style.light.elevation = 0.6;
+  Spot spot;
+  spot.center = {0, 0.025, 0.0025};
+  spot.normal = {0, 0, 1};
+  spot.tangent = {0, 1, 0};
+  spot.radius = 0.012;
+  spot.softness = 1;
+  const auto brighter_to_the_left = [&](double relief) {
+    spot.relief = relief;
+    Scene scene = slab(0.005f, {});
+    if (relief != 0) scene.solids[0].raised = {spot};
+    const Image picture = draw_scene(scene, style, small);
+    return int{picture.at(44, 36).g} - int{picture.at(52, 36).g};
+  };
+  EXPECT_LT(std::abs(brighter_to_the_left(0)), 8);
+  EXPECT_GT(brighter_to_the_left(0.004), 12);
+  EXPECT_LT(brighter_to_the_left(-0.004), -12);
+}
+
 TEST(Materials, GlossBrightensAndBloomVeils) {
   Style style = style_named("ink");
   style.ink = false;

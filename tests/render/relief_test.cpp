@@ -138,12 +138,12 @@ Solid skin_with_grains(double pit) {
 TEST(Pits, LieAroundEachGrainAndTheirSlopeIntegratesToTheirDepth) {
   const SkinPits pits(skin_with_grains(relief_height));
   EXPECT_EQ(pits.count(), 2u);
-  EXPECT_NEAR(pits.at({0.01, 0, 0}).height, -relief_height, 1e-6);
-  EXPECT_EQ(pits.at({0.005, 0, 0}).height, 0);
-  EXPECT_EQ(pits.at({1, 2, 3}).inside, 0);
+  EXPECT_NEAR(pits.at({0.01, 0, 0}, {0, 1, 0}).height, -relief_height, 1e-6);
+  EXPECT_EQ(pits.at({0.005, 0, 0}, {0, 1, 0}).height, 0);
+  EXPECT_EQ(pits.at({1, 2, 3}, {0, 1, 0}).inside, 0);
   constexpr double step = 1e-6;
   double height = 0;
-  for (double x = -0.004 + 0.5 * step; x < 0; x += step) height += pits.at({x, 0, 0}).slope.x * step;
+  for (double x = -0.004 + 0.5 * step; x < 0; x += step) height += pits.at({x, 0, 0}, {0, 1, 0}).slope.x * step;
   EXPECT_NEAR(height, -relief_height, 1e-4 * relief_height);
   EXPECT_TRUE(SkinPits(skin_with_grains(0)).empty());
 }
@@ -160,6 +160,68 @@ TEST(Pits, ShadersHaveAllOfThem) {
     listed += static_cast<std::size_t>(list.y);
   }
   EXPECT_GE(listed, 2u);
+}
+
+/// A wart, 6 mm wide and twice as long, with a wandering outline, on the upper side of the plane y = 0.
+Spot wart(double relief) {
+  Spot spot;
+  spot.radius = 0.003;
+  spot.stretch = 2;
+  spot.softness = 0.6;
+  spot.waves = {glm::dvec2(0.1, 0.05), {0, 0.06}, {-0.03, 0}, {0.02, 0.01}};
+  spot.relief = relief;
+  return spot;
+}
+
+Solid skin_with_spots(const std::vector<Spot>& spots) {
+  Solid skin = skin_with_grains(0);
+  skin.raised = spots;
+  return skin;
+}
+
+class WartOrPock : public testing::TestWithParam<double> {};
+
+TEST_P(WartOrPock, ItsSlopeIntegratesToItsHeight) {
+  const SkinPits pits(skin_with_spots({wart(GetParam())}));
+  const glm::dvec3 up(0, 1, 0), way = glm::normalize(glm::dvec3(2, 0, 1));
+  constexpr double step = 1e-6;
+  double height = 0;
+  for (double x = -0.012 + 0.5 * step; x < 0.012; x += step) {
+    const PitPlace here = pits.at(x * way, up);
+    EXPECT_NEAR(here.height, height, 0.015 * relief_height) << x;
+    EXPECT_NEAR(glm::dot(here.slope, up), 0, 1e-12);
+    EXPECT_EQ(here.inside > 0, here.height < 0) << "only what is sunk is in the dark";
+    height += glm::dot(here.slope, way) * step;
+  }
+  EXPECT_NEAR(height, 0, 0.015 * relief_height);
+  EXPECT_DOUBLE_EQ(pits.at(glm::dvec3(0), up).height, GetParam());
+  EXPECT_LT(std::fabs(pits.at({0, -0.001, 0}, -up).height), 1e-12) << "the other side of a thin wall is level";
+}
+
+INSTANTIATE_TEST_SUITE_P(Relief, WartOrPock, testing::Values(relief_height, -relief_height));
+
+TEST(Warts, ShadersHaveAllOfThemBesideThePits) {
+  Solid skin = skin_with_grains(relief_height);
+  skin.raised = {wart(relief_height), wart(-relief_height)};
+  skin.raised[1].center = {0.3, 0.2, -0.1};
+  const std::vector<glm::vec4> texels = SkinPits(skin).texels();
+  const auto cells = static_cast<std::size_t>(texels[1].x * texels[1].y * texels[1].z);
+  std::size_t listed = 0, sunk = 0;
+  for (std::size_t c = 0; c < cells; ++c) {
+    const auto begin = static_cast<std::size_t>(texels[2 + c].x), pits = static_cast<std::size_t>(texels[2 + c].y),
+               spots = static_cast<std::size_t>(texels[2 + c].z);
+    ASSERT_LE(begin + 2 * pits + 6 * spots, texels.size());
+    for (std::size_t i = 0; i < spots; ++i) {
+      const glm::vec4& middle = texels[begin + 2 * pits + 6 * i];
+      const float relief = texels[begin + 2 * pits + 6 * i + 5].x;
+      EXPECT_FLOAT_EQ(middle.w, 0.003f);
+      EXPECT_FLOAT_EQ(middle.x, relief > 0 ? 0.0f : 0.3f);
+      sunk += relief < 0 ? 1 : 0;
+    }
+    listed += spots;
+  }
+  EXPECT_GE(listed, 2u);
+  EXPECT_GE(sunk, 1u);
 }
 
 /// Pits, or knobs, of 0.3 m on things that are a metre large.
@@ -298,6 +360,29 @@ TEST(Maps, ChartsAgreeWhereTheyMeet) {
     }
   }
   EXPECT_GT(seams, 10);
+}
+
+TEST(Maps, SpotsAreInThem) {
+  Solid solid = named::half_ball(48, 12);
+  Spot spot;
+  spot.center = spot.normal = glm::normalize(glm::dvec3(0.3, 0.8, 0.5));
+  spot.tangent = glm::normalize(glm::cross(spot.normal, glm::dvec3(0, 1, 0)));
+  spot.radius = 0.3;
+  spot.softness = 1;
+  spot.relief = 0.1;
+  const auto tilted_texels = [&] {
+    const BakedSolid made = baked(solid, style_named("ink"), {.texels = 256, .maps = Maps::all});
+    const std::vector<glm::u8vec3>& pixels = made.maps.normal.pixels;
+    return static_cast<double>(pixels.size() - static_cast<std::size_t>(std::count(pixels.begin(), pixels.end(),
+                                                                                   glm::u8vec3(128, 128, 255)))) /
+           static_cast<double>(pixels.size());
+  };
+  EXPECT_EQ(tilted_texels(), 0);
+  solid.raised = {spot};
+  const double share = tilted_texels();
+  // Of the half ball's skin and cut face, 2 pi and pi, a spot of 0.3 has 0.09 pi.
+  EXPECT_GT(share, 0.008);
+  EXPECT_LT(share, 0.05);
 }
 
 TEST(Maps, PartsHaveTheirNumbers) {

@@ -370,6 +370,48 @@ TEST(Spots, what_is_smaller_than_the_cells_is_warned_of) {
             "\"around\" and \"along\"");
 }
 
+TEST(Spots, those_with_relief_lie_where_they_are_painted_and_look_to_the_air) {
+  SurfaceSketch sketch = ball();
+  SpotSketch flat = scattered(0.011, 0.004), raised = scattered(0.009, 0.005);
+  raised.relief = 0.0003;
+  raised.raggedness = 0.7;
+  raised.softness = 0.1;
+  raised.strength = 0.2;
+  sketch.front.spots = {flat, raised};
+  raised.relief = -0.0002;
+  sketch.back.spots = {raised};
+  const Template made = fruit({sketch});
+  const std::vector<SweptGrid> grids = swept_grids(made, sketch, {});
+  std::vector<Spot> painted;
+  for (const SideOf side : {SideOf::front, SideOf::back}) {
+    for (const Spot& spot : placed_spots(made, sketch, side, grids, {}))
+      if (spot.relief != 0) painted.push_back(spot);
+  }
+  const std::vector<Spot> all = spots_with_relief(made, {});
+  ASSERT_EQ(all.size(), painted.size());
+  ASSERT_GT(all.size(), 100u);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double side = all[i].relief > 0 ? 1 : -1;
+    EXPECT_EQ(all[i].center, painted[i].center);
+    EXPECT_EQ(all[i].normal, side * painted[i].normal);
+    EXPECT_EQ(all[i].strength, 1);
+    EXPECT_EQ(all[i].softness, 0.4) << "no cliffs";
+    Spot as_painted = painted[i];
+    as_painted.strength = 1;
+    as_painted.softness = 0.4;
+    for (int k = 0; k < 12; ++k) {
+      const double angle = 2 * pi * k / 12;
+      const glm::dvec3 beside =
+          all[i].center + 0.002 * (reproducible::cos(angle) * painted[i].tangent +
+                                   reproducible::sin(angle) * glm::cross(painted[i].normal, painted[i].tangent));
+      EXPECT_DOUBLE_EQ(cover_of(all[i], beside, all[i].normal), cover_of(as_painted, beside, painted[i].normal));
+    }
+  }
+  sketch.front.spots = {flat};
+  sketch.back.spots = {};
+  EXPECT_TRUE(spots_with_relief(fruit({sketch}), {}).empty());
+}
+
 TEST(Spots, any_thread_gives_the_same_bits) {
   SurfaceSketch sketch = ball();
   sketch.front.spots = {scattered(0.008, 0.004)};

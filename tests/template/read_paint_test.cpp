@@ -81,7 +81,7 @@ TEST(ReadPaint, spots_are_scattered_or_lie_at_a_place) {
       skin_with(
           "color = \"#804020\", spots = [{ color = \"#402010\", spacing = \"4mm\", size = [\"1mm\", \"2mm\"], "
           "count = 9, band = [0.2, 0.8] }, { color = \"#c0a040\", place = [0.3, 200], size = \"30mm\", stretch = "
-          "1.5, softness = 0.8, raggedness = 0.4, strength = 0.7 }]")
+          "1.5, softness = 0.8, raggedness = 0.4, strength = 0.7, relief = \"-0.4mm\" }], hidden = true")
           .spots;
   ASSERT_EQ(spots.size(), 2u);
   EXPECT_FALSE(spots[0].place);
@@ -100,6 +100,8 @@ TEST(ReadPaint, spots_are_scattered_or_lie_at_a_place) {
   EXPECT_DOUBLE_EQ(spots[1].softness, 0.8);
   EXPECT_DOUBLE_EQ(spots[1].raggedness, 0.4);
   EXPECT_DOUBLE_EQ(spots[1].strength, 0.7);
+  EXPECT_EQ(spots[0].relief, 0);
+  EXPECT_DOUBLE_EQ(spots[1].relief, -0.0004);
 }
 
 TEST(ReadPaint, blur_may_change_in_both_directions) {
@@ -161,6 +163,10 @@ const Mistake mistakes[] = {
      R"(strength is 2)"},
     {R"(color = "#ffffff", spots = [{ color = "#ffffff", place = [0.5, 0], size = "1mm", stretch = @0 }])",
      R"(stretch is 0)"},
+    {R"(color = "#ffffff", spots = [{ color = "#ffffff", place = [0.5, 0], size = "1mm", relief = @"11mm" }])",
+     R"(relief is 11mm)"},
+    {R"(color = "#ffffff", spots = [{ color = "#ffffff", place = [0.5, 0], size = "1mm", relief = @0.3 }])",
+     R"(relief must be a length)"},
 };
 
 /// What is said where the text has its @, which is no part of it.
@@ -201,6 +207,12 @@ TEST(ReadPaint, what_a_surface_in_a_fold_or_a_grain_cannot_have_is_said) {
       R"(color = "#d89a2a", spots = [{ color = "#ffffff", size = "2mm", place = @[0.5, 0] }] })" + stone.substr(19);
   std::string said = said_at_mark(replaced(good, stone, patch));
   EXPECT_NE(said.find("is for surfaces around the axis only"), std::string::npos) << said;
+
+  const std::string raised =
+      R"(color = "#d89a2a", spots = [{ color = "#ffffff", size = "2mm", spacing = "5mm", relief = @"0.2mm" }] })" +
+      stone.substr(19);
+  said = said_at_mark(replaced(good, stone, raised));
+  EXPECT_NE(said.find("is for sides that face air"), std::string::npos) << said;
 
   const std::string grain = "thickness = \"0.5mm\"\nfront = { part = \"flesh\", color = ";
   said = said_at_mark(replaced(good, grain + "\"#d89a2a\"", grain + R"({ along = "#d89a2a", @turn = "#ffffff" })"));

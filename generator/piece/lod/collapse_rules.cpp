@@ -61,7 +61,7 @@ std::size_t before(std::size_t i, std::size_t count) { return (i + count - 1) % 
 }  // namespace
 
 CollapseRules::CollapseRules(const Solid& solid, const VertexFans& fans)
-    : solid_(solid), tree_(solid.position, solid.triangle), source_(fans.source), area_(fans.vertex.size(), 0.0) {
+    : solid_(solid), source_(fans.source), area_(fans.vertex.size(), 0.0) {
   for (const std::uint32_t vertex : fans.vertex) position_.emplace_back(solid.position[vertex]);
   for (const Color& color : solid.color) seen_.push_back(seen(glm::dvec3(color)));
   for (std::size_t f = 0; f < fans.triangle.size(); ++f) {
@@ -75,6 +75,20 @@ CollapseRules::CollapseRules(const Solid& solid, const VertexFans& fans)
     face_.push_back(std::move(face));
   }
   faces_left_ = face_.size();
+  plant_trees();
+}
+
+/// Level and solid are compared cut face by cut face and surface by surface: what lies near another one is off.
+void CollapseRules::plant_trees() {
+  std::map<std::pair<std::int32_t, std::int32_t>, std::vector<glm::uvec3>> patches;
+  for (std::size_t t = 0; t < solid_.triangle.size(); ++t)
+    patches[{solid_.cut_face[t], solid_.surface[t]}].push_back(solid_.triangle[t]);
+  std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t> number;
+  for (const auto& [patch, triangles] : patches) {
+    number[patch] = static_cast<std::uint32_t>(trees_.size());
+    trees_.emplace_back(solid_.position, triangles);
+  }
+  for (const std::uint32_t t : source_) tree_of_.push_back(number.at({solid_.cut_face[t], solid_.surface[t]}));
 }
 
 std::uint32_t CollapseRules::vertex_at(std::uint32_t face, std::uint32_t fan) const {
@@ -214,13 +228,23 @@ std::optional<double> CollapseRules::cost_of_sector(const CollapseRing& ring, co
 }
 
 /// The other way round: whether the triangle is near the solid, and does not leap over a hollow or cut off a ridge.
+/// Near what faces as it does: the other side of a leaf is no nearer for being thin.
 bool CollapseRules::lies_near(std::uint32_t face, const Target& target) const {
   const TriangleCorners& c = target.corner;
-  if (is_within(area_vector(c), normal_[face], flat_cosine)) return true;
-  const std::array<glm::dvec3, 4> points{(c[0] + c[1] + c[2]) / 3.0, 0.5 * (c[0] + c[1]), 0.5 * (c[1] + c[2]),
-                                         0.5 * (c[2] + c[0])};
-  return std::all_of(points.begin(), points.end(),
-                     [&](const glm::dvec3& point) { return tree_.nearest(point, bound()).distance <= bound(); });
+  const glm::dvec3 normal = area_vector(c);
+  if (is_within(normal, normal_[face], flat_cosine)) return true;
+  const TriangleTree& tree = trees_[tree_of_[face]];
+  const glm::dvec3 middle = (c[0] + c[1] + c[2]) / 3.0;
+  const std::array<glm::dvec3, 7> points{middle,
+                                         0.5 * (c[0] + c[1]),
+                                         0.5 * (c[1] + c[2]),
+                                         0.5 * (c[2] + c[0]),
+                                         0.5 * (middle + c[0]),
+                                         0.5 * (middle + c[1]),
+                                         0.5 * (middle + c[2])};
+  return std::all_of(points.begin(), points.end(), [&](const glm::dvec3& point) {
+    return tree.nearest_facing(point, normal, bound()).distance <= bound();
+  });
 }
 
 /// False if the triangle would turn over, or become a needle that it was not before.

@@ -93,6 +93,7 @@ class CollapseRules {
   };
   using FanPair = std::pair<std::uint32_t, std::uint32_t>;
 
+  void plant_trees();
   double bound() const;
   std::uint32_t vertex_at(std::uint32_t face, std::uint32_t fan) const;
   bool looks_alike(std::uint32_t a, std::uint32_t b) const;
@@ -111,7 +112,8 @@ class CollapseRules {
   std::vector<Target> targets_of(const CollapseRing& ring, const Sector& sector) const;
 
   const Solid& solid_;
-  const TriangleTree tree_;  // of the solid
+  std::vector<TriangleTree> trees_;     // of each cut face and surface of the solid
+  std::vector<std::uint32_t> tree_of_;  // per face: that in which it lay
   CollapseBounds bounds_;
   std::vector<std::uint32_t> source_;
   std::vector<CornerFace> face_;

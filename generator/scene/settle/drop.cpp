@@ -32,19 +32,19 @@ glm::dquat face_up(const glm::dvec3& up, const RandomStream& draw, std::uint64_t
 }
 
 /// A place, and how high the lowest point of a piece may begin there.
-struct Spot {
+struct DropPlace {
   glm::vec2 at{0};
   double highest = std::numeric_limits<double>::infinity();
 };
 
 constexpr double steepest = 0.7;
 
-Spot spot_in(const DropRing& ring, double share, double turn) {
+DropPlace spot_in(const DropRing& ring, double share, double turn) {
   // Square roots of uniform numbers fill a ring evenly.
   const double angle = 2 * pi * turn;
   const double radius =
       std::sqrt(ring.inner * ring.inner + share * std::max(0.0, ring.outer * ring.outer - ring.inner * ring.inner));
-  Spot spot;
+  DropPlace spot;
   spot.at = {static_cast<float>(ring.middle.x + radius * reproducible::cos(angle)),
              static_cast<float>(ring.middle.y + radius * reproducible::sin(angle))};
   const double out = ring.middle == glm::dvec2(0) ? radius : static_cast<double>(glm::length(spot.at));
@@ -52,7 +52,7 @@ Spot spot_in(const DropRing& ring, double share, double turn) {
   return spot;
 }
 
-Spot spot_in(const DropCells& cells, double share, double) {
+DropPlace spot_in(const DropCells& cells, double share, double) {
   const auto last = static_cast<double>(cells.size() - 1);
   const MeshDish::Place& place =
       cells[static_cast<std::size_t>(std::min(last, share * static_cast<double>(cells.size())))];
@@ -93,7 +93,7 @@ std::optional<glm::dvec3> drawn_place(const RigidBody& turned, const HeightMap& 
   std::optional<glm::dvec3> best;
   for (std::uint64_t k = 0; k < most && (k < usual || !best); ++k) {
     const double share = draw.uniform(n + 2 * k), turn = draw.uniform(n + 2 * k + 1);
-    const Spot spot = std::visit([&](const auto& each) { return spot_in(each, share, turn); }, area);
+    const DropPlace spot = std::visit([&](const auto& each) { return spot_in(each, share, turn); }, area);
     const double height = heap.resting_height(turned, spot.at.x, spot.at.y);
     const double lowest = height + (static_cast<double>(turned.box.low.y) - turned.center.y);
     if (lowest > spot.highest) continue;

@@ -19,6 +19,9 @@ namespace {
 constexpr double most_spots = 20'000;  // of one kind
 constexpr double most_layers = 2'000;  // of all kinds, level with any vertex on average
 
+// A spot that stands out does so within this share of its radius at least: a hard rim would be a cliff.
+constexpr double least_slope = 0.4;
+
 const char* name_of(SideOf side) { return side == SideOf::front ? "front" : "back"; }
 const Side& side_of(const SurfaceSketch& sketch, SideOf side) {
   return side == SideOf::front ? sketch.front : sketch.back;
@@ -56,6 +59,7 @@ Spot spot_at(const Dart& dart, const SpotSketch& sketch, const RandomStream& ran
   spot.strength = sketch.strength;
   spot.waves = drawn_waves(sketch.raggedness, random, draw + 1);
   spot.color = sketch.color;
+  spot.relief = sketch.relief;
   return spot;
 }
 
@@ -81,20 +85,6 @@ std::vector<Dart> darts_of(const Template& fruit, const SurfaceSketch& surface, 
   }
   return darts;
 }
-
-/// How far out the rim is in a direction across the normal, over the radius: 1 less up to the raggedness, or more.
-double rim(const Spot& spot, const glm::dvec2& direction) {
-  glm::dvec2 power = direction;  // as a complex number, to the power of the wave's number
-  double rim = 1;
-  for (const glm::dvec2& wave : spot.waves) {
-    power = {power.x * direction.x - power.y * direction.y, power.x * direction.y + power.y * direction.x};
-    rim += glm::dot(wave, power);
-  }
-  return rim;
-}
-
-/// No point farther than this in any direction is covered.
-double reach(const Spot& spot) { return 2 * spot.radius * std::max(1.0, spot.stretch); }
 
 /// Vertices by height, so that a spot need not ask all of them.
 class ByHeight {
@@ -128,8 +118,18 @@ double layers(std::span<const SweptGrid> grids, const std::vector<Spot>& spots) 
     }
   }
   double sum = 0;
-  for (const Spot& spot : spots) sum += 2 * reach(spot) < high - low ? 2 * reach(spot) / (high - low) : 1;
+  for (const Spot& spot : spots) sum += 2 * reach_of(spot) < high - low ? 2 * reach_of(spot) / (high - low) : 1;
   return sum;
+}
+
+/// Seen from behind an outline runs the other way around.
+Spot seen_from_air(Spot spot, SideOf side) {
+  spot.softness = std::max(spot.softness, least_slope);
+  spot.strength = 1;
+  if (side == SideOf::front) return spot;
+  spot.normal = -spot.normal;
+  for (glm::dvec2& wave : spot.waves) wave.y = -wave.y;
+  return spot;
 }
 
 std::string millimetres(double metres) {
@@ -174,35 +174,29 @@ std::vector<Spot> placed_spots(const Template& fruit, const SurfaceSketch& sketc
   return spots;
 }
 
-double cover_of(const Spot& spot, const glm::dvec3& point, const glm::dvec3& normal) {
-  const glm::dvec3 away = point - spot.center;
-  const double facing = 0.5 * (1 + glm::dot(normal, spot.normal));
-  if (!(facing > 0) || glm::dot(away, away) > reach(spot) * reach(spot)) return 0;
-
-  // As far as it would be in a round spot.
-  const double along = glm::dot(away, spot.tangent), across = glm::dot(away, glm::cross(spot.normal, spot.tangent));
-  const double shortened = along / spot.stretch;
-  const double chord = std::sqrt(std::max(0.0, glm::dot(away, away) - along * along + shortened * shortened));
-  const double flat = std::sqrt(shortened * shortened + across * across);
-  const double outline = flat > 0 ? rim(spot, glm::dvec2(shortened, across) / flat) : 1;
-  const double share = chord / (std::sqrt(std::sqrt(facing)) * spot.radius * outline);
-
-  // Full up to where the softness begins, then evenly down to nothing with a smooth start and end.
-  if (share >= 1) return 0;
-  if (share <= 1 - spot.softness) return spot.strength;
-  const double left = (1 - share) / spot.softness;
-  return spot.strength * left * left * (3 - 2 * left);
-}
-
 std::vector<Color> with_spots(const SweptGrid& grid, std::vector<Color> ground, std::span<const Spot> spots) {
   const ByHeight by_height(grid.position);
   const std::vector<glm::dvec3> normals = unit_normals(grid);
   for (const Spot& spot : spots) {
-    for (const std::size_t v : by_height.between(spot.center.y - reach(spot), spot.center.y + reach(spot))) {
+    for (const std::size_t v : by_height.between(spot.center.y - reach_of(spot), spot.center.y + reach_of(spot))) {
       ground[v] = blended(ground[v], spot.color, cover_of(spot, grid.position[v], normals[v]));
     }
   }
   return ground;
+}
+
+std::vector<Spot> spots_with_relief(const Template& fruit, const SweepOptions& options) {
+  std::vector<Spot> all;
+  for (const SurfaceSketch& sketch : fruit.surfaces) {
+    for (const SideOf side : {SideOf::front, SideOf::back}) {
+      const std::vector<SpotSketch>& kinds = side_of(sketch, side).spots;
+      if (std::none_of(kinds.begin(), kinds.end(), [](const SpotSketch& kind) { return kind.relief != 0; })) continue;
+      for (Spot spot : placed_spots(fruit, sketch, side, swept_grids(fruit, sketch, options), options.key)) {
+        if (spot.relief != 0) all.push_back(seen_from_air(spot, side));
+      }
+    }
+  }
+  return all;
 }
 
 std::vector<std::string> spot_warnings(const Template& fruit, const SweepOptions& options) {

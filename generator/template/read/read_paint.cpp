@@ -107,7 +107,7 @@ PaintedColor read_painted_color(const TomlValue& value) { return read_painted_co
 Side read_surface_side(const TomlTable& table, const std::vector<std::string>& parts, const PaintedSurface& surface) {
   Side side = read_any_side(table, parts, &surface);
   for (const TomlTable& coat : table.get("coats").tables(most_coats)) side.coats.push_back(read_coat(coat, surface));
-  side.spots = read_spots(table.get("spots"), surface.type);
+  side.spots = read_spots(table.get("spots"), surface.type, side.hidden);
   return side;
 }
 

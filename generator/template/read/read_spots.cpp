@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t most_kinds = 16;
 constexpr Within sizes{1e-5, 1};
+constexpr Within spot_height{-0.01, 0.01};  // metres
 
 std::optional<PatchPlace> read_place(const TomlValue& value, SurfaceType type) {
   const std::vector<TomlValue> pair = value.values();
@@ -57,7 +58,15 @@ void read_scatter(const TomlTable& table, SpotSketch& spots) {
   read_band(table.get("band"), spots);
 }
 
-SpotSketch read_spot(const TomlTable& table, SurfaceType type) {
+/// Between two colours nobody sees a height.
+double read_relief(const TomlTable& table, bool faces_air) {
+  const TomlValue value = table.get("relief");
+  if (table.has("relief") && !faces_air)
+    value.error("is for sides that face air", "leave it out, or say hidden = true of the side");
+  return value.length(0, spot_height);
+}
+
+SpotSketch read_spot(const TomlTable& table, SurfaceType type, bool faces_air) {
   SpotSketch spots;
   spots.color = table.need("color").color();
   if (table.has("place")) {
@@ -70,14 +79,15 @@ SpotSketch read_spot(const TomlTable& table, SurfaceType type) {
   spots.softness = table.get("softness").number(spots.softness, {0, 1});
   spots.raggedness = table.get("raggedness").number(spots.raggedness, {0, 0.9});
   spots.strength = table.get("strength").number(spots.strength, {0, 1});
+  spots.relief = read_relief(table, faces_air);
   return spots;
 }
 
 }  // namespace
 
-std::vector<SpotSketch> read_spots(const TomlValue& value, SurfaceType type) {
+std::vector<SpotSketch> read_spots(const TomlValue& value, SurfaceType type, bool faces_air) {
   std::vector<SpotSketch> spots;
-  for (const TomlTable& table : value.tables(most_kinds)) spots.push_back(read_spot(table, type));
+  for (const TomlTable& table : value.tables(most_kinds)) spots.push_back(read_spot(table, type, faces_air));
   return spots;
 }
 

@@ -10,6 +10,7 @@
 namespace pomona {
 
 /// [{ place = [0.3, 200], size = "40mm", color = "#..." }, { spacing = "4mm", size = ["1mm", "2mm"], color = ... }].
-std::vector<SpotSketch> read_spots(const TomlValue& value, SurfaceType type);
+/// \param faces_air whether the side does: relief is for such sides.
+std::vector<SpotSketch> read_spots(const TomlValue& value, SurfaceType type, bool faces_air);
 
 }  // namespace pomona
