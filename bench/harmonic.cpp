@@ -1,5 +1,5 @@
 // What true diffusion on the grid costs: set-up, solution, look-up, memory; for the seeded fruit and every template.
-//   harmonic_bench [--threads N] [--runs N] [--nodes N] [--truth FILE...] [--json] [FRUIT...]
+//   harmonic_bench [--threads N] [--runs N] [--nodes N] [--bend B] [--truth FILE...] [--json] [FRUIT...]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -115,11 +115,12 @@ Row measured(const Subject& subject, const HarmonicOptions& options, int runs) {
   std::optional<PreparedField> prepared;
   row.set_up = bench::median_time(runs, [&] { prepared = prepared_field(subject.surfaces, grid); });
   row.is_sealed = prepared->is_sealed;
-  for (std::size_t l = 0; l < prepared->levels.size(); ++l) {
-    const std::size_t nodes = prepared->levels[l].runs.node_count();
-    if (l < prepared->patch_count) row.patch_nodes += nodes;
-    if (l == prepared->patch_count) row.grid_nodes = nodes;
-    row.levels_megabytes += 1e-6 * static_cast<double>(prepared->levels[l].bytes());
+  const SolvedLevels solved = solved_levels(prepared->snapped, std::move(prepared->levels), grid);
+  for (std::size_t l = 0; l < solved.levels.size(); ++l) {
+    const std::size_t nodes = solved.levels[l].runs.node_count();
+    if (l < solved.patch_count) row.patch_nodes += nodes;
+    if (l == solved.patch_count) row.grid_nodes = nodes;
+    row.levels_megabytes += 1e-6 * static_cast<double>(solved.levels[l].bytes());
   }
   std::vector<bench::Duration> solve_times;
   for (int i = 0; i < runs; ++i) {
@@ -200,11 +201,14 @@ void print_json(const std::vector<Row>& rows) {
 int main(int argc, char** argv) {
   CLI::App app("Times of true diffusion on the grid");
   int threads = 2, runs = 5, nodes = 0;
+  double bend = 0;
   bool as_json = false;
   std::vector<std::string> names, truth;
   app.add_option("--threads", threads, "Threads to use")->capture_default_str();
   app.add_option("--runs", runs, "Runs to take the median of")->capture_default_str();
   app.add_option("--nodes", nodes, "Nodes along the side of a cube as large as the fruit; 0: as the quality says")
+      ->capture_default_str();
+  app.add_option("--bend", bend, "Finer patches also where the solution bends by so many parts of 255; 0: nowhere")
       ->capture_default_str();
   app.add_option("--truth", truth, "Files of walk_truth to take errors from");
   app.add_flag("--json", as_json, "Print JSON");
@@ -223,7 +227,8 @@ int main(int argc, char** argv) {
     for (Subject& subject : subjects) {
       for (const std::string& file : truth) add_truth(subject, file);
       for (const Quality quality : {Quality::draft, Quality::final}) {
-        rows.push_back(measured(subject, {.quality = quality, .threads = {threads}, .nodes = nodes}, runs));
+        rows.push_back(
+            measured(subject, {.quality = quality, .threads = {threads}, .nodes = nodes, .bend = bend / 255}, runs));
       }
     }
     if (as_json) {

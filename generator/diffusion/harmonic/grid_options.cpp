@@ -48,6 +48,7 @@ GridOptions grid_options(const DiffusionSurfaces& surfaces, const HarmonicOption
           .cycles = options.cycles > 0 ? options.cycles : effort.cycles,
           .shift = options.shift,
           .finer = options.finer >= 0 ? options.finer : most_halvings,
+          .bend = options.bend,
           .reach = near_surface * glm::length(extent),
           .threads = options.threads};
 }

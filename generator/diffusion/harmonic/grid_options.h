@@ -12,7 +12,8 @@ struct GridOptions {
   double spacing = 0;   ///< metres between nodes
   int cycles = 1;       ///< see MultigridOptions
   glm::dvec3 shift{0};  ///< of the grid, in cells
-  int finer = 0;        ///< how often patches around small bodies may halve the spacing
+  int finer = 0;        ///< how often patches may halve the spacing, around small bodies and where the solution bends
+  double bend = 0;      ///< how much of full colour, at the least (bends.h); 0: patches lie around small bodies only
   double reach = 0;     ///< metres: surfaces this near to a cell count as in it
   Threads threads;
 };

@@ -13,7 +13,8 @@ struct HarmonicOptions {
   /// Nodes along the side of a cube as large as the surfaces' box; 0 lets the quality choose.
   int nodes = 0;
   int cycles = 0;       ///< of the multigrid on the finest level; 0 lets the quality choose
-  int finer = -1;       ///< how often patches around small bodies halve the spacing, at most; -1: as needed
+  int finer = -1;       ///< how often patches halve the spacing, at most; -1: as needed
+  double bend = 0;      ///< see GridOptions; pages, which carry no patches, keep to the field without
   glm::dvec3 shift{0};  ///< moves the grid by parts of a cell: what tests vary
 };
 

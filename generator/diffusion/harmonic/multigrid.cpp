@@ -120,7 +120,12 @@ class Multigrid {
   std::vector<GridLevel> run() {
     const std::size_t coarsest = levels_.size() - 1;
     for (int i = 0; i < 2 * coarsest_sweeps; ++i) relax(coarsest, Sought::field);
-    for (std::size_t l = coarsest; l-- > 0;) {
+    return run_from(coarsest);
+  }
+
+  /// The levels from `known` on are solved.
+  std::vector<GridLevel> run_from(std::size_t known) {
+    for (std::size_t l = known; l-- > 0;) {
       start_from_coarser(l);
       for (int i = 0; i < (l == 0 ? options_.cycles : 1); ++i) cycle(l, Sought::field);
     }
@@ -351,6 +356,11 @@ class Multigrid {
 
 std::vector<GridLevel> solved(std::vector<GridLevel> levels, const MultigridOptions& options) {
   return Multigrid(std::move(levels), options).run();
+}
+
+std::vector<GridLevel> solved_further(std::vector<GridLevel> levels, std::size_t known,
+                                      const MultigridOptions& options) {
+  return Multigrid(std::move(levels), options).run_from(known);
 }
 
 }  // namespace pomona

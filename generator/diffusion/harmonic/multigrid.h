@@ -18,4 +18,8 @@ struct MultigridOptions {
 /// and nothing is ever interpolated across a surface. Same bits for any number of threads.
 std::vector<GridLevel> solved(std::vector<GridLevel> levels, const MultigridOptions& options);
 
+/// The same where the levels from `known` on hold their solution already, found without the finer ones.
+std::vector<GridLevel> solved_further(std::vector<GridLevel> levels, std::size_t known,
+                                      const MultigridOptions& options);
+
 }  // namespace pomona

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "generator/diffusion/harmonic/grid_options.h"
-#include "generator/diffusion/harmonic/multigrid.h"
 #include "generator/diffusion/harmonic/solve_field.h"
 
 namespace pomona {
@@ -18,9 +17,8 @@ constexpr float never = 1e-6f;
 NodeColors solved_nodes(const DiffusionSurfaces& surfaces, const HarmonicOptions& options) {
   const GridOptions grid = grid_options(surfaces, options);
   PreparedField prepared = prepared_field(surfaces, grid);
-  const std::vector<GridLevel> levels =
-      solved(std::move(prepared.levels), {.cycles = grid.cycles, .threads = grid.threads});
-  const GridLevel& level = levels[prepared.patch_count];
+  const SolvedLevels solved = solved_levels(prepared.snapped, std::move(prepared.levels), grid);
+  const GridLevel& level = solved.levels[solved.patch_count];
 
   // Stored nodes come in runs along x; the others stay unknown.
   NodeColors nodes{.lattice = level.lattice, .color = {}, .known = {}};

@@ -4,20 +4,30 @@
 
 namespace pomona {
 
+namespace {
+
+/// The first block that is wanted; there is one.
+std::int32_t first_of(BlocksOfRow blocks) {
+  const auto low = static_cast<std::uint64_t>(blocks);
+  return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(blocks >> 64));
+}
+
+}  // namespace
+
 NodeRuns::NodeRuns(const Node& count, const std::vector<BlocksOfRow>& wanted) : count_(count), row_(wanted.size()) {
   std::size_t total = 0;
-  for (const BlocksOfRow blocks : wanted) total += count_of_bits(blocks);
+  for (const BlocksOfRow blocks : wanted) total += count_of_blocks(blocks);
   run_.reserve(total);
   for (std::size_t row = 0; row < wanted.size(); ++row) {
     row_[row] = {wanted[row], static_cast<std::uint32_t>(run_.size())};
     const int y = static_cast<int>(row) % count[1], z = static_cast<int>(row) / count[1];
-    for (BlocksOfRow left = wanted[row]; left != 0; left &= left - 1) run_.push_back({std::countr_zero(left), y, z});
+    for (BlocksOfRow left = wanted[row]; left != 0; left &= left - 1) run_.push_back({first_of(left), y, z});
   }
 }
 
 NodeRuns all_node_runs(const Node& count) {
   const int blocks = (count[0] + NodeRuns::length - 1) / NodeRuns::length;
-  const BlocksOfRow all = ~BlocksOfRow{0} >> (64 - blocks);
+  const BlocksOfRow all = ~BlocksOfRow{0} >> (most_blocks - blocks);
   return {count, std::vector<BlocksOfRow>(static_cast<std::size_t>(count[1] * count[2]), all)};
 }
 

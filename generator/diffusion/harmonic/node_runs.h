@@ -26,9 +26,14 @@ struct NodeRun {
   std::int32_t block = 0, y = 0, z = 0;
 };
 
-/// Which blocks of a row along x are wanted: a bit each. Hence at most 512 nodes along x.
-using BlocksOfRow = std::uint64_t;
-constexpr int most_nodes = 512;
+/// Which blocks of a row along x are wanted: a bit each. Hence at most 1024 nodes along x.
+__extension__ using BlocksOfRow = unsigned __int128;
+constexpr int most_blocks = 128;
+constexpr int most_nodes = 1024;
+
+constexpr std::uint32_t count_of_blocks(BlocksOfRow blocks) {
+  return count_of_bits(static_cast<std::uint64_t>(blocks)) + count_of_bits(static_cast<std::uint64_t>(blocks >> 64));
+}
 
 /// Sorted by z, then y, then block; run r holds the stored nodes 8 r to 8 r + 7. The last run of a row may reach
 /// beyond the lattice.
@@ -52,11 +57,11 @@ class NodeRuns {
 
   /// The run over (block, y, z); none outside the lattice too.
   std::int32_t at(int block, int y, int z) const {
-    if (block < 0 || y < 0 || z < 0 || block >= 64 || y >= count_[1] || z >= count_[2]) return none;
+    if (block < 0 || y < 0 || z < 0 || block >= most_blocks || y >= count_[1] || z >= count_[2]) return none;
     const Row& row =
         row_[static_cast<std::size_t>(z) * static_cast<std::size_t>(count_[1]) + static_cast<std::size_t>(y)];
     if ((row.blocks >> block & 1) == 0) return none;
-    return static_cast<std::int32_t>(row.first + count_of_bits(row.blocks & ((BlocksOfRow{1} << block) - 1)));
+    return static_cast<std::int32_t>(row.first + count_of_blocks(row.blocks & ((BlocksOfRow{1} << block) - 1)));
   }
 
   /// The stored node at (x, y, z); none where it is not stored.

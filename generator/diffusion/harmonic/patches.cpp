@@ -13,9 +13,6 @@ namespace pomona {
 
 namespace {
 
-/// Cells in a brick.
-constexpr Node brick{4, 2, 2};
-
 double half_thickness(const DiffusionSurfaces& surfaces, std::span<const std::uint32_t> triangles) {
   const glm::dvec3 origin(surfaces.position[surfaces.triangle[triangles.front()].x]);
   double volume = 0, area = 0;
@@ -27,19 +24,6 @@ double half_thickness(const DiffusionSurfaces& surfaces, std::span<const std::ui
     area += glm::length(glm::cross(b - a, c - a)) / 2;
   }
   return area > 0 ? 3 * std::fabs(volume) / area : 0;
-}
-
-/// How many bricks a lattice has along each axis.
-Node bricks_of(const Lattice& lattice) {
-  Node count{};
-  for (std::size_t a = 0; a < 3; ++a) count[a] = (lattice.count[a] - 1) / brick[a];
-  return count;
-}
-
-std::size_t index_of(const Node& at, const Node& count) {
-  return (static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(count[1]) + static_cast<std::size_t>(at[1])) *
-             static_cast<std::size_t>(count[0]) +
-         static_cast<std::size_t>(at[0]);
 }
 
 /// The first and the last brick within `margin` cells of a triangle.
@@ -67,7 +51,7 @@ std::vector<std::uint8_t> covered_bricks(const SnappedSurfaces& snapped, std::sp
     const auto [low, high] = bricks_around(snapped, t, coarse, margin);
     for (int z = low[2]; z <= high[2]; ++z) {
       for (int y = low[1]; y <= high[1]; ++y) {
-        for (int x = low[0]; x <= high[0]; ++x) is_covered[index_of({x, y, z}, count)] = 1;
+        for (int x = low[0]; x <= high[0]; ++x) is_covered[brick_index({x, y, z}, count)] = 1;
       }
     }
   }
@@ -84,7 +68,7 @@ std::vector<std::uint32_t> triangles_near(const SnappedSurfaces& snapped, const 
     bool is_near = false;
     for (int z = low[2]; z <= high[2] && !is_near; ++z) {
       for (int y = low[1]; y <= high[1] && !is_near; ++y) {
-        for (int x = low[0]; x <= high[0] && !is_near; ++x) is_near = is_covered[index_of({x, y, z}, count)];
+        for (int x = low[0]; x <= high[0] && !is_near; ++x) is_near = is_covered[brick_index({x, y, z}, count)];
       }
     }
     if (is_near) near.push_back(t);
@@ -100,7 +84,7 @@ void add_nodes(PatchNodes& patch, const Node& bricks, const Lattice& fine) {
     for (int y = 0; y < bricks[1]; ++y) {
       BlocksOfRow blocks = 0;
       for (int x = 0; x < bricks[0]; ++x) {
-        if (patch.is_covered[index_of({x, y, z}, bricks)]) blocks |= BlocksOfRow{1} << x;
+        if (patch.is_covered[brick_index({x, y, z}, bricks)]) blocks |= BlocksOfRow{1} << x;
       }
       for (int row_z = 4 * z; row_z <= 4 * z + 4; ++row_z) {
         for (int row_y = 4 * y; row_y <= 4 * y + 4; ++row_y) {
@@ -122,6 +106,18 @@ void add_nodes(PatchNodes& patch, const Node& bricks, const Lattice& fine) {
 }
 
 }  // namespace
+
+Node bricks_of(const Lattice& lattice) {
+  Node count{};
+  for (std::size_t a = 0; a < 3; ++a) count[a] = (lattice.count[a] - 1) / brick[a];
+  return count;
+}
+
+std::size_t brick_index(const Node& at, const Node& count) {
+  return (static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(count[1]) + static_cast<std::size_t>(at[1])) *
+             static_cast<std::size_t>(count[0]) +
+         static_cast<std::size_t>(at[0]);
+}
 
 std::vector<SmallBody> small_bodies(const DiffusionSurfaces& surfaces, double longest) {
   // Find what is connected, and how long it is.
@@ -154,10 +150,11 @@ std::vector<SmallBody> small_bodies(const DiffusionSurfaces& surfaces, double lo
 }
 
 PatchNodes patch_around(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles, const Lattice& coarse,
-                        int margin, const PatchNodes* within) {
+                        int margin, const PatchNodes* within, std::span<const std::uint8_t> wanted) {
   const Node count = bricks_of(coarse);
   PatchNodes patch;
   patch.is_covered = covered_bricks(snapped, triangles, coarse, margin);
+  for (std::size_t b = 0; b < wanted.size(); ++b) patch.is_covered[b] |= wanted[b];
   if (within != nullptr) {
     // Eight of these make one of those.
     for (int z = 0; z < count[2]; ++z) {
@@ -165,7 +162,7 @@ PatchNodes patch_around(const SnappedSurfaces& snapped, std::span<const std::uin
         for (int x = 0; x < count[0]; ++x) {
           const Node around{x / 2, y / 2, z / 2};
           const Node outer{count[0] / 2, count[1] / 2, count[2] / 2};
-          if (!within->is_covered[index_of(around, outer)]) patch.is_covered[index_of({x, y, z}, count)] = 0;
+          if (!within->is_covered[brick_index(around, outer)]) patch.is_covered[brick_index({x, y, z}, count)] = 0;
         }
       }
     }

@@ -10,6 +10,13 @@
 
 namespace pomona {
 
+/// Patches consist of bricks: so many cells of the coarser lattice along each axis.
+constexpr Node brick{4, 2, 2};
+
+/// How many bricks a lattice has along each axis, and a brick's place among all.
+Node bricks_of(const Lattice& lattice);
+std::size_t brick_index(const Node& at, const Node& count);
+
 /// A connected part of the surfaces that is small against the whole.
 struct SmallBody {
   std::vector<std::uint32_t> triangle;
@@ -27,9 +34,9 @@ struct PatchNodes {
   std::vector<std::uint32_t> triangle;   ///< all that may meet it, ascending
 };
 
-/// Bricks of 4 x 2 x 2 cells of `coarse` within `margin` cells of the triangles; with `within`, those only that its
-/// bricks (of the lattice before `coarse`) contain.
+/// Bricks of `coarse` within `margin` cells of the triangles, and those of `wanted` (a mark for each, or empty); with
+/// `within`, those only that its bricks (of the lattice before `coarse`) contain.
 PatchNodes patch_around(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles, const Lattice& coarse,
-                        int margin, const PatchNodes* within);
+                        int margin, const PatchNodes* within, std::span<const std::uint8_t> wanted = {});
 
 }  // namespace pomona

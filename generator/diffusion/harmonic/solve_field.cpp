@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/diffusion/harmonic/bends.h"
 #include "generator/diffusion/harmonic/exterior.h"
 #include "generator/diffusion/harmonic/multigrid.h"
 #include "generator/diffusion/harmonic/nearest_labels.h"
@@ -38,6 +39,9 @@ constexpr int patch_margin = 1;
 
 /// Patches stop at this many nodes: with all that belongs to them, some 60 bytes each.
 constexpr std::size_t most_patch_nodes = 1'000'000;
+
+/// So many bricks of 128 nodes at most are laid where the solution bends, the most bent.
+constexpr std::size_t most_bent_bricks = 6000;
 
 std::vector<std::uint32_t> all_triangles(const DiffusionSurfaces& surfaces) {
   std::vector<std::uint32_t> all(surfaces.triangle_count());
@@ -78,20 +82,14 @@ class Levels {
   Levels(const SnappedSurfaces& snapped, const Lattice& lattice, const GridOptions& options)
       : snapped_(snapped), options_(options), middle_(bounds_of(*snapped.surfaces).center()), lattice_(lattice) {}
 
-  /// Patches, the finest first; then the whole grid, at `patch_count`; then ever coarser ones.
+  /// The whole grid; then ever coarser ones.
   std::vector<GridLevel> run() {
-    std::vector<GridLevel> levels = patches();
-    patch_count = levels.size();
+    std::vector<GridLevel> levels;
     levels.push_back(whole());
     for (int i = 0; i < halvings; ++i) levels.push_back(coarser(levels.back(), middle_, options_.threads));
-    for (std::size_t l = 1; l <= patch_count; ++l) {
-      levels[l].rhs = RawArray<Quad>(levels[l].runs.node_count());
-      std::fill(levels[l].rhs.data(), levels[l].rhs.data() + levels[l].rhs.size(), Quad{});
-    }
     return levels;
   }
 
-  std::size_t patch_count = 0;
   bool is_sealed = true;
 
  private:
@@ -109,35 +107,64 @@ class Levels {
     return make_grid_level(lattice_, std::move(runs), std::move(links), middle_, options_.threads);
   }
 
-  std::vector<GridLevel> patches() const {
-    // Only small bodies may ask for finer grids.
-    std::vector<GridLevel> levels;
-    if (options_.finer == 0) return levels;
-    const auto bodies = small_bodies(*snapped_.surfaces, longest_small_body * lattice_.spacing);
-    Lattice coarse = lattice_;
-    PatchNodes around;
-    for (int i = 0; i < options_.finer; ++i) {
-      // Take the bodies for which this grid is still too coarse.
-      std::vector<std::uint32_t> triangles;
-      for (const SmallBody& body : bodies) {
-        if (body.half_thickness >= cells_per_half_thickness * coarse.spacing) continue;
-        triangles.insert(triangles.end(), body.triangle.begin(), body.triangle.end());
-      }
+  const SnappedSurfaces& snapped_;
+  const GridOptions& options_;
+  glm::dvec3 middle_;
+  Lattice lattice_;
+};
 
-      // Lay a patch of half the spacing around these bodies, within the patch before it.
-      const Lattice fine = halved(coarse);
-      if (triangles.empty() || *std::max_element(fine.count.begin(), fine.count.end()) > most_nodes) break;
-      std::sort(triangles.begin(), triangles.end());
-      PatchNodes patch = patch_around(snapped_, triangles, coarse, patch_margin, i == 0 ? nullptr : &around);
-      if (patch.runs.node_count() > most_patch_nodes) break;
-      levels.insert(levels.begin(), patch_level(fine, patch));
-      around = std::move(patch);
-      coarse = fine;
-    }
-    return levels;
+/// Lays patches over solved levels, one inside the other.
+class Patches {
+ public:
+  Patches(const SnappedSurfaces& snapped, const Lattice& lattice, const GridOptions& options)
+      : snapped_(snapped),
+        options_(options),
+        middle_(bounds_of(*snapped.surfaces).center()),
+        bodies_(small_bodies(*snapped.surfaces, longest_small_body * lattice.spacing)) {}
+
+  /// A patch of half the spacing on the finest level so far, whose solution is known; nothing where that is fine
+  /// enough.
+  std::optional<GridLevel> on(const GridLevel& finest) {
+    const Lattice& coarse = finest.lattice;
+    const Lattice fine = halved(coarse);
+    if (*std::max_element(fine.count.begin(), fine.count.end()) > most_nodes) return std::nullopt;
+    const std::vector<float> bends =
+        options_.bend > 0 ? bends_of_bricks(finest, options_.bend, options_.threads) : std::vector<float>();
+    std::optional<PatchNodes> patch = patch_on(coarse, triangles_too_small_for(coarse), bends);
+    if (!patch) patch = patch_on(coarse, {}, bends);
+    if (!patch) return std::nullopt;
+    GridLevel level = level_of(fine, *patch);
+    around_ = std::move(patch);
+    return level;
   }
 
-  GridLevel patch_level(const Lattice& lattice, const PatchNodes& patch) const {
+ private:
+  /// Around small bodies, and the most bent bricks that there is room for beside these; nothing if the bodies alone are
+  /// too many.
+  std::optional<PatchNodes> patch_on(const Lattice& coarse, const std::vector<std::uint32_t>& small,
+                                     const std::vector<float>& bends) const {
+    const PatchNodes* within = around_ ? &*around_ : nullptr;
+    for (std::size_t most = bends.empty() ? 0 : most_bent_bricks;; most = most * 3 / 4) {
+      const std::vector<std::uint8_t> bent = most > 0 ? most_bent(bends, most) : std::vector<std::uint8_t>();
+      if (small.empty() && std::find(bent.begin(), bent.end(), 1) == bent.end()) return std::nullopt;
+      PatchNodes patch = patch_around(snapped_, small, coarse, patch_margin, within, bent);
+      if (patch.runs.node_count() <= most_patch_nodes) return patch;
+      if (most == 0) return std::nullopt;
+    }
+  }
+
+  /// The bodies for which this grid is too coarse.
+  std::vector<std::uint32_t> triangles_too_small_for(const Lattice& coarse) const {
+    std::vector<std::uint32_t> triangles;
+    for (const SmallBody& body : bodies_) {
+      if (body.half_thickness >= cells_per_half_thickness * coarse.spacing) continue;
+      triangles.insert(triangles.end(), body.triangle.begin(), body.triangle.end());
+    }
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+  }
+
+  GridLevel level_of(const Lattice& lattice, const PatchNodes& patch) const {
     const LinkFinder finder(snapped_, patch.triangle, lattice, patch.runs, patch.members, options_.threads);
     std::vector<std::uint8_t> outside(patch.members);
     for (std::uint8_t& bits : outside) bits = static_cast<std::uint8_t>(~bits);
@@ -156,8 +183,15 @@ class Levels {
   const SnappedSurfaces& snapped_;
   const GridOptions& options_;
   glm::dvec3 middle_;
-  Lattice lattice_;
+  std::vector<SmallBody> bodies_;
+  std::optional<PatchNodes> around_;
 };
+
+/// A right-hand side of nothing, for patches to put theirs on.
+void add_empty_rhs(GridLevel& level) {
+  level.rhs = RawArray<Quad>(level.runs.node_count());
+  std::fill(level.rhs.data(), level.rhs.data() + level.rhs.size(), Quad{});
+}
 
 SolvedGrid kept(GridLevel& level) {
   SolvedGrid grid;
@@ -182,7 +216,6 @@ std::optional<PreparedField> prepared_within(const DiffusionSurfaces& surfaces, 
   Levels builder(prepared.snapped, lattice, options);
   prepared.levels = builder.run();
   if (!builder.is_sealed && margin == narrow_margin) return std::nullopt;
-  prepared.patch_count = builder.patch_count;
   prepared.is_sealed = builder.is_sealed;
   prepared.triangles = CellTriangles(prepared.snapped, lattice, options.reach / lattice.spacing, options.threads);
   return prepared;
@@ -200,14 +233,29 @@ PreparedField prepared_field(const DiffusionSurfaces& surfaces, const GridOption
   return std::move(*prepared_within(surfaces, options, std::max(narrow_margin + 1, margin)));
 }
 
+SolvedLevels solved_levels(const SnappedSurfaces& snapped, std::vector<GridLevel> levels, const GridOptions& options) {
+  const MultigridOptions multigrid{.cycles = options.cycles, .threads = options.threads};
+  SolvedLevels result{solved(std::move(levels), multigrid), 0};
+  if (options.finer == 0) return result;
+  Patches patches(snapped, result.levels.front().lattice, options);
+  for (int i = 0; i < options.finer; ++i) {
+    std::optional<GridLevel> patch = patches.on(result.levels.front());
+    if (!patch) break;
+    add_empty_rhs(result.levels.front());
+    result.levels.insert(result.levels.begin(), std::move(*patch));
+    ++result.patch_count;
+    result.levels = solved_further(std::move(result.levels), 1, multigrid);
+  }
+  return result;
+}
+
 FieldLookUp solved_field(PreparedField prepared, const GridOptions& options) {
-  std::vector<GridLevel> levels =
-      solved(std::move(prepared.levels), {.cycles = options.cycles, .threads = options.threads});
+  auto [levels, patch_count] = solved_levels(prepared.snapped, std::move(prepared.levels), options);
   SolvedGrids grids;
-  GridLevel& every_other = levels[prepared.patch_count + 1];
+  GridLevel& every_other = levels[patch_count + 1];
   grids.label = nearest_labels(every_other);
   grids.every_other = std::move(every_other.runs);
-  for (std::size_t l = 0; l <= prepared.patch_count; ++l) grids.grids.push_back(kept(levels[l]));
+  for (std::size_t l = 0; l <= patch_count; ++l) grids.grids.push_back(kept(levels[l]));
   return {prepared.snapped, std::move(grids), std::move(prepared.triangles)};
 }
 

@@ -12,12 +12,20 @@ namespace pomona {
 /// Levels ready to be solved.
 struct PreparedField {
   SnappedSurfaces snapped;
-  std::vector<GridLevel> levels;  ///< patches, the finest first; the grid that holds all; ever coarser ones
-  std::size_t patch_count = 0;
+  std::vector<GridLevel> levels;  ///< the grid that holds all; ever coarser ones
   CellTriangles triangles;
   bool is_sealed = false;  ///< closed surfaces keep the outside out: it has no nodes
 };
 PreparedField prepared_field(const DiffusionSurfaces& surfaces, const GridOptions& options);
+
+struct SolvedLevels {
+  std::vector<GridLevel> levels;  ///< patches, the finest first; the grid that holds all; ever coarser ones
+  std::size_t patch_count = 0;
+};
+
+/// Solves a field's levels, lays patches where they are too coarse, and goes on with these: around bodies that are
+/// small for the grid, and where its solution bends.
+SolvedLevels solved_levels(const SnappedSurfaces& snapped, std::vector<GridLevel> levels, const GridOptions& options);
 
 FieldLookUp solved_field(PreparedField prepared, const GridOptions& options);
 

@@ -34,14 +34,17 @@ TEST(GridOptions, WorkHarderForBetterQuality) {
 }
 
 TEST(GridOptions, TakeWhatIsAskedFor) {
-  const GridOptions options = grid_options(
-      shapes::sphere(1, 3), {.threads = {3}, .nodes = 20, .cycles = 7, .finer = 1, .shift = {0.1, 0.2, 0.3}});
+  const GridOptions options =
+      grid_options(shapes::sphere(1, 3),
+                   {.threads = {3}, .nodes = 20, .cycles = 7, .finer = 1, .bend = 0.25, .shift = {0.1, 0.2, 0.3}});
   EXPECT_NEAR(options.spacing, 0.1, 1e-6);
   EXPECT_EQ(options.cycles, 7);
   EXPECT_EQ(options.finer, 1);
+  EXPECT_EQ(options.bend, 0.25);
   EXPECT_EQ(options.shift, glm::dvec3(0.1, 0.2, 0.3));
   EXPECT_EQ(options.threads.count, 3);
   EXPECT_EQ(grid_options(shapes::sphere(1, 3), {}).finer, 2) << "as needed";
+  EXPECT_EQ(grid_options(shapes::sphere(1, 3), {}).bend, 0) << "no patches but around small bodies";
 }
 
 /// However long or flat the surfaces are, and with the widest margin, a lattice's rows can be stored.

@@ -55,12 +55,12 @@ TEST(NodeRuns, HaveNothingOutsideTheLattice) {
     EXPECT_EQ(runs.node_at(node[0], node[1], node[2]), NodeRuns::none);
   EXPECT_NE(runs.node_at(18, 4, 3), NodeRuns::none);
   EXPECT_EQ(runs.at(3, 0, 0), NodeRuns::none);
-  EXPECT_EQ(runs.at(64, 0, 0), NodeRuns::none);
+  EXPECT_EQ(runs.at(most_blocks, 0, 0), NodeRuns::none);
 }
 
 TEST(NodeRuns, HoldTheLongestRow) {
   const NodeRuns runs = all_node_runs({most_nodes, 2, 1});
-  EXPECT_EQ(runs.size(), 128u);
+  EXPECT_EQ(runs.size(), 2u * most_blocks);
   EXPECT_EQ(runs.node_at(most_nodes - 1, 1, 0), 2 * most_nodes - 1);
 }
 

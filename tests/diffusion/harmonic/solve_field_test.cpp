@@ -1,6 +1,8 @@
 #include "generator/diffusion/harmonic/solve_field.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -27,7 +29,12 @@ bool takes_part(const GridLevel& level, const Node& node) {
   return number != NodeRuns::none && (level.links.open[static_cast<std::size_t>(number)] & takes_no_part) == 0;
 }
 
-const GridLevel& whole(const PreparedField& field) { return field.levels[field.patch_count]; }
+const GridLevel& whole(const PreparedField& field) { return field.levels.front(); }
+
+SolvedLevels levels_of(const DiffusionSurfaces& surfaces, const GridOptions& options) {
+  PreparedField prepared = prepared_field(surfaces, options);
+  return solved_levels(prepared.snapped, std::move(prepared.levels), options);
+}
 
 TEST(SolveField, LeavesOutTheAirAroundClosedSurfaces) {
   const DiffusionSurfaces ball = shapes::sphere(1, 6);
@@ -62,7 +69,6 @@ TEST(SolveField, KeepsTheAirAroundOpenSurfacesAndMoreOfIt) {
 
 TEST(SolveField, HalvesTheGridFourTimes) {
   const PreparedField field = prepared_field(shapes::sphere(1, 6), options_of(0.1));
-  ASSERT_EQ(field.patch_count, 0u);
   ASSERT_EQ(field.levels.size(), 5u);
   for (std::size_t l = 1; l < field.levels.size(); ++l) {
     EXPECT_EQ(field.levels[l].lattice.spacing, 2 * field.levels[l - 1].lattice.spacing);
@@ -76,14 +82,14 @@ TEST(SolveField, PutsPatchesAroundSeedsThatAreSmallForTheGrid) {
     return joined(shapes::sphere(1, 6), shapes::moved(shapes::sphere(radius, 4), {0.2, 0.1, 0.3}));
   };
   // At most as often as asked, and only while the seed is thinner than 1.2 cells.
-  EXPECT_EQ(prepared_field(with_seed(0.03), options_of(0.1, 2)).patch_count, 2u);
-  EXPECT_EQ(prepared_field(with_seed(0.03), options_of(0.1, 1)).patch_count, 1u);
-  EXPECT_EQ(prepared_field(with_seed(0.03), options_of(0.1, 0)).patch_count, 0u);
-  EXPECT_EQ(prepared_field(with_seed(0.09), options_of(0.1, 2)).patch_count, 1u);
-  EXPECT_EQ(prepared_field(with_seed(0.2), options_of(0.1, 2)).patch_count, 0u);
+  EXPECT_EQ(levels_of(with_seed(0.03), options_of(0.1, 2)).patch_count, 2u);
+  EXPECT_EQ(levels_of(with_seed(0.03), options_of(0.1, 1)).patch_count, 1u);
+  EXPECT_EQ(levels_of(with_seed(0.03), options_of(0.1, 0)).patch_count, 0u);
+  EXPECT_EQ(levels_of(with_seed(0.09), options_of(0.1, 2)).patch_count, 1u);
+  EXPECT_EQ(levels_of(with_seed(0.2), options_of(0.1, 2)).patch_count, 0u);
 
-  const PreparedField field = prepared_field(with_seed(0.03), options_of(0.1, 2));
-  EXPECT_EQ(field.levels[0].lattice.spacing, whole(field).lattice.spacing / 4);
+  const SolvedLevels field = levels_of(with_seed(0.03), options_of(0.1, 2));
+  EXPECT_EQ(field.levels[0].lattice.spacing, field.levels[2].lattice.spacing / 4);
   EXPECT_TRUE(field.levels[0].is_patch && field.levels[1].is_patch && !field.levels[2].is_patch);
   // Nodes on a patch's border have their values from what is around it.
   for (const std::size_t l : {0u, 1u}) {
@@ -95,6 +101,56 @@ TEST(SolveField, PutsPatchesAroundSeedsThatAreSmallForTheGrid) {
     EXPECT_GT(given, 50u);
     EXPECT_GT(own, given / 2);
   }
+}
+
+/// Between a large ball and a small one in its middle, neither of which is small for the grid, the solution bends at
+/// the small one alone.
+TEST(SolveField, PutsPatchesWhereTheSolutionBends) {
+  const DiffusionSurfaces balls = shapes::nested_spheres(1, 0.2, 8);
+  GridOptions options = options_of(0.06, 2);
+  EXPECT_EQ(levels_of(balls, options).patch_count, 0u) << "unless asked";
+  options.bend = 8.0 / 255;
+  const SolvedLevels bent = levels_of(balls, options);
+  ASSERT_GT(bent.patch_count, 0u);
+  for (std::size_t l = 0; l < bent.patch_count; ++l) {
+    const GridLevel& patch = bent.levels[l];
+    std::size_t members = 0;
+    for (const Node& node : shapes::nodes_of(patch.lattice)) {
+      if (!takes_part(patch, node)) continue;
+      ++members;
+      EXPECT_LT(glm::length(shapes::place_of(patch.lattice, node)), 0.7);
+    }
+    EXPECT_GT(members, 200u);
+  }
+  options.bend = 0.6;
+  EXPECT_EQ(levels_of(balls, options).patch_count, 0u) << "nothing bends as much as that";
+}
+
+/// Between a white ball and a black one around it the field is (1 / r - 1) / (1 / inner - 1).
+TEST(SolveField, IsNearerToTheTruthWithPatchesWhereItBends) {
+  constexpr double inner = 0.12;
+  shapes::Paint black, white;
+  black.front = black.back = Color(0);
+  white.front = white.back = Color(1);
+  const DiffusionSurfaces balls = shapes::nested_spheres(1, inner, 24, black, white);
+  const auto worst = [&](double bend) {
+    GridOptions options = options_of(0.06, 2);
+    options.bend = bend;
+    const FieldLookUp look_up = solved_field(prepared_field(balls, options), options);
+    double most = 0;
+    for (int i = 0; i < 400; ++i) {
+      // Along a spiral that leaves the ball.
+      const double r = inner + 0.005 + 0.0007 * i, z = -1 + (i * 37 % 400 + 0.5) / 200, flat = std::sqrt(1 - z * z);
+      const glm::dvec3 place = r * glm::dvec3(flat * std::cos(2.4 * i), flat * std::sin(2.4 * i), z);
+      const auto found = look_up.at(glm::vec3(place));
+      if (!found) return 1.0;
+      most = std::max(most, std::fabs(found->color.r - (1 / r - 1) / (1 / inner - 1)));
+    }
+    return most;
+  };
+  const double without = worst(0), with = worst(4.0 / 255);
+  EXPECT_LT(with, 0.5 * without);
+  EXPECT_LT(with, 2.5 / 255);
 }
 
 TEST(SolveField, ReproducesLinearColours) {
