@@ -8,9 +8,9 @@
 Prints a line for each reader: its runs so far, the inputs that made it do something new, what it found. What is new is
 kept in out/fuzz/READER, findings in out/fuzz/findings. Ends with 1 if there are any; what made them belongs into
 tests/fuzz/corpus/READER when it is mended, where every later run begins with it. Most
-inputs have at most 2 KB, which readers take by thousands a second and in which most of what can be wrong has room; some
-have up to 32 KB, and with those AddressSanitizer looks for uses of the stack after a return, too, which halves the
-pace."""
+inputs have at most 1 KB, which readers take by thousands a second and in which most of what can be wrong has room; some
+have 2 KB. Some have up to 32 KB, and what costs a third of the pace or more is left to these: AddressSanitizer looks for
+uses of the stack after a return, and libFuzzer chooses inputs by how rare is what they do, which it counts after every run."""
 
 import argparse
 import json
@@ -43,16 +43,18 @@ READERS = {
     "png": ([], None),
 }
 
-SHORT, LONGEST = 1 << 11, 1 << 15  # bytes of an input
-SHORT_STEP, LONGEST_STEP = 100000, 2000  # runs of a step, where runs are counted
-FEWEST = 20  # runs that every step makes, or the reader takes too long to be fuzzed at all
+SHORT, MIDDLE, LONGEST = 1 << 10, 1 << 11, 1 << 15  # bytes of an input
+STEPS = ((LONGEST, 2000), (MIDDLE, 40000), (SHORT, 160000))  # runs of a step, where runs are counted
+FEWEST = 20  # runs that every step makes, if it is asked for so many, or the reader takes too long to be fuzzed at all
 LIMITS = ["-timeout=10", "-rss_limit_mb=2048", "-malloc_limit_mb=512"]
 
 
 def sanitizers(longest):
-    """What the sanitizers look for beside inputs of that length; stacks of allocations are short, to be quick."""
+    """What the sanitizers look for beside inputs of that length. To be quick, stacks of allocations are short, and what is
+    freed is kept back as long as a run takes, not for hundreds of runs, which would have all memory come from afar."""
     returns = 1 if longest == LONGEST else 0
-    return {"ASAN_OPTIONS": f"detect_stack_use_after_return={returns}:allocator_may_return_null=0:malloc_context_size=4",
+    return {"ASAN_OPTIONS": f"detect_stack_use_after_return={returns}:allocator_may_return_null=0:malloc_context_size=2:"
+                            f"quarantine_size_mb={256 if returns else 16}",
             "UBSAN_OPTIONS": "print_stacktrace=1"}
 
 
@@ -67,38 +69,45 @@ def seeds_of(reader, folder, longest):
     return folder
 
 
-def run(reader, build, work, wanted, longest):
-    """One program, with inputs of at most so many bytes: its runs, whether it found something, what it said."""
+def files_in(folder):
+    return len(list(folder.iterdir()))
+
+
+def run(reader, build, work, limit, amount, longest):
+    """One program, with inputs of at most so many bytes: its runs, whether it found something, what it said. Runs of
+    what was there before are asked for in addition, and not counted, where runs are."""
     grown = work / reader
     findings = work / "findings"
     for folder in (grown, findings):
         folder.mkdir(parents=True, exist_ok=True)
+    seeds = seeds_of(reader, work / "seeds" / reader, longest)
+    repeated = files_in(grown) + files_in(seeds) if limit == "-runs" else 0
     command = [build / "tests" / "fuzz" / f"fuzz_{reader}", *LIMITS, f"-max_len={longest}", "-print_final_stats=1",
-               "-verbosity=1", f"-artifact_prefix={findings}/{reader}-", *wanted]
+               "-verbosity=1", f"-entropic={1 if longest == LONGEST else 0}", f"-artifact_prefix={findings}/{reader}-",
+               f"{limit}={amount + repeated}"]
     dictionary = READERS.get(reader, ([], None))[1]
     if dictionary:
         command.append(f"-dict={FUZZ / 'dictionaries' / dictionary}.dict")
-    command += [grown, seeds_of(reader, work / "seeds" / reader, longest)]
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, errors="replace",
+    done = subprocess.run([str(part) for part in [*command, grown, seeds]], capture_output=True, text=True, errors="replace",
                           env={**os.environ, **sanitizers(longest)}, check=False)
     runs = re.search(r"number_of_executed_units: (\d+)", done.stderr)
     crashed = done.returncode != 0
     if crashed:
         (findings / f"{reader}.log").write_text(done.stderr[-20000:], encoding="utf-8")
-    return (int(runs.group(1)) if runs else 0), crashed, done.stderr
+    return max(0, int(runs.group(1)) - repeated) if runs else 0, crashed, done.stderr
 
 
 def steps(options, known):
     """What is asked of the program one after the other, and how long its inputs may be."""
     if not options.runs:
-        yield f"-max_total_time={max(1, round(0.9 * options.seconds))}", SHORT
-        yield f"-max_total_time={max(1, round(0.1 * options.seconds))}", LONGEST
+        for longest, share in ((SHORT, 0.6), (MIDDLE, 0.3), (LONGEST, 0.1)):
+            yield "-max_total_time", max(1, round(share * options.seconds)), longest
         return
     while known["runs"] < options.runs:
-        left = options.runs - known["runs"]
-        yield f"-runs={min(left, LONGEST_STEP)}", LONGEST
-        if left > LONGEST_STEP:
-            yield f"-runs={min(left - LONGEST_STEP, SHORT_STEP)}", SHORT
+        for longest, runs in STEPS:
+            left = options.runs - known["runs"]
+            if left > 0:
+                yield "-runs", min(left, runs), longest
 
 
 def fuzz(reader, build, work, options):
@@ -106,12 +115,13 @@ def fuzz(reader, build, work, options):
     book = work / f"{reader}.json"
     known = json.loads(book.read_text()) if book.exists() and options.runs else {"runs": 0, "findings": 0}
     begun, made = time.monotonic(), 0
-    for wanted, longest in steps(options, known):
+    for limit, amount, longest in steps(options, known):
         if known["findings"]:
             break
-        runs, crashed, output = run(reader, build, work, [wanted], longest)
-        if runs < FEWEST and not crashed:
-            crashed, output = True, f"{reader}: {runs} runs in a step ({wanted}), which tries nothing\n{output}"
+        runs, crashed, output = run(reader, build, work, limit, amount, longest)
+        fewest = min(FEWEST, amount) if limit == "-runs" else FEWEST
+        if runs < fewest and not crashed:
+            crashed, output = True, f"{reader}: {runs} runs in a step ({limit}={amount}), which tries nothing\n{output}"
         made += runs
         known["runs"] += runs
         known["findings"] += crashed
@@ -119,7 +129,7 @@ def fuzz(reader, build, work, options):
         if crashed:
             print(output[-3000:], file=sys.stderr)
     passed = max(time.monotonic() - begun, 1e-3)
-    new = len(list((work / reader).iterdir())) if (work / reader).exists() else 0
+    new = files_in(work / reader) if (work / reader).exists() else 0
     print(f"{reader:9} {known['runs']:>10} runs {made / passed:>8.0f}/s {new:>6} inputs kept {known['findings']:>3} findings", flush=True)
     return known
 

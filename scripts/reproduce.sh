@@ -17,23 +17,27 @@ failed=0
 source=$root
 unity=ON
 
-same="gcc-O0 gcc-O2 gcc-O3 gcc-v3 clang-O0 clang-O2 clang-O3 clang-v3 threads library place"
+same="gcc-O0 gcc-O2 gcc-O3 gcc-v3 clang-O0 clang-O2 clang-O3 clang-v3 threads library place aarch64"
 different="fused libm"
 
 say() { printf '%s: %s\n' "$1" "$2"; }
 
-# build NAME COMPILER FLAGS: the program alone, at $folder/NAME/bin/pomona, with templates beside it. The flags come
-# after the preset's own, so that the last of two -O counts; what pomona.cmake says of each source comes after them.
+# build NAME COMPILER FLAGS [OPTIONS OF CMAKE...]: the program alone, at $folder/NAME/bin/pomona, with templates beside
+# it. The flags come after the preset's own, so that the last of two -O counts; what pomona.cmake says of each source
+# comes after them.
 build() {
-  mkdir -p "$folder/$1"
-  log=$folder/$1/build.log
-  cmake -S "$source" -B "$folder/$1/build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$2" \
-    -DCMAKE_CXX_FLAGS="$3" -DPOMONA_TESTS=OFF -DPOMONA_BENCH=OFF -DPOMONA_WERROR=OFF -DPOMONA_UNITY="$unity" \
+  built=$folder/$1
+  compiler=$2
+  flags=$3
+  shift 3
+  mkdir -p "$built/bin"
+  log=$built/build.log
+  cmake -S "$source" -B "$built/build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCMAKE_CXX_FLAGS="$flags" -DPOMONA_TESTS=OFF -DPOMONA_BENCH=OFF -DPOMONA_WERROR=OFF -DPOMONA_UNITY="$unity" "$@" \
     >"$log" 2>&1 &&
-    cmake --build "$folder/$1/build" --target pomona -j "$jobs" >>"$log" 2>&1 || { tail -20 "$log"; return 1; }
-  mkdir -p "$folder/$1/bin"
-  cp "$folder/$1/build/pomona" "$folder/$1/bin/pomona"
-  ln -sfn "$root/templates" "$folder/$1/templates"
+    cmake --build "$built/build" --target pomona -j "$jobs" >>"$log" 2>&1 || { tail -20 "$log"; return 1; }
+  cp "$built/build/pomona" "$built/bin/pomona"
+  ln -sfn "$root/templates" "$built/templates"
 }
 
 # expect_same NAME WORDS...: a run of verify that must find nothing.
@@ -81,6 +85,19 @@ compiled() {
   if build "$1" "$compiler" "$2"; then expect_same "$1" "$folder/$1/bin/pomona"; else say "$1" "DOES NOT COMPILE"; failed=1; fi
 }
 
+# Another processor, by a cross compiler and qemu, with Debian's libraries for it in a folder beside.
+aarch64() {
+  sysroot=$folder/sysroot/root
+  scripts/setup.sh aarch64 && scripts/aarch64_sysroot.sh "$folder/sysroot" || { say aarch64 "CANNOT BE TRIED"; failed=1; return; }
+  unity=ON
+  if build aarch64 aarch64-linux-gnu-g++ "-O3 -DNDEBUG" --toolchain "$root/cmake/aarch64.cmake" -DPOMONA_SYSROOT="$sysroot"; then
+    expect_same aarch64 qemu-aarch64-static -L "$sysroot" "$folder/aarch64/bin/pomona"
+  else
+    say aarch64 "DOES NOT COMPILE"
+    failed=1
+  fi
+}
+
 need_program() {
   [ -x "$program" ] || make build || exit 1
 }
@@ -112,6 +129,7 @@ run() {
         (cd / && expect_same "locale $language" env -u HOME LC_ALL="$language" TZ=Asia/Kathmandu "$program"; exit $failed) || failed=1
       done
       ;;
+    aarch64) aarch64 ;;
     fused)
       # Products and sums in one operation, rounded once.
       changed fused cmake/pomona.cmake 's/-ffp-contract=off/-ffp-contract=fast -mfma/'

@@ -43,6 +43,9 @@ std::optional<std::string> nearest_name(const std::string& name, const std::vect
   std::optional<std::string> nearest;
   const std::string small = in_small_letters(name);
   for (const std::string& candidate : known) {
+    // Each letter that one has more is a mistake.
+    const auto [shorter, longer] = std::minmax({small.size(), candidate.size()});
+    if (longer - shorter >= best) continue;
     const std::size_t distance = edit_distance(small, in_small_letters(candidate));
     if (distance < best) {
       best = distance;

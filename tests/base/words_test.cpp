@@ -29,6 +29,10 @@ TEST(NearestName, IsNoFartherThanAThirdOfTheWord) {
   EXPECT_EQ(nearest_name("tmoato", {"potato", "tomato"}), "tomato") << "letters that change places are one mistake";
   EXPECT_EQ(nearest_name("abcdef", {"abcdxy"}), "abcdxy");
   EXPECT_EQ(nearest_name("abcdef", {"abcxyz"}), std::nullopt);
+  EXPECT_EQ(nearest_name("abcdef", {"abcdefgh"}), "abcdefgh") << "letters that are missing";
+  EXPECT_EQ(nearest_name("abcdef", {"abcdefghi"}), std::nullopt);
+  EXPECT_EQ(nearest_name("abcdefgh", {"bcdefg"}), "bcdefg") << "letters too many";
+  EXPECT_EQ(nearest_name("abcdefgh", {"bcde"}), std::nullopt);
   EXPECT_EQ(nearest_name("a", {"b"}), "b");
   EXPECT_EQ(nearest_name("HALF", {"bite", "half"}), "half") << "capitals are no mistakes";
   EXPECT_EQ(nearest_name("halve", {"bite", "half"}), "half") << "two letters of five";

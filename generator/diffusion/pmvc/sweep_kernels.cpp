@@ -4,10 +4,10 @@
 
 #include <glm/common.hpp>
 
-// Compiles the rest of this file once per kind of processor.
+// Compiles the rest of this file once per kind of processor; not for SVE, whose vectors have no size that members need.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "generator/diffusion/pmvc/sweep_kernels.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>
@@ -174,16 +174,17 @@ HWY_INLINE void store_edge(const Point3& p, const Point3& r, Float flip, Plane& 
   hn::Store(hn::Xor(flip, hn::Sub(hn::Mul(p.u, r.v), hn::Mul(p.v, r.u))), floats, &edge.c[lane]);
 }
 
+HWY_INLINE Point3 corner_of(const Line& line, const TriangleGroup& group, int k, std::size_t lane) {
+  return in_frame(line, hn::Load(floats, &group.corner[3 * k][lane]), hn::Load(floats, &group.corner[3 * k + 1][lane]),
+                  hn::Load(floats, &group.corner[3 * k + 2][lane]));
+}
+
 HWY_INLINE void project(const Line& line, const TriangleGroup& group, const SweepState& state, ProjectedGroup& out) {
   out.seen = 0;
   for (std::size_t lane = 0; lane < group_size; lane += hn::Lanes(floats)) {
-    Point3 corner[3];
-    for (int k = 0; k < 3; ++k) {
-      corner[k] =
-          in_frame(line, hn::Load(floats, &group.corner[3 * k][lane]), hn::Load(floats, &group.corner[3 * k + 1][lane]),
-                   hn::Load(floats, &group.corner[3 * k + 2][lane]));
-      hn::Store(corner[k].w, floats, &out.w[k][lane]);
-    }
+    const Point3 corner[3] = {corner_of(line, group, 0, lane), corner_of(line, group, 1, lane),
+                              corner_of(line, group, 2, lane)};
+    for (int k = 0; k < 3; ++k) hn::Store(corner[k].w, floats, &out.w[k][lane]);
     const Extents box = extents_of(corner[0], corner[1], corner[2]);
     const BinRange bins = bins_of(box, state.bins);
     hn::Store(bins.left, ints, &out.left[lane]);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-// Compiles the rest of this file once per kind of processor.
+// Compiles the rest of this file once per kind of processor; not for SVE, whose vectors have no size that members need.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "generator/diffusion/walk/frame_distance.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>

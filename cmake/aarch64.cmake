@@ -1,0 +1,15 @@
+# A toolchain: g++ for aarch64, with headers and libraries of the folder POMONA_SYSROOT (scripts/aarch64_sysroot.sh). What it
+# makes is started by qemu.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES POMONA_SYSROOT)
+set(CMAKE_SYSROOT ${POMONA_SYSROOT})
+set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static -L ${POMONA_SYSROOT})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+set(ENV{PKG_CONFIG_SYSROOT_DIR} ${POMONA_SYSROOT})
+set(ENV{PKG_CONFIG_LIBDIR} ${POMONA_SYSROOT}/usr/lib/aarch64-linux-gnu/pkgconfig:${POMONA_SYSROOT}/usr/share/pkgconfig)
