@@ -41,7 +41,7 @@ std::size_t number_at(std::string_view bytes) {
 // How coarsely nodes are rounded: the finest that leaves an asset this small, so that its page, of five characters for
 // four bytes and 0.16 MB of code, stays below 1.5 MB.
 constexpr std::array<int, 3> rounding = {all_thirds, 8, 3};
-constexpr std::size_t large_asset = 1'050'000;
+constexpr std::size_t large_asset = 1'060'000;
 
 ordered_json header_of(const Asset& a, int thirds, const std::string& made_by) {
   ordered_json header = {{"format", 2},
