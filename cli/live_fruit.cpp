@@ -28,10 +28,19 @@ bool is_planes(const Knife& knife) {
   return wedges == nullptr || wedges->count % 2 == 0;
 }
 
-std::vector<CuttingPlane> planes_in(std::span<const Knife> knives, const Box<double>& bounds) {
-  std::vector<CuttingPlane> planes;
-  for (const Knife& knife : knives) {
-    for (const CuttingPlane& plane : planes_of(knife, bounds).planes) planes.push_back(plane);
+/// By how much the number of a knife's cell grows beyond one of its planes; 0 of wedges.
+int step_beyond(const KnifePlanes& knife, std::size_t plane) {
+  if (knife.wedges > 0) return 0;
+  KnifeSides before;
+  return knife.cell(knife.seen(before, plane, true)) - knife.cell(before);
+}
+
+std::vector<PageCut> planes_in(std::span<const Knife> knives, const Box<double>& bounds) {
+  std::vector<PageCut> planes;
+  for (std::size_t k = 0; k < knives.size(); ++k) {
+    const KnifePlanes laid = planes_of(knives[k], bounds);
+    for (std::size_t i = 0; i < laid.planes.size(); ++i)
+      planes.push_back({laid.planes[i], static_cast<int>(k), step_beyond(laid, i)});
   }
   if (planes.size() > most_page_cuts) {
     throw Error(ExitStatus::usage,
@@ -83,7 +92,7 @@ void check_live_knives(std::span<const Knife> knives) {
 void add_live(const std::vector<Output>& outputs, const FruitSource& source, std::span<const Knife> knives,
               const SharedOptions& options, Delivery& delivery, std::span<const FruitSource> beside) {
   if (!any_live(outputs)) return;
-  const std::vector<CuttingPlane> planes = planes_in(knives, bounds_of(source.grown.sheets));
+  const std::vector<PageCut> planes = planes_in(knives, bounds_of(source.grown.sheets));
   const Quality quality = quality_of(options);
   const Asset asset = asset_of(source, options, beside.empty() ? quality : Quality::draft, delivery);
   std::vector<Asset> family = {asset};

@@ -170,8 +170,10 @@ vec4 guide_beside(vec4 way_layer, vec3 step_away) {
 // Whether any detail of such faces has a relief and counts here.
 bool any_relief(int solid, bool cut, vec4 share) {
   vec4 relief = vec4(0.0);
-  for (int i = 0; i < details_of_a_face; ++i)
-    relief[i] = texelFetch(detail_styles, detail_texels * (details_of_a_face * (2 * solid + (cut ? 0 : 1)) + i) + 6).w;
+  for (int i = 0; i < details_of_a_face; ++i) {
+    int detail = detail_texels * (details_of_a_face * (2 * solid + (cut ? 0 : 1)) + i);
+    relief[i] = texelFetch(detail_styles, detail + 6).w;
+  }
   return relief * share != vec4(0.0);
 }
 

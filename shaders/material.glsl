@@ -3,7 +3,7 @@
 
 // Every material's texels (render/gl/scene_materials.h): gloss, roughness, wet, depth that light reaches in metres;
 // its colour, how much bloom covers; bloom's colour and frequency; fuzz's colour, how much it covers; share of the
-// bloom that is rubbed off, length of the fuzz, depth of the pit around the part.
+// bloom that is rubbed off, length of the fuzz, depth of the pit around the part, relief of the part on cut faces (pages alone ask).
 uniform samplerBuffer materials;
 const int material_texels = 5;
 

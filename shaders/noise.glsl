@@ -24,6 +24,21 @@ float corner_noise(ivec3 cell, uint seed, vec3 p) {
 }
 
 // `mask`: which bits of z count; ~0 unless the lattice closes around an axis.
+#ifdef COMPACT
+// In a loop: software that stands for a card translates what is inlined over and over, for minutes.
+float lattice_noise(vec3 point, uint seed, int mask) {
+  vec3 low = floor(point), p = point - low;
+  vec3 t = p * p * p * (p * (p * 6.0 - 15.0) + 10.0);
+  float sum = 0.0;
+  for (int k = 0; k < 8; ++k) {
+    ivec3 aside = ivec3(k & 1, k >> 1 & 1, k >> 2), cell = ivec3(low) + aside;
+    cell.z &= mask;
+    vec3 share = mix(1.0 - t, t, vec3(aside));
+    sum += share.x * share.y * share.z * corner_noise(cell, seed, p - vec3(aside));
+  }
+  return clamp(sum, -1.0, 1.0);
+}
+#else
 float lattice_noise(vec3 point, uint seed, int mask) {
   vec3 low = floor(point);
   ivec3 i = ivec3(low);
@@ -42,6 +57,7 @@ float lattice_noise(vec3 point, uint seed, int mask) {
                   mix(corner_noise(ivec3(i.x, j.yz), seed, vec3(p.x, q.yz)), corner_noise(j, seed, q), t.x), t.y);
   return clamp(mix(near, far, t.z), -1.0, 1.0);
 }
+#endif
 
 float gradient_noise(vec3 point, uint seed) { return lattice_noise(point, seed, ~0); }
 

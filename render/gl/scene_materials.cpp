@@ -21,7 +21,7 @@ double fuzz_cover(const Fuzz& fuzz) {
 std::array<glm::vec4, texels_each> texels_of(const MaterialSketch& m) {
   return {glm::vec4(m.gloss, m.roughness, m.wet, m.translucency.depth), glm::vec4(m.translucency.color, m.bloom.cover),
           glm::vec4(m.bloom.color, 1 / std::max(m.bloom.patch_size, 1e-6)), glm::vec4(m.fuzz.color, fuzz_cover(m.fuzz)),
-          glm::vec4(m.bloom.rubbed, m.fuzz.length, m.pit, 0)};
+          glm::vec4(m.bloom.rubbed, m.fuzz.length, m.pit, m.relief)};
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ struct Asset {
   std::vector<std::uint8_t> hidden;                  ///< per triangle: 1 the front faces air, 2 the back; 0 none
   std::vector<std::uint16_t> front_part, back_part;  ///< per triangle, indices into parts
   std::vector<std::string> parts;
+  std::vector<int> spared;  ///< parts that knives go around (generator/cut/spared.h), ascending; indices into parts
 
   // How it is painted: texels as shaders/noise.glsl, detail.glsl and material.glsl read them.
   std::vector<glm::vec4> noise, details, materials;  ///< materials: one after another, a part each

@@ -69,6 +69,16 @@ CoarseNodes nodes_in_use(const Asset& asset, const AssetGuide& guide) {
   return nodes;
 }
 
+/// Guides are measured where details count, by the parts of cut faces; a grid's nodes stand for whatever part lies
+/// there.
+Template counting_everywhere(Template fruit) {
+  for (DetailSketch& detail : fruit.details) {
+    detail.parts = {0};
+    detail.depth = Ramp<double>::constant(1);
+  }
+  return fruit;
+}
+
 /// Where no detail runs along anything the ways are 0; their lengths, the depths, are wanted all the same.
 void keep_depths(const GrownFruit& grown, Threads threads, CrossSection& places) {
   const auto is_way = [](const DetailGuide& at) { return at.to_skin != glm::vec3(0); };
@@ -97,7 +107,7 @@ void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, 
   CrossSection places;
   places.position = nodes.place;
   places.part.assign(nodes.place.size(), 0);
-  places = guided(std::move(places), grown.swept, fruit, threads, grown.skin.get());
+  places = guided(std::move(places), grown.swept, counting_everywhere(fruit), threads, grown.skin.get());
   keep_depths(grown, threads, places);
 
   // Values in units of the largest.

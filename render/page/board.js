@@ -128,6 +128,7 @@ class Board {
     if (!knife || knife.drawn) return;
     const changed = knife.copy();
     change(changed);
+    changed.laid = null;
     changed.shift = Math.max(-0.5, Math.min(0.5, changed.shift / size)) * size;
     changed.tilt = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, changed.tilt));
     changed.turn = Math.atan2(Math.sin(changed.turn), Math.cos(changed.turn));

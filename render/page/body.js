@@ -18,29 +18,58 @@ class Shape {
   constructor(card, skin, index = null) {
     const {low, high} = boxOf(skin), size = V.sub(high, low), middle = V.mul(V.add(low, high), 0.5);
     this.frame = {middle, low, high, size: Math.max(...size), reach: 0.53 * Math.hypot(...size)};
-    this.mesh = card.vertices(skin, [3, 3, 3, 1], index);
-    this.skin = skin;
+    this.mesh = card.skin(skin, index);
+    Object.assign(this, {skin, index});
   }
 }
 
 class Body {
   /** `samples`: so many points of its skin stand for it. */
   constructor(picture, fruit, shape, samples = 2500) {
-    Object.assign(this, {fruit, frame: shape.frame, mesh: shape.mesh, skin: shape.skin, knives: [], pieces: [], arranged: [], place: M.identity(), chosen: false});
+    Object.assign(this, {fruit, frame: shape.frame, mesh: shape.mesh, skin: shape.skin, index: shape.index, knives: [], pieces: [], arranged: [], place: M.identity(), chosen: false});
     /** Of a piece, cut faces end where it does, not where its fruit did. */
     this.isPiece = false;
+    /** What knives go around: {stone, socket: meshes; shells; parts}, or null. `homes`: of each shell the cell that has it. */
+    this.spared = null;
+    this.homes = [];
     this.faces = new Faces(picture.passes, picture.speed, this);
     this.takeSamples(null, samples);
   }
 
   /** `winding` of the nodes, where these are known: the inside counts, too. */
   takeSamples(winding, most = 2500) {
-    this.samples = samplesOf(this.fruit.header, this.skin, winding, most);
-    this.pieces = piecesOf(this.samples, this.knives);
+    this.samples = samplesOf(this.fruit.header, this.skin, winding, most, this.spared ? this.spared.parts : []);
+    this.setKnives(this.knives);
+  }
+  /** Stones and their like; samples of the fruit then have none within them. */
+  takeSpared(spared) {
+    this.spared = spared;
+    this.setKnives(this.knives);
   }
   setKnives(knives) {
+    const shells = this.spared ? this.spared.shells : [];
     this.knives = knives;
-    this.pieces = piecesOf(this.samples, knives);
+    this.homes = homesOf(shells, knives);
+    this.pieces = piecesOf(this.samples, knives, shells, this.homes);
+  }
+  get cutsSpared() { return this.homes.some(({isCut}) => isCut); }
+  /**
+   * Walls of a piece beside its skin: of the shells that are cut, those that it has whole, and the sockets of the others. Where a
+   * scene's piece has stones that stand out of it, all of them are drawn so, and not as part of its skin.
+   */
+  wallsOf(piece) {
+    if (!this.cutsSpared) return [];
+    const {stone, socket, shells} = this.spared;
+    return this.homes.flatMap(({cell, isCut}, i) => {
+      if (cell === piece.cell) return isCut || this.isPiece ? [{mesh: stone, range: shells[i].stone, whole: true}] : [];
+      return isCut ? [{mesh: socket, range: shells[i].socket, whole: false}] : [];
+    });
+  }
+  /** Parts of the skin, as bits, that walls stand for. */
+  get leftOut() {
+    const bits = [0, 0];
+    if (this.isPiece && this.cutsSpared) for (const part of this.spared.parts) bits[part >> 5] |= 1 << (part & 31);
+    return bits;
   }
 
   /** Pieces where they lie: in cells, then as `place` says. */

@@ -4,24 +4,22 @@ class Card {
   constructor(canvas, shaders) {
     this.gl = canvas.getContext('webgl2', {antialias: true, premultipliedAlpha: true, powerPreference: 'high-performance'});
     this.shaders = shaders;
+    if (this.gl) this.parallel = this.gl.getExtension('KHR_parallel_shader_compile');
   }
 
   /**
-   * A shader's text with what it includes; texel buffers of pictures' shaders are rows of float textures here, and of details
-   * one at a time is drawn, of the kind that KIND says. */
+   * A shader's text with what it includes; texel buffers of pictures' shaders are rows of float textures here. */
   text(name, seen = new Set()) {
     if (seen.has(name)) return '';
     seen.add(name);
     return this.shaders[name].replace(/^#include "(.*)"$/gm, (_, other) => this.text(other, seen))
       .replace(/uniform samplerBuffer/g, 'uniform highp sampler2D')
-      .replace('for (int i = 0; i < details_of_a_face; ++i) {', 'for (int i = detail_number; i <= detail_number; ++i) {')
-      .replace('pattern_at(detail, int(head.x), ', 'pattern_at(detail, KIND, ')
       .replace(/texelFetch\((noise_styles|detail_styles|materials), ([^()]*)\)/g, 'texelFetch($1, ivec2($2, 0), 0)');
   }
 
   program(name, defines = []) {
     const {gl} = this, program = gl.createProgram(), text = this.text(name);
-    const head = '#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler3D;\n';
+    const head = '#version 300 es\n#define COMPACT\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler3D;\n';
     for (const [stage, define] of [[gl.VERTEX_SHADER, 'VERTEX'], [gl.FRAGMENT_SHADER, 'FRAGMENT']]) {
       const shader = gl.createShader(stage);
       gl.shaderSource(shader, head + [define, ...defines].map((d) => `#define ${d}\n`).join('') + text);
@@ -32,6 +30,9 @@ class Card {
     gl.linkProgram(program);
     return {program, name, uniforms: null};
   }
+
+  /** Whether a program can be drawn with and nobody waits, as far as that can be asked. */
+  isReady({program, uniforms}) { return uniforms !== null || !this.parallel || this.gl.getProgramParameter(program, this.parallel.COMPLETION_STATUS_KHR); }
 
   /** Asked for when it is first drawn with, so that programs compile side by side. */
   use(made) {
@@ -118,9 +119,12 @@ class Card {
     gl.bindVertexArray(null);
     return {array, indexed: index !== null, count: index ? index.length : data.length / stride};
   }
-  draw({array, indexed, count}) {
+  /** Of skin.js. */
+  skin(data, index = null) { return this.vertices(data, [3, 3, 3, 1], index); }
+  /** All of it, or of what has no index so many corners. */
+  draw({array, indexed, count}, first = 0, some = count) {
     const {gl} = this;
     gl.bindVertexArray(array);
-    if (indexed) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0); else gl.drawArrays(gl.TRIANGLES, 0, count);
+    if (indexed) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0); else gl.drawArrays(gl.TRIANGLES, first, some);
   }
 }

@@ -1,25 +1,17 @@
-// The passes that make a face's texture: bare colours, noise, details, lines.
+// The passes that make a face's textures: bare colours, ways to rims, noise, details, lines.
 'use strict';
+const rimReach = 0.004;  // metres: farther from its rim all of a part is alike (render/style/face_relief.h)
+
 class FacePasses {
   constructor(card, style) {
     const {gl} = card;
     Object.assign(this, {card, gl, style});
-    this.programs = Object.fromEntries([['look', 'LOOK'], ['within', 'WITHIN'], ['tone', 'TONE'], ['lines', 'INK']].map(([name, mode]) => [name, card.program('section.glsl', [mode])]));
+    this.programs = Object.fromEntries([['look', 'LOOK'], ['within', 'WITHIN'], ['ways', 'WAYS'], ['tone', 'TONE'], ['lines', 'INK']].map(([name, mode]) => [name, card.program('section.glsl', [mode])]));
     this.programs.crossed = card.program('skin.glsl', ['CROSSED']);
-    // Patterns have not been seen on any card yet, and programs that stand for one take minutes over them: who wants to try
-    // adds #detail to the page's address. All others get noise alone.
-    this.wantsDetail = /[#&]detail\b/.test(location.hash);
     this.kinds = new Map();
     this.empty = gl.createVertexArray();
+    this.level = card.table(1, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, Uint8Array.of(128, 0, 0, 0), 4);
     this.profiles = card.texture(gl.TEXTURE_2D, gl.NEAREST, (t) => gl.texStorage2D(t, 1, gl.R32F, profilePlaces, 4));
-  }
-
-  /** The program for one kind of detail, or none where they are not wanted. */
-  get makeDetail() {
-    return this.wantsDetail ? (kind) => {
-      if (!this.kinds.has(kind)) this.kinds.set(kind, this.card.program('section.glsl', ['DETAIL', `KIND ${kind}`]));
-      return this.kinds.get(kind);
-    } : null;
   }
 
   setProfiles(knives) {
@@ -56,10 +48,10 @@ class FacePasses {
   }
 
   /**
-   * Takes from a face what lies outside the body. Rays leave each place of the knife along its normal; where they leave
-   * the body as often as they enter it, the place lies outside.
+   * Takes from a face what lies outside of meshes, or within them. Rays leave each place of the knife along its normal; where
+   * they leave the meshes as often as they enter them, the place lies outside. `draw()` draws them.
    */
-  keepWithin(body, face, k) {
+  keep(inside, face, k, draw) {
     const {gl, card} = this, {size} = face, crossed = card.target(size, size, [[gl.RGBA8, gl.NEAREST]]);
     gl.bindFramebuffer(gl.FRAMEBUFFER, crossed.buffer);
     gl.viewport(0, 0, size, size);
@@ -67,50 +59,108 @@ class FacePasses {
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE);
     this.setFrame(card.use(this.programs.crossed), face.frame, k);
-    card.draw(body.mesh);
+    draw();
     gl.disable(gl.BLEND);
     gl.bindFramebuffer(gl.FRAMEBUFFER, face.bare.buffer);
     const u = card.use(this.programs.within);
     card.bind(u.crossed, 0, crossed.colors[0]);
+    gl.uniform1i(u.keeps_inside, inside ? 1 : 0);
     gl.bindVertexArray(this.empty);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     card.drop(crossed);
   }
+  /** A piece's face ends where the piece does. */
+  keepWithin(body, face, k) { this.keep(true, face, k, () => this.card.draw(body.mesh)); }
+  /** Parts that knives go around leave holes. */
+  leaveOut({spared, homes}, face, k) {
+    this.keep(false, face, k, () => spared.shells.forEach(({stone}, i) => { if (homes[i].isCut) this.card.draw(spared.stone, ...stone); }));
+  }
 
-  /** Noise, details one by one, lines: each pass reads what the one before it has left. */
-  drawPaint(fruit, face, k) {
-    const {gl, card, style} = this, {header} = fruit, {guide} = header;
-    const left = [0, 1].map(() => card.target(face.size, face.size, [[gl.SRGB8_ALPHA8, gl.NEAREST]]));
-    let before = face.bare;
-    const pass = (program, target, set) => {
-      const u = card.use(program);
-      this.setFrame(u, face.frame, k);
-      card.bind(u.bare, 0, face.bare.colors[0]);
-      card.bind(u.tags, 1, face.bare.colors[1]);
-      card.bind(u.before, 2, before.colors[0]);
-      card.bind(u.noise_styles, 5, fruit.look.noise_styles);
-      gl.uniform4fv(u.lattice, fruit.lattice);
-      if (set) set(u);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
-      gl.drawArrays(gl.TRIANGLES, 0, 3);
-      before = target;
+  // ---- Stages of a face (faces.js), in order; each reads what those before it have left. ----
+
+  /** Somewhere to leave colours and heights between stages, and ways along rows. */
+  newPaint(size) {
+    const {gl, card} = this, left = () => card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]);
+    return [left(), left(), card.target(size, size, [[gl.RGBA8, gl.NEAREST]])];
+  }
+  /** What a face shows: its colours; slopes along u and v, and how far a part's rim is. */
+  newStyled(size) {
+    const {gl, card} = this;
+    return card.target(size, size, [[gl.SRGB8_ALPHA8, 'mipmaps'], [gl.RGBA8, 'mipmaps']]);
+  }
+
+  lookStages(body, face, k) {
+    const {gl} = this, stages = [{name: 'look', draw: () => {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, face.bare.buffer);
+      this.drawLook(body.fruit, face.frame, k);
+    }}];
+    if (body.isPiece) stages.push({name: 'within', once: true, draw: () => this.keepWithin(body, face, k)});
+    if (body.cutsSpared) stages.push({name: 'without', once: true, draw: () => this.leaveOut(body, face, k)});
+    return stages;
+  }
+
+  /** Ways to rims, noise, these details, lines and slopes. */
+  paintStages(fruit, face, k, details) {
+    const {gl, card, style} = this, {header} = fruit, {guide} = header, [one, other, ways] = face.paint, hasNoise = style.noise && fruit.hasNoise, texel = 2 * face.frame.reach * header.spacing / face.size;
+    const reach = fruit.showsRim ? Math.min(127, Math.ceil(rimReach / texel)) : 0, stages = [];
+    let left = {colors: [face.bare.colors[0], this.level]}, isOne = false;
+    const pass = (name, program, target, set = () => {}) => {
+      const before = left;
+      stages.push({name, draw: () => {
+        const u = card.use(program);
+        this.setFrame(u, face.frame, k);
+        card.bind(u.bare, 0, face.bare.colors[0]);
+        card.bind(u.tags, 1, face.bare.colors[1]);
+        card.bind(u.before, 2, before.colors[0]);
+        card.bind(u.heights, 8, before.colors[1]);
+        card.bind(u.noise_styles, 5, fruit.look.noise_styles);
+        card.bind(u.materials, 6, fruit.look.materials);
+        gl.uniform4fv(u.lattice, fruit.lattice);
+        gl.uniform1i(u.reach, reach);
+        gl.uniform2f(u.texel, texel, rimReach);
+        set(u);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
+        gl.bindVertexArray(this.empty);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+      }});
     };
-    const hasNoise = style.noise && fruit.hasNoise;
-    if (hasNoise) pass(this.programs.tone, left[0]);
-    for (const {number, program} of hasNoise ? fruit.details : []) {
-      pass(program, before === left[0] ? left[1] : left[0], (u) => {
+    const further = (name, program, set) => {
+      isOne = !isOne;
+      pass(name, program, isOne ? one : other, set);
+      left = isOne ? one : other;
+    };
+    if (reach > 0) pass('ways', this.programs.ways, ways);
+    if (hasNoise) further('tone', this.programs.tone);
+    for (const {number, kind} of hasNoise ? details : []) {
+      further(`detail ${kind}`, this.detail(kind), (u) => {
         gl.uniform1i(u.detail_number, number);
-        card.bind(u.detail_styles, 6, fruit.look.detail_styles);
+        gl.uniform4fv(u.detail_channel, [0, 1, 2, 3].map((i) => (i === number ? 1 : 0)));
+        card.bind(u.detail_styles, 9, fruit.look.detail_styles);
         card.bind(u.guide, 3, fruit.guide);
         card.bind(u.shares, 7, fruit.shares);
         gl.uniform1f(u.guide_scale, 1 / guide.stride);
         gl.uniform2f(u.guide_depth, guide.deepest, header.parts.length);
       });
     }
-    pass(this.programs.lines, face.styled, (u) => {
+    pass('lines', this.programs.lines, face.styled, (u) => {
+      card.bind(u.ways, 10, ways.colors[0]);
       gl.uniform4f(u.ink, ...colorOf(style.ink || header.ink), style.lines ? style.inner_opacity : 0);
       gl.uniform1f(u.ink_width, 0.34 * style.inner * header.ink_width * face.size);
+      gl.uniform1i(u.has_heights, hasNoise && details.length > 0 ? 1 : 0);
     });
-    left.forEach((target) => card.drop(target));
+    stages.push({name: 'mipmaps', once: true, draw: () => {
+      gl.activeTexture(gl.TEXTURE15);
+      for (const {texture} of face.styled.colors) { gl.bindTexture(gl.TEXTURE_2D, texture); gl.generateMipmap(gl.TEXTURE_2D); }
+    }});
+    return stages;
   }
+
+  // ---- Details: a program for each kind, made when the first face has come to rest. ----
+
+  detail(kind) {
+    if (!this.kinds.has(kind)) this.kinds.set(kind, this.card.program('section.glsl', ['DETAIL', `KIND ${kind}`]));
+    return this.kinds.get(kind);
+  }
+  hasDetails(fruit) { return this.style.noise && fruit.hasNoise && fruit.details.length > 0; }
+  areReady(fruit) { return fruit.details.map(({kind}) => this.card.isReady(this.detail(kind))).every(Boolean); }
 }

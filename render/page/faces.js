@@ -1,10 +1,12 @@
 // The cut faces of one body: worked out once for each place of a knife, into textures, so that turning the fruit costs
-// little; while a knife moves they are coarse, and fine when it rests.
+// little; while a knife moves they are coarse, fine when it rests, and then details come.
 'use strict';
+const frameMs = 30;          // of work on faces in one frame
+const longestDetails = 15e3; // ms: cards that would take longer for a face's details go without
 
-/** How fast the card is, as faces have shown it: texels a millisecond, and the side of a coarse face. */
+/** How fast the card is, as faces have shown it: texels a millisecond, the side of a coarse face, and what a texel of each stage takes. */
 class FaceSpeed {
-  constructor() { Object.assign(this, {coarse: 256, perMs: 0, measured: false}); }
+  constructor() { Object.assign(this, {coarse: 256, perMs: 0, measured: false, costs: new Map(), skipsDetails: false}); }
   take(texels, ms) {
     // The first time takes the compiler's time, too.
     if (this.measured) {
@@ -13,83 +15,136 @@ class FaceSpeed {
     }
     this.measured = true;
   }
+  takeStage(name, texels, ms) {
+    const {costs} = this, before = costs.get(name), now = ms / texels;
+    costs.set(name, before === undefined ? null : before === null ? now : 0.5 * (before + now));
+  }
+  /** Rows of a stage that a frame has time for. */
+  rows(name, size) { return Math.max(8, Math.ceil(frameMs / (this.costs.get(name) || 1 / 40) / size)); }
   get isSlow() { return this.perMs > 0 && this.perMs < 1000; }
 }
 
-class Faces {
-  constructor(passes, speed, body) { Object.assign(this, {passes, speed, body, all: []}); }
+/** What is still to be done on a face: stages {name, once, draw}, one after another, each row by row or all at once. */
+class FaceWork {
+  constructor(passes, speed, size, stages) { Object.assign(this, {passes, speed, size, stages, at: 0, row: 0}); }
 
-  newFace(knife, size) {
-    const {gl, card} = this.passes;
-    return {key: knife.key, size, frame: knife.frame, row: 0,
-      bare: card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]),
-      styled: card.target(size, size, [[gl.SRGB8_ALPHA8, 'mipmaps']])};
+  /** The next so many rows; true when all is done. */
+  go(rows) {
+    const {gl} = this.passes, {size} = this, stage = this.stages[this.at], end = stage.once ? size : Math.min(size, this.row + rows);
+    gl.disable(gl.BLEND);
+    gl.disable(gl.DEPTH_TEST);
+    gl.disable(gl.CULL_FACE);
+    gl.viewport(0, 0, size, size);
+    if (!stage.once) {
+      gl.enable(gl.SCISSOR_TEST);
+      gl.scissor(0, this.row, size, end - this.row);
+    }
+    stage.draw();
+    gl.disable(gl.SCISSOR_TEST);
+    this.row = end;
+    if (end === size) { ++this.at; this.row = 0; }
+    return this.at === this.stages.length;
+  }
+  /** All at once. */
+  finish() {
+    while (!this.go(this.size));
+    this.wait();
+  }
+  /** As much as a frame has time for; true when all is done. */
+  goOn() {
+    const {speed, size, stages} = this, {name, once} = stages[this.at], rows = once ? size : Math.min(size - this.row, speed.rows(name, size)), begin = performance.now();
+    const done = this.go(rows);
+    this.wait();
+    speed.takeStage(name, rows * size, performance.now() - begin);
+    return done;
+  }
+  /** Until the card is done, so that times are true and no frame has more to do than it should. */
+  wait() {
+    const {gl} = this.passes;
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+}
+
+class Faces {
+  constructor(passes, speed, body) { Object.assign(this, {passes, speed, body, all: [], withDetails: true}); }
+
+  newFace(knife, size, k) {
+    const {passes, speed, body} = this, {gl, card} = passes;
+    const face = {key: knife.key, size, frame: knife.frame, bare: card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]),
+      styled: passes.newStyled(size), paint: passes.newPaint(size), isDetailed: false, work: null};
+    face.work = new FaceWork(passes, speed, size, [...passes.lookStages(body, face, k), ...passes.paintStages(body.fruit, face, k, [])]);
+    return face;
   }
   dropFace(face) {
     if (!face) return;
-    this.passes.card.drop(face.bare);
-    this.passes.card.drop(face.styled);
+    const {card} = this.passes;
+    [face.bare, face.styled, ...(face.paint || [])].forEach((target) => card.drop(target));
+    if (face.next) card.drop(face.next);
   }
   drop() {
     for (const {now, next} of this.all) { this.dropFace(now); this.dropFace(next); }
     this.all = [];
   }
-
-  /** Goes on with a face for so many rows; true when it is whole. */
-  work(face, k, rows) {
-    const {passes, body} = this, {gl} = passes, end = Math.min(face.size, face.row + rows);
-    gl.disable(gl.BLEND);
-    gl.disable(gl.DEPTH_TEST);
-    gl.disable(gl.CULL_FACE);
-    gl.viewport(0, 0, face.size, face.size);
-    gl.enable(gl.SCISSOR_TEST);
-    gl.scissor(0, face.row, face.size, end - face.row);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, face.bare.buffer);
-    passes.drawLook(body.fruit, face.frame, k);
-    face.row = end;
-    gl.disable(gl.SCISSOR_TEST);
-    if (end < face.size) return false;
-    if (body.isPiece) passes.keepWithin(body, face, k);
-    passes.drawPaint(body.fruit, face, k);
-    gl.activeTexture(gl.TEXTURE15);
-    gl.bindTexture(gl.TEXTURE_2D, face.styled.colors[0].texture);
-    gl.generateMipmap(gl.TEXTURE_2D);
-    return true;
+  done(face) {
+    face.paint.forEach((target) => this.passes.card.drop(target));
+    Object.assign(face, {paint: null, work: null});
   }
-  /** Waits until the card is done, so that times are true and no frame has more to do than it should. */
-  wait() {
-    const {gl} = this.passes;
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+
+  /** Details of a fine face, worked out beside what is shown; true when they are there. */
+  goOnWithDetails(face, k) {
+    const {passes, speed, body} = this, {fruit} = body;
+    if (!face.work) {
+      face.next = passes.newStyled(face.size);
+      face.paint = passes.newPaint(face.size);
+      face.work = new FaceWork(passes, speed, face.size, passes.paintStages(fruit, {...face, styled: face.next}, k, fruit.details));
+    }
+    if (!face.work.goOn()) {
+      const cost = Math.max(0, ...fruit.details.map(({kind}) => speed.costs.get(`detail ${kind}`) || 0));
+      speed.skipsDetails = cost * face.size ** 2 * fruit.details.length > longestDetails;
+      if (!speed.skipsDetails) return false;
+      passes.card.drop(face.next);
+    } else {
+      passes.card.drop(face.styled);
+      Object.assign(face, {styled: face.next, isDetailed: true});
+    }
+    face.next = null;
+    this.done(face);
+    return true;
   }
 
   /** Faces for all knives, at least coarse ones; `waited` where there is time for more. {more: there is more to do, changed: the picture is}. */
   update(wanted, waited) {
-    const {passes, speed, body} = this, {knives} = body;
+    const {passes, speed, body} = this, {knives, fruit} = body;
     while (this.all.length > knives.length) { const {now, next} = this.all.pop(); this.dropFace(now); this.dropFace(next); }
-    if (!body.fruit.ready || knives.length === 0) return {more: false, changed: false};
+    if (!fruit.ready || knives.length === 0) return {more: false, changed: false};
     passes.setProfiles(knives);
     let more = false, changed = false;
     knives.forEach((knife, k) => {
       const slot = this.all[k] || (this.all[k] = {now: null, next: null});
       if (slot.next && slot.next.key !== knife.key) { this.dropFace(slot.next); slot.next = null; }
       if (!slot.now || slot.now.key !== knife.key) {
-        const face = this.newFace(knife, speed.coarse), begin = performance.now();
-        this.work(face, k, face.size);
-        this.wait();
+        const face = this.newFace(knife, speed.coarse, k), begin = performance.now();
+        face.work.finish();
+        this.done(face);
         speed.take(face.size ** 2, performance.now() - begin);
         this.dropFace(slot.now);
         slot.now = face;
         changed = true;
       }
-      const size = Math.min(wanted, speed.isSlow ? 1024 : 2048);
-      if (slot.now.size >= size) return;
+      const {now} = slot, size = Math.min(wanted, speed.isSlow ? 1024 : 2048), wantsDetails = this.withDetails && !speed.skipsDetails && !now.isDetailed && passes.hasDetails(fruit);
+      if (now.size >= size && !wantsDetails) return;
       more = true;
       if (!waited) return;
-      slot.next = slot.next || this.newFace(knife, size);
+      if (now.size >= size) {
+        if (!passes.areReady(fruit)) return;
+        waited = false;
+        changed = this.goOnWithDetails(now, k) || changed;
+        return;
+      }
       waited = false;
-      const whole = this.work(slot.next, k, Math.max(8, Math.ceil(30 * Math.max(speed.perMs, 40) / size)));
-      this.wait();
-      if (!whole) return;
+      slot.next = slot.next || this.newFace(knife, size, k);
+      if (!slot.next.work.goOn()) return;
+      this.done(slot.next);
       changed = true;
       this.dropFace(slot.now);
       slot.now = slot.next;

@@ -1,10 +1,19 @@
 // What the graphics card holds of one fruit: grid, cells, triangles, guides, and how it is painted.
 'use strict';
+/** A shell (spared.js) with what pieces go by: points of its own surface, and some that stand for it among all of the fruit's. */
+function shellOf({first, count, points}, stone) {
+  const rim = new Float32Array(count), samples = [], every = 3 * Math.max(1, Math.floor(points.length / 3 / 300));
+  for (let i = 0; i < count / 3; ++i) rim.set(stone.subarray(10 * (first + 3 * i), 10 * (first + 3 * i) + 3), 3 * i);
+  for (let i = 0; i < points.length; i += every) samples.push([...points.subarray(i, i + 3)]);
+  for (let i = 0; i < rim.length; i += 3 * Math.max(1, Math.floor(count / 900))) samples.push([...rim.subarray(i, i + 3)]);
+  return {stone: [first, count], socket: [first, count], points, rim, samples};
+}
+
 class FruitTextures {
   /** `header`: an asset's, or what stands for it until one is there. */
   constructor(card, header) {
     const {spacing, origin} = header;
-    Object.assign(this, {card, header, lattice: [...origin, spacing], ready: false, hasNoise: false, details: []});
+    Object.assign(this, {card, header, lattice: [...origin, spacing], ready: false, hasNoise: false, showsRim: false, details: [], spared: null});
     // Until the rest is there, nothing is known of noise and materials.
     const plain = [1, 0.3, 1, 0, 1, 1, 1, 0, 0.7, 0.8, 0.8, 100, 0, 0, 0, 0, 0.4, 0, 0, 0];
     this.takeLook({noise: new Float32Array(0), details: new Float32Array(0), materials: Float32Array.from(header.parts.flatMap(() => plain))});
@@ -14,10 +23,13 @@ class FruitTextures {
     const {card} = this, {gl} = card;
     this.look = {noise_styles: card.floats(noise, gl.NEAREST), detail_styles: card.floats(details, gl.NEAREST), materials: card.floats(materials, gl.NEAREST)};
     this.hasNoise = noise.length > 0;
+    // Gels and parts with a relief look otherwise near their rims (shaders/material.glsl: the last of a part's texels has its relief).
+    this.showsRim = false;
+    for (let i = 0; i < materials.length; i += 20) if (materials[i + 3] > 0.0034 || materials[i + 19] !== 0) this.showsRim = true;
   }
 
-  /** What the worker has made of the whole asset: from now on it can be cut. `makeDetail(kind)`: a program, where details are wanted. */
-  takeRest(rest, makeDetail = null) {
+  /** What the worker has made of the whole asset: from now on it can be cut. */
+  takeRest(rest) {
     const {card} = this, {gl} = card, {count, guide} = this.header;
     this.grid = card.volume(count, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, rest.grid, gl.LINEAR);
     this.cell = card.volume(count, gl.RG32UI, gl.RG_INTEGER, gl.UNSIGNED_INT, rest.cell, gl.NEAREST);
@@ -27,10 +39,14 @@ class FruitTextures {
     this.takeLook(rest);
     this.guide = card.volume(guide ? guide.count : [1, 1, 1], gl.RGBA16F, gl.RGBA, gl.FLOAT, guide ? rest.guide : new Float32Array(4), gl.LINEAR);
     this.shares = card.table(32, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, guide ? rest.share : new Uint8Array(128), 4, gl.LINEAR);
-    // A program for each kind of detail that cut faces have: their texels begin with the kind, -1 for none.
-    for (let i = 0; guide && makeDetail && i < 4 && 28 * i < rest.details.length; ++i) {
+    // Details of cut faces: their texels begin with the kind, -1 for none.
+    for (let i = 0; guide && i < 4 && 28 * i < rest.details.length; ++i) {
       const kind = rest.details[28 * i];
-      if (kind >= 0) this.details.push({number: i, program: makeDetail(kind)});
+      if (kind >= 0) this.details.push({number: i, kind});
+    }
+    if (rest.spared) {
+      const {stone, socket, shells} = rest.spared;
+      this.spared = {stone: card.skin(stone), socket: card.skin(socket), data: rest.spared, parts: this.header.spared, shells: shells.map((shell) => shellOf(shell, stone))};
     }
     this.ready = true;
   }

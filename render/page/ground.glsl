@@ -15,7 +15,8 @@ void main() {
 #ifdef FRAGMENT
 #include "lit.glsl"
 
-// Pages do not know how far a place of a gel is from the walls that hold it: millimetres that stand for all.
+// On faces that a scene's pieces came with pages do not know how far a place of a gel is from the walls that hold it: millimetres
+// that stand for all.
 const float gel_rim = 1.0;
 uniform highp sampler2D sun_map, sky_map;  // depths seen from the light, and from below the table
 uniform mat4 to_sun, to_sky;

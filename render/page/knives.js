@@ -4,9 +4,12 @@
 const profilePlaces = 256;
 
 class Knife {
-  /** `fruit`: {middle, reach}. Turn and tilt are angles of the plane's normal, shift its distance from the middle. */
+  /**
+   * `fruit`: {middle, reach}. Turn and tilt are angles of the plane's normal, shift its distance from the middle. `laid`: of
+   * a plane that the page opened with {knife, step}, by which its knife's cells are numbered (render/page/page.h).
+   */
   constructor(fruit, turn = 0, tilt = 0, shift = 0) {
-    Object.assign(this, {fruit, turn, tilt, shift, waves: 0, drawn: null, roll: 0});
+    Object.assign(this, {fruit, turn, tilt, shift, waves: 0, drawn: null, laid: null});
   }
   static ofPlane(fruit, normal, offset) {
     const n = V.unit(normal), tilt = Math.asin(Math.max(-1, Math.min(1, n[1])));
@@ -38,6 +41,16 @@ class Knife {
     const q = V.sub(p, frame.origin), s = V.dot(q, frame.u) / frame.reach;
     const at = Math.max(0, Math.min(profilePlaces - 1, Math.round((s * 0.5 + 0.5) * (profilePlaces - 1))));
     return V.dot(q, frame.n) >= profile[at] ? 1 : -1;
+  }
+
+  /** For points, three numbers each: sets bit k of those on the positive side. */
+  markSides(points, k, bits) {
+    const {frame: {origin, n, u, reach}, profile} = this, along = V.mul(u, 1 / reach), offset = V.dot(n, origin), start = V.dot(along, origin);
+    for (let i = 0, at = 0; i < bits.length; ++i, at += 3) {
+      const x = points[at], y = points[at + 1], z = points[at + 2], s = along[0] * x + along[1] * y + along[2] * z - start;
+      const place = Math.max(0, Math.min(profilePlaces - 1, Math.round((s * 0.5 + 0.5) * (profilePlaces - 1))));
+      if (n[0] * x + n[1] * y + n[2] * z - offset >= profile[place]) bits[i] |= 1 << k;
+    }
   }
 
   /**

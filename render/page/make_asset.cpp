@@ -55,6 +55,13 @@ void add_surfaces(const DiffusionSurfaces& surfaces, Asset& asset) {
   asset.parts = surfaces.part_names;
 }
 
+/// Parts of the template come first among the surfaces' own.
+void add_spared(const Template& fruit, Asset& asset) {
+  for (const int part : fruit.spared) {
+    if (part < static_cast<int>(asset.parts.size())) asset.spared.push_back(part);
+  }
+}
+
 /// Nodes that the rounded boundary holds and the solver left out become as those beside them.
 void fill_unknown(const std::vector<std::uint8_t>& known, Asset& asset) {
   const auto nx = static_cast<std::ptrdiff_t>(asset.count[0]), plane = nx * asset.count[1];
@@ -131,6 +138,7 @@ Asset make_asset(const AssetTask& task, const MakeAssetOptions& options) {
   asset.count = nodes.lattice.count;
   asset.units = sixteen_bits / (*std::max_element(asset.count.begin(), asset.count.end()) - 1);
   add_surfaces(surfaces, asset);
+  add_spared(task.variant, asset);
   asset.winding = windings(asset);
   if (options.diffuser != nullptr) recolor(surfaces, *options.diffuser, asset, nodes);
   add_nodes(nodes, asset);

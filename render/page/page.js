@@ -24,12 +24,14 @@
     loads.skin = performance.now() - started;
   }
   function takeRest(body, rest) {
-    body.fruit.takeRest(rest, picture.passes.makeDetail);
+    body.fruit.takeRest(rest);
     body.takeSamples(rest.winding);
+    body.takeSpared(body.fruit.spared);
   }
   function open() {
     const {fruit, frame} = bodies[0], {origin, spacing} = fruit.header;
-    const knives = options.cuts.map(({normal, offset}) => Knife.ofPlane(frame, normal, (offset - V.dot(normal, origin)) / spacing));
+    const knives = options.cuts.map(({normal, offset, knife, step}) =>
+      Object.assign(Knife.ofPlane(frame, normal, (offset - V.dot(normal, origin)) / spacing), {laid: {knife, step}}));
     board.setKnives(knives, {open: knives.length === 1 && bodies.length === 1 ? 1 : 0});
     if (board.calm) { board.apart = board.wantedApart; board.open = board.wantedOpen; }
     board.lookAtFace();

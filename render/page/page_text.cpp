@@ -41,10 +41,13 @@ std::string code_of(std::string_view text) {
   return code;
 }
 
-std::string joined(std::initializer_list<std::string_view> names) {
+std::string joined(std::span<const std::string_view> names) {
   std::string text;
   for (const std::string_view name : names) text += code_of(text_of(page_files(), name));
   return text;
+}
+std::string joined(std::initializer_list<std::string_view> names) {
+  return joined(std::span<const std::string_view>(names.begin(), names.size()));
 }
 
 /// Nothing in it ends a script element or begins a comment.
@@ -87,8 +90,12 @@ ordered_json style_of(const Style& style) {
 
 ordered_json options_of(const PageOptions& options) {
   ordered_json cuts = ordered_json::array();
-  for (const CuttingPlane& plane : options.cuts)
-    cuts.push_back({{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}}, {"offset", plane.offset}});
+  for (const auto& [plane, knife, step] : options.cuts) {
+    cuts.push_back({{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
+                    {"offset", plane.offset},
+                    {"knife", knife},
+                    {"step", step}});
+  }
   return {{"style", style_of(options.style)}, {"cuts", cuts}, {"shaders", shaders()}};
 }
 
@@ -135,7 +142,7 @@ std::string filled(std::string_view page, const std::vector<std::pair<std::strin
 }  // namespace
 
 PageParts page_parts(const PageOptions& options) {
-  return {safe_in_script(options_of(options).dump()), joined({"read_asset.js", "look_up.js", "skin.js"}),
+  return {safe_in_script(options_of(options).dump()), joined({"read_asset.js", "look_up.js", "skin.js", "spared.js"}),
           joined({"linear.js", "card.js", "camera.js", "knives.js", "pieces.js", "fruit_textures.js", "face_passes.js",
                   "faces.js", "body.js", "picture.js"})};
 }
@@ -146,20 +153,20 @@ std::string page_text(const PageText& page, const PageOptions& options) {
     packed += "<script type=\"text/plain\" class=\"" + one.kind + "\" id=\"" + one.id + "\" data-length=\"" +
               std::to_string(one.bytes.size()) + "\">" + base85(one.bytes) + "</script>\n";
   }
-  return filled(text_of(page_files(), "page.html"),
-                {{"@TITLE@", xml_escaped(page.title)},
-                 {"@LATIN@", xml_escaped(page.latin)},
-                 {"@ABOUT@", xml_escaped(page.about)},
-                 {"@MADE_BY@", xml_escaped(options.made_by)},
-                 {"@STYLE@", std::string(text_of(page_files(), "page.css"))},
-                 {"@OPTIONS@", safe_in_script(options_of(options).dump())},
-                 {"@PACKED@", packed},
-                 {"@WORKER@", joined({"read_asset.js", "read_scene.js", "look_up.js", "skin.js", "worker.js"})},
-                 {"@SCRIPT@", joined({"linear.js",         "card.js",        "camera.js", "knives.js", "pieces.js",
-                                      "fruit_textures.js", "face_passes.js", "faces.js",  "body.js",   "picture.js",
-                                      "messages.js",       "row.js",         "pile.js",   "board.js",  "blade.js",
-                                      "stroke.js",         "hands.js",       "paper.js",  "tools.js",  "unpacking.js",
-                                      page.beginning})}});
+  return filled(
+      text_of(page_files(), "page.html"),
+      {{"@TITLE@", xml_escaped(page.title)},
+       {"@LATIN@", xml_escaped(page.latin)},
+       {"@ABOUT@", xml_escaped(page.about)},
+       {"@MADE_BY@", xml_escaped(options.made_by)},
+       {"@STYLE@", std::string(text_of(page_files(), "page.css"))},
+       {"@OPTIONS@", safe_in_script(options_of(options).dump())},
+       {"@PACKED@", packed},
+       {"@WORKER@", joined({"read_asset.js", "read_scene.js", "look_up.js", "skin.js", "spared.js", "worker.js"})},
+       {"@SCRIPT@", joined({"linear.js", "card.js", "camera.js", "knives.js", "pieces.js", "fruit_textures.js",
+                            "face_passes.js", "faces.js", "body.js", "picture.js", "messages.js", "row.js", "board.js",
+                            "blade.js", "stroke.js", "hands.js", "paper.js", "tools.js", "unpacking.js"}) +
+                        joined(page.last)}});
 }
 
 }  // namespace pomona

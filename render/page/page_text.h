@@ -18,7 +18,7 @@ struct PageText {
   std::string title = {}, latin = {};
   std::string about = {};  ///< for screen readers; what keys do follows it
   std::vector<Packed> packed = {};
-  std::string_view beginning = "page.js";  ///< the script that begins, after all others
+  std::vector<std::string_view> last = {"page.js"};  ///< scripts after all others; the last of them begins
 };
 
 std::string page_text(const PageText& page, const PageOptions& options);

@@ -5,6 +5,9 @@ const colorOf = (hex) => [1, 3, 5].map((at) => {
   return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 });
 
+/** On which sides of four knives a piece lies; 0 of those that are not there. */
+const keepOf = ({keep}) => [0, 1, 2, 3].map((k) => keep[k] || 0);
+
 class Picture {
   constructor(canvas, {shaders, style}) {
     this.canvas = canvas;
@@ -25,16 +28,15 @@ class Picture {
 
   /** The knives of a body, and on which sides of them a piece of it lies. */
   setPiece(u, body, piece) {
-    const {gl} = this, plane = new Float32Array(16), along = new Float32Array(16), keep = [0, 0, 0, 0];
+    const {gl} = this, plane = new Float32Array(16), along = new Float32Array(16);
     body.knives.forEach((knife, k) => {
       const {origin, n, u: way, reach} = knife.frame;
       plane.set([...n, V.dot(n, origin)], 4 * k);
       along.set([...V.mul(way, 1 / reach), V.dot(way, origin) / reach], 4 * k);
-      keep[k] = piece.keep[k];
     });
     gl.uniform4fv(u.knife_plane, plane);
     gl.uniform4fv(u.knife_along, along);
-    gl.uniform4fv(u.keep, keep);
+    gl.uniform4fv(u.keep, keepOf(piece));
     gl.uniformMatrix4fv(u.piece, false, piece.motion);
   }
 
@@ -48,7 +50,13 @@ class Picture {
       if (set) set(u, body, index);
       for (const piece of body.arranged) {
         this.setPiece(u, body, piece);
+        gl.uniform2uiv(u.left_out, body.leftOut);
         card.draw(body.mesh);
+        gl.uniform2uiv(u.left_out, [0, 0]);
+        for (const {mesh, range, whole} of body.wallsOf(piece)) {
+          gl.uniform4fv(u.keep, whole ? [0, 0, 0, 0] : keepOf(piece));
+          card.draw(mesh, ...range);
+        }
       }
     });
   }
@@ -67,6 +75,7 @@ class Picture {
         passes.setFrame(u, face.frame, k);
         card.bind(u.styled, 0, face.styled.colors[0]);
         card.bind(u.tags, 1, face.bare.colors[1]);
+        card.bind(u.slopes, 2, face.styled.colors[1]);
         gl.uniform1i(u.columns, columns);
         for (const piece of body.arranged) {
           this.setPiece(u, body, piece);

@@ -67,7 +67,7 @@
       say('Unpacking …');
       unpacked.set(fruit, unpacking.asset($(`asset-${fruit.header.asset}`)).then((rest) => {
         fruit.header = {...fruit.header, ...rest.header, title: fruit.header.title, asset: fruit.header.asset};
-        fruit.takeRest(rest, picture.passes.makeDetail);
+        fruit.takeRest(rest);
       }));
     }
     return unpacked.get(fruit);
@@ -85,7 +85,10 @@
     if (picked !== body || isOut()) return;
     view = {yaw: board.camera.yaw, pitch: board.camera.pitch};
     body.chosen = false;
-    if (body.samples.length < 1000) body.takeSamples(null);
+    if (body.samples.length < 1000) {
+      body.takeSpared(sparedOfPiece(body, picture.card));
+      body.takeSamples(null);
+    }
     Object.assign(board.camera, {yaw: 0.35, pitch: 0.3});
     lay(new Row([body]), body.knives);
     if (body.knives.length > 0) board.wantedApart = 0.36;

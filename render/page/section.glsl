@@ -1,6 +1,6 @@
 // Cut faces. LOOK: their bare colours, into a texture that a knife's face is parametrised by; WITHIN: what lies outside a
-// piece is taken from it; TONE, DETAIL and INK: noise,
-// details one by one, and lines on them; SHOW: the face as it stands in the picture, lit; DEPTH and PICK: what shadows and the pointer ask.
+// piece is taken from it, or what lies within a spared part; WAYS: how far the rim of
+// each place's part is along its row; TONE, DETAIL and INK: noise, details one by one, and lines and slopes; SHOW: the face as it stands in the picture, lit; DEPTH and PICK: what shadows and the pointer ask.
 #ifdef VERTEX
 // A strip across the face: flat knives have one column, others many.
 uniform int columns;
@@ -11,7 +11,7 @@ uniform highp sampler2D profiles;
 out vec2 place;
 centroid out vec3 in_fruit;
 void main() {
-#if defined(LOOK) || defined(WITHIN) || defined(TONE) || defined(DETAIL) || defined(INK)
+#if defined(LOOK) || defined(WITHIN) || defined(WAYS) || defined(TONE) || defined(DETAIL) || defined(INK)
   vec2 st = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
   place = st;
   in_fruit = vec3(0.0);
@@ -41,8 +41,11 @@ float profile_at(int knife, float s) {
   return mix(a, b, at - low);
 }
 
-#if defined(TONE) || defined(DETAIL) || defined(INK) || defined(SHOW)
+#ifndef LOOK
 #include "noise.glsl"
+#endif
+#if defined(WAYS) || defined(INK) || defined(SHOW)
+#include "material.glsl"
 #endif
 
 #ifdef LOOK
@@ -60,19 +63,63 @@ void main() {
 #endif
 
 #ifdef WITHIN
-uniform sampler2D crossed;  // by rays from here: how often out of the body and into it, of 255
+uniform sampler2D crossed;  // by rays from here: how often out of the meshes and into them, of 255
+uniform bool keeps_inside;
 layout(location = 0) out vec4 bare;
 layout(location = 1) out vec4 tag;
 void main() {
   vec4 ways = texelFetch(crossed, ivec2(gl_FragCoord.xy), 0);
-  if (ways.r > ways.g + 0.002) discard;
+  if ((ways.r > ways.g + 0.002) == keeps_inside) discard;
   bare = tag = vec4(0.0);
 }
 #endif
 
+#if defined(WAYS) || defined(INK)
+uniform sampler2D tags;
+uniform int reach;    // texels, up to 127: rims farther away are not looked for; 0: no part shows them
+uniform vec2 texel;   // metres; of the reach, too
+
+float tag_at(ivec2 at) { return texelFetch(tags, clamp(at, ivec2(0), textureSize(tags, 0) - 1), 0).r; }
+int material_of(float tag) { return material_texels * int(tag * 255.0 - 0.5); }
+float relief_of(float tag) {
+  int last = material_of(tag) + 4;
+  return texelFetch(materials, last).w;
+}
+
+// A gel or a part with a relief.
+bool shows_rim(float tag) {
+  int first = material_of(tag);
+  return tag > 0.0 && (texelFetch(materials, first).w > 0.0034 || relief_of(tag) != 0.0);
+}
+#endif
+
+#ifdef WAYS
+layout(location = 0) out vec4 way;  // texels + 128, of 255: along the row; 0: there is none
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  float tag = tag_at(at);
+  int found = 0, last = shows_rim(tag) ? reach : 0;
+  for (int d = 1; d <= last && found == 0; ++d)
+    found = tag_at(at + ivec2(d, 0)) != tag ? d : tag_at(at - ivec2(d, 0)) != tag ? -d : 0;
+  way = vec4(found == 0 ? 0.0 : float(found + 128) / 255.0);
+}
+#endif
+
+#if defined(TONE) || defined(DETAIL)
+uniform sampler2D tags;
+#endif
 #if defined(TONE) || defined(DETAIL) || defined(INK)
-uniform sampler2D bare, tags, before;  // before: what the pass before this one has left
+uniform sampler2D bare, before, heights;  // before, heights: what the pass before this one has left
 layout(location = 0) out vec4 styled;
+layout(location = 1) out vec4 beside;  // of TONE and DETAIL: height, 16 bits; of INK: slopes along u and v, way to the rim
+
+const float highest = 0.002;  // metres
+const float steepest = 2.0;
+vec4 packed_height(float height) {
+  float all = (clamp(height / highest, -1.0, 1.0) * 0.5 + 0.5) * 255.0, high = floor(all);
+  return vec4(high / 255.0, all - high, 0.0, 0.0);
+}
+float height_of(vec4 packed) { return ((packed.x * 255.0 + packed.y) / 255.0 * 2.0 - 1.0) * highest; }
 
 vec4 bare_at(ivec2 at) { return texelFetch(bare, clamp(at, ivec2(0), textureSize(bare, 0) - 1), 0); }
 #endif
@@ -91,13 +138,14 @@ void main() {
   vec4 here = bare_at(ivec2(gl_FragCoord.xy));
   if (here.a == 0.0) discard;
   styled = vec4(modulated(here.rgb, lattice.xyz + lattice.w * cells_here(), footprint_here(), 0), 1.0);
+  beside = packed_height(0.0);
 }
 #endif
 
 #ifdef DETAIL
-// One detail at a time, of a kind that is known when this is compiled: all in one are more than software renderers can
-// translate in a minute.
+// One detail of cut faces, of a kind that is known when this is compiled: what `detailed` and `detail_height` do in pictures.
 uniform int detail_number;
+uniform vec4 detail_channel;    // of the shares: 1 for this one
 #include "detail.glsl"
 uniform highp sampler3D guide;  // to the skin and the depth of the layer, metres; every stride-th node
 uniform sampler2D shares;       // by depth and part
@@ -108,23 +156,82 @@ void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 here = bare_at(at);
   if (here.a == 0.0) discard;
-  vec3 g = cells_here();
+  vec3 g = cells_here(), position = lattice.xyz + lattice.w * g;
   vec4 way_layer = texture(guide, (g * guide_scale + 0.5) / vec3(textureSize(guide, 0)));
   float part = texelFetch(tags, at, 0).r * 255.0 - 1.0, depth = clamp(length(way_layer.xyz) / guide_depth.x, 0.0, 1.0);
-  vec4 share = texture(shares, vec2((depth * 31.0 + 0.5) / 32.0, (part + 0.5) / guide_depth.y));
-  vec3 color = texelFetch(before, at, 0).rgb;
-  styled = vec4(detailed(color, here.rgb, lattice.xyz + lattice.w * g, footprint_here(), 0, true, way_layer, share), 1.0);
+  float share = dot(texture(shares, vec2((depth * 31.0 + 0.5) / 32.0, (part + 0.5) / guide_depth.y)), detail_channel);
+  styled = texelFetch(before, at, 0);
+  beside = texelFetch(heights, at, 0);
+
+  // What the detail is, and how much it counts for a colour like this.
+  int detail = detail_texels * detail_number;
+  vec4 head = texelFetch(detail_styles, detail), sizes = texelFetch(detail_styles, detail + 1), form = texelFetch(detail_styles, detail + 2);
+  vec4 target = texelFetch(detail_styles, detail + 3), near = texelFetch(detail_styles, detail + 4), last = texelFetch(detail_styles, detail + 6);
+  vec3 away = to_oklab(here.rgb) - near.xyz;
+  if (form.w > 0.0) share *= exp(-dot(away, away) / (2.0 * form.w * form.w));
+
+  // A loop of one turn or none: software renderers run both sides of a branch, but end a loop early.
+  for (int any = share > 1e-3 ? 1 : 0; any > 0; --any) {
+    vec4 there = pattern_place(int(head.y), sizes, last.xy, position, way_layer);
+    float cycles = footprint_here() * there.w / sizes.x;
+    vec2 value = mix(texelFetch(detail_styles, detail + 5).zw, pattern_at(detail, KIND, there.xyz, 1.0 - smoothstep(0.125, 0.25, cycles)),
+                     1.0 - smoothstep(0.25, 0.5, cycles));
+    vec3 lab = to_oklab(styled.rgb);
+    lab += value.x * head.z * share * (head.w > 0.0 ? target.xyz - lab : target.xyz);
+    lab.x += value.y * abs(head.z * share) * 0.12;
+    styled.rgb = clamp(from_oklab(lab), 0.0, 1.0);
+    beside = packed_height(height_of(beside) + last.w * share * value.x);
+  }
 }
 #endif
 
 #ifdef INK
 uniform vec4 ink;         // colour, opacity
 uniform float ink_width;  // texels to either side
+uniform sampler2D ways;
+uniform bool has_heights;
 
 // Where the bare colour jumps between two sides of the place: how sharply, in OKLab.
 float jump(ivec2 at, vec2 way) {
   vec4 a = bare_at(at + ivec2(round(way))), b = bare_at(at - ivec2(round(way)));
   return a.a * b.a > 0.0 ? length(to_oklab(a.rgb) - to_oklab(b.rgb)) : 0.0;
+}
+
+// Away from the nearest place of the part's rim, and how far it is, metres.
+vec3 to_rim(ivec2 at) {
+  float tag = tag_at(at), nearest = float(reach * reach);
+  vec2 way = vec2(0.0);
+  int last = shows_rim(tag) ? reach : 0;
+  for (int i = 0; i <= 2 * last; ++i) {
+    // Row after row, up and down by turns; where the part ends straight above or below, none is nearer beyond.
+    int d = (i & 1) == 0 ? -(i / 2) : (i + 1) / 2;
+    if (float(d * d) >= nearest) break;
+    ivec2 there = at + ivec2(0, d);
+    bool ends = tag_at(there) != tag;
+    float coded = floor(texelFetch(ways, clamp(there, ivec2(0), textureSize(ways, 0) - 1), 0).r * 255.0 + 0.5);
+    vec2 towards = vec2(ends ? 0.0 : coded - 128.0, d);
+    if ((ends || coded > 0.0) && dot(towards, towards) < nearest) {
+      nearest = dot(towards, towards);
+      way = towards;
+    }
+  }
+  return nearest < float(reach * reach) ? vec3(-way / sqrt(nearest), max(sqrt(nearest) - 0.5, 0.0) * texel.x) : vec3(0.0, 0.0, texel.y);
+}
+
+vec2 slope_of_heights(ivec2 at) {
+  float here = height_of(texelFetch(heights, at, 0));
+  vec2 slope = vec2(0.0);
+  for (int axis = 0; axis < 2; ++axis) {
+    float rise = 0.0, count = 0.0;
+    for (int way = -1; way <= 1; way += 2) {
+      ivec2 there = at + way * ivec2(1 - axis, axis);
+      if (bare_at(there).a == 0.0) continue;
+      rise += float(way) * (height_of(texelFetch(heights, there, 0)) - here);
+      count += 1.0;
+    }
+    if (count > 0.0) slope += rise / (count * texel.x) * vec2(1 - axis, axis);
+  }
+  return slope;
 }
 
 void main() {
@@ -134,10 +241,11 @@ void main() {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 8; ++i) {
       int k = i < 4 ? i : i + 1;
-      vec4 beside = bare_at(at + 2 * ivec2(k % 3 - 1, k / 3 - 1));
-      sum += beside * beside.a;
+      vec4 neighbour = bare_at(at + 2 * ivec2(k % 3 - 1, k / 3 - 1));
+      sum += neighbour * neighbour.a;
     }
     styled = vec4(sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0), 0.0);
+    beside = vec4(0.5, 0.5, 1.0, 1.0);
     return;
   }
   vec3 color = texelFetch(before, at, 0).rgb;
@@ -150,6 +258,12 @@ void main() {
     color = mix(color, ink.rgb, ink.a * hand * smoothstep(0.07, 0.17, sharpest));
   }
   styled = vec4(color, 1.0);
+  vec3 rim = to_rim(at);
+  vec2 slope = has_heights ? slope_of_heights(at) : vec2(0.0);
+  float relief = relief_of(tag_at(at));
+  // A part of a relief rises from its rim as a quarter of a circle does, drawn out (render/style/face_relief.h).
+  if (relief != 0.0) slope += sign(relief) * max(1.0 - rim.z / abs(2.0 * relief), 0.0) * rim.xy;
+  beside = vec4(slope / steepest * 0.5 + 0.5, rim.z / texel.y, 1.0);
 }
 #endif
 
@@ -196,6 +310,7 @@ uniform vec4 ink;
 uniform float rim_width;   // pixels
 uniform vec2 paint;        // saturation, lightness
 uniform float outline;     // whether rims have one
+uniform sampler2D slopes;  // along u and v, from -2 to 2; how far the part's rim is, of 4 mm
 layout(location = 0) out vec4 pixel;
 
 void main() {
@@ -218,13 +333,17 @@ void main() {
   if (cover < 0.5) discard;
   float slope = (profile_at(knife_number, place.x + 0.008) - profile_at(knife_number, place.x - 0.008)) / 0.016;
   vec3 n = normalize(face_n - slope * face_u / dot(face_u, face_u));
+  // What stands out stands out of both faces of a cut.
+  vec4 relief = texture(slopes, at);
+  vec2 rise = relief.xy * 4.0 - 2.0;
   n = normalize(mat3(piece) * n) * side;
+  n = normalize(n - mat3(piece) * (rise.x * normalize(face_u) + rise.y * normalize(face_v)) / length(mat3(piece) * normalize(face_n)));
   vec3 position = lattice.xyz + lattice.w * in_fruit, there = (piece * vec4(in_fruit, 1.0)).xyz;
   vec3 to_eye = normalize(eye - there);
   float footprint = lattice.w * length(fwidth(in_fruit)) * 0.6;
   float part = texelFetch(tags, ivec2(at * vec2(textureSize(tags, 0))), 0).r * 255.0 - 1.0;
   Seen seen = Seen(sky_seen(there, n), sun_seen(there, n), vec3(0.0), vec3(0.0));
-  vec3 shown = fruit_color(color.rgb, n, to_eye, seen, true, material_at(max(part, 0.0)), position, footprint, gel_rim);
+  vec3 shown = fruit_color(color.rgb, n, to_eye, seen, true, material_at(max(part, 0.0)), position, footprint, 4.0 * relief.z);
   shown = painted(shown, paint);
   shown = mix(shown, ink.rgb, outline * smoothstep(0.35, 0.65, air) * 0.92);
   pixel = vec4(srgb_from_linear(shown), 1.0);

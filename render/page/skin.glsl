@@ -37,6 +37,7 @@ centroid in vec3 fruit_normal, bare;
 flat in float tag, on_cut;
 uniform vec4 knife_plane[4], knife_along[4];
 uniform vec4 keep;
+uniform uvec2 left_out;  // bits of parts that are drawn otherwise
 uniform highp sampler2D profiles;
 
 float profile_at(int knife, float s) {
@@ -47,6 +48,8 @@ float profile_at(int knife, float s) {
 }
 
 bool is_cut_away() {
+  uint bit = uint(tag + 0.5);
+  if (on_cut < 0.5 && ((bit < 32u ? left_out.x : left_out.y) >> (bit & 31u) & 1u) != 0u) return true;
   for (int k = 0; k < 4; ++k) {
     if (keep[k] == 0.0) continue;
     float s = dot(knife_along[k].xyz, in_fruit) - knife_along[k].w;

@@ -1,20 +1,11 @@
 // The skin as triangles to be drawn: the boundary, seen from air, with smooth normals.
 'use strict';
 const Skin = (() => {
-  /**
-   * Twelve numbers a corner, nine corners' worth of nothing shared: position (cells of the grid), normal, colour (linear),
-   * part. Normals are smooth over equal places, but where surfaces meet at a sharp angle.
-   */
-  function built(fruit) {
-    const {position, triangle, hidden, units} = fruit;
-    const faces = [];
-    for (let t = 0; t < hidden.length; ++t) if (hidden[t] !== 0) faces.push(t);
-
-    // Vertices at one place are one: found by a hash of the place, open addressing.
-    const size = 1 << Math.ceil(Math.log2(4 * faces.length + 4)), slot = new Int32Array(size).fill(-1);
-    const place = new Int32Array(position.length / 3).fill(-1);
-    let places = 0;
-    const placeOf = (v) => {
+  /** Vertices at one place are one: numbers them, up to `most` of them, by a hash of the place, open addressing. */
+  function places({position}, most) {
+    const size = 1 << Math.ceil(Math.log2(4 * most / 3 + 4)), slot = new Int32Array(size).fill(-1), place = new Int32Array(position.length / 3).fill(-1);
+    let count = 0;
+    return (v) => {
       if (place[v] >= 0) return place[v];
       const x = position[3 * v], y = position[3 * v + 1], z = position[3 * v + 2];
       let at = (Math.imul(x, 0x8da6b343) ^ Math.imul(y, 0xd8163841) ^ Math.imul(z, 0xcb1ab31f)) >>> 0 & size - 1;
@@ -23,23 +14,37 @@ const Skin = (() => {
         if (position[3 * w] === x && position[3 * w + 1] === y && position[3 * w + 2] === z) return place[v] = place[w];
       }
       slot[at] = v;
-      return place[v] = places++;
+      return place[v] = count++;
     };
+  }
+
+  function built(fruit) {
+    const {hidden} = fruit, faces = [];
+    for (let t = 0; t < hidden.length; ++t) if (hidden[t] !== 0) faces.push(t);
+    return of(fruit, faces, (t) => ({turned: hidden[t] === 2, front: hidden[t] === 1}));
+  }
+
+  /**
+   * Ten numbers a corner, nothing shared: position (cells of the grid), normal, colour (linear), part. Normals are smooth over
+   * equal places, but where surfaces meet at a sharp angle. `seen(t)`: whether a triangle's corners are taken the other way round,
+   * and whether it has the colour and part of its front.
+   */
+  function of(fruit, faces, seen) {
+    const {position, triangle, units} = fruit, placeOf = places(fruit, 3 * faces.length);
 
     // Sum up normals, each face's as long as its area.
     const corners = new Int32Array(3 * faces.length), face = new Float32Array(3 * faces.length);
     faces.forEach((t, f) => {
-      const turned = hidden[t] === 2, v = [0, turned ? 2 : 1, turned ? 1 : 2].map((k) => triangle[3 * t + k]);
+      const {turned} = seen(t), v = [0, turned ? 2 : 1, turned ? 1 : 2].map((k) => triangle[3 * t + k]);
       const [a, b, c] = v.map((i) => 3 * i), p = position;
       const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
       const wx = p[c] - p[a], wy = p[c + 1] - p[a + 1], wz = p[c + 2] - p[a + 2];
       corners.set(v, 3 * f);
       face.set([uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx], 3 * f);
-      v.forEach(placeOf);
     });
-    const sum = new Float64Array(3 * places);
+    const sum = new Float64Array(3 * corners.length);
     for (let i = 0; i < corners.length; ++i) {
-      const at = 3 * place[corners[i]], f = 3 * (i / 3 | 0);
+      const at = 3 * placeOf(corners[i]), f = 3 * (i / 3 | 0);
       for (let k = 0; k < 3; ++k) sum[at + k] += face[f + k];
     }
 
@@ -49,8 +54,8 @@ const Skin = (() => {
       return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
     });
     for (let i = 0; i < corners.length; ++i) {
-      const v = corners[i], f = 3 * (i / 3 | 0), t = faces[i / 3 | 0], front = hidden[t] === 1;
-      const n = [face[f], face[f + 1], face[f + 2]], at = 3 * place[v], s = [sum[at], sum[at + 1], sum[at + 2]];
+      const v = corners[i], f = 3 * (i / 3 | 0), t = faces[i / 3 | 0], {front} = seen(t);
+      const n = [face[f], face[f + 1], face[f + 2]], at = 3 * placeOf(v), s = [sum[at], sum[at + 1], sum[at + 2]];
       const along = n[0] * s[0] + n[1] * s[1] + n[2] * s[2], smooth = along > 0.25 * Math.hypot(...n) * Math.hypot(...s);
       const m = smooth ? s : n, length = Math.hypot(...m) || 1, color = front ? fruit.front : fruit.back;
       for (let k = 0; k < 3; ++k) {
@@ -63,6 +68,6 @@ const Skin = (() => {
     return data;
   }
 
-  return {built};
+  return {built, of, places};
 })();
 if (typeof module !== 'undefined') module.exports = Skin;

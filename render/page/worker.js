@@ -29,8 +29,8 @@ async function unpackFruit(job, packed) {
   Asset.addWindings(fruit);
   Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(Asset.header(bytes, bytes.length))));
   const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
-  const {header, noise, details, materials, guide, share, winding} = fruit;
-  postMessage({job, header, grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding},
+  const {header, noise, details, materials, guide, share} = fruit, spared = Spared.built(fruit), winding = spared ? spared.free : fruit.winding;
+  postMessage({job, header, grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding, spared},
     [grid.buffer, cell.buffer, list.buffer, triangle.buffer, winding.buffer]);
 }
 

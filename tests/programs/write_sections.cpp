@@ -118,7 +118,7 @@ void write_fruit(const Wanted& wanted, int size, const fs::path& folder) {
   if (wanted.seed != 0) name += "-" + std::to_string(wanted.seed);
   write(folder / (name + ".pomona"), write_asset(asset, "a test"));
   write(folder / (name + ".html"),
-        write_page(asset, {.style = style_named("ink"), .cuts = {{{0, 0, 1}, 0}}, .made_by = "a test"}));
+        write_page(asset, {.style = style_named("ink"), .cuts = {{.plane = {{0, 0, 1}, 0}}}, .made_by = "a test"}));
 
   // Squares in cells of the asset's grid, and their true colours.
   const auto field = make_harmonic_diffuser()->field(grown.sheets);

@@ -81,6 +81,7 @@ TEST(Asset, IsReadAsItWasWritten) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.title, b.title);
   EXPECT_EQ(a.parts, b.parts);
+  EXPECT_EQ(a.spared, b.spared);
   EXPECT_EQ(a.count, b.count);
   EXPECT_EQ(a.origin, b.origin);
   EXPECT_EQ(a.spacing, b.spacing);
@@ -114,6 +115,26 @@ int worst_of_nodes(int thirds) {
   }
   EXPECT_GT(inside, 10000u);
   return worst;
+}
+
+// Knives go around a cherry's stone, also where its asset is cut.
+TEST(Asset, SaysWhichPartsAreSpared) {
+  ASSERT_EQ(asset().spared.size(), 1u);
+  EXPECT_EQ(asset().parts.at(static_cast<std::size_t>(asset().spared.front())), "stone");
+}
+
+// Fibres of a cherry run towards its skin, on all of its sides.
+TEST(Asset, GuidesDetailTowardsTheSkinAllAround) {
+  const AssetGuide& guide = asset().guide.value();
+  glm::ivec3 low(0), high(0);
+  for (const glm::i16vec4& value : guide.value) {
+    low = glm::min(low, glm::ivec3(value));
+    high = glm::max(high, glm::ivec3(value));
+  }
+  for (const int axis : {0, 2}) {
+    EXPECT_LT(low[axis], -300) << axis;
+    EXPECT_GT(high[axis], 300) << axis;
+  }
 }
 
 // Large differences between nodes are rounded, by no more than this.
@@ -199,6 +220,7 @@ TEST(Asset, IsRefusedWhereItPointsOutsideItself) {
   EXPECT_THAT(refusal(changed("\"format\":2", "\"format\":9")), testing::HasSubstr("format"));
   EXPECT_THAT(refusal(changed("\"thirds\":86", "\"thirds\":-6")), testing::HasSubstr("rounded"));
   EXPECT_THAT(refusal(changed("\"units\":", "\"unity\":")), testing::HasSubstr("header"));
+  EXPECT_THAT(refusal(changed("\"spared\":[2]", "\"spared\":[9]")), testing::HasSubstr("spares"));
   const std::string triangles = "\"triangles\":" + std::to_string(asset().triangle.size());
   EXPECT_THAT(refusal(changed(triangles, triangles.substr(0, triangles.size() - 1) + "9")), testing::Not(""));
   EXPECT_THAT(refusal(magic + deflated(plain + "x")), testing::HasSubstr("follows"));
@@ -221,7 +243,7 @@ TEST(Asset, IsNotMadeOfWhatIsOpen) {
 
 TEST(Page, NeedsNothingBesidesItself) {
   const std::string page =
-      write_page(asset(), {.style = style_named("ink"), .cuts = {{{0, 0, 1}, 0}}, .made_by = "a test"});
+      write_page(asset(), {.style = style_named("ink"), .cuts = {{.plane = {{0, 0, 1}, 0}}}, .made_by = "a test"});
   for (const char* reach : {"src=", "href=", "import(", "fetch(", "https:", "@import"})
     EXPECT_THAT(page, testing::Not(testing::HasSubstr(reach))) << reach;
   EXPECT_THAT(page, testing::HasSubstr("<title>"));

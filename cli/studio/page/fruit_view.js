@@ -47,8 +47,11 @@ class FruitView {
     this.forget();
     const {picture} = this, fruit = new FruitTextures(picture.card, header);
     this.body = new Body(picture, fruit, new Shape(picture.card, skin));
-    fruit.takeRest(rest, picture.passes.makeDetail);
+    // What is drawn anew with every stroke has no time for them.
+    this.body.faces.withDetails = false;
+    fruit.takeRest(rest);
     this.body.takeSamples(rest.winding);
+    this.body.takeSpared(fruit.spared);
     this.glass = picture.card.vertices(glass, [3, 3, 3, 1]);
     this.setCut(this.mode);
     this.changed();

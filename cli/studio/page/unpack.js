@@ -7,8 +7,8 @@ onmessage = async ({data: {bytes: packed, number}}) => {
     Asset.addWindings(fruit);
     Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(head)));
     const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
-    const {noise, details, materials, guide, share, winding} = fruit;
-    postMessage({number, header: head.fields, skin, glass, rest: {grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding}},
+    const {noise, details, materials, guide, share} = fruit, spared = Spared.built(fruit), winding = spared ? spared.free : fruit.winding;
+    postMessage({number, header: head.fields, skin, glass, rest: {grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding, spared}},
       [skin.buffer, glass.buffer, grid.buffer, cell.buffer, list.buffer, triangle.buffer, winding.buffer]);
   } catch (error) {
     postMessage({number, error: String(error && error.message || error)});
