@@ -36,6 +36,8 @@ class Pane {
     for (const {view, matrix, x, y, width, height} of this.studio.drawing.images) {
       if (view === this.view) points.push(...[[x, y], [x + width, y], [x, y + height], [x + width, y + height]].map((p) => A.point(matrix, p)));
     }
+    // Meshes have no curves, but a section.
+    if (points.length === 0 && this.section?.placement) points.push(...[[0, 0], [this.section.canvas.width, this.section.canvas.height]].map((p) => A.point(this.section.placement, p)));
     const {clientWidth, clientHeight} = this.root;
     if (points.length === 0 || clientWidth < 20) return;
     const low = [0, 1].map((k) => Math.min(...points.map((p) => p[k]))), high = [0, 1].map((k) => Math.max(...points.map((p) => p[k])));

@@ -6,7 +6,7 @@ class Studio {
   constructor(server) {
     Object.assign(this, {server, selected: null, chosen: new Set(), dragged: null, wrong: new Set(), tool: 'nodes', pen: null, unsent: false, drawing: null,
       shown: {photo: 0.65, section: 0.8, photoOver: false, blur: true, height: 0.5}, look: {seed: 0, folds: 0, ripeness: null, browning: 0}, loads: {}, toMetres: {}});
-    this.pictures = new Pictures(server, () => this.redraw());
+    this.pictures = new Pictures(server, {changed: () => this.redraw(), failed: (text) => this.bar(text)});
     this.panes = {};
     for (const view of ['side', 'top']) this.panes[view] = new Pane($(`pane-${view}`), view, this);
     this.nodes = new NodeTool(this);
@@ -120,7 +120,9 @@ class Studio {
       const wanted = {...this.wanted(texts, {seed: 0, folds: 0, height: this.shown.height}), ...(draft ? {detail: 0.5, size: 192} : {size: 480, final: true})};
       const head = await this.server.section(wanted);
       this.toMetres = head.drawing;
-      for (const picture of head.pictures) this.panes[picture.view].takeSection(picture, head.drawing[picture.view]);
+      // Fruit of meshes alone has no drawing; its section is seen all the same, in millimetres.
+      const bare = this.drawing.curves.length === 0 ? [1e-3, 0, 0, -1e-3, 0, 0] : null;
+      for (const picture of head.pictures) this.panes[picture.view].takeSection(picture, head.drawing[picture.view] || bare);
       this.loads.section = performance.now() - began;
       this.showErrors([]);
       this.redraw();
