@@ -140,12 +140,10 @@ try {
   // Colours: each is chosen on the right, then taken from the picture.
   const pick = async (surface, side, view, place) => {
     await session.evaluate((name, of) => {
-      const found = studio.drawing.surfaces.find((s) => s.name === name);
       // One colour for the whole side.
-      const ramp = rampsOf(found).find((r) => r.side === of), { stops } = ramp;
-      for (const stop of [...stops].slice(1).reverse()) removeStop(studio, found, stop);
-      const index = rampsOf(studio.drawing.surfaces.find((s) => s.name === name)).find((r) => r.side === of).stops[0].index;
-      chosenStop = { surface: name, index };
+      const ramp = sideNamed(studio.drawing, name, of).ground.along;
+      if (!ramp.constant) putRamp(studio, { ramp }, [ramp.stops[0]], 'one colour');
+      chosenStop = { surface: name, side: of, path: ['ground', 'along'], stop: 0 };
     }, surface, side);
     await key('i');
     await tab.mouse.click(...await session.where(view, place));
@@ -161,6 +159,17 @@ try {
   await key('v');
   await session.evaluate('studio.select(null)');
   await keep('colours');
+
+  // A blush: a coat over the skin, painted from the side along its curve and from above around the axis.
+  await tab.click('[data-cut="whole"]');
+  await key('n');
+  await session.evaluate(() => { Object.assign(studio.brush, { color: '#c23a12', size: 110, soft: 1, strength: 0.8 }); showBrush(studio); });
+  await session.stroke(await session.along('side', 'skin', 0.5, 0.75, 8));
+  await session.stroke(await session.along('top', 'skin', 0.9, 0.98, 8));
+  await tab.mouse.move(...(await session.along('side', 'skin', 0.7, 0.7, 10, 1))[0]);
+  await session.evaluate('document.querySelector(".ramp [aria-pressed=true]")?.scrollIntoView({ block: "center" })');
+  await keep('painted');
+  await key('v');
 
   await tab.click('[data-cut="across"]');
   await session.evaluate('document.getElementById("seed").value = 3, document.getElementById("seed").dispatchEvent(new Event("input"))');

@@ -41,9 +41,10 @@ std::string marked(std::string page, const std::vector<std::pair<std::string, st
 
 StudioPage studio_page(const std::string& title, const std::string& token, const std::string& nonce) {
   const PageParts parts = page_parts({.style = find_style("ink"), .cuts = {}, .made_by = {}});
-  const std::string scripts = studio_scripts({"svg_text.js", "toml_curves.js", "bezier.js", "drawing.js", "history.js",
-                                              "server.js", "pictures.js", "pane.js", "node_tool.js", "tools.js",
-                                              "paint.js", "trace.js", "fruit_view.js", "studio.js", "panel.js"});
+  const std::string scripts = studio_scripts(
+      {"svg_text.js", "toml_tree.js", "toml_curves.js", "bezier.js", "drawing.js",    "history.js",   "server.js",
+       "pictures.js", "pane.js",      "node_tool.js",   "places.js", "ramp.js",       "side_text.js", "brush.js",
+       "ribbon.js",   "tools.js",     "paint.js",       "trace.js",  "fruit_view.js", "studio.js",    "panel.js"});
   return {
       marked(studio_text("studio.html"), {{"@NONCE@", nonce},
                                           {"@TITLE@", xml_escaped(title)},

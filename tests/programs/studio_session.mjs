@@ -60,6 +60,33 @@ export class Session {
     for (let i = 1; i <= steps; ++i) await this.tab.mouse.move(from[0] + (to[0] - from[0]) * i / steps, from[1] + (to[1] - from[1]) * i / steps);
     await this.tab.mouse.up();
   }
+  /** The mouse pressed at the first of some places in the window, drawn over the others, and let go. */
+  async stroke(places) {
+    const { mouse } = this.tab, [first, ...rest] = places;
+    await mouse.move(...first);
+    await mouse.down();
+    for (const place of rest) await mouse.move(...place, { steps: 4 });
+    await mouse.up();
+  }
+  /** Where a surface's curve is in the window, from one place along it to another, `beside` pixels to the outside (or, negative, the inside). */
+  along(view, name, from, to, beside, count = 6) {
+    return this.evaluate((v, n, a, b, d, steps) => {
+      const { panes, brush } = window.studio, pane = panes[v], box = pane.root.getBoundingClientRect(), line = brush.lines(v).find(({ surface }) => surface.name === n), sign = line.frontRight ? 1 : -1;
+      return Array.from({ length: steps + 1 }, (_, k) => {
+        const t = a + (b - a) * k / steps, i = line.places.findIndex((place, j) => j > 0 && (place - t) * (line.places[j - 1] - t) <= 0 && Math.abs(place - line.places[j - 1]) < 0.5);
+        const [p, q] = [line.points[i - 1], line.points[i]].map((point) => pane.onScreen(point)), long = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1;
+        return [p[0] + box.left - sign * d * (q[1] - p[1]) / long, p[1] + box.top + sign * d * (q[0] - p[0]) / long];
+      });
+    }, view, name, from, to, beside, count);
+  }
+  /** What is painted on a side: {ground, coats}, each ramp as [[place, colour or share], ...]. */
+  paintOn(name, which) {
+    return this.evaluate((n, w) => {
+      const { drawing } = window.studio, side = sideOf(drawing.tree, drawing.surfaces.findIndex((s) => s.name === n), w);
+      const told = (ramp) => ramp && ramp.node && ramp.stops.map(({ at, value }) => [at, Array.isArray(value) ? hexOf(value) : value]);
+      return { ground: told(side.ground.along), coats: side.coats.map(({ color, along, turn, around }) => ({ color: told(color), along: told(along), turn: told(turn), around: told(around) })) };
+    }, name, which);
+  }
   /** The colours of the section under the drawing at a place of the page: [r, g, b, a]. */
   sectionAt(view, place) {
     return this.evaluate((name, p) => {

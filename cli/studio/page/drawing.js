@@ -15,7 +15,8 @@ function kindOf(name) {
 
 class Drawing {
   constructor(texts) {
-    Object.assign(this, {texts, curves: [], images: [], surfaces: surfacesIn(texts.toml)});
+    const tree = tomlTree(texts.toml);
+    Object.assign(this, {texts, tree, curves: [], images: [], surfaces: surfacesIn(texts.toml, tree)});
     if (texts.svg) this.readSvg(); else this.readToml();
   }
 

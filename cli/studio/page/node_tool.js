@@ -9,6 +9,7 @@ class NodeTool {
     overlay.addEventListener('pointermove', (event) => this.move(event, pane));
     for (const end of ['pointerup', 'pointercancel']) overlay.addEventListener(end, (event) => this.up(event, pane));
     overlay.addEventListener('contextmenu', (event) => event.preventDefault());
+    overlay.addEventListener('pointerleave', () => this.studio.brush.leave());
   }
 
   down(event, pane) {
@@ -37,7 +38,7 @@ class NodeTool {
 
   move(event, pane) {
     const {studio, grab} = this;
-    if (studio.tool === 'pen') studio.toolMove(pane, pane.onPage(pane.placeOn(event)), event);
+    if (studio.tool === 'pen' || studio.tool === 'brush' && grab?.kind !== 'pan') studio.toolMove(pane, pane.onPage(pane.placeOn(event)), event);
     if (!grab) return;
     const at = pane.placeOn(event), by = [(at[0] - grab.at[0]) / pane.scale, (at[1] - grab.at[1]) / pane.scale];
     if (grab.kind === 'pan') { pane.pan(at[0] - grab.at[0], at[1] - grab.at[1]); grab.at = at; return; }

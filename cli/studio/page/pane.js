@@ -36,6 +36,8 @@ class Pane {
     for (const {view, matrix, x, y, width, height} of this.studio.drawing.images) {
       if (view === this.view) points.push(...[[x, y], [x + width, y], [x, y + height], [x + width, y + height]].map((p) => A.point(matrix, p)));
     }
+    // Meshes have no curves, but a section.
+    if (points.length === 0 && this.section?.placement) points.push(...[[0, 0], [this.section.canvas.width, this.section.canvas.height]].map((p) => A.point(this.section.placement, p)));
     const {clientWidth, clientHeight} = this.root;
     if (points.length === 0 || clientWidth < 20) return;
     const low = [0, 1].map((k) => Math.min(...points.map((p) => p[k]))), high = [0, 1].map((k) => Math.max(...points.map((p) => p[k])));
@@ -96,6 +98,15 @@ class Pane {
     this.section = {canvas, placement: A.product(A.inverse(toMetres), toPlane)};
   }
 
+  /** The section's colour at a place of the page, or null. */
+  sectionColor(place) {
+    if (!this.section?.placement) return null;
+    const {canvas} = this.section, [x, y] = A.point(A.inverse(this.section.placement), place).map(Math.floor);
+    if (x < 0 || y < 0 || x >= canvas.width || y >= canvas.height) return null;
+    const [r, g, b, a] = canvas.getContext('2d').getImageData(x, y, 1, 1).data;
+    return a < 128 ? null : `#${[r, g, b].map((v) => v.toString(16).padStart(2, '0')).join('')}`;
+  }
+
   pathOf(parts) { return Bezier.write(Bezier.mapped(parts, (p) => this.onScreen(p)), 1); }
 
   drawCurves() {
@@ -118,6 +129,7 @@ class Pane {
   drawMarks() {
     const {studio} = this, {selected} = studio;
     this.marks.replaceChildren();
+    if (studio.tool === 'brush') { drawBrush(this); return; }
     this.drawBlur();
     if (studio.pen?.pane === this) { this.drawPen(); return; }
     if (!selected?.curve || selected.curve.view !== this.view || selected.curve.dot) return;

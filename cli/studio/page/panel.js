@@ -58,8 +58,9 @@ function attachPanel(studio) {
   for (const [id, act] of Object.entries(buttons)) $(id).addEventListener('click', act);
   dark(matchMedia('(prefers-color-scheme: dark)').matches);
 
-  const keys = {v: () => studio.setTool('nodes'), p: () => studio.setTool('pen'), t: () => studio.setTool('trace'), i: () => studio.setTool('pick'), s: buttons.smooth, f: fit, l: buttons.dark,
-    Delete: buttons.delete, Backspace: buttons.delete, Enter: () => studio.finishPen(), Escape: () => { if (studio.pen) { studio.pen = null; studio.redraw(); } else if (studio.tool !== 'nodes') studio.setTool('nodes'); else studio.select(null); },
+  const keys = {v: () => studio.setTool('nodes'), p: () => studio.setTool('pen'), t: () => studio.setTool('trace'), i: () => studio.setTool('pick'), b: () => studio.setTool('brush'),
+    g: () => setWhat(studio, 'ground'), c: () => setWhat(studio, 'coat'), n: () => setWhat(studio, 'new'), '[': () => widenBrush(studio, 1 / 1.2), ']': () => widenBrush(studio, 1.2), s: buttons.smooth, f: fit, l: buttons.dark,
+    Delete: buttons.delete, Backspace: buttons.delete, Enter: () => studio.finishPen(), Escape: () => { if (studio.brush.stroke) studio.brush.cancel(); else if (studio.pen) { studio.pen = null; studio.redraw(); } else if (studio.tool !== 'nodes') studio.setTool('nodes'); else studio.select(null); },
     1: () => cut('whole'), 2: () => cut('glass'), 3: () => cut('half'), 4: () => cut('across'),
     ArrowLeft: () => studio.nodes.nudge(-1, 0), ArrowRight: () => studio.nodes.nudge(1, 0), ArrowUp: () => studio.nodes.nudge(0, -1), ArrowDown: () => studio.nodes.nudge(0, 1),
     '+': () => zoom(1.15), '=': () => zoom(1.15), '-': () => zoom(1 / 1.15)};
@@ -75,6 +76,7 @@ function attachPanel(studio) {
     event.preventDefault();
     keys[key]();
   });
+  attachBrush(studio);
   $('name').addEventListener('change', () => studio.rename($('name').value));
   let typing = 0;
   $('toml').addEventListener('input', () => {

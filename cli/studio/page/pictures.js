@@ -1,7 +1,9 @@
 // The pictures under the drawing: loaded once, drawn where the SVG places them, and asked for colours.
 'use strict';
+const mostPixelsAcross = 4096;
+
 class Pictures {
-  constructor(server, changed) { Object.assign(this, {server, changed, loaded: new Map()}); }
+  constructor(server, {changed, failed}) { Object.assign(this, {server, changed, failed, loaded: new Map()}); }
 
   get(href) {
     const known = this.loaded.get(href);
@@ -9,13 +11,16 @@ class Pictures {
     const entry = {image: null};
     this.loaded.set(href, entry);
     this.load(href).then((image) => {
-      const canvas = document.createElement('canvas');
-      Object.assign(canvas, {width: image.width, height: image.height});
+      // Tracing and picking look at all pixels, and every redraw draws them: more than a screen has are of no use.
+      const scale = Math.min(1, mostPixelsAcross / Math.max(image.width, image.height)), canvas = document.createElement('canvas');
+      Object.assign(canvas, {width: Math.max(1, Math.round(scale * image.width)), height: Math.max(1, Math.round(scale * image.height))});
       entry.pixels = canvas.getContext('2d', {willReadFrequently: true});
-      entry.pixels.drawImage(image, 0, 0);
+      entry.pixels.imageSmoothingQuality = 'high';
+      entry.pixels.drawImage(image, 0, 0, canvas.width, canvas.height);
+      image.close();
       entry.image = canvas;
       this.changed();
-    }).catch(() => {});
+    }).catch((error) => this.failed(`The picture ${href.startsWith('data:') ? 'within the drawing' : href.slice(0, 80)} cannot be shown: ${error.message || 'it is no PNG or JPEG'}`));
     return null;
   }
   async load(href) {

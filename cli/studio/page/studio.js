@@ -6,10 +6,11 @@ class Studio {
   constructor(server) {
     Object.assign(this, {server, selected: null, chosen: new Set(), dragged: null, wrong: new Set(), tool: 'nodes', pen: null, unsent: false, drawing: null,
       shown: {photo: 0.65, section: 0.8, photoOver: false, blur: true, height: 0.5}, look: {seed: 0, folds: 0, ripeness: null, browning: 0}, loads: {}, toMetres: {}});
-    this.pictures = new Pictures(server, () => this.redraw());
+    this.pictures = new Pictures(server, {changed: () => this.redraw(), failed: (text) => this.bar(text)});
     this.panes = {};
     for (const view of ['side', 'top']) this.panes[view] = new Pane($(`pane-${view}`), view, this);
     this.nodes = new NodeTool(this);
+    this.brush = new Brush(this);
     for (const pane of Object.values(this.panes)) this.nodes.attach(pane);
     this.sections = new Latest((wanted) => this.fetchSection(wanted));
     this.assets = new Latest((wanted) => this.fetchAsset(wanted));
@@ -53,8 +54,9 @@ class Studio {
     this.changed();
   }
   changed() { this.takeTexts(); this.unsent = true; this.sending.ask(); this.refresh(); }
-  undo() { if (this.history.undo()) this.changed(); }
-  redo() { if (this.history.redo()) this.changed(); }
+  /** A stroke is about places in the text that is there; it ends before another comes. */
+  undo() { this.brush.cancel(); if (this.history.undo()) this.changed(); }
+  redo() { this.brush.cancel(); if (this.history.redo()) this.changed(); }
 
   select(curve) {
     if (this.selected?.curve?.id !== curve?.id) this.chosen.clear();
@@ -94,9 +96,8 @@ class Studio {
   dragDot(place) { this.dragging = this.drawing.withDot(this.selected.curve, place); this.preview(); }
   dragBlur(curve, metres) {
     const surface = this.drawing.surfaceOf(curve), text = `${Number((1000 * metres).toFixed(2))}mm`, {toml} = this.texts;
-    const at = surface.blur ? {from: surface.blur.from, to: surface.blur.to, text} : null;
-    const line = toml.indexOf('\n', toml.indexOf('name', surface.from)) + 1;
-    this.dragging = {...this.texts, toml: edited(toml, [at || {from: line, to: line, text: `blur = "${text}"\n`}])};
+    const edit = surface.blur ? {from: surface.blur.from, to: surface.blur.to, text} : withEntry(toml, surface.node, 'blur', `"${text}"`);
+    this.dragging = {...this.texts, toml: edited(toml, [edit])};
     this.say(`blur ${text}`);
     this.preview();
   }
@@ -119,7 +120,9 @@ class Studio {
       const wanted = {...this.wanted(texts, {seed: 0, folds: 0, height: this.shown.height}), ...(draft ? {detail: 0.5, size: 192} : {size: 480, final: true})};
       const head = await this.server.section(wanted);
       this.toMetres = head.drawing;
-      for (const picture of head.pictures) this.panes[picture.view].takeSection(picture, head.drawing[picture.view]);
+      // Fruit of meshes alone has no drawing; its section is seen all the same, in millimetres.
+      const bare = this.drawing.curves.length === 0 ? [1e-3, 0, 0, -1e-3, 0, 0] : null;
+      for (const picture of head.pictures) this.panes[picture.view].takeSection(picture, head.drawing[picture.view] || bare);
       this.loads.section = performance.now() - began;
       this.showErrors([]);
       this.redraw();
@@ -261,6 +264,7 @@ class Studio {
     this.pen = null;
     document.body.dataset.tool = tool;
     for (const button of document.querySelectorAll('[data-tool]')) button.setAttribute('aria-pressed', String(button.dataset.tool === tool));
+    showBrush(this);
     this.redraw();
   }
   toolDown(pane, place, event) { tools[this.tool]?.down?.(this, pane, place, event); }

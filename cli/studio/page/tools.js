@@ -22,6 +22,11 @@ const tools = {
     },
     up(studio) { if (studio.pen) studio.pen.held = false; },
   },
+  brush: {
+    down(studio, pane, place, event) { studio.brush.down(pane, place, event); },
+    move(studio, pane, place) { studio.brush.move(pane, place); },
+    up(studio) { studio.brush.up(); },
+  },
   pick: {
     up(studio, pane, place) {
       const color = studio.pictures.colorAt(studio.drawing.images.filter(({view}) => view === pane.view), place);
