@@ -489,5 +489,26 @@ TEST(Gltf, AnEmptySceneIsStillAFile) {
   EXPECT_EQ(glb.nodes.size(), 1u);
 }
 
+TEST(Gltf, RefusesMorePartsThanANumberOfTwoBytesCanTell) {
+  Scene scene = named::mixed();
+  scene.solids[0].part_names.resize(65536);
+  EXPECT_NO_THROW(write_glb(scene));
+  scene.solids[0].part_names.resize(65537);
+  EXPECT_THROW(write_glb(scene), Error);
+}
+
+TEST(Gltf, LongerHairsAreABrighterSheen) {
+  MaterialSketch fuzzy;
+  EXPECT_EQ(look_of(fuzzy, false).sheen, (std::array<double, 3>{}));
+  double before = 0;
+  for (const double millimetres : {0.5, 1.0, 2.0, 4.0}) {
+    fuzzy.fuzz = {.length = 1e-3 * millimetres, .density = 0.5};
+    const double sheen = look_of(fuzzy, false).sheen[0];
+    EXPECT_GT(sheen, before) << millimetres;
+    before = sheen;
+  }
+  EXPECT_LT(before, 1);
+}
+
 }  // namespace
 }  // namespace pomona
