@@ -175,6 +175,21 @@ TEST(InkInPov, RibbonsRunAlongTheStrokesOfThePicture) {
   }
 }
 
+TEST(SheetOfSvg, IsAsLargeAsItsPixelsPerInchSay) {
+  const Scene scene = testing::still_life();
+  const auto size_of = [&](const SvgSheet& sheet, const std::string& side, std::string& unit) {
+    std::size_t at = 0;
+    const std::string text = between(write_svg(scene, {}, sheet, ""), side + "=\"", "\"", at);
+    unit = text.substr(text.find_first_not_of("0123456789."), std::string::npos);
+    return std::strtod(text.c_str(), nullptr);
+  };
+  std::string unit;
+  EXPECT_NEAR(size_of({400, 300, 100}, "width", unit), 101.6, 0.005);
+  EXPECT_EQ(unit, "mm");
+  EXPECT_NEAR(size_of({400, 300, 100}, "height", unit), 76.2, 0.005);
+  EXPECT_EQ(unit, "mm");
+}
+
 TEST(MarksInSvg, AreALayerWhereThereAreAnyAndElseNone) {
   const Scene scene = testing::still_life();
   EXPECT_EQ(write_svg(scene, {}, {size.width, size.height}, "").find("marks"), std::string::npos);
