@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/base/units.h"
 #include "generator/diffusion/pmvc/relaxed_lines.h"
 #include "generator/diffusion/surface_tree.h"
 #include "tests/shapes/shapes.h"
@@ -26,6 +27,16 @@ LinePlan with_draft_lines_alone() {
 
 LinePlan with_most_scatter(double most) {
   return {.lines = relaxed_draft_lines(), .more = relaxed_final_lines(), .most_scatter = most};
+}
+
+/// All of a sphere is as far from its middle as it is wide: all directions, 4 pi, over that distance.
+TEST(LinePmvc, WeightsAreAllDirectionsOverTheirDistance) {
+  for (const double radius : {0.01, 0.5, 1.0, 3.0}) {
+    const DiffusionSurfaces ball = shapes::sphere(radius, 12);
+    const std::vector<glm::vec3> middle{{0, 0, 0}};
+    const PmvcValue value = line_pmvc(ball, make_surface_tree(ball), middle, with_draft_lines_alone(), {1})[0];
+    EXPECT_NEAR(value.weight, 4 * pi / radius, 0.03 * 4 * pi / radius) << radius;
+  }
 }
 
 TEST(LinePmvc, OneColourScattersNowhere) {

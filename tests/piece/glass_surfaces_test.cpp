@@ -31,6 +31,12 @@ TEST(GlassSurfaces, ShowEverySideOfEverySurfaceAndGrainOnce) {
     EXPECT_EQ(solid.normal.size(), solid.position.size());
     EXPECT_EQ(solid.color.size(), solid.position.size());
     EXPECT_EQ(solid.surface.size(), solid.triangle.size());
+    for (const glm::uvec3& t : solid.triangle) {
+      for (int k = 0; k < 3; ++k) ASSERT_LT(t[k], solid.position.size());
+      EXPECT_NE(solid.position[t.x], solid.position[t.y]) << solid.name;
+      EXPECT_NE(solid.position[t.y], solid.position[t.z]) << solid.name;
+      EXPECT_NE(solid.position[t.z], solid.position[t.x]) << solid.name;
+    }
   }
   EXPECT_TRUE(names.contains("fruit.seed"));
   EXPECT_EQ(glass.size(), fruit.swept.surface_names.size() + fruit.grains.surface_names.size());

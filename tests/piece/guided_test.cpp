@@ -2,6 +2,7 @@
 #include "generator/piece/guided.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <tuple>
@@ -91,6 +92,28 @@ TEST(Guided, points_to_the_foot_on_the_skin) {
     EXPECT_EQ(section.guide[v].share[1], 0.5f);
     EXPECT_EQ(section.guide[v].share[2], 0.0f);
   }
+}
+
+/// Of two spheres in each other the outer lies at a depth of 0, the inner at that of its distance from it.
+TEST(Guided, layers_are_as_deep_as_they_lie) {
+  const DiffusionSurfaces both = joined(ball(), shapes::sphere(0.5 * radius, 16, shapes::skin_paint()));
+  const CrossSection section = guided(section_of(both, {"half"}), both, detailed_fruit());
+  ASSERT_EQ(section.guide.size(), section.position.size());
+  int at_inner = 0;
+  float deepest = 0;
+  for (std::size_t v = 0; v < section.position.size(); ++v) {
+    const double out = glm::length(glm::dvec3(section.position[v]));
+    const auto layer = static_cast<double>(section.guide[v].layer);
+    deepest = std::max(deepest, section.guide[v].layer);
+    if (std::fabs(out - 0.5 * radius) < 0.01 * radius) {
+      EXPECT_NEAR(layer, 0.5 * radius, 0.06 * radius);
+      ++at_inner;
+    } else if (out > 0.97 * radius) {
+      EXPECT_LT(layer, 0.06 * radius);
+    }
+  }
+  EXPECT_GT(at_inner, 5);
+  EXPECT_LE(deepest, 0.53f * float(radius));
 }
 
 TEST(Guided, surfaces_that_stay_out_turn_nothing_aside) {

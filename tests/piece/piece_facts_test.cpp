@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "generator/knife/parse_knife.h"
+#include "generator/piece/facts_json.h"
 #include "generator/scene/explode.h"
 #include "tests/shapes/shapes.h"
 #include "tests/shapes/sliced.h"
@@ -38,6 +40,23 @@ TEST(PieceFacts, MassIsByTheTemplatesDensity) {
   dense.density = 840;
   const std::vector<Solid> pieces = shapes::sliced(box, {}, dense).pieces;
   EXPECT_NEAR(facts_of(pieces.at(0)).mass, 840 * 2e-6, 1e-9);
+}
+
+/// As matrices are written: row by row, about the centre.
+TEST(PieceFacts, AreToldWithAllRowsOfTheInertia) {
+  const Solid die = dice().solids[3];
+  const PieceFacts facts = facts_of(die);
+  const nlohmann::ordered_json told = facts_json(die);
+  ASSERT_EQ(told["inertia"].size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(told["inertia"][i][k].get<double>(), facts.inertia[i][k], 1e-6 * facts.inertia[0][0]);
+    EXPECT_NEAR(told["center"][i].get<double>(), facts.center[i], 1e-6);
+  }
+  // A block of 10 x 5 x 5 mm is turned about its length with the least effort, and about the others alike.
+  EXPECT_LT(told["inertia"][0][0], told["inertia"][1][1]);
+  EXPECT_NEAR(told["inertia"][1][1].get<double>(), told["inertia"][2][2].get<double>(), 1e-6 * facts.inertia[1][1]);
+  EXPECT_EQ(told["closed"], true);
 }
 
 TEST(PieceFacts, OfNothing) {

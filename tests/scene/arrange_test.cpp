@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "generator/base/error.h"
 #include "generator/mesh/triangle_tree.h"
 #include "generator/scene/settle/settle.h"
@@ -120,6 +122,32 @@ TEST(Arrange, WhatIsCutFallsInItsOrder) {
     along[solid] = placed_box(slices[solid], settled.poses[i]).center().x;
   }
   EXPECT_TRUE(std::is_sorted(along.begin(), along.end())) << testing::PrintToString(along);
+}
+
+/// Slices across the z axis look along it, to either side: the first axis they have any of is the last there is.
+TEST(Arrange, WhatIsCutFromFrontToBackFallsInItsOrder) {
+  for (const float side : {1.0f, -1.0f}) {
+    std::vector<Solid> slices;
+    std::vector<SettleItem> items;
+    for (int i = 0; i < 3; ++i) {
+      slices.push_back(heap_shapes::disc(0.02, 0.006));
+      for (glm::vec3& p : slices.back().position) p = {p.x, -side * p.z, side * p.y + 0.006f * static_cast<float>(i)};
+      // One face alone is cut: all look the same way.
+      for (std::size_t t = 0; t < slices.back().triangle.size(); ++t) {
+        const glm::uvec3& corner = slices.back().triangle[t];
+        const std::vector<glm::vec3>& at = slices.back().position;
+        const glm::vec3 area = glm::cross(at[corner.y] - at[corner.x], at[corner.z] - at[corner.x]);
+        slices.back().cut_face[t] = side * area.z > 0.5f * glm::length(area) ? 0 : -1;
+      }
+      items.push_back({.solid = i, .name = "slice-" + std::to_string(i), .arrangement = 0});
+    }
+    const Solid board = slab({0.4, 0.02, 0.3});
+    const Settled settled =
+        settle(slices, items, on(board), with({.kind = PieceArrangementKind::as_cut, .gap = 0.002}));
+    std::vector<double> along;
+    for (std::size_t i = 0; i < 3; ++i) along.push_back(placed_box(slices[i], settled.poses[i]).center().x);
+    EXPECT_TRUE(std::is_sorted(along.begin(), along.end())) << side << ' ' << testing::PrintToString(along);
+  }
 }
 
 TEST(Arrange, ATrayHoldsWhatFallsIntoIt) {

@@ -205,6 +205,11 @@ TEST_F(Dishes, HoldHeapsOfTheirOwn) {
   ASSERT_EQ(both.scene.instances.size(), 16u);
   EXPECT_EQ(both.scene.instances[0].solid, both.scene.instances[1].solid);
   EXPECT_EQ(both.report.counts.at("heaps"), 2);
+  EXPECT_THAT(both.report.warnings, testing::IsEmpty());
+  EXPECT_TRUE(both.scene.ground);
+  const Solid& crate = both.scene.solids[static_cast<std::size_t>(both.scene.instances[0].solid)];
+  EXPECT_EQ(crate.part_names, std::vector<std::string>{"dish"});
+  for (const std::int32_t part : crate.part) EXPECT_EQ(part, 0);
   for (std::size_t i = 2; i < 16; ++i) {
     const Instance& instance = both.scene.instances[i];
     const bool left = i < 9;

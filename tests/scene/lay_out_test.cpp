@@ -212,6 +212,20 @@ TEST(LaidOut, RowsFillThePicture) {
   }
 }
 
+/// A crumb may be so small that its corners are one place.
+TEST(LaidOut, APointStandsAsItGrew) {
+  Solid point;
+  point.position.assign(3, {0.01f, 0.02f, 0.03f});
+  point.normal.assign(3, {0, 1, 0});
+  point.color.assign(3, Color(0.5f));
+  point.part.assign(3, 0);
+  point.triangle = {{0, 1, 2}};
+  point.cut_face = {-1};
+  const TablePose pose = table_pose(point);
+  EXPECT_TRUE(pose.as_grown);
+  EXPECT_GT((pose.rotation * glm::dvec3(0, 1, 0)).y, 1 - 1e-9);
+}
+
 TEST(LaidOut, NothingIsNothing) { EXPECT_TRUE(laid_out(Scene{}).instances.empty()); }
 
 }  // namespace

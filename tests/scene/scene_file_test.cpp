@@ -48,6 +48,12 @@ TEST(SceneFile, ReadsTheSalad) {
   EXPECT_GE(cuts.size(), 3u);
 }
 
+TEST(SceneFile, NamesTheLayoutThatItLiesIn) {
+  const std::string text = "format = 1\nname = \"a\"\n[[pieces]]\nname = \"b\"\ntemplate = \"tomato\"\n";
+  EXPECT_EQ(parse_scene(text, "a.toml").layout, "");
+  EXPECT_EQ(parse_scene("layout = \"a_layout.json\"\n" + text, "a.toml").layout, "a_layout.json");
+}
+
 /// Every scene that is shipped can be read, and names nothing that is not there.
 TEST(SceneFile, ShippedScenesAreWhole) {
   ComposeOptions options;

@@ -141,6 +141,22 @@ TEST(Settle, PiecesWithoutRoomAreNamed) {
   }
 }
 
+/// A piece that fits nowhere is let fall again in each attempt: the more there may be, the longer that takes.
+TEST(Settle, TriesAsOftenAsItMay) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.1)};
+  const Solid bowl = heap_shapes::bowl(0.06, 0.03);
+  const auto told = [&](int attempts) {
+    SettleOptions options{.attempts = attempts};
+    int count = 0;
+    options.progress = [&](const std::string& stage, std::size_t, std::size_t) { count += stage == "settle" ? 1 : 0; };
+    EXPECT_THROW(settle(solids, repeated(1, 1), &bowl, options), Error);
+    return count;
+  };
+  const int one = told(1), two = told(2), three = told(3);
+  EXPECT_GT(two, one);
+  EXPECT_GT(three, two);
+}
+
 TEST(Settle, SaysWhichPieceDoesNotFit) {
   // A ball wider than the bowl cannot lie inside it.
   const std::vector<Solid> solids{heap_shapes::ball(0.1)};

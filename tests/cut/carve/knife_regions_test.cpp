@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -140,6 +141,34 @@ TEST(KnifeRegions, FillOpenBodiesWhereTheirBoundaryCloses) {
   }
   EXPECT_GT(closed, 100);
   EXPECT_GT(open, 10);
+}
+
+/// A ring goes through the knife's surface twice: a hole beside one of its two boundaries leaves the other closed, and
+/// what that one bounds is filled though the body is open.
+TEST(KnifeRegions, FillOpenBodiesAsFarAsTheyAreClosed) {
+  const CarvingCase of{"ring", shapes::torus(0.03, 0.01, 12, 8), {}, shapes::ball({0.0303, 0.0007, 0.0011}, 0.018, 3)};
+  const CarvingStages whole(of);
+  int opened = 0, filled = 0;
+  for (std::size_t hole = 0; hole < of.surfaces.triangle_count() && opened < 4; ++hole) {
+    const glm::uvec3& corner = of.surfaces.triangle[hole];
+    const double side = static_cast<double>(of.surfaces.position[corner.x].z);
+    if (std::fabs(side) < 0.01) continue;
+    CarvingStages stages(with_hole(of, hole));
+    if (stages.split.traces.edges.size() == whole.split.traces.edges.size()) continue;
+    ++opened;
+    const Regions regions = stages.regions();
+    for (std::size_t t = 0; t < stages.face.triangle.size(); ++t) {
+      if (stages.middle(t).z * side > 0) continue;
+      const bool is_inside = !whole.inside_at(stages.middle(t)).empty();
+      EXPECT_EQ(regions.is_section(t), is_inside) << hole;
+      if (is_inside) {
+        EXPECT_EQ(fillings(regions.closed_by(t)), (std::vector<Filling>{{1, 0, 0, 1}})) << hole;
+        ++filled;
+      }
+    }
+  }
+  EXPECT_EQ(opened, 4);
+  EXPECT_GT(filled, 10);
 }
 
 TEST(Cross, TakesBackWhatItAdded) {

@@ -65,6 +65,7 @@ std::vector<Lines> lines_of_knives() {
   all.emplace_back("dice", generic, std::vector{parse_knife("dice:4")});
   all.emplace_back("wedges", generic, std::vector{parse_knife("wedges:5"), parse_knife("across")});
   all.emplace_back("even wedges", ball, std::vector{parse_knife("wedges:6"), oblique({1, 3, -1}, 0.004)});
+  all.emplace_back("wedges far up", shapes::moved(ball, {0, 0.4, 0}), std::vector{parse_knife("wedges:5")});
   all.emplace_back("oblique", generic,
                    std::vector{oblique({1, 2, 3}, 0.004), oblique({-2, 1, 0.5}, -0.003), oblique({0.3, -0.2, 1}, 0.002),
                                oblique({1, -1, 0.1}, 0.01), parse_knife("half")});

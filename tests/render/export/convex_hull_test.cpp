@@ -79,5 +79,21 @@ TEST(ConvexHull, OfWhatIsFlatOrNothingIsEmpty) {
   EXPECT_TRUE(convex_hull(flat).triangle.empty());
 }
 
+/// Its rough hull begins with what lies farthest along the axes, however much farther other points stand out of that.
+TEST(ConvexHull, OfFewVerticesReachesAsFarAsThePointsAlongEveryAxis) {
+  for (int thin = 0; thin < 3; ++thin) {
+    std::vector<glm::vec3> points = named::ball("ball", 0.1f, 12, Color(0.5f)).position;
+    for (glm::vec3& p : points) p[thin] *= 0.2f;
+    const ConvexHull hull = convex_hull(points, 14);
+    ASSERT_EQ(hull.position.size(), 14u);
+    glm::vec3 low(1), high(-1);
+    for (const glm::vec3& p : hull.position) low = glm::min(low, p), high = glm::max(high, p);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(high[axis], axis == thin ? 0.1f * 0.2f : 0.1f) << "thin along " << thin;
+      EXPECT_EQ(low[axis], -high[axis]) << "thin along " << thin;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pomona

@@ -1,6 +1,7 @@
 #include "render/export/gltf/write_glb.h"
 
 #include <gmock/gmock.h>
+#include <map>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -418,6 +419,8 @@ TEST(Gltf, HasMapsInTheirSlotsWhereTheyWereBaked) {
   EXPECT_EQ(color["textures"].size(), 1u);
   EXPECT_EQ(all["textures"].size(), 4u);
   EXPECT_FALSE(all.contains("extensionsRequired"));
+  ASSERT_EQ(all["samplers"].size(), 1u) << "one for all textures";
+  for (const Json& texture : all["textures"]) EXPECT_EQ(texture["sampler"], 0);
   for (const Json& material : color["materials"]) EXPECT_FALSE(material.contains("normalTexture"));
   bool any_volume = false;
   for (const Json& material : all["materials"]) {
@@ -487,6 +490,47 @@ TEST(Gltf, AnEmptySceneIsStillAFile) {
   const named::Glb glb = named::read_glb(write_glb(Scene{}));
   EXPECT_TRUE(glb.meshes.empty());
   EXPECT_EQ(glb.nodes.size(), 1u);
+}
+
+TEST(Gltf, RefusesMorePartsThanANumberOfTwoBytesCanTell) {
+  Scene scene = named::mixed();
+  scene.solids[0].part_names.resize(65536);
+  EXPECT_NO_THROW(write_glb(scene));
+  scene.solids[0].part_names.resize(65537);
+  EXPECT_THROW(write_glb(scene), Error);
+}
+
+TEST(Gltf, LongerHairsAreABrighterSheen) {
+  MaterialSketch fuzzy;
+  EXPECT_EQ(look_of(fuzzy, false).sheen, (std::array<double, 3>{}));
+  double before = 0;
+  for (const double millimetres : {0.5, 1.0, 2.0, 4.0}) {
+    fuzzy.fuzz = {.length = 1e-3 * millimetres, .density = 0.5};
+    const double sheen = look_of(fuzzy, false).sheen[0];
+    EXPECT_GT(sheen, before) << millimetres;
+    before = sheen;
+  }
+  EXPECT_LT(before, 1);
+}
+
+/// Of hulls, too, which have nothing but positions.
+TEST(Gltf, AccessorsLieWithinTheirViewsAndTheseWithinTheFile) {
+  const std::map<std::string, std::size_t> numbers{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
+  const std::map<int, std::size_t> bytes{{5120, 1}, {5121, 1}, {5122, 2}, {5123, 2}, {5125, 4}, {5126, 4}};
+  for (const Engine engine : {Engine::any, Engine::unreal}) {
+    const Json glb = parsed(write_glb(named::mixed(), {.engine = engine}));
+    for (const Json& accessor : glb["accessors"]) {
+      const Json& view = glb["bufferViews"][accessor["bufferView"].get<int>()];
+      const std::size_t element =
+          numbers.at(accessor["type"].get<std::string>()) * bytes.at(accessor["componentType"].get<int>());
+      const std::size_t stride = view.value("byteStride", element), count = accessor["count"].get<std::size_t>();
+      EXPECT_LE(accessor.value("byteOffset", std::size_t{0}) + (count - 1) * stride + element,
+                view["byteLength"].get<std::size_t>());
+    }
+    for (const Json& view : glb["bufferViews"])
+      EXPECT_LE(view.value("byteOffset", std::size_t{0}) + view["byteLength"].get<std::size_t>(),
+                glb["buffers"][0]["byteLength"].get<std::size_t>());
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "render/export/pov.h"
 #include "render/export/svg.h"
+#include "render/picture/section_layout.h"
 #include "render/strokes/lens.h"
 #include "render/strokes/scene_strokes.h"
 #include "tests/render/painted_shapes.h"
@@ -172,6 +173,61 @@ TEST(InkInPov, RibbonsRunAlongTheStrokesOfThePicture) {
   for (const SceneStroke& stroke : ink) {
     for (const StrokePoint& point : stroke.points) EXPECT_LE(distance_to(middles, point.at), 0.1);
   }
+}
+
+TEST(SheetOfSvg, IsAsLargeAsItsPixelsPerInchSay) {
+  const Scene scene = testing::still_life();
+  const auto size_of = [&](const SvgSheet& sheet, const std::string& side, std::string& unit) {
+    std::size_t at = 0;
+    const std::string text = between(write_svg(scene, {}, sheet, ""), side + "=\"", "\"", at);
+    unit = text.substr(text.find_first_not_of("0123456789."), std::string::npos);
+    return std::strtod(text.c_str(), nullptr);
+  };
+  std::string unit;
+  EXPECT_NEAR(size_of({400, 300, 100}, "width", unit), 101.6, 0.005);
+  EXPECT_EQ(unit, "mm");
+  EXPECT_NEAR(size_of({400, 300, 100}, "height", unit), 76.2, 0.005);
+  EXPECT_EQ(unit, "mm");
+}
+
+TEST(MarksInSvg, AreALayerWhereThereAreAnyAndElseNone) {
+  const Scene scene = testing::still_life();
+  EXPECT_EQ(write_svg(scene, {}, {size.width, size.height}, "").find("marks"), std::string::npos);
+  const SvgMarks dots{.marks = {{{.at = {20, 30}, .radius = 1.5}}, {{.at = {50.25, 60}, .radius = 2}}}};
+  const std::string svg = write_svg(scene, {}, {size.width, size.height}, "", {}, dots);
+  const std::size_t layer = svg.find("<g id=\"marks\"");
+  ASSERT_NE(layer, std::string::npos);
+  std::size_t at = layer;
+  EXPECT_EQ(numbers_in(between(svg, "<circle", "/>", at)), (std::vector<double>{20, 30, 1.5}));
+  EXPECT_EQ(numbers_in(between(svg, "<circle", "/>", at)), (std::vector<double>{50.25, 60, 2}));
+}
+
+/// Each patch is "Mx yldx dy dx dyz" in tenths of a pixel: together they are as large as their face, once in coarse
+/// patches and once in finer ones above these.
+TEST(PatchesInSvg, AreAsLargeAsTheirFace) {
+  const CrossSection disc = testing::disc_section(1);
+  const SectionPictureOptions paper{.width = 320, .height = 240};
+  const std::string svg =
+      write_section_svg(disc, testing::some_noise({0.6f, 0.02f, 0.02f}), InkStyle{}, style_named("plain"), paper, "");
+  std::size_t at = svg.find("<g id=\"colours\"");
+  ASSERT_NE(at, std::string::npos);
+  const auto twice_area = [](const glm::dvec2& a, const glm::dvec2& b) { return std::abs(a.x * b.y - a.y * b.x); };
+  double drawn = 0;
+  while (true) {
+    const std::string path = between(svg, " d=\"M", "\"", at);
+    if (at == std::string::npos || path.find('l') == std::string::npos) break;
+    const std::vector<double> numbers = numbers_in(path);
+    ASSERT_EQ(numbers.size() % 6, 0u);
+    for (std::size_t i = 0; i < numbers.size(); i += 6)
+      drawn += 0.005 * twice_area({numbers[i + 2], numbers[i + 3]}, {numbers[i + 4], numbers[i + 5]});
+  }
+  const PlacedFace face = lay_out(disc, {paper.width, paper.height}, paper.margin * paper.height)[0];
+  double whole = 0;
+  for (const glm::uvec3& t : disc.triangle) {
+    const glm::dvec2 a = face.to_paper(disc.position[t.x]);
+    whole += 0.5 * twice_area(face.to_paper(disc.position[t.y]) - a, face.to_paper(disc.position[t.z]) - a);
+  }
+  EXPECT_NEAR(drawn / whole, 2, 0.02);
 }
 
 }  // namespace

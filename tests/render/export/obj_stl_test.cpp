@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/error.h"
 #include "generator/surface/file/obj_file.h"
 #include "render/export/obj.h"
 #include "render/export/stl.h"
@@ -85,6 +86,20 @@ TEST(Obj, ReadsBackAsItWas) {
     EXPECT_TRUE(x == -0.01f || x == 0.03f) << "the same bits";
     const bool on_top = read.color[v].r > 0.85f;
     EXPECT_TRUE(!on_top || static_cast<float>(read.position[v].y) == 0.05f);
+  }
+}
+
+/// Told from what is to be written, before any of it is.
+TEST(Stl, RefusesMoreTrianglesThanItCanCount) {
+  Scene scene;
+  scene.solids = {named::leaf("leaf", Color(0.5f))};
+  scene.solids[0].triangle.resize(65536, {0, 1, 2});
+  scene.instances.assign(65536, {0, {}, {}});
+  try {
+    write_stl(scene);
+    ADD_FAILURE() << "nothing was told";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("4294967296"));
   }
 }
 

@@ -66,5 +66,24 @@ TEST(SolidsPly, FacesSayTheirPieceAndCut) {
   EXPECT_EQ(cut_faces, 4) << "two triangles on top of each box";
 }
 
+TEST(SolidsPly, NormalsTurnWithTheirPiece) {
+  const Scene scene = named::mixed();
+  const Ply ply = split(write_solids(scene));
+  for (std::size_t v = 0; v < 24; ++v) {
+    const auto here = value_at<glm::vec3>(ply.body, v * vertex_bytes + 12);
+    const auto there = value_at<glm::vec3>(ply.body, (24 + v) * vertex_bytes + 12);
+    EXPECT_LT(glm::length(glm::dvec3(there) - scene.instances[1].pose.rotation * glm::dvec3(here)), 1e-6) << v;
+  }
+}
+
+TEST(SolidsPly, VerticesOfNoPartSayMinusOne) {
+  Scene scene = named::mixed();
+  Solid& box = scene.solids[0];
+  box.part[0] = static_cast<std::int32_t>(box.part_names.size());
+  const Ply ply = split(write_solids(scene));
+  EXPECT_EQ(value_at<std::int32_t>(ply.body, 24 + 3), -1);
+  EXPECT_EQ(value_at<std::int32_t>(ply.body, vertex_bytes + 24 + 3), 0);
+}
+
 }  // namespace
 }  // namespace pomona

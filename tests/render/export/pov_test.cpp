@@ -237,5 +237,63 @@ TEST(Pov, TheUnitFitsTheView) {
   EXPECT_THAT(write_pov(scene, "x")[0].bytes, HasSubstr("a unit is 1e1 metres"));
 }
 
+/// "minus" in the file says why: POV-Ray's own frame is left-handed.
+TEST(Pov, TheCameraSeesTheFieldAndIsRightHanded) {
+  Scene scene = named::axes_of_balls();
+  for (const double field : {0.2, 0.5, 1.0}) {
+    scene.view.vertical_field = field;
+    const std::string text = write_pov(scene, "x")[0].bytes;
+    const auto number_after = [&](const std::string& words) {
+      const std::size_t at = text.find(words);
+      EXPECT_NE(at, std::string::npos) << words;
+      return at == std::string::npos ? 0 : std::strtod(text.c_str() + at + words.size(), nullptr);
+    };
+    EXPECT_NEAR(number_after("up y * "), 2 * std::tan(0.5 * field), 1e-9);
+    EXPECT_NEAR(number_after("right -x * "), 2 * std::tan(0.5 * field), 1e-9);
+    EXPECT_THAT(text, HasSubstr(" * image_width / image_height"));
+  }
+}
+
+/// POV-Ray refuses a list that is shorter than it says, and one without commas.
+TEST(Pov, ListsHaveAsManyEntriesAsTheySayWithCommasBetween) {
+  const std::string meshes = write_pov(named::with_materials(), "x")[1].bytes;
+  ASSERT_THAT(meshes, HasSubstr("#declare Fuzz_0 = mesh2"));
+  const std::regex begin("(vertex_vectors|normal_vectors|face_indices) ?\\{(\\d+)");
+  const std::regex entry("^,\\s*<-?\\d+,-?\\d+,-?\\d+>(,\\d+)*");
+  std::size_t lists = 0;
+  for (std::sregex_iterator at(meshes.begin(), meshes.end(), begin), end; at != end; ++at, ++lists) {
+    auto place = meshes.cbegin() + at->position() + at->length();
+    std::size_t entries = 0;
+    std::smatch found;
+    // A line at a time: a whole list is too much for std::regex.
+    while (place != meshes.cend() && *place == ',') {
+      const auto stop = std::find(std::find(place, meshes.cend(), '<'), meshes.cend(), '\n');
+      const std::string line(place, stop);
+      ASSERT_TRUE(std::regex_search(line, found, entry)) << (*at)[1] << ": " << line;
+      place += found.length();
+      ++entries;
+    }
+    EXPECT_EQ(entries, std::stoul((*at)[2])) << (*at)[1];
+    ASSERT_NE(place, meshes.cend());
+    while (*place == '\n' || *place == ' ') ++place;
+    EXPECT_EQ(*place, '}') << (*at)[1];
+  }
+  EXPECT_GE(lists, 5u);
+}
+
+/// A shadow as white as the paper takes nothing from it, and nothing is divided by that.
+TEST(Pov, AWhiteShadowLeavesTheGroundItsNumbers) {
+  Scene scene = named::mixed();
+  Style style;
+  style.shadow.strength = 1;
+  style.shadow.color = Color(1);
+  const std::string text = write_pov(scene, "x", {.style = style})[0].bytes;
+  ASSERT_THAT(text, HasSubstr("color Paper * "));
+  EXPECT_THAT(text, Not(HasSubstr("inf")));
+  EXPECT_THAT(text, Not(HasSubstr("nan")));
+  const glm::dvec3 pigment = vector_after(text, "color Paper * ");
+  for (int k = 0; k < 3; ++k) EXPECT_GT(pigment[k], 0);
+}
+
 }  // namespace
 }  // namespace pomona

@@ -94,5 +94,22 @@ TEST(StyledMesh, TrianglesThatUseAVertexTwiceAreLeftOut) {
   EXPECT_EQ(styled(ball).triangle.size(), before);
 }
 
+/// One place may lie at two of a texture: a seam runs through it.
+TEST(StyledMesh, VerticesAtTwoPlacesOfATextureAreTwo) {
+  Solid twice = named::leaf("leaf", Color(0.5f));
+  twice.position.insert(twice.position.end(), {twice.position[0], twice.position[1], twice.position[2]});
+  twice.normal.resize(6, twice.normal[0]), twice.color.resize(6, twice.color[0]), twice.part.resize(6, 0);
+  twice.triangle.push_back({3, 4, 5});
+  twice.cut_face.push_back(-1), twice.surface.push_back(0);
+  const auto vertices = [&](const glm::vec2& apart) {
+    BakedSolid baked{.solid = twice, .uv = std::vector<glm::vec2>(6, {0.25f, 0.25f}), .texture = {}};
+    for (std::size_t v = 3; v < 6; ++v) baked.uv[v] += apart;
+    return textured_mesh(baked).position.size();
+  };
+  EXPECT_EQ(vertices({0, 0}), 3u);
+  EXPECT_EQ(vertices({0.5f, 0}), 6u);
+  EXPECT_EQ(vertices({0, 0.5f}), 6u);
+}
+
 }  // namespace
 }  // namespace pomona

@@ -2,6 +2,7 @@
 #include "render/export/usd/write_usda.h"
 
 #include <gmock/gmock.h>
+#include <sstream>
 
 #include "generator/base/error.h"
 #include "render/export/usd/usda_text.h"
@@ -149,6 +150,39 @@ TEST(Usda, VariantsOfAnotherAtlasAreAnError) {
 TEST(Usda, IsTheSameForAnyNumberOfThreads) {
   const Scene scene = named::mixed();
   EXPECT_EQ(write_usda(scene, {.threads = {1}}), write_usda(scene, {.threads = {2}}));
+}
+
+TEST(Usda, BracesEndWhereTheirLinesBegan) {
+  const Scene scene = named::with_materials();
+  std::vector<std::vector<Solid>> levels{{scene.solids[0]}};
+  levels.resize(scene.solids.size());
+  std::istringstream lines(write_usda(scene, {}, levels));
+  std::vector<std::size_t> open;
+  std::size_t pairs = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t indent = line.find_first_not_of(' ');
+    if (indent == std::string::npos) continue;
+    if (line[indent] == '}') {
+      ASSERT_FALSE(open.empty());
+      EXPECT_EQ(indent, open.back()) << line;
+      open.pop_back();
+      ++pairs;
+    }
+    // USD has the brace on a line of its own below what it belongs to, except of variants.
+    if (line.back() == '{') open.push_back(indent);
+  }
+  EXPECT_TRUE(open.empty());
+  EXPECT_GT(pairs, 10u);
+}
+
+TEST(Usda, ShinyPartsAloneHaveAClearCoat) {
+  Scene scene = named::with_materials();
+  scene.solids[0].materials[1].wet = 0;
+  const std::string text = write_usda(scene);
+  ASSERT_EQ(occurrences(text, "UsdPreviewSurface"), 2u) << "skin and flesh";
+  const std::string words = "float inputs:clearcoat = ";
+  ASSERT_EQ(occurrences(text, words), 1u);
+  EXPECT_GT(std::stod(text.substr(text.find(words) + words.size())), 0.1);
 }
 
 }  // namespace

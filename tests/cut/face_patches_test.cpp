@@ -1,0 +1,44 @@
+// Patches of faces made by hand.
+#include "generator/cut/section/face_patches.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace pomona {
+namespace {
+
+/// A row of triangles, each beside the next; what lies before `wall` is parted from the rest.
+Face strip(std::uint32_t count, std::uint32_t wall) {
+  Face face;
+  for (std::uint32_t v = 0; v < count + 2; ++v) {
+    face.place.emplace_back(0.5 * v, v % 2, 0);
+    face.point.push_back(v);
+  }
+  for (std::uint32_t t = 0; t < count; ++t) {
+    // Edge 1 is shared with the next, edge 2, of every other one edge 0, with the one before.
+    face.triangle.push_back(t % 2 == 0 ? glm::uvec3(t, t + 2, t + 1) : glm::uvec3(t, t + 1, t + 2));
+    std::array<std::int32_t, 3> neighbor{Face::none, Face::none, Face::none};
+    neighbor[1] = t + 1 < count ? static_cast<std::int32_t>(t + 1) : Face::none;
+    neighbor[t % 2 == 0 ? 2 : 0] = static_cast<std::int32_t>(t) - 1;
+    face.neighbor.push_back(neighbor);
+    std::array<std::uint8_t, 3> constrained{0, 0, 0};
+    constrained[1] = t + 1 == wall ? 1 : 0;
+    constrained[t % 2 == 0 ? 2 : 0] = t == wall ? 1 : 0;
+    face.constrained.push_back(constrained);
+    face.facet.push_back(0);
+  }
+  return face;
+}
+
+TEST(FacePatches, EveryTriangleIsInOneAndWallsPartThem) {
+  for (std::uint32_t wall = 0; wall < 5; ++wall) {
+    const FacePatches patches = patches_of(strip(5, wall), {}, {});
+    EXPECT_EQ(patches.count(), wall == 0 ? 1u : 2u) << wall;
+    for (std::uint32_t t = 0; t < 5; ++t) EXPECT_EQ(patches.patch_of[t], wall > 0 && t >= wall ? 1u : 0u) << wall;
+  }
+  EXPECT_EQ(patches_of(strip(1, 0), {}, {}).patch_of, std::vector<std::uint32_t>{0});
+}
+
+}  // namespace
+}  // namespace pomona

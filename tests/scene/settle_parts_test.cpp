@@ -1,0 +1,108 @@
+// Parts of settling, each by itself: maps, funnels, waves, places to drop from, distances.
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "generator/base/units.h"
+#include "generator/scene/settle/drop.h"
+#include "generator/scene/settle/heap.h"
+#include "generator/scene/settle/heap_plan.h"
+#include "generator/scene/settle/height_map.h"
+#include "generator/scene/settle/piece_shape.h"
+#include "tests/scene/heap_shapes.h"
+
+namespace pomona {
+namespace {
+
+DishForm in(const Solid& dish, bool on_top = false) {
+  DishForm form(&dish);
+  form.turned = false;
+  form.on_top = on_top;
+  return form;
+}
+
+/// A cell's width more or less: the map knows no more.
+TEST(HeightMap, ABowlIsAsHighOnEitherSide) {
+  const Solid bowl = heap_shapes::bowl(0.12, 0.06);
+  const Dish dish(&bowl, {});
+  const HeightMap map(dish, 0.12, 0.008);
+  const PieceShape shape = piece_shape(heap_shapes::ball(0.01), 0.02);
+  const RigidBody ball(shape, {1, 0, 0, 0}, glm::dvec3(0));
+  for (const float out : {0.03f, 0.05f, 0.07f, 0.08f}) {
+    const float right = map.resting_height(ball, out, 0), left = map.resting_height(ball, -out, 0);
+    const float near = map.resting_height(ball, 0, out), far = map.resting_height(ball, 0, -out);
+    EXPECT_NEAR(right, left, 3e-3) << out;
+    EXPECT_NEAR(near, far, 3e-3) << out;
+    EXPECT_NEAR(right, near, 3e-3) << out;
+  }
+}
+
+TEST(Dish, TheGroundBesideADishOfAnyShapeIsGround) {
+  const Solid board = heap_shapes::slab({0.4, 0.02, 0.3});
+  const Dish dish(in(board, true), {});
+  EXPECT_NEAR(dish.distance({0, 0.03f, 0}), 0.01f, 1e-3);
+  for (const float x : {0.22f, 0.3f, 1.0f, 5.0f}) {
+    EXPECT_EQ(dish.distance({x, 0.004f, 0}), 0.004f) << x;
+    EXPECT_EQ(dish.distance({x, -0.004f, 0}), -0.004f) << x;
+  }
+}
+
+/// Thrown at each of the four walls, off the middle, a ball stays within them all.
+TEST(Heap, FourWallsKeepWhatFalls) {
+  const Dish ground({}, {});
+  const PieceShape shape = piece_shape(heap_shapes::ball(0.01), 0.035);
+  const Funnel walls{.low = 0, .from = {-0.1, -0.04}, .to = {0.12, 0.06}};
+  for (const glm::dvec3& way : {glm::dvec3(1, 0, 0), {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}) {
+    Heap heap(ground, 1, 0.035, shape.radius, {}, {1});
+    heap.set_funnel(walls);
+    RigidBody ball(shape, {1, 0, 0, 0}, {0.01, 0.05, 0.01});
+    ball.velocity = 0.002 * way;
+    heap.put(0, ball);
+    heap.settle();
+    // It may be a step's way beyond where it is stopped.
+    const glm::dvec3 at = heap.bodies()[0].center;
+    EXPECT_GT(at.x - shape.radius, walls.from.x - 0.0025) << way.x << ' ' << way.z;
+    EXPECT_LT(at.x + shape.radius, walls.to.x + 0.0025) << way.x << ' ' << way.z;
+    EXPECT_GT(at.z - shape.radius, walls.from.y - 0.0025) << way.x << ' ' << way.z;
+    EXPECT_LT(at.z + shape.radius, walls.to.y + 0.0025) << way.x << ' ' << way.z;
+    EXPECT_GT(glm::dot(at, way), 0.02) << "it was thrown there";
+  }
+}
+
+/// The ring where their centres fall reaches not quite to the rim; the pieces themselves reach farther.
+TEST(HeapPlan, AWaveCoversTheBowl) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.02)};
+  const std::vector<SettleItem> items(100, {.solid = 0, .name = "ball"});
+  const Solid bowl = heap_shapes::bowl(0.2, 0.08);
+  const HeapPlan plan(solids, items, &bowl, {});
+  const double covered = static_cast<double>(plan.pieces_in_wave(0)) * 0.04 * 0.04;
+  const double open = pi * std::pow(plan.options().fill * plan.dish().rim_radius(), 2);
+  EXPECT_GT(covered, 0.67 * open);
+  EXPECT_LT(covered, open);
+}
+
+/// On a level floor no cell is lower than another: each is as likely.
+TEST(DrawnPlace, IsInAnyCellOfADish) {
+  const Dish ground({}, {});
+  const HeightMap map(ground, 0.1, 0.01);
+  const PieceShape shape = piece_shape(heap_shapes::ball(0.01), 0.02);
+  const RigidBody ball(shape, {1, 0, 0, 0}, glm::dvec3(0));
+  DropCells cells;
+  for (int i = 0; i < 5; ++i) cells.push_back({.at = {0.02 * i - 0.04, 0.01}, .inset = 0.1, .level = 0.1});
+  const RandomStream draw({3, 0}, "tests/drop");
+  std::set<long> found;
+  for (std::uint64_t n = 0; n < 60; ++n) {
+    const std::optional<glm::dvec3> place = drawn_place(ball, map, cells, draw, 100 * n);
+    ASSERT_TRUE(place.has_value());
+    EXPECT_NEAR(place->z, 0.01, 1e-6);
+    found.insert(std::lround(place->x * 1e3));
+  }
+  EXPECT_EQ(found, (std::set<long>{-40, -20, 0, 20, 40}));
+}
+
+}  // namespace
+}  // namespace pomona
