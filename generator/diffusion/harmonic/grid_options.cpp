@@ -21,13 +21,16 @@ constexpr int most_halvings = 2;
 struct Effort {
   int nodes;  ///< along the side of a cube as large as the surfaces' box
   int cycles;
+  double bend;  ///< see GridOptions, and what follows
+  std::size_t most_patch_nodes;
 };
 
-/// Measured in docs/diffusion.md.
+/// Measured in docs/diffusion.md. Patches where the solution bends take three times as long as all else, and pages,
+/// whose look-up is held to the field of `final`, carry none.
 Effort effort_for(Quality quality) {
-  if (quality == Quality::draft) return {64, 1};
-  if (quality == Quality::final) return {112, 1};
-  return {192, 3};
+  if (quality == Quality::draft) return {64, 1, 0, 1'000'000};
+  if (quality == Quality::final) return {112, 1, 0, 1'000'000};
+  return {192, 3, 8.0 / 255, 3'000'000};
 }
 
 /// That of `nodes` cubed nodes in the box, so that long and flat fruits get as many as round ones; no longer side
@@ -48,7 +51,8 @@ GridOptions grid_options(const DiffusionSurfaces& surfaces, const HarmonicOption
           .cycles = options.cycles > 0 ? options.cycles : effort.cycles,
           .shift = options.shift,
           .finer = options.finer >= 0 ? options.finer : most_halvings,
-          .bend = options.bend,
+          .bend = options.bend >= 0 ? options.bend : effort.bend,
+          .most_patch_nodes = effort.most_patch_nodes,
           .reach = near_surface * glm::length(extent),
           .threads = options.threads};
 }

@@ -14,7 +14,7 @@ struct HarmonicOptions {
   int nodes = 0;
   int cycles = 0;       ///< of the multigrid on the finest level; 0 lets the quality choose
   int finer = -1;       ///< how often patches halve the spacing, at most; -1: as needed
-  double bend = 0;      ///< see GridOptions; pages, which carry no patches, keep to the field without
+  double bend = -1;     ///< see GridOptions; -1: as the quality says, which is 0 but for reference
   glm::dvec3 shift{0};  ///< moves the grid by parts of a cell: what tests vary
 };
 

@@ -37,11 +37,9 @@ constexpr double longest_small_body = 16;
 /// A patch keeps this many cells of the coarser grid around its bodies.
 constexpr int patch_margin = 1;
 
-/// Patches stop at this many nodes: with all that belongs to them, some 60 bytes each.
-constexpr std::size_t most_patch_nodes = 1'000'000;
-
-/// So many bricks of 128 nodes at most are laid where the solution bends, the most bent.
-constexpr std::size_t most_bent_bricks = 6000;
+/// A brick has 128 nodes of its own; those that are laid where the solution bends, the most bent, fill this share of a
+/// patch at most, so that their borders and small bodies have room, too.
+constexpr std::size_t nodes_per_bent_brick = 166;
 
 std::vector<std::uint32_t> all_triangles(const DiffusionSurfaces& surfaces) {
   std::vector<std::uint32_t> all(surfaces.triangle_count());
@@ -144,11 +142,12 @@ class Patches {
   std::optional<PatchNodes> patch_on(const Lattice& coarse, const std::vector<std::uint32_t>& small,
                                      const std::vector<float>& bends) const {
     const PatchNodes* within = around_ ? &*around_ : nullptr;
-    for (std::size_t most = bends.empty() ? 0 : most_bent_bricks;; most = most * 3 / 4) {
+    for (std::size_t most = bends.empty() ? 0 : options_.most_patch_nodes / nodes_per_bent_brick;;
+         most = most * 3 / 4) {
       const std::vector<std::uint8_t> bent = most > 0 ? most_bent(bends, most) : std::vector<std::uint8_t>();
       if (small.empty() && std::find(bent.begin(), bent.end(), 1) == bent.end()) return std::nullopt;
       PatchNodes patch = patch_around(snapped_, small, coarse, patch_margin, within, bent);
-      if (patch.runs.node_count() <= most_patch_nodes) return patch;
+      if (patch.runs.node_count() <= options_.most_patch_nodes) return patch;
       if (most == 0) return std::nullopt;
     }
   }

@@ -31,6 +31,9 @@ TEST(GridOptions, WorkHarderForBetterQuality) {
   EXPECT_GT(draft.spacing, final.spacing);
   EXPECT_GT(final.spacing, reference.spacing);
   EXPECT_GT(reference.cycles, final.cycles);
+  EXPECT_EQ(draft.bend, 0) << "no patches but around small bodies";
+  EXPECT_EQ(final.bend, 0);
+  EXPECT_GT(reference.bend, 0);
 }
 
 TEST(GridOptions, TakeWhatIsAskedFor) {
@@ -44,7 +47,7 @@ TEST(GridOptions, TakeWhatIsAskedFor) {
   EXPECT_EQ(options.shift, glm::dvec3(0.1, 0.2, 0.3));
   EXPECT_EQ(options.threads.count, 3);
   EXPECT_EQ(grid_options(shapes::sphere(1, 3), {}).finer, 2) << "as needed";
-  EXPECT_EQ(grid_options(shapes::sphere(1, 3), {}).bend, 0) << "no patches but around small bodies";
+  EXPECT_EQ(grid_options(shapes::sphere(1, 3), {.quality = Quality::reference, .bend = 0}).bend, 0);
 }
 
 /// However long or flat the surfaces are, and with the widest margin, a lattice's rows can be stored.

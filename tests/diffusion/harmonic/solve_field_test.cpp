@@ -126,6 +126,25 @@ TEST(SolveField, PutsPatchesWhereTheSolutionBends) {
   EXPECT_EQ(levels_of(balls, options).patch_count, 0u) << "nothing bends as much as that";
 }
 
+TEST(SolveField, KeepsEachPatchWithinItsNodes) {
+  const DiffusionSurfaces balls = shapes::nested_spheres(1, 0.2, 8);
+  GridOptions options = options_of(0.06, 2);
+  options.bend = 2.0 / 255;
+  const auto nodes_of_patches = [&](std::size_t most) {
+    options.most_patch_nodes = most;
+    const SolvedLevels levels = levels_of(balls, options);
+    std::size_t nodes = 0;
+    for (std::size_t l = 0; l < levels.patch_count; ++l) {
+      EXPECT_LE(levels.levels[l].runs.node_count(), most);
+      nodes += levels.levels[l].runs.node_count();
+    }
+    return nodes;
+  };
+  const std::size_t few = nodes_of_patches(10'000), many = nodes_of_patches(1'000'000);
+  EXPECT_GT(few, 3000u) << "the most bent are there all the same";
+  EXPECT_GT(many, 2 * few);
+}
+
 /// Between a white ball and a black one around it the field is (1 / r - 1) / (1 / inner - 1).
 TEST(SolveField, IsNearerToTheTruthWithPatchesWhereItBends) {
   constexpr double inner = 0.12;
