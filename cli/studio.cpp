@@ -17,6 +17,8 @@
 #include "cli/studio/studio_api.h"
 #include "cli/studio/studio_page.h"
 #include "generator/base/error.h"
+#include "generator/base/file_bytes.h"
+#include "generator/template/read/read_template.h"
 #include "generator/template/read/toml_text.h"
 
 namespace fs = std::filesystem;
@@ -34,13 +36,31 @@ struct StudioCommand {
 struct Opened {
   WorkspaceFiles files;
   std::optional<FruitTexts> starting;
+  std::vector<OutputFile> beside;  ///< what these texts read and what is not there yet
 };
 
 Opened new_fruit(const fs::path& toml, const StudioCommand& command) {
   check_folder(toml);
   BegunFruit made = begun(toml, command.starting);
-  write_whole(made.pictures);
-  return {workspace_files(toml, made.texts.toml), FruitTexts{std::move(made.texts.toml), std::move(made.texts.svg)}};
+  return {workspace_files(toml, made.texts.toml), FruitTexts{std::move(made.texts.toml), std::move(made.texts.svg)},
+          std::move(made.pictures)};
+}
+
+/// What the template reads beside it and the studio does not hold as text: its meshes, as they are to lie in `folder`.
+std::vector<OutputFile> meshes_for_copy(const fs::path& original, const fs::path& folder) {
+  std::vector<OutputFile> copies;
+  for (const MeshSketch& mesh : read_template(original).meshes) {
+    const fs::path copy = folder / fs::path(mesh.file->path).lexically_relative(original.parent_path());
+    if (!fs::exists(copy)) {
+      copies.push_back({copy, mesh.file->bytes});
+    } else if (readable_bytes(copy, mesh.file->bytes.size() + 1) != mesh.file->bytes) {
+      throw Error(ExitStatus::cannot_create,
+                  {{{copy.string(), 0, 0, {}},
+                    "another file than the mesh of " + original.string() + " has its name here",
+                    "rename it, or open the studio in another folder"}});
+    }
+  }
+  return copies;
 }
 
 /// One of the program's own fruits is copied into the current folder once it is saved: the original stays as it is.
@@ -48,7 +68,7 @@ Opened copy_of(const fs::path& original) {
   const std::string toml = read_toml_text(original);
   const Workspace texts(workspace_files(original, toml), {});
   const fs::path here = original.filename();
-  return {workspace_files(here, toml), Workspace(texts.files(), {}).state().texts};
+  return {workspace_files(here, toml), Workspace(texts.files(), {}).state().texts, meshes_for_copy(original, {})};
 }
 
 Opened opened(const StudioCommand& command) {
@@ -58,15 +78,16 @@ Opened opened(const StudioCommand& command) {
   if (command.starting.is_told())
     throw Error(ExitStatus::usage, "--picture and --folds are for a fruit that is not there yet",
                 "choose another name, or leave them out");
-  if (is_path) return {workspace_files(file, read_toml_text(file)), {}};
+  if (is_path) return {workspace_files(file, read_toml_text(file)), {}, {}};
   const fs::path own = file.string() + ".toml";
-  if (fs::exists(own)) return {workspace_files(own, read_toml_text(own)), {}};
+  if (fs::exists(own)) return {workspace_files(own, read_toml_text(own)), {}, {}};
   return copy_of(find_template(command.fruit));
 }
 
 ExitStatus open_studio(const StudioCommand& command) {
   Opened fruit = opened(command);
   const OnlyStudio only(fruit.files.toml);
+  write_whole(fruit.beside);
   Workspace workspace(fruit.files, std::move(fruit.starting));
   const std::string token = random_token();
   StudioPage page = studio_page(fruit.files.toml.stem().string(), token, random_token());

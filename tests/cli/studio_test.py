@@ -234,6 +234,20 @@ class Edits(WithAFruit):
         for name in ("lemon.toml", "lemon.svg"):
             self.assertEqual((self.folder / name).read_bytes(), (TEMPLATES / name).read_bytes())
 
+    def test_a_copy_brings_its_meshes(self):
+        copy = self.studio("kidney")
+        document = copy.json("/api/document")
+        self.assertEqual(copy.ask("/api/section", {"toml": document["toml"], "svg": document["svg"]})[0], 200)
+        self.assertEqual((self.folder / "kidney.ply").read_bytes(), (TEMPLATES / "kidney.ply").read_bytes())
+        self.assertFalse((self.folder / "kidney.toml").exists(), "nothing is saved yet")
+
+    def test_another_mesh_of_its_name_is_not_written_over(self):
+        (self.folder / "kidney.ply").write_bytes(b"mine")
+        ended = subprocess.run([PROGRAM, "studio", "kidney"], cwd=self.folder, capture_output=True, text=True, timeout=20)
+        self.assertEqual(ended.returncode, 73, ended.stderr)
+        self.assertIn("kidney.ply", ended.stderr)
+        self.assertEqual((self.folder / "kidney.ply").read_bytes(), b"mine")
+
     def test_control_c_ends_it(self):
         studio = self.studio()
         studio.process.send_signal(signal.SIGINT)
