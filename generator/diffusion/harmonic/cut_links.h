@@ -13,6 +13,9 @@
 
 namespace pomona {
 
+/// Cuts nearer than this to a node, in links, count as this near: 1 / theta stays a sensible float.
+constexpr float least_theta = 1e-5f;
+
 /// The nearest surface along a cut link, as its node sees it.
 struct LinkCut {
   float theta = 0;         ///< distance in links, 0..1

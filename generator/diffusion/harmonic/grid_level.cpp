@@ -12,9 +12,6 @@ namespace {
 /// Ranges of planes for threads: even with few threads, more ranges even out the work.
 constexpr std::size_t range_count = 12;
 
-/// Cuts nearer than this to a node, in links, count as this near: 1 / theta stays a sensible float.
-constexpr float least_theta = 1e-5f;
-
 RunLinks links_of_run(const NodeRuns& runs, const CutLinks& links, std::size_t r) {
   const NodeRun& run = runs[r];
   const auto offset = [&](int y, int z) {

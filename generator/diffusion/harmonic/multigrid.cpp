@@ -84,6 +84,21 @@ Quad sum_between(const Quad* value, const At& at, const std::array<std::ptrdiff_
   return sum;
 }
 
+/// The value at a node between coarse ones, from what lies at both ends of its links along these axes, neighbours and
+/// surfaces: linear along each axis, the nearer axis counting for more.
+Quad value_between(const GridLevel& level, const At& at, const std::array<std::ptrdiff_t, 6>& offset,
+                   std::uint8_t along) {
+  Quad sum = sum_between(level.value.data(), at, offset, along);
+  const CutNode& node = level.links.node[level.stencil_of(at.node / length, static_cast<int>(at.node % length))];
+  std::uint32_t next_cut = node.first_cut;
+  for (std::size_t d = 0; d < 6; ++d) {
+    if ((node.cut >> d & 1) == 0) continue;
+    const LinkCut& cut = level.links.cut[next_cut++];
+    if (along >> d & 1) sum += Quad{cut.color.r, cut.color.g, cut.color.b, 1} / std::max(cut.theta, least_theta);
+  }
+  return at.stencil->odd_inverse * sum;
+}
+
 /// Gauss-Seidel for the nodes of run r with x + y + z of parity `color`.
 template <bool with_source, bool with_rhs>
 void relax_run(GridLevel& level, std::size_t r, int color) {
@@ -336,6 +351,11 @@ class Multigrid {
     for_parents(l, [&](const At& at, std::size_t parent, const auto&) { fine.value[at.node] = coarse.value[parent]; });
     for (int odd = 1; odd <= 3; ++odd) {
       for_between(l, odd, [&](const At& at, const auto& offset, std::uint8_t along) {
+        if ((at.open & is_given) != 0 && at.stencil != nullptr) {
+          // This is what the patch keeps to: what lies beyond a surface must not reach it.
+          fine.value[at.node] = value_between(fine, at, offset, along);
+          return;
+        }
         const auto known = static_cast<std::uint8_t>(at.open & along);
         if (known == 0) {
           const Quad& source = at.stencil->source;
