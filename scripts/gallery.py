@@ -23,7 +23,11 @@ VARIATION = {  # of docs/variation.md: what is grown, at seed 2
     **{f"pepper_folds_{folds}.png": ["pepper", "--folds", str(folds)] for folds in (3, 4, 6)},
     **{f"tomato_variation_{amount}.png": ["tomato", "--variation", amount] for amount in ("0.5", "1", "2")},
 }
-STANDING = {"volcano": ["--piece", "1", "--explode", "1.01", "--view", "25,24"]}  # whose halves do not lie down
+STAGED = {  # how halves are shown, where not as all are
+    "star_fruit": ["--view=-22,34"],  # from below, where its ribs are in sight
+    "volcano": ["--piece", "1", "--explode", "1.01", "--view", "25,24"],  # it does not lie down
+}
+ACROSS = {"cherry": "plane:0,1,0,13mm"}  # through the stone: with the long stem, half the height lies above it
 ROW = 800, 240  # pixels: seeds side by side, at one scale; shown at ROW_SHOWN
 WIDE = 360, 240  # pixels; shown at WIDE_SHOWN
 LARGE, SMALL = 240, 150  # pixels; shown at LARGE_SHOWN and SMALL_SHOWN
@@ -67,15 +71,16 @@ def pictures_of(name):
     """File name in the template's folder -> words after the program's name."""
     large, small = ["--size", f"{LARGE}x{LARGE}"], ["--size", f"{SMALL}x{SMALL}"]
     section = ["--section", "--knife"]
+    across = ACROSS.get(name, "across")
     made = {
         "surfaces.png": ["grow", name, "--surfaces", *large],
         "whole.png": ["grow", name, *large],
         "half.png": ["cut", name, *section, "half", *large],
-        "across.png": ["cut", name, *section, "across", *large],
-        "halves.png": ["cut", name, "--knife", "half", *STANDING.get(name, []), "--size", f"{WIDE[0]}x{WIDE[1]}"],
+        "across.png": ["cut", name, *section, across, *large],
+        "halves.png": ["cut", name, "--knife", "half", *STAGED.get(name, []), "--size", f"{WIDE[0]}x{WIDE[1]}"],
     }
     for seed in SEEDS if varies(name) else ():
-        made[f"seed_{seed}_across.png"] = ["cut", name, *section, "across", "--seed", str(seed), *small]
+        made[f"seed_{seed}_across.png"] = ["cut", name, *section, across, "--seed", str(seed), *small]
     if varies(name):
         row = ["--seeds", "1-5", "--size", f"{ROW[0]}x{ROW[1]}"]
         made["seeds.png"] = ["grow", name, *row]

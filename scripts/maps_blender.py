@@ -1,6 +1,8 @@
 """Renders a .glb with maps by Blender's Cycles, on a table under a soft sky and one window: docs/textures.md. Runs within Blender:
 
-    blender -b --factory-startup --python-exit-code 1 -P scripts/maps_blender.py -- FILE.glb PICTURE.png
+    blender -b --factory-startup --python-exit-code 1 -P scripts/maps_blender.py -- FILE.glb PICTURE.png [rim]
+
+"rim" looks from close by at the edge between the cut face and the skin, at 45 degrees to either.
 """
 
 import math
@@ -14,7 +16,7 @@ import bmesh  # noqa: E402
 import bpy  # noqa: E402
 from mathutils import Matrix, Vector  # noqa: E402
 
-source, picture = sys.argv[sys.argv.index("--") + 1:]
+source, picture, *view = sys.argv[sys.argv.index("--") + 1:]
 bpy.ops.wm.read_factory_settings(use_empty=True)
 bpy.ops.import_scene.gltf(filepath=source)
 scene = bpy.context.scene
@@ -55,9 +57,15 @@ bpy.context.object.data.materials.append(paper)
 
 camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
 scene.collection.objects.link(camera)
-camera.location = middle + Vector((0.3, -1, 0.8)).normalized() * 3.9 * reach
-camera.rotation_euler = (middle - camera.location).to_track_quat("-Z", "Y").to_euler()
-camera.data.angle = 0.5
+at, camera.location, camera.data.angle = middle, middle + Vector((0.3, -1, 0.8)).normalized() * 3.9 * reach, 0.5
+if view == ["rim"]:
+    face = lean.to_3x3() @ Vector((0, -1, 0))
+    at = max(places, key=lambda place: 1000 * place.dot(face) + place.x - place.y)  # on the face, to the right in front
+    out = at - middle
+    out = (out - out.dot(face) * face).normalized()
+    camera.location, camera.data.angle = at + (face + out).normalized() * 1.1 * reach, 0.35
+    camera.data.clip_start = 0.01 * reach
+camera.rotation_euler = (at - camera.location).to_track_quat("-Z", "Y").to_euler()
 scene.camera = camera
 
 # A window to the upper left, whose mirror image lies on a part of the wet face, and a pale sky.
