@@ -35,9 +35,7 @@ import tomllib
 import mutant_tests
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-WORK = ROOT / "build" / "mutants"
-TREE, BUILD = WORK / "tree", WORK / "tree" / "build"
-DROPPED, RESULTS = WORK / "dropped.txt", ROOT / "tests" / "mutants_shown.tsv"
+RESULTS = ROOT / "tests" / "mutants_shown.tsv"
 MUTATED = ("generator", "render/export")
 PARTS = ("generator", "render", "cli", "shaders", "styles", "templates", "scenes", "cmake", "tests", "bench/baselines",
          "docs", "scripts", "CMakeLists.txt", "CMakePresets.json")
@@ -85,6 +83,15 @@ target_sources(pomona_base PRIVATE ${PROJECT_SOURCE_DIR}/generator/base/pomona_m
 set_target_properties(pomona_template pomona_variation pomona_knife pomona_piece PROPERTIES UNITY_BUILD_BATCH_SIZE 100)
 """
 FOLDERS = {"generator": TOGETHER, "render/export": ""}
+
+
+def work_in(folder):
+    """Where the copy is, and what was found out about it."""
+    global WORK, TREE, BUILD, DROPPED
+    WORK = ROOT / "build" / folder
+    TREE, BUILD, DROPPED = WORK / "tree", WORK / "tree" / "build", WORK / "dropped.txt"
+    WORK.mkdir(parents=True, exist_ok=True)
+
 
 # ---- Finding places ----
 
@@ -312,6 +319,20 @@ def asked_for(faults, options):
     return sorted(((n, f) for n, f in numbered(faults) if f.file.startswith(only)), key=lambda one: one[1].name)
 
 
+def survivors():
+    """What survived and is not said to be no fault, whether it is drawn yet or not, as long as it is found in its file."""
+    results, known = read_results(), reasons()
+    found = [f for file in sources() for f in all_faults(file) if results.get(f.name, ("",))[0] == "survived" and not why(f, known)]
+    return list({f.name: f for f in found}.values())
+
+
+def compiled_survivors():
+    """Those that the copy was made with, in the order of their numbers, whatever has been seen since."""
+    names = (WORK / "survivors.txt").read_text(encoding="utf-8").split()
+    there = {f.name: f for file in sources() for f in all_faults(file)}
+    return [there[name] for name in names]
+
+
 def write_sources(faults):
     by_file = {file: [] for file in sources()}
     for number, fault in numbered(faults):
@@ -374,17 +395,20 @@ def read_results():
     return {line.split("\t")[0]: line.split("\t")[1:] for line in lines}
 
 
+def tests_to_ask(options):
+    return [test for test in mutant_tests.tests_of(BUILD) if re.search(options.asked, test.name)]
+
+
 def map_all(faults, options):
     """Notes for each test that was not noted yet which faults it reaches, by their names."""
     names = {number: fault.name for number, fault in enumerate(faults, 1)}
-    mutant_tests.note_all(mutant_tests.tests_of(BUILD), WORK, names, options)
+    mutant_tests.note_all(tests_to_ask(options), WORK, names, options)
 
 
 def show_all(faults, options):
     """A line in the results for each fault that has none; those that survived are asked again where they may be seen now."""
-    tests, done, known = mutant_tests.noted(mutant_tests.tests_of(BUILD), WORK), read_results(), reasons()
-    wanted = [(n, f) for n, f in asked_for(faults, options)
-              if f.name not in done or options.survivors and done[f.name][0] == "survived" and not why(f, known)]
+    tests, done = mutant_tests.noted(tests_to_ask(options), WORK), read_results()
+    wanted = [(n, f) for n, f in asked_for(faults, options) if f.name not in done or options.survivors]
 
     def shown(one):
         number, fault = one
@@ -463,16 +487,20 @@ def main():
     parser.add_argument("verb", choices=("list", "make", "map", "show", "report"))
     parser.add_argument("--count", type=int, default=460, help="how many are drawn; some of them will not compile")
     parser.add_argument("--only", default="", help="show only files whose path begins so; several with commas between")
-    parser.add_argument("--survivors", action="store_true", help="show those again that survived, and are not said to be no faults")
+    parser.add_argument("--survivors", action="store_true",
+                        help="those alone that survived, and are not said to be no faults: in a copy of its own, build/mutants_survivors")
     parser.add_argument("--seconds", type=float, default=1e9, help="of processor time after which a fault is shown to no further tests")
     parser.add_argument("--again", default="", help="tests that are noted once more, as a regular expression")
+    parser.add_argument("--asked", default="", help="note and ask only tests of these names, a regular expression: new ones, for survivors")
     parser.add_argument("--tests", default="", help="make only the tests of these folders, with commas between; only they are asked then")
     parser.add_argument("--unchecked", action="store_true", help="what is left is known to compile")
     parser.add_argument("--longest", type=float, default=300, help="of processor time that a test may take without a fault, to be asked at all")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
-    faults = drawn(options.count)
-    WORK.mkdir(parents=True, exist_ok=True)
+    work_in("mutants_survivors" if options.survivors else "mutants")
+    if options.survivors and options.verb == "make":
+        (WORK / "survivors.txt").write_text("".join(f.name + "\n" for f in survivors()), encoding="utf-8")
+    faults = drawn(options.count) if not options.survivors else survivors() if options.verb == "list" else compiled_survivors()
     if options.verb == "list":
         for number, fault in enumerate(faults, 1):
             if fault.file.startswith(tuple(options.only.split(","))):

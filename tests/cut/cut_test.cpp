@@ -201,6 +201,18 @@ TEST(Cut, HasVerticesWhereColoursDiffer) {
   EXPECT_GT(unlike, like);
 }
 
+/// A face of three corners is a single triangle at first: it gets vertices all over from whichever side it is seen.
+TEST(Cut, AFaceOfThreeCornersIsAsFineFromEitherSide) {
+  const DiffusionSurfaces fruit =
+      shapes::painted({{0.03f, 0, 0}, {-0.02f, 0, 0.03f}, {-0.02f, 0, -0.03f}, {0, 0.06f, 0}},
+                      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, shapes::skin_paint());
+  for (const char* knife : {"plane:0,1,0,0.011", "plane:0,-1,0,-0.011"}) {
+    const CrossSection section = cut_with(fruit, {knife}).section;
+    EXPECT_EQ(std::count(section.interior.begin(), section.interior.end(), 0), 6) << "three corners, three middles";
+    EXPECT_GT(std::count(section.interior.begin(), section.interior.end(), 1), 100) << knife;
+  }
+}
+
 TEST(Cut, InnerSurfacesGiveBothTheirColours) {
   const shapes::Paint core{.front = {1, 0, 0}, .back = {0, 0, 1}};
   const DiffusionSurfaces ball = shapes::nested_spheres(0.05, 0.02, 10, shapes::skin_paint(), core);

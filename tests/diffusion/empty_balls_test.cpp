@@ -67,6 +67,23 @@ TEST(EmptyBalls, AreEmptyAndLargeNextToSurfaces) {
   expect_empty_and_large(fruit, places);
 }
 
+/// The whole cube may be asked about, its sides included.
+TEST(EmptyBalls, AreEmptyAndLargeOnTheSidesOfTheCube) {
+  std::vector<glm::dvec3> places = random_places(300);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i] *= EmptyBalls::half_edge;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      // A side, an edge or a corner.
+      const std::size_t at = i >> (2 * axis) & 3;
+      if (at < 2) places[i][static_cast<int>(axis)] = at == 0 ? EmptyBalls::half_edge : -EmptyBalls::half_edge;
+    }
+  }
+  expect_empty_and_large(shapes::seeded_fruit(), places);
+  const DiffusionSurfaces aside =
+      joined(shapes::moved(shapes::sphere(0.1, 4), {1, 0.2, 0.3}), shapes::open_sheet(1, -1));
+  expect_empty_and_large(aside, places);
+}
+
 TEST(EmptyBalls, OfThreeTriangles) {
   DiffusionSurfaces three = shapes::open_sheet(2, 0.3, 1);
   three = joined(three, shapes::open_sheet(0.5, 0, 1));
@@ -175,6 +192,24 @@ TEST(SideNextTo, IsRightAroundSpikes) {
       }
       EXPECT_EQ(side.side == SideOf::back, is_inside) << "next to vertex " << v;
     }
+  }
+}
+
+/// Three triangles with one corner in common. The first is faced most squarely, the second hardly; the third stands in
+/// the plane of the point and of the way to the first: a sheet seen edge-on hides nothing.
+TEST(SideNextTo, IsNotHiddenBehindASheetSeenEdgeOn) {
+  const std::vector<glm::vec3> position{{0, 0, 0},           {-1, 1, 0.5f}, {-1, 1, -0.5f}, {-1, -0.2f, -0.25f},
+                                        {-1, -0.2f, 0.375f}, {-1, -1, 0},   {-0.5f, -1, 0}};
+  for (const bool is_turned : {false, true}) {
+    const std::vector<glm::uvec3> triangle{is_turned ? glm::uvec3(0, 2, 1) : glm::uvec3(0, 1, 2), {0, 3, 4}, {0, 5, 6}};
+    const DiffusionSurfaces sheets = shapes::painted(position, triangle, {});
+    const EmptyBalls balls = balls_of(sheets);
+    const glm::dvec3 point = balls.frames().normalized(glm::dvec3(0)) + glm::dvec3(1e-4, 0, 0);
+    ASSERT_EQ(balls.nearest_triangles(point).size(), 3u);
+    const SurfaceSide side = side_next_to(sheets, balls, point);
+    EXPECT_EQ(side.triangle, 0u);
+    EXPECT_EQ(side.side, is_turned ? SideOf::front : SideOf::back);
+    EXPECT_NEAR(side.distance, 1e-4 * balls.frames().radius, 1e-12);
   }
 }
 

@@ -117,5 +117,14 @@ TEST(Peeled, InAStripIsClosedAndTakesLessThanInOne) {
   EXPECT_GT(volume_of(ridged), volume_of(whole)) << "the ridge stays";
 }
 
+/// Around the hole of a ring turns of the ridge come so near to each other that two of them touch: the ridge ends
+/// there, and the rest of it stays.
+TEST(Peeled, InAStripIsClosedWhereTheRidgeWouldTouchItself) {
+  const DiffusionSurfaces ring = shapes::torus(0.025, 0.012, 32, 16);
+  const ClosedSurface ridged = peeled(ring, {.thickness = 0.002, .strip = 0.012});
+  EXPECT_TRUE(is_closed(ridged));
+  EXPECT_GT(volume_of(ridged), volume_of(peeled(ring, {.thickness = 0.002}))) << "the ridge stays";
+}
+
 }  // namespace
 }  // namespace pomona

@@ -237,6 +237,42 @@ TEST(LevelsOfDetail, KeepAColorBorderWithinTheBound) {
   }
 }
 
+/// A ball of three parts in one colour: two quarters and the half beside them, which all meet at the poles.
+Solid ball_of_three_parts() {
+  Solid three = solid_of(shapes::sphere(0.03, 48, shapes::skin_paint()));
+  const auto vertices = static_cast<std::uint32_t>(three.position.size());
+  for (const int part : {1, 2}) {
+    for (std::size_t v = 0; v < vertices; ++v) {
+      three.position.push_back(three.position[v]);
+      three.normal.push_back(three.normal[v]);
+      three.color.push_back(three.color[v]);
+      three.part.push_back(part);
+    }
+  }
+  std::fill_n(three.part.begin(), vertices, 0);
+  for (glm::uvec3& t : three.triangle) {
+    const glm::vec3 sum = three.position[t.x] + three.position[t.y] + three.position[t.z];
+    t += glm::uvec3((sum.z < 0 ? 0u : sum.x < 0 ? 1u : 2u) * vertices);
+  }
+  return three;
+}
+
+TEST(LevelsOfDetail, KeepPartsApartWhereThreeMeet) {
+  const Solid three = ball_of_three_parts();
+  const std::vector<Solid> levels = levels_of_detail(three, {.levels = 3});
+  ASSERT_EQ(levels.size(), 3u);
+  for (const Solid& level : levels) {
+    std::set<std::int32_t> at_the_top;
+    for (const glm::uvec3& t : level.triangle) {
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(level.part[t[i]], level.part[t.x]) << "a triangle of two parts";
+        if (level.position[t[i]].y > 0.03f - 1e-6f) at_the_top.insert(level.part[t[i]]);
+      }
+    }
+    EXPECT_THAT(at_the_top, ElementsAre(0, 1, 2)) << level.name;
+  }
+}
+
 TEST(LevelsOfDetail, RefuseNumbersThatAreNone) {
   EXPECT_THROW(levels_of_detail(ball(), {.levels = 0}), Error);
   EXPECT_THROW(levels_of_detail(ball(), {.levels = 7}), Error);

@@ -13,6 +13,8 @@
 #include "generator/base/random.h"
 #include "generator/base/units.h"
 #include "generator/mesh/triangle_tree.h"
+#include "generator/mesh/weld.h"
+#include "generator/scene/settle/surface_samples.h"
 #include "tests/scene/heap_shapes.h"
 
 namespace pomona {
@@ -72,6 +74,23 @@ TEST(PieceShape, AFlatCutFaceIsShownBeforeARoundOne) {
   EXPECT_EQ(piece_shape(wedge, 0.05).up, glm::dvec3(0)) << "nothing was cut";
 }
 
+TEST(PieceShape, ShowsTheSameFaceWhereverThePieceLies) {
+  Solid slab = heap_shapes::slab({0.1, 0.03, 0.06});
+  slab.cut_face.assign(slab.triangle.size(), -1);
+  for (std::size_t i = 0; i < slab.triangle.size(); ++i) {
+    const glm::uvec3& t = slab.triangle[i];
+    const glm::dvec3 a(slab.position[t.x]), b(slab.position[t.y]), c(slab.position[t.z]);
+    const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+    for (int axis = 0; axis < 3; ++axis)
+      if (normal[axis] > 0.99) slab.cut_face[i] = axis;
+  }
+  for (const glm::vec3& by : {glm::vec3(0), {0.5f, 0, 0}, {0, -0.5f, 0}, {0, 0, 0.5f}, {-0.3f, 0.2f, 0.4f}}) {
+    Solid moved = slab;
+    for (glm::vec3& p : moved.position) p += by;
+    EXPECT_LT(glm::distance(piece_shape(moved, 0.05).up, {0, 1, 0}), 1e-5) << by.x << ' ' << by.y << ' ' << by.z;
+  }
+}
+
 TEST(PieceShape, TheGridKnowsDistancesToTheRealMesh) {
   for (const Solid& solid : shapes()) {
     const PieceShape shape = piece_shape(solid, 0.05);
@@ -99,6 +118,31 @@ TEST(PieceShape, SamplesLieOnTheSurfaceAndInTheirBalls) {
     }
     EXPECT_EQ(covered, std::ssize(shape.samples.point)) << solid.name;
   }
+}
+
+/// Of a box all twelve edges turn by a right angle, and the diagonals of its sides not at all.
+TEST(SurfaceSamples, LieAtTheEndsAndTheMiddleOfEverySharpEdge) {
+  const Solid slab = heap_shapes::slab({0.1, 0.03, 0.06});
+  const std::vector<glm::dvec3> corner(slab.position.begin(), slab.position.end());
+  const std::vector<std::uint32_t> first = weld(slab.position);
+  const std::vector<glm::uvec3> triangle = welded_triangles(first, slab.triangle);
+  const SurfaceSamples samples = surface_samples(corner, triangle, {.along_edges = 1e-4, .elsewhere = 1});
+  const auto is_sampled = [&](const glm::dvec3& place) {
+    return std::any_of(samples.point.begin(), samples.point.end(),
+                       [&](const glm::vec3& p) { return glm::distance(glm::dvec3(p), place) < 1e-7; });
+  };
+  int edges = 0, diagonals = 0;
+  for (const glm::uvec3& t : triangle) {
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3 &a = corner[t[i]], &b = corner[t[(i + 1) % 3]], way = b - a;
+      const bool is_edge = (way.x != 0) + (way.y != 0) + (way.z != 0) == 1;
+      (is_edge ? edges : diagonals) += 1;
+      EXPECT_EQ(is_sampled(0.5 * (a + b)), is_edge);
+      EXPECT_TRUE(is_sampled(a) && is_sampled(b));
+    }
+  }
+  EXPECT_EQ(edges, 24);
+  EXPECT_EQ(diagonals, 12);
 }
 
 }  // namespace

@@ -47,6 +47,17 @@ double fold_angle(const glm::dvec3& p) {
   return angle < 0 ? angle + 2 * pi : angle;
 }
 
+/// Where a surface folds back onto itself its normals may cancel.
+TEST(ThrownDarts, FallNowhereWithoutASide) {
+  GrainTarget target;
+  target.corner[1].position = {0.01, 0, 0};
+  target.corner[2].position = {0, 0, 0.01};
+  const GrainSketch sketch = round_grains(0.002);
+  EXPECT_TRUE(thrown_darts({target}, sketch, grain_draws({5, 0}, sketch.name)).empty());
+  for (GrainPlace& place : target.corner) place.normal = {0, 1e-9, 0};
+  EXPECT_GT(thrown_darts({target}, sketch, grain_draws({5, 0}, sketch.name)).size(), 5u) << "of any length";
+}
+
 TEST(GrainDensity, CountsFollowItsIntegral) {
   const double full = static_cast<double>(darts_on(ball(), round_grains(0.0015)).size());
   for (const double density : {0.5, 0.25, 0.1}) {

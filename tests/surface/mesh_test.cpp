@@ -19,6 +19,7 @@
 #include "generator/surface/bodies.h"
 #include "generator/surface/file/glb_file.h"
 #include "generator/surface/file/obj_file.h"
+#include "generator/surface/file/plain_mesh_file.h"
 #include "generator/surface/file/surface_file.h"
 #include "generator/surface/sweep/sweep.h"
 #include "generator/template/read/read_template.h"
@@ -264,6 +265,20 @@ TEST(Mesh, ObjMistakesHaveLineAndColumn) {
     EXPECT_THAT(message_of([&, &text = text] { parse_obj(text, "x.obj", ""); }), HasSubstr(message)) << text;
   }
   EXPECT_THAT(message_of([] { parse_obj(cube_obj(), "x.obj", "bottom"); }), HasSubstr("it has: lid, box"));
+}
+
+TEST(Mesh, AFileOfAnotherKindIsRefusedAsAWhole) {
+  try {
+    read_plain_mesh("bowl.stl");
+    FAIL() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), ExitStatus::bad_data);
+    const SourcePlace& place = error.diagnostics().front().place;
+    EXPECT_EQ(place.file, "bowl.stl");
+    EXPECT_EQ(place.line, 0);
+    EXPECT_EQ(place.column, 0);
+    EXPECT_THAT(error.what(), testing::StartsWith("bowl.stl: error: is no mesh that can be read"));
+  }
 }
 
 TEST(Mesh, GlbMistakesNameTheMesh) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/base/random.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {
@@ -37,6 +38,30 @@ TEST(PartRegions, ThatTouchAreTwo) {
   EXPECT_DOUBLE_EQ(regions.region[0].volume, 1);
   EXPECT_DOUBLE_EQ(regions.region[1].volume, 2);
   EXPECT_EQ(regions.part_names[static_cast<std::size_t>(regions.region[1].part)], "gel");
+}
+
+/// Of two parts that a box shows within, that one which shows more, wherever the box lies.
+TEST(PartRegions, HaveThePartThatShowsMostOfItselfWithin) {
+  const RandomStream random({}, "tests/parts of a box");
+  for (std::uint64_t n = 0; n < 40; ++n) {
+    DiffusionSurfaces cube = box({0, 0, 0}, {1, 1, 1}, 1, skin_paint());
+    cube.part_names.emplace_back("stone");
+    const auto stone = static_cast<std::int32_t>(cube.part_names.size()) - 1;
+
+    // Of the twelve triangles, equal in area, as many as are drawn until five, or seven, are of the stone.
+    int left = n % 2 == 0 ? 5 : 7;
+    for (std::uint64_t draw = 0; left > 0; ++draw) {
+      std::int32_t& part = cube.back_part[random.below(100 * n + draw, 12)];
+      if (part == stone) continue;
+      part = stone;
+      --left;
+    }
+    for (const glm::dvec3& by : {glm::dvec3(0), {8, 0, 0}, {0, 8, 0}, {0, 0, -8}}) {
+      const PartRegions regions = part_regions(moved(cube, by));
+      ASSERT_EQ(regions.region.size(), 1u);
+      EXPECT_EQ(regions.part_names[static_cast<std::size_t>(regions.region[0].part)], n % 2 == 0 ? "flesh" : "stone");
+    }
+  }
 }
 
 TEST(PartRegions, OpenSurfacesEncloseNothing) {

@@ -181,6 +181,11 @@ TEST(SurfaceFile, ASheetOnTheSkinsOwnVerticesStaysInner) {
   EXPECT_EQ(read.vertex_count(), ball.vertex_count() + 3);
   EXPECT_FALSE(read.is_boundary(read.triangle_count() - 1));
   EXPECT_EQ(find_bodies(read).bodies.size(), 1u);
+  for (std::size_t t = 0; t < ball.triangle_count(); ++t) {
+    for (int k = 0; k < 3; ++k)
+      EXPECT_EQ(read.position.at(read.triangle[t][k]), ball.position[ball.triangle[t][k]])
+          << "what is doubled stays there";
+  }
 }
 
 TEST(SurfaceFile, NothingIsDoubledWhereSkinAndInnerSurfacesShareNoVertex) {

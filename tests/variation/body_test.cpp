@@ -20,6 +20,7 @@
 #include "generator/template/bend_strain.h"
 #include "generator/template/read/read_template.h"
 #include "generator/variation/scaled.h"
+#include "generator/variation/variation.h"
 #include "generator/variation/vary.h"
 #include "generator/variation/vary_body.h"
 #include "tests/variation/fruits.h"
@@ -293,6 +294,49 @@ TEST(Body, nothing_crosses_that_does_not_in_the_curves_alone) {
     if (!crossing_triangles(sweep(vary(tomato, {seed, 0}, {.curves_only = true}))).empty()) continue;
     EXPECT_TRUE(crossing_triangles(sweep(vary(tomato, {seed, 0}))).empty()) << seed;
   }
+}
+
+/// Two skins so near to each other that their facets, unlike in number, hardly keep apart; the axis bends.
+Template two_near_skins(double apart, int more_around, double angle) {
+  Template fruit = fruits::onion(1);
+  fruit.surfaces.front().along = 10;
+  SurfaceSketch inner = fruit.surfaces.front();
+  inner.name = "inner";
+  inner.front.hidden = false;
+  inner.along = 13;
+  inner.around += more_around;
+  for (glm::dvec2& p : inner.vertical.points) p = {(1 - apart) * p.x, 0.04 + (1 - apart) * (p.y - 0.04)};
+  for (glm::dvec2& p : inner.horizontal.front().points) p *= 1 - apart;
+  fruit.surfaces.push_back(inner);
+  fruit.bend = {.angle = angle, .swing = 0.5 * angle, .direction = 0};
+  return fruit;
+}
+
+TEST(Body, differs_from_the_drawing_though_facets_would_cross_if_it_differed_more) {
+  for (const auto& [apart, angle] : {std::pair{0.035, 0.8}, {0.04, 1.2}}) {
+    const Template fruit = varying(two_near_skins(apart, 0, angle));
+    ASSERT_TRUE(crossing_triangles(sweep(fruit)).empty());
+    const Variation variation(fruit);
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const Template variant = variation.draw({seed, 0}, {.amount = 2}).fruit;
+      EXPECT_FALSE(variant.proportions.are_as_drawn()) << seed;
+      EXPECT_TRUE(crossing_triangles(sweep(variant)).empty()) << seed;
+    }
+  }
+}
+
+TEST(Body, bends_less_but_in_the_same_shape_where_facets_would_cross) {
+  const Template fruit = varying(two_near_skins(0.035, -3, 0.8), {});
+  ASSERT_TRUE(crossing_triangles(sweep(fruit)).empty());
+  const Variation variation(fruit);
+  int straighter = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Template variant = variation.draw({seed, 0}, {.amount = 2}).fruit;
+    EXPECT_NEAR(variant.bend.swing, 0.5 * variant.bend.angle, 1e-12) << seed;
+    EXPECT_TRUE(crossing_triangles(sweep(variant)).empty()) << seed;
+    straighter += !variant.bend.is_straight() && variant.bend.angle < 0.75 * fruit.bend.angle;
+  }
+  EXPECT_GT(straighter, 5);
 }
 
 TEST(Body, bent_fruits_are_closed_and_hold_their_grains) {

@@ -191,6 +191,55 @@ TEST(FoldVariation, KeepsChambersInTheirFoldsAndNothingCrosses) {
   EXPECT_LT(stepped, 120 * 5 / 4);
 }
 
+/// A wall that is uneven from fold line to fold line, and just within it, beside each fold's first line, a chamber.
+Template chambers_beside_their_first_lines(const std::vector<double>& radius_at_line) {
+  const std::size_t folds = radius_at_line.size();
+  const double width = 2 * pi / static_cast<double>(folds);
+  Template fruit = fruits::tomato(static_cast<int>(folds));
+  SurfaceSketch wall = fruit.surfaces[1], chamber = fruit.surfaces[3];
+  std::vector<double> lines;
+  wall.front.hidden = true;
+  wall.horizontal.front().points.clear();
+  chamber.horizontal.clear();
+  chamber.reference = ReferenceRadii{0.018, 0.032};
+  for (glm::dvec2& p : chamber.vertical.points) p = {0.025 + (p.x - 0.0195), 0.028 + 0.25 * (p.y - 0.028)};
+  for (std::size_t k = 0; k < folds; ++k) {
+    const double line = width * static_cast<double>(k), here = radius_at_line[k],
+                 next = radius_at_line[(k + 1) % folds];
+    lines.push_back(line);
+    for (int i = 0; i < 60; ++i)
+      wall.horizontal.front().points.push_back(polar_point(line + width * i / 60, std::lerp(here, next, i / 60.0)));
+    Curve loop{{}, true};
+    for (int i = 0; i < 48; ++i) {
+      const double angle = 2 * pi * i / 48, share = 0.27 + 0.22 * std::cos(angle);
+      const double outside = 0.965 * std::lerp(here, next, share);
+      loop.points.push_back(polar_point(line + width * share, outside - 0.001 + 0.001 * std::sin(angle)));
+    }
+    chamber.horizontal.push_back(loop);
+  }
+  fruit.symmetry = FoldSymmetry{lines};
+  fruit.surfaces = {wall, chamber};
+  return fruit;
+}
+
+/// A wall that a neighbour draws inwards at the line between them must not press on a fold that is as drawn already:
+/// then the neighbour gives way.
+TEST(FoldVariation, FoldsThatAreAsDrawnAreMadeRoomForByTheirNeighbours) {
+  for (const std::vector<double>& radii : {std::vector{0.033, 0.027, 0.030}, {0.033, 0.0265, 0.031, 0.028, 0.030}}) {
+    const Template fruit = chambers_beside_their_first_lines(radii);
+    ASSERT_TRUE(crossing_triangles(sweep(fruit)).empty());
+    const FoldVariation variation(fruit);
+    int as_drawn = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      for (const FoldReport& fold : variation.draw({seed, 0}, 2, static_cast<int>(radii.size())).folds) {
+        EXPECT_TRUE(fold.sound) << seed;
+        as_drawn += fold.rung == 12;
+      }
+    }
+    EXPECT_GT(as_drawn, 10);
+  }
+}
+
 TEST(FoldRoom, KnowsWhenAChamberLeavesItsLayer) {
   for (const double taper : {0.0, 1.0}) {
     Template tomato = fruits::tomato();

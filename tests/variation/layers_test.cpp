@@ -27,7 +27,7 @@ TEST(LayerGap, BetweenLayersThatCrossAsDrawnIsNoneWhicheverWayTheyAreDrawn) {
       std::vector<glm::dvec2> a = funnel, b = slope;
       if (is_turned) std::reverse(a.begin(), a.end());
       if (slope_is_turned) std::reverse(b.begin(), b.end());
-      const SurfaceSketch long_one = layer(a, 2), short_one = layer(b, 1);
+      const SurfaceSketch long_one = layer(a, 3), short_one = layer(b, 2);  // as many points as they are drawn with
       for (const LayerGap& gap : {LayerGap(long_one, short_one), LayerGap(short_one, long_one)}) {
         EXPECT_EQ(gap.room(1).low, SwellRange{}.low) << is_turned << slope_is_turned;
         EXPECT_EQ(gap.room(1).high, SwellRange{}.high) << is_turned << slope_is_turned;

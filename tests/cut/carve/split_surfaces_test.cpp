@@ -299,6 +299,63 @@ TEST(SplitSurfaces, GiveTheKnifeTheEdgesOfSkinsAndFacesInTheirWay) {
   EXPECT_GT(edges, 300u);
 }
 
+/// A ball that has been cut along a smooth wave, and a bowl for it.
+CarvingCase waved_ball() {
+  std::vector<glm::dvec2> wave;
+  for (int i = -12; i <= 12; ++i) wave.emplace_back(0.005 * i, 0.003 * std::sin(0.5 * i));
+  CarvingCase of = shapes::carving_case("bowl");
+  of.before = {{PlaneCut(StrokeKnife{wave}), "wave"}};
+  return of;
+}
+
+/// The normal that a face of the section has at a place, by the numbers of both. All its triangles there have the same.
+std::map<std::pair<std::int32_t, std::uint32_t>, glm::vec3> normals_by_place(const CutFruit& fruit) {
+  std::map<std::pair<std::int32_t, std::uint32_t>, glm::vec3> all;
+  for (std::size_t t = 0; t < fruit.section.cap.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::pair at(fruit.section.mesh.cut[t], fruit.section.cap[t].point[i]);
+      const glm::vec3 normal = fruit.section.mesh.normal[t][i];
+      EXPECT_LT(glm::distance(all.try_emplace(at, normal).first->second, normal), 1e-5f);
+    }
+  }
+  return all;
+}
+
+/// A wave is shaded as if it were round, and no differently where triangles have been split.
+TEST(SplitSurfaces, SectionsKeepTheirNormalsAtEveryPlace) {
+  const CarvingStages stages(waved_ball());
+  ASSERT_FALSE(stages.fruit.section.mesh.normal.empty());
+  const auto before = normals_by_place(stages.fruit), after = normals_by_place(stages.split.fruit);
+  EXPECT_GT(after.size(), before.size() + 10);
+  for (const auto& [at, normal] : before) EXPECT_LT(glm::distance(after.at(at), normal), 1e-5f);
+}
+
+std::vector<Way> ways_of_segments(const SplitFruit& split, bool turned) {
+  std::vector<Way> ways;
+  for (const SectionSegment& s : split.fruit.section.mesh.segments)
+    ways.emplace_back(s.vertex[turned ? 1 : 0], s.vertex[turned ? 0 : 1]);
+  return ways;
+}
+
+/// A segment may be told from either of its ends.
+TEST(SplitSurfaces, DivideSegmentsOfSectionsAlikeWhicheverWayTheyRun) {
+  std::size_t added = 0;
+  for (const CarvingCase& of : shapes::carving_cases()) {
+    SCOPED_TRACE(of.name);
+    const CarvingStages stages(of);
+    CutFruit turned = stages.fruit;
+    for (std::size_t p = turned.mesh.point.size(); p < stages.places.count(); ++p)
+      turned.mesh.add_point(stages.places.at(static_cast<std::uint32_t>(p)), 0);
+    for (SectionSegment& s : turned.section.mesh.segments) std::swap(s.vertex[0], s.vertex[1]);
+    const FruitParts parts{stages.all, stages.winding, stages.surface, stages.cap, stages.knife.stride};
+    const SplitFruit split = split_surfaces(std::move(turned), parts, stages.surfaces, stages.bodies);
+    const std::vector<Way> ways = ways_of_segments(stages.split, false);
+    EXPECT_THAT(ways_of_segments(split, true), UnorderedElementsAreArray(ways));
+    added += ways.size() - stages.fruit.section.mesh.segments.size();
+  }
+  EXPECT_GT(added, 20u);
+}
+
 bool is_near(const Color& a, const Color& b) { return glm::distance(a, b) < 2e-6f; }
 
 /// Colours that change evenly over a triangle are, at a new vertex, what they are at its place.

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "generator/base/random.h"
 #include "tests/diffusion/harmonic/whole_shapes.h"
 
 namespace pomona {
@@ -71,6 +72,26 @@ TEST(Crossings, LieOnTheTriangleAndOnTheLink) {
     const glm::dvec3 a(ball.position[t.x]), b(ball.position[t.y]), d(ball.position[t.z]);
     EXPECT_EQ(c.front_ahead, glm::cross(b - a, d - a)[c.axis] > 0);
   }
+}
+
+/// Triangles whose corners and middles are nodes: where they pass through one, sums of thirds round to either side.
+TEST(Crossings, LieOnTheirLinkEvenWhereItsEndIsInTheTriangle) {
+  const Lattice lattice{.origin = glm::dvec3(0), .spacing = 1, .count = {64, 64, 64}, .unit_bits = 4};
+  const RandomStream random({}, "tests/triangles through nodes");
+  std::vector<Corners> triangles(200);
+  std::uint64_t drawn = 0;
+  for (Corners& t : triangles) {
+    for (glm::dvec3& corner : t) {
+      for (int axis = 0; axis < 3; ++axis) corner[axis] = 3.0 * static_cast<double>(random.below(drawn++, 21));
+    }
+  }
+  int at_nodes = 0;
+  for (const LinkCrossing& c : crossings_of(shapes::surfaces_of(triangles), lattice)) {
+    EXPECT_GE(c.theta, 0);
+    EXPECT_LE(c.theta, 1);
+    at_nodes += c.theta < 1e-9f || c.theta == 1;
+  }
+  EXPECT_GT(at_nodes, 200);
 }
 
 TEST(Crossings, OfSomePlanesAreThoseWithAnEndThere) {

@@ -84,6 +84,24 @@ TEST(WalksFromPoint, EscapeFromClosedSurfacesOnlyOnTheirWayIn) {
   EXPECT_NEAR(share, 1 / 1.02, 4 * std::sqrt(0.02 / walked.walks) + 0.005);
 }
 
+/// Between two small balls far from each other hardly a walk meets anything: then one of both halves alone knows a
+/// colour.
+TEST(WalksFromPoint, OfWhichFewMeetAnythingHaveTheColorOfThoseThatDo) {
+  shapes::Paint paint = evenly(0.5f, "peel");
+  paint.back = Color(0);
+  const DiffusionSurfaces ball = shapes::sphere(0.004, 3, paint);
+  const DiffusionSurfaces two = joined(shapes::moved(ball, {1, 0, 0}), shapes::moved(ball, {-1, 0, 0}));
+  const WalkGround ground(two, {1});
+  int of_one_half = 0;
+  for (int i = 0; i < 60; ++i) {
+    const glm::vec3 point(0, 0.005f * static_cast<float>(i), 0.1f);
+    const WalkedColor walked = walks_from_point(ground, point, {.standard_error = 1, .most_walks = 96});
+    EXPECT_NEAR(walked.color.r, 0.5, 1e-6) << i;
+    of_one_half += walked.walks - walked.misses == 1;
+  }
+  EXPECT_GT(of_one_half, 10);
+}
+
 TEST(WalksFromPoint, AreNoMoreThanTheyMayBe) {
   const DiffusionSurfaces surfaces = shell();
   const WalkGround ground(surfaces, {1});

@@ -62,6 +62,20 @@ TEST(ConvexHull, OfABallHasAsManyVerticesAsAskedForAndMostOfItsVolume) {
   }
 }
 
+TEST(ConvexHull, OfPointsThatAreGivenTwiceIsThatOfEachOnce) {
+  const std::vector<glm::vec3> round = named::ball("ball", 0.1f, 12, Color(0.5f)).position;
+  const std::vector<glm::vec3> flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, line{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
+      one{{1, 2, 3}};
+  for (const std::vector<glm::vec3>& points : {round, grid(), flat, line, one}) {
+    std::vector<glm::vec3> twice = points;
+    twice.insert(twice.end(), points.begin(), points.end());
+    twice.insert(twice.end(), points.begin(), points.end());
+    const ConvexHull of_each = convex_hull(points), of_all = convex_hull(twice);
+    EXPECT_EQ(of_all.position, of_each.position);
+    EXPECT_EQ(of_all.triangle, of_each.triangle);
+  }
+}
+
 TEST(ConvexHull, DoesNotDependOnTheOrderOfPoints) {
   std::vector<glm::vec3> points = named::ball("ball", 0.1f, 12, Color(0.5f)).position;
   const ConvexHull one = convex_hull(points);
