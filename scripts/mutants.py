@@ -6,6 +6,8 @@
     mutants.py map                                   which test reaches which fault, and what each test costs
     mutants.py show [...] [--seconds S]              shows each fault to the tests that reach it; goes on where it was stopped
     mutants.py report                                what was seen, folder by folder, and what survived: docs/mutants.md
+    mutants.py make|map|show --survivors [--asked T] the same for what survived alone, in build/mutants_survivors: a matter of
+                                                     minutes, with the tests written for it
 
 Faults are turned comparisons, signs and conditions, other constants, limits that are left out, arguments that change
 places, statements that are missing. They are drawn with a fixed seed from all sources (.cpp) of `generator` and
@@ -413,6 +415,9 @@ def show_all(faults, options):
     def shown(one):
         number, fault = one
         seen, asked, reaching = mutant_tests.show(number, fault.name, fault.file, tests, WORK, options.seconds)
+        if not seen and fault.name in done and asked <= int(done[fault.name][2].split("/")[0]):
+            print(f"{number}\tsurvived these, too\t{asked}/{reaching}\t{fault.told()}", flush=True)
+            return  # it has been shown to more
         state = "seen" if seen else "survived"
         told = f"{state}\t{seen}\t{asked}/{reaching}\t{fault.told()}"
         with open(RESULTS, "a", encoding="utf-8") as file:
@@ -457,13 +462,14 @@ def report(faults):
     judged = sorted(((there[name], result) for name, result in results.items() if name in there), key=lambda one: (one[0].file, one[0].line))
     survived = [(f, r) for f, r in judged if r[0] != "seen"]
     excused = [f for f, _ in survived if why(f, known)]
-    drops = len(faults) - len(numbered(faults))
+    not_shown = sum(f.name not in results for f in faults)
     seen, could = len(judged) - len(survived), len(judged) - len(excused)
     of = {file: sum(f.file == file for f, _ in judged) for file in {f.file for f, _ in judged}}
     lines = ["# Mutants", "",
              "Faults that a tool has put into the sources, and whether tests other than goldens see them. `make mutants` writes this page. "
              + " ".join(__doc__.split("\n\n")[2:]).replace("\n", " ").strip(), "",
-             f"{len(faults)} faults are drawn, {drops} of which are known not to compile. {len(judged)} of the others have been shown, in "
+             f"{len(faults)} faults are drawn; {not_shown} of them have not been shown, for they do not compile, or are drawn anew since sources "
+             f"changed. {len(judged)} have been shown, those that are no longer drawn but still found in their files among them, in "
              f"{len(of)} of {len(sources())} files: {seen} were seen, {len(survived)} survived, of which {len(excused)} change nothing "
              f"that could be seen. That is {100 * seen / max(1, could):.1f} % of the {could} that could be seen, or {100 * seen / max(1, len(judged)):.1f} % of all.",
              "", *[line for first in first_figures() for line in (first, "")],

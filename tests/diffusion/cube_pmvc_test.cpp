@@ -120,6 +120,20 @@ TEST(CubePmvc, AgreesWithBruteForce) {
   }
 }
 
+/// Two boxes in one place, seen from their middle, where all depths are one to the bit, however they are divided.
+TEST(CubePmvc, EqualDepthsGoToTheSmallerTriangleIndex) {
+  shapes::Paint first, second;
+  first.front = first.back = Color(1);
+  second.front = second.back = Color(0);
+  for (const int n : {1, 2, 4}) {
+    for (const int other : {1, 2, 4}) {
+      const DiffusionSurfaces boxes =
+          joined(shapes::box({-1, -1, -1}, {1, 1, 1}, n, first), shapes::box({-1, -1, -1}, {1, 1, 1}, other, second));
+      for (const int texels : {8, 64}) EXPECT_EQ(value_at(boxes, {0, 0, 0}, texels), 1) << n << ' ' << other;
+    }
+  }
+}
+
 TEST(CubePmvc, QuarterTurnsChangeNothing) {
   const DiffusionSurfaces fruit = shapes::seeded_fruit();
   std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(20);

@@ -14,6 +14,7 @@
 #include "generator/base/units.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/mesh/box.h"
+#include "generator/scene/piece_outline.h"
 #include "generator/scene/side_areas.h"
 #include "generator/scene/stand.h"
 #include "generator/scene/table_pose.h"
@@ -182,6 +183,18 @@ TEST(LaidOut, WhatWouldBalanceOnItsRootLiesDown) {
   };
   EXPECT_LT(std::fabs(uprightness(rooted_ball(0.1))), 0.7);
   EXPECT_GT(uprightness(rooted_ball(1)), 1 - 1e-9);
+}
+
+/// A piece stands on what reaches farthest: vertices within it change nothing of its outline, wherever they are listed.
+TEST(PieceOutline, IsThatOfTheFarthestVertices) {
+  const Solid solid = pieces_of(bar(), {}).solids[0];
+  Solid filled = solid;
+  for (const glm::vec3& p : solid.position) filled.position.push_back(glm::mix(glm::vec3(0, 0.09f, 0), p, 0.5f));
+  const PieceOutline outline(solid), of_filled(filled);
+  for (const glm::dvec3& up :
+       {glm::dvec3(0, 1, 0), {0, -1, 0}, {1, 0, 0}, {0, 0, -1}, glm::normalize(glm::dvec3(1, 2, 3))})
+    EXPECT_EQ(of_filled.height(up), outline.height(up));
+  EXPECT_EQ(of_filled.radius(), outline.radius());
 }
 
 /// What a picture of this shape has on it, -1 to 1 to the right and upwards.

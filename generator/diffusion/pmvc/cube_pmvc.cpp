@@ -153,19 +153,19 @@ class CubeView {
   }
 
   /// Whether everything drawn in a rectangle is nearer than `inverse_depth`: by texels if there are few, else by
-  /// the tiles around them.
+  /// the tiles around them. What is as near is not: among those the index decides.
   bool is_covered(Face& face, const Rectangle& rectangle, double inverse_depth) const {
     const int width = rectangle.right - rectangle.left + 1;
     if (width <= tile_texels && rectangle.top - rectangle.bottom < tile_texels) {
       for (int y = rectangle.bottom; y <= rectangle.top; ++y) {
         const double* row = &face.inverse_depth[static_cast<std::size_t>(y * texels_ + rectangle.left)];
-        if (*std::min_element(row, row + width) < inverse_depth) return false;
+        if (*std::min_element(row, row + width) <= inverse_depth) return false;
       }
       return true;
     }
     for (int y = rectangle.bottom / tile_texels; y <= rectangle.top / tile_texels; ++y) {
       for (int x = rectangle.left / tile_texels; x <= rectangle.right / tile_texels; ++x) {
-        if (tile_minimum(face, x, y) < inverse_depth) return false;
+        if (tile_minimum(face, x, y) <= inverse_depth) return false;
       }
     }
     return true;
