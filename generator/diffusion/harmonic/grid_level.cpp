@@ -61,8 +61,10 @@ Stencil stencil_at(const Lattice& lattice, const Node& at, const CutLinks& links
   Stencil stencil;
   next_cut = node.first_cut;
   float odd = 0;
+  std::array<float, 3> stretch_along{};
+  for (std::size_t a = 0; a < 3; ++a) stretch_along[a] = 2 / (length[2 * a] + length[2 * a + 1]);
   for (std::size_t d = 0; d < 6; ++d) {
-    const float stretch = 2 / (length[d] + length[d ^ 1]);
+    const float stretch = stretch_along[d / 2];
     float pull = 0, nearness = 0;
     if (open >> d & 1) {
       nearness = 1;
@@ -167,8 +169,7 @@ CutLinks coarser_links(const GridLevel& fine, const NodeRuns& coarse_runs, Threa
 
 std::size_t GridLevel::bytes() const {
   return runs.bytes() + links.open.size() + links.node.size() * sizeof(CutNode) + links.cut.size() * sizeof(LinkCut) +
-         run_links.size() * sizeof(RunLinks) + stencil.size() * sizeof(Stencil) + value.bytes() + rhs.bytes() +
-         residual.bytes();
+         run_links.size() * sizeof(RunLinks) + stencil.bytes() + value.bytes() + rhs.bytes() + residual.bytes();
 }
 
 GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links, const glm::dvec3& middle,
@@ -179,7 +180,7 @@ GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links,
   level.links = std::move(links);
   level.ranges = level.runs.ranges_of_planes(range_count);
   level.run_links.resize(level.runs.size());
-  level.stencil.resize(level.links.node.size());
+  level.stencil = RawArray<Stencil>(level.links.node.size());
   level.value = RawArray<Quad>(level.runs.node_count());
   level.residual = RawArray<Quad>(level.runs.node_count());
 
@@ -193,7 +194,6 @@ GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links,
       level.run_links[r].first_stencil = stencil;
       const NodeRun& run = level.runs[r];
       std::fill_n(&level.value[NodeRuns::length * r], NodeRuns::length, Quad{});
-      std::fill_n(&level.residual[NodeRuns::length * r], NodeRuns::length, Quad{});
       if (level.run_links[r].irregular == 0) continue;
       for (int k = 0; k < NodeRuns::length; ++k) {
         if ((level.run_links[r].irregular >> k & 1) == 0) continue;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/diffusion/harmonic/cut_links.h"
+#include "generator/diffusion/harmonic/large_memory.h"
 #include "generator/diffusion/harmonic/lattice.h"
 #include "generator/diffusion/harmonic/node_runs.h"
 #include "generator/diffusion/harmonic/quad.h"
@@ -35,7 +36,7 @@ struct GridLevel {
   NodeRuns runs;
   CutLinks links;
   std::vector<RunLinks> run_links;
-  std::vector<Stencil> stencil;
+  RawArray<Stencil> stencil;
   std::vector<std::pair<std::size_t, std::size_t>> ranges;  ///< of runs, for threads
 
   RawArray<Quad> value;     ///< what is sought; 0 where a node takes no part
