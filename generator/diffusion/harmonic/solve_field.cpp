@@ -96,9 +96,7 @@ class Levels {
   /// All links first; then only the nodes that the outside does not hold, if it is sealed off.
   GridLevel whole() {
     const NodeRuns all = all_node_runs(lattice_.count);
-    std::vector<std::uint8_t> members(all.size());
-    for (std::size_t r = 0; r < all.size(); ++r) members[r] = static_cast<std::uint8_t>((1 << all.inside(r)) - 1);
-    const LinkFinder finder(snapped_, all_triangles(*snapped_.surfaces), lattice_, all, members, options_.threads);
+    const LinkFinder finder(snapped_, all_triangles(*snapped_.surfaces), lattice_, all, options_.threads);
     std::vector<std::uint8_t> outside = reached_from_corner(all, finder.open(), options_.threads);
     is_sealed = stays_outside(*snapped_.surfaces, finder.sides_seen(outside));
     if (!is_sealed) outside.assign(outside.size(), 0);
