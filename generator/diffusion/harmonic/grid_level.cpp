@@ -1,6 +1,7 @@
 #include "generator/diffusion/harmonic/grid_level.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -25,11 +26,15 @@ RunLinks links_of_run(const NodeRuns& runs, const CutLinks& links, std::size_t r
                   offset(run.y, run.z + 1)};
   result.parity = static_cast<std::uint8_t>((run.y + run.z) & 1);
   result.plain = eight_at(&links.open[NodeRuns::length * r]) == eight_of(all_open) ? 1 : 0;
-  if (result.plain) return result;
+  if (result.plain) {
+    result.regular = 255;
+    return result;
+  }
   for (int k = 0; k < NodeRuns::length; ++k) {
     const std::uint8_t open = links.open[NodeRuns::length * r + static_cast<std::size_t>(k)];
-    if (open != all_open && (open & takes_no_part) == 0)
-      result.irregular = static_cast<std::uint8_t>(result.irregular | 1 << k);
+    if (open & takes_no_part) continue;
+    std::uint8_t& bits = open == all_open ? result.regular : result.irregular;
+    bits = static_cast<std::uint8_t>(bits | 1 << k);
   }
   return result;
 }
@@ -51,42 +56,45 @@ bool leaves_lattice(const Lattice& lattice, const Node& at, int direction) {
 /// over links of different lengths, times the square of the spacing.
 Stencil stencil_at(const Lattice& lattice, const Node& at, const CutLinks& links, const CutNode& node,
                    const glm::dvec3& middle) {
-  const std::uint8_t open = links.open[node.node];
-  std::array<float, 6> length{1, 1, 1, 1, 1, 1};
+  // How long links are along which way; what weighs nothing is added all the same, which is faster than to ask.
+  std::array<float, 6> length{1, 1, 1, 1, 1, 1}, nearness{}, pull{};
   std::uint32_t next_cut = node.first_cut;
+  for (unsigned left = node.cut; left != 0; left &= left - 1) {
+    length[static_cast<std::size_t>(std::countr_zero(left))] = std::max(links.cut[next_cut++].theta, least_theta);
+  }
+  Stencil stencil;
+  const std::uint8_t open = links.open[node.node];
+  std::array<float, 3> stretch{};
+  for (std::size_t a = 0; a < 3; ++a) stretch[a] = 2 / (length[2 * a] + length[2 * a + 1]);
   for (std::size_t d = 0; d < 6; ++d) {
-    if (node.cut >> d & 1) length[d] = std::max(links.cut[next_cut++].theta, least_theta);
+    nearness[d] = static_cast<float>(open >> d & 1);
+    pull[d] = stencil.weight[d] = stretch[d / 2] * nearness[d];
   }
 
-  Stencil stencil;
+  // Cut links pull towards the surfaces, and those that leave the lattice towards nothing.
   next_cut = node.first_cut;
+  for (unsigned left = node.cut; left != 0; left &= left - 1) {
+    const auto d = static_cast<std::size_t>(std::countr_zero(left));
+    nearness[d] = 1 / length[d];
+    pull[d] = stretch[d / 2] * nearness[d];
+    const Color& color = links.cut[next_cut++].color;
+    stencil.source += pull[d] * Quad{color.r, color.g, color.b, 1};
+  }
+  for (unsigned left = all_open & ~(open | node.cut); left != 0; left &= left - 1) {
+    const int d = std::countr_zero(left);
+    if (leaves_lattice(lattice, at, d))
+      nearness[static_cast<std::size_t>(d)] = pull[static_cast<std::size_t>(d)] =
+          pull_of_outside(lattice, at, d, middle);
+  }
   float odd = 0;
-  std::array<float, 3> stretch_along{};
-  for (std::size_t a = 0; a < 3; ++a) stretch_along[a] = 2 / (length[2 * a] + length[2 * a + 1]);
   for (std::size_t d = 0; d < 6; ++d) {
-    const float stretch = stretch_along[d / 2];
-    float pull = 0, nearness = 0;
-    if (open >> d & 1) {
-      nearness = 1;
-      pull = stencil.weight[d] = stretch;
-    } else if (node.cut >> d & 1) {
-      nearness = 1 / length[d];
-      pull = stretch * nearness;
-      const Color& color = links.cut[next_cut++].color;
-      stencil.source += pull * Quad{color.r, color.g, color.b, 1};
-    } else if (leaves_lattice(lattice, at, static_cast<int>(d))) {
-      nearness = pull = pull_of_outside(lattice, at, static_cast<int>(d), middle);
-    }
-    stencil.diagonal += pull;
-    if (at[d / 2] & 1) odd += nearness;
+    stencil.diagonal += pull[d];
+    odd += static_cast<float>(at[d / 2] & 1) * nearness[d];
   }
   stencil.inverse = stencil.diagonal > 0 ? 1 / stencil.diagonal : 0;
   stencil.odd_inverse = odd > 0 ? 1 / odd : 0;
   return stencil;
 }
-
-constexpr std::array<std::array<int, 3>, 6> step_to = {
-    {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
 /// The cut of a node's link; nothing if it is not cut.
 const LinkCut* cut_at(const GridLevel& level, std::size_t node, int direction) {
@@ -119,15 +127,14 @@ void add_coarse_node(const GridLevel& fine, const Node& at, std::size_t node, Cu
   if (found == NodeRuns::none || (fine.links.open[here] & takes_no_part)) return;
 
   // Two fine links make one coarse link: a cut in the second lies half a link further on.
+  const RunLinks& run = fine.run_links[here / NodeRuns::length];
+  const std::array<std::int32_t, 6> offset = {-1, 1, run.y_down, run.y_up, run.z_down, run.z_up};
   CutNode cut{static_cast<std::uint32_t>(node), static_cast<std::uint32_t>(part.cut.size()), 0};
   open = 0;
   for (int d = 0; d < 6; ++d) {
-    const auto& step = step_to[static_cast<std::size_t>(d)];
     const bool first_open = fine.links.open[here] >> d & 1;
     const std::size_t middle =
-        first_open
-            ? static_cast<std::size_t>(fine.runs.node_at(2 * at[0] + step[0], 2 * at[1] + step[1], 2 * at[2] + step[2]))
-            : here;
+        first_open ? static_cast<std::size_t>(found + offset[static_cast<std::size_t>(d)]) : here;
     if (first_open && (fine.links.open[middle] >> d & 1)) {
       open = static_cast<std::uint8_t>(open | 1 << d);
     } else if (const LinkCut* nearer = cut_at(fine, middle, d)) {
@@ -179,6 +186,7 @@ GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links,
   level.runs = std::move(runs);
   level.links = std::move(links);
   level.ranges = level.runs.ranges_of_planes(range_count);
+  level.planes = level.runs.ranges_of_planes(level.runs.size());
   level.run_links.resize(level.runs.size());
   level.stencil = RawArray<Stencil>(level.links.node.size());
   level.value = RawArray<Quad>(level.runs.node_count());

@@ -1,5 +1,6 @@
 #include "generator/diffusion/harmonic/multigrid.h"
 
+#include <bit>
 #include <utility>
 
 namespace pomona {
@@ -33,14 +34,37 @@ void for_runs(const GridLevel& level, Threads threads, const Body& body) {
   });
 }
 
-/// Calls body(at) for the nodes of run r with x of parity `first`, but not for those with a bit of `skipped`.
+/// Calls body(first run, end) for every plane with z of a parity.
+template <typename Body>
+void for_planes(const GridLevel& level, Threads threads, int parity, const Body& body) {
+  const Threads used{level.runs.size() < runs_worth_sharing ? 1 : threads.count};
+  parallel_for(level.planes.size(), used, [&](std::size_t i) {
+    const auto [first, end] = level.planes[i];
+    if ((level.runs[first].z & 1) == parity) body(first, end);
+  });
+}
+
+/// Calls body(at) for the nodes of run r with x of parity `first`, but not for those with a bit of `skipped`; in an
+/// order that makes no difference as long as none of them reads another. Nodes of one kind are taken together: to ask
+/// each for its kind costs more than most equations do.
 template <typename Body>
 void for_every_other(const GridLevel& level, std::size_t r, int first, std::uint8_t skipped, const Body& body) {
-  const std::uint8_t* open = &level.links.open[length * r];
-  for (int k = first; k < length; k += 2) {
-    if (open[k] & skipped) continue;
-    const Stencil* stencil = open[k] == all_open ? nullptr : &level.stencil[level.stencil_of(r, k)];
-    body(At{length * r + static_cast<std::size_t>(k), open[k], stencil});
+  const RunLinks& run = level.run_links[r];
+  const std::size_t start = length * r;
+  if (run.plain) {
+    for (std::size_t k = static_cast<std::size_t>(first); k < length; k += 2) body(At{start + k, all_open, nullptr});
+    return;
+  }
+  const unsigned wanted = 0x55u << first;
+  for (unsigned left = run.regular & wanted; left != 0; left &= left - 1) {
+    body(At{start + static_cast<std::size_t>(std::countr_zero(left)), all_open, nullptr});
+  }
+  const Stencil* stencil = level.stencil.data() + run.first_stencil;
+  for (unsigned left = run.irregular & wanted; left != 0; left &= left - 1) {
+    const std::size_t node = start + static_cast<std::size_t>(std::countr_zero(left));
+    const std::uint8_t open = level.links.open[node];
+    if (open & skipped) continue;
+    body(At{node, open, stencil + bit_counts[run.irregular & ((left & (0 - left)) - 1)]});
   }
 }
 
@@ -92,14 +116,6 @@ void relax_run(GridLevel& level, std::size_t r, int color) {
   const auto offset = offsets(run);
   const int first = (run.parity + color) & 1;
   Quad* value = level.value.data();
-  if (run.plain) {
-    for (std::size_t i = length * r + static_cast<std::size_t>(first); i < length * (r + 1); i += 2) {
-      Quad sum = sum_of_six(value + i, offset);
-      if constexpr (with_rhs) sum += level.rhs[i];
-      value[i] = sixth * sum;
-    }
-    return;
-  }
   for_every_other(level, r, first, not_solved, [&](const At& at) {
     Quad sum = at.stencil ? pulled(value, at, offset) : sum_of_six(value + at.node, offset);
     if constexpr (with_source) sum += at.stencil ? at.stencil->source : Quad{};
@@ -223,8 +239,9 @@ class Multigrid {
         coarse.value[node] = coarse.rhs[node] = Quad{};
         if (at == nullptr) return;
         Quad sum = residual[at->node];
+        const Quad* beside = residual + at->node;
         for (std::size_t d = 0; d < 6; ++d) {
-          if (at->open >> d & 1) sum += residual[static_cast<std::ptrdiff_t>(at->node) + offset[d]];
+          if (at->open == all_open || (at->open >> d & 1)) sum += beside[offset[d]];
         }
         coarse.rhs[node] = 0.5f * sum;
       });
@@ -252,21 +269,19 @@ class Multigrid {
     }
   }
 
-  /// Calls body(at, coarse node, offsets) for the nodes of a level that lie on coarse ones.
+  /// Calls body(at, coarse node, offsets) for the nodes of run r of a level that lie on coarse ones.
   template <typename Body>
-  void for_parents(std::size_t l, const Body& body) {
+  void for_parents(std::size_t l, std::size_t r, const Body& body) const {
     const GridLevel &fine = levels_[l], &coarse = levels_[l + 1];
-    for_runs(fine, options_.threads, [&](std::size_t r) {
-      const NodeRun& run = fine.runs[r];
-      if ((run.y | run.z) & 1) return;
-      const std::int32_t above = coarse.runs.at(run.block / 2, run.y / 2, run.z / 2);
-      if (above == NodeRuns::none) return;
-      const auto offset = offsets(fine.run_links[r]);
-      const auto first = static_cast<std::size_t>(length * above + length / 2 * (run.block % 2));
-      for_every_other(fine, r, 0, takes_no_part, [&](const At& at) {
-        const std::size_t parent = first + at.node % length / 2;
-        if ((coarse.links.open[parent] & takes_no_part) == 0) body(at, parent, offset);
-      });
+    const NodeRun& run = fine.runs[r];
+    if ((run.y | run.z) & 1) return;
+    const std::int32_t above = coarse.runs.at(run.block / 2, run.y / 2, run.z / 2);
+    if (above == NodeRuns::none) return;
+    const auto offset = offsets(fine.run_links[r]);
+    const auto first = static_cast<std::size_t>(length * above + length / 2 * (run.block % 2));
+    for_every_other(fine, r, 0, takes_no_part, [&](const At& at) {
+      const std::size_t parent = first + at.node % length / 2;
+      if ((coarse.links.open[parent] & takes_no_part) == 0) body(at, parent, offset);
     });
   }
 
@@ -274,10 +289,12 @@ class Multigrid {
   /// approximation scheme [Brandt 1977]; local refinement as in [McCormick 1989]).
   void hand_to_covered(std::size_t l) {
     GridLevel &patch = levels_[l], &coarse = levels_[l + 1];
-    for_parents(l, [&](const At& at, std::size_t parent, const auto&) {
-      if ((at.open & is_given) == 0) coarse.value[parent] = patch.value[at.node];
+    for_runs(patch, options_.threads, [&](std::size_t run) {
+      for_parents(l, run, [&](const At& at, std::size_t parent, const auto&) {
+        if ((at.open & is_given) == 0) coarse.value[parent] = patch.value[at.node];
+      });
     });
-    for_parents(l, [&](const At& at, std::size_t parent, const auto& offset) {
+    const auto hand_over = [&](const At& at, std::size_t parent, const auto& offset) {
       if (at.open & is_given) return;
       const std::size_t r = parent / length;
       const std::uint8_t open = coarse.links.open[parent];
@@ -291,22 +308,40 @@ class Multigrid {
                                            : 6.0f * here - sum_of_six(coarse.value.data() + parent, beside);
       coarse.rhs[parent] =
           fulfilled + 0.5f * (patch.residual[at.node] + sum_between(patch.residual.data(), at, offset, all_open));
-    });
+    };
+    for_runs(patch, options_.threads, [&](std::size_t run) { for_parents(l, run, hand_over); });
   }
 
-  /// Calls body(at, offsets, directions along odd axes) for all nodes with so many odd coordinates.
+  /// Calls body(at, offsets, directions along odd axes) for the nodes of run r with so many odd coordinates.
   template <typename Body>
-  void for_between(std::size_t l, int odd_coordinates, const Body& body) {
-    const GridLevel& level = levels_[l];
-    for_runs(level, options_.threads, [&](std::size_t r) {
-      const NodeRun& run = level.runs[r];
-      const int odd_x = odd_coordinates - (run.y & 1) - (run.z & 1);
-      if (odd_x < 0 || odd_x > 1) return;
-      const auto along =
-          static_cast<std::uint8_t>((odd_x ? 0b11 : 0) | (run.y & 1 ? 0b1100 : 0) | (run.z & 1 ? 0b110000 : 0));
-      const auto offset = offsets(level.run_links[r]);
-      for_every_other(level, r, odd_x, takes_no_part, [&](const At& at) { body(at, offset, along); });
-    });
+  static void for_between(const GridLevel& level, std::size_t r, int odd_coordinates, const Body& body) {
+    const NodeRun& run = level.runs[r];
+    const int odd_x = odd_coordinates - (run.y & 1) - (run.z & 1);
+    if (odd_x < 0 || odd_x > 1) return;
+    const auto along =
+        static_cast<std::uint8_t>((odd_x ? 0b11 : 0) | (run.y & 1 ? 0b1100 : 0) | (run.z & 1 ? 0b110000 : 0));
+    const auto offset = offsets(level.run_links[r]);
+    for_every_other(level, r, odd_x, takes_no_part, [&](const At& at) { body(at, offset, along); });
+  }
+
+  /// Goes from the nodes that lie on coarse ones to those between, so that each finds its neighbours along odd axes
+  /// done: first all planes that hold coarse nodes, plane by plane, while they are in the cache; then those between.
+  template <typename OnCoarse, typename Between>
+  void for_all_from_coarser(std::size_t l, const OnCoarse& on_coarse, const Between& between) const {
+    const GridLevel& fine = levels_[l];
+    for (int parity = 0; parity < 2; ++parity) {
+      for_planes(fine, options_.threads, parity, [&](std::size_t first, std::size_t end) {
+        if (parity == 0) {
+          for (std::size_t r = first; r < end; ++r) for_parents(l, r, on_coarse);
+        }
+        for (int odd = 1; odd <= 2 + parity; ++odd) {
+          for (std::size_t r = first; r < end; ++r) {
+            for_between(fine, r, odd,
+                        [&](const At& at, const auto& offset, std::uint8_t along) { between(at, offset, along, odd); });
+          }
+        }
+      });
+    }
   }
 
   /// The correction of a node between coarse ones is the mean over the axes on which it lies between; a surface there
@@ -315,37 +350,36 @@ class Multigrid {
     GridLevel& fine = levels_[l];
     Quad* correction = fine.residual.data();
     const GridLevel& coarse = levels_[l + 1];
-    for_parents(l, [&](const At& at, std::size_t parent, const auto&) {
-      correction[at.node] = fine.is_patch ? coarse.value[parent] - fine.value[at.node] : coarse.value[parent];
-      fine.value[at.node] += correction[at.node];
-    });
-    for (int odd = 1; odd <= 3; ++odd) {
-      const float share = 0.5f / static_cast<float>(odd);
-      for_between(l, odd, [&](const At& at, const auto& offset, std::uint8_t along) {
-        const Quad sum = sum_between(correction, at, offset, along);
-        correction[at.node] = (at.stencil ? at.stencil->odd_inverse : share) * sum;
-        fine.value[at.node] += correction[at.node];
-      });
-    }
+    for_all_from_coarser(
+        l,
+        [&](const At& at, std::size_t parent, const auto&) {
+          correction[at.node] = fine.is_patch ? coarse.value[parent] - fine.value[at.node] : coarse.value[parent];
+          fine.value[at.node] += correction[at.node];
+        },
+        [&](const At& at, const auto& offset, std::uint8_t along, int odd) {
+          constexpr std::array<float, 4> share = {0, 0.5f, 0.5f / 2, 0.5f / 3};
+          const Quad sum = sum_between(correction, at, offset, along);
+          correction[at.node] = (at.stencil ? at.stencil->odd_inverse : share[static_cast<std::size_t>(odd)]) * sum;
+          fine.value[at.node] += correction[at.node];
+        });
   }
 
   /// A first guess between coarse nodes: the mean of the neighbours that are known, or else what the surfaces give.
   void start_from_coarser(std::size_t l) {
     GridLevel& fine = levels_[l];
     const GridLevel& coarse = levels_[l + 1];
-    for_parents(l, [&](const At& at, std::size_t parent, const auto&) { fine.value[at.node] = coarse.value[parent]; });
-    for (int odd = 1; odd <= 3; ++odd) {
-      for_between(l, odd, [&](const At& at, const auto& offset, std::uint8_t along) {
-        const auto known = static_cast<std::uint8_t>(at.open & along);
-        if (known == 0) {
-          const Quad& source = at.stencil->source;
-          fine.value[at.node] = source[3] > 0 ? source / source[3] : Quad{};
-          return;
-        }
-        const Quad sum = sum_between(fine.value.data(), at, offset, known);
-        fine.value[at.node] = sum / static_cast<float>(bit_counts[known]);
-      });
-    }
+    for_all_from_coarser(
+        l, [&](const At& at, std::size_t parent, const auto&) { fine.value[at.node] = coarse.value[parent]; },
+        [&](const At& at, const auto& offset, std::uint8_t along, int) {
+          const auto known = static_cast<std::uint8_t>(at.open & along);
+          if (known == 0) {
+            const Quad& source = at.stencil->source;
+            fine.value[at.node] = source[3] > 0 ? source / source[3] : Quad{};
+            return;
+          }
+          const Quad sum = sum_between(fine.value.data(), at, offset, known);
+          fine.value[at.node] = sum / static_cast<float>(bit_counts[known]);
+        });
   }
 
   std::vector<GridLevel> levels_;
