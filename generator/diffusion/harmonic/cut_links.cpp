@@ -1,6 +1,7 @@
 #include "generator/diffusion/harmonic/cut_links.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "generator/diffusion/harmonic/crossings.h"
@@ -109,7 +110,10 @@ class NearestOfRun {
  public:
   explicit NearestOfRun(const std::vector<LinkCrossing>& crossings) : crossings_(crossings) {}
 
-  void clear() { cut_ = {}; }
+  void clear() {
+    cut_ = {};
+    nodes_ = 0;
+  }
 
   void keep_if_nearest(std::uint32_t end) {
     const std::uint32_t c = end / 2;
@@ -126,18 +130,19 @@ class NearestOfRun {
       return;
     }
     cut_[k] = static_cast<std::uint8_t>(cut_[k] | 1 << d);
+    nodes_ |= 1u << k;
     best = {theta, c};
   }
 
   /// Adds the nodes with a cut, of which `first` is the first of the run; their links are open no longer.
   void add_nodes(const DiffusionSurfaces& surfaces, std::size_t first, CutLinks& links, std::uint8_t* open) const {
-    for (std::size_t k = 0; k < NodeRuns::length; ++k) {
-      if (cut_[k] == 0) continue;
+    for (unsigned nodes = nodes_; nodes != 0; nodes &= nodes - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(nodes));
       open[first + k] = static_cast<std::uint8_t>(open[first + k] & ~cut_[k]);
       links.node.push_back(
           {static_cast<std::uint32_t>(first + k), static_cast<std::uint32_t>(links.cut.size()), cut_[k]});
-      for (std::size_t d = 0; d < 6; ++d) {
-        if ((cut_[k] >> d & 1) == 0) continue;
+      for (unsigned directions = cut_[k]; directions != 0; directions &= directions - 1) {
+        const auto d = static_cast<std::size_t>(std::countr_zero(directions));
         const Nearest& nearest = nearest_[k][d];
         links.cut.push_back(seen(surfaces, crossings_[nearest.crossing], d, nearest.theta));
       }
@@ -150,6 +155,7 @@ class NearestOfRun {
     std::uint32_t crossing = 0;
   };
   const std::vector<LinkCrossing>& crossings_;
+  unsigned nodes_ = 0;                                ///< a bit for each that has a cut
   std::array<std::uint8_t, NodeRuns::length> cut_{};  ///< a bit per direction
   std::array<std::array<Nearest, 6>, NodeRuns::length> nearest_;
 };

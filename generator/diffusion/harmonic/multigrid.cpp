@@ -10,6 +10,9 @@ namespace {
 /// Levels with fewer runs are too small to share.
 constexpr std::size_t runs_worth_sharing = 1000;
 
+/// Levels with more do not stay in the cache between one sweep and the next: a run has 128 bytes, and its stencils.
+constexpr std::size_t runs_beyond_cache = 30000;
+
 /// On the coarsest level, in place of a direct solution.
 constexpr int coarsest_sweeps = 24;
 
@@ -25,11 +28,14 @@ struct At {
   const Stencil* stencil;  ///< nothing for six open links
 };
 
+Threads threads_for(const GridLevel& level, Threads threads) {
+  return {level.runs.size() < runs_worth_sharing ? 1 : threads.count};
+}
+
 /// Calls body(r) for every run of a level.
 template <typename Body>
 void for_runs(const GridLevel& level, Threads threads, const Body& body) {
-  const Threads used{level.runs.size() < runs_worth_sharing ? 1 : threads.count};
-  parallel_for(level.ranges.size(), used, [&](std::size_t i) {
+  parallel_for(level.ranges.size(), threads_for(level, threads), [&](std::size_t i) {
     for (std::size_t r = level.ranges[i].first; r < level.ranges[i].second; ++r) body(r);
   });
 }
@@ -37,8 +43,7 @@ void for_runs(const GridLevel& level, Threads threads, const Body& body) {
 /// Calls body(first run, end) for every plane with z of a parity.
 template <typename Body>
 void for_planes(const GridLevel& level, Threads threads, int parity, const Body& body) {
-  const Threads used{level.runs.size() < runs_worth_sharing ? 1 : threads.count};
-  parallel_for(level.planes.size(), used, [&](std::size_t i) {
+  parallel_for(level.planes.size(), threads_for(level, threads), [&](std::size_t i) {
     const auto [first, end] = level.planes[i];
     if ((level.runs[first].z & 1) == parity) body(first, end);
   });
@@ -118,9 +123,63 @@ void relax_run(GridLevel& level, std::size_t r, int color) {
   Quad* value = level.value.data();
   for_every_other(level, r, first, not_solved, [&](const At& at) {
     Quad sum = at.stencil ? pulled(value, at, offset) : sum_of_six(value + at.node, offset);
-    if constexpr (with_source) sum += at.stencil ? at.stencil->source : Quad{};
+    if constexpr (with_source) {
+      if (at.stencil) sum += at.stencil->source;
+    }
     if constexpr (with_rhs) sum += level.rhs[at.node];
     value[at.node] = (at.stencil ? at.stencil->inverse : sixth) * sum;
+  });
+}
+
+/// Planes that one thread works on, by their places in GridLevel::planes.
+struct Stack {
+  int first = 0, end = 0;
+};
+
+/// Stacks of planes with about as many runs each, three to a thread, so that they even out. None if they would be too
+/// thin to take `steps` steps in each (run_in_stacks()), or if the level is so small that it stays in the cache anyway.
+std::vector<Stack> stacks_of(const GridLevel& level, int steps, Threads threads) {
+  std::vector<Stack> stacks;
+  if (level.runs.size() < runs_beyond_cache) return stacks;
+  const std::size_t parts = resolved(threads) == 1 ? 1 : 3 * static_cast<std::size_t>(resolved(threads));
+  std::size_t runs = 0;
+  int first = 0;
+  for (int p = 0; p < static_cast<int>(level.planes.size()); ++p) {
+    runs += level.planes[static_cast<std::size_t>(p)].second - level.planes[static_cast<std::size_t>(p)].first;
+    if (runs * parts < level.runs.size() * (stacks.size() + 1)) continue;
+    if (p + 1 - first < 2 * steps) return {};
+    stacks.push_back({first, p + 1});
+    first = p + 1;
+  }
+  return stacks;
+}
+
+/// Calls body(first run, end, step) for all planes and steps, so that each step finds what it finds if all planes take
+/// it at once: the step before done on the plane and on both beside it, the next one on none of these. The steps
+/// follow each other from plane to plane through a stack, as long as the planes are in the cache; near its ends they
+/// must wait for the next stack.
+template <typename Body>
+void run_in_stacks(const GridLevel& level, const std::vector<Stack>& stacks, int steps, Threads threads,
+                   const Body& body) {
+  const auto take = [&](int plane, int step) {
+    const auto [first, end] = level.planes[static_cast<std::size_t>(plane)];
+    body(first, end, step);
+  };
+  parallel_for(stacks.size(), threads, [&](std::size_t i) {
+    const bool is_first = i == 0, is_last = i + 1 == stacks.size();
+    for (int front = stacks[i].first; front < stacks[i].end + steps - 1; ++front) {
+      for (int step = 0; step < steps; ++step) {
+        const int plane = front - step;
+        const int low = stacks[i].first + (is_first ? 0 : step), end = stacks[i].end - (is_last ? 0 : step);
+        if (plane >= low && plane < end) take(plane, step);
+      }
+    }
+  });
+  parallel_for(stacks.size() - 1, threads, [&](std::size_t i) {
+    const int border = stacks[i].end;
+    for (int step = 1; step < steps; ++step) {
+      for (int plane = border - step; plane < border + step; ++plane) take(plane, step);
+    }
   });
 }
 
@@ -135,7 +194,7 @@ class Multigrid {
 
   std::vector<GridLevel> run() {
     const std::size_t coarsest = levels_.size() - 1;
-    for (int i = 0; i < 2 * coarsest_sweeps; ++i) relax(coarsest, Sought::field);
+    relax(coarsest, Sought::field, 2 * coarsest_sweeps);
     return run_from(coarsest);
   }
 
@@ -154,28 +213,39 @@ class Multigrid {
     return sought == Sought::correction || (l > 0 && levels_[l - 1].is_patch);
   }
 
-  void relax(std::size_t l, Sought sought) {
+  /// Gauss-Seidel, first the even nodes and then the odd ones, `sweeps` times.
+  void relax(std::size_t l, Sought sought, int sweeps) {
     GridLevel& level = levels_[l];
-    const bool with_rhs = has_rhs(l, sought);
-    for (int color = 0; color < 2; ++color) {
-      for_runs(level, options_.threads, [&](std::size_t r) {
+    const auto relax_runs = [&](std::size_t first, std::size_t end, int half_sweep) {
+      const int color = half_sweep % 2;
+      for (std::size_t r = first; r < end; ++r) {
         if (sought == Sought::correction) {
           relax_run<false, true>(level, r, color);
-        } else if (with_rhs) {
+        } else if (has_rhs(l, sought)) {
           relax_run<true, true>(level, r, color);
         } else {
           relax_run<true, false>(level, r, color);
         }
-      });
+      }
+    };
+    const std::vector<Stack> stacks = stacks_of(level, 2 * sweeps, options_.threads);
+    if (!stacks.empty()) {
+      run_in_stacks(level, stacks, 2 * sweeps, options_.threads, relax_runs);
+      return;
+    }
+    const Threads used = threads_for(level, options_.threads);
+    for (int half_sweep = 0; half_sweep < 2 * sweeps; ++half_sweep) {
+      parallel_for(level.ranges.size(), used,
+                   [&](std::size_t i) { relax_runs(level.ranges[i].first, level.ranges[i].second, half_sweep); });
     }
   }
 
   void cycle(std::size_t l, Sought sought) {
     if (l + 1 == levels_.size()) {
-      for (int i = 0; i < coarsest_sweeps; ++i) relax(l, sought);
+      relax(l, sought, coarsest_sweeps);
       return;
     }
-    for (int i = 0; i < options_.sweeps; ++i) relax(l, sought);
+    relax(l, sought, options_.sweeps);
     find_residual(l, sought);
     restrict_to_edges(l);
     if (levels_[l].is_patch) {
@@ -186,7 +256,7 @@ class Multigrid {
       cycle(l + 1, Sought::correction);
     }
     correct_from_coarser(l);
-    for (int i = 0; i < options_.sweeps; ++i) relax(l, sought);
+    relax(l, sought, options_.sweeps);
   }
 
   /// At the nodes of even parity, because relaxing the odd ones has just left nothing there; between coarse nodes
