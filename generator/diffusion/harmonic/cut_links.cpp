@@ -295,12 +295,14 @@ void LinkFinder::for_irregular(std::size_t i, const NodeRuns& kept, const std::v
       std::memset(&open[first_to], all_open, NodeRuns::length);
       continue;
     }
-    for (std::size_t k = 0; k < NodeRuns::length; ++k) {
-      const std::size_t from = first + k, to = first_to + k;
-      open[to] = marked[r] >> k & 1 ? takes_no_part : open_[from];
-      if (open[to] == all_open || (open[to] & takes_no_part)) continue;
-      while (next != end && next->node < from) ++next;
-      body(to, next != end && next->node == from ? &*next : nullptr);
+    std::memcpy(&open[first_to], &open_[first], NodeRuns::length);
+    for (unsigned left = marked[r]; left != 0; left &= left - 1) {
+      open[first_to + static_cast<std::size_t>(std::countr_zero(left))] = takes_no_part;
+    }
+    for (unsigned left = irregular_of(eight_at(&open[first_to])); left != 0; left &= left - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      while (next != end && next->node < first + k) ++next;
+      body(first_to + k, next != end && next->node == first + k ? &*next : nullptr);
     }
   }
 }

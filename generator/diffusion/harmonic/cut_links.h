@@ -42,6 +42,17 @@ inline std::uint64_t eight_at(const std::uint8_t* open) {
   return word;
 }
 
+/// The lowest bits of eight bytes, side by side: the factor brings that of byte k to bit 56 + k, and no two meet.
+constexpr std::uint8_t lowest_bits(std::uint64_t bytes) {
+  return static_cast<std::uint8_t>((bytes & eight_of(1)) * 0x0102040810204080u >> 56);
+}
+
+/// Which of a run's eight nodes have an equation of their own: they take part, and not all six links are open.
+constexpr std::uint8_t irregular_of(std::uint64_t eight) {
+  const std::uint64_t closed = (eight ^ eight_of(all_open)) & eight_of(all_open | is_given);
+  return lowest_bits((closed + eight_of(127)) >> 7 & ~(eight >> 7));
+}
+
 struct CutLinks {
   std::vector<std::uint8_t> open;                      ///< per stored node; symmetric
   std::vector<CutNode, LargeAllocator<CutNode>> node;  ///< by node

@@ -33,9 +33,6 @@ class BitRows {
   std::vector<std::uint64_t> bits_;
 };
 
-/// The lowest bits of eight bytes, side by side: the factor brings that of byte k to bit 56 + k, and no two meet.
-std::uint64_t lowest_bits(std::uint64_t bytes) { return (bytes & eight_of(1)) * 0x0102040810204080u >> 56; }
-
 /// Which links towards larger x, y and z are open.
 struct OpenRows {
   OpenRows(const NodeRuns& runs, const std::vector<std::uint8_t>& open, Threads threads) : x(runs), y(runs), z(runs) {

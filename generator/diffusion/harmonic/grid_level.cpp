@@ -30,12 +30,9 @@ RunLinks links_of_run(const NodeRuns& runs, const CutLinks& links, std::size_t r
     result.regular = 255;
     return result;
   }
-  for (int k = 0; k < NodeRuns::length; ++k) {
-    const std::uint8_t open = links.open[NodeRuns::length * r + static_cast<std::size_t>(k)];
-    if (open & takes_no_part) continue;
-    std::uint8_t& bits = open == all_open ? result.regular : result.irregular;
-    bits = static_cast<std::uint8_t>(bits | 1 << k);
-  }
+  const std::uint64_t eight = eight_at(&links.open[NodeRuns::length * r]);
+  result.irregular = irregular_of(eight);
+  result.regular = static_cast<std::uint8_t>(~(result.irregular | lowest_bits(eight >> 7)));
   return result;
 }
 
@@ -129,20 +126,25 @@ void add_coarse_node(const GridLevel& fine, const Node& at, std::size_t node, Cu
   // Two fine links make one coarse link: a cut in the second lies half a link further on.
   const RunLinks& run = fine.run_links[here / NodeRuns::length];
   const std::array<std::int32_t, 6> offset = {-1, 1, run.y_down, run.y_up, run.z_down, run.z_up};
-  CutNode cut{static_cast<std::uint32_t>(node), static_cast<std::uint32_t>(part.cut.size()), 0};
-  open = 0;
-  for (int d = 0; d < 6; ++d) {
-    const bool first_open = fine.links.open[here] >> d & 1;
-    const std::size_t middle =
-        first_open ? static_cast<std::size_t>(found + offset[static_cast<std::size_t>(d)]) : here;
-    if (first_open && (fine.links.open[middle] >> d & 1)) {
-      open = static_cast<std::uint8_t>(open | 1 << d);
-    } else if (const LinkCut* nearer = cut_at(fine, middle, d)) {
-      cut.cut = static_cast<std::uint8_t>(cut.cut | 1 << d);
-      part.cut.push_back({0.5f * nearer->theta + (first_open ? 0.5f : 0.0f), nearer->side, nearer->color});
-    }
+  unsigned opened = fine.links.open[here] & all_open;
+  for (unsigned left = opened; left != 0; left &= left - 1) {
+    const auto d = static_cast<std::size_t>(std::countr_zero(left));
+    const auto middle = static_cast<std::size_t>(found + offset[d]);
+    if ((fine.links.open[middle] >> d & 1) == 0) opened &= ~(1u << d);
   }
-  if (open != all_open) part.node.push_back(cut);
+  open = static_cast<std::uint8_t>(opened);
+  if (open == all_open) return;
+  CutNode cut{static_cast<std::uint32_t>(node), static_cast<std::uint32_t>(part.cut.size()), 0};
+  for (unsigned left = all_open & ~opened; left != 0; left &= left - 1) {
+    const auto d = static_cast<std::size_t>(std::countr_zero(left));
+    const bool first_open = fine.links.open[here] >> d & 1;
+    const std::size_t middle = first_open ? static_cast<std::size_t>(found + offset[d]) : here;
+    const LinkCut* nearer = cut_at(fine, middle, static_cast<int>(d));
+    if (nearer == nullptr) continue;
+    cut.cut = static_cast<std::uint8_t>(cut.cut | 1 << d);
+    part.cut.push_back({0.5f * nearer->theta + (first_open ? 0.5f : 0.0f), nearer->side, nearer->color});
+  }
+  part.node.push_back(cut);
 }
 
 CutLinks coarser_links(const GridLevel& fine, const NodeRuns& coarse_runs, Threads threads) {
@@ -152,6 +154,10 @@ CutLinks coarser_links(const GridLevel& fine, const NodeRuns& coarse_runs, Threa
   links.open.resize(coarse_runs.node_count());
   std::vector<CutLinks> parts(ranges.size());
   parallel_for(ranges.size(), threads, [&](std::size_t i) {
+    // A coarse plane has about a fourth of the cut nodes of a fine one, and there are half as many planes.
+    parts[i].node.reserve(fine.links.node.size() / (3 * ranges.size()));
+    parts[i].cut.reserve(fine.links.cut.size() / (3 * ranges.size()));
+
     // Where a glance shows that a whole run is open, its nodes need no look at each link.
     for (std::size_t r = ranges[i].first; r < ranges[i].second; ++r) {
       const NodeRun& run = coarse_runs[r];

@@ -1,6 +1,7 @@
 #include "generator/diffusion/harmonic/multigrid.h"
 
 #include <bit>
+#include <type_traits>
 #include <utility>
 
 namespace pomona {
@@ -130,6 +131,10 @@ void relax_run(GridLevel& level, std::size_t r, int color) {
     value[at.node] = (at.stencil ? at.stencil->inverse : sixth) * sum;
   });
 }
+
+/// Directions as bits, known when the program is compiled.
+template <std::uint8_t bits>
+using Along = std::integral_constant<std::uint8_t, bits>;
 
 /// Planes that one thread works on, by their places in GridLevel::planes.
 struct Stack {
@@ -382,16 +387,35 @@ class Multigrid {
     for_runs(patch, options_.threads, [&](std::size_t run) { for_parents(l, run, hand_over); });
   }
 
-  /// Calls body(at, offsets, directions along odd axes) for the nodes of run r with so many odd coordinates.
+  /// Calls body(at, offsets, directions along odd axes) for the nodes of run r with so many odd coordinates. The
+  /// directions are a type's value: no node needs to ask for them.
   template <typename Body>
   static void for_between(const GridLevel& level, std::size_t r, int odd_coordinates, const Body& body) {
     const NodeRun& run = level.runs[r];
     const int odd_x = odd_coordinates - (run.y & 1) - (run.z & 1);
     if (odd_x < 0 || odd_x > 1) return;
-    const auto along =
-        static_cast<std::uint8_t>((odd_x ? 0b11 : 0) | (run.y & 1 ? 0b1100 : 0) | (run.z & 1 ? 0b110000 : 0));
     const auto offset = offsets(level.run_links[r]);
-    for_every_other(level, r, odd_x, takes_no_part, [&](const At& at) { body(at, offset, along); });
+    const auto go_along = [&](auto along) {
+      for_every_other(level, r, along() & 1, takes_no_part, [&](const At& at) { body(at, offset, along); });
+    };
+    switch (odd_x | (run.y & 1) << 1 | (run.z & 1) << 2) {
+      case 0b001:
+        return go_along(Along<0b000011>());
+      case 0b010:
+        return go_along(Along<0b001100>());
+      case 0b011:
+        return go_along(Along<0b001111>());
+      case 0b100:
+        return go_along(Along<0b110000>());
+      case 0b101:
+        return go_along(Along<0b110011>());
+      case 0b110:
+        return go_along(Along<0b111100>());
+      case 0b111:
+        return go_along(Along<0b111111>());
+      default:
+        return;
+    }
   }
 
   /// Goes from the nodes that lie on coarse ones to those between, so that each finds its neighbours along odd axes
@@ -406,8 +430,7 @@ class Multigrid {
         }
         for (int odd = 1; odd <= 2 + parity; ++odd) {
           for (std::size_t r = first; r < end; ++r) {
-            for_between(fine, r, odd,
-                        [&](const At& at, const auto& offset, std::uint8_t along) { between(at, offset, along, odd); });
+            for_between(fine, r, odd, between);
           }
         }
       });
@@ -426,10 +449,10 @@ class Multigrid {
           correction[at.node] = fine.is_patch ? coarse.value[parent] - fine.value[at.node] : coarse.value[parent];
           fine.value[at.node] += correction[at.node];
         },
-        [&](const At& at, const auto& offset, std::uint8_t along, int odd) {
-          constexpr std::array<float, 4> share = {0, 0.5f, 0.5f / 2, 0.5f / 3};
+        [&](const At& at, const auto& offset, auto along) {
+          constexpr float share = 1.0f / static_cast<float>(bit_counts[decltype(along)::value]);
           const Quad sum = sum_between(correction, at, offset, along);
-          correction[at.node] = (at.stencil ? at.stencil->odd_inverse : share[static_cast<std::size_t>(odd)]) * sum;
+          correction[at.node] = (at.stencil ? at.stencil->odd_inverse : share) * sum;
           fine.value[at.node] += correction[at.node];
         });
   }
@@ -440,7 +463,12 @@ class Multigrid {
     const GridLevel& coarse = levels_[l + 1];
     for_all_from_coarser(
         l, [&](const At& at, std::size_t parent, const auto&) { fine.value[at.node] = coarse.value[parent]; },
-        [&](const At& at, const auto& offset, std::uint8_t along, int) {
+        [&](const At& at, const auto& offset, auto along) {
+          if (at.stencil == nullptr) {
+            constexpr auto beside = static_cast<float>(bit_counts[decltype(along)::value]);
+            fine.value[at.node] = sum_between(fine.value.data() + at.node, offset, along) / beside;
+            return;
+          }
           const auto known = static_cast<std::uint8_t>(at.open & along);
           if (known == 0) {
             const Quad& source = at.stencil->source;
