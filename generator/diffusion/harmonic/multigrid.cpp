@@ -1,8 +1,12 @@
 #include "generator/diffusion/harmonic/multigrid.h"
 
+#include <algorithm>
 #include <bit>
 #include <type_traits>
 #include <utility>
+
+/// Inlines all that a function calls: what is done at a node is less work than a call.
+#define POMONA_FLAT [[gnu::flatten]]
 
 namespace pomona {
 
@@ -38,15 +42,6 @@ template <typename Body>
 void for_runs(const GridLevel& level, Threads threads, const Body& body) {
   parallel_for(level.ranges.size(), threads_for(level, threads), [&](std::size_t i) {
     for (std::size_t r = level.ranges[i].first; r < level.ranges[i].second; ++r) body(r);
-  });
-}
-
-/// Calls body(first run, end) for every plane with z of a parity.
-template <typename Body>
-void for_planes(const GridLevel& level, Threads threads, int parity, const Body& body) {
-  parallel_for(level.planes.size(), threads_for(level, threads), [&](std::size_t i) {
-    const auto [first, end] = level.planes[i];
-    if ((level.runs[first].z & 1) == parity) body(first, end);
   });
 }
 
@@ -141,12 +136,9 @@ struct Stack {
   int first = 0, end = 0;
 };
 
-/// Stacks of planes with about as many runs each, three to a thread, so that they even out. None if they would be too
-/// thin to take `steps` steps in each (run_in_stacks()), or if the level is so small that it stays in the cache anyway.
-std::vector<Stack> stacks_of(const GridLevel& level, int steps, Threads threads) {
+/// So many stacks of planes with about as many runs each; none if one would be too thin to take `steps` steps in it.
+std::vector<Stack> stacks_of(const GridLevel& level, int steps, std::size_t parts) {
   std::vector<Stack> stacks;
-  if (level.runs.size() < runs_beyond_cache) return stacks;
-  const std::size_t parts = resolved(threads) == 1 ? 1 : 3 * static_cast<std::size_t>(resolved(threads));
   std::size_t runs = 0;
   int first = 0;
   for (int p = 0; p < static_cast<int>(level.planes.size()); ++p) {
@@ -159,10 +151,18 @@ std::vector<Stack> stacks_of(const GridLevel& level, int steps, Threads threads)
   return stacks;
 }
 
-/// Calls body(first run, end, step) for all planes and steps, so that each step finds what it finds if all planes take
-/// it at once: the step before done on the plane and on both beside it, the next one on none of these. The steps
-/// follow each other from plane to plane through a stack, as long as the planes are in the cache; near its ends they
-/// must wait for the next stack.
+/// Two stacks to a thread, or one if two would be too thin; none if the level is so small that it stays in the cache
+/// from step to step anyway.
+std::vector<Stack> stacks_for(const GridLevel& level, int steps, Threads threads) {
+  if (level.runs.size() < runs_beyond_cache) return {};
+  const auto most = static_cast<std::size_t>(std::min(resolved(threads), most_threads));
+  if (most == 1) return stacks_of(level, steps, 1);
+  std::vector<Stack> stacks = stacks_of(level, steps, 2 * most);
+  return stacks.empty() ? stacks_of(level, steps, most) : stacks;
+}
+
+/// Steps follow each other from plane to plane through a stack, as long as the planes are in the cache. Near its ends
+/// they must wait for the next stack.
 template <typename Body>
 void run_in_stacks(const GridLevel& level, const std::vector<Stack>& stacks, int steps, Threads threads,
                    const Body& body) {
@@ -188,6 +188,22 @@ void run_in_stacks(const GridLevel& level, const std::vector<Stack>& stacks, int
   });
 }
 
+/// Calls body(first run, end, step) for all planes and steps, each step on a plane when the one before is done there
+/// and on both planes beside, and the one after on none of these. That is as good as each step on all planes at once if
+/// what a step reads beside its plane is never what the same step writes.
+template <typename Body>
+void take_steps(const GridLevel& level, int steps, Threads threads, const Body& body) {
+  const std::vector<Stack> stacks = stacks_for(level, steps, threads);
+  if (!stacks.empty()) {
+    run_in_stacks(level, stacks, steps, threads, body);
+    return;
+  }
+  for (int step = 0; step < steps; ++step) {
+    parallel_for(level.planes.size(), threads_for(level, threads),
+                 [&](std::size_t p) { body(level.planes[p].first, level.planes[p].second, step); });
+  }
+}
+
 /// What a level is solved for: the field itself, or a correction to it, which is 0 on surfaces.
 enum class Sought { field, correction };
 
@@ -199,15 +215,14 @@ class Multigrid {
 
   std::vector<GridLevel> run() {
     const std::size_t coarsest = levels_.size() - 1;
-    relax(coarsest, Sought::field, 2 * coarsest_sweeps);
+    relax_coarsest(2 * coarsest_sweeps, Sought::field);
     return run_from(coarsest);
   }
 
   /// The levels from `known` on are solved.
   std::vector<GridLevel> run_from(std::size_t known) {
     for (std::size_t l = known; l-- > 0;) {
-      start_from_coarser(l);
-      for (int i = 0; i < (l == 0 ? options_.cycles : 1); ++i) cycle(l, Sought::field);
+      for (int i = 0; i < (l == 0 ? options_.cycles : 1); ++i) cycle(l, Sought::field, i == 0);
     }
     return std::move(levels_);
   }
@@ -218,41 +233,13 @@ class Multigrid {
     return sought == Sought::correction || (l > 0 && levels_[l - 1].is_patch);
   }
 
-  /// Gauss-Seidel, first the even nodes and then the odd ones, `sweeps` times.
-  void relax(std::size_t l, Sought sought, int sweeps) {
-    GridLevel& level = levels_[l];
-    const auto relax_runs = [&](std::size_t first, std::size_t end, int half_sweep) {
-      const int color = half_sweep % 2;
-      for (std::size_t r = first; r < end; ++r) {
-        if (sought == Sought::correction) {
-          relax_run<false, true>(level, r, color);
-        } else if (has_rhs(l, sought)) {
-          relax_run<true, true>(level, r, color);
-        } else {
-          relax_run<true, false>(level, r, color);
-        }
-      }
-    };
-    const std::vector<Stack> stacks = stacks_of(level, 2 * sweeps, options_.threads);
-    if (!stacks.empty()) {
-      run_in_stacks(level, stacks, 2 * sweeps, options_.threads, relax_runs);
-      return;
-    }
-    const Threads used = threads_for(level, options_.threads);
-    for (int half_sweep = 0; half_sweep < 2 * sweeps; ++half_sweep) {
-      parallel_for(level.ranges.size(), used,
-                   [&](std::size_t i) { relax_runs(level.ranges[i].first, level.ranges[i].second, half_sweep); });
-    }
-  }
-
-  void cycle(std::size_t l, Sought sought) {
+  /// A V cycle; from the solution of the next level, if asked to start there.
+  void cycle(std::size_t l, Sought sought, bool starts = false) {
     if (l + 1 == levels_.size()) {
-      relax(l, sought, coarsest_sweeps);
+      relax_coarsest(coarsest_sweeps, sought);
       return;
     }
-    relax(l, sought, options_.sweeps);
-    find_residual(l, sought);
-    restrict_to_edges(l);
+    go_down(l, sought, starts);
     if (levels_[l].is_patch) {
       hand_to_covered(l);
       cycle(l + 1, Sought::field);
@@ -260,17 +247,73 @@ class Multigrid {
       restrict_to_coarser(l);
       cycle(l + 1, Sought::correction);
     }
-    correct_from_coarser(l);
-    relax(l, sought, options_.sweeps);
+    go_up(l, sought);
+  }
+
+  void relax_coarsest(int sweeps, Sought sought) {
+    const std::size_t l = levels_.size() - 1;
+    for (int half_sweep = 0; half_sweep < 2 * sweeps; ++half_sweep) {
+      for (const auto& [first, end] : levels_[l].planes) relax(l, sought, first, end, half_sweep);
+    }
+  }
+
+  /// All that a level needs before the next coarser one.
+  void go_down(std::size_t l, Sought sought, bool starts) {
+    if (starts) {
+      take(2, l, [&](auto first, auto end, int step) { start_from_coarser(l, first, end, step); });
+    }
+    const int n = 2 * options_.sweeps;
+    take(n + 2, l, [&](auto first, auto end, int step) {
+      if (step < n) {
+        relax(l, sought, first, end, step);
+      } else if (step == n) {
+        find_residual(l, sought, first, end);
+      } else {
+        restrict_to_edges(l, first, end);
+      }
+    });
+  }
+
+  /// And after it.
+  void go_up(std::size_t l, Sought sought) {
+    const int n = 2 * options_.sweeps;
+    take(n + 2, l, [&](auto first, auto end, int step) {
+      if (step < 2) {
+        correct_from_coarser(l, first, end, step);
+      } else {
+        relax(l, sought, first, end, step - 2);
+      }
+    });
+  }
+
+  template <typename Body>
+  void take(int steps, std::size_t l, const Body& body) {
+    take_steps(levels_[l], steps, options_.threads, body);
+  }
+
+  /// Half a sweep of Gauss-Seidel over some runs: the even ones relax nodes of even parity, the others the rest.
+  POMONA_FLAT void relax(std::size_t l, Sought sought, std::size_t first, std::size_t end, int half_sweep) {
+    GridLevel& level = levels_[l];
+    const int color = half_sweep % 2;
+    const bool with_rhs = has_rhs(l, sought);
+    for (std::size_t r = first; r < end; ++r) {
+      if (sought == Sought::correction) {
+        relax_run<false, true>(level, r, color);
+      } else if (with_rhs) {
+        relax_run<true, true>(level, r, color);
+      } else {
+        relax_run<true, false>(level, r, color);
+      }
+    }
   }
 
   /// At the nodes of even parity, because relaxing the odd ones has just left nothing there; between coarse nodes
   /// (two odd coordinates) already weighted for the way down.
-  void find_residual(std::size_t l, Sought sought) {
+  POMONA_FLAT void find_residual(std::size_t l, Sought sought, std::size_t first, std::size_t end) {
     GridLevel& level = levels_[l];
-    Quad* value = level.value.data();
+    const Quad* value = level.value.data();
     const bool with_rhs = has_rhs(l, sought);
-    for_runs(level, options_.threads, [&](std::size_t r) {
+    for (std::size_t r = first; r < end; ++r) {
       const auto offset = offsets(level.run_links[r]);
       const NodeRun& run = level.runs[r];
       const float between = (run.y & 1) | (run.z & 1) ? 0.25f : 1.0f;
@@ -282,22 +325,32 @@ class Multigrid {
         if (at.open & is_given) rest = Quad{};
         level.residual[at.node] = (between != 1 && at.stencil ? at.stencil->odd_inverse : between) * rest;
       });
-    });
+    }
   }
 
   /// Nodes on edges between coarse nodes (one odd coordinate) gather from their faces.
-  void restrict_to_edges(std::size_t l) {
+  POMONA_FLAT void restrict_to_edges(std::size_t l, std::size_t first, std::size_t end) {
     GridLevel& fine = levels_[l];
-    const Quad* residual = fine.residual.data();
-    for_runs(fine, options_.threads, [&](std::size_t r) {
+    for (std::size_t r = first; r < end; ++r) {
       const NodeRun& run = fine.runs[r];
-      if ((run.y & 1) && (run.z & 1)) return;
-      const auto offset = offsets(fine.run_links[r]);
-      const std::uint8_t across = static_cast<std::uint8_t>((run.y & 1 ? 0b110011 : run.z & 1 ? 0b001111 : 0b111100));
-      for_every_other(fine, r, (run.y | run.z) & 1 ? 0 : 1, takes_no_part, [&](const At& at) {
-        const Quad sum = at.open & is_given ? Quad{} : sum_between(residual, at, offset, across);
-        fine.residual[at.node] = (at.stencil ? at.stencil->odd_inverse : 0.5f) * sum;
-      });
+      if ((run.y & 1) && (run.z & 1)) continue;
+      if (run.y & 1) {
+        gather_edges<0b110011>(fine, r, 0);
+      } else if (run.z & 1) {
+        gather_edges<0b001111>(fine, r, 0);
+      } else {
+        gather_edges<0b111100>(fine, r, 1);
+      }
+    }
+  }
+
+  template <std::uint8_t across>
+  static void gather_edges(GridLevel& fine, std::size_t r, int odd_x) {
+    const Quad* residual = fine.residual.data();
+    const auto offset = offsets(fine.run_links[r]);
+    for_every_other(fine, r, odd_x, takes_no_part, [&](const At& at) {
+      const Quad sum = at.open & is_given ? Quad{} : sum_between(residual, at, offset, across);
+      fine.residual[at.node] = (at.stencil ? at.stencil->odd_inverse : 0.5f) * sum;
     });
   }
 
@@ -419,32 +472,28 @@ class Multigrid {
   }
 
   /// Goes from the nodes that lie on coarse ones to those between, so that each finds its neighbours along odd axes
-  /// done: first all planes that hold coarse nodes, plane by plane, while they are in the cache; then those between.
+  /// done: in the first step on planes that hold coarse nodes, in the second on those between.
   template <typename OnCoarse, typename Between>
-  void for_all_from_coarser(std::size_t l, const OnCoarse& on_coarse, const Between& between) const {
+  void go_from_coarser(std::size_t l, std::size_t first, std::size_t end, int step, const OnCoarse& on_coarse,
+                       const Between& between) const {
     const GridLevel& fine = levels_[l];
-    for (int parity = 0; parity < 2; ++parity) {
-      for_planes(fine, options_.threads, parity, [&](std::size_t first, std::size_t end) {
-        if (parity == 0) {
-          for (std::size_t r = first; r < end; ++r) for_parents(l, r, on_coarse);
-        }
-        for (int odd = 1; odd <= 2 + parity; ++odd) {
-          for (std::size_t r = first; r < end; ++r) {
-            for_between(fine, r, odd, between);
-          }
-        }
-      });
+    if ((fine.runs[first].z & 1) != step) return;
+    if (step == 0) {
+      for (std::size_t r = first; r < end; ++r) for_parents(l, r, on_coarse);
+    }
+    for (int odd = 1; odd <= 2 + step; ++odd) {
+      for (std::size_t r = first; r < end; ++r) for_between(fine, r, odd, between);
     }
   }
 
   /// The correction of a node between coarse ones is the mean over the axes on which it lies between; a surface there
   /// is not corrected.
-  void correct_from_coarser(std::size_t l) {
+  POMONA_FLAT void correct_from_coarser(std::size_t l, std::size_t first, std::size_t end, int step) {
     GridLevel& fine = levels_[l];
     Quad* correction = fine.residual.data();
     const GridLevel& coarse = levels_[l + 1];
-    for_all_from_coarser(
-        l,
+    go_from_coarser(
+        l, first, end, step,
         [&](const At& at, std::size_t parent, const auto&) {
           correction[at.node] = fine.is_patch ? coarse.value[parent] - fine.value[at.node] : coarse.value[parent];
           fine.value[at.node] += correction[at.node];
@@ -458,11 +507,12 @@ class Multigrid {
   }
 
   /// A first guess between coarse nodes: the mean of the neighbours that are known, or else what the surfaces give.
-  void start_from_coarser(std::size_t l) {
+  POMONA_FLAT void start_from_coarser(std::size_t l, std::size_t first, std::size_t end, int step) {
     GridLevel& fine = levels_[l];
     const GridLevel& coarse = levels_[l + 1];
-    for_all_from_coarser(
-        l, [&](const At& at, std::size_t parent, const auto&) { fine.value[at.node] = coarse.value[parent]; },
+    go_from_coarser(
+        l, first, end, step,
+        [&](const At& at, std::size_t parent, const auto&) { fine.value[at.node] = coarse.value[parent]; },
         [&](const At& at, const auto& offset, auto along) {
           if (at.stencil == nullptr) {
             constexpr auto beside = static_cast<float>(bit_counts[decltype(along)::value]);
