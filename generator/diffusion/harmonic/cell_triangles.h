@@ -7,8 +7,36 @@
 
 #include "generator/base/parallel.h"
 #include "generator/diffusion/harmonic/lattice.h"
+#include "generator/diffusion/harmonic/node_runs.h"
 
 namespace pomona {
+
+/// Some of many numbered things, and the place of each of them among these.
+class SparseSet {
+ public:
+  SparseSet() = default;
+  explicit SparseSet(std::size_t all) : words_((all + 63) / 64) {}
+
+  void add(std::size_t i) { words_[i / 64].bits |= std::uint64_t{1} << i % 64; }
+  void add_all(const SparseSet& others, std::size_t first);  ///< their number 0 is `first` here
+
+  /// Counts them, which place() needs; how many there are.
+  std::uint32_t count();
+
+  bool holds(std::size_t i) const { return words_[i / 64].bits >> i % 64 & 1; }
+  std::uint32_t place(std::size_t i) const {
+    const Word& word = words_[i / 64];
+    return word.before + count_of_bits(word.bits & ((std::uint64_t{1} << i % 64) - 1));
+  }
+  std::size_t bytes() const { return words_.size() * sizeof(Word); }
+
+ private:
+  struct Word {
+    std::uint64_t bits = 0;
+    std::uint32_t before = 0;  ///< how many lie in words before this one
+  };
+  std::vector<Word> words_;
+};
 
 /// The cell with its low corner at node (x, y, z) has the index (z * count.y + y) * count.x + x.
 class CellTriangles {
@@ -20,13 +48,16 @@ class CellTriangles {
 
   /// All triangles that meet the cell, and few others; ascending.
   std::span<const std::uint32_t> in(std::size_t cell) const {
-    return {triangle_.data() + first_[cell], triangle_.data() + first_[cell + 1]};
+    if (!filled_.holds(cell)) return {};
+    const std::uint32_t place = filled_.place(cell);
+    return {triangle_.data() + first_[place], triangle_.data() + first_[place + 1]};
   }
 
-  std::size_t bytes() const { return sizeof(std::uint32_t) * (first_.size() + triangle_.size()); }
+  std::size_t bytes() const { return filled_.bytes() + sizeof(std::uint32_t) * (first_.size() + triangle_.size()); }
 
  private:
-  std::vector<std::uint32_t> first_;
+  SparseSet filled_;                  ///< most cells hold none
+  std::vector<std::uint32_t> first_;  ///< per filled cell
   std::vector<std::uint32_t> triangle_;
 };
 

@@ -64,7 +64,29 @@ class Crosser {
   Crosser(const SnappedSurfaces& snapped, const Lattice& lattice, int first_z, int end_z)
       : snapped_(snapped), bits_(lattice.unit_bits), count_(lattice.count), first_z_(first_z), end_z_(end_z) {}
 
+  /// Makes room for about as many crossings as these will have.
+  void expect(std::span<const std::uint32_t> triangles) {
+    // Lines along an axis cross a triangle once per cell that it fills as seen along that axis.
+    double twice = 0;
+    for (const std::uint32_t triangle : triangles) {
+      set(triangle);
+      for (const std::int64_t n : normal_) twice += std::fabs(static_cast<double>(n));
+    }
+    const auto links = static_cast<std::size_t>(0.5 * std::ldexp(twice, -2 * bits_));
+    found_.reserve(std::min(links + links / 8, 64 * triangles.size()) + 256);
+  }
+
   void cross(std::uint32_t triangle) {
+    set(triangle);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (normal_[static_cast<std::size_t>(axis)] != 0) cross_lines_along(projected(corner_, axis));
+    }
+  }
+
+  std::vector<LinkCrossing> found() { return std::move(found_); }
+
+ private:
+  void set(std::uint32_t triangle) {
     triangle_ = triangle;
     const glm::uvec3& t = snapped_.surfaces->triangle[triangle];
     corner_ = {snapped_.position[t.x], snapped_.position[t.y], snapped_.position[t.z]};
@@ -74,14 +96,8 @@ class Crosser {
       v[k] = corner_[2][k] - corner_[0][k];
     }
     normal_ = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    for (int axis = 0; axis < 3; ++axis) {
-      if (normal_[static_cast<std::size_t>(axis)] != 0) cross_lines_along(projected(corner_, axis));
-    }
   }
 
-  std::vector<LinkCrossing> found() { return std::move(found_); }
-
- private:
   /// The nodes from the least to the greatest of three coordinates.
   std::pair<std::int64_t, std::int64_t> span(const std::array<std::int64_t, 3>& v, std::size_t axis) const {
     std::int64_t low = ceil_shift(std::min({v[0], v[1], v[2]}), bits_);
@@ -185,6 +201,7 @@ class Crosser {
 std::vector<LinkCrossing> link_crossings(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles,
                                          const Lattice& lattice, int first_z, int end_z) {
   Crosser crosser(snapped, lattice, first_z, end_z);
+  crosser.expect(triangles);
   for (const std::uint32_t triangle : triangles) crosser.cross(triangle);
   return crosser.found();
 }

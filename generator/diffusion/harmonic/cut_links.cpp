@@ -1,6 +1,7 @@
 #include "generator/diffusion/harmonic/cut_links.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "generator/diffusion/harmonic/crossings.h"
@@ -41,108 +42,142 @@ void open_links(const NodeRuns& runs, std::span<const std::uint8_t> members, std
   }
 }
 
-/// The nearest crossings around one node so far.
-struct Nearest {
-  std::uint32_t node = 0;
-  std::uint8_t cut = 0;
-  std::array<std::uint32_t, 6> crossing{};
-  std::array<float, 6> theta{};
+/// The same where the runs hold a whole lattice and all its nodes are members: only the border has closed links.
+void open_links_of_whole(const NodeRuns& runs, std::size_t r, std::uint8_t* open) {
+  const NodeRun& run = runs[r];
+  const Node& count = runs.count();
+  int bits = all_open;
+  if (run.y == 0) bits &= ~(1 << y_down);
+  if (run.y == count[1] - 1) bits &= ~(1 << y_up);
+  if (run.z == 0) bits &= ~(1 << z_down);
+  if (run.z == count[2] - 1) bits &= ~(1 << z_up);
+  std::memset(open, bits, NodeRuns::length);
+  if (run.block == 0) open[0] = static_cast<std::uint8_t>(open[0] & ~(1 << x_down));
+  const int beyond = count[0] - NodeRuns::length * run.block;  // the first node that the lattice does not have
+  if (beyond > NodeRuns::length) return;
+  open[beyond - 1] = static_cast<std::uint8_t>(open[beyond - 1] & ~(1 << x_up));
+  std::fill(open + beyond, open + NodeRuns::length, takes_no_part);
+}
+
+/// The triangle's side that a node sees along a link in some direction.
+std::uint32_t side_seen(const LinkCrossing& crossing, std::size_t direction) {
+  const bool looks_ahead = direction % 2 == 1;
+  return 2 * crossing.triangle + (looks_ahead != crossing.front_ahead ? 0 : 1);
+}
+
+LinkCut seen(const DiffusionSurfaces& surfaces, const LinkCrossing& crossing, std::size_t direction, float theta) {
+  const std::uint32_t side = side_seen(crossing, direction);
+  const std::vector<Color>& color = side % 2 == 0 ? surfaces.front_color : surfaces.back_color;
+  const glm::uvec3& t = surfaces.triangle[crossing.triangle];
+  return {theta, side,
+          crossing.weight[0] * color[t.x] + crossing.weight[1] * color[t.y] + crossing.weight[2] * color[t.z]};
+}
+
+/// The ends of crossed links, by the run in which they lie: end 2 c is the node of crossing c, end 2 c + 1 the next.
+/// Crossings come by triangle and are wanted by node; chains bring them there with one visit each.
+class EndsOfRuns {
+ public:
+  EndsOfRuns(const NodeRuns& runs, std::pair<std::size_t, std::size_t> range,
+             const std::vector<LinkCrossing>& crossings)
+      : first_run_(range.first), first_(range.second - range.first, none), next_(2 * crossings.size()) {
+    for (std::uint32_t c = 0; c < crossings.size(); ++c) {
+      const Node& node = crossings[c].node;
+      Node ahead = node;
+      ++ahead[static_cast<std::size_t>(crossings[c].axis)];
+      add(runs.node_at(node[0], node[1], node[2]), 2 * c);
+      add(runs.node_at(ahead[0], ahead[1], ahead[2]), 2 * c + 1);
+    }
+  }
+
+  static constexpr std::uint32_t none = 0xffffffffu;
+  std::uint32_t first(std::size_t run) const { return first_[run - first_run_]; }
+  std::uint32_t next(std::uint32_t end) const { return next_[end]; }
+
+ private:
+  void add(std::int32_t node, std::uint32_t end) {
+    if (node == NodeRuns::none) return;
+    const std::size_t run = static_cast<std::size_t>(node) / NodeRuns::length - first_run_;
+    if (run >= first_.size()) return;  // another slab's, before or after
+    next_[end] = std::exchange(first_[run], end);
+  }
+
+  std::size_t first_run_;
+  std::vector<std::uint32_t> first_, next_;
 };
 
-}  // namespace
-
-/// Some planes, and all that cuts links there.
-class LinkFinder::Slab {
+/// The nearest crossings around the nodes of one run.
+class NearestOfRun {
  public:
-  Slab() = default;
-  Slab(const NodeRuns& runs, std::pair<std::size_t, std::size_t> range, std::vector<LinkCrossing> crossings,
-       std::uint8_t* open)
-      : runs_(&runs),
-        first_run_(range.first),
-        crossings_(std::move(crossings)),
-        nearest_(NodeRuns::length * (range.second - range.first), -1) {
-    found_.reserve(crossings_.size());
-    for (std::uint32_t c = 0; c < crossings_.size(); ++c) {
-      const LinkCrossing& crossing = crossings_[c];
-      Node ahead = crossing.node;
-      ++ahead[static_cast<std::size_t>(crossing.axis)];
-      keep_if_nearest(crossing.node, 2 * crossing.axis + 1, crossing.theta, c);
-      keep_if_nearest(ahead, 2 * crossing.axis, 1 - crossing.theta, c);
-    }
-    for (const Nearest& from : found_) open[from.node] = static_cast<std::uint8_t>(open[from.node] & ~from.cut);
+  explicit NearestOfRun(const std::vector<LinkCrossing>& crossings) : crossings_(crossings) {}
+
+  void clear() {
+    cut_ = {};
+    nodes_ = 0;
   }
 
-  /// Adds the sides that marked nodes see, 1 for front and 2 for back, to those per triangle.
-  void add_sides(const std::vector<std::uint8_t>& marked, std::vector<std::uint8_t>& sides) const {
-    for (const Nearest& from : found_) {
-      if ((marked[from.node / NodeRuns::length] >> from.node % NodeRuns::length & 1) == 0) continue;
-      for (std::size_t d = 0; d < 6; ++d) {
-        if ((from.cut >> d & 1) == 0) continue;
-        const std::uint32_t side = side_seen(crossings_[from.crossing[d]], d);
-        sides[side / 2] = static_cast<std::uint8_t>(sides[side / 2] | 1 << side % 2);
-      }
+  void keep_if_nearest(std::uint32_t end) {
+    const std::uint32_t c = end / 2;
+    const LinkCrossing& crossing = crossings_[c];
+    const bool is_ahead = end % 2 == 1;
+    const int x = crossing.node[0] + (is_ahead && crossing.axis == 0 ? 1 : 0);
+    const auto k = static_cast<std::size_t>(x % NodeRuns::length);
+    const auto d = static_cast<std::size_t>(2 * crossing.axis + (is_ahead ? 0 : 1));
+    const float theta = is_ahead ? 1 - crossing.theta : crossing.theta;
+    Nearest& best = nearest_[k][d];
+    const bool is_first = (cut_[k] >> d & 1) == 0;
+    if (!is_first &&
+        (theta > best.theta || (theta == best.theta && crossing.triangle > crossings_[best.crossing].triangle))) {
+      return;
     }
+    cut_[k] = static_cast<std::uint8_t>(cut_[k] | 1 << d);
+    nodes_ |= 1u << k;
+    best = {theta, c};
   }
 
-  std::size_t first_run() const { return first_run_; }
-
-  /// What cuts the links of a node, given by its number among all and by `node` among those kept; it has a closed one.
-  void add_node(const DiffusionSurfaces& surfaces, std::size_t number, std::uint32_t node, CutLinks& links) const {
-    CutNode cut{node, static_cast<std::uint32_t>(links.cut.size()), 0};
-    const std::int32_t found = nearest_[number - NodeRuns::length * first_run_];
-    if (found >= 0) {
-      const Nearest& from = found_[static_cast<std::size_t>(found)];
-      cut.cut = from.cut;
-      for (std::size_t d = 0; d < 6; ++d) {
-        if (from.cut >> d & 1) links.cut.push_back(seen(surfaces, from, d));
+  /// Adds the nodes with a cut, of which `first` is the first of the run; their links are open no longer.
+  void add_nodes(const DiffusionSurfaces& surfaces, std::size_t first, CutLinks& links, std::uint8_t* open) const {
+    for (unsigned nodes = nodes_; nodes != 0; nodes &= nodes - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(nodes));
+      open[first + k] = static_cast<std::uint8_t>(open[first + k] & ~cut_[k]);
+      links.node.push_back(
+          {static_cast<std::uint32_t>(first + k), static_cast<std::uint32_t>(links.cut.size()), cut_[k]});
+      for (unsigned directions = cut_[k]; directions != 0; directions &= directions - 1) {
+        const auto d = static_cast<std::size_t>(std::countr_zero(directions));
+        const Nearest& nearest = nearest_[k][d];
+        links.cut.push_back(seen(surfaces, crossings_[nearest.crossing], d, nearest.theta));
       }
     }
-    links.node.push_back(cut);
   }
 
  private:
-  void keep_if_nearest(const Node& at, int direction, float theta, std::uint32_t crossing) {
-    const std::int32_t node = runs_->node_at(at[0], at[1], at[2]);
-    if (node == NodeRuns::none) return;
-    const std::size_t local = static_cast<std::size_t>(node) - NodeRuns::length * first_run_;
-    if (local >= nearest_.size()) return;  // another slab's, before or after
-    if (nearest_[local] < 0) {
-      nearest_[local] = static_cast<std::int32_t>(found_.size());
-      found_.push_back({static_cast<std::uint32_t>(node), 0, {}, {}});
-    }
-    Nearest& best = found_[static_cast<std::size_t>(nearest_[local])];
-    const auto d = static_cast<std::size_t>(direction);
-    const bool is_first = (best.cut >> direction & 1) == 0;
-    const auto triangle = [&](std::uint32_t c) { return crossings_[c].triangle; };
-    if (!is_first &&
-        (theta > best.theta[d] || (theta == best.theta[d] && triangle(crossing) > triangle(best.crossing[d])))) {
-      return;
-    }
-    best.cut = static_cast<std::uint8_t>(best.cut | 1 << direction);
-    best.crossing[d] = crossing;
-    best.theta[d] = theta;
-  }
-
-  static std::uint32_t side_seen(const LinkCrossing& crossing, std::size_t direction) {
-    const bool looks_ahead = direction % 2 == 1;
-    return 2 * crossing.triangle + (looks_ahead != crossing.front_ahead ? 0 : 1);
-  }
-
-  LinkCut seen(const DiffusionSurfaces& surfaces, const Nearest& from, std::size_t direction) const {
-    const LinkCrossing& crossing = crossings_[from.crossing[direction]];
-    const std::uint32_t side = side_seen(crossing, direction);
-    const std::vector<Color>& color = side % 2 == 0 ? surfaces.front_color : surfaces.back_color;
-    const glm::uvec3& t = surfaces.triangle[crossing.triangle];
-    return {from.theta[direction], side,
-            crossing.weight[0] * color[t.x] + crossing.weight[1] * color[t.y] + crossing.weight[2] * color[t.z]};
-  }
-
-  const NodeRuns* runs_ = nullptr;
-  std::size_t first_run_ = 0;
-  std::vector<LinkCrossing> crossings_;
-  std::vector<std::int32_t> nearest_;  ///< per node, index into found_
-  std::vector<Nearest> found_;
+  struct Nearest {
+    float theta = 0;
+    std::uint32_t crossing = 0;
+  };
+  const std::vector<LinkCrossing>& crossings_;
+  unsigned nodes_ = 0;                                ///< a bit for each that has a cut
+  std::array<std::uint8_t, NodeRuns::length> cut_{};  ///< a bit per direction
+  std::array<std::array<Nearest, 6>, NodeRuns::length> nearest_;
 };
+
+/// The cut nodes of some runs, by node; `open` loses what is cut.
+CutLinks cut_nodes(const DiffusionSurfaces& surfaces, const NodeRuns& runs, std::pair<std::size_t, std::size_t> range,
+                   const std::vector<LinkCrossing>& crossings, std::uint8_t* open) {
+  CutLinks links;
+  links.node.reserve(crossings.size());
+  links.cut.reserve(2 * crossings.size());
+  const EndsOfRuns ends(runs, range, crossings);
+  NearestOfRun nearest(crossings);
+  for (std::size_t r = range.first; r < range.second; ++r) {
+    if (ends.first(r) == EndsOfRuns::none) continue;
+    nearest.clear();
+    for (std::uint32_t end = ends.first(r); end != EndsOfRuns::none; end = ends.next(end)) nearest.keep_if_nearest(end);
+    nearest.add_nodes(surfaces, NodeRuns::length * r, links, open);
+  }
+  return links;
+}
+
+}  // namespace
 
 std::vector<std::vector<std::uint32_t>> triangles_by_planes(const SnappedSurfaces& snapped,
                                                             std::span<const std::uint32_t> triangles,
@@ -164,25 +199,50 @@ std::vector<std::vector<std::uint32_t>> triangles_by_planes(const SnappedSurface
 
 LinkFinder::LinkFinder(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles, const Lattice& lattice,
                        const NodeRuns& runs, std::span<const std::uint8_t> members, Threads threads)
-    : snapped_(snapped), runs_(runs), threads_(threads), open_(runs.node_count()) {
-  const auto ranges = runs.ranges_of_planes(slab_count);
+    : LinkFinder(snapped, runs, threads) {
+  find(triangles, lattice, [&](std::size_t r, std::uint8_t* open) { open_links(runs, members, r, open); });
+}
+
+LinkFinder::LinkFinder(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles, const Lattice& lattice,
+                       const NodeRuns& runs, Threads threads)
+    : LinkFinder(snapped, runs, threads) {
+  find(triangles, lattice, [&](std::size_t r, std::uint8_t* open) { open_links_of_whole(runs, r, open); });
+}
+
+LinkFinder::LinkFinder(const SnappedSurfaces& snapped, const NodeRuns& runs, Threads threads)
+    : snapped_(snapped),
+      runs_(runs),
+      threads_(threads),
+      open_(runs.node_count()),
+      ranges_(runs.ranges_of_planes(slab_count)),
+      slabs_(ranges_.size()) {}
+
+template <typename OpenLinks>
+void LinkFinder::find(std::span<const std::uint32_t> triangles, const Lattice& lattice, const OpenLinks& open_links) {
   std::vector<std::pair<int, int>> planes;
-  for (const auto& [first, end] : ranges) planes.emplace_back(runs[first].z, runs[end - 1].z + 1);
-  const auto by_planes = triangles_by_planes(snapped, triangles, lattice, planes);
-  slabs_.resize(ranges.size());
-  parallel_for(ranges.size(), threads, [&](std::size_t i) {
-    for (std::size_t r = ranges[i].first; r < ranges[i].second; ++r)
-      open_links(runs, members, r, &open_[NodeRuns::length * r]);
-    slabs_[i] = Slab(runs, ranges[i], link_crossings(snapped, by_planes[i], lattice, planes[i].first, planes[i].second),
-                     open_.data());
+  for (const auto& [first, end] : ranges_) planes.emplace_back(runs_[first].z, runs_[end - 1].z + 1);
+  const auto by_planes = triangles_by_planes(snapped_, triangles, lattice, planes);
+  parallel_for(ranges_.size(), threads_, [&](std::size_t i) {
+    const auto [first, end] = ranges_[i];
+    for (std::size_t r = first; r < end; ++r) open_links(r, &open_[NodeRuns::length * r]);
+    const std::vector<LinkCrossing> crossings =
+        link_crossings(snapped_, by_planes[i], lattice, planes[i].first, planes[i].second);
+    slabs_[i] = cut_nodes(*snapped_.surfaces, runs_, ranges_[i], crossings, open_.data());
   });
 }
 
-LinkFinder::~LinkFinder() = default;
-
 std::vector<std::uint8_t> LinkFinder::sides_seen(const std::vector<std::uint8_t>& marked) const {
   std::vector<std::uint8_t> sides(snapped_.surfaces->triangle_count(), 0);
-  for (const Slab& slab : slabs_) slab.add_sides(marked, sides);
+  for (const CutLinks& slab : slabs_) {
+    for (const CutNode& node : slab.node) {
+      if ((marked[node.node / NodeRuns::length] >> node.node % NodeRuns::length & 1) == 0) continue;
+      const std::uint32_t end = node.first_cut + bit_counts[node.cut];
+      for (std::uint32_t c = node.first_cut; c < end; ++c) {
+        std::uint8_t& seen_so_far = sides[slab.cut[c].side / 2];
+        seen_so_far = static_cast<std::uint8_t>(seen_so_far | 1 << slab.cut[c].side % 2);
+      }
+    }
+  }
   return sides;
 }
 
@@ -190,33 +250,71 @@ CutLinks LinkFinder::links(const NodeRuns& kept, const std::vector<std::uint8_t>
   CutLinks links;
   links.open.resize(kept.node_count());
 
-  // Each slab by itself.
-  std::vector<CutLinks> parts(slabs_.size());
+  // Each slab counts what it will write, so that all can write to one place.
+  std::vector<std::pair<std::size_t, std::size_t>> nodes_and_cuts(slabs_.size());
   parallel_for(slabs_.size(), threads_, [&](std::size_t i) {
-    const std::size_t end = i + 1 < slabs_.size() ? slabs_[i + 1].first_run() : runs_.size();
-    for (std::size_t r = slabs_[i].first_run(); r < end; ++r) {
-      const NodeRun& run = runs_[r];
-      const std::int32_t place = kept.at(run.block, run.y, run.z);
-      if (place == NodeRuns::none) continue;
-      const std::size_t first = NodeRuns::length * r, first_to = static_cast<std::size_t>(NodeRuns::length * place);
-      if (marked[r] == 0 && eight_at(&open_[first]) == eight_of(all_open)) {
-        std::memset(&links.open[first_to], all_open, NodeRuns::length);
-        continue;
-      }
-      for (std::size_t k = 0; k < NodeRuns::length; ++k) {
-        const std::size_t from = first + k, to = first_to + k;
-        links.open[to] = marked[r] >> k & 1 ? takes_no_part : open_[from];
-        if (links.open[to] == all_open || (links.open[to] & takes_no_part)) continue;
-        slabs_[i].add_node(*snapped_.surfaces, from, static_cast<std::uint32_t>(to), parts[i]);
-      }
-    }
+    auto& [nodes, cuts] = nodes_and_cuts[i];
+    for_irregular(i, kept, marked, links.open, [&, &nodes = nodes, &cuts = cuts](std::size_t, const CutNode* cut) {
+      ++nodes;
+      if (cut != nullptr) cuts += bit_counts[cut->cut];
+    });
   });
-
-  append(links, parts);
+  std::size_t nodes = 0, cuts = 0;
+  for (auto& counts : nodes_and_cuts) {
+    nodes += std::exchange(counts.first, nodes);
+    cuts += std::exchange(counts.second, cuts);
+  }
+  links.node.resize(nodes);
+  links.cut.resize(cuts);
+  parallel_for(slabs_.size(), threads_, [&](std::size_t i) {
+    auto [node, next_cut] = nodes_and_cuts[i];
+    for_irregular(i, kept, marked, links.open,
+                  [&, &node = node, &next_cut = next_cut](std::size_t to, const CutNode* cut) {
+                    links.node[node++] = {static_cast<std::uint32_t>(to), static_cast<std::uint32_t>(next_cut),
+                                          cut != nullptr ? cut->cut : std::uint8_t{0}};
+                    if (cut == nullptr) return;
+                    const LinkCut* first = &slabs_[i].cut[cut->first_cut];
+                    std::copy(first, first + bit_counts[cut->cut], &links.cut[next_cut]);
+                    next_cut += bit_counts[cut->cut];
+                  });
+  });
   return links;
 }
 
+template <typename Body>
+void LinkFinder::for_irregular(std::size_t i, const NodeRuns& kept, const std::vector<std::uint8_t>& marked,
+                               std::vector<std::uint8_t>& open, const Body& body) const {
+  auto next = slabs_[i].node.begin();
+  const auto end = slabs_[i].node.end();
+  for (std::size_t r = ranges_[i].first; r < ranges_[i].second; ++r) {
+    const NodeRun& run = runs_[r];
+    const std::int32_t place = kept.at(run.block, run.y, run.z);
+    if (place == NodeRuns::none) continue;
+    const std::size_t first = NodeRuns::length * r, first_to = static_cast<std::size_t>(NodeRuns::length * place);
+    if (marked[r] == 0 && eight_at(&open_[first]) == eight_of(all_open)) {
+      std::memset(&open[first_to], all_open, NodeRuns::length);
+      continue;
+    }
+    std::memcpy(&open[first_to], &open_[first], NodeRuns::length);
+    for (unsigned left = marked[r]; left != 0; left &= left - 1) {
+      open[first_to + static_cast<std::size_t>(std::countr_zero(left))] = takes_no_part;
+    }
+    for (unsigned left = irregular_of(eight_at(&open[first_to])); left != 0; left &= left - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      while (next != end && next->node < first + k) ++next;
+      body(first_to + k, next != end && next->node == first + k ? &*next : nullptr);
+    }
+  }
+}
+
 void append(CutLinks& links, std::vector<CutLinks>& parts) {
+  std::size_t nodes = links.node.size(), cuts = links.cut.size();
+  for (const CutLinks& part : parts) {
+    nodes += part.node.size();
+    cuts += part.cut.size();
+  }
+  links.node.reserve(nodes);
+  links.cut.reserve(cuts);
   for (CutLinks& part : parts) {
     const auto before = static_cast<std::uint32_t>(links.cut.size());
     for (CutNode& node : part.node) node.first_cut += before;

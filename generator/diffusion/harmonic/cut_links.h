@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
+#include "generator/diffusion/harmonic/large_memory.h"
 #include "generator/diffusion/harmonic/lattice.h"
 #include "generator/diffusion/harmonic/node_runs.h"
 
@@ -44,10 +45,21 @@ inline std::uint64_t eight_at(const std::uint8_t* open) {
   return word;
 }
 
+/// The lowest bits of eight bytes, side by side: the factor brings that of byte k to bit 56 + k, and no two meet.
+constexpr std::uint8_t lowest_bits(std::uint64_t bytes) {
+  return static_cast<std::uint8_t>((bytes & eight_of(1)) * 0x0102040810204080u >> 56);
+}
+
+/// Which of a run's eight nodes have an equation of their own: they take part, and not all six links are open.
+constexpr std::uint8_t irregular_of(std::uint64_t eight) {
+  const std::uint64_t closed = (eight ^ eight_of(all_open)) & eight_of(all_open | is_given);
+  return lowest_bits((closed + eight_of(127)) >> 7 & ~(eight >> 7));
+}
+
 struct CutLinks {
-  std::vector<std::uint8_t> open;  ///< per stored node; symmetric
-  std::vector<CutNode> node;       ///< by node
-  std::vector<LinkCut> cut;
+  std::vector<std::uint8_t> open;                      ///< per stored node; symmetric
+  std::vector<CutNode, LargeAllocator<CutNode>> node;  ///< by node
+  std::vector<LinkCut, LargeAllocator<LinkCut>> cut;
 };
 
 /// Adds to `links` the cuts of `parts`, one after the other.
@@ -74,7 +86,10 @@ class LinkFinder {
   /// `triangles` ascending.
   LinkFinder(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles, const Lattice& lattice,
              const NodeRuns& runs, std::span<const std::uint8_t> members, Threads threads);
-  ~LinkFinder();
+
+  /// The same for all nodes of a lattice, of which `runs` holds all.
+  LinkFinder(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles, const Lattice& lattice,
+             const NodeRuns& runs, Threads threads);
 
   /// Per node of `runs`, as in CutLinks.
   const std::vector<std::uint8_t>& open() const { return open_; }
@@ -87,12 +102,24 @@ class LinkFinder {
   CutLinks links(const NodeRuns& kept, const std::vector<std::uint8_t>& marked) const;
 
  private:
-  class Slab;
+  LinkFinder(const SnappedSurfaces& snapped, const NodeRuns& runs, Threads threads);
+
+  /// open_links(r, eight bytes) says which links of a run are open before any surface.
+  template <typename OpenLinks>
+  void find(std::span<const std::uint32_t> triangles, const Lattice& lattice, const OpenLinks& open_links);
+
+  /// Sets the open links of the kept nodes of a slab, and calls body(node among those kept, its cuts or nothing) for
+  /// those with closed ones; links at a border are closed without a cut.
+  template <typename Body>
+  void for_irregular(std::size_t i, const NodeRuns& kept, const std::vector<std::uint8_t>& marked,
+                     std::vector<std::uint8_t>& open, const Body& body) const;
+
   const SnappedSurfaces& snapped_;
   const NodeRuns& runs_;
   Threads threads_;
   std::vector<std::uint8_t> open_;
-  std::vector<Slab> slabs_;
+  std::vector<std::pair<std::size_t, std::size_t>> ranges_;  ///< of runs: some planes each
+  std::vector<CutLinks> slabs_;                              ///< for each range all nodes with a cut; no `open`
 };
 
 }  // namespace pomona

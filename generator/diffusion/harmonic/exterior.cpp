@@ -46,13 +46,10 @@ struct OpenRows {
 
  private:
   void add_run(const NodeRun& run, const std::uint8_t* open) {
-    std::uint64_t x_byte = 0, y_byte = 0, z_byte = 0;
-    for (std::size_t k = 0; k < NodeRuns::length; ++k) {
-      if (open[k] & takes_no_part) continue;
-      x_byte |= static_cast<std::uint64_t>(open[k] >> x_up & 1) << k;
-      y_byte |= static_cast<std::uint64_t>(open[k] >> y_up & 1) << k;
-      z_byte |= static_cast<std::uint64_t>(open[k] >> z_up & 1) << k;
-    }
+    const std::uint64_t eight = eight_at(open);
+    const std::uint64_t part = ~(eight >> 7);  // the lowest bit of each byte: whether the node takes part
+    const std::uint64_t x_byte = lowest_bits(eight >> x_up & part), y_byte = lowest_bits(eight >> y_up & part),
+                        z_byte = lowest_bits(eight >> z_up & part);
     const int word = run.block / 8, shift = 8 * (run.block % 8);
     x.row(run.y, run.z)[word] |= x_byte << shift;
     y.row(run.y, run.z)[word] |= y_byte << shift;

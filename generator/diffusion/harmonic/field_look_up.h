@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "generator/diffusion/harmonic/cell_triangles.h"
+#include "generator/diffusion/harmonic/large_memory.h"
 #include "generator/diffusion/harmonic/lattice.h"
 #include "generator/diffusion/harmonic/node_runs.h"
 #include "generator/diffusion/harmonic/quad.h"

@@ -1,6 +1,7 @@
 #include "generator/diffusion/harmonic/grid_level.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -22,12 +23,13 @@ RunLinks links_of_run(const NodeRuns& runs, const CutLinks& links, std::size_t r
                   offset(run.y, run.z + 1)};
   result.parity = static_cast<std::uint8_t>((run.y + run.z) & 1);
   result.plain = eight_at(&links.open[NodeRuns::length * r]) == eight_of(all_open) ? 1 : 0;
-  if (result.plain) return result;
-  for (int k = 0; k < NodeRuns::length; ++k) {
-    const std::uint8_t open = links.open[NodeRuns::length * r + static_cast<std::size_t>(k)];
-    if (open != all_open && (open & takes_no_part) == 0)
-      result.irregular = static_cast<std::uint8_t>(result.irregular | 1 << k);
+  if (result.plain) {
+    result.regular = 255;
+    return result;
   }
+  const std::uint64_t eight = eight_at(&links.open[NodeRuns::length * r]);
+  result.irregular = irregular_of(eight);
+  result.regular = static_cast<std::uint8_t>(~(result.irregular | lowest_bits(eight >> 7)));
   return result;
 }
 
@@ -48,40 +50,45 @@ bool leaves_lattice(const Lattice& lattice, const Node& at, int direction) {
 /// over links of different lengths, times the square of the spacing.
 Stencil stencil_at(const Lattice& lattice, const Node& at, const CutLinks& links, const CutNode& node,
                    const glm::dvec3& middle) {
-  const std::uint8_t open = links.open[node.node];
-  std::array<float, 6> length{1, 1, 1, 1, 1, 1};
+  // How long links are along which way; what weighs nothing is added all the same, which is faster than to ask.
+  std::array<float, 6> length{1, 1, 1, 1, 1, 1}, nearness{}, pull{};
   std::uint32_t next_cut = node.first_cut;
+  for (unsigned left = node.cut; left != 0; left &= left - 1) {
+    length[static_cast<std::size_t>(std::countr_zero(left))] = std::max(links.cut[next_cut++].theta, least_theta);
+  }
+  Stencil stencil;
+  const std::uint8_t open = links.open[node.node];
+  std::array<float, 3> stretch{};
+  for (std::size_t a = 0; a < 3; ++a) stretch[a] = 2 / (length[2 * a] + length[2 * a + 1]);
   for (std::size_t d = 0; d < 6; ++d) {
-    if (node.cut >> d & 1) length[d] = std::max(links.cut[next_cut++].theta, least_theta);
+    nearness[d] = static_cast<float>(open >> d & 1);
+    pull[d] = stencil.weight[d] = stretch[d / 2] * nearness[d];
   }
 
-  Stencil stencil;
+  // Cut links pull towards the surfaces, and those that leave the lattice towards nothing.
   next_cut = node.first_cut;
+  for (unsigned left = node.cut; left != 0; left &= left - 1) {
+    const auto d = static_cast<std::size_t>(std::countr_zero(left));
+    nearness[d] = 1 / length[d];
+    pull[d] = stretch[d / 2] * nearness[d];
+    const Color& color = links.cut[next_cut++].color;
+    stencil.source += pull[d] * Quad{color.r, color.g, color.b, 1};
+  }
+  for (unsigned left = all_open & ~(open | node.cut); left != 0; left &= left - 1) {
+    const int d = std::countr_zero(left);
+    if (leaves_lattice(lattice, at, d))
+      nearness[static_cast<std::size_t>(d)] = pull[static_cast<std::size_t>(d)] =
+          pull_of_outside(lattice, at, d, middle);
+  }
   float odd = 0;
   for (std::size_t d = 0; d < 6; ++d) {
-    const float stretch = 2 / (length[d] + length[d ^ 1]);
-    float pull = 0, nearness = 0;
-    if (open >> d & 1) {
-      nearness = 1;
-      pull = stencil.weight[d] = stretch;
-    } else if (node.cut >> d & 1) {
-      nearness = 1 / length[d];
-      pull = stretch * nearness;
-      const Color& color = links.cut[next_cut++].color;
-      stencil.source += pull * Quad{color.r, color.g, color.b, 1};
-    } else if (leaves_lattice(lattice, at, static_cast<int>(d))) {
-      nearness = pull = pull_of_outside(lattice, at, static_cast<int>(d), middle);
-    }
-    stencil.diagonal += pull;
-    if (at[d / 2] & 1) odd += nearness;
+    stencil.diagonal += pull[d];
+    odd += static_cast<float>(at[d / 2] & 1) * nearness[d];
   }
   stencil.inverse = stencil.diagonal > 0 ? 1 / stencil.diagonal : 0;
   stencil.odd_inverse = odd > 0 ? 1 / odd : 0;
   return stencil;
 }
-
-constexpr std::array<std::array<int, 3>, 6> step_to = {
-    {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
 /// The cut of a node's link; nothing if it is not cut.
 const LinkCut* cut_at(const GridLevel& level, std::size_t node, int direction) {
@@ -114,23 +121,27 @@ void add_coarse_node(const GridLevel& fine, const Node& at, std::size_t node, Cu
   if (found == NodeRuns::none || (fine.links.open[here] & takes_no_part)) return;
 
   // Two fine links make one coarse link: a cut in the second lies half a link further on.
-  CutNode cut{static_cast<std::uint32_t>(node), static_cast<std::uint32_t>(part.cut.size()), 0};
-  open = 0;
-  for (int d = 0; d < 6; ++d) {
-    const auto& step = step_to[static_cast<std::size_t>(d)];
-    const bool first_open = fine.links.open[here] >> d & 1;
-    const std::size_t middle =
-        first_open
-            ? static_cast<std::size_t>(fine.runs.node_at(2 * at[0] + step[0], 2 * at[1] + step[1], 2 * at[2] + step[2]))
-            : here;
-    if (first_open && (fine.links.open[middle] >> d & 1)) {
-      open = static_cast<std::uint8_t>(open | 1 << d);
-    } else if (const LinkCut* nearer = cut_at(fine, middle, d)) {
-      cut.cut = static_cast<std::uint8_t>(cut.cut | 1 << d);
-      part.cut.push_back({0.5f * nearer->theta + (first_open ? 0.5f : 0.0f), nearer->side, nearer->color});
-    }
+  const RunLinks& run = fine.run_links[here / NodeRuns::length];
+  const std::array<std::int32_t, 6> offset = {-1, 1, run.y_down, run.y_up, run.z_down, run.z_up};
+  unsigned opened = fine.links.open[here] & all_open;
+  for (unsigned left = opened; left != 0; left &= left - 1) {
+    const auto d = static_cast<std::size_t>(std::countr_zero(left));
+    const auto middle = static_cast<std::size_t>(found + offset[d]);
+    if ((fine.links.open[middle] >> d & 1) == 0) opened &= ~(1u << d);
   }
-  if (open != all_open) part.node.push_back(cut);
+  open = static_cast<std::uint8_t>(opened);
+  if (open == all_open) return;
+  CutNode cut{static_cast<std::uint32_t>(node), static_cast<std::uint32_t>(part.cut.size()), 0};
+  for (unsigned left = all_open & ~opened; left != 0; left &= left - 1) {
+    const auto d = static_cast<std::size_t>(std::countr_zero(left));
+    const bool first_open = fine.links.open[here] >> d & 1;
+    const std::size_t middle = first_open ? static_cast<std::size_t>(found + offset[d]) : here;
+    const LinkCut* nearer = cut_at(fine, middle, static_cast<int>(d));
+    if (nearer == nullptr) continue;
+    cut.cut = static_cast<std::uint8_t>(cut.cut | 1 << d);
+    part.cut.push_back({0.5f * nearer->theta + (first_open ? 0.5f : 0.0f), nearer->side, nearer->color});
+  }
+  part.node.push_back(cut);
 }
 
 CutLinks coarser_links(const GridLevel& fine, const NodeRuns& coarse_runs, Threads threads) {
@@ -140,6 +151,10 @@ CutLinks coarser_links(const GridLevel& fine, const NodeRuns& coarse_runs, Threa
   links.open.resize(coarse_runs.node_count());
   std::vector<CutLinks> parts(ranges.size());
   parallel_for(ranges.size(), threads, [&](std::size_t i) {
+    // A coarse plane has about a fourth of the cut nodes of a fine one, and there are half as many planes.
+    parts[i].node.reserve(fine.links.node.size() / (3 * ranges.size()));
+    parts[i].cut.reserve(fine.links.cut.size() / (3 * ranges.size()));
+
     // Where a glance shows that a whole run is open, its nodes need no look at each link.
     for (std::size_t r = ranges[i].first; r < ranges[i].second; ++r) {
       const NodeRun& run = coarse_runs[r];
@@ -164,8 +179,7 @@ CutLinks coarser_links(const GridLevel& fine, const NodeRuns& coarse_runs, Threa
 
 std::size_t GridLevel::bytes() const {
   return runs.bytes() + links.open.size() + links.node.size() * sizeof(CutNode) + links.cut.size() * sizeof(LinkCut) +
-         run_links.size() * sizeof(RunLinks) + stencil.size() * sizeof(Stencil) + value.bytes() + rhs.bytes() +
-         residual.bytes();
+         run_links.size() * sizeof(RunLinks) + stencil.bytes() + value.bytes() + rhs.bytes() + residual.bytes();
 }
 
 GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links, const glm::dvec3& middle,
@@ -175,8 +189,9 @@ GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links,
   level.runs = std::move(runs);
   level.links = std::move(links);
   level.ranges = level.runs.ranges_of_planes(range_count);
+  level.planes = level.runs.ranges_of_planes(level.runs.size());
   level.run_links.resize(level.runs.size());
-  level.stencil.resize(level.links.node.size());
+  level.stencil = RawArray<Stencil>(level.links.node.size());
   level.value = RawArray<Quad>(level.runs.node_count());
   level.residual = RawArray<Quad>(level.runs.node_count());
 
@@ -190,7 +205,6 @@ GridLevel make_grid_level(const Lattice& lattice, NodeRuns runs, CutLinks links,
       level.run_links[r].first_stencil = stencil;
       const NodeRun& run = level.runs[r];
       std::fill_n(&level.value[NodeRuns::length * r], NodeRuns::length, Quad{});
-      std::fill_n(&level.residual[NodeRuns::length * r], NodeRuns::length, Quad{});
       if (level.run_links[r].irregular == 0) continue;
       for (int k = 0; k < NodeRuns::length; ++k) {
         if ((level.run_links[r].irregular >> k & 1) == 0) continue;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/diffusion/harmonic/cut_links.h"
+#include "generator/diffusion/harmonic/large_memory.h"
 #include "generator/diffusion/harmonic/lattice.h"
 #include "generator/diffusion/harmonic/node_runs.h"
 #include "generator/diffusion/harmonic/quad.h"
@@ -26,7 +27,8 @@ struct RunLinks {
   std::int32_t y_down = 0, y_up = 0, z_down = 0, z_up = 0;  ///< in nodes
   std::uint32_t first_stencil = 0;
   std::uint8_t irregular = 0;  ///< a bit per node: it has a stencil
-  std::uint8_t plain = 0;      ///< 1 if all eight nodes have six open links
+  std::uint8_t regular = 0;    ///< a bit per node: it has six open links
+  std::uint8_t plain = 0;      ///< 1 if all eight nodes have
   std::uint8_t parity = 0;     ///< of y + z
 };
 
@@ -35,8 +37,9 @@ struct GridLevel {
   NodeRuns runs;
   CutLinks links;
   std::vector<RunLinks> run_links;
-  std::vector<Stencil> stencil;
-  std::vector<std::pair<std::size_t, std::size_t>> ranges;  ///< of runs, for threads
+  RawArray<Stencil> stencil;
+  std::vector<std::pair<std::size_t, std::size_t>> ranges;  ///< of runs, for threads: some planes each
+  std::vector<std::pair<std::size_t, std::size_t>> planes;  ///< of runs, one plane each
 
   RawArray<Quad> value;     ///< what is sought; 0 where a node takes no part
   bool is_patch = false;    ///< covers a part of the next level, which is solved together with it

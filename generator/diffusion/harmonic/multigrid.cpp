@@ -1,6 +1,12 @@
 #include "generator/diffusion/harmonic/multigrid.h"
 
+#include <algorithm>
+#include <bit>
+#include <type_traits>
 #include <utility>
+
+/// Inlines all that a function calls: what is done at a node is less work than a call.
+#define POMONA_FLAT [[gnu::flatten]]
 
 namespace pomona {
 
@@ -8,6 +14,9 @@ namespace {
 
 /// Levels with fewer runs are too small to share.
 constexpr std::size_t runs_worth_sharing = 1000;
+
+/// Levels with more do not stay in the cache between one sweep and the next: a run has 128 bytes, and its stencils.
+constexpr std::size_t runs_beyond_cache = 30000;
 
 /// On the coarsest level, in place of a direct solution.
 constexpr int coarsest_sweeps = 24;
@@ -24,23 +33,39 @@ struct At {
   const Stencil* stencil;  ///< nothing for six open links
 };
 
+Threads threads_for(const GridLevel& level, Threads threads) {
+  return {level.runs.size() < runs_worth_sharing ? 1 : threads.count};
+}
+
 /// Calls body(r) for every run of a level.
 template <typename Body>
 void for_runs(const GridLevel& level, Threads threads, const Body& body) {
-  const Threads used{level.runs.size() < runs_worth_sharing ? 1 : threads.count};
-  parallel_for(level.ranges.size(), used, [&](std::size_t i) {
+  parallel_for(level.ranges.size(), threads_for(level, threads), [&](std::size_t i) {
     for (std::size_t r = level.ranges[i].first; r < level.ranges[i].second; ++r) body(r);
   });
 }
 
-/// Calls body(at) for the nodes of run r with x of parity `first`, but not for those with a bit of `skipped`.
+/// Calls body(at) for the nodes of run r with x of parity `first`, but not for those with a bit of `skipped`; in an
+/// order that makes no difference as long as none of them reads another. Nodes of one kind are taken together: to ask
+/// each for its kind costs more than most equations do.
 template <typename Body>
 void for_every_other(const GridLevel& level, std::size_t r, int first, std::uint8_t skipped, const Body& body) {
-  const std::uint8_t* open = &level.links.open[length * r];
-  for (int k = first; k < length; k += 2) {
-    if (open[k] & skipped) continue;
-    const Stencil* stencil = open[k] == all_open ? nullptr : &level.stencil[level.stencil_of(r, k)];
-    body(At{length * r + static_cast<std::size_t>(k), open[k], stencil});
+  const RunLinks& run = level.run_links[r];
+  const std::size_t start = length * r;
+  if (run.plain) {
+    for (std::size_t k = static_cast<std::size_t>(first); k < length; k += 2) body(At{start + k, all_open, nullptr});
+    return;
+  }
+  const unsigned wanted = 0x55u << first;
+  for (unsigned left = run.regular & wanted; left != 0; left &= left - 1) {
+    body(At{start + static_cast<std::size_t>(std::countr_zero(left)), all_open, nullptr});
+  }
+  const Stencil* stencil = level.stencil.data() + run.first_stencil;
+  for (unsigned left = run.irregular & wanted; left != 0; left &= left - 1) {
+    const std::size_t node = start + static_cast<std::size_t>(std::countr_zero(left));
+    const std::uint8_t open = level.links.open[node];
+    if (open & skipped) continue;
+    body(At{node, open, stencil + bit_counts[run.irregular & ((left & (0 - left)) - 1)]});
   }
 }
 
@@ -107,20 +132,91 @@ void relax_run(GridLevel& level, std::size_t r, int color) {
   const auto offset = offsets(run);
   const int first = (run.parity + color) & 1;
   Quad* value = level.value.data();
-  if (run.plain) {
-    for (std::size_t i = length * r + static_cast<std::size_t>(first); i < length * (r + 1); i += 2) {
-      Quad sum = sum_of_six(value + i, offset);
-      if constexpr (with_rhs) sum += level.rhs[i];
-      value[i] = sixth * sum;
-    }
-    return;
-  }
   for_every_other(level, r, first, not_solved, [&](const At& at) {
     Quad sum = at.stencil ? pulled(value, at, offset) : sum_of_six(value + at.node, offset);
-    if constexpr (with_source) sum += at.stencil ? at.stencil->source : Quad{};
+    if constexpr (with_source) {
+      if (at.stencil) sum += at.stencil->source;
+    }
     if constexpr (with_rhs) sum += level.rhs[at.node];
     value[at.node] = (at.stencil ? at.stencil->inverse : sixth) * sum;
   });
+}
+
+/// Directions as bits, known when the program is compiled.
+template <std::uint8_t bits>
+using Along = std::integral_constant<std::uint8_t, bits>;
+
+/// Planes that one thread works on, by their places in GridLevel::planes.
+struct Stack {
+  int first = 0, end = 0;
+};
+
+/// So many stacks of planes with about as many runs each; none if one would be too thin to take `steps` steps in it.
+std::vector<Stack> stacks_of(const GridLevel& level, int steps, std::size_t parts) {
+  std::vector<Stack> stacks;
+  std::size_t runs = 0;
+  int first = 0;
+  for (int p = 0; p < static_cast<int>(level.planes.size()); ++p) {
+    runs += level.planes[static_cast<std::size_t>(p)].second - level.planes[static_cast<std::size_t>(p)].first;
+    if (runs * parts < level.runs.size() * (stacks.size() + 1)) continue;
+    if (p + 1 - first < 2 * steps) return {};
+    stacks.push_back({first, p + 1});
+    first = p + 1;
+  }
+  return stacks;
+}
+
+/// Two stacks to a thread, or one if two would be too thin; none if the level is so small that it stays in the cache
+/// from step to step anyway.
+std::vector<Stack> stacks_for(const GridLevel& level, int steps, Threads threads) {
+  if (level.runs.size() < runs_beyond_cache) return {};
+  const auto most = static_cast<std::size_t>(std::min(resolved(threads), most_threads));
+  if (most == 1) return stacks_of(level, steps, 1);
+  std::vector<Stack> stacks = stacks_of(level, steps, 2 * most);
+  return stacks.empty() ? stacks_of(level, steps, most) : stacks;
+}
+
+/// Steps follow each other from plane to plane through a stack, as long as the planes are in the cache. Near its ends
+/// they must wait for the next stack.
+template <typename Body>
+void run_in_stacks(const GridLevel& level, const std::vector<Stack>& stacks, int steps, Threads threads,
+                   const Body& body) {
+  const auto take = [&](int plane, int step) {
+    const auto [first, end] = level.planes[static_cast<std::size_t>(plane)];
+    body(first, end, step);
+  };
+  parallel_for(stacks.size(), threads, [&](std::size_t i) {
+    const bool is_first = i == 0, is_last = i + 1 == stacks.size();
+    for (int front = stacks[i].first; front < stacks[i].end + steps - 1; ++front) {
+      for (int step = 0; step < steps; ++step) {
+        const int plane = front - step;
+        const int low = stacks[i].first + (is_first ? 0 : step), end = stacks[i].end - (is_last ? 0 : step);
+        if (plane >= low && plane < end) take(plane, step);
+      }
+    }
+  });
+  parallel_for(stacks.size() - 1, threads, [&](std::size_t i) {
+    const int border = stacks[i].end;
+    for (int step = 1; step < steps; ++step) {
+      for (int plane = border - step; plane < border + step; ++plane) take(plane, step);
+    }
+  });
+}
+
+/// Calls body(first run, end, step) for all planes and steps, each step on a plane when the one before is done there
+/// and on both planes beside, and the one after on none of these. That is as good as each step on all planes at once if
+/// what a step reads beside its plane is never what the same step writes.
+template <typename Body>
+void take_steps(const GridLevel& level, int steps, Threads threads, const Body& body) {
+  const std::vector<Stack> stacks = stacks_for(level, steps, threads);
+  if (!stacks.empty()) {
+    run_in_stacks(level, stacks, steps, threads, body);
+    return;
+  }
+  for (int step = 0; step < steps; ++step) {
+    parallel_for(level.planes.size(), threads_for(level, threads),
+                 [&](std::size_t p) { body(level.planes[p].first, level.planes[p].second, step); });
+  }
 }
 
 /// What a level is solved for: the field itself, or a correction to it, which is 0 on surfaces.
@@ -134,15 +230,14 @@ class Multigrid {
 
   std::vector<GridLevel> run() {
     const std::size_t coarsest = levels_.size() - 1;
-    for (int i = 0; i < 2 * coarsest_sweeps; ++i) relax(coarsest, Sought::field);
+    relax_coarsest(2 * coarsest_sweeps, Sought::field);
     return run_from(coarsest);
   }
 
   /// The levels from `known` on are solved.
   std::vector<GridLevel> run_from(std::size_t known) {
     for (std::size_t l = known; l-- > 0;) {
-      start_from_coarser(l);
-      for (int i = 0; i < (l == 0 ? options_.cycles : 1); ++i) cycle(l, Sought::field);
+      for (int i = 0; i < (l == 0 ? options_.cycles : 1); ++i) cycle(l, Sought::field, i == 0);
     }
     return std::move(levels_);
   }
@@ -153,30 +248,13 @@ class Multigrid {
     return sought == Sought::correction || (l > 0 && levels_[l - 1].is_patch);
   }
 
-  void relax(std::size_t l, Sought sought) {
-    GridLevel& level = levels_[l];
-    const bool with_rhs = has_rhs(l, sought);
-    for (int color = 0; color < 2; ++color) {
-      for_runs(level, options_.threads, [&](std::size_t r) {
-        if (sought == Sought::correction) {
-          relax_run<false, true>(level, r, color);
-        } else if (with_rhs) {
-          relax_run<true, true>(level, r, color);
-        } else {
-          relax_run<true, false>(level, r, color);
-        }
-      });
-    }
-  }
-
-  void cycle(std::size_t l, Sought sought) {
+  /// A V cycle; from the solution of the next level, if asked to start there.
+  void cycle(std::size_t l, Sought sought, bool starts = false) {
     if (l + 1 == levels_.size()) {
-      for (int i = 0; i < coarsest_sweeps; ++i) relax(l, sought);
+      relax_coarsest(coarsest_sweeps, sought);
       return;
     }
-    for (int i = 0; i < options_.sweeps; ++i) relax(l, sought);
-    find_residual(l, sought);
-    restrict_to_edges(l);
+    go_down(l, sought, starts);
     if (levels_[l].is_patch) {
       hand_to_covered(l);
       cycle(l + 1, Sought::field);
@@ -184,17 +262,73 @@ class Multigrid {
       restrict_to_coarser(l);
       cycle(l + 1, Sought::correction);
     }
-    correct_from_coarser(l);
-    for (int i = 0; i < options_.sweeps; ++i) relax(l, sought);
+    go_up(l, sought);
+  }
+
+  void relax_coarsest(int sweeps, Sought sought) {
+    const std::size_t l = levels_.size() - 1;
+    for (int half_sweep = 0; half_sweep < 2 * sweeps; ++half_sweep) {
+      for (const auto& [first, end] : levels_[l].planes) relax(l, sought, first, end, half_sweep);
+    }
+  }
+
+  /// All that a level needs before the next coarser one.
+  void go_down(std::size_t l, Sought sought, bool starts) {
+    if (starts) {
+      take(2, l, [&](auto first, auto end, int step) { start_from_coarser(l, first, end, step); });
+    }
+    const int n = 2 * options_.sweeps;
+    take(n + 2, l, [&](auto first, auto end, int step) {
+      if (step < n) {
+        relax(l, sought, first, end, step);
+      } else if (step == n) {
+        find_residual(l, sought, first, end);
+      } else {
+        restrict_to_edges(l, first, end);
+      }
+    });
+  }
+
+  /// And after it.
+  void go_up(std::size_t l, Sought sought) {
+    const int n = 2 * options_.sweeps;
+    take(n + 2, l, [&](auto first, auto end, int step) {
+      if (step < 2) {
+        correct_from_coarser(l, first, end, step);
+      } else {
+        relax(l, sought, first, end, step - 2);
+      }
+    });
+  }
+
+  template <typename Body>
+  void take(int steps, std::size_t l, const Body& body) {
+    take_steps(levels_[l], steps, options_.threads, body);
+  }
+
+  /// Half a sweep of Gauss-Seidel over some runs: the even ones relax nodes of even parity, the others the rest.
+  POMONA_FLAT void relax(std::size_t l, Sought sought, std::size_t first, std::size_t end, int half_sweep) {
+    GridLevel& level = levels_[l];
+    const int color = half_sweep % 2;
+    const bool with_rhs = has_rhs(l, sought);
+    for (std::size_t r = first; r < end; ++r) {
+      if (sought == Sought::correction) {
+        relax_run<false, true>(level, r, color);
+      } else if (with_rhs) {
+        relax_run<true, true>(level, r, color);
+      } else {
+        relax_run<true, false>(level, r, color);
+      }
+    }
   }
 
   /// At the nodes of even parity, because relaxing the odd ones has just left nothing there; between coarse nodes
   /// (two odd coordinates) already weighted for the way down.
-  void find_residual(std::size_t l, Sought sought) {
+  POMONA_FLAT void find_residual(std::size_t l, Sought sought, std::size_t first, std::size_t end) {
     GridLevel& level = levels_[l];
-    Quad* value = level.value.data();
+    const Quad* value = level.value.data();
     const bool with_rhs = has_rhs(l, sought);
-    for_runs(level, options_.threads, [&](std::size_t r) {
+    for (std::size_t r = first; r < end; ++r) {
       const auto offset = offsets(level.run_links[r]);
       const NodeRun& run = level.runs[r];
       const float between = (run.y & 1) | (run.z & 1) ? 0.25f : 1.0f;
@@ -206,22 +340,32 @@ class Multigrid {
         if (at.open & is_given) rest = Quad{};
         level.residual[at.node] = (between != 1 && at.stencil ? at.stencil->odd_inverse : between) * rest;
       });
-    });
+    }
   }
 
   /// Nodes on edges between coarse nodes (one odd coordinate) gather from their faces.
-  void restrict_to_edges(std::size_t l) {
+  POMONA_FLAT void restrict_to_edges(std::size_t l, std::size_t first, std::size_t end) {
     GridLevel& fine = levels_[l];
-    const Quad* residual = fine.residual.data();
-    for_runs(fine, options_.threads, [&](std::size_t r) {
+    for (std::size_t r = first; r < end; ++r) {
       const NodeRun& run = fine.runs[r];
-      if ((run.y & 1) && (run.z & 1)) return;
-      const auto offset = offsets(fine.run_links[r]);
-      const std::uint8_t across = static_cast<std::uint8_t>((run.y & 1 ? 0b110011 : run.z & 1 ? 0b001111 : 0b111100));
-      for_every_other(fine, r, (run.y | run.z) & 1 ? 0 : 1, takes_no_part, [&](const At& at) {
-        const Quad sum = at.open & is_given ? Quad{} : sum_between(residual, at, offset, across);
-        fine.residual[at.node] = (at.stencil ? at.stencil->odd_inverse : 0.5f) * sum;
-      });
+      if ((run.y & 1) && (run.z & 1)) continue;
+      if (run.y & 1) {
+        gather_edges<0b110011>(fine, r, 0);
+      } else if (run.z & 1) {
+        gather_edges<0b001111>(fine, r, 0);
+      } else {
+        gather_edges<0b111100>(fine, r, 1);
+      }
+    }
+  }
+
+  template <std::uint8_t across>
+  static void gather_edges(GridLevel& fine, std::size_t r, int odd_x) {
+    const Quad* residual = fine.residual.data();
+    const auto offset = offsets(fine.run_links[r]);
+    for_every_other(fine, r, odd_x, takes_no_part, [&](const At& at) {
+      const Quad sum = at.open & is_given ? Quad{} : sum_between(residual, at, offset, across);
+      fine.residual[at.node] = (at.stencil ? at.stencil->odd_inverse : 0.5f) * sum;
     });
   }
 
@@ -238,8 +382,9 @@ class Multigrid {
         coarse.value[node] = coarse.rhs[node] = Quad{};
         if (at == nullptr) return;
         Quad sum = residual[at->node];
+        const Quad* beside = residual + at->node;
         for (std::size_t d = 0; d < 6; ++d) {
-          if (at->open >> d & 1) sum += residual[static_cast<std::ptrdiff_t>(at->node) + offset[d]];
+          if (at->open == all_open || (at->open >> d & 1)) sum += beside[offset[d]];
         }
         coarse.rhs[node] = 0.5f * sum;
       });
@@ -267,21 +412,19 @@ class Multigrid {
     }
   }
 
-  /// Calls body(at, coarse node, offsets) for the nodes of a level that lie on coarse ones.
+  /// Calls body(at, coarse node, offsets) for the nodes of run r of a level that lie on coarse ones.
   template <typename Body>
-  void for_parents(std::size_t l, const Body& body) {
+  void for_parents(std::size_t l, std::size_t r, const Body& body) const {
     const GridLevel &fine = levels_[l], &coarse = levels_[l + 1];
-    for_runs(fine, options_.threads, [&](std::size_t r) {
-      const NodeRun& run = fine.runs[r];
-      if ((run.y | run.z) & 1) return;
-      const std::int32_t above = coarse.runs.at(run.block / 2, run.y / 2, run.z / 2);
-      if (above == NodeRuns::none) return;
-      const auto offset = offsets(fine.run_links[r]);
-      const auto first = static_cast<std::size_t>(length * above + length / 2 * (run.block % 2));
-      for_every_other(fine, r, 0, takes_no_part, [&](const At& at) {
-        const std::size_t parent = first + at.node % length / 2;
-        if ((coarse.links.open[parent] & takes_no_part) == 0) body(at, parent, offset);
-      });
+    const NodeRun& run = fine.runs[r];
+    if ((run.y | run.z) & 1) return;
+    const std::int32_t above = coarse.runs.at(run.block / 2, run.y / 2, run.z / 2);
+    if (above == NodeRuns::none) return;
+    const auto offset = offsets(fine.run_links[r]);
+    const auto first = static_cast<std::size_t>(length * above + length / 2 * (run.block % 2));
+    for_every_other(fine, r, 0, takes_no_part, [&](const At& at) {
+      const std::size_t parent = first + at.node % length / 2;
+      if ((coarse.links.open[parent] & takes_no_part) == 0) body(at, parent, offset);
     });
   }
 
@@ -289,10 +432,12 @@ class Multigrid {
   /// approximation scheme [Brandt 1977]; local refinement as in [McCormick 1989]).
   void hand_to_covered(std::size_t l) {
     GridLevel &patch = levels_[l], &coarse = levels_[l + 1];
-    for_parents(l, [&](const At& at, std::size_t parent, const auto&) {
-      if ((at.open & is_given) == 0) coarse.value[parent] = patch.value[at.node];
+    for_runs(patch, options_.threads, [&](std::size_t run) {
+      for_parents(l, run, [&](const At& at, std::size_t parent, const auto&) {
+        if ((at.open & is_given) == 0) coarse.value[parent] = patch.value[at.node];
+      });
     });
-    for_parents(l, [&](const At& at, std::size_t parent, const auto& offset) {
+    const auto hand_over = [&](const At& at, std::size_t parent, const auto& offset) {
       if (at.open & is_given) return;
       const std::size_t r = parent / length;
       const std::uint8_t open = coarse.links.open[parent];
@@ -306,66 +451,103 @@ class Multigrid {
                                            : 6.0f * here - sum_of_six(coarse.value.data() + parent, beside);
       coarse.rhs[parent] =
           fulfilled + 0.5f * (patch.residual[at.node] + sum_between(patch.residual.data(), at, offset, all_open));
-    });
+    };
+    for_runs(patch, options_.threads, [&](std::size_t run) { for_parents(l, run, hand_over); });
   }
 
-  /// Calls body(at, offsets, directions along odd axes) for all nodes with so many odd coordinates.
+  /// Calls body(at, offsets, directions along odd axes) for the nodes of run r with so many odd coordinates. The
+  /// directions are a type's value: no node needs to ask for them.
   template <typename Body>
-  void for_between(std::size_t l, int odd_coordinates, const Body& body) {
-    const GridLevel& level = levels_[l];
-    for_runs(level, options_.threads, [&](std::size_t r) {
-      const NodeRun& run = level.runs[r];
-      const int odd_x = odd_coordinates - (run.y & 1) - (run.z & 1);
-      if (odd_x < 0 || odd_x > 1) return;
-      const auto along =
-          static_cast<std::uint8_t>((odd_x ? 0b11 : 0) | (run.y & 1 ? 0b1100 : 0) | (run.z & 1 ? 0b110000 : 0));
-      const auto offset = offsets(level.run_links[r]);
-      for_every_other(level, r, odd_x, takes_no_part, [&](const At& at) { body(at, offset, along); });
-    });
+  static void for_between(const GridLevel& level, std::size_t r, int odd_coordinates, const Body& body) {
+    const NodeRun& run = level.runs[r];
+    const int odd_x = odd_coordinates - (run.y & 1) - (run.z & 1);
+    if (odd_x < 0 || odd_x > 1) return;
+    const auto offset = offsets(level.run_links[r]);
+    const auto go_along = [&](auto along) {
+      for_every_other(level, r, along() & 1, takes_no_part, [&](const At& at) { body(at, offset, along); });
+    };
+    switch (odd_x | (run.y & 1) << 1 | (run.z & 1) << 2) {
+      case 0b001:
+        return go_along(Along<0b000011>());
+      case 0b010:
+        return go_along(Along<0b001100>());
+      case 0b011:
+        return go_along(Along<0b001111>());
+      case 0b100:
+        return go_along(Along<0b110000>());
+      case 0b101:
+        return go_along(Along<0b110011>());
+      case 0b110:
+        return go_along(Along<0b111100>());
+      case 0b111:
+        return go_along(Along<0b111111>());
+      default:
+        return;
+    }
+  }
+
+  /// Goes from the nodes that lie on coarse ones to those between, so that each finds its neighbours along odd axes
+  /// done: in the first step on planes that hold coarse nodes, in the second on those between.
+  template <typename OnCoarse, typename Between>
+  void go_from_coarser(std::size_t l, std::size_t first, std::size_t end, int step, const OnCoarse& on_coarse,
+                       const Between& between) const {
+    const GridLevel& fine = levels_[l];
+    if ((fine.runs[first].z & 1) != step) return;
+    if (step == 0) {
+      for (std::size_t r = first; r < end; ++r) for_parents(l, r, on_coarse);
+    }
+    for (int odd = 1; odd <= 2 + step; ++odd) {
+      for (std::size_t r = first; r < end; ++r) for_between(fine, r, odd, between);
+    }
   }
 
   /// The correction of a node between coarse ones is the mean over the axes on which it lies between; a surface there
   /// is not corrected.
-  void correct_from_coarser(std::size_t l) {
+  POMONA_FLAT void correct_from_coarser(std::size_t l, std::size_t first, std::size_t end, int step) {
     GridLevel& fine = levels_[l];
     Quad* correction = fine.residual.data();
     const GridLevel& coarse = levels_[l + 1];
-    for_parents(l, [&](const At& at, std::size_t parent, const auto&) {
-      correction[at.node] = fine.is_patch ? coarse.value[parent] - fine.value[at.node] : coarse.value[parent];
-      fine.value[at.node] += correction[at.node];
-    });
-    for (int odd = 1; odd <= 3; ++odd) {
-      const float share = 0.5f / static_cast<float>(odd);
-      for_between(l, odd, [&](const At& at, const auto& offset, std::uint8_t along) {
-        const Quad sum = sum_between(correction, at, offset, along);
-        correction[at.node] = (at.stencil ? at.stencil->odd_inverse : share) * sum;
-        fine.value[at.node] += correction[at.node];
-      });
-    }
+    go_from_coarser(
+        l, first, end, step,
+        [&](const At& at, std::size_t parent, const auto&) {
+          correction[at.node] = fine.is_patch ? coarse.value[parent] - fine.value[at.node] : coarse.value[parent];
+          fine.value[at.node] += correction[at.node];
+        },
+        [&](const At& at, const auto& offset, auto along) {
+          constexpr float share = 1.0f / static_cast<float>(bit_counts[decltype(along)::value]);
+          const Quad sum = sum_between(correction, at, offset, along);
+          correction[at.node] = (at.stencil ? at.stencil->odd_inverse : share) * sum;
+          fine.value[at.node] += correction[at.node];
+        });
   }
 
   /// A first guess between coarse nodes: the mean of the neighbours that are known, or else what the surfaces give.
-  void start_from_coarser(std::size_t l) {
+  POMONA_FLAT void start_from_coarser(std::size_t l, std::size_t first, std::size_t end, int step) {
     GridLevel& fine = levels_[l];
     const GridLevel& coarse = levels_[l + 1];
-    for_parents(l, [&](const At& at, std::size_t parent, const auto&) { fine.value[at.node] = coarse.value[parent]; });
-    for (int odd = 1; odd <= 3; ++odd) {
-      for_between(l, odd, [&](const At& at, const auto& offset, std::uint8_t along) {
-        if ((at.open & is_given) != 0 && at.stencil != nullptr) {
-          // This is what the patch keeps to: what lies beyond a surface must not reach it.
-          fine.value[at.node] = value_between(fine, at, offset, along);
-          return;
-        }
-        const auto known = static_cast<std::uint8_t>(at.open & along);
-        if (known == 0) {
-          const Quad& source = at.stencil->source;
-          fine.value[at.node] = source[3] > 0 ? source / source[3] : Quad{};
-          return;
-        }
-        const Quad sum = sum_between(fine.value.data(), at, offset, known);
-        fine.value[at.node] = sum / static_cast<float>(bit_counts[known]);
-      });
-    }
+    go_from_coarser(
+        l, first, end, step,
+        [&](const At& at, std::size_t parent, const auto&) { fine.value[at.node] = coarse.value[parent]; },
+        [&](const At& at, const auto& offset, auto along) {
+          if (at.stencil == nullptr) {
+            constexpr auto beside = static_cast<float>(bit_counts[decltype(along)::value]);
+            fine.value[at.node] = sum_between(fine.value.data() + at.node, offset, along) / beside;
+            return;
+          }
+          if ((at.open & is_given) != 0) {
+            // This is what the patch keeps to: what lies beyond a surface must not reach it.
+            fine.value[at.node] = value_between(fine, at, offset, along);
+            return;
+          }
+          const auto known = static_cast<std::uint8_t>(at.open & along);
+          if (known == 0) {
+            const Quad& source = at.stencil->source;
+            fine.value[at.node] = source[3] > 0 ? source / source[3] : Quad{};
+            return;
+          }
+          const Quad sum = sum_between(fine.value.data(), at, offset, known);
+          fine.value[at.node] = sum / static_cast<float>(bit_counts[known]);
+        });
   }
 
   std::vector<GridLevel> levels_;

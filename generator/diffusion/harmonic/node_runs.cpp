@@ -6,7 +6,7 @@ namespace pomona {
 
 namespace {
 
-/// The first block that is wanted; there is one.
+/// The first block that is wanted; as many as there are if none is.
 std::int32_t first_of(BlocksOfRow blocks) {
   const auto low = static_cast<std::uint64_t>(blocks);
   return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(blocks >> 64));
@@ -19,9 +19,15 @@ NodeRuns::NodeRuns(const Node& count, const std::vector<BlocksOfRow>& wanted) : 
   for (const BlocksOfRow blocks : wanted) total += count_of_blocks(blocks);
   run_.reserve(total);
   for (std::size_t row = 0; row < wanted.size(); ++row) {
-    row_[row] = {wanted[row], static_cast<std::uint32_t>(run_.size())};
+    const BlocksOfRow blocks = wanted[row];
+    if (blocks == 0) continue;
+    const std::int32_t lowest = first_of(blocks), gapless = first_of(~(blocks >> lowest));
+    row_[row] = {blocks, static_cast<std::uint32_t>(run_.size()), lowest, static_cast<std::uint32_t>(gapless)};
     const int y = static_cast<int>(row) % count[1], z = static_cast<int>(row) / count[1];
-    for (BlocksOfRow left = wanted[row]; left != 0; left &= left - 1) run_.push_back({first_of(left), y, z});
+    for (std::int32_t block = lowest; block < lowest + gapless; ++block) run_.push_back({block, y, z});
+    const BlocksOfRow rest = gapless < most_blocks ? blocks >> lowest >> gapless : 0;
+    for (BlocksOfRow left = rest; left != 0; left &= left - 1)
+      run_.push_back({lowest + gapless + first_of(left), y, z});
   }
 }
 

@@ -60,6 +60,8 @@ class NodeRuns {
     if (block < 0 || y < 0 || z < 0 || block >= most_blocks || y >= count_[1] || z >= count_[2]) return none;
     const Row& row =
         row_[static_cast<std::size_t>(z) * static_cast<std::size_t>(count_[1]) + static_cast<std::size_t>(y)];
+    const auto ahead = static_cast<std::uint32_t>(block - row.lowest);
+    if (ahead < row.gapless) return static_cast<std::int32_t>(row.first + ahead);
     if ((row.blocks >> block & 1) == 0) return none;
     return static_cast<std::int32_t>(row.first + count_of_blocks(row.blocks & ((BlocksOfRow{1} << block) - 1)));
   }
@@ -77,9 +79,12 @@ class NodeRuns {
   std::size_t bytes() const { return run_.size() * sizeof(NodeRun) + row_.size() * sizeof(Row); }
 
  private:
+  /// Nearly all rows have no gap: there the place of a block needs no counting.
   struct Row {
     BlocksOfRow blocks = 0;
     std::uint32_t first = 0;
+    std::int32_t lowest = 0;    ///< the first block
+    std::uint32_t gapless = 0;  ///< blocks from there to the first gap
   };
   Node count_{};
   std::vector<NodeRun> run_;

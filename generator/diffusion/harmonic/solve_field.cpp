@@ -94,9 +94,7 @@ class Levels {
   /// All links first; then only the nodes that the outside does not hold, if it is sealed off.
   GridLevel whole() {
     const NodeRuns all = all_node_runs(lattice_.count);
-    std::vector<std::uint8_t> members(all.size());
-    for (std::size_t r = 0; r < all.size(); ++r) members[r] = static_cast<std::uint8_t>((1 << all.inside(r)) - 1);
-    const LinkFinder finder(snapped_, all_triangles(*snapped_.surfaces), lattice_, all, members, options_.threads);
+    const LinkFinder finder(snapped_, all_triangles(*snapped_.surfaces), lattice_, all, options_.threads);
     std::vector<std::uint8_t> outside = reached_from_corner(all, finder.open(), options_.threads);
     is_sealed = stays_outside(*snapped_.surfaces, finder.sides_seen(outside));
     if (!is_sealed) outside.assign(outside.size(), 0);
@@ -195,12 +193,8 @@ void add_empty_rhs(GridLevel& level) {
 SolvedGrid kept(GridLevel& level) {
   SolvedGrid grid;
   grid.lattice = level.lattice;
-  grid.members.resize(level.runs.size());
-  for (std::size_t node = 0; node < level.links.open.size(); ++node) {
-    if (level.links.open[node] & takes_no_part) continue;
-    std::uint8_t& bits = grid.members[node / NodeRuns::length];
-    bits = static_cast<std::uint8_t>(bits | 1 << node % NodeRuns::length);
-  }
+  grid.members.reserve(level.runs.size());
+  for (const RunLinks& run : level.run_links) grid.members.push_back(run.regular | run.irregular);
   grid.runs = std::move(level.runs);
   grid.value = std::move(level.value);
   return grid;
@@ -213,10 +207,17 @@ std::optional<PreparedField> prepared_within(const DiffusionSurfaces& surfaces, 
   PreparedField prepared;
   prepared.snapped = snapped(surfaces, lattice);
   Levels builder(prepared.snapped, lattice, options);
-  prepared.levels = builder.run();
+
+  // What the one cannot share among threads, the other fills.
+  parallel_for(2, options.threads, [&](std::size_t i) {
+    if (i == 0) {
+      prepared.levels = builder.run();
+    } else {
+      prepared.triangles = CellTriangles(prepared.snapped, lattice, options.reach / lattice.spacing, options.threads);
+    }
+  });
   if (!builder.is_sealed && margin == narrow_margin) return std::nullopt;
   prepared.is_sealed = builder.is_sealed;
-  prepared.triangles = CellTriangles(prepared.snapped, lattice, options.reach / lattice.spacing, options.threads);
   return prepared;
 }
 

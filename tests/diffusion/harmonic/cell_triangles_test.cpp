@@ -30,6 +30,28 @@ glm::dvec3 corner_of(const DiffusionSurfaces& surfaces, std::size_t t, int k) {
   return glm::dvec3(surfaces.position[surfaces.triangle[t][k]]);
 }
 
+TEST(SparseSet, KnowsThePlaceOfEachAmongThoseAdded) {
+  const RandomStream random({}, "tests/sparse sets");
+  SparseSet set(1000), part(300);
+  std::vector<std::size_t> members;
+  for (std::size_t i = 0; i < 1000; ++i) {
+    if (random.uniform(i) > 0.3) continue;
+    members.push_back(i);
+    if (i >= 77 && i < 377) {
+      part.add(i - 77);
+    } else {
+      set.add(i);
+    }
+  }
+  set.add_all(part, 77);
+  EXPECT_EQ(set.count(), members.size());
+  for (std::size_t place = 0; place < members.size(); ++place) {
+    EXPECT_TRUE(set.holds(members[place]));
+    EXPECT_EQ(set.place(members[place]), place);
+  }
+  for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(set.holds(i), std::binary_search(members.begin(), members.end(), i));
+}
+
 TEST(CellTriangles, HoldEveryTriangleThatMeetsTheCell) {
   const Scene scene;
   const RandomStream random({}, "tests/places on triangles");

@@ -148,6 +148,17 @@ TEST(CutLinks, AreOnlyThoseOfUnmarkedNodes) {
   EXPECT_EQ(parts, 8u);
 }
 
+TEST(CutLinks, AreTheSameWhetherAllNodesAreNamedOrMeant) {
+  // With 16 nodes along x no run reaches beyond the lattice; with 13 and 17 the last does.
+  for (const int count : {13, 16, 17}) {
+    Lattice lattice = shapes::whole_lattice();
+    lattice.count[0] = count;
+    const LinkedShapes named(shapes::surfaces_of(shapes::convex_shapes().front()), lattice);
+    const LinkFinder meant(named.snapped, shapes::all_triangles(named.surfaces), lattice, named.runs, Threads{2});
+    EXPECT_EQ(meant.open(), named.finder.open());
+  }
+}
+
 TEST(CutLinks, AppendKeepsWhoseCutsAreWhose) {
   CutLinks links;
   std::vector<CutLinks> parts(2);

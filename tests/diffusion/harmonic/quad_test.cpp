@@ -1,7 +1,5 @@
 #include "generator/diffusion/harmonic/quad.h"
 
-#include <utility>
-
 #include <gtest/gtest.h>
 
 namespace pomona {
@@ -12,17 +10,6 @@ TEST(Quad, KeepsItsLanesApart) {
   const Quad c = 3.0f * a + b;
   for (int k = 0; k < 4; ++k) EXPECT_EQ(c[k], 3.0f * a[k] + b[k]);
   EXPECT_EQ(sizeof(Quad), 16u);
-}
-
-TEST(RawArray, HoldsWhatWasWrittenAndGoesWhereItIsMoved) {
-  RawArray<int> first(3);
-  for (int i = 0; i < 3; ++i) first[static_cast<std::size_t>(i)] = 10 * i;
-  EXPECT_EQ(first.bytes(), 3 * sizeof(int));
-  const RawArray<int> second = std::move(first);
-  ASSERT_EQ(second.size(), 3u);
-  EXPECT_EQ(second[2], 20);
-  EXPECT_EQ(second.data() + 1, &second[1]);
-  EXPECT_EQ(RawArray<int>().size(), 0u);
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+#include "generator/diffusion/harmonic/large_memory.h"
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t large_page = std::size_t{2} << 20;
+
+/// Arrays that fill most of a large page are worth one.
+constexpr std::size_t worth_it = large_page / 4 * 3;
+
+constexpr std::size_t cache_line = 64;
+
+/// More than any machine has, and less than any sum could run over.
+constexpr std::size_t most_bytes = std::size_t{1} << 48;
+
+std::size_t rounded_up(std::size_t bytes, std::size_t step) { return (bytes + step - 1) / step * step; }
+
+}  // namespace
+
+void* allocate_large(std::size_t bytes) {
+  if (bytes > most_bytes) throw std::bad_alloc();
+  const std::size_t alignment = bytes >= worth_it ? large_page : cache_line;
+  const std::size_t size = rounded_up(std::max<std::size_t>(bytes, 1), alignment);
+  void* memory = std::aligned_alloc(alignment, size);
+  if (memory == nullptr) throw std::bad_alloc();
+
+  // A system that has no larger pages, or none left, says so; the small ones do as well.
+  if (alignment == large_page) madvise(memory, size, MADV_HUGEPAGE);
+  return memory;
+}
+
+void free_large(void* memory) noexcept { std::free(memory); }
+
+}  // namespace pomona
