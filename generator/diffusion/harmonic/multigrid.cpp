@@ -237,7 +237,8 @@ class Multigrid {
   /// The levels from `known` on are solved.
   std::vector<GridLevel> run_from(std::size_t known) {
     for (std::size_t l = known; l-- > 0;) {
-      for (int i = 0; i < (l == 0 ? options_.cycles : 1); ++i) cycle(l, Sought::field, i == 0);
+      take(2, l, [&](auto first, auto end, int step) { start_from_coarser(l, first, end, step); });
+      for (int i = 0; i < (l == 0 ? options_.cycles : 1); ++i) cycle(l, Sought::field);
     }
     return std::move(levels_);
   }
@@ -248,13 +249,13 @@ class Multigrid {
     return sought == Sought::correction || (l > 0 && levels_[l - 1].is_patch);
   }
 
-  /// A V cycle; from the solution of the next level, if asked to start there.
-  void cycle(std::size_t l, Sought sought, bool starts = false) {
+  /// A V cycle.
+  void cycle(std::size_t l, Sought sought) {
     if (l + 1 == levels_.size()) {
       relax_coarsest(coarsest_sweeps, sought);
       return;
     }
-    go_down(l, sought, starts);
+    go_down(l, sought);
     if (levels_[l].is_patch) {
       hand_to_covered(l);
       cycle(l + 1, Sought::field);
@@ -273,10 +274,7 @@ class Multigrid {
   }
 
   /// All that a level needs before the next coarser one.
-  void go_down(std::size_t l, Sought sought, bool starts) {
-    if (starts) {
-      take(2, l, [&](auto first, auto end, int step) { start_from_coarser(l, first, end, step); });
-    }
+  void go_down(std::size_t l, Sought sought) {
     const int n = 2 * options_.sweeps;
     take(n + 2, l, [&](auto first, auto end, int step) {
       if (step < n) {
