@@ -46,10 +46,10 @@ class RawArray {
 /// For vectors of that size.
 template <typename T>
 struct LargeAllocator {
-  using value_type = T;
+  using value_type = T;  // NOLINT(readability-identifier-naming): the name that allocators have
   LargeAllocator() = default;
   template <typename U>
-  LargeAllocator(const LargeAllocator<U>&) {}  // NOLINT: converts, as allocators do
+  LargeAllocator(const LargeAllocator<U>&) {}  // NOLINT(google-explicit-constructor): converts, as allocators do
 
   T* allocate(std::size_t size) {
     if (size > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_array_new_length();
