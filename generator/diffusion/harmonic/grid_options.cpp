@@ -21,15 +21,15 @@ constexpr int most_halvings = 2;
 struct Effort {
   int nodes;  ///< along the side of a cube as large as the surfaces' box
   int cycles;
-  double bend;  ///< see GridOptions, and what follows
-  std::size_t most_patch_nodes;
+  double bend = GridOptions{}.bend;
+  std::size_t most_patch_nodes = GridOptions{}.most_patch_nodes;
 };
 
 /// Measured in docs/diffusion.md. Patches where the solution bends take three times as long as all else, and pages,
 /// whose look-up is held to the field of `final`, carry none.
 Effort effort_for(Quality quality) {
-  if (quality == Quality::draft) return {64, 1, 0, 1'000'000};
-  if (quality == Quality::final) return {112, 1, 0, 1'000'000};
+  if (quality == Quality::draft) return {64, 1};
+  if (quality == Quality::final) return {112, 1};
   return {192, 3, 8.0 / 255, 3'000'000};
 }
 

@@ -5,18 +5,14 @@
 #include <type_traits>
 #include <utility>
 
+#include "generator/diffusion/harmonic/plane_steps.h"
+
 /// Inlines all that a function calls: what is done at a node is less work than a call.
 #define POMONA_FLAT [[gnu::flatten]]
 
 namespace pomona {
 
 namespace {
-
-/// Levels with fewer runs are too small to share.
-constexpr std::size_t runs_worth_sharing = 1000;
-
-/// Levels with more do not stay in the cache between one sweep and the next: a run has 128 bytes, and its stencils.
-constexpr std::size_t runs_beyond_cache = 30000;
 
 /// On the coarsest level, in place of a direct solution.
 constexpr int coarsest_sweeps = 24;
@@ -32,10 +28,6 @@ struct At {
   std::uint8_t open;
   const Stencil* stencil;  ///< nothing for six open links
 };
-
-Threads threads_for(const GridLevel& level, Threads threads) {
-  return {level.runs.size() < runs_worth_sharing ? 1 : threads.count};
-}
 
 /// Calls body(r) for every run of a level.
 template <typename Body>
@@ -145,79 +137,6 @@ void relax_run(GridLevel& level, std::size_t r, int color) {
 /// Directions as bits, known when the program is compiled.
 template <std::uint8_t bits>
 using Along = std::integral_constant<std::uint8_t, bits>;
-
-/// Planes that one thread works on, by their places in GridLevel::planes.
-struct Stack {
-  int first = 0, end = 0;
-};
-
-/// So many stacks of planes with about as many runs each; none if one would be too thin to take `steps` steps in it.
-std::vector<Stack> stacks_of(const GridLevel& level, int steps, std::size_t parts) {
-  std::vector<Stack> stacks;
-  std::size_t runs = 0;
-  int first = 0;
-  for (int p = 0; p < static_cast<int>(level.planes.size()); ++p) {
-    runs += level.planes[static_cast<std::size_t>(p)].second - level.planes[static_cast<std::size_t>(p)].first;
-    if (runs * parts < level.runs.size() * (stacks.size() + 1)) continue;
-    if (p + 1 - first < 2 * steps) return {};
-    stacks.push_back({first, p + 1});
-    first = p + 1;
-  }
-  return stacks;
-}
-
-/// Two stacks to a thread, or one if two would be too thin; none if the level is so small that it stays in the cache
-/// from step to step anyway.
-std::vector<Stack> stacks_for(const GridLevel& level, int steps, Threads threads) {
-  if (level.runs.size() < runs_beyond_cache) return {};
-  const auto most = static_cast<std::size_t>(std::min(resolved(threads), most_threads));
-  if (most == 1) return stacks_of(level, steps, 1);
-  std::vector<Stack> stacks = stacks_of(level, steps, 2 * most);
-  return stacks.empty() ? stacks_of(level, steps, most) : stacks;
-}
-
-/// Steps follow each other from plane to plane through a stack, as long as the planes are in the cache. Near its ends
-/// they must wait for the next stack.
-template <typename Body>
-void run_in_stacks(const GridLevel& level, const std::vector<Stack>& stacks, int steps, Threads threads,
-                   const Body& body) {
-  const auto take = [&](int plane, int step) {
-    const auto [first, end] = level.planes[static_cast<std::size_t>(plane)];
-    body(first, end, step);
-  };
-  parallel_for(stacks.size(), threads, [&](std::size_t i) {
-    const bool is_first = i == 0, is_last = i + 1 == stacks.size();
-    for (int front = stacks[i].first; front < stacks[i].end + steps - 1; ++front) {
-      for (int step = 0; step < steps; ++step) {
-        const int plane = front - step;
-        const int low = stacks[i].first + (is_first ? 0 : step), end = stacks[i].end - (is_last ? 0 : step);
-        if (plane >= low && plane < end) take(plane, step);
-      }
-    }
-  });
-  parallel_for(stacks.size() - 1, threads, [&](std::size_t i) {
-    const int border = stacks[i].end;
-    for (int step = 1; step < steps; ++step) {
-      for (int plane = border - step; plane < border + step; ++plane) take(plane, step);
-    }
-  });
-}
-
-/// Calls body(first run, end, step) for all planes and steps, each step on a plane when the one before is done there
-/// and on both planes beside, and the one after on none of these. That is as good as each step on all planes at once if
-/// what a step reads beside its plane is never what the same step writes.
-template <typename Body>
-void take_steps(const GridLevel& level, int steps, Threads threads, const Body& body) {
-  const std::vector<Stack> stacks = stacks_for(level, steps, threads);
-  if (!stacks.empty()) {
-    run_in_stacks(level, stacks, steps, threads, body);
-    return;
-  }
-  for (int step = 0; step < steps; ++step) {
-    parallel_for(level.planes.size(), threads_for(level, threads),
-                 [&](std::size_t p) { body(level.planes[p].first, level.planes[p].second, step); });
-  }
-}
 
 /// What a level is solved for: the field itself, or a correction to it, which is 0 on surfaces.
 enum class Sought { field, correction };
