@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "cli/copy_beside.h"
 #include "cli/option_checks.h"
 #include "cli/picture_file.h"
 #include "cli/program_folders.h"
@@ -17,19 +18,14 @@ namespace {
 /// The picture as it comes to lie in the folder or below, and its copy where it does not lie there.
 SketchPicture picture_beside(const std::string& name, const fs::path& folder, std::vector<OutputFile>& copies) {
   const fs::path picture = existing_file(name);
-  std::string bytes = picture_bytes(picture, picture.string());
+  const std::string bytes = picture_bytes(picture, picture.string());
   const std::optional<fs::path> step = path_within(folder, picture);
   const LinkedPicture linked = linked_picture(step.value_or(picture.filename()), bytes, picture.string());
   if (step) return {linked.href, linked.size};
 
-  const fs::path copy = folder / picture.filename();
-  if (!fs::exists(copy)) {
-    copies.push_back({copy, std::move(bytes)});
-  } else if (picture_bytes(copy, copy.string()) != bytes) {
-    throw Error(ExitStatus::cannot_create, {{{copy.string(), 0, 0, {}},
-                                             "another file than " + picture.string() + " has its name here",
-                                             "rename one of the two: pictures are copied beside the template"}});
-  }
+  if (auto copy = copy_beside(folder / picture.filename(), bytes, picture.string(),
+                              "rename one of the two: pictures are copied beside the template"))
+    copies.push_back(std::move(*copy));
   return {linked.href, linked.size};
 }
 

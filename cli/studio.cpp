@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/copy_beside.h"
 #include "cli/find_template.h"
 #include "cli/new_fruit.h"
 #include "cli/outputs.h"
@@ -17,7 +18,6 @@
 #include "cli/studio/studio_api.h"
 #include "cli/studio/studio_page.h"
 #include "generator/base/error.h"
-#include "generator/base/file_bytes.h"
 #include "generator/template/read/read_template.h"
 #include "generator/template/read/toml_text.h"
 
@@ -50,15 +50,10 @@ Opened new_fruit(const fs::path& toml, const StudioCommand& command) {
 std::vector<OutputFile> meshes_for_copy(const fs::path& original, const fs::path& folder) {
   std::vector<OutputFile> copies;
   for (const MeshSketch& mesh : read_template(original).meshes) {
-    const fs::path copy = folder / fs::path(mesh.file->path).lexically_relative(original.parent_path());
-    if (!fs::exists(copy)) {
-      copies.push_back({copy, mesh.file->bytes});
-    } else if (readable_bytes(copy, mesh.file->bytes.size() + 1) != mesh.file->bytes) {
-      throw Error(ExitStatus::cannot_create,
-                  {{{copy.string(), 0, 0, {}},
-                    "another file than the mesh of " + original.string() + " has its name here",
-                    "rename it, or open the studio in another folder"}});
-    }
+    const fs::path step = fs::path(mesh.file->path).lexically_relative(original.parent_path());
+    if (auto copy = copy_beside(folder / step, mesh.file->bytes, "the mesh of " + original.string(),
+                                "rename it, or open the studio in another folder"))
+      copies.push_back(std::move(*copy));
   }
   return copies;
 }
