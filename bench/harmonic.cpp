@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -151,14 +150,6 @@ Row measured(const Subject& subject, const HarmonicOptions& options, int runs) {
   return row;
 }
 
-const std::map<std::string, Quality> qualities = {
-    {"draft", Quality::draft}, {"final", Quality::final}, {"reference", Quality::reference}};
-
-std::string name_of(Quality quality) {
-  return std::find_if(qualities.begin(), qualities.end(), [&](const auto& named) { return named.second == quality; })
-      ->first;
-}
-
 void print_text(const std::vector<Row>& rows) {
   bench::TextTable table{
       {"fruit", "quality", "N", "triangles", "grid nodes", "patch nodes", "set-up ms", "solve ms", "all ms",
@@ -210,9 +201,8 @@ int main(int argc, char** argv) {
   CLI::App app("Times of true diffusion on the grid");
   int threads = 2, runs = 5, nodes = 0;
   double bend = -1;
-  std::vector<Quality> asked = {Quality::draft, Quality::final};
   bool as_json = false;
-  std::vector<std::string> names, truth;
+  std::vector<std::string> names, truth, qualities = {"draft", "final"};
   app.add_option("--threads", threads, "Threads to use")->capture_default_str();
   app.add_option("--runs", runs, "Runs to take the median of")->capture_default_str();
   app.add_option("--nodes", nodes, "Nodes along the side of a cube as large as the fruit; 0: as the quality says")
@@ -221,8 +211,8 @@ int main(int argc, char** argv) {
          "--bend", bend,
          "Finer patches also where the solution bends by so many parts of 255; 0: nowhere; -1: as the quality says")
       ->capture_default_str();
-  app.add_option("--quality", asked, "draft, final, reference; draft and final unless said")
-      ->transform(CLI::CheckedTransformer(qualities));
+  app.add_option("--quality", qualities, "draft, final, reference; draft and final unless said")
+      ->check(CLI::IsMember(quality_names()));
   app.add_option("--truth", truth, "Files of walk_truth to take errors from");
   app.add_flag("--json", as_json, "Print JSON");
   app.add_option("fruit", names, "Templates; \"seeded\" for the bench model. All, if none is named");
@@ -239,9 +229,9 @@ int main(int argc, char** argv) {
     std::vector<Row> rows;
     for (Subject& subject : subjects) {
       for (const std::string& file : truth) add_truth(subject, file);
-      for (const Quality quality : asked) {
+      for (const std::string& quality : qualities) {
         rows.push_back(measured(
-            subject, {.quality = quality, .threads = {threads}, .nodes = nodes, .bend = bend < 0 ? bend : bend / 255},
+            subject, {.quality = *quality_named(quality), .threads = {threads}, .nodes = nodes, .bend = bend / 255},
             runs));
       }
     }

@@ -14,11 +14,8 @@ namespace pomona {
 
 namespace {
 
-Quality quality_of(const SharedOptions& options) {
-  static const std::map<std::string, Quality> qualities = {
-      {"draft", Quality::draft}, {"final", Quality::final}, {"reference", Quality::reference}};
-  return qualities.at(options.quality);
-}
+/// The option has been checked.
+Quality quality_of(const SharedOptions& options) { return quality_named(options.quality).value(); }
 
 using Maker = std::unique_ptr<Diffuser> (*)(const SharedOptions& options);
 

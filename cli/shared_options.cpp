@@ -12,6 +12,7 @@
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "generator/diffusion/quality.h"
 
 namespace pomona {
 
@@ -75,7 +76,7 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
       ->capture_default_str()
       ->each([&options](const std::string&) { options.diffuser_given = true; });
   command.add_option("--quality", options.quality, "The error of the diffusion, nothing else")
-      ->check(one_of({"draft", "final", "reference"}))
+      ->check(one_of(quality_names()))
       ->capture_default_str();
   command.add_option("--detail", options.detail, "Tessellation of the surfaces, relative to the template's")
       ->check(between(0.1, 4.0))

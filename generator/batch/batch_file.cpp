@@ -54,9 +54,8 @@ AssetFormat read_format(const TomlValue& value) {
 AssetOptions read_assets(const TomlTable& table, AssetOptions assets) {
   // What is written ...
   read_list(table.get("formats"), assets.formats, read_format);
-  read_list(table.get("quality"), assets.qualities, [](const TomlValue& value) {
-    return static_cast<Quality>(value.choice({"draft", "final", "reference"}));
-  });
+  read_list(table.get("quality"), assets.qualities,
+            [](const TomlValue& value) { return static_cast<Quality>(value.choice(quality_names())); });
   read_list(table.get("texture"), assets.textures, [](const TomlValue& value) {
     const int texels = value.integer(0, 0, 8192);
     if (texels > 0 && texels < 64) value.error("is below 64 texels", "0 leaves colours on vertices");
@@ -177,11 +176,6 @@ class BatchReader {
 const char* name_of(AssetFormat format) {
   constexpr const char* names[] = {"glb", "ply", "pov", "svg"};
   return names[static_cast<std::size_t>(format)];
-}
-
-const char* name_of(Quality quality) {
-  constexpr const char* names[] = {"draft", "final", "reference"};
-  return names[static_cast<std::size_t>(quality)];
 }
 
 BatchDescription parse_batch(std::string_view toml, const std::string& file) { return BatchReader(toml, file).read(); }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "generator/base/error.h"
-#include "generator/diffusion/diffuser.h"
+#include "generator/diffusion/quality.h"
 #include "generator/knife/knife.h"
 
 namespace pomona {
@@ -19,7 +19,6 @@ enum class AssetFormat { glb, ply, pov, svg };
 
 /// As files' endings and batch files say it: "glb".
 const char* name_of(AssetFormat format);
-const char* name_of(Quality quality);
 
 struct TemplateWanted {
   std::string name;

@@ -8,6 +8,7 @@
 
 #include "generator/base/parallel.h"
 #include "generator/cut/section/cross_section.h"
+#include "generator/diffusion/quality.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
@@ -57,9 +58,6 @@ class Diffuser {
   /// One fruit, asked once.
   DiffusedColors diffuse(const DiffusionSurfaces& surfaces, std::span<const glm::vec3> points) const;
 };
-
-/// The error of the diffusion, nothing else (docs/diffusion.md states them, measured).
-enum class Quality { draft, final, reference };
 
 /// Gives every interior vertex of the section its colour and part.
 CrossSection colored(CrossSection section, const DiffusionSurfaces& surfaces, const Diffuser& diffuser);
