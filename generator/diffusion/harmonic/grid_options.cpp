@@ -30,7 +30,7 @@ struct Effort {
 Effort effort_for(Quality quality) {
   if (quality == Quality::draft) return {64, 1};
   if (quality == Quality::final) return {112, 1};
-  return {192, 3, 8.0 / 255, 3'000'000};
+  return {192, 3, 8.0 / 255, 4'000'000};
 }
 
 /// That of `nodes` cubed nodes in the box, so that long and flat fruits get as many as round ones; no longer side
@@ -39,7 +39,7 @@ double spacing_in(const glm::dvec3& extent, int nodes) {
   const double longest = std::max({extent.x, extent.y, extent.z});
   const glm::dvec3 thick = glm::max(extent, glm::dvec3(longest / 16));
   const double even = reproducible::cbrt(thick.x * thick.y * thick.z) / std::max(nodes, 4);
-  return std::max(even, 1.6 * longest / most_cells);
+  return std::max(even, longest / most_cells);
 }
 
 }  // namespace

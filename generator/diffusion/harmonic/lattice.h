@@ -26,10 +26,11 @@ struct Lattice {
   double unit() const { return spacing / static_cast<double>(units()); }  ///< metres
 };
 
-/// Units between neighbours of the coarsest lattice that is not a multigrid's aid. With at most 2^9 nodes an axis,
-/// coordinates keep below 2^28: finer than the floats that they come from.
+/// Units between neighbours of the coarsest lattice that is not a multigrid's aid: finer than the floats that vertices
+/// come from. A lattice has at most 2^10 nodes along an axis, the widest margins included, so that coordinates keep below
+/// 2^29, and areas of triangles below 2^60.
 constexpr int base_unit_bits = 19;
-constexpr int most_cells = 480;  ///< along an axis
+constexpr int most_cells = 480;  ///< along an axis of the surfaces' box
 
 /// The lattice of spacing about `spacing` around `surfaces`: counts are 1 + a multiple of 2^`halvings`, with at
 /// least `margin` (>= 1) cells around them; `shift`, in cells, moves it.

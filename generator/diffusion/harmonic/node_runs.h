@@ -29,7 +29,7 @@ struct NodeRun {
 /// Which blocks of a row along x are wanted: a bit each. Hence at most 1024 nodes along x.
 __extension__ using BlocksOfRow = unsigned __int128;
 constexpr int most_blocks = 128;
-constexpr int most_nodes = 1024;
+constexpr int most_nodes = 1024;  ///< along x; a patch may have more along y and z
 
 constexpr std::uint32_t count_of_blocks(BlocksOfRow blocks) {
   return count_of_bits(static_cast<std::uint64_t>(blocks)) + count_of_bits(static_cast<std::uint64_t>(blocks >> 64));

@@ -119,11 +119,11 @@ class Patches {
         bodies_(small_bodies(*snapped.surfaces, longest_small_body * lattice.spacing)) {}
 
   /// A patch of half the spacing on the finest level so far, whose solution is known; nothing where that is fine
-  /// enough.
+  /// enough, or where a row would be longer than can be stored.
   std::optional<GridLevel> on(const GridLevel& finest) {
     const Lattice& coarse = finest.lattice;
     const Lattice fine = halved(coarse);
-    if (*std::max_element(fine.count.begin(), fine.count.end()) > most_nodes) return std::nullopt;
+    if (fine.count[0] > most_nodes) return std::nullopt;
     const std::vector<float> bends =
         options_.bend > 0 ? bends_of_bricks(finest, options_.bend, options_.threads) : std::vector<float>();
     std::optional<PatchNodes> patch = patch_on(coarse, triangles_too_small_for(coarse), bends);

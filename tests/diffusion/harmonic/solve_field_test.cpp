@@ -103,6 +103,17 @@ TEST(SolveField, PutsPatchesAroundSeedsThatAreSmallForTheGrid) {
   }
 }
 
+/// A grid is limited along x alone, by what a row can hold: a long fruit grows along z.
+TEST(SolveField, PutsPatchesIntoWhatIsLong) {
+  const auto patches_in = [](const glm::dvec3& size) {
+    const DiffusionSurfaces body = joined(shapes::box(-size, size), shapes::sphere(0.003, 4));
+    return levels_of(body, options_of(0.01, 2)).patch_count;
+  };
+  EXPECT_EQ(patches_in({0.05, 0.05, 2}), 2u);
+  EXPECT_EQ(patches_in({0.05, 2, 0.05}), 2u);
+  EXPECT_EQ(patches_in({2, 0.05, 0.05}), 1u) << "1601 nodes are too many";
+}
+
 /// Between a large ball and a small one in its middle, neither of which is small for the grid, the solution bends at
 /// the small one alone.
 TEST(SolveField, PutsPatchesWhereTheSolutionBends) {
