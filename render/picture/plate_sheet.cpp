@@ -21,14 +21,34 @@ constexpr double least_of_figure = 0.002;  // share that a part must cover to be
 constexpr double row_ems = 1.35;           // from line to line of the legend
 constexpr double beside_ems = 2.2;         // what numbers take to the left and to the right of a figure
 constexpr double below_ems = 2.6;          // what a figure's letter and scale take below it
+constexpr double fading = 0.16;            // of a room's shorter side: where shadows fade out along its edges
+constexpr int ink_reach = 3;               // pixels from a part that its ink may cover
+
+/// How much of a figure's pixel is laid on the sheet: all of the fruit and of the ink along it, and less and less of
+/// its shadow towards the edges of its room, where that would be cut off.
+float share_laid(const SheetFigure& figure, int x, int y) {
+  const int width = figure.picture.width, height = figure.picture.height;
+  const double edge = std::min({x, y, width - 1 - x, height - 1 - y});
+  const double inside = std::clamp(edge / (fading * std::min(width, height)), 0.0, 1.0);
+  if (inside >= 1 || figure.parts.part.empty()) return 1;
+  for (const int dy : {-ink_reach, 0, ink_reach}) {
+    for (const int dx : {-ink_reach, 0, ink_reach}) {
+      const int px = std::clamp(x + dx, 0, width - 1), py = std::clamp(y + dy, 0, height - 1);
+      if (figure.parts.at(px, py) >= 0) return 1;
+    }
+  }
+  return static_cast<float>(inside * inside * (3 - 2 * inside));
+}
 
 /// A figure's pixels on the sheet: what it has more or less of than its own bare paper, on the sheet's.
-void lay_figure(const Image& figure, const glm::ivec2& corner, const Color& bare, const Paper& paper, Image& sheet) {
-  for (int y = 0; y < figure.height; ++y) {
-    for (int x = 0; x < figure.width; ++x) {
+void lay_figure(const SheetFigure& figure, const glm::ivec2& corner, const Color& bare, const Paper& paper,
+                Image& sheet) {
+  for (int y = 0; y < figure.picture.height; ++y) {
+    for (int x = 0; x < figure.picture.width; ++x) {
       const int sx = corner.x + x, sy = corner.y + y;
       if (sx < 0 || sy < 0 || sx >= sheet.width || sy >= sheet.height) continue;
-      const Color color = paper.at(sx, sy) + (from_srgb8(figure.at(x, y)) - bare);
+      const Color more = from_srgb8(figure.picture.at(x, y)) - bare;
+      const Color color = paper.at(sx, sy) + share_laid(figure, x, y) * more;
       sheet.pixels[static_cast<std::size_t>(sy) * sheet.width + sx] = to_srgb8(glm::clamp(color, Color(0), Color(1)));
     }
   }
@@ -196,7 +216,7 @@ Image PlateSheet::drawn(const std::vector<SheetFigure>& figures) const {
   }
   const Color bare = from_srgb8(to_srgb8(style_.paper));
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    lay_figure(figures[i].picture, glm::ivec2(rooms_[i].low), bare, paper, sheet);
+    lay_figure(figures[i], glm::ivec2(rooms_[i].low), bare, paper, sheet);
   }
   draw(layers(figures), sheet);
   return sheet;

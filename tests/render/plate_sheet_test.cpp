@@ -2,6 +2,7 @@
 #include "render/picture/plate_sheet.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "render/picture/paper.h"
 
@@ -76,6 +77,33 @@ TEST_F(Sheet, ShowsTheFiguresAsTheyAreAndPaperAroundThem) {
     EXPECT_GT(red, 380);
   }
   EXPECT_EQ(image.at(3, 3), to_srgb8(paper.at(3, 3)));
+}
+
+/// A shadow that is wider than its room ends softly on the paper, and the fruit beside it does not fade.
+TEST_F(Sheet, LetsShadowsFadeBeforeTheyAreCutOff) {
+  style_.plate->labels = style_.plate->scale_bar = false;
+  const PlateSheet made = sheet(4);
+  std::vector<SheetFigure> all;
+  for (const PlateBox& room : made.rooms()) {
+    all.push_back(disc(room, style_.paper, {"skin", "gel"}));
+    for (std::size_t i = 0; i < all.back().parts.part.size(); ++i) {
+      if (all.back().parts.part[i] < 0) all.back().picture.pixels[i] = to_srgb8(0.7f * style_.paper);
+    }
+  }
+  const Image image = made.drawn(all);
+  const Paper paper(style_, width, height);
+  const auto darker = [&](int x, int y) { return int{to_srgb8(paper.at(x, y)).g} - int{image.at(x, y).g}; };
+  for (const PlateBox& room : made.rooms()) {
+    const glm::ivec2 low(room.low), high(room.high), middle = (low + high) / 2;
+    const int r = std::min(high.x - low.x, high.y - low.y) / 2 - 6;
+    for (int y = low.y; y < high.y; ++y) {
+      if (std::abs(y - middle.y) < r / 2) continue;  // the fruit is as good as there
+      EXPECT_LE(darker(low.x, y), 2) << "at the room's left edge";
+      EXPECT_LE(darker(high.x - 1, y), 2) << "at its right edge";
+    }
+    EXPECT_GT(darker(low.x + (high.x - low.x) / 5, low.y + (high.y - low.y) / 5), 25) << "a shadow all the same";
+    EXPECT_LT(image.at(middle.x, middle.y - r).g, 80) << "the fruit, almost at the edge";
+  }
 }
 
 /// The same parts in four figures have one number each: as much ink as one figure's, and letters and bars.
