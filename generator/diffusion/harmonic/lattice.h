@@ -27,8 +27,8 @@ struct Lattice {
 };
 
 /// Units between neighbours of the coarsest lattice that is not a multigrid's aid: finer than the floats that vertices
-/// come from. A lattice has at most 2^10 nodes along an axis, the widest margins included, so that coordinates keep below
-/// 2^29, and areas of triangles below 2^60.
+/// come from. A lattice has at most 2^10 nodes along an axis, the widest margins included, so that coordinates keep
+/// below 2^29, and areas of triangles below 2^60.
 constexpr int base_unit_bits = 19;
 constexpr int most_cells = 480;  ///< along an axis of the surfaces' box
 
