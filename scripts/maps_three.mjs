@@ -1,6 +1,6 @@
 // Draws a .glb with maps by three.js in a headless Chromium, on a table in the light of a room and a lamp: docs/textures.md.
-//   node scripts/maps_three.mjs FILE.glb PICTURE.png
-// Run where node_modules lies (npm ci).
+//   node scripts/maps_three.mjs FILE.glb PICTURE.png [rim]
+// "rim" looks from close by at the edge between the cut face and the skin, at 45 degrees to either. Run where node_modules lies (npm ci).
 import { execFile } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -8,7 +8,8 @@ import { tmpdir } from 'node:os';
 import { extname, join, resolve } from 'node:path';
 import { promisify } from 'node:util';
 
-const [glb, picture] = process.argv.slice(2).map((path) => resolve(path));
+const [glb, picture] = process.argv.slice(2, 4).map((path) => resolve(path));
+const atRim = process.argv[4] === 'rim';
 const page = `<!DOCTYPE html><meta charset="utf-8"><script type="importmap">
 {"imports": {"three": "/node_modules/three/build/three.module.js", "three/addons/": "/node_modules/three/examples/jsm/"}}
 </script><body style="margin: 0"><script type="module">
@@ -47,6 +48,24 @@ scene.add(table, sun, sun.target);
 const camera = new THREE.PerspectiveCamera(25, 480 / 384, 0.01 * reach, 100 * reach);
 camera.position.copy(middle).add(new THREE.Vector3(0.3, 0.8, 1).normalize().multiplyScalar(4.3 * reach));
 camera.lookAt(middle);
+if (${atRim}) {
+  const face = new THREE.Vector3(0, 0, 1).applyEuler(fruit.rotation), at = new THREE.Vector3(), place = new THREE.Vector3();
+  let most = -Infinity;  // on the face, to the right in front
+  fruit.updateMatrixWorld(true);
+  fruit.traverse((part) => {
+    for (let v = 0; part.isMesh && v < part.geometry.attributes.position.count; ++v) {
+      place.fromBufferAttribute(part.geometry.attributes.position, v).applyMatrix4(part.matrixWorld);
+      const so = 1000 * place.dot(face) + place.x + place.z;
+      if (so > most) { most = so; at.copy(place); }
+    }
+  });
+  const out = at.clone().sub(middle);
+  out.addScaledVector(face, -out.dot(face)).normalize();
+  camera.position.copy(at).add(face.clone().add(out).normalize().multiplyScalar(1.1 * reach));
+  camera.fov = 20;
+  camera.updateProjectionMatrix();
+  camera.lookAt(at);
+}
 renderer.render(scene, camera);
 document.title = 'drawn';
 </script>`;
