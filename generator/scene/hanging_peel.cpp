@@ -24,7 +24,7 @@ namespace pomona {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t fewest_turns = 2;
+constexpr double fewest_turns = 1.5;
 constexpr int half_planes = 8;                                  // that are tried
 constexpr double free_gap = 0.25, held_gap = 1.0, swing = 0.3;  // shares of the strip's width, and of the peel's
 
@@ -36,6 +36,18 @@ struct Turns {
   std::vector<std::uint32_t> part;  ///< per vertex: where in the strip, from 0; or none
   std::size_t first = 0, last = 0;  ///< the free turns; last is beyond them
   std::size_t free() const { return last - first; }
+
+  /// How often the free turns wind about the axis. What a half-plane only parts, a chamber or a sepal, winds less than
+  /// once: its one part ends at the half-plane, where the other begins.
+  double wound() const {
+    double low = std::numeric_limits<double>::max(), high = 0;
+    for (std::size_t v = 0; v < part.size(); ++v) {
+      if (part[v] == none || part[v] < first || part[v] >= last) continue;
+      low = std::min(low, part[v] + azimuth[v]);
+      high = std::max(high, part[v] + azimuth[v]);
+    }
+    return std::max(high - low, 0.0);
+  }
 };
 
 /// A link from each part to the one after it; nothing if the parts make no chain.
@@ -115,7 +127,7 @@ bool surrounds_axis(std::span<const double> azimuth) {
   return std::all_of(octant.begin(), octant.end(), [](bool there) { return there; });
 }
 
-/// By the half-plane that leaves most free turns.
+/// By the half-plane that leaves most free turns; none that do not wind about the axis.
 Turns most_turns(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangles) {
   std::vector<double> azimuth;
   for (const glm::vec3& p : position) azimuth.push_back(reproducible::atan2(p.z, p.x) / (2 * pi));
@@ -123,7 +135,7 @@ Turns most_turns(std::span<const glm::vec3> position, std::span<const glm::uvec3
   if (!surrounds_axis(azimuth)) return best;
   for (int i = 0; i < half_planes; ++i) {
     Turns turns = turns_of(azimuth, triangles, static_cast<double>(i) / half_planes);
-    if (turns.free() > best.free()) best = std::move(turns);
+    if (turns.free() > best.free() && turns.wound() >= fewest_turns) best = std::move(turns);
   }
   return best;
 }
@@ -205,7 +217,7 @@ std::optional<Solid> hanging_peel(const Solid& solid) {
   const std::vector<std::uint32_t> first = weld(solid.position);
   const std::vector<glm::uvec3> triangles = welded_triangles(first, solid.triangle);
   const Turns turns = most_turns(solid.position, triangles);
-  if (turns.free() < fewest_turns) return std::nullopt;
+  if (turns.free() == 0) return std::nullopt;
 
   // Vertices at one place go one way: their strip's is that of the first.
   const double count = static_cast<double>(turns.free());

@@ -34,6 +34,8 @@ class EdgeFinder {
   void weld();
   void look_at(std::span<const HalfEdge> sides);
   void look_at_pair(const HalfEdge& x, const HalfEdge& y);
+  double sunk_opacity(std::span<const HalfEdge> sides) const;
+  double color_jump(const HalfEdge& x, const HalfEdge& y) const;
   void add(const HalfEdge& x, const HalfEdge& y, LineKind kind, double opacity = 1);
 
   bool is_cut(const HalfEdge& h) const { return solid_.cut_face[h.triangle] >= 0; }
@@ -76,12 +78,37 @@ void EdgeFinder::look_at(std::span<const HalfEdge> sides) {
   const auto skin = std::find_if(sides.begin(), sides.end(), [&](const HalfEdge& h) { return !is_cut(h); });
   const auto cut = std::find_if(sides.begin(), sides.end(), [&](const HalfEdge& h) { return is_cut(h); });
   if (cut == sides.end()) return;
-  if (skin != sides.end()) return add(*skin, *cut, LineKind::rim);
+  const auto of_face = [&](const HalfEdge& h) { return solid_.cut_face[h.triangle] == solid_.cut_face[cut->triangle]; };
+  const bool sunk = std::count_if(sides.begin(), sides.end(), of_face) >= 3;
+  if (skin != sides.end()) return add(*skin, *cut, LineKind::rim, sunk ? sunk_opacity(sides) : 1);
   for (std::size_t i = 1; i < sides.size(); ++i) {
     if (solid_.cut_face[sides[i].triangle] != solid_.cut_face[sides[0].triangle]) {
       return add(sides[0], sides[i], LineKind::ridge);
     }
   }
+}
+
+/// Where a body is sunk in another, a stem's foot in the flesh, the other's face goes on across its outline: the rim
+/// fades there to what a line on a cut face would be, and never quite to nothing: rims of thin roots that are parted
+/// into bits flicker.
+double EdgeFinder::sunk_opacity(std::span<const HalfEdge> sides) const {
+  constexpr double least = 0.07, most = 0.75;
+  double jump = 0;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    for (std::size_t k = i + 1; k < sides.size(); ++k) {
+      if (is_cut(sides[i]) && is_cut(sides[k])) jump = std::max(jump, color_jump(sides[i], sides[k]));
+    }
+  }
+  return least + (most - least) * line_opacity(jump);
+}
+
+/// How far the colours of two triangles are apart at their common edge, in OKLab.
+double EdgeFinder::color_jump(const HalfEdge& x, const HalfEdge& y) const {
+  const auto apart = [&](std::uint32_t v, std::uint32_t w) {
+    if (solid_.color[v] == solid_.color[w]) return 0.0;
+    return static_cast<double>(glm::distance(to_oklab(solid_.color[v]), to_oklab(solid_.color[w])));
+  };
+  return 0.5 * (apart(ends(x).x, ends(y).x) + apart(ends(x).y, ends(y).y));
 }
 
 void EdgeFinder::look_at_pair(const HalfEdge& x, const HalfEdge& y) {
@@ -92,11 +119,7 @@ void EdgeFinder::look_at_pair(const HalfEdge& x, const HalfEdge& y) {
   if (is_cut(x)) {
     const bool smooth = edges_.smooth[xa] == edges_.smooth[ya] && edges_.smooth[xb] == edges_.smooth[yb];
     if (!smooth) return add(x, y, LineKind::ridge);
-    const auto apart = [&](std::uint32_t v, std::uint32_t w) {
-      if (solid_.color[v] == solid_.color[w]) return 0.0;
-      return static_cast<double>(glm::distance(to_oklab(solid_.color[v]), to_oklab(solid_.color[w])));
-    };
-    const double opacity = line_opacity(0.5 * (apart(xa, ya) + apart(xb, yb)));
+    const double opacity = line_opacity(color_jump(x, y));
     if (opacity > 0) add(x, y, LineKind::inner, opacity);
     return;
   }

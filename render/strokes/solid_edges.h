@@ -11,7 +11,7 @@ namespace pomona {
 enum class LineKind : std::uint8_t {
   contour,  ///< where a smooth surface turns away from the eye
   border,   ///< of an open surface
-  rim,      ///< where a cut face meets the skin
+  rim,      ///< where a cut face meets the skin; faint where one body's is sunk in another
   ridge,    ///< where two cut faces meet
   crease,   ///< a sharp edge of the skin
   seam,     ///< where two surfaces of the skin meet

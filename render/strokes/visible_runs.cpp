@@ -94,7 +94,7 @@ double LineWalker::heft(const VisibleRun& run, const RunPoint& point) const {
   if (behind != run.instance + 1) return 1;
   switch (run.kind) {
     case LineKind::rim:
-      return 0.75;
+      return 0.75 * (0.45 + 0.55 * point.opacity);  // the finer, the fainter
     case LineKind::ridge:
       return 0.6;
     default:

@@ -1,9 +1,11 @@
 // Cut faces that are not flat: no lines between their facets, in space and on paper.
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/solid.h"
@@ -44,6 +46,43 @@ TEST(CurvedFaces, HaveRidgesAtCreases) {
       lines_of(shapes::solid_knife(shapes::rod({0.003, -0.02, 0.002}, 0.012, 0.2, 48)), LineKind::ridge);
   EXPECT_GE(ridges.size(), 2 * 48u);
   EXPECT_LT(ridges.size(), 2 * 200u);
+}
+
+constexpr glm::dvec3 knob_middle(0, 0.045, 0);
+
+/// A ball with a smaller one that is half sunk in it, as a stem is; all of one colour, but for what is within the knob.
+std::vector<Solid> halves_of_ball_with_knob(const Color& within_knob) {
+  shapes::Paint ball = shapes::skin_paint(), knob = ball;
+  ball.front = knob.front = ball.back;
+  knob.name = knob.back_part = "knob";
+  knob.back = within_knob;
+  DiffusionSurfaces surfaces = shapes::nested_spheres(0.05, 0.015, 10, ball, knob);
+  for (glm::vec3& p : surfaces.position) {
+    if (glm::length(p) < 0.02f) p += glm::vec3(knob_middle);
+  }
+  return shapes::sliced(surfaces, {parse_knife("half")}).pieces;
+}
+
+/// How opaque the lines on the cut face are that lie on the knob's outline, within the ball.
+std::vector<float> sunk_lines(const std::vector<Solid>& pieces) {
+  std::vector<float> opacity;
+  for (const Solid& solid : pieces) {
+    for (const SharpEdge& edge : solid_edges(solid).sharp) {
+      const glm::dvec3 middle = 0.5 * glm::dvec3(solid.position[edge.a] + solid.position[edge.b]);
+      if (glm::length(middle) < 0.0485 && std::fabs(middle.z) < 1e-6) opacity.push_back(edge.opacity);
+    }
+  }
+  return opacity;
+}
+
+TEST(FlatFaces, HaveFainterRimsWhereABodyIsSunkInAnother) {
+  const std::vector<float> contrasting = sunk_lines(halves_of_ball_with_knob(Color(0.2f, 0.1f, 0.05f)));
+  EXPECT_GT(contrasting.size(), 40u);
+  for (const float opacity : contrasting) {
+    EXPECT_GT(opacity, 0.5f);
+    EXPECT_LT(opacity, 0.8f);
+  }
+  for (const float opacity : sunk_lines(halves_of_ball_with_knob(shapes::skin_paint().back))) EXPECT_LT(opacity, 0.1f);
 }
 
 TEST(CurvedFaces, OfAWaveHaveOneLineAroundThem) {

@@ -63,6 +63,29 @@ TEST(HangingPeel, IsTheStripAlone) {
   }
 }
 
+/// A ball with a chamber beside its axis, as an apple has them: every half-plane through the chamber parts it in two.
+DiffusionSurfaces ball_with_a_chamber(const glm::dvec3& chamber) {
+  DiffusionSurfaces ball = shapes::hollow_ball(0.03, 0.005, 8);
+  for (glm::vec3& p : ball.position) {
+    const bool is_wall = glm::length(p) < 0.01f;
+    p += glm::vec3(glm::dvec3(0, 0.03, 0) + (is_wall ? chamber : glm::dvec3(0)));
+  }
+  return ball;
+}
+
+/// What is parted in two by a half-plane does not yet wind about the axis twice.
+TEST(HangingPeel, IsNothingThatIsOnlyParted) {
+  for (const glm::dvec3& chamber :
+       {glm::dvec3(0.01, 0, 0), glm::dvec3(0.003, 0.006, 0.009), glm::dvec3(0, 0.01, -0.01)}) {
+    const DiffusionSurfaces ball = ball_with_a_chamber(chamber);
+    for (const char* knife : {"bite:30mm", "ball:20mm,at=0,3cm,3cm", "core:12mm", "peel:2mm"}) {
+      const std::vector<Knife> knives{parse_knife(knife)};
+      for (const Solid& piece : shapes::sliced(ball, knives).pieces)
+        EXPECT_FALSE(hanging_peel(piece)) << knife << ' ' << piece.name << ", chamber at " << chamber.x;
+    }
+  }
+}
+
 TEST(HangingPeel, IsLongerAndStaysClosedAndAsLarge) {
   const auto [lying, hanging, count] = peel_of_ball();
   ASSERT_EQ(count, 1);
