@@ -36,7 +36,7 @@ function processorTime(root) {
   return [...found].reduce((sum, [pid, { ticks }]) => sum + (isOurs(pid) ? ticks / 100 : 0), 0);
 }
 
-const loads = { skin: [], cut: [], face: [], frame: [], processor: [] };
+const loads = { card: [], skin: [], cut: [], fine: [], face: [], frame: [], turning: [], rest: [], processor: [] };
 for (let run = 0; run < Number(runs); ++run) {
   const browser = await launch({ timeout: 600000 });
   try {
@@ -45,8 +45,23 @@ for (let run = 0; run < Number(runs); ++run) {
     await tab.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
     const before = processorTime(browser.process().pid);
     await tab.goto(`file://${resolve(page)}`);
-    await tab.waitForFunction('window.pomona && pomona.loads.cut', { timeout: 300000 });
+    await tab.waitForFunction('window.pomona && pomona.loads.cut', { polling: 5, timeout: 300000 });
     const processor = 1000 * (processorTime(browser.process().pid) - before);
+    await tab.waitForFunction('pomona.loads.fine', { timeout: 300000 });
+    // A hand that drags: pointers move at every frame. Then it rests, and the picture grows fine.
+    await tab.waitForFunction('pomona.board.settled', { timeout: 300000 });
+    const turned = await tab.evaluate(`(async () => {
+      const {board, picture} = pomona, own = picture.draw, nextFrame = () => new Promise((done) => requestAnimationFrame(done)), begin = performance.now();
+      let frames = 0;
+      picture.draw = function (scene) { ++frames; own.call(this, scene); };
+      while (performance.now() - begin < 4000) { board.orbit(0.01, 0); await nextFrame(); }
+      await board.pace.drawn();
+      const end = performance.now(), turning = (end - begin) / frames;
+      while (board.rough) await nextFrame();
+      await board.pace.drawn();
+      picture.draw = own;
+      return {turning, rest: performance.now() - end};
+    })()`);
     const times = await tab.evaluate(`(() => {
       const {board, picture, loads} = pomona, {gl} = picture, {fruit, frame: {middle, reach}} = board.first, timed = (act) => {
         const all = [];
@@ -61,13 +76,15 @@ for (let run = 0; run < Number(runs); ++run) {
       pomona.finish();
       const face = timed(() => picture.bare(fruit, {origin: middle, u: [1, 0, 0], v: [0, 0, -1], n: [0, 1, 0], reach}, 512));
       const frame = timed(() => picture.draw(board.sceneNow()));
-      return {skin: loads.skin, cut: loads.cut, face, frame};
+      return {...loads, face, frame};
     })()`);
-    for (const key of Object.keys(loads)) loads[key].push(key === 'processor' ? processor : times[key]);
+    for (const key of Object.keys(loads)) loads[key].push(key === 'processor' ? processor : { ...times, ...turned }[key]);
   } finally {
     await browser.close();
   }
 }
-const said = { skin: 'skin drawn after', cut: 'cut drawn after', face: 'bare section of 512 x 512', frame: 'a frame of 640 x 480, less the tools, faces known', processor: 'processor time of all of Chromium until the cut is drawn' };
+const said = { card: 'a place to draw after', skin: 'skin drawn after', cut: 'cut drawn after', fine: 'cut drawn finely after',
+  turning: 'a frame while the fruit is turned', rest: 'fine again after its rest',
+  face: 'bare section of 512 x 512', frame: 'a frame of 640 x 480, less the tools, faces known', processor: 'processor time of all of Chromium until the cut is drawn' };
 for (const [key, all] of Object.entries(loads)) console.log(`${said[key]}: ${Math.round(median(all))} ms (${all.map(Math.round).join(', ')})`);
 console.log(`load average after: ${loadavg()[0].toFixed(1)}`);

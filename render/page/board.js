@@ -6,7 +6,7 @@ class Board {
   /** `setting`: bodies, size of one, setKnives(), arrange(apart, open). */
   constructor(canvas, picture) {
     Object.assign(this, {canvas, picture, camera: new Camera(), setting: null, knives: [], apart: 0, open: 0, wantedApart: 0, wantedOpen: 0,
-      dark: false, draws: false, settled: false, failed: false, asked: false, stale: true, lastMoved: 0, bounds: null});
+      dark: false, draws: false, settled: false, failed: false, asked: false, stale: true, rough: false, lastMoved: 0, bounds: null, pace: new Pace(picture.card)});
     this.calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
     /** Told when knives have changed, when a frame has been drawn. */
     this.onKnives = this.onFrame = () => {};
@@ -23,31 +23,41 @@ class Board {
     this.asked = true;
     requestAnimationFrame(() => {
       this.asked = false;
+      if (this.pace.isBusy()) return this.ask();
       try { this.frame(); } catch (error) { this.failed = true; sorry(`The fruit cannot be drawn: ${error.message}`); throw error; }
     });
   }
   moved() { this.lastMoved = performance.now(); this.stale = true; this.ask(); }
   changed() { this.stale = true; this.ask(); }
 
-  fitCanvas() {
+  /** Pixels: of the picture at rest. */
+  get size() {
     const {canvas} = this, scale = Math.min(2, window.devicePixelRatio || 1);
-    const width = Math.max(1, Math.round(canvas.clientWidth * scale)), height = Math.max(1, Math.round(canvas.clientHeight * scale));
+    return {width: Math.max(1, Math.round(canvas.clientWidth * scale)), height: Math.max(1, Math.round(canvas.clientHeight * scale))};
+  }
+  get aspect() { const {width, height} = this.size; return width / height; }
+  /** With so many times fewer pixels along each side. */
+  fitCanvas(divisor) {
+    const {canvas, size} = this, width = Math.ceil(size.width / divisor), height = Math.ceil(size.height / divisor);
     if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
-    return width / height;
   }
   arrange() {
     const {setting, camera} = this;
     setting.arrange(this.apart, this.open);
-    const outline = this.bodies.flatMap((body) => body.outline), aspect = this.fitCanvas();
+    const outline = this.bodies.flatMap((body) => body.outline), {aspect} = this;
     this.bounds = boxOf(outline.flat(), 3);
     Object.assign(camera, camera.fit(outline, aspect));
   }
   get span() { return Math.max(...V.sub(this.bounds.high, this.bounds.low)); }
-  view() { return this.camera.view(this.canvas.width / this.canvas.height, 2 * Math.max(this.span, this.setting.size)); }
-  sceneNow() {
-    this.fitCanvas();
+  view() { return this.camera.view(this.aspect, 2 * Math.max(this.span, this.setting.size)); }
+  /** As it is at rest, or roughly as it is while something moves. */
+  sceneNow(rough = false) {
+    this.fitCanvas(rough ? this.pace.divisor : 1);
+    return this.scene(rough);
+  }
+  scene(rough) {
     const {camera, bounds, dark, setting} = this;
-    return {bodies: this.bodies, bounds, dark, size: setting.size, camera: {view: this.view(), eye: camera.eye, yaw: camera.yaw}};
+    return {bodies: this.bodies, bounds, dark, rough, size: setting.size, camera: {view: this.view(), eye: camera.eye, yaw: camera.yaw}};
   }
 
   /** Moves on what moves by itself. */
@@ -64,22 +74,26 @@ class Board {
   }
   frame() {
     if (!this.setting) return;
-    const {picture, camera, canvas} = this, moves = this.moveOn();
-    const scale = canvas.height / (2 * Math.tan(camera.field / 2) * camera.far / camera.zoom);
-    let more = false, changed = false, waited = performance.now() - this.lastMoved > 150;
+    const {picture, camera, pace} = this, begun = performance.now(), moves = this.moveOn(), rests = !moves && begun - this.lastMoved > restMs, rough = !rests && pace.divisor > 1;
+    const scale = this.size.height / (2 * Math.tan(camera.field / 2) * camera.far / camera.zoom);
+    let more = false, changed = false, waited = begun - this.lastMoved > 150;
     for (const body of this.bodies) {
       const wanted = Math.max(512, Math.min(2048, Math.ceil(2.1 * body.frame.reach * M.scaleOf(body.place) * scale / 128) * 128));
-      const done = body.faces.update(wanted, waited);
+      const done = body.faces.update(wanted, waited, rough);
       // One body at a time grows finer.
       if (done.more) waited = false;
       more = more || done.more;
       changed = changed || done.changed;
     }
-    if (this.stale || changed || moves) picture.draw(this.sceneNow());
+    if (this.stale || changed || moves || this.rough && !rough) {
+      this.rough = rough;
+      picture.draw(this.sceneNow(rough));
+      pace.gave(rough ? pace.divisor : 1, begun);
+    }
     this.stale = false;
     this.onFrame();
-    this.settled = this.bodies.every((body) => body.fruit.ready || body.knives.length === 0) && !moves && !more;
-    if (moves || more) this.ask();
+    this.settled = this.bodies.every((body) => body.fruit.ready || body.knives.length === 0) && !moves && !more && !this.rough;
+    if (moves || more || this.rough) this.ask();
   }
   /** At once, all of it, as fine as it gets. */
   finish() {
@@ -171,5 +185,5 @@ class Board {
   zoom(by) { this.camera.zoom = Math.max(0.5, Math.min(6, this.camera.zoom * by)); this.moved(); }
 
   /** What lies at a place of the canvas, in its pixels: {body, part, cut}, or null. */
-  at(x, y) { return this.picture.pick(this.sceneNow(), x / this.canvas.clientWidth, y / this.canvas.clientHeight); }
+  at(x, y) { return this.picture.pick(this.scene(false), x / this.canvas.clientWidth, y / this.canvas.clientHeight); }
 }

@@ -12,6 +12,8 @@ function boxOf(data, stride = 10) {
   return {low, high};
 }
 
+const faceMargin = 0.02;  // beside a skin its faces are drawn, too: there lie lines, and colours for when they are seen smaller
+
 /** Triangles on the card, and what knives go by: shared by all that look alike. */
 class Shape {
   /** `skin`: ten numbers a corner (skin.js); `index`: which corners are triangles, or none: three after three. */
@@ -23,6 +25,21 @@ class Shape {
   }
 }
 
+/** The box, along a knife's u and v, of a skin (ten numbers a corner): -1 to 1 of its face, a little larger, and at places of its profile. */
+function boxWithin({frame: {origin, u, v, reach}}, skin) {
+  const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+  for (let i = 0; i < skin.length; i += 10) {
+    const x = skin[i] - origin[0], y = skin[i + 1] - origin[1], z = skin[i + 2] - origin[2];
+    const s = (x * u[0] + y * u[1] + z * u[2]) / reach, t = (x * v[0] + y * v[1] + z * v[2]) / reach;
+    if (s < low[0]) low[0] = s;
+    if (s > high[0]) high[0] = s;
+    if (t < low[1]) low[1] = t;
+    if (t > high[1]) high[1] = t;
+  }
+  const place = (s, round) => 2 * Math.max(0, Math.min(profilePlaces - 1, round((s * 0.5 + 0.5) * (profilePlaces - 1)))) / (profilePlaces - 1) - 1;
+  return [...low.map((s) => place(s - faceMargin, Math.floor)), ...high.map((s) => place(s + faceMargin, Math.ceil))];
+}
+
 class Body {
   /** `samples`: so many points of its skin stand for it. */
   constructor(picture, fruit, shape, samples = 2500) {
@@ -32,6 +49,8 @@ class Body {
     /** What knives go around: {stone, socket: meshes; shells; parts}, or null. `homes`: of each shell the cell that has it. */
     this.spared = null;
     this.homes = [];
+    this.boxes = new WeakMap();
+    this.parts = new PieceMeshes(picture.card, shape);
     this.faces = new Faces(picture.passes, picture.speed, this);
     this.takeSamples(null, samples);
   }
@@ -49,9 +68,20 @@ class Body {
   setKnives(knives) {
     const shells = this.spared ? this.spared.shells : [];
     this.knives = knives;
+    this.parts.forget();
     this.homes = homesOf(shells, knives);
     this.pieces = piecesOf(this.samples, knives, shells, this.homes);
   }
+  /** What of knife k's face lies within the skin: low and high corner, -1 to 1 along its u and v, with a margin. */
+  faceBox(k) {
+    const knife = this.knives[k], found = this.boxes.get(knife);
+    if (found) return found;
+    const box = boxWithin(knife, this.skin);
+    this.boxes.set(knife, box);
+    return box;
+  }
+  /** What of its skin a piece may have. */
+  meshOf(piece) { return this.parts.of(piece, this.knives); }
   get cutsSpared() { return this.homes.some(({isCut}) => isCut); }
   /**
    * Walls of a piece beside its skin: of the shells that are cut, those that it has whole, and the sockets of the others. Where a

@@ -4,7 +4,11 @@ class Card {
   constructor(canvas, shaders) {
     this.gl = canvas.getContext('webgl2', {antialias: true, premultipliedAlpha: true, powerPreference: 'high-performance'});
     this.shaders = shaders;
-    if (this.gl) this.parallel = this.gl.getExtension('KHR_parallel_shader_compile');
+    if (!this.gl) return;
+    const known = this.gl.getExtension('WEBGL_debug_renderer_info'), renderer = known ? this.gl.getParameter(known.UNMASKED_RENDERER_WEBGL) : '';
+    this.parallel = this.gl.getExtension('KHR_parallel_shader_compile');
+    /** Software that stands for a card is known to be slow before it has drawn anything. */
+    this.isSoftware = /swiftshader|llvmpipe|software|basic render/i.test(renderer);
   }
 
   /**
@@ -17,8 +21,13 @@ class Card {
       .replace(/texelFetch\((noise_styles|detail_styles|materials), ([^()]*)\)/g, 'texelFetch($1, ivec2($2, 0), 0)');
   }
 
-  program(name, defines = []) {
-    const {gl} = this, program = gl.createProgram(), text = this.text(name);
+  /** A program to be; it is compiled when it is started, asked for or first drawn with. */
+  program(name, defines = []) { return {name, defines, program: null, uniforms: null}; }
+
+  /** Has it compiled, beside all else where the browser can. */
+  start(made) {
+    if (made.program) return;
+    const {gl} = this, {name, defines} = made, program = made.program = gl.createProgram(), text = this.text(name);
     const head = '#version 300 es\n#define COMPACT\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler3D;\n';
     for (const [stage, define] of [[gl.VERTEX_SHADER, 'VERTEX'], [gl.FRAGMENT_SHADER, 'FRAGMENT']]) {
       const shader = gl.createShader(stage);
@@ -28,15 +37,18 @@ class Card {
       program[define] = shader;
     }
     gl.linkProgram(program);
-    return {program, name, uniforms: null};
   }
 
   /** Whether a program can be drawn with and nobody waits, as far as that can be asked. */
-  isReady({program, uniforms}) { return uniforms !== null || !this.parallel || this.gl.getProgramParameter(program, this.parallel.COMPLETION_STATUS_KHR); }
+  isReady(made) {
+    this.start(made);
+    return made.uniforms !== null || !this.parallel || this.gl.getProgramParameter(made.program, this.parallel.COMPLETION_STATUS_KHR);
+  }
 
-  /** Asked for when it is first drawn with, so that programs compile side by side. */
+  /** Its uniforms are asked for when it is first drawn with, so that programs compile side by side. */
   use(made) {
     const {gl} = this;
+    this.start(made);
     gl.useProgram(made.program);
     if (made.uniforms) return made.uniforms;
     if (!gl.getProgramParameter(made.program, gl.LINK_STATUS)) {
@@ -89,7 +101,7 @@ class Card {
   }
   drop(target) {
     if (!target) return;
-    for (const {texture} of target.colors) this.gl.deleteTexture(texture);
+    for (const {texture} of target.depth ? [...target.colors, target.depth] : target.colors) this.gl.deleteTexture(texture);
     this.gl.deleteFramebuffer(target.buffer);
   }
 
@@ -102,10 +114,17 @@ class Card {
 
   /** `data` in groups of floats per vertex, at locations 0, 1, ...; `index` of triangles' corners, or none. */
   vertices(data, groups, index = null) {
-    const {gl} = this, array = gl.createVertexArray(), stride = groups.reduce((a, b) => a + b, 0);
-    gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    const {gl} = this, buffer = gl.createBuffer();
+    gl.bindVertexArray(null);
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+    const stride = groups.reduce((a, b) => a + b, 0);
+    return this.mesh({buffer, groups, stride, count: data.length / stride}, index);
+  }
+  mesh({buffer, groups, stride, count}, index) {
+    const {gl} = this, array = gl.createVertexArray(), made = {buffer, groups, stride, array, indices: index && gl.createBuffer(), count: index ? index.length : count};
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     let at = 0;
     groups.forEach((size, location) => {
       gl.enableVertexAttribArray(location);
@@ -113,18 +132,25 @@ class Card {
       at += size;
     });
     if (index) {
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, made.indices);
       gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, index, gl.STATIC_DRAW);
     }
     gl.bindVertexArray(null);
-    return {array, indexed: index !== null, count: index ? index.length : data.length / stride};
+    return made;
+  }
+  /** Some triangles of a mesh, which shares its corners with it. */
+  part(mesh, index) { return this.mesh(mesh, index); }
+  /** A part; what it shares stays. */
+  dropMesh({array, indices}) {
+    this.gl.deleteVertexArray(array);
+    this.gl.deleteBuffer(indices);
   }
   /** Of skin.js. */
   skin(data, index = null) { return this.vertices(data, [3, 3, 3, 1], index); }
   /** All of it, or of what has no index so many corners. */
-  draw({array, indexed, count}, first = 0, some = count) {
+  draw({array, indices, count}, first = 0, some = count) {
     const {gl} = this;
     gl.bindVertexArray(array);
-    if (indexed) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0); else gl.drawArrays(gl.TRIANGLES, first, some);
+    if (indices) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0); else gl.drawArrays(gl.TRIANGLES, first, some);
   }
 }

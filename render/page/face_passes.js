@@ -11,6 +11,8 @@ class FacePasses {
     this.kinds = new Map();
     this.empty = gl.createVertexArray();
     this.level = card.table(1, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, Uint8Array.of(128, 0, 0, 0), 4);
+    /** In place of slopes and rims: level, and as far from rims as counts. */
+    this.flat = card.table(1, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, Uint8Array.of(128, 128, 255, 255), 4);
     this.profiles = card.texture(gl.TEXTURE_2D, gl.NEAREST, (t) => gl.texStorage2D(t, 1, gl.R32F, profilePlaces, 4));
   }
 

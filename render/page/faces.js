@@ -75,10 +75,16 @@ class Faces {
     face.work = new FaceWork(passes, speed, size, [...passes.lookStages(body, face, k), ...passes.paintStages(body.fruit, face, k, [])]);
     return face;
   }
+  /** Without noise, lines and rims. */
+  bareFace(knife, size, k) {
+    const {passes, body} = this, {gl, card} = passes, bare = card.target(size, size, [[gl.SRGB8_ALPHA8, gl.LINEAR], [gl.RGBA8, gl.NEAREST]]), face = {key: knife.key, size, frame: knife.frame, bare};
+    new FaceWork(passes, this.speed, size, passes.lookStages(body, face, k)).finish();
+    return {...face, styled: {colors: [bare.colors[0], passes.flat]}, isBare: true};
+  }
   dropFace(face) {
     if (!face) return;
     const {card} = this.passes;
-    [face.bare, face.styled, ...(face.paint || [])].forEach((target) => card.drop(target));
+    [face.bare, ...(face.isBare ? [] : [face.styled]), ...(face.paint || [])].forEach((target) => card.drop(target));
     if (face.next) card.drop(face.next);
   }
   drop() {
@@ -112,16 +118,25 @@ class Faces {
     return true;
   }
 
-  /** Faces for all knives, at least coarse ones; `waited` where there is time for more. {more: there is more to do, changed: the picture is}. */
-  update(wanted, waited) {
+  /**
+   * Faces for all knives, at least coarse ones; `waited` where there is time for more. {more: there is more to do, changed: the picture is}. `rough`: the
+   * picture is, too; then the first faces of all are bare until they are finer, as nothing but the look-up need be compiled for them.
+   */
+  update(wanted, waited, rough = false) {
     const {passes, speed, body} = this, {knives, fruit} = body;
     while (this.all.length > knives.length) { const {now, next} = this.all.pop(); this.dropFace(now); this.dropFace(next); }
     if (!fruit.ready || knives.length === 0) return {more: false, changed: false};
     passes.setProfiles(knives);
+    const firstBare = rough && !speed.measured;
     let more = false, changed = false;
     knives.forEach((knife, k) => {
       const slot = this.all[k] || (this.all[k] = {now: null, next: null});
       if (slot.next && slot.next.key !== knife.key) { this.dropFace(slot.next); slot.next = null; }
+      if (!slot.now && firstBare) {
+        slot.now = this.bareFace(knife, speed.coarse, k);
+        more = changed = true;
+        return;
+      }
       if (!slot.now || slot.now.key !== knife.key) {
         const face = this.newFace(knife, speed.coarse, k), begin = performance.now();
         face.work.finish();

@@ -62,7 +62,7 @@ ordered_json shaders() {
   ordered_json all;
   for (const char* name : {"color.glsl", "noise.glsl", "detail.glsl", "material.glsl", "lit.glsl"})
     all[name] = code_of(text_of(embedded_shaders(), name));
-  for (const char* name : {"look.glsl", "section.glsl", "skin.glsl", "ground.glsl"})
+  for (const char* name : {"look.glsl", "section.glsl", "skin.glsl", "ground.glsl", "cut_away.glsl"})
     all[name] = code_of(text_of(page_files(), name));
   return all;
 }
@@ -144,7 +144,7 @@ std::string filled(std::string_view page, const std::vector<std::pair<std::strin
 PageParts page_parts(const PageOptions& options) {
   return {safe_in_script(options_of(options).dump()), joined({"read_asset.js", "look_up.js", "skin.js", "spared.js"}),
           joined({"linear.js", "card.js", "camera.js", "knives.js", "pieces.js", "fruit_textures.js", "face_passes.js",
-                  "faces.js", "body.js", "picture.js"})};
+                  "faces.js", "piece_mesh.js", "body.js", "picture.js"})};
 }
 
 std::string page_text(const PageText& page, const PageOptions& options) {
@@ -164,7 +164,7 @@ std::string page_text(const PageText& page, const PageOptions& options) {
        {"@PACKED@", packed},
        {"@WORKER@", joined({"read_asset.js", "read_scene.js", "look_up.js", "skin.js", "spared.js", "worker.js"})},
        {"@SCRIPT@", joined({"linear.js", "card.js", "camera.js", "knives.js", "pieces.js", "fruit_textures.js",
-                            "face_passes.js", "faces.js", "body.js", "picture.js", "messages.js", "row.js", "board.js",
+                            "face_passes.js", "faces.js", "piece_mesh.js", "body.js", "picture.js", "messages.js", "row.js", "pace.js", "board.js",
                             "blade.js", "stroke.js", "hands.js", "paper.js", "tools.js", "unpacking.js"}) +
                         joined(page.last)}});
 }

@@ -9,20 +9,30 @@ const colorOf = (hex) => [1, 3, 5].map((at) => {
 const keepOf = ({keep}) => [0, 1, 2, 3].map((k) => keep[k] || 0);
 
 class Picture {
-  constructor(canvas, {shaders, style}) {
+  constructor(canvas, {shaders, style}, first = 'skin') {
     this.canvas = canvas;
     this.style = style;
     const card = this.card = new Card(canvas, shaders), gl = this.gl = card.gl;
     if (!gl) return;
     this.passes = new FacePasses(card, style);
     this.speed = new FaceSpeed();
-    this.programs = Object.fromEntries([['face', 'section.glsl', 'SHOW'], ['faceDepth', 'section.glsl', 'DEPTH'], ['facePick', 'section.glsl', 'PICK'], ['skin', 'skin.glsl', 'SHOW'],
-      ['hull', 'skin.glsl', 'HULL'], ['skinDepth', 'skin.glsl', 'DEPTH'], ['skinPick', 'skin.glsl', 'PICK'], ['ground', 'ground.glsl', 'GROUND']]
-      .map(([name, file, mode]) => [name, card.program(file, [mode])]));
-    this.sun = card.target(1024, 1024, [[gl.RGBA8, gl.NEAREST]], true);
-    this.sky = card.target(256, 256, [[gl.RGBA8, gl.NEAREST]], true);
+    this.programs = Object.fromEntries([['face', 'section.glsl', 'SHOW'], ['quickFace', 'section.glsl', 'SHOW', 'QUICK'], ['quickSkin', 'skin.glsl', 'SHOW', 'QUICK'], ['faceDepth', 'section.glsl', 'DEPTH'], ['facePick', 'section.glsl', 'PICK'], ['skin', 'skin.glsl', 'SHOW'], ['pieceSkin', 'skin.glsl', 'SHOW', 'PIECES'],
+      ['within', 'skin.glsl', 'WITHIN'], ['hull', 'skin.glsl', 'HULL'], ['skinDepth', 'skin.glsl', 'DEPTH'], ['skinPick', 'skin.glsl', 'PICK'], ['ground', 'ground.glsl', 'GROUND']]
+      .map(([name, file, ...modes]) => [name, card.program(file, modes)]));
+    // Until all is compiled, software that stands for a card draws plainly.
+    this.isQuick = card.isSoftware;
+    this.start(['skinDepth', 'ground', this.isQuick && first === 'skin' ? 'quickSkin' : first, ...(style.lines ? ['hull'] : [])]);
+    this.suns = [1024, 512].map((size) => card.target(size, size, [], true));
+    this.sky = card.target(256, 256, [], true);
+    /** What lies in the maps of depths (drawMap). */
+    this.mapped = new Map();
     this.picked = card.target(1, 1, [[gl.RGBA8, gl.NEAREST]], true);
   }
+
+  start(names) { for (const name of names) this.card.start(this.programs[name] || this.passes.programs[name]); }
+  /** Has compiled what the first cut takes, then what all else does. */
+  startCuts() { this.start(['look', 'faceDepth', 'within', ...(this.isQuick ? ['quickFace'] : ['face', 'ways', 'tone', 'lines'])]); }
+  startRest() { this.start(['skin', 'face', 'ways', 'tone', 'lines']); }
 
   inkOf(fruit) { return colorOf(this.style.ink || fruit.header.ink); }
 
@@ -36,12 +46,14 @@ class Picture {
     });
     gl.uniform4fv(u.knife_plane, plane);
     gl.uniform4fv(u.knife_along, along);
+    gl.uniform1i(u.knives, body.knives.length);
     gl.uniform4fv(u.keep, keepOf(piece));
     gl.uniformMatrix4fv(u.piece, false, piece.motion);
   }
 
   /** `set(u, body, index)` is asked for each body. */
   drawSkins(program, view, bodies, set) {
+    if (bodies.length === 0) return;
     const {gl, card, passes} = this, u = card.use(this.programs[program]);
     gl.uniformMatrix4fv(u.camera, false, view);
     bodies.forEach((body, index) => {
@@ -51,7 +63,7 @@ class Picture {
       for (const piece of body.arranged) {
         this.setPiece(u, body, piece);
         gl.uniform2uiv(u.left_out, body.leftOut);
-        card.draw(body.mesh);
+        card.draw(body.meshOf(piece));
         gl.uniform2uiv(u.left_out, [0, 0]);
         for (const {mesh, range, whole} of body.wallsOf(piece)) {
           gl.uniform4fv(u.keep, whole ? [0, 0, 0, 0] : keepOf(piece));
@@ -70,13 +82,15 @@ class Picture {
       if (set) set(u, body, index);
       gl.bindVertexArray(passes.empty);
       body.knives.forEach((knife, k) => {
-        const face = body.faces.all[k] && body.faces.all[k].now, columns = knife.isCurved ? 255 : 1;
+        const face = body.faces.all[k] && body.faces.all[k].now, box = body.faceBox(k);
         if (!face) return;
+        const columns = knife.isCurved ? Math.max(1, Math.round((box[2] - box[0]) / 2 * (profilePlaces - 1))) : 1;
         passes.setFrame(u, face.frame, k);
         card.bind(u.styled, 0, face.styled.colors[0]);
         card.bind(u.tags, 1, face.bare.colors[1]);
         card.bind(u.slopes, 2, face.styled.colors[1]);
         gl.uniform1i(u.columns, columns);
+        gl.uniform4fv(u.box, box);
         for (const piece of body.arranged) {
           this.setPiece(u, body, piece);
           gl.uniform1f(u.side, -piece.keep[k]);
@@ -89,15 +103,20 @@ class Picture {
     const {gl} = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
     gl.viewport(0, 0, target.width, target.height);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    gl.colorMask(false, false, false, false);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
     this.drawSkins('skinDepth', view, bodies);
     this.drawFaces('faceDepth', view, bodies);
-    gl.colorMask(true, true, true, true);
+  }
+  /** A map of depths, where it is not there already: the sky's lasts while a fruit is turned. */
+  drawMap(target, view, bodies) {
+    const now = [...view, ...bodies.flatMap((body) => [body.arranged, ...body.faces.all.map(({now}) => now)])], before = this.mapped.get(target);
+    if (before && before.length === now.length && before.every((one, i) => one === now[i])) return;
+    this.drawDepths(target, view, bodies);
+    this.mapped.set(target, now);
   }
 
   /** Where light comes from, and how far shadows reach. `size`: of a fruit, in the scene's lengths. */
-  lightOf({camera, bounds, size}) {
+  lightOf({camera, bounds, size, rough = false}) {
     const {azimuth: turn, elevation: e} = this.style.light, azimuth = camera.yaw + turn;
     const toLight = [Math.cos(e) * Math.sin(azimuth), Math.sin(e), Math.cos(e) * Math.cos(azimuth)];
     const middle = V.mul(V.add(bounds.low, bounds.high), 0.5), radius = 0.62 * Math.hypot(...V.sub(bounds.high, bounds.low)) + 0.1 * size;
@@ -106,14 +125,14 @@ class Picture {
     // From below the table, upwards: depth 0 on it.
     const skyDepth = 1.2 * size, skyReach = 1.6 * radius;
     const toSky = M.orthographic([1, 0, 0], [0, 0, 1], [0, -1, 0], [middle[0], table + 0.5 * skyDepth, middle[2]], skyReach, 0.5 * skyDepth);
-    return {toLight, toSun, toSky, middle, radius, table, size};
+    return {toLight, toSun, toSky, middle, radius, table, size, rough};
   }
-  setLight(u, {toLight, toSun, toSky, table, size}, {eye}) {
+  setLight(u, {toLight, toSun, toSky, table, size, rough}, {eye}) {
     const {gl, card, style} = this;
     gl.uniform3fv(u.to_light, toLight);
     gl.uniform1f(u.gloss, style.gloss);
     gl.uniform2f(u.light_strengths, style.light.strength, style.light.ambient);
-    card.bind(u.sun_map, 9, this.sun.depth);
+    card.bind(u.sun_map, 9, this.suns[rough ? 1 : 0].depth);
     card.bind(u.sky_map, 10, this.sky.depth);
     gl.uniformMatrix4fv(u.to_sun, false, toSun);
     gl.uniformMatrix4fv(u.to_sky, false, toSky);
@@ -132,15 +151,15 @@ class Picture {
     gl.uniform1i(u.painted_noise, this.style.noise && fruit.hasNoise ? 1 : 0);
   }
 
-  /** `scene`: bodies, bounds of all, size of a fruit, camera {view, eye, yaw}, dark. */
+  /** `scene`: bodies, bounds of all, size of a fruit, camera {view, eye, yaw}, dark; rough: while something moves, where cards are slow. */
   draw(scene) {
     const {gl, canvas} = this, {bodies, camera} = scene, light = this.lightOf(scene);
     gl.disable(gl.BLEND);
     gl.disable(gl.CULL_FACE);
     gl.enable(gl.DEPTH_TEST);
     gl.clearColor(0, 0, 0, 0);
-    this.drawDepths(this.sun, light.toSun, bodies);
-    this.drawDepths(this.sky, light.toSky, bodies);
+    this.drawMap(this.suns[light.rough ? 1 : 0], light.toSun, bodies);
+    this.drawMap(this.sky, light.toSky, bodies);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -152,8 +171,15 @@ class Picture {
       lit = u;
       this.setFruit(u, body);
     };
-    this.drawSkins('skin', camera.view, bodies, set);
-    this.drawFaces('face', camera.view, bodies, (u, body) => {
+    gl.enable(gl.CULL_FACE);
+    gl.cullFace(gl.BACK);
+    const isQuick = this.isQuick = this.isQuick && light.rough;
+    this.drawSkins(isQuick ? 'quickSkin' : 'skin', camera.view, bodies.filter(({isPiece}) => !isPiece), set);
+    this.drawSkins('pieceSkin', camera.view, bodies.filter(({isPiece}) => isPiece), set);
+    gl.cullFace(gl.FRONT);
+    if (bodies.some(({knives}) => knives.length > 0)) this.drawSkins('within', camera.view, bodies, (u, {fruit}) => gl.uniform4f(u.ink, ...this.inkOf(fruit), 1));
+    gl.disable(gl.CULL_FACE);
+    this.drawFaces(isQuick ? 'quickFace' : 'face', camera.view, bodies, (u, body) => {
       set(u, body);
       gl.uniform1f(u.outline, this.style.lines ? 1 : 0);
       gl.uniform1f(u.rim_width, 0.42 * this.lineOf(body));

@@ -1,12 +1,14 @@
 // The page of a scene: the pile, the piece that has been picked, and that piece alone under the knife.
 'use strict';
-(() => {
-  const canvas = $('view'), options = JSON.parse($('options').textContent), picture = new Picture(canvas, options);
-  const started = performance.now(), loads = {};
-  if (!picture.gl) return sorry('This page draws the scene with WebGL 2, which this browser does not have or has switched off.');
+(async () => {
+  const started = performance.now(), loads = {}, unpacking = new Unpacking(), unpackedScene = unpacking.scene($('scene'));
+  await unpacking.isUp;
+  const canvas = $('view'), options = JSON.parse($('options').textContent), picture = new Picture(canvas, options, 'pieceSkin');
+  loads.card = performance.now() - started;
+  if (!picture.gl) return unpacking.stop(), sorry('This page draws the scene with WebGL 2, which this browser does not have or has switched off.');
   canvas.addEventListener('webglcontextlost', () => sorry('The graphics card has dropped this page. Load it again.'));
 
-  const board = new Board(canvas, picture), blade = new Blade(board), stroke = new Stroke(board), paper = new Paper(board, options.style), unpacking = new Unpacking();
+  const board = new Board(canvas, picture), blade = new Blade(board), stroke = new Stroke(board), paper = new Paper(board, options.style);
   let pile = null, picked = null;
   const nameOf = ({body, part}) => body.instance.name === part ? part : `${body.instance.name}, ${part.replaceAll('_', ' ')}`;
   const isOut = () => board.setting !== pile;
@@ -81,6 +83,7 @@
   async function takeOut() {
     const body = picked;
     if (!body || body.fruit.header.asset < 0) return;
+    picture.startCuts();
     await whenUnpacked(body.fruit);
     if (picked !== body || isOut()) return;
     view = {yaw: board.camera.yaw, pitch: board.camera.pitch};
@@ -105,7 +108,7 @@
 
   // ---- From the worker. ----
 
-  function takeScene({header, solids, looks}) {
+  async function takeScene({header, solids, looks}) {
     const fruits = header.fruits.map((fruit, i) => {
       const made = new FruitTextures(picture.card, {name: fruit.title, ...fruit});
       made.takeLook(looks[i]);
@@ -124,10 +127,10 @@
     lay(pile, []);
     sayAll();
     board.frame();
-    picture.gl.finish();
+    await board.pace.drawn();
     loads.skin = loads.cut = performance.now() - started;
   }
-  unpacking.scene($('scene')).then(takeScene);
+  unpackedScene.then(takeScene);
 
   // For tests and for the curious.
   window.pomona = {board, picture, loads, finish: () => board.finish(), nameAt: (x, y) => board.at(x, y), pieces: () => board.first.pieces,

@@ -4,6 +4,7 @@
 #ifdef VERTEX
 // A strip across the face: flat knives have one column, others many.
 uniform int columns;
+uniform vec4 box;  // low and high corner of what of the face is drawn, -1 to 1
 uniform vec3 face_origin, face_u, face_v, face_n;  // cells of the grid; u and v as long as half the face
 uniform mat4 piece, camera;
 uniform int knife_number;
@@ -17,7 +18,7 @@ void main() {
   in_fruit = vec3(0.0);
   gl_Position = vec4(st, 0.0, 1.0);
 #else
-  vec2 st = vec2(2.0 * float(gl_VertexID / 2) / float(columns) - 1.0, float(gl_VertexID & 1) * 2.0 - 1.0);
+  vec2 st = mix(box.xy, box.zw, vec2(float(gl_VertexID / 2) / float(columns), float(gl_VertexID & 1)));
   int column = int(round((st.x * 0.5 + 0.5) * 255.0));
   float height = texelFetch(profiles, ivec2(column, knife_number), 0).r;
   place = st;
@@ -32,14 +33,7 @@ in vec2 place;
 centroid in vec3 in_fruit;
 uniform vec3 face_origin, face_u, face_v, face_n;
 uniform int knife_number;
-uniform highp sampler2D profiles;  // a knife's height over its plane, 256 places each, a row a knife
-
-float profile_at(int knife, float s) {
-  float at = clamp(s * 0.5 + 0.5, 0.0, 1.0) * 255.0, low = floor(at);
-  float a = texelFetch(profiles, ivec2(int(low), knife), 0).r;
-  float b = texelFetch(profiles, ivec2(min(int(low) + 1, 255), knife), 0).r;
-  return mix(a, b, at - low);
-}
+#include "cut_away.glsl"
 
 #ifndef LOOK
 #include "noise.glsl"
@@ -269,23 +263,12 @@ void main() {
 
 #if defined(SHOW) || defined(DEPTH) || defined(PICK)
 uniform sampler2D styled, tags;
-uniform vec4 knife_plane[4], knife_along[4];
-uniform vec4 keep;  // +1 or -1 for each knife: which side of it the piece lies on; 0 for knives that do not count
-
-bool is_cut_away() {
-  for (int k = 0; k < 4; ++k) {
-    if (keep[k] == 0.0 || k == knife_number) continue;
-    float s = dot(knife_along[k].xyz, in_fruit) - knife_along[k].w;
-    if (keep[k] * (dot(knife_plane[k].xyz, in_fruit) - knife_plane[k].w - profile_at(k, s)) < 0.0) return true;
-  }
-  return false;
-}
 #endif
 
 #ifdef DEPTH
 layout(location = 0) out vec4 nothing;
 void main() {
-  if (is_cut_away() || textureLod(styled, place * 0.5 + 0.5, 0.0).a < 0.5) discard;
+  if (is_cut_away(in_fruit, knife_number) || textureLod(styled, place * 0.5 + 0.5, 0.0).a < 0.5) discard;
   nothing = vec4(1.0);
 }
 #endif
@@ -295,7 +278,7 @@ uniform vec2 body;  // its number's two bytes, of 255
 layout(location = 0) out vec4 picked;
 void main() {
   float tag = textureLod(tags, place * 0.5 + 0.5, 0.0).r;
-  if (is_cut_away() || tag == 0.0) discard;
+  if (is_cut_away(in_fruit, knife_number) || tag == 0.0) discard;
   picked = vec4(tag, 1.0, body);
 }
 #endif
@@ -313,40 +296,52 @@ uniform float outline;     // whether rims have one
 uniform sampler2D slopes;  // along u and v, from -2 to 2; how far the part's rim is, of 4 mm
 layout(location = 0) out vec4 pixel;
 
-void main() {
-  if (is_cut_away()) discard;
-  vec2 at = place * 0.5 + 0.5;
-  vec2 dx = dFdx(at), dy = dFdy(at);
-  vec4 color = texture(styled, at);
-
-  // The rim: how much of what lies around is no longer fruit.
-  float hand = 0.7 + 0.6 * gradient_noise(vec3(place * 7.0, 0.5), 78u);
-  float air = 0.0, cover = textureLod(styled, at, 0.0).a;
-  if (outline > 0.0) {
-    for (int i = 0; i < 12; ++i) {
-      float turn = 6.2831853 * float(i) / 12.0;
-      vec2 step_away = rim_width * hand * (cos(turn) * dx + sin(turn) * dy);
-      air = max(air, 1.0 - textureLod(styled, at + step_away, 0.0).a);
-      cover = max(cover, 0.0);
-    }
+// The rim: how much of what lies around is no longer fruit.
+float air_around(vec2 at, vec2 dx, vec2 dy) {
+  float air = 0.0;
+  for (int i = 0; i < (outline > 0.0 ? 12 : 0); ++i) {
+    float turn = 6.2831853 * float(i) / 12.0;
+    vec2 step_away = cos(turn) * dx + sin(turn) * dy;
+    air = max(air, 1.0 - textureLod(styled, at + step_away, 0.0).a);
   }
-  if (cover < 0.5) discard;
+  return air;
+}
+
+#ifdef QUICK
+vec3 shown(vec2 at, vec2 dx, vec2 dy, float footprint) {
+  vec3 n = normalize(mat3(piece) * face_n) * side, there = (piece * vec4(in_fruit, 1.0)).xyz;
+  return painted(dull_color(textureGrad(styled, at, dx, dy).rgb, n, vec2(sky_seen(there, n), 1.0), true), paint);
+}
+#else
+vec3 shown(vec2 at, vec2 dx, vec2 dy, float footprint) {
   float slope = (profile_at(knife_number, place.x + 0.008) - profile_at(knife_number, place.x - 0.008)) / 0.016;
   vec3 n = normalize(face_n - slope * face_u / dot(face_u, face_u));
   // What stands out stands out of both faces of a cut.
-  vec4 relief = texture(slopes, at);
+  vec4 relief = textureGrad(slopes, at, dx, dy);
   vec2 rise = relief.xy * 4.0 - 2.0;
   n = normalize(mat3(piece) * n) * side;
   n = normalize(n - mat3(piece) * (rise.x * normalize(face_u) + rise.y * normalize(face_v)) / length(mat3(piece) * normalize(face_n)));
   vec3 position = lattice.xyz + lattice.w * in_fruit, there = (piece * vec4(in_fruit, 1.0)).xyz;
   vec3 to_eye = normalize(eye - there);
-  float footprint = lattice.w * length(fwidth(in_fruit)) * 0.6;
   float part = texelFetch(tags, ivec2(at * vec2(textureSize(tags, 0))), 0).r * 255.0 - 1.0;
   Seen seen = Seen(sky_seen(there, n), sun_seen(there, n), vec3(0.0), vec3(0.0));
-  vec3 shown = fruit_color(color.rgb, n, to_eye, seen, true, material_at(max(part, 0.0)), position, footprint, 4.0 * relief.z);
-  shown = painted(shown, paint);
-  shown = mix(shown, ink.rgb, outline * smoothstep(0.35, 0.65, air) * 0.92);
-  pixel = vec4(srgb_from_linear(shown), 1.0);
+  vec3 color = fruit_color(textureGrad(styled, at, dx, dy).rgb, n, to_eye, seen, true, material_at(max(part, 0.0)), position, footprint, 4.0 * relief.z);
+  float hand = 0.7 + 0.6 * gradient_noise(vec3(place * 7.0, 0.5), 78u);
+  float air = air_around(at, rim_width * hand * dx, rim_width * hand * dy);
+  return mix(painted(color, paint), ink.rgb, outline * smoothstep(0.35, 0.65, air) * 0.92);
+}
+#endif
+
+void main() {
+  vec2 at = place * 0.5 + 0.5, dx = dFdx(at), dy = dFdy(at);
+  float footprint = lattice.w * length(fwidth(in_fruit)) * 0.6;
+  vec4 plain = textureLod(styled, at, 0.0);
+  bool away = plain.a < 0.5 || is_cut_away(in_fruit, knife_number);
+  if (away) discard;
+  // A loop of one turn or none, as in skin.glsl.
+  vec3 color = plain.rgb;
+  for (int any = away ? 0 : 1; any > 0; --any) color = shown(at, dx, dy, footprint);
+  pixel = vec4(srgb_from_linear(color), 1.0);
 }
 #endif
 #endif

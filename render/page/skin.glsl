@@ -1,5 +1,5 @@
-// The skin and the walls of hollows, and the cut faces that a piece of a scene came with. SHOW: lit; HULL: the outline, a shell drawn a little larger behind it; DEPTH and
-// PICK: what shadows and the pointer ask;
+// The skin and the walls of hollows, and the cut faces that a piece of a scene came with. SHOW: lit, QUICK: plainly, as less need be compiled; HULL: the outline, a shell drawn a little larger behind it; DEPTH and
+// PICK: what shadows and the pointer ask; WITHIN: seen from within, through the hair's breadth between skin and cut face;
 // CROSSED: where rays from a knife's face pass through it.
 #ifdef VERTEX
 layout(location = 0) in vec3 position;  // cells of the grid
@@ -35,33 +35,19 @@ void main() {
 centroid in vec3 in_fruit;
 centroid in vec3 fruit_normal, bare;
 flat in float tag, on_cut;
-uniform vec4 knife_plane[4], knife_along[4];
-uniform vec4 keep;
 uniform uvec2 left_out;  // bits of parts that are drawn otherwise
-uniform highp sampler2D profiles;
+#include "cut_away.glsl"
 
-float profile_at(int knife, float s) {
-  float at = clamp(s * 0.5 + 0.5, 0.0, 1.0) * 255.0, low = floor(at);
-  float a = texelFetch(profiles, ivec2(int(low), knife), 0).r;
-  float b = texelFetch(profiles, ivec2(min(int(low) + 1, 255), knife), 0).r;
-  return mix(a, b, at - low);
-}
-
-bool is_cut_away() {
+bool is_away() {
   uint bit = uint(tag + 0.5);
   if (on_cut < 0.5 && ((bit < 32u ? left_out.x : left_out.y) >> (bit & 31u) & 1u) != 0u) return true;
-  for (int k = 0; k < 4; ++k) {
-    if (keep[k] == 0.0) continue;
-    float s = dot(knife_along[k].xyz, in_fruit) - knife_along[k].w;
-    if (keep[k] * (dot(knife_plane[k].xyz, in_fruit) - knife_plane[k].w - profile_at(k, s)) < 0.0) return true;
-  }
-  return false;
+  return is_cut_away(in_fruit, -1);
 }
 
 #ifdef DEPTH
 layout(location = 0) out vec4 nothing;
 void main() {
-  if (is_cut_away()) discard;
+  if (is_away()) discard;
   nothing = vec4(1.0);
 }
 #endif
@@ -70,7 +56,7 @@ void main() {
 uniform vec2 body;  // its number's two bytes, of 255
 layout(location = 0) out vec4 picked;
 void main() {
-  if (is_cut_away()) discard;
+  if (is_away()) discard;
   picked = vec4((tag + 1.0) / 255.0, 0.5 + 0.5 * on_cut, body);
 }
 #endif
@@ -86,13 +72,17 @@ void main() {
 }
 #endif
 
-#ifdef HULL
+#if defined(HULL) || defined(WITHIN)
 uniform vec4 ink;
 layout(location = 0) out vec4 pixel;
 vec3 encoded(vec3 c) { return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
 void main() {
-  if (is_cut_away()) discard;
+  if (is_away()) discard;
+#ifdef HULL
   pixel = vec4(encoded(ink.rgb), 1.0);
+#else
+  pixel = vec4(encoded(mix(bare, ink.rgb, 0.7)), 1.0);
+#endif
 }
 #endif
 
@@ -106,22 +96,37 @@ uniform vec2 paint;
 uniform vec4 ink;
 layout(location = 0) out vec4 pixel;
 
-void main() {
-  if (is_cut_away()) discard;
-  if (!gl_FrontFacing) {
-    // Seen from within, through the hair's breadth between skin and cut face.
-    pixel = vec4(srgb_from_linear(mix(bare, ink.rgb, 0.7)), 1.0);
-    return;
-  }
+// Only pieces of scenes came with cut faces: for others nothing of them need be compiled.
+#ifdef PIECES
+#define IS_CUT (on_cut > 0.5)
+#else
+#define IS_CUT false
+#endif
+
+vec3 shown(float footprint) {
   vec3 there = (piece * vec4(in_fruit, 1.0)).xyz, to_eye = normalize(eye - there);
   vec3 n = normalize(mat3(piece) * fruit_normal);
+#ifdef QUICK
+  return painted(dull_color(clamp(bare, 0.0, 1.0), n, vec2(sky_seen(there, n), 1.0), false), paint);
+#else
   vec3 position = lattice.xyz + lattice.w * in_fruit;
-  float footprint = lattice.w * length(fwidth(in_fruit)) * 0.6;
   vec3 color = clamp(bare, 0.0, 1.0);
   if (painted_noise) color = modulated(color, position, footprint, 0);
   Seen seen = Seen(sky_seen(there, n), sun_seen(there, n), vec3(0.0), vec3(0.0));
-  color = fruit_color(color, n, to_eye, seen, on_cut > 0.5, material_at(tag), position, footprint, gel_rim);
-  pixel = vec4(srgb_from_linear(painted(color, paint)), 1.0);
+  color = fruit_color(color, n, to_eye, seen, IS_CUT, material_at(tag), position, footprint, gel_rim);
+  return painted(color, paint);
+#endif
+}
+
+void main() {
+  float footprint = lattice.w * length(fwidth(in_fruit)) * 0.6;
+  bool away = is_away();
+  if (away) discard;
+  // Software renderers run both sides of a branch, and go on with what was discarded, but end loops early: in one that has a turn or none
+  // all loops within end for what is not seen.
+  vec3 color = bare;
+  for (int any = away ? 0 : 1; any > 0; --any) color = shown(footprint);
+  pixel = vec4(srgb_from_linear(color), 1.0);
 }
 #endif
 #endif

@@ -29,7 +29,7 @@ class Stroke {
   }
   /** Cuts along it, straight away from who looks. */
   cut() {
-    const {board} = this, {canvas, camera} = board, {frame, place} = board.first, aspect = canvas.width / canvas.height, {back} = camera.directions, {eye} = camera;
+    const {board} = this, {canvas, camera} = board, {frame, place} = board.first, {aspect} = board, {back} = camera.directions, {eye} = camera;
     const middle = M.point(place, frame.middle);
     const points = this.points.map(([x, y]) => {
       const ray = camera.ray(2 * x / canvas.clientWidth - 1, 1 - 2 * y / canvas.clientHeight, aspect);

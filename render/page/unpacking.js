@@ -6,7 +6,10 @@ class Unpacking {
     this.worker = new Worker(url);
     this.waiting = new Map();
     this.next = 0;
+    /** A worker begins only where the page lets the browser do so: what keeps the page busy should wait for it. */
+    this.isUp = new Promise((up) => { this.up = up; });
     this.worker.onmessage = ({data}) => {
+      if (data.isUp) return this.up();
       const job = this.waiting.get(data.job);
       if (data.error) { sorry(`The fruit cannot be unpacked: ${data.error}`); return job.failed(new Error(data.error)); }
       try {
@@ -17,6 +20,7 @@ class Unpacking {
     };
     this.worker.onerror = (event) => sorry(`The fruit cannot be unpacked: ${event.message}`);
   }
+  stop() { this.worker.terminate(); }
   /** `element`: what holds it. `onSkin({header, skin})` comes early; the promise brings the rest, for FruitTextures. */
   asset(element, onSkin = () => {}) { return this.unpack(element, false, onSkin); }
   /** The promise brings {header, solids}. */
@@ -25,7 +29,8 @@ class Unpacking {
     const job = this.next++;
     return new Promise((done, failed) => {
       this.waiting.set(job, {onSkin, done, failed});
-      this.worker.postMessage({job, isScene, text: element.textContent, length: Number(element.dataset.length)});
+      // Not before it is up: what it has been told until then it hears only when the page has nothing to do.
+      this.isUp.then(() => this.worker.postMessage({job, isScene, text: element.textContent, length: Number(element.dataset.length)}));
     });
   }
 }

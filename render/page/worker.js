@@ -40,6 +40,9 @@ async function unpackScene(job, packed) {
   postMessage({job, ...scene}, scene.solids.flatMap(({skin, index}) => [skin.buffer, index.buffer]));
 }
 
+// From now on it hears what it is told, also while the page is busy.
+setTimeout(() => postMessage({isUp: true}));
+
 onmessage = async ({data: {job, text, length, isScene}}) => {
   try {
     await (isScene ? unpackScene : unpackFruit)(job, bytesOf(text).subarray(0, length));

@@ -32,9 +32,11 @@ const state = () => ask(`(() => {
 })()`);
 /** A word for the picture as it is now: equal pictures, equal words. */
 const picture = () => ask(`(() => {
-  const {board, picture} = pomona, {gl, canvas} = picture, pixels = new Uint8Array(4 * canvas.width * canvas.height);
+  const {board, picture} = pomona, {gl, canvas} = picture;
+  board.moveOn();  // the frame that does so may still wait for the one before it
   for (const body of board.bodies) body.faces.update(192, false);
-  picture.draw(board.sceneNow());
+  const scene = board.sceneNow(), pixels = new Uint8Array(4 * canvas.width * canvas.height);
+  picture.draw(scene);
   gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   let sum = 0, drawn = 0;
   for (let i = 0; i < pixels.length; i += 4) { if (pixels[i + 3]) ++drawn; sum = Math.imul(sum, 31) + (pixels[i] | pixels[i + 1] << 8 | pixels[i + 2] << 16) | 0; }
@@ -102,6 +104,40 @@ try {
     if (key !== 'shift') near(step.after[key] - step.before[key], 0.008 * 12, key);
   }
   told('mouse');
+
+  // Where software stands for a card, what moves has fewer pixels; at rest it has all of them.
+  const pixels = () => ask('pomona.picture.canvas.width'), isRough = () => ask('pomona.board.rough');
+  await tab.waitForFunction('pomona.board.settled', { timeout: 60000 });
+  assert.deepEqual([await isRough(), await pixels()], [false, width]);
+  await ask('pomona.board.orbit(0.3, 0), new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
+  assert.deepEqual([await isRough(), await pixels()], [true, Math.ceil(width / await ask('pomona.board.pace.divisor'))]);
+  await tab.waitForFunction('!pomona.board.rough', { timeout: 20000 });
+  assert.equal(await pixels(), width);
+  // While the card works on a frame it is given no other.
+  const given = await ask(`(async () => {
+    const {board, picture} = pomona, own = picture.draw;
+    let drawn = 0, busy = 0;
+    picture.draw = function (scene) { ++drawn; if (board.pace.fence) ++busy; own.call(this, scene); };
+    for (let i = 0; i < 12; ++i) { board.orbit(0.02, 0); await new Promise((done) => requestAnimationFrame(done)); }
+    picture.draw = own;
+    return {drawn, busy};
+  })()`);
+  assert.ok(given.drawn > 0 && given.busy === 0, `${given.busy} of ${given.drawn} frames were given to a card that was busy`);
+  told('rough while it moves');
+
+  // Each piece is drawn with the triangles that it may have: of each triangle the piece on whose side its middle lies has it, and no piece has all.
+  const missing = await ask(`(() => {
+    const {first} = pomona.board, {skin, index, knives, pieces} = first, all = index ? index.length : skin.length / 10;
+    const own = pieces.map((piece) => new Set(trianglesOf(piece, sidesOf(skin, knives), index).filter((_, i) => i % 3 === 0)));
+    let missing = 0;
+    for (let i = 0; i < all; i += 3) {
+      const corners = [0, 1, 2].map((k) => index ? index[i + k] : i + k), middle = [0, 1, 2].map((axis) => corners.reduce((sum, c) => sum + skin[10 * c + axis] / 3, 0));
+      const at = pieces.findIndex(({keep}) => knives.every((knife, k) => knife.sideOf(middle) === keep[k]));
+      if (at >= 0 && !own[at].has(corners[0])) ++missing;
+    }
+    return {missing, largest: Math.max(...own.map((one) => one.size)) / (all / 3)};
+  })()`);
+  assert.ok(missing.missing === 0 && missing.largest < 0.9, JSON.stringify(missing));
 
   // Keys, as the API says.
   const size = await stepOf();

@@ -1,0 +1,55 @@
+// Which triangles of a body's skin each of its pieces may have, so that a piece is drawn without what others have: cards that are software
+// work out what is drawn first and ask then whether a knife has taken it.
+'use strict';
+
+/** Cells: a curved blade rises between the corners of a triangle; a flat one but by rounding. */
+const sideMargins = {curved: 2, flat: 0.01};
+
+/** For each corner of a skin (ten numbers a corner) bits: k where it may lie on the positive side of knife k, 8 + k on the negative one. */
+function sidesOf(skin, knives) {
+  const bits = new Uint16Array(skin.length / 10);
+  knives.forEach((knife, k) => {
+    const {frame: {origin, n, u, reach}, profile} = knife, margin = knife.isCurved ? sideMargins.curved : sideMargins.flat, last = profilePlaces - 1;
+    const positive = 1 << k, negative = 256 << k, offset = V.dot(n, origin), start = V.dot(u, origin);
+    for (let i = 0, at = 0; i < bits.length; ++i, at += 10) {
+      const x = skin[at], y = skin[at + 1], z = skin[at + 2], s = (u[0] * x + u[1] * y + u[2] * z - start) / reach;
+      const height = n[0] * x + n[1] * y + n[2] * z - offset - profile[Math.max(0, Math.min(last, Math.round((s * 0.5 + 0.5) * last)))];
+      bits[i] |= (height >= -margin ? positive : 0) | (height <= margin ? negative : 0);
+    }
+  });
+  return bits;
+}
+
+/** Corners of the triangles that no knife has wholly on the other side. `index`: which corners are triangles, or null: three after three. */
+function trianglesOf({keep}, sides, index) {
+  const wanted = keep.map((side, k) => (side > 0 ? 1 : 256) << k), corners = index ? index.length : sides.length, kept = new Uint32Array(corners);
+  let count = 0;
+  for (let i = 0; i < corners; i += 3) {
+    const [a, b, c] = index ? [index[i], index[i + 1], index[i + 2]] : [i, i + 1, i + 2], some = sides[a] | sides[b] | sides[c];
+    if (wanted.some((bit) => (some & bit) === 0)) continue;
+    kept[count++] = a;
+    kept[count++] = b;
+    kept[count++] = c;
+  }
+  return kept.subarray(0, count);
+}
+
+/** On the card: a mesh for each piece, made when it is first drawn. */
+class PieceMeshes {
+  constructor(card, {mesh, skin, index}) { Object.assign(this, {card, mesh, skin, index, sides: null, made: new Map()}); }
+
+  /** What was made for other knives is dropped. */
+  forget() {
+    for (const mesh of this.made.values()) this.card.dropMesh(mesh);
+    this.made.clear();
+    this.sides = null;
+  }
+  of(piece, knives) {
+    const {card, mesh, made} = this;
+    if (knives.length === 0) return mesh;
+    this.sides = this.sides || sidesOf(this.skin, knives);
+    if (!made.has(piece.cell)) made.set(piece.cell, card.part(mesh, trianglesOf(piece, this.sides, this.index)));
+    return made.get(piece.cell);
+  }
+}
+if (typeof module !== 'undefined') module.exports = {sidesOf, trianglesOf};
