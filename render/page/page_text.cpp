@@ -163,10 +163,12 @@ std::string page_text(const PageText& page, const PageOptions& options) {
        {"@OPTIONS@", safe_in_script(options_of(options).dump())},
        {"@PACKED@", packed},
        {"@WORKER@", joined({"read_asset.js", "read_scene.js", "look_up.js", "skin.js", "spared.js", "worker.js"})},
-       {"@SCRIPT@", joined({"linear.js", "card.js", "camera.js", "knives.js", "pieces.js", "fruit_textures.js",
-                            "face_passes.js", "faces.js", "piece_mesh.js", "body.js", "picture.js", "messages.js", "row.js", "pace.js", "board.js",
-                            "blade.js", "stroke.js", "hands.js", "paper.js", "tools.js", "unpacking.js"}) +
-                        joined(page.last)}});
+       {"@SCRIPT@",
+        joined({"linear.js",      "card.js",  "camera.js",     "knives.js", "pieces.js",  "fruit_textures.js",
+                "face_passes.js", "faces.js", "piece_mesh.js", "body.js",   "picture.js", "messages.js",
+                "row.js",         "pace.js",  "board.js",      "blade.js",  "stroke.js",  "hands.js",
+                "paper.js",       "tools.js", "unpacking.js"}) +
+            joined(page.last)}});
 }
 
 }  // namespace pomona
