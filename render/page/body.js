@@ -36,7 +36,7 @@ function boxWithin({frame: {origin, u, v, reach}}, skin) {
     if (t < low[1]) low[1] = t;
     if (t > high[1]) high[1] = t;
   }
-  const place = (s, round) => 2 * Math.max(0, Math.min(profilePlaces - 1, round((s * 0.5 + 0.5) * (profilePlaces - 1)))) / (profilePlaces - 1) - 1;
+  const place = (s, round) => 2 * profilePlace(s, round) / (profilePlaces - 1) - 1;
   return [...low.map((s) => place(s - faceMargin, Math.floor)), ...high.map((s) => place(s + faceMargin, Math.ceil))];
 }
 

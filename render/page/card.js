@@ -121,6 +121,7 @@ class Card {
     const stride = groups.reduce((a, b) => a + b, 0);
     return this.mesh({buffer, groups, stride, count: data.length / stride}, index);
   }
+  /** Of corners that are on the card, or of another mesh, which shares its corners then. */
   mesh({buffer, groups, stride, count}, index) {
     const {gl} = this, array = gl.createVertexArray(), made = {buffer, groups, stride, array, indices: index && gl.createBuffer(), count: index ? index.length : count};
     gl.bindVertexArray(array);
@@ -138,9 +139,7 @@ class Card {
     gl.bindVertexArray(null);
     return made;
   }
-  /** Some triangles of a mesh, which shares its corners with it. */
-  part(mesh, index) { return this.mesh(mesh, index); }
-  /** A part; what it shares stays. */
+  /** What mesh() has made of a part; the corners that it shares stay. */
   dropMesh({array, indices}) {
     this.gl.deleteVertexArray(array);
     this.gl.deleteBuffer(indices);

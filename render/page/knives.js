@@ -2,6 +2,8 @@
 // nothing, waves, or a stroke that was drawn. Lengths are in cells of the grid.
 'use strict';
 const profilePlaces = 256;
+/** Which of these is nearest, or the next one before or after (`round`), to s from -1 to 1. */
+const profilePlace = (s, round = Math.round) => Math.max(0, Math.min(profilePlaces - 1, round((s * 0.5 + 0.5) * (profilePlaces - 1))));
 
 class Knife {
   /**
@@ -39,19 +41,20 @@ class Knife {
   /** On which side a point lies: +1 or -1. */
   sideOf(p, frame = this.frame, profile = this.profile) {
     const q = V.sub(p, frame.origin), s = V.dot(q, frame.u) / frame.reach;
-    const at = Math.max(0, Math.min(profilePlaces - 1, Math.round((s * 0.5 + 0.5) * (profilePlaces - 1))));
-    return V.dot(q, frame.n) >= profile[at] ? 1 : -1;
+    return V.dot(q, frame.n) >= profile[profilePlace(s)] ? 1 : -1;
+  }
+
+  /** For points, the first three of `stride` numbers each: tells how far each lies over the blade, `take(i, cells)`. */
+  overBlade(points, stride, take) {
+    const {frame: {origin, n, u, reach}, profile} = this, along = V.mul(u, 1 / reach), offset = V.dot(n, origin), start = V.dot(along, origin);
+    for (let i = 0, at = 0; at < points.length; ++i, at += stride) {
+      const x = points[at], y = points[at + 1], z = points[at + 2], s = along[0] * x + along[1] * y + along[2] * z - start;
+      take(i, n[0] * x + n[1] * y + n[2] * z - offset - profile[profilePlace(s)]);
+    }
   }
 
   /** For points, three numbers each: sets bit k of those on the positive side. */
-  markSides(points, k, bits) {
-    const {frame: {origin, n, u, reach}, profile} = this, along = V.mul(u, 1 / reach), offset = V.dot(n, origin), start = V.dot(along, origin);
-    for (let i = 0, at = 0; i < bits.length; ++i, at += 3) {
-      const x = points[at], y = points[at + 1], z = points[at + 2], s = along[0] * x + along[1] * y + along[2] * z - start;
-      const place = Math.max(0, Math.min(profilePlaces - 1, Math.round((s * 0.5 + 0.5) * (profilePlaces - 1))));
-      if (n[0] * x + n[1] * y + n[2] * z - offset >= profile[place]) bits[i] |= 1 << k;
-    }
-  }
+  markSides(points, k, bits) { this.overBlade(points, 3, (i, height) => { if (height >= 0) bits[i] |= 1 << k; }); }
 
   /**
    * The knife that a stroke is, seen along a direction: places on a plane across it, in order. It goes on straight at both

@@ -1,26 +1,13 @@
 // The page of a fruit, or of several of one family: from their assets to what lies on the board.
 'use strict';
 (async () => {
-  // The worker unpacks while the browser makes a place to draw, which may take as long and keeps the page busy.
-  const started = performance.now(), loads = {}, assets = [...document.querySelectorAll('script.asset')], bodies = [];
-  const unpacking = new Unpacking(), first = unpacking.asset(assets[0], takeSkin);
-  await unpacking.isUp;
-  const canvas = $('view'), options = JSON.parse($('options').textContent), picture = new Picture(canvas, options);
-  loads.card = performance.now() - started;
-  if (!picture.gl) return unpacking.stop(), sorry('This page draws the fruit with WebGL 2, which this browser does not have or has switched off.');
-  canvas.addEventListener('webglcontextlost', () => sorry('The graphics card has dropped this page. Load it again.'));
-
-  const board = new Board(canvas, picture), blade = new Blade(board), stroke = new Stroke(board), paper = new Paper(board, options.style);
+  const assets = [...document.querySelectorAll('script.asset')], bodies = [];
+  const begun = await beginPage((unpacking) => unpacking.asset(assets[0], takeSkin), 'fruit', 'skin');
+  if (!begun) return;
+  const {started, loads, unpacking, first, options, picture, board, blade, stroke, paper, drawNow} = begun;
   const nameOf = ({body, part}) => part.replaceAll('_', ' ') + (assets.length > 1 ? `, seed ${body.fruit.header.seed}` : '');
   new Hands(board, blade, stroke, {nameOf});
   new Tools(board, blade, stroke, paper);
-  /** How long after the beginning a picture was there, as far as the card has told. */
-  async function drawNow(name) {
-    board.frame();
-    await board.pace.drawn();
-    loads[name] = performance.now() - started;
-  }
-
   let skinDrawn = null;
   function takeSkin({header, skin}) {
     bodies.push(new Body(picture, new FruitTextures(picture.card, header), new Shape(picture.card, skin)));

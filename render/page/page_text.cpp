@@ -148,6 +148,7 @@ PageParts page_parts(const PageOptions& options) {
 }
 
 std::string page_text(const PageText& page, const PageOptions& options) {
+  const PageParts parts = page_parts(options);
   std::string packed;
   for (const PageText::Packed& one : page.packed) {
     packed += "<script type=\"text/plain\" class=\"" + one.kind + "\" id=\"" + one.id + "\" data-length=\"" +
@@ -160,15 +161,13 @@ std::string page_text(const PageText& page, const PageOptions& options) {
        {"@ABOUT@", xml_escaped(page.about)},
        {"@MADE_BY@", xml_escaped(options.made_by)},
        {"@STYLE@", std::string(text_of(page_files(), "page.css"))},
-       {"@OPTIONS@", safe_in_script(options_of(options).dump())},
+       {"@OPTIONS@", parts.options},
        {"@PACKED@", packed},
        {"@WORKER@", joined({"read_asset.js", "read_scene.js", "look_up.js", "skin.js", "spared.js", "worker.js"})},
-       {"@SCRIPT@",
-        joined({"linear.js",      "card.js",  "camera.js",     "knives.js", "pieces.js",  "fruit_textures.js",
-                "face_passes.js", "faces.js", "piece_mesh.js", "body.js",   "picture.js", "messages.js",
-                "row.js",         "pace.js",  "board.js",      "blade.js",  "stroke.js",  "hands.js",
-                "paper.js",       "tools.js", "unpacking.js"}) +
-            joined(page.last)}});
+       {"@SCRIPT@", parts.picture +
+                        joined({"messages.js", "row.js", "pace.js", "board.js", "blade.js", "stroke.js", "hands.js",
+                                "paper.js", "tools.js", "unpacking.js", "begin.js"}) +
+                        joined(page.last)}});
 }
 
 }  // namespace pomona

@@ -9,7 +9,8 @@ const colorOf = (hex) => [1, 3, 5].map((at) => {
 const keepOf = ({keep}) => [0, 1, 2, 3].map((k) => keep[k] || 0);
 
 class Picture {
-  constructor(canvas, {shaders, style}, first = 'skin') {
+  /** `program`: the one that is first drawn with. `mayBeRough`: scenes are drawn roughly until all is compiled, where software stands for a card. */
+  constructor(canvas, {shaders, style}, {program = 'skin', mayBeRough = false} = {}) {
     this.canvas = canvas;
     this.style = style;
     const card = this.card = new Card(canvas, shaders), gl = this.gl = card.gl;
@@ -20,8 +21,8 @@ class Picture {
       ['within', 'skin.glsl', 'WITHIN'], ['hull', 'skin.glsl', 'HULL'], ['skinDepth', 'skin.glsl', 'DEPTH'], ['skinPick', 'skin.glsl', 'PICK'], ['ground', 'ground.glsl', 'GROUND']]
       .map(([name, file, ...modes]) => [name, card.program(file, modes)]));
     // Until all is compiled, software that stands for a card draws plainly.
-    this.isQuick = card.isSoftware;
-    this.start(['skinDepth', 'ground', this.isQuick && first === 'skin' ? 'quickSkin' : first, ...(style.lines ? ['hull'] : [])]);
+    this.isQuick = mayBeRough && card.isSoftware;
+    this.start(['skinDepth', 'ground', this.isQuick && program === 'skin' ? 'quickSkin' : program, ...(style.lines ? ['hull'] : [])]);
     this.suns = [1024, 512].map((size) => card.target(size, size, [], true));
     this.sky = card.target(256, 256, [], true);
     /** What lies in the maps of depths (drawMap). */

@@ -9,13 +9,8 @@ const sideMargins = {curved: 2, flat: 0.01};
 function sidesOf(skin, knives) {
   const bits = new Uint16Array(skin.length / 10);
   knives.forEach((knife, k) => {
-    const {frame: {origin, n, u, reach}, profile} = knife, margin = knife.isCurved ? sideMargins.curved : sideMargins.flat, last = profilePlaces - 1;
-    const positive = 1 << k, negative = 256 << k, offset = V.dot(n, origin), start = V.dot(u, origin);
-    for (let i = 0, at = 0; i < bits.length; ++i, at += 10) {
-      const x = skin[at], y = skin[at + 1], z = skin[at + 2], s = (u[0] * x + u[1] * y + u[2] * z - start) / reach;
-      const height = n[0] * x + n[1] * y + n[2] * z - offset - profile[Math.max(0, Math.min(last, Math.round((s * 0.5 + 0.5) * last)))];
-      bits[i] |= (height >= -margin ? positive : 0) | (height <= margin ? negative : 0);
-    }
+    const margin = knife.isCurved ? sideMargins.curved : sideMargins.flat, positive = 1 << k, negative = 256 << k;
+    knife.overBlade(skin, 10, (i, height) => { bits[i] |= (height >= -margin ? positive : 0) | (height <= margin ? negative : 0); });
   });
   return bits;
 }
@@ -48,7 +43,7 @@ class PieceMeshes {
     const {card, mesh, made} = this;
     if (knives.length === 0) return mesh;
     this.sides = this.sides || sidesOf(this.skin, knives);
-    if (!made.has(piece.cell)) made.set(piece.cell, card.part(mesh, trianglesOf(piece, this.sides, this.index)));
+    if (!made.has(piece.cell)) made.set(piece.cell, card.mesh(mesh, trianglesOf(piece, this.sides, this.index)));
     return made.get(piece.cell);
   }
 }

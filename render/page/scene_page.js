@@ -1,14 +1,9 @@
 // The page of a scene: the pile, the piece that has been picked, and that piece alone under the knife.
 'use strict';
 (async () => {
-  const started = performance.now(), loads = {}, unpacking = new Unpacking(), unpackedScene = unpacking.scene($('scene'));
-  await unpacking.isUp;
-  const canvas = $('view'), options = JSON.parse($('options').textContent), picture = new Picture(canvas, options, 'pieceSkin');
-  loads.card = performance.now() - started;
-  if (!picture.gl) return unpacking.stop(), sorry('This page draws the scene with WebGL 2, which this browser does not have or has switched off.');
-  canvas.addEventListener('webglcontextlost', () => sorry('The graphics card has dropped this page. Load it again.'));
-
-  const board = new Board(canvas, picture), blade = new Blade(board), stroke = new Stroke(board), paper = new Paper(board, options.style);
+  const begun = await beginPage((unpacking) => unpacking.scene($('scene')), 'scene', 'pieceSkin');
+  if (!begun) return;
+  const {loads, unpacking, first, picture, board, blade, stroke, paper, drawNow} = begun;
   let pile = null, picked = null;
   const nameOf = ({body, part}) => body.instance.name === part ? part : `${body.instance.name}, ${part.replaceAll('_', ' ')}`;
   const isOut = () => board.setting !== pile;
@@ -126,11 +121,10 @@
     $('tools').hidden = false;
     lay(pile, []);
     sayAll();
-    board.frame();
-    await board.pace.drawn();
-    loads.skin = loads.cut = performance.now() - started;
+    await drawNow('skin');
+    loads.cut = loads.skin;
   }
-  unpackedScene.then(takeScene);
+  first.then(takeScene);
 
   // For tests and for the curious.
   window.pomona = {board, picture, loads, finish: () => board.finish(), nameAt: (x, y) => board.at(x, y), pieces: () => board.first.pieces,
