@@ -29,7 +29,7 @@ constexpr int ink_reach = 3;               // pixels from a part that its ink ma
 float share_laid(const SheetFigure& figure, int x, int y) {
   const int width = figure.picture.width, height = figure.picture.height;
   const double edge = std::min({x, y, width - 1 - x, height - 1 - y});
-  const double inside = std::clamp(edge / (fading * std::min(width, height)), 0.0, 1.0);
+  const double inside = glm::smoothstep(0.0, fading * std::min(width, height), edge);
   if (inside >= 1 || figure.parts.part.empty()) return 1;
   for (const int dy : {-ink_reach, 0, ink_reach}) {
     for (const int dx : {-ink_reach, 0, ink_reach}) {
@@ -37,7 +37,7 @@ float share_laid(const SheetFigure& figure, int x, int y) {
       if (figure.parts.at(px, py) >= 0) return 1;
     }
   }
-  return static_cast<float>(inside * inside * (3 - 2 * inside));
+  return static_cast<float>(inside);
 }
 
 /// A figure's pixels on the sheet: what it has more or less of than its own bare paper, on the sheet's.
