@@ -93,8 +93,13 @@ try {
   assert.ok(Math.abs(step.after.shift - step.before.shift) > 0.1, 'Shift and a drag move the knife');
   assert.equal(step.after.yaw, step.before.yaw);
 
-  // The three dots.
-  const dots = async () => { await ask('pomona.board.changed(), new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))'); return ask(`['move', 'turn', 'tilt'].map((what) => { const {x, y, width} = document.querySelector('circle.' + what).getBoundingClientRect(); return [x + width / 2, y + width / 2]; })`); };
+  // The three dots. They move with the picture, which waits while the card works on the one before.
+  const drawnAnew = () => ask(`(async () => {
+    const {board} = pomona;
+    board.changed();
+    while (board.stale) await new Promise((done) => requestAnimationFrame(done));
+  })()`);
+  const dots = async () => { await drawnAnew(); return ask(`['move', 'turn', 'tilt'].map((what) => { const {x, y, width} = document.querySelector('circle.' + what).getBoundingClientRect(); return [x + width / 2, y + width / 2]; })`); };
   await ask('pomona.board.zoom(0.7)');
   for (const [i, key] of ['shift', 'turn', 'tilt'].entries()) {
     const from = (await dots())[i];
@@ -109,6 +114,7 @@ try {
   const pixels = () => ask('pomona.picture.canvas.width'), isRough = () => ask('pomona.board.rough');
   await tab.waitForFunction('pomona.board.settled', { timeout: 60000 });
   assert.deepEqual([await isRough(), await pixels()], [false, width]);
+  await ask('pomona.board.pace.drawn()');  // a card that is busy would draw only when all has come to rest
   await ask('pomona.board.orbit(0.3, 0), new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
   assert.deepEqual([await isRough(), await pixels()], [true, Math.ceil(width / await ask('pomona.board.pace.divisor'))]);
   await tab.waitForFunction('!pomona.board.rough', { timeout: 20000 });
