@@ -72,6 +72,12 @@ quality = "reference"
   EXPECT_THAT(batch.entries[1].knives[2], SizeIs(0));
 }
 
+TEST(BatchFile, TakesColoursOnVerticesBesideTextures) {
+  const BatchDescription batch =
+      parse_batch("[batch]\nformat = 1\nname = \"b\"\ntexture = [0, 64]\n[[entry]]\nname = \"a\"\ncount = 1\ntemplates = \"fig\"\n", "b.toml");
+  EXPECT_THAT(batch.entries[0].assets.textures, ElementsAre(0, 64));
+}
+
 TEST(BatchFile, TellsMissingTemplatesAtTheirPlace) {
   const auto batch = parse_batch(
       "[batch]\nformat = 1\nname = \"b\"\n[[entry]]\nname = \"a\"\ncount = 1\ntemplates = [\"x\"]\n", "b.toml");

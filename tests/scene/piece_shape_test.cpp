@@ -42,6 +42,22 @@ TEST(PieceShape, ABallWeighsWhatItsMeshBounds) {
   EXPECT_NEAR(1 / shape.inverse_inertia[0][0], 0.4 * mass * 0.02 * 0.02, 0.05 * 0.4 * mass * 0.02 * 0.02);
 }
 
+/// Thin as it is, so that what is added to its inertia counts.
+TEST(PieceShape, ANeedleWeighsTheSameWhetherByItsMeshOrByWhatIsInside) {
+  Solid needle = heap_shapes::slab({0.1, 0.002, 0.002});
+  const PieceShape by_mesh = piece_shape(needle, 0.05);
+  const glm::dvec3 squared(0.1 * 0.1, 0.002 * 0.002, 0.002 * 0.002);
+  const double mass = 1050 * 0.1 * 0.002 * 0.002;
+  glm::dmat3 inertia(0);
+  for (int i = 0; i < 3; ++i) inertia[i][i] = mass / 12 * (squared.x + squared.y + squared.z - squared[i]);
+  needle.density = 1050;
+  needle.weighed = RigidMass{mass, by_mesh.center, inertia};
+  const PieceShape by_parts = piece_shape(needle, 0.05);
+  EXPECT_NEAR(by_parts.mass / by_mesh.mass, 1, 1e-5);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(by_parts.inverse_inertia[i][i] / by_mesh.inverse_inertia[i][i], 1, 1e-3) << i;
+}
+
 /// The round side of a peeled wedge shows more than either of its sides, and yet is not what one wants to see.
 TEST(PieceShape, AFlatCutFaceIsShownBeforeARoundOne) {
   Solid wedge = heap_shapes::wedge(0.03, 70);

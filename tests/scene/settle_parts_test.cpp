@@ -8,10 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "generator/base/units.h"
+#include "generator/mesh/triangle_tree.h"
 #include "generator/scene/settle/drop.h"
 #include "generator/scene/settle/heap.h"
 #include "generator/scene/settle/heap_plan.h"
 #include "generator/scene/settle/height_map.h"
+#include "generator/scene/settle/mesh_dish.h"
 #include "generator/scene/settle/piece_shape.h"
 #include "tests/scene/heap_shapes.h"
 
@@ -83,6 +85,19 @@ TEST(HeapPlan, AWaveCoversTheBowl) {
   const double open = pi * std::pow(plan.options().fill * plan.dish().rim_radius(), 2);
   EXPECT_GT(covered, 0.67 * open);
   EXPECT_LT(covered, open);
+}
+
+/// Its depth is no whole number of cells, so that the last row is covered in part only.
+TEST(MeshDish, EveryPlaceOnABoardIsAsFarInsideAsItsBorderIsAway) {
+  const glm::dvec3 size(0.512, 0.02, 0.2014);
+  const Solid board = heap_shapes::slab(size);
+  const MeshDish dish(board, TriangleTree(board.position, board.triangle), true);
+  ASSERT_GT(dish.places().size(), 20000u);
+  const double cell = std::sqrt(dish.cell_area());
+  for (const MeshDish::Place& place : dish.places()) {
+    const double away = std::min(0.5 * size.x - std::abs(place.at.x), 0.5 * size.z - std::abs(place.at.y));
+    ASSERT_NEAR(place.inset, away + 0.5 * cell, 0.6 * cell) << place.at.x << ' ' << place.at.y;
+  }
 }
 
 /// On a level floor no cell is lower than another: each is as likely.

@@ -175,6 +175,24 @@ TEST(InkInPov, RibbonsRunAlongTheStrokesOfThePicture) {
   }
 }
 
+/// However a stroke bends: its ribbon goes across it, and is as wide.
+TEST(InkInPov, RibbonsAreAsWideAsTheStrokesOfThePicture) {
+  const std::vector<StrokePoint> bent{
+      {.at = {100, 100}, .radius = 2}, {.at = {140, 120}, .radius = 3}, {.at = {150, 160}, .radius = 2.5}, {.at = {120, 190}, .radius = 2}};
+  const std::vector<SceneStroke> ink{{.points = bent, .distance = std::vector<double>(bent.size(), 1.0)}};
+  const Scene scene = testing::still_life();
+  const Ribbons ribbons =
+      ribbons_of(write_pov(scene, "x", {}, {.width = size.width, .height = size.height, .strokes = ink}));
+  ASSERT_EQ(ribbons.places.size(), 2 * bent.size());
+  const Lens lens(scene.view, size.width, size.height);
+  for (std::size_t i = 0; i < bent.size(); ++i) {
+    const glm::dvec2 left(lens.seen(ribbons.places[2 * i])), right(lens.seen(ribbons.places[2 * i + 1]));
+    const glm::dvec2 along = bent[std::min(i + 1, bent.size() - 1)].at - bent[i > 0 ? i - 1 : 0].at;
+    EXPECT_NEAR(glm::distance(left, right), 2 * bent[i].radius, 0.1) << i;
+    EXPECT_NEAR(glm::dot(glm::normalize(left - right), glm::normalize(along)), 0, 0.05) << i;
+  }
+}
+
 TEST(SheetOfSvg, IsAsLargeAsItsPixelsPerInchSay) {
   const Scene scene = testing::still_life();
   const auto size_of = [&](const SvgSheet& sheet, const std::string& side, std::string& unit) {
