@@ -41,6 +41,23 @@ TEST(Grow, SpotsThatStandOutGoWithTheVariant) {
   EXPECT_NE(one.raised[0].center, other.raised[0].center);
 }
 
+/// Of a part that ripens as flesh and skin do: seeds are no surfaces of the sweep.
+TEST(Grow, SeedsRipenWithTheirFruit) {
+  Template fruit = shipped("strawberry");
+  fruit.ripeness.parts.clear();
+  for (int part = 0; part < static_cast<int>(fruit.parts.size()); ++part)
+    fruit.ripeness.parts.push_back({.part = part, .stops = {{0, Color(0.1f, 0.3f, 0.05f)}, {2, Color(0.2f, 0.05f, 0.02f)}}});
+  fruit.individual.ripeness = 0;
+  const GrownFruit unripe = grow(fruit, {1, 0});
+  ASSERT_FALSE(unripe.grains.triangle.empty());
+  fruit.individual.ripeness = 2;
+  const GrownFruit ripe = grow(fruit, {1, 0});
+  EXPECT_EQ(ripe.grains.position, unripe.grains.position);
+  ASSERT_EQ(ripe.grains.front_color.size(), unripe.grains.front_color.size());
+  for (std::size_t v = 0; v < ripe.grains.front_color.size(); ++v)
+    ASSERT_LT(ripe.grains.front_color[v].g, unripe.grains.front_color[v].g) << v;
+}
+
 TEST(Grow, TheDrawingsPatternStaysWhereNothingVaries) {
   EXPECT_EQ(variant_of(shipped("melon"), {5, 0}, {.as_drawn = true, .folds = {}}).noise.pattern, 0u);
   EXPECT_EQ(variant_of(shipped("kidney"), {5, 0}).noise.pattern, 0u);

@@ -91,6 +91,18 @@ TEST(Slice, GivesEachPieceTheSpotsOfItsSkinThatStandOut) {
   for (const Solid& half : halves.pieces) EXPECT_EQ(half.raised.size(), 2u) << "its own, and the one on the cut";
 }
 
+TEST(Slice, TellsOfEveryPieceWhichPartsTheWholeFruitShows) {
+  const DiffusionSurfaces peach =
+      shapes::nested_spheres(0.05, 0.02, 8, shapes::skin_paint(), {.front_part = "flesh", .back_part = "stone"});
+  const GrownFruit grown{peach, {}, peach};
+  const std::vector<Knife> knives{parse_knife("plane:1,0,0,10mm"), parse_knife("plane:1,0,0,-10mm")};
+  for (const Solid& piece : slice({grown, Template{}, knives, "peach"}, nullptr).pieces) {
+    ASSERT_EQ(piece.on_skin.size(), peach.part_names.size());
+    for (std::size_t part = 0; part < peach.part_names.size(); ++part)
+      EXPECT_EQ(piece.on_skin[part] != 0, peach.part_names[part] == "skin") << peach.part_names[part];
+  }
+}
+
 /// A corner too small to matter goes, unless it is asked for; what matters together does not.
 TEST(Slice, LeavesOutCrumbsThatAreLessThanOneTogether) {
   const DiffusionSurfaces box = shapes::box(glm::dvec3(-0.03), glm::dvec3(0.03), 2, shapes::skin_paint());

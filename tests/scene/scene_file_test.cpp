@@ -54,6 +54,16 @@ TEST(SceneFile, NamesTheLayoutThatItLiesIn) {
   EXPECT_EQ(parse_scene("layout = \"a_layout.json\"\n" + text, "a.toml").layout, "a_layout.json");
 }
 
+TEST(SceneFile, IsKnownByAHeadingThatIsIndented) {
+  const TemporaryFolder made;
+  const auto written = [&](const std::string& text) {
+    std::ofstream(made.path() / "a.toml") << text;
+    return made.path() / "a.toml";
+  };
+  EXPECT_TRUE(is_scene_file(written("format = 1\n \t[[pieces]]\n")));
+  EXPECT_FALSE(is_scene_file(written("format = 1\n# [[pieces]]\n")));
+}
+
 /// Every scene that is shipped can be read, and names nothing that is not there.
 TEST(SceneFile, ShippedScenesAreWhole) {
   ComposeOptions options;
