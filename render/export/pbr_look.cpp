@@ -37,9 +37,8 @@ PbrLook look_of_skin(const MaterialSketch& material) {
 
 PbrLook look_of_cut_face(const MaterialSketch& material) {
   PbrLook look;
-  // A film of juice is smooth whatever lies under it: a coat, whose highlights are broad.
   look.roughness = rounded(pbr_roughness(material, true));
-  look.clearcoat = rounded(std::min(0.8, 0.5 * std::max(0.0, material.wet - 1)));
+  look.clearcoat = rounded(pbr_film(material));
   if (look.clearcoat > 0) look.clearcoat_roughness = 0.15;
   return look;
 }

@@ -62,13 +62,13 @@ class Baker {
             std::vector<glm::u8vec3>(static_cast<std::size_t>(atlas_.size.x) * atlas_.size.y, value)};
   }
 
-  /// Where no chart is, maps are level, open, dull and thick.
+  /// Where no chart is, maps are level, open, dull, thick and wet.
   void start_maps() {
     const Solid& mesh = result_.solid;
     SurfaceMaps& maps = result_.maps;
     maps.normal = image_of({128, 128, 255});
     maps.orm = image_of({255, 153, 0});
-    maps.thickness = image_of({0, 255, 0});
+    maps.thickness = image_of({255, 255, 0});
     maps.part = image_of({255, 255, 255});
     maps.tangent = tangents(mesh.position, mesh.normal, result_.uv, mesh.triangle);
     tangent_mesh_ = {mesh.triangle, maps.tangent, std::vector<std::uint32_t>(solid_.triangle.size(), 0)};

@@ -20,7 +20,8 @@ enum class Maps {
 struct SurfaceMaps {
   Image normal;     ///< n of the tangent frame as (n + 1) / 2; level: (128, 128, 255)
   Image orm;        ///< occlusion, roughness, metal (none)
-  Image thickness;  ///< in green: of what light passes through, share of most_thickness
+  Image thickness;  ///< in green: of what light passes through, share of most_thickness; in red: share of a cut face's
+                    ///< film
   Image part;       ///< the part's number in Solid::part_names, in all channels; 255 where there is none
 
   std::vector<glm::vec4> tangent;  ///< per vertex: the direction of u, and 1: v runs against n x u

@@ -37,12 +37,17 @@ Value at_weights(const std::vector<Value>& values, const glm::uvec3& v, const gl
 }  // namespace
 
 SampleMaps::SampleMaps(const Solid& solid, const Look& look, const TangentMesh& mesh, double texel, Threads threads)
-    : solid_(solid), look_(look), mesh_(mesh), faces_(solid), pits_(solid), texel_(texel), threads_(threads) {
+    : solid_(solid),
+      look_(look),
+      mesh_(mesh),
+      faces_(solid),
+      pits_(solid),
+      shine_(solid),
+      texel_(texel),
+      threads_(threads) {
   for (std::size_t part = 0; part < std::max<std::size_t>(solid.part_names.size(), 1); ++part) {
     const MaterialSketch material = material_of(solid, static_cast<std::int32_t>(part));
-    const double flesh = solid.materials.empty() ? pbr_dull : pbr_roughness(material, true);
-    const double skin = solid.materials.empty() ? pbr_dull : pbr_roughness(material, false);
-    of_part_.push_back({{skin, flesh}, shows_rim(material), solid.materials.empty() ? 0 : material.wet});
+    of_part_.push_back({shows_rim(material), solid.materials.empty() ? 0 : material.wet});
   }
 }
 
@@ -58,7 +63,9 @@ std::vector<MapSample> SampleMaps::of(const std::vector<TexelSample>& samples, c
 MapSample SampleMaps::speck(std::uint32_t triangle) const {
   MapSample level;
   const glm::dvec3 place(solid_.position[solid_.triangle[triangle].x]);
-  level.orm.y = static_cast<float>(roughness(triangle, place));
+  const PlaceShine shine = shine_.at(triangle, {1, 0, 0});
+  level.orm.y = static_cast<float>(roughness(triangle, shine.roughness, place));
+  level.thickness.x = static_cast<float>(shine.film);
   return level;
 }
 
@@ -84,7 +91,9 @@ MapSample SampleMaps::at(const TexelSample& sample, const Color& plain) const {
     const glm::dvec3 bumped = tilted(normal, slope - normal * glm::dot(slope, normal));
     made.normal = glm::vec3(glm::dot(bumped, right), glm::dot(bumped, up), glm::dot(bumped, normal));
   }
-  made.orm = {relief.open * (1 - closed_in_pit * pit.inside), roughness(sample.triangle, place), 0};
+  const PlaceShine shine = shine_.at(sample.triangle, sample.weight);
+  made.orm = {relief.open * (1 - closed_in_pit * pit.inside), roughness(sample.triangle, shine.roughness, place), 0};
+  made.thickness.x = static_cast<float>(shine.film);
   const auto part_number = static_cast<std::size_t>(std::max(part(sample), 0));
   const bool thin_at_rim = cut && part_number < of_part_.size() && of_part_[part_number].shows_rim;
   if (thin_at_rim) made.thickness.y = static_cast<float>(std::min(1.0, (0.0005 + 2 * rim.rim) / most_thickness));
@@ -101,12 +110,11 @@ LookPlace SampleMaps::look_place(const TexelSample& sample, const glm::dvec3& pl
   return seen;
 }
 
-double SampleMaps::roughness(std::uint32_t triangle, const glm::dvec3& place) const {
+double SampleMaps::roughness(std::uint32_t triangle, double own, const glm::dvec3& place) const {
   const std::int32_t part = solid_.part[solid_.triangle[triangle].x];
   const auto number = static_cast<std::size_t>(std::max(part, 0));
   if (number >= of_part_.size()) return pbr_dull;
   const bool cut = solid_.cut_face[triangle] >= 0;
-  const double own = of_part_[number].roughness[cut ? 1 : 0];
   const double film = cut ? std::clamp((of_part_[number].wet - 0.3) / 0.9, 0.0, 1.0) : 0;
   if (film == 0) return own;
   return std::clamp(own * (1 + film * film_uneven * gradient_noise(place * film_frequency, film_seed)), 0.05, 1.0);

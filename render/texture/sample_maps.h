@@ -10,6 +10,7 @@
 #include "render/style/face_relief.h"
 #include "render/style/look.h"
 #include "render/style/skin_pits.h"
+#include "render/texture/shine.h"
 #include "render/texture/texels.h"
 
 namespace pomona {
@@ -18,7 +19,7 @@ namespace pomona {
 struct MapSample {
   glm::vec3 normal{0, 0, 1};     ///< in the tangent frame, unit
   glm::vec3 orm{1, 0.6f, 0};     ///< occlusion, roughness, metal
-  glm::vec3 thickness{0, 1, 0};  ///< green, share of most_thickness
+  glm::vec3 thickness{1, 1, 0};  ///< red: share of the film of juice; green: share of most_thickness
 };
 
 /// What a texel's frame is made of, per vertex of the texture's mesh.
@@ -45,11 +46,10 @@ class SampleMaps {
  private:
   MapSample at(const TexelSample& sample, const Color& plain) const;
   LookPlace look_place(const TexelSample& sample, const glm::dvec3& place) const;
-  double roughness(std::uint32_t triangle, const glm::dvec3& place) const;
+  double roughness(std::uint32_t triangle, double own, const glm::dvec3& place) const;
 
   /// What a part's material is like on skins and on cut faces.
   struct OfPart {
-    std::array<double, 2> roughness{};  // skin, cut
     bool shows_rim = false;
     double wet = 0;
   };
@@ -59,6 +59,7 @@ class SampleMaps {
   const TangentMesh& mesh_;
   FaceRelief faces_;
   SkinPits pits_;
+  Shine shine_;
   double texel_;
   Threads threads_;
   std::vector<OfPart> of_part_;

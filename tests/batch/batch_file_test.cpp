@@ -73,8 +73,9 @@ quality = "reference"
 }
 
 TEST(BatchFile, TakesColoursOnVerticesBesideTextures) {
-  const BatchDescription batch =
-      parse_batch("[batch]\nformat = 1\nname = \"b\"\ntexture = [0, 64]\n[[entry]]\nname = \"a\"\ncount = 1\ntemplates = \"fig\"\n", "b.toml");
+  const BatchDescription batch = parse_batch(
+      "[batch]\nformat = 1\nname = \"b\"\ntexture = [0, 64]\n[[entry]]\nname = \"a\"\ncount = 1\ntemplates = \"fig\"\n",
+      "b.toml");
   EXPECT_THAT(batch.entries[0].assets.textures, ElementsAre(0, 64));
 }
 

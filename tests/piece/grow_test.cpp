@@ -46,7 +46,8 @@ TEST(Grow, SeedsRipenWithTheirFruit) {
   Template fruit = shipped("strawberry");
   fruit.ripeness.parts.clear();
   for (int part = 0; part < static_cast<int>(fruit.parts.size()); ++part)
-    fruit.ripeness.parts.push_back({.part = part, .stops = {{0, Color(0.1f, 0.3f, 0.05f)}, {2, Color(0.2f, 0.05f, 0.02f)}}});
+    fruit.ripeness.parts.push_back(
+        {.part = part, .stops = {{0, Color(0.1f, 0.3f, 0.05f)}, {2, Color(0.2f, 0.05f, 0.02f)}}});
   fruit.individual.ripeness = 0;
   const GrownFruit unripe = grow(fruit, {1, 0});
   ASSERT_FALSE(unripe.grains.triangle.empty());

@@ -54,8 +54,7 @@ TEST(PieceShape, ANeedleWeighsTheSameWhetherByItsMeshOrByWhatIsInside) {
   needle.weighed = RigidMass{mass, by_mesh.center, inertia};
   const PieceShape by_parts = piece_shape(needle, 0.05);
   EXPECT_NEAR(by_parts.mass / by_mesh.mass, 1, 1e-5);
-  for (int i = 0; i < 3; ++i)
-    EXPECT_NEAR(by_parts.inverse_inertia[i][i] / by_mesh.inverse_inertia[i][i], 1, 1e-3) << i;
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(by_parts.inverse_inertia[i][i] / by_mesh.inverse_inertia[i][i], 1, 1e-3) << i;
 }
 
 /// The round side of a peeled wedge shows more than either of its sides, and yet is not what one wants to see.

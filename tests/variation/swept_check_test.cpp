@@ -41,7 +41,8 @@ TEST(SweptCheck, TellsTheAzimuthsOfTheMiddlesOfWhatCrosses) {
   ASSERT_EQ(azimuths.size(), 2 * crossings.size());
   for (std::size_t i = 0; i < azimuths.size(); ++i) {
     const glm::uvec3& t = swept.triangle[i % 2 == 0 ? crossings[i / 2].first : crossings[i / 2].second];
-    const glm::dvec3 sum = glm::dvec3(swept.position[t.x]) + glm::dvec3(swept.position[t.y]) + glm::dvec3(swept.position[t.z]);
+    const glm::dvec3 sum =
+        glm::dvec3(swept.position[t.x]) + glm::dvec3(swept.position[t.y]) + glm::dvec3(swept.position[t.z]);
     EXPECT_NEAR(azimuths[i], std::atan2(-sum.z, sum.x), 1e-9);
     EXPECT_LT(std::abs(azimuths[i]), 0.25 * pi) << "on the other side";
   }

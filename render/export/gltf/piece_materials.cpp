@@ -27,6 +27,12 @@ bool lets_light_through(const Solid& solid) {
                      [](const MaterialSketch& material) { return material.translucency.depth > 0; });
 }
 
+/// Whether the film of juice, in red, thins out anywhere.
+bool ends_somewhere(const Image& thickness) {
+  return std::any_of(thickness.pixels.begin(), thickness.pixels.end(),
+                     [](const glm::u8vec3& pixel) { return pixel.r < 255; });
+}
+
 }  // namespace
 
 int PieceMaterials::material(const Solid& solid, const LookGroup& group, const std::optional<PieceTextures>& textures) {
@@ -70,8 +76,9 @@ void PieceMaterials::add_extensions(Json& material, const PbrLook& look) {
   }
 }
 
-/// Maps say all of the roughness. Of the light that goes in, what comes through goes by the way through the part: after
-/// the material's depth, which its share of transmission tells, 1/e of it is left.
+/// Maps say all of the roughness, and how much of its film a cut face has. Of the light that goes in, what comes
+/// through goes by the way through the part: after the material's depth, which its share of transmission tells, 1/e of
+/// it is left.
 void PieceMaterials::add_maps(Json& material, const PbrLook& look, const PieceTextures& textures) {
   if (textures.normal) material["normalTexture"] = {{"index", *textures.normal}};
   if (textures.orm) {
@@ -79,6 +86,8 @@ void PieceMaterials::add_maps(Json& material, const PbrLook& look, const PieceTe
     material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", *textures.orm}};
     material["occlusionTexture"] = {{"index", *textures.orm}};
   }
+  if (textures.film && look.clearcoat > 0)
+    material["extensions"]["KHR_materials_clearcoat"]["clearcoatTexture"] = {{"index", *textures.film}};
   if (!textures.thickness || !(look.transmission > 0)) return;
   material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", most_thickness},
                                                     {"thicknessTexture", {{"index", *textures.thickness}}},
@@ -93,8 +102,12 @@ PieceTextures PieceMaterials::add_textures(const BakedSolid& baked) {
   if (baked.maps.empty()) return textures;
   textures.normal = add_texture(name + " normal", baked.maps.normal, PngValues::shares);
   textures.orm = add_texture(name + " orm", baked.maps.orm, PngValues::shares);
-  if (lets_light_through(baked.solid))
-    textures.thickness = add_texture(name + " thickness", baked.maps.thickness, PngValues::shares);
+  const bool is_thin = lets_light_through(baked.solid), has_ends = ends_somewhere(baked.maps.thickness);
+  if (is_thin || has_ends) {
+    const int both = add_texture(name + " thickness", baked.maps.thickness, PngValues::shares);
+    if (is_thin) textures.thickness = both;
+    if (has_ends) textures.film = both;
+  }
   return textures;
 }
 

@@ -17,7 +17,7 @@ namespace pomona::gltf {
 /// Textures of one piece, as the document's indices.
 struct PieceTextures {
   int color = 0;
-  std::optional<int> normal = {}, orm = {}, thickness = {};
+  std::optional<int> normal = {}, orm = {}, thickness = {}, film = {};  ///< the last two are one texture
 
   auto operator<=>(const PieceTextures&) const = default;
 };

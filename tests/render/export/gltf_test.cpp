@@ -442,6 +442,40 @@ TEST(Gltf, HasMapsInTheirSlotsWhereTheyWereBaked) {
   EXPECT_FALSE(color["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));
 }
 
+/// A corner of a cut face belongs to a dry part, of the same colour: the film of the rest ends there, softly.
+TEST(Gltf, SaysWhereAFilmOfJuiceEnds) {
+  Scene scene = named::with_materials();
+  Solid& box = scene.solids[0];
+  for (MaterialSketch& material : box.materials) material.wet = 2;
+  const auto films = [&] {
+    const Json glb =
+        parsed(write_glb(scene, std::vector{baked(box, style_named("plain"), {.texels = 64, .maps = Maps::all})}));
+    std::vector<std::string> names;
+    for (const Json& material : glb["materials"]) {
+      const Json::json_pointer film("/extensions/KHR_materials_clearcoat/clearcoatTexture/index");
+      if (material.contains(film)) names.push_back(glb["textures"][material[film].get<std::size_t>()]["name"]);
+    }
+    return names;
+  };
+  EXPECT_THAT(films(), ::testing::IsEmpty());
+
+  MaterialSketch dry;
+  dry.wet = 0;
+  const auto rind = static_cast<std::int32_t>(box.part_names.size());
+  box.part_names.emplace_back("rind");
+  box.materials.resize(box.part_names.size(), dry);
+  box.materials.back() = dry;
+  const auto cut = std::find_if(box.cut_face.begin(), box.cut_face.end(), [](std::int32_t face) { return face >= 0; });
+  ASSERT_NE(cut, box.cut_face.end());
+  std::uint32_t& corner = box.triangle[static_cast<std::size_t>(cut - box.cut_face.begin())].x;
+  box.position.push_back(box.position[corner]);
+  box.normal.push_back(box.normal[corner]);
+  box.color.push_back(box.color[corner]);
+  box.part.push_back(rind);
+  corner = static_cast<std::uint32_t>(box.position.size()) - 1;
+  EXPECT_THAT(films(), ::testing::Contains("box thickness"));
+}
+
 TEST(Gltf, SplitsAMeshByLookAndLosesNoTriangle) {
   const Scene scene = named::with_materials();
   const StyledMesh mesh = styled_meshes(scene, {})[0];

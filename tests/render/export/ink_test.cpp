@@ -177,8 +177,10 @@ TEST(InkInPov, RibbonsRunAlongTheStrokesOfThePicture) {
 
 /// However a stroke bends: its ribbon goes across it, and is as wide.
 TEST(InkInPov, RibbonsAreAsWideAsTheStrokesOfThePicture) {
-  const std::vector<StrokePoint> bent{
-      {.at = {100, 100}, .radius = 2}, {.at = {140, 120}, .radius = 3}, {.at = {150, 160}, .radius = 2.5}, {.at = {120, 190}, .radius = 2}};
+  const std::vector<StrokePoint> bent{{.at = {100, 100}, .radius = 2},
+                                      {.at = {140, 120}, .radius = 3},
+                                      {.at = {150, 160}, .radius = 2.5},
+                                      {.at = {120, 190}, .radius = 2}};
   const std::vector<SceneStroke> ink{{.points = bent, .distance = std::vector<double>(bent.size(), 1.0)}};
   const Scene scene = testing::still_life();
   const Ribbons ribbons =

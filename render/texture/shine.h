@@ -1,0 +1,49 @@
+// How rough and how wet a solid's surface is at its vertices, so that parts that pass softly into each other shine so.
+#pragma once
+
+#include <vector>
+
+#include "generator/piece/solid.h"
+
+namespace pomona {
+
+/// Of a place in a triangle. Where parts of one colour meet on a cut face, both have the mean of their roughnesses, and
+/// no more of a film than the drier of them; the film of the wetter thins out on its way there. Everywhere else it is
+/// as the part's material says.
+struct PlaceShine {
+  double roughness = 0.6;  ///< of physically based shading, 0..1
+  double film = 1;         ///< share of the film of juice that the part's cut faces have, 0..1; 1 of what has none
+};
+
+/// Worked out once for a solid, which must outlive it.
+class Shine {
+ public:
+  explicit Shine(const Solid& solid);
+
+  /// \param weight barycentric, of a place in the triangle.
+  PlaceShine at(std::uint32_t triangle, const glm::dvec3& weight) const;
+
+ private:
+  /// What the triangles have around a vertex, or around all those of one colour at its place.
+  struct AtVertex {
+    double roughness = 0;            ///< the sum of theirs
+    double driest = 1, wettest = 0;  ///< their films
+    double share = 1;                ///< of the film of the wettest, where it thins out
+    int count = 0;
+  };
+  struct OfPart {
+    double skin_roughness = 0, cut_roughness = 0, film = 0;
+  };
+
+  const AtVertex& around(std::uint32_t vertex) const { return vertex_[joint_[vertex]]; }
+  void thin_out();
+  const OfPart& of_part(std::uint32_t triangle) const;
+  double roughness_of(std::uint32_t triangle) const;
+
+  const Solid& solid_;
+  std::vector<OfPart> part_;
+  std::vector<std::uint32_t> joint_;  ///< per vertex: the first of those that it is one with
+  std::vector<AtVertex> vertex_;      ///< of these, on cut faces
+};
+
+}  // namespace pomona
