@@ -27,6 +27,7 @@ STAGED = {  # how halves are shown, where not as all are
     "star_fruit": ["--view=-22,34"],  # from below, where its ribs are in sight
     "volcano": ["--piece", "1", "--explode", "1.01", "--view", "25,24"],  # it does not lie down
 }
+STANDING = {"star_fruit": ["--view=18,35"]}  # a whole fruit, likewise: past a rib, and onto the star
 ACROSS = {"cherry": "plane:0,1,0,13mm"}  # through the stone: with the long stem, half the height lies above it
 ROW = 800, 240  # pixels: seeds side by side, at one scale; shown at ROW_SHOWN
 WIDE = 360, 240  # pixels; shown at WIDE_SHOWN
@@ -74,7 +75,7 @@ def pictures_of(name):
     across = ACROSS.get(name, "across")
     made = {
         "surfaces.png": ["grow", name, "--surfaces", *large],
-        "whole.png": ["grow", name, *large],
+        "whole.png": ["grow", name, *STANDING.get(name, []), *large],
         "half.png": ["cut", name, *section, "half", *large],
         "across.png": ["cut", name, *section, across, *large],
         "halves.png": ["cut", name, "--knife", "half", *STAGED.get(name, []), "--size", f"{WIDE[0]}x{WIDE[1]}"],
