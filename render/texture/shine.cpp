@@ -30,15 +30,14 @@ bool look_alike(const Color& a, const Color& b) {
 /// For each vertex the first at the same place that looks like it.
 std::vector<std::uint32_t> joints(const Solid& solid) {
   const std::vector<std::uint32_t> first = weld(solid.position);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_place;
-  for (std::uint32_t v = 0; v < first.size(); ++v) by_place.emplace_back(first[v], v);
-  std::sort(by_place.begin(), by_place.end());
-  std::vector<std::uint32_t> joint(first.size());
-  for (std::size_t begin = 0, i = 0; i < by_place.size(); ++i) {
-    if (by_place[i].first != by_place[begin].first) begin = i;
-    const std::uint32_t v = joint[by_place[i].second] = by_place[i].second;
-    for (std::size_t k = begin; k < i && joint[v] == v; ++k)
-      if (look_alike(solid.color[by_place[k].second], solid.color[v])) joint[v] = joint[by_place[k].second];
+  std::vector<std::vector<std::uint32_t>> firsts(first.size());  // of a place, by its first vertex: one of each colour
+  std::vector<std::uint32_t> joint;
+  for (std::uint32_t v = 0; v < first.size(); ++v) {
+    std::vector<std::uint32_t>& known = firsts[first[v]];
+    const auto like = std::find_if(known.begin(), known.end(),
+                                   [&](std::uint32_t k) { return look_alike(solid.color[k], solid.color[v]); });
+    joint.push_back(like == known.end() ? v : *like);
+    if (like == known.end()) known.push_back(v);
   }
   return joint;
 }
@@ -77,6 +76,7 @@ void Shine::thin_out() {
   Box<double> box;
   for (const glm::vec3& p : solid_.position) box.add(glm::dvec3(p));
   const double width = thinning * glm::length(box.size());
+  if (!(width > 0)) return;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
     if (solid_.cut_face[t] < 0 || !(of_part(t).film > 0)) continue;
