@@ -3,7 +3,7 @@
 
     python3 scenes/make_dishes.py scenes
 
-Crates, a board, a knife, a belt, a stall's table and a hill of straw. Centimetres; +Y up; each stands on y = 0 about the
+Crates, a board, a knife, a belt, a stall's table and a hill of crushed ice. Centimetres; +Y up; each stands on y = 0 about the
 middle of its foot. Every part is a closed mesh of its own, its edges rounded off by one facet so that light catches
 on them. Nothing is random but the grain of the wood, which comes from a small generator of its own.
 """
@@ -284,9 +284,9 @@ def step(mesh, long, wide, high, noise, colors):
 
 
 def hill(radius=30.0, high=9.0):
-    """A round mound, as of straw or crushed ice: what is strewn on a slope."""
+    """A round mound, as of crushed ice: what is strewn on a slope."""
     mesh, noise = Mesh(), Noise(5)
-    rings_, around = 18, 60
+    rings_, around = 20, 120
     pale = (0.78, 0.84, 0.89)
 
     def height(r, a):
@@ -298,8 +298,9 @@ def hill(radius=30.0, high=9.0):
     levels = []
     for i in range(1, rings_ + 1):
         r = radius * i / rings_
+        grain = 0.1 * min(1.0, 3 * i / rings_)  # less at the top, where the triangles are slivers and would show as rays
         levels.append([mesh.point((r * math.cos(2 * math.pi * k / around), height(r, 2 * math.pi * k / around),
-                                   -r * math.sin(2 * math.pi * k / around)), shaded(pale, 0.94 + 0.1 * noise()))
+                                   -r * math.sin(2 * math.pi * k / around)), shaded(pale, 0.99 + grain * (noise() - 0.5)))
                        for k in range(around)])
     for k in range(around):
         mesh.face(top, levels[0][k], levels[0][(k + 1) % around])
