@@ -36,6 +36,14 @@ class LineWalker {
   bool is_clear(const glm::dvec2& at, double distance) const {
     return static_cast<double>(buffer_.nearness[buffer_.pixel_at(at)]) * distance <= 1;
   }
+  /// Whether a line lies on what one sees there, or before it. Pixels hold the depth at their middles, and a face one
+  /// looks along comes much nearer within a pixel or two: its own face may lie before a line by that; what is another's
+  /// may not.
+  bool lies_on(const glm::dvec2& at, const RunPoint& point, std::uint32_t instance, double slope) const {
+    const bool own = buffer_.instance[buffer_.pixel_at(at)] == instance + 1;
+    const double slack = 1.5 + (own ? 2 * slope : std::min(2 * slope, 1.5));  // pixels
+    return is_clear(at, point.distance - slack * lens_.pixel_size(point.distance));
+  }
 
   const IdentityBuffer& buffer_;
   const Lens& lens_;
@@ -77,15 +85,14 @@ bool LineWalker::is_visible(const SteppedLine& line, std::size_t i) const {
   if (line.on_picture[i] == 0) return false;
   const std::vector<RunPoint>& points = line.run.points;
   const RunPoint& point = points[i];
-  const double pixel = lens_.pixel_size(point.distance);
   if (line.run.kind == LineKind::contour) {
-    return is_clear(point.at + beside * point.outwards, point.distance - 3 * pixel);
+    return is_clear(point.at + beside * point.outwards, point.distance - 3 * lens_.pixel_size(point.distance));
   }
-  const double limit = point.distance - pixel * (1.5 + 2 * line.slope[i]);
   const glm::dvec2 d = points[std::min(i + 1, points.size() - 1)].at - points[i > 0 ? i - 1 : 0].at;
   const double size = glm::length(d);
   const glm::dvec2 across = size > 0 ? glm::dvec2(-d.y, d.x) * (beside / size) : glm::dvec2(0);
-  return is_clear(point.at, limit) || is_clear(point.at + across, limit) || is_clear(point.at - across, limit);
+  const auto lies_at = [&](const glm::dvec2& at) { return lies_on(at, point, line.run.instance, line.slope[i]); };
+  return lies_at(point.at) || lies_at(point.at + across) || lies_at(point.at - across);
 }
 
 double LineWalker::heft(const VisibleRun& run, const RunPoint& point) const {

@@ -108,6 +108,39 @@ TEST(Strokes, EndWhereSomethingElseLiesBefore) {
   }
 }
 
+/// A face one looks along, as of a leaf that leans: lines at its borders may lie on what it shows far before them,
+/// never on what belongs to another.
+Solid steep_strip() {
+  Solid strip;
+  strip.name = "strip";
+  strip.position = {
+      {-0.01f, 0.04f, -0.001f}, {0.05f, 0.04f, -0.001f}, {0.05f, 0.041f, -0.006f}, {-0.01f, 0.041f, -0.006f}};
+  strip.normal.assign(4, glm::normalize(glm::vec3(0, 5, 1)));
+  strip.color.assign(4, Color(0.2f));
+  strip.part.assign(4, 0);
+  strip.triangle = {{0, 1, 2}, {0, 2, 3}};
+  strip.cut_face = {-1, -1};
+  strip.surface = {0, 0};
+  strip.part_names = {"leaf"};
+  return strip;
+}
+
+TEST(Strokes, DoNotShowThroughAThingThatLiesCloseBeforeASteepFace) {
+  Scene scene = testing::ball_scene();
+  scene.solids = {testing::half_ball(), steep_strip()};
+  scene.instances = {{.solid = 0, .pose = {}, .name = "half"}, {.solid = 1, .pose = {}, .name = "strip"}};
+  // The half is four centimetres about (0, 4 cm); the strip sticks out at its right by one.
+  const Lens lens(scene.view, picture.width, picture.height);
+  const double edge = lens.seen(glm::dvec3(0.037, 0.04, 0)).x;
+  bool sticks_out = false;
+  for (const SceneStroke& stroke : strokes_of(scene)) {
+    if (stroke.instance != 1) continue;
+    sticks_out = true;
+    for (const StrokePoint& point : stroke.points) EXPECT_GT(point.at.x, edge);
+  }
+  EXPECT_TRUE(sticks_out);
+}
+
 TEST(Strokes, DrawARimOnce) {
   // A half ball, its cut face to the eye: the contour is hidden or lies under the rim.
   Scene scene = testing::ball_scene();
