@@ -15,7 +15,8 @@ gallery: build ## the pictures of README.md and templates/README.md; FRUIT="okra
 	@scripts/gallery.py write
 
 figures: build ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures, batch, scenes) those of that page
-	@scripts/setup.sh gallery
+	@scripts/setup.sh gallery $(if $(filter textures,$(PAGE)),programs)
+	$(if $(filter textures,$(PAGE)),npm ci --no-audit --no-fund --loglevel=error)
 	@scripts/figures.py make build/pomona $(or $(PAGE),figures) $(FIGURE)
 
 build: ## the program, at build/pomona
