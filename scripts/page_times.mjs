@@ -1,5 +1,6 @@
 // How long a page takes to open and to draw, in Chromium without a graphics card, and how much its look-up reads.
-//   node scripts/page_times.mjs FILE.html FILE.pomona [RUNS]      medians; wants an idle machine; needs `npm ci` and chromium
+//   node scripts/page_times.mjs FILE.html FILE.pomona [RUNS [WAIT]]      medians; wants an idle machine; needs `npm ci` and chromium
+// WAIT: milliseconds for which the browser has been open before. One that has just been started is still busy with itself.
 import { readdirSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { loadavg } from 'node:os';
@@ -9,7 +10,7 @@ import { launch } from '../tests/programs/browser.mjs';
 
 const require = createRequire(import.meta.url);
 const Asset = require('../render/page/read_asset.js'), LookUp = require('../render/page/look_up.js');
-const [page, asset, runs = '5'] = process.argv.slice(2), side = 256;
+const [page, asset, runs = '5', wait = '0'] = process.argv.slice(2), side = 256;
 const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1];
 console.log(`load average before: ${loadavg()[0].toFixed(1)}`);
 
@@ -43,6 +44,7 @@ for (let run = 0; run < Number(runs); ++run) {
     const tab = await browser.newPage();
     await tab.setViewport({ width: 640, height: 480 });
     await tab.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
+    await new Promise((done) => setTimeout(done, Number(wait)));
     const before = processorTime(browser.process().pid);
     await tab.goto(`file://${resolve(page)}`);
     await tab.waitForFunction('window.pomona && pomona.loads.cut', { polling: 5, timeout: 300000 });

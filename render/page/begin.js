@@ -6,11 +6,16 @@
  * WebGL 2 is missing. Making a place to draw may take as long as unpacking and keeps the page busy, so the worker is up before.
  */
 async function beginPage(unpack, what, program) {
-  const started = performance.now(), loads = {}, unpacking = new Unpacking(), first = unpack(unpacking);
+  const started = performance.now(), loads = {}, unpacking = new Unpacking(), first = unpack(unpacking), canvas = $('view');
   await unpacking.isUp;
-  const canvas = $('view'), options = JSON.parse($('options').textContent), picture = new Picture(canvas, options, {program, mayBeRough: true});
+  // The tools have their room, and with them the canvas, before the browser makes a place to draw of that size; they are seen when something is.
+  $('tools').style.visibility = 'hidden';
+  $('tools').hidden = false;
+  fitCanvas(canvas, firstDivisor);
+  const options = JSON.parse($('options').textContent), picture = new Picture(canvas, options, {program, mayBeRough: true});
   loads.card = performance.now() - started;
   if (!picture.gl) {
+    $('tools').hidden = true;
     unpacking.stop();
     sorry(`This page draws the ${what} with WebGL 2, which this browser does not have or has switched off.`);
     return null;
@@ -22,6 +27,7 @@ async function beginPage(unpack, what, program) {
     board.frame();
     await board.pace.drawn();
     loads[name] = performance.now() - started;
+    $('tools').style.visibility = '';
   }
   return {started, loads, unpacking, first, options, picture, board, blade, stroke, paper, drawNow};
 }

@@ -2,12 +2,24 @@
 'use strict';
 const mostKnives = 4;
 
+/** Pixels of a canvas as it lies on the page. */
+function sizeOf(canvas) {
+  const scale = Math.min(2, window.devicePixelRatio || 1);
+  return {width: Math.max(1, Math.round(canvas.clientWidth * scale)), height: Math.max(1, Math.round(canvas.clientHeight * scale))};
+}
+/** Gives it so many times fewer along each side. */
+function fitCanvas(canvas, divisor) {
+  const size = sizeOf(canvas), width = Math.ceil(size.width / divisor), height = Math.ceil(size.height / divisor);
+  if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
+}
+
 class Board {
   /** `setting`: bodies, size of one, setKnives(), arrange(apart, open). */
   constructor(canvas, picture) {
     Object.assign(this, {canvas, picture, camera: new Camera(), setting: null, knives: [], apart: 0, open: 0, wantedApart: 0, wantedOpen: 0,
-      dark: false, draws: false, settled: false, failed: false, asked: false, stale: true, rough: false, lastMoved: 0, bounds: null, pace: new Pace(picture.card)});
+      dark: false, draws: false, settled: false, failed: false, asked: false, stale: true, rough: false, hasMoved: false, lastMoved: 0, bounds: null, pace: new Pace(picture.card)});
     this.calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
+    this.opens = false;
     /** Told when knives have changed, when a frame has been drawn. */
     this.onKnives = this.onFrame = () => {};
   }
@@ -15,6 +27,17 @@ class Board {
   get knife() { return this.knives[this.knives.length - 1]; }
   /** The body whose knife has handles. */
   get first() { return this.bodies[0]; }
+
+  /**
+   * While a page opens, nothing fine is drawn where software stands for a card: it would come before what the page opens with. What frames take is not
+   * measured, as compilers have their share in it.
+   */
+  beginOpening() { this.opens = true; this.pace.measures = false; }
+  endOpening() {
+    this.opens = false;
+    this.pace.measures = true;
+    this.ask();
+  }
 
   // ---- Drawing, when something has changed. ----
 
@@ -27,32 +50,24 @@ class Board {
       try { this.frame(); } catch (error) { this.failed = true; sorry(`The fruit cannot be drawn: ${error.message}`); throw error; }
     });
   }
-  moved() { this.lastMoved = performance.now(); this.stale = true; this.ask(); }
+  moved() { this.lastMoved = performance.now(); this.hasMoved = this.stale = true; this.ask(); }
   changed() { this.stale = true; this.ask(); }
 
   /** Pixels: of the picture at rest. */
-  get size() {
-    const {canvas} = this, scale = Math.min(2, window.devicePixelRatio || 1);
-    return {width: Math.max(1, Math.round(canvas.clientWidth * scale)), height: Math.max(1, Math.round(canvas.clientHeight * scale))};
-  }
+  get size() { return sizeOf(this.canvas); }
   get aspect() { const {width, height} = this.size; return width / height; }
-  /** With so many times fewer pixels along each side. */
-  fitCanvas(divisor) {
-    const {canvas, size} = this, width = Math.ceil(size.width / divisor), height = Math.ceil(size.height / divisor);
-    if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
-  }
   arrange() {
     const {setting, camera} = this;
     setting.arrange(this.apart, this.open);
     const outline = this.bodies.flatMap((body) => body.outline), {aspect} = this;
-    this.bounds = boxOf(outline.flat(), 3);
+    this.bounds = boxOfPoints(outline);
     Object.assign(camera, camera.fit(outline, aspect));
   }
   get span() { return Math.max(...V.sub(this.bounds.high, this.bounds.low)); }
   view() { return this.camera.view(this.aspect, 2 * Math.max(this.span, this.setting.size)); }
   /** As it is at rest, or roughly as it is while something moves. */
   sceneNow(rough = false) {
-    this.fitCanvas(rough ? this.pace.divisor : 1);
+    fitCanvas(this.canvas, rough ? this.pace.divisor : 1);
     return this.scene(rough);
   }
   scene(rough) {
@@ -72,9 +87,19 @@ class Board {
     if (moves) { this.arrange(); this.lastMoved = performance.now(); }
     return moves;
   }
-  frame() {
+  /**
+   * At rest is what has not moved since it was last drawn, not only what moved some time ago: under a hand that drags, a slow card's frames
+   * are farther apart than a rest is long.
+   */
+  isRough(moves, now) {
+    const {picture, pace} = this, rests = !moves && !this.hasMoved && now - this.lastMoved > restMs;
+    return pace.divisor > 1 && !(rests && !this.opens && picture.isReady(this.bodies));
+  }
+  /** `rough`: how it is drawn, where that does not go by what moves. */
+  frame(rough = null) {
     if (!this.setting) return;
-    const {picture, camera, pace} = this, begun = performance.now(), moves = this.moveOn(), rests = !moves && begun - this.lastMoved > restMs, rough = !rests && pace.divisor > 1;
+    const {picture, camera, pace} = this, begun = performance.now(), moves = this.moveOn();
+    if (rough === null) rough = this.isRough(moves, begun);
     const scale = this.size.height / (2 * Math.tan(camera.field / 2) * camera.far / camera.zoom);
     let more = false, changed = false, waited = begun - this.lastMoved > 150;
     for (const body of this.bodies) {
@@ -86,6 +111,7 @@ class Board {
       changed = changed || done.changed;
     }
     if (this.stale || changed || moves || this.rough && !rough) {
+      this.hasMoved = false;
       this.rough = rough;
       picture.draw(this.sceneNow(rough));
       pace.gave(rough ? pace.divisor : 1, begun);
@@ -98,26 +124,29 @@ class Board {
   /** At once, all of it, as fine as it gets. */
   finish() {
     this.stale = true;
-    do { this.lastMoved = -1e9; this.frame(); } while (!this.settled);
+    do { this.lastMoved = -1e9; this.frame(false); } while (!this.settled);
   }
 
   // ---- Knives. ----
 
-  takeKnives(knives, keepView = false) {
+  /** `from`: how one then looks at them: as fits what is seen, with the camera kept where it is, or from before the last knife's face. */
+  takeKnives(knives, from = 'fit') {
     const {camera} = this, before = {target: camera.target, far: camera.far};
     this.knives = knives;
     this.setting.setKnives(knives);
+    if (from === 'face') this.turnToFace();
     this.arrange();
-    if (keepView) Object.assign(camera, before);
+    if (from === 'kept') Object.assign(camera, before);
     this.onKnives();
     this.moved();
   }
   /** Opens what was whole; takes one knife where there is none. */
-  setKnives(knives, {open = this.wantedOpen} = {}) {
+  setKnives(knives, {open = this.wantedOpen, from = 'fit'} = {}) {
     const first = this.knives.length === 0;
     this.wantedOpen = knives.length === 1 ? open : 0;
     this.wantedApart = knives.length === 0 ? 0 : first || this.wantedApart < 0.05 ? 0.36 : this.wantedApart;
-    this.takeKnives(knives);
+    if (this.calm) { this.apart = this.wantedApart; this.open = this.wantedOpen; }
+    this.takeKnives(knives, from);
     this.sayPieces();
   }
   sayPieces() {
@@ -126,8 +155,7 @@ class Board {
   }
   /** One flat cut, laid open. */
   cutOnce(turn, tilt) {
-    this.setKnives([new Knife(this.first.frame, turn, tilt, 0)], {open: 1});
-    this.lookAtFace();
+    this.setKnives([new Knife(this.first.frame, turn, tilt, 0)], {open: 1, from: 'face'});
   }
   cutAgain() {
     const {knife} = this, {frame} = this.first;
@@ -146,7 +174,7 @@ class Board {
     changed.shift = Math.max(-0.5, Math.min(0.5, changed.shift / size)) * size;
     changed.tilt = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, changed.tilt));
     changed.turn = Math.atan2(Math.sin(changed.turn), Math.cos(changed.turn));
-    this.takeKnives([...this.knives.slice(0, -1), changed], true);
+    this.takeKnives([...this.knives.slice(0, -1), changed], 'kept');
     this.sayPieces();
   }
   pullApart(value) {
@@ -167,12 +195,16 @@ class Board {
   // ---- From where one looks. ----
 
   /** From before the last knife, somewhat from above and from the side. */
-  lookAtFace() {
+  turnToFace() {
     const {knife, camera} = this;
     if (!knife) return;
     const {n} = knife.frame, level = Math.hypot(n[0], n[2]);
     camera.yaw = level > 0.3 && this.bodies.length === 1 ? Math.atan2(n[0], n[2]) + 0.1 : 0.1;
     camera.pitch = Math.max(0.26, Math.min(0.95, Math.asin(Math.abs(n[1])) * 0.62 + 0.22));
+  }
+  lookAtFace() {
+    if (!this.knife) return;
+    this.turnToFace();
     this.arrange();
     this.moved();
   }

@@ -12,6 +12,16 @@ function boxOf(data, stride = 10) {
   return {low, high};
 }
 
+/** Of points. */
+function boxOfPoints(points) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const p of points) for (let k = 0; k < 3; ++k) {
+    if (p[k] < low[k]) low[k] = p[k];
+    if (p[k] > high[k]) high[k] = p[k];
+  }
+  return {low, high};
+}
+
 const faceMargin = 0.02;  // beside a skin its faces are drawn, too: there lie lines, and colours for when they are seen smaller
 
 /** Triangles on the card, and what knives go by: shared by all that look alike. */

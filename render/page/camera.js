@@ -15,15 +15,17 @@ class Camera {
     const {back, right, up} = this.directions, t = Math.tan(this.field / 2) * margin;
     let target = V.mul(points.reduce(V.add, [0, 0, 0]), 1 / points.length), far = 1;
     for (let round = 0; round < 4; ++round) {
-      const box = [[Infinity, -Infinity], [Infinity, -Infinity]];
+      let left = Infinity, rightmost = -Infinity, low = Infinity, high = -Infinity;
       far = 1;
       for (const p of points) {
         const q = V.sub(p, target), x = V.dot(q, right), y = V.dot(q, up), z = V.dot(q, back);
         far = Math.max(far, z + Math.abs(x) / (t * aspect), z + Math.abs(y) / t);
-        box[0] = [Math.min(box[0][0], x), Math.max(box[0][1], x)];
-        box[1] = [Math.min(box[1][0], y), Math.max(box[1][1], y)];
+        left = Math.min(left, x);
+        rightmost = Math.max(rightmost, x);
+        low = Math.min(low, y);
+        high = Math.max(high, y);
       }
-      target = V.add(target, V.add(V.mul(right, (box[0][0] + box[0][1]) / 2), V.mul(up, (box[1][0] + box[1][1]) / 2)));
+      target = V.add(target, V.add(V.mul(right, (left + rightmost) / 2), V.mul(up, (low + high) / 2)));
     }
     return {target, far};
   }

@@ -1,8 +1,9 @@
 // What the graphics card holds: programs, textures, buffers.
 'use strict';
 class Card {
-  constructor(canvas, shaders) {
-    this.gl = canvas.getContext('webgl2', {antialias: true, premultipliedAlpha: true, powerPreference: 'high-performance'});
+  /** `antialias`: whether what is drawn on the canvas has smooth edges; samples() has them where it has not. */
+  constructor(canvas, shaders, antialias) {
+    this.gl = canvas.getContext('webgl2', {antialias, premultipliedAlpha: true, powerPreference: 'high-performance'});
     this.shaders = shaders;
     if (!this.gl) return;
     const known = this.gl.getExtension('WEBGL_debug_renderer_info'), renderer = known ? this.gl.getParameter(known.UNMASKED_RENDERER_WEBGL) : '';
@@ -41,16 +42,26 @@ class Card {
 
   /** Whether a program can be drawn with and nobody waits, as far as that can be asked. */
   isReady(made) {
+    if (made.uniforms !== null || !this.parallel) return true;
     this.start(made);
-    return made.uniforms !== null || !this.parallel || this.gl.getProgramParameter(made.program, this.parallel.COMPLETION_STATUS_KHR);
+    if (!this.gl.getProgramParameter(made.program, this.parallel.COMPLETION_STATUS_KHR)) return false;
+    this.know(made);
+    return true;
   }
 
-  /** Its uniforms are asked for when it is first drawn with, so that programs compile side by side. */
   use(made) {
-    const {gl} = this;
     this.start(made);
-    gl.useProgram(made.program);
-    if (made.uniforms) return made.uniforms;
+    this.know(made);
+    this.gl.useProgram(made.program);
+    return made.uniforms;
+  }
+  /**
+   * Asks for its uniforms, when it has been compiled or is first drawn with, so that programs compile side by side. The answer comes after all that
+   * the card has been told before.
+   */
+  know(made) {
+    const {gl} = this;
+    if (made.uniforms) return;
     if (!gl.getProgramParameter(made.program, gl.LINK_STATUS)) {
       const logs = ['VERTEX', 'FRAGMENT'].map((d) => gl.getShaderInfoLog(made.program[d]));
       throw new Error(`${made.name}: ${logs.join('')} ${gl.getProgramInfoLog(made.program)}`);
@@ -60,7 +71,6 @@ class Card {
       const {name} = gl.getActiveUniform(made.program, i);
       made.uniforms[name.replace('[0]', '')] = gl.getUniformLocation(made.program, name);
     }
-    return made.uniforms;
   }
 
   texture(target, filter, make) {
@@ -98,6 +108,30 @@ class Card {
     gl.drawBuffers(formats.length ? formats.map((_, i) => gl.COLOR_ATTACHMENT0 + i) : [gl.NONE]);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     return target;
+  }
+  /** Somewhere to draw with smooth edges: several samples a pixel, which putOn() puts together on the canvas. */
+  samples(width, height) {
+    const {gl} = this, target = {width, height, buffer: gl.createFramebuffer()}, count = Math.min(4, gl.getParameter(gl.MAX_SAMPLES));
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
+    target.layers = [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]].map(([format, place]) => {
+      const layer = gl.createRenderbuffer();
+      gl.bindRenderbuffer(gl.RENDERBUFFER, layer);
+      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, count, format, width, height);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, layer);
+      return layer;
+    });
+    return target;
+  }
+  putOn({width, height, buffer}) {
+    const {gl} = this;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, buffer);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+  dropSamples({buffer, layers}) {
+    for (const layer of layers) this.gl.deleteRenderbuffer(layer);
+    this.gl.deleteFramebuffer(buffer);
   }
   drop(target) {
     if (!target) return;

@@ -46,8 +46,9 @@ class FaceWork {
     return this.at === this.stages.length;
   }
   /** All at once. */
+  goThrough() { while (!this.go(this.size)); }
   finish() {
-    while (!this.go(this.size));
+    this.goThrough();
     this.wait();
   }
   /** As much as a frame has time for; true when all is done. */
@@ -68,18 +69,24 @@ class FaceWork {
 class Faces {
   constructor(passes, speed, body) { Object.assign(this, {passes, speed, body, all: [], withDetails: true}); }
 
-  newFace(knife, size, k) {
-    const {passes, speed, body} = this, {gl, card} = passes;
-    const face = {key: knife.key, size, frame: knife.frame, bare: card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]),
-      styled: passes.newStyled(size), paint: passes.newPaint(size), isDetailed: false, work: null};
-    face.work = new FaceWork(passes, speed, size, [...passes.lookStages(body, face, k), ...passes.paintStages(body.fruit, face, k, [])]);
+  /** A face to be, and the work that gives it its bare colours. `filter`: how these are seen. */
+  begunFace(knife, size, k, filter) {
+    const {passes, speed, body} = this, {gl, card} = passes, bare = card.target(size, size, [[gl.SRGB8_ALPHA8, filter], [gl.RGBA8, gl.NEAREST]]);
+    const face = {key: knife.key, size, frame: knife.frame, bare, paint: null, isDetailed: false, isBare: false};
+    face.work = new FaceWork(passes, speed, size, passes.lookStages(body, face, k));
     return face;
   }
-  /** Without noise, lines and rims. */
+  newFace(knife, size, k) {
+    const {passes, body} = this, face = this.begunFace(knife, size, k, passes.gl.NEAREST);
+    Object.assign(face, {styled: passes.newStyled(size), paint: passes.newPaint(size)});
+    face.work.stages.push(...passes.paintStages(body.fruit, face, k, []));
+    return face;
+  }
+  /** Without noise, lines and rims: what is seen of it are its bare colours. Nobody waits until the card has drawn it. */
   bareFace(knife, size, k) {
-    const {passes, body} = this, {gl, card} = passes, bare = card.target(size, size, [[gl.SRGB8_ALPHA8, gl.LINEAR], [gl.RGBA8, gl.NEAREST]]), face = {key: knife.key, size, frame: knife.frame, bare};
-    new FaceWork(passes, this.speed, size, passes.lookStages(body, face, k)).finish();
-    return {...face, styled: {colors: [bare.colors[0], passes.flat]}, isBare: true};
+    const {passes} = this, face = this.begunFace(knife, size, k, passes.gl.LINEAR);
+    face.work.goThrough();
+    return Object.assign(face, {styled: {colors: [face.bare.colors[0], passes.flat]}, isBare: true, work: null});
   }
   dropFace(face) {
     if (!face) return;

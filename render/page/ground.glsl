@@ -55,10 +55,14 @@ float sky_seen(vec3 p, vec3 n) {
   return 1.0 - ground_plane.w * (0.42 * near * (0.55 - 0.45 * n.y) + 0.12 * (0.5 - 0.5 * n.y));
 }
 
+// AS_IS: a style that changes no colours need not be compiled.
 vec3 painted(vec3 color, vec2 how) {
-  if (how == vec2(1.0, 0.0)) return clamp(color, 0.0, 1.0);
+#ifdef AS_IS
+  return clamp(color, 0.0, 1.0);
+#else
   vec3 lab = to_oklab(max(color, 0.0));
   return clamp(from_oklab(vec3(lab.x + how.y, lab.yz * how.x)), 0.0, 1.0);
+#endif
 }
 
 #ifdef GROUND
@@ -66,6 +70,7 @@ in vec3 there;
 uniform vec4 wash;  // colour of shadow on white paper; strength
 layout(location = 0) out vec4 pixel;
 
+#ifndef QUICK
 // What hangs over the table takes its sky, the more the lower it hangs.
 float open_sky() {
   vec2 at = (to_sky * vec4(there, 1.0)).xy * 0.5 + 0.5;
@@ -77,9 +82,22 @@ float open_sky() {
   }
   return 1.0 - taken / 20.0;
 }
+#endif
+
+#ifdef QUICK
+// Shadows as sharp as their map; of the sky, what hangs right above.
+vec2 seen() {
+  vec2 sun = (to_sun * vec4(there, 1.0)).xy * 0.5 + 0.5;
+  float height = textureLod(sky_map, (to_sky * vec4(there, 1.0)).xy * 0.5 + 0.5, 0.0).r;
+  return vec2(textureLod(sun_map, sun, 0.0).r < 1.0 ? 1.0 - ground_plane.z : 1.0, height < 1.0 ? 0.4 : 1.0);
+}
+#else
+vec2 seen() { return vec2(sun_seen(there, vec3(0.0, 1.0, 0.0)), open_sky()); }
+#endif
 
 void main() {
-  float sun_part = sun_seen(there, vec3(0.0, 1.0, 0.0)), sky_part = mix(1.0, open_sky(), ground_plane.w);
+  vec2 parts = seen();
+  float sun_part = parts.x, sky_part = mix(1.0, parts.y, ground_plane.w);
   vec3 shade = mix(wash.rgb, vec3(1.0), sun_part) * mix(0.72 * wash.rgb, vec3(1.0), sky_part);
   shade = mix(vec3(1.0), shade, wash.a);
   // The paper lies behind the canvas: drawn is how much of it the wash hides.

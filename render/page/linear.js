@@ -42,5 +42,5 @@ const M = {
   scaled(scale, move) { return new Float32Array([scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0, ...move, 1]); },
   /** Of a matrix that turns, moves and scales alike along all axes. */
   scaleOf: (m) => Math.hypot(m[0], m[1], m[2]),
-  point(m, p) { return [0, 1, 2].map((r) => m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r]); },
+  point: (m, [x, y, z]) => [m[0] * x + m[4] * y + m[8] * z + m[12], m[1] * x + m[5] * y + m[9] * z + m[13], m[2] * x + m[6] * y + m[10] * z + m[14]],
 };

@@ -14,47 +14,60 @@ const LookUp = (() => {
    */
   function cells(fruit, margin = 4e-3) {
     const {position, triangle, count, units} = fruit, [nx, ny, nz] = count, triangles = triangle.length / 3;
-    const first = new Uint32Array(nx * ny * nz + 1), p = new Float64Array(9), low = [0, 0, 0], high = [0, 0, 0];
-    // Twice: how many, then which.
-    const walk = (visit) => {
-      for (let t = 0; t < triangles; ++t) {
-        for (let k = 0; k < 9; ++k) p[k] = (position[3 * triangle[3 * t + (k / 3 | 0)] + k % 3] + 0.5) / units;
-        for (let a = 0; a < 3; ++a) {
-          low[a] = Math.max(0, Math.floor(Math.min(p[a], p[3 + a], p[6 + a]) - margin));
-          high[a] = Math.min(count[a] - 2, Math.floor(Math.max(p[a], p[3 + a], p[6 + a]) + margin));
-        }
-        const ux = p[3] - p[0], uy = p[4] - p[1], uz = p[5] - p[2], vx = p[6] - p[0], vy = p[7] - p[1], vz = p[8] - p[2];
-        const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-        const reach = (0.5 + margin) * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-        for (let k = low[2]; k <= high[2]; ++k) for (let j = low[1]; j <= high[1]; ++j) {
-          const height = y * (j + 0.5 - p[1]) + z * (k + 0.5 - p[2]) + x * (0.5 - p[0]), row = (k * ny + j) * nx;
-          for (let i = low[0]; i <= high[0]; ++i) if (Math.abs(height + i * x) <= reach) visit(row + i, t);
-        }
+    const first = new Uint32Array(nx * ny * nz + 1), p = new Float64Array(9), low = [0, 0, 0], high = [0, 0, 0], ends = new Uint32Array(triangles);
+    // The cells of one triangle after another's; then the other way round.
+    let met = new Uint32Array(1 << 18), all = 0;
+    for (let t = 0; t < triangles; ++t) {
+      for (let k = 0; k < 9; ++k) p[k] = (position[3 * triangle[3 * t + (k / 3 | 0)] + k % 3] + 0.5) / units;
+      for (let a = 0; a < 3; ++a) {
+        low[a] = Math.max(0, Math.floor(Math.min(p[a], p[3 + a], p[6 + a]) - margin));
+        high[a] = Math.min(count[a] - 2, Math.floor(Math.max(p[a], p[3 + a], p[6 + a]) + margin));
       }
-    };
-    walk((cell) => { ++first[cell + 1]; });
+      const ux = p[3] - p[0], uy = p[4] - p[1], uz = p[5] - p[2], vx = p[6] - p[0], vy = p[7] - p[1], vz = p[8] - p[2];
+      const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+      const reach = (0.5 + margin) * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+      for (let k = low[2]; k <= high[2]; ++k) for (let j = low[1]; j <= high[1]; ++j) {
+        const height = y * (j + 0.5 - p[1]) + z * (k + 0.5 - p[2]) + x * (0.5 - p[0]), row = (k * ny + j) * nx;
+        if (all + nx > met.length) {
+          const larger = new Uint32Array(2 * met.length);
+          larger.set(met);
+          met = larger;
+        }
+        for (let i = low[0]; i <= high[0]; ++i) if (Math.abs(height + i * x) <= reach) { met[all++] = row + i; ++first[row + i + 1]; }
+      }
+      ends[t] = all;
+    }
     for (let i = 1; i < first.length; ++i) first[i] += first[i - 1];
-    const next = first.slice(0, -1), list = new Uint32Array(first[first.length - 1]);
-    walk((cell, t) => { list[next[cell]++] = t; });
+    const next = first.slice(0, -1), list = new Uint32Array(all);
+    for (let t = 0, i = 0; t < triangles; ++t) for (; i < ends[t]; ++i) list[next[met[i]]++] = t;
     return {first, list};
   }
+
+  const two = (winding) => (winding < -1 ? 0 : winding > 2 ? 3 : winding + 1);
 
   /** The arrays of the four textures, as whole rows, and the range of all colours. */
   function textures(fruit, {first, list}) {
     const [nx, ny, nz] = fruit.count, nodes = nx * ny * nz, plane = nx * ny, {winding, nodeColor, nodePart} = fruit;
     const rows = (length, width) => Math.max(1, Math.ceil(length / width)) * width;
-    const grid = new Uint8Array(4 * nodes), cell = new Uint32Array(2 * nodes);
-    for (let i = 0; i < nodes; ++i) {
-      for (let k = 0; k < 3; ++k) grid[4 * i + k] = nodeColor[k][i];
-      grid[4 * i + 3] = nodePart[i];
+    const grid = new Uint8Array(4 * nodes), cell = new Uint32Array(2 * nodes), [red, green, blue] = nodeColor;
+    for (let i = 0, at = 0; i < nodes; ++i) {
+      grid[at++] = red[i];
+      grid[at++] = green[i];
+      grid[at++] = blue[i];
+      grid[at++] = nodePart[i];
     }
-    // Windings from -1 to 2 fit into two bits; where bodies overlap more than that, inside stays inside.
-    const two = (i) => Math.max(-1, Math.min(2, winding[i])) + 1;
+    // Windings from -1 to 2 fit into two bits; where bodies overlap more than that, inside stays inside. Of two nodes beside each other, then of the
+    // four of a cell's side.
+    const row = new Uint8Array(nodes), side = new Uint8Array(nodes);
+    for (let i = 0, low = two(winding[0]); i + 1 < nodes; ++i) {
+      const high = two(winding[i + 1]);
+      row[i] = low | high << 2;
+      low = high;
+    }
+    for (let i = 0; i + nx < nodes; ++i) side[i] = row[i] | row[i + nx] << 4;
     for (let i = 0; i + plane + nx + 1 < nodes; ++i) {
-      const j = i + plane;
       cell[2 * i] = first[i];
-      cell[2 * i + 1] = Math.min(first[i + 1] - first[i], 4095) | two(i) << 12 | two(i + 1) << 14 | two(i + nx) << 16 |
-        two(i + nx + 1) << 18 | two(j) << 20 | two(j + 1) << 22 | two(j + nx) << 24 | two(j + nx + 1) << 26;
+      cell[2 * i + 1] = Math.min(first[i + 1] - first[i], 4095) | side[i] << 12 | side[i + plane] << 20;
     }
     const triangles = fruit.hidden.length, triangle = new Uint32Array(16 * rows(triangles, 1024));
     const {position: p, triangle: corner, part} = fruit;

@@ -8,12 +8,12 @@
   const nameOf = ({body, part}) => part.replaceAll('_', ' ') + (assets.length > 1 ? `, seed ${body.fruit.header.seed}` : '');
   new Hands(board, blade, stroke, {nameOf});
   new Tools(board, blade, stroke, paper);
+  board.beginOpening();
   let skinDrawn = null;
-  function takeSkin({header, skin}) {
-    bodies.push(new Body(picture, new FruitTextures(picture.card, header), new Shape(picture.card, skin)));
+  function takeSkin({header, skin, index}) {
+    bodies.push(new Body(picture, new FruitTextures(picture.card, header), new Shape(picture.card, skin, index)));
     board.setting = new Row(bodies);
     if (bodies.length === 1) Object.assign(board.camera, {yaw: assets.length > 1 ? 0.1 : 0.35, pitch: 0.3});
-    $('tools').hidden = false;
     board.takeKnives([]);
     if (bodies.length > 1) return;
     skinDrawn = drawNow('skin');
@@ -28,11 +28,11 @@
     const {fruit, frame} = bodies[0], {origin, spacing} = fruit.header;
     const knives = options.cuts.map(({normal, offset, knife, step}) =>
       Object.assign(Knife.ofPlane(frame, normal, (offset - V.dot(normal, origin)) / spacing), {laid: {knife, step}}));
-    board.setKnives(knives, {open: knives.length === 1 && bodies.length === 1 ? 1 : 0});
-    if (board.calm) { board.apart = board.wantedApart; board.open = board.wantedOpen; }
-    board.lookAtFace();
+    board.setKnives(knives, {open: knives.length === 1 && bodies.length === 1 ? 1 : 0, from: 'face'});
     await drawNow('cut');
+    board.endOpening();
     picture.startRest();
+    paper.lay();
     // What is drawn while something moves may be rough.
     while (board.rough) await new Promise((done) => requestAnimationFrame(done));
     await board.pace.drawn();

@@ -5,24 +5,29 @@ class Paper {
     Object.assign(this, {board, style});
     this.set(matchMedia('(prefers-color-scheme: dark)').matches);
   }
-  toggle() { this.set(!this.board.dark); }
+  toggle() { this.set(!this.board.dark); this.lay(); }
   set(dark) {
-    this.board.dark = dark;
+    const {style, board} = this;
+    board.dark = dark;
     document.documentElement.classList.toggle('dark', dark);
     $('dark').setAttribute('aria-pressed', String(dark));
-    this.lay();
-    this.board.changed();
+    document.documentElement.style.setProperty('--paper', dark ? '#211e1b' : style.paper);
+    board.changed();
   }
+  /** The grain: it takes some hundredths of a second, which what lies on the paper has first. */
   lay() {
     const {style, board} = this, tile = document.createElement('canvas'), size = 192, grain = 255 * 2.2 * style.grain * (board.dark ? 0.5 : 1);
-    document.documentElement.style.setProperty('--paper', board.dark ? '#211e1b' : style.paper);
     tile.width = tile.height = size;
-    const context = tile.getContext('2d'), image = context.createImageData(size, size);
+    // In the processor's memory: a card that is busy would have to give it back.
+    const context = tile.getContext('2d', {willReadFrequently: true}), image = context.createImageData(size, size), {data} = image;
     let seed = 1;
     const noise = Float32Array.from({length: size * size}, () => { seed = Math.imul(seed, 1664525) + 1013904223 >>> 0; return seed / 2 ** 32 - 0.5; });
-    for (let i = 0; i < size * size; ++i) {
+    for (let i = 0, at = 0; i < size * size; ++i) {
       const x = i % size, near = noise[i] + noise[i - x + (x + 1) % size] + noise[(i + size) % (size * size)], v = grain * near * 0.5;
-      image.data.set([v > 0 ? 255 : 40, v > 0 ? 255 : 30, v > 0 ? 255 : 20, Math.min(255, Math.abs(v) * 1.6)], 4 * i);
+      data[at++] = v > 0 ? 255 : 40;
+      data[at++] = v > 0 ? 255 : 30;
+      data[at++] = v > 0 ? 255 : 20;
+      data[at++] = Math.min(255, Math.abs(v) * 1.6);
     }
     context.putImageData(image, 0, 0);
     document.body.style.backgroundImage = grain > 0 ? `url(${tile.toDataURL()})` : 'none';

@@ -9,20 +9,24 @@ const colorOf = (hex) => [1, 3, 5].map((at) => {
 const keepOf = ({keep}) => [0, 1, 2, 3].map((k) => keep[k] || 0);
 
 class Picture {
-  /** `program`: the one that is first drawn with. `mayBeRough`: scenes are drawn roughly until all is compiled, where software stands for a card. */
+  /**
+   * `program`: the one that is first drawn with. `mayBeRough`: scenes are drawn roughly until all is compiled, where software stands for a card, and
+   * while something moves, where a card is slow. Then they go without smooth edges, which take such software long to compile and to draw.
+   */
   constructor(canvas, {shaders, style}, {program = 'skin', mayBeRough = false} = {}) {
     this.canvas = canvas;
     this.style = style;
-    const card = this.card = new Card(canvas, shaders), gl = this.gl = card.gl;
+    const card = this.card = new Card(canvas, shaders, !mayBeRough), gl = this.gl = card.gl;
     if (!gl) return;
     this.passes = new FacePasses(card, style);
     this.speed = new FaceSpeed();
     this.programs = Object.fromEntries([['face', 'section.glsl', 'SHOW'], ['quickFace', 'section.glsl', 'SHOW', 'QUICK'], ['quickSkin', 'skin.glsl', 'SHOW', 'QUICK'], ['faceDepth', 'section.glsl', 'DEPTH'], ['facePick', 'section.glsl', 'PICK'], ['skin', 'skin.glsl', 'SHOW'], ['pieceSkin', 'skin.glsl', 'SHOW', 'PIECES'],
-      ['within', 'skin.glsl', 'WITHIN'], ['hull', 'skin.glsl', 'HULL'], ['skinDepth', 'skin.glsl', 'DEPTH'], ['skinPick', 'skin.glsl', 'PICK'], ['ground', 'ground.glsl', 'GROUND']]
-      .map(([name, file, ...modes]) => [name, card.program(file, modes)]));
+      ['within', 'skin.glsl', 'WITHIN'], ['hull', 'skin.glsl', 'HULL'], ['skinDepth', 'skin.glsl', 'DEPTH'], ['skinPick', 'skin.glsl', 'PICK'], ['ground', 'ground.glsl', 'GROUND'], ['quickGround', 'ground.glsl', 'GROUND', 'QUICK']]
+      .map(([name, file, ...modes]) => [name, card.program(file, style.saturation === 1 && style.lightness === 0 ? [...modes, 'AS_IS'] : modes)]));
     // Until all is compiled, software that stands for a card draws plainly.
     this.isQuick = mayBeRough && card.isSoftware;
-    this.start(['skinDepth', 'ground', this.isQuick && program === 'skin' ? 'quickSkin' : program, ...(style.lines ? ['hull'] : [])]);
+    this.samples = mayBeRough ? {width: 0, height: 0, buffer: null, layers: []} : null;
+    this.start(['skinDepth', this.isQuick ? 'quickGround' : 'ground', this.isQuick && program === 'skin' ? 'quickSkin' : program, ...(style.lines ? ['hull'] : [])]);
     this.suns = [1024, 512].map((size) => card.target(size, size, [], true));
     this.sky = card.target(256, 256, [], true);
     /** What lies in the maps of depths (drawMap). */
@@ -32,8 +36,14 @@ class Picture {
 
   start(names) { for (const name of names) this.card.start(this.programs[name] || this.passes.programs[name]); }
   /** Has compiled what the first cut takes, then what all else does. */
-  startCuts() { this.start(['look', 'faceDepth', 'within', ...(this.isQuick ? ['quickFace'] : ['face', 'ways', 'tone', 'lines'])]); }
-  startRest() { this.start(['skin', 'face', 'ways', 'tone', 'lines']); }
+  startCuts() { this.start(['look', 'faceDepth', ...(this.isQuick ? ['quickFace'] : ['within', 'face', 'ways', 'tone', 'lines'])]); }
+  startRest() { this.start(['ground', 'within', 'skin', 'face', 'ways', 'tone', 'lines']); }
+  /** Whether bodies can be drawn finely and nobody waits for the compiler. */
+  isReady(bodies) {
+    if (!this.isQuick) return true;
+    const skins = [...new Set(bodies.map(({isPiece}) => (isPiece ? 'pieceSkin' : 'skin')))], faces = bodies.some(({knives}) => knives.length > 0) ? ['within', 'face', 'ways', 'tone', 'lines'] : [];
+    return ['ground', ...skins, ...faces].map((name) => this.card.isReady(this.programs[name] || this.passes.programs[name])).every(Boolean);
+  }
 
   inkOf(fruit) { return colorOf(this.style.ink || fruit.header.ink); }
 
@@ -154,14 +164,15 @@ class Picture {
 
   /** `scene`: bodies, bounds of all, size of a fruit, camera {view, eye, yaw}, dark; rough: while something moves, where cards are slow. */
   draw(scene) {
-    const {gl, canvas} = this, {bodies, camera} = scene, light = this.lightOf(scene);
+    const {gl, canvas, card} = this, {bodies, camera} = scene, light = this.lightOf(scene);
     gl.disable(gl.BLEND);
     gl.disable(gl.CULL_FACE);
     gl.enable(gl.DEPTH_TEST);
     gl.clearColor(0, 0, 0, 0);
     this.drawMap(this.suns[light.rough ? 1 : 0], light.toSun, bodies);
     this.drawMap(this.sky, light.toSky, bodies);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    const isQuick = this.isQuick = this.isQuick && light.rough, smooth = this.samples && !light.rough;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, smooth ? this.samplesOf(canvas).buffer : null);
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     this.drawGround(scene, light);
@@ -174,21 +185,28 @@ class Picture {
     };
     gl.enable(gl.CULL_FACE);
     gl.cullFace(gl.BACK);
-    const isQuick = this.isQuick = this.isQuick && light.rough;
     this.drawSkins(isQuick ? 'quickSkin' : 'skin', camera.view, bodies.filter(({isPiece}) => !isPiece), set);
     this.drawSkins('pieceSkin', camera.view, bodies.filter(({isPiece}) => isPiece), set);
     gl.cullFace(gl.FRONT);
-    if (bodies.some(({knives}) => knives.length > 0)) this.drawSkins('within', camera.view, bodies, (u, {fruit}) => gl.uniform4f(u.ink, ...this.inkOf(fruit), 1));
+    if (!isQuick && bodies.some(({knives}) => knives.length > 0)) this.drawSkins('within', camera.view, bodies, (u, {fruit}) => gl.uniform4f(u.ink, ...this.inkOf(fruit), 1));
     gl.disable(gl.CULL_FACE);
     this.drawFaces(isQuick ? 'quickFace' : 'face', camera.view, bodies, (u, body) => {
       set(u, body);
       gl.uniform1f(u.outline, this.style.lines ? 1 : 0);
       gl.uniform1f(u.rim_width, 0.42 * this.lineOf(body));
     });
+    if (smooth) card.putOn(this.samples);
+  }
+  /** As large as the canvas. */
+  samplesOf({width, height}) {
+    const {card, samples} = this;
+    if (samples.width === width && samples.height === height) return samples;
+    card.dropSamples(samples);
+    return this.samples = card.samples(width, height);
   }
   /** The table, thin as a wash. */
   drawGround({camera, dark}, light) {
-    const {gl, card, style} = this, u = card.use(this.programs.ground), shadow = colorOf(style.shadow.color).map((c) => c * (dark ? 0.35 : 1));
+    const {gl, card, style} = this, u = card.use(this.programs[this.isQuick ? 'quickGround' : 'ground']), shadow = colorOf(style.shadow.color).map((c) => c * (dark ? 0.35 : 1));
     this.setLight(u, light, camera);
     gl.uniformMatrix4fv(u.camera, false, camera.view);
     gl.uniform4f(u.ground, light.middle[0], light.table, light.middle[2], 3 * light.radius);

@@ -18,7 +18,7 @@ class Pile {
     const middle = moving.length ? V.mul(moving.reduce(V.add, [0, 0, 0]), 1 / moving.length) : [0, 0, 0];
     this.lying = lying.map((place, i) => ({place, away: bodies[i].moves ? V.sub(middles[i], middle) : null}));
     this.arrange(0);
-    const {low, high} = boxOf(bodies.flatMap((body) => body.outline).flat(), 3);
+    const {low, high} = boxOfPoints(bodies.flatMap((body) => body.outline));
     this.size = 0.5 * Math.max(...V.sub(high, low));
   }
 

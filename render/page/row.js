@@ -20,7 +20,7 @@ class Row {
     const gap = 0.12 * this.size, widest = 4.4 * this.size;
     let right = 0, front = 0, deepest = 0;
     this.bodies.forEach((body, i) => {
-      const {low, high} = boxOf(body.outline.flat(), 3), scale = this.scales[i], [wide, deep] = [scale * (high[0] - low[0]), scale * (high[2] - low[2])];
+      const {low, high} = boxOfPoints(body.outline), scale = this.scales[i], [wide, deep] = [scale * (high[0] - low[0]), scale * (high[2] - low[2])];
       if (right > 0 && right + wide > widest) [right, front, deepest] = [0, front + deepest + gap, 0];
       body.moveTo(M.scaled(scale, [right - scale * low[0], -scale * low[1], front - scale * low[2]]));
       right += wide + gap;

@@ -118,11 +118,11 @@
     pile = new Pile(bodies, spacings.length ? spacings[spacings.length >> 1] : fruits[0].header.spacing);
     const {eye, target} = header.view, back = V.unit(V.sub(eye, target));
     Object.assign(board.camera, {yaw: Math.atan2(back[0], back[2]), pitch: Math.asin(back[1])});
-    $('tools').hidden = false;
     lay(pile, []);
     sayAll();
     await drawNow('skin');
     loads.cut = loads.skin;
+    paper.lay();
   }
   first.then(takeScene);
 

@@ -68,6 +68,26 @@ const Skin = (() => {
     return data;
   }
 
-  return {built, of, places};
+  /** Corners that are alike in all ten numbers are one: {skin, index}, which corners are triangles. */
+  function joined(data) {
+    const bits = new Uint32Array(data.buffer, data.byteOffset, data.length), corners = data.length / 10, size = 1 << Math.ceil(Math.log2(2 * corners + 4));
+    const slot = new Int32Array(size).fill(-1), index = new Uint32Array(corners), skin = new Float32Array(data.length);
+    let count = 0;
+    for (let i = 0; i < corners; ++i) {
+      let hash = 0;
+      for (let k = 10 * i; k < 10 * i + 10; ++k) hash = Math.imul(hash ^ bits[k], 0x9e3779b1) ^ hash >>> 15;
+      const alike = (w) => { for (let k = 0; k < 10; ++k) if (skin[10 * w + k] !== data[10 * i + k]) return false; return true; };
+      let at = (hash ^ hash >>> 16) & size - 1;
+      while (slot[at] >= 0 && !alike(slot[at])) at = at + 1 & size - 1;
+      if (slot[at] < 0) {
+        slot[at] = count;
+        skin.set(data.subarray(10 * i, 10 * i + 10), 10 * count++);
+      }
+      index[i] = slot[at];
+    }
+    return {skin: skin.slice(0, 10 * count), index};
+  }
+
+  return {built, of, places, joined};
 })();
 if (typeof module !== 'undefined') module.exports = Skin;

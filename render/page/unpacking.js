@@ -21,7 +21,7 @@ class Unpacking {
     this.worker.onerror = (event) => sorry(`The fruit cannot be unpacked: ${event.message}`);
   }
   stop() { this.worker.terminate(); }
-  /** `element`: what holds it. `onSkin({header, skin})` comes early; the promise brings the rest, for FruitTextures. */
+  /** `element`: what holds it. `onSkin({header, skin, index})` comes early; the promise brings the rest, for FruitTextures. */
   asset(element, onSkin = () => {}) { return this.unpack(element, false, onSkin); }
   /** The promise brings {header, solids}. */
   scene(element) { return this.unpack(element, true, () => {}); }

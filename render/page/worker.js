@@ -23,8 +23,8 @@ async function unpackFruit(job, packed) {
     const head = fruit ? null : Asset.header(soFar, length);
     if (!head || length < Asset.surfacesEnd(head)) return;
     fruit = Asset.surfaces(soFar, head);
-    const skin = Skin.built(fruit);
-    postMessage({job, header: head.fields, skin}, [skin.buffer]);
+    const {skin, index} = Skin.joined(Skin.built(fruit));
+    postMessage({job, header: head.fields, skin, index}, [skin.buffer, index.buffer]);
   });
   Asset.addWindings(fruit);
   Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(Asset.header(bytes, bytes.length))));

@@ -129,6 +129,20 @@ try {
     return {drawn, busy};
   })()`);
   assert.ok(given.drawn > 0 && given.busy === 0, `${given.busy} of ${given.drawn} frames were given to a card that was busy`);
+  // Frames that are longer apart than a rest is long are no rest, as long as the hand goes on.
+  const fineOnes = await ask(`(async () => {
+    const {board, picture} = pomona, own = picture.draw;
+    let fine = 0;
+    picture.draw = function (scene) { if (!scene.rough) ++fine; own.call(this, scene); };
+    for (let i = 0; i < 6; ++i) {
+      board.orbit(0.02, 0);
+      for (const begin = performance.now(); performance.now() - begin < 150;);
+      await new Promise((done) => requestAnimationFrame(done));
+    }
+    picture.draw = own;
+    return fine;
+  })()`);
+  assert.equal(fineOnes, 0, 'a turning fruit is drawn finely');
   told('rough while it moves');
 
   // Each piece is drawn with the triangles that it may have: of each triangle the piece on whose side its middle lies has it, and no piece has all.

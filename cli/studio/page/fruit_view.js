@@ -110,7 +110,7 @@ class FruitView {
     const scale = this.canvas.height / (2 * Math.tan(camera.field / 2) * camera.far / camera.zoom);
     const wanted = Math.max(256, Math.min(2048, Math.ceil(2.1 * reach * scale / 128) * 128));
     const {more, changed} = body.faces.update(wanted, performance.now() - this.lastMoved > 250);
-    const bounds = boxOf(body.outline.flat(), 3);
+    const bounds = boxOfPoints(body.outline);
     if (this.stale || changed) picture.draw({bodies: [body], bounds, size, dark: this.dark, camera: {view, eye: camera.eye, yaw: camera.yaw}});
     this.stale = false;
     this.settled = !more;
