@@ -76,11 +76,15 @@ const Asset = (() => {
 
   // ---- Inside and outside (windings.h). ----
 
-  /** Adds `winding` (Int8Array) and `nodePart` (Uint8Array: 1 + part, 0 in air) by walking rows of nodes along x. */
+  /**
+   * Adds `winding` (Int8Array) and `nodePart` (Uint8Array: 1 + part, 0 in air) by walking rows of nodes along x. Where a row leaves a body and is still in
+   * another, as where a stem is sunk in the flesh, it is in that one's part again: the outer side of a body tells how it looks, not what lies around it.
+   */
   function addWindings(fruit) {
     const {position, triangle, hidden, units} = fruit, [nx, ny, nz] = fruit.count, step = 2 * units;
     const winding = new Int8Array(nx * ny * nz), nodePart = new Uint8Array(nx * ny * nz);
     const last = new Float32Array(nx * ny * nz).fill(-1); // where the last crossing before a node lies
+    const leaves = new Uint8Array(nx * ny * nz);          // 1 + the part of the body that is left there
     const isLeft = (ay, az, by, bz, y, z) => {
       if (bz < az || (bz === az && by < ay)) return !isLeft(by, bz, ay, az, y, z);
       const twice = (by - ay) * (z - az) - (bz - az) * (y - ay);
@@ -105,14 +109,27 @@ const Asset = (() => {
           const node = (iz * ny + iy) * nx + first;
           // The front looks along +x where the row passes on the left of all edges.
           if (hidden[t] !== 0) winding[node] += left === (hidden[t] === 1) ? -1 : 1;
-          if (x >= last[node]) { last[node] = x; nodePart[node] = fruit.part[left ? 0 : 1][t] + 1; }
+          if (x < last[node]) continue;
+          const outwards = hidden[t] === (left ? 1 : 2), inner = fruit.part[left === outwards ? 1 : 0][t] + 1;
+          last[node] = x;
+          nodePart[node] = outwards ? 0 : inner;
+          leaves[node] = outwards ? inner : 0;
         }
       }
     }
     for (let row = 0; row < winding.length; row += nx) {
-      for (let x = 1; x < nx; ++x) {
-        winding[row + x] += winding[row + x - 1];
-        if (nodePart[row + x] === 0) nodePart[row + x] = nodePart[row + x - 1];
+      const around = [];  // the parts that lay before each body the row is in
+      let bodies = 0, part = 0;
+      for (let i = row; i < row + nx; ++i) {
+        for (let k = 0; k < winding[i]; ++k) around.push(part);
+        for (let k = 0; k < -winding[i] && around.length > 0; ++k) {
+          const outer = around.pop();
+          if (part === leaves[i]) part = outer;
+        }
+        bodies += winding[i];
+        winding[i] = bodies;
+        if (nodePart[i] !== 0) part = nodePart[i];
+        nodePart[i] = part;
       }
     }
     for (let i = 0; i < winding.length; ++i) {
