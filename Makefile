@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures build test test-programs golden-renew golden-mutants mutants verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
+.PHONY: help salad gallery figures .npm build test test-programs golden-renew golden-mutants mutants verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -14,9 +14,8 @@ gallery: build ## the pictures of README.md and templates/README.md; FRUIT="okra
 	@scripts/gallery.sh build/pomona docs/pictures $(FRUIT)
 	@scripts/gallery.py write
 
-figures: build ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures, batch, scenes) those of that page
-	@scripts/setup.sh gallery $(if $(filter textures,$(PAGE)),programs)
-	$(if $(filter textures,$(PAGE)),npm ci --no-audit --no-fund --loglevel=error)
+figures: build $(if $(filter textures,$(PAGE)),.npm) ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures, batch, scenes) those of that page
+	@scripts/setup.sh gallery
 	@scripts/figures.py make build/pomona $(or $(PAGE),figures) $(FIGURE)
 
 build: ## the program, at build/pomona
@@ -30,9 +29,13 @@ test: ## all tests that need nothing but Debian's libraries
 	cmake --build build -j $(JOBS)
 	ctest --test-dir build --output-on-failure -j $(JOBS)
 
-test-programs: ## tests that start real programs: the glTF validator, POV-Ray, Inkscape
-	@scripts/setup.sh build test programs
+# Other programs, and what runs in node or in a browser.
+.npm:
+	@scripts/setup.sh programs
 	npm ci --no-audit --no-fund --loglevel=error
+
+test-programs: .npm ## tests that start real programs: the glTF validator, POV-Ray, Inkscape
+	@scripts/setup.sh build test
 	cmake --preset test-programs
 	cmake --build build -j $(JOBS)
 	ctest --test-dir build --output-on-failure -L programs
