@@ -38,7 +38,7 @@ class LineWalker {
   }
   /// Whether a line lies on what one sees there, or before it. Pixels hold the depth at their middles, and a face one
   /// looks along comes much nearer within a pixel or two: its own face may lie before a line by that; what is another's
-  /// may not.
+  /// by three pixels at most.
   bool lies_on(const glm::dvec2& at, const RunPoint& point, std::uint32_t instance, double slope) const {
     const bool own = buffer_.instance[buffer_.pixel_at(at)] == instance + 1;
     const double slack = 1.5 + (own ? 2 * slope : std::min(2 * slope, 1.5));  // pixels
