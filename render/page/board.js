@@ -19,7 +19,6 @@ class Board {
     Object.assign(this, {canvas, picture, camera: new Camera(), setting: null, knives: [], apart: 0, open: 0, wantedApart: 0, wantedOpen: 0,
       dark: false, draws: false, settled: false, failed: false, asked: false, stale: true, rough: false, hasMoved: false, lastMoved: 0, bounds: null, pace: new Pace(picture.card)});
     this.calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
-    this.opens = false;
     /** Told when knives have changed, when a frame has been drawn. */
     this.onKnives = this.onFrame = () => {};
   }
@@ -32,9 +31,8 @@ class Board {
    * While a page opens, nothing fine is drawn where software stands for a card: it would come before what the page opens with. What frames take is not
    * measured, as compilers have their share in it.
    */
-  beginOpening() { this.opens = true; this.pace.measures = false; }
+  beginOpening() { this.pace.measures = false; }
   endOpening() {
-    this.opens = false;
     this.pace.measures = true;
     this.ask();
   }
@@ -93,7 +91,7 @@ class Board {
    */
   isRough(moves, now) {
     const {picture, pace} = this, rests = !moves && !this.hasMoved && now - this.lastMoved > restMs;
-    return pace.divisor > 1 && !(rests && !this.opens && picture.isReady(this.bodies));
+    return pace.divisor > 1 && !(rests && pace.measures && picture.isReady(this.bodies));
   }
   /** `rough`: how it is drawn, where that does not go by what moves. */
   frame(rough = null) {

@@ -2,25 +2,19 @@
 // lies. Lengths are in cells of its fruit's grid.
 'use strict';
 
-/** Low and high corner of numbers that follow one another by tens: a skin's. */
-function boxOf(data, stride = 10) {
+/** Low and high corner of so many points; `at(i, k)`: the coordinate k of one of them. */
+function boxAround(count, at) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < data.length; i += stride) for (let k = 0; k < 3; ++k) {
-    low[k] = Math.min(low[k], data[i + k]);
-    high[k] = Math.max(high[k], data[i + k]);
+  for (let i = 0; i < count; ++i) for (let k = 0; k < 3; ++k) {
+    const x = at(i, k);
+    if (x < low[k]) low[k] = x;
+    if (x > high[k]) high[k] = x;
   }
   return {low, high};
 }
-
-/** Of points. */
-function boxOfPoints(points) {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (const p of points) for (let k = 0; k < 3; ++k) {
-    if (p[k] < low[k]) low[k] = p[k];
-    if (p[k] > high[k]) high[k] = p[k];
-  }
-  return {low, high};
-}
+/** Of a skin's corners, which follow one another by tens. */
+const boxOf = (skin) => boxAround(skin.length / 10, (i, k) => skin[10 * i + k]);
+const boxOfPoints = (points) => boxAround(points.length, (i, k) => points[i][k]);
 
 const faceMargin = 0.02;  // beside a skin its faces are drawn, too: there lie lines, and colours for when they are seen smaller
 

@@ -7,6 +7,7 @@ const restMs = 80;      // after which what has moved is drawn finely
 const paceMemory = 3;   // frames: the first ones take the compiler's time, too
 
 class Pace {
+  /** `measures`: not while a page opens (Board.beginOpening). */
   constructor({gl, isSoftware}) { Object.assign(this, {gl, fence: null, begun: 0, divisor: isSoftware ? firstDivisor : 1, given: 1, fine: [], measures: true}); }
 
   /** A frame, begun at this time, has gone to the card, with so many times fewer pixels along each side. */

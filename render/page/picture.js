@@ -8,6 +8,9 @@ const colorOf = (hex) => [1, 3, 5].map((at) => {
 /** On which sides of four knives a piece lies; 0 of those that are not there. */
 const keepOf = ({keep}) => [0, 1, 2, 3].map((k) => keep[k] || 0);
 
+/** What a fine cut face is drawn with, from its texture's paint to the hair's breadth between it and the skin. */
+const fineFaces = ['within', 'face', 'ways', 'tone', 'lines'];
+
 class Picture {
   /**
    * `program`: the one that is first drawn with. `mayBeRough`: scenes are drawn roughly until all is compiled, where software stands for a card, and
@@ -34,15 +37,16 @@ class Picture {
     this.picked = card.target(1, 1, [[gl.RGBA8, gl.NEAREST]], true);
   }
 
-  start(names) { for (const name of names) this.card.start(this.programs[name] || this.passes.programs[name]); }
+  programOf(name) { return this.programs[name] || this.passes.programs[name]; }
+  start(names) { for (const name of names) this.card.start(this.programOf(name)); }
   /** Has compiled what the first cut takes, then what all else does. */
-  startCuts() { this.start(['look', 'faceDepth', ...(this.isQuick ? ['quickFace'] : ['within', 'face', 'ways', 'tone', 'lines'])]); }
-  startRest() { this.start(['ground', 'within', 'skin', 'face', 'ways', 'tone', 'lines']); }
+  startCuts() { this.start(['look', 'faceDepth', ...(this.isQuick ? ['quickFace'] : fineFaces)]); }
+  startRest() { this.start(['ground', 'skin', ...fineFaces]); }
   /** Whether bodies can be drawn finely and nobody waits for the compiler. */
   isReady(bodies) {
     if (!this.isQuick) return true;
-    const skins = [...new Set(bodies.map(({isPiece}) => (isPiece ? 'pieceSkin' : 'skin')))], faces = bodies.some(({knives}) => knives.length > 0) ? ['within', 'face', 'ways', 'tone', 'lines'] : [];
-    return ['ground', ...skins, ...faces].map((name) => this.card.isReady(this.programs[name] || this.passes.programs[name])).every(Boolean);
+    const skins = new Set(bodies.map(({isPiece}) => (isPiece ? 'pieceSkin' : 'skin'))), faces = bodies.some(({knives}) => knives.length > 0) ? fineFaces : [];
+    return ['ground', ...skins, ...faces].map((name) => this.card.isReady(this.programOf(name))).every(Boolean);
   }
 
   inkOf(fruit) { return colorOf(this.style.ink || fruit.header.ink); }

@@ -72,14 +72,15 @@ function piecesOf(samples, knives, shells = [], homes = []) {
  * table by itself.
  */
 function placed(pieces, knives, fruit, apart, open) {
-  const upright = [0, 1, 0], least = (points, at) => points.reduce((sum, p) => Math.min(sum, at(p)), Infinity);
+  const upright = [0, 1, 0], least = (points, at) => points.reduce((x, p) => Math.min(x, at(p)), Infinity);
+  const most = (points, at) => points.reduce((x, p) => Math.max(x, at(p)), -Infinity);
   const low = Math.min(...pieces.map(({points}) => least(points, (p) => p[1])));
   const book = knives.length === 1 && pieces.length === 2 ? open : 0;
   return pieces.map((piece) => {
     const away = V.mul(V.sub(piece.middle, fruit.middle), 1.5 * apart * (1 - book));
     if (book === 0) return {...piece, motion: M.rigid(upright, 0, fruit.middle, away)};
     const {origin, u, v, n} = knives[0].frame;
-    const edge = Math.max(...pieces.map(({points}) => -least(points, (p) => -V.dot(V.sub(p, origin), u))));
+    const edge = Math.max(...pieces.map(({points}) => most(points, (p) => V.dot(V.sub(p, origin), u))));
     const hinge = V.add(origin, V.mul(u, edge + 0.06 * fruit.reach)), front = piece.keep[0] > 0;
     // Both covers lean in a little.
     const angle = front ? book * (Math.PI - 0.32) : 0, back = V.mul(u, -book * (edge + 0.06 * fruit.reach));

@@ -1,22 +1,27 @@
 // The skin as triangles to be drawn: the boundary, seen from air, with smooth normals.
 'use strict';
 const Skin = (() => {
-  /** Vertices at one place are one: numbers them, up to `most` of them, by a hash of the place, open addressing. */
-  function places({position}, most) {
-    const size = 1 << Math.ceil(Math.log2(4 * most / 3 + 4)), slot = new Int32Array(size).fill(-1), place = new Int32Array(position.length / 3).fill(-1);
-    let count = 0;
-    return (v) => {
-      if (place[v] >= 0) return place[v];
-      const x = position[3 * v], y = position[3 * v + 1], z = position[3 * v + 2];
-      let at = (Math.imul(x, 0x8da6b343) ^ Math.imul(y, 0xd8163841) ^ Math.imul(z, 0xcb1ab31f)) >>> 0 & size - 1;
-      for (; slot[at] >= 0; at = at + 1 & size - 1) {
-        const w = slot[at];
-        if (position[3 * w] === x && position[3 * w + 1] === y && position[3 * w + 2] === z) return place[v] = place[w];
-      }
-      slot[at] = v;
-      return place[v] = count++;
+  /**
+   * Which of `count` things are one: a function that tells a thing's number, the same for all that are alike, in the order in which they are met; it
+   * hands out up to `most`. A hash table, open addressing: `hashOf(i)`, `alike(i, k)`.
+   */
+  function numbering(count, most, hashOf, alike) {
+    const size = 1 << Math.ceil(Math.log2(4 * most / 3 + 4)), slot = new Int32Array(size).fill(-1), number = new Int32Array(count).fill(-1);
+    let all = 0;
+    return (i) => {
+      if (number[i] >= 0) return number[i];
+      const hash = hashOf(i);
+      let at = (hash ^ hash >>> 16) & size - 1;
+      for (; slot[at] >= 0; at = at + 1 & size - 1) if (alike(slot[at], i)) return number[i] = number[slot[at]];
+      slot[at] = i;
+      return number[i] = all++;
     };
   }
+
+  /** Vertices at one place are one: numbers them, up to `most` of them. */
+  const places = ({position: p}, most) => numbering(p.length / 3, most,
+    (v) => Math.imul(p[3 * v], 0x8da6b343) ^ Math.imul(p[3 * v + 1], 0xd8163841) ^ Math.imul(p[3 * v + 2], 0xcb1ab31f),
+    (v, w) => p[3 * v] === p[3 * w] && p[3 * v + 1] === p[3 * w + 1] && p[3 * v + 2] === p[3 * w + 2]);
 
   function built(fruit) {
     const {hidden} = fruit, faces = [];
@@ -70,20 +75,21 @@ const Skin = (() => {
 
   /** Corners that are alike in all ten numbers are one: {skin, index}, which corners are triangles. */
   function joined(data) {
-    const bits = new Uint32Array(data.buffer, data.byteOffset, data.length), corners = data.length / 10, size = 1 << Math.ceil(Math.log2(2 * corners + 4));
-    const slot = new Int32Array(size).fill(-1), index = new Uint32Array(corners), skin = new Float32Array(data.length);
-    let count = 0;
-    for (let i = 0; i < corners; ++i) {
+    const bits = new Uint32Array(data.buffer, data.byteOffset, data.length), index = new Uint32Array(data.length / 10), skin = new Float32Array(data.length);
+    const hashOf = (i) => {
       let hash = 0;
       for (let k = 10 * i; k < 10 * i + 10; ++k) hash = Math.imul(hash ^ bits[k], 0x9e3779b1) ^ hash >>> 15;
-      const alike = (w) => { for (let k = 0; k < 10; ++k) if (skin[10 * w + k] !== data[10 * i + k]) return false; return true; };
-      let at = (hash ^ hash >>> 16) & size - 1;
-      while (slot[at] >= 0 && !alike(slot[at])) at = at + 1 & size - 1;
-      if (slot[at] < 0) {
-        slot[at] = count;
-        skin.set(data.subarray(10 * i, 10 * i + 10), 10 * count++);
-      }
-      index[i] = slot[at];
+      return hash;
+    };
+    const alike = (i, j) => {
+      for (let k = 0; k < 10; ++k) if (data[10 * i + k] !== data[10 * j + k]) return false;
+      return true;
+    };
+    const numberOf = numbering(index.length, index.length, hashOf, alike);
+    let count = 0;
+    for (let i = 0; i < index.length; ++i) {
+      index[i] = numberOf(i);
+      if (index[i] === count) skin.set(data.subarray(10 * i, 10 * i + 10), 10 * count++);
     }
     return {skin: skin.slice(0, 10 * count), index};
   }
