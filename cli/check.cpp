@@ -16,6 +16,7 @@
 #include "cli/picture_file.h"
 #include "cli/program_folders.h"
 #include "generator/base/file_bytes.h"
+#include "generator/base/json_text.h"
 #include "generator/base/printable.h"
 #include "generator/scene/layout_file.h"
 #include "generator/scene/make_parts.h"
@@ -174,8 +175,7 @@ ExitStatus check(const CheckCommand& command) {
       }
     }
   }
-  if (command.json)
-    std::printf("%s\n", found.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+  if (command.json) std::printf("%s\n", json_text(found, 2).c_str());
   return status;
 }
 

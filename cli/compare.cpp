@@ -14,6 +14,7 @@
 #include "cli/outputs.h"
 #include "cli/picture_file.h"
 #include "cli/program_folders.h"
+#include "generator/base/json_text.h"
 #include "generator/base/printable.h"
 #include "render/compare/comparison.h"
 #include "render/compare/comparison_page.h"
@@ -69,7 +70,7 @@ void say(const CompareCommand& command, const Comparison& found) {
     const nlohmann::ordered_json result = {
         {"same", found.same},     {"largest", found.largest}, {"pixels", pixels},        {"different", found.different},
         {"beyond", found.beyond}, {"flip", found.flip},       {"reasons", found.reasons}};
-    std::printf("%s\n", result.dump(2).c_str());
+    std::printf("%s\n", json_text(result, 2).c_str());
     return;
   }
   if (command.quiet) return;

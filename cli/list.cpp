@@ -11,6 +11,7 @@
 #include "cli/find_style.h"
 #include "cli/find_template.h"
 #include "cli/program_folders.h"
+#include "generator/base/json_text.h"
 #include "generator/batch/batch_file.h"
 #include "generator/scene/scene_file.h"
 #include "generator/template/read/read_template.h"
@@ -37,7 +38,7 @@ ExitStatus list_styles(bool json) {
     all.push_back({{"name", style.name}, {"title", style.title}});
     if (!json) std::printf("%s\t%s\n", style.name.c_str(), style.title.c_str());
   }
-  if (json) std::printf("%s\n", all.dump(2).c_str());
+  if (json) std::printf("%s\n", json_text(all, 2).c_str());
   return ExitStatus::done;
 }
 
@@ -50,7 +51,7 @@ ExitStatus list_scenes(bool json) {
     all.push_back({{"name", name}, {"title", scene.title}});
     if (!json) std::printf("%s\t%s\n", name.c_str(), scene.title.c_str());
   }
-  if (json) std::printf("%s\n", all.dump(2).c_str());
+  if (json) std::printf("%s\n", json_text(all, 2).c_str());
   return ExitStatus::done;
 }
 
@@ -63,7 +64,7 @@ ExitStatus list_batches(bool json) {
     all.push_back({{"name", name}, {"title", batch.title}});
     if (!json) std::printf("%s\t%s\n", name.c_str(), batch.title.c_str());
   }
-  if (json) std::printf("%s\n", all.dump(2).c_str());
+  if (json) std::printf("%s\n", json_text(all, 2).c_str());
   return ExitStatus::done;
 }
 
@@ -83,7 +84,7 @@ ExitStatus list_templates(bool json) {
       wrong.insert(wrong.end(), error.diagnostics().begin(), error.diagnostics().end());
     }
   }
-  if (json) std::printf("%s\n", all.dump(2).c_str());
+  if (json) std::printf("%s\n", json_text(all, 2).c_str());
   if (!wrong.empty()) throw Error(ExitStatus::some_items_failed, wrong);
   return ExitStatus::done;
 }

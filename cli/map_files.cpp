@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/json_text.h"
 #include "render/image/png.h"
 
 namespace pomona {
@@ -27,7 +28,7 @@ std::vector<OutputFile> map_files(std::span<const BakedSolid> baked, const std::
     add("part", solid.maps.part, PngValues::shares);
     parts[name] = solid.solid.part_names;
   }
-  files.push_back({folder / "parts.json", parts.dump(2) + "\n"});
+  files.push_back({folder / "parts.json", json_text(parts, 2) + "\n"});
   return files;
 }
 

@@ -10,6 +10,7 @@
 #include "cli/batch/assemble.h"
 #include "cli/command.h"
 #include "cli/progress.h"
+#include "generator/base/json_text.h"
 
 namespace pomona {
 
@@ -27,7 +28,7 @@ void print_json(const AssembleReport& report) {
                                  {"failed", nlohmann::ordered_json::array()}};
   for (const FailedItem& failed : report.failed)
     json["failed"].push_back({{"item", failed.item}, {"reason", failed.reason}});
-  std::printf("%s\n", json.dump(2).c_str());
+  std::printf("%s\n", json_text(json, 2).c_str());
 }
 
 ExitStatus merge(const MergeCommand& command) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/json_text.h"
 #include "generator/piece/facts_json.h"
 
 namespace pomona {
@@ -21,7 +22,7 @@ std::string piece_list(const Scene& scene) {
     piece.update(facts_json(solid));
     pieces.push_back(std::move(piece));
   }
-  return Json{{"format", 1}, {"pieces", pieces}}.dump(1) + "\n";
+  return json_text(Json{{"format", 1}, {"pieces", pieces}}, 1) + "\n";
 }
 
 }  // namespace pomona

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/json_text.h"
+
 namespace pomona {
 
 void StageTimes::diffused_by(const std::string& diffuser, const std::string& device) {
@@ -21,7 +23,7 @@ std::string StageTimes::json(int threads) const {
     all["diffuser"] = diffuser_;
     all["device"] = device_;
   }
-  return all.dump(2) + "\n";
+  return json_text(all, 2) + "\n";
 }
 
 std::string StageTimes::summary() const {

@@ -19,6 +19,7 @@
 #include "cli/progress.h"
 #include "cli/verify/hash_table.h"
 #include "cli/verify/stage_hashes.h"
+#include "generator/base/json_text.h"
 #include "generator/base/nearest_name.h"
 #include "generator/template/read/read_template.h"
 #include "render/export/output.h"
@@ -132,7 +133,7 @@ void say_as_json(std::size_t compared, std::size_t published, const std::vector<
         {{"template", cut.fruit}, {"seed", cut.seed}, {"knife", cut.knife}, {"stage", verified_stages[stage]}});
   const nlohmann::ordered_json result = {
       {"same", different.empty()}, {"compared", compared}, {"published", published}, {"different", cuts}};
-  std::printf("%s\n", result.dump(2).c_str());
+  std::printf("%s\n", json_text(result, 2).c_str());
 }
 
 void say_in_words(std::size_t compared, std::size_t published, const std::vector<DifferentCut>& different) {

@@ -9,6 +9,7 @@
 #include "cli/batch/finished_item.h"
 #include "generator/base/error.h"
 #include "generator/base/first_bytes.h"
+#include "generator/base/json_text.h"
 #include "generator/batch/batch_record.h"
 
 namespace fs = std::filesystem;
@@ -48,7 +49,7 @@ FinishedItem item_at(const fs::path& folder, const std::string& item) {
 /// A line for each item, so that tools of lines can read it, too.
 void write_manifest(const Workplace::Writer& write, const fs::path& folder, const std::string& record,
                     const RecordedBatch& batch, const AssembleReport& report) {
-  write("{\"format\":1,\n\"batch\":" + nlohmann::ordered_json::parse(record).dump() +
+  write("{\"format\":1,\n\"batch\":" + json_text(nlohmann::ordered_json::parse(record)) +
         ",\n\"failed\":" + std::to_string(report.failed.size()) + ",\n\"items\":[");
   const char* separator = "\n";
   for_items(batch, [&](const std::string& item) {

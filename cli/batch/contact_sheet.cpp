@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/json_text.h"
 #include "generator/base/xml_text.h"
 
 namespace pomona {
@@ -26,7 +27,7 @@ ContactSheet::ContactSheet(const RecordedBatch& batch) {
   const std::string mark = "@ITEMS@";
   const std::size_t at = page.find(mark);
   const std::string about = safe_in_script(
-      nlohmann::ordered_json({{"name", batch.name}, {"program", batch.program}, {"seed", batch.seed}}).dump());
+      json_text(nlohmann::ordered_json({{"name", batch.name}, {"program", batch.program}, {"seed", batch.seed}})));
   before_ = with(with(page.substr(0, at), "@BATCH@", about), "@TITLE@", xml_escaped(batch.title));
   after_ = page.substr(at + mark.size());
 }
@@ -38,7 +39,7 @@ std::string ContactSheet::row(const RecordedItem& item) {
   const double millilitres = static_cast<double>(static_cast<std::int64_t>(item.volume * 1e9)) / 1e3;
   const nlohmann::ordered_json row = {item.item,   item.template_name, item.seed, item.knives,
                                       item.pieces, millilitres,        files,     item.error};
-  return safe_in_script(row.dump());
+  return safe_in_script(json_text(row));
 }
 
 }  // namespace pomona

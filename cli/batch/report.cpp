@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/batch/tally.h"
+#include "generator/base/json_text.h"
 
 namespace pomona {
 
@@ -27,7 +28,7 @@ std::string report_as_json(const RunReport& report) {
                                  {"seconds", report.tally.seconds}};
   for (const FailedItem& failed : report.failed)
     json["failed"].push_back({{"item", failed.item}, {"reason", failed.reason}});
-  return json.dump(2);
+  return json_text(json, 2);
 }
 
 }  // namespace pomona

@@ -6,6 +6,7 @@
 #include "cli/find_template.h"
 #include "cli/version.h"
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 #include "generator/batch/batch_record.h"
 
 namespace pomona {
@@ -16,7 +17,7 @@ namespace {
 std::string difference(const std::string& there, const std::string& wanted) {
   const auto old_one = nlohmann::json::parse(there, nullptr, false), new_one = nlohmann::json::parse(wanted);
   if (!old_one.is_object()) return "a batch.json that cannot be read";
-  const auto told = [&](const char* key) { return old_one.value(key, nlohmann::json()).dump(); };
+  const auto told = [&](const char* key) { return json_text(old_one.value(key, nlohmann::json())); };
   const auto differs = [&](const char* key) { return old_one.value(key, nlohmann::json()) != new_one.at(key); };
   if (differs("name")) return "another batch, " + told("name");
   if (differs("program")) return "a batch of another version, " + told("program");

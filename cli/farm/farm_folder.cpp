@@ -9,6 +9,7 @@
 #include "cli/batch/sizes.h"
 #include "generator/base/error.h"
 #include "generator/base/first_bytes.h"
+#include "generator/base/json_text.h"
 #include "generator/scene/json_node.h"
 #include "render/export/output.h"
 
@@ -62,7 +63,7 @@ void record_farm(const FarmJob& job) {
                 {{{(folder / "logs").string(), 0, 0, {}}, "cannot be created: " + failed.message(), {}}});
   const nlohmann::ordered_json record = {
       {"format", 1}, {"tasks", job.tasks}, {"batch", job.batch.string()}, {"folder", job.output.string()}};
-  write_whole(folder / "farm.json", record.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  write_whole(folder / "farm.json", json_text(record, 1) + "\n");
 }
 
 void record_jobs(const fs::path& folder, const QueuedJobs& jobs) {

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/json_text.h"
+
 namespace pomona {
 
 namespace {
@@ -101,7 +103,7 @@ std::string as_json(const FarmStatus& status) {
                               {"slurm", job.state},
                               {"reason", job.reason}});
   }
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  return json_text(json, 2);
 }
 
 }  // namespace pomona

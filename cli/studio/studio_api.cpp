@@ -14,6 +14,7 @@
 
 #include "cli/live_fruit.h"
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 #include "generator/base/path_within.h"
 
 namespace fs = std::filesystem;
@@ -28,9 +29,7 @@ using nlohmann::ordered_json;
 constexpr std::uintmax_t most_picture_bytes = std::uintmax_t{64} << 20;
 constexpr std::string_view binary = "application/octet-stream";
 
-WebReply told(int status, const ordered_json& body) {
-  return {status, "application/json", body.dump(-1, ' ', false, json::error_handler_t::replace)};
-}
+WebReply told(int status, const ordered_json& body) { return {status, "application/json", json_text(body)}; }
 
 WebReply told_error(int status, const std::string& message, const std::string& hint = {}) {
   return told(status, {{"errors", {{{"message", message}, {"hint", hint}}}}});
@@ -123,7 +122,7 @@ std::string packed(const StudioFruit& fruit, const std::vector<SectionPicture>& 
                                 {"right", numbers_of(frame.right)},
                                 {"down", numbers_of(frame.down)}});
   }
-  const std::string text = head.dump();
+  const std::string text = json_text(head);
   std::string bytes;
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(text.size() >> shift & 0xffu);
   bytes += text;

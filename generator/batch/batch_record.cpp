@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/json_text.h"
 #include "generator/base/sha256.h"
 #include "generator/batch/batch_limits.h"
 #include "generator/batch/record_fields.h"
@@ -130,7 +131,7 @@ std::string batch_record(const BatchPlan& plan, const std::string& program) {
     json["templates"].push_back({{"name", fruit.name}, {"sha256", fruit.sha256}});
   for (const auto& [file, hash] : drawings_of(batch)) json["drawings"].push_back({{"file", file}, {"sha256", hash}});
   for (const PlannedEntry& entry : plan.entries) json["entries"].push_back(entry_of(plan, entry));
-  return json.dump(1) + "\n";
+  return json_text(json, 1) + "\n";
 }
 
 std::int64_t RecordedBatch::items() const {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 #include "generator/batch/record_fields.h"
 #include "generator/piece/facts_json.h"
 
@@ -83,7 +84,7 @@ std::string item_record(const BatchPlan& plan, const BatchVariant& variant, cons
   json["files"] = Json::array();
   for (const RecordedFile& file : outcome.files)
     json["files"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json) + "\n";
 }
 
 RecordedItem parse_item_record(const std::string& json, const std::string& file) {

@@ -8,6 +8,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
+#include "generator/base/json_text.h"
 #include "generator/scene/json_node.h"
 
 namespace pomona {
@@ -18,11 +19,11 @@ namespace {
   throw Error(ExitStatus::bad_data, {{place, message, hint}});
 }
 
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+std::string quoted(const std::string& text) { return json_text(nlohmann::json(text)); }
 
 template <std::size_t count>
 std::string listed(const std::array<double, count>& numbers) {
-  return nlohmann::json(numbers).dump();
+  return json_text(nlohmann::json(numbers));
 }
 
 std::string read_string(const JsonNode& node) {

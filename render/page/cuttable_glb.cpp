@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 
 namespace pomona {
 
@@ -62,7 +63,7 @@ std::string with_asset(std::string_view glb, std::string_view asset) {
   binary += asset;
   file["buffers"][0]["byteLength"] = binary.size();
 
-  const std::string json = padded(file.dump(), ' ');
+  const std::string json = padded(json_text(file), ' ');
   binary = padded(std::move(binary), '\0');
   const std::size_t length = glb_header + 2 * chunk_header + json.size() + binary.size();
   if (length > std::numeric_limits<std::uint32_t>::max()) refuse_glb("it would be larger than 4 GB");

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 #include "generator/mesh/box.h"
 #include "generator/piece/piece_facts.h"
 #include "render/gl/scene_materials.h"
@@ -239,7 +240,7 @@ std::string packed_scene(const PageScene& page) {
   header["instances"] = ordered_json::array();
   for (const Instance& instance : page.scene.instances) header["instances"].push_back(place_of(instance));
 
-  const std::string text = header.dump();
+  const std::string text = json_text(header);
   std::string length;
   for (unsigned b = 0; b < 32; b += 8) length += static_cast<char>(text.size() >> b & 255u);
   return std::string(scene_magic) + deflated(length + text + arrays);

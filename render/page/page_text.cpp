@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 #include "generator/base/xml_text.h"
 #include "render/gl/embedded_shaders.h"
 #include "render/page/page_files.h"
@@ -142,7 +143,8 @@ std::string filled(std::string_view page, const std::vector<std::pair<std::strin
 }  // namespace
 
 PageParts page_parts(const PageOptions& options) {
-  return {safe_in_script(options_of(options).dump()), joined({"read_asset.js", "look_up.js", "skin.js", "spared.js"}),
+  return {safe_in_script(json_text(options_of(options))),
+          joined({"read_asset.js", "look_up.js", "skin.js", "spared.js"}),
           joined({"linear.js", "card.js", "camera.js", "knives.js", "pieces.js", "fruit_textures.js", "face_passes.js",
                   "faces.js", "piece_mesh.js", "body.js", "picture.js"})};
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/json_text.h"
 #include "generator/piece/piece_facts.h"
 #include "render/strokes/lens.h"
 #include "render/truth/run_lengths.h"
@@ -48,7 +49,7 @@ class AnnotationWriter {
                       {"fruits", fruits()},
                       {"annotations", seen},
                       {"hidden", hidden}};
-    return all.dump(1) + "\n";
+    return json_text(all, 1) + "\n";
   }
 
  private:

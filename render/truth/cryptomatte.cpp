@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/json_text.h"
+
 namespace pomona {
 
 namespace {
@@ -37,7 +39,7 @@ std::vector<std::pair<std::string, std::string>> Cryptomatte::metadata() const {
   return {{key + "name", name},
           {key + "hash", "MurmurHash3_32"},
           {key + "conversion", "uint32_to_float32"},
-          {key + "manifest", manifest.dump()}};
+          {key + "manifest", json_text(manifest)}};
 }
 
 Cryptomatte cryptomatte(std::string name, std::vector<std::string> names, const std::vector<std::uint16_t>& numbers,

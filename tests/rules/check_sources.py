@@ -170,6 +170,15 @@ def check_words(name, text):
                     yield number, why.format(match.group(1))
 
 
+def check_json(name, text):
+    """Names of files need not be UTF-8: nlohmann's dump() throws then, json_text() does not."""
+    if name == "generator/base/json_text.h" or name.startswith(("tests/", "bench/")):
+        return
+    for number, line in enumerate(without_comments_and_strings(text).splitlines(), 1):
+        if re.search(r"\.dump\(", line):
+            yield number, "JSON becomes text by json_text()"
+
+
 def check_file(name, text):
     file_name = name.rsplit("/", 1)[1]
     if not FILE_NAME.fullmatch(file_name):
@@ -194,7 +203,7 @@ def check(root):
     for path in sorted(p for p in files if p.suffix in (".h", ".cpp", ".hpp", ".cc", ".cxx", ".in")):
         name = path.relative_to(root).as_posix()
         text = path.read_text(encoding="utf-8")
-        found = [*check_file(name, text), *check_includes(root, name, text), *check_words(name, text)]
+        found = [*check_file(name, text), *check_includes(root, name, text), *check_words(name, text), *check_json(name, text)]
         wrong += [f"{name}:{number}: {why}" for number, why in sorted(found)]
     return wrong
 

@@ -54,6 +54,10 @@ class Rules(Tree):
             shapes | {"cli/main.cpp": '#include "tests/shapes/box.h"\n'}, "cli/main.cpp:1", "no part of the road"
         )
 
+    def test_json_becomes_text_in_one_way(self):
+        self.assert_fine({"generator/base/json_text.h": HEADER + "json.dump(indent);\n", "cli/list.cpp": "json_text(all);\n"})
+        self.assert_wrong({"cli/list.cpp": "\nall.dump(2);\n"}, "cli/list.cpp:2", "json_text()")
+
     def test_includes_are_written_from_the_root(self):
         files = {"generator/cut/cut.h": HEADER, "generator/cut/cut.cpp": '#include "cut.h"\n'}
         self.assert_wrong(files, "generator/cut/cut.cpp:1", "not a path from the repository root")

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 
 namespace pomona::gltf {
 
@@ -88,7 +89,7 @@ void GltfDocument::extend(const std::string& name, Json value) {
 std::string GltfDocument::bytes() && {
   if (buffer_size_ > 0) json_["buffers"] = Json::array({{{"byteLength", buffer_size_}}});
   // Names may come from files of any encoding; glTF is UTF-8.
-  const std::string text = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = json_text(json_);
   json_ = Json();
 
   std::size_t size = 12 + 8 + filled(text.size());
