@@ -1,7 +1,10 @@
 #include "generator/scene/item_maker.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+
+#include "generator/base/error.h"
 
 namespace pomona {
 
@@ -42,6 +45,12 @@ void ItemMaker::add(Solid solid, int fruit) {
       has_total ? total_ / solids_ + (next_ < total_ % solids_ ? 1 : 0) : static_cast<std::size_t>(pieces_.copies);
   ++next_;
   if (times == 0) return;
+  if (parts_.items.size() + times > most_scene_pieces) {
+    throw Error(ExitStatus::bad_data, {{pieces_.place,
+                                        "pieces \"" + pieces_.name + "\": with these the scene has more than " +
+                                            std::to_string(most_scene_pieces) + " pieces",
+                                        "lower \"copies\", \"take\" or \"count\", or say how many by \"total\""}});
+  }
   SettleItem item{.solid = static_cast<int>(parts_.solids.size()),
                   .name = solid.name,
                   .order = pieces_.order,

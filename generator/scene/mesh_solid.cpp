@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -33,6 +34,50 @@ std::vector<std::vector<std::uint32_t>> triangles_at(const std::vector<glm::uvec
   return at;
 }
 
+/// What the corners of a mesh become: vertices with a normal each.
+class CornerVertices {
+ public:
+  CornerVertices(const std::vector<glm::uvec3>& triangle, const std::vector<glm::dvec3>& position, std::size_t vertices)
+      : triangle_(triangle), at_(triangles_at(triangle, position.size())), known_(vertices) {
+    for (const glm::uvec3& t : triangle)
+      area_.push_back(glm::cross(position[t.y] - position[t.x], position[t.z] - position[t.x]));
+  }
+
+  bool has_area(std::size_t i) const { return glm::length(area_[i]) > 0; }
+
+  /// The mean normal of the triangles at the place of corner k that turn little against its own, triangle i. Where very
+  /// many meet, at the tip of a cone, it is the triangle's own: asking each of all others would take hours.
+  glm::vec3 normal_at(std::size_t i, int k) const {
+    constexpr double least_cosine = 0.766;
+    if (is_crowded(i, k)) return glm::vec3(glm::normalize(area_[i]));
+    const double own = glm::length(area_[i]);
+    glm::dvec3 sum(0);
+    for (const std::uint32_t other : at_[triangle_[i][k]])
+      if (glm::dot(area_[i], area_[other]) >= least_cosine * own * glm::length(area_[other])) sum += area_[other];
+    return glm::vec3(glm::normalize(sum));
+  }
+
+  /// Corners of one vertex with one normal are one vertex again: one of `normals`, or none yet.
+  std::optional<std::uint32_t> known(std::uint32_t vertex, const glm::vec3& normal,
+                                     const std::vector<glm::vec3>& normals) const {
+    const std::vector<std::uint32_t>& some = known_[vertex];
+    const auto same = std::find_if(some.begin(), some.end(), [&](std::uint32_t v) { return normals[v] == normal; });
+    return same != some.end() ? std::optional(*same) : std::nullopt;
+  }
+  void remember(std::uint32_t vertex, std::uint32_t as) {
+    if (known_[vertex].size() < most_together) known_[vertex].push_back(as);
+  }
+
+ private:
+  static constexpr std::size_t most_together = 256;  // triangles at a place
+  bool is_crowded(std::size_t i, int k) const { return at_[triangle_[i][k]].size() > most_together; }
+
+  const std::vector<glm::uvec3>& triangle_;
+  std::vector<std::vector<std::uint32_t>> at_;
+  std::vector<glm::dvec3> area_;  ///< twice, as vectors
+  std::vector<std::vector<std::uint32_t>> known_;
+};
+
 }  // namespace
 
 Solid mesh_solid(const PlainMesh& mesh, const std::string& name, const MeshSolidOptions& options) {
@@ -43,34 +88,18 @@ Solid mesh_solid(const PlainMesh& mesh, const std::string& name, const MeshSolid
   const std::vector<glm::dvec3> position = standing(mesh, options);
   const std::vector<std::uint32_t> first = weld(position);
   const std::vector<glm::uvec3> triangle = welded_triangles(first, mesh.triangle);
-  const auto at = triangles_at(triangle, position.size());
-  std::vector<glm::dvec3> area;  // twice, as vectors
-  for (const glm::uvec3& t : triangle)
-    area.push_back(glm::cross(position[t.y] - position[t.x], position[t.z] - position[t.x]));
-
-  // A corner takes the mean normal of the triangles at its place that turn little against its own; corners of one
-  // vertex with one normal are one vertex again.
-  constexpr double least_cosine = 0.766;
-  std::vector<std::vector<std::uint32_t>> known(mesh.position.size());
+  CornerVertices corner_vertices(triangle, position, mesh.position.size());
   double six_volumes = 0;
   for (std::size_t i = 0; i < mesh.triangle.size(); ++i) {
-    const double own = glm::length(area[i]);
-    if (!(own > 0)) continue;
+    if (!corner_vertices.has_area(i)) continue;
     glm::uvec3 corners(0);
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t vertex = mesh.triangle[i][k];
-      glm::dvec3 sum(0);
-      for (const std::uint32_t other : at[triangle[i][k]])
-        if (glm::dot(area[i], area[other]) >= least_cosine * own * glm::length(area[other])) sum += area[other];
-      const glm::vec3 normal(glm::normalize(sum));
-      const auto same = std::find_if(known[vertex].begin(), known[vertex].end(),
-                                     [&](std::uint32_t v) { return solid.normal[v] == normal; });
-      if (same != known[vertex].end()) {
-        corners[k] = *same;
-        continue;
-      }
-      corners[k] = static_cast<std::uint32_t>(solid.position.size());
-      known[vertex].push_back(corners[k]);
+      const glm::vec3 normal = corner_vertices.normal_at(i, k);
+      const std::optional<std::uint32_t> known = corner_vertices.known(vertex, normal, solid.normal);
+      corners[k] = known.value_or(static_cast<std::uint32_t>(solid.position.size()));
+      if (known) continue;
+      corner_vertices.remember(vertex, corners[k]);
       solid.position.emplace_back(position[vertex]);
       solid.normal.push_back(normal);
       solid.color.push_back(options.color ? *options.color : mesh.color.empty() ? Color(0.6f) : mesh.color[vertex]);

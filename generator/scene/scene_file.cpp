@@ -18,8 +18,8 @@ namespace pomona {
 
 namespace {
 
-constexpr int most_variants = 4096;   // of one entry, and of the scene
-constexpr int most_pieces = 100'000;  // of an entry, and of the scene
+constexpr int most_variants = 4096;  // of one entry, and of the scene
+constexpr int most_pieces = static_cast<int>(most_scene_pieces);
 
 glm::dvec3 read_vector(const TomlValue& value, Within within, const glm::dvec3& fallback) {
   if (!value.given()) return fallback;
@@ -116,9 +116,18 @@ class SceneReader {
     const std::vector<TomlTable> entries = value.tables();
     if (value.given() && entries.empty()) value.error("is empty", "say what lies in the dish: [[pieces]]");
     int variants = 0;
+    std::int64_t placed = scene_.total;
     for (const TomlTable& entry : entries) {
       scene_.pieces.push_back(read_entry(entry));
-      variants += scene_.pieces.back().count;
+      const PiecesDescription& pieces = scene_.pieces.back();
+      // Each variant has one piece at least. How many more, its knives will tell.
+      if (pieces.share <= 0) placed += pieces.total > 0 ? pieces.total : std::int64_t{pieces.count} * pieces.copies;
+      if (placed > most_pieces) {
+        entry.error("makes more than " + std::to_string(most_pieces) + " pieces of the scene",
+                    "lower \"total\", \"copies\" or \"count\"");
+        return;
+      }
+      variants += pieces.count;
       if (variants > most_variants) {
         entry.error("makes more than " + std::to_string(most_variants) + " variants of the scene", "lower \"count\"");
         return;

@@ -1,6 +1,7 @@
 // What a scene file says: dishes, and pieces of fruit to fill it with (docs/formats.md).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -17,6 +18,8 @@
 #include "generator/template/template.h"
 
 namespace pomona {
+
+inline constexpr std::size_t most_scene_pieces = 100'000;
 
 /// Some variants of one template, all cut the same way.
 struct PiecesDescription {

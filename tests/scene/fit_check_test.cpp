@@ -39,6 +39,18 @@ TEST(FitCheck, LooksNoFartherThanItSays) {
   EXPECT_EQ(check.measure(std::vector<Pose>{at(0, 0.2)})[0].gap, farthest_gap);
 }
 
+TEST(FitCheck, MeasuresNothingAgainstWhatLiesNowhere) {
+  const std::vector<Solid> solids{heap_shapes::ball(0.02)};
+  const PlacedMesh stand = floor();
+  FitCheck check(solids, {0, 0, 0}, stand, {});
+
+  // The second would lie within both others, but it has found no room.
+  const std::vector<Pose> poses{at(0, 0.0201), at(0.02, 0.0201), at(0.0401, 0.0201)};
+  const std::vector<Fit> fits = check.measure(poses, std::vector<std::size_t>{1});
+  for (const std::size_t i : {0u, 2u}) EXPECT_EQ(fits[i].penetration, 0) << i;
+  EXPECT_GT(check.measure(poses)[0].penetration, 0.1) << "it lies there now";
+}
+
 /// What it remembers makes no difference.
 TEST(FitCheck, MeasuresTheSameAgainAndAfterMoves) {
   const std::vector<Solid> solids{heap_shapes::ball(0.02), heap_shapes::wedge(0.03, 90)};

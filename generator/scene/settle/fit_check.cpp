@@ -45,8 +45,10 @@ Box<double> FitCheck::box_at(std::size_t piece, const Pose& pose) const {
   return {middle - reach, middle + reach};
 }
 
-/// Sorted; each piece has one with the stand, too.
-std::vector<FitCheck::Pair> FitCheck::pairs_near(std::span<const Pose> poses) const {
+/// Sorted; each piece that is somewhere has one with the stand, too.
+std::vector<FitCheck::Pair> FitCheck::pairs_near(std::span<const Pose> poses,
+                                                 std::span<const std::size_t> absent) const {
+  const auto is_absent = [&](std::size_t i) { return std::binary_search(absent.begin(), absent.end(), i); };
   std::vector<Box<double>> boxes;
   double widest = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -54,10 +56,12 @@ std::vector<FitCheck::Pair> FitCheck::pairs_near(std::span<const Pose> poses) co
     widest = std::max(widest, size(i));
   }
   NearBodies near((1 + farthest_gap) * widest, poses.size());
-  for (std::size_t i = 0; i < poses.size(); ++i) near.add(i, boxes[i].center());
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    if (!is_absent(i)) near.add(i, boxes[i].center());
 
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (is_absent(i)) continue;
     near.visit(boxes[i].center(), [&](std::size_t j) {
       const double reach = farthest_gap * std::max(size(i), size(j));
       if (j > i && squared_distance(boxes[i], boxes[j]) <= reach * reach) pairs.push_back({i, j, {}, {}});
@@ -135,8 +139,9 @@ void FitCheck::ask_chunk(Question question, std::span<const Pose> poses, std::sp
   });
 }
 
-std::vector<Fit> FitCheck::measure(std::span<const Pose> poses, const Progress& progress) {
-  std::vector<Pair> pairs = pairs_near(poses);
+std::vector<Fit> FitCheck::measure(std::span<const Pose> poses, std::span<const std::size_t> absent,
+                                   const Progress& progress) {
+  std::vector<Pair> pairs = pairs_near(poses, absent);
   remember(poses, pairs);
   std::vector<Pair*> unknown;
   for (Pair& pair : pairs)

@@ -31,8 +31,10 @@ class FitCheck {
   FitCheck(std::span<const Solid> solids, std::vector<std::size_t> solid_of, const PlacedMesh& stand, Threads threads);
 
   /// One fit per piece, among the others and the stand. Memory holds the meshes of a few hundred pieces at a time.
+  /// \param absent the pieces that lie nowhere, by number, rising: their poses mean nothing, and nothing touches them.
   /// \param progress is told how many pieces have been measured; from this thread.
-  std::vector<Fit> measure(std::span<const Pose> poses, const std::function<void(std::size_t)>& progress = {});
+  std::vector<Fit> measure(std::span<const Pose> poses, std::span<const std::size_t> absent = {},
+                           const std::function<void(std::size_t)>& progress = {});
 
  private:
   /// Two pieces that may touch, or a piece and the stand, whose number is that of the pieces.
@@ -44,7 +46,7 @@ class FitCheck {
   enum class Question { depth, distance };
   using Progress = std::function<void(std::size_t)>;
   Box<double> box_at(std::size_t piece, const Pose& pose) const;
-  std::vector<Pair> pairs_near(std::span<const Pose> poses) const;
+  std::vector<Pair> pairs_near(std::span<const Pose> poses, std::span<const std::size_t> absent) const;
   void remember(std::span<const Pose> poses, std::vector<Pair>& pairs) const;
   void ask(Question question, std::span<const Pose> poses, std::vector<Pair*> pairs, const Progress& progress) const;
   void ask_chunk(Question question, std::span<const Pose> poses, std::span<Pair* const> pairs) const;

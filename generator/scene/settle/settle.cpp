@@ -233,12 +233,16 @@ class Settling {
   /// By the real meshes, at the poses that a file can hold.
   Measured measured() {
     Measured result;
-    for (const RigidBody& body : heap_.bodies())
-      result.settled.poses.push_back(body.state == BodyState::out ? Pose{} : rounded(body.pose()));
+    std::vector<std::size_t> absent;
+    for (const RigidBody& body : heap_.bodies()) {
+      const bool is_out = body.state == BodyState::out;
+      if (is_out) absent.push_back(result.settled.poses.size());
+      result.settled.poses.push_back(is_out ? Pose{} : rounded(body.pose()));
+    }
     const auto tell = [&](std::size_t done) {
       if (options().progress) options().progress("measure", done, count());
     };
-    result.settled.fits = check_.measure(result.settled.poses, tell);
+    result.settled.fits = check_.measure(result.settled.poses, absent, tell);
     result.settled.steps = steps_;
     result.settled.again = again_;
     for (std::size_t i = 0; i < count(); ++i) {
