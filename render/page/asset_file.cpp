@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 #include "render/page/byte_planes.h"
 #include "render/page/deflate.h"
 #include "render/page/node_coding.h"
@@ -26,6 +27,8 @@ using nlohmann::ordered_json;
 constexpr std::string_view magic("pomona\0\1", 8);
 constexpr std::size_t most_bytes = std::size_t{1} << 28;
 constexpr std::size_t most_header = std::size_t{1} << 20;
+// Rows of nodes that its triangles lie across: a fruit of 100 000 triangles has some millions.
+constexpr std::int64_t most_rows = 300'000'000;
 
 std::string four_bytes(std::size_t number) {
   std::string bytes;
@@ -279,7 +282,7 @@ void read_look(const Counts& counts, Reader& reader, Asset& a) {
 std::string write_asset(const Asset& asset, const std::string& made_by, int effort) {
   std::string packed;
   for (const int thirds : rounding) {
-    const std::string header = header_of(asset, thirds, made_by).dump();
+    const std::string header = json_text(header_of(asset, thirds, made_by));
     packed = std::string(magic) + deflated(four_bytes(header.size()) + header + arrays_of(asset, thirds), effort);
     if (packed.size() <= large_asset) break;
   }
@@ -298,6 +301,7 @@ Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {
   Asset asset;
   const Counts counts = read_header(reader.take(length, "header"), asset, reader);
   read_surfaces(counts, reader, asset);
+  reader.require(rows_to_ask(asset) <= most_rows, "its triangles are larger than a fruit's");
   asset.winding = windings(asset);
   const auto inside = static_cast<std::size_t>(
       std::count_if(asset.winding.begin(), asset.winding.end(), [](std::int8_t w) { return w != 0; }));

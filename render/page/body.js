@@ -20,11 +20,11 @@ const faceMargin = 0.02;  // beside a skin its faces are drawn, too: there lie l
 
 /** Triangles on the card, and what knives go by: shared by all that look alike. */
 class Shape {
-  /** `skin`: ten numbers a corner (skin.js); `index`: which corners are triangles, or none: three after three. */
-  constructor(card, skin, index = null) {
+  /** `skin`: ten numbers a corner (skin.js); `index`: which corners are triangles, or none: three after three; `outwards`: of skin.js. */
+  constructor(card, skin, index, outwards) {
     const {low, high} = boxOf(skin), size = V.sub(high, low), middle = V.mul(V.add(low, high), 0.5);
     this.frame = {middle, low, high, size: Math.max(...size), reach: 0.53 * Math.hypot(...size)};
-    this.mesh = card.skin(skin, index);
+    this.mesh = card.skin(skin, index, outwards);
     Object.assign(this, {skin, index});
   }
 }

@@ -146,18 +146,22 @@ class Card {
     this.gl.uniform1i(uniform, unit);
   }
 
-  /** `data` in groups of floats per vertex, at locations 0, 1, ...; `index` of triangles' corners, or none. */
-  vertices(data, groups, index = null) {
+  /** Numbers for each vertex, on the card. */
+  buffer(data) {
     const {gl} = this, buffer = gl.createBuffer();
     gl.bindVertexArray(null);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+    return buffer;
+  }
+  /** `data` in groups of floats per vertex, at locations 0, 1, ...; three more of `outwards` at the next; `index` of triangles' corners, or none. */
+  vertices(data, groups, index = null, outwards = null) {
     const stride = groups.reduce((a, b) => a + b, 0);
-    return this.mesh({buffer, groups, stride, count: data.length / stride}, index);
+    return this.mesh({buffer: this.buffer(data), outwards: outwards && this.buffer(outwards), groups, stride, count: data.length / stride}, index);
   }
   /** Of corners that are on the card, or of another mesh, which shares its corners then. */
-  mesh({buffer, groups, stride, count}, index) {
-    const {gl} = this, array = gl.createVertexArray(), made = {buffer, groups, stride, array, indices: index && gl.createBuffer(), count: index ? index.length : count};
+  mesh({buffer, outwards, groups, stride, count}, index) {
+    const {gl} = this, array = gl.createVertexArray(), made = {buffer, outwards, groups, stride, array, indices: index && gl.createBuffer(), count: index ? index.length : count};
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     let at = 0;
@@ -166,6 +170,10 @@ class Card {
       gl.vertexAttribPointer(location, size, gl.FLOAT, false, 4 * stride, 4 * at);
       at += size;
     });
+    // Normals, the second group, stand for ways outwards that nobody gave.
+    if (outwards) gl.bindBuffer(gl.ARRAY_BUFFER, outwards);
+    gl.enableVertexAttribArray(groups.length);
+    gl.vertexAttribPointer(groups.length, 3, gl.FLOAT, false, outwards ? 0 : 4 * stride, outwards ? 0 : 4 * groups[0]);
     if (index) {
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, made.indices);
       gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, index, gl.STATIC_DRAW);
@@ -178,8 +186,8 @@ class Card {
     this.gl.deleteVertexArray(array);
     this.gl.deleteBuffer(indices);
   }
-  /** Of skin.js. */
-  skin(data, index = null) { return this.vertices(data, [3, 3, 3, 1], index); }
+  /** Of skin.js; what has no `outwards` moves along its normals. */
+  skin(data, index = null, outwards = null) { return this.vertices(data, [3, 3, 3, 1], index, outwards); }
   /** All of it, or of what has no index so many corners. */
   draw({array, indices, count}, first = 0, some = count) {
     const {gl} = this;

@@ -44,7 +44,7 @@ class Hands {
     const {board, stroke, held} = this, wasHeld = held.delete(event.pointerId);
     this.pinch = 0;
     board.canvas.classList.remove('held');
-    if (board.draws && stroke.isDrawn) return stroke.cut();
+    if (board.draws && stroke.isDrawn) return isDone ? stroke.cut() : stroke.stop();
     if (isDone && wasHeld && this.way < 5) this.onTap(board.at(event.offsetX, event.offsetY));
   }
   /** What lies under the pointer, once it has come to rest. */

@@ -62,19 +62,20 @@ void add_spared(const Template& fruit, Asset& asset) {
   }
 }
 
-/// Nodes that the rounded boundary holds and the solver left out become as those beside them.
-void fill_unknown(const std::vector<std::uint8_t>& known, Asset& asset) {
+/// Nodes that the rounded boundary holds and the solver left out become as those beside them that it knows, be these
+/// within the rounded boundary or not.
+void fill_unknown(const NodeColors& nodes, Asset& asset) {
   const auto nx = static_cast<std::ptrdiff_t>(asset.count[0]), plane = nx * asset.count[1];
   const auto size = static_cast<std::ptrdiff_t>(asset.winding.size());
   for (std::ptrdiff_t i = 0; i < size; ++i) {
     const auto node = static_cast<std::size_t>(i);
-    if (known[node] != 0 || asset.winding[node] == 0) continue;
+    if (nodes.known[node] != 0 || asset.winding[node] == 0) continue;
     glm::ivec3 sum(0);
     int count = 0;
     for (const std::ptrdiff_t step : {std::ptrdiff_t{1}, std::ptrdiff_t{-1}, nx, -nx, plane, -plane}) {
       const std::ptrdiff_t beside = i + step;
-      if (beside < 0 || beside >= size || known[static_cast<std::size_t>(beside)] == 0) continue;
-      sum += glm::ivec3(asset.node_color[static_cast<std::size_t>(beside)]);
+      if (beside < 0 || beside >= size || nodes.known[static_cast<std::size_t>(beside)] == 0) continue;
+      sum += glm::ivec3(to_srgb8(nodes.color[static_cast<std::size_t>(beside)]));
       ++count;
     }
     if (count > 0) asset.node_color[node] = glm::u8vec3((2 * sum + count) / (2 * count));
@@ -103,7 +104,7 @@ void add_nodes(const NodeColors& nodes, Asset& asset) {
   for (std::size_t i = 0; i < nodes.color.size(); ++i) {
     if (nodes.known[i] != 0 && asset.winding[i] != 0) asset.node_color[i] = to_srgb8(nodes.color[i]);
   }
-  fill_unknown(nodes.known, asset);
+  fill_unknown(nodes, asset);
 }
 
 void add_look(const AssetTask& task, Asset& asset) {

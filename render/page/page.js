@@ -10,8 +10,8 @@
   new Tools(board, blade, stroke, paper);
   board.beginOpening();
   let skinDrawn = null;
-  function takeSkin({header, skin, index}) {
-    bodies.push(new Body(picture, new FruitTextures(picture.card, header), new Shape(picture.card, skin, index)));
+  function takeSkin({header, skin, index, outwards}) {
+    bodies.push(new Body(picture, new FruitTextures(picture.card, header), new Shape(picture.card, skin, index, outwards)));
     board.setting = new Row(bodies);
     if (bodies.length === 1) Object.assign(board.camera, {yaw: assets.length > 1 ? 0.1 : 0.35, pitch: 0.3});
     board.takeKnives([]);

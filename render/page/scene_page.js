@@ -83,7 +83,8 @@
     if (picked !== body || isOut()) return;
     view = {yaw: board.camera.yaw, pitch: board.camera.pitch};
     body.chosen = false;
-    if (body.samples.length < 1000) {
+    if (!body.hasBeenOut) {
+      body.hasBeenOut = true;
       body.takeSpared(sparedOfPiece(body, picture.card));
       body.takeSamples(null);
     }
@@ -109,7 +110,7 @@
       made.takeLook(looks[i]);
       return made;
     });
-    const shapes = solids.map(({skin, index}) => new Shape(picture.card, skin, index));
+    const shapes = solids.map(({skin, index, outwards}) => new Shape(picture.card, skin, index, outwards));
     const bodies = header.instances.map((instance) => {
       const solid = header.solids[instance.solid], fruit = fruits[solid.fruit], body = new Body(picture, fruit, shapes[instance.solid], 60);
       return Object.assign(body, {instance, solid, isPiece: true, moves: fruit.header.asset >= 0});

@@ -6,6 +6,7 @@ layout(location = 0) in vec3 position;  // cells of the grid
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 color;
 layout(location = 3) in float part;  // 1000 more on cut faces
+layout(location = 4) in vec3 outwards;  // as normal, but one for all corners at a place; any length
 uniform mat4 piece, camera;
 uniform vec3 face_origin, face_u, face_v, face_n;  // of CROSSED: cells; u and v as long as half the face
 uniform vec3 outline;  // half the picture's width and height, pixels; the line's width
@@ -24,7 +25,7 @@ void main() {
   gl_Position = vec4(dot(away, face_u) / dot(face_u, face_u), dot(away, face_v) / dot(face_v, face_v), 0.0, 1.0);
 #endif
 #ifdef HULL
-  vec2 way = (camera * vec4(mat3(piece) * normal, 0.0)).xy * outline.xy;
+  vec2 way = (camera * vec4(mat3(piece) * outwards, 0.0)).xy * outline.xy;
   gl_Position.xy += way / max(length(way), 1e-4) * outline.z / outline.xy * gl_Position.w;
   gl_Position.z += 2e-4 * gl_Position.w;
 #endif

@@ -94,6 +94,32 @@ const Skin = (() => {
     return {skin: skin.slice(0, 10 * count), index};
   }
 
-  return {built, of, places, joined};
+  /**
+   * Three numbers a corner of a skin: the sum of the normals of all triangles that meet at its place, each as long as its triangle is large. An
+   * outline moves outwards by it, and stays whole where surfaces meet at a sharp angle.
+   */
+  function outwards(skin, index = null) {
+    const bits = new Uint32Array(skin.buffer, skin.byteOffset, skin.length), count = skin.length / 10, corners = index ? index.length : count;
+    const placeOf = numbering(count, count,
+      (v) => Math.imul(bits[10 * v], 0x8da6b343) ^ Math.imul(bits[10 * v + 1], 0xd8163841) ^ Math.imul(bits[10 * v + 2], 0xcb1ab31f),
+      (v, w) => skin[10 * v] === skin[10 * w] && skin[10 * v + 1] === skin[10 * w + 1] && skin[10 * v + 2] === skin[10 * w + 2]);
+    const sum = new Float64Array(3 * count);
+    for (let i = 0; i < corners; i += 3) {
+      const v = index ? [index[i], index[i + 1], index[i + 2]] : [i, i + 1, i + 2], [a, b, c] = v.map((k) => 10 * k);
+      const ux = skin[b] - skin[a], uy = skin[b + 1] - skin[a + 1], uz = skin[b + 2] - skin[a + 2];
+      const wx = skin[c] - skin[a], wy = skin[c + 1] - skin[a + 1], wz = skin[c + 2] - skin[a + 2];
+      for (const corner of v) {
+        const at = 3 * placeOf(corner);
+        sum[at] += uy * wz - uz * wy;
+        sum[at + 1] += uz * wx - ux * wz;
+        sum[at + 2] += ux * wy - uy * wx;
+      }
+    }
+    const ways = new Float32Array(3 * count);
+    for (let v = 0; v < count; ++v) for (let k = 0; k < 3; ++k) ways[3 * v + k] = sum[3 * placeOf(v) + k];
+    return ways;
+  }
+
+  return {built, of, places, joined, outwards};
 })();
 if (typeof module !== 'undefined') module.exports = Skin;

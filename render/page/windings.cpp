@@ -27,15 +27,32 @@ bool is_left(const Corner& a, const Corner& b, std::int64_t y, std::int64_t z) {
   return a.z == b.z && b.y > a.y;
 }
 
+/// Rows of nodes from first to last, last included, along y and z; none where last is below first.
+struct Rows {
+  std::int64_t first_y, last_y, first_z, last_z;
+  std::int64_t count() const {
+    return std::max<std::int64_t>(last_y - first_y + 1, 0) * std::max<std::int64_t>(last_z - first_z + 1, 0);
+  }
+};
+
+/// In the box of a triangle.
+Rows rows_near(const std::array<Corner, 3>& t, const Asset& asset) {
+  const auto& [a, b, c] = t;
+  const std::int64_t step = 2 * asset.units;
+  return {ceiling_of(std::min({a.y, b.y, c.y}), step),
+          std::min<std::int64_t>(floor_of(std::max({a.y, b.y, c.y}), step), asset.count[1] - 1),
+          ceiling_of(std::min({a.z, b.z, c.z}), step),
+          std::min<std::int64_t>(floor_of(std::max({a.z, b.z, c.z}), step), asset.count[2] - 1)};
+}
+
 /// Adds what one triangle changes along the rows that it crosses: from the first node beyond it on.
 void add_crossings(const std::array<Corner, 3>& t, const Asset& asset, std::vector<std::int8_t>& change) {
   const auto& [a, b, c] = t;
   const std::int64_t step = 2 * asset.units;
   const std::int64_t nx = asset.count[0], ny = asset.count[1];
-  const std::int64_t z_end = std::min<std::int64_t>(floor_of(std::max({a.z, b.z, c.z}), step), asset.count[2] - 1);
-  const std::int64_t y_end = std::min<std::int64_t>(floor_of(std::max({a.y, b.y, c.y}), step), ny - 1);
-  for (std::int64_t iz = ceiling_of(std::min({a.z, b.z, c.z}), step); iz <= z_end; ++iz) {
-    for (std::int64_t iy = ceiling_of(std::min({a.y, b.y, c.y}), step); iy <= y_end; ++iy) {
+  const Rows rows = rows_near(t, asset);
+  for (std::int64_t iz = rows.first_z; iz <= rows.last_z; ++iz) {
+    for (std::int64_t iy = rows.first_y; iy <= rows.last_y; ++iy) {
       const std::int64_t y = iy * step, z = iz * step;
       const bool left = is_left(a, b, y, z);
       if (is_left(b, c, y, z) != left || is_left(c, a, y, z) != left) continue;
@@ -56,21 +73,30 @@ void add_crossings(const std::array<Corner, 3>& t, const Asset& asset, std::vect
   }
 }
 
-}  // namespace
-
-std::vector<std::int8_t> windings(const Asset& asset) {
-  std::vector<std::int8_t> winding(asset.node_count(), 0);
+/// Counter-clockwise seen from air.
+std::array<Corner, 3> corners_of(const Asset& asset, std::size_t t) {
   const auto corner = [&](std::uint32_t v) {
     const glm::u16vec3& q = asset.position[v];
     return Corner{2 * q.x + 1, 2 * q.y + 1, 2 * q.z + 1};
   };
-  for (std::size_t t = 0; t < asset.triangle.size(); ++t) {
-    if (asset.hidden[t] == 0) continue;
-    // Counter-clockwise seen from air.
-    const glm::uvec3& v = asset.triangle[t];
-    const bool turned = asset.hidden[t] == 2;
-    add_crossings({corner(v.x), corner(turned ? v.z : v.y), corner(turned ? v.y : v.z)}, asset, winding);
-  }
+  const glm::uvec3& v = asset.triangle[t];
+  const bool turned = asset.hidden[t] == 2;
+  return {corner(v.x), corner(turned ? v.z : v.y), corner(turned ? v.y : v.z)};
+}
+
+}  // namespace
+
+std::int64_t rows_to_ask(const Asset& asset) {
+  std::int64_t rows = 0;
+  for (std::size_t t = 0; t < asset.triangle.size(); ++t)
+    if (asset.hidden[t] != 0) rows += rows_near(corners_of(asset, t), asset).count();
+  return rows;
+}
+
+std::vector<std::int8_t> windings(const Asset& asset) {
+  std::vector<std::int8_t> winding(asset.node_count(), 0);
+  for (std::size_t t = 0; t < asset.triangle.size(); ++t)
+    if (asset.hidden[t] != 0) add_crossings(corners_of(asset, t), asset, winding);
   const auto nx = static_cast<std::size_t>(asset.count[0]);
   for (std::size_t row = 0; row < winding.size(); row += nx) {
     for (std::size_t x = 1; x < nx; ++x)

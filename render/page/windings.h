@@ -13,4 +13,8 @@ namespace pomona {
 /// side of larger y, or of larger z, as if moved by a trifle. Closed boundaries give whole numbers everywhere.
 std::vector<std::int8_t> windings(const Asset& asset);
 
+/// How many rows of nodes lie within the boxes of the boundary's triangles, all together: the steps that windings()
+/// takes.
+std::int64_t rows_to_ask(const Asset& asset);
+
 }  // namespace pomona

@@ -23,8 +23,8 @@ async function unpackFruit(job, packed) {
     const head = fruit ? null : Asset.header(soFar, length);
     if (!head || length < Asset.surfacesEnd(head)) return;
     fruit = Asset.surfaces(soFar, head);
-    const {skin, index} = Skin.joined(Skin.built(fruit));
-    postMessage({job, header: head.fields, skin, index}, [skin.buffer, index.buffer]);
+    const {skin, index} = Skin.joined(Skin.built(fruit)), outwards = Skin.outwards(skin, index);
+    postMessage({job, header: head.fields, skin, index, outwards}, [skin.buffer, index.buffer, outwards.buffer]);
   });
   Asset.addWindings(fruit);
   Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(Asset.header(bytes, bytes.length))));
@@ -37,7 +37,8 @@ async function unpackFruit(job, packed) {
 /** A scene: all of its pieces' meshes. */
 async function unpackScene(job, packed) {
   const scene = ScenePieces.decoded(await Asset.unpacked(packed, null, 2));
-  postMessage({job, ...scene}, scene.solids.flatMap(({skin, index}) => [skin.buffer, index.buffer]));
+  for (const solid of scene.solids) solid.outwards = Skin.outwards(solid.skin, solid.index);
+  postMessage({job, ...scene}, scene.solids.flatMap(({skin, index, outwards}) => [skin.buffer, index.buffer, outwards.buffer]));
 }
 
 // From now on it hears what it is told, also while the page is busy.

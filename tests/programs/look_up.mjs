@@ -6,7 +6,7 @@ import { inflateSync } from 'node:zlib';
 import { errorsOf, holds, line, readSections, srgb } from './section_errors.mjs';
 
 const require = createRequire(import.meta.url);
-const Asset = require('../../render/page/read_asset.js'), LookUp = require('../../render/page/look_up.js');
+const Asset = require('../../render/page/read_asset.js'), LookUp = require('../../render/page/look_up.js'), Skin = require('../../render/page/skin.js');
 const [folder, how] = process.argv.slice(2);
 let missed = 0, seen = 0;
 const rows = new Map(); // by template: the worst of its planes and seeds
@@ -38,6 +38,17 @@ function oneSided(fruit, part) {
   });
   return either > 0 ? one / either : 0;
 }
+/** An outline stays whole where surfaces meet at a sharp angle: corners at one place move one way, be their normals as they may. Tells how many do not. */
+function torn(fruit) {
+  const { skin, index } = Skin.joined(Skin.built(fruit)), ways = Skin.outwards(skin, index), known = new Map();
+  let count = 0;
+  for (let v = 0; v < skin.length / 10; ++v) {
+    const place = skin.subarray(10 * v, 10 * v + 3).join(), way = ways.subarray(3 * v, 3 * v + 3).join();
+    if (known.has(place) && known.get(place) !== way) ++count;
+    known.set(place, way);
+  }
+  return known.size === skin.length / 10 ? Infinity : count;
+}
 for (const file of readdirSync(folder).filter((name) => name.endsWith('.pomona')).sort()) {
   const name = file.slice(0, -7), packed = readFileSync(`${folder}/${file}`);
   const fruit = Asset.decoded(new Uint8Array(inflateSync(packed.subarray(8)))), lists = LookUp.cells(fruit), hull = LookUp.range(fruit);
@@ -45,6 +56,10 @@ for (const file of readdirSync(folder).filter((name) => name.endsWith('.pomona')
   if (stem >= 0 && oneSided(fruit, stem) > 0.3) {
     ++missed;
     console.log(`${name}: nodes beside the stem have its part`);
+  }
+  if (torn(fruit) > 0) {
+    ++missed;
+    console.log(`${name}: an outline is torn`);
   }
   for (const square of readSections(folder, name)) {
     const { size, origin, u, v, reach } = square;

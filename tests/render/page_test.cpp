@@ -21,6 +21,7 @@
 #include "render/page/node_coding.h"
 #include "render/page/page.h"
 #include "render/page/page_scene.h"
+#include "render/page/windings.h"
 
 namespace pomona {
 namespace {
@@ -225,6 +226,18 @@ TEST(Asset, IsRefusedWhereItPointsOutsideItself) {
   EXPECT_THAT(refusal(changed(triangles, triangles.substr(0, triangles.size() - 1) + "9")), testing::Not(""));
   EXPECT_THAT(refusal(magic + deflated(plain + "x")), testing::HasSubstr("follows"));
   EXPECT_THAT(refusal(magic + deflated(std::string("\xff\xff\xff\x7f{}", 6))), testing::HasSubstr("header"));
+}
+
+// Each triangle across all of the grid costs a step for every row: a small file could take hours.
+TEST(Asset, IsRefusedWhereItsTrianglesAreEndless) {
+  Asset wide;
+  wide.count = {8, 512, 512};
+  wide.units = 64;
+  wide.position = {{0, 0, 0}, {0, 32767, 0}, {0, 0, 32767}};
+  wide.triangle.assign(1000, {0, 1, 2});
+  wide.hidden.assign(1000, 1);
+  EXPECT_GT(rows_to_ask(wide), 250'000'000);
+  EXPECT_LT(rows_to_ask(asset()), 1'000'000) << "of a cherry";
 }
 
 TEST(Asset, IsNotMadeOfWhatIsOpen) {

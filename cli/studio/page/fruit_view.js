@@ -41,12 +41,12 @@ class FruitView {
   /** Bytes of an asset; of several that come quickly, the last counts. */
   show(bytes) { if (this.worker) this.worker.postMessage({bytes, number: ++this.number}, [bytes.buffer]); }
 
-  take({number, header, skin, glass, rest}) {
+  take({number, header, skin, outwards, glass, rest}) {
     if (number < this.shown) return;
     this.shown = number;
     this.forget();
     const {picture} = this, fruit = new FruitTextures(picture.card, header);
-    this.body = new Body(picture, fruit, new Shape(picture.card, skin));
+    this.body = new Body(picture, fruit, new Shape(picture.card, skin, null, outwards));
     // What is drawn anew with every stroke has no time for them.
     this.body.faces.withDetails = false;
     fruit.takeRest(rest);
