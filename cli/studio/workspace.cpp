@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 #include "generator/base/path_within.h"
 #include "generator/template/read/toml_node.h"
 #include "render/export/output.h"
@@ -18,16 +19,20 @@ namespace pomona {
 
 namespace {
 
-constexpr std::uintmax_t most_kept_bytes = std::uintmax_t{24} << 20;
+constexpr std::uintmax_t most_text_bytes = std::uintmax_t{24} << 20;  // of a template or a sketch
+// Two texts twice, and as much again for what JSON writes as two letters.
+constexpr std::uintmax_t most_unsaved_bytes = 8 * most_text_bytes;
 
-std::string kept_text(const fs::path& file) {
+void check_size(const fs::path& file, std::uintmax_t bytes, std::uintmax_t most) {
+  if (bytes <= most) return;
+  throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, {}},
+                                      "is larger than the studio holds, " + std::to_string(most >> 20) + " MiB",
+                                      "link the picture instead of embedding it"}});
+}
+
+std::string kept_text(const fs::path& file, std::uintmax_t most = most_text_bytes) {
   std::error_code wrong;
-  const std::uintmax_t bytes = fs::is_regular_file(file, wrong) ? fs::file_size(file, wrong) : 0;
-  if (bytes > most_kept_bytes) {
-    throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, {}},
-                                        "is larger than the studio holds, 24 MiB",
-                                        "link the picture instead of embedding it"}});
-  }
+  check_size(file, fs::is_regular_file(file, wrong) ? fs::file_size(file, wrong) : 0, most);
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream.good() && !stream.eof()) throw Error(ExitStatus::input_missing, file.string() + " cannot be read");
@@ -78,7 +83,7 @@ FruitTexts Workspace::on_disk() const {
 void Workspace::recover() {
   std::error_code ignored;
   if (!fs::is_regular_file(files_.unsaved, ignored)) return;
-  const auto json = nlohmann::json::parse(kept_text(files_.unsaved), nullptr, false);
+  const auto json = nlohmann::json::parse(kept_text(files_.unsaved, most_unsaved_bytes), nullptr, false);
   const auto is_text = [&](const char* key) { return json.contains(key) && json[key].is_string(); };
   if (!json.is_object() || !is_text("toml") || !is_text("svg") || !is_text("toml_was") || !is_text("svg_was")) return;
   const FruitTexts texts{json["toml"], json["svg"]}, before{json["toml_was"], json["svg_was"]};
@@ -95,8 +100,7 @@ void Workspace::keep_unsaved() const {
       {"svg", state_.texts.svg},
       {"toml_was", saved_.toml},
       {"svg_was", saved_.svg}};
-  // Letters that are no UTF-8 come out of files only; what the page sends has none.
-  write_whole(files_.unsaved, json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  write_whole(files_.unsaved, json_text(json));
 }
 
 void Workspace::forget_unsaved() const {
@@ -134,6 +138,9 @@ std::optional<std::uint64_t> Workspace::change(std::uint64_t seen, FruitTexts te
   const std::lock_guard lock(mutex_);
   if (seen != state_.version) return {};
   if (texts == state_.texts) return state_.version;
+  // What could not be opened again is not taken.
+  check_size(files_.toml, texts.toml.size(), most_text_bytes);
+  check_size(files_.svg, texts.svg.size(), most_text_bytes);
   const WorkspaceState before = state_;
   state_.texts = std::move(texts);
   state_.unsaved = !exists_ || state_.texts != saved_;

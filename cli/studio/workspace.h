@@ -42,7 +42,7 @@ class Workspace {
   WorkspaceState state();
 
   /// The new version; nothing if `seen` is not the newest. \throws Error (cannot_create, io_error) if the edit cannot
-  /// be kept on disk: it is not taken then.
+  /// be kept on disk, (bad_data) if a text is longer than the studio opens: it is not taken then.
   std::optional<std::uint64_t> change(std::uint64_t seen, FruitTexts texts);
 
   /// Both files appear, or neither. \param over even if another program has changed them.

@@ -151,6 +151,25 @@ class Edits(WithAFruit):
         again.json("/api/revert", {"seen": document["version"]})
         self.assertFalse((self.folder / "cherry.toml.unsaved").exists())
 
+    def test_edits_of_a_long_sketch_survive_a_kill_too(self):
+        studio = self.studio()
+        edit = self.wider(studio)
+        edit["svg"] += "<!--" + 13 * 2**20 * "x" + "-->"
+        studio.json("/api/change", edit)
+        studio.end("kill")
+        document = self.studio().json("/api/document")
+        self.assertTrue(document["recovered"])
+        self.assertEqual(len(document["svg"]), len(edit["svg"]))
+
+    def test_a_sketch_that_could_not_be_opened_again_is_not_taken(self):
+        studio = self.studio()
+        edit = self.wider(studio)
+        edit["svg"] += "<!--" + 25 * 2**20 * "x" + "-->"
+        status, told = studio.ask("/api/change", edit)
+        self.assertGreaterEqual(status, 400)
+        self.assertIn(b"larger than the studio holds", told)
+        self.assertFalse((self.folder / "cherry.toml.unsaved").exists())
+
     def test_two_windows_do_not_lose_each_others_edits(self):
         studio = self.studio()
         one, two = self.wider(studio), self.wider(studio)
