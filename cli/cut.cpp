@@ -128,6 +128,18 @@ ExitStatus cut_family(const CutCommand& command, std::span<const Knife> knives, 
   return ExitStatus::done;
 }
 
+/// As idle_options(), of what cut alone has.
+std::vector<std::string> idle_cut_options(const CutCommand& command, const std::vector<Output>& outputs) {
+  std::vector<std::string> warnings = idle_options(command.shared, outputs);
+  const auto add = [&](std::vector<std::string> more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
+  add(idle_variant_options(command.shared, command.seeds));
+  if (command.section && !command.shared.view.empty()) add({"--view: a section is looked at straight"});
+  const bool is_asked = command.explode > 1 || command.crumbs || command.piece > 0 || command.faces != "fine";
+  if (is_asked && all_live(outputs))
+    add({"--explode, --crumbs, --piece and --faces have no effect on .html and .pomona: these hold the whole fruit"});
+  return warnings;
+}
+
 ExitStatus cut_fruit(const CutCommand& command) {
   // Everything that can be wrong with the words is told before the work begins.
   std::vector<Knife> knives;
@@ -141,10 +153,10 @@ ExitStatus cut_fruit(const CutCommand& command) {
       (command.explode > 1 || command.piece > 0 || !command.pieces.empty() || !command.shared.aov.empty())) {
     throw Error(ExitStatus::usage, "--explode, --piece, --pieces and --aov are about pieces: leave out --section");
   }
-  if (!command.pieces.empty()) check_other_file("--pieces", command.pieces, outputs);
+  check_other_files(command.shared, outputs, command.pieces);
   Delivery delivery(command.shared);
   delivery.set_outputs(outputs);
-  delivery.warn(idle_options(command.shared, outputs));
+  delivery.warn(idle_cut_options(command, outputs));
   const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
   delivery.times.diffused_by(diffuser->name(), diffuser->device());
 
@@ -181,12 +193,6 @@ std::vector<std::string> read_by(const CutCommand& command) {
   return words;
 }
 
-ExitStatus cut_or_watch(const CutCommand& command) {
-  if (!command.shared.watch) return cut_fruit(command);
-  check_watch(command.outputs);
-  return watched(read_by(command), [&] { return cut_fruit(command); });
-}
-
 }  // namespace
 
 DeclaredCommand cut_command(CLI::App& app) {
@@ -202,15 +208,9 @@ DeclaredCommand cut_command(CLI::App& app) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command
-      ->add_option(
-          "-o,--output", options->outputs,
-          "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard output")
-      ->type_name("FILE")
-      ->required()
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_output_option(
+      *command, options->outputs,
+      "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard output");
 
   // What to make of the cut.
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
@@ -229,12 +229,16 @@ DeclaredCommand cut_command(CLI::App& app) {
   // Options that other commands have too.
   add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
+  add_ripeness_variants_option(*command, options->shared);
   add_browning_option(*command, options->shared);
   add_shared_options(*command, options->shared);
   add_seeds_option(*command, options->seeds);
   add_watch_option(*command, options->shared);
   command->footer("Knives, and along what they cut:\n" + knife_help());
-  return {command, [options] { return cut_or_watch(*options); }};
+  return {command, [options] {
+            return made_or_watched(options->shared, options->outputs, read_by(*options),
+                                   [&] { return cut_fruit(*options); });
+          }};
 }
 
 }  // namespace pomona

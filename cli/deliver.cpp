@@ -14,6 +14,7 @@
 #include "cli/outside_parts.h"
 #include "cli/version.h"
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 #include "generator/base/shell_words.h"
 #include "generator/piece/piece_origin.h"
 #include "render/export/gltf/write_glb.h"
@@ -42,6 +43,17 @@ Engine engine_called(const std::string& name) {
   if (name == "godot") return Engine::godot;
   if (name == "unreal") return Engine::unreal;
   return name == "unity" ? Engine::unity : Engine::any;
+}
+
+/// "12.3 MB"; below a tenth of that "4 kB".
+std::string size_in_words(std::size_t bytes) {
+  char words[32];
+  const double size = static_cast<double>(bytes);
+  if (bytes < 100'000)
+    std::snprintf(words, sizeof words, "%.0f kB", std::max(size * 1e-3, 1.0));
+  else
+    std::snprintf(words, sizeof words, "%.1f MB", size * 1e-6);
+  return words;
 }
 
 }  // namespace
@@ -90,9 +102,7 @@ Delivery::Delivery(const SharedOptions& options)
       size_(picture_size(options)),
       view_(view_direction(options)),
       texel_(texel_size(options)),
-      seed_(options.seed) {
-  if (!options.stats.empty()) check_folder(options.stats);
-}
+      seed_(options.seed) {}
 
 void Delivery::set_default_style(const std::string& name_or_path) {
   if (!options_.style.empty()) return;
@@ -284,7 +294,11 @@ void Delivery::finish() {
   MadeFolder truth(options_.aov), maps(options_.maps_dir);
   times.time("write", [&] { write_whole(files_); });
   truth.keep(), maps.keep();
-  if (!options_.stats.empty()) write_whole(options_.stats, times.json(resolved({options_.threads})));
+  if (!options_.stats.empty()) {
+    // The statistics tell how long it took to write all other files.
+    files_.push_back({options_.stats, times.json(resolved({options_.threads}))});
+    write_whole(std::span(files_).last(1));
+  }
   say_what_was_written();
 }
 
@@ -294,14 +308,12 @@ void Delivery::say_what_was_written() {
     for (const OutputFile& file : files_) {
       result["files"].push_back({{"path", file.path.string()}, {"bytes", size_of(file)}});
     }
-    // A name that is not UTF-8 cannot be said in JSON otherwise.
-    std::printf("%s\n", result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    std::printf("%s\n", json_text(result, 2).c_str());
     return;
   }
   for (const OutputFile& file : files_) {
-    char line[64];
-    std::snprintf(line, sizeof line, " (%.1f MB)", static_cast<double>(size_of(file)) * 1e-6);
-    progress.line("wrote " + file.path.string() + line);
+    const std::string where = file.path == "-" ? "to standard output" : file.path.string();
+    progress.line("wrote " + where + " (" + size_in_words(size_of(file)) + ")");
   }
   progress.line(times.summary());
 }

@@ -36,7 +36,7 @@ void check_exports(const SharedOptions& options, const std::vector<Output>& outp
 /// Collects a command's outputs and writes them together: all of them appear, or none.
 class Delivery {
  public:
-  /// \throws Error (usage) for a style, size, texel or view that is not one, (cannot_create) for --stats.
+  /// \throws Error (usage) for a style, size, texel or view that is not one.
   explicit Delivery(const SharedOptions& options);
 
   /// Makes the bytes of one file (stage "write") and keeps them until finish().

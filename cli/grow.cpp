@@ -1,4 +1,5 @@
 // pomona grow: one whole fruit.
+#include <algorithm>
 #include <cstdint>
 #include <iterator>
 #include <memory>
@@ -92,9 +93,14 @@ ExitStatus grow_fruit(const GrowCommand& command) {
       throw Error(ExitStatus::usage, "--cuttable: the file holds the whole fruit, its colours at its vertices",
                   "leave out --texture, --texel, --lod, --surfaces, --piece and --seeds");
   }
+  check_other_files(command.shared, outputs);
   Delivery delivery(command.shared);
   delivery.set_outputs(outputs);
   delivery.warn(idle_options(command.shared, outputs));
+  delivery.warn(idle_variant_options(command.shared, command.seeds));
+  const auto is_surfaces = [](const Output& output) { return output.format == Format::ply; };
+  if (command.sheets && std::none_of(outputs.begin(), outputs.end(), is_surfaces))
+    delivery.warn({"--sheets is about .ply: no output is one"});
   if (!command.seeds.empty()) return grow_family(command, outputs, delivery);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
 
@@ -131,12 +137,6 @@ ExitStatus grow_fruit(const GrowCommand& command) {
 /// What it reads by the words of the line.
 std::vector<std::string> read_by(const GrowCommand& command) { return {command.fruit, command.shared.style}; }
 
-ExitStatus grow_or_watch(const GrowCommand& command) {
-  if (!command.shared.watch) return grow_fruit(command);
-  check_watch(command.outputs);
-  return watched(read_by(command), [&] { return grow_fruit(command); });
-}
-
 }  // namespace
 
 DeclaredCommand grow_command(CLI::App& app) {
@@ -144,16 +144,10 @@ DeclaredCommand grow_command(CLI::App& app) {
   const auto options = std::make_shared<GrowCommand>();
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
-  command
-      ->add_option(
-          "-o,--output", options->outputs,
-          "What to write: .ply (surfaces), .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard "
-          "output")
-      ->type_name("FILE")
-      ->required()
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_output_option(
+      *command, options->outputs,
+      "What to write: .ply (surfaces), .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard "
+      "output");
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
   command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");
   command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
@@ -163,10 +157,14 @@ DeclaredCommand grow_command(CLI::App& app) {
                     ".glb: carries the fruit's asset as well, for programs that cut it");
   add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
+  add_ripeness_variants_option(*command, options->shared);
   add_shared_options(*command, options->shared);
   add_seeds_option(*command, options->seeds);
   add_watch_option(*command, options->shared);
-  return {command, [options] { return grow_or_watch(*options); }};
+  return {command, [options] {
+            return made_or_watched(options->shared, options->outputs, read_by(*options),
+                                   [&] { return grow_fruit(*options); });
+          }};
 }
 
 }  // namespace pomona

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <map>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -101,26 +102,54 @@ std::vector<Output> parse_outputs(const std::vector<std::string>& names, const s
 }
 
 std::vector<std::string> idle_options(const SharedOptions& options, const std::vector<Output>& outputs) {
-  const auto is_standard_output = [](const Output& output) { return output.file == "-"; };
-  if (options.json && std::any_of(outputs.begin(), outputs.end(), is_standard_output))
-    throw Error(ExitStatus::usage, "--json and -o - both write to standard output", "leave out one of them");
-
   std::vector<std::string> warnings;
-  if (wants_textures(options) && !any_is(outputs, {Format::glb, Format::usda}))
-    warnings.push_back("--texture and --texel are about .glb and .usda: no output is one, and nothing is baked");
-  if (!options.size.empty() && !any_is(outputs, {Format::png, Format::svg}))
-    warnings.push_back("--size is about pictures: no output is one");
-  if (!options.view.empty() && !any_is(outputs, {Format::png, Format::svg}))
-    warnings.push_back("--view is about pictures: no output is one");
+  const auto warn_if = [&](bool is_idle, const char* warning) {
+    if (is_idle) warnings.emplace_back(warning);
+  };
+  const SharedOptions usual;
+  const bool has_picture = any_is(outputs, {Format::png, Format::svg});
+  const bool has_mesh_of_textures = any_is(outputs, {Format::glb, Format::usda});
+  warn_if(wants_textures(options) && !has_mesh_of_textures,
+          "--texture and --texel are about .glb and .usda: no output is one, and nothing is baked");
+  warn_if(options.maps != usual.maps && !wants_textures(options),
+          "--maps is about textures: --texture 1024 asks for them");
+  warn_if(!options.size.empty() && !has_picture, "--size is about pictures: no output is one");
+  warn_if(options.dpi != usual.dpi && !has_picture, "--dpi is about pictures: no output is one");
+  warn_if(!options.view.empty() && !has_picture, "--view is about pictures: no output is one");
+  warn_if(options.aov_format != usual.aov_format && options.aov.empty(),
+          "--aov-format is about --aov, which is not there");
+  const auto has_no_look = [](const Output& output) {
+    return output.format == Format::stl || output.format == Format::json;
+  };
+  warn_if(!options.style.empty() && std::all_of(outputs.begin(), outputs.end(), has_no_look),
+          "--style is about colours and lines: no output has any");
   return warnings;
 }
 
-void check_other_file(const std::string& option, const std::string& file, const std::vector<Output>& outputs) {
-  for (const Output& output : outputs) {
-    if (output.file.lexically_normal() == fs::path(file).lexically_normal())
-      throw Error(ExitStatus::usage, option + " " + file + " is an output already", "give it a name of its own");
+std::vector<std::string> idle_variant_options(const SharedOptions& options, const std::string& seeds) {
+  const bool is_drawn = options.seed == 0 && !options.index && seeds.empty();
+  const bool is_asked = options.curves_only || options.as_drawn || options.variation != SharedOptions().variation;
+  if (!is_drawn || !is_asked) return {};
+  return {"--variation, --curves-only and --as-drawn are about variants, and seed 0 is as drawn: --seed 1 is one"};
+}
+
+void check_other_files(const SharedOptions& options, const std::vector<Output>& outputs, const std::string& pieces) {
+  std::map<fs::path, std::string> taken;  // by what option
+  for (const Output& output : outputs) taken[output.file.lexically_normal()] = "-o " + output.file.string();
+  const auto take = [&](const std::string& option, const fs::path& file) {
+    const auto [known, is_new] = taken.emplace(file.lexically_normal(), option);
+    if (is_new) return;
+    if (file == "-")
+      throw Error(ExitStatus::usage, option + " and " + known->second + " both write to standard output",
+                  "leave out one of them, or give it a file");
+    throw Error(ExitStatus::usage, option + " is an output already: " + known->second, "give it a name of its own");
+  };
+  if (options.json) take("--json", "-");
+  for (const auto& [option, file] : {std::pair("--pieces ", pieces), std::pair("--stats ", options.stats)}) {
+    if (file.empty()) continue;
+    take(option + file, file);
+    if (file != "-") check_folder(file);
   }
-  check_folder(file);
 }
 
 void check_heeded(const std::string& option, const std::vector<Format>& holding, const std::vector<Output>& outputs) {

@@ -24,15 +24,20 @@ std::vector<Output> parse_outputs(const std::vector<std::string>& names, const s
                                   const std::string& format = {});
 
 /// Options that none of the outputs can heed, such as a texture where no output has one: a warning for each.
-/// \throws Error (usage) where --json and an output both want standard output.
 std::vector<std::string> idle_options(const SharedOptions& options, const std::vector<Output>& outputs);
+
+/// Likewise of how variants are drawn, where one fruit is grown as it is drawn. \param seeds of --seeds
+std::vector<std::string> idle_variant_options(const SharedOptions& options, const std::string& seeds);
 
 /// \param option "--lod": what was asked for. \param holding the formats that heed it.
 /// \throws Error (usage) if no output is one of them.
 void check_heeded(const std::string& option, const std::vector<Format>& holding, const std::vector<Output>& outputs);
 
-/// A further file, named by `option`, which must be none of the outputs. \throws Error (usage, cannot_create)
-void check_other_file(const std::string& option, const std::string& file, const std::vector<Output>& outputs);
+/// What a command writes beside its outputs: the file of --stats, the answer to --json on standard output, and, where
+/// it is not empty, the list of pieces. \throws Error (usage) where two of all these are one file, or both standard
+/// output; (cannot_create) for a folder that cannot be written to.
+void check_other_files(const SharedOptions& options, const std::vector<Output>& outputs,
+                       const std::string& pieces = {});
 
 /// A picture's ground truth goes with one picture, into a folder that is there or can be made.
 /// \throws Error (usage) if `outputs` hold no .png or two, (cannot_create) for a folder that cannot be.

@@ -149,9 +149,7 @@ Image plate_of(const PlateContents& contents, const FruitSource& source, const S
 ExitStatus make_plate(const PlateCommand& command) {
   const std::vector<Output> outputs = parse_outputs(command.outputs, {Format::png}, command.shared.format);
   check_exports(command.shared, outputs);
-  if (!command.shared.aov.empty()) {
-    throw Error(ExitStatus::usage, "--aov: a plate has several pictures", "ask for it of grow or cut");
-  }
+  check_other_files(command.shared, outputs);
   for (const std::string& knife : {command.half, command.section}) parse_knife(knife);
   SharedOptions shared = command.shared;
   if (shared.style.empty()) shared.style = "plate";
@@ -175,11 +173,7 @@ DeclaredCommand plate_command(CLI::App& app) {
   const auto options = std::make_shared<PlateCommand>();
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
-  command->add_option("-o,--output", options->outputs, "What to write: .png; - is standard output")
-      ->type_name("FILE")
-      ->required()
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_output_option(*command, options->outputs, "What to write: .png; - is standard output");
   command->add_option("--half", options->half, "The knife that halves it for the second figure")
       ->type_name("KNIFE")
       ->capture_default_str();
@@ -190,7 +184,7 @@ DeclaredCommand plate_command(CLI::App& app) {
   add_index_options(*command, options->shared);
   add_ripeness_option(*command, options->shared);
   add_browning_option(*command, options->shared);
-  add_shared_options(*command, options->shared);
+  add_plate_options(*command, options->shared);
   return {command, [options] { return make_plate(*options); }};
 }
 

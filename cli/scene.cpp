@@ -58,6 +58,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
   check_exports(command.shared, outputs);
   check_picture_size(command.shared, outputs);
   check_aov(command.shared.aov, outputs);
+  check_other_files(command.shared, outputs);
   Delivery delivery(command.shared);
   delivery.set_outputs(outputs);
   delivery.warn(idle_options(command.shared, outputs));
@@ -100,12 +101,6 @@ ExitStatus compose_scene(const SceneCommand& command) {
 /// What it reads by the words of the line.
 std::vector<std::string> read_by(const SceneCommand& command) { return {command.scene, command.shared.style}; }
 
-ExitStatus scene_or_watch(const SceneCommand& command) {
-  if (!command.shared.watch) return compose_scene(command);
-  check_watch(command.outputs);
-  return watched(read_by(command), [&] { return compose_scene(command); });
-}
-
 }  // namespace
 
 DeclaredCommand scene_command(CLI::App& app) {
@@ -113,18 +108,15 @@ DeclaredCommand scene_command(CLI::App& app) {
   const auto options = std::make_shared<SceneCommand>();
   command->add_option("SCENE", options->scene, "A name from `pomona list --scenes`, or a scene file (.toml)")
       ->required();
-  command
-      ->add_option(
-          "-o,--output", options->outputs,
-          "What to write: .glb, .usda, .pov, .png, .svg, .ply, .obj, .stl, .html (a page), or .json (the layout)")
-      ->type_name("FILE")
-      ->required()
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_output_option(
+      *command, options->outputs,
+      "What to write: .glb, .usda, .pov, .png, .svg, .ply, .obj, .stl, .html (a page), or .json (the layout)");
   add_shared_options(*command, options->shared);
   add_watch_option(*command, options->shared);
-  return {command, [options] { return scene_or_watch(*options); }};
+  return {command, [options] {
+            return made_or_watched(options->shared, options->outputs, read_by(*options),
+                                   [&] { return compose_scene(*options); });
+          }};
 }
 
 }  // namespace pomona

@@ -50,10 +50,8 @@ std::string no_count(const std::string& text) {
 /// As CLI11 has a word of no letters; what is not given is left out.
 std::string no_empty(const std::string& text) { return text.empty() ? "\"\" says nothing: leave it out" : ""; }
 
-}  // namespace
-
-void add_shared_options(CLI::App& command, SharedOptions& options) {
-  // Which variant of the fruit.
+/// Which variant of the fruit.
+void add_variant_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--seed", options.seed, "Variant to grow; 0 = as drawn")
       ->check(no_count)
       ->capture_default_str()
@@ -63,8 +61,10 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
       ->capture_default_str();
   command.add_flag("--curves-only", options.curves_only,
                    "Vary the horizontal curves alone, as in the paper, whatever the template says");
+}
 
-  // How it is computed, and how finely.
+/// How it is computed, and how finely.
+void add_computing_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--threads", options.threads, "Threads to use; 0 = all. The result does not depend on it")
       ->check(whole_between(0, 1024))
       ->capture_default_str();
@@ -81,12 +81,16 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--detail", options.detail, "Tessellation of the surfaces, relative to the template's")
       ->check(between(0.1, 4.0))
       ->capture_default_str();
+}
 
-  // What files look like inside: styles, textures, levels of detail, pictures.
+void add_style_option(CLI::App& command, SharedOptions& options) {
   command
       .add_option("--style", options.style,
                   "Look of pictures: a name from `pomona list --styles` or a style file (.toml); ink unless said")
       ->type_name("STYLE");
+}
+
+void add_texture_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--texture", options.texture, "Bake colours into a texture of N x N texels instead of vertices")
       ->check(whole_between(64, 8192));
   command
@@ -100,6 +104,10 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
       ->capture_default_str();
   command.add_option("--maps-dir", options.maps_dir, "The textures as .png, too, in this folder, with part numbers")
       ->type_name("FOLDER");
+}
+
+/// What files of meshes hold besides.
+void add_mesh_options(CLI::App& command, SharedOptions& options) {
   command
       .add_option("--lod", options.lod,
                   ".glb: each solid at so many further levels of detail, with a half, a quarter, ... of the triangles")
@@ -111,17 +119,20 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
   command.add_flag("--instances", options.instances,
                    ".glb, .usda: pieces that repeat are one node with many places, one prim");
   command.add_flag("--feature-ids", options.feature_ids, ".glb: parts as EXT_mesh_features, too");
+}
+
+void add_size_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--size", options.size,
                      "Size of pictures in pixels, WIDTHxHEIGHT; with --dpi also as in 120x90mm");
   command.add_option("--dpi", options.dpi, "Pixels per inch that .png and .svg tell programs which print them")
       ->check(between(10.0, 2400.0));
+}
+
+/// Where pictures look from, and what they show in numbers.
+void add_view_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
       ->check(no_empty)
       ->type_name(view_names());
-
-  command.add_option("--format", options.format, "What -o - writes to standard output: an ending without its dot")
-      ->type_name("FORMAT");
-  // What pictures show, in numbers.
   command
       .add_option("--aov", options.aov,
                   "With a .png of solids: ids, depth, normals, masks and annotations of what it shows, in this folder")
@@ -130,11 +141,45 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
       .add_option("--aov-format", options.aov_format, "png = a 16-bit picture a layer, exr = one file with Cryptomatte")
       ->check(one_of({"png", "exr"}))
       ->capture_default_str();
+}
 
-  // What is told besides.
+/// What goes to standard output, and what is told besides.
+void add_telling_options(CLI::App& command, SharedOptions& options) {
+  command.add_option("--format", options.format, "What -o - writes to standard output: an ending without its dot")
+      ->type_name("FORMAT");
   command.add_option("--stats", options.stats, "Write times and counts to this JSON file")->type_name("FILE");
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
   command.add_flag("--json", options.json, "Print the result as JSON");
+}
+
+}  // namespace
+
+void add_output_option(CLI::App& command, std::vector<std::string>& outputs, const std::string& what) {
+  command.add_option("-o,--output", outputs, what)
+      ->type_name("FILE")
+      ->required()
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_shared_options(CLI::App& command, SharedOptions& options) {
+  add_variant_options(command, options);
+  add_computing_options(command, options);
+  add_style_option(command, options);
+  add_texture_options(command, options);
+  add_mesh_options(command, options);
+  add_size_options(command, options);
+  add_view_options(command, options);
+  add_telling_options(command, options);
+}
+
+void add_plate_options(CLI::App& command, SharedOptions& options) {
+  add_variant_options(command, options);
+  add_computing_options(command, options);
+  add_style_option(command, options);
+  add_size_options(command, options);
+  add_telling_options(command, options);
 }
 
 void add_index_options(CLI::App& command, SharedOptions& options) {
@@ -151,6 +196,9 @@ void add_ripeness_option(CLI::App& command, SharedOptions& options) {
       .add_option("--ripeness", options.ripeness,
                   "0 = unripe, 1 = as drawn, 2 = overripe, where the template says how it ripens")
       ->check(between(0.0, 2.0));
+}
+
+void add_ripeness_variants_option(CLI::App& command, SharedOptions& options) {
   command
       .add_option("--ripeness-variants", options.ripeness_variants,
                   ".glb, .usda with textures: as variants these ripenesses, too, as in 0.3,1,1.7")
@@ -220,7 +268,8 @@ bool wants_textures(const SharedOptions& options) { return options.texture > 0 |
 double texel_size(const SharedOptions& options) {
   if (options.texel.empty()) return 0;
   const std::optional<double> size = parse_length(options.texel);
-  if (parse_number(options.texel))
+  const std::optional<double> bare = parse_number(options.texel);
+  if (bare && *bare > 0)
     throw Error(ExitStatus::usage, "--texel " + options.texel + " has no unit", "write " + options.texel + "mm");
   if (!size || !(*size > 0)) {
     throw Error(ExitStatus::usage, "--texel " + options.texel + " is not the size of a texel",
@@ -239,8 +288,10 @@ std::optional<glm::dvec3> view_direction(const SharedOptions& options) {
   const auto azimuth = parse_number(options.view.substr(0, comma));
   const auto elevation = comma == std::string::npos ? std::nullopt : parse_number(options.view.substr(comma + 1));
   if (!azimuth || !elevation || *elevation < -90 || *elevation > 90) {
-    throw Error(ExitStatus::usage, "--view " + options.view + " is not a view",
-                "front, back, left, right, top, bottom, three-quarter, or AZIMUTH,ELEVATION as in 30,20");
+    throw Error(
+        ExitStatus::usage, "--view " + options.view + " is not a view",
+        "front, back, left, right, top, bottom, three-quarter, or AZIMUTH,ELEVATION as in 30,20; elevations are "
+        "-90 to 90");
   }
   const double a = radians(*azimuth), e = radians(*elevation);
   return glm::dvec3(reproducible::cos(e) * reproducible::sin(a), reproducible::sin(e),

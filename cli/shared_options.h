@@ -57,14 +57,23 @@ struct SharedOptions {
   double browning = 0;
 };
 
-/// Declares them all on a command. `options` must outlive the parsing.
+/// -o, once or several times. \param what the help's words: "What to write: .png". `outputs` must outlive the parsing.
+void add_output_option(CLI::App& command, std::vector<std::string>& outputs, const std::string& what);
+
+/// Declares what grow, cut and scene share. `options` must outlive the parsing.
 void add_shared_options(CLI::App& command, SharedOptions& options);
+
+/// Of these what a plate heeds: no meshes, no textures, no views.
+void add_plate_options(CLI::App& command, SharedOptions& options);
 
 /// --index and --as-drawn, for commands that grow one fruit.
 void add_index_options(CLI::App& command, SharedOptions& options);
 
 /// --ripeness, for commands that grow one fruit.
 void add_ripeness_option(CLI::App& command, SharedOptions& options);
+
+/// --ripeness-variants, for commands that write meshes of one fruit.
+void add_ripeness_variants_option(CLI::App& command, SharedOptions& options);
 
 /// --browning, for commands that cut one.
 void add_browning_option(CLI::App& command, SharedOptions& options);

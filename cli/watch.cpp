@@ -89,18 +89,18 @@ std::set<fs::path> files_behind(const std::vector<std::string>& words) {
   return files.take();
 }
 
-void check_watch(const std::vector<std::string>& outputs) {
-  if (std::find(outputs.begin(), outputs.end(), "-") == outputs.end()) return;
-  throw Error(ExitStatus::usage, "--watch: standard output cannot be made anew", "-o FILE");
-}
+ExitStatus made_or_watched(const SharedOptions& options, const std::vector<std::string>& outputs,
+                           const std::vector<std::string>& words, const std::function<ExitStatus()>& make) {
+  if (!options.watch) return make();
+  if (std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
+    throw Error(ExitStatus::usage, "--watch: standard output cannot be made anew", "-o FILE");
 
-ExitStatus watched(const std::vector<std::string>& words, const std::function<ExitStatus()>& make) {
   std::set<fs::path> files = files_behind(words);
   for (;;) {
     // As they were before they were read: what changes meanwhile is seen.
     std::map<fs::path, FileState> before = states_of(files);
     run_action(make);
-    std::fprintf(stderr, "watching %zu files; Ctrl-C ends it\n", files.size());
+    if (!options.quiet) std::fprintf(stderr, "watching %zu files; Ctrl-C ends it\n", files.size());
     while (states_of(files) == before) std::this_thread::sleep_for(between_looks);
     // An editor writes in several steps: wait for the last.
     for (std::map<fs::path, FileState> now = states_of(files); now != before; now = states_of(files)) {

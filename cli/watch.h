@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/shared_options.h"
 #include "generator/base/error.h"
 
 namespace pomona {
@@ -15,11 +16,10 @@ namespace pomona {
 /// (mesh:blade.ply), and all that those which are TOML name in turn: sketches, meshes, other templates.
 std::set<std::filesystem::path> files_behind(const std::vector<std::string>& words);
 
-/// \throws Error (usage) if one of the outputs is standard output, which cannot be made anew.
-void check_watch(const std::vector<std::string>& outputs);
-
-/// Makes, and makes again whenever one of these files has changed and has come to rest, until a signal ends the
-/// program. What goes wrong is printed, and watching goes on.
-ExitStatus watched(const std::vector<std::string>& words, const std::function<ExitStatus()>& make);
+/// Makes, and with --watch makes again whenever one of the files behind `words` has changed and has come to rest, until
+/// a signal ends the program. What goes wrong is printed then, and watching goes on. \throws Error (usage) with
+/// --watch, if one of the outputs is standard output, which cannot be made anew; without it what `make` throws.
+ExitStatus made_or_watched(const SharedOptions& options, const std::vector<std::string>& outputs,
+                           const std::vector<std::string>& words, const std::function<ExitStatus()>& make);
 
 }  // namespace pomona

@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -29,16 +31,20 @@ void make_folder(const fs::path& path) {
 }
 
 /// The lock file, made where it is not there, and locked. \param kind LOCK_SH or LOCK_EX.
-/// \throws Error (locked) if another run has it.
+/// \throws Error (locked) if another run has it, and not only for the moment in which `pomona farm status` asks whether
+/// one has.
 Descriptor locked(const fs::path& path, const fs::path& folder, int kind) {
-  for (;;) {
+  constexpr auto moment = std::chrono::milliseconds(20);
+  for (int times_busy = 0;;) {
     make_folder(path.parent_path());
     Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (!file.is_open() && errno == ENOENT) continue;  // its folder has just been removed
     if (!file.is_open()) fail_at(ExitStatus::cannot_create, path, "cannot be created", errno);
     if (::flock(file.number(), kind | LOCK_NB) != 0) {
-      if (errno == EWOULDBLOCK) refuse_busy(folder);
-      if (errno != EINTR) fail_at(ExitStatus::io_error, path, "cannot be locked", errno);
+      if (errno != EWOULDBLOCK && errno != EINTR) fail_at(ExitStatus::io_error, path, "cannot be locked", errno);
+      if (errno == EINTR) continue;
+      if (++times_busy > 5) refuse_busy(folder);
+      std::this_thread::sleep_for(moment);
     } else if (is_still_there(file, path)) {
       return file;
     }

@@ -40,7 +40,14 @@ class FileSet {
   void add(const OutputFile& file) {
     const fs::path destination = followed(file.path);
     const fs::path folder = destination.has_parent_path() ? destination.parent_path() : fs::path(".");
-    folder_for(folder, file.path).add(destination.filename().native(), file.bytes, file.rest.get());
+    SetFolder& own = folder_for(folder, file.path);
+    const std::string name = destination.filename().native();
+    if (own.has(name)) {
+      throw Error(ExitStatus::usage, {{{file.path.string(), 0, 0, {}},
+                                       "two files of this run would be this one",
+                                       "give one of them a name or a folder of its own"}});
+    }
+    own.add(name, file.bytes, file.rest.get());
     ++size_;
   }
 

@@ -25,7 +25,8 @@ std::size_t size_of(const OutputFile& file);
 /// the process is killed, each file is whole, old or new, and the next run that writes into that folder puts the
 /// rest into place, too, or clears it away. A file that is replaced keeps its permissions. What is there and is no
 /// ordinary file (a device, a pipe) is written to directly, as is standard output, whose path is "-".
-/// \throws Error (cannot_create) where a file cannot be made, (io_error) where it cannot be written.
+/// \throws Error (cannot_create) where a file cannot be made, (io_error) where it cannot be written, (usage) where two
+/// are the same file, links followed: one of them would be lost.
 void write_whole(std::span<const OutputFile> files);
 
 /// For a single file.

@@ -170,6 +170,11 @@ SetFolder::~SetFolder() {
   if (file_.is_open()) remove_remains(folder_, stem_);
 }
 
+bool SetFolder::has(const std::string& name) const {
+  return std::any_of(record_.members.begin(), record_.members.end(),
+                     [&](const SetMember& member) { return member.name == name; });
+}
+
 void SetFolder::add(const std::string& name, std::string_view bytes, const SpooledBytes* rest) {
   const fs::path destination = folder_ / name;
   const auto before = about(destination);

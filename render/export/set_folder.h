@@ -27,6 +27,8 @@ class SetFolder {
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path record_path() const { return folder_ / (stem_ + ".set"); }
   std::size_t size() const { return record_.members.size(); }
+  /// Whether a file of this name has been added.
+  bool has(const std::string& name) const;
 
   /// Writes these bytes, and the rest if there is one, beside the destination `name`, down to the disk, with the
   /// permissions of what is there. \throws Error (cannot_create, io_error)

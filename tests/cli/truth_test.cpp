@@ -105,6 +105,15 @@ TEST(Aov, FoldersThatCannotBeAreToldFirst) {
   EXPECT_EQ(bytes_of(folder / "file"), "not a folder");
 }
 
+TEST(Aov, DoesNotTakeThePlaceOfThePicture) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "truth");
+  const Outcome outcome = cut_cherry({"-o", "truth/depth.png", "--aov", "truth"}, folder.path());
+  EXPECT_EQ(outcome.status, 64);
+  EXPECT_THAT(outcome.err, HasSubstr("two files of this run would be this one"));
+  EXPECT_TRUE(fs::is_empty(folder / "truth"));
+}
+
 TEST(Aov, LeavesNoFolderBehindWhenThePictureCannotBe) {
   const TemporaryFolder folder;
   fs::create_symlink("/dev/full", folder / "x.png");

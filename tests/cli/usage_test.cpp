@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"KnifeInCapitals", {"cut", "kiwi", "--knife", "HALF", "-o", "x.glb"}, 64, "did you mean \"half\"?"},
         Mistake{"PlateOfNoPicture", {"plate", "kiwi", "-o", "x.glb"}, 64, "it writes .png"},
         Mistake{"PlateWithoutAKnife", {"plate", "kiwi", "--section", "acros", "-o", "x.png"}, 64, "across"},
-        Mistake{"PlateWithTruth", {"plate", "kiwi", "--aov", "truth", "-o", "x.png"}, 64, "several pictures"},
+        Mistake{"PlateWithTruth", {"plate", "kiwi", "--aov", "truth", "-o", "x.png"}, 64, "--aov"},
         Mistake{"SeedsBackwards", {"grow", "kiwi", "--seeds", "5-1", "-o", "x.glb"}, 64, "write --seeds 1-5"},
         Mistake{"TooManySeeds", {"grow", "kiwi", "--seeds", "1-1000000000000", "-o", "x.glb"}, 64, "up to 64 seeds"},
         Mistake{"SeedsOfWords", {"grow", "kiwi", "--seeds", "1,two", "-o", "x.glb"}, 64, "write --seeds 1-5"},
@@ -115,6 +115,22 @@ INSTANTIATE_TEST_SUITE_P(
                 {"cut", "tomato", "--knife", "half", "--pieces", "./x.glb", "-o", "x.glb"},
                 64,
                 "is an output already"},
+        Mistake{"StatisticsAreAnOutput",
+                {"grow", "tomato", "--stats", "./x.ply", "-o", "x.ply"},
+                64,
+                "is an output already: -o x.ply"},
+        Mistake{"StatisticsArePieces",
+                {"cut", "tomato", "--knife", "half", "--pieces", "x.json", "--stats", "x.json", "-o", "x.glb"},
+                64,
+                "is an output already: --pieces x.json"},
+        Mistake{"TwoDocumentsOnStandardOutput",
+                {"grow", "tomato", "--json", "--stats", "-", "-o", "x.ply"},
+                64,
+                "both write to standard output"},
+        Mistake{"PiecesAndAnAnswerOnStandardOutput",
+                {"cut", "tomato", "--knife", "half", "--json", "--pieces", "-", "-o", "x.glb"},
+                64,
+                "both write to standard output"},
         Mistake{"PiecesInNoFolder",
                 {"cut", "tomato", "--knife", "half", "--pieces", "no/x.json", "-o", "x.glb"},
                 73,
@@ -284,11 +300,12 @@ TEST(StandardOutput, ThatIsFullEndsWithItsStatus) {
 
 TEST(Outputs, WarnOfOptionsThatHaveNoEffect) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_pomona(
-      {"grow", "radish", "--detail", "0.1", "--texture", "256", "--view", "top", "--size", "80x60", "-o", "X.OBJ"},
-      folder.path());
+  const Outcome outcome =
+      run_pomona({"grow", "radish", "--detail", "0.1", "--texture", "256", "--view", "top", "--size", "80x60", "--dpi",
+                  "300", "--sheets", "--variation", "2", "--aov-format", "exr", "-o", "X.OBJ"},
+                 folder.path());
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* option : {"--texture", "--view", "--size"})
+  for (const char* option : {"--texture", "--view", "--size", "--dpi", "--sheets", "--variation", "--aov-format"})
     EXPECT_THAT(outcome.err, HasSubstr(std::string("warning: ") + option));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "X.OBJ"));
 }
@@ -298,6 +315,20 @@ TEST(Outputs, MayHaveNamesThatAreNoUtf8) {
   const Outcome outcome = run_pomona({"grow", "radish", "--detail", "0.1", "--json", "-o", "b\xff.ply"}, folder.path());
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("\"bytes\""));
+
+  // What is written of a template whose own name is none: assets, pages, lists of pieces, maps, ground truth.
+  const std::filesystem::path templates = POMONA_SOURCE_DIR "/templates";
+  std::filesystem::copy_file(templates / "egg.toml", folder.path() / "e\xff.toml");
+  const std::vector<std::vector<std::string>> commands{
+      {"grow", "e\xff.toml", "-o", "x.html", "-o", "x.pomona"},
+      {"cut",   "e\xff.toml", "--knife", "half",      "--detail", "0.2",        "--size",
+       "64x48", "--pieces",   "p.json",  "--texture", "64",       "--maps-dir", "maps",
+       "-o",    "x\xff.glb",  "-o",      "x\xff.png", "--aov",    "truth"}};
+  for (std::vector<std::string> words : commands) {
+    words.insert(words.end(), {"--quality", "draft", "--quiet"});
+    const Outcome each = run_pomona(words, folder.path());
+    EXPECT_EQ(each.status, 0) << each.err;
+  }
 }
 
 TEST(Errors, ShowNoControlCharacters) {

@@ -29,7 +29,7 @@ def main():
         for file in ("cherry.toml", "cherry.svg"):
             shutil.copy(TEMPLATES / file, folder)
         toml, svg, out, told = folder / "cherry.toml", folder / "cherry.svg", folder / "out.stl", folder / "told"
-        words = [PROGRAM, "grow", "cherry.toml", "--detail", "0.3", "-o", "out.stl", "--watch", "--quiet"]
+        words = [PROGRAM, "grow", "cherry.toml", "--detail", "0.3", "-o", "out.stl", "--watch"]
         with open(told, "w", encoding="utf-8") as stream:
             watching = subprocess.Popen(words, cwd=folder, stderr=stream)
         try:

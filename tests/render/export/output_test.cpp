@@ -53,6 +53,17 @@ TEST_F(Output, ReplacesAFileWhole) {
   EXPECT_THAT(names(), UnorderedElementsAre("a"));
 }
 
+TEST_F(Output, RefusesToWriteOneFileTwice) {
+  write_whole(folder_ / "a", "old");
+  fs::create_directory_symlink(folder_, folder_ / "here");
+  fs::create_symlink("a", folder_ / "link");
+  for (const fs::path& again : {folder_ / "a", folder_ / "." / "a", folder_ / "here" / "a", folder_ / "link"}) {
+    EXPECT_EQ(status_of({{folder_ / "a", "new"}, {again, "other"}}), ExitStatus::usage) << again;
+  }
+  EXPECT_EQ(content("a"), "old");
+  EXPECT_THAT(names(), UnorderedElementsAre("a", "here", "link"));
+}
+
 TEST_F(Output, ChangesNothingWhenOneOfSeveralCannotBeMade) {
   write_whole(folder_ / "a", "old");
   EXPECT_EQ(status_of({{folder_ / "a", "new"}, {folder_ / "missing" / "b", "new"}}), ExitStatus::cannot_create);
