@@ -72,7 +72,7 @@ ExitStatus make_batch(const BatchCommand& command) {
   // Everything that can be wrong with the words and the file is told before anything is written.
   const RunOptions options{
       .shard = parse_shard(command.shard), .threads = {command.threads}, .memory = parse_memory(command.memory)};
-  const BatchPlan plan = wanted_batch(find_file("scenes", command.batch));
+  const BatchPlan plan = wanted_batch(find_file("scenes", command.batch, "batch"));
   const std::string record = record_of(plan);
   const fs::path folder = command.output;
   check_folder_of(folder, record, command.resume, plan, options.shard);

@@ -43,15 +43,17 @@ struct CheckCommand {
   bool quiet = false;
 };
 
-/// A template by its name, else a scene; or a path.
+/// A template by its name, else a scene, a batch or a style; or a path.
 std::filesystem::path find_known(const std::string& name) {
   try {
     return find_template(name);
   } catch (const Error&) {
-    const std::vector<std::filesystem::path> scenes = own_files("scenes");
-    const auto same = [&](const std::filesystem::path& file) { return file.stem() == name; };
-    const auto scene = std::find_if(scenes.begin(), scenes.end(), same);
-    if (scene != scenes.end()) return *scene;
+    for (const char* kind : {"scenes", "styles"}) {
+      const std::vector<std::filesystem::path> files = own_files(kind);
+      const auto same = [&](const std::filesystem::path& file) { return file.stem() == name; };
+      const auto file = std::find_if(files.begin(), files.end(), same);
+      if (file != files.end()) return *file;
+    }
     throw;
   }
 }
@@ -118,6 +120,11 @@ std::vector<std::string> body_warnings(const DiffusionSurfaces& surfaces, const 
 std::vector<std::string> check_file(const std::filesystem::path& file) {
   if (file.extension() == ".ply") return body_warnings(read_surfaces(file), file);
   if (check_part(file)) return {};
+  if (file.extension() != ".toml") {
+    throw Error(ExitStatus::bad_data, {{{file.string(), 1, 1, {}},
+                                        "has no ending of a file that is read here",
+                                        "these are .toml .ply .obj .glb .svg .png .json"}});
+  }
   if (is_scene_file(file)) {
     const SceneDescription scene = read_scene(file);
     check_style(scene, file.parent_path());

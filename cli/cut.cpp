@@ -134,6 +134,7 @@ std::vector<std::string> idle_cut_options(const CutCommand& command, const std::
   const auto add = [&](std::vector<std::string> more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
   add(idle_variant_options(command.shared, command.seeds));
   if (command.section && !command.shared.view.empty()) add({"--view: a section is looked at straight"});
+  if (command.section && command.crumbs) add({"--crumbs is about pieces: a section has none"});
   const bool is_asked = command.explode > 1 || command.crumbs || command.piece > 0 || command.faces != "fine";
   if (is_asked && all_live(outputs))
     add({"--explode, --crumbs, --piece and --faces have no effect on .html and .pomona: these hold the whole fruit"});
@@ -186,6 +187,12 @@ ExitStatus cut_fruit(const CutCommand& command) {
   return ExitStatus::done;
 }
 
+std::vector<std::string> written_by(const CutCommand& command) {
+  std::vector<std::string> names = command.outputs;
+  names.push_back(command.pieces);
+  return names;
+}
+
 /// What it reads by the words of the line.
 std::vector<std::string> read_by(const CutCommand& command) {
   std::vector<std::string> words = command.knives;
@@ -236,7 +243,7 @@ DeclaredCommand cut_command(CLI::App& app) {
   add_watch_option(*command, options->shared);
   command->footer("Knives, and along what they cut:\n" + knife_help());
   return {command, [options] {
-            return made_or_watched(options->shared, options->outputs, read_by(*options),
+            return made_or_watched(options->shared, written_by(*options), read_by(*options),
                                    [&] { return cut_fruit(*options); });
           }};
 }

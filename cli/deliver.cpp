@@ -289,13 +289,18 @@ void Delivery::warn(const std::vector<std::string>& warnings) {
 }
 
 void Delivery::finish() {
+  // The statistics tell how long it took to write all other files.
+  for (const OutputFile& file : files_)
+    if (!options_.stats.empty() && is_same_file(file.path, options_.stats))
+      throw Error(ExitStatus::usage, "--stats " + options_.stats + " is a file of this run already",
+                  "give it a name of its own");
+
   // Ctrl-C is heard before or after, not between two files.
   const HeldSignals held;
   MadeFolder truth(options_.aov), maps(options_.maps_dir);
   times.time("write", [&] { write_whole(files_); });
   truth.keep(), maps.keep();
   if (!options_.stats.empty()) {
-    // The statistics tell how long it took to write all other files.
     files_.push_back({options_.stats, times.json(resolved({options_.threads}))});
     write_whole(std::span(files_).last(1));
   }

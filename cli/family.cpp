@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/live_fruit.h"
+#include "cli/option_checks.h"
 #include "generator/base/error.h"
 #include "generator/scene/in_a_row.h"
 
@@ -25,13 +26,15 @@ std::optional<std::uint64_t> whole_number(const std::string& text) {
 }
 
 [[noreturn]] void fail(const std::string& text) {
-  throw Error(ExitStatus::usage, "--seeds " + text + " are not up to 64 seeds", "write --seeds 1-5, or --seeds 0,2,7");
+  throw Error(ExitStatus::usage, "--seeds " + text + " is no list of seeds",
+              "write --seeds 1-5, or --seeds 0,2,7: up to 64 seeds, rising");
 }
 
 }  // namespace
 
 void add_seeds_option(CLI::App& command, std::string& seeds) {
   command.add_option("--seeds", seeds, "Several variants side by side, at one scale: 1-5, or 0,2,7")
+      ->check(not_empty())
       ->excludes("--seed");
 }
 

@@ -59,7 +59,7 @@ fs::path normal(const fs::path& path) {
 FarmJob job_for(const JobOptions& options) {
   parse_memory(options.memory);
   const FarmJob job{.program = options.program.empty() ? this_program() : fs::path(options.program),
-                    .batch = normal(find_file("scenes", options.batch)),
+                    .batch = normal(find_file("scenes", options.batch, "batch")),
                     .output = normal(options.output),
                     .works_in = fs::current_path(),
                     .tasks = options.tasks,

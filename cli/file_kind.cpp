@@ -25,8 +25,8 @@ void check_kind(const std::filesystem::path& file, FileKind wanted) {
   };
   const bool is_surfaces = file.extension() == ".ply";
   if (file.extension() != ".toml" && !(is_surfaces && wanted == FileKind::fruit))
-    refuse("is no file of this kind",
-           wanted == FileKind::fruit ? "templates are .toml, surfaces .ply" : "it is a .toml");
+    refuse("has no ending of a file that is read here",
+           wanted == FileKind::fruit ? "templates are .toml, surfaces .ply" : "name it FILE.toml");
   const FileKind found = kind_of(file);
   if (found == wanted || found == FileKind::other) return;
   if (found == FileKind::fruit) refuse("is a template", "pomona grow and pomona cut take templates");

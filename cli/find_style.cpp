@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "cli/file_kind.h"
 #include "cli/program_folders.h"
 #include "render/style/style_file.h"
 
@@ -11,7 +12,11 @@ namespace pomona {
 
 Style find_style(const std::string& name_or_path) {
   const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
-  if (is_path) return read_style(existing_file(name_or_path));
+  if (is_path) {
+    const fs::path file = existing_file(name_or_path);
+    check_kind(file, FileKind::style);
+    return read_style(file);
+  }
   std::error_code ignored;
   for (const fs::path& folder : searched_folders("styles")) {
     const fs::path file = folder / (name_or_path + ".toml");

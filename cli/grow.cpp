@@ -101,6 +101,10 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   const auto is_surfaces = [](const Output& output) { return output.format == Format::ply; };
   if (command.sheets && std::none_of(outputs.begin(), outputs.end(), is_surfaces))
     delivery.warn({"--sheets is about .ply: no output is one"});
+  if (command.surfaces && std::all_of(outputs.begin(), outputs.end(), [&](const Output& output) {
+        return is_surfaces(output) || is_live(output.format);
+      }))
+    delivery.warn({"--surfaces is about meshes and pictures: no output is one"});
   if (!command.seeds.empty()) return grow_family(command, outputs, delivery);
   const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
 
@@ -150,7 +154,7 @@ DeclaredCommand grow_command(CLI::App& app) {
       "output");
   command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
   command->add_flag("--sheets", options->sheets, ".ply: everything the diffuser sees, blur split, grains included");
-  command->add_flag("--surfaces", options->surfaces, ".glb, .pov, .png: all surfaces, seen through each other");
+  command->add_flag("--surfaces", options->surfaces, "Meshes and pictures: all surfaces, seen through each other");
   command->add_option("--piece", options->piece, "Of a fruit in several bodies, this one alone")
       ->check(whole_between(1, 1000000));
   command->add_flag("--cuttable", options->cuttable,

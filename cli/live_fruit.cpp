@@ -85,7 +85,8 @@ void check_live_knives(std::span<const Knife> knives) {
   for (const Knife& knife : knives) {
     if (is_planes(knife)) continue;
     throw Error(ExitStatus::usage, "--knife " + knife.text + ": a page opens with planes that go right through",
-                "half, across, plane:..., an even number of wedges; the page has knives of its own for all else");
+                "half, across, slices, dice, sticks, plane:..., an even number of wedges; the page has knives of its "
+                "own for all else");
   }
 }
 

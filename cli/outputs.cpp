@@ -83,6 +83,9 @@ std::vector<Output> parse_outputs(const std::vector<std::string>& names, const s
                   "add --format glb, or another one");
     const fs::path file = name;
     const std::optional<Format> wanted = format_of(to_standard_output ? "." + format : file.extension().string());
+    if (!to_standard_output && file.extension().empty())
+      throw Error(ExitStatus::usage, "-o \"" + name + "\": it has no ending, which would say what to write",
+                  "this command writes " + list_of(allowed));
     if (!wanted || std::find(allowed.begin(), allowed.end(), *wanted) == allowed.end()) {
       throw Error(ExitStatus::usage,
                   (to_standard_output ? "--format " + format : "-o " + name) + ": this command cannot write that",

@@ -13,6 +13,7 @@
 #include "cli/option_checks.h"
 #include "cli/outputs.h"
 #include "cli/outside_parts.h"
+#include "cli/watch.h"
 #include "generator/base/error.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/one_grain.h"
@@ -185,7 +186,10 @@ DeclaredCommand plate_command(CLI::App& app) {
   add_ripeness_option(*command, options->shared);
   add_browning_option(*command, options->shared);
   add_plate_options(*command, options->shared);
-  return {command, [options] { return make_plate(*options); }};
+  return {command, [options] {
+            return made_or_watched(options->shared, options->outputs, {options->fruit, options->shared.style},
+                                   [&] { return make_plate(*options); });
+          }};
 }
 
 }  // namespace pomona

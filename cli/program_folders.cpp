@@ -78,7 +78,7 @@ fs::path existing_file(const std::string& path) {
   return path;
 }
 
-fs::path find_file(const std::string& kind, const std::string& name_or_path) {
+fs::path find_file(const std::string& kind, const std::string& name_or_path, const std::string& called) {
   if (is_path(name_or_path)) return existing_file(name_or_path);
   std::error_code ignored;
   for (const fs::path& folder : searched_folders(kind)) {
@@ -96,7 +96,8 @@ fs::path find_file(const std::string& kind, const std::string& name_or_path) {
   std::vector<std::string> known;
   for (const fs::path& file : own_files(kind)) known.push_back(file.stem().string());
   const auto near = nearest_name(name_or_path, known);
-  throw Error(ExitStatus::input_missing, "there is no " + kind.substr(0, kind.size() - 1) + " \"" + name_or_path + "\"",
+  const std::string what = called.empty() ? kind.substr(0, kind.size() - 1) : called;
+  throw Error(ExitStatus::input_missing, "there is no " + what + " \"" + name_or_path + "\"",
               near ? "did you mean " + *near + "?" : where_looked(kind) + "; a path works too");
 }
 

@@ -28,7 +28,9 @@ std::vector<std::filesystem::path> own_files(const std::string& kind);
 std::filesystem::path existing_file(const std::string& path);
 
 /// The file behind a name ("tomato" is tomato.toml in searched_folders(kind)), or behind a path (it has a slash, or
-/// ends in .toml or .ply). \throws Error (input_missing) with the nearest known name, or with where was looked.
-std::filesystem::path find_file(const std::string& kind, const std::string& name_or_path);
+/// ends in .toml or .ply). \param called what it is, where that is not the folder's own: batches lie among the scenes.
+/// \throws Error (input_missing) with the nearest known name, or with where was looked.
+std::filesystem::path find_file(const std::string& kind, const std::string& name_or_path,
+                                const std::string& called = {});
 
 }  // namespace pomona

@@ -85,6 +85,7 @@ std::optional<std::string> fault_of_command(const NamedCommand& named, const std
     return "error: a subcommand is missing\n  hint: " + named.words + " needs one of " + joined(known, ", ");
 
   const std::string& word = arguments[static_cast<std::size_t>(named.next)];
+  if (word == "--") return "error: a subcommand is missing before --\n  hint: see `" + named.words + " -h`";
   if (word.starts_with("-")) return {};
   const auto near = nearest_name(word, known);
   return "error: there is no command \"" + named.words.substr(std::string("pomona").size()).append(" ").substr(1) +
@@ -124,6 +125,8 @@ std::string fault_of(const CLI::App& app, const CLI::ParseError& error, const st
   if (const auto fault = fault_of_command(named, arguments)) return *fault;
   if (const auto fault = fault_of_options(named, arguments)) return *fault;
   std::string what = error.what();
+  const std::size_t too_often = what.find(": At Most 1 required");
+  if (too_often != std::string::npos) what = what.substr(0, too_often) + " is given more than once";
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
     what = "not expected: " + joined(app.remaining(true), " ");
   return "error: " + what + "\n  hint: see `" + named.words + " -h`";
@@ -188,6 +191,11 @@ int run(const std::vector<Command>& commands, int argc, char** argv) {
     if (!reversed.empty()) reversed.pop_back();
     app.parse(std::move(reversed));
   } catch (const CLI::Success& asked_for_text) {
+    const auto fault = fault_of_command(named_command(app, words), words);
+    if (fault && words.size() > 2) {  // `pomona help bogus`
+      print_error(*fault);
+      return static_cast<int>(ExitStatus::usage);
+    }
     app.exit(asked_for_text);  // -h or --version
     return static_cast<int>(printed(ExitStatus::done));
   } catch (const CLI::ParseError& error) {

@@ -47,9 +47,6 @@ std::string no_count(const std::string& text) {
   return fits ? "" : "\"" + text + "\" is not a whole number from 0 to 18446744073709551615";
 }
 
-/// As CLI11 has a word of no letters; what is not given is left out.
-std::string no_empty(const std::string& text) { return text.empty() ? "\"\" says nothing: leave it out" : ""; }
-
 /// Which variant of the fruit.
 void add_variant_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--seed", options.seed, "Variant to grow; 0 = as drawn")
@@ -83,10 +80,12 @@ void add_computing_options(CLI::App& command, SharedOptions& options) {
       ->capture_default_str();
 }
 
-void add_style_option(CLI::App& command, SharedOptions& options) {
+/// \param usual the style that is taken unless one is said.
+void add_style_option(CLI::App& command, SharedOptions& options, const std::string& usual) {
   command
-      .add_option("--style", options.style,
-                  "Look of pictures: a name from `pomona list --styles` or a style file (.toml); ink unless said")
+      .add_option(
+          "--style", options.style,
+          "Look of pictures: a name from `pomona list --styles` or a style file (.toml); " + usual + " unless said")
       ->type_name("STYLE");
 }
 
@@ -131,7 +130,7 @@ void add_size_options(CLI::App& command, SharedOptions& options) {
 /// Where pictures look from, and what they show in numbers.
 void add_view_options(CLI::App& command, SharedOptions& options) {
   command.add_option("--view", options.view, "Where pictures look from, or AZIMUTH,ELEVATION in degrees")
-      ->check(no_empty)
+      ->check(not_empty())
       ->type_name(view_names());
   command
       .add_option("--aov", options.aov,
@@ -166,7 +165,7 @@ void add_output_option(CLI::App& command, std::vector<std::string>& outputs, con
 void add_shared_options(CLI::App& command, SharedOptions& options) {
   add_variant_options(command, options);
   add_computing_options(command, options);
-  add_style_option(command, options);
+  add_style_option(command, options, "ink");
   add_texture_options(command, options);
   add_mesh_options(command, options);
   add_size_options(command, options);
@@ -177,7 +176,7 @@ void add_shared_options(CLI::App& command, SharedOptions& options) {
 void add_plate_options(CLI::App& command, SharedOptions& options) {
   add_variant_options(command, options);
   add_computing_options(command, options);
-  add_style_option(command, options);
+  add_style_option(command, options, "plate");
   add_size_options(command, options);
   add_telling_options(command, options);
 }
@@ -202,6 +201,7 @@ void add_ripeness_variants_option(CLI::App& command, SharedOptions& options) {
   command
       .add_option("--ripeness-variants", options.ripeness_variants,
                   ".glb, .usda with textures: as variants these ripenesses, too, as in 0.3,1,1.7")
+      ->check(not_empty())
       ->type_name("R,R,...");
 }
 

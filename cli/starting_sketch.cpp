@@ -282,7 +282,8 @@ std::string fruit_name(const std::filesystem::path& file) {
   const std::string name = file.stem().string();
   const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
   if (file.extension() != ".toml") {
-    throw Error(ExitStatus::usage, file.string() + ": a template's name ends in .toml",
+    throw Error(ExitStatus::usage,
+                "\"" + file.string() + "\" is no file for a template: it wants a name that ends in .toml",
                 "as in `pomona sketch kiwi.toml`");
   }
   if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), plain)) {

@@ -89,10 +89,26 @@ std::set<fs::path> files_behind(const std::vector<std::string>& words) {
   return files.take();
 }
 
-ExitStatus made_or_watched(const SharedOptions& options, const std::vector<std::string>& outputs,
+void check_not_read(const std::vector<std::string>& written, const std::vector<std::string>& words) {
+  std::set<fs::path> files;
+  for (const std::string& name : written) {
+    std::error_code ignored;
+    // A scene's layout may be written where it was read: it is the same.
+    if (name.empty() || name.ends_with(".json") || !fs::is_regular_file(name, ignored)) continue;
+    if (files.empty()) files = files_behind(words);
+    const auto is_it = [&](const fs::path& file) { return fs::equivalent(file, name, ignored); };
+    if (std::any_of(files.begin(), files.end(), is_it))
+      throw Error(ExitStatus::usage, name + " is read by this command, and would be written over",
+                  "give what is written a name of its own");
+  }
+}
+
+ExitStatus made_or_watched(const SharedOptions& options, std::vector<std::string> written,
                            const std::vector<std::string>& words, const std::function<ExitStatus()>& make) {
+  written.push_back(options.stats);
+  check_not_read(written, words);
   if (!options.watch) return make();
-  if (std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
+  if (std::find(written.begin(), written.end(), "-") != written.end())
     throw Error(ExitStatus::usage, "--watch: standard output cannot be made anew", "-o FILE");
 
   std::set<fs::path> files = files_behind(words);

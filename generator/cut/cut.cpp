@@ -27,7 +27,19 @@ namespace pomona {
 
 namespace {
 
-std::vector<std::string> misses(std::span<const Knife> knives, const CutPlanes& planes, const CrossSection& section) {
+/// Whether a surface has a point on one of the knife's planes.
+bool meets_surfaces(int knife, const CutPlanes& planes, const SplitMesh& mesh) {
+  for (std::size_t plane = 0; plane < planes.planes.size(); ++plane) {
+    if (planes.planes[plane].knife != knife) continue;
+    for (const std::uint32_t set : mesh.planes_of)
+      if (mesh.sets.has(set, static_cast<int>(plane))) return true;
+  }
+  return false;
+}
+
+/// Knives that leave no cut face, and why.
+std::vector<std::string> misses(std::span<const Knife> knives, const CutPlanes& planes, const CutFruit& fruit) {
+  const CrossSection& section = fruit.section.mesh;
   std::vector<std::string> warnings;
   for (std::size_t k = 0; k < knives.size(); ++k) {
     const auto cuts = [&](const CutFace& face) { return face.knife == static_cast<int>(k); };
@@ -36,7 +48,10 @@ std::vector<std::string> misses(std::span<const Knife> knives, const CutPlanes& 
     };
     if (std::any_of(section.faces.begin(), section.faces.end(), cuts)) continue;
     if (std::any_of(planes.planes.begin(), planes.planes.end(), repeats)) continue;
-    warnings.push_back("knife \"" + knives[k].text + "\" cuts nothing: it misses the fruit, or holds all of it");
+    const std::string name = "knife \"" + knives[k].text + "\" ";
+    warnings.push_back(name + (meets_surfaces(static_cast<int>(k), planes, fruit.mesh)
+                                   ? "leaves no cut face: the surfaces it meets hold no inside"
+                                   : "cuts nothing: it misses the fruit, or holds all of it"));
   }
   return warnings;
 }
@@ -78,8 +93,7 @@ class Cutter {
     SparedFruit done = spared(std::move(fruit), surfaces_, options_.spared_parts);
     result.pieces = watched(observer_, "pieces", [&] { return pieces(done, surfaces_, options_); });
     result.warnings = bodies_.warnings;
-    for (std::vector<std::string>& more :
-         std::array{misses(knives_, planes_, done.fruit.section.mesh), done.warnings}) {
+    for (std::vector<std::string>& more : std::array{misses(knives_, planes_, done.fruit), done.warnings}) {
       for (std::string& warning : more) result.warnings.push_back(std::move(warning));
     }
     result.section = std::move(done.fruit.section.mesh);

@@ -47,7 +47,8 @@ KnifeCut read_plane(const KnifeKind&, string_view value, const path&) {
   glm::dvec3 normal(0);
   for (int axis = 0; axis < 3; ++axis) {
     const std::optional<double> part = parse_number(parts[static_cast<std::size_t>(axis)]);
-    if (!part || std::fabs(*part) > 1e100) throw BadKnife("has a normal that is not three numbers");
+    if (!part) throw BadKnife("has a normal that is not three numbers");
+    if (std::fabs(*part) > 1e100) throw BadKnife("has a normal of numbers beyond 1e100");
     normal[axis] = *part;
   }
   const std::optional<double> offset = parse_length(parts[3]);
@@ -68,6 +69,13 @@ KnifeCut read_wedges(const KnifeKind&, string_view value, const path&) {
   return PlaneCut(WedgeKnife{count});
 }
 
+/// \param expected "4mm, or a count", for messages.
+double parse_thickness(string_view value, const std::string& expected) {
+  const std::optional<double> thickness = parse_length(value);
+  if (thickness && *thickness > 0) return *thickness;
+  throw BadKnife("needs a thickness such as " + expected, "lengths are in mm, cm or m, and above 0");
+}
+
 SliceSize parse_slices(string_view value) {
   const std::string too_many = "asks for more than " + std::to_string(most_slices) + " slices";
   const bool is_count = !value.empty() && value.find_first_not_of("0123456789") == string_view::npos;
@@ -80,11 +88,7 @@ SliceSize parse_slices(string_view value) {
   // A number that is no count would be metres, which nobody means.
   if (parse_number(value))
     throw BadKnife("has no unit", "write " + std::string(value) + "mm, or a whole number of slices");
-  const std::optional<double> thickness = parse_length(value);
-  if (!thickness || !(*thickness > 0))
-    throw BadKnife("needs a thickness such as 4mm, or a count",
-                   "lengths are in mm, cm or m; a knife is one of: " + known_knives());
-  return SliceThickness{*thickness};
+  return SliceThickness{parse_thickness(value, "4mm, or a count")};
 }
 
 /// Slices, dice or sticks.
@@ -94,10 +98,8 @@ KnifeCut read_sliced(const KnifeKind&, string_view value, const path&) {
 }
 
 KnifeCut read_crinkle(const KnifeKind&, string_view value, const path&) {
-  const SliceSize size = parse_slices(value);
-  const auto* thickness = std::get_if<SliceThickness>(&size);
-  if (!thickness) throw BadKnife("needs a thickness such as 6mm");
-  return PlaneCut(CrinkleKnife{thickness->metres});
+  if (parse_number(value)) throw BadKnife("has no unit", "write " + std::string(value) + "mm");
+  return PlaneCut(CrinkleKnife{parse_thickness(value, "6mm")});
 }
 
 /// A path in a drawing: "FILE.svg#id,scale=2mm". A comma may be part of the file's name: what comes before the last #
@@ -151,10 +153,8 @@ SizeAndOptions parse_sized(const KnifeKind& kind, string_view value, const std::
   const std::optional<double> size = parse_length(words[0]);
   if (!size || !(*size > 0) || *size > largest_knife) {
     const bool bare = parse_number(words[0]).value_or(0) > largest_knife;
-    throw BadKnife("needs " + what + ", above 0 and up to 10m", bare ? "without a unit it is metres: write " +
-                                                                           std::string(words[0]) +
-                                                                           "mm; a knife is one of: " + known_knives()
-                                                                     : "");
+    throw BadKnife("needs " + what + ", above 0 and up to 10m",
+                   bare ? "without a unit it is metres: write " + std::string(words[0]) + "mm" : "");
   }
   return {*size, KnifeOptions(std::span(words).subspan(1), kind.options)};
 }
@@ -237,6 +237,12 @@ std::string written(const KnifeKind& kind) {
 const std::vector<KnifeKind>& knife_kinds() {
   static const std::vector<KnifeKind> kinds = make_kinds();
   return kinds;
+}
+
+std::string written_with_options(const KnifeKind& kind) {
+  std::string text = written(kind);
+  for (const std::string& option : kind.options) text += " [," + option + "]";
+  return text;
 }
 
 std::string known_knives() {

@@ -27,6 +27,9 @@ struct KnifeKind {
 /// All there are, simple ones first.
 const std::vector<KnifeKind>& knife_kinds();
 
+/// How one kind is written, with its options: "core:18mm [,axis=0,1,0] [,depth=4cm]".
+std::string written_with_options(const KnifeKind& kind);
+
 /// All ways to write a knife, for hints: "half, across, plane:NX,NY,NZ,D, ...".
 std::string known_knives();
 

@@ -27,11 +27,21 @@ bool names(const std::string& example, std::string_view name) {
 
 }  // namespace
 
+namespace {
+
+std::string_view without_blanks_around(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string_view::npos ? std::string_view()
+                                         : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+}  // namespace
+
 std::vector<std::string_view> split_at_commas(std::string_view text) {
   std::vector<std::string_view> parts;
   while (true) {
     const std::size_t comma = text.find(',');
-    parts.push_back(text.substr(0, comma));
+    parts.push_back(without_blanks_around(text.substr(0, comma)));
     if (comma == std::string_view::npos) return parts;
     text.remove_prefix(comma + 1);
   }
@@ -73,7 +83,8 @@ std::optional<double> KnifeOptions::length(std::string_view name, double most) c
   const std::optional<double> value =
       option->values.size() == 1 ? parse_length(option->values[0]) : std::optional<double>();
   if (!value || !(*value > 0) || *value > most) {
-    throw BadKnife("needs a length up to " + std::to_string(static_cast<int>(most)) + "m for " + std::string(name));
+    throw BadKnife("needs a length above 0 and up to " + std::to_string(static_cast<int>(most)) + "m for " +
+                   std::string(name));
   }
   return *value;
 }
@@ -87,7 +98,7 @@ std::optional<glm::dvec3> KnifeOptions::triple(std::string_view name, const Pars
   for (int i = 0; i < 3; ++i) {
     const std::optional<double> value =
         option->values.size() == 3 ? parse(option->values[static_cast<std::size_t>(i)]) : std::optional<double>();
-    if (!value || std::fabs(*value) > 100) throw BadKnife("needs three values, such as " + example);
+    if (!value || std::fabs(*value) > 100) throw BadKnife("needs three values from -100 to 100, such as " + example);
     values[i] = *value;
   }
   return values;

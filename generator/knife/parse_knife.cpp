@@ -33,13 +33,20 @@ KnifeCut parse_cut(std::string_view text, const std::filesystem::path& folder) {
   return kind.read(kind, has_value ? text.substr(colon + 1) : std::string_view(), folder);
 }
 
+/// What a knife of this kind looks like; of one that is none, all that there are.
+std::string hint_for(std::string_view text) {
+  for (const KnifeKind& kind : knife_kinds())
+    if (kind.name == text.substr(0, text.find(':'))) return "it is written " + written_with_options(kind);
+  return "a knife is one of: " + known_knives();
+}
+
 }  // namespace
 
 Knife parse_knife(std::string_view text, const std::filesystem::path& folder) {
   try {
     return {parse_cut(text, folder), std::string(text)};
   } catch (const BadKnife& bad) {
-    refuse_knife(text, bad.what(), bad.hint.empty() ? "a knife is one of: " + known_knives() : bad.hint);
+    refuse_knife(text, bad.what(), bad.hint.empty() ? hint_for(text) : bad.hint);
   }
 }
 

@@ -104,7 +104,7 @@ class PeelGrid {
   [[noreturn]] void fail_too_fine() const {
     const double least = cells_in_strip * reproducible::cbrt(2.0 * volume_of_box() / most_vertices);
     throw Error(ExitStatus::usage, "a strip of " + in_millimetres(options_.strip) + " is too narrow for this fruit",
-                "take one at least " + in_millimetres(1.5 * least) + " wide");
+                "take one at least " + in_millimetres(1.05 * least) + " wide");
   }
   double volume_of_box() const {
     const glm::dvec3 size = depth_.box().high - depth_.box().low;

@@ -77,6 +77,12 @@ class BodyFinder {
       const std::string& name = surfaces_.surface_names[static_cast<std::size_t>(s)];
       bodies_.warnings.push_back("surface \"" + name + "\" is open: pieces will be open there");
     }
+    bool has_boundary = false;
+    for (std::size_t t = 0; t < surfaces_.triangle.size() && !has_boundary; ++t)
+      has_boundary = surfaces_.is_boundary(t);
+    if (!has_boundary)
+      bodies_.warnings.push_back(
+          "no surface has a hidden side: nothing faces air, and there is no skin to show or to cut");
     if (has_lone_wall_) bodies_.warnings.push_back("a cavity wall lies in no skin: its hidden side faces inwards");
   }
 

@@ -161,6 +161,15 @@ void write_whole(std::span<const OutputFile> files) {
   set.put_into_place();
 }
 
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  const fs::path first = followed(a), second = followed(b);
+  const auto folder_of = [](const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+  };
+  std::error_code failed;
+  return first.filename() == second.filename() && fs::equivalent(folder_of(first), folder_of(second), failed);
+}
+
 void write_whole(const fs::path& path, std::string bytes) {
   const OutputFile file{path, std::move(bytes)};
   write_whole(std::span(&file, 1));

@@ -29,6 +29,9 @@ std::size_t size_of(const OutputFile& file);
 /// are the same file, links followed: one of them would be lost.
 void write_whole(std::span<const OutputFile> files);
 
+/// Whether two paths lead to one place, links followed, be a file there or not.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// For a single file.
 void write_whole(const std::filesystem::path& path, std::string bytes);
 

@@ -42,6 +42,16 @@ INSTANTIATE_TEST_SUITE_P(
                 64,
                 "it belongs behind it: `pomona cut ... --quiet`"},
         Mistake{"KnifeInCapitals", {"cut", "kiwi", "--knife", "HALF", "-o", "x.glb"}, 64, "did you mean \"half\"?"},
+        Mistake{"HelpOfNoCommand", {"help", "bogus"}, 64, "there is no command"},
+        Mistake{"SeedTwice", {"grow", "kiwi", "--seed", "1", "--seed", "2", "-o", "x.glb"}, 64, "more than once"},
+        Mistake{"SeedsOfNothing", {"grow", "kiwi", "--seeds", "", "-o", "x.glb"}, 64, "says nothing"},
+        Mistake{"ThicknessOfNothing", {"cut", "kiwi", "--knife", "crinkle:0mm", "-o", "x.glb"}, 64, "such as 6mm"},
+        Mistake{"BatchOfNoName", {"batch", "nothere", "-o", "x"}, 66, "there is no batch"},
+        Mistake{"TemplateAsStyle",
+                {"grow", "kiwi", "--style", POMONA_SOURCE_DIR "/templates/kiwi.toml", "-o", "x.png"},
+                65,
+                "is a template"},
+        Mistake{"CheckOfWhatIsNotRead", {"check", POMONA_SOURCE_DIR "/README.md"}, 65, "no ending of a file"},
         Mistake{"PlateOfNoPicture", {"plate", "kiwi", "-o", "x.glb"}, 64, "it writes .png"},
         Mistake{"PlateWithoutAKnife", {"plate", "kiwi", "--section", "acros", "-o", "x.png"}, 64, "across"},
         Mistake{"PlateWithTruth", {"plate", "kiwi", "--aov", "truth", "-o", "x.png"}, 64, "--aov"},
@@ -135,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"cut", "tomato", "--knife", "half", "--pieces", "no/x.json", "-o", "x.glb"},
                 73,
                 "mkdir -p no"},
-        Mistake{"FolderAsOutput", {"grow", "tomato", "-o", "/tmp/../tmp"}, 64, "cannot write that"},
+        Mistake{"FolderAsOutput", {"grow", "tomato", "-o", "/tmp/../tmp"}, 64, "has no ending"},
         Mistake{"DeviceAsTemplate", {"grow", "/dev/null", "-o", "x.ply"}, 66, "is a device or a pipe"},
         Mistake{"UnknownEnding", {"grow", "tomato", "-o", "x.jpg"}, 64, ".ply .glb .usda .obj .stl .pov .png"},
         Mistake{"SameOutputTwice", {"grow", "tomato", "-o", "x.ply", "-o", "./x.ply"}, 64, "twice"},
@@ -308,6 +318,25 @@ TEST(Outputs, WarnOfOptionsThatHaveNoEffect) {
   for (const char* option : {"--texture", "--view", "--size", "--dpi", "--sheets", "--variation", "--aov-format"})
     EXPECT_THAT(outcome.err, HasSubstr(std::string("warning: ") + option));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "X.OBJ"));
+}
+
+TEST(Outputs, DoNotTakeThePlaceOfWhatIsRead) {
+  const TemporaryFolder folder;
+  const std::filesystem::path templates = POMONA_SOURCE_DIR "/templates";
+  for (const char* name : {"cherry.toml", "cherry.svg"})
+    std::filesystem::copy_file(templates / name, folder.path() / name);
+  const std::string toml = bytes_of(folder.path() / "cherry.toml"), svg = bytes_of(folder.path() / "cherry.svg");
+  const std::vector<std::vector<std::string>> commands{
+      {"grow", "cherry.toml", "-o", "x.stl", "--stats", "./cherry.toml"},
+      {"grow", "cherry.toml", "-o", "cherry.svg"},
+      {"cut", "cherry.toml", "--knife", "half", "-o", "x.stl", "--pieces", "cherry.toml"}};
+  for (const std::vector<std::string>& words : commands) {
+    const Outcome outcome = run_pomona(words, folder.path());
+    EXPECT_EQ(outcome.status, 64) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("is read by this command"));
+  }
+  EXPECT_TRUE(bytes_of(folder.path() / "cherry.toml") == toml);
+  EXPECT_TRUE(bytes_of(folder.path() / "cherry.svg") == svg);
 }
 
 TEST(Outputs, MayHaveNamesThatAreNoUtf8) {

@@ -371,5 +371,14 @@ TEST(Cut, BoxThroughVerticesEdgesAndFaces) {
   EXPECT_EQ(number, 26 * 7);
 }
 
+// A knife that meets surfaces and leaves no face has not missed them.
+TEST(Cut, SaysWhyAKnifeLeavesNoFace) {
+  const auto warnings_of = [](const char* knife) {
+    return cut(shapes::sphere(0.05, 4, shapes::Paint{}), std::vector{parse_knife(knife)}).warnings;
+  };
+  EXPECT_THAT(warnings_of("plane:1,0,0,0.01"), testing::Contains(testing::HasSubstr("leaves no cut face")));
+  EXPECT_THAT(warnings_of("plane:1,0,0,0.2"), testing::Contains(testing::HasSubstr("cuts nothing: it misses")));
+}
+
 }  // namespace
 }  // namespace pomona

@@ -105,6 +105,12 @@ TEST(Bodies, OpenBoundariesWarnByName) {
   EXPECT_THAT(found.warnings, testing::ElementsAre("surface \"skin\" is open: pieces will be open there"));
 }
 
+TEST(Bodies, SurfacesThatNoneHidesWarn) {
+  const Bodies found = find_bodies(sphere(1, 4, Paint{}));
+  EXPECT_TRUE(found.bodies.empty());
+  EXPECT_THAT(found.warnings, testing::ElementsAre(testing::HasSubstr("no surface has a hidden side")));
+}
+
 TEST(Bodies, AShellInsideOutIsClosedButWarned) {
   Paint paint;
   paint.back_hidden = true;
