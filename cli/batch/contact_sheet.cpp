@@ -16,9 +16,6 @@ std::string with(std::string text, const std::string& mark, const std::string& r
   return text;
 }
 
-/// Nothing in it ends a script element or begins a comment.
-std::string safe_in_script(const std::string& json) { return with(json, "<", "\\u003c"); }
-
 }  // namespace
 
 ContactSheet::ContactSheet(const RecordedBatch& batch) {
@@ -26,8 +23,8 @@ ContactSheet::ContactSheet(const RecordedBatch& batch) {
   const std::string page(contact_sheet_files().front().text);
   const std::string mark = "@ITEMS@";
   const std::size_t at = page.find(mark);
-  const std::string about = safe_in_script(
-      json_text(nlohmann::ordered_json({{"name", batch.name}, {"program", batch.program}, {"seed", batch.seed}})));
+  const std::string about =
+      json_in_script(nlohmann::ordered_json({{"name", batch.name}, {"program", batch.program}, {"seed", batch.seed}}));
   before_ = with(with(page.substr(0, at), "@BATCH@", about), "@TITLE@", xml_escaped(batch.title));
   after_ = page.substr(at + mark.size());
 }
@@ -39,7 +36,7 @@ std::string ContactSheet::row(const RecordedItem& item) {
   const double millilitres = static_cast<double>(static_cast<std::int64_t>(item.volume * 1e9)) / 1e3;
   const nlohmann::ordered_json row = {item.item,   item.template_name, item.seed, item.knives,
                                       item.pieces, millilitres,        files,     item.error};
-  return safe_in_script(json_text(row));
+  return json_in_script(row);
 }
 
 }  // namespace pomona

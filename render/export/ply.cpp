@@ -5,6 +5,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "generator/surface/file/one_line.h"
+
 namespace pomona {
 namespace {
 
@@ -14,13 +16,6 @@ void append(std::string& bytes, const Value& value) {
   char raw[sizeof(Value)];
   std::memcpy(raw, &value, sizeof(Value));
   bytes.append(raw, sizeof(Value));
-}
-
-/// A name on one line.
-std::string one_line(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return name;
 }
 
 /// The part names of all solids in one list, and for each solid where its own are in it.

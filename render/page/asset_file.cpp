@@ -12,6 +12,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
+#include "generator/base/little_endian.h"
 #include "render/page/byte_planes.h"
 #include "render/page/deflate.h"
 #include "render/page/node_coding.h"
@@ -29,17 +30,6 @@ constexpr std::size_t most_bytes = std::size_t{1} << 28;
 constexpr std::size_t most_header = std::size_t{1} << 20;
 // Rows of nodes that its triangles lie across: a fruit of 100 000 triangles has some millions.
 constexpr std::int64_t most_rows = 300'000'000;
-
-std::string four_bytes(std::size_t number) {
-  std::string bytes;
-  for (int b = 0; b < 4; ++b) bytes += static_cast<char>(number >> (8 * b) & 255);
-  return bytes;
-}
-std::size_t number_at(std::string_view bytes) {
-  std::size_t number = 0;
-  for (std::size_t b = 0; b < 4; ++b) number |= std::size_t{static_cast<unsigned char>(bytes[b])} << (8 * b);
-  return number;
-}
 
 // How coarsely nodes are rounded: the finest that leaves an asset this small, so that its page, of five characters for
 // four bytes and 0.16 MB of code, stays below 1.5 MB.
@@ -74,21 +64,6 @@ ordered_json header_of(const Asset& a, int thirds, const std::string& made_by) {
   return header;
 }
 
-/// One number of each element, `elements` of them.
-template <typename Get>
-std::string planes_of(std::size_t elements, std::size_t back, std::size_t width, const Get& get) {
-  std::vector<std::uint32_t> numbers(elements);
-  for (std::size_t i = 0; i < elements; ++i) numbers[i] = static_cast<std::uint32_t>(get(i));
-  return as_planes(numbers, back, width);
-}
-
-std::string floats_of(const std::vector<glm::vec4>& texels) {
-  std::string bytes;
-  for (const glm::vec4& texel : texels)
-    for (int k = 0; k < 4; ++k) bytes += four_bytes(std::bit_cast<std::uint32_t>(texel[k]));
-  return bytes;
-}
-
 std::string arrays_of(const Asset& a, int thirds) {
   std::string bytes;
   const std::size_t vertices = a.position.size(), triangles = a.triangle.size();
@@ -106,7 +81,7 @@ std::string arrays_of(const Asset& a, int thirds) {
   bytes.append(coded.begin(), coded.end());
 
   // How it is painted.
-  bytes += floats_of(a.noise) + floats_of(a.details) + floats_of(a.materials);
+  bytes += texel_bytes(a.noise) + texel_bytes(a.details) + texel_bytes(a.materials);
   for (const glm::u8vec4& share : a.skin_share)
     for (int k = 0; k < 4; ++k) bytes += static_cast<char>(share[k]);
   if (!a.guide) return bytes;
@@ -143,8 +118,7 @@ class Reader {
     const std::string_view bytes = take(16 * count, "texels");
     std::vector<glm::vec4> texels(count);
     for (std::size_t i = 0; i < 4 * count; ++i)
-      texels[i / 4][static_cast<int>(i % 4)] =
-          std::bit_cast<float>(static_cast<std::uint32_t>(number_at(bytes.substr(4 * i, 4))));
+      texels[i / 4][static_cast<int>(i % 4)] = std::bit_cast<float>(word_at(bytes, 4 * i));
     return texels;
   }
   std::vector<glm::u8vec4> shares(std::size_t count) {
@@ -283,7 +257,7 @@ std::string write_asset(const Asset& asset, const std::string& made_by, int effo
   std::string packed;
   for (const int thirds : rounding) {
     const std::string header = json_text(header_of(asset, thirds, made_by));
-    packed = std::string(magic) + deflated(four_bytes(header.size()) + header + arrays_of(asset, thirds), effort);
+    packed = std::string(magic) + deflated(word_bytes(header.size()) + header + arrays_of(asset, thirds), effort);
     if (packed.size() <= large_asset) break;
   }
   return packed;
@@ -296,7 +270,7 @@ Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {
   outside.require(unpacked.has_value(), "it is cut off, damaged, or larger than an asset may be");
 
   Reader reader(*unpacked, file);
-  const std::size_t length = number_at(reader.take(4, "header"));
+  const std::size_t length = word_at(reader.take(4, "header"), 0);
   reader.require(length <= most_header, "its header is longer than one may be");
   Asset asset;
   const Counts counts = read_header(reader.take(length, "header"), asset, reader);

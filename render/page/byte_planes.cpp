@@ -1,5 +1,7 @@
 #include "render/page/byte_planes.h"
 
+#include "generator/base/little_endian.h"
+
 namespace pomona {
 
 namespace {
@@ -36,6 +38,12 @@ std::vector<std::uint32_t> from_planes(std::string_view bytes, std::size_t back,
     numbers[i] = (unfolded(symbol) + (i >= back ? numbers[i - back] : 0)) & mask_of(width);
   }
   return numbers;
+}
+
+std::string texel_bytes(std::span<const glm::vec4> texels) {
+  ByteWriter bytes;
+  for (const glm::vec4& texel : texels) bytes.add(texel);
+  return bytes.take();
 }
 
 }  // namespace pomona

@@ -9,6 +9,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
+#include "generator/base/little_endian.h"
 
 namespace pomona {
 
@@ -20,17 +21,6 @@ using nlohmann::ordered_json;
 // (glTF 2.0, 4.4).
 constexpr std::string_view glb_magic = "glTF", json_chunk = "JSON", binary_chunk{"BIN\0", 4};
 constexpr std::size_t glb_header = 12, chunk_header = 8;
-
-std::size_t word_at(std::string_view bytes, std::size_t at) {
-  std::size_t word = 0;
-  for (std::size_t b = 0; b < 4; ++b) word |= std::size_t{static_cast<unsigned char>(bytes[at + b])} << (8 * b);
-  return word;
-}
-std::string as_word(std::size_t number) {
-  std::string bytes;
-  for (unsigned b = 0; b < 32; b += 8) bytes += static_cast<char>(number >> b & 255u);
-  return bytes;
-}
 
 [[noreturn]] void refuse_glb(const std::string& why) { throw Error(ExitStatus::bad_data, "a cuttable .glb: " + why); }
 
@@ -67,9 +57,9 @@ std::string with_asset(std::string_view glb, std::string_view asset) {
   binary = padded(std::move(binary), '\0');
   const std::size_t length = glb_header + 2 * chunk_header + json.size() + binary.size();
   if (length > std::numeric_limits<std::uint32_t>::max()) refuse_glb("it would be larger than 4 GB");
-  std::string bytes = std::string(glb_magic) + as_word(2) + as_word(length);
-  bytes += as_word(json.size()) + std::string(json_chunk) + json;
-  return bytes + as_word(binary.size()) + std::string(binary_chunk) + binary;
+  std::string bytes = std::string(glb_magic) + word_bytes(2) + word_bytes(length);
+  bytes += word_bytes(json.size()) + std::string(json_chunk) + json;
+  return bytes + word_bytes(binary.size()) + std::string(binary_chunk) + binary;
 }
 
 }  // namespace pomona

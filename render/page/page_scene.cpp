@@ -12,6 +12,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
+#include "generator/base/little_endian.h"
 #include "generator/mesh/box.h"
 #include "generator/piece/piece_facts.h"
 #include "render/gl/scene_materials.h"
@@ -77,24 +78,6 @@ FruitOfPage of_solid(const Solid& solid) {
   return fruit;
 }
 
-template <typename Get>
-std::string column_of(std::size_t elements, std::size_t back, std::size_t width, const Get& get) {
-  std::vector<std::uint32_t> numbers(elements);
-  for (std::size_t i = 0; i < elements; ++i) numbers[i] = static_cast<std::uint32_t>(get(i));
-  return as_planes(numbers, back, width);
-}
-
-std::string raw(const std::vector<glm::vec4>& texels) {
-  std::string bytes;
-  for (const glm::vec4& texel : texels) {
-    for (int k = 0; k < 4; ++k) {
-      const auto bits = std::bit_cast<std::uint32_t>(texel[k]);
-      for (unsigned b = 0; b < 32; b += 8) bytes += static_cast<char>(bits >> b & 255u);
-    }
-  }
-  return bytes;
-}
-
 /// A direction as two whole numbers up to 1023: unfolded from an octahedron [Meyer et al. 2010].
 std::array<std::uint32_t, 2> octahedral(const glm::vec3& n) {
   const float sum = std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z);
@@ -135,19 +118,19 @@ std::string mesh_of(const Solid& solid, const FruitOfPage& fruit) {
   const double per_metre = fruit.units / fruit.spacing;
   std::string bytes;
   for (int k = 0; k < 3; ++k) {
-    bytes += column_of(vertices, 1, 2, [&](std::size_t v) {
+    bytes += planes_of(vertices, 1, 2, [&](std::size_t v) {
       const double place = (static_cast<double>(solid.position[v][k]) - fruit.origin[k]) * per_metre;
       return std::clamp(std::floor(place), 0.0, 65535.0);
     });
   }
   std::vector<std::array<std::uint32_t, 2>> normal;
   for (const glm::vec3& n : solid.normal) normal.push_back(octahedral(n));
-  for (std::size_t k = 0; k < 2; ++k) bytes += column_of(vertices, 1, 2, [&](std::size_t v) { return normal[v][k]; });
+  for (std::size_t k = 0; k < 2; ++k) bytes += planes_of(vertices, 1, 2, [&](std::size_t v) { return normal[v][k]; });
   std::vector<glm::u8vec3> color;
   for (const Color& c : solid.color) color.push_back(to_srgb8(c));
-  for (int k = 0; k < 3; ++k) bytes += column_of(vertices, 1, 1, [&](std::size_t v) { return color[v][k]; });
+  for (int k = 0; k < 3; ++k) bytes += planes_of(vertices, 1, 1, [&](std::size_t v) { return color[v][k]; });
   bytes += as_planes(tags_of(solid, fruit), 1, 1);
-  for (int k = 0; k < 3; ++k) bytes += column_of(triangles, 2, 3, [&](std::size_t t) { return solid.triangle[t][k]; });
+  for (int k = 0; k < 3; ++k) bytes += planes_of(triangles, 2, 3, [&](std::size_t t) { return solid.triangle[t][k]; });
   return bytes;
 }
 
@@ -225,7 +208,7 @@ std::string packed_scene(const PageScene& page) {
   std::string arrays;
   for (const FruitOfPage& fruit : fruits) {
     header["fruits"].push_back(entry_for(fruit));
-    arrays += raw(fruit.noise) + raw(fruit.materials);
+    arrays += texel_bytes(fruit.noise) + texel_bytes(fruit.materials);
   }
   header["solids"] = ordered_json::array();
   for (std::size_t s = 0; s < page.scene.solids.size(); ++s) {
@@ -241,9 +224,7 @@ std::string packed_scene(const PageScene& page) {
   for (const Instance& instance : page.scene.instances) header["instances"].push_back(place_of(instance));
 
   const std::string text = json_text(header);
-  std::string length;
-  for (unsigned b = 0; b < 32; b += 8) length += static_cast<char>(text.size() >> b & 255u);
-  return std::string(scene_magic) + deflated(length + text + arrays);
+  return std::string(scene_magic) + deflated(word_bytes(text.size()) + text + arrays);
 }
 
 }  // namespace pomona

@@ -51,13 +51,6 @@ std::string joined(std::initializer_list<std::string_view> names) {
   return joined(std::span<const std::string_view>(names.begin(), names.size()));
 }
 
-/// Nothing in it ends a script element or begins a comment.
-std::string safe_in_script(const std::string& json) {
-  std::string safe;
-  for (const char c : json) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return safe;
-}
-
 /// What shaders include by name: the page's own, and those of pictures, so that noise, detail and light are the same.
 ordered_json shaders() {
   ordered_json all;
@@ -143,8 +136,7 @@ std::string filled(std::string_view page, const std::vector<std::pair<std::strin
 }  // namespace
 
 PageParts page_parts(const PageOptions& options) {
-  return {safe_in_script(json_text(options_of(options))),
-          joined({"read_asset.js", "look_up.js", "skin.js", "spared.js"}),
+  return {json_in_script(options_of(options)), joined({"read_asset.js", "look_up.js", "skin.js", "spared.js"}),
           joined({"linear.js", "card.js", "camera.js", "knives.js", "pieces.js", "fruit_textures.js", "face_passes.js",
                   "faces.js", "piece_mesh.js", "body.js", "picture.js"})};
 }

@@ -1,35 +1,12 @@
 #include "generator/cut/section/section_file.h"
 
-#include <algorithm>
-#include <bit>
-
 #include "generator/base/color.h"
+#include "generator/base/little_endian.h"
+#include "generator/surface/file/one_line.h"
 
 namespace pomona {
 
 namespace {
-
-/// Appends numbers as little-endian bytes.
-class Bytes {
- public:
-  explicit Bytes(std::string& out) : out_(out) {}
-  void put(std::uint8_t value) { out_.push_back(static_cast<char>(value)); }
-  void put(std::uint32_t value) {
-    for (int i = 0; i < 4; ++i) out_.push_back(static_cast<char>((value >> (8 * i)) & 0xff));
-  }
-  void put(std::int32_t value) { put(static_cast<std::uint32_t>(value)); }
-  void put(float value) { put(std::bit_cast<std::uint32_t>(value)); }
-
- private:
-  std::string& out_;
-};
-
-/// A name fit for one line of the header.
-std::string one_line(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return name;
-}
 
 std::string header(const CrossSection& section) {
   std::string text = "ply\nformat binary_little_endian 1.0\n";
@@ -52,22 +29,21 @@ std::string header(const CrossSection& section) {
 }  // namespace
 
 std::string write_section(const CrossSection& section) {
-  std::string file = header(section);
-  Bytes bytes(file);
+  ByteWriter bytes(header(section));
   for (std::size_t v = 0; v < section.position.size(); ++v) {
-    for (int i = 0; i < 3; ++i) bytes.put(section.position[v][i]);
+    bytes.add(section.position[v]);
     const glm::u8vec3 srgb = to_srgb8(section.color[v]);
-    for (int i = 0; i < 3; ++i) bytes.put(srgb[i]);
-    for (int i = 0; i < 3; ++i) bytes.put(section.color[v][i]);
-    bytes.put(section.interior[v]);
-    bytes.put(section.part[v]);
+    for (int i = 0; i < 3; ++i) bytes.add(srgb[i]);
+    bytes.add(section.color[v]);
+    bytes.add(section.interior[v]);
+    bytes.add(section.part[v]);
   }
   for (std::size_t t = 0; t < section.triangle.size(); ++t) {
-    bytes.put(std::uint8_t{3});
-    for (int i = 0; i < 3; ++i) bytes.put(section.triangle[t][i]);
-    bytes.put(section.cut[t]);
+    bytes.add(std::uint8_t{3});
+    for (int i = 0; i < 3; ++i) bytes.add(section.triangle[t][i]);
+    bytes.add(section.cut[t]);
   }
-  return file;
+  return bytes.take();
 }
 
 }  // namespace pomona

@@ -13,6 +13,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "generator/base/error.h"
+#include "generator/base/little_endian.h"
 
 namespace pomona {
 
@@ -27,12 +28,6 @@ constexpr std::size_t most_nodes = 65536;
 [[noreturn]] void refuse(const std::string& file, const std::string& element, const std::string& message,
                          const std::string& hint = {}) {
   throw Error(ExitStatus::bad_data, {{{file, 0, 0, element}, message, hint}});
-}
-
-std::uint32_t word_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t k = 4; k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
-  return value;
 }
 
 /// tinygltf follows nested values by recursion: none that is deep may reach it.

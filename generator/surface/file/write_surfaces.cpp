@@ -1,42 +1,13 @@
-#include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <string>
 
+#include "generator/base/little_endian.h"
+#include "generator/surface/file/one_line.h"
 #include "generator/surface/file/surface_file.h"
 
 namespace pomona {
 
 namespace {
-
-/// Appends the bytes of plain values, little endian.
-class ByteWriter {
- public:
-  explicit ByteWriter(std::string bytes) : bytes_(std::move(bytes)) {}
-
-  void add(std::uint32_t value) {
-    for (int shift = 0; shift < 32; shift += 8) bytes_.push_back(static_cast<char>((value >> shift) & 0xff));
-  }
-  void add(std::int32_t value) { add(static_cast<std::uint32_t>(value)); }
-  void add(float value) { add(std::bit_cast<std::uint32_t>(value)); }
-  void add(std::uint8_t value) { bytes_.push_back(static_cast<char>(value)); }
-  void add(const glm::vec3& value) {
-    for (int k = 0; k < 3; ++k) add(value[k]);
-  }
-  void reserve(std::size_t size) { bytes_.reserve(size); }
-
-  std::string take() { return std::move(bytes_); }
-
- private:
-  std::string bytes_;
-};
-
-/// A name is what is left of a header line; nothing in it may end that line.
-std::string one_line(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return name;
-}
 
 std::string header(const DiffusionSurfaces& surfaces) {
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment diffusion surfaces, metres, y up\n";

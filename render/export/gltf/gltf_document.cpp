@@ -6,14 +6,11 @@
 
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
+#include "generator/base/little_endian.h"
 
 namespace pomona::gltf {
 
 namespace {
-
-void append_word(std::string& bytes, std::size_t word) {
-  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
-}
 
 /// Chunks of a .glb are filled up to multiples of four: text with spaces, bytes with zeros.
 std::size_t filled(std::size_t size) { return (size + 3) / 4 * 4; }
@@ -26,7 +23,7 @@ void check_size(std::size_t size) {
 }
 
 void append_chunk_head(std::string& file, const char* kind, std::size_t size) {
-  append_word(file, filled(size));
+  file += word_bytes(filled(size));
   file.append(kind, 4);
 }
 
@@ -98,8 +95,8 @@ std::string GltfDocument::bytes() && {
   std::string file;
   file.reserve(spool_ != nullptr ? size - buffer_size_ : size);
   file += "glTF";
-  append_word(file, 2);
-  append_word(file, size);
+  file += word_bytes(2);
+  file += word_bytes(size);
   append_chunk_head(file, "JSON", text.size());
   file += text;
   file.append(filled(text.size()) - text.size(), ' ');
