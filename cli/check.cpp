@@ -25,6 +25,7 @@
 #include "generator/surface/file/plain_mesh_file.h"
 #include "generator/surface/file/surface_file.h"
 #include "generator/surface/grains/grains.h"
+#include "generator/surface/stray_surfaces.h"
 #include "generator/surface/sweep/spots.h"
 #include "generator/surface/sweep/sweep.h"
 #include "generator/template/read/read_template.h"
@@ -110,7 +111,9 @@ void check_style(const SceneDescription& scene, const std::filesystem::path& fol
 /// What closed bodies the surfaces bound: warnings about those that are none.
 std::vector<std::string> body_warnings(const DiffusionSurfaces& surfaces, const std::filesystem::path& file) {
   try {
-    return find_bodies(surfaces).warnings;
+    std::vector<std::string> warnings = find_bodies(surfaces).warnings;
+    for (std::string& warning : stray_warnings(surfaces)) warnings.push_back(std::move(warning));
+    return warnings;
   } catch (const Error& error) {
     throw told_of(error, file.string());
   }

@@ -17,6 +17,7 @@
 #include "generator/mesh/enclosures.h"
 #include "generator/piece/grow.h"
 #include "generator/surface/bodies.h"
+#include "generator/surface/body_walls.h"
 #include "generator/template/read/read_template.h"
 #include "render/page/asset_file.h"
 #include "render/page/make_asset.h"
@@ -59,21 +60,6 @@ std::vector<glm::vec3> points_of(const Square& square, int size) {
     }
   }
   return points;
-}
-
-/// The shells of all bodies, facing air.
-Enclosures bodies_of(const DiffusionSurfaces& surfaces) {
-  const Bodies bodies = find_bodies(surfaces);
-  std::vector<Enclosures::Triangle> walls;
-  for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
-    if (!surfaces.is_boundary(t)) continue;
-    const glm::uvec3& v = surfaces.triangle[t];
-    const bool turned = surfaces.is_hidden(t, SideOf::back);
-    walls.push_back({{glm::dvec3(surfaces.position[v.x]), glm::dvec3(surfaces.position[turned ? v.z : v.y]),
-                      glm::dvec3(surfaces.position[turned ? v.y : v.z])},
-                     static_cast<std::uint32_t>(bodies.of_triangle[t])});
-  }
-  return Enclosures(walls);
 }
 
 nlohmann::json list_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -122,7 +108,7 @@ void write_fruit(const Wanted& wanted, int size, const fs::path& folder) {
 
   // Squares in cells of the asset's grid, and their true colours.
   const auto field = make_harmonic_diffuser()->field(grown.sheets);
-  const Enclosures bodies = bodies_of(grown.sheets);
+  const Enclosures bodies = body_walls(grown.sheets, find_bodies(grown.sheets));
   nlohmann::json squares = nlohmann::json::array();
   std::string bytes;
   for (const Square& square : squares_of(bounds_of(grown.sheets))) {

@@ -11,6 +11,7 @@
 #include "generator/piece/grow.h"
 #include "generator/piece/slice.h"
 #include "generator/surface/bodies.h"
+#include "generator/surface/body_walls.h"
 #include "generator/template/read/read_template.h"
 #include "render/export/gltf/write_glb.h"
 #include "render/page/asset_file.h"
@@ -175,16 +176,7 @@ TEST(Asset, WindsAroundTheNodesThatBodiesEnclose) {
   const Asset& a = asset();
   const DiffusionSurfaces& surfaces = cherry().grown.sheets;
   const Bodies bodies = find_bodies(surfaces);
-  std::vector<Enclosures::Triangle> walls;
-  for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
-    if (!surfaces.is_boundary(t)) continue;
-    const glm::uvec3& v = surfaces.triangle[t];
-    const bool turned = surfaces.is_hidden(t, SideOf::back);
-    walls.push_back({{glm::dvec3(surfaces.position[v.x]), glm::dvec3(surfaces.position[turned ? v.z : v.y]),
-                      glm::dvec3(surfaces.position[turned ? v.y : v.z])},
-                     static_cast<std::uint32_t>(bodies.of_triangle[t])});
-  }
-  const Enclosures enclosures(walls);
+  const Enclosures enclosures = body_walls(surfaces, bodies);
   std::size_t asked = 0, unlike = 0;
   for (std::size_t i = 0; i < a.winding.size(); i += 7) {
     const auto nx = static_cast<std::size_t>(a.count[0]), ny = static_cast<std::size_t>(a.count[1]);

@@ -1,0 +1,15 @@
+// Inner surfaces that are not inside: a curve drawn past the skin.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/surface/diffusion_surfaces.h"
+
+namespace pomona {
+
+/// A warning for each surface of which a tenth or more lies in no body; one may touch the skin, or leave it by a
+/// trifle. Nothing where no body is closed.
+std::vector<std::string> stray_warnings(const DiffusionSurfaces& surfaces);
+
+}  // namespace pomona

@@ -1,0 +1,35 @@
+#include "generator/surface/stray_surfaces.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/shapes/shapes.h"
+
+namespace pomona {
+namespace {
+
+using namespace shapes;
+
+DiffusionSurfaces ball_with_core_at(double x) {
+  Paint core;
+  core.name = "core";
+  return joined(sphere(1, 16, skin_paint()), moved(sphere(0.4, 16, core), {x, 0, 0}));
+}
+
+TEST(StraySurfaces, OfWhatLiesWithinAreNone) {
+  EXPECT_TRUE(stray_warnings(ball_with_core_at(0)).empty());
+  EXPECT_TRUE(stray_warnings(hollow_ball(1, 0.5, 8)).empty());
+  EXPECT_TRUE(stray_warnings(open_sheet(1, 0, 2, skin_paint())).empty()) << "nothing is inside of what is open";
+}
+
+TEST(StraySurfaces, AreToldByNameAndShare) {
+  // Of a ball's area around a point of a larger one's skin (1 + r / 2R) / 2 lies outside, by the law of cosines.
+  EXPECT_THAT(stray_warnings(ball_with_core_at(1)),
+              testing::ElementsAre(testing::ContainsRegex("surface \"core\": 6[0-3] % of it lies outside")));
+  EXPECT_THAT(stray_warnings(ball_with_core_at(2)), testing::ElementsAre(testing::HasSubstr("100 %")));
+}
+
+TEST(StraySurfaces, MayTouchTheSkin) { EXPECT_TRUE(stray_warnings(ball_with_core_at(0.61)).empty()); }
+
+}  // namespace
+}  // namespace pomona
