@@ -54,7 +54,7 @@
     const {bodies} = pile, at = bodies.indexOf(picked);
     pick(bodies[(at + step + bodies.length + (at < 0 && step < 0 ? 1 : 0)) % bodies.length]);
   }
-  const sayAll = () => say(`${pile.bodies.length} pieces; press one to see what it is`);
+  const sayAll = () => say(`${pile.bodies.filter(({moves}) => moves).length} pieces; press one to see what it is`);
 
   // ---- One piece alone. ----
 
