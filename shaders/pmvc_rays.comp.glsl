@@ -72,7 +72,7 @@ void try_triangle(Look look, int index, inout Hit ahead, inout Hit behind) {
   if (area == 0.0) return;
   areas /= area;
 
-  // With a positive area the front looks against the line: it is seen by who looks along it.
+  // With a negative area the front looks against the line: it is seen by who looks along it.
   float distance = dot(areas, vec3(a.z, b.z, c.z));
   if (distance > 0.0 && is_nearer(look, distance, index, ahead)) {
     ahead = Hit(distance, index, area < 0.0, areas.y, areas.z);

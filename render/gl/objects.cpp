@@ -1,6 +1,7 @@
 #include "render/gl/objects.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "generator/base/error.h"
@@ -73,6 +74,23 @@ GlTexture::GlTexture(GlTexture&& other) noexcept
 GlTexture::~GlTexture() {
   if (id_ != 0) gl_.DeleteTextures(1, &id_);
 }
+
+namespace {
+
+/// The number of bytes, if a buffer texture holds as many.
+std::size_t fitting(const CurrentGl& gl, GLenum format, std::size_t bytes, const char* what) {
+  const std::size_t texels = bytes / (format == GL_R16UI ? 2 : 16);
+  GLint most = 0;
+  gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  if (texels <= static_cast<std::size_t>(most)) return bytes;
+  throw Error(ExitStatus::bad_data, "the scene has " + std::to_string(texels) + " texels of " + what +
+                                        "; this OpenGL draws at most " + std::to_string(most));
+}
+
+}  // namespace
+
+GlTable::GlTable(const CurrentGl& gl, GLenum format, const void* data, std::size_t bytes, const char* what)
+    : buffer_(gl, GL_TEXTURE_BUFFER, data, fitting(gl, format, bytes, what)), texture_(gl, format, buffer_) {}
 
 void GlTexture::bind(int unit) const {
   gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));

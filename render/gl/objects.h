@@ -1,6 +1,7 @@
 // OpenGL's objects as values with an owner. Destroy them while their context is current.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,24 @@ class GlTexture {
   const GlFunctions& gl_;
   GLenum target_;
   GLuint id_ = 0;
+};
+
+/// Texels in a buffer, and the texture by which shaders read them.
+class GlTable {
+ public:
+  /// \param format GL_RGBA32F or GL_R16UI. \param what "triangles", for the message.
+  /// \throws Error (bad_data) for more texels than this context holds.
+  template <typename Value>
+  GlTable(const CurrentGl& gl, GLenum format, const std::vector<Value>& values, const char* what)
+      : GlTable(gl, format, values.data(), values.size() * sizeof(Value), what) {}
+
+  const GlTexture& texture() const { return texture_; }
+
+ private:
+  GlTable(const CurrentGl& gl, GLenum format, const void* data, std::size_t bytes, const char* what);
+
+  GlBuffer buffer_;
+  GlTexture texture_;
 };
 
 /// Where a pass draws: colour attachments in order, and a depth attachment or none.

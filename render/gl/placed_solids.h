@@ -21,17 +21,17 @@ class PlacedSolids {
   /// Of opaque solids, those that have guides, likewise; sets "placement". Nothing where there is none.
   void draw_guides(const Program& program) const;
   /// Per solid (shaders/detail.glsl); none where no solid has guides.
-  const GlTexture* detail_styles() const { return uploaded_.guides ? &uploaded_.guides->styles : nullptr; }
+  const GlTexture* detail_styles() const { return uploaded_.guides ? &uploaded_.guides->styles.texture() : nullptr; }
 
   /// Hairs on skins, of all solids that have some. Sets "placement".
   void draw_hairs(const Program& program) const;
   bool any_hairs() const;
   bool any_translucent() const { return uploaded_.translucent; }
 
-  const GlTexture& triangle_tags() const { return uploaded_.triangle_tags; }
-  const GlTexture& noise_styles() const { return uploaded_.noise_styles; }
-  const GlTexture& materials() const { return uploaded_.materials; }
-  const GlTexture& pits() const { return uploaded_.pits; }
+  const GlTexture& triangle_tags() const { return uploaded_.triangle_tags.texture(); }
+  const GlTexture& noise_styles() const { return uploaded_.noise_styles.texture(); }
+  const GlTexture& materials() const { return uploaded_.materials.texture(); }
+  const GlTexture& pits() const { return uploaded_.pits.texture(); }
 
  private:
   const CurrentGl& gl_;

@@ -74,8 +74,7 @@ class ScenePainter {
         targets_(gl, options, side_),
         solids_(gl, scene, style),
         texels_(instance_texels(scene, camera_, style, targets_.samples)),
-        texel_buffer_(gl, GL_TEXTURE_BUFFER, texels_),
-        instances_(gl, GL_RGBA32F, texel_buffer_),
+        instances_(gl, GL_RGBA32F, texels_, "pieces"),
         nothing_(gl) {}
 
   Image painted() {
@@ -121,8 +120,7 @@ class ScenePainter {
   Targets targets_;
   PlacedSolids solids_;
   std::vector<InstanceTexels> texels_;
-  GlBuffer texel_buffer_;
-  GlTexture instances_;
+  GlTable instances_;
   GlVertexArray nothing_;  // for passes that fill the picture
 };
 
@@ -216,7 +214,7 @@ void ScenePainter::draw_glass() {
                        .gloss = static_cast<float>(style_.gloss),
                        .light_strengths = {style_.light.strength, style_.light.ambient},
                        .inked = style_.ink,
-                       .instances = &instances_,
+                       .instances = &instances_.texture(),
                        .most_layers = options_.most_layers};
   targets_.glass.emplace(glass_layers(gl_, solids_, view, targets_.opaque.depth, targets_.samples));
 }
@@ -241,7 +239,7 @@ void ScenePainter::set_camera(const Program& program, const Surfaces& surfaces) 
   surfaces.ids.bind(0);
   surfaces.depth.bind(1);
   surfaces.normal_line.bind(2);
-  instances_.bind(3);
+  instances_.texture().bind(3);
 }
 
 /// From the camera to a map's box, 0..1 each way.

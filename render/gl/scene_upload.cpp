@@ -137,12 +137,9 @@ std::optional<UploadedSolids::Guides> uploaded_guides(const CurrentGl& gl, const
     const std::vector<glm::vec4> texels = detail_texels(Look(NoiseStyle{}, solid.details));
     styles.insert(styles.end(), texels.begin(), texels.end());
   }
-  GlBuffer style_buffer(gl, GL_TEXTURE_BUFFER, styles);
-  GlTexture style_texture(gl, GL_RGBA32F, style_buffer);
   UploadedSolids::Guides guides{.way = GlBuffer(gl, GL_ARRAY_BUFFER, way),
                                 .share = GlBuffer(gl, GL_ARRAY_BUFFER, share),
-                                .style_buffer = std::move(style_buffer),
-                                .styles = std::move(style_texture),
+                                .styles = GlTable(gl, GL_RGBA32F, styles, "details"),
                                 .vertices = GlVertexArray(gl)};
   guides.vertices.attach(0, 3, position);
   guides.vertices.attach(1, 4, guides.way);
@@ -169,25 +166,7 @@ std::vector<glm::vec4> noise_texels(const NoiseStyle& style) {
 }
 
 UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& style) {
-  // Shaders find a triangle's tag in a buffer texture, which has a largest size.
   const Gathered all = gathered_solids(scene, style);
-  GLint most = 0;
-  gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  if (all.tag.size() > static_cast<std::size_t>(most)) {
-    throw Error(ExitStatus::bad_data, "the scene has " + std::to_string(all.tag.size()) +
-                                          " triangles in different solids; this OpenGL draws at most " +
-                                          std::to_string(most));
-  }
-
-  // A buffer that a texture reads is made before the texture; all other buffers are made in place.
-  GlBuffer tag_buffer(gl, GL_TEXTURE_BUFFER, all.tag);
-  GlTexture tags(gl, GL_R16UI, tag_buffer);
-  GlBuffer noise_buffer(gl, GL_TEXTURE_BUFFER, all.noise);
-  GlTexture noise_styles(gl, GL_RGBA32F, noise_buffer);
-  GlBuffer material_buffer(gl, GL_TEXTURE_BUFFER, all.materials.texels());
-  GlTexture materials(gl, GL_RGBA32F, material_buffer);
-  GlBuffer pit_buffer(gl, GL_TEXTURE_BUFFER, pit_texels(all.pit_grids));
-  GlTexture pits(gl, GL_RGBA32F, pit_buffer);
   UploadedSolids solids{
       .parts = all.parts,
       .position = GlBuffer(gl, GL_ARRAY_BUFFER, all.position),
@@ -200,14 +179,10 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
       .hair_along = GlBuffer(gl, GL_ARRAY_BUFFER, all.hair_along),
       .hair_color = GlBuffer(gl, GL_ARRAY_BUFFER, all.hair_color),
       .hair_normal = GlBuffer(gl, GL_ARRAY_BUFFER, all.hair_normal),
-      .tag_buffer = std::move(tag_buffer),
-      .triangle_tags = std::move(tags),
-      .noise_buffer = std::move(noise_buffer),
-      .noise_styles = std::move(noise_styles),
-      .material_buffer = std::move(material_buffer),
-      .materials = std::move(materials),
-      .pit_buffer = std::move(pit_buffer),
-      .pits = std::move(pits),
+      .triangle_tags = GlTable(gl, GL_R16UI, all.tag, "triangles in different solids"),
+      .noise_styles = GlTable(gl, GL_RGBA32F, all.noise, "noise"),
+      .materials = GlTable(gl, GL_RGBA32F, all.materials.texels(), "materials"),
+      .pits = GlTable(gl, GL_RGBA32F, pit_texels(all.pit_grids), "pits"),
       .translucent = all.translucent,
       .solids = GlVertexArray(gl),
       .hairs = GlVertexArray(gl),

@@ -13,7 +13,7 @@ namespace {
 /// Cells of the coarse grid along an edge of the cube; a power of two.
 constexpr int coarse = 8;
 
-/// How often a coarse cell may be halved: down to 1/4096 of the cube.
+/// How often a coarse cell may be halved: down to 1/128 of the cube's edge.
 constexpr int deepest = 4;
 
 /// A cell with no more groups than this is not divided further.

@@ -9,10 +9,10 @@ namespace pomona {
 /// In 1/255: 4, 1 or 0.3.
 double standard_error_of(Quality quality);
 
-/// Colours are harmonic: where nothing is painted, each is the mean of those around it [paper, section 3.2: "the
-/// solution of a Poisson equation"]. The progress of a batch counts the points of all its fruits. Same bits for any
-/// number of threads and on any x86-64.
-/// \throws Error (usage) unless the standard error to reach is above 0.
+/// Colours are harmonic: where nothing is painted, each is the mean of those around it, as in what the paper compares
+/// its own method with, "solving the Poisson equation" [Figure 4]. The progress of a batch counts the points of all its
+/// fruits. Same bits for any number of threads and on any x86-64. \throws Error (usage) unless the standard error to
+/// reach is above 0.
 std::unique_ptr<Diffuser> make_walk_diffuser(const WalkOptions& options = {});
 
 }  // namespace pomona
