@@ -73,7 +73,7 @@ changed() {
   tar -c cli cmake generator render scenes shaders styles templates docs CMakeLists.txt README.md CHANGELOG.md CITATION.cff LICENSE |
     tar -x -C "$source"
   sed -i -E "$3" "$source/$2"
-  if cmp -s "$2" "$source/$2"; then say "$1" "NOTHING WAS CHANGED"; failed=1; return; fi
+  if cmp -s "$2" "$source/$2"; then say "$1" "NOTHING WAS CHANGED"; failed=1 source=$root; return; fi
   unity=ON
   if build "$1" g++ "-O3 -DNDEBUG"; then expect_different "$1"; else say "$1" "DOES NOT COMPILE"; failed=1; fi
   source=$root

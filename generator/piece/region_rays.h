@@ -11,7 +11,7 @@
 namespace pomona {
 
 struct RegionRayOptions {
-  int rays = 4000;  ///< through the box around all regions; masses of pieces are then right to a thousandth
+  int rays = 4000;  ///< through the box around all regions; masses of pieces are then right to half a hundredth
 };
 
 /// Per piece, the moments of the density by which its parts exceed the usual one.

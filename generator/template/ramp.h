@@ -1,12 +1,12 @@
 // A value that changes along a curve.
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
 #include <vector>
 
 namespace pomona {
 
-/// Piecewise linear values over [0, 1]; constant outside its stops; never empty.
+/// Piecewise linear values over [0, 1]; constant outside its stops, which ascend; never empty.
 template <typename Value>
 struct Ramp {
   struct Stop {
@@ -19,15 +19,11 @@ struct Ramp {
 
   Value operator()(double t) const {
     if (t <= stops.front().at) return stops.front().value;
-    for (std::size_t i = 1; i < stops.size(); ++i) {
-      const Stop& a = stops[i - 1];
-      const Stop& b = stops[i];
-      if (t < b.at) {
-        const auto share = static_cast<float>((t - a.at) / (b.at - a.at));
-        return static_cast<Value>(a.value + (b.value - a.value) * share);
-      }
-    }
-    return stops.back().value;
+    const auto next = std::upper_bound(stops.begin(), stops.end(), t, [](double v, const Stop& s) { return v < s.at; });
+    if (next == stops.end()) return stops.back().value;
+    const Stop &a = *(next - 1), &b = *next;
+    const auto share = static_cast<float>((t - a.at) / (b.at - a.at));
+    return static_cast<Value>(a.value + (b.value - a.value) * share);
   }
 };
 

@@ -109,8 +109,15 @@ bool cross_each_other(const Curve& a, const Curve& b) {
   return false;
 }
 
+/// A loop that a drawing gives very many points has as many as this question needs: every edge is asked of every other.
+Curve few_points(const Curve& loop) {
+  constexpr int most = 1024;
+  return loop.points.size() > most ? resampled(loop, most) : loop;
+}
+
 /// 1 = the first within the second, 0 = apart, nothing if they cross or lie the other way.
-std::optional<bool> nested(const Curve& first, const Curve& second) {
+std::optional<bool> nested(const Curve& drawn_first, const Curve& drawn_second) {
+  const Curve first = few_points(drawn_first), second = few_points(drawn_second);
   if (cross_each_other(first, second) || encloses(first, second.points.front())) return std::nullopt;
   return encloses(second, first.points.front());
 }

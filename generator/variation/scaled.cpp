@@ -43,11 +43,24 @@ void scale(GrainSketch& grain, double factor) {
   }
 }
 
+/// The file's own blur is in the file's unit.
+void scale(MeshSketch& mesh, double factor) {
+  mesh.unit *= factor;
+  mesh.at *= factor;
+  if (!mesh.paint) return;
+  MeshPaint& paint = *mesh.paint;
+  for (auto& stop : paint.blur.along.stops) stop.value *= factor;
+  if (paint.ramps_from) *paint.ramps_from *= factor;
+  scale(paint.front, factor);
+  scale(paint.back, factor);
+}
+
 }  // namespace
 
 Template scaled(Template fruit, double factor) {
   for (SurfaceSketch& surface : fruit.surfaces) scale(surface, factor);
   for (GrainSketch& grain : fruit.grains) scale(grain, factor);
+  for (MeshSketch& mesh : fruit.meshes) scale(mesh, factor);
   return fruit;
 }
 

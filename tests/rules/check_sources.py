@@ -84,7 +84,8 @@ HEAVY = {
 HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 
 # Folders whose values end up in files that must be the same on every machine.
-REPRODUCIBLE = ("generator/", "render/style/", "render/marks/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/", "render/page/")
+REPRODUCIBLE = ("generator/", "render/style/", "render/marks/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/", "render/page/", "render/texture/",
+                "render/strokes/", "render/lettering/", "render/plate/")
 
 LIBM = "a?(?:sin|cos|tan)h?|atan2|sincos|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erf|tgamma|lgamma|fma"
 FORBIDDEN = [
@@ -104,7 +105,7 @@ BANNED_WORDS = {"util", "utils", "utility", "utilities", "helper", "helpers", "m
 
 def without_comments_and_strings(text):
     """The same text, line for line, with comments and the insides of literals blanked."""
-    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9A-Fa-f])\'(?:\\.|[^\'\\\n])+\'', re.S)
 
     def blank(match):
         found = match.group(0)

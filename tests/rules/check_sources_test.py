@@ -54,6 +54,9 @@ class Rules(Tree):
             shapes | {"cli/main.cpp": '#include "tests/shapes/box.h"\n'}, "cli/main.cpp:1", "no part of the road"
         )
 
+    def test_digits_may_have_separators(self):
+        self.assert_wrong({"generator/base/x.cpp": "f(300'000, std::sin(x), 10'000);\n"}, "generator/base/x.cpp:1", "sin()")
+
     def test_json_becomes_text_in_one_way(self):
         self.assert_fine({"generator/base/json_text.h": HEADER + "json.dump(indent);\n", "cli/list.cpp": "json_text(all);\n"})
         self.assert_wrong({"cli/list.cpp": "\nall.dump(2);\n"}, "cli/list.cpp:2", "json_text()")

@@ -204,6 +204,18 @@ TEST(Body, twice_the_size_is_eight_times_the_volume) {
   EXPECT_NEAR(volume(sweep(fruit)), drawn, 1e-6 * drawn);
 }
 
+TEST(Body, a_larger_fruit_has_larger_meshes) {
+  const Template fruit = shipped("kidney");
+  ASSERT_FALSE(fruit.meshes.empty());
+  const DiffusionSurfaces drawn = sweep(fruit), larger = sweep(scaled(fruit, 1.5));
+  ASSERT_EQ(drawn.vertex_count(), larger.vertex_count());
+  for (std::size_t v = 0; v < drawn.vertex_count(); ++v) {
+    ASSERT_LT(glm::distance(1.5f * drawn.position[v], larger.position[v]), 1e-6);
+    ASSERT_NEAR(1.5f * drawn.blur[v], larger.blur[v], 1e-7);
+    ASSERT_EQ(drawn.front_color[v], larger.front_color[v]) << "ramps go with the mesh";
+  }
+}
+
 TEST(Body, a_larger_fruit_has_as_many_grains) {
   const Template fruit = shipped("strawberry"), large = scaled(fruit, 2);
   const DiffusionSurfaces small_grains = scatter_grains(fruit, {1, 0}), large_grains = scatter_grains(large, {1, 0});

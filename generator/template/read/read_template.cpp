@@ -46,9 +46,14 @@ std::optional<Sketch> read_sketch_of(const TomlTable& root, const std::string& f
 
 std::vector<std::string> read_parts(const TomlValue& value) {
   std::vector<std::string> parts;
-  for (const TomlValue& part : value.values()) parts.push_back(read_name(part, parts));
+  for (const TomlValue& part : value.values()) {
+    if (parts.size() == most_parts) {
+      value.error("has more than " + std::to_string(most_parts) + " names");
+      break;
+    }
+    parts.push_back(read_name(part, parts));
+  }
   if (parts.empty() && value.is(TomlNode::Kind::array)) value.error("is empty", "name what the fruit consists of");
-  if (parts.size() > most_parts) value.error("has more than " + std::to_string(most_parts) + " names");
   return parts;
 }
 

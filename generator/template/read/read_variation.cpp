@@ -52,9 +52,14 @@ std::vector<CountVariation::Folds> read_fold_counts(const TomlValue& value, cons
 
 /// Which share of the folds, or of the fruits, has a surface: { seed = 0.8 }.
 std::vector<CountVariation::Presence> read_presence(const TomlTable& table, const Template& fruit) {
+  constexpr std::size_t most_names = 1000;  // each is looked for among all others
   std::vector<CountVariation::Presence> present;
   for (const std::string& name : table.keys()) {
     const TomlValue value = table.get(name);
+    if (present.size() == most_names) {
+      value.error("is one of more than " + std::to_string(most_names) + " names", "name surfaces of this template");
+      break;
+    }
     const auto known = std::find_if(fruit.surfaces.begin(), fruit.surfaces.end(),
                                     [&](const SurfaceSketch& surface) { return surface.name == name; });
     if (known == fruit.surfaces.end()) value.error("is not the name of a surface");

@@ -160,7 +160,10 @@ glm::dvec2 Sketch::top_axis() const {
   if (shapes.size() == 1 && shapes[0].element->center) return shapes[0].to_page(*shapes[0].element->center);
   Curve all;  // of a cross, say, of two lines
   for (const Placed& shape : shapes) {
+    constexpr std::size_t most_points = 10'000;  // a drawing of clones of clones may have any number
     const Curve curve = on_page(shape);
+    if (all.points.size() + curve.points.size() > most_points)
+      throw BadSketch(called(element) + " has too many points", "draw a small circle where the axis is");
     all.points.insert(all.points.end(), curve.points.begin(), curve.points.end());
   }
   if (all.points.empty()) {

@@ -211,7 +211,7 @@ std::string piece_text(const std::string& name, std::span<const StyledLevel> lev
   line(")");
   line("{");
   line("    float physics:mass = " + exact(facts.mass));
-  line("    float physics:density = " + exact(solid.density));
+  line("    float physics:density = " + exact(facts.density));
   line("    point3f physics:centerOfMass = " + tuple(facts.center - glm::dvec3(pivot), of_points));
   line("    token[] semantics:labels:category = [" + quoted(fruit) + "]");
   const std::vector<std::string> own = append_looks(text, levels, looks, !choices.empty());
