@@ -25,7 +25,6 @@ VARIATION = {  # of docs/variation.md: what is grown, at seed 2
 }
 STAGED = {  # how halves are shown, where not as all are
     "star_fruit": ["--view=-22,34"],  # from below, where its ribs are in sight
-    "volcano": ["--piece", "1", "--explode", "1.01", "--view", "25,24"],  # it does not lie down
 }
 STANDING = {"star_fruit": ["--view=18,35"]}  # a whole fruit, likewise: past a rib, and onto the star
 ACROSS = {"cherry": "plane:0,1,0,13mm"}  # through the stone: with the long stem, half the height lies above it

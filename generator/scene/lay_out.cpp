@@ -20,8 +20,8 @@ namespace pomona {
 namespace {
 
 /// Of the space between pieces: shares of the mean of their sizes, and of a piece's height, which hides what lies
-/// behind it.
-constexpr double row_gap = 0.14, hidden = 0.45;
+/// behind it: half of that, seen by eye_over_table(), and most of it, seen by eye_beside_table().
+constexpr double row_gap = 0.14, hidden = 0.45, hidden_from_beside = 1.9;
 
 Box<double> turned_bounds(const Solid& solid, const glm::dquat& rotation) {
   if (solid.position.empty()) return {glm::dvec3(0), glm::dvec3(0)};
@@ -39,14 +39,14 @@ struct Tray {
 };
 
 /// Pieces that lie along the diagonal stand in level rows all the same, like the strokes of ////.
-void measure(Tray& tray) {
+void measure(Tray& tray, double hidden_share) {
   double mean = 0;
   for (const Box<double>& box : tray.bounds) mean += box.size().x + box.size().z;
   mean /= 2 * static_cast<double>(tray.bounds.size());
   const glm::dvec3 along = tray.diagonal ? diagonal_on_table() : glm::dvec3(0, 0, -1);
   for (const Box<double>& box : tray.bounds) {
     const glm::dvec3 size = box.size();
-    const double space = row_gap * mean, behind = hidden * size.y;
+    const double space = row_gap * mean, behind = hidden_share * size.y;
     const double wide = size.x + space + (tray.diagonal ? behind : 0);
     tray.room.emplace_back(wide / -along.z, size.x * along.x - size.z * along.z + space + behind);
   }
@@ -178,7 +178,7 @@ Turned turn_all(Scene& table, const glm::dvec3& eye, bool upright) {
 }
 
 /// What lies along the diagonal, turned to lie along -z.
-Tray tray_of(const Scene& table, bool diagonal) {
+Tray tray_of(const Scene& table, bool diagonal, double hidden_share) {
   Tray tray;
   tray.diagonal = diagonal;
   const glm::dvec3 along = diagonal_on_table();
@@ -186,7 +186,7 @@ Tray tray_of(const Scene& table, bool diagonal) {
   for (const Instance& instance : table.instances)
     tray.bounds.push_back(turned_bounds(table.solids[static_cast<std::size_t>(instance.solid)],
                                         glm::conjugate(tray.turn) * instance.pose.rotation));
-  measure(tray);
+  measure(tray, hidden_share);
   return tray;
 }
 
@@ -199,11 +199,12 @@ Scene laid_out(const Scene& scene, double aspect) {
   if (!table.instances.empty()) {
     const bool hangs = hang_peels(table);
     Turned turned = turn_all(table, eye, hangs);
-    if (turned.as_grown > 0.5) {
+    const bool stands = turned.as_grown > 0.5;
+    if (stands) {
       eye = eye_beside_table();
       turned = turn_all(table, eye, hangs);
     }
-    const Tray tray = tray_of(table, 2 * turned.slender > table.instances.size());
+    const Tray tray = tray_of(table, 2 * turned.slender > table.instances.size(), stands ? hidden_from_beside : hidden);
     const std::vector<glm::dvec3> place = best_places(tray, eye, aspect);
     for (std::size_t i = 0; i < place.size(); ++i) table.instances[i].pose.translation = place[i];
   }

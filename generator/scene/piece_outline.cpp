@@ -128,4 +128,21 @@ bool stands_on_a_tail(const Solid& solid) {
   return away / area < width / 16;
 }
 
+bool stands_on_flat_ground(const Solid& solid) {
+  const Box<float> box = box_around(solid.position);
+  if (solid.triangle.empty() || box.size().y > std::max(box.size().x, box.size().z)) return false;
+  const float bottom = box.low.y + 0.01f * box.size().y;
+  double ground = 0, all = 0;  // areas, seen from below
+  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+    const glm::uvec3& v = solid.triangle[t];
+    const glm::dvec3 a(solid.position[v.x]), b(solid.position[v.y]), c(solid.position[v.z]);
+    const glm::dvec3 normal = 0.5 * glm::cross(b - a, c - a);
+    if (normal.y >= 0) continue;
+    all -= normal.y;
+    const bool is_low = std::max({a.y, b.y, c.y}) <= static_cast<double>(bottom);
+    if (is_low && solid.cut_face[t] < 0 && -normal.y > 0.99 * glm::length(normal)) ground -= normal.y;
+  }
+  return all > 0 && ground >= 0.6 * all;
+}
+
 }  // namespace pomona

@@ -48,4 +48,8 @@ glm::dvec3 level_direction(const glm::dvec3& up);
 /// A cone on its tip is a little wider there, a strawberry three times as wide.
 bool stands_on_a_tail(const Solid& solid);
 
+/// Whether a piece that stands as it grew has flat ground under it, as a volcano has: at its very bottom lies skin that
+/// looks straight down, of six tenths of all that looks down; and it is no taller than wide.
+bool stands_on_flat_ground(const Solid& solid);
+
 }  // namespace pomona

@@ -125,6 +125,10 @@ class Chooser {
 
   Choice choose() const {
     Choice best;
+    if (stands_on_flat_ground(solid_)) {
+      try_all({.up = {0, 1, 0}, .on_flat = false, .as_grown = true}, best);
+      return best;
+    }
     if (is_hardly_cut()) {
       try_all(as_it_grew(), best);
       return best;
@@ -172,6 +176,8 @@ class Chooser {
 
   void try_all(const Rest& rest, Choice& best) const {
     PieceOutline::Plan plan = outline_.plan(rest.up);
+    // What stands turns its faces to the eye, however wide it is.
+    if (rest.as_grown && stands_on_flat_ground(solid_)) plan.ratio = 1;
     if (rest.as_grown && rest.up.y < 0.5) plan = {along_the_axis(rest.up), std::max(plan.ratio, 2 * slender_ratio)};
     const bool slender = plan.ratio > slender_ratio;
     for (const glm::dvec3& front : ways_to_turn(rest.up, plan)) {

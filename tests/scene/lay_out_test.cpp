@@ -122,6 +122,20 @@ TEST(LaidOut, AHalfShowsItsFaceAndItsSkin) {
   }
 }
 
+/// A mountain is not laid on its back: it stands on flat ground, and turns its face to the eye.
+TEST(LaidOut, WhatHasFlatGroundUnderItStands) {
+  const DiffusionSurfaces block = shapes::box({-0.05, 0, -0.05}, {0.05, 0.03, 0.05}, 4, shapes::skin_paint());
+  const Scene halves = pieces_of(block, {"half"});
+  EXPECT_TRUE(stands_on_flat_ground(halves.solids[0]));
+  EXPECT_FALSE(stands_on_flat_ground(pieces_of(ball(), {"across"}).solids[0])) << "a cut face is no ground";
+  EXPECT_FALSE(stands_on_flat_ground(pieces_of(ball(), {"half"}).solids[0]));
+  const Scene table = laid_out(halves);
+  for (const Instance& instance : table.instances) {
+    EXPECT_NEAR((instance.pose.rotation * glm::dvec3(0, 1, 0)).y, 1, 1e-9) << instance.name;
+    EXPECT_GT(glm::dot(glm::normalize(face_vectors(table, instance)[0]), eye_beside_table()), 0.85) << instance.name;
+  }
+}
+
 TEST(LaidOut, WedgesLieOnTheirSides) {
   const Scene table = laid_out(pieces_of(ball(), {"wedges:6"}));
   for (const Instance& instance : table.instances) {
