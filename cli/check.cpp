@@ -111,8 +111,9 @@ void check_style(const SceneDescription& scene, const std::filesystem::path& fol
 /// What closed bodies the surfaces bound: warnings about those that are none.
 std::vector<std::string> body_warnings(const DiffusionSurfaces& surfaces, const std::filesystem::path& file) {
   try {
-    std::vector<std::string> warnings = find_bodies(surfaces).warnings;
-    for (std::string& warning : stray_warnings(surfaces)) warnings.push_back(std::move(warning));
+    const Bodies bodies = find_bodies(surfaces);
+    std::vector<std::string> warnings = bodies.warnings;
+    for (std::string& warning : stray_warnings(surfaces, bodies)) warnings.push_back(std::move(warning));
     return warnings;
   } catch (const Error& error) {
     throw told_of(error, file.string());

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/files_behind.h"
 #include "cli/option_checks.h"
 #include "cli/outputs.h"
 #include "cli/picture_file.h"
@@ -87,12 +88,7 @@ ExitStatus compare(const CompareCommand& command) {
     if (!output.empty()) check_folder(output);
   }
   const fs::path reference_file = existing_file(command.reference), result_file = existing_file(command.result);
-  for (const std::string& output : {command.map, command.html}) {
-    std::error_code ignored;
-    for (const fs::path& read : {reference_file, result_file})
-      if (fs::equivalent(output, read, ignored))
-        throw Error(ExitStatus::usage, output + " is one of the two pictures", "give it a name of its own");
-  }
+  check_not_read({command.map, command.html}, {command.reference, command.result});
   const TransparentImage reference = read_picture(reference_file), result = read_picture(result_file);
   const Comparison found = compared(reference, result, tolerance,
                                     {.pixels_per_degree = command.pixels_per_degree, .threads = {command.threads}});

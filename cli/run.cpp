@@ -191,8 +191,7 @@ int run(const std::vector<Command>& commands, int argc, char** argv) {
     if (!reversed.empty()) reversed.pop_back();
     app.parse(std::move(reversed));
   } catch (const CLI::Success& asked_for_text) {
-    const auto fault = fault_of_command(named_command(app, words), words);
-    if (fault && words.size() > 2) {  // `pomona help bogus`
+    if (const auto fault = fault_of_command(named_command(app, words), words)) {  // `pomona help bogus`
       print_error(*fault);
       return static_cast<int>(ExitStatus::usage);
     }

@@ -15,6 +15,7 @@
 #include "cli/live_fruit.h"
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
+#include "generator/base/little_endian.h"
 #include "generator/base/path_within.h"
 
 namespace fs = std::filesystem;
@@ -123,9 +124,7 @@ std::string packed(const StudioFruit& fruit, const std::vector<SectionPicture>& 
                                 {"down", numbers_of(frame.down)}});
   }
   const std::string text = json_text(head);
-  std::string bytes;
-  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(text.size() >> shift & 0xffu);
-  bytes += text;
+  std::string bytes = word_bytes(text.size()) + text;
   for (const SectionPicture& picture : pictures) bytes.append(picture.pixels.begin(), picture.pixels.end());
   return bytes;
 }

@@ -232,6 +232,13 @@ std::string written(const KnifeKind& kind) {
   return all;
 }
 
+/// " [,axis=0,1,0] [,depth=4cm]"; nothing of a kind that has none.
+std::string bracketed_options(const KnifeKind& kind) {
+  std::string text;
+  for (const std::string& option : kind.options) text += " [," + option + "]";
+  return text;
+}
+
 }  // namespace
 
 const std::vector<KnifeKind>& knife_kinds() {
@@ -239,11 +246,7 @@ const std::vector<KnifeKind>& knife_kinds() {
   return kinds;
 }
 
-std::string written_with_options(const KnifeKind& kind) {
-  std::string text = written(kind);
-  for (const std::string& option : kind.options) text += " [," + option + "]";
-  return text;
-}
+std::string written_with_options(const KnifeKind& kind) { return written(kind) + bracketed_options(kind); }
 
 std::string known_knives() {
   std::string all;
@@ -257,9 +260,7 @@ std::string knife_help() {
   for (const KnifeKind& kind : knife_kinds()) {
     std::string line = "  " + written(kind);
     line.resize(std::max(line.size(), widest) + 2, ' ');
-    line += kind.help;
-    for (const std::string& option : kind.options) line += " [," + option + "]";
-    lines += line + "\n";
+    lines += line + kind.help + bracketed_options(kind) + "\n";
   }
   return lines;
 }

@@ -25,10 +25,6 @@ bool names(const std::string& example, std::string_view name) {
   return example.size() > name.size() && example.starts_with(name) && example[name.size()] == '=';
 }
 
-}  // namespace
-
-namespace {
-
 std::string_view without_blanks_around(std::string_view text) {
   const std::size_t first = text.find_first_not_of(' ');
   return first == std::string_view::npos ? std::string_view()

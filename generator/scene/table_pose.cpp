@@ -121,15 +121,16 @@ struct Choice {
 class Chooser {
  public:
   Chooser(const Solid& solid, const glm::dvec3& eye)
-      : solid_(solid), eye_(eye), outline_(solid), areas_(solid), sides_(cut_sides(solid)) {}
+      : solid_(solid),
+        eye_(eye),
+        outline_(solid),
+        areas_(solid),
+        sides_(cut_sides(solid)),
+        has_ground_(stands_on_flat_ground(solid)) {}
 
   Choice choose() const {
     Choice best;
-    if (stands_on_flat_ground(solid_)) {
-      try_all({.up = {0, 1, 0}, .on_flat = false, .as_grown = true}, best);
-      return best;
-    }
-    if (is_hardly_cut()) {
+    if (has_ground_ || is_hardly_cut()) {
       try_all(as_it_grew(), best);
       return best;
     }
@@ -158,13 +159,13 @@ class Chooser {
     return areas_.cut() < 0.25 * areas_.skin() && std::none_of(sides_.begin(), sides_.end(), is_wide);
   }
 
-  /// Upright; what is long, or would stand on its root, lies down.
+  /// Upright; what is long, or would stand on its root, lies down, unless there is flat ground under it.
   Rest as_it_grew() const {
     Rest rest{.up = {0, 1, 0}, .on_flat = false, .as_grown = true};
     const double sideways = std::min(outline_.height({1, 0, 0}) + outline_.height({-1, 0, 0}),
                                      outline_.height({0, 0, 1}) + outline_.height({0, 0, -1}));
     const double upright = outline_.height({0, 1, 0}) + outline_.height({0, -1, 0});
-    if (upright > 2 * sideways || stands_on_a_tail(solid_)) rest.up = outline_.rested({0, 0, 1});
+    if (!has_ground_ && (upright > 2 * sideways || stands_on_a_tail(solid_))) rest.up = outline_.rested({0, 0, 1});
     return rest;
   }
 
@@ -177,7 +178,7 @@ class Chooser {
   void try_all(const Rest& rest, Choice& best) const {
     PieceOutline::Plan plan = outline_.plan(rest.up);
     // What stands turns its faces to the eye, however wide it is.
-    if (rest.as_grown && stands_on_flat_ground(solid_)) plan.ratio = 1;
+    if (rest.as_grown && has_ground_) plan.ratio = 1;
     if (rest.as_grown && rest.up.y < 0.5) plan = {along_the_axis(rest.up), std::max(plan.ratio, 2 * slender_ratio)};
     const bool slender = plan.ratio > slender_ratio;
     for (const glm::dvec3& front : ways_to_turn(rest.up, plan)) {
@@ -207,6 +208,7 @@ class Chooser {
   PieceOutline outline_;
   SideAreas areas_;
   std::vector<CutSide> sides_;
+  bool has_ground_;  ///< of its own, flat, under it
 };
 
 }  // namespace

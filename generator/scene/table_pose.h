@@ -28,9 +28,8 @@ struct TablePose {
 /// The piece turned so that it rests on the table (+Y is up) as it would if laid down carefully, and that the eye sees
 /// the most of its cut faces with some skin beside them: slices and halves on their backs, a half leaning a little
 /// towards the eye, wedges on their sides. What has no cut faces to speak of stands as it grew, its cut faces
-/// towards the eye, unless it is twice as long as wide: then it lies. So does what has flat ground under it, however it
-/// is cut.
-/// \param eye eye_over_table() or eye_beside_table().
+/// towards the eye, unless it is twice as long as wide: then it lies. What has flat ground under it stands, too,
+/// however it is cut. \param eye eye_over_table() or eye_beside_table().
 TablePose table_pose(const Solid& solid, const glm::dvec3& eye = eye_over_table());
 
 /// The same for a piece beside a hanging peel: what has no flat cut faces stands as it grew, and is not laid down.

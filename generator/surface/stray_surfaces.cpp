@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "generator/surface/bodies.h"
 #include "generator/surface/body_walls.h"
 
 namespace pomona {
@@ -28,8 +27,7 @@ glm::dvec3 middle_of(const DiffusionSurfaces& surfaces, std::size_t t) {
 
 }  // namespace
 
-std::vector<std::string> stray_warnings(const DiffusionSurfaces& surfaces) {
-  const Bodies bodies = find_bodies(surfaces);
+std::vector<std::string> stray_warnings(const DiffusionSurfaces& surfaces, const Bodies& bodies) {
   if (std::none_of(bodies.bodies.begin(), bodies.bodies.end(), [](const Bodies::Body& body) { return body.closed; }))
     return {};
   const Enclosures walls = body_walls(surfaces, bodies);

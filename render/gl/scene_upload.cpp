@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "generator/base/error.h"
 #include "generator/base/parallel.h"
 #include "render/gl/detail_texels.h"
 #include "render/gl/scene_materials.h"

@@ -1,7 +1,6 @@
 #include "render/page/page_scene.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <string_view>

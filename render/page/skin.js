@@ -18,10 +18,30 @@ const Skin = (() => {
     };
   }
 
-  /** Vertices at one place are one: numbers them, up to `most` of them. */
-  const places = ({position: p}, most) => numbering(p.length / 3, most,
-    (v) => Math.imul(p[3 * v], 0x8da6b343) ^ Math.imul(p[3 * v + 1], 0xd8163841) ^ Math.imul(p[3 * v + 2], 0xcb1ab31f),
-    (v, w) => p[3 * v] === p[3 * w] && p[3 * v + 1] === p[3 * w + 1] && p[3 * v + 2] === p[3 * w + 2]);
+  /** Points at one place are one: numbers them, up to `most` of them. `p`: coordinates, those of a point `stride` after the last one's; `bits`: whole numbers for them. */
+  const places = (p, stride, most, bits = p) => numbering(p.length / stride, most,
+    (v) => Math.imul(bits[stride * v], 0x8da6b343) ^ Math.imul(bits[stride * v + 1], 0xd8163841) ^ Math.imul(bits[stride * v + 2], 0xcb1ab31f),
+    (v, w) => p[stride * v] === p[stride * w] && p[stride * v + 1] === p[stride * w + 1] && p[stride * v + 2] === p[stride * w + 2]);
+
+  /** Of triangles, three `corners` after three: `face`, the normal of each, as long as twice its area; `sum`, of each of `most` places those of all that meet there. */
+  function areas(p, stride, corners, placeOf, most) {
+    const face = new Float32Array(corners.length), sum = new Float64Array(3 * most);
+    for (let i = 0; i < corners.length; i += 3) {
+      const a = stride * corners[i], b = stride * corners[i + 1], c = stride * corners[i + 2];
+      const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
+      const wx = p[c] - p[a], wy = p[c + 1] - p[a + 1], wz = p[c + 2] - p[a + 2];
+      face[i] = uy * wz - uz * wy;
+      face[i + 1] = uz * wx - ux * wz;
+      face[i + 2] = ux * wy - uy * wx;
+      for (let k = i; k < i + 3; ++k) {
+        const at = 3 * placeOf(corners[k]);
+        sum[at] += face[i];
+        sum[at + 1] += face[i + 1];
+        sum[at + 2] += face[i + 2];
+      }
+    }
+    return {face, sum};
+  }
 
   function built(fruit) {
     const {hidden} = fruit, faces = [];
@@ -35,23 +55,12 @@ const Skin = (() => {
    * and whether it has the colour and part of its front.
    */
   function of(fruit, faces, seen) {
-    const {position, triangle, units} = fruit, placeOf = places(fruit, 3 * faces.length);
-
-    // Sum up normals, each face's as long as its area.
-    const corners = new Int32Array(3 * faces.length), face = new Float32Array(3 * faces.length);
+    const {position, triangle, units} = fruit, corners = new Int32Array(3 * faces.length), placeOf = places(position, 3, corners.length);
     faces.forEach((t, f) => {
-      const {turned} = seen(t), v = [0, turned ? 2 : 1, turned ? 1 : 2].map((k) => triangle[3 * t + k]);
-      const [a, b, c] = v.map((i) => 3 * i), p = position;
-      const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
-      const wx = p[c] - p[a], wy = p[c + 1] - p[a + 1], wz = p[c + 2] - p[a + 2];
-      corners.set(v, 3 * f);
-      face.set([uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx], 3 * f);
+      const {turned} = seen(t);
+      corners.set([triangle[3 * t], triangle[3 * t + (turned ? 2 : 1)], triangle[3 * t + (turned ? 1 : 2)]], 3 * f);
     });
-    const sum = new Float64Array(3 * corners.length);
-    for (let i = 0; i < corners.length; ++i) {
-      const at = 3 * placeOf(corners[i]), f = 3 * (i / 3 | 0);
-      for (let k = 0; k < 3; ++k) sum[at + k] += face[f + k];
-    }
+    const {face, sum} = areas(position, 3, corners, placeOf, corners.length);
 
     const data = new Float32Array(10 * corners.length);
     const linear = Float32Array.from({length: 256}, (_, i) => {
@@ -99,22 +108,8 @@ const Skin = (() => {
    * outline moves outwards by it, and stays whole where surfaces meet at a sharp angle.
    */
   function outwards(skin, index = null) {
-    const bits = new Uint32Array(skin.buffer, skin.byteOffset, skin.length), count = skin.length / 10, corners = index ? index.length : count;
-    const placeOf = numbering(count, count,
-      (v) => Math.imul(bits[10 * v], 0x8da6b343) ^ Math.imul(bits[10 * v + 1], 0xd8163841) ^ Math.imul(bits[10 * v + 2], 0xcb1ab31f),
-      (v, w) => skin[10 * v] === skin[10 * w] && skin[10 * v + 1] === skin[10 * w + 1] && skin[10 * v + 2] === skin[10 * w + 2]);
-    const sum = new Float64Array(3 * count);
-    for (let i = 0; i < corners; i += 3) {
-      const v = index ? [index[i], index[i + 1], index[i + 2]] : [i, i + 1, i + 2], [a, b, c] = v.map((k) => 10 * k);
-      const ux = skin[b] - skin[a], uy = skin[b + 1] - skin[a + 1], uz = skin[b + 2] - skin[a + 2];
-      const wx = skin[c] - skin[a], wy = skin[c + 1] - skin[a + 1], wz = skin[c + 2] - skin[a + 2];
-      for (const corner of v) {
-        const at = 3 * placeOf(corner);
-        sum[at] += uy * wz - uz * wy;
-        sum[at + 1] += uz * wx - ux * wz;
-        sum[at + 2] += ux * wy - uy * wx;
-      }
-    }
+    const bits = new Uint32Array(skin.buffer, skin.byteOffset, skin.length), count = skin.length / 10, placeOf = places(skin, 10, count, bits);
+    const {sum} = areas(skin, 10, index || Uint32Array.from({length: count}, (_, i) => i), placeOf, count);
     const ways = new Float32Array(3 * count);
     for (let v = 0; v < count; ++v) for (let k = 0; k < 3; ++k) ways[3 * v + k] = sum[3 * placeOf(v) + k];
     return ways;

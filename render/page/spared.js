@@ -8,7 +8,7 @@ const Spared = (() => {
   function shellsOf(fruit) {
     const {triangle, hidden, part, header} = fruit, spared = new Set(header.spared || []), found = [];
     for (let t = 0; t < hidden.length; ++t) if (hidden[t] === 0 && spared.has(part[1][t]) && !spared.has(part[0][t])) found.push(t);
-    const placeOf = Skin.places(fruit, 3 * found.length), parent = [];
+    const placeOf = Skin.places(fruit.position, 3, 3 * found.length), parent = [];
     const root = (v) => { while (parent[v] !== v) v = parent[v] = parent[parent[v]]; return v; };
     const cornersOf = (t) => [0, 1, 2].map((k) => {
       const v = placeOf(triangle[3 * t + k]);

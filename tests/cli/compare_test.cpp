@@ -61,6 +61,13 @@ TEST_F(Compare, TakesLimitsByNameAndOneByOne) {
   EXPECT_EQ(compare({"a.png", "lifted.png", "--tolerance", "close", "--usual", "0"}).status, 1);
 }
 
+TEST_F(Compare, DoesNotWriteOverThePictures) {
+  const std::string before = bytes_of(folder / "a.png");
+  for (const char* option : {"--map", "--html"})
+    EXPECT_EQ(compare({"a.png", "lifted.png", option, "./a.png"}).status, 64);
+  EXPECT_TRUE(bytes_of(folder / "a.png") == before);
+}
+
 TEST_F(Compare, WritesTheMapAndThePageAndFiguresAsJson) {
   const Outcome outcome = compare({"a.png", "lifted.png", "--map", "map.png", "--html", "page.html", "--json"});
   EXPECT_EQ(outcome.status, 1);

@@ -222,14 +222,16 @@ TEST(Asset, IsRefusedWhereItPointsOutsideItself) {
 
 // Each triangle across all of the grid costs a step for every row: a small file could take hours.
 TEST(Asset, IsRefusedWhereItsTrianglesAreEndless) {
-  Asset wide;
-  wide.count = {8, 512, 512};
-  wide.units = 64;
-  wide.position = {{0, 0, 0}, {0, 32767, 0}, {0, 0, 32767}};
-  wide.triangle.assign(1000, {0, 1, 2});
-  wide.hidden.assign(1000, 1);
-  EXPECT_GT(rows_to_ask(wide), 250'000'000);
   EXPECT_LT(rows_to_ask(asset()), 1'000'000) << "of a cherry";
+  Asset wide = asset();
+  const auto end = [&](int axis) { return static_cast<std::uint16_t>(wide.units * (wide.count[axis] - 1)); };
+  wide.position[0] = {0, 0, 0}, wide.position[1] = {0, end(1), 0}, wide.position[2] = {0, 0, end(2)};
+  const std::size_t many = 310'000'000 / (static_cast<std::size_t>(wide.count[1] - 1) * (wide.count[2] - 1));
+  wide.triangle.assign(many, {0, 1, 2});
+  wide.hidden.assign(many, 1);
+  wide.front_part.assign(many, 0), wide.back_part.assign(many, 0);
+  EXPECT_GT(rows_to_ask(wide), 300'000'000);
+  EXPECT_THAT(refusal(write_asset(wide, "a test")), testing::HasSubstr("larger than a fruit's"));
 }
 
 TEST(Asset, IsNotMadeOfWhatIsOpen) {

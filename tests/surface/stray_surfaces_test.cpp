@@ -10,6 +10,10 @@ namespace {
 
 using namespace shapes;
 
+std::vector<std::string> warnings_of(const DiffusionSurfaces& surfaces) {
+  return stray_warnings(surfaces, find_bodies(surfaces));
+}
+
 DiffusionSurfaces ball_with_core_at(double x) {
   Paint core;
   core.name = "core";
@@ -17,19 +21,19 @@ DiffusionSurfaces ball_with_core_at(double x) {
 }
 
 TEST(StraySurfaces, OfWhatLiesWithinAreNone) {
-  EXPECT_TRUE(stray_warnings(ball_with_core_at(0)).empty());
-  EXPECT_TRUE(stray_warnings(hollow_ball(1, 0.5, 8)).empty());
-  EXPECT_TRUE(stray_warnings(open_sheet(1, 0, 2, skin_paint())).empty()) << "nothing is inside of what is open";
+  EXPECT_TRUE(warnings_of(ball_with_core_at(0)).empty());
+  EXPECT_TRUE(warnings_of(hollow_ball(1, 0.5, 8)).empty());
+  EXPECT_TRUE(warnings_of(open_sheet(1, 0, 2, skin_paint())).empty()) << "nothing is inside of what is open";
 }
 
 TEST(StraySurfaces, AreToldByNameAndShare) {
   // Of a ball's area around a point of a larger one's skin (1 + r / 2R) / 2 lies outside, by the law of cosines.
-  EXPECT_THAT(stray_warnings(ball_with_core_at(1)),
+  EXPECT_THAT(warnings_of(ball_with_core_at(1)),
               testing::ElementsAre(testing::ContainsRegex("surface \"core\": 6[0-3] % of it lies outside")));
-  EXPECT_THAT(stray_warnings(ball_with_core_at(2)), testing::ElementsAre(testing::HasSubstr("100 %")));
+  EXPECT_THAT(warnings_of(ball_with_core_at(2)), testing::ElementsAre(testing::HasSubstr("100 %")));
 }
 
-TEST(StraySurfaces, MayTouchTheSkin) { EXPECT_TRUE(stray_warnings(ball_with_core_at(0.61)).empty()); }
+TEST(StraySurfaces, MayTouchTheSkin) { EXPECT_TRUE(warnings_of(ball_with_core_at(0.61)).empty()); }
 
 }  // namespace
 }  // namespace pomona
