@@ -1,4 +1,4 @@
-// The picture: every pixel the mean of its samples, each lit; ink comes later.
+// The picture: every pixel the mean of its samples, each lit; ink comes later. PAPER: where there is no fruit.
 #include "gbuffer.glsl"
 #include "lit.glsl"
 #include "paper.glsl"
@@ -35,17 +35,18 @@ Seen light_at(ivec2 pixel, float distance_to) {
   ivec2 size = textureSize(light, 0);
   ivec2 from = pixel;
   vec4 best = texelFetch(light, pixel, 0);
-  float error = abs(best.z - distance_to);
-  for (int i = 0; i < 8 && error >= 0.01 * distance_to; ++i) {
+  float error = abs(best.z - distance_to), near_enough = 0.01 * distance_to;
+  int i = 0;
+  do {
     int k = i < 4 ? i : i + 1;
     ivec2 there = clamp(pixel + ivec2(k % 3 - 1, k / 3 - 1), ivec2(0), size - 1);
     vec4 other = texelFetch(light, there, 0);
-    if (abs(other.z - distance_to) < error) {
+    if (error >= near_enough && abs(other.z - distance_to) < error) {
       error = abs(other.z - distance_to);
       best = other;
       from = there;
     }
-  }
+  } while (++i < 8 && error >= near_enough);
   if (!translucent) return Seen(best.x, best.y, vec3(0.0), vec3(0.0));
   return Seen(best.x, best.y, texelFetch(arrives, from, 0).rgb, texelFetch(leaves, from, 0).rgb);
 }
@@ -85,7 +86,8 @@ bool is_one(ivec2 pixel, out Nearest mean) {
   if (mean.guide_share != vec4(0.0)) return false;
 #endif
   float near = mean.depth, far = mean.depth;
-  for (int i = 1; i < samples_per_side * samples_per_side; ++i) {
+  int count = samples_per_side * samples_per_side, i = min(1, count - 1);  // a sample alone is compared with itself
+  do {
     Nearest other = nearest_at(pixel * samples_per_side + ivec2(i % samples_per_side, i / samples_per_side));
     if (other.id != mean.id || other.albedo.a != mean.albedo.a) return false;
     if (dot(other.normal, mean.normal) < 0.98 * length(mean.normal) * length(other.normal)) return false;
@@ -99,7 +101,7 @@ bool is_one(ivec2 pixel, out Nearest mean) {
 #ifdef DETAILED
     if (other.guide_share != vec4(0.0)) return false;
 #endif
-  }
+  } while (++i < count);
   if (instance_of(mean.id) != 0u) mean.normal = normalize(mean.normal);
   if (far == 1.0) return near == 1.0;
   return distance_from_depth(far) < 1.01 * distance_from_depth(near);
@@ -108,14 +110,15 @@ bool is_one(ivec2 pixel, out Nearest mean) {
 // A layer before all else, at a sample or, as a mean, at all of a pixel's. Premultiplied.
 vec4 layer_at(sampler2D layer, ivec2 pixel, int sample_index, bool all) {
   vec4 sum = vec4(0.0);
-  int count = all ? samples_per_side * samples_per_side : 1;
-  for (int i = 0; i < count; ++i) {
+  int count = all ? samples_per_side * samples_per_side : 1, i = 0;
+  do {
     int k = all ? i : sample_index;
     sum += texelFetch(layer, pixel * samples_per_side + ivec2(k % samples_per_side, k / samples_per_side), 0);
-  }
+  } while (++i < count);
   return sum / float(count);
 }
 
+#ifndef PAPER
 // `at`: in samples.
 vec3 fruit_at(Nearest nearest, vec2 at, vec2 size, Seen seen, float distance_to, float grain_here) {
   vec2 ndc = 2.0 * at / size - 1.0;
@@ -131,10 +134,10 @@ vec3 fruit_at(Nearest nearest, vec2 at, vec2 size, Seen seen, float distance_to,
   vec3 color = modulated(nearest.albedo.rgb, fruit_position, footprint, solid);
   vec3 normal = nearest.normal;
 #ifdef DETAILED
-  normal = detail_normal(normal, turn_to_fruit(instance), nearest.albedo.rgb, fruit_position, footprint, solid, cut,
-                         nearest.guide_way, nearest.guide_share);
-  color = detailed(color, nearest.albedo.rgb, fruit_position, footprint, solid, cut, nearest.guide_way,
-                   nearest.guide_share);
+  Detailed with_details = detailed(color, normal, nearest.albedo.rgb, turn_to_fruit(instance), fruit_position, footprint,
+                                   solid, cut, nearest.guide_way, nearest.guide_share);
+  color = with_details.color;
+  normal = with_details.normal;
 #endif
   Material material = material_at(nearest.albedo.a);
   vec4 pit = cut || material.pit > 0.0 ? vec4(0.0) : pit_at(solid, fruit_position, turn_to_fruit(instance) * nearest.normal);
@@ -147,19 +150,18 @@ vec3 fruit_at(Nearest nearest, vec2 at, vec2 size, Seen seen, float distance_to,
                              nearest.rim),
                  grain_here);
 }
+#endif
 
 vec3 sample_color(Nearest nearest, vec2 at, vec2 size, ivec2 pixel, vec3 ground, float grain_here) {
   vec3 color = ground;
-  // Loops of one turn or none, in place of branches: software renderers run both sides of a branch, but end a loop early.
-  for (int any = nearest.depth < 1.0 ? 1 : 0; any > 0; --any) {
+  if (nearest.depth < 1.0) {
     float distance_to = distance_from_depth(nearest.depth);
     Seen seen = light_at(pixel, distance_to);
-    bool fruit = instance_of(nearest.id) != 0u;
     // The table is the paper, with a wash of shadow on it.
     color *= mix(shadow_color, vec3(1.0), seen.sun) * mix(0.82 * shadow_color, vec3(1.0), seen.sky);
-    for (int here = fruit ? 1 : 0; here > 0; --here) {
-      color = fruit_at(nearest, at, size, seen, distance_to, grain_here);
-    }
+#ifndef PAPER
+    if (instance_of(nearest.id) != 0u) color = fruit_at(nearest, at, size, seen, distance_to, grain_here);
+#endif
   }
   return color;
 }
@@ -174,9 +176,9 @@ void main() {
 
   Nearest mean;
   bool one = is_one(pixel, mean);
-  int count = one ? 1 : samples_per_side * samples_per_side;
+  int count = one ? 1 : samples_per_side * samples_per_side, i = 0;
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < count; ++i) {
+  do {
     ivec2 sample_at = pixel * samples_per_side + ivec2(i % samples_per_side, i / samples_per_side);
     Nearest nearest = mean;
     vec2 at = (vec2(pixel) + 0.5) * float(samples_per_side);
@@ -194,6 +196,6 @@ void main() {
       color = before.rgb + (1.0 - before.a) * clamp(color, 0.0, 1.0);
     }
     sum += clamp(color, 0.0, 1.0);
-  }
+  } while (++i < count);
   picture = vec4(srgb_from_linear(sum / float(count)), 1.0);
 }

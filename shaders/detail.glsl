@@ -19,12 +19,14 @@ uint lattice_hash(ivec3 cell, uint seed) {
 vec3 tens_of_bits(uint hash) { return vec3(hash & 1023u, (hash >> 10) & 1023u, (hash >> 20) & 1023u); }
 float share_of(uint hash) { return float(hash >> 8) / 16777216.0; }
 
-// Distances to the nearest and second nearest feature point, and the nearest one's cell's own share.
-vec3 cell_place(vec3 point, uint seed) {
+// Distances to the nearest and second nearest feature point, and the nearest one's cell's own share; anything where
+// nothing `counts`.
+vec3 cell_place(vec3 point, uint seed, bool counts) {
   vec3 low = floor(point), within = point - low;
   float nearest = 8.0, second = 8.0;
   uint own = 0u;
-  for (int i = 0; i < 27; ++i) {
+  int i = counts ? 0 : 26;
+  do {
     ivec3 beside = ivec3(i % 3, (i / 3) % 3, i / 9) - 1;
     uint hash = lattice_hash(ivec3(low) + beside, seed);
     vec3 away = vec3(beside) + tens_of_bits(hash) * (0.9 / 1023.0) + 0.05 - within;
@@ -32,7 +34,7 @@ vec3 cell_place(vec3 point, uint seed) {
     second = min(second, max(nearest, squared));
     own = squared < nearest ? hash : own;
     nearest = min(nearest, squared);
-  }
+  } while (++i < 27);
   return vec3(sqrt(nearest), sqrt(second), share_of(own));
 }
 
@@ -68,7 +70,20 @@ vec4 pattern_place(int run, vec4 sizes, vec2 fruit, vec3 position, vec4 way_laye
               max(1.0, abs(outwards) / radius));
 }
 
-// The pattern's share and tone; `fine`: how much of what is finer than the size is shown.
+// Noise at its own size, half as strong at half of that where `fine`, and for streaks at four times its size.
+float line_noise(vec3 p, float fine, uint seed, int octaves) {
+  float sum = 0.0;
+  int i = 0;
+  do {
+    float amount = i == 0 ? 1.0 : i == 1 ? 0.5 * fine : 0.6;
+    float scale = i == 0 ? 1.0 : i == 1 ? 2.0 : 0.23, aside = i == 0 ? 0.0 : i == 1 ? 3.1 : 5.7;
+    sum += amount * gradient_noise(scale * p + aside, seed + (i == 0 ? 0u : uint(i + 2)));
+  } while (++i < octaves);
+  return sum;
+}
+
+// The pattern's share and tone; `fine`: how much of what is finer than the size is shown. Each kind's loop turns once
+// where the pattern is of another kind.
 vec2 pattern_at(int detail, int kind, vec3 p, float fine) {
   vec4 sizes = texelFetch(detail_styles, detail + 1), form = texelFetch(detail_styles, detail + 2);
   vec4 line = texelFetch(detail_styles, detail + 5);
@@ -76,13 +91,14 @@ vec2 pattern_at(int detail, int kind, vec3 p, float fine) {
   uint seed = uint(texelFetch(detail_styles, detail + 6).z);
   p = vec3(2.0 * p.x - p.y + 2.0 * p.z, 2.0 * p.x + 2.0 * p.y - p.z, 2.0 * p.y + 2.0 * p.z - p.x) / 3.0 + 0.37;
   if (form.y > 0.0) {
-    float a = gradient_noise(p * 0.45, seed + 1u), b = gradient_noise(p * 0.45 + 7.3, seed + 2u);
-    p += 1.6 * form.y * vec3(a, b, -a);
+    vec2 swirl = vec2(0.0);
+    int i = 0, ways = form.y > 0.0 ? 2 : 1;
+    do swirl[i] = gradient_noise(p * 0.45 + 7.3 * float(i), seed + 1u + uint(i));
+    while (++i < ways);
+    p += 1.6 * form.y * vec3(swirl, -swirl.x);
   }
   if (kind == fibres || kind == streaks) {
-    float noise = gradient_noise(p, seed);
-    if (fine > 0.0) noise += 0.5 * fine * gradient_noise(2.0 * p + 3.1, seed + 3u);
-    if (kind == streaks) noise += 0.6 * gradient_noise(0.23 * p + 5.7, seed + 4u);
+    float noise = line_noise(p, fine, seed, kind == streaks ? 3 : fine > 0.0 ? 2 : 1);
     return vec2(smoothstep(line.x - line.y, line.x + line.y, noise), 0.0);
   }
   if (kind == speckles) {
@@ -90,7 +106,7 @@ vec2 pattern_at(int detail, int kind, vec3 p, float fine) {
     return vec2(max(dots(pitch * p, pitch, sizes.w, smallest, form.x, seed),
                     dots(pitch * p + 0.5, pitch, sizes.w, smallest, form.x, seed + 5u)), 0.0);
   }
-  vec3 cell = cell_place(p, seed);
+  vec3 cell = cell_place(p, seed, kind == cells || kind == net);
   float border = cell.y - cell.x, rim = 0.3 * sizes.z;
   if (kind == cells) {
     float border_line = 1.0 - smoothstep(rim, rim + 0.05 + 0.45 * form.x, border);
@@ -101,62 +117,14 @@ vec2 pattern_at(int detail, int kind, vec3 p, float fine) {
   return vec2(1.0 - risen, -form.z * risen * (1.0 - smoothstep(rim + soft, rim + 3.0 * soft, border)));
 }
 
-// A modulated colour with a solid's details on it; weights go by the colour before its modulation.
-vec3 detailed(vec3 color, vec3 unmodulated, vec3 position, float footprint, int solid, bool cut, vec4 way_layer,
-              vec4 share) {
-  if (share == vec4(0.0)) return color;
-  vec3 plain = to_oklab(unmodulated), lab = to_oklab(color);
-  bool changed = false;
-  for (int i = 0; i < details_of_a_face; ++i) {
-    int detail = detail_texels * (details_of_a_face * (2 * solid + (cut ? 0 : 1)) + i);
-    vec4 head = texelFetch(detail_styles, detail);
-    float weight = head.z * share[i];
-    if (int(head.x) == no_detail || abs(weight) < 1e-3) continue;
-    float within = texelFetch(detail_styles, detail + 2).w;
-    vec3 d = plain - texelFetch(detail_styles, detail + 4).xyz;
-    if (within > 0.0) weight *= exp(-dot(d, d) / (2.0 * within * within));
-    if (abs(weight) < 1e-3) continue;
-
-    vec4 sizes = texelFetch(detail_styles, detail + 1);
-    vec4 place = pattern_place(int(head.y), sizes, texelFetch(detail_styles, detail + 6).xy, position, way_layer);
-    float cycles = footprint * place.w / sizes.x;
-    float shown = 1.0 - smoothstep(0.25, 0.5, cycles);
-    vec2 value = texelFetch(detail_styles, detail + 5).zw;
-    if (shown > 0.0) {
-      vec2 here = pattern_at(detail, int(head.x), place.xyz, 1.0 - smoothstep(0.125, 0.25, cycles));
-      value = mix(value, here, shown);
-    }
-    vec3 target = texelFetch(detail_styles, detail + 3).xyz;
-    lab += value.x * weight * (head.w > 0.0 ? target - lab : target);
-    lab.x += value.y * abs(weight) * 0.12;
-    changed = true;
-  }
-  return changed ? clamp(from_oklab(lab), 0.0, 1.0) : color;
-}
-
-// How high a solid's details stand out, metres: the mirror of Look::height in render/style/look.cpp. `plain`: OKLab of the
-// colour before its modulation.
-float detail_height(vec3 plain, vec3 position, float footprint, int solid, bool cut, vec4 way_layer, vec4 share) {
-  float sum = 0.0;
-  for (int i = 0; i < details_of_a_face; ++i) {
-    int detail = detail_texels * (details_of_a_face * (2 * solid + (cut ? 0 : 1)) + i);
-    vec4 head = texelFetch(detail_styles, detail), last = texelFetch(detail_styles, detail + 6);
-    float relief = last.w * share[i];
-    if (int(head.x) == no_detail || relief == 0.0) continue;
-    float within = texelFetch(detail_styles, detail + 2).w;
-    vec3 d = plain - texelFetch(detail_styles, detail + 4).xyz;
-    if (within > 0.0) relief *= exp(-dot(d, d) / (2.0 * within * within));
-
-    vec4 sizes = texelFetch(detail_styles, detail + 1);
-    vec4 place = pattern_place(int(head.y), sizes, last.xy, position, way_layer);
-    float cycles = footprint * place.w / sizes.x;
-    float shown = 1.0 - smoothstep(0.25, 0.5, cycles);
-    float value = texelFetch(detail_styles, detail + 5).z;
-    if (shown > 0.0)
-      value = mix(value, pattern_at(detail, int(head.x), place.xyz, 1.0 - smoothstep(0.125, 0.25, cycles)).x, shown);
-    sum += relief * value;
-  }
-  return sum;
+// A detail's pattern at a place of the fruit, as far as it is not too fine to be shown.
+vec2 shown_pattern(int detail, vec4 head, vec3 position, float footprint, vec4 way_layer) {
+  float size = texelFetch(detail_styles, detail + 1).x;
+  vec4 place = pattern_place(int(head.y), texelFetch(detail_styles, detail + 1),
+                             texelFetch(detail_styles, detail + 6).xy, position, way_layer);
+  float cycles = footprint * place.w / size;
+  vec2 here = pattern_at(detail, int(head.x), place.xyz, 1.0 - smoothstep(0.125, 0.25, cycles));
+  return mix(texelFetch(detail_styles, detail + 5).zw, here, 1.0 - smoothstep(0.25, 0.5, cycles));
 }
 
 // The way to the skin and the layer at a place beside (render/style/relief.cpp).
@@ -167,30 +135,49 @@ vec4 guide_beside(vec4 way_layer, vec3 step_away) {
   return vec4(way_layer.xyz * (1.0 - nearer / way), way_layer.w - nearer);
 }
 
-// Whether any detail of such faces has a relief and counts here.
-bool any_relief(int solid, bool cut, vec4 share) {
-  vec4 relief = vec4(0.0);
-  for (int i = 0; i < details_of_a_face; ++i) {
-    int detail = detail_texels * (details_of_a_face * (2 * solid + (cut ? 0 : 1)) + i);
-    relief[i] = texelFetch(detail_styles, detail + 6).w;
-  }
-  return relief * share != vec4(0.0);
-}
+struct Detailed {
+  vec3 color, normal;
+};
 
-// A scene's normal, tilted by the slope of the details' height. The columns of `to_fruit` are the scene's directions in the
-// fruit.
-vec3 detail_normal(vec3 normal, mat3 to_fruit, vec3 unmodulated, vec3 position, float footprint, int solid, bool cut,
-                   vec4 way_layer, vec4 share) {
-  if (share == vec4(0.0) || !any_relief(solid, cut, share)) return normal;
-  vec3 plain = to_oklab(unmodulated);
-  float by = max(0.5 * footprint, 1e-5);
+// A modulated colour with a solid's details on it, and a scene's normal tilted by the slope of their height, metres (the
+// mirror of Look::height in render/style/look.cpp). Weights go by the colour before its modulation. The columns of
+// `to_fruit` are the scene's directions in the fruit.
+Detailed detailed(vec3 color, vec3 normal, vec3 unmodulated, mat3 to_fruit, vec3 position, float footprint, int solid,
+                  bool cut, vec4 way_layer, vec4 share) {
+  vec3 plain = to_oklab(unmodulated), lab = to_oklab(color);
   vec3 first = normalize(cross(abs(normal.y) < 0.8 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), normal));
   vec3 second = cross(normal, first);
-  vec3 steps[3] = vec3[3](vec3(0.0), by * first, by * second);
-  float height[3];
-  for (int i = 0; i < 3; ++i) {
-    vec3 step_away = to_fruit * steps[i];
-    height[i] = detail_height(plain, position + step_away, footprint, solid, cut, guide_beside(way_layer, step_away), share);
-  }
-  return normalize(normal - ((height[1] - height[0]) * first + (height[2] - height[0]) * second) / by);
+  float by = max(0.5 * footprint, 1e-5);
+  vec3 height = vec3(0.0);  // here, and a step away each way
+  bool changed = false, risen = false;
+
+  int of_face = detail_texels * details_of_a_face * (2 * solid + (cut ? 0 : 1)), i = 0;
+  do {
+    int detail = of_face + detail_texels * i;
+    vec4 head = texelFetch(detail_styles, detail);
+    float relief = texelFetch(detail_styles, detail + 6).w * share[i], weight = head.z * share[i];
+    float within = texelFetch(detail_styles, detail + 2).w;
+    vec3 d = plain - texelFetch(detail_styles, detail + 4).xyz;
+    float likeness = within > 0.0 ? exp(-dot(d, d) / (2.0 * within * within)) : 1.0;
+    risen = risen || relief != 0.0;
+    relief *= likeness;
+    weight *= likeness;
+
+    int places = relief != 0.0 ? 3 : 1, k = 0;
+    do {
+      vec3 step_away = to_fruit * (k == 0 ? vec3(0.0) : by * (k == 1 ? first : second));
+      vec2 value = shown_pattern(detail, head, position + step_away, footprint, guide_beside(way_layer, step_away));
+      height[k] += relief * value.x;
+      if (k == 0 && abs(weight) >= 1e-3) {
+        vec3 target = texelFetch(detail_styles, detail + 3).xyz;
+        lab += value.x * weight * (head.w > 0.0 ? target - lab : target);
+        lab.x += value.y * abs(weight) * 0.12;
+        changed = true;
+      }
+    } while (++k < places);
+  } while (++i < details_of_a_face && int(texelFetch(detail_styles, of_face + detail_texels * i).x) != no_detail);
+
+  if (changed) color = clamp(from_oklab(lab), 0.0, 1.0);
+  if (risen) normal = normalize(normal - ((height.y - height.x) * first + (height.z - height.x) * second) / by);
+  return Detailed(color, normal);
 }

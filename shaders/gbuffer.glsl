@@ -34,3 +34,12 @@ float distance_from_depth(float depth) {
 
 // The same number for a pixel every time, spread evenly over its neighbours [Jimenez 2014].
 float interleaved(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }
+
+// Places spread evenly over a disc [Vogel 1979]: each a golden angle on from the one before, at sqrt((i + 0.5) / count) of the
+// radius. A pixel turns them by its own angle; from one to the next a product takes the place of sine and cosine.
+const mat2 golden_angle = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888);
+
+vec2 first_direction(vec2 pixel) {
+  float angle = 6.2831853 * interleaved(pixel);
+  return vec2(cos(angle), sin(angle));
+}

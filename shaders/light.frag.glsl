@@ -21,25 +21,29 @@ uniform vec2 table_reach;     // over which the table loses sky: metres, and a s
 
 layout(location = 0) out vec4 light;  // sky, light, distance
 
+// Whether a pixel shows nothing but paper and table: none of its samples lies on a piece.
+bool is_paper(ivec2 first) {
+  uint pieces = 0u;
+  int i = 0;
+  do pieces |= instance_of(texelFetch(ids, first + ivec2(i % samples_per_side, i / samples_per_side), 0).r);
+  while (++i < samples_per_side * samples_per_side);
+  return pieces == 0u;
+}
+
 vec3 camera_point(ivec2 sample_at, vec2 size, out float distance_to) {
   distance_to = distance_from_depth(texelFetch(depth, sample_at, 0).r);
   vec2 ndc = 2.0 * (vec2(sample_at) + 0.5) / size - 1.0;
   return vec3(ndc * tangent, -1.0) * distance_to;
 }
 
-vec2 spiral(int i, int count, float turn) {
-  // Vogel's: each step the golden angle further.
-  float angle = 2.3999632 * float(i) + 6.2831853 * turn;
-  return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
-}
-
-float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, float turn) {
+float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, vec2 direction) {
   const int count = 20;
   float radius = reach / distance_to / tangent.y * 0.5 * size.y;  // in samples
   float taken = 0.0;
-  for (int i = 0; i < count; ++i) {
-    vec2 step_away = spiral(i, count, turn);
-    step_away *= length(step_away);  // denser near the point: contacts count most
+  int i = 0;
+  do {
+    vec2 step_away = (float(i) + 0.5) / float(count) * direction;  // denser near the point: contacts count most
+    direction = golden_angle * direction;
     ivec2 there = clamp(at + ivec2(step_away * radius), ivec2(0), ivec2(size) - 1);
     float beyond;
     vec3 v = camera_point(there, size, beyond) - p;
@@ -49,67 +53,81 @@ float sky_seen(vec3 p, vec3 n, float distance_to, ivec2 at, vec2 size, float tur
     // Where nothing is there is no wall either: the table's far end stays clean.
     fade = beyond < 0.999 * depth_range.y ? fade : 0.0;
     taken += fade * fade * max(rise, 0.0) * inversesqrt(squared + 1e-4 * reach * reach);
-  }
+  } while (++i < count);
   return clamp(1.0 - 3.4 * taken / float(count), 0.0, 1.0);
 }
 
 // How much of what lies around on the picture belongs to another piece a little nearer than this place: what painters
 // deepen, so that each piece comes off the one behind it [Luft et al. 2006]. Paper stays clean.
-float behind_others(float distance_to, ivec2 at, vec2 size, float turn) {
+float behind_others(float distance_to, ivec2 at, vec2 size, vec2 direction) {
   uint mine = instance_of(texelFetch(ids, at, 0).r);
+  if (mine == 0u) return 0.0;
   const int count = 12;
   float standing = 0.0, all = 0.0;
-  for (int i = 0; i < count; ++i) {
-    vec2 step_away = spiral(i, count, turn);
-    ivec2 there = clamp(at + ivec2(step_away * 0.02 * size.y), ivec2(0), ivec2(size) - 1);
+  int i = 0;
+  do {
+    float away = sqrt((float(i) + 0.5) / float(count));
+    ivec2 there = clamp(at + ivec2(away * 0.02 * size.y * direction), ivec2(0), ivec2(size) - 1);
+    direction = golden_angle * direction;
     float gap = distance_to - distance_from_depth(texelFetch(depth, there, 0).r);
-    float share = 1.0 - 0.8 * length(step_away);
+    float share = 1.0 - 0.8 * away;
     all += share;
-    uint other = instance_of(texelFetch(ids, there, 0).r);
-    if (mine == 0u || other == mine) continue;
-    standing += share * smoothstep(0.05 * reach, 0.35 * reach, gap) * (1.0 - smoothstep(1.5 * reach, 4.0 * reach, gap));
-  }
+    if (instance_of(texelFetch(ids, there, 0).r) != mine)
+      standing += share * smoothstep(0.05 * reach, 0.35 * reach, gap) * (1.0 - smoothstep(1.5 * reach, 4.0 * reach, gap));
+  } while (++i < count);
   return standing / all;
 }
 
 // What the table sees of the sky beside and under what stands on it, however much of that the eye sees: each piece is
 // seen to stand, and not to hover.
-float sky_over_table(vec3 p, float turn) {
+float sky_over_table(vec3 p, vec2 direction) {
   const int count = 24;
   vec2 here = (camera_to_table * vec4(p, 1.0)).xy;
   float taken = 0.0;
-  for (int i = 0; i < count; ++i) {
-    vec2 away = spiral(i, count, turn);
-    float height = texture(lowest, here + table_reach.y * away).r;
-    taken += max(0.0, 1.0 - sqrt(dot(away, away) + height * height));
-  }
+  int i = 0;
+  do {
+    float squared = (float(i) + 0.5) / float(count);
+    float height = texture(lowest, here + table_reach.y * sqrt(squared) * direction).r;
+    taken += max(0.0, 1.0 - sqrt(squared + height * height));
+    direction = golden_angle * direction;
+  } while (++i < count);
   return clamp(1.0 - 3.0 * taken / float(count), 0.0, 1.0);
 }
 
-float light_seen(vec3 p, vec3 n, float turn) {
+float light_seen(vec3 p, vec3 n, vec2 direction) {
   vec3 q = (camera_to_light * vec4(p + n * shadow_bias.x, 1.0)).xyz;
   if (any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0)))) return 1.0;
   float here = q.z - shadow_bias.y;
 
   // How far away is what is in the way?
   float gap = 0.0, found = 0.0;
-  for (int i = 0; i < 8; ++i) {
-    float there = texture(shadow_map, q.xy + 0.03 * spiral(i, 8, turn)).r;
+  vec2 way = direction;
+  int i = 0;
+  do {
+    float there = texture(shadow_map, q.xy + 0.03 * sqrt((float(i) + 0.5) / 8.0) * way).r;
+    way = golden_angle * way;
     if (there < here) {
       gap += here - there;
       found += 1.0;
     }
-  }
+  } while (++i < 8);
   if (found == 0.0) return 1.0;
   float radius = clamp(light_size * gap / found, 0.002, 0.03);
   float seen = 0.0;
-  for (int i = 0; i < 14; ++i) seen += step(here, texture(shadow_map, q.xy + radius * spiral(i, 14, turn)).r);
+  i = 0;
+  do {
+    seen += step(here, texture(shadow_map, q.xy + radius * sqrt((float(i) + 0.5) / 14.0) * direction).r);
+    direction = golden_angle * direction;
+  } while (++i < 14);
   return seen / 14.0;
 }
 
 void main() {
   vec2 size = vec2(textureSize(depth, 0));
-  ivec2 at = ivec2(gl_FragCoord.xy) * samples_per_side + samples_per_side / 2;
+  ivec2 first = ivec2(gl_FragCoord.xy) * samples_per_side, at = first + samples_per_side / 2;
+
+  // The last pass finds fruit by a test of depth, in whole blocks of pixels; its rows run down.
+  gl_FragDepth = is_paper(ivec2(first.x, int(size.y) - samples_per_side - first.y)) ? 1.0 : 0.0;
   if (texelFetch(depth, at, 0).r == 1.0) {
     light = vec4(1.0, 1.0, depth_range.y, 0.0);
     return;
@@ -117,9 +135,9 @@ void main() {
   float distance_to;
   vec3 p = camera_point(at, size, distance_to);
   vec3 n = mat3(view) * texelFetch(normal_line, at, 0).xyz;
-  float turn = interleaved(gl_FragCoord.xy);
-  vec2 seen = vec2(sky_seen(p, n, distance_to, at, size, turn), light_seen(p, n, turn));
-  if (table_reach.x > 0.0 && instance_of(texelFetch(ids, at, 0).r) == 0u) seen.x *= sky_over_table(p, turn);
-  seen.x *= 1.0 - 1.1 * behind_others(distance_to, at, size, turn);
+  vec2 direction = first_direction(gl_FragCoord.xy);
+  vec2 seen = vec2(sky_seen(p, n, distance_to, at, size, direction), light_seen(p, n, direction));
+  if (table_reach.x > 0.0 && instance_of(texelFetch(ids, at, 0).r) == 0u) seen.x *= sky_over_table(p, direction);
+  seen.x *= 1.0 - 1.1 * behind_others(distance_to, at, size, direction);
   light = vec4(clamp(1.0 - strengths * (1.0 - seen), 0.0, 1.0), distance_to, 0.0);
 }

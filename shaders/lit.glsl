@@ -79,13 +79,10 @@ float cut_shine(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint) 
   float sheen = 0.02 * min(wet, 2.0) * pow(max(dot(n, half_way), 0.0), 24.0);
   if (film <= 0.0 || dot(n, half_way) < 0.5) return sheen;
   vec3 q = position * film_frequency;
-#ifdef COMPACT
   vec3 swell = vec3(0.0);
-  for (int axis = 0; axis < 3; ++axis)
-    swell[axis] = gradient_noise(q + (axis == 0 ? 0.0 : axis == 1 ? 17.3 : -9.1), 411u + uint(axis));
-#else
-  vec3 swell = vec3(gradient_noise(q, 411u), gradient_noise(q + 17.3, 412u), gradient_noise(q - 9.1, 413u));
-#endif
+  int axis = 0, axes = film > 0.0 ? 3 : 1;
+  do swell[axis] = gradient_noise(q + (axis == 0 ? 0.0 : axis == 1 ? 17.3 : -9.1), 411u + uint(axis));
+  while (++axis < axes);
   float mirror = dot(normalize(n + 0.6 * swell), half_way);
   float bright = 0.025 * smoothstep(0.93, 0.995, mirror) + 0.17 * smoothstep(0.990, 0.998, mirror);
   return sheen + film * (0.6 + 0.25 * min(wet, 2.4)) * bright;

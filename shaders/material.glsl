@@ -33,13 +33,10 @@ Material material_at(float number) {
 // have smears and scratches.
 float bloom_cover(Material m, vec3 position, float cosine) {
   if (m.bloom.a <= 0.0) return 0.0;
-#ifdef COMPACT
   float where = 0.0;
-  for (int k = 0; k < 2; ++k)
-    where += (k == 0 ? 1.0 : 0.45) * gradient_noise(position * m.patches * (k == 0 ? 1.0 : 3.1), 401u + uint(k));
-#else
-  float where = gradient_noise(position * m.patches, 401u) + 0.45 * gradient_noise(position * m.patches * 3.1, 402u);
-#endif
+  int k = 0, sizes = m.bloom.a > 0.0 ? 2 : 1;
+  do where += (k == 0 ? 1.0 : 0.45) * gradient_noise(position * m.patches * (k == 0 ? 1.0 : 3.1), 401u + uint(k));
+  while (++k < sizes);
   float edge = 1.3 * (2.0 * m.rubbed - 1.0);
   float whole = m.rubbed <= 0.0 ? 1.0 : m.rubbed >= 1.0 ? 0.0 : smoothstep(edge - 0.28, edge + 0.28, where);
   float slant = 1.0 - cosine;

@@ -30,12 +30,13 @@ float lattice_noise(vec3 point, uint seed, int mask) {
   vec3 low = floor(point), p = point - low;
   vec3 t = p * p * p * (p * (p * 6.0 - 15.0) + 10.0);
   float sum = 0.0;
-  for (int k = 0; k < 8; ++k) {
+  int k = 0;
+  do {
     ivec3 aside = ivec3(k & 1, k >> 1 & 1, k >> 2), cell = ivec3(low) + aside;
     cell.z &= mask;
     vec3 share = mix(1.0 - t, t, vec3(aside));
     sum += share.x * share.y * share.z * corner_noise(cell, seed, p - vec3(aside));
-  }
+  } while (++k < 8);
   return clamp(sum, -1.0, 1.0);
 }
 #else
@@ -69,10 +70,10 @@ vec3 about_axis(vec3 position) {
   return vec3(radius, position.y, radius > 0.0 ? atan(-position.z, position.x) / 6.283185307179586 : 0.0);
 }
 
-// One loop for both kinds of lattice: software renderers run both sides of a branch, but end a loop early.
-float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int band, uint pattern, bool counts) {
+// One loop for both kinds of lattice (README.md says how loops are written here).
+float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int band, uint pattern) {
   bool isotropic = stretch == vec3(1.0);
-  int rings = !counts ? 0 : isotropic ? 1 : 2;
+  int rings = isotropic ? 1 : 2, ring = 0;
   vec2 radius_height = around.xy * frequency * stretch.xy + band_offset;
   float wanted = clamp(6.283185307179586 * around.x * frequency * stretch.z, 2.0, 32768.0);
   int inner = int(floor(log2(wanted)));
@@ -80,7 +81,7 @@ float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int 
   share = share * share * (3.0 - 2.0 * share);
 
   float sum = 0.0;
-  for (int ring = 0; ring < rings; ++ring) {
+  do {
     int level = inner + ring;
     int cells = 1 << level;
     bool turns = !isotropic && level >= 2;
@@ -88,7 +89,7 @@ float band_noise(vec3 position, vec3 around, float frequency, vec3 stretch, int 
                            : vec3(radius_height, turns ? around.z * float(cells) : band_offset);
     uint seed = pattern + uint(band) + (isotropic ? 0u : 64u * uint(level));
     sum += (isotropic ? 1.0 : ring == 0 ? 1.0 - share : share) * lattice_noise(point, seed, turns ? cells - 1 : ~0);
-  }
+  } while (++ring < rings);
   float norm = isotropic ? 1.0 : sqrt(share * share + (1.0 - share) * (1.0 - share));
   return clamp(sum / norm, -1.0, 1.0);
 }
@@ -117,13 +118,13 @@ vec3 modulated(vec3 color, vec3 position, float footprint, int solid) {
 
   float steepest = max(stretch.x, max(stretch.y, stretch.z));
   vec3 around = about_axis(position);
-  float amount = 0.0;
-  for (int b = 0; b < int(head.w); ++b) {
-    float weight = (b < 4 ? low[b] : high[b - 4]) / total;
+  float amount = 0.0, finest = 0.5 / (steepest * footprint);  // what is finer is not shown
+  int bands = int(head.w), b = 0;
+  do {
     float frequency = head.x * float(1 << b);
     float shown = 1.0 - smoothstep(0.25, 0.5, frequency * steepest * footprint);
-    float part = weight * shown;
-    amount += part * band_noise(position, around, frequency, stretch, b, pattern, abs(part) > 1e-4);
-  }
+    float part = b < bands ? (b < 4 ? low[b] : high[b - 4]) / total * shown : 0.0;
+    if (abs(part) > 1e-4) amount += part * band_noise(position, around, frequency, stretch, b, pattern);
+  } while (++b < bands && head.x * float(1 << b) < finest);
   return amount == 0.0 ? color : clamp(from_oklab(lab + amount * axis / total), 0.0, 1.0);
 }

@@ -1,5 +1,5 @@
-// What the later passes want to know: the plain colour and the material, normal, id. Nothing dear: most of what is drawn here is hidden
-// again, or too small to fill a block of pixels.
+// What the later passes want to know: the plain colour and the material, normal, id, and what guides texture detail where
+// a scene has any. Nothing dear: most of what is drawn here is hidden again, or too small to fill a block of pixels.
 #include "gbuffer.glsl"
 
 uniform uint instance_id;
@@ -15,9 +15,19 @@ layout(location = 0) out vec4 albedo;
 layout(location = 1) out vec4 normal_line;
 layout(location = 2) out uint id;
 
+#ifdef DETAILED
+in vec4 way_layer, share;
+layout(location = 3) out vec4 guide_way;
+layout(location = 4) out vec4 guide_share;
+#endif
+
 void main() {
   vec3 n = normalize(scene_normal);
   albedo = vec4(plain_color, material_number);
   normal_line = vec4(gl_FrontFacing ? n : -n, rim);
   id = instance_id | texelFetch(triangle_tags, first_triangle + gl_PrimitiveID).r;
+#ifdef DETAILED
+  guide_way = way_layer;
+  guide_share = share;
+#endif
 }

@@ -5,6 +5,12 @@ layout(location = 2) in vec3 color;
 layout(location = 3) in float material;
 layout(location = 4) in vec4 relief;  // what the parts' relief adds to the normal of a cut face; metres to the part's rim
 
+#ifdef DETAILED
+layout(location = 5) in vec4 guide_way;    // to the skin, metres; depth of the layer
+layout(location = 6) in vec4 guide_share;  // of each detail
+out vec4 way_layer, share;
+#endif
+
 uniform mat4 placement;  // fruit to scene
 uniform mat4 projection; // scene to clip space
 
@@ -20,5 +26,9 @@ void main() {
   rim = 1000.0 * relief.w;
   plain_color = color;
   material_number = material;
+#ifdef DETAILED
+  way_layer = guide_way;
+  share = guide_share;
+#endif
   gl_Position = projection * (placement * vec4(position, 1.0));
 }

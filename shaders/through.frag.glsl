@@ -34,15 +34,16 @@ void main() {
 
   // From just inside, over what lies about as far around as the light goes: it comes from there, too.
   vec3 q = (camera_to_light * vec4(p - n * slack, 1.0)).xyz;
-  float turn = interleaved(gl_FragCoord.xy);
+  vec2 direction = first_direction(gl_FragCoord.xy);
   float reach = 0.7 * m.depth / light_box.x;
   const int count = 8;
-  for (int i = 0; i < count; ++i) {
-    float angle = 2.3999632 * float(i) + 6.2831853 * turn;
-    vec2 there = q.xy + reach * sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
+  int i = 0;
+  do {
+    vec2 there = q.xy + reach * sqrt((float(i) + 0.5) / float(count)) * direction;
+    direction = golden_angle * direction;
     float before = (q.z - texture(shadow_map, there).r) * light_box.y - slack;
     float behind = (texture(far_map, there).r - q.z) * light_box.y - slack;
     arrives.rgb += kept(max(before, 0.0), m) / float(count);
     leaves.rgb += kept(max(behind, 0.0), m) / float(count);
-  }
+  } while (++i < count);
 }

@@ -61,8 +61,7 @@ void PlacedSolids::draw(const Program& program, Drawn which) const {
     const Solid& solid = scene_.solids[instance.solid];
     if (how_drawn(solid) != which) continue;
     const UploadedSolids::Part& part = uploaded_.parts[instance.solid];
-    const bool both_sides = which == Drawn::opaque || !solid.closed;
-    (both_sides ? gl_->Disable : gl_->Enable)(GL_CULL_FACE);
+    (solid.closed ? gl_->Enable : gl_->Disable)(GL_CULL_FACE);
     program.set("placement", matrix_of(instance.pose));
     program.set("opacity", solid.opacity);
     program.set("instance_id", static_cast<unsigned>((i + 1) & 0x7ffff) << 12);
@@ -73,23 +72,6 @@ void PlacedSolids::draw(const Program& program, Drawn which) const {
     pace.handed_over(part.indices);
   }
   gl_->Disable(GL_CULL_FACE);
-}
-
-void PlacedSolids::draw_guides(const Program& program) const {
-  if (!uploaded_.guides) return;
-  uploaded_.guides->vertices.bind();
-  Pace pace(gl_);
-  for (const std::size_t i : nearest_first_) {
-    const Instance& instance = scene_.instances[i];
-    const Solid& solid = scene_.solids[instance.solid];
-    if (how_drawn(solid) != Drawn::opaque || solid.guide.empty()) continue;
-    const UploadedSolids::Part& part = uploaded_.parts[instance.solid];
-    program.set("placement", matrix_of(instance.pose));
-    gl_->DrawElementsBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_INT,
-                                reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t)),
-                                part.first_vertex);
-    pace.handed_over(part.indices);
-  }
 }
 
 bool PlacedSolids::any_hairs() const {

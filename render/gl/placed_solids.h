@@ -16,10 +16,9 @@ class PlacedSolids {
 
   bool any(Drawn which) const;
   /// With the program in use, the nearest first, so that what is hidden is not worked out in vain. Sets "placement",
-  /// "instance_id", "first_triangle" and "opacity". Of closed see-through solids only what faces the eye is drawn.
+  /// "instance_id", "first_triangle" and "opacity". Of closed solids only what faces the eye is drawn, which is half of
+  /// their triangles; after CullFace(GL_FRONT) only what does not.
   void draw(const Program& program, Drawn which) const;
-  /// Of opaque solids, those that have guides, likewise; sets "placement". Nothing where there is none.
-  void draw_guides(const Program& program) const;
   /// Per solid (shaders/detail.glsl); none where no solid has guides.
   const GlTexture* detail_styles() const { return uploaded_.guides ? &uploaded_.guides->styles.texture() : nullptr; }
 

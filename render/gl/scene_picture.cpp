@@ -41,6 +41,7 @@ struct Targets {
         opaque(gl, samples),
         light{GlTexture(gl, GL_RGBA16F, options.width, options.height),
               GlTexture(gl, GL_RGBA16F, options.width, options.height)},
+        paper(gl, GL_DEPTH_COMPONENT32F, options.width, options.height),
         shadow(gl, GL_DEPTH_COMPONENT32F, shadow_side, shadow_side),
         lowest(gl, GL_DEPTH_COMPONENT32F, table_side, table_side),
         picture(gl, GL_RGBA8, options.width, options.height) {}
@@ -50,6 +51,7 @@ struct Targets {
   std::optional<GlTexture> glass;                     // all layers of what is see-through
   std::optional<GlTexture> guide_ways, guide_shares;  // what guides texture detail, where there is any
   std::array<GlTexture, 2> light;                     // one per pixel: sky, light, distance
+  GlTexture paper;  // one per pixel: the far end where it shows no piece, else the near one
   GlTexture shadow;
   GlTexture lowest;                          // what stands on the table, from below
   std::optional<GlTexture> far_shadow;       // what lies farthest from the light, where anything is translucent
@@ -81,12 +83,12 @@ class ScenePainter {
     cast_shadows(targets_.shadow, shadow_side, light_.to_clip);
     if (shade_.reach > 0) cast_shadows(targets_.lowest, table_side, shade_.to_clip);
     draw_surfaces();
-    if (solids_.detail_styles()) draw_guides();
     if (solids_.any(Drawn::see_through)) draw_glass();
     look_for_light();
     if (solids_.any_translucent()) look_through();
     if (solids_.any_hairs()) draw_hairs();
-    compose();
+    compose("PAPER", GL_LESS);
+    compose(detailed(), GL_GREATER);
     return read_back();
   }
 
@@ -94,17 +96,19 @@ class ScenePainter {
   void cast_shadows(const GlTexture& map, int side, const glm::mat4& to_clip);
   void draw_surfaces();
   void draw_ground();
-  void draw_guides();
   void draw_glass();
   void look_for_light();
   void look_through();
   void cast_far_shadows(const GlTexture& map);
   void draw_hairs();
   void bind_materials(const Program& program) const;
-  void compose();
+  void compose(const char* definition, GLenum where);
   Image read_back();
 
-  void fill(const GlFramebuffer& target, const glm::ivec2& size);
+  /// What programs that know of texture detail are compiled with.
+  const char* detailed() const { return solids_.detail_styles() ? "DETAILED" : ""; }
+
+  void fill(const GlFramebuffer& target, const glm::ivec2& size, GLenum where = GL_ALWAYS);
   void set_camera(const Program& program, const Surfaces& surfaces) const;
   glm::mat4 to_unit_box(const glm::mat4& to_clip) const;
 
@@ -148,9 +152,14 @@ void ScenePainter::cast_shadows(const GlTexture& map, int side, const glm::mat4&
 }
 
 void ScenePainter::draw_surfaces() {
-  // Where nothing is drawn, there is no colour, no id, and all depth.
+  // Where nothing is drawn, there is no colour, no id, and all depth. What guides details comes with the rest: to draw
+  // all triangles again for it takes longer than to keep it for what is hidden later.
   const Surfaces& surfaces = targets_.opaque;
-  const std::array<const GlTexture*, 3> colors{&surfaces.albedo, &surfaces.normal_line, &surfaces.ids};
+  std::vector<const GlTexture*> colors{&surfaces.albedo, &surfaces.normal_line, &surfaces.ids};
+  if (solids_.detail_styles()) {
+    colors.push_back(&targets_.guide_ways.emplace(gl_, GL_RGBA16F, targets_.samples.x, targets_.samples.y));
+    colors.push_back(&targets_.guide_shares.emplace(gl_, GL_RGBA8, targets_.samples.x, targets_.samples.y));
+  }
   const GlFramebuffer target(gl_, colors, &surfaces.depth);
   target.bind(targets_.samples.x, targets_.samples.y);
   const std::array<float, 4> empty{0, 0, 0, 0};
@@ -159,13 +168,16 @@ void ScenePainter::draw_surfaces() {
   gl_->ClearBufferfv(GL_COLOR, 0, empty.data());
   gl_->ClearBufferfv(GL_COLOR, 1, empty.data());
   gl_->ClearBufferuiv(GL_COLOR, 2, no_id.data());
+  for (std::size_t guide = 3; guide < colors.size(); ++guide) {
+    gl_->ClearBufferfv(GL_COLOR, static_cast<GLint>(guide), empty.data());
+  }
   gl_->ClearBufferfv(GL_DEPTH, 0, &far);
 
   // All opaque solids, then the ground they stand on.
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_LESS);
   solids_.triangle_tags().bind(0);
-  const Program program(gl_, "solid.vert.glsl", "solid.frag.glsl");
+  const Program program(gl_, "solid.vert.glsl", "solid.frag.glsl", detailed());
   program.use();
   program.set("projection", camera_.projection * camera_.view);
   program.set("triangle_tags", 0);
@@ -175,36 +187,13 @@ void ScenePainter::draw_surfaces() {
 }
 
 void ScenePainter::draw_ground() {
-  const Program program(gl_, "ground.vert.glsl", "ground.frag.glsl");
+  const Program program(gl_, "ground.vert.glsl", "ground.frag.glsl", detailed());
   program.use();
   program.set("projection", camera_.projection * camera_.view);
   program.set("ground_center", ball_.center);
   program.set("ground_reach", 12.0f * ball_.radius);
   nothing_.bind();
   gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-}
-
-/// Beside the surfaces that are nearest, in a pass of its own: few scenes need it.
-void ScenePainter::draw_guides() {
-  targets_.guide_ways.emplace(gl_, GL_RGBA16F, targets_.samples.x, targets_.samples.y);
-  targets_.guide_shares.emplace(gl_, GL_RGBA8, targets_.samples.x, targets_.samples.y);
-  const std::array<const GlTexture*, 2> colors{&*targets_.guide_ways, &*targets_.guide_shares};
-  const GlFramebuffer target(gl_, colors, &targets_.opaque.depth);
-  target.bind(targets_.samples.x, targets_.samples.y);
-  const std::array<float, 4> none{0, 0, 0, 0};
-  gl_->ClearBufferfv(GL_COLOR, 0, none.data());
-  gl_->ClearBufferfv(GL_COLOR, 1, none.data());
-  gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthMask(GL_FALSE);
-  gl_->DepthFunc(GL_LEQUAL);
-
-  const Program program(gl_, "guide.vert.glsl", "guide.frag.glsl");
-  program.use();
-  program.set("projection", camera_.projection * camera_.view);
-  solids_.draw_guides(program);
-  gl_->DepthMask(GL_TRUE);
-  gl_->DepthFunc(GL_LESS);
-  gl_.check("the guides");
 }
 
 void ScenePainter::draw_glass() {
@@ -219,12 +208,15 @@ void ScenePainter::draw_glass() {
   targets_.glass.emplace(glass_layers(gl_, solids_, view, targets_.opaque.depth, targets_.samples));
 }
 
-/// Runs the program in use on every pixel of the target.
-void ScenePainter::fill(const GlFramebuffer& target, const glm::ivec2& size) {
+/// Runs the program in use on every pixel of the target, or, where it has depths, on those that half the depth passes
+/// the test against.
+void ScenePainter::fill(const GlFramebuffer& target, const glm::ivec2& size, GLenum where) {
   target.bind(size.x, size.y);
-  gl_->Disable(GL_DEPTH_TEST);
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthFunc(where);
   nothing_.bind();
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_->DepthFunc(GL_LESS);
 }
 
 void ScenePainter::set_camera(const Program& program, const Surfaces& surfaces) const {
@@ -266,8 +258,8 @@ void ScenePainter::look_for_light() {
   program.set("lowest", 5);
   targets_.lowest.bind(5);
   const std::array<const GlTexture*, 1> raw{&targets_.light[0]}, soft{&targets_.light[1]};
-  const GlFramebuffer to_raw(gl_, raw, nullptr), to_soft(gl_, soft, nullptr);
-  fill(to_raw, size);
+  const GlFramebuffer and_paper(gl_, raw, &targets_.paper), to_raw(gl_, raw, nullptr), to_soft(gl_, soft, nullptr);
+  fill(and_paper, size, GL_ALWAYS);
 
   // Across and up.
   const Program soften(gl_, "fullscreen.vert.glsl", "soften.frag.glsl");
@@ -319,11 +311,13 @@ void ScenePainter::cast_far_shadows(const GlTexture& map) {
   const float near = 0;
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_GREATER);
+  gl_->CullFace(GL_FRONT);
   gl_->ClearBufferfv(GL_DEPTH, 0, &near);
   const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl");
   program.use();
   program.set("projection", light_.to_clip);
   if (solids_.any(Drawn::opaque)) solids_.draw(program, Drawn::opaque);
+  gl_->CullFace(GL_BACK);
   gl_->DepthFunc(GL_LESS);
 }
 
@@ -372,12 +366,14 @@ void ScenePainter::bind_materials(const Program& program) const {
   if (targets_.hairs) targets_.hairs->bind(11);
 }
 
-void ScenePainter::compose() {
+/// Where the map of paper passes the test: software renderers run both sides of a branch, but pass over blocks of
+/// pixels that a test of depth leaves out.
+void ScenePainter::compose(const char* definition, GLenum where) {
   // What is nearest, its colour, and the light on it.
   const std::array<const GlTexture*, 1> colors{&targets_.picture};
-  const GlFramebuffer target(gl_, colors, nullptr);
+  const GlFramebuffer target(gl_, colors, &targets_.paper);
   const GlTexture* const details = solids_.detail_styles();
-  const Program program(gl_, "fullscreen.vert.glsl", "compose.frag.glsl", details ? "DETAILED" : "");
+  const Program program(gl_, "fullscreen.vert.glsl", "compose.frag.glsl", definition);
   program.use();
   set_camera(program, targets_.opaque);
   program.set("albedo", 4);
@@ -413,7 +409,7 @@ void ScenePainter::compose() {
   program.set("gloss", static_cast<float>(style_.gloss));
   program.set("camera_to_scene", glm::inverse(camera_.view));
   program.set("to_light", light_.to_light);
-  fill(target, {options_.width, options_.height});
+  fill(target, {options_.width, options_.height}, where);
   gl_.check("the picture");
 }
 
@@ -459,7 +455,7 @@ Image draw_scene(GlContext& context, const Scene& scene, const Style& style, con
                          style.ink_color.value_or(InkStyle().color));
   }
   const StrokeOptions strokes{.width = options.width, .height = options.height, .threads = options.threads};
-  return style.ink ? with_ink(std::move(picture), scene_strokes(scene, style, strokes)) : picture;
+  return style.ink ? with_ink(std::move(picture), scene_strokes(scene, style, strokes), options.threads) : picture;
 }
 
 Image draw_scene(const Scene& scene, const Style& style, const PictureOptions& options) {

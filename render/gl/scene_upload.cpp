@@ -122,28 +122,24 @@ std::vector<glm::vec4> pit_texels(const std::vector<std::vector<glm::vec4>>& gri
   return texels;
 }
 
-std::optional<UploadedSolids::Guides> uploaded_guides(const CurrentGl& gl, const Scene& scene, const Style& style,
-                                                      const GlBuffer& position) {
+std::optional<UploadedSolids::Guides> uploaded_guides(const CurrentGl& gl, const Scene& scene, const Style& style) {
   const auto guided = [](const Solid& solid) { return !solid.guide.empty(); };
   if (!style.noise || std::none_of(scene.solids.begin(), scene.solids.end(), guided)) return {};
   std::vector<glm::vec4> way, share, styles;
+  Look look;  // of the solid before: pieces of one fruit have the same patterns
   for (const Solid& solid : scene.solids) {
     for (std::size_t v = 0; v < solid.position.size(); ++v) {
       const DetailGuide guide = solid.guide.empty() ? DetailGuide{} : solid.guide[v];
       way.emplace_back(guide.to_skin, guide.layer);
       share.push_back(guide.share);
     }
-    const std::vector<glm::vec4> texels = detail_texels(Look(NoiseStyle{}, solid.details));
+    look = Look(NoiseStyle{}, solid.details, &look);
+    const std::vector<glm::vec4> texels = detail_texels(look);
     styles.insert(styles.end(), texels.begin(), texels.end());
   }
-  UploadedSolids::Guides guides{.way = GlBuffer(gl, GL_ARRAY_BUFFER, way),
+  return UploadedSolids::Guides{.way = GlBuffer(gl, GL_ARRAY_BUFFER, way),
                                 .share = GlBuffer(gl, GL_ARRAY_BUFFER, share),
-                                .styles = GlTable(gl, GL_RGBA32F, styles, "details"),
-                                .vertices = GlVertexArray(gl)};
-  guides.vertices.attach(0, 3, position);
-  guides.vertices.attach(1, 4, guides.way);
-  guides.vertices.attach(2, 4, guides.share);
-  return guides;
+                                .styles = GlTable(gl, GL_RGBA32F, styles, "details")};
 }
 
 }  // namespace
@@ -185,20 +181,20 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
       .translucent = all.translucent,
       .solids = GlVertexArray(gl),
       .hairs = GlVertexArray(gl),
-      .guides = {},
+      .guides = uploaded_guides(gl, scene, style),
   };
 
-  // Vertex attributes by the numbers that the shaders know them by; guides have an array of their own.
+  // Vertex attributes by the numbers that the shaders know them by.
   solids.solids.attach(0, 3, solids.position);
   solids.solids.attach(1, 3, solids.normal);
   solids.solids.attach(2, 3, solids.color);
   solids.solids.attach(3, 1, solids.material);
   if (all.any_relief) solids.solids.attach(4, 4, solids.relief);  // else it is (0, 0, 0, 1): level, and far from rims
-  gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());
-  if (std::optional<UploadedSolids::Guides> guides = uploaded_guides(gl, scene, style, solids.position)) {
-    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());
-    solids.guides.emplace(std::move(*guides));
+  if (solids.guides) {
+    solids.solids.attach(5, 4, solids.guides->way);
+    solids.solids.attach(6, 4, solids.guides->share);
   }
+  gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, solids.index.id());
   solids.hairs.attach(0, 3, solids.hair_position);
   solids.hairs.attach(1, 3, solids.hair_along);
   solids.hairs.attach(2, 3, solids.hair_color);

@@ -34,7 +34,6 @@ struct UploadedSolids {
   struct Guides {
     GlBuffer way, share;  ///< per vertex
     GlTable styles;       ///< per solid (shaders/detail.glsl)
-    GlVertexArray vertices;
   };
   std::optional<Guides> guides;
 };

@@ -36,16 +36,19 @@ float sun_seen(vec3 p, vec3 n) {
   vec3 q = (to_sun * vec4(p + 0.8 * n, 1.0)).xyz * 0.5 + 0.5;
   if (any(lessThan(q, vec3(0.0))) || any(greaterThan(q, vec3(1.0)))) return 1.0;
   float turn = turn_at(gl_FragCoord.xy), here = q.z - shadow_ways.y, gap = 0.0, found = 0.0;
-  for (int i = 0; i < 8; ++i) {
+  int i = 0;
+  do {
     float other = textureLod(sun_map, q.xy + shadow_ways.x * spiral(i, 8, turn), 0.0).r;
     if (other < here) {
       gap += here - other;
       found += 1.0;
     }
-  }
+  } while (++i < 8);
   if (found == 0.0) return 1.0;
   float radius = clamp(0.25 * gap / found, 0.0015, shadow_ways.x), lit = 0.0;
-  for (int i = 0; i < 16; ++i) lit += step(here, textureLod(sun_map, q.xy + radius * spiral(i, 16, turn), 0.0).r);
+  i = 0;
+  do lit += step(here, textureLod(sun_map, q.xy + radius * spiral(i, 16, turn), 0.0).r);
+  while (++i < 16);
   return mix(1.0, lit / 16.0, ground_plane.z);
 }
 
@@ -75,11 +78,12 @@ layout(location = 0) out vec4 pixel;
 float open_sky() {
   vec2 at = (to_sky * vec4(there, 1.0)).xy * 0.5 + 0.5;
   float turn = turn_at(gl_FragCoord.xy), taken = 0.0;
-  for (int i = 0; i < 20; ++i) {
+  int i = 0;
+  do {
     vec2 away = spiral(i, 20, turn);
     float height = textureLod(sky_map, at + 0.13 * away * length(away), 0.0).r;
     taken += height >= 1.0 ? 0.0 : 1.0 / (1.0 + 900.0 * height * height);
-  }
+  } while (++i < 20);
   return 1.0 - taken / 20.0;
 }
 #endif

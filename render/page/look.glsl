@@ -152,8 +152,9 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
   ivec3 base = cell * pomona_units;
   float unit = 1.0 / float(pomona_units);
   float reach = 1.0 + 1.5 * unit;  // rounding may have put a corner behind a surface that was behind it
-  for (uint i = entry.x; i < entry.x + count; ++i) {
-    uint triangle = texelFetch(pomona_list, ivec2(int(i & 2047u), int(i >> 11)), 0).x;
+  uint listed = entry.x;
+  do {
+    uint triangle = texelFetch(pomona_list, ivec2(int(listed & 2047u), int(listed >> 11)), 0).x;
     uvec4 t = pomona_texel(triangle, 0u), u = pomona_texel(triangle, 1u);
     vec3 a = (vec3(ivec3(t.x & 65535u, t.x >> 16, t.y & 65535u) - base) + 0.5) * unit - within;
     vec3 b = (vec3(ivec3(t.y >> 16, t.z & 65535u, t.z >> 16) - base) + 0.5) * unit - within;
@@ -175,13 +176,14 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
       nearest_side = 2u * triangle + (front ? 0u : 1u);
       part = int((front ? u.y : u.y >> 16) & 65535u);
     }
-  }
+  } while (++listed < entry.x + count);
   if (abs(dot(low.winding + high.winding, vec4(1.0))) < 4.0) return false;
 
   // Fit what they see.
   PomonaFit fit = PomonaFit(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
   pomona_add(fit, nearest_place, pomona_side(nearest_side, nearest_weight));
-  for (int k = 0; k < 8; ++k) {
+  int k = 0;
+  do {
     bool upper = k >= 4;
     int i = k & 3;
     vec3 towards = vec3(x[i], y[i], upper ? z.y : z.x);
@@ -194,7 +196,7 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
       vec4 value = texelFetch(pomona_grid, cell + ivec3(k & 1, k >> 1 & 1, k >> 2), 0);
       if (value.a > 0.0) pomona_add(fit, towards, value.rgb);
     }
-  }
+  } while (++k < 8);
   color = clamp(pomona_value(fit), pomona_low, pomona_high);
   return true;
 }

@@ -164,8 +164,7 @@ void main() {
   vec3 away = to_oklab(here.rgb) - near.xyz;
   if (form.w > 0.0) share *= exp(-dot(away, away) / (2.0 * form.w * form.w));
 
-  // A loop of one turn or none: software renderers run both sides of a branch, but end a loop early.
-  for (int any = share > 1e-3 ? 1 : 0; any > 0; --any) {
+  if (share > 1e-3) {
     vec4 there = pattern_place(int(head.y), sizes, last.xy, position, way_layer);
     float cycles = footprint_here() * there.w / sizes.x;
     vec2 value = mix(texelFetch(detail_styles, detail + 5).zw, pattern_at(detail, KIND, there.xyz, 1.0 - smoothstep(0.125, 0.25, cycles)),
@@ -215,16 +214,18 @@ vec3 to_rim(ivec2 at) {
 vec2 slope_of_heights(ivec2 at) {
   float here = height_of(texelFetch(heights, at, 0));
   vec2 slope = vec2(0.0);
-  for (int axis = 0; axis < 2; ++axis) {
+  int axis = 0;
+  do {
     float rise = 0.0, count = 0.0;
-    for (int way = -1; way <= 1; way += 2) {
+    int way = -1;
+    do {
       ivec2 there = at + way * ivec2(1 - axis, axis);
-      if (bare_at(there).a == 0.0) continue;
-      rise += float(way) * (height_of(texelFetch(heights, there, 0)) - here);
-      count += 1.0;
-    }
+      float is_there = bare_at(there).a == 0.0 ? 0.0 : 1.0;
+      rise += is_there * float(way) * (height_of(texelFetch(heights, there, 0)) - here);
+      count += is_there;
+    } while ((way += 2) <= 1);
     if (count > 0.0) slope += rise / (count * texel.x) * vec2(1 - axis, axis);
-  }
+  } while (++axis < 2);
   return slope;
 }
 
@@ -233,11 +234,12 @@ void main() {
   if (bare_at(at).a == 0.0) {
     // Beyond the rim the colours beside it go on, for when the texture is seen smaller.
     vec4 sum = vec4(0.0);
-    for (int i = 0; i < 8; ++i) {
+    int i = 0;
+    do {
       int k = i < 4 ? i : i + 1;
       vec4 neighbour = bare_at(at + 2 * ivec2(k % 3 - 1, k / 3 - 1));
       sum += neighbour * neighbour.a;
-    }
+    } while (++i < 8);
     styled = vec4(sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0), 0.0);
     beside = vec4(0.5, 0.5, 1.0, 1.0);
     return;
@@ -299,11 +301,12 @@ layout(location = 0) out vec4 pixel;
 // The rim: how much of what lies around is no longer fruit.
 float air_around(vec2 at, vec2 dx, vec2 dy) {
   float air = 0.0;
-  for (int i = 0; i < (outline > 0.0 ? 12 : 0); ++i) {
+  int i = 0, ways = outline > 0.0 ? 12 : 1;
+  do {
     float turn = 6.2831853 * float(i) / 12.0;
     vec2 step_away = cos(turn) * dx + sin(turn) * dy;
     air = max(air, 1.0 - textureLod(styled, at + step_away, 0.0).a);
-  }
+  } while (++i < ways);
   return air;
 }
 
@@ -338,9 +341,8 @@ void main() {
   vec4 plain = textureLod(styled, at, 0.0);
   bool away = plain.a < 0.5 || is_cut_away(in_fruit, knife_number);
   if (away) discard;
-  // A loop of one turn or none, as in skin.glsl.
   vec3 color = plain.rgb;
-  for (int any = away ? 0 : 1; any > 0; --any) color = shown(at, dx, dy, footprint);
+  if (!away) color = shown(at, dx, dy, footprint);  // as in skin.glsl
   pixel = vec4(srgb_from_linear(color), 1.0);
 }
 #endif

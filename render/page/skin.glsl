@@ -123,10 +123,9 @@ void main() {
   float footprint = lattice.w * length(fwidth(in_fruit)) * 0.6;
   bool away = is_away();
   if (away) discard;
-  // Software renderers run both sides of a branch, and go on with what was discarded, but end loops early: in one that has a turn or none
-  // all loops within end for what is not seen.
+  // Software renderers go on with what was discarded; where it is not asked for its colour, all loops within that end early.
   vec3 color = bare;
-  for (int any = away ? 0 : 1; any > 0; --any) color = shown(footprint);
+  if (!away) color = shown(footprint);
   pixel = vec4(srgb_from_linear(color), 1.0);
 }
 #endif

@@ -5,6 +5,7 @@
 #include <set>
 
 #include <gmock/gmock.h>
+#include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
 #include "generator/base/random.h"
@@ -13,6 +14,7 @@
 #include "render/gl/program.h"
 #include "render/gl/scene_upload.h"
 #include "render/style/noise.h"
+#include "render/style/relief.h"
 #include "tests/render/painted_shapes.h"
 
 namespace pomona {
@@ -84,7 +86,6 @@ TEST(GlContext, ReportsShadersThatDoNotCompile) {
 TEST(Shaders, AllCompile) {
   const std::vector<std::pair<std::string, std::string>> passes{{"solid.vert.glsl", "solid.frag.glsl"},
                                                                 {"solid.vert.glsl", "shadow.frag.glsl"},
-                                                                {"guide.vert.glsl", "guide.frag.glsl"},
                                                                 {"ground.vert.glsl", "ground.frag.glsl"},
                                                                 {"fullscreen.vert.glsl", "light.frag.glsl"},
                                                                 {"fullscreen.vert.glsl", "soften.frag.glsl"},
@@ -173,7 +174,7 @@ void main() {
   vec3 p = vec3(gl_FragCoord.x * 0.00061 - 0.0247, 0.0123, gl_FragCoord.y * 0.00053 - 0.0191);
   vec3 plain = mix(vec3(0.6, 0.02, 0.02), vec3(0.5, 0.3, 0.1), gl_FragCoord.x / 64.0);
   vec4 way = vec4(0.3 * p.x, 0.004, 0.3 * p.z, 0.011);
-  color = vec4(srgb_from_linear(detailed(plain, plain, p, 0.0004, 0, true, way, vec4(1.0))), 1.0);
+  color = vec4(srgb_from_linear(detailed(plain, vec3(0.0), plain, mat3(1.0), p, 0.0004, 0, true, way, vec4(1.0)).color), 1.0);
 })",
                                                        NoiseStyle{}, 64, 64, &look);
       int worst = 0, off = 0;
@@ -192,6 +193,50 @@ void main() {
       // Of two cells equally near, single precision may take the other one.
       const bool of_cells = kind == DetailKind::cells;
       EXPECT_LE(off, of_cells ? 8 : 0) << int(kind) << " " << int(run) << " worst " << worst;
+    }
+  }
+}
+
+TEST(Shaders, ReliefIsThatOfTheCpu) {
+  GlContext context;
+  const CurrentGl gl(context);
+  const glm::dvec3 normal(0.6, 0.48, 0.64);
+  for (const DetailRun run : {DetailRun::none, DetailRun::to_skin, DetailRun::along, DetailRun::around}) {
+    for (const DetailKind kind : {DetailKind::fibres, DetailKind::cells, DetailKind::speckles, DetailKind::streaks}) {
+      // Two that stand out by different heights, and between them one that only has a colour.
+      DetailSketch low = some_detail(DetailKind::fibres, run), high = some_detail(kind, run);
+      low.relief = -0.1e-3, low.near = {};
+      high.relief = 0.4e-3;
+      const Look look(NoiseStyle{}, {low, some_detail(DetailKind::net, run), high});
+      const std::vector<glm::u8vec4> pixels = drawn_by(gl,
+                                                       "#include \"detail.glsl\"\n"
+                                                       R"(
+out vec4 color;
+void main() {
+  vec3 p = vec3(gl_FragCoord.x * 0.00061 - 0.0247, 0.0123, gl_FragCoord.y * 0.00053 - 0.0191);
+  vec3 plain = mix(vec3(0.6, 0.02, 0.02), vec3(0.5, 0.3, 0.1), gl_FragCoord.x / 64.0);
+  vec4 way = vec4(0.3 * p.x, 0.004, 0.3 * p.z, 0.011);
+  vec3 normal = vec3(0.6, 0.48, 0.64);
+  color = vec4(0.5 + 0.5 * detailed(plain, normal, plain, mat3(1.0), p, 0.0004, 0, true, way, vec4(1.0)).normal, 1.0);
+})",
+                                                       NoiseStyle{}, 64, 64, &look);
+      int off = 0, tilted_far = 0;
+      for (int i = 0; i < 64 * 64; ++i) {
+        const double x = i % 64 + 0.5, y = i / 64 + 0.5;
+        const glm::dvec3 p(x * 0.00061 - 0.0247, 0.0123, y * 0.00053 - 0.0191);
+        const Color plain = glm::mix(Color(0.6f, 0.02f, 0.02f), Color(0.5f, 0.3f, 0.1f), static_cast<float>(x / 64));
+        const DetailGuide guide{glm::vec3(0.3 * p.x, 0.004, 0.3 * p.z), 0.011f, glm::vec4(1)};
+        const Relief relief = relief_at(look, plain, {.position = p, .footprint = 0.0004, .guide = guide}, normal);
+        const glm::dvec3 expected = 255.0 * (0.5 + 0.5 * tilted(normal, relief.slope));
+        bool far = false;
+        for (int k = 0; k < 3; ++k) far = far || std::fabs(pixels[i][k] - expected[k]) > 4;
+        off += far ? 1 : 0;
+        tilted_far += glm::length(relief.slope) > 0.05 ? 1 : 0;
+      }
+      // Where two cells are equally near, or a rim lies between a place and the next, single precision may take the
+      // other side.
+      EXPECT_LE(off, 20) << int(kind) << " " << int(run);
+      EXPECT_GT(tilted_far, 200) << int(kind) << " " << int(run);
     }
   }
 }
