@@ -18,6 +18,7 @@
 #include "cli/outputs.h"
 #include "cli/piece_list.h"
 #include "cli/ripeness_variants.h"
+#include "cli/still_at_work.h"
 #include "cli/watch.h"
 #include "generator/base/error.h"
 #include "generator/cut/section/section_file.h"
@@ -103,6 +104,19 @@ SliceOptions slice_options(const CutCommand& command) {
           .threads = {command.shared.threads}};
 }
 
+Slices cut_up(const FruitSource& source, const CutCommand& command, std::span<const Knife> knives,
+              const Diffuser& diffuser, Delivery& delivery) {
+  SliceTask task = slice_task(source, knives, command.piece);
+  task.crumbs = command.crumbs;
+  const StillAtWork still(delivery.progress,
+                          "cutting");  // most cuts take parts of a second, a narrow strip of peel a minute
+  Slices slices = sliced(source, task, &diffuser, slice_options(command));
+  check_piece(command.piece, slices);
+  delivery.times.add(slices.times);
+  delivery.warn(slices.warnings);
+  return slices;
+}
+
 /// The pieces of each seed's fruit, side by side.
 ExitStatus cut_family(const CutCommand& command, std::span<const Knife> knives, const std::vector<Output>& outputs,
                       const Diffuser& diffuser, Delivery& delivery) {
@@ -114,12 +128,7 @@ ExitStatus cut_family(const CutCommand& command, std::span<const Knife> knives, 
   std::vector<Solid> solids;
   for (const SharedOptions& one : each_seed(command.seeds, command.shared)) {
     const FruitSource source = open_fruit(command.fruit, one, command.folds, delivery.times);
-    SliceTask task = slice_task(source, knives, command.piece);
-    task.crumbs = command.crumbs;
-    Slices slices = sliced(source, task, &diffuser, slice_options(command));
-    check_piece(command.piece, slices);
-    delivery.times.add(slices.times);
-    delivery.warn(slices.warnings);
+    Slices slices = cut_up(source, command, knives, diffuser, delivery);
     std::vector<Solid> own = named_by_seed(std::move(slices.pieces), one.seed);
     solids.insert(solids.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
   }
@@ -169,12 +178,7 @@ ExitStatus cut_fruit(const CutCommand& command) {
     delivery.finish();
     return ExitStatus::done;
   }
-  SliceTask task = slice_task(source, knives, command.piece);
-  task.crumbs = command.crumbs;
-  Slices slices = sliced(source, task, diffuser.get(), slice_options(command));
-  check_piece(command.piece, slices);
-  delivery.times.add(slices.times);
-  delivery.warn(slices.warnings);
+  Slices slices = cut_up(source, command, knives, *diffuser, delivery);
   count(slices, delivery.times);
   delivery.set_variants(ripeness_variants(slices.pieces, source, command.fruit, command.shared, command.folds,
                                           diffuser.get(), delivery.times));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -316,9 +318,22 @@ void Delivery::say_what_was_written() {
     std::printf("%s\n", json_text(result, 2).c_str());
     return;
   }
+  // What a folder is made for is counted, the rest named: maps and truth of many pieces are hundreds of files.
+  std::map<std::filesystem::path, std::pair<std::size_t, std::size_t>> folders;  // files and bytes
+  const auto made = [](const std::string& name) { return (std::filesystem::path(name) / "").parent_path(); };
   for (const OutputFile& file : files_) {
+    const std::filesystem::path folder = file.path.parent_path();
+    if (!folder.empty() && (folder == made(options_.maps_dir) || folder == made(options_.aov))) {
+      ++folders[folder].first;
+      folders[folder].second += size_of(file);
+      continue;
+    }
     const std::string where = file.path == "-" ? "to standard output" : file.path.string();
     progress.line("wrote " + where + " (" + size_in_words(size_of(file)) + ")");
+  }
+  for (const auto& [folder, what] : folders) {
+    progress.line("wrote " + std::to_string(what.first) + " files in " + folder.string() + " (" +
+                  size_in_words(what.second) + ")");
   }
   progress.line(times.summary());
 }

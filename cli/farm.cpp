@@ -84,7 +84,14 @@ void check_not_queued(const fs::path& output) {
 
 /// The array, then the merge that waits for it. What has been submitted is noted at once.
 QueuedJobs submit_both(const FarmJob& job, const SlurmOptions& options, const fs::path& folder) {
-  QueuedJobs jobs{submit(array_submission(job, options, folder / "shard.sh")), {}};
+  QueuedJobs jobs;
+  try {
+    jobs.array = submit(array_submission(job, options, folder / "shard.sh"));
+  } catch (const Error& error) {
+    throw Error(error.status(), error.diagnostics().front().message,
+                "nothing is in the queue; the scripts are kept, and sh " + shell_quoted(folder / "submit.sh") +
+                    " submits them");
+  }
   record_jobs(folder, jobs);
   try {
     jobs.merge = submit(merge_submission(options, jobs.array, folder / "merge.sh"));

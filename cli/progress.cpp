@@ -20,6 +20,7 @@ void Progress::clear_bar() {
 void Progress::report(const std::string& stage, std::size_t done, std::size_t total) {
   if (quiet_ || total == 0) return;
   const std::lock_guard lock(mutex_);
+  last_report_ = since_start_.milliseconds();
   if (stage != last_stage_) {
     // One line when a stage begins is enough in a log.
     if (!terminal_) std::fprintf(stderr, "%s (%zu)\n", stage.c_str(), total);
@@ -49,12 +50,32 @@ std::string Progress::time_left(std::size_t done, std::size_t total) const {
 void Progress::report_text(const std::string& stage, std::size_t done, std::size_t total, const std::string& text) {
   if (quiet_ || total == 0) return;
   const std::lock_guard lock(mutex_);
+  last_report_ = since_start_.milliseconds();
   if (terminal_) return draw_bar(stage, done, total, text);
+  if (is_time_for_a_line()) std::fprintf(stderr, "%s %s\n", stage.c_str(), text.c_str());
+}
+
+void Progress::report_waiting(const std::string& work, double so_far) {
+  constexpr double patience = 3e3;  // milliseconds
+  if (quiet_ || so_far < patience) return;
+  const std::lock_guard lock(mutex_);
+  if (last_report_ > 0 && since_start_.milliseconds() - last_report_ < patience) return;
+  if (terminal_) {
+    std::fprintf(stderr, "\r\033[K%s, %.0f s so far", work.c_str(), so_far / 1e3);
+    std::fflush(stderr);
+    bar_shown_ = true;
+  } else if (is_time_for_a_line()) {
+    std::fprintf(stderr, "%s, %.0f s so far\n", work.c_str(), so_far / 1e3);
+  }
+}
+
+/// In a log, every ten seconds.
+bool Progress::is_time_for_a_line() {
   constexpr double between_lines = 10e3;  // milliseconds
   const double now = since_start_.milliseconds();
-  if (now - last_line_ < between_lines) return;
+  if (now - last_line_ < between_lines) return false;
   last_line_ = now;
-  std::fprintf(stderr, "%s %s\n", stage.c_str(), text.c_str());
+  return true;
 }
 
 void Progress::draw_bar(const std::string& stage, std::size_t done, std::size_t total, const std::string& text) {

@@ -23,6 +23,10 @@ class Progress {
   /// The same with words of one's own after the bar; where there is no terminal, they are a line every ten seconds.
   void report_text(const std::string& stage, std::size_t done, std::size_t total, const std::string& text);
 
+  /// That work of unknown length has gone on for so many milliseconds: from the third second on, and only if nothing
+  /// has been reported of late. A line every ten seconds where there is no terminal.
+  void report_waiting(const std::string& work, double so_far);
+
   /// A line of its own, such as a warning; never lost in the bar.
   void line(const std::string& text);
 
@@ -31,6 +35,7 @@ class Progress {
 
  private:
   void clear_bar();
+  bool is_time_for_a_line();
   std::string time_left(std::size_t done, std::size_t total) const;
   void draw_bar(const std::string& stage, std::size_t done, std::size_t total, const std::string& text);
 
@@ -42,7 +47,8 @@ class Progress {
   double stage_began_ = 0;       ///< milliseconds since the start,
   std::size_t done_before_ = 0;  ///< and how many items were done by then
   StopWatch since_start_;
-  double last_line_ = 0;  ///< milliseconds since the start
+  double last_line_ = 0;    ///< milliseconds since the start, of a line of what goes on
+  double last_report_ = 0;  ///< the same, of work that can be counted
 };
 
 }  // namespace pomona

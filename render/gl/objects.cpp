@@ -97,9 +97,10 @@ void GlTexture::bind(int unit) const {
   gl_.BindTexture(target_, id_);
 }
 
+GlFramebuffer::GlFramebuffer(const CurrentGl& gl) : gl_(gl.functions()) { gl_.GenFramebuffers(1, &id_); }
+
 GlFramebuffer::GlFramebuffer(const CurrentGl& gl, std::span<const GlTexture* const> colors, const GlTexture* depth)
-    : gl_(gl.functions()) {
-  gl_.GenFramebuffers(1, &id_);
+    : GlFramebuffer(gl) {  // complete by now: it is deleted if the rest throws
   gl_.BindFramebuffer(GL_FRAMEBUFFER, id_);
   std::vector<GLenum> targets;
   for (const GlTexture* color : colors) {

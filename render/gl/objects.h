@@ -79,6 +79,8 @@ class GlFramebuffer {
   void bind(int width, int height) const;
 
  private:
+  explicit GlFramebuffer(const CurrentGl& gl);
+
   const GlFunctions& gl_;
   GLuint id_ = 0;
 };

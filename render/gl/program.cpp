@@ -82,7 +82,7 @@ std::string shader_source(std::string_view name, std::string_view definition) {
 
 Program::Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file,
                  std::string_view definition)
-    : gl_(gl.functions()) {
+    : Program(gl.functions()) {
   try {
     link(std::array<Stage, 2>{{{GL_VERTEX_SHADER, shader_source(vertex_file, definition)},
                                {GL_FRAGMENT_SHADER, shader_source(fragment_file, definition)}}});

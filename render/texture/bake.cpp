@@ -94,7 +94,7 @@ class Baker {
     if (sample_maps_) shading = sample_maps_->of(samples, colors);
     colors = colors_->styled(samples, std::move(colors));
     parallel_for(of_chart.size(), options_.threads, [&](std::size_t i) {
-      ChartCanvas canvas(atlas_, first + i);
+      ChartCanvas canvas(atlas_, first + i, boxes_[first + i]);
       draw(canvas, of_chart[i], [&](std::size_t k) { return colors[begin[i] + k]; });
       if (of_chart[i].empty()) canvas.fill_with(colors_->mean_of(charts_[first + i]));
       if (style_.ink && charts_[first + i].cut_face >= 0 && !of_chart[i].empty()) ink(canvas, first + i);
@@ -107,7 +107,7 @@ class Baker {
   /// A chart's place on each map.
   void draw_maps(std::size_t chart, const std::vector<TexelSample>& samples, const MapSample* shading) {
     const auto drawn = [&](auto value) {
-      ChartCanvas canvas(atlas_, chart);
+      ChartCanvas canvas(atlas_, chart, boxes_[chart]);
       draw(canvas, samples, [&](std::size_t k) { return value(shading[k]); });
       if (samples.empty()) canvas.fill_with(value(sample_maps_->speck(charts_[chart].triangles.front())));
       canvas.fill();
@@ -121,7 +121,7 @@ class Baker {
 
   /// Numbers have no means: the part of each texel's first sample, and around them nothing.
   void draw_parts(std::size_t chart, const std::vector<TexelSample>& samples) {
-    ChartCanvas canvas(atlas_, chart);
+    ChartCanvas canvas(atlas_, chart, boxes_[chart]);
     const auto color_of = [](std::int32_t part) { return Color(static_cast<float>(std::min(part, 254)) / 255.0f); };
     for (const TexelSample& sample : samples) {
       const glm::ivec2 at = sample.texel;
@@ -215,6 +215,7 @@ class Baker {
   const PackedCharts packed_;
   const std::vector<Chart>& charts_ = packed_.charts;
   const Atlas& atlas_ = packed_.atlas;
+  const std::vector<OwnedBox> boxes_ = owned_boxes(packed_.atlas);  // per chart
   std::optional<SampleColors> colors_;
   TangentMesh tangent_mesh_;
   std::optional<SampleMaps> sample_maps_;

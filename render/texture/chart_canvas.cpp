@@ -25,17 +25,23 @@ glm::u8vec3 eight_bits_of(const glm::vec3& share) {
 
 }  // namespace
 
-ChartCanvas::ChartCanvas(const Atlas& atlas, std::size_t chart)
-    : atlas_(atlas), chart_(static_cast<std::int32_t>(chart)) {
-  low_ = atlas.size, high_ = glm::ivec2(0);
+std::vector<OwnedBox> owned_boxes(const Atlas& atlas) {
+  std::vector<OwnedBox> boxes(atlas.corner.size(), {atlas.size, glm::ivec2(0)});
   const glm::ivec2 blocks = atlas.blocks();
   for (int y = 0; y < blocks.y; ++y) {
     for (int x = 0; x < blocks.x; ++x) {
-      if (atlas.owner[static_cast<std::size_t>(y) * blocks.x + x] != chart_) continue;
-      low_ = glm::min(low_, glm::ivec2(x, y) * atlas.block());
-      high_ = glm::max(high_, glm::ivec2(x + 1, y + 1) * atlas.block());
+      const std::int32_t chart = atlas.owner[static_cast<std::size_t>(y) * blocks.x + x];
+      if (chart < 0) continue;
+      OwnedBox& box = boxes[static_cast<std::size_t>(chart)];
+      box.low = glm::min(box.low, glm::ivec2(x, y) * atlas.block());
+      box.high = glm::max(box.high, glm::ivec2(x + 1, y + 1) * atlas.block());
     }
   }
+  return boxes;
+}
+
+ChartCanvas::ChartCanvas(const Atlas& atlas, std::size_t chart, const OwnedBox& box)
+    : atlas_(atlas), chart_(static_cast<std::int32_t>(chart)), low_(box.low), high_(box.high) {
   const glm::ivec2 size = high_ - low_;
   color_.assign(static_cast<std::size_t>(size.x) * size.y, Color(0));
   filled_.assign(color_.size(), 0);

@@ -12,9 +12,18 @@
 
 namespace pomona {
 
+/// The box of the texels that a chart owns; high lies outside.
+struct OwnedBox {
+  glm::ivec2 low{0}, high{0};
+};
+
+/// Of each chart, in one pass over the blocks.
+std::vector<OwnedBox> owned_boxes(const Atlas& atlas);
+
 class ChartCanvas {
  public:
-  ChartCanvas(const Atlas& atlas, std::size_t chart);
+  /// \param box of this chart, out of owned_boxes().
+  ChartCanvas(const Atlas& atlas, std::size_t chart, const OwnedBox& box);
 
   // Texels of the atlas: whether they are the chart's, and whether they have a colour yet.
   bool owns(int x, int y) const;
@@ -25,7 +34,7 @@ class ChartCanvas {
     filled_[at(x, y)] = 1;
   }
 
-  /// The box of what it owns; high lies outside.
+  // OwnedBox.
   glm::ivec2 low() const { return low_; }
   glm::ivec2 high() const { return high_; }
 
@@ -63,7 +72,7 @@ class ChartCanvas {
 
   const Atlas& atlas_;
   std::int32_t chart_;
-  glm::ivec2 low_{0}, high_{0};
+  glm::ivec2 low_, high_;
   std::vector<Color> color_;
   std::vector<std::uint8_t> filled_;
 };

@@ -306,6 +306,19 @@ nlohmann::json json_of_glb(const std::string& glb) {
   return nlohmann::json::parse(glb.substr(20, length));
 }
 
+TEST(Maps, AreCountedByTheirFolderAndOtherFilesNamed) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_pomona({"cut", "cherry", "--knife", "half", "--detail", "0.4", "--quality", "draft",
+                                      "--texture", "64", "--maps-dir", "maps/", "-o", "x.glb"},
+                                     folder.path());
+  expect_done(outcome);
+  const auto files = std::distance(std::filesystem::directory_iterator(folder / "maps"), {});
+  EXPECT_GT(files, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("wrote x.glb"));
+  EXPECT_THAT(outcome.err, HasSubstr("wrote " + std::to_string(files) + " files in maps ("));
+  EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr(".png")));
+}
+
 TEST(Pieces, WeighTheSameInTheListAndInTheGlb) {
   const TemporaryFolder folder;
   expect_done(run_pomona(with({"cut", "cherry", "--knife", "half", "-o", "x.glb", "--pieces", "x.json"}, coarse),

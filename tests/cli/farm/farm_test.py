@@ -166,6 +166,8 @@ class Submission(Sandbox):
         self.tool("sbatch", "echo 'sbatch: error: no such partition' >&2; exit 1")
         result = self.farm("slurm", "small.toml", "-o", "out", status=69)
         self.assertIn("no such partition", result.stderr)
+        self.assertIn("out.farm/submit.sh", result.stderr)
+        self.assertTrue((self.path / "out.farm" / "submit.sh").exists())
         self.assertFalse((self.path / "out.farm" / "jobs").exists())
 
     def test_without_a_merge_is_told(self):

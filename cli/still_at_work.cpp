@@ -1,0 +1,25 @@
+#include "cli/still_at_work.h"
+
+#include <utility>
+
+namespace pomona {
+
+StillAtWork::StillAtWork(Progress& progress, std::string work, std::chrono::milliseconds every)
+    : progress_(progress), work_(std::move(work)), teller_([this, every] { tell(every); }) {}
+
+StillAtWork::~StillAtWork() {
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  ended_.notify_one();
+  teller_.join();
+}
+
+void StillAtWork::tell(std::chrono::milliseconds every) {
+  const StopWatch watch;
+  std::unique_lock lock(mutex_);
+  while (!ended_.wait_for(lock, every, [this] { return over_; })) progress_.report_waiting(work_, watch.milliseconds());
+}
+
+}  // namespace pomona
