@@ -52,24 +52,36 @@ void measure(Tray& tray, double hidden_share) {
   }
 }
 
+/// Two more is near three times as large.
+long rough_size(const glm::dvec2& room) { return std::lround(2 * reproducible::log(room.x + room.y)); }
+
 /// Larger pieces first, so that small ones share a row.
-std::vector<std::size_t> by_size(const std::vector<glm::dvec2>& size) {
-  std::vector<std::size_t> order(size.size());
+std::vector<std::size_t> by_size(const std::vector<glm::dvec2>& room) {
+  std::vector<std::size_t> order(room.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto rough_size = [&](std::size_t i) { return std::lround(2 * reproducible::log(size[i].x + size[i].y)); };
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return rough_size(a) > rough_size(b); });
+                   [&](std::size_t a, std::size_t b) { return rough_size(room[a]) > rough_size(room[b]); });
   return order;
 }
 
-/// Fills rows from the left, the first row farthest from the eye, up to a width; then each row is moved to the middle.
+/// How rows end.
+struct RowEnd {
+  double width = 0;    ///< where a piece would reach beyond it,
+  bool apart = false;  ///< or where one is less than a third as large as the one before: balls beside halves
+};
+
+/// Fills rows from the left, the first row farthest from the eye; then each row is moved to the middle.
 /// Returns where pieces go, from where they were turned.
-std::vector<glm::dvec3> filled_rows(const Tray& tray, const std::vector<std::size_t>& order, double width) {
+std::vector<glm::dvec3> filled_rows(const Tray& tray, const std::vector<std::size_t>& order, const RowEnd& row_end) {
   std::vector<glm::dvec3> place(order.size());
   double z = 0;
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    const auto belongs = [&](std::size_t k, double filled) {
+      const glm::dvec2 &room = tray.room[order[k]], &before = tray.room[order[k - 1]];
+      return filled + room.x <= row_end.width && !(row_end.apart && rough_size(before) - rough_size(room) > 2);
+    };
     double x = 0, depth = 0;
-    for (; end < order.size() && (end == begin || x + tray.room[order[end]].x <= width); ++end) {
+    for (; end < order.size() && (end == begin || belongs(end, x)); ++end) {
       const glm::dvec2& room = tray.room[order[end]];
       place[order[end]].x = x + 0.5 * room.x;
       x += room.x;
@@ -128,20 +140,28 @@ std::vector<double> row_widths(const Tray& tray, const std::vector<std::size_t>&
   return widths;
 }
 
-std::vector<glm::dvec3> best_places(const Tray& tray, const glm::dvec3& back, double aspect) {
+struct Places {
+  std::vector<glm::dvec3> of_piece;
+  double scale = 0;  ///< drawn_scale()
+};
+
+Places best_rows(const Tray& tray, bool apart, const glm::dvec3& back, double aspect) {
   const std::vector<std::size_t> order = by_size(tray.room);
-  std::vector<glm::dvec3> best;
-  double largest = 0;
+  Places best;
   // Two halves lie side by side, unless they come out much larger one behind the other.
   const double gain = order.size() <= 4 ? 1.12 : 1.005;
   for (const double width : row_widths(tray, order)) {
-    std::vector<glm::dvec3> place = filled_rows(tray, order, width);
+    std::vector<glm::dvec3> place = filled_rows(tray, order, {width, apart});
     const double scale = drawn_scale(tray, place, back, aspect);
-    if (scale <= largest * gain) continue;
-    largest = scale;
-    best = std::move(place);
+    if (scale > best.scale * gain) best = {std::move(place), scale};
   }
   return best;
+}
+
+/// What is small has rows of its own, unless all would be drawn smaller for it.
+std::vector<glm::dvec3> best_places(const Tray& tray, const glm::dvec3& back, double aspect) {
+  Places mixed = best_rows(tray, false, back, aspect), apart = best_rows(tray, true, back, aspect);
+  return apart.scale >= 0.98 * mixed.scale ? std::move(apart.of_piece) : std::move(mixed.of_piece);
 }
 
 /// Hangs up what is a strip of peel. \returns whether there is any.

@@ -239,6 +239,27 @@ TEST(LaidOut, RowsFillThePicture) {
   }
 }
 
+/// Balls lie before the halves that they were scooped from, all of them in rows of their own.
+TEST(LaidOut, WhatIsSmallHasRowsOfItsOwn) {
+  for (const int balls : {1, 2, 3}) {
+    std::vector<std::string> knives{"half"};
+    for (int i = 0; i < balls; ++i) knives.push_back("ball:6mm,at=" + std::to_string(12 * i - 12) + "mm,30mm,0");
+    const Scene scene = pieces_of(ball(), knives);
+    ASSERT_EQ(scene.instances.size(), 2u + 2u * static_cast<std::size_t>(balls));
+    const Scene table = laid_out(scene, 4.0 / 3);
+    double halves = -1, nearest_ball = 1;  // how near the halves' near edge and the farthest ball lie
+    for (const Instance& instance : table.instances) {
+      Box<double> box;
+      for (const glm::dvec3& p : placed_points(table, instance)) box.add(p);
+      if (box.size().x > 0.03)
+        halves = std::max(halves, box.high.z);
+      else
+        nearest_ball = std::min(nearest_ball, box.low.z);
+    }
+    EXPECT_GT(nearest_ball, halves) << balls;
+  }
+}
+
 /// A crumb may be so small that its corners are one place.
 TEST(LaidOut, APointStandsAsItGrew) {
   Solid point;
