@@ -1,5 +1,6 @@
 #include "render/gl/scene_picture.h"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -280,6 +281,28 @@ TEST(ScenePicture, CastsAShadowOnTheGround) {
   scene.ground = false;
   const auto without = dark(draw_scene(scene, style_named("plain"), options));
   EXPECT_GT(with, without + 500);
+}
+
+/// More samples soften edges and move nothing: the picture is the same but for the pixels along outlines.
+TEST(ScenePicture, ShowsTheSameHoweverManySamplesAPixelHas) {
+  GlContext context;
+  const Scene scene = testing::still_life();
+  const auto drawn = [&](int samples) {
+    return draw_scene(context, scene, style_named("plain"), {.width = 160, .height = 120, .samples = samples});
+  };
+  const Image many = drawn(16);
+  for (const int samples : {1, 4, 9}) {
+    const Image few = drawn(samples);
+    std::array<double, 2> mean{};
+    int apart = 0;
+    for (std::size_t i = 0; i < few.pixels.size(); ++i) {
+      mean[0] += brightness(few.pixels[i]);
+      mean[1] += brightness(many.pixels[i]);
+      apart += std::abs(brightness(few.pixels[i]) - brightness(many.pixels[i])) > 60 ? 1 : 0;
+    }
+    EXPECT_NEAR(mean[0] / mean[1], 1, 0.01) << samples;
+    EXPECT_LT(apart, 0.03 * static_cast<double>(few.pixels.size())) << samples;
+  }
 }
 
 TEST(ScenePicture, RefusesSizesAndSamplesThatCannotBe) {
