@@ -108,9 +108,12 @@ Slices cut_up(const FruitSource& source, const CutCommand& command, std::span<co
               const Diffuser& diffuser, Delivery& delivery) {
   SliceTask task = slice_task(source, knives, command.piece);
   task.crumbs = command.crumbs;
-  const StillAtWork still(delivery.progress,
-                          "cutting");  // most cuts take parts of a second, a narrow strip of peel a minute
-  Slices slices = sliced(source, task, &diffuser, slice_options(command));
+  const auto slices_of_task = [&] {
+    // Most cuts take parts of a second, a narrow strip of peel a minute.
+    const StillAtWork still(delivery.progress, "cutting");
+    return sliced(source, task, &diffuser, slice_options(command));
+  };
+  Slices slices = slices_of_task();
   check_piece(command.piece, slices);
   delivery.times.add(slices.times);
   delivery.warn(slices.warnings);

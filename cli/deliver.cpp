@@ -224,7 +224,7 @@ void Delivery::add_ground_truth(const Output& picture, const Scene& seen, const 
                          .format = options_.aov_format == "exr" ? TruthFormat::exr : TruthFormat::png,
                          .threads = {options_.threads}};
   for (TruthFile& file : times.time("truth", [&] { return ground_truth(seen, how); }))
-    files_.push_back({std::filesystem::path(options_.aov) / file.name, std::move(file.bytes)});
+    add_counted({std::filesystem::path(options_.aov) / file.name, std::move(file.bytes)});
 }
 
 /// Hatching or stipple, where the style draws tones by marks: they follow the picture that OpenGL paints.
@@ -309,6 +309,11 @@ void Delivery::finish() {
   say_what_was_written();
 }
 
+void Delivery::add_counted(OutputFile file) {
+  counted_.insert(file.path);
+  files_.push_back(std::move(file));
+}
+
 void Delivery::say_what_was_written() {
   if (options_.json) {
     nlohmann::ordered_json result = {{"files", nlohmann::ordered_json::array()}, {"warnings", warnings_}};
@@ -318,22 +323,22 @@ void Delivery::say_what_was_written() {
     std::printf("%s\n", json_text(result, 2).c_str());
     return;
   }
-  // What a folder is made for is counted, the rest named: maps and truth of many pieces are hundreds of files.
+  // Maps and truth are counted, the rest is named: of many pieces they are hundreds of files.
   std::map<std::filesystem::path, std::pair<std::size_t, std::size_t>> folders;  // files and bytes
-  const auto made = [](const std::string& name) { return (std::filesystem::path(name) / "").parent_path(); };
   for (const OutputFile& file : files_) {
-    const std::filesystem::path folder = file.path.parent_path();
-    if (!folder.empty() && (folder == made(options_.maps_dir) || folder == made(options_.aov))) {
-      ++folders[folder].first;
-      folders[folder].second += size_of(file);
+    if (counted_.contains(file.path)) {
+      auto& [files, bytes] = folders[file.path.parent_path()];
+      ++files;
+      bytes += size_of(file);
       continue;
     }
     const std::string where = file.path == "-" ? "to standard output" : file.path.string();
     progress.line("wrote " + where + " (" + size_in_words(size_of(file)) + ")");
   }
   for (const auto& [folder, what] : folders) {
-    progress.line("wrote " + std::to_string(what.first) + " files in " + folder.string() + " (" +
-                  size_in_words(what.second) + ")");
+    const auto& [files, bytes] = what;
+    progress.line("wrote " + std::to_string(files) + (files == 1 ? " file in " : " files in ") + folder.string() +
+                  " (" + size_in_words(bytes) + ")");
   }
   progress.line(times.summary());
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -113,6 +114,8 @@ class Delivery {
   void add_glb(const Output& output, const Scene& scene);
   std::vector<std::vector<Solid>> levels_of(const Scene& scene);
   void finish_glb(StreamedGlb& stream, const Scene& scene);
+  /// A file of a folder that holds many: the last lines say how many.
+  void add_counted(OutputFile file);
   void say_what_was_written();
 
   ExportOptions export_options() const;
@@ -133,6 +136,7 @@ class Delivery {
   double texel_;
   std::uint64_t seed_;
   std::vector<OutputFile> files_;
+  std::set<std::filesystem::path> counted_;  // of these
   std::vector<std::string> warnings_;
 };
 

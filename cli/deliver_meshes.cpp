@@ -105,7 +105,7 @@ void Delivery::add_glb(const Output& output, const Scene& scene) {
   if (!wants_textures(options_)) return add(output.file, [&] { return write_glb(scene, options, ready->levels); });
   if (!options_.maps_dir.empty()) {
     for (OutputFile& file : times.time("write", [&] { return map_files(baked.solids, options_.maps_dir); }))
-      files_.push_back(std::move(file));
+      add_counted(std::move(file));
   }
   add(output.file, [&] { return write_glb(scene, baked.solids, options, baked.coarser, baked.variants); });
 }

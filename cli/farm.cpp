@@ -88,9 +88,10 @@ QueuedJobs submit_both(const FarmJob& job, const SlurmOptions& options, const fs
   try {
     jobs.array = submit(array_submission(job, options, folder / "shard.sh"));
   } catch (const Error& error) {
-    throw Error(error.status(), error.diagnostics().front().message,
-                "nothing is in the queue; the scripts are kept, and sh " + shell_quoted(folder / "submit.sh") +
-                    " submits them");
+    if (!error.diagnostics().front().hint.empty()) throw;
+    throw Error(
+        error.status(), error.diagnostics().front().message,
+        "the scripts are kept: when that is mended, sh " + shell_quoted(folder / "submit.sh") + " submits them");
   }
   record_jobs(folder, jobs);
   try {

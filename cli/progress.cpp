@@ -59,7 +59,7 @@ void Progress::report_waiting(const std::string& work, double so_far) {
   constexpr double patience = 3e3;  // milliseconds
   if (quiet_ || so_far < patience) return;
   const std::lock_guard lock(mutex_);
-  if (last_report_ > 0 && since_start_.milliseconds() - last_report_ < patience) return;
+  if (last_report_ && since_start_.milliseconds() - *last_report_ < patience) return;
   if (terminal_) {
     std::fprintf(stderr, "\r\033[K%s, %.0f s so far", work.c_str(), so_far / 1e3);
     std::fflush(stderr);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "generator/base/stop_watch.h"
@@ -47,8 +48,8 @@ class Progress {
   double stage_began_ = 0;       ///< milliseconds since the start,
   std::size_t done_before_ = 0;  ///< and how many items were done by then
   StopWatch since_start_;
-  double last_line_ = 0;    ///< milliseconds since the start, of a line of what goes on
-  double last_report_ = 0;  ///< the same, of work that can be counted
+  double last_line_ = 0;               ///< milliseconds since the start, of a line of what goes on
+  std::optional<double> last_report_;  ///< the same, of work that can be counted
 };
 
 }  // namespace pomona

@@ -1,13 +1,21 @@
 #include "cli/still_at_work.h"
 
+#include <system_error>
 #include <utility>
 
 namespace pomona {
 
 StillAtWork::StillAtWork(Progress& progress, std::string work, std::chrono::milliseconds every)
-    : progress_(progress), work_(std::move(work)), teller_([this, every] { tell(every); }) {}
+    : progress_(progress), work_(std::move(work)) {
+  try {
+    teller_ = std::thread([this, every] { tell(every); });
+  } catch (const std::system_error&) {
+    // Where no thread is to be had, the work goes on in silence.
+  }
+}
 
 StillAtWork::~StillAtWork() {
+  if (!teller_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);
     over_ = true;

@@ -11,8 +11,9 @@
 
 namespace pomona {
 
-/// While it lives, says how long the work has taken so far: on a terminal every second, in a log every ten. Nothing in
-/// the first seconds, nor while `progress`, which lives longer, hears of work that can be counted.
+/// While it lives, a thread of its own, which waits nearly all the time and has no part in results, says how long the
+/// work has taken so far: on a terminal every second, in a log every ten. Nothing in the first seconds, nor while
+/// `progress`, which lives longer, hears of work that can be counted.
 class StillAtWork {
  public:
   StillAtWork(Progress& progress, std::string work, std::chrono::milliseconds every = std::chrono::seconds(1));

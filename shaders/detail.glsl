@@ -82,8 +82,8 @@ float line_noise(vec3 p, float fine, uint seed, int octaves) {
   return sum;
 }
 
-// The pattern's share and tone; `fine`: how much of what is finer than the size is shown. Each kind's loop turns once
-// where the pattern is of another kind.
+// The pattern's share and tone; `fine`: how much of what is finer than the size is shown. The bounds of loops say how often they
+// turn where their branch is taken; where it is not, software renderers run them once.
 vec2 pattern_at(int detail, int kind, vec3 p, float fine) {
   vec4 sizes = texelFetch(detail_styles, detail + 1), form = texelFetch(detail_styles, detail + 2);
   vec4 line = texelFetch(detail_styles, detail + 5);
@@ -167,7 +167,7 @@ Detailed detailed(vec3 color, vec3 normal, vec3 unmodulated, mat3 to_fruit, vec3
     do {
       vec3 step_away = to_fruit * (k == 0 ? vec3(0.0) : by * (k == 1 ? first : second));
       vec2 value = shown_pattern(detail, head, position + step_away, footprint, guide_beside(way_layer, step_away));
-      height[k] += relief * value.x;
+      height[k] += relief != 0.0 ? relief * value.x : 0.0;
       if (k == 0 && abs(weight) >= 1e-3) {
         vec3 target = texelFetch(detail_styles, detail + 3).xyz;
         lab += value.x * weight * (head.w > 0.0 ? target - lab : target);

@@ -44,8 +44,11 @@ std::string submit(const std::vector<std::string>& sbatch) {
   const ProgramOutcome outcome = run_words(sbatch);
   const std::string job = leading_number(outcome.out);
   if (outcome.status == 0 && !job.empty()) return job;
-  throw Error(ExitStatus::helper_missing, "sbatch has refused: " + first_line(outcome.err),
-              "--dry-run writes the scripts, to be looked at and submitted by hand");
+  if (outcome.status == 0) {
+    throw Error(ExitStatus::helper_missing, "sbatch tells no job's number: " + first_line(outcome.out),
+                "squeue --me shows whether it has taken the job");
+  }
+  throw Error(ExitStatus::helper_missing, "sbatch has refused: " + first_line(outcome.err));
 }
 
 void take_lines(QueueState& queue, const QueuedJobs& jobs, const std::string& lines, bool queued) {

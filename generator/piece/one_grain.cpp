@@ -8,6 +8,8 @@
 
 #include "generator/mesh/box.h"
 #include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
 #include "generator/surface/bodies.h"
 
 namespace pomona {
@@ -85,6 +87,7 @@ std::optional<Solid> one_grain(const GrownFruit& fruit, const Template& variant,
     solid.cut_face.push_back(-1);
     solid.surface.push_back(grains.surface[t]);
   }
+  solid.closed = is_closed(welded_triangles(weld(solid.position), solid.triangle));
   return solid;
 }
 

@@ -52,22 +52,25 @@ void measure(Tray& tray, double hidden_share) {
   }
 }
 
-/// Two more is near three times as large.
-long rough_size(const glm::dvec2& room) { return std::lround(2 * reproducible::log(room.x + room.y)); }
-
 /// Larger pieces first, so that small ones share a row.
 std::vector<std::size_t> by_size(const std::vector<glm::dvec2>& room) {
   std::vector<std::size_t> order(room.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto rough_size = [&](std::size_t i) { return std::lround(2 * reproducible::log(room[i].x + room[i].y)); };
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return rough_size(room[a]) > rough_size(room[b]); });
+                   [&](std::size_t a, std::size_t b) { return rough_size(a) > rough_size(b); });
   return order;
+}
+
+/// Whether a piece is less than a third as large as the one before: balls beside halves.
+bool is_far_smaller(const glm::dvec2& room, const glm::dvec2& before) {
+  return 3 * (room.x + room.y) < before.x + before.y;
 }
 
 /// How rows end.
 struct RowEnd {
   double width = 0;    ///< where a piece would reach beyond it,
-  bool apart = false;  ///< or where one is less than a third as large as the one before: balls beside halves
+  bool apart = false;  ///< or where one is far smaller than the one before
 };
 
 /// Fills rows from the left, the first row farthest from the eye; then each row is moved to the middle.
@@ -78,7 +81,7 @@ std::vector<glm::dvec3> filled_rows(const Tray& tray, const std::vector<std::siz
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     const auto belongs = [&](std::size_t k, double filled) {
       const glm::dvec2 &room = tray.room[order[k]], &before = tray.room[order[k - 1]];
-      return filled + room.x <= row_end.width && !(row_end.apart && rough_size(before) - rough_size(room) > 2);
+      return filled + room.x <= row_end.width && !(row_end.apart && is_far_smaller(room, before));
     };
     double x = 0, depth = 0;
     for (; end < order.size() && (end == begin || belongs(end, x)); ++end) {
@@ -145,8 +148,8 @@ struct Places {
   double scale = 0;  ///< drawn_scale()
 };
 
-Places best_rows(const Tray& tray, bool apart, const glm::dvec3& back, double aspect) {
-  const std::vector<std::size_t> order = by_size(tray.room);
+Places best_rows(const Tray& tray, const std::vector<std::size_t>& order, bool apart, const glm::dvec3& back,
+                 double aspect) {
   Places best;
   // Two halves lie side by side, unless they come out much larger one behind the other.
   const double gain = order.size() <= 4 ? 1.12 : 1.005;
@@ -158,9 +161,15 @@ Places best_rows(const Tray& tray, bool apart, const glm::dvec3& back, double as
   return best;
 }
 
-/// What is small has rows of its own, unless all would be drawn smaller for it.
+/// What is far smaller has rows of its own, unless all would be drawn smaller for it.
 std::vector<glm::dvec3> best_places(const Tray& tray, const glm::dvec3& back, double aspect) {
-  Places mixed = best_rows(tray, false, back, aspect), apart = best_rows(tray, true, back, aspect);
+  const std::vector<std::size_t> order = by_size(tray.room);
+  Places mixed = best_rows(tray, order, false, back, aspect);
+  const auto parts = std::adjacent_find(order.begin(), order.end(), [&](std::size_t before, std::size_t i) {
+    return is_far_smaller(tray.room[i], tray.room[before]);
+  });
+  if (parts == order.end()) return std::move(mixed.of_piece);
+  Places apart = best_rows(tray, order, true, back, aspect);
   return apart.scale >= 0.98 * mixed.scale ? std::move(apart.of_piece) : std::move(mixed.of_piece);
 }
 

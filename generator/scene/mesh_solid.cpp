@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -78,6 +79,12 @@ class CornerVertices {
   std::vector<std::vector<std::uint32_t>> known_;
 };
 
+/// Of closed solids only what faces the eye is drawn; files have them inside out at times.
+void turn_outside_out(Solid& solid) {
+  for (glm::uvec3& t : solid.triangle) std::swap(t.y, t.z);
+  for (glm::vec3& normal : solid.normal) normal = -normal;
+}
+
 }  // namespace
 
 Solid mesh_solid(const PlainMesh& mesh, const std::string& name, const MeshSolidOptions& options) {
@@ -113,6 +120,7 @@ Solid mesh_solid(const PlainMesh& mesh, const std::string& name, const MeshSolid
   solid.surface.assign(solid.triangle.size(), 0);
   solid.volume = std::fabs(six_volumes) / 6;
   solid.closed = is_closed(triangle);
+  if (solid.closed && six_volumes < 0) turn_outside_out(solid);
   return solid;
 }
 

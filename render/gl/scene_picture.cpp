@@ -102,13 +102,13 @@ class ScenePainter {
   void cast_far_shadows(const GlTexture& map);
   void draw_hairs();
   void bind_materials(const Program& program) const;
-  void compose(const char* definition, GLenum where);
+  void compose(const char* definition, GLenum depth_test);
   Image read_back();
 
   /// What programs that know of texture detail are compiled with.
   const char* detailed() const { return solids_.detail_styles() ? "DETAILED" : ""; }
 
-  void fill(const GlFramebuffer& target, const glm::ivec2& size, GLenum where = GL_ALWAYS);
+  void fill(const GlFramebuffer& target, const glm::ivec2& size, GLenum depth_test = GL_ALWAYS);
   void set_camera(const Program& program, const Surfaces& surfaces) const;
   glm::mat4 to_unit_box(const glm::mat4& to_clip) const;
 
@@ -208,12 +208,12 @@ void ScenePainter::draw_glass() {
   targets_.glass.emplace(glass_layers(gl_, solids_, view, targets_.opaque.depth, targets_.samples));
 }
 
-/// Runs the program in use on every pixel of the target, or, where it has depths, on those that half the depth passes
-/// the test against.
-void ScenePainter::fill(const GlFramebuffer& target, const glm::ivec2& size, GLenum where) {
+/// Runs the program in use on every pixel of the target, or, where it has depths, on those that pass a test of depth:
+/// the triangle of fullscreen.vert.glsl lies half way.
+void ScenePainter::fill(const GlFramebuffer& target, const glm::ivec2& size, GLenum depth_test) {
   target.bind(size.x, size.y);
   gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthFunc(where);
+  gl_->DepthFunc(depth_test);
   nothing_.bind();
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
   gl_->DepthFunc(GL_LESS);
@@ -259,7 +259,7 @@ void ScenePainter::look_for_light() {
   targets_.lowest.bind(5);
   const std::array<const GlTexture*, 1> raw{&targets_.light[0]}, soft{&targets_.light[1]};
   const GlFramebuffer and_paper(gl_, raw, &targets_.paper), to_raw(gl_, raw, nullptr), to_soft(gl_, soft, nullptr);
-  fill(and_paper, size, GL_ALWAYS);
+  fill(and_paper, size);
 
   // Across and up.
   const Program soften(gl_, "fullscreen.vert.glsl", "soften.frag.glsl");
@@ -308,12 +308,12 @@ void ScenePainter::look_through() {
 void ScenePainter::cast_far_shadows(const GlTexture& map) {
   const GlFramebuffer target(gl_, {}, &map);
   target.bind(shadow_side, shadow_side);
+  const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl");
   const float near = 0;
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_GREATER);
   gl_->CullFace(GL_FRONT);
   gl_->ClearBufferfv(GL_DEPTH, 0, &near);
-  const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl");
   program.use();
   program.set("projection", light_.to_clip);
   if (solids_.any(Drawn::opaque)) solids_.draw(program, Drawn::opaque);
@@ -368,7 +368,7 @@ void ScenePainter::bind_materials(const Program& program) const {
 
 /// Where the map of paper passes the test: software renderers run both sides of a branch, but pass over blocks of
 /// pixels that a test of depth leaves out.
-void ScenePainter::compose(const char* definition, GLenum where) {
+void ScenePainter::compose(const char* definition, GLenum depth_test) {
   // What is nearest, its colour, and the light on it.
   const std::array<const GlTexture*, 1> colors{&targets_.picture};
   const GlFramebuffer target(gl_, colors, &targets_.paper);
@@ -409,7 +409,9 @@ void ScenePainter::compose(const char* definition, GLenum where) {
   program.set("gloss", static_cast<float>(style_.gloss));
   program.set("camera_to_scene", glm::inverse(camera_.view));
   program.set("to_light", light_.to_light);
-  fill(target, {options_.width, options_.height}, where);
+  gl_->DepthMask(GL_FALSE);
+  fill(target, {options_.width, options_.height}, depth_test);
+  gl_->DepthMask(GL_TRUE);
   gl_.check("the picture");
 }
 

@@ -137,7 +137,7 @@ void main() {
 #endif
 
 #ifdef DETAIL
-// One detail of cut faces, of a kind that is known when this is compiled: what `detailed` and `detail_height` do in pictures.
+// One detail of cut faces, of a kind that is known when this is compiled: what `detailed` does in pictures.
 uniform int detail_number;
 uniform vec4 detail_channel;    // of the shares: 1 for this one
 #include "detail.glsl"

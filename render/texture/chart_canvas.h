@@ -34,7 +34,7 @@ class ChartCanvas {
     filled_[at(x, y)] = 1;
   }
 
-  // OwnedBox.
+  /// The box of what it owns; high lies outside.
   glm::ivec2 low() const { return low_; }
   glm::ivec2 high() const { return high_; }
 

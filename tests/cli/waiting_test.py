@@ -15,7 +15,7 @@ import tempfile
 import time
 
 SLOW = ["cut", "melon", "--knife", "peel:3mm,spiral=9mm", "--quality", "draft", "-o", "peel.ply"]  # a minute or so
-MOST = 120  # seconds
+MOST = 50  # seconds
 
 
 def heard(descriptor, wanted, process):
@@ -46,7 +46,7 @@ def main():
         shown = listen(program, folder, r"cutting, \d+ s so far\r\x1b\[Kcutting, \d+ s so far", terminal=True)
         assert "\n" not in shown, shown
         logged = listen(program, folder, r"cutting, \d+ s so far\n", terminal=False)
-        assert int(re.search(r"(\d+) s so far", logged)[1]) >= 9, logged
+        assert int(re.search(r"(\d+) s so far", logged)[1]) >= 3, logged
         assert os.listdir(folder) == [], os.listdir(folder)
 
 

@@ -104,6 +104,7 @@ TEST(Shaders, AllCompile) {
     EXPECT_NO_THROW(Program(gl, vertex, fragment, "SEE_THROUGH")) << fragment;
     EXPECT_NO_THROW(Program(gl, vertex, fragment, "ALL_THAT_IS_LEFT")) << fragment;
     EXPECT_NO_THROW(Program(gl, vertex, fragment, "DETAILED")) << fragment;
+    EXPECT_NO_THROW(Program(gl, vertex, fragment, "PAPER")) << fragment;
     compiled.insert({vertex, fragment});
   }
   for (const std::string& name : shader_names()) {

@@ -247,16 +247,16 @@ TEST(LaidOut, WhatIsSmallHasRowsOfItsOwn) {
     const Scene scene = pieces_of(ball(), knives);
     ASSERT_EQ(scene.instances.size(), 2u + 2u * static_cast<std::size_t>(balls));
     const Scene table = laid_out(scene, 4.0 / 3);
-    double halves = -1, nearest_ball = 1;  // how near the halves' near edge and the farthest ball lie
+    double halves = -1, farthest_ball = 1;  // how near the halves' near edge and the farthest ball lie
     for (const Instance& instance : table.instances) {
       Box<double> box;
       for (const glm::dvec3& p : placed_points(table, instance)) box.add(p);
       if (box.size().x > 0.03)
         halves = std::max(halves, box.high.z);
       else
-        nearest_ball = std::min(nearest_ball, box.low.z);
+        farthest_ball = std::min(farthest_ball, box.low.z);
     }
-    EXPECT_GT(nearest_ball, halves) << balls;
+    EXPECT_GT(farthest_ball, halves) << balls;
   }
 }
 

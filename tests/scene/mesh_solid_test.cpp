@@ -2,6 +2,7 @@
 #include "generator/scene/mesh_solid.h"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -40,6 +41,21 @@ TEST(MeshSolid, KeepsSharpEdgesAndRoundsOthers) {
       EXPECT_TRUE(n.y < -0.999f || glm::length(n - wall) < 0.01f) << n.x << " " << n.y << " " << n.z;
     }
   }
+}
+
+/// Of what is closed only the side that faces the eye is drawn: a file may have it inside out.
+TEST(MeshSolid, TurnsWhatIsInsideOut) {
+  PlainMesh inside_out = cone(32);
+  for (glm::uvec3& t : inside_out.triangle) std::swap(t.y, t.z);
+  const Solid solid = mesh_solid(inside_out, "cone");
+  EXPECT_TRUE(solid.closed);
+  double six_volumes = 0;
+  for (const glm::uvec3& t : solid.triangle) {
+    const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
+    six_volumes += glm::dot(a, glm::cross(b, c));
+    for (int k = 0; k < 3; ++k) EXPECT_GT(glm::dot(glm::dvec3(solid.normal[t[k]]), glm::cross(b - a, c - a)), 0);
+  }
+  EXPECT_NEAR(six_volumes / 6, solid.volume, 1e-9);
 }
 
 /// Asking each triangle at a tip of all others would take the square of their number: half an hour here.
