@@ -1,14 +1,14 @@
 #include "cli/still_at_work.h"
 
+#include <chrono>
 #include <system_error>
 #include <utility>
 
 namespace pomona {
 
-StillAtWork::StillAtWork(Progress& progress, std::string work, std::chrono::milliseconds every)
-    : progress_(progress), work_(std::move(work)) {
+StillAtWork::StillAtWork(Progress& progress, std::string work) : progress_(progress), work_(std::move(work)) {
   try {
-    teller_ = std::thread([this, every] { tell(every); });
+    teller_ = std::thread([this] { tell(); });
   } catch (const std::system_error&) {
     // Where no thread is to be had, the work goes on in silence.
   }
@@ -24,7 +24,8 @@ StillAtWork::~StillAtWork() {
   teller_.join();
 }
 
-void StillAtWork::tell(std::chrono::milliseconds every) {
+void StillAtWork::tell() {
+  constexpr std::chrono::seconds every(1);
   const StopWatch watch;
   std::unique_lock lock(mutex_);
   while (!ended_.wait_for(lock, every, [this] { return over_; })) progress_.report_waiting(work_, watch.milliseconds());

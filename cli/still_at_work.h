@@ -1,7 +1,6 @@
 // Tells that work of unknown length goes on.
 #pragma once
 
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <string>
@@ -16,13 +15,13 @@ namespace pomona {
 /// `progress`, which lives longer, hears of work that can be counted.
 class StillAtWork {
  public:
-  StillAtWork(Progress& progress, std::string work, std::chrono::milliseconds every = std::chrono::seconds(1));
+  StillAtWork(Progress& progress, std::string work);
   ~StillAtWork();
   StillAtWork(const StillAtWork&) = delete;
   StillAtWork& operator=(const StillAtWork&) = delete;
 
  private:
-  void tell(std::chrono::milliseconds every);
+  void tell();
 
   Progress& progress_;
   std::string work_;

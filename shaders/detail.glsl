@@ -117,13 +117,13 @@ vec2 pattern_at(int detail, int kind, vec3 p, float fine) {
   return vec2(1.0 - risen, -form.z * risen * (1.0 - smoothstep(rim + soft, rim + 3.0 * soft, border)));
 }
 
-// A detail's pattern at a place of the fruit, as far as it is not too fine to be shown.
-vec2 shown_pattern(int detail, vec4 head, vec3 position, float footprint, vec4 way_layer) {
-  float size = texelFetch(detail_styles, detail + 1).x;
-  vec4 place = pattern_place(int(head.y), texelFetch(detail_styles, detail + 1),
-                             texelFetch(detail_styles, detail + 6).xy, position, way_layer);
-  float cycles = footprint * place.w / size;
-  vec2 here = pattern_at(detail, int(head.x), place.xyz, 1.0 - smoothstep(0.125, 0.25, cycles));
+// A detail's pattern at a place of the fruit, as far as it is not too fine to be shown. `kind`: the detail's.
+vec2 shown_pattern(int detail, int kind, vec3 position, float footprint, vec4 way_layer) {
+  vec4 sizes = texelFetch(detail_styles, detail + 1);
+  vec4 place = pattern_place(int(texelFetch(detail_styles, detail).y), sizes, texelFetch(detail_styles, detail + 6).xy,
+                             position, way_layer);
+  float cycles = footprint * place.w / sizes.x;
+  vec2 here = pattern_at(detail, kind, place.xyz, 1.0 - smoothstep(0.125, 0.25, cycles));
   return mix(texelFetch(detail_styles, detail + 5).zw, here, 1.0 - smoothstep(0.25, 0.5, cycles));
 }
 
@@ -166,7 +166,7 @@ Detailed detailed(vec3 color, vec3 normal, vec3 unmodulated, mat3 to_fruit, vec3
     int places = relief != 0.0 ? 3 : 1, k = 0;
     do {
       vec3 step_away = to_fruit * (k == 0 ? vec3(0.0) : by * (k == 1 ? first : second));
-      vec2 value = shown_pattern(detail, head, position + step_away, footprint, guide_beside(way_layer, step_away));
+      vec2 value = shown_pattern(detail, int(head.x), position + step_away, footprint, guide_beside(way_layer, step_away));
       height[k] += relief != 0.0 ? relief * value.x : 0.0;
       if (k == 0 && abs(weight) >= 1e-3) {
         vec3 target = texelFetch(detail_styles, detail + 3).xyz;

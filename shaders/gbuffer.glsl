@@ -39,6 +39,8 @@ float interleaved(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(
 // radius. A pixel turns them by its own angle; from one to the next a product takes the place of sine and cosine.
 const mat2 golden_angle = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888);
 
+float spiral_radius(int i, int count) { return sqrt((float(i) + 0.5) / float(count)); }
+
 vec2 first_direction(vec2 pixel) {
   float angle = 6.2831853 * interleaved(pixel);
   return vec2(cos(angle), sin(angle));

@@ -66,7 +66,7 @@ float behind_others(float distance_to, ivec2 at, vec2 size, vec2 direction) {
   float standing = 0.0, all = 0.0;
   int i = 0;
   do {
-    float away = sqrt((float(i) + 0.5) / float(count));
+    float away = spiral_radius(i, count);
     ivec2 there = clamp(at + ivec2(away * 0.02 * size.y * direction), ivec2(0), ivec2(size) - 1);
     direction = golden_angle * direction;
     float gap = distance_to - distance_from_depth(texelFetch(depth, there, 0).r);
@@ -104,7 +104,7 @@ float light_seen(vec3 p, vec3 n, vec2 direction) {
   vec2 way = direction;
   int i = 0;
   do {
-    float there = texture(shadow_map, q.xy + 0.03 * sqrt((float(i) + 0.5) / 8.0) * way).r;
+    float there = texture(shadow_map, q.xy + 0.03 * spiral_radius(i, 8) * way).r;
     way = golden_angle * way;
     if (there < here) {
       gap += here - there;
@@ -116,7 +116,7 @@ float light_seen(vec3 p, vec3 n, vec2 direction) {
   float seen = 0.0;
   i = 0;
   do {
-    seen += step(here, texture(shadow_map, q.xy + radius * sqrt((float(i) + 0.5) / 14.0) * direction).r);
+    seen += step(here, texture(shadow_map, q.xy + radius * spiral_radius(i, 14) * direction).r);
     direction = golden_angle * direction;
   } while (++i < 14);
   return seen / 14.0;

@@ -80,7 +80,7 @@ float cut_shine(vec3 n, vec3 to_eye, float wet, vec3 position, float footprint) 
   if (film <= 0.0 || dot(n, half_way) < 0.5) return sheen;
   vec3 q = position * film_frequency;
   vec3 swell = vec3(0.0);
-  int axis = 0, axes = film > 0.0 ? 3 : 1;
+  int axis = 0, axes = film > 0.0 ? 3 : 1;  // one where the branch above has been taken (README.md)
   do swell[axis] = gradient_noise(q + (axis == 0 ? 0.0 : axis == 1 ? 17.3 : -9.1), 411u + uint(axis));
   while (++axis < axes);
   float mirror = dot(normalize(n + 0.6 * swell), half_way);

@@ -34,7 +34,7 @@ Material material_at(float number) {
 float bloom_cover(Material m, vec3 position, float cosine) {
   if (m.bloom.a <= 0.0) return 0.0;
   float where = 0.0;
-  int k = 0, sizes = m.bloom.a > 0.0 ? 2 : 1;
+  int k = 0, sizes = m.bloom.a > 0.0 ? 2 : 1;  // one where the branch above has been taken (README.md)
   do where += (k == 0 ? 1.0 : 0.45) * gradient_noise(position * m.patches * (k == 0 ? 1.0 : 3.1), 401u + uint(k));
   while (++k < sizes);
   float edge = 1.3 * (2.0 * m.rubbed - 1.0);

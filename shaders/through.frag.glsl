@@ -39,7 +39,7 @@ void main() {
   const int count = 8;
   int i = 0;
   do {
-    vec2 there = q.xy + reach * sqrt((float(i) + 0.5) / float(count)) * direction;
+    vec2 there = q.xy + reach * spiral_radius(i, count) * direction;
     direction = golden_angle * direction;
     float before = (q.z - texture(shadow_map, there).r) * light_box.y - slack;
     float behind = (texture(far_map, there).r - q.z) * light_box.y - slack;

@@ -159,16 +159,13 @@ void main() {
 
   // What the detail is, and how much it counts for a colour like this.
   int detail = detail_texels * detail_number;
-  vec4 head = texelFetch(detail_styles, detail), sizes = texelFetch(detail_styles, detail + 1), form = texelFetch(detail_styles, detail + 2);
+  vec4 head = texelFetch(detail_styles, detail), form = texelFetch(detail_styles, detail + 2);
   vec4 target = texelFetch(detail_styles, detail + 3), near = texelFetch(detail_styles, detail + 4), last = texelFetch(detail_styles, detail + 6);
   vec3 away = to_oklab(here.rgb) - near.xyz;
   if (form.w > 0.0) share *= exp(-dot(away, away) / (2.0 * form.w * form.w));
 
   if (share > 1e-3) {
-    vec4 there = pattern_place(int(head.y), sizes, last.xy, position, way_layer);
-    float cycles = footprint_here() * there.w / sizes.x;
-    vec2 value = mix(texelFetch(detail_styles, detail + 5).zw, pattern_at(detail, KIND, there.xyz, 1.0 - smoothstep(0.125, 0.25, cycles)),
-                     1.0 - smoothstep(0.25, 0.5, cycles));
+    vec2 value = shown_pattern(detail, KIND, position, footprint_here(), way_layer);
     vec3 lab = to_oklab(styled.rgb);
     lab += value.x * head.z * share * (head.w > 0.0 ? target.xyz - lab : target.xyz);
     lab.x += value.y * abs(head.z * share) * 0.12;

@@ -159,6 +159,28 @@ DetailSketch some_detail(DetailKind kind, DetailRun run) {
   return detail;
 }
 
+/// Where in a fruit each of 64 x 64 pixels lies, and its plain colour: for shaders, and for the processor.
+constexpr const char* detail_places = R"(
+#include "detail.glsl"
+out vec4 color;
+vec3 p = vec3(gl_FragCoord.x * 0.00061 - 0.0247, 0.0123, gl_FragCoord.y * 0.00053 - 0.0191);
+vec3 plain = mix(vec3(0.6, 0.02, 0.02), vec3(0.5, 0.3, 0.1), gl_FragCoord.x / 64.0);
+vec4 way = vec4(0.3 * p.x, 0.004, 0.3 * p.z, 0.011);
+)";
+
+struct DetailPlace {
+  Color plain;
+  LookPlace place;
+};
+
+DetailPlace detail_place(int pixel) {
+  const double x = pixel % 64 + 0.5, y = pixel / 64 + 0.5;
+  const glm::dvec3 p(x * 0.00061 - 0.0247, 0.0123, y * 0.00053 - 0.0191);
+  const DetailGuide guide{glm::vec3(0.3 * p.x, 0.004, 0.3 * p.z), 0.011f, glm::vec4(1)};
+  return {glm::mix(Color(0.6f, 0.02f, 0.02f), Color(0.5f, 0.3f, 0.1f), static_cast<float>(x / 64)),
+          {.position = p, .footprint = 0.0004, .guide = guide}};
+}
+
 TEST(Shaders, DetailIsThatOfTheCpu) {
   GlContext context;
   const CurrentGl gl(context);
@@ -168,24 +190,15 @@ TEST(Shaders, DetailIsThatOfTheCpu) {
       DetailSketch darker = some_detail(DetailKind::fibres, run);
       darker.color = {}, darker.amount = -0.1, darker.pattern = most_pattern;
       const Look look(NoiseStyle{}, {darker, some_detail(kind, run)});
-      const std::vector<glm::u8vec4> pixels = drawn_by(gl,
-                                                       "#include \"detail.glsl\"\n"
-                                                       R"(
-out vec4 color;
+      const std::vector<glm::u8vec4> pixels = drawn_by(gl, std::string(detail_places) + R"(
 void main() {
-  vec3 p = vec3(gl_FragCoord.x * 0.00061 - 0.0247, 0.0123, gl_FragCoord.y * 0.00053 - 0.0191);
-  vec3 plain = mix(vec3(0.6, 0.02, 0.02), vec3(0.5, 0.3, 0.1), gl_FragCoord.x / 64.0);
-  vec4 way = vec4(0.3 * p.x, 0.004, 0.3 * p.z, 0.011);
   color = vec4(srgb_from_linear(detailed(plain, vec3(0.0), plain, mat3(1.0), p, 0.0004, 0, true, way, vec4(1.0)).color), 1.0);
 })",
                                                        NoiseStyle{}, 64, 64, &look);
       int worst = 0, off = 0;
       for (int i = 0; i < 64 * 64; ++i) {
-        const double x = i % 64 + 0.5, y = i / 64 + 0.5;
-        const glm::dvec3 p(x * 0.00061 - 0.0247, 0.0123, y * 0.00053 - 0.0191);
-        const Color plain = glm::mix(Color(0.6f, 0.02f, 0.02f), Color(0.5f, 0.3f, 0.1f), static_cast<float>(x / 64));
-        const DetailGuide guide{glm::vec3(0.3 * p.x, 0.004, 0.3 * p.z), 0.011f, glm::vec4(1)};
-        const glm::u8vec3 expected = to_srgb8(look(plain, {.position = p, .footprint = 0.0004, .guide = guide}));
+        const DetailPlace at = detail_place(i);
+        const glm::u8vec3 expected = to_srgb8(look(at.plain, at.place));
         for (int k = 0; k < 3; ++k) {
           const int apart = std::abs(int{pixels[i][k]} - int{expected[k]});
           worst = std::max(worst, apart);
@@ -210,25 +223,16 @@ TEST(Shaders, ReliefIsThatOfTheCpu) {
       low.relief = -0.1e-3, low.near = {};
       high.relief = 0.4e-3;
       const Look look(NoiseStyle{}, {low, some_detail(DetailKind::net, run), high});
-      const std::vector<glm::u8vec4> pixels = drawn_by(gl,
-                                                       "#include \"detail.glsl\"\n"
-                                                       R"(
-out vec4 color;
+      const std::vector<glm::u8vec4> pixels = drawn_by(gl, std::string(detail_places) + R"(
 void main() {
-  vec3 p = vec3(gl_FragCoord.x * 0.00061 - 0.0247, 0.0123, gl_FragCoord.y * 0.00053 - 0.0191);
-  vec3 plain = mix(vec3(0.6, 0.02, 0.02), vec3(0.5, 0.3, 0.1), gl_FragCoord.x / 64.0);
-  vec4 way = vec4(0.3 * p.x, 0.004, 0.3 * p.z, 0.011);
   vec3 normal = vec3(0.6, 0.48, 0.64);
   color = vec4(0.5 + 0.5 * detailed(plain, normal, plain, mat3(1.0), p, 0.0004, 0, true, way, vec4(1.0)).normal, 1.0);
 })",
                                                        NoiseStyle{}, 64, 64, &look);
       int off = 0, tilted_far = 0;
       for (int i = 0; i < 64 * 64; ++i) {
-        const double x = i % 64 + 0.5, y = i / 64 + 0.5;
-        const glm::dvec3 p(x * 0.00061 - 0.0247, 0.0123, y * 0.00053 - 0.0191);
-        const Color plain = glm::mix(Color(0.6f, 0.02f, 0.02f), Color(0.5f, 0.3f, 0.1f), static_cast<float>(x / 64));
-        const DetailGuide guide{glm::vec3(0.3 * p.x, 0.004, 0.3 * p.z), 0.011f, glm::vec4(1)};
-        const Relief relief = relief_at(look, plain, {.position = p, .footprint = 0.0004, .guide = guide}, normal);
+        const DetailPlace at = detail_place(i);
+        const Relief relief = relief_at(look, at.plain, at.place, normal);
         const glm::dvec3 expected = 255.0 * (0.5 + 0.5 * tilted(normal, relief.slope));
         bool far = false;
         for (int k = 0; k < 3; ++k) far = far || std::fabs(pixels[i][k] - expected[k]) > 4;
