@@ -24,6 +24,21 @@ std::optional<tbb::global_control> leave_for(int width) {
                                                  static_cast<std::size_t>(width));
 }
 
+/// Calls run() where TBB lets so many threads work on what it shares. A new place for that (an arena) waits for its
+/// threads for a tenth of a millisecond, which is more than most steps on a grid take; so where the calling thread is
+/// in one of that width, as it is when it may use the whole machine, that one serves. Isolated, so that a thread that
+/// waits for an inner loop's last item does not begin an item of the outer one, whose memory would then be held twice.
+template <typename Run>
+void among_threads(int width, const Run& run) {
+  if (tbb::this_task_arena::max_concurrency() == width) {
+    tbb::this_task_arena::isolate(run);
+    return;
+  }
+  const std::optional<tbb::global_control> leave = leave_for(width);
+  tbb::task_arena arena(width);
+  arena.execute(run);
+}
+
 }  // namespace
 
 int resolved(Threads threads) {
@@ -43,9 +58,7 @@ void parallel_for(std::size_t count, Threads threads, const std::function<void(s
   std::size_t failed = std::numeric_limits<std::size_t>::max();
   std::exception_ptr failure;
   std::atomic<std::size_t> next = 0;
-  const std::optional<tbb::global_control> leave = leave_for(width);
-  tbb::task_arena arena(width);
-  arena.execute([&] {
+  among_threads(width, [&] {
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t) {
       const std::size_t i = next++;
       try {

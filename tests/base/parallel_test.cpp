@@ -1,10 +1,12 @@
 #include "generator/base/parallel.h"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <mutex>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -36,7 +38,7 @@ TEST(Parallel, HasAsManyThreadsAsAskedForAlsoBeyondTheCores) {
 
 TEST(Parallel, DoesEachOnceHoweverManyThreadsAreAskedFor) {
   testing::internal::CaptureStderr();
-  for (const int threads : {1, 2, 16, 1000000}) {
+  for (const int threads : {0, 1, 2, 16, 1000000}) {
     std::vector<int> done(1000);
     parallel_for(done.size(), {threads}, [&](std::size_t i) { ++done[i]; });
     EXPECT_EQ(done, std::vector<int>(1000, 1)) << threads;
@@ -44,8 +46,27 @@ TEST(Parallel, DoesEachOnceHoweverManyThreadsAreAskedFor) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+/// Whether some thread has begun an item of a loop before it was done with another of that loop.
+bool holds_two_items_at_once(Threads threads) {
+  static thread_local int depth = 0;
+  std::atomic<bool> is_nested = false;
+  parallel_for(24, threads, [&](std::size_t) {
+    if (++depth > 1) is_nested = true;
+    parallel_for(8, threads,
+                 [](std::size_t i) { std::this_thread::sleep_for(std::chrono::microseconds(i % 4 * 300)); });
+    --depth;
+  });
+  return is_nested;
+}
+
+TEST(Parallel, AThreadThatWaitsForAnInnerLoopBeginsNoOtherItemOfTheOuterOne) {
+  for (const int threads : {0, 2, 3, 8}) {
+    for (int i = 0; i < 5; ++i) EXPECT_FALSE(holds_two_items_at_once({threads})) << threads;
+  }
+}
+
 TEST(Parallel, TellsOfTheFirstThatFailed) {
-  for (const int threads : {1, 16}) {
+  for (const int threads : {0, 1, 16}) {
     try {
       parallel_for(100, {threads}, [&](std::size_t i) {
         if (i % 10 == 7) throw std::runtime_error(std::to_string(i));
