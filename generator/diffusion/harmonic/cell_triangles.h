@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "generator/base/parallel.h"
@@ -43,9 +44,6 @@ class CellTriangles {
  public:
   CellTriangles() = default;
 
-  /// Cells count as larger by `margin`, in cells.
-  CellTriangles(const SnappedSurfaces& snapped, const Lattice& lattice, double margin, Threads threads);
-
   /// All triangles that meet the cell, and few others; ascending.
   std::span<const std::uint32_t> in(std::size_t cell) const {
     if (!filled_.holds(cell)) return {};
@@ -56,9 +54,47 @@ class CellTriangles {
   std::size_t bytes() const { return filled_.bytes() + sizeof(std::uint32_t) * (first_.size() + triangle_.size()); }
 
  private:
+  friend class CellTriangleFinder;
   SparseSet filled_;                  ///< most cells hold none
   std::vector<std::uint32_t> first_;  ///< per filled cell
   std::vector<std::uint32_t> triangle_;
 };
+
+/// Finds them slab by slab, in two rounds whose items threads may share with other work: find(i) for every slab, one
+/// place(), fill(i) for every slab.
+class CellTriangleFinder {
+ public:
+  /// Cells count as larger by `margin`, in cells. `snapped` and `lattice` are read until the last find().
+  CellTriangleFinder(const SnappedSurfaces& snapped, const Lattice& lattice, double margin);
+
+  std::size_t slab_count() const { return slabs_.size(); }
+  void find(std::size_t slab);
+  void place();
+  void fill(std::size_t slab);
+  CellTriangles taken() { return std::move(cells_); }
+
+ private:
+  /// What lies in some layers of cells.
+  struct Slab {
+    std::pair<int, int> layers;
+    std::vector<std::uint32_t> near;  ///< triangles that may meet it
+    std::size_t first_cell = 0;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> entry;  ///< cell, from the first on, and triangle; as found
+    SparseSet filled;                                            ///< of its cells
+    std::uint32_t filled_count = 0;
+    std::uint32_t filled_before = 0, entries_before = 0;  ///< in the slabs before it
+  };
+  void add_cells_of(std::uint32_t triangle, Slab& slab) const;
+
+  const SnappedSurfaces& snapped_;
+  const Lattice& lattice_;
+  double margin_;
+  std::size_t plane_;  ///< cells of a layer
+  std::vector<Slab> slabs_;
+  CellTriangles cells_;
+};
+
+/// The whole of it at once.
+CellTriangles cell_triangles(const SnappedSurfaces& snapped, const Lattice& lattice, double margin, Threads threads);
 
 }  // namespace pomona

@@ -37,8 +37,11 @@ std::vector<Stack> stacks_for(const GridLevel& level, int steps, Threads threads
   if (level.runs.size() < runs_beyond_cache) return {};
   const auto most = static_cast<std::size_t>(std::min(resolved(threads), most_threads));
   if (most == 1) return stacks_of(level, steps, 1);
-  std::vector<Stack> stacks = stacks_of(level, steps, 2 * most);
-  return stacks.empty() ? stacks_of(level, steps, most) : stacks;
+  for (const std::size_t to_a_thread : {4, 2, 1}) {
+    std::vector<Stack> stacks = stacks_of(level, steps, to_a_thread * most);
+    if (!stacks.empty()) return stacks;
+  }
+  return {};
 }
 
 }  // namespace pomona

@@ -2,6 +2,7 @@
 // it does not stay in the cache, close behind each other through stacks of planes.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -18,12 +19,12 @@ struct Stack {
 /// One for levels that are too small to share.
 Threads threads_for(const GridLevel& level, Threads threads);
 
-/// Two stacks to a thread, or one if two would be too thin to take `steps` steps in; none if the level is so small that
-/// it stays in the cache from step to step anyway.
+/// Four stacks to a thread, so that threads are done at about the same time, or fewer if these would be too thin to
+/// take `steps` steps in; none if the level is so small that it stays in the cache from step to step anyway.
 std::vector<Stack> stacks_for(const GridLevel& level, int steps, Threads threads);
 
-/// Steps follow each other from plane to plane through a stack, as long as the planes are in the cache. Near its ends
-/// they must wait for the next stack.
+/// Steps follow each other from plane to plane through a stack, as long as the planes are in the cache. Near a border
+/// they must wait for both its stacks: whoever is done with the second of them goes on there.
 template <typename Body>
 void run_in_stacks(const GridLevel& level, const std::vector<Stack>& stacks, int steps, Threads threads,
                    const Body& body) {
@@ -31,7 +32,7 @@ void run_in_stacks(const GridLevel& level, const std::vector<Stack>& stacks, int
     const auto [first, end] = level.planes[static_cast<std::size_t>(plane)];
     body(first, end, step);
   };
-  parallel_for(stacks.size(), threads, [&](std::size_t i) {
+  const auto take_stack = [&](std::size_t i) {
     const bool is_first = i == 0, is_last = i + 1 == stacks.size();
     for (int front = stacks[i].first; front < stacks[i].end + steps - 1; ++front) {
       for (int step = 0; step < steps; ++step) {
@@ -40,12 +41,17 @@ void run_in_stacks(const GridLevel& level, const std::vector<Stack>& stacks, int
         if (plane >= low && plane < end) take(plane, step);
       }
     }
-  });
-  parallel_for(stacks.size() - 1, threads, [&](std::size_t i) {
-    const int border = stacks[i].end;
+  };
+  const auto take_border = [&](int border) {
     for (int step = 1; step < steps; ++step) {
       for (int plane = border - step; plane < border + step; ++plane) take(plane, step);
     }
+  };
+  std::vector<std::atomic<int>> stacks_done(stacks.size() + 1);  // beside border i, which is below stack i
+  parallel_for(stacks.size(), threads, [&](std::size_t i) {
+    take_stack(i);
+    if (i > 0 && ++stacks_done[i] == 2) take_border(stacks[i].first);
+    if (i + 1 < stacks.size() && ++stacks_done[i + 1] == 2) take_border(stacks[i].end);
   });
 }
 

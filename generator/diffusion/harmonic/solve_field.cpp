@@ -74,40 +74,22 @@ bool stays_outside(const DiffusionSurfaces& surfaces, const std::vector<std::uin
   return static_cast<double>(inside_out) <= most_inside_out * static_cast<double>(seen);
 }
 
-/// Builds the levels of one field.
-class Levels {
- public:
-  Levels(const SnappedSurfaces& snapped, const Lattice& lattice, const GridOptions& options)
-      : snapped_(snapped), options_(options), middle_(bounds_of(*snapped.surfaces).center()), lattice_(lattice) {}
-
-  /// The whole grid; then ever coarser ones.
-  std::vector<GridLevel> run() {
-    std::vector<GridLevel> levels;
-    levels.push_back(whole());
-    for (int i = 0; i < halvings; ++i) levels.push_back(coarser(levels.back(), middle_, options_.threads));
-    return levels;
-  }
-
+/// What of a lattice is modelled.
+struct Inside {
+  std::vector<std::uint8_t> outside;  ///< per run of the lattice, a bit for each node that is left out
+  NodeRuns runs;                      ///< all others
   bool is_sealed = true;
-
- private:
-  /// All links first; then only the nodes that the outside does not hold, if it is sealed off.
-  GridLevel whole() {
-    const NodeRuns all = all_node_runs(lattice_.count);
-    const LinkFinder finder(snapped_, all_triangles(*snapped_.surfaces), lattice_, all, options_.threads);
-    std::vector<std::uint8_t> outside = reached_from_corner(all, finder.open(), options_.threads);
-    is_sealed = stays_outside(*snapped_.surfaces, finder.sides_seen(outside));
-    if (!is_sealed) outside.assign(outside.size(), 0);
-    NodeRuns runs = runs_without(all, outside);
-    CutLinks links = finder.links(runs, outside);
-    return make_grid_level(lattice_, std::move(runs), std::move(links), middle_, options_.threads);
-  }
-
-  const SnappedSurfaces& snapped_;
-  const GridOptions& options_;
-  glm::dvec3 middle_;
-  Lattice lattice_;
 };
+
+/// All nodes but those that the outside holds, if it is sealed off.
+Inside inside_of(const DiffusionSurfaces& surfaces, const NodeRuns& all, const LinkFinder& finder, Threads threads) {
+  Inside inside;
+  inside.outside = reached_from_corner(all, finder.open(), threads);
+  inside.is_sealed = stays_outside(surfaces, finder.sides_seen(inside.outside));
+  if (!inside.is_sealed) inside.outside.assign(inside.outside.size(), 0);
+  inside.runs = runs_without(all, inside.outside);
+  return inside;
+}
 
 /// Lays patches over solved levels, one inside the other.
 class Patches {
@@ -203,21 +185,46 @@ SolvedGrid kept(GridLevel& level) {
 /// Nothing if the surfaces leave more to solve than the margin has room for.
 std::optional<PreparedField> prepared_within(const DiffusionSurfaces& surfaces, const GridOptions& options,
                                              int margin) {
+  const Threads threads = options.threads;
   const Lattice lattice = lattice_around(surfaces, options.spacing, margin, halvings, options.shift);
+  const glm::dvec3 middle = bounds_of(surfaces).center();
   PreparedField prepared;
   prepared.snapped = snapped(surfaces, lattice);
-  Levels builder(prepared.snapped, lattice, options);
 
-  // What the one cannot share among threads, the other fills.
-  parallel_for(2, options.threads, [&](std::size_t i) {
+  // Find all links; then what lies inside. That is one thread's work: others find the cells' triangles meanwhile.
+  const NodeRuns all = all_node_runs(lattice.count);
+  const LinkFinder finder(prepared.snapped, all_triangles(surfaces), lattice, all, threads);
+  CellTriangleFinder cells(prepared.snapped, lattice, options.reach / lattice.spacing);
+  Inside inside;
+  parallel_for(1 + cells.slab_count(), threads, [&](std::size_t i) {
     if (i == 0) {
-      prepared.levels = builder.run();
+      inside = inside_of(surfaces, all, finder, threads);
     } else {
-      prepared.triangles = CellTriangles(prepared.snapped, lattice, options.reach / lattice.spacing, options.threads);
+      cells.find(i - 1);
     }
   });
-  if (!builder.is_sealed && margin == narrow_margin) return std::nullopt;
-  prepared.is_sealed = builder.is_sealed;
+  prepared.is_sealed = inside.is_sealed;
+  if (!prepared.is_sealed && margin == narrow_margin) return std::nullopt;
+
+  // Make the two finest levels, whose planes threads share.
+  prepared.levels.reserve(1 + halvings);
+  CutLinks links = finder.links(inside.runs, inside.outside);
+  prepared.levels.push_back(make_grid_level(lattice, std::move(inside.runs), std::move(links), middle, threads));
+  prepared.levels.push_back(coarser(prepared.levels.front(), middle, threads));
+
+  // The coarser ones are too small to share; to know parts is one thread's work, too, and cells take what is left.
+  cells.place();
+  const GridLevel& every_other = prepared.levels[1];
+  parallel_for(2 + cells.slab_count(), threads, [&](std::size_t i) {
+    if (i == 0) {
+      prepared.label = nearest_labels(every_other);
+    } else if (i == 1) {
+      for (int h = 1; h < halvings; ++h) prepared.levels.push_back(coarser(prepared.levels.back(), middle, threads));
+    } else {
+      cells.fill(i - 2);
+    }
+  });
+  prepared.triangles = cells.taken();
   return prepared;
 }
 
@@ -252,9 +259,8 @@ SolvedLevels solved_levels(const SnappedSurfaces& snapped, std::vector<GridLevel
 FieldLookUp solved_field(PreparedField prepared, const GridOptions& options) {
   auto [levels, patch_count] = solved_levels(prepared.snapped, std::move(prepared.levels), options);
   SolvedGrids grids;
-  GridLevel& every_other = levels[patch_count + 1];
-  grids.label = nearest_labels(every_other);
-  grids.every_other = std::move(every_other.runs);
+  grids.label = std::move(prepared.label);
+  grids.every_other = std::move(levels[patch_count + 1].runs);
   for (std::size_t l = 0; l <= patch_count; ++l) grids.grids.push_back(kept(levels[l]));
   return {prepared.snapped, std::move(grids), std::move(prepared.triangles)};
 }

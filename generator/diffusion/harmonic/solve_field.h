@@ -1,6 +1,7 @@
 // From surfaces to a field that can be asked: grid, links, levels, solution.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "generator/diffusion/harmonic/field_look_up.h"
@@ -14,7 +15,8 @@ struct PreparedField {
   SnappedSurfaces snapped;
   std::vector<GridLevel> levels;  ///< the grid that holds all; ever coarser ones
   CellTriangles triangles;
-  bool is_sealed = false;  ///< closed surfaces keep the outside out: it has no nodes
+  std::vector<std::uint32_t> label;  ///< of the first coarser level's nodes, see nearest_labels()
+  bool is_sealed = false;            ///< closed surfaces keep the outside out: it has no nodes
 };
 PreparedField prepared_field(const DiffusionSurfaces& surfaces, const GridOptions& options);
 

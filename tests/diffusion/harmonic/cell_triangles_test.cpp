@@ -57,7 +57,7 @@ TEST(CellTriangles, HoldEveryTriangleThatMeetsTheCell) {
   const RandomStream random({}, "tests/places on triangles");
   std::uint64_t n = 0;
   for (const double margin : {0.0, 0.1}) {
-    const CellTriangles cells(scene.snapped, scene.lattice, margin, {2});
+    const CellTriangles cells = cell_triangles(scene.snapped, scene.lattice, margin, {2});
     for (std::uint32_t t = 0; t < scene.surfaces.triangle_count(); ++t) {
       for (int i = 0; i < 30; ++i, n += 3) {
         double v = random.uniform(n), w = random.uniform(n + 1);
@@ -76,7 +76,7 @@ TEST(CellTriangles, HoldEveryTriangleThatMeetsTheCell) {
 
 TEST(CellTriangles, HoldFewOthers) {
   const Scene scene;
-  const CellTriangles cells(scene.snapped, scene.lattice, 0, {2});
+  const CellTriangles cells = cell_triangles(scene.snapped, scene.lattice, 0, {2});
   std::size_t held = 0;
   for (const Node& node : shapes::nodes_of(scene.lattice)) {
     const auto in = cells.in(index_of(scene.lattice, {node[0], node[1], node[2]}));
@@ -98,7 +98,8 @@ TEST(CellTriangles, HoldFewOthers) {
 
 TEST(CellTriangles, AreTheSameForAnyNumberOfThreads) {
   const Scene scene;
-  const CellTriangles one(scene.snapped, scene.lattice, 0.01, {1}), many(scene.snapped, scene.lattice, 0.01, {5});
+  const CellTriangles one = cell_triangles(scene.snapped, scene.lattice, 0.01, {1}),
+                      many = cell_triangles(scene.snapped, scene.lattice, 0.01, {5});
   for (const Node& node : shapes::nodes_of(scene.lattice)) {
     const std::size_t cell = index_of(scene.lattice, {node[0], node[1], node[2]});
     EXPECT_TRUE(std::ranges::equal(one.in(cell), many.in(cell)));

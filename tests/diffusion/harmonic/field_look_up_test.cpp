@@ -46,7 +46,7 @@ struct Scene {
     grids.grids.push_back(linear_grid(lattice));
     grids.every_other = all_node_runs(doubled(lattice).count);
     for (std::uint32_t node = 0; node < grids.every_other.node_count(); ++node) grids.label.push_back(node);
-    return {snapped, std::move(grids), CellTriangles(snapped, lattice, 1e-4, {1})};
+    return {snapped, std::move(grids), cell_triangles(snapped, lattice, 1e-4, {1})};
   }
 
   Lattice lattice = [] {
@@ -192,7 +192,7 @@ TEST(FieldLookUp, HasNoColourWhereNoWalkEnds) {
   std::fill(grid.value.data(), grid.value.data() + grid.value.size(), Quad{});
   grids.every_other = all_node_runs(doubled(scene.lattice).count);
   grids.label.assign(grids.every_other.node_count(), no_side);
-  const FieldLookUp look_up(scene.snapped, std::move(grids), CellTriangles(scene.snapped, scene.lattice, 1e-4, {1}));
+  const FieldLookUp look_up(scene.snapped, std::move(grids), cell_triangles(scene.snapped, scene.lattice, 1e-4, {1}));
   EXPECT_FALSE(look_up.at({10, 1.5f, 1.5f}));
   EXPECT_TRUE(look_up.at({2.1f, 2.2f, 3.1f})) << "a surface is in sight";
 }
