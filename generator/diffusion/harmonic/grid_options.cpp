@@ -30,7 +30,7 @@ struct Effort {
 Effort effort_for(Quality quality) {
   if (quality == Quality::draft) return {64, 1};
   if (quality == Quality::final) return {112, 1};
-  return {192, 3, 8.0 / 255, 4'000'000};
+  return {140, 3, 8.0 / 255, 6'000'000};
 }
 
 /// That of `nodes` cubed nodes in the box, so that long and flat fruits get as many as round ones; no longer side
