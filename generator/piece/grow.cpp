@@ -50,7 +50,7 @@ Template variant_of(const Variation& variation, VariantKey key, const GrowOption
 
 GrownFruit grow(const Template& variant, VariantKey users_key, const GrowOptions& options) {
   const VariantKey key = species_key(users_key, variant.name);
-  const SweepOptions sweep_options{.detail = options.detail, .key = key};
+  const SweepOptions sweep_options{.detail = options.detail, .key = key, .threads = options.threads};
   GrownFruit grown;
   grown.swept = sweep(variant, sweep_options);
   grown.grains = scatter_grains(variant, key, sweep_options);

@@ -1,10 +1,11 @@
 // How long the studio takes from an edited curve to its section, in the browser, template by template: the median of several drags.
 //   node studio_times.mjs PROGRAM FOLDER NAME...       ends with 1 if a bar is missed: 150 ms for the lemon, 400 for all others
 import { mkdirSync, rmSync } from 'node:fs';
+import { resolve } from 'node:path';
 import { launch } from './browser.mjs';
 import { Session, startStudio } from './studio_session.mjs';
 
-const [program, folder, ...names] = process.argv.slice(2), browser = await launch();
+const [given, folder, ...names] = process.argv.slice(2), program = resolve(given), browser = await launch();
 let missed = false;
 try {
   for (const name of names) {

@@ -36,7 +36,7 @@ Template ball(int folds = 0) { return fruit({around_axis(meridian(0.04), circle(
 std::vector<Dart> darts_on(const Template& fruit, const GrainSketch& sketch, std::span<const Dart> others = {}) {
   const std::vector<SweptGrid> grids = swept_grids(fruit, fruit.surfaces.front(), {});
   const GrainDraws draws = grain_draws({5, 0}, sketch.name);
-  return thrown_darts(grain_targets(grids, sketch, draws.folds), sketch, draws, others);
+  return thrown_darts(grain_targets(grids, sketch, draws.folds), sketch, draws, {2}, others);
 }
 
 /// A ball's share of its meridian from the bottom, 0..1.
@@ -53,9 +53,9 @@ TEST(ThrownDarts, FallNowhereWithoutASide) {
   target.corner[1].position = {0.01, 0, 0};
   target.corner[2].position = {0, 0, 0.01};
   const GrainSketch sketch = round_grains(0.002);
-  EXPECT_TRUE(thrown_darts({target}, sketch, grain_draws({5, 0}, sketch.name)).empty());
+  EXPECT_TRUE(thrown_darts({target}, sketch, grain_draws({5, 0}, sketch.name), {}).empty());
   for (GrainPlace& place : target.corner) place.normal = {0, 1e-9, 0};
-  EXPECT_GT(thrown_darts({target}, sketch, grain_draws({5, 0}, sketch.name)).size(), 5u) << "of any length";
+  EXPECT_GT(thrown_darts({target}, sketch, grain_draws({5, 0}, sketch.name), {}).size(), 5u) << "of any length";
 }
 
 TEST(GrainDensity, CountsFollowItsIntegral) {

@@ -79,6 +79,21 @@ TEST(Grains, TheSameKeyScattersTheSameGrains) {
   EXPECT_NE(first.position, scatter_grains(fruit, {0, 0}).position);
 }
 
+TEST(Grains, AreTheSameForAnyNumberOfThreads) {
+  // Solid ones and ones that keep apart from others, in more rounds than one.
+  GrainSketch large = seeds(0.006), small = seeds(0.002);
+  small.name = "small";
+  small.spacing.solid = true;
+  small.spacing.apart_from = {0};
+  Template fruit = seeded(large);
+  fruit.grains.push_back(small);
+  const DiffusionSurfaces one = scatter_grains(fruit, {5, 0}, {.threads = {1}});
+  EXPECT_GT(one.vertex_count(), 900 * vertices_per_grain);
+  for (const int threads : {2, 7}) {
+    EXPECT_EQ(one.position, scatter_grains(fruit, {5, 0}, {.threads = {threads}}).position) << threads;
+  }
+}
+
 TEST(Grains, EachIsAClosedBodyFrontOutside) {
   for (const double pointedness : {0.0, 1.0}) {
     GrainSketch sketch = seeds(0.012);

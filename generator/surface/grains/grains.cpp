@@ -149,7 +149,7 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
       const std::vector<Dart>& known = thrown.at(static_cast<std::size_t>(kind));
       others.insert(others.end(), known.begin(), known.end());
     }
-    thrown.push_back(filled(thrown_darts(targets, sketch, draws, others), sketch, draws));
+    thrown.push_back(filled(thrown_darts(targets, sketch, draws, options.threads, others), sketch, draws));
     append_grains(grains, sketch, thrown.back(), draws);
     for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, thrown.back(), draws);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -16,13 +17,23 @@ namespace pomona {
 
 namespace {
 
+/// Candidates that threads share before the next are drawn, and those of one part of them: of the latter there should
+/// be many, of the former few enough that most are in nobody's way among themselves.
+constexpr std::uint64_t candidates_at_once = 8192, candidates_of_a_part = 512;
+
+constexpr std::size_t targets_of_a_part = 128;
+
+/// Of targets in a round: slivers could go on much longer.
+constexpr std::size_t most_splits = 4'000'000;
+
 class DartThrower {
  public:
-  DartThrower(std::vector<GrainTarget> targets, const GrainSketch& sketch, const GrainDraws& draws,
+  DartThrower(std::vector<GrainTarget> targets, const GrainSketch& sketch, const GrainDraws& draws, Threads threads,
               std::span<const Dart> others)
       : sketch_(sketch),
         radius_(sketch.spacing.poisson_radius),
         draws_(draws),
+        threads_(threads),
         others_(others),
         cells_(radius_),
         other_cells_(radius_),
@@ -64,13 +75,36 @@ class DartThrower {
   void throw_round(double per_disc) {
     const double disc = pi * radius_ * radius_ / 4;
     const std::uint64_t end = next_candidate_ + static_cast<std::uint64_t>(std::ceil(per_disc * weight_ / disc));
-    for (; next_candidate_ < end; ++next_candidate_) {
-      std::optional<Dart> dart = candidate(next_candidate_);
-      if (!dart || !is_free(*dart)) continue;
-      dart->pose = grain_pose(sketch_, *dart, draws_);
-      if (!sketch_.spacing.solid || has_room(*dart)) keep(*dart);
+    while (next_candidate_ < end) {
+      const std::uint64_t count = std::min<std::uint64_t>(end - next_candidate_, candidates_at_once);
+      const std::size_t before = darts_.size();
+      for (const std::vector<Dart>& some : hopeful(next_candidate_, count)) {
+        for (const Dart& dart : some) {
+          if (darts_.size() == before || fits(dart)) keep(dart);
+        }
+      }
+      next_candidate_ += count;
     }
   }
+
+  /// Those of some candidates that no dart so far is in the way of, in their order. Darts are never taken back, so
+  /// that threads may find out about each of them alone; whether they are in each other's way is asked later.
+  std::vector<std::vector<Dart>> hopeful(std::uint64_t first, std::uint64_t count) const {
+    std::vector<std::vector<Dart>> parts((count + candidates_of_a_part - 1) / candidates_of_a_part);
+    parallel_for(parts.size(), threads_, [&](std::size_t part) {
+      const std::uint64_t begin = first + part * candidates_of_a_part;
+      const std::uint64_t end = std::min(begin + candidates_of_a_part, first + count);
+      for (std::uint64_t n = begin; n < end; ++n) {
+        std::optional<Dart> dart = candidate(n);
+        if (!dart || !is_free(*dart)) continue;
+        dart->pose = grain_pose(sketch_, *dart, draws_);
+        if (!sketch_.spacing.solid || has_room(*dart)) parts[part].push_back(*dart);
+      }
+    });
+    return parts;
+  }
+
+  bool fits(const Dart& dart) const { return is_free(dart) && (!sketch_.spacing.solid || has_room(dart)); }
 
   std::optional<Dart> candidate(std::uint64_t n) const {
     // A triangle by its weight, a point in it evenly [Osada et al. 2002].
@@ -89,53 +123,87 @@ class DartThrower {
       return std::nullopt;
     }
 
-    std::optional<Dart> dart = dart_at(place, density);
-    if (dart) {
-      dart->number = n;
-      dart->tangent = unit_across(target.uphill, dart->normal);
-    }
+    const std::optional<Footing> footing = footing_at(place, spacing_for(density));
+    if (!footing) return std::nullopt;
+    Dart dart;
+    dart.center = footing->center;
+    dart.normal = footing->normal;
+    dart.spacing = footing->spacing;
+    dart.number = n;
+    dart.tangent = unit_across(target.uphill, dart.normal);
     return dart;
   }
 
-  std::optional<Dart> dart_at(const GrainPlace& place, double density) const {
+  /// What decides whether a dart is too near: a fraction of what a dart has, for pieces of targets are many.
+  struct Footing {
+    glm::dvec3 center, normal;
+    double spacing;
+  };
+
+  std::optional<Footing> footing_at(const GrainPlace& place, double spacing) const {
     const double size = glm::length(place.normal);
     if (!(size > 0)) return std::nullopt;
-    Dart dart;
-    dart.normal = place.normal * ((sketch_.on_front ? 1 : -1) / size);
-    dart.center = place.position - dart.normal * sketch_.stance.sink;
-    dart.spacing = radius_ / std::sqrt(density);
-    return dart;
+    const glm::dvec3 normal = place.normal * ((sketch_.on_front ? 1 : -1) / size);
+    return Footing{place.position - normal * sketch_.stance.sink, normal, spacing};
   }
+
+  double spacing_for(double density) const { return radius_ / std::sqrt(density); }
 
   /// Halves the targets along their longest edges down to an eighth of their spacing, and leaves out those that lie
   /// within the reach of one dart.
   void aim_at_free_places() {
-    std::vector<Pending> pending;
-    for (const GrainTarget& target : targets_) pending.push_back({target, has_aimed_});
+    // Threads share the targets in runs, the last target first; slivers could be halved much too often, and then what
+    // is left out follows from their order, which one thread alone keeps to.
+    std::vector<std::vector<GrainTarget>> free((targets_.size() + targets_of_a_part - 1) / targets_of_a_part);
+    std::atomic<std::size_t> splits = 0;
+    parallel_for(free.size(), threads_, [&](std::size_t part) {
+      const std::size_t end = targets_.size() - part * targets_of_a_part;
+      const std::size_t begin = end > targets_of_a_part ? end - targets_of_a_part : 0;
+      for (std::size_t i = end; i-- > begin;) add_free_pieces(targets_[i], splits, free[part]);
+    });
+    if (splits > most_splits) {
+      splits = 0;
+      free.assign(1, {});
+      for (std::size_t i = targets_.size(); i-- > 0;) add_free_pieces(targets_[i], splits, free.front());
+    }
+
     targets_.clear();
     weight_before_.clear();
     weight_ = 0;
-    std::size_t splits_left = 4'000'000;  // slivers could go on much longer
+    for (const std::vector<GrainTarget>& some : free) {
+      for (const GrainTarget& target : some) add_target(target);
+    }
+    fresh_cells_.clear();
+    has_aimed_ = true;
+  }
+
+  /// The pieces of a target, the last first, in which a dart may find a place.
+  void add_free_pieces(const GrainTarget& whole, std::atomic<std::size_t>& splits,
+                       std::vector<GrainTarget>& free) const {
+    std::vector<Pending> pending{{whole, has_aimed_}};
+    Taker taker;
     while (!pending.empty()) {
       auto [target, aimed_at] = pending.back();
       pending.pop_back();
       target.most = most_density(sketch_, target);
-      if (target.most <= 0 || is_taken(target, aimed_at)) continue;
-      const std::size_t edge = longest_edge(target);
-      const GrainPlace &a = target.corner[edge], &b = target.corner[(edge + 1) % 3];
-      if (splits_left == 0 || glm::distance(a.position, b.position) < radius_ / std::sqrt(target.most) / 8) {
-        add_target(target);
+      if (target.most <= 0) continue;
+      if (const Taker found = taker_of(target, aimed_at, taker); found.dart != nullptr) {
+        taker = found;
         continue;
       }
-      --splits_left;
+      const std::size_t edge = longest_edge(target);
+      const GrainPlace &a = target.corner[edge], &b = target.corner[(edge + 1) % 3];
+      const bool is_small = glm::distance(a.position, b.position) < spacing_for(target.most) / 8;
+      if (is_small || splits >= most_splits + 1 || ++splits > most_splits) {
+        free.push_back(target);
+        continue;
+      }
       const GrainPlace middle = blend(a, 0.5, b, 0.5);
       pending.push_back({target, false});
       pending.back().target.corner[edge] = middle;
       pending.push_back({target, false});
       pending.back().target.corner[(edge + 1) % 3] = middle;
     }
-    fresh_cells_.clear();
-    has_aimed_ = true;
   }
 
   static std::size_t longest_edge(const GrainTarget& target) {
@@ -146,37 +214,58 @@ class DartThrower {
     return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   }
 
-  /// True only if no candidate in the target could be free, even where its spacing is smallest. Of what was aimed at
-  /// before, the darts of that time are known not to reach all.
-  bool is_taken(const GrainTarget& target, bool aimed_at) const {
-    std::array<Dart, 3> dart;
+  /// A dart in whose reach all of a target lies, and whether it minds no facing; no dart if there is none.
+  struct Taker {
+    const Dart* dart = nullptr;
+    bool any_facing = false;
+  };
+
+  /// Who leaves no candidate in the target free, even where its spacing is smallest. `likely`, who takes the target's
+  /// neighbour, is asked first. Of what was aimed at before, the darts of that time are known not to reach all.
+  Taker taker_of(const GrainTarget& target, bool aimed_at, const Taker& likely) const {
+    const double spacing = spacing_for(target.most);
+    std::array<Footing, 3> corner;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::optional<Dart> at_corner = dart_at(target.corner[k], target.most);
-      if (!at_corner) return false;
-      dart[k] = *at_corner;
+      const std::optional<Footing> footing = footing_at(target.corner[k], spacing);
+      if (!footing) return {};
+      corner[k] = *footing;
     }
     const auto covers = [&](const Dart& known, bool any_facing) {
-      return std::all_of(dart.begin(), dart.end(),
-                         [&](const Dart& corner) { return is_too_near(known, corner, any_facing); });
+      return std::all_of(corner.begin(), corner.end(),
+                         [&](const Footing& footing) { return is_too_near(known, footing, any_facing); });
     };
-    if (!aimed_at) return any_near(dart[0], covers);
-    return fresh_cells_.any_meets(dart[0].center, dart[0].spacing,
-                                  [&](std::size_t i) { return covers(darts_[i], sketch_.spacing.any_facing); });
+    if (likely.dart != nullptr && covers(*likely.dart, likely.any_facing)) return likely;
+    Taker found;
+    const auto takes = [&](const Dart& known, bool any_facing) {
+      if (!covers(known, any_facing)) return false;
+      found = {&known, any_facing};
+      return true;
+    };
+    if (aimed_at) {
+      fresh_cells_.any_meets(corner[0].center, spacing,
+                             [&](std::size_t i) { return takes(darts_[i], sketch_.spacing.any_facing); });
+    } else {
+      any_near(corner[0], takes);
+    }
+    return found;
   }
 
   bool is_free(const Dart& dart) const {
-    return !any_near(dart, [&](const Dart& known, bool any_facing) { return is_too_near(known, dart, any_facing); });
+    const Footing footing{dart.center, dart.normal, dart.spacing};
+    return !any_near(footing,
+                     [&](const Dart& known, bool any_facing) { return is_too_near(known, footing, any_facing); });
   }
 
   /// True if question(dart, whether its facing is all the same) holds for any dart that may be too near.
   template <typename Question>
-  bool any_near(const Dart& dart, const Question& question) const {
+  bool any_near(const Footing& footing, const Question& question) const {
     const auto own = [&](std::size_t i) { return question(darts_[i], sketch_.spacing.any_facing); };
     const auto other = [&](std::size_t i) { return question(others_[i], true); };
-    return cells_.any_meets(dart.center, dart.spacing, own) || other_cells_.any_meets(dart.center, dart.spacing, other);
+    return cells_.any_meets(footing.center, footing.spacing, own) ||
+           other_cells_.any_meets(footing.center, footing.spacing, other);
   }
 
-  static bool is_too_near(const Dart& one, const Dart& other, bool any_facing) {
+  static bool is_too_near(const Dart& one, const Footing& other, bool any_facing) {
     return glm::distance(one.center, other.center) < 0.5 * (one.spacing + other.spacing) &&
            (any_facing || glm::dot(one.normal, other.normal) > 0);
   }
@@ -203,6 +292,7 @@ class DartThrower {
   const GrainSketch& sketch_;
   double radius_;
   const GrainDraws& draws_;
+  Threads threads_;
   std::span<const Dart> others_;
   std::vector<GrainTarget> targets_;
   std::vector<double> weight_before_;  ///< per target: area times `most` of all before it
@@ -224,8 +314,8 @@ double room_for_grains(const std::vector<GrainTarget>& targets, const GrainSketc
 }
 
 std::vector<Dart> thrown_darts(std::vector<GrainTarget> targets, const GrainSketch& sketch, const GrainDraws& draws,
-                               std::span<const Dart> others) {
-  return DartThrower(std::move(targets), sketch, draws, others).throw_all();
+                               Threads threads, std::span<const Dart> others) {
+  return DartThrower(std::move(targets), sketch, draws, threads, others).throw_all();
 }
 
 }  // namespace pomona

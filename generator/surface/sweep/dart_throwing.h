@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "generator/base/parallel.h"
 #include "generator/surface/sweep/grain_pose.h"
 #include "generator/surface/sweep/grain_targets.h"
 
@@ -22,8 +23,8 @@ double room_for_grains(const std::vector<GrainTarget>& targets, const GrainSketc
 /// Candidates spread over the targets by their density are taken one by one; each stays unless an earlier one
 /// that faces the same way (or any, if the sketch says so), or one of `others`, has its centre nearer than the
 /// mean of both spacings; or, if the grains are solid, its ellipsoid in the way.
-/// Uses draws 0 to 5 of each candidate's places.
+/// Uses draws 0 to 5 of each candidate's places. The same for any number of threads.
 std::vector<Dart> thrown_darts(std::vector<GrainTarget> targets, const GrainSketch& sketch, const GrainDraws& draws,
-                               std::span<const Dart> others = {});
+                               Threads threads, std::span<const Dart> others = {});
 
 }  // namespace pomona

@@ -79,7 +79,7 @@ std::vector<Dart> darts_of(const Template& fruit, const SurfaceSketch& surface, 
   if (room_for_grains(targets, thrown) > most_spots) {
     refuse(fruit, surface, std::string(name_of(side)) + " has more than 20 000 spots", "make their spacing larger");
   }
-  std::vector<Dart> darts = thrown_darts(targets, thrown, {random, random, random});
+  std::vector<Dart> darts = thrown_darts(targets, thrown, {random, random, random}, {1});
   if (sketch.count > 0 && darts.size() > static_cast<std::size_t>(sketch.count)) {
     darts.resize(static_cast<std::size_t>(sketch.count));
   }

@@ -1,6 +1,7 @@
 // Sweeps: from a template's curves to its diffusion surfaces (paper, section 4.1, Figures 6 and 7).
 #pragma once
 
+#include "generator/base/parallel.h"
 #include "generator/base/random.h"
 #include "generator/surface/diffusion_surfaces.h"
 #include "generator/template/template.h"
@@ -8,8 +9,9 @@
 namespace pomona {
 
 struct SweepOptions {
-  double detail = 1.0;  ///< multiplies the number of vertices around and along, 0.1..4
-  VariantKey key = {};  ///< where the spots lie
+  double detail = 1.0;   ///< multiplies the number of vertices around and along, 0.1..4
+  VariantKey key = {};   ///< where the spots lie
+  Threads threads = {};  ///< that scatter grains; no result depends on them
 };
 
 /// Sweeps every surface of the template, in order, and paints it; then come its meshes. Blur is not split, and there
