@@ -170,8 +170,9 @@ class DartThrower {
     targets_.clear();
     weight_before_.clear();
     weight_ = 0;
-    for (const std::vector<GrainTarget>& some : free) {
+    for (std::vector<GrainTarget>& some : free) {
       for (const GrainTarget& target : some) add_target(target);
+      some = {};  // what slivers leave may be a gigabyte, which need not be there twice
     }
     fresh_cells_.clear();
     has_aimed_ = true;
