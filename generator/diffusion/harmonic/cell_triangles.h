@@ -64,7 +64,7 @@ class CellTriangles {
 /// place(), fill(i) for every slab.
 class CellTriangleFinder {
  public:
-  /// Cells count as larger by `margin`, in cells. `snapped` and `lattice` are read until the last find().
+  /// Cells count as larger by `margin`, in cells. `snapped` is read until the last find(), `lattice` until place().
   CellTriangleFinder(const SnappedSurfaces& snapped, const Lattice& lattice, double margin);
 
   std::size_t slab_count() const { return slabs_.size(); }
