@@ -25,7 +25,7 @@ std::optional<tbb::global_control> leave_for(int width) {
 }
 
 /// Calls run() where TBB lets so many threads work on what it shares. A new place for that (an arena) waits for its
-/// threads for a tenth of a millisecond, which is more than most steps on a grid take; so where the calling thread is
+/// threads for 70 microseconds, which is more than most steps on a grid take; so where the calling thread is
 /// in one of that width, as it is when it may use the whole machine, that one serves. Isolated, so that a thread that
 /// waits for an inner loop's last item does not begin an item of the outer one, whose memory would then be held twice.
 template <typename Run>

@@ -132,12 +132,4 @@ void CellTriangleFinder::fill(std::size_t i) {
   if (slab.filled_count > 0) first[0] = slab.entries_before;
 }
 
-CellTriangles cell_triangles(const SnappedSurfaces& snapped, const Lattice& lattice, double margin, Threads threads) {
-  CellTriangleFinder finder(snapped, lattice, margin);
-  parallel_for(finder.slab_count(), threads, [&](std::size_t i) { finder.find(i); });
-  finder.place();
-  parallel_for(finder.slab_count(), threads, [&](std::size_t i) { finder.fill(i); });
-  return finder.taken();
-}
-
 }  // namespace pomona

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "generator/base/parallel.h"
 #include "generator/diffusion/harmonic/lattice.h"
 #include "generator/diffusion/harmonic/node_runs.h"
 
@@ -93,8 +92,5 @@ class CellTriangleFinder {
   std::vector<Slab> slabs_;
   CellTriangles cells_;
 };
-
-/// The whole of it at once.
-CellTriangles cell_triangles(const SnappedSurfaces& snapped, const Lattice& lattice, double margin, Threads threads);
 
 }  // namespace pomona

@@ -43,7 +43,10 @@ class DartThrower {
       other_cells_.add(others[i].center, others[i].spacing, i);
       if (sketch.spacing.solid) bodies_.add(others[i].center, diameter(others[i].pose), i);
     }
-    for (GrainTarget& target : targets) add_target(target);
+    for (GrainTarget& target : targets) {
+      target.most = most_density(sketch_, target);
+      add_target(target);
+    }
   }
 
   std::vector<Dart> throw_all() {
@@ -62,8 +65,8 @@ class DartThrower {
     bool aimed_at = false;  ///< and found not to be taken
   };
 
-  void add_target(GrainTarget target) {
-    target.most = most_density(sketch_, target);
+  /// Whose `most` is known.
+  void add_target(const GrainTarget& target) {
     const double weight = area_of(target) * target.most;
     if (!(weight > 0)) return;
     weight_before_.push_back(weight_);
@@ -182,20 +185,15 @@ class DartThrower {
   void add_free_pieces(const GrainTarget& whole, std::atomic<std::size_t>& splits,
                        std::vector<GrainTarget>& free) const {
     std::vector<Pending> pending{{whole, has_aimed_}};
-    Taker taker;
     while (!pending.empty()) {
       auto [target, aimed_at] = pending.back();
       pending.pop_back();
       target.most = most_density(sketch_, target);
-      if (target.most <= 0) continue;
-      if (const Taker found = taker_of(target, aimed_at, taker); found.dart != nullptr) {
-        taker = found;
-        continue;
-      }
+      if (target.most <= 0 || is_taken(target, aimed_at)) continue;
       const std::size_t edge = longest_edge(target);
       const GrainPlace &a = target.corner[edge], &b = target.corner[(edge + 1) % 3];
       const bool is_small = glm::distance(a.position, b.position) < spacing_for(target.most) / 8;
-      if (is_small || splits >= most_splits + 1 || ++splits > most_splits) {
+      if (is_small || ++splits > most_splits) {
         free.push_back(target);
         continue;
       }
@@ -215,40 +213,23 @@ class DartThrower {
     return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   }
 
-  /// A dart in whose reach all of a target lies, and whether it minds no facing; no dart if there is none.
-  struct Taker {
-    const Dart* dart = nullptr;
-    bool any_facing = false;
-  };
-
-  /// Who leaves no candidate in the target free, even where its spacing is smallest. `likely`, who takes the target's
-  /// neighbour, is asked first. Of what was aimed at before, the darts of that time are known not to reach all.
-  Taker taker_of(const GrainTarget& target, bool aimed_at, const Taker& likely) const {
+  /// True only if no candidate in the target could be free, even where its spacing is smallest. Of what was aimed at
+  /// before, the darts of that time are known not to reach all.
+  bool is_taken(const GrainTarget& target, bool aimed_at) const {
     const double spacing = spacing_for(target.most);
     std::array<Footing, 3> corner;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::optional<Footing> footing = footing_at(target.corner[k], spacing);
-      if (!footing) return {};
+      if (!footing) return false;
       corner[k] = *footing;
     }
     const auto covers = [&](const Dart& known, bool any_facing) {
       return std::all_of(corner.begin(), corner.end(),
                          [&](const Footing& footing) { return is_too_near(known, footing, any_facing); });
     };
-    if (likely.dart != nullptr && covers(*likely.dart, likely.any_facing)) return likely;
-    Taker found;
-    const auto takes = [&](const Dart& known, bool any_facing) {
-      if (!covers(known, any_facing)) return false;
-      found = {&known, any_facing};
-      return true;
-    };
-    if (aimed_at) {
-      fresh_cells_.any_meets(corner[0].center, spacing,
-                             [&](std::size_t i) { return takes(darts_[i], sketch_.spacing.any_facing); });
-    } else {
-      any_near(corner[0], takes);
-    }
-    return found;
+    if (!aimed_at) return any_near(corner[0], covers);
+    return fresh_cells_.any_meets(corner[0].center, spacing,
+                                  [&](std::size_t i) { return covers(darts_[i], sketch_.spacing.any_facing); });
   }
 
   bool is_free(const Dart& dart) const {

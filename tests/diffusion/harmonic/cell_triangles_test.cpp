@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/random.h"
+#include "tests/diffusion/harmonic/whole_cells.h"
 #include "tests/diffusion/harmonic/whole_shapes.h"
 #include "tests/shapes/shapes.h"
 

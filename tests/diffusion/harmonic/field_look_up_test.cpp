@@ -14,6 +14,7 @@
 #include "generator/diffusion/nearest_side.h"
 #include "generator/mesh/triangle_distance.h"
 #include "tests/diffusion/fields.h"
+#include "tests/diffusion/harmonic/whole_cells.h"
 #include "tests/diffusion/harmonic/whole_shapes.h"
 #include "tests/shapes/shapes.h"
 
