@@ -56,6 +56,10 @@ std::optional<Format> format_of(std::string ending) {
   return std::nullopt;
 }
 
+bool has_control_character(const std::string& name) {
+  return std::any_of(name.begin(), name.end(), [](unsigned char byte) { return byte < 0x20 || byte == 0x7f; });
+}
+
 }  // namespace
 
 void check_folder(const fs::path& file) {
@@ -96,6 +100,9 @@ std::vector<Output> parse_outputs(const std::vector<std::string>& names, const s
     }
     if (to_standard_output && *wanted == Format::pov)
       throw Error(ExitStatus::usage, "--format pov makes two files, and standard output is one", "write -o FILE.pov");
+    if (*wanted == Format::pov && has_control_character(name))
+      throw Error(ExitStatus::usage, "-o " + name + ": its name has a control character",
+                  "a .pov includes the file of its meshes by a name like its own: give it one in a line");
     if (!to_standard_output) check_folder(file);
     outputs.push_back({file, *wanted});
   }

@@ -6,9 +6,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <new>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -17,6 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/exhausted.h"
 #include "cli/version.h"
 #include "generator/base/nearest_name.h"
 #include "generator/base/printable.h"
@@ -154,11 +153,6 @@ ExitStatus printed(ExitStatus status) {
   return status == ExitStatus::done ? ExitStatus::io_error : status;
 }
 
-ExitStatus out_of_memory() {
-  print_error("error: out of memory\n  hint: a smaller --detail or --size needs less");
-  return ExitStatus::out_of_memory;
-}
-
 }  // namespace
 
 ExitStatus run_action(const std::function<ExitStatus()>& action) {
@@ -167,11 +161,12 @@ ExitStatus run_action(const std::function<ExitStatus()>& action) {
   } catch (const Error& error) {
     print(error);
     return error.status();
-  } catch (const std::bad_alloc&) {
-    return out_of_memory();
-  } catch (const std::length_error&) {
-    return out_of_memory();  // more than any vector can hold
   } catch (const std::exception& error) {
+    if (const auto lack = exhausted(error)) {
+      print_error("error: " + *lack +
+                  "\n  hint: a smaller --detail or --size needs less memory, --threads 1 one thread");
+      return ExitStatus::out_of_memory;
+    }
     print_error(std::string("error: this is a bug in pomona: ") + error.what());
   }
   return ExitStatus::bug;

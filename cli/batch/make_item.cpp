@@ -1,9 +1,9 @@
 #include "cli/batch/make_item.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
+#include "cli/exhausted.h"
 #include "cli/scene_levels.h"
 #include "cli/version.h"
 #include "generator/base/error.h"
@@ -152,7 +152,7 @@ GrownVariant::GrownVariant(const BatchPlan& plan, const Variation& variation, co
 
 std::string reason_of(const std::exception& error) {
   if (const auto* told = dynamic_cast<const Error*>(&error)) return told->diagnostics().front().message;
-  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
+  if (const auto lack = exhausted(error)) return *lack;
   return std::string("this is a bug in pomona: ") + error.what();
 }
 

@@ -5,13 +5,13 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
-#include <new>
 #include <regex>
 #include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "cli/exhausted.h"
 #include "cli/live_fruit.h"
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
@@ -148,9 +148,9 @@ WebReply StudioApi::answer(const WebRequest& request) {
     for (const Diagnostic& diagnostic : error.diagnostics())
       errors.push_back(error_of(diagnostic, workspace_.files().toml));
     return told(status_for(error), {{"errors", errors}});
-  } catch (const std::bad_alloc&) {
-    return told_error(500, "out of memory", "fewer triangles need less: lower around and along");
   } catch (const std::exception& error) {
+    if (const auto lack = exhausted(error))
+      return told_error(500, *lack, "fewer triangles need less: lower around and along");
     return told_error(500, std::string("this is a bug in pomona: ") + error.what());
   }
 }

@@ -1,13 +1,17 @@
 #include "generator/base/background_work.h"
 
-#include <utility>
+#include <system_error>
 
 namespace pomona {
 
 void BackgroundWork::begin(std::function<void()> work) {
   finish();
   if (!apart_) return work();
-  under_way_ = std::async(std::launch::async, std::move(work));
+  try {
+    under_way_ = std::async(std::launch::async, work);
+  } catch (const std::system_error&) {
+    work();  // the system gives no further thread
+  }
 }
 
 void BackgroundWork::finish() {

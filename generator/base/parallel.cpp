@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <latch>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -22,6 +25,30 @@ std::optional<tbb::global_control> leave_for(int width) {
   if (width <= tbb::info::default_concurrency()) return {};
   return std::make_optional<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                  static_cast<std::size_t>(width));
+}
+
+/// How many threads there can be at once, up to `width`, the calling one included. TBB ends the program where the
+/// system gives it no thread (a limit on processes, or on addresses, of which a stack takes some), so it must not ask
+/// in vain.
+int threads_given(int width) {
+  std::latch all_tried(1);
+  std::vector<std::jthread> tried;
+  try {
+    while (std::ssize(tried) + 1 < width) tried.emplace_back([&] { all_tried.wait(); });
+  } catch (const std::exception&) {
+    // As many as there are must do.
+  }
+  all_tried.count_down();
+  return static_cast<int>(tried.size()) + 1;
+}
+
+/// Likewise, asked once for each width: TBB keeps its threads.
+int threads_had(int width) {
+  static std::mutex mutex;
+  static std::map<int, int> given;
+  const std::lock_guard lock(mutex);
+  const auto known = given.find(width);
+  return known != given.end() ? known->second : given.emplace(width, threads_given(width)).first->second;
 }
 
 /// Calls run() where TBB lets so many threads work on what it shares. A new place for that (an arena) waits for its
@@ -47,8 +74,9 @@ int resolved(Threads threads) {
 }
 
 void parallel_for(std::size_t count, Threads threads, const std::function<void(std::size_t)>& body) {
-  const int width = std::min(resolved(threads), most_threads);
-  if (width == 1 || count < 2) {
+  const int wanted = std::min(resolved(threads), most_threads);
+  const int width = wanted == 1 || count < 2 ? 1 : threads_had(wanted);
+  if (width == 1) {
     for (std::size_t i = 0; i < count; ++i) body(i);
     return;
   }

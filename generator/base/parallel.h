@@ -17,8 +17,9 @@ int resolved(Threads threads);
 constexpr int most_threads = 256;
 
 /// Calls body(i) for i in [0, count), each once, on up to `threads` threads, at most `most_threads`, which may be more
-/// than there are cores. The body must write only to places that belong to i. They are begun in order: few long ones
-/// are shared best if the longest come first. The exception of the smallest failing i is rethrown.
+/// than there are cores; where the system gives fewer, they must do. The body must write only to places that belong to
+/// i. They are begun in order: few long ones are shared best if the longest come first. The exception of the smallest
+/// failing i is rethrown.
 void parallel_for(std::size_t count, Threads threads, const std::function<void(std::size_t)>& body);
 
 }  // namespace pomona

@@ -52,6 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
                 65,
                 "is a template"},
         Mistake{"CheckOfWhatIsNotRead", {"check", POMONA_SOURCE_DIR "/README.md"}, 65, "no ending of a file"},
+        Mistake{"PovOfTwoLines", {"grow", "kiwi", "-o", "two\nlines.pov"}, 64, "control character"},
         Mistake{"PlateOfNoPicture", {"plate", "kiwi", "-o", "x.glb"}, 64, "it writes .png"},
         Mistake{"PlateWithoutAKnife", {"plate", "kiwi", "--section", "acros", "-o", "x.png"}, 64, "across"},
         Mistake{"PlateWithTruth", {"plate", "kiwi", "--aov", "truth", "-o", "x.png"}, 64, "--aov"},
