@@ -18,6 +18,8 @@
 #include "cli/studio/studio_api.h"
 #include "cli/studio/studio_page.h"
 #include "generator/base/error.h"
+#include "generator/base/free_memory.h"
+#include "generator/base/parallel.h"
 #include "generator/template/read/read_template.h"
 #include "generator/template/read/toml_text.h"
 
@@ -80,6 +82,7 @@ Opened opened(const StudioCommand& command) {
 }
 
 ExitStatus open_studio(const StudioCommand& command) {
+  share_heaps(resolved(Threads{}) + 1);  // one for each thread that computes, one for what comes meanwhile
   Opened fruit = opened(command);
   const OnlyStudio only(fruit.files.toml);
   write_whole(fruit.beside);

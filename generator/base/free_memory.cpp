@@ -21,4 +21,10 @@ void keep_free_memory() {
 #endif
 }
 
+void share_heaps([[maybe_unused]] int most) {
+#ifdef __GLIBC__
+  mallopt(M_ARENA_MAX, most);
+#endif
+}
+
 }  // namespace pomona

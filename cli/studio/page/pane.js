@@ -62,7 +62,7 @@ class Pane {
     const {canvas, studio} = this, ratio = Math.min(2, window.devicePixelRatio || 1), {clientWidth, clientHeight} = this.root;
     const [width, height] = [Math.round(clientWidth * ratio), Math.round(clientHeight * ratio)];
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-    const context = canvas.getContext('2d'), page = [ratio * this.scale, 0, 0, ratio * this.scale, ratio * this.offset[0], ratio * this.offset[1]];
+    const context = canvas.getContext('2d', {willReadFrequently: true}), page = [ratio * this.scale, 0, 0, ratio * this.scale, ratio * this.offset[0], ratio * this.offset[1]];
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, width, height);
     const photograph = () => {
@@ -90,7 +90,7 @@ class Pane {
     if (!toMetres) { this.section = null; return; }
     const canvas = this.section?.canvas || document.createElement('canvas'), {width, height, corner, right, down} = picture;
     Object.assign(canvas, {width, height});
-    canvas.getContext('2d').putImageData(picture.image, 0, 0);
+    canvas.getContext('2d', {willReadFrequently: true}).putImageData(picture.image, 0, 0);
     // In the plane of the view: x, and y upwards; seen from above that is -z.
     const flat = this.view === 'side' ? (p) => [p[0], p[1]] : (p) => [p[0], -p[2]];
     const [c, r, d] = [flat(corner), flat(right), flat(down)];

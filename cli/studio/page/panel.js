@@ -19,7 +19,7 @@ async function showVariants(studio) {
       const head = await studio.server.section(studio.wanted(texts, {seed, detail: 0.4, size: 64})), {image} = head.pictures[0];
       const canvas = strip.children[seed].firstChild;
       Object.assign(canvas, {width: image.width, height: image.height});
-      canvas.getContext('2d').putImageData(image, 0, 0);
+      canvas.getContext('2d', {willReadFrequently: true}).putImageData(image, 0, 0);
     } catch {
       // A drawing may be right and a variant of it not: it has no picture.
       strip.children[seed].firstChild.width = 64;

@@ -125,7 +125,6 @@ class Studio {
       for (const picture of head.pictures) this.panes[picture.view].takeSection(picture, head.drawing[picture.view] || bare);
       this.loads.section = performance.now() - began;
       this.showErrors([]);
-      this.redraw();
     } catch (error) { this.showErrors(this.errorsOf(error)); }
   }
   async fetchAsset({texts}) {
