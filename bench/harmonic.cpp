@@ -18,6 +18,7 @@
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
+#include "generator/base/free_memory.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/harmonic/harmonic_diffuser.h"
 #include "generator/diffusion/harmonic/solve_field.h"
@@ -220,6 +221,7 @@ int main(int argc, char** argv) {
 
   const bool all = names.empty();
   const bool with_seeded = all || std::erase(names, "seeded") > 0;
+  keep_free_memory();  // as the program does
   return bench::exit_status_of([&] {
     std::vector<Subject> subjects;
     if (with_seeded) subjects.push_back(seeded_fruit());

@@ -5,9 +5,7 @@ import { resolve } from 'node:path';
 import { launch } from './browser.mjs';
 import { Session, startStudio } from './studio_session.mjs';
 
-// A browser without a card puts pages together itself; told to do that by a card's commands in software, as tests of pages
-// want it, it takes up to half a second of both cores for a frame, and the server waits.
-const [given, folder, ...names] = process.argv.slice(2), program = resolve(given), browser = await launch({ flags: ['--disable-gpu-compositing'] });
+const [given, folder, ...names] = process.argv.slice(2), program = resolve(given), browser = await launch();
 let missed = false;
 try {
   for (const name of names) {

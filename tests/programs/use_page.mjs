@@ -115,7 +115,10 @@ try {
   await tab.waitForFunction('pomona.board.settled', { timeout: 60000 });
   assert.deepEqual([await isRough(), await pixels()], [false, width]);
   await ask('pomona.board.pace.drawn()');  // a card that is busy would draw only when all has come to rest
-  await ask('pomona.board.orbit(0.3, 0), new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
+  await ask(`(async () => {
+    pomona.board.orbit(0.3, 0);
+    for (let frames = 0; frames < 60 && pomona.picture.canvas.width === ${width}; ++frames) await new Promise((done) => requestAnimationFrame(done));
+  })()`);
   assert.deepEqual([await isRough(), await pixels()], [true, Math.ceil(width / await ask('pomona.board.pace.divisor'))]);
   await tab.waitForFunction('!pomona.board.rough', { timeout: 20000 });
   assert.equal(await pixels(), width);

@@ -163,7 +163,7 @@ SpotSketch scattered(double spacing, double size) {
 
 std::vector<Spot> spots_of(const SurfaceSketch& sketch, VariantKey key = {}) {
   const Template made = fruit({sketch});
-  return placed_spots(made, sketch, SideOf::front, swept_grids(made, sketch, {}), key);
+  return placed_spots(made, sketch, SideOf::front, swept_grids(made, sketch, {}), {.key = key});
 }
 
 TEST(Spots, a_patch_lies_at_its_place) {

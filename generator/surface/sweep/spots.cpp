@@ -64,7 +64,7 @@ Spot spot_at(const Dart& dart, const SpotSketch& sketch, const RandomStream& ran
 }
 
 std::vector<Dart> darts_of(const Template& fruit, const SurfaceSketch& surface, SideOf side, const SpotSketch& sketch,
-                           std::span<const SweptGrid> grids, const RandomStream& random) {
+                           std::span<const SweptGrid> grids, const RandomStream& random, Threads threads) {
   if (grids.empty()) return {};
   if (sketch.place) {
     const GridPoint point = point_at(grids.front(), sketch.place->along, sketch.place->azimuth);
@@ -79,7 +79,7 @@ std::vector<Dart> darts_of(const Template& fruit, const SurfaceSketch& surface, 
   if (room_for_grains(targets, thrown) > most_spots) {
     refuse(fruit, surface, std::string(name_of(side)) + " has more than 20 000 spots", "make their spacing larger");
   }
-  std::vector<Dart> darts = thrown_darts(targets, thrown, {random, random, random}, {1});
+  std::vector<Dart> darts = thrown_darts(targets, thrown, {random, random, random}, threads);
   if (sketch.count > 0 && darts.size() > static_cast<std::size_t>(sketch.count)) {
     darts.resize(static_cast<std::size_t>(sketch.count));
   }
@@ -158,12 +158,12 @@ double widest_cell(std::span<const SweptGrid> grids, const SpotSketch& sketch) {
 }  // namespace
 
 std::vector<Spot> placed_spots(const Template& fruit, const SurfaceSketch& sketch, SideOf side,
-                               std::span<const SweptGrid> grids, VariantKey key) {
+                               std::span<const SweptGrid> grids, const SweepOptions& options) {
   std::vector<Spot> spots;
   const std::vector<SpotSketch>& kinds = side_of(sketch, side).spots;
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-    const RandomStream random(key, "spots/" + sketch.name + "/" + name_of(side) + "/" + std::to_string(kind));
-    for (const Dart& dart : darts_of(fruit, sketch, side, kinds[kind], grids, random)) {
+    const RandomStream random(options.key, "spots/" + sketch.name + "/" + name_of(side) + "/" + std::to_string(kind));
+    for (const Dart& dart : darts_of(fruit, sketch, side, kinds[kind], grids, random, options.threads)) {
       spots.push_back(spot_at(dart, kinds[kind], random));
     }
   }
@@ -191,7 +191,7 @@ std::vector<Spot> spots_with_relief(const Template& fruit, const SweepOptions& o
     for (const SideOf side : {SideOf::front, SideOf::back}) {
       const std::vector<SpotSketch>& kinds = side_of(sketch, side).spots;
       if (std::none_of(kinds.begin(), kinds.end(), [](const SpotSketch& kind) { return kind.relief != 0; })) continue;
-      for (Spot spot : placed_spots(fruit, sketch, side, swept_grids(fruit, sketch, options), options.key)) {
+      for (Spot spot : placed_spots(fruit, sketch, side, swept_grids(fruit, sketch, options), options)) {
         if (spot.relief != 0) all.push_back(seen_from_air(spot, side));
       }
     }

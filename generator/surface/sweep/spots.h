@@ -11,11 +11,11 @@
 
 namespace pomona {
 
-/// All spots of one side of a surface, in the order in which they are painted. Scattered ones lie by the key:
+/// All spots of one side of a surface, in the order in which they are painted. Scattered ones lie by the options' key:
 /// the same for (seed, index), elsewhere in other variants.
 /// \throws Error (bad_data) for more than 20 000 of one kind, or so many large ones that painting them would take long.
 std::vector<Spot> placed_spots(const Template& fruit, const SurfaceSketch& sketch, SideOf side,
-                               std::span<const SweptGrid> grids, VariantKey key);
+                               std::span<const SweptGrid> grids, const SweepOptions& options);
 
 /// The colours of a grid's vertices with the spots over them, each a blend of its ground and spot colour.
 std::vector<Color> with_spots(const SweptGrid& grid, std::vector<Color> ground, std::span<const Spot> spots);

@@ -15,7 +15,7 @@ DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options) {
     const std::vector<SweptGrid> grids = swept_grids(fruit, sketch, options);
     for (const SweptGrid& grid : grids) painter.append(grid);
     for (const SideOf side : {SideOf::front, SideOf::back}) {
-      painter.dab(side, placed_spots(fruit, sketch, side, grids, options.key), grids);
+      painter.dab(side, placed_spots(fruit, sketch, side, grids, options), grids);
     }
   }
   const std::size_t drawn = surfaces.triangle_count();

@@ -11,7 +11,7 @@ namespace pomona {
 struct SweepOptions {
   double detail = 1.0;   ///< multiplies the number of vertices around and along, 0.1..4
   VariantKey key = {};   ///< where the spots lie
-  Threads threads = {};  ///< that scatter grains; no result depends on them
+  Threads threads = {};  ///< that scatter grains and spots; no result depends on them
 };
 
 /// Sweeps every surface of the template, in order, and paints it; then come its meshes. Blur is not split, and there
