@@ -14,8 +14,8 @@ void give_back_free_memory();
 void keep_free_memory();
 
 /// From now on all threads share so many heaps. glibc would make one for each thread, up to eight a core, and what is
-/// freed in one serves no other: of a server, each of whose requests comes on another thread, the first dozen would each
-/// bring in the memory for their grids anew, two fifths of their time. For programs, before their threads.
+/// freed in one serves no other: of a server, each of whose requests comes on another thread, the first dozen would
+/// each bring in the memory for their grids anew, two fifths of their time. For programs, before their threads.
 void share_heaps(int most);
 
 }  // namespace pomona
