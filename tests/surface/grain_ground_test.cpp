@@ -259,6 +259,55 @@ TEST(GrainSpacingRule, EllipsoidsOverlapWhenTheyDo) {
   EXPECT_FALSE(ellipsoids_overlap({0, 0, 0}, ball, {0.0012, 0, 0}, needle));
 }
 
+/// An ellipsoid of radii 0.2 to 1, turned at random.
+GrainPose some_pose(const RandomStream& random, std::uint64_t& draw) {
+  const glm::dvec3 a =
+      glm::normalize(glm::dvec3(random.normal(draw), random.normal(draw + 1), random.normal(draw + 2)));
+  const glm::dvec3 b = glm::normalize(glm::cross(a, {random.normal(draw + 3), 1, random.normal(draw + 4)}));
+  const auto radius = [&](std::uint64_t k) { return 0.2 + 0.8 * random.uniform(draw + k); };
+  const GrainPose pose{a * radius(5), b * radius(6), glm::cross(a, b) * radius(7)};
+  draw += 8;
+  return pose;
+}
+
+/// How far the ellipsoid reaches from its centre.
+double reach_towards(const GrainPose& pose, const glm::dvec3& way) {
+  return glm::length(glm::dvec3(glm::dot(pose.thickness, way), glm::dot(pose.length, way), glm::dot(pose.width, way)));
+}
+
+/// 1 on the ellipsoid about the origin, less inside.
+double level_at(const GrainPose& pose, const glm::dvec3& place) {
+  const auto share = [&](const glm::dvec3& axis) { return glm::dot(place, axis) / glm::dot(axis, axis); };
+  return glm::length(glm::dvec3(share(pose.thickness), share(pose.length), share(pose.width)));
+}
+
+TEST(GrainSpacingRule, EllipsoidsOverlapWhereAPointLiesInBothAndNotWhereAPlaneParts) {
+  const RandomStream random({7, 0}, "ellipsoids");
+  std::uint64_t draw = 0;
+  int together = 0, apart = 0;
+  for (int pair = 0; pair < 4000; ++pair) {
+    const GrainPose one = some_pose(random, draw), other = some_pose(random, draw);
+    const glm::dvec3 away =
+        2.2 * glm::dvec3(random.uniform(draw) - 0.5, random.uniform(draw + 1) - 0.5, random.uniform(draw + 2) - 0.5);
+    draw += 3;
+    bool meet = false, parted = false;
+    for (std::uint64_t k = 0; k < 2000 && !meet && !parted; ++k) {
+      const glm::dvec3 way = glm::normalize(
+          glm::dvec3(random.normal(1000000 + 3 * k), random.normal(1000001 + 3 * k), random.normal(1000002 + 3 * k)));
+      parted = glm::dot(way, away) > reach_towards(one, way) + reach_towards(other, way);
+      const glm::dvec3 inside = way * (std::cbrt(random.uniform(k)) / level_at(one, way));
+      meet = level_at(other, inside - away) < 1;
+    }
+    if (meet || parted) {
+      EXPECT_EQ(ellipsoids_overlap({0, 0, 0}, one, away, other), meet) << "pair " << pair;
+    }
+    together += meet ? 1 : 0;
+    apart += parted ? 1 : 0;
+  }
+  EXPECT_GT(together, 1000);
+  EXPECT_GT(apart, 400);
+}
+
 TEST(GrainSpacingRule, AKindDoesNotChangeForAnotherThatJoins) {
   Template made = ball();
   made.grains = {round_grains(0.005)};

@@ -23,6 +23,9 @@ constexpr std::uint64_t candidates_at_once = 8192, candidates_of_a_part = 512;
 
 constexpr std::size_t targets_of_a_part = 128;
 
+/// Darts that are asked one by one sooner than their cells are looked up.
+constexpr std::size_t few = 24;
+
 /// Of targets in a round: slivers could go on much longer.
 constexpr std::size_t most_splits = 4'000'000;
 
@@ -178,6 +181,7 @@ class DartThrower {
       some = {};  // what slivers leave may be a gigabyte, which need not be there twice
     }
     fresh_cells_.clear();
+    first_fresh_ = darts_.size();
     has_aimed_ = true;
   }
 
@@ -186,21 +190,24 @@ class DartThrower {
                        std::vector<GrainTarget>& free) const {
     std::vector<Pending> pending{{whole, has_aimed_}};
     while (!pending.empty()) {
-      auto [target, aimed_at] = pending.back();
-      pending.pop_back();
-      target.most = most_density(sketch_, target);
-      if (target.most <= 0 || is_taken(target, aimed_at)) continue;
+      auto& [target, aimed_at] = pending.back();
+      if (!aimed_at) target.most = most_density(sketch_, target);
+      if (target.most <= 0 || is_taken(target, aimed_at)) {
+        pending.pop_back();
+        continue;
+      }
       const std::size_t edge = longest_edge(target);
       const GrainPlace &a = target.corner[edge], &b = target.corner[(edge + 1) % 3];
       const bool is_small = glm::distance(a.position, b.position) < spacing_for(target.most) / 8;
       if (is_small || ++splits > most_splits) {
         free.push_back(target);
+        pending.pop_back();
         continue;
       }
       const GrainPlace middle = blend(a, 0.5, b, 0.5);
-      pending.push_back({target, false});
-      pending.back().target.corner[edge] = middle;
-      pending.push_back({target, false});
+      aimed_at = false;
+      pending.push_back(pending.back());
+      pending.end()[-2].target.corner[edge] = middle;
       pending.back().target.corner[(edge + 1) % 3] = middle;
     }
   }
@@ -217,19 +224,23 @@ class DartThrower {
   /// before, the darts of that time are known not to reach all.
   bool is_taken(const GrainTarget& target, bool aimed_at) const {
     const double spacing = spacing_for(target.most);
-    std::array<Footing, 3> corner;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::optional<Footing> footing = footing_at(target.corner[k], spacing);
-      if (!footing) return false;
-      corner[k] = *footing;
-    }
+    const std::optional<Footing> first = footing_at(target.corner[0], spacing);
+    if (!first) return false;
     const auto covers = [&](const Dart& known, bool any_facing) {
-      return std::all_of(corner.begin(), corner.end(),
-                         [&](const Footing& footing) { return is_too_near(known, footing, any_facing); });
+      // Most darts are not even near the first corner, and then nobody asks where the others stand.
+      if (!is_too_near(known, *first, any_facing)) return false;
+      return std::all_of(target.corner.begin() + 1, target.corner.end(), [&](const GrainPlace& place) {
+        const std::optional<Footing> footing = footing_at(place, spacing);
+        return footing && is_too_near(known, *footing, any_facing);
+      });
     };
-    if (!aimed_at) return any_near(corner[0], covers);
-    return fresh_cells_.any_meets(corner[0].center, spacing,
-                                  [&](std::size_t i) { return covers(darts_[i], sketch_.spacing.any_facing); });
+    if (!aimed_at) return any_near(*first, covers);
+    const auto fresh_covers = [&](std::size_t i) { return covers(darts_[i], sketch_.spacing.any_facing); };
+    if (darts_.size() - first_fresh_ > few) return fresh_cells_.any_meets(first->center, spacing, fresh_covers);
+    for (std::size_t i = first_fresh_; i < darts_.size(); ++i) {
+      if (fresh_covers(i)) return true;
+    }
+    return false;
   }
 
   bool is_free(const Dart& dart) const {
@@ -281,7 +292,8 @@ class DartThrower {
   double weight_ = 0;
   std::uint64_t next_candidate_ = 0;
   DartCells cells_, other_cells_, bodies_;
-  DartCells fresh_cells_;   ///< the darts since the last aim
+  DartCells fresh_cells_;  ///< the darts since the last aim
+  std::size_t first_fresh_ = 0;
   bool has_aimed_ = false;  ///< then all targets are those of the last aim
   std::vector<Dart> darts_;
 };
