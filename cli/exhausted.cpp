@@ -2,6 +2,7 @@
 
 #include <new>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 namespace pomona {
@@ -10,7 +11,9 @@ std::optional<std::string> exhausted(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
   if (dynamic_cast<const std::length_error*>(&error) != nullptr) return "out of memory";
   const auto* refused = dynamic_cast<const std::system_error*>(&error);
-  if (refused != nullptr && refused->code() == std::errc::resource_unavailable_try_again)
+  const bool says_so = refused != nullptr && refused->code() == std::errc::resource_unavailable_try_again;
+  // TBB has no type of its own for a thread that was there when it was tried and then is not, only these words.
+  if (says_so || std::string_view(error.what()).starts_with("pthread_create"))
     return "the system gives no further thread";
   return {};
 }

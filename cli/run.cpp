@@ -153,6 +153,27 @@ ExitStatus printed(ExitStatus status) {
   return status == ExitStatus::done ? ExitStatus::io_error : status;
 }
 
+ExitStatus tell_lack(const std::string& lack) {
+  print_error("error: " + lack + "\n  hint: a smaller --detail or --size needs less memory, --threads 1 one thread");
+  return ExitStatus::out_of_memory;
+}
+
+void tell_bug(const std::string& what) { print_error("error: this is a bug in pomona: " + what); }
+
+/// For std::terminate: what a thread of TBB's own throws, nobody can catch. What it lacks is told as a command's lack
+/// is.
+[[noreturn]] void end_uncaught() {
+  try {
+    if (const std::exception_ptr uncaught = std::current_exception()) std::rethrow_exception(uncaught);
+  } catch (const std::exception& error) {
+    if (const auto lack = exhausted(error)) std::_Exit(static_cast<int>(tell_lack(*lack)));
+    tell_bug(error.what());
+  } catch (...) {
+    tell_bug("an exception of no known kind");
+  }
+  std::abort();
+}
+
 }  // namespace
 
 ExitStatus run_action(const std::function<ExitStatus()>& action) {
@@ -162,17 +183,14 @@ ExitStatus run_action(const std::function<ExitStatus()>& action) {
     print(error);
     return error.status();
   } catch (const std::exception& error) {
-    if (const auto lack = exhausted(error)) {
-      print_error("error: " + *lack +
-                  "\n  hint: a smaller --detail or --size needs less memory, --threads 1 one thread");
-      return ExitStatus::out_of_memory;
-    }
-    print_error(std::string("error: this is a bug in pomona: ") + error.what());
+    if (const auto lack = exhausted(error)) return tell_lack(*lack);
+    tell_bug(error.what());
   }
   return ExitStatus::bug;
 }
 
 int run(const std::vector<Command>& commands, int argc, char** argv) {
+  std::set_terminate(end_uncaught);
   CLI::App app("Grows fruit and vegetables that can be cut anywhere, and fills scenes with them.", "pomona");
   app.set_version_flag("-V,--version", std::string("pomona ") + version);
   app.set_help_flag("-h,--help", "Print this help and exit");

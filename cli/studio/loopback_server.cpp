@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <httplib.h>
 
 #include "generator/base/error.h"
+#include "generator/base/parallel.h"
 #include "generator/base/stop_watch.h"
 
 namespace pomona {
@@ -96,7 +98,8 @@ struct LoopbackServer::Listener {
 
   void set_up() {
     using Answer = httplib::Server::HandlerResponse;
-    server.new_task_queue = [] { return new httplib::ThreadPool(most_connections); };
+    // The library waits for ever where it cannot have one of them.
+    server.new_task_queue = [] { return new httplib::ThreadPool(std::max(1, threads_given(most_connections) - 1)); };
     // One request a connection: what is refused leaves nothing behind that could pass for the next request.
     server.set_keep_alive_max_count(1);
     server.set_read_timeout(options.idle_seconds);

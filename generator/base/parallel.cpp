@@ -6,7 +6,9 @@
 #include <latch>
 #include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -27,22 +29,8 @@ std::optional<tbb::global_control> leave_for(int width) {
                                                  static_cast<std::size_t>(width));
 }
 
-/// How many threads there can be at once, up to `width`, the calling one included. TBB ends the program where the
-/// system gives it no thread (a limit on processes, or on addresses, of which a stack takes some), so it must not ask
-/// in vain.
-int threads_given(int width) {
-  std::latch all_tried(1);
-  std::vector<std::jthread> tried;
-  try {
-    while (std::ssize(tried) + 1 < width) tried.emplace_back([&] { all_tried.wait(); });
-  } catch (const std::exception&) {
-    // As many as there are must do.
-  }
-  all_tried.count_down();
-  return static_cast<int>(tried.size()) + 1;
-}
-
-/// Likewise, asked once for each width: TBB keeps its threads.
+/// threads_given(), asked once for each width: TBB keeps its threads, and ends the program where it asks for one in
+/// vain.
 int threads_had(int width) {
   static std::mutex mutex;
   static std::map<int, int> given;
@@ -67,6 +55,29 @@ void among_threads(int width, const Run& run) {
 }
 
 }  // namespace
+
+int threads_given(int width) {
+  // Each also takes memory, so that the heap that glibc makes for it is there before the next is tried. Stacks and
+  // heaps of threads that have ended are kept for those to come.
+  std::latch all_tried(1);
+  std::vector<std::unique_ptr<int>> taken(static_cast<std::size_t>(width));
+  std::vector<std::jthread> tried;
+  try {
+    while (std::ssize(tried) + 1 < width) {
+      std::latch has_memory(1);
+      tried.emplace_back([&, &own = taken[tried.size()]] {
+        own.reset(new (std::nothrow) int);
+        has_memory.count_down();
+        all_tried.wait();
+      });
+      has_memory.wait();
+    }
+  } catch (const std::exception&) {
+    // As many as there are must do.
+  }
+  all_tried.count_down();
+  return static_cast<int>(tried.size()) + 1;
+}
 
 int resolved(Threads threads) {
   if (threads.count > 0) return threads.count;

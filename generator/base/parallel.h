@@ -13,6 +13,10 @@ struct Threads {
 
 int resolved(Threads threads);
 
+/// How many threads there can be at once, up to `width`, the calling one included: fewer where a limit on processes, or
+/// on addresses, of which a stack takes some, has the system refuse them. Starts them, and lets them go.
+int threads_given(int width);
+
 /// What is asked for beyond is left idle.
 constexpr int most_threads = 256;
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Whatever little memory there is, a command ends well or says that there is too little: never is it "a bug".
+"""Whatever little memory there is, a command ends well or says that there is too little: never is it "a bug". A studio that cannot have all its threads answers with fewer.
 
     exhausted_test.py POMONA
 
@@ -12,6 +12,7 @@ import resource
 import subprocess
 import sys
 import tempfile
+import urllib.request
 
 STEP, MOST = 2 << 20, 1 << 30  # bytes
 COMMANDS = (
@@ -20,6 +21,7 @@ COMMANDS = (
     "cut cherry --knife half --section --quality draft --size 200x200 --quiet --threads 4 -o cherry.png",
 )
 EXHAUSTED = 71
+STUDIO_LIMIT = 160 << 20  # bytes: the stacks of 32 threads take 256 MB
 
 
 def ran(program, folder, words, limit):
@@ -46,6 +48,18 @@ def tried(program, words, least):
     sys.exit(f"{' '.join(words)}: no limit was enough")
 
 
+def asked_studio(program, folder):
+    """The status of the page of a studio that has no room for all its threads."""
+    def confine():
+        resource.setrlimit(resource.RLIMIT_AS, (STUDIO_LIMIT, STUDIO_LIMIT))
+    with subprocess.Popen([program, "studio", "cherry"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          text=True, preexec_fn=confine) as studio:
+        try:
+            return urllib.request.urlopen(studio.stdout.readline().strip(), timeout=20).status
+        finally:
+            studio.kill()
+
+
 def main():
     program = os.path.abspath(sys.argv[1])
     least = next(limit for limit in range(STEP, MOST, STEP) if ran(program, ".", ["--version"], limit)[0] == 0)
@@ -54,6 +68,9 @@ def main():
         if not told:
             sys.exit(f"{command}: no limit was too small, so nothing was tried")
         print(f"{command}: {'; '.join(sorted(told))}")
+    with tempfile.TemporaryDirectory() as folder:
+        if asked_studio(program, folder) != 200:
+            sys.exit("the studio does not answer")
 
 
 if __name__ == "__main__":

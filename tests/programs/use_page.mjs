@@ -111,9 +111,9 @@ try {
   told('mouse');
 
   // Where software stands for a card, what moves has fewer pixels; at rest it has all of them.
-  const pixels = () => ask('pomona.picture.canvas.width'), isRough = () => ask('pomona.board.rough');
+  const pixels = () => ask('pomona.picture.canvas.width');
   await tab.waitForFunction('pomona.board.settled', { timeout: 60000 });
-  assert.deepEqual([await isRough(), await pixels()], [false, width]);
+  assert.deepEqual([await ask('pomona.board.rough'), await pixels()], [false, width]);
   await ask('pomona.board.pace.drawn()');  // a card that is busy would draw only when all has come to rest
   // The first frame with fewer pixels, looked at before it can come to rest.
   const moved = await ask(`(async () => {

@@ -79,7 +79,7 @@ HEAVY = {
     "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),
     "Nettle": (r"nettle/", r"generator/base/sha256\.cpp"),
     "Random123": (r"Random123/", r"generator/base/random\.cpp"),
-    "CLI11": (r"CLI/", r"(cli|bench)/(pages/)?\w+\.(cpp|h)"),
+    "CLI11": (r"CLI/", r"((tests/)?cli|bench)/(pages/)?\w+\.(cpp|h)"),
 }
 HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 

@@ -51,8 +51,8 @@ GroupBoxes nearest_first(const PackedSurfaces& surfaces, std::span<const glm::ve
   for (int axis = 0; axis < 3; ++axis) {
     AlignedFloats& middle = result.middle[static_cast<std::size_t>(axis)];
     AlignedFloats& half = result.half[static_cast<std::size_t>(axis)];
-    middle = hwy::AllocateAligned<float>(padded);
-    half = hwy::AllocateAligned<float>(padded);
+    middle = aligned_array<float>(padded);
+    half = aligned_array<float>(padded);
     std::fill_n(middle.get(), padded, 1e30f);
     std::fill_n(half.get(), padded, 0.0f);
     for (std::size_t i = 0; i < sorted.size(); ++i) {

@@ -6,14 +6,10 @@
 #include <span>
 #include <vector>
 
-#include <hwy/aligned_allocator.h>
-
+#include "generator/diffusion/pmvc/aligned_array.h"
 #include "generator/diffusion/pmvc/packed_surfaces.h"
 
 namespace pomona {
-
-using AlignedFloats = hwy::AlignedFreeUniquePtr<float[]>;
-using AlignedInts = hwy::AlignedFreeUniquePtr<std::int32_t[]>;
 
 /// All normalised, one entry per group, nearest to any point first. Padded to a multiple of TriangleGroup::size
 /// with boxes around nothing, beyond everything.

@@ -22,8 +22,8 @@ constexpr float least_distance = 1e-6f;
 constexpr std::size_t first_round = 128;
 
 SweepHits make_hits(std::size_t count) {
-  return {hwy::AllocateAligned<float>(count), hwy::AllocateAligned<std::int32_t>(count),
-          hwy::AllocateAligned<float>(count), hwy::AllocateAligned<float>(count)};
+  return {aligned_array<float>(count), aligned_array<std::int32_t>(count), aligned_array<float>(count),
+          aligned_array<float>(count)};
 }
 
 void forget(SweepHits& hits, std::size_t count) {
@@ -227,10 +227,10 @@ LineSweep::LineSweep(const PackedSurfaces& surfaces, const GroupBoxes& boxes, st
   const std::size_t count = points.size() + SweepState::padding;
   for (AlignedFloats* floats :
        {&state.x, &state.y, &state.z, &state.u, &state.v, &state.w, &state.slot_u, &state.slot_v, &state.slot_w}) {
-    *floats = hwy::AllocateAligned<float>(count);
+    *floats = aligned_array<float>(count);
     std::fill_n(floats->get(), count, 0.0f);
   }
-  state.bin = hwy::AllocateAligned<std::int32_t>(count);
+  state.bin = aligned_array<std::int32_t>(count);
   state.point_of_slot.resize(count);
   state.ahead = make_hits(count);
   state.behind = make_hits(count);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "generator/diffusion/pmvc/aligned_array.h"
 #include "generator/diffusion/pmvc/group_boxes.h"
 #include "generator/diffusion/pmvc/line_directions.h"
 #include "generator/diffusion/pmvc/packed_surfaces.h"

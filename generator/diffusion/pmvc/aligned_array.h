@@ -1,0 +1,26 @@
+// Arrays that a processor's widest registers take at once.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+#include <hwy/aligned_allocator.h>
+
+namespace pomona {
+
+template <typename T>
+using AlignedArray = hwy::AlignedFreeUniquePtr<T[]>;
+using AlignedFloats = AlignedArray<float>;
+using AlignedInts = AlignedArray<std::int32_t>;
+
+/// Not initialised. Highway itself gives an empty pointer where there is no memory.
+/// \throws std::bad_alloc
+template <typename T>
+AlignedArray<T> aligned_array(std::size_t count) {
+  AlignedArray<T> array = hwy::AllocateAligned<T>(count);
+  if (array == nullptr) throw std::bad_alloc();
+  return array;
+}
+
+}  // namespace pomona
