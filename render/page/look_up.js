@@ -2,10 +2,7 @@
 // and for programs that ask a few points. Lengths are in cells of the grid.
 'use strict';
 const LookUp = (() => {
-  const linear = Float64Array.from({length: 256}, (_, i) => {
-    const c = i / 255;
-    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-  });
+  const {linear} = typeof module === 'undefined' ? Asset : require('./read_asset.js');
 
   /**
    * Triangles by cell, as generator/diffusion/harmonic/cell_triangles.cpp lists them: a cell has those whose plane comes

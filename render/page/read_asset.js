@@ -5,6 +5,12 @@ const Asset = (() => {
   const magic = [0x70, 0x6f, 0x6d, 0x6f, 0x6e, 0x61, 0];
   const depthSteps = 32;
 
+  /** Colours are bytes of sRGB: the light that each stands for. */
+  const linear = Float64Array.from({length: 256}, (_, i) => {
+    const c = i / 255;
+    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+  });
+
   /**
    * The bytes after the magic number and the kind of file, 1 for an asset, through the platform's own unpacker;
    * `onChunk(bytes, length)` may look early.
@@ -235,6 +241,6 @@ const Asset = (() => {
     return fruit;
   }
 
-  return {unpacked, header, surfacesEnd, surfaces, addWindings, addNodes, addLook, decoded, Reader, depthSteps};
+  return {unpacked, header, surfacesEnd, surfaces, addWindings, addNodes, addLook, decoded, Reader, depthSteps, linear};
 })();
 if (typeof module !== 'undefined') module.exports = Asset;

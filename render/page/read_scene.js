@@ -11,7 +11,6 @@ const ScenePieces = (() => {
     out[at + 1] = y / length;
     out[at + 2] = z / length;
   }
-  const linear = Float32Array.from({length: 256}, (_, i) => (i / 255 <= 0.04045 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4));
 
   /** Ten numbers a vertex, as skin.js has them, and the corners of triangles. */
   function mesh(reader, {vertices, triangles}, {units}) {
@@ -25,7 +24,7 @@ const ScenePieces = (() => {
     for (let v = 0; v < vertices; ++v) {
       for (let k = 0; k < 3; ++k) {
         skin[10 * v + k] = (position[3 * v + k] + 0.5) / units;
-        skin[10 * v + 6 + k] = linear[color[3 * v + k]];
+        skin[10 * v + 6 + k] = Asset.linear[color[3 * v + k]];
       }
       direction(normal[2 * v], normal[2 * v + 1], skin, 10 * v + 3);
       skin[10 * v + 9] = (tag[v] & 127) + (tag[v] & 128 ? 1000 : 0);

@@ -1,6 +1,8 @@
 // The skin as triangles to be drawn: the boundary, seen from air, with smooth normals.
 'use strict';
 const Skin = (() => {
+  const {linear} = typeof module === 'undefined' ? Asset : require('./read_asset.js');
+
   /**
    * Which of `count` things are one: a function that tells a thing's number, the same for all that are alike, in the order in which they are met; it
    * hands out up to `most`. A hash table, open addressing: `hashOf(i)`, `alike(i, k)`.
@@ -63,10 +65,6 @@ const Skin = (() => {
     const {face, sum} = areas(position, 3, corners, placeOf, corners.length);
 
     const data = new Float32Array(10 * corners.length);
-    const linear = Float32Array.from({length: 256}, (_, i) => {
-      const c = i / 255;
-      return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-    });
     for (let i = 0; i < corners.length; ++i) {
       const v = corners[i], f = 3 * (i / 3 | 0), t = faces[i / 3 | 0], {front} = seen(t);
       const n = [face[f], face[f + 1], face[f + 2]], at = 3 * placeOf(v), s = [sum[at], sum[at + 1], sum[at + 2]];
