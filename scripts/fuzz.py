@@ -44,7 +44,8 @@ READERS = {
 }
 
 SHORT, MIDDLE, LONGEST = 1 << 10, 1 << 11, 1 << 15  # bytes of an input
-STEPS = ((LONGEST, 2000), (MIDDLE, 40000), (SHORT, 160000))  # runs of a step, where runs are counted
+ROUND = 800000  # runs; every step of a round first runs all that was kept, so that short ones would do little else
+SHARES = ((LONGEST, 0.01), (MIDDLE, 0.19), (SHORT, 0.8))  # of a round, where runs are counted
 FEWEST = 20  # runs that every step makes, if it is asked for so many, or the reader takes too long to be fuzzed at all
 LIMITS = ["-timeout=10", "-rss_limit_mb=2048", "-malloc_limit_mb=512"]
 
@@ -104,10 +105,11 @@ def steps(options, known):
             yield "-max_total_time", max(1, round(share * options.seconds)), longest
         return
     while known["runs"] < options.runs:
-        for longest, runs in STEPS:
+        runs = min(ROUND, options.runs - known["runs"])
+        for longest, share in SHARES:
             left = options.runs - known["runs"]
             if left > 0:
-                yield "-runs", min(left, runs), longest
+                yield "-runs", min(left, max(1, round(share * runs))), longest
 
 
 def fuzz(reader, build, work, options):
