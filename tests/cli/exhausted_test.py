@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Whatever little memory there is, a command ends well or says that there is too little: never is it "a bug". A studio that cannot have all its threads answers with fewer.
+"""Whatever little memory there is, a command ends well or says that there is too little: never is it "a bug". A studio
+that cannot have all its threads answers with fewer.
 
     exhausted_test.py POMONA
 
