@@ -10,6 +10,7 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <semaphore>
 #include <thread>
 #include <vector>
 
@@ -60,17 +61,17 @@ int threads_given(int width) {
   // Each also takes memory, so that the heap that glibc makes for it is there before the next is tried. Stacks and
   // heaps of threads that have ended are kept for those to come.
   std::latch all_tried(1);
+  std::binary_semaphore has_memory(0);
   std::vector<std::unique_ptr<int>> taken(static_cast<std::size_t>(width));
   std::vector<std::jthread> tried;
   try {
     while (std::ssize(tried) + 1 < width) {
-      std::latch has_memory(1);
       tried.emplace_back([&, &own = taken[tried.size()]] {
         own.reset(new (std::nothrow) int);
-        has_memory.count_down();
+        has_memory.release();
         all_tried.wait();
       });
-      has_memory.wait();
+      has_memory.acquire();
     }
   } catch (const std::exception&) {
     // As many as there are must do.
