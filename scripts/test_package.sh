@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs a .deb in a new, bare Debian 12, in a folder, and runs the README's commands there.
-#   scripts/test_package.sh build/package/pomona_0.5.0_amd64.deb /tmp/root
+#   scripts/test_package.sh build/package/pomona_0.6.0_amd64.deb /tmp/root
 # Needs root, debootstrap, and this machine's own sources of packages (apt). The folder must not be there; it stays.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
