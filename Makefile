@@ -213,6 +213,7 @@ test-package: ## installs the .deb in a bare Debian 12 in a folder, and runs the
 	cmake --preset test-programs
 	cmake --build build --target pomona pages -j $(JOBS)
 	cd build && cpack
+	rm -rf --one-file-system build/tests/programs/clean_root # the Debian of the run before
 	ctest --test-dir build --output-on-failure -L package
 
 clean: ## removes what was built, keeps out/
