@@ -18,16 +18,6 @@ if(POMONA_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# pomona_words(pomona_template): libraries that read words. Whoever fuzzes them finds the words in dictionaries, so that
-# telling libFuzzer of every comparison of two numbers would only take two fifths of the time.
-function(pomona_words)
-  if(POMONA_FUZZ)
-    foreach(name ${ARGN})
-      target_compile_options(${name} PRIVATE -fno-sanitize-coverage=trace-cmp)
-    endforeach()
-  endif()
-endfunction()
-
 # ccache would not keep what includes a precompiled header unless told that it may: ccache's manual, "Precompiled headers".
 find_program(CCACHE ccache)
 if(CCACHE)
