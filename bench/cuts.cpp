@@ -15,7 +15,7 @@
 #include "bench/exit_status.h"
 #include "bench/fruits.h"
 #include "bench/text_table.h"
-#include "cli/progress.h"
+#include "cli/deliver/progress.h"
 #include "generator/base/parallel.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/mesh/disjoint_sets.h"

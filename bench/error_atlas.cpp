@@ -16,7 +16,7 @@
 #include "bench/fruits.h"
 #include "bench/text_table.h"
 #include "bench/walk_truth_store.h"
-#include "cli/progress.h"
+#include "cli/deliver/progress.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/harmonic/harmonic_diffuser.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"

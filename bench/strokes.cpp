@@ -9,7 +9,7 @@
 
 #include "bench/exit_status.h"
 #include "bench/timing.h"
-#include "cli/find_template.h"
+#include "cli/options/find_template.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/scene/compose.h"

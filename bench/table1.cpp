@@ -21,7 +21,7 @@
 #include "bench/paper_table1.h"
 #include "bench/text_table.h"
 #include "bench/timing.h"
-#include "cli/progress.h"
+#include "cli/deliver/progress.h"
 #include "generator/cut/cut.h"
 #include "generator/diffusion/harmonic/harmonic_diffuser.h"
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"

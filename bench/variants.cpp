@@ -21,7 +21,7 @@
 #include "bench/text_table.h"
 #include "bench/variant_checks.h"
 #include "bench/variant_distances.h"
-#include "cli/progress.h"
+#include "cli/deliver/progress.h"
 #include "generator/base/parallel.h"
 #include "generator/template/read/read_template.h"
 #include "render/export/output.h"

@@ -11,10 +11,10 @@
 
 #include "cli/batch/wanted_batch.h"
 #include "cli/command.h"
-#include "cli/find_style.h"
-#include "cli/find_template.h"
-#include "cli/picture_file.h"
-#include "cli/program_folders.h"
+#include "cli/options/find_style.h"
+#include "cli/options/find_template.h"
+#include "cli/options/program_folders.h"
+#include "cli/sketch/picture_file.h"
 #include "generator/base/file_bytes.h"
 #include "generator/base/json_text.h"
 #include "generator/base/printable.h"
@@ -138,8 +138,9 @@ std::vector<std::string> check_file(const std::filesystem::path& file) {
     return {};
   }
   if (is_batch_file(file)) {
-    wanted_batch(file);
-    return {};
+    const BatchPlan plan = wanted_batch(file);
+    styles_of(plan);
+    return batch_warnings(plan);
   }
   if (is_style_file(file)) {
     read_style(file);

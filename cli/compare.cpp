@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
-#include "cli/files_behind.h"
-#include "cli/option_checks.h"
-#include "cli/outputs.h"
-#include "cli/picture_file.h"
-#include "cli/program_folders.h"
+#include "cli/deliver/outputs.h"
+#include "cli/options/files_behind.h"
+#include "cli/options/option_checks.h"
+#include "cli/options/program_folders.h"
+#include "cli/sketch/picture_file.h"
 #include "generator/base/json_text.h"
 #include "generator/base/printable.h"
 #include "render/compare/comparison.h"

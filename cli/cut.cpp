@@ -1,5 +1,6 @@
 // pomona cut: a fruit's pieces, or the bare section.
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,25 +10,20 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
-#include "cli/deliver.h"
-#include "cli/diffusers.h"
-#include "cli/family.h"
-#include "cli/fruit_source.h"
-#include "cli/live_fruit.h"
-#include "cli/option_checks.h"
-#include "cli/outputs.h"
-#include "cli/piece_list.h"
-#include "cli/ripeness_variants.h"
-#include "cli/still_at_work.h"
-#include "cli/watch.h"
-#include "generator/base/error.h"
-#include "generator/cut/section/section_file.h"
+#include "cli/deliver/command_report.h"
+#include "cli/deliver/still_at_work.h"
+#include "cli/deliver/watch.h"
+#include "cli/options/check_order.h"
+#include "cli/options/find_style.h"
+#include "cli/options/open_fruit.h"
+#include "cli/options/order_options.h"
+#include "cli/seed_row.h"
 #include "generator/knife/knife_kinds.h"
-#include "generator/knife/parse_knife.h"
-#include "generator/piece/slice.h"
-#include "generator/scene/explode.h"
-#include "generator/scene/lay_out.h"
-#include "generator/scene/stand.h"
+#include "render/deliver/deliver.h"
+#include "render/deliver/live_files.h"
+#include "render/deliver/ordered_diffuser.h"
+#include "render/deliver/piece_files.h"
+#include "render/deliver/section_files.h"
 
 namespace pomona {
 
@@ -35,56 +31,15 @@ namespace {
 
 struct CutCommand {
   std::string fruit;
-  std::vector<std::string> knives;
-  std::vector<std::string> outputs;
-  std::optional<int> folds;
-  bool section = false;
-  double explode = 1;
-  bool crumbs = false;
-  std::string pieces;
-  int piece = 0;
-  std::string seeds;
-  std::string faces = "fine";
-  SharedOptions shared;
+  TypedOrder typed;
+  Telling telling;
 };
 
-/// A bare section has no solid to put into a scene format.
-std::vector<Format> formats_for(const CutCommand& command) {
-  if (command.section) return {Format::ply, Format::png, Format::svg};
+/// A bare section has no solid to put into a file of meshes.
+std::vector<Format> formats_for(const TypedOrder& typed) {
+  if (!typed.texts_of("section").empty()) return {Format::ply, Format::png, Format::svg};
   return {Format::ply, Format::glb, Format::usda, Format::obj,  Format::stl,
           Format::pov, Format::png, Format::svg,  Format::html, Format::pomona};
-}
-
-/// The section's file keeps what was diffused; its pictures show what pieces show.
-void write_section_files(const std::vector<Output>& outputs, const Slices& slices, const Template& fruit,
-                         Delivery& delivery) {
-  for (const Output& output : outputs) {
-    if (output.format == Format::ply) {
-      delivery.add(output.file, [&] { return write_section(slices.section); });
-    } else {
-      delivery.add_section_picture(output, slices.styled, fruit);
-    }
-  }
-}
-
-void write_piece_files(const CutCommand& command, const std::vector<Output>& outputs, std::vector<Solid> pieces,
-                       Delivery& delivery) {
-  Scene in_place = gathered(std::move(pieces));
-  in_place.paper = delivery.style().paper;
-  if (!command.pieces.empty()) delivery.add(command.pieces, [&] { return piece_list(in_place); });
-  const bool apart = command.explode > 1;
-  const Scene moved = apart ? exploded(in_place, command.explode) : in_place;
-  for (const Output& output : outputs) {
-    if (is_live(output.format)) continue;
-    // A picture of pieces in their place would show a whole fruit: lay them out side by side.
-    const bool is_picture = output.format == Format::png || output.format == Format::svg;
-    // Of pieces moved apart the lowest stands on the table.
-    if (!is_picture) {
-      delivery.add(output, moved);
-    } else {
-      delivery.add(output, apart ? standing(moved) : laid_out(in_place, delivery.picture_aspect()));
-    }
-  }
 }
 
 void count(const Slices& slices, StageTimes& times) {
@@ -95,115 +50,77 @@ void count(const Slices& slices, StageTimes& times) {
   times.count("pieces", static_cast<std::int64_t>(slices.piece_count));
 }
 
-SliceOptions slice_options(const CutCommand& command) {
-  CutOptions how = command.faces == "coarse" ? coarse_cut : CutOptions{};
-  how.threads = {command.shared.threads};
-  return {.cut = how,
-          .pieces = !command.section,
-          .keep_section_colors = wants_textures(command.shared),
-          .threads = {command.shared.threads}};
-}
-
-Slices cut_up(const FruitSource& source, const CutCommand& command, std::span<const Knife> knives,
-              const Diffuser& diffuser, Delivery& delivery) {
-  SliceTask task = slice_task(source, knives, command.piece);
-  task.crumbs = command.crumbs;
-  const auto slices_of_task = [&] {
+Slices cut_up(const OrderedFruit& fruit, const Order& order, const Diffuser& diffuser, CommandReport& report) {
+  Slices slices = [&] {
     // Most cuts take parts of a second, a narrow strip of peel a minute.
-    const StillAtWork still(delivery.progress, "cutting");
-    return sliced(source, task, &diffuser, slice_options(command));
-  };
-  Slices slices = slices_of_task();
-  check_piece(command.piece, slices);
-  delivery.times.add(slices.times);
-  delivery.warn(slices.warnings);
+    const StillAtWork still(report.progress, "cutting");
+    return cut_to_order(fruit, order, &diffuser);
+  }();
+  report.times.add(slices.times);
+  report.warn(slices.warnings);
   return slices;
 }
 
 /// The pieces of each seed's fruit, side by side.
-ExitStatus cut_family(const CutCommand& command, std::span<const Knife> knives, const std::vector<Output>& outputs,
-                      const Diffuser& diffuser, Delivery& delivery) {
-  check_family(command.shared, outputs);
-  if (command.section || command.explode > 1 || !command.pieces.empty() || any_live(outputs)) {
-    throw Error(ExitStatus::usage, "--seeds does not go with --section, --explode, --pieces and .html",
-                "leave them out; `pomona grow --seeds` makes pages");
-  }
+void cut_family(const std::string& word, const Order& order, const DeliverOptions& how, const Diffuser& diffuser,
+                CommandReport& report) {
   std::vector<Solid> solids;
-  for (const SharedOptions& one : each_seed(command.seeds, command.shared)) {
-    const FruitSource source = open_fruit(command.fruit, one, command.folds, delivery.times);
-    Slices slices = cut_up(source, command, knives, diffuser, delivery);
-    std::vector<Solid> own = named_by_seed(std::move(slices.pieces), one.seed);
+  for (const Order& one : each_seed(order)) {
+    const OrderedFruit fruit = open_fruit(word, one).grown;
+    report.add(fruit);
+    std::vector<Solid> own = named_by_seed(cut_up(fruit, one, diffuser, report).pieces, *one.fruit.seed);
     solids.insert(solids.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
   }
-  add_row(std::move(solids), outputs, delivery);
-  delivery.finish();
-  return ExitStatus::done;
+  report.add(files({.placed = row_of(std::move(solids), how.style)}, order, how));
 }
 
-/// As idle_options(), of what cut alone has.
-std::vector<std::string> idle_cut_options(const CutCommand& command, const std::vector<Output>& outputs) {
-  std::vector<std::string> warnings = idle_options(command.shared, outputs);
-  const auto add = [&](std::vector<std::string> more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
-  add(idle_variant_options(command.shared, command.seeds));
-  if (command.section && !command.shared.view.empty()) add({"--view: a section is looked at straight"});
-  if (command.section && command.crumbs) add({"--crumbs is about pieces: a section has none"});
-  const bool is_asked = command.explode > 1 || command.crumbs || command.piece > 0 || command.faces != "fine";
-  if (is_asked && all_live(outputs))
-    add({"--explode, --crumbs, --piece and --faces have no effect on .html and .pomona: these hold the whole fruit"});
-  return warnings;
+void cut_one(const std::string& word, const Order& order, const DeliverOptions& how, const Diffuser& diffuser,
+             CommandReport& report) {
+  const OpenedFruit opened = open_fruit(word, order);
+  const OrderedFruit& fruit = opened.grown;
+  report.add(fruit);
+  report.add(live_files({&fruit, 1}, order, how));
+  if (all_are(order.outputs, live_formats) && order.cut.piece_list.empty()) return;
+  Slices slices = cut_up(fruit, order, diffuser, report);
+  count(slices, report.times);
+  if (order.cut.section) return report.add(section_files(slices, fruit.fruit, order, how));
+  StageClock times;
+  const std::vector<RipenessVariant> variants =
+      ripeness_variants(slices.pieces, fruit, opened.drawn, order, &diffuser, times);
+  report.times.add(times);
+  Scene pieces = gathered(std::move(slices.pieces));
+  pieces.paper = how.style.paper;
+  report.add(piece_files({.placed = pieces, .variants = variants}, fruit, order, how));
 }
 
 ExitStatus cut_fruit(const CutCommand& command) {
   // Everything that can be wrong with the words is told before the work begins.
-  std::vector<Knife> knives;
-  for (const std::string& text : command.knives) knives.push_back(parse_knife(text));
-  const std::vector<Output> outputs = parse_outputs(command.outputs, formats_for(command), command.shared.format);
-  check_exports(command.shared, outputs);
-  if (!command.section) check_picture_size(command.shared, outputs);
-  check_aov(command.shared.aov, outputs);
-  if (any_live(outputs)) check_live_knives(knives);
-  if (command.section &&
-      (command.explode > 1 || command.piece > 0 || !command.pieces.empty() || !command.shared.aov.empty())) {
-    throw Error(ExitStatus::usage, "--explode, --piece, --pieces and --aov are about pieces: leave out --section");
-  }
-  check_other_files(command.shared, outputs, command.pieces);
-  Delivery delivery(command.shared);
-  delivery.set_outputs(outputs);
-  delivery.warn(idle_cut_options(command, outputs));
-  const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
-  delivery.times.diffused_by(diffuser->name(), diffuser->device());
-
-  if (!command.seeds.empty()) return cut_family(command, knives, outputs, *diffuser, delivery);
-  const FruitSource source = open_fruit(command.fruit, command.shared, command.folds, delivery.times);
-  delivery.set_plate_text({source.fruit.title, source.fruit.latin});
-  add_live(outputs, source, knives, command.shared, delivery);
-  if (all_live(outputs) && command.pieces.empty()) {
-    delivery.finish();
-    return ExitStatus::done;
-  }
-  Slices slices = cut_up(source, command, knives, *diffuser, delivery);
-  count(slices, delivery.times);
-  delivery.set_variants(ripeness_variants(slices.pieces, source, command.fruit, command.shared, command.folds,
-                                          diffuser.get(), delivery.times));
-  if (command.section) {
-    write_section_files(outputs, slices, source.fruit, delivery);
-  } else {
-    write_piece_files(command, outputs, std::move(slices.pieces), delivery);
-  }
-  delivery.finish();
+  const Order order = read_order(command.typed, formats_for(command.typed));
+  check_order(order, OrderTaker::cut, command.telling);
+  CommandReport report(command.telling);
+  const DeliverOptions how{.style = find_style(order.color.style.empty() ? "ink" : order.color.style),
+                           .provenance = provenance_of(order.fruit),
+                           .progress = report.told_progress()};
+  report.warn(idle_options(order, OrderTaker::cut));
+  const std::unique_ptr<Diffuser> diffuser = ordered_diffuser(order, how.progress);
+  report.times.diffused_by(diffuser->name(), diffuser->device());
+  order.fruit.seeds.empty() ? cut_one(command.fruit, order, how, *diffuser, report)
+                            : cut_family(command.fruit, order, how, *diffuser, report);
+  write_files(report, order, command.telling);
   return ExitStatus::done;
 }
 
 std::vector<std::string> written_by(const CutCommand& command) {
-  std::vector<std::string> names = command.outputs;
-  names.push_back(command.pieces);
+  std::vector<std::string> names = command.typed.outputs;
+  for (const std::string& list : command.typed.texts_of("pieces")) names.push_back(list);
   return names;
 }
 
 /// What it reads by the words of the line.
 std::vector<std::string> read_by(const CutCommand& command) {
-  std::vector<std::string> words = command.knives;
-  words.insert(words.end(), {command.fruit, command.shared.style});
+  std::vector<std::string> words = command.typed.texts_of("knife");
+  for (const std::string& style : command.typed.texts_of("style")) words.push_back(style);
+  words.push_back(command.fruit);
   return words;
 }
 
@@ -212,45 +129,16 @@ std::vector<std::string> read_by(const CutCommand& command) {
 DeclaredCommand cut_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("cut", "Cut a fruit into pieces, or show the bare section");
   const auto options = std::make_shared<CutCommand>();
-
-  // What is cut, along what, and into which files.
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
-  command->add_option("--knife", options->knives, "One of those below; several cut one after another")
-      ->type_name("KNIFE")
-      ->required()
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_output_option(
-      *command, options->outputs,
-      "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard output");
-
-  // What to make of the cut.
-  command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
-  command->add_flag("--section", options->section, "The bare section instead of pieces (.ply, .png or .svg)");
-  command->add_option("--explode", options->explode, "Move pieces apart: their distance from the middle times this")
-      ->check(between(1.0, 10.0));
-  command->add_flag("--crumbs", options->crumbs, "Keep bits below a millionth of the fruit as pieces of their own");
-  command->add_option("--piece", options->piece, "This piece alone, as numbered in the order of cutting")
-      ->check(whole_between(1, 1000000));
-  command->add_option("--faces", options->faces, "How finely cut faces are triangulated; scenes have coarse ones")
-      ->check(one_of({"fine", "coarse"}))
-      ->capture_default_str();
-  command->add_option("--pieces", options->pieces, "Also write what there is to know of each piece to this file (JSON)")
-      ->type_name("FILE");
-
-  // Options that other commands have too.
-  add_index_options(*command, options->shared);
-  add_ripeness_option(*command, options->shared);
-  add_ripeness_variants_option(*command, options->shared);
-  add_browning_option(*command, options->shared);
-  add_shared_options(*command, options->shared);
-  add_seeds_option(*command, options->seeds);
-  add_watch_option(*command, options->shared);
+  add_order_options(
+      *command, OrderTaker::cut,
+      "What to write: .ply, .glb, .usda, .obj, .stl, .pov, .png, .svg, .html or .pomona; - is standard output",
+      options->typed);
+  add_telling_options(*command, options->telling);
   command->footer("Knives, and along what they cut:\n" + knife_help());
   return {command, [options] {
-            return made_or_watched(options->shared, written_by(*options), read_by(*options),
+            return made_or_watched(options->telling, written_by(*options), read_by(*options),
                                    [&] { return cut_fruit(*options); });
           }};
 }

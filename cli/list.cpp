@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
-#include "cli/find_style.h"
-#include "cli/find_template.h"
-#include "cli/program_folders.h"
+#include "cli/options/find_style.h"
+#include "cli/options/find_template.h"
+#include "cli/options/program_folders.h"
 #include "generator/base/json_text.h"
 #include "generator/batch/batch_file.h"
 #include "generator/scene/scene_file.h"

@@ -1,6 +1,6 @@
 // pomona: grows fruit that can be cut anywhere. This file only knows which commands there are.
 #include "cli/command.h"
-#include "cli/ending_signals.h"
+#include "cli/deliver/ending_signals.h"
 #include "generator/base/free_memory.h"
 
 int main(int argc, char** argv) {

@@ -7,13 +7,12 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
-#include "cli/deliver.h"
-#include "cli/diffusers.h"
-#include "cli/fruit_source.h"
-#include "cli/option_checks.h"
-#include "cli/outputs.h"
-#include "cli/outside_parts.h"
-#include "cli/watch.h"
+#include "cli/deliver/command_report.h"
+#include "cli/deliver/watch.h"
+#include "cli/options/check_order.h"
+#include "cli/options/find_style.h"
+#include "cli/options/open_fruit.h"
+#include "cli/options/order_options.h"
 #include "generator/base/error.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/one_grain.h"
@@ -21,6 +20,8 @@
 #include "generator/piece/smoothed.h"
 #include "generator/scene/lay_out.h"
 #include "generator/scene/stand.h"
+#include "render/deliver/ordered_diffuser.h"
+#include "render/deliver/outside_parts.h"
 #include "render/gl/context.h"
 #include "render/gl/scene_picture.h"
 #include "render/image/png.h"
@@ -37,11 +38,10 @@ namespace {
 
 struct PlateCommand {
   std::string fruit;
-  std::vector<std::string> outputs;
-  std::optional<int> folds;
   std::string section = "across";
   std::string half = "half";
-  SharedOptions shared;
+  TypedOrder typed;
+  Telling telling;
 };
 
 /// What the figures show. Where the fruit has no seed of its own to show, its lengthwise section takes that place.
@@ -51,30 +51,31 @@ struct PlateContents {
   std::optional<Solid> seed;
 };
 
-Slices sliced(const FruitSource& source, const std::string& knife, const Diffuser& diffuser, bool pieces,
-              const PlateCommand& command) {
-  const std::vector<Knife> knives{parse_knife(knife)};
-  const Threads threads{command.shared.threads};
-  return sliced(source, slice_task(source, knives, 0), &diffuser,
-                {.cut = {.threads = threads}, .pieces = pieces, .threads = threads});
+/// The fruit cut by one knife.
+Slices cut_by(const std::string& knife, const OrderedFruit& fruit, Order order, const Diffuser& diffuser,
+              bool section) {
+  order.cut.knives = {parse_knife(knife)};
+  order.cut.section = section;
+  return cut_to_order(fruit, order, &diffuser);
 }
 
-PlateContents contents_of(const FruitSource& source, const PlateCommand& command, Delivery& delivery) {
-  const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
-  delivery.times.diffused_by(diffuser->name(), diffuser->device());
+PlateContents contents_of(const OrderedFruit& fruit, const PlateCommand& command, const Order& order,
+                          CommandReport& report) {
+  const std::unique_ptr<Diffuser> diffuser = ordered_diffuser(order, report.told_progress());
+  report.times.diffused_by(diffuser->name(), diffuser->device());
   PlateContents contents;
-  Slices whole = sliced(source, slice_task(source, {}, 0), nullptr);
-  Slices half = sliced(source, command.half, *diffuser, true, command);
-  Slices across = sliced(source, command.section, *diffuser, false, command);
+  Slices whole = cut_to_order(fruit, order, nullptr);
+  Slices half = cut_by(command.half, fruit, order, *diffuser, false);
+  Slices across = cut_by(command.section, fruit, order, *diffuser, true);
   for (const Slices* each : {&whole, &half, &across}) {
-    delivery.times.add(each->times);
-    delivery.warn(each->warnings);
+    report.times.add(each->times);
+    report.warn(each->warnings);
   }
   contents.whole = std::move(whole.pieces);
   contents.half = {std::move(half.pieces.front())};
   contents.section = std::move(across.styled);
   contents.lengthwise = std::move(half.styled);
-  contents.seed = one_grain(source.grown, source.fruit, source.name);
+  contents.seed = one_grain(fruit.grown, fruit.fruit, fruit.name);
   if (contents.seed) contents.seed = smoothed(std::move(*contents.seed), 3);
   return contents;
 }
@@ -92,8 +93,8 @@ constexpr double room_for_soft_shadows = 1.06;  // times the field that holds wh
 
 class FigureMaker {
  public:
-  FigureMaker(const Style& style, const PlateSheet& sheet, int threads)
-      : style_(figure_style(style)), sheet_(sheet), threads_{threads} {}
+  FigureMaker(const Style& style, const PlateSheet& sheet, Threads threads)
+      : style_(figure_style(style)), sheet_(sheet), threads_(threads) {}
 
   /// Solids on the table, or in the air, seen from a direction.
   SheetFigure of_scene(Scene scene, const glm::dvec3& direction, std::size_t room) {
@@ -130,8 +131,8 @@ class FigureMaker {
   GlContext context_;
 };
 
-Image plate_of(const PlateContents& contents, const FruitSource& source, const Style& style, const PictureSize& size,
-               int threads) {
+Image plate_of(const PlateContents& contents, const OrderedFruit& source, const Style& style, const PictureSize& size,
+               Threads threads) {
   std::vector<std::string> names = parts_in(contents.section, outside_parts(source.fruit));
   const std::vector<std::string>& solid_parts = contents.whole.front().part_names;
   names.insert(names.end(), solid_parts.begin(), solid_parts.end());
@@ -148,22 +149,22 @@ Image plate_of(const PlateContents& contents, const FruitSource& source, const S
 }
 
 ExitStatus make_plate(const PlateCommand& command) {
-  const std::vector<Output> outputs = parse_outputs(command.outputs, {Format::png}, command.shared.format);
-  check_exports(command.shared, outputs);
-  check_other_files(command.shared, outputs);
+  Order order = read_order(command.typed, {Format::png});
+  check_order(order, OrderTaker::plate, command.telling);
   for (const std::string& knife : {command.half, command.section}) parse_knife(knife);
-  SharedOptions shared = command.shared;
-  if (shared.style.empty()) shared.style = "plate";
-  Delivery delivery(shared);
-  delivery.warn(idle_options(shared, outputs));
-  const FruitSource source = open_fruit(command.fruit, shared, command.folds, delivery.times);
-  const PlateContents contents = contents_of(source, command, delivery);
-  const PictureSize size = picture_size(shared).value_or(PictureSize{1200, 1500});
-  Image plate =
-      delivery.times.time("style", [&] { return plate_of(contents, source, delivery.style(), size, shared.threads); });
-  plate.dpi = shared.dpi;
-  for (const Output& output : outputs) delivery.add(output.file, [&] { return write_png(plate); });
-  delivery.finish();
+  CommandReport report(command.telling);
+  report.warn(idle_options(order, OrderTaker::plate));
+  const Style style = find_style(order.color.style.empty() ? "plate" : order.color.style);
+  const OrderedFruit fruit = open_fruit(command.fruit, order).grown;
+  report.add(fruit);
+  const PlateContents contents = contents_of(fruit, command, order, report);
+  const PictureSize size = picture_size(order.picture).value_or(PictureSize{1200, 1500});
+  Image plate = report.times.time("style", [&] { return plate_of(contents, fruit, style, size, order.threads); });
+  plate.dpi = order.picture.dpi;
+  Delivered delivered;
+  for (const Output& output : order.outputs) delivered.add(output.file, [&] { return write_png(plate); });
+  report.add(std::move(delivered));
+  write_files(report, order, command.telling);
   return ExitStatus::done;
 }
 
@@ -174,20 +175,18 @@ DeclaredCommand plate_command(CLI::App& app) {
   const auto options = std::make_shared<PlateCommand>();
   command->add_option("TEMPLATE", options->fruit, "A name from `pomona list`, a template file or a surface file (.ply)")
       ->required();
-  add_output_option(*command, options->outputs, "What to write: .png; - is standard output");
   command->add_option("--half", options->half, "The knife that halves it for the second figure")
       ->type_name("KNIFE")
       ->capture_default_str();
   command->add_option("--section", options->section, "The knife of the section, whose parts are numbered")
       ->type_name("KNIFE")
       ->capture_default_str();
-  command->add_option("--folds", options->folds, "Another number of folds than drawn")->check(whole_between(1, 64));
-  add_index_options(*command, options->shared);
-  add_ripeness_option(*command, options->shared);
-  add_browning_option(*command, options->shared);
-  add_plate_options(*command, options->shared);
+  add_order_options(*command, OrderTaker::plate, "What to write: .png; - is standard output", options->typed);
+  add_telling_options(*command, options->telling);
   return {command, [options] {
-            return made_or_watched(options->shared, options->outputs, {options->fruit, options->shared.style},
+            std::vector<std::string> read = options->typed.texts_of("style");
+            read.push_back(options->fruit);
+            return made_or_watched(options->telling, options->typed.outputs, read,
                                    [&] { return make_plate(*options); });
           }};
 }

@@ -16,9 +16,9 @@
 
 #include "cli/command.h"
 #include "cli/exhausted.h"
-#include "cli/version.h"
 #include "generator/base/nearest_name.h"
 #include "generator/base/printable.h"
+#include "generator/base/version.h"
 
 namespace pomona {
 

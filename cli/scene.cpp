@@ -7,99 +7,104 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
-#include "cli/deliver.h"
-#include "cli/diffusers.h"
-#include "cli/file_kind.h"
-#include "cli/find_template.h"
-#include "cli/outputs.h"
-#include "cli/program_folders.h"
-#include "cli/scene_page.h"
-#include "cli/version.h"
-#include "cli/watch.h"
+#include "cli/deliver/command_report.h"
+#include "cli/deliver/watch.h"
+#include "cli/options/check_order.h"
+#include "cli/options/file_kind.h"
+#include "cli/options/find_style.h"
+#include "cli/options/find_template.h"
+#include "cli/options/order_options.h"
+#include "cli/options/program_folders.h"
 #include "generator/scene/compose.h"
-#include "generator/scene/layout_file.h"
 #include "generator/scene/scene_file.h"
+#include "render/deliver/deliver.h"
+#include "render/deliver/ordered_diffuser.h"
+#include "render/deliver/scene_page_files.h"
 
 namespace pomona {
 
 namespace {
 
+const std::vector<Format> scene_formats = {Format::ply, Format::glb, Format::usda, Format::obj,  Format::stl,
+                                           Format::pov, Format::png, Format::svg,  Format::json, Format::html};
+
 struct SceneCommand {
   std::string scene;
-  std::vector<std::string> outputs;
-  SharedOptions shared;
+  TypedOrder typed;
+  Telling telling;
 };
 
-ComposeOptions compose_options(const SharedOptions& shared, Progress& progress) {
+ComposeOptions compose_options(const Order& order, const DeliveryProgress& progress) {
   ComposeOptions options;
   options.find_template = find_template;
-  options.variation = shared.variation;
-  options.curves_only = shared.curves_only;
-  options.detail = shared.detail;
-  options.threads = {shared.threads};
-  options.keep_section_colors = wants_textures(shared);
-  options.progress = [&progress](const std::string& stage, std::size_t done, std::size_t total) {
-    progress.report(stage, done, total);
-  };
+  options.variation = order.fruit.growing.variation;
+  options.curves_only = order.fruit.growing.curves_only;
+  options.detail = order.fruit.growing.detail;
+  options.threads = order.threads;
+  options.keep_section_colors = wants_textures(order.mesh);
+  options.progress = progress;
   return options;
 }
 
-/// A path starts at the scene's folder.
-std::string style_of(const SceneDescription& scene, const std::filesystem::path& file) {
-  return scene.style.ends_with(".toml") ? (file.parent_path() / scene.style).string() : scene.style;
+/// What the order leaves open, the scene says: its seed and its style, whose path starts at the scene's folder.
+Order completed(Order order, const SceneDescription& scene) {
+  if (!order.fruit.seed) order.fruit.seed = scene.seed;
+  if (order.color.style.empty() && !scene.style.empty()) {
+    const std::filesystem::path folder = std::filesystem::path(scene.file).parent_path();
+    order.color.style = scene.style.ends_with(".toml") ? (folder / scene.style).string() : scene.style;
+  }
+  return order;
+}
+
+/// What was measured goes into --stats.
+void tell(const ComposeReport& composed, CommandReport& report) {
+  for (const auto& [stage, milliseconds] : composed.stages) report.times.add(stage, milliseconds);
+  for (const auto& [what, number] : composed.counts) report.times.count(what, number);
+  report.warn(composed.warnings);
 }
 
 ExitStatus compose_scene(const SceneCommand& command) {
   // Outputs that cannot be are refused before anything is composed.
-  const std::vector<Output> outputs = parse_outputs(command.outputs,
-                                                    {Format::ply, Format::glb, Format::usda, Format::obj, Format::stl,
-                                                     Format::pov, Format::png, Format::svg, Format::json, Format::html},
-                                                    command.shared.format);
-  check_exports(command.shared, outputs);
-  check_picture_size(command.shared, outputs);
-  check_aov(command.shared.aov, outputs);
-  check_other_files(command.shared, outputs);
-  Delivery delivery(command.shared);
-  delivery.set_outputs(outputs);
-  delivery.warn(idle_options(command.shared, outputs));
-  const std::unique_ptr<Diffuser> diffuser = make_diffuser(command.shared, delivery.progress);
-  delivery.times.diffused_by(diffuser->name(), diffuser->device());
+  const Order typed = read_order(command.typed, scene_formats);
+  check_order(typed, OrderTaker::scene, command.telling);
+  CommandReport report(command.telling);
+  report.warn(idle_options(typed, OrderTaker::scene));
+  const std::unique_ptr<Diffuser> diffuser = ordered_diffuser(typed, report.told_progress());
+  report.times.diffused_by(diffuser->name(), diffuser->device());
 
-  // The scene says what the command leaves open: seed, size and style.
   const std::filesystem::path file = find_file("scenes", command.scene);
   check_kind(file, FileKind::scene);
-  SceneDescription description = delivery.times.time("read", [&] { return read_scene(file); });
-  if (command.shared.seed_given) description.seed = command.shared.seed;
-  delivery.set_seed(description.seed);
-  delivery.set_default_size({description.width, description.height});
-  if (!description.style.empty()) delivery.set_default_style(style_of(description, file));
-  ComposeOptions how = compose_options(command.shared, delivery.progress);
-  how.take = delivery.taker();
-  Composition composition = compose(description, diffuser.get(), how);
-  if (!description.paper) composition.scene.paper = delivery.style().paper;
+  SceneDescription description = report.times.time("read", [&] { return read_scene(file); });
+  const Order order = completed(typed, description);
+  description.seed = *order.fruit.seed;
+  const DeliverOptions how{.style = find_style(order.color.style.empty() ? "ink" : order.color.style),
+                           .provenance = provenance_of(order.fruit),
+                           .usual_size = {description.width, description.height},
+                           .progress = report.told_progress()};
 
-  // The composition's figures go into --stats; its layout, or itself, into the outputs.
-  for (const auto& [stage, milliseconds] : composition.report.stages) delivery.times.add(stage, milliseconds);
-  for (const auto& [what, number] : composition.report.counts) delivery.times.count(what, number);
-  delivery.warn(composition.report.warnings);
-
-  for (const Output& output : outputs) {
-    if (output.format == Format::json) {
-      delivery.add(output.file, [&] { return write_layout(composition.scene); });
-    } else if (output.format == Format::html) {
-      const PageScene page = scene_for_page(description, composition.scene, command.shared, delivery);
-      const std::string made_by = std::string("pomona ") + version + ", seed " + std::to_string(description.seed);
-      delivery.add(output.file, [&] { return write_scene_page(page, {delivery.style(), {}, made_by}); });
-    } else {
-      delivery.add(output, composition.scene);
-    }
+  // A .glb takes the solids as they are made, where nothing else needs all of them at once.
+  const auto streams = streams_of(order, how);
+  ComposeOptions composing = compose_options(order, how.progress);
+  if (!streams.empty()) {
+    composing.take = [&](std::span<const Solid> solids) {
+      for (const std::unique_ptr<StreamedGlb>& stream : streams) stream->take(solids);
+    };
   }
-  delivery.finish();
+  Composition composition = compose(description, diffuser.get(), composing);
+  if (!description.paper) composition.scene.paper = how.style.paper;
+  tell(composition.report, report);
+  report.add(files({.placed = composition.scene, .streams = streams}, order, how));
+  report.add(scene_page_files(description, composition.scene, order, how, find_template));
+  write_files(report, order, command.telling);
   return ExitStatus::done;
 }
 
 /// What it reads by the words of the line.
-std::vector<std::string> read_by(const SceneCommand& command) { return {command.scene, command.shared.style}; }
+std::vector<std::string> read_by(const SceneCommand& command) {
+  std::vector<std::string> words = command.typed.texts_of("style");
+  words.push_back(command.scene);
+  return words;
+}
 
 }  // namespace
 
@@ -108,13 +113,13 @@ DeclaredCommand scene_command(CLI::App& app) {
   const auto options = std::make_shared<SceneCommand>();
   command->add_option("SCENE", options->scene, "A name from `pomona list --scenes`, or a scene file (.toml)")
       ->required();
-  add_output_option(
-      *command, options->outputs,
-      "What to write: .glb, .usda, .pov, .png, .svg, .ply, .obj, .stl, .html (a page), or .json (the layout)");
-  add_shared_options(*command, options->shared);
-  add_watch_option(*command, options->shared);
+  add_order_options(
+      *command, OrderTaker::scene,
+      "What to write: .glb, .usda, .pov, .png, .svg, .ply, .obj, .stl, .html (a page), or .json (the layout)",
+      options->typed);
+  add_telling_options(*command, options->telling);
   return {command, [options] {
-            return made_or_watched(options->shared, options->outputs, read_by(*options),
+            return made_or_watched(options->telling, options->typed.outputs, read_by(*options),
                                    [&] { return compose_scene(*options); });
           }};
 }

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "generator/batch/batch_plan.h"
-#include "generator/piece/grow.h"
-#include "generator/piece/piece_origin.h"
-#include "render/export/pov.h"
+#include "generator/order/ordered_fruit.h"
+#include "render/export/named_file.h"
 #include "render/style/style.h"
 
 namespace pomona {
@@ -20,24 +19,10 @@ struct MadeItem {
 };
 
 /// One individual, for all items that are made of it.
-class GrownVariant {
- public:
-  GrownVariant(const BatchPlan& plan, const Variation& variation, const BatchVariant& which);
-
-  const BatchVariant& which() const { return which_; }
-  const Template& variant() const { return variant_; }
-  const GrownFruit& grown() const { return grown_; }
-  const PieceOrigin& origin() const { return origin_; }
-
- private:
-  BatchVariant which_;
-  Template variant_;
-  GrownFruit grown_;
-  PieceOrigin origin_;
-};
+OrderedFruit grown_variant(const BatchPlan& plan, const Variation& variation, const BatchVariant& which);
 
 /// \param grown none where growing failed, `growing_error` says how.
-MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const GrownVariant* grown,
+MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const OrderedFruit* grown,
                    const std::string& growing_error, const BatchItem& item, const Style& style);
 
 /// What went wrong, in words that are the same each time.

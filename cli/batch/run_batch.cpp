@@ -10,7 +10,7 @@
 #include "cli/batch/finished_item.h"
 #include "cli/batch/make_item.h"
 #include "cli/batch/memory_budget.h"
-#include "cli/ending_signals.h"
+#include "cli/deliver/ending_signals.h"
 #include "generator/base/error.h"
 #include "generator/base/stop_watch.h"
 
@@ -72,8 +72,14 @@ class ReadyTemplates {
 
 class Run {
  public:
-  Run(const BatchPlan& plan, const Style& style, Workplace& workplace, const RunOptions& options, Progress& progress)
-      : plan_(plan), style_(style), workplace_(workplace), progress_(progress), budget_(options.memory), ready_(plan) {
+  Run(const BatchPlan& plan, const std::vector<Style>& styles, Workplace& workplace, const RunOptions& options,
+      Progress& progress)
+      : plan_(plan),
+        styles_(styles),
+        workplace_(workplace),
+        progress_(progress),
+        budget_(options.memory),
+        ready_(plan) {
     const VariantsOfShard variants(plan, options.shard);
     for (std::size_t i = 0; i < variants.size(); ++i)
       tally_.total += plan.entries[variant_at(plan, variants[i]).entry].items_of_a_variant;
@@ -126,15 +132,15 @@ class Run {
   void make_items(std::int64_t number, const BatchVariant& which, const std::vector<BatchItem>& items) {
     const MemoryBudget::Loan memory(budget_, memory_of_an_item(plan_.entries[which.entry]));
     const ReadyTemplates::Ready& ready = ready_.of(which.fruit);
-    std::optional<GrownVariant> grown;
+    std::optional<OrderedFruit> grown;
     std::string error = ready.error;
     try {
-      if (ready.variation) grown.emplace(plan_, *ready.variation, which);
+      if (ready.variation) grown = grown_variant(plan_, *ready.variation, which);
     } catch (const std::exception& failure) {
       error = reason_of(failure);
     }
     for (const BatchItem& item : items) {
-      const MadeItem made = make_item(plan_, which, grown ? &*grown : nullptr, error, item, style_);
+      const MadeItem made = make_item(plan_, which, grown ? &*grown : nullptr, error, item, styles_[which.entry]);
       workplace_.put_item(made.item, made.files);
       note(number, item, made);
     }
@@ -165,7 +171,7 @@ class Run {
   }
 
   const BatchPlan& plan_;
-  const Style& style_;
+  const std::vector<Style>& styles_;  // of each entry
   Workplace& workplace_;
   Progress& progress_;
   HeldSignals signals_;
@@ -181,9 +187,9 @@ class Run {
 
 }  // namespace
 
-RunReport run_batch(const BatchPlan& plan, const Style& style, Workplace& workplace, const RunOptions& options,
-                    Progress& progress) {
-  return Run(plan, style, workplace, options, progress).all(options);
+RunReport run_batch(const BatchPlan& plan, const std::vector<Style>& styles, Workplace& workplace,
+                    const RunOptions& options, Progress& progress) {
+  return Run(plan, styles, workplace, options, progress).all(options);
 }
 
 bool has_any_item(const BatchPlan& plan, const std::filesystem::path& folder, const Shard& shard) {

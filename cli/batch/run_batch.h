@@ -6,7 +6,7 @@
 
 #include "cli/batch/tally.h"
 #include "cli/batch/workplace.h"
-#include "cli/progress.h"
+#include "cli/deliver/progress.h"
 #include "generator/base/parallel.h"
 #include "generator/batch/batch_plan.h"
 #include "render/style/style.h"
@@ -32,8 +32,8 @@ struct RunReport {
 /// after the items under way.
 /// \throws Error (cannot_create, io_error) if something cannot be written, (locked) if it was ended by a signal. What
 /// is whole by then stays.
-RunReport run_batch(const BatchPlan& plan, const Style& style, Workplace& workplace, const RunOptions& options,
-                    Progress& progress);
+RunReport run_batch(const BatchPlan& plan, const std::vector<Style>& styles, Workplace& workplace,
+                    const RunOptions& options, Progress& progress);
 
 /// Whether any item of the shard is there.
 bool has_any_item(const BatchPlan& plan, const std::filesystem::path& folder, const Shard& shard);

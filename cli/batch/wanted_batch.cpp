@@ -1,12 +1,15 @@
 #include "cli/batch/wanted_batch.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
-#include "cli/file_kind.h"
-#include "cli/find_template.h"
-#include "cli/version.h"
+#include "cli/options/file_kind.h"
+#include "cli/options/find_style.h"
+#include "cli/options/find_template.h"
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
+#include "generator/base/version.h"
 #include "generator/batch/batch_record.h"
 
 namespace pomona {
@@ -31,6 +34,30 @@ std::string difference(const std::string& there, const std::string& wanted) {
 BatchPlan wanted_batch(const std::filesystem::path& file) {
   check_kind(file, FileKind::batch);
   return planned(read_batch(file), {.find = find_template, .all = all_templates});
+}
+
+std::vector<Style> styles_of(const BatchPlan& plan) {
+  std::vector<Style> styles;
+  for (const PlannedEntry& entry : plan.entries) {
+    const std::string& name = entry.wanted.assets.order.color.style;
+    styles.push_back(find_style(name.empty() ? "ink" : name));
+  }
+  return styles;
+}
+
+std::vector<std::string> batch_warnings(const BatchPlan& plan) {
+  std::vector<std::string> warnings;
+  for (const PlannedEntry& entry : plan.entries) {
+    // An option of a list has an effect if it has one on any item.
+    const AssetOptions& assets = entry.wanted.assets;
+    Order order = assets.order;
+    order.mesh.texture = *std::max_element(assets.textures.begin(), assets.textures.end());
+    order.mesh.lod = *std::max_element(assets.lods.begin(), assets.lods.end());
+    for (const Format format : assets.formats) order.outputs.push_back({"x." + name_of(format), format});
+    for (const std::string& warning : idle_options(order, OrderTaker::batch))
+      warnings.push_back("entry \"" + entry.wanted.name + "\": " + warning);
+  }
+  return warnings;
 }
 
 std::string record_of(const BatchPlan& plan) { return batch_record(plan, std::string("pomona ") + version); }

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "generator/batch/batch_plan.h"
+#include "render/style/style.h"
 
 namespace pomona {
 
@@ -18,5 +20,11 @@ std::string record_of(const BatchPlan& plan);
 /// \param there the folder's batch.json, or nothing. \param wanted that of the batch asked for.
 /// \throws Error (cannot_create) saying in what they differ, if the folder holds another batch.
 void check_holds_no_other(const std::filesystem::path& folder, const std::string& there, const std::string& wanted);
+
+/// The style of each entry. \throws Error as find_style()
+std::vector<Style> styles_of(const BatchPlan& plan);
+
+/// What of an entry has no effect on its formats.
+std::vector<std::string> batch_warnings(const BatchPlan& plan);
 
 }  // namespace pomona

@@ -12,11 +12,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/exhausted.h"
-#include "cli/live_fruit.h"
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
 #include "generator/base/little_endian.h"
 #include "generator/base/path_within.h"
+#include "render/deliver/live_files.h"
 
 namespace fs = std::filesystem;
 
@@ -228,7 +228,7 @@ WebReply StudioApi::section(const std::string& body) {
 WebReply StudioApi::asset(const std::string& body) {
   const json wanted = parsed(body);
   const std::shared_ptr<const StudioFruit> fruit = fruits_.grown(fruit_in(wanted));
-  return {200, std::string(binary), live_bytes(fruit->source, fruit->options, fruit->wanted.draft)};
+  return {200, std::string(binary), asset_bytes(fruit->source, fruit->order, fruit->wanted.draft)};
 }
 
 /// A picture that the drawing links to: in its folder or below, and a picture by its first bytes.

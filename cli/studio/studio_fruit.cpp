@@ -16,17 +16,17 @@ constexpr std::size_t most_kept = 3;  // what is dragged, what is drawn, and the
 std::shared_ptr<const StudioFruit> grow_anew(const WantedFruit& wanted, const std::filesystem::path& file) {
   auto fruit = std::make_shared<StudioFruit>();
   fruit->wanted = wanted;
-  SharedOptions& options = fruit->options;
-  options.seed = wanted.seed;
-  options.ripeness = wanted.ripeness;
-  options.browning = wanted.browning;
-  options.detail = wanted.detail;
-  options.quality = wanted.draft ? "draft" : "final";
+  GrowOptions& growing = fruit->order.fruit.growing;
+  fruit->order.fruit.seed = wanted.seed;
+  growing.folds = wanted.folds;
+  growing.ripeness = wanted.ripeness;
+  growing.browning = wanted.browning;
+  growing.detail = wanted.detail;
+  fruit->order.color.quality = wanted.draft ? Quality::draft : Quality::final;
   const FruitTexts& texts = wanted.texts;
   fruit->drawn = parse_drawn_template(texts.toml, file.string(),
                                       texts.svg.empty() ? std::nullopt : std::optional<std::string_view>(texts.svg));
-  StageTimes times;
-  fruit->source = fruit_of(fruit->drawn.fruit, file.stem().string(), file.string(), options, wanted.folds, times);
+  fruit->source = ordered_fruit(fruit->drawn.fruit, file.stem().string(), file.string(), fruit->order);
   return fruit;
 }
 

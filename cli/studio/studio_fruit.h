@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/fruit_source.h"
 #include "cli/studio/fruit_texts.h"
 #include "cli/studio/plane_picture.h"
+#include "generator/order/ordered_fruit.h"
 #include "generator/template/read/read_template.h"
 
 namespace pomona {
@@ -33,8 +33,8 @@ struct WantedFruit {
 struct StudioFruit {
   WantedFruit wanted;
   DrawnTemplate drawn;
-  FruitSource source;
-  SharedOptions options;  ///< that the command line would have
+  OrderedFruit source;
+  Order order;  ///< that the command line would give
 
   /// Of the grid, draft or final; solved when it is first asked for.
   const ColorField& field() const;

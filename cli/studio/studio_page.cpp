@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/find_style.h"
+#include "cli/options/find_style.h"
 #include "cli/studio/studio_files.h"
 #include "generator/base/error.h"
 #include "generator/base/xml_text.h"

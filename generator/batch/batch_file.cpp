@@ -1,11 +1,13 @@
 #include "generator/batch/batch_file.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
 #include "generator/batch/batch_limits.h"
 #include "generator/knife/read_knife.h"
+#include "generator/order/option_key.h"
 #include "generator/template/read/read_name.h"
 #include "generator/template/read/toml_document.h"
 #include "generator/template/read/toml_text.h"
@@ -42,42 +44,52 @@ void read_list(const TomlValue& list, std::vector<Value>& values, Read&& read) {
   }
 }
 
-AssetFormat read_format(const TomlValue& value) {
+/// Everything that `cut` and `grow` write, but for pictures of solids.
+std::vector<std::string> batch_format_names() {
+  std::vector<std::string> names;
+  for (const std::string& name : format_names())
+    if (name != "png" && name != "json") names.push_back(name);
+  return names;
+}
+
+Format read_format(const TomlValue& value) {
   if (value.is(TomlNode::Kind::string) && value.text() == "png") {
     value.error("\"png\" is no format of a batch: OpenGL draws it otherwise on every machine",
                 "thumbnail = 256 draws a picture of each item");
-    return AssetFormat::glb;
+    return Format::glb;
   }
-  return static_cast<AssetFormat>(value.choice({"glb", "ply", "pov", "svg"}));
+  const std::vector<std::string> names = batch_format_names();
+  return format_called(names[static_cast<std::size_t>(value.choice(names))]).value_or(Format::glb);
 }
 
-AssetOptions read_assets(const TomlTable& table, AssetOptions assets) {
-  // What is written ...
+/// A value of an option that is a whole number, as one of a list.
+int read_whole(const TomlValue& value, const char* name) {
+  const Within range = range_of(order_option(name));
+  const int number = value.integer(0, 0, static_cast<int>(range.high));
+  if (number > 0 && number < range.low)
+    value.error("is below " + std::to_string(static_cast<int>(range.low)) + " " + order_option(name).unit, "0 is none");
+  return number;
+}
+
+AssetOptions read_assets(const TomlTable& table, AssetOptions assets, const std::filesystem::path& folder) {
+  // Lists multiply ...
   read_list(table.get("formats"), assets.formats, read_format);
   read_list(table.get("quality"), assets.qualities,
             [](const TomlValue& value) { return static_cast<Quality>(value.choice(quality_names())); });
-  read_list(table.get("texture"), assets.textures, [](const TomlValue& value) {
-    const int texels = value.integer(0, 0, 8192);
-    if (texels > 0 && texels < 64) value.error("is below 64 texels", "0 leaves colours on vertices");
-    return texels;
-  });
-  assets.all_maps = table.get("maps").choice({"color", "all"}, assets.all_maps ? 1 : 0) == 1;
-  read_list(table.get("lod"), assets.lods, [](const TomlValue& value) { return value.integer(0, 0, 6); });
+  read_list(table.get("texture"), assets.textures, [](const TomlValue& value) { return read_whole(value, "texture"); });
+  read_list(table.get("lod"), assets.lods, [](const TomlValue& value) { return read_whole(value, "lod"); });
 
-  // ... and how finely.
-  assets.detail = table.get("detail").number(assets.detail, {0.1, 4});
-  assets.variation = table.get("variation").number(assets.variation, {0, 2});
+  // ... all else is the same for each item.
+  for (const OrderOption* option : batch_options()) read_option_key(*option, table, assets.order);
+  std::string& style = assets.order.color.style;
+  if (table.has("style") && style.ends_with(".toml")) style = (folder / style).string();
+  if (table.has("texel") && table.has("texture"))
+    table.get("texel").error("and \"texture\" exclude each other", "keep one of them");
   assets.thumbnail = table.get("thumbnail").integer(assets.thumbnail, 0, 1024);
   if (table.has("thumbnail") && assets.thumbnail > 0 && assets.thumbnail < 16)
     table.get("thumbnail").error("is below 16 pixels", "0 draws none");
   assets.thumbnail_on_paper =
       table.get("thumbnail_ground").choice({"transparent", "paper"}, assets.thumbnail_on_paper ? 1 : 0) == 1;
-
-  // Textures, what they show and levels of detail are .glb's alone.
-  const bool has_glb = std::count(assets.formats.begin(), assets.formats.end(), AssetFormat::glb) > 0;
-  for (const char* key : {"texture", "maps", "lod"}) {
-    if (table.has(key) && !has_glb) table.get(key).error("is about .glb: no format is one", "add \"glb\" to formats");
-  }
   return assets;
 }
 
@@ -99,7 +111,7 @@ class BatchReader {
     batch_.name = read_name(table.need("name"), {});
     batch_.title = table.get("title").text(batch_.name);
     batch_.seed = static_cast<std::uint64_t>(table.get("seed").integer(0, 0, largest_seed));
-    const AssetOptions usual = read_assets(table, {});
+    const AssetOptions usual = read_assets(table, {}, folder());
 
     const std::vector<TomlTable> entries = root.need("entry").tables(most_batch_entries);
     if (root.has("entry") && entries.empty()) root.get("entry").error("is empty", "say what to make: [[entry]]");
@@ -124,21 +136,20 @@ class BatchReader {
     read_list(table.get("folds"), entry.folds,
               [](const TomlValue& value) { return std::optional(value.integer(1, 1, most_folds)); });
     read_list(table.get("ripeness"), entry.ripeness, [](const TomlValue& value) {
-      return std::optional(value.number(1, {0, 2}));
+      return std::optional(value.number(1, range_of(order_option("ripeness"))));
     });
 
     // What happens to it, and what is written.
-    read_list(table.get("browning"), entry.browning, [](const TomlValue& value) { return value.number(0, {0, 1}); });
+    read_list(table.get("browning"), entry.browning,
+              [](const TomlValue& value) { return value.number(0, range_of(order_option("browning"))); });
     const std::vector<TomlValue> alternatives = one_or_many(table.get("knives"));
     if (!alternatives.empty()) entry.knives.clear();
-    for (const TomlValue& alternative : alternatives)
-      entry.knives.push_back(read_alternative(alternative, std::filesystem::path(file_).parent_path()));
-    entry.assets = read_assets(table, usual);
-    const std::vector<int>& textures = entry.assets.textures;
-    if (table.has("maps") && std::count(textures.begin(), textures.end(), 0) == std::ssize(textures))
-      table.get("maps").error("is about textures: there are none", "add texture = 512");
+    for (const TomlValue& alternative : alternatives) entry.knives.push_back(read_alternative(alternative, folder()));
+    entry.assets = read_assets(table, usual, folder());
     return entry;
   }
+
+  std::filesystem::path folder() const { return std::filesystem::path(file_).parent_path(); }
 
   void read_templates(const TomlTable& table, BatchEntry& entry) {
     const TomlValue wanted = table.need("templates");
@@ -173,9 +184,20 @@ class BatchReader {
 
 }  // namespace
 
-const char* name_of(AssetFormat format) {
-  constexpr const char* names[] = {"glb", "ply", "pov", "svg"};
-  return names[static_cast<std::size_t>(format)];
+Order usual_batch_order() {
+  Order order;
+  order.mesh.maps = Maps::color;
+  return order;
+}
+
+std::vector<const OrderOption*> batch_options() {
+  constexpr std::array lists = {"quality", "texture", "lod", "folds", "ripeness", "browning", "knife"};
+  std::vector<const OrderOption*> options;
+  for (const OrderOption& option : order_options()) {
+    const bool is_list = std::find(lists.begin(), lists.end(), option.name) != lists.end();
+    if (has_option(OrderTaker::batch, option) && !is_list) options.push_back(&option);
+  }
+  return options;
 }
 
 BatchDescription parse_batch(std::string_view toml, const std::string& file) { return BatchReader(toml, file).read(); }

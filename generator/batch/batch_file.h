@@ -11,30 +11,29 @@
 #include "generator/base/error.h"
 #include "generator/diffusion/quality.h"
 #include "generator/knife/knife.h"
+#include "generator/order/option_table.h"
 
 namespace pomona {
-
-/// The files of an item.
-enum class AssetFormat { glb, ply, pov, svg };
-
-/// As files' endings and batch files say it: "glb".
-const char* name_of(AssetFormat format);
 
 struct TemplateWanted {
   std::string name;
   SourcePlace place;
 };
 
+/// What a batch orders where its file says nothing: textures hold colour alone.
+Order usual_batch_order();
+
+/// The options of the table that a batch takes and that are no lists: one value for all items of an entry.
+std::vector<const OrderOption*> batch_options();
+
 /// How finely an item is made, and as what; what [batch] says holds for all entries that say nothing else.
 struct AssetOptions {
-  std::vector<AssetFormat> formats{AssetFormat::glb};  ///< a file of each
+  std::vector<Format> formats{Format::glb};  ///< a file of each
   std::vector<Quality> qualities{Quality::draft};
-  std::vector<int> textures{0};  ///< texels along a texture's edge; 0 = colours on vertices
-  bool all_maps = false;         ///< textures of relief, roughness, occlusion and thickness beside those of colour
-  std::vector<int> lods{0};      ///< further levels of detail
-  double detail = 1;             ///< see SweepOptions
-  double variation = 1;          ///< 0..2, see VariationOptions::amount
-  int thumbnail = 0;             ///< pixels along its edge; 0 = none
+  std::vector<int> textures{0};       ///< texels along a texture's edge; 0 = colours on vertices
+  std::vector<int> lods{0};           ///< further levels of detail
+  Order order = usual_batch_order();  ///< all other options, which do not multiply
+  int thumbnail = 0;                  ///< pixels along its edge; 0 = none
   bool thumbnail_on_paper = false;
 };
 

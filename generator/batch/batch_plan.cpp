@@ -175,6 +175,27 @@ std::vector<BatchItem> items_of(const PlannedEntry& entry, const BatchVariant& v
   return items;
 }
 
+Order order_of(const BatchPlan& plan, const BatchVariant& variant) {
+  Order order = plan.entries[variant.entry].wanted.assets.order;
+  order.fruit.seed = variant.seed;
+  order.fruit.growing.folds = variant.folds;
+  order.fruit.growing.ripeness = variant.ripeness;
+  return order;
+}
+
+Order order_of(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item) {
+  const BatchEntry& wanted = plan.entries[variant.entry].wanted;
+  Order order = order_of(plan, variant);
+  order.fruit.growing.browning = item.browning;
+  order.cut.knives = wanted.knives[item.knives];
+  order.color.quality = item.quality;
+  order.mesh.texture = item.texture;
+  order.mesh.lod = item.lod;
+  const std::string& name = plan.templates[variant.fruit].name;
+  for (const Format format : wanted.assets.formats) order.outputs.push_back({name + "." + name_of(format), format});
+  return order;
+}
+
 std::string item_folder(std::int64_t items, std::int64_t number) {
   std::string digits = std::to_string(number);
   const int width = digits_for(items);

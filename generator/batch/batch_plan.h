@@ -71,6 +71,12 @@ struct BatchItem {
   int texture = 0, lod = 0;
 };
 
+/// The individual as ordered: its seed and how it grows.
+Order order_of(const BatchPlan& plan, const BatchVariant& variant);
+
+/// The item as ordered: how the individual is cut and coloured, and its files, which are called as the template is.
+Order order_of(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item);
+
 /// The items of a variant, in their order.
 std::vector<BatchItem> items_of(const PlannedEntry& entry, const BatchVariant& variant);
 

@@ -11,6 +11,7 @@
 #include "generator/base/json_text.h"
 #include "generator/base/sha256.h"
 #include "generator/batch/batch_limits.h"
+#include "generator/batch/option_json.h"
 #include "generator/batch/record_fields.h"
 #include "generator/template/read/read_name.h"
 
@@ -65,12 +66,16 @@ Json entry_of(const BatchPlan& plan, const PlannedEntry& entry) {
   json["formats"] = names_of(assets.formats);
   json["quality"] = names_of(assets.qualities);
   json["texture"] = assets.textures;
-  json["maps"] = assets.all_maps ? "all" : "color";
+  json["maps"] = text_of_option(order_option("maps"), assets.order);
   json["lod"] = assets.lods;
-  json["detail"] = assets.detail;
-  json["variation"] = assets.variation;
+  json["detail"] = assets.order.fruit.growing.detail;
+  json["variation"] = assets.order.fruit.growing.variation;
   json["thumbnail"] = assets.thumbnail;
   json["thumbnail_ground"] = assets.thumbnail_on_paper ? "paper" : "transparent";
+  for (const OrderOption* option : batch_options()) {
+    const bool is_told = json.contains(key_of(*option)) || !is_given(*option, assets.order);
+    if (!is_told) json[key_of(*option)] = option_json(*option, assets.order);
+  }
   return json;
 }
 

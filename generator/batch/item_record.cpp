@@ -4,6 +4,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
+#include "generator/batch/option_json.h"
 #include "generator/batch/record_fields.h"
 #include "generator/piece/facts_json.h"
 
@@ -36,8 +37,12 @@ Json recipe(const BatchPlan& plan, const BatchVariant& variant, const BatchItem&
   if (item.browning > 0) json["browning"] = item.browning;
   json["quality"] = name_of(item.quality);
   if (item.texture > 0) json["texture"] = item.texture;
-  if (item.texture > 0 && entry.wanted.assets.all_maps) json["maps"] = "all";
+  const Order& order = entry.wanted.assets.order;
+  if (item.texture > 0 && order.mesh.maps == Maps::all) json["maps"] = "all";
   if (item.lod > 0) json["lod"] = item.lod;
+  for (const OrderOption* option : batch_options()) {
+    if (option->name != "maps" && is_given(*option, order)) json[key_of(*option)] = option_json(*option, order);
+  }
   return json;
 }
 

@@ -34,10 +34,4 @@ std::string source_word(const std::string& name_or_path);
 /// The knives, parted by spaces.
 std::string knives_text(const PieceOrigin& origin);
 
-/// "pomona cut tomato --seed 3 --knife half --piece 2 -o FILE": makes this piece again, alone, where the paths in it
-/// start: in the folder of the scene or batch file, or where the command was given. Whole fruit is grown instead.
-/// Empty where nobody has said of which template, or which piece it is.
-/// \param further words, ready for the shell, that come before -o: what colours it, and as what it is written.
-std::string command_for(const PieceOrigin& origin, const std::string& file, const std::string& further = {});
-
 }  // namespace pomona

@@ -21,4 +21,11 @@ int fold_count(const Template& fruit) {
   return folds ? static_cast<int>(folds->fold_angles.size()) : 1;
 }
 
+std::string words_of(const std::string& name) {
+  std::string words = name;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  std::replace(words.begin(), words.end(), '-', ' ');
+  return words;
+}
+
 }  // namespace pomona

@@ -73,4 +73,7 @@ constexpr int most_folds = 64;
 /// Folds, or 1 where there are none.
 int fold_count(const Template& fruit);
 
+/// "seed_coat" as one writes it: "seed coat".
+std::string words_of(const std::string& name);
+
 }  // namespace pomona

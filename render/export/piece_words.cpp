@@ -1,5 +1,6 @@
 #include "render/export/piece_words.h"
 
+#include "generator/order/ordered_fruit.h"
 #include "generator/piece/piece_facts.h"
 
 namespace pomona {

@@ -7,14 +7,12 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
+#include "generator/order/export_choices.h"
 #include "generator/scene/scene.h"
 #include "render/style/style.h"
 #include "render/texture/bake.h"
 
 namespace pomona {
-
-/// Whose importer names are for (docs/formats.md).
-enum class Engine { any, godot, unreal, unity };
 
 struct ExportOptions {
   Style style = {};                ///< noise and paint of the colours; in POV-Ray light, shadow and gloss, too

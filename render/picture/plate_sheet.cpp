@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "generator/template/template.h"
 #include "render/lettering/coverage.h"
 #include "render/lettering/typeface.h"
 #include "render/picture/paper.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "generator/template/template.h"
 #include "render/lettering/coverage.h"
 #include "render/lettering/typeface.h"
 #include "render/plate/scale_bar.h"
@@ -51,13 +52,6 @@ void add_leader(const glm::dvec2& from, const glm::dvec2& tip, double hair, Plat
   lines.marks.push_back({disc_outline(tip, 1.7 * hair), {}});
   halos.marks.push_back({line_outline(from, tip, 2.6 * hair), {}});
   halos.marks.push_back({disc_outline(tip, 2.7 * hair), {}});
-}
-
-std::string words_of(const std::string& name) {
-  std::string words = name;
-  std::replace(words.begin(), words.end(), '_', ' ');
-  std::replace(words.begin(), words.end(), '-', ' ');
-  return words;
 }
 
 Plate::Plate(const Style& style, PlateText text, const std::vector<std::string>& part_names, int width, int height)

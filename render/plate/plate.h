@@ -79,7 +79,4 @@ class Plate {
 /// Lays them onto a picture.
 void draw(const std::vector<PlateLayer>& layers, Image& image);
 
-/// "seed_coat" as one writes it: "seed coat".
-std::string words_of(const std::string& name);
-
 }  // namespace pomona

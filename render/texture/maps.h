@@ -6,15 +6,10 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "generator/order/export_choices.h"
 #include "render/image/image.h"
 
 namespace pomona {
-
-/// Which maps are baked.
-enum class Maps {
-  color,  ///< base colour alone
-  all,    ///< and those below
-};
 
 /// On the texture's own atlas, as glTF has them: values are shares of 255, not sRGB. 0 x 0 where there are none.
 struct SurfaceMaps {

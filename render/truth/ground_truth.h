@@ -5,14 +5,10 @@
 #include <vector>
 
 #include "generator/base/parallel.h"
+#include "generator/order/export_choices.h"
 #include "generator/scene/scene.h"
 
 namespace pomona {
-
-enum class TruthFormat {
-  png,  ///< 16-bit pictures of numbers, one a layer
-  exr,  ///< one file with all layers as they are, and Cryptomatte
-};
 
 struct TruthOptions {
   int width = 800, height = 600;  ///< of the picture

@@ -152,17 +152,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"SameOutputTwice", {"grow", "tomato", "-o", "x.ply", "-o", "./x.ply"}, 64, "twice"},
         Mistake{"NoLevels", {"grow", "tomato", "--lod", "0", "-o", "x.glb"}, 64, "--lod"},
         Mistake{"NineLevels", {"cut", "tomato", "--knife", "half", "--lod", "9", "-o", "x.glb"}, 64, "--lod"},
-        Mistake{"LevelsInAPicture", {"grow", "tomato", "--lod", "2", "-o", "x.png"}, 64, "--lod is about .glb"},
-        Mistake{"LevelsOfASection",
-                {"cut", "tomato", "--knife", "half", "--section", "--lod", "2", "-o", "x.ply"},
-                64,
-                "--lod is about .glb"},
         Mistake{"LevelsForGodot",
                 {"grow", "tomato", "--lod", "2", "--engine", "godot", "-o", "x.glb"},
                 64,
                 "Godot makes levels"},
-        Mistake{
-            "HullsInAPicture", {"grow", "tomato", "--engine", "unreal", "-o", "x.png"}, 64, "--engine is about .glb"},
         Mistake{"InstancesForUnreal",
                 {"grow", "tomato", "--instances", "--engine", "unreal", "-o", "x.glb"},
                 64,
@@ -311,12 +304,14 @@ TEST(StandardOutput, ThatIsFullEndsWithItsStatus) {
 
 TEST(Outputs, WarnOfOptionsThatHaveNoEffect) {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      run_pomona({"grow", "radish", "--detail", "0.1", "--texture", "256", "--view", "top", "--size", "80x60", "--dpi",
-                  "300", "--sheets", "--variation", "2", "--aov-format", "exr", "-o", "X.OBJ"},
-                 folder.path());
+  const Outcome outcome = run_pomona(
+      {"grow",  "radish",   "--detail", "0.1",         "--texel",       "1mm",        "--view",       "top",  "--size",
+       "80x60", "--dpi",    "300",      "--sheets",    "--variation",   "2",          "--aov-format", "exr",  "--lod",
+       "2",     "--engine", "unreal",   "--instances", "--feature-ids", "--cuttable", "-o",           "X.OBJ"},
+      folder.path());
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* option : {"--texture", "--view", "--size", "--dpi", "--sheets", "--variation", "--aov-format"})
+  for (const char* option : {"--texel", "--view", "--size", "--dpi", "--sheets", "--variation", "--aov-format", "--lod",
+                             "--engine", "--instances", "--feature-ids", "--cuttable"})
     EXPECT_THAT(outcome.err, HasSubstr(std::string("warning: ") + option));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "X.OBJ"));
 }

@@ -1,4 +1,3 @@
-// The commands that make pieces again: tests/cli/remake_test.py runs them.
 #include "generator/piece/piece_origin.h"
 
 #include <gtest/gtest.h>
@@ -10,36 +9,8 @@
 namespace pomona {
 namespace {
 
-TEST(PieceOrigin, TheDrawingNeedsNoMoreThanItsName) {
-  const PieceOrigin whole{.source = "tomato", .growing = {.as_drawn = true}, .number = 1, .pieces = 1};
-  EXPECT_EQ(command_for(whole, "x.glb"), "pomona grow tomato -o x.glb");
-}
-
-TEST(PieceOrigin, SaysAllThatIsNotAsUsual) {
-  const PieceOrigin piece{
-      .source = "my fruit.toml",
-      .key = {.seed = 0, .index = 7},
-      .growing =
-          {.variation = 0.5, .curves_only = true, .folds = 4, .detail = 0.1, .ripeness = 1.0 / 3, .browning = 0.25},
-      .knives = {"half", "stroke:a.svg#wave"},
-      .coarse = true,
-      .number = 2,
-      .pieces = 9};
-  EXPECT_EQ(command_for(piece, "x.glb", " --style plain"),
-            "pomona cut 'my fruit.toml' --seed 0 --index 7 --variation 0.5 --curves-only --folds 4 --ripeness "
-            "0.3333333333333333 --detail 0.1 --knife half --knife 'stroke:a.svg#wave' --browning 0.25 --faces coarse "
-            "--piece 2 --style plain -o x.glb");
-  EXPECT_EQ(knives_text(piece), "half stroke:a.svg#wave");
-}
-
-TEST(PieceOrigin, KeepsLargeSeedsWhole) {
-  const PieceOrigin piece{.source = "kiwi", .key = {.seed = 18446744073709551615u}, .number = 1, .pieces = 1};
-  EXPECT_EQ(command_for(piece, "x.glb"), "pomona grow kiwi --seed 18446744073709551615 -o x.glb");
-}
-
-TEST(PieceOrigin, OfNobodyKnowsWhatIsNoCommand) {
-  EXPECT_EQ(command_for({}, "x.glb"), "");
-  EXPECT_EQ(command_for({.source = "kiwi"}, "x.glb"), "") << "which piece?";
+TEST(PieceOrigin, TellsItsKnives) {
+  EXPECT_EQ(knives_text({.knives = {"half", "stroke:a.svg#wave"}}), "half stroke:a.svg#wave");
 }
 
 TEST(PieceOrigin, PathsFromTheRootAreOfNoUseElsewhere) {

@@ -34,6 +34,7 @@ ROAD = [
     "generator/diffusion/walk",
     "generator/piece",
     "generator/piece/lod",
+    "generator/order",
     "generator/scene/settle",
     "generator/scene",
     "generator/batch",
@@ -54,6 +55,7 @@ ROAD = [
     "render/export/usd",
     "render/thumbnail",
     "render/page",
+    "render/deliver",
     "cli",
 ]
 
@@ -79,12 +81,12 @@ HEAVY = {
     "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),
     "Nettle": (r"nettle/", r"generator/base/sha256\.cpp"),
     "Random123": (r"Random123/", r"generator/base/random\.cpp"),
-    "CLI11": (r"CLI/", r"((tests/)?cli|bench)/(pages/)?\w+\.(cpp|h)"),
+    "CLI11": (r"CLI/", r"((tests/)?cli|bench)/(\w+/)?\w+\.(cpp|h)"),
 }
 HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 
 # Folders whose values end up in files that must be the same on every machine.
-REPRODUCIBLE = ("generator/", "render/style/", "render/marks/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/", "render/page/", "render/texture/",
+REPRODUCIBLE = ("generator/", "render/style/", "render/marks/", "render/image/", "render/picture/", "render/compare/", "render/export/", "render/thumbnail/", "render/page/", "render/deliver/", "render/texture/",
                 "render/strokes/", "render/lettering/", "render/plate/")
 
 LIBM = "a?(?:sin|cos|tan)h?|atan2|sincos|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erf|tgamma|lgamma|fma"

@@ -1,0 +1,38 @@
+#include "cli/options/file_kind.h"
+
+#include <string>
+
+#include "generator/base/error.h"
+#include "generator/batch/batch_file.h"
+#include "generator/scene/scene_file.h"
+#include "generator/template/read/toml_text.h"
+#include "render/style/style_file.h"
+
+namespace pomona {
+
+FileKind kind_of(const std::filesystem::path& file) {
+  if (is_batch_file(file)) return FileKind::batch;
+  if (is_scene_file(file)) return FileKind::scene;
+  if (is_style_file(file)) return FileKind::style;
+  return has_toml_heading(file, {"[symmetry]", "[[surface]]", "[surface.", "[[mesh]]"}) ? FileKind::fruit
+                                                                                        : FileKind::other;
+}
+
+void check_kind(const std::filesystem::path& file, FileKind wanted) {
+  const std::string name = file.string();
+  const auto refuse = [&](const std::string& what, const std::string& hint) {
+    throw Error(ExitStatus::bad_data, {{{name, 1, 1, {}}, what, hint}});
+  };
+  const bool is_surfaces = file.extension() == ".ply";
+  if (file.extension() != ".toml" && !(is_surfaces && wanted == FileKind::fruit))
+    refuse("has no ending of a file that is read here",
+           wanted == FileKind::fruit ? "templates are .toml, surfaces .ply" : "name it FILE.toml");
+  const FileKind found = kind_of(file);
+  if (found == wanted || found == FileKind::other) return;
+  if (found == FileKind::fruit) refuse("is a template", "pomona grow and pomona cut take templates");
+  if (found == FileKind::scene) refuse("is a scene", "pomona scene takes scenes");
+  if (found == FileKind::batch) refuse("is a batch", "pomona batch takes batches");
+  refuse("is a style", "--style takes styles");
+}
+
+}  // namespace pomona

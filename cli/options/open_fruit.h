@@ -1,0 +1,20 @@
+// The fruit that a name or a path on the command line stands for, grown to order.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/order/ordered_fruit.h"
+
+namespace pomona {
+
+struct OpenedFruit {
+  OrderedFruit grown;
+  std::optional<Template> drawn = {};  ///< none of a surface file
+};
+
+/// Reads, varies and sweeps; a path that ends in .ply is read as surfaces. \param word a name from `pomona list`, or a
+/// path. \throws Error (input_missing), and as read_template(), read_surfaces(), grow()
+OpenedFruit open_fruit(const std::string& word, const Order& order);
+
+}  // namespace pomona

@@ -1,0 +1,104 @@
+#include "cli/options/program_folders.h"
+
+#include <sys/auxv.h>
+
+#include <map>
+
+#include "generator/base/error.h"
+#include "generator/base/file_bytes.h"
+#include "generator/base/nearest_name.h"
+
+namespace fs = std::filesystem;
+
+namespace pomona {
+
+namespace {
+
+/// All there are, in the order they are looked in.
+std::vector<fs::path> candidates(const std::string& kind) {
+  std::vector<fs::path> folders = program_folders(kind);
+  folders.insert(folders.end(), {kind, "."});
+  return folders;
+}
+
+/// What names have none of: a folder, or the ending of a file that is read.
+bool is_path(const std::string& text) {
+  const fs::path path(text);
+  for (const char* ending : {".toml", ".ply", ".obj", ".glb", ".svg", ".json", ".png"})
+    if (path.extension() == ending) return true;
+  return text.find('/') != std::string::npos;
+}
+
+}  // namespace
+
+fs::path this_program() {
+  std::error_code failed;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+  if (!failed) return program;
+  const auto* started_as = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+  return started_as != nullptr ? fs::weakly_canonical(started_as, failed) : fs::path();
+}
+
+std::vector<fs::path> program_folders(const std::string& kind) {
+  const fs::path root = this_program().parent_path().parent_path();
+  return {root / kind, root / "share" / "pomona" / kind};
+}
+
+std::vector<fs::path> searched_folders(const std::string& kind) {
+  std::vector<fs::path> folders;
+  for (const fs::path& folder : candidates(kind)) {
+    std::error_code ignored;
+    if (fs::is_directory(folder, ignored)) folders.push_back(folder);
+  }
+  return folders;
+}
+
+std::string where_looked(const std::string& kind) {
+  std::string text = "looked in ";
+  for (const fs::path& folder : program_folders(kind)) text += folder.string() + ", ";
+  return text + kind + "/ and the current folder";
+}
+
+std::vector<fs::path> own_files(const std::string& kind) {
+  std::map<std::string, fs::path> by_name;
+  for (const fs::path& folder : program_folders(kind)) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+      if (entry.path().extension() == ".toml") by_name.try_emplace(entry.path().stem().string(), entry.path());
+    }
+  }
+  std::vector<fs::path> files;
+  for (const auto& [name, file] : by_name) files.push_back(file);
+  return files;
+}
+
+fs::path existing_file(const std::string& path) {
+  const std::string why = why_no_file(path);
+  if (!why.empty()) throw Error(ExitStatus::input_missing, {{{path, 0, 0, {}}, why, {}}});
+  return path;
+}
+
+fs::path find_file(const std::string& kind, const std::string& name_or_path, const std::string& called) {
+  if (is_path(name_or_path)) return existing_file(name_or_path);
+  std::error_code ignored;
+  for (const fs::path& folder : searched_folders(kind)) {
+    const fs::path file = folder / (name_or_path + ".toml");
+    if (fs::is_regular_file(file, ignored)) return file;
+  }
+
+  // No name; but what lies here under it is told as what it is.
+  if (fs::exists(name_or_path, ignored)) {
+    const fs::path file = existing_file(name_or_path);
+    throw Error(ExitStatus::bad_data,
+                {{{file.string(), 1, 1, {}}, "has no ending of a file that is read here", "name it FILE.toml"}});
+  }
+
+  std::vector<std::string> known;
+  for (const fs::path& file : own_files(kind)) known.push_back(file.stem().string());
+  const auto near = nearest_name(name_or_path, known);
+  const std::string what = called.empty() ? kind.substr(0, kind.size() - 1) : called;
+  throw Error(ExitStatus::input_missing, "there is no " + what + " \"" + name_or_path + "\"",
+              near ? "did you mean " + *near + "?" : where_looked(kind) + "; a path works too");
+}
+
+}  // namespace pomona

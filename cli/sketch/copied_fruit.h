@@ -1,0 +1,16 @@
+// A fruit to start from that is there already: a template, and its drawing, under another name.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/sketch/starting_sketch.h"
+
+namespace pomona {
+
+/// \param original a template that reads well. \param name of the new fruit. \returns its texts; no SVG if the curves
+/// stand in the template itself.
+/// \throws Error (usage) for a template of meshes, whose files would have to come along; what read_template() throws.
+StartingSketch copied_fruit(const std::filesystem::path& original, const std::string& name);
+
+}  // namespace pomona

@@ -1,0 +1,13 @@
+// Options of an order in the records of batches.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "generator/order/option_table.h"
+
+namespace pomona {
+
+/// What the order says of the option: a number, a truth value or a text.
+nlohmann::ordered_json option_json(const OrderOption& option, const Order& order);
+
+}  // namespace pomona

@@ -1,0 +1,45 @@
+// The formats that files are written in, known by their endings.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pomona {
+
+/// In the order in which messages list them.
+enum class Format { ply, glb, usda, obj, stl, pov, png, svg, json, html, pomona };
+
+/// The endings without their dots, in the order of Format.
+const std::vector<std::string>& format_names();
+
+/// "glb".
+const std::string& name_of(Format format);
+
+/// The format of an ending without its dot, in lower case or capitals; nothing if there is none.
+std::optional<Format> format_called(std::string_view ending);
+
+/// ".glb .usda", in the order of Format, whatever the order of `formats`.
+std::string endings_of(const std::vector<Format>& formats);
+
+/// A file that is wanted.
+struct Output {
+  std::filesystem::path file;  ///< "-" is standard output
+  Format format = Format::glb;
+};
+
+/// Whether any of the outputs is of one of these formats.
+bool any_is(const std::vector<Output>& outputs, const std::vector<Format>& formats);
+
+/// Whether all of them are.
+bool all_are(const std::vector<Output>& outputs, const std::vector<Format>& formats);
+
+/// Fruit that is cut after it has left the program: pages and assets.
+inline const std::vector<Format> live_formats = {Format::html, Format::pomona};
+
+/// Flat pictures.
+inline const std::vector<Format> picture_formats = {Format::png, Format::svg};
+
+}  // namespace pomona

@@ -1,0 +1,137 @@
+// The table of all options of an order. The command line, its help, the manual page and completions, keys of batch and
+// scene files with their schemas, the tables of docs/reference/commands.md, the commands that pieces carry, and every
+// warning that an option has no effect come from it. An option that is added here appears in all of them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "generator/order/order.h"
+
+namespace pomona {
+
+/// A switch.
+struct FlagValue {
+  bool& (*in)(Order&);
+};
+
+/// A whole number of a range.
+struct WholeValue {
+  int& (*in)(Order&);
+  int low = 0, high = 0;
+};
+
+/// The same where none is a value of its own; `none` is how a file writes it.
+struct OptionalWholeValue {
+  std::optional<int>& (*in)(Order&);
+  int low = 0, high = 0;
+};
+
+/// A number of a range.
+struct NumberValue {
+  double& (*in)(Order&);
+  double low = 0, high = 0;
+};
+
+/// The same where none is a value of its own.
+struct OptionalNumberValue {
+  std::optional<double>& (*in)(Order&);
+  double low = 0, high = 0;
+};
+
+/// A whole number of 64 bits.
+struct CountValue {
+  std::optional<std::uint64_t>& (*in)(Order&);
+};
+
+/// One of a few words, each an enumerator.
+struct ChoiceValue {
+  std::vector<std::string> words;
+  std::optional<std::size_t> (*get)(const Order&);  ///< its place in `words`; nothing where nothing was said
+  void (*set)(Order&, std::size_t);
+};
+
+/// Any text that is not empty: names and paths.
+struct TextValue {
+  std::string& (*in)(Order&);
+};
+
+/// A text with rules of its own. `read` throws Error (usage); `text` gives back what it read, "" for nothing.
+struct ParsedValue {
+  void (*read)(Order&, const std::string&);
+  std::string (*text)(const Order&);
+};
+
+/// Knives: the option may be given several times.
+struct KnivesValue {};
+
+using OptionValue = std::variant<FlagValue, WholeValue, OptionalWholeValue, NumberValue, OptionalNumberValue,
+                                 CountValue, ChoiceValue, TextValue, ParsedValue, KnivesValue>;
+
+/// What takes orders.
+enum class OrderTaker { grow, cut, plate, scene, batch };
+
+/// What an order must hold besides, or the option has no effect although an output could heed it.
+enum class OptionNeed {
+  nothing,
+  a_variant,     ///< a seed or an index: the drawing does not vary
+  pieces,        ///< pieces, not a bare section
+  textures,      ///< --texture or --texel
+  ground_truth,  ///< --aov
+};
+
+struct OrderOption {
+  std::string name;  ///< "ripeness-variants": --ripeness-variants, ripeness_variants in files
+  OptionValue value;
+  std::string type = {};   ///< what help calls a text: "FOLDER"
+  std::string unit = {};   ///< of a number: "texels"
+  std::string usual = {};  ///< the default as help tells it; empty: what Order has
+  std::string help;
+  std::vector<OrderTaker> takers = {};
+  std::vector<Format> heeded = {};  ///< the formats on which it has an effect; empty: all
+  OptionNeed need = OptionNeed::nothing;
+  std::string excludes = {};  ///< another option that cannot stand beside it
+  bool makes_piece = false;   ///< a command that makes a piece again says it
+};
+
+/// In the order in which commands say them.
+const std::vector<OrderOption>& order_options();
+
+/// \throws Error (bug) if there is none of this name.
+const OrderOption& order_option(std::string_view name);
+
+/// Whether this taker has it.
+bool has_option(OrderTaker taker, const OrderOption& option);
+
+/// "--ripeness-variants".
+std::string flag_of(const OrderOption& option);
+
+/// "ripeness_variants", as files call it.
+std::string key_of(const OrderOption& option);
+
+/// Puts what was typed into the order; of a switch "true" or "false". Where `none` is allowed, "0" of a number whose
+/// range lies above means nothing, as files write it. \throws Error (usage) that names the option and what it takes.
+void read_option(const OrderOption& option, const std::string& text, Order& order, bool none_is_zero = false);
+
+/// Why the text is no value of the option; empty: it is one. Of parsed texts only read_option() tells.
+std::string fault_of_option(const OrderOption& option, const std::string& text);
+
+/// What read_option() would have to be given: "0.3", "final"; "" where nothing was said, "true" of a switch.
+std::string text_of_option(const OrderOption& option, const Order& order);
+
+/// Whether the order says something else than `usual`, an order that says nothing.
+bool is_given(const OrderOption& option, const Order& order, const Order& usual = {});
+
+/// " --quality draft --style 'my style.toml'": what a command that makes a piece of this order again says, ready for
+/// the shell.
+std::string piece_words(const Order& order, const std::vector<OrderOption>& table = order_options());
+
+/// "--lod is about .glb .usda: no output is one": a line for each option that has no effect on this order's outputs.
+std::vector<std::string> idle_options(const Order& order, OrderTaker taker, const Order& usual = {},
+                                      const std::vector<OrderOption>& table = order_options());
+
+}  // namespace pomona

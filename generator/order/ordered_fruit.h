@@ -1,0 +1,52 @@
+// A fruit as it was ordered: grown, and then cut.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "generator/base/stage_clock.h"
+#include "generator/order/order.h"
+#include "generator/piece/grow.h"
+#include "generator/piece/piece_origin.h"
+#include "generator/piece/slice.h"
+#include "generator/variation/variation.h"
+
+namespace pomona {
+
+struct OrderedFruit {
+  Template fruit;  ///< the variant; of a surface file a name and no curves
+  GrownFruit grown;
+  PieceOrigin origin;
+  std::string name;  ///< of the template or file, without folder and ending
+  std::string file;  ///< the template or file
+  StageClock times;  ///< read, vary, sweep
+};
+
+/// Varies and sweeps a template. \param name as for OrderedFruit. \param word what named the template, for
+/// PieceOrigin::source.
+OrderedFruit ordered_fruit(const Template& drawn, const std::string& name, const std::string& word, const Order& order);
+
+/// The same of a template that was made ready for many variants.
+OrderedFruit ordered_fruit(const Variation& variation, const std::string& name, const std::string& word,
+                           const Order& order);
+
+/// Surfaces that no template draws. \throws Error (usage) where the order asks for folds, ripeness or browning, which
+/// they do not have.
+OrderedFruit fruit_of_surfaces(const std::filesystem::path& file, const Order& order);
+
+/// Cuts the fruit as ordered; without knives its whole bodies come out. The solids keep what coloured their cut faces
+/// where the order wants textures. What is wrong with the fruit is told of its file.
+/// \param diffuser none where nobody looks at cut faces: they keep the colours of their rims.
+/// \throws Error as slice(), and (usage) if there is no piece of the number that was ordered.
+Slices cut_to_order(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser);
+
+/// The order that makes a piece again: as it grew, its knives, and its number among the pieces.
+Order order_of(const PieceOrigin& origin);
+
+/// "pomona cut tomato --seed 3 --knife half --piece 2 -o FILE": makes this piece again, alone, where the paths in it
+/// start: in the folder of the scene or batch file, or where the command was given. Whole fruit is grown instead.
+/// Empty where nobody has said of which template, or which piece it is.
+/// \param further piece_words() of what colours it, and as what it is written; they come before -o.
+std::string command_for(const PieceOrigin& origin, const std::string& file, const std::string& further = {});
+
+}  // namespace pomona

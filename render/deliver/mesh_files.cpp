@@ -1,0 +1,162 @@
+#include "render/deliver/mesh_files.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "generator/base/error.h"
+#include "generator/order/option_table.h"
+#include "generator/piece/lod/levels_of_detail.h"
+#include "render/deliver/live_files.h"
+#include "render/deliver/map_files.h"
+#include "render/deliver/scene_levels.h"
+#include "render/export/gltf/write_glb.h"
+#include "render/export/obj.h"
+#include "render/export/ply.h"
+#include "render/export/stl.h"
+#include "render/export/usd/write_usda.h"
+
+namespace pomona {
+
+namespace {
+
+/// all_baked(), fruit by fruit, whose pieces share what colours them: progress is told after each.
+std::vector<BakedSolid> baked_by_fruit(std::span<const Solid> solids, const Style& style, const BakeOptions& how,
+                                       const DeliveryProgress& progress) {
+  std::vector<BakedSolid> baked_solids;
+  const auto tell = [&](std::size_t done) {
+    if (progress) progress("bake", done, solids.size());
+  };
+  for (std::size_t first = 0; first < solids.size();) {
+    tell(first);
+    std::size_t end = first + 1;
+    while (end < solids.size() && solids[end].section_colors == solids[first].section_colors) ++end;
+    for (BakedSolid& solid : all_baked(solids.subspan(first, end - first), style, how))
+      baked_solids.push_back(std::move(solid));
+    first = end;
+  }
+  tell(solids.size());
+  return baked_solids;
+}
+
+Delivered glb_files(const Output& output, const SceneViews& scene, const ReadyMeshes& ready, const Order& order,
+                    const DeliverOptions& how) {
+  if (order.mesh.cuttable && scene.fruit != nullptr)
+    return cuttable_file(output, scene.placed, *scene.fruit, order, how);
+  Delivered delivered;
+  for (const std::unique_ptr<StreamedGlb>& stream : scene.streams) {
+    if (stream->file() != output.file) continue;
+    delivered = stream->finished(scene.placed);
+    if (stream != scene.streams.front()) delivered.counts.clear(), delivered.warnings.clear();
+    return delivered;
+  }
+  const ExportOptions options = export_options(order, how);
+  if (!wants_textures(order.mesh)) {
+    delivered.add(output.file, [&] {
+      return scene.meshes.empty() ? write_glb(scene.placed, options, ready.levels)
+                                  : write_glb(scene.placed, scene.meshes, options, ready.levels);
+    });
+    return delivered;
+  }
+  if (!order.mesh.maps_dir.empty()) {
+    for (OutputFile& file : delivered.times.time("write", [&] { return map_files(ready.baked, order.mesh.maps_dir); }))
+      delivered.files.push_back({std::move(file), true});
+  }
+  delivered.add(output.file,
+                [&] { return write_glb(scene.placed, ready.baked, options, ready.coarser, ready.variants); });
+  return delivered;
+}
+
+Delivered usda_files(const Output& output, const Scene& scene, const ReadyMeshes& ready, const Order& order,
+                     const DeliverOptions& how) {
+  const ExportOptions options = export_options(order, how);
+  Delivered delivered;
+  if (!wants_textures(order.mesh)) {
+    delivered.add(output.file, [&] { return write_usda(scene, options, ready.levels); });
+    return delivered;
+  }
+  const std::string stem = output.file.stem().string();
+  UsdaFiles made = delivered.times.time(
+      "write", [&] { return write_usda(scene, ready.baked, stem, options, ready.coarser, ready.variants); });
+  delivered.files.push_back({.file = {output.file, std::move(made.text)}});
+  for (NamedFile& file : made.textures)
+    delivered.files.push_back({.file = {output.file.parent_path() / file.name, std::move(file.bytes)}});
+  return delivered;
+}
+
+}  // namespace
+
+ExportOptions export_options(const Order& order, const DeliverOptions& how) {
+  // Of how a piece grew and was cut its own origin speaks.
+  Order look;
+  look.color = order.color;
+  look.mesh = order.mesh;
+  return {.style = how.style,
+          .provenance = made_by(how.provenance),
+          .command_words = piece_words(look),
+          .threads = order.threads,
+          .instances = order.mesh.instances,
+          .feature_ids = order.mesh.feature_ids,
+          .engine = order.mesh.engine};
+}
+
+std::optional<BakeOptions> bake_options(const Order& order) {
+  if (!wants_textures(order.mesh)) return {};
+  // Maps are for .glb alone.
+  const bool has_maps = order.mesh.maps == Maps::all && any_is(order.outputs, {Format::glb});
+  BakeOptions how{
+      .texel = order.mesh.texel.metres, .maps = has_maps ? Maps::all : Maps::color, .threads = order.threads};
+  if (order.mesh.texture > 0) how.texels = order.mesh.texture;
+  return how;
+}
+
+ReadyMeshes ready_meshes(const SceneViews& scene, const Order& order, const DeliverOptions& how, Delivered& delivered) {
+  ReadyMeshes ready;
+  const std::vector<Solid>& solids = scene.placed.solids;
+  if (order.mesh.lod > 0) {
+    const LodOptions lod{.levels = order.mesh.lod, .threads = order.threads};
+    ready.levels = delivered.times.time("lod", [&] { return all_levels_of_detail(solids, lod); });
+    tell_levels(level_counts(solids, ready.levels, order.mesh.lod), delivered);
+  }
+  const std::optional<BakeOptions> wanted = bake_options(order);
+  if (!wanted) return ready;
+
+  // Variants differ in colour alone.
+  BakeOptions bake = *wanted;
+  ready.baked = delivered.times.time("bake", [&] { return baked_by_fruit(solids, how.style, bake, how.progress); });
+  ready.coarser = delivered.times.time("bake", [&] { return baked_levels(ready.levels, how.style, bake); });
+  count_texels(ready.baked, delivered);
+  for (const std::vector<BakedSolid>& of_solid : ready.coarser) count_texels(of_solid, delivered);
+  bake.maps = Maps::color;
+  for (const RipenessVariant& riper : scene.variants) {
+    ready.variants.push_back(
+        {riper.name, delivered.times.time("bake", [&] { return all_baked(riper.pieces, how.style, bake); })});
+    count_texels(ready.variants.back().solids, delivered);
+  }
+  return ready;
+}
+
+Delivered mesh_files(const Output& output, const SceneViews& scene, const ReadyMeshes& ready, const Order& order,
+                     const DeliverOptions& how) {
+  const ExportOptions options = export_options(order, how);
+  Delivered delivered;
+  switch (output.format) {
+    case Format::ply:
+      delivered.add(output.file, [&] { return write_solids(scene.placed, options); });
+      return delivered;
+    case Format::obj:
+      delivered.add(output.file, [&] { return write_obj(scene.placed, options); });
+      return delivered;
+    case Format::stl:
+      delivered.add(output.file, [&] { return write_stl(scene.placed); });
+      return delivered;
+    case Format::glb:
+      return glb_files(output, scene, ready, order, how);
+    case Format::usda:
+      return usda_files(output, scene.placed, ready, order, how);
+    default:
+      throw Error(ExitStatus::bug, name_of(output.format) + " is no format of meshes");
+  }
+}
+
+}  // namespace pomona

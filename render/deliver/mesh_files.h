@@ -1,0 +1,35 @@
+// Files of meshes: .ply, .obj, .stl, .glb, .usda.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/deliver/deliver.h"
+#include "render/export/styled_mesh.h"
+#include "render/export/texture_variant.h"
+#include "render/texture/bake.h"
+
+namespace pomona {
+
+/// What exporters are told of the order.
+ExportOptions export_options(const Order& order, const DeliverOptions& how);
+
+/// Nothing unless the order wants textures.
+std::optional<BakeOptions> bake_options(const Order& order);
+
+/// What .glb and .usda are made of besides the scene, made once for both.
+struct ReadyMeshes {
+  std::vector<std::vector<Solid>> levels;        ///< of each solid; empty without levels of detail
+  std::vector<BakedSolid> baked;                 ///< each solid in textures; empty without textures
+  std::vector<std::vector<BakedSolid>> coarser;  ///< its levels in textures
+  std::vector<TextureVariant> variants;          ///< the solids at other ripenesses
+};
+
+/// Levels and textures as ordered. Times, counts and warnings go to `delivered`.
+ReadyMeshes ready_meshes(const SceneViews& scene, const Order& order, const DeliverOptions& how, Delivered& delivered);
+
+/// One output of these formats, with the folder of maps where the order names one.
+Delivered mesh_files(const Output& output, const SceneViews& scene, const ReadyMeshes& ready, const Order& order,
+                     const DeliverOptions& how);
+
+}  // namespace pomona

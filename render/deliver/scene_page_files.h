@@ -1,0 +1,21 @@
+// A scene as a page: -o FILE.html of scene.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "generator/scene/scene_file.h"
+#include "render/deliver/deliver.h"
+
+namespace pomona {
+
+/// The pages of the order: the scene with the fruits that its pieces are cut from, each grown once more as its pieces
+/// tell. What cannot be cut again, as its boundary is open, is warned of: it can be looked at.
+/// \param find_template the file behind a template's name, where none lies beside the scene's file.
+/// \throws Error (usage) for more than a page takes.
+Delivered scene_page_files(const SceneDescription& description, const Scene& scene, const Order& order,
+                           const DeliverOptions& how,
+                           const std::function<std::filesystem::path(const std::string& name)>& find_template);
+
+}  // namespace pomona

@@ -1,0 +1,13 @@
+// The files of a bare section: .ply, .png, .svg.
+#pragma once
+
+#include "generator/piece/slice.h"
+#include "render/deliver/deliver.h"
+
+namespace pomona {
+
+/// The .ply keeps the colours as they diffused; pictures show what pieces show.
+/// \param fruit the variant that was cut.
+Delivered section_files(const Slices& slices, const Template& fruit, const Order& order, const DeliverOptions& how);
+
+}  // namespace pomona

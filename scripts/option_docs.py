@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Writes what documents and schemas say of an order's options from the program's own table.
+
+    option_docs.py write PROGRAM     makes the table of docs and the keys of scenes/batch.schema.json anew
+    option_docs.py check PROGRAM     status 1, and the names of the files, where they are not as it would write them
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+SOURCE = pathlib.Path(__file__).resolve().parent.parent
+DOCUMENT = SOURCE / "docs/reference/commands.md"
+SCHEMA = SOURCE / "scenes/batch.schema.json"
+BEGIN, END = "<!-- options: scripts/option_docs.py writes this -->", "<!-- end of the options -->"
+
+
+def value_words(option):
+    """What follows the option, as documents say it."""
+    if option["type"] == "flag":
+        return ""
+    if option["type"] == "choice":
+        return ", ".join(f"`{word}`" for word in option["words"])
+    if option["type"] in ("whole", "number"):
+        return f"{option['low']:g} to {option['high']:g}" + (f" {option['unit']}" if "unit" in option else "")
+    if option["type"] == "count":
+        return "a whole number"
+    return option.get("shown_type", "TEXT")
+
+
+def table(options):
+    rows = ["| option | value | default | commands | formats | |", "|---|---|---|---|---|---|"]
+    for option in options:
+        usual = f"`{option['usual']}`" if option["usual"] else ""
+        formats = " ".join("." + name for name in option["formats"]) or "all"
+        cells = [f"`--{option['name']}`", value_words(option), usual, ", ".join(option["commands"]), formats, option["help"]]
+        rows.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
+    return "\n".join(rows)
+
+
+def with_table(text, options):
+    before, rest = text.split(BEGIN)
+    after = rest.split(END)[1]
+    return f"{before}{BEGIN}\n\n{table(options)}\n\n{END}{after}"
+
+
+def schema_of(option):
+    """What a batch file may give the key."""
+    kinds = {"flag": {"type": "boolean"}, "text": {"type": "string", "minLength": 1}}
+    if option["type"] == "choice":
+        schema = {"enum": option["words"]}
+    elif option["type"] in ("whole", "number"):
+        number = {"type": "integer" if option["type"] == "whole" else "number", "minimum": option["low"], "maximum": option["high"]}
+        schema = {"anyOf": [{"const": 0}, number]} if option["type"] == "whole" and option["low"] > 0 else number
+    else:
+        schema = dict(kinds[option["type"]])
+        if option["key"] == "ripeness_variants":
+            schema = {"anyOf": [schema, {"type": "array", "items": {"type": "number", "minimum": 0, "maximum": 2}, "minItems": 1, "maxItems": 16}]}
+    return {**schema, "description": option["help"]}
+
+
+def with_keys(schema, options):
+    """Keys of options first as they stand, new ones in the order of the table, keys that no option has any more taken out."""
+    keys = {option["key"]: schema_of(option) for option in options if option["batch_key"]}
+    for properties in (schema["properties"]["batch"]["properties"], schema["properties"]["entry"]["items"]["properties"]):
+        for key, value in keys.items():
+            properties[key] = value
+        for format_list in (properties["formats"]["anyOf"][0], properties["formats"]["anyOf"][1]["items"]):
+            format_list["enum"] = ["ply", "glb", "usda", "obj", "stl", "pov", "svg", "html", "pomona"]
+    return schema
+
+
+def main():
+    verb, program = sys.argv[1:]
+    options = json.loads(subprocess.run([program, "pages", "options"], check=True, capture_output=True, text=True).stdout)
+    wanted = {
+        DOCUMENT: with_table(DOCUMENT.read_text(), options),
+        SCHEMA: json.dumps(with_keys(json.loads(SCHEMA.read_text()), options), indent=1) + "\n",
+    }
+    stale = [path for path, text in wanted.items() if path.read_text() != text]
+    for path in stale:
+        print(path.relative_to(SOURCE).as_posix(), "is not as the table of options has it" if verb == "check" else "written")
+        if verb == "write":
+            path.write_text(wanted[path])
+    return 1 if stale and verb == "check" else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
