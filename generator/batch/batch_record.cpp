@@ -12,7 +12,7 @@
 #include "generator/base/sha256.h"
 #include "generator/batch/batch_limits.h"
 #include "generator/batch/record_fields.h"
-#include "generator/template/read/read_name.h"
+#include "generator/text/read_name.h"
 
 namespace pomona {
 

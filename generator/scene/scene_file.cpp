@@ -10,9 +10,9 @@
 #include "generator/knife/read_knife.h"
 #include "generator/scene/read_arrangement.h"
 #include "generator/scene/read_dish.h"
-#include "generator/template/read/read_name.h"
-#include "generator/template/read/toml_document.h"
-#include "generator/template/read/toml_text.h"
+#include "generator/text/read_name.h"
+#include "generator/text/toml_document.h"
+#include "generator/text/toml_text.h"
 
 namespace pomona {
 

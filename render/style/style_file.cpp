@@ -5,8 +5,8 @@
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
 #include "generator/base/units.h"
-#include "generator/template/read/read_name.h"
-#include "generator/template/read/toml_document.h"
+#include "generator/text/read_name.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

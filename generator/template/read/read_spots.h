@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "generator/template/read/toml_document.h"
 #include "generator/template/spot_sketch.h"
 #include "generator/template/surface_sketch.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

@@ -8,7 +8,6 @@
 #include "generator/template/read/read_grains.h"
 #include "generator/template/read/read_material.h"
 #include "generator/template/read/read_mesh.h"
-#include "generator/template/read/read_name.h"
 #include "generator/template/read/read_ripeness.h"
 #include "generator/template/read/read_spared.h"
 #include "generator/template/read/read_style.h"
@@ -16,8 +15,9 @@
 #include "generator/template/read/read_symmetry.h"
 #include "generator/template/read/read_variation.h"
 #include "generator/template/read/sketch.h"
-#include "generator/template/read/toml_document.h"
-#include "generator/template/read/toml_text.h"
+#include "generator/text/read_name.h"
+#include "generator/text/toml_document.h"
+#include "generator/text/toml_text.h"
 
 namespace pomona {
 

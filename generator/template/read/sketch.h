@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "generator/base/curve.h"
-#include "generator/template/read/svg_drawing.h"
+#include "generator/text/svg_drawing.h"
 
 namespace pomona {
 

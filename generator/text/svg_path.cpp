@@ -1,5 +1,5 @@
 // The one file that knows lib2geom, which reads the path data; curves are flattened here.
-#include "generator/template/read/svg_path.h"
+#include "generator/text/svg_path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "generator/template/read/svg_path.h"
+#include "generator/text/svg_path.h"
 
 #include <clocale>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <toml++/toml.h>
 
 #include "generator/base/error.h"
-#include "generator/template/read/toml_limits.h"
-#include "generator/template/read/toml_node.h"
+#include "generator/text/toml_limits.h"
+#include "generator/text/toml_node.h"
 
 namespace pomona {
 

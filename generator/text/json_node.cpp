@@ -1,4 +1,4 @@
-#include "generator/scene/json_node.h"
+#include "generator/text/json_node.h"
 
 #include <algorithm>
 #include <cstddef>

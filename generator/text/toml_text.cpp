@@ -1,10 +1,10 @@
-#include "generator/template/read/toml_text.h"
+#include "generator/text/toml_text.h"
 
 #include <algorithm>
 #include <sstream>
 
 #include "generator/base/file_bytes.h"
-#include "generator/template/read/toml_limits.h"
+#include "generator/text/toml_limits.h"
 
 namespace pomona {
 

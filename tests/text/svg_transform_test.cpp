@@ -1,4 +1,4 @@
-#include "generator/template/read/svg_transform.h"
+#include "generator/text/svg_transform.h"
 
 #include <clocale>
 

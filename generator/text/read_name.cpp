@@ -1,4 +1,4 @@
-#include "generator/template/read/read_name.h"
+#include "generator/text/read_name.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "generator/base/curve.h"
-#include "generator/template/read/svg_transform.h"
+#include "generator/text/svg_transform.h"
 
 namespace pomona {
 

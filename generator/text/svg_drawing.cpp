@@ -1,5 +1,5 @@
 // The one file that knows pugixml, which reads the XML.
-#include "generator/template/read/svg_drawing.h"
+#include "generator/text/svg_drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 
 #include "generator/base/units.h"
-#include "generator/template/read/svg_shapes.h"
+#include "generator/text/svg_shapes.h"
 
 namespace pomona {
 

@@ -11,7 +11,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "generator/template/read/svg_transform.h"
+#include "generator/text/svg_transform.h"
 
 namespace pomona {
 

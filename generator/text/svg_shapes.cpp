@@ -1,4 +1,4 @@
-#include "generator/template/read/svg_shapes.h"
+#include "generator/text/svg_shapes.h"
 
 #include <algorithm>
 #include <array>

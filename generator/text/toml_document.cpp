@@ -1,4 +1,4 @@
-#include "generator/template/read/toml_document.h"
+#include "generator/text/toml_document.h"
 
 #include <algorithm>
 #include <array>

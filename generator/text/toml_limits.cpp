@@ -1,4 +1,4 @@
-#include "generator/template/read/toml_limits.h"
+#include "generator/text/toml_limits.h"
 
 #include <vector>
 

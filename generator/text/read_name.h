@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/template/read/toml_document.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

@@ -17,7 +17,7 @@
 
 #include "generator/base/color.h"
 #include "generator/base/error.h"
-#include "generator/template/read/toml_node.h"
+#include "generator/text/toml_node.h"
 
 namespace pomona {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "generator/template/read/toml_node.h"
+#include "generator/text/toml_node.h"
 
 namespace pomona {
 
