@@ -63,9 +63,9 @@ bool is_container_of_what_is_not_drawn(std::string_view tag) {
 }
 
 /// Reads the elements below a root, each with what it inherits from the one around it.
-class Reader {
+class SvgReader {
  public:
-  Reader(std::string_view text, SvgDrawing& drawing) : lines_(text), drawing_(drawing) {}
+  SvgReader(std::string_view text, SvgDrawing& drawing) : lines_(text), drawing_(drawing) {}
 
   void read(const pugi::xml_node& node, const SvgElement& around, int depth) {
     if (node.type() != pugi::node_element) return;
@@ -213,7 +213,7 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
         "save it from Inkscape as \"Inkscape SVG\"");
   }
   drawing.page_unit = page_unit_of(root);
-  Reader(text, drawing).read(root, {}, 0);
+  SvgReader(text, drawing).read(root, {}, 0);
   return drawing;
 }
 

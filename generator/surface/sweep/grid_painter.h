@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "generator/surface/diffusion_surfaces.h"
 #include "generator/surface/sweep/side_paint.h"
 #include "generator/surface/sweep/spots.h"
 #include "generator/surface/sweep/swept_grid.h"

@@ -12,9 +12,9 @@
 namespace pomona {
 
 /// Reads surfaces one after another; what they share is the drawing: its curves, parts and folds.
-class SurfaceReader {
+class SketchSurfaceReader {
  public:
-  SurfaceReader(CurveReader curves, std::vector<std::string> parts, Symmetry symmetry)
+  SketchSurfaceReader(CurveReader curves, std::vector<std::string> parts, Symmetry symmetry)
       : curves_(curves), parts_(std::move(parts)), symmetry_(std::move(symmetry)) {}
 
   /// Notes what is wrong in the table's document. Vertical curves keep the height at which they were drawn.

@@ -57,7 +57,7 @@ std::vector<std::string> read_parts(const TomlValue& value) {
   return parts;
 }
 
-std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SurfaceReader reader) {
+std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SketchSurfaceReader reader) {
   std::vector<SurfaceSketch> surfaces;
   std::vector<std::string> names;
   double triangles = 0;
@@ -174,7 +174,7 @@ DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& fil
       read_sketch_of(root, file, unit_value.given() ? std::optional<double>(unit) : std::nullopt, svg);
   fruit.symmetry = read_symmetry(root.need("symmetry").table(), sketch ? &*sketch : nullptr);
   const CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
-  fruit.surfaces = read_surfaces(root, SurfaceReader(curves, fruit.parts, fruit.symmetry));
+  fruit.surfaces = read_surfaces(root, SketchSurfaceReader(curves, fruit.parts, fruit.symmetry));
   place_views(sketch, unit, set_on_ground(fruit.surfaces), drawn);
   fruit.meshes = read_meshes(root, fruit);
   check_symmetry(root, fruit);

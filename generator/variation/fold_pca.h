@@ -1,4 +1,4 @@
-// Blending of fold samples by principal components (paper, section 4.2; [Blanz & Vetter 1999]).
+// Fold PCA: blending of fold samples by principal components (paper, section 4.2; [Blanz & Vetter 1999]).
 #pragma once
 
 #include <span>

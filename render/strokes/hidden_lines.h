@@ -1,4 +1,4 @@
-// Which stretches of an object's lines one sees.
+// Hidden lines are left out: which stretches of an object's lines one sees.
 #pragma once
 
 #include <span>

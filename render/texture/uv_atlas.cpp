@@ -1,4 +1,4 @@
-#include "render/texture/atlas.h"
+#include "render/texture/uv_atlas.h"
 
 #include <algorithm>
 #include <bit>
@@ -36,11 +36,11 @@ void or_moved(BitRow& to, const BitRow& row, int shift) {
 }
 
 /// A mask's rows as runs of blocks side by side.
-struct Run {
+struct BlockRun {
   int row = 0, begin = 0, length = 0;
 };
-std::vector<Run> runs_of(const BlockMask& mask) {
-  std::vector<Run> runs;
+std::vector<BlockRun> runs_of(const BlockMask& mask) {
+  std::vector<BlockRun> runs;
   for (int y = 0; y < mask.height; ++y) {
     for (int x = 0; x < mask.width; ++x) {
       if (!mask.has(x, y)) continue;
@@ -55,7 +55,7 @@ std::vector<Run> runs_of(const BlockMask& mask) {
 /// What a chart needs when it is turned in one way. Shapes of one kind need the same blocks.
 struct Shape {
   BlockMask mask;
-  std::vector<Run> runs;
+  std::vector<BlockRun> runs;
   std::size_t kind = 0;
   Shape(BlockMask of, std::size_t number) : mask(std::move(of)), runs(runs_of(mask)), kind(number) {}
 };
@@ -90,7 +90,7 @@ class Field {
     int& y = first_row_[shape.kind];
     for (; y < end && y + shape.mask.height <= blocks_.y && last >= 0; ++y) {
       std::fill(blocked.begin(), blocked.end(), 0);
-      for (const Run& run : shape.runs) {
+      for (const BlockRun& run : shape.runs) {
         const std::vector<BitRow>& row = rows_[static_cast<std::size_t>(y + run.row)];
         const int level = std::bit_width(static_cast<unsigned>(run.length)) - 1;
         or_moved(blocked, row[static_cast<std::size_t>(level)], run.begin);
@@ -108,7 +108,7 @@ class Field {
   }
 
   void take(const Shape& shape, const glm::ivec2& at) {
-    for (const Run& run : shape.runs) {
+    for (const BlockRun& run : shape.runs) {
       std::vector<BitRow>& row = rows_[static_cast<std::size_t>(at.y + run.row)];
       for (int x = at.x + run.begin; x < at.x + run.begin + run.length; ++x)
         row[0][static_cast<std::size_t>(x) / 64] |= std::uint64_t{1} << (x % 64);
@@ -163,7 +163,7 @@ struct Way {
   double height = 1;  ///< how much a shape's own height counts beside that of its place
 };
 
-struct Placed {
+struct ChartPlaces {
   std::vector<glm::ivec2> at;       ///< blocks
   std::vector<std::size_t> turned;  ///< which of its shapes
 };
@@ -229,11 +229,11 @@ class Packer {
     return way;
   }
 
-  std::optional<Placed> placed(const Shapes& shapes, const glm::ivec2& size, const Way& way) {
+  std::optional<ChartPlaces> placed(const Shapes& shapes, const glm::ivec2& size, const Way& way) {
     // A size with fewer blocks than are wanted is not tried.
     const glm::ivec2 blocks = size >> mip_levels_;
     if (shapes.least > static_cast<std::int64_t>(blocks.x) * blocks.y) return std::nullopt;
-    Placed found{std::vector<glm::ivec2>(charts_.size()), std::vector<std::size_t>(charts_.size(), 0)};
+    ChartPlaces found{std::vector<glm::ivec2>(charts_.size()), std::vector<std::size_t>(charts_.size(), 0)};
     Field field(blocks, shapes.kinds);
     for (const std::size_t c : way.order) {
       const std::vector<Shape>& ways = shapes.of_chart[c];
@@ -257,7 +257,7 @@ class Packer {
     return std::nullopt;
   }
 
-  PackedCharts packed(const Shapes& shapes, const glm::ivec2& size, const Placed& placed) const {
+  PackedCharts packed(const Shapes& shapes, const glm::ivec2& size, const ChartPlaces& placed) const {
     PackedCharts result;
     Atlas& atlas = result.atlas;
     atlas.size = size, atlas.mip_levels = mip_levels_, atlas.texels_per_metre = shapes.texels_per_metre;
@@ -294,19 +294,19 @@ std::size_t looks_for(const glm::ivec2& size) { return static_cast<std::size_t>(
 constexpr std::uint64_t most_ways = 2000, ways_at_a_scale = 24;
 
 /// Charts at a scale, and where they are.
-struct Fit {
+struct AtlasFit {
   Shapes shapes;
-  Placed places;
+  ChartPlaces places;
 };
 
 /// Halves the interval between a scale that fits and one that cannot, the largest charts placed first.
-std::optional<Fit> fit_of(Packer& packer, const glm::ivec2& size) {
+std::optional<AtlasFit> fit_of(Packer& packer, const glm::ivec2& size) {
   const double area = packer.area();
   double fits = 0, too_large = area > 0 ? size.x / std::sqrt(area) : size.x;
   Shapes shapes = packer.shapes_at(fits);
-  std::optional<Placed> places = packer.placed(shapes, size, packer.first_way(shapes));
+  std::optional<ChartPlaces> places = packer.placed(shapes, size, packer.first_way(shapes));
   if (!places) return std::nullopt;
-  Fit best{std::move(shapes), std::move(*places)};
+  AtlasFit best{std::move(shapes), std::move(*places)};
   constexpr int halvings = 8;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (fits + too_large);
@@ -319,13 +319,13 @@ std::optional<Fit> fit_of(Packer& packer, const glm::ivec2& size) {
 }
 
 /// Looks for other ways to place the charts that let them be a little larger.
-Fit enlarged(Packer& packer, const glm::ivec2& size, Fit best) {
+AtlasFit enlarged(Packer& packer, const glm::ivec2& size, AtlasFit best) {
   const std::size_t enough = packer.looks() + looks_for(size);
   double step = 0.08;
   std::uint64_t tried = 0, number = 0;
   Shapes larger = packer.shapes_at(best.shapes.texels_per_metre * (1 + step));
   while (step > 0.002 && number < most_ways && packer.looks() < enough) {
-    std::optional<Placed> found = packer.placed(larger, size, packer.other_way(larger, ++number));
+    std::optional<ChartPlaces> found = packer.placed(larger, size, packer.other_way(larger, ++number));
     ++tried;
     if (!found && tried < ways_at_a_scale) continue;
     if (found)
@@ -345,11 +345,11 @@ PackedCharts packed_to_side(const std::vector<Chart>& charts, int side, int mip_
   constexpr double worth = 1.5;
   const glm::ivec2 size(side);
   std::optional<Packer> chosen;
-  std::optional<Fit> best;
+  std::optional<AtlasFit> best;
   for (int levels = mip_levels; levels >= 0; --levels) {
     if (side % (1 << levels) != 0) continue;
     Packer packer(charts, levels);
-    std::optional<Fit> fit = fit_of(packer, size);
+    std::optional<AtlasFit> fit = fit_of(packer, size);
     if (fit && best && fit->shapes.texels_per_metre < worth * best->shapes.texels_per_metre) break;
     if (fit) best = std::move(fit), chosen.emplace(std::move(packer));
   }
@@ -357,7 +357,7 @@ PackedCharts packed_to_side(const std::vector<Chart>& charts, int side, int mip_
     throw Error(ExitStatus::usage, "--texture " + std::to_string(side) + ": too few texels for this piece",
                 "its surface falls into " + std::to_string(charts.size()) + " charts; take a larger texture");
   }
-  const Fit fit = enlarged(*chosen, size, std::move(*best));
+  const AtlasFit fit = enlarged(*chosen, size, std::move(*best));
   return chosen->packed(fit.shapes, size, fit.places);
 }
 
@@ -381,7 +381,7 @@ PackedCharts packed_at_texel(const std::vector<Chart>& charts, double texel, int
   for (int side = 64; side <= max_texture_side; side *= 2) {
     for (const glm::ivec2 size : {glm::ivec2(side, side), {2 * side, side}}) {
       if (size.x > max_texture_side) continue;
-      std::optional<Placed> placed = packer.placed(shapes, size, packer.first_way(shapes));
+      std::optional<ChartPlaces> placed = packer.placed(shapes, size, packer.first_way(shapes));
       for (std::uint64_t number = 1; !placed && number <= ways_at_a_scale; ++number)
         placed = packer.placed(shapes, size, packer.other_way(shapes, number));
       if (placed) return packer.packed(shapes, size, *placed);

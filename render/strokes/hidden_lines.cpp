@@ -1,4 +1,4 @@
-#include "render/strokes/visible_runs.h"
+#include "render/strokes/hidden_lines.h"
 
 #include <algorithm>
 #include <array>

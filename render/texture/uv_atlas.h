@@ -1,4 +1,4 @@
-// The atlas: all charts of a solid on one texture, apart enough that mip levels keep them apart.
+// The UV atlas: all charts of a solid on one texture, apart enough that mip levels keep them apart.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/texture/charts.h"
+#include "render/texture/uv_charts.h"
 
 namespace pomona {
 

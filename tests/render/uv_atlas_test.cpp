@@ -1,5 +1,5 @@
 // Charts and the atlas: every triangle has its place, little is stretched, and mip levels keep charts apart.
-#include "render/texture/atlas.h"
+#include "render/texture/uv_atlas.h"
 
 #include <gtest/gtest.h>
 #include <array>
@@ -14,6 +14,7 @@
 #include "generator/base/error.h"
 #include "generator/base/random.h"
 #include "generator/knife/parse_knife.h"
+#include "render/style/style_file.h"
 #include "render/texture/bake.h"
 #include "tests/render/half_ball.h"
 #include "tests/shapes/seeded_fruit.h"

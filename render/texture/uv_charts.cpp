@@ -1,4 +1,4 @@
-#include "render/texture/charts.h"
+#include "render/texture/uv_charts.h"
 
 #include <algorithm>
 #include <array>
@@ -48,10 +48,10 @@ Patch3 patch_of(const Solid& solid, const TriangleNeighbors& neighbors, const st
 
 /// Directions of a plane as its picture shows it, seen against the normal: upright where it stands, -Z upwards where
 /// it lies level and is seen from above, as section pictures have it.
-struct View {
+struct ChartView {
   glm::dvec3 right, up;
 
-  explicit View(const glm::dvec3& normal) {
+  explicit ChartView(const glm::dvec3& normal) {
     const glm::dvec3 above = std::abs(normal.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
     right = glm::normalize(glm::cross(above, normal));
     up = glm::cross(normal, right);
@@ -120,7 +120,7 @@ bool is_flat(const Solid& solid, const std::vector<std::uint32_t>& triangles) {
 void lay_face_flat(const Solid& solid, const TriangleNeighbors& neighbors, Chart& chart) {
   const Patch3 patch = patch_of(solid, neighbors, chart.triangles);
   chart.corners = patch.triangle;
-  const View view(mean_normal(solid, chart.triangles));
+  const ChartView view(mean_normal(solid, chart.triangles));
   chart.frame = {view.right, view.up, set_flat(chart, view.of(patch))};
 }
 
@@ -129,7 +129,7 @@ std::vector<Chart> region_charts(const Solid& solid, const TriangleNeighbors& ne
   // What lies on other triangles, seen along the normal, waits for a later chart.
   std::vector<Chart> charts;
   std::vector<std::uint32_t> left = region.triangles;
-  const View view(region.normal);
+  const ChartView view(region.normal);
   while (!left.empty()) {
     Chart chart;
     chart.cut_face = solid.cut_face[left.front()];

@@ -1,4 +1,4 @@
-#include "generator/variation/fold_blend.h"
+#include "generator/variation/fold_pca.h"
 
 #include <algorithm>
 #include <cmath>

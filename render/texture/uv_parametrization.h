@@ -1,4 +1,4 @@
-// Laying a region of a surface flat with little stretch.
+// UV parametrization: laying a region of a surface flat with little stretch.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "render/texture/flatten.h"
+#include "render/texture/uv_parametrization.h"
 
 #include <algorithm>
 #include <array>

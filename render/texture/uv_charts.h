@@ -1,4 +1,4 @@
-// Charts: a solid's surface laid flat in parts, for texturing.
+// UV charts: a solid's surface laid flat in parts, for texturing.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 #include "generator/base/parallel.h"
 #include "generator/piece/solid.h"
-#include "render/texture/flatten.h"
+#include "render/texture/uv_parametrization.h"
 
 namespace pomona {
 
