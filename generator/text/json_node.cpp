@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/text/text_places.h"
+
 namespace pomona {
 
 namespace {
@@ -37,26 +39,6 @@ struct CountingIterator {
   bool operator!=(const CountingIterator& other) const { return at != other.at; }
 };
 
-/// Line and column of a place in the text, asked for in ascending order.
-class Lines {
- public:
-  Lines(std::string_view text, const std::string& file) : text_(text), file_(file) {}
-
-  SourcePlace place(std::size_t offset) {
-    for (; offset_ < std::min(offset, text_.size()); ++offset_) {
-      column_ = text_[offset_] == '\n' ? 1 : column_ + 1;
-      if (text_[offset_] == '\n') ++line_;
-    }
-    return {file_, line_, column_, {}};
-  }
-
- private:
-  std::string_view text_;
-  std::string file_;
-  std::size_t offset_ = 0;
-  int line_ = 1, column_ = 1;
-};
-
 [[noreturn]] void fail(const SourcePlace& place, const std::string& message) {
   throw Error(ExitStatus::bad_data, {{place, message, {}}});
 }
@@ -65,7 +47,7 @@ class Lines {
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   TreeBuilder(std::string_view text, const std::string& file)
-      : text_(text), lines_(text, file), file_(std::make_shared<const std::string>(file)) {}
+      : text_(text), places_(text, file), file_(std::make_shared<const std::string>(file)) {}
 
   JsonNode run() {
     const char* const end = text_.data() + text_.size();
@@ -102,7 +84,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     std::string what = error.what();  // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
     const std::size_t colon = what.find(": ");
     if (colon != std::string::npos) what.erase(0, colon + 2);
-    fail(lines_.place(byte > 0 ? byte - 1 : 0), "this is not JSON: " + what);
+    fail(places_.at(byte > 0 ? byte - 1 : 0), "this is not JSON: " + what);
   }
 
  private:
@@ -110,7 +92,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   SourcePlace next_place(std::size_t ahead) {
     while (last_end_ < text_.size() && std::string_view(" \t\r\n,:]}").find(text_[last_end_]) != std::string_view::npos)
       ++last_end_;
-    const SourcePlace place = lines_.place(last_end_);
+    const SourcePlace place = places_.at(last_end_);
     const auto reached = static_cast<std::size_t>(reached_ - text_.data());
     last_end_ = std::max(last_end_, reached - std::min(ahead, reached));
     return place;
@@ -146,7 +128,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   std::string_view text_;
-  Lines lines_;
+  TextPlaces places_;
   std::shared_ptr<const std::string> file_;
   std::size_t values_ = 0;
   const char* reached_ = text_.data();

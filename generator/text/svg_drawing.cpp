@@ -8,6 +8,7 @@
 
 #include "generator/base/units.h"
 #include "generator/text/svg_shapes.h"
+#include "generator/text/text_places.h"
 
 namespace pomona {
 
@@ -17,25 +18,6 @@ constexpr std::size_t most_bytes = std::size_t{64} << 20;  // room for an embedd
 constexpr std::size_t most_elements = 200000, most_attributes = 4000000;
 constexpr std::size_t most_path_bytes = std::size_t{256} << 10;  // some 5000 nodes
 constexpr int deepest = 64;
-
-/// Lines and columns of a text, from 1.
-class Lines {
- public:
-  explicit Lines(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text[i] == '\n') starts_.push_back(i + 1);
-    }
-  }
-
-  void locate(std::size_t offset, int& line, int& column) const {
-    const auto next = std::upper_bound(starts_.begin(), starts_.end(), offset);
-    line = static_cast<int>(next - starts_.begin());
-    column = static_cast<int>(offset - *(next - 1)) + 1;
-  }
-
- private:
-  std::vector<std::size_t> starts_{0};
-};
 
 std::string at_place(const std::string& file, int line, int column) {
   return file + ":" + std::to_string(line) + ":" + std::to_string(column);
@@ -65,7 +47,7 @@ bool is_container_of_what_is_not_drawn(std::string_view tag) {
 /// Reads the elements below a root, each with what it inherits from the one around it.
 class SvgReader {
  public:
-  SvgReader(std::string_view text, SvgDrawing& drawing) : lines_(text), drawing_(drawing) {}
+  SvgReader(std::string_view text, SvgDrawing& drawing) : places_(text, drawing.file), drawing_(drawing) {}
 
   void read(const pugi::xml_node& node, const SvgElement& around, int depth) {
     if (node.type() != pugi::node_element) return;
@@ -85,14 +67,16 @@ class SvgReader {
   }
 
  private:
-  SvgElement element(const pugi::xml_node& node, const SvgElement& around) const {
+  SvgElement element(const pugi::xml_node& node, const SvgElement& around) {
     SvgElement result;
     result.tag = node.name();
     if (result.tag.starts_with("svg:")) result.tag.erase(0, 4);
     result.id = node.attribute("id").value();
     result.label = node.attribute("inkscape:label").value();
     const std::ptrdiff_t offset = node.offset_debug();
-    lines_.locate(offset > 0 ? static_cast<std::size_t>(offset) - 1 : 0, result.line, result.column);
+    const SourcePlace place_of_tag = places_.at(offset > 0 ? static_cast<std::size_t>(offset) - 1 : 0);
+    result.line = place_of_tag.line;
+    result.column = place_of_tag.column;
     result.drawn = around.drawn && !is_container_of_what_is_not_drawn(result.tag);
     result.fault = around.fault;
     place(node, around, result);
@@ -130,7 +114,7 @@ class SvgReader {
     result.aspect = attribute("preserveAspectRatio");
   }
 
-  Lines lines_;
+  TextPlaces places_;
   SvgDrawing& drawing_;
 };
 
@@ -196,9 +180,8 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
   const unsigned options = pugi::parse_minimal | pugi::parse_escapes | pugi::parse_wconv_attribute;
   const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size(), options, pugi::encoding_utf8);
   if (!result) {
-    int line = 0, column = 0;
-    Lines(text).locate(std::min(static_cast<std::size_t>(result.offset), text.size()), line, column);
-    throw BadSketch(at_place(file, line, column) + ": it is not XML: " + result.description(),
+    const SourcePlace at = TextPlaces(text, file).at(static_cast<std::size_t>(result.offset));
+    throw BadSketch(at_place(file, at.line, at.column) + ": it is not XML: " + result.description(),
                     "save it from Inkscape as \"Inkscape SVG\"");
   }
 

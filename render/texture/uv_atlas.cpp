@@ -158,8 +158,8 @@ bool is_speck(const Chart& chart, double area, double scale) {
 }
 
 /// How charts are placed: which first, and for which of the ways to turn them.
-struct Way {
-  std::vector<std::size_t> order;
+struct PackingOrder {
+  std::vector<std::size_t> charts;
   double height = 1;  ///< how much a shape's own height counts beside that of its place
 };
 
@@ -204,42 +204,42 @@ class Packer {
   }
 
   /// The largest first.
-  Way first_way(const Shapes& shapes) const {
-    Way way;
-    way.order.resize(charts_.size());
-    std::iota(way.order.begin(), way.order.end(), std::size_t{0});
-    std::stable_sort(way.order.begin(), way.order.end(), [&](std::size_t a, std::size_t b) {
+  PackingOrder first_order(const Shapes& shapes) const {
+    PackingOrder order;
+    order.charts.resize(charts_.size());
+    std::iota(order.charts.begin(), order.charts.end(), std::size_t{0});
+    std::stable_sort(order.charts.begin(), order.charts.end(), [&](std::size_t a, std::size_t b) {
       return shapes.of_chart[a].front().mask.count > shapes.of_chart[b].front().mask.count;
     });
-    return way;
+    return order;
   }
 
   /// About the largest first; one that is half as large may come before it.
-  Way other_way(const Shapes& shapes, std::uint64_t number) const {
+  PackingOrder other_order(const Shapes& shapes, std::uint64_t number) const {
     const RandomStream random({number, 0}, "atlas");
     std::vector<double> size;
     for (std::size_t c = 0; c < charts_.size(); ++c) {
       const double blocks = static_cast<double>(shapes.of_chart[c].front().mask.count);
       size.push_back(blocks * reproducible::exp(1.4 * random.uniform(c + 1)));
     }
-    Way way = first_way(shapes);
-    std::stable_sort(way.order.begin(), way.order.end(),
+    PackingOrder order = first_order(shapes);
+    std::stable_sort(order.charts.begin(), order.charts.end(),
                      [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
-    way.height = random.uniform(0);
-    return way;
+    order.height = random.uniform(0);
+    return order;
   }
 
-  std::optional<ChartPlaces> placed(const Shapes& shapes, const glm::ivec2& size, const Way& way) {
+  std::optional<ChartPlaces> placed(const Shapes& shapes, const glm::ivec2& size, const PackingOrder& order) {
     // A size with fewer blocks than are wanted is not tried.
     const glm::ivec2 blocks = size >> mip_levels_;
     if (shapes.least > static_cast<std::int64_t>(blocks.x) * blocks.y) return std::nullopt;
     ChartPlaces found{std::vector<glm::ivec2>(charts_.size()), std::vector<std::size_t>(charts_.size(), 0)};
     Field field(blocks, shapes.kinds);
-    for (const std::size_t c : way.order) {
+    for (const std::size_t c : order.charts) {
       const std::vector<Shape>& ways = shapes.of_chart[c];
       double lowest = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < ways.size(); ++i) {
-        const double own = way.height * ways[i].mask.height;
+        const double own = order.height * ways[i].mask.height;
         const std::optional<glm::ivec2> at = field.place(ways[i], lowest - own);
         if (!at) continue;
         lowest = at->y + own;
@@ -247,13 +247,13 @@ class Packer {
       }
       if (lowest == std::numeric_limits<double>::infinity()) break;
       field.take(ways[found.turned[c]], found.at[c]);
-      if (c == way.order.back()) {
+      if (c == order.charts.back()) {
         looks_ += field.looks();
         return found;
       }
     }
     looks_ += field.looks();
-    if (way.order.empty()) return found;
+    if (order.charts.empty()) return found;
     return std::nullopt;
   }
 
@@ -304,14 +304,14 @@ std::optional<AtlasFit> fit_of(Packer& packer, const glm::ivec2& size) {
   const double area = packer.area();
   double fits = 0, too_large = area > 0 ? size.x / std::sqrt(area) : size.x;
   Shapes shapes = packer.shapes_at(fits);
-  std::optional<ChartPlaces> places = packer.placed(shapes, size, packer.first_way(shapes));
+  std::optional<ChartPlaces> places = packer.placed(shapes, size, packer.first_order(shapes));
   if (!places) return std::nullopt;
   AtlasFit best{std::move(shapes), std::move(*places)};
   constexpr int halvings = 8;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (fits + too_large);
     shapes = packer.shapes_at(middle);
-    places = packer.placed(shapes, size, packer.first_way(shapes));
+    places = packer.placed(shapes, size, packer.first_order(shapes));
     (places ? fits : too_large) = middle;
     if (places) best = {std::move(shapes), std::move(*places)};
   }
@@ -325,7 +325,7 @@ AtlasFit enlarged(Packer& packer, const glm::ivec2& size, AtlasFit best) {
   std::uint64_t tried = 0, number = 0;
   Shapes larger = packer.shapes_at(best.shapes.texels_per_metre * (1 + step));
   while (step > 0.002 && number < most_ways && packer.looks() < enough) {
-    std::optional<ChartPlaces> found = packer.placed(larger, size, packer.other_way(larger, ++number));
+    std::optional<ChartPlaces> found = packer.placed(larger, size, packer.other_order(larger, ++number));
     ++tried;
     if (!found && tried < ways_at_a_scale) continue;
     if (found)
@@ -381,9 +381,9 @@ PackedCharts packed_at_texel(const std::vector<Chart>& charts, double texel, int
   for (int side = 64; side <= max_texture_side; side *= 2) {
     for (const glm::ivec2 size : {glm::ivec2(side, side), {2 * side, side}}) {
       if (size.x > max_texture_side) continue;
-      std::optional<ChartPlaces> placed = packer.placed(shapes, size, packer.first_way(shapes));
+      std::optional<ChartPlaces> placed = packer.placed(shapes, size, packer.first_order(shapes));
       for (std::uint64_t number = 1; !placed && number <= ways_at_a_scale; ++number)
-        placed = packer.placed(shapes, size, packer.other_way(shapes, number));
+        placed = packer.placed(shapes, size, packer.other_order(shapes, number));
       if (placed) return packer.packed(shapes, size, *placed);
     }
   }
