@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-/// Reads all that the scene names, templates, meshes and the layout, and tries its knives (check_cuts.h).
+/// Reads all that the scene names, templates, meshes and the layout, and tries its knives.
 /// \throws Error at the place in the scene that names what is missing or wrong.
 void check_sources(const SceneDescription& scene, const ComposeOptions& options);
 

@@ -7,7 +7,6 @@
 
 #include "generator/base/units.h"
 #include "generator/variation/fold_draw.h"
-#include "generator/variation/fold_form.h"
 #include "generator/variation/fold_pca.h"
 #include "generator/variation/fold_room.h"
 #include "generator/variation/fold_samples.h"
@@ -16,6 +15,58 @@
 namespace pomona {
 
 namespace {
+
+/// What all drawn samples of a surface have in common: a blend must have it too.
+class FoldForm {
+ public:
+  explicit FoldForm(const FoldSamples& drawn);
+
+  /// True if the curve, in the pie-shaped space, does not meet itself, stays between the fold lines (half as far from
+  /// them as drawn), keeps clear of the axis, and, if closed, still runs counter-clockwise. Empty ones do.
+  bool is_kept(const PolarCurve& fold) const;
+
+ private:
+  bool closed_ = false;
+  bool simple_ = true;       ///< all samples are
+  double margin_ = 0;        ///< least distance from a fold line, as a share of the fold; closed loops only
+  double least_radius_ = 0;  ///< metres
+  double pie_ = 1;           ///< angle of the pie, radians
+};
+
+Curve in_pie(const PolarCurve& fold, double pie, bool closed) {
+  PolarCurve placed = fold;
+  for (double& azimuth : placed.azimuth) azimuth *= pie;
+  return from_polar(placed, closed);
+}
+
+/// How far the curve stays from the fold lines; open curves without their ends, which lie on them.
+double distance_from_lines(const PolarCurve& fold, bool closed) {
+  const std::ptrdiff_t ends = closed ? 0 : 1;
+  const auto [least, most] = std::minmax_element(fold.azimuth.begin() + ends, fold.azimuth.end() - ends);
+  return std::min(*least, 1 - *most);
+}
+
+double least_radius(const PolarCurve& fold) { return *std::min_element(fold.radius.begin(), fold.radius.end()); }
+
+FoldForm::FoldForm(const FoldSamples& drawn) : closed_(drawn.closed), margin_(1), least_radius_(1e9) {
+  // Any angle below a whole turn shows the same crossings.
+  pie_ = std::min(2 * pi / static_cast<double>(drawn.fold.size()), pi);
+  for (const PolarCurve& fold : drawn.fold) {
+    if (fold.size() == 0) continue;
+    simple_ = simple_ && is_simple(in_pie(fold, pie_, closed_));
+    margin_ = std::min(margin_, distance_from_lines(fold, closed_));
+    least_radius_ = std::min(least_radius_, least_radius(fold));
+  }
+}
+
+bool FoldForm::is_kept(const PolarCurve& fold) const {
+  if (fold.size() == 0) return true;
+  if (least_radius(fold) < 0.2 * least_radius_) return false;
+  if (margin_ > 0 && distance_from_lines(fold, closed_) <= (closed_ ? 0.5 * margin_ : 0)) return false;
+  const Curve curve = in_pie(fold, pie_, closed_);
+  if (closed_ && !(signed_area(curve) > 0)) return false;
+  return !simple_ || is_simple(curve);
+}
 
 std::vector<bool> presence(const FoldSamples& samples) {
   std::vector<bool> present;

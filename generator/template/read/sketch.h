@@ -13,10 +13,16 @@
 #include <vector>
 
 #include "generator/base/curve.h"
-#include "generator/template/read/sketch_view.h"
 #include "generator/text/svg_drawing.h"
 
 namespace pomona {
+
+enum class SketchView {
+  side,  ///< vertical curves: x = distance from the axis
+  top,   ///< horizontal curves: the axis is a point
+};
+
+inline const char* name_of(SketchView view) { return view == SketchView::side ? "side view" : "top view"; }
 
 struct DrawnCurve {
   Curve curve;        ///< metres; the axis at x = 0 or at 0,0, y upwards
