@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 
 #include "render/picture/section_picture.h"
-#include "render/style/style.h"
+#include "render/style/style_file.h"
 
 namespace pomona::bench {
 

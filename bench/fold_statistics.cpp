@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "generator/base/units.h"
-#include "generator/variation/fold_blend.h"
 #include "generator/variation/fold_draw.h"
+#include "generator/variation/fold_pca.h"
 #include "generator/variation/fold_samples.h"
 #include "generator/variation/species_key.h"
 

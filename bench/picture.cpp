@@ -15,6 +15,7 @@
 #include "generator/scene/layout_file.h"
 #include "generator/scene/scene_file.h"
 #include "render/gl/scene_picture.h"
+#include "render/style/style_file.h"
 
 namespace {
 

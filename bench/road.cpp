@@ -26,6 +26,7 @@
 #include "generator/scene/scene.h"
 #include "generator/template/read/read_template.h"
 #include "render/export/gltf/write_glb.h"
+#include "render/style/style_file.h"
 
 namespace {
 

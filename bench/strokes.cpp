@@ -16,6 +16,7 @@
 #include "generator/scene/scene_file.h"
 #include "render/gl/scene_picture.h"
 #include "render/strokes/scene_strokes.h"
+#include "render/style/style_file.h"
 
 namespace pomona::bench {
 namespace {

@@ -19,6 +19,7 @@
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
 #include "generator/piece/slice.h"
+#include "render/style/style_file.h"
 #include "render/texture/bake.h"
 
 namespace {

@@ -30,8 +30,8 @@
 #include "generator/surface/sweep/sweep.h"
 #include "generator/template/read/read_template.h"
 #include "generator/template/read/sketch_fault.h"
-#include "generator/template/read/svg_drawing.h"
-#include "generator/template/read/svg_path.h"
+#include "generator/text/svg_drawing.h"
+#include "generator/text/svg_path.h"
 #include "render/style/style_file.h"
 
 namespace pomona {

@@ -76,7 +76,7 @@ void cut_family(const std::string& word, const Order& order, const DeliverOption
 
 void cut_one(const std::string& word, const Order& order, const DeliverOptions& how, const Diffuser& diffuser,
              CommandReport& report) {
-  const OpenedFruit opened = open_fruit(word, order);
+  const NamedFruit opened = open_fruit(word, order);
   const OrderedFruit& fruit = opened.grown;
   report.add(fruit);
   report.add(live_files({&fruit, 1}, order, how));

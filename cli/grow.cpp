@@ -62,7 +62,7 @@ void grow_family(const std::string& word, const Order& order, const DeliverOptio
 
 /// The drawn surfaces go out as they are; all other outputs share one scene of the whole fruit.
 void grow_one(const std::string& word, const Order& order, const DeliverOptions& how, CommandReport& report) {
-  const OpenedFruit opened = open_fruit(word, order);
+  const NamedFruit opened = open_fruit(word, order);
   const OrderedFruit& fruit = opened.grown;
   report.add(fruit);
   report.add(live_files({&fruit, 1}, order, how));

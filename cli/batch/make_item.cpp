@@ -10,7 +10,7 @@
 #include "generator/scene/lay_out.h"
 #include "render/deliver/deliver.h"
 #include "render/deliver/live_files.h"
-#include "render/deliver/mesh_files.h"
+#include "render/deliver/export_options.h"
 #include "render/deliver/ordered_diffuser.h"
 #include "render/deliver/piece_files.h"
 #include "render/image/png.h"

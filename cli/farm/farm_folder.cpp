@@ -10,7 +10,7 @@
 #include "generator/base/error.h"
 #include "generator/base/first_bytes.h"
 #include "generator/base/json_text.h"
-#include "generator/scene/json_node.h"
+#include "generator/text/json_node.h"
 #include "render/export/output.h"
 
 namespace fs = std::filesystem;

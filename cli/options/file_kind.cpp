@@ -5,7 +5,7 @@
 #include "generator/base/error.h"
 #include "generator/batch/batch_file.h"
 #include "generator/scene/scene_file.h"
-#include "generator/template/read/toml_text.h"
+#include "generator/text/toml_text.h"
 #include "render/style/style_file.h"
 
 namespace pomona {

@@ -7,8 +7,8 @@
 
 #include "cli/options/program_folders.h"
 #include "generator/base/error.h"
-#include "generator/template/read/toml_node.h"
-#include "generator/template/read/toml_text.h"
+#include "generator/text/toml_node.h"
+#include "generator/text/toml_text.h"
 
 namespace fs = std::filesystem;
 

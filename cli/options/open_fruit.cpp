@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-OpenedFruit open_fruit(const std::string& word, const Order& order) {
+NamedFruit open_fruit(const std::string& word, const Order& order) {
   const std::filesystem::path file = find_template(word);
   check_kind(file, FileKind::fruit);
   if (file.extension() == ".ply") return {fruit_of_surfaces(file, order), {}};

@@ -8,13 +8,13 @@
 
 namespace pomona {
 
-struct OpenedFruit {
+struct NamedFruit {
   OrderedFruit grown;
   std::optional<Template> drawn = {};  ///< none of a surface file
 };
 
 /// Reads, varies and sweeps; a path that ends in .ply is read as surfaces. \param word a name from `pomona list`, or a
 /// path. \throws Error (input_missing), and as read_template(), read_surfaces(), grow()
-OpenedFruit open_fruit(const std::string& word, const Order& order);
+NamedFruit open_fruit(const std::string& word, const Order& order);
 
 }  // namespace pomona

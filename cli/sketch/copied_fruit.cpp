@@ -6,8 +6,8 @@
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
 #include "generator/template/read/read_template.h"
-#include "generator/template/read/toml_text.h"
 #include "generator/template/template.h"
+#include "generator/text/toml_text.h"
 #include "render/plate/plate.h"
 
 namespace fs = std::filesystem;

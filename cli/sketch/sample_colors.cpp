@@ -15,7 +15,7 @@
 #include "generator/base/error.h"
 #include "generator/template/read/read_template.h"
 #include "generator/template/read/sketch.h"
-#include "generator/template/read/toml_document.h"
+#include "generator/text/toml_document.h"
 
 namespace fs = std::filesystem;
 

@@ -21,7 +21,7 @@
 #include "generator/base/free_memory.h"
 #include "generator/base/parallel.h"
 #include "generator/template/read/read_template.h"
-#include "generator/template/read/toml_text.h"
+#include "generator/text/toml_text.h"
 
 namespace fs = std::filesystem;
 

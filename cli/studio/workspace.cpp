@@ -10,7 +10,7 @@
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
 #include "generator/base/path_within.h"
-#include "generator/template/read/toml_node.h"
+#include "generator/text/toml_node.h"
 #include "render/export/output.h"
 
 namespace fs = std::filesystem;

@@ -18,6 +18,7 @@
 #include "render/export/ply.h"
 #include "render/image/png.h"
 #include "render/picture/section_picture.h"
+#include "render/style/style_file.h"
 
 namespace pomona {
 

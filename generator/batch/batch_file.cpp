@@ -8,10 +8,10 @@
 #include "generator/batch/batch_limits.h"
 #include "generator/knife/read_knife.h"
 #include "generator/order/option_key.h"
-#include "generator/template/read/read_name.h"
-#include "generator/template/read/toml_document.h"
-#include "generator/template/read/toml_text.h"
 #include "generator/template/template.h"
+#include "generator/text/read_name.h"
+#include "generator/text/toml_document.h"
+#include "generator/text/toml_text.h"
 
 namespace pomona {
 

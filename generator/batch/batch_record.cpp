@@ -13,7 +13,7 @@
 #include "generator/batch/batch_limits.h"
 #include "generator/batch/option_json.h"
 #include "generator/batch/record_fields.h"
-#include "generator/template/read/read_name.h"
+#include "generator/text/read_name.h"
 
 namespace pomona {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "generator/scene/json_node.h"
+#include "generator/text/json_node.h"
 
 namespace pomona {
 

@@ -6,8 +6,8 @@
 
 #include "generator/base/path_within.h"
 #include "generator/base/sha256.h"
-#include "generator/template/read/toml_node.h"
-#include "generator/template/read/toml_text.h"
+#include "generator/text/toml_node.h"
+#include "generator/text/toml_text.h"
 
 namespace pomona {
 

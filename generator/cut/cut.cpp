@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <string_view>
 #include <utility>
 #include <variant>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/parallel.h"
+#include "generator/base/stop_watch.h"
 #include "generator/cut/carve/carve.h"
 #include "generator/cut/cut_observer.h"
-#include "generator/cut/held_back.h"
 #include "generator/cut/pieces.h"
 #include "generator/cut/plane/clipped_surfaces.h"
 #include "generator/cut/plane/plane_regions.h"
@@ -18,14 +20,99 @@
 #include "generator/cut/plane/triangulate.h"
 #include "generator/cut/section/cut_fruit.h"
 #include "generator/cut/spared.h"
-#include "generator/cut/stage_watch.h"
 #include "generator/knife/closed_knives.h"
 #include "generator/knife/knife_mesh.h"
+#include "generator/mesh/closed_surface.h"
+#include "generator/mesh/triangle_tree.h"
 #include "generator/mesh/weld.h"
+#include "generator/surface/bodies.h"
+#include "generator/surface/outer_bodies.h"
+#include "generator/surface/skin_depth.h"
 
 namespace pomona {
 
 namespace {
+
+/// What a knife does not see, and what it does.
+struct HeldBack {
+  CutFruit fruit;                         ///< without them
+  std::vector<SurfaceTriangle> triangle;  ///< theirs, in the cells they go to
+};
+
+constexpr std::uint32_t unset = 0xffffffffu;
+
+/// Per outer body whether all of it lies in one cell, and no cut face goes through it.
+std::vector<std::uint8_t> whole_ones(const CutFruit& fruit, const OuterBodies& outer, const Bodies& bodies) {
+  std::vector<std::uint8_t> whole(outer.body.size(), 1);
+  std::vector<std::uint32_t> cell(outer.body.size(), unset);
+  std::vector<std::int32_t> body_of(outer.body.size(), Bodies::none);
+  for (const SurfaceTriangle& t : fruit.surface) {
+    if (outer.of_triangle[t.source] == OuterBodies::none) continue;
+    const auto number = static_cast<std::size_t>(outer.of_triangle[t.source]);
+    if (cell[number] != unset && cell[number] != t.cell) whole[number] = 0;
+    cell[number] = t.cell;
+    body_of[number] = bodies.of_triangle[t.source];
+  }
+  for (const Cap& cap : fruit.section.cap) {
+    for (const BodyWinding& inside : cap.closing.inside) {
+      for (std::size_t b = 0; b < body_of.size(); ++b)
+        if (body_of[b] == inside.body) whole[b] = 0;
+    }
+  }
+  return whole;
+}
+
+/// Of what is sunk in the skin, or of all of it if nothing is.
+bool goes_inside(const TriangleTree& body, const TriangleTree& skin, const TriangleTree& knife) {
+  double sunk = 0, sunk_inside = 0, all = 0, all_inside = 0;
+  for (const TriangleTree::Corners& t : body.triangles()) {
+    const glm::dvec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+    const double area = glm::length(glm::cross(t[1] - t[0], t[2] - t[0]));
+    const double inside = knife.contains(middle) ? area : 0;
+    all += area, all_inside += inside;
+    if (!skin.contains(middle)) continue;
+    sunk += area, sunk_inside += inside;
+  }
+  return sunk > 0 ? sunk_inside > 0.5 * sunk : all_inside > 0.5 * all;
+}
+
+/// Takes the bodies that stick out of the fruit out of a knife's way, but those that others have cut. Each goes inside
+/// the knife or stays outside of it, as most of it does that is sunk in the fruit: what it sits on.
+/// \param stride what lies inside is in the cell with a number that is greater by this.
+HeldBack held_back(CutFruit fruit, const ClosedSurface& knife, std::uint32_t stride, const DiffusionSurfaces& surfaces,
+                   const Bodies& bodies) {
+  const SkinDepth depth(surfaces);
+  if (!depth.is_closed()) return {std::move(fruit), {}};
+  const OuterBodies outer = outer_bodies(surfaces, depth.skin());
+  const std::vector<std::uint8_t> whole = whole_ones(fruit, outer, bodies);
+  const std::vector<glm::vec3> points(knife.point.begin(), knife.point.end());
+  const TriangleTree tree(points, knife.triangle);
+  std::vector<std::uint8_t> inside;
+  for (const TriangleTree& body : outer.body) inside.push_back(goes_inside(body, depth.skin(), tree) ? 1 : 0);
+
+  HeldBack held{std::move(fruit), {}};
+  std::vector<SurfaceTriangle> rest;
+  for (SurfaceTriangle t : held.fruit.surface) {
+    const std::int32_t number = outer.of_triangle[t.source];
+    if (number == OuterBodies::none || whole[static_cast<std::size_t>(number)] == 0) {
+      rest.push_back(t);
+      continue;
+    }
+    if (inside[static_cast<std::size_t>(number)] != 0) t.cell += stride;
+    held.triangle.push_back(t);
+  }
+  held.fruit.surface = std::move(rest);
+  return held;
+}
+
+/// What `work` returns; the observer, if there is one, is told how long it took.
+template <typename Work>
+auto watched(CutObserver* observer, std::string_view stage, Work&& work) {
+  const StopWatch watch;
+  auto result = std::forward<Work>(work)();
+  if (observer) observer->took(stage, watch.milliseconds());
+  return result;
+}
 
 /// Whether a surface has a point on one of the knife's planes.
 bool meets_surfaces(int knife, const CutPlanes& planes, const SplitMesh& mesh) {

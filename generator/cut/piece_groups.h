@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "generator/cut/cut.h"
+#include "generator/cut/cut_piece.h"
+#include "generator/cut/section/cross_section.h"
 
 namespace pomona {
 

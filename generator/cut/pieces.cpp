@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <numeric>
@@ -12,13 +13,37 @@
 #include "generator/base/parallel.h"
 #include "generator/cut/edge_balance.h"
 #include "generator/cut/piece_groups.h"
-#include "generator/cut/section/pair_numbers.h"
 #include "generator/cut/stray_bits.h"
 #include "generator/mesh/disjoint_sets.h"
 
 namespace pomona {
 
 namespace {
+
+class PairNumbers {
+ public:
+  /// First indices lie below `firsts`.
+  explicit PairNumbers(std::size_t firsts) : latest_(firsts, none) {}
+
+  /// The pair's number, and whether it is new: then it is the one given here.
+  std::pair<std::uint32_t, bool> try_emplace(std::uint32_t first, std::uint32_t second, std::uint32_t number) {
+    for (std::uint32_t e = latest_[first]; e != none; e = entry_[e].before) {
+      if (entry_[e].second == second) return {entry_[e].number, false};
+    }
+    entry_.push_back({second, number, latest_[first]});
+    latest_[first] = static_cast<std::uint32_t>(entry_.size() - 1);
+    return {number, true};
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffffu;
+  struct Entry {
+    std::uint32_t second = 0, number = 0;
+    std::uint32_t before = none;  ///< the entry before it with the same first index
+  };
+  std::vector<std::uint32_t> latest_;  // entry, per first index
+  std::vector<Entry> entry_;
+};
 
 constexpr std::uint32_t unset = 0xffffffffu;
 

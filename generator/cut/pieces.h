@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "generator/cut/cut.h"
+#include "generator/cut/cut_piece.h"
+#include "generator/cut/section/cut_options.h"
 #include "generator/cut/spared.h"
 #include "generator/surface/diffusion_surfaces.h"
 

@@ -12,9 +12,9 @@ namespace pomona {
 namespace {
 
 /// The best so far on the way through the tree.
-class Search {
+class SideSearch {
  public:
-  Search(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const glm::dvec3& point, double radius)
+  SideSearch(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const glm::dvec3& point, double radius)
       : surfaces_(surfaces), tree_(tree), point_(point), limit_(radius), tie_(1e-12 * tree.size) {}
 
   std::optional<SurfaceSide> run() {
@@ -66,7 +66,7 @@ class Search {
 
 std::optional<SurfaceSide> nearest_side(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
                                         const glm::dvec3& point, double radius) {
-  return Search(surfaces, tree, point, radius).run();
+  return SideSearch(surfaces, tree, point, radius).run();
 }
 
 glm::dvec3 color_of(const DiffusionSurfaces& surfaces, const SurfaceSide& at) {

@@ -9,26 +9,26 @@ namespace pomona {
 namespace {
 
 /// A sum kept without error: its rounded value, and what rounding took away.
-struct Exact {
+struct ExactSum {
   double value = 0, rest = 0;
 };
 
-Exact sum_of(double a, double b) {
+ExactSum sum_of(double a, double b) {
   const double sum = a + b;
   const double from_b = sum - a, from_a = sum - from_b;
   return {sum, (a - from_a) + (b - from_b)};
 }
 
 /// High and low half of a double's digits [Dekker 1971].
-Exact halves_of(double a) {
+ExactSum halves_of(double a) {
   const double scaled = 134217729.0 * a;  // 2^27 + 1
   const double high = scaled - (scaled - a);
   return {high, a - high};
 }
 
-Exact product_of(double a, double b) {
+ExactSum product_of(double a, double b) {
   const double product = a * b;
-  const Exact x = halves_of(a), y = halves_of(b);
+  const ExactSum x = halves_of(a), y = halves_of(b);
   const double error = ((product - x.value * y.value) - x.rest * y.value) - x.value * y.rest;
   return {product, x.rest * y.rest - error};
 }
@@ -38,7 +38,7 @@ class Expansion {
  public:
   void add(double term) {
     for (std::size_t i = 0; i < count_; ++i) {
-      const Exact sum = sum_of(term, parts_[i]);
+      const ExactSum sum = sum_of(term, parts_[i]);
       parts_[i] = sum.rest;
       term = sum.value;
     }
@@ -72,7 +72,7 @@ double exact_distance(const CuttingPlane& plane, const glm::dvec3& point) {
   Expansion sum;
   sum.add(-plane.offset);
   for (int axis = 0; axis < 3; ++axis) {
-    const Exact product = product_of(plane.normal[axis], point[axis]);
+    const ExactSum product = product_of(plane.normal[axis], point[axis]);
     sum.add(product.rest);
     sum.add(product.value);
   }

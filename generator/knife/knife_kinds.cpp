@@ -104,13 +104,13 @@ KnifeCut read_crinkle(const KnifeKind&, string_view value, const path&) {
 
 /// A path in a drawing: "FILE.svg#id,scale=2mm". A comma may be part of the file's name: what comes before the last #
 /// is.
-struct Drawing {
+struct NamedDrawing {
   path file;
   std::string id;
   std::vector<string_view> words;  ///< its options
 };
 
-Drawing parse_drawing(string_view value) {
+NamedDrawing parse_drawing(string_view value) {
   // Part the file, the path's name and the options.
   const std::size_t hash = std::min(value.rfind('#'), value.size());
   const std::size_t comma = std::min(value.find(',', hash), value.size());
@@ -118,20 +118,20 @@ Drawing parse_drawing(string_view value) {
   if (hash == value.size() || hash == 0) throw BadKnife("needs an SVG file and the path in it: FILE.svg#id");
   if (hash + 1 == drawn.size()) throw BadKnife("does not name a path in the file: FILE.svg#id");
 
-  Drawing drawing{std::string(drawn.substr(0, hash)), std::string(drawn.substr(hash + 1)), {}};
+  NamedDrawing drawing{std::string(drawn.substr(0, hash)), std::string(drawn.substr(hash + 1)), {}};
   if (comma < value.size()) drawing.words = split_at_commas(value.substr(comma + 1));
   return drawing;
 }
 
 KnifeCut read_stroke_knife(const KnifeKind& kind, string_view value, const path& folder) {
-  const Drawing drawing = parse_drawing(value);
+  const NamedDrawing drawing = parse_drawing(value);
   const KnifeOptions options(drawing.words, kind.options);
   const double scale = options.length("scale", largest_scale).value_or(millimetre_scale);
   return PlaneCut(StrokeKnife{read_stroke(folder / drawing.file, drawing.id, scale)});
 }
 
 KnifeCut read_revolve(const KnifeKind& kind, string_view value, const path& folder) {
-  const Drawing drawing = parse_drawing(value);
+  const NamedDrawing drawing = parse_drawing(value);
   const KnifeOptions options(drawing.words, kind.options);
   const double scale = options.length("scale", largest_scale).value_or(millimetre_scale);
   RevolveKnife knife;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/knife/knife.h"
-#include "generator/template/read/toml_document.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

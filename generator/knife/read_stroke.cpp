@@ -11,8 +11,8 @@
 #include "generator/base/nearest_name.h"
 #include "generator/knife/stroke.h"
 #include "generator/template/read/sketch_fault.h"
-#include "generator/template/read/svg_drawing.h"
-#include "generator/template/read/svg_path.h"
+#include "generator/text/svg_drawing.h"
+#include "generator/text/svg_path.h"
 
 namespace pomona {
 

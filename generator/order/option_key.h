@@ -2,7 +2,7 @@
 #pragma once
 
 #include "generator/order/option_table.h"
-#include "generator/template/read/toml_document.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

@@ -3,74 +3,14 @@
 // warning that an option has no effect come from it. An option that is added here appears in all of them.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "generator/order/option_value.h"
 #include "generator/order/order.h"
 
 namespace pomona {
-
-/// A switch.
-struct FlagValue {
-  bool& (*in)(Order&);
-};
-
-/// A whole number of a range.
-struct WholeValue {
-  int& (*in)(Order&);
-  int low = 0, high = 0;
-};
-
-/// The same where none is a value of its own; `none` is how a file writes it.
-struct OptionalWholeValue {
-  std::optional<int>& (*in)(Order&);
-  int low = 0, high = 0;
-};
-
-/// A number of a range.
-struct NumberValue {
-  double& (*in)(Order&);
-  double low = 0, high = 0;
-};
-
-/// The same where none is a value of its own.
-struct OptionalNumberValue {
-  std::optional<double>& (*in)(Order&);
-  double low = 0, high = 0;
-};
-
-/// A whole number of 64 bits.
-struct CountValue {
-  std::optional<std::uint64_t>& (*in)(Order&);
-};
-
-/// One of a few words, each an enumerator.
-struct ChoiceValue {
-  std::vector<std::string> words;
-  std::optional<std::size_t> (*get)(const Order&);  ///< its place in `words`; nothing where nothing was said
-  void (*set)(Order&, std::size_t);
-};
-
-/// Any text that is not empty: names and paths.
-struct TextValue {
-  std::string& (*in)(Order&);
-};
-
-/// A text with rules of its own. `read` throws Error (usage); `text` gives back what it read, "" for nothing.
-struct ParsedValue {
-  void (*read)(Order&, const std::string&);
-  std::string (*text)(const Order&);
-};
-
-/// Knives: the option may be given several times.
-struct KnivesValue {};
-
-using OptionValue = std::variant<FlagValue, WholeValue, OptionalWholeValue, NumberValue, OptionalNumberValue,
-                                 CountValue, ChoiceValue, TextValue, ParsedValue, KnivesValue>;
 
 /// What takes orders.
 enum class OrderTaker { grow, cut, plate, scene, batch };

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/order/option_table.h"
+#include "generator/order/option_value.h"
 
 namespace pomona {
 

@@ -111,7 +111,7 @@ class RayLattice {
 };
 
 /// How often one is in what, for the few things one is in at a time.
-class Inside {
+class Surrounding {
  public:
   void pass(std::int32_t what, std::int32_t into) {
     const auto place = std::find_if(in_.begin(), in_.end(), [&](const auto& entry) { return entry.first == what; });
@@ -185,7 +185,7 @@ class ExcessSum {
 
   std::vector<Moments> summed(RayLattice& lattice, std::span<const double> excess) const {
     std::vector<Moments> sums(pieces_.size());
-    Inside regions, pieces;
+    Surrounding regions, pieces;
     const std::vector<Passing> passings = std::move(lattice).sorted();
     for (std::size_t i = 0; i < passings.size(); ++i) {
       const Passing& now = passings[i];

@@ -3,11 +3,46 @@
 #include <utility>
 
 #include "generator/base/error.h"
+#include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+#include "generator/piece/slice.h"
+#include "generator/scene/scene_file.h"
 #include "generator/surface/file/plain_mesh_file.h"
+#include "generator/surface/sweep/sweep.h"
 
 namespace pomona {
 
 namespace {
+
+/// One surface around the axis whose front faces air; it closes upon itself on the axis.
+Template bowl_template(const BowlDescription& bowl) {
+  // A bowl is described as a fruit is, with parts and an axis.
+  Template clay;
+  clay.name = "bowl";
+  clay.title = "Bowl";
+  clay.symmetry = CylindricalSymmetry{};
+  clay.parts = {"glaze", "clay"};
+
+  // The only surface is the profile, swept along a circle.
+  SurfaceSketch wall;
+  wall.name = "wall";
+  wall.vertical = bowl.profile;
+  Curve circle{{}, true};
+  for (int i = 0; i < bowl.around; ++i) {
+    const double angle = 2 * pi * i / bowl.around;
+    circle.points.emplace_back(reproducible::cos(angle), reproducible::sin(angle));
+  }
+  wall.horizontal = {circle};
+  wall.roundness = Ramp<double>::constant(1);
+
+  // Both sides have the bowl's colour; the front is hidden, for it faces air.
+  wall.front = {.part = 0, .color = {.along = bowl.color}, .hidden = true};
+  wall.back = {.part = 1, .color = {.along = bowl.color}};
+  wall.around = bowl.around;
+  wall.along = bowl.along;
+  clay.surfaces = {wall};
+  return clay;
+}
 
 bool made_alike(const DishDescription& a, const DishDescription& b) {
   const MeshSolidOptions &x = a.as_solid, &y = b.as_solid;
@@ -36,6 +71,17 @@ Solid solid_of_mesh(const DishDescription& dish, const std::filesystem::path& fo
 }
 
 }  // namespace
+
+Solid bowl_solid(const BowlDescription& bowl) {
+  const Template clay = bowl_template(bowl);
+  GrownFruit thrown;
+  thrown.sheets = sweep(clay);
+  std::vector<Solid> made = slice({thrown, clay, {}, "bowl"}, nullptr).pieces;
+  if (made.size() != 1) throw Error(ExitStatus::bug, "the bowl is not one solid");
+  made[0].name = "bowl";
+  made[0].origin = {};  // a dish is no piece of fruit
+  return std::move(made[0]);
+}
 
 std::size_t DishSolids::index_of(const DishDescription& dish) {
   for (std::size_t k = 0; k < known_.size(); ++k)

@@ -5,10 +5,13 @@
 #include <filesystem>
 #include <vector>
 
-#include "generator/scene/bowl.h"
+#include "generator/piece/solid.h"
 #include "generator/scene/dish_description.h"
 
 namespace pomona {
+
+/// The bowl as a solid, in its place.
+Solid bowl_solid(const BowlDescription& bowl);
 
 /// Makes each kind of dish once.
 class DishSolids {

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/scene/make_parts.h"
+#include "generator/scene/scene_file.h"
+#include "generator/scene/scene_parts.h"
 
 namespace pomona {
 

@@ -9,7 +9,7 @@
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
 #include "generator/base/json_text.h"
-#include "generator/scene/json_node.h"
+#include "generator/text/json_node.h"
 
 namespace pomona {
 

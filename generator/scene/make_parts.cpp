@@ -6,12 +6,14 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <vector>
 
 #include "generator/base/background_work.h"
+#include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/cut/cut.h"
+#include "generator/piece/grow.h"
 #include "generator/piece/slice.h"
-#include "generator/scene/check_cuts.h"
 #include "generator/scene/dish_solids.h"
 #include "generator/scene/item_maker.h"
 #include "generator/scene/layout_file.h"
@@ -21,6 +23,27 @@
 namespace pomona {
 
 namespace {
+
+/// What cut() says of an entry's knives, as a mistake in the scene's file.
+Error at_entry(const PiecesDescription& pieces, const Error& error) {
+  const Diagnostic& what = error.diagnostics().front();
+  return {ExitStatus::bad_data, {{pieces.place, "pieces \"" + pieces.name + "\": " + what.message, what.hint}}};
+}
+
+/// Grows each entry's fruit as drawn, coarsely, and cuts it. \throws Error (bad_data) at the entry whose knives cannot
+/// be laid at its fruit, or whose fruit cannot be grown.
+void check_cuts(const SceneDescription& scene, const std::vector<Template>& templates) {
+  constexpr double coarse = 0.25;
+  for (std::size_t entry = 0; entry < templates.size(); ++entry) {
+    const PiecesDescription& pieces = scene.pieces[entry];
+    const GrownFruit grown = grow(templates[entry], {}, {.as_drawn = true, .detail = coarse});
+    try {
+      cut(grown.sheets, pieces.knives);
+    } catch (const Error& error) {
+      throw at_entry(pieces, error);
+    }
+  }
+}
 
 /// Passes progress on, one call at a time.
 class Teller {
@@ -230,11 +253,6 @@ void add_dishes(const SceneDescription& scene, SceneParts& parts) {
 }
 
 }  // namespace
-
-VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& pieces, int n) {
-  const RandomStream names({0, static_cast<std::uint64_t>(n)}, "scene/pieces/" + pieces.name);
-  return {scene.seed, names.bits(0) >> 32};
-}
 
 void check_sources(const SceneDescription& scene, const ComposeOptions& options) {
   const std::vector<Template> templates = scene_templates(scene, options);

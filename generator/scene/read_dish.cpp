@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "generator/base/path_within.h"
-#include "generator/template/read/read_name.h"
 #include "generator/template/read/read_paint.h"
-#include "generator/template/read/svg_path.h"
+#include "generator/text/read_name.h"
+#include "generator/text/svg_path.h"
 
 namespace pomona {
 

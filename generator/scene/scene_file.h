@@ -14,8 +14,8 @@
 #include "generator/scene/dish_description.h"
 #include "generator/scene/scene.h"
 #include "generator/scene/settle/piece_arrangement.h"
-#include "generator/template/read/toml_document.h"
 #include "generator/template/template.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "generator/scene/make_parts.h"
+#include "generator/scene/compose_options.h"
+#include "generator/scene/scene_file.h"
 #include "generator/template/template.h"
 
 namespace pomona {

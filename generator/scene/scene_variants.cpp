@@ -29,6 +29,11 @@ std::vector<std::shared_ptr<const Variation>> variations_of(const SceneDescripti
   return ready;
 }
 
+VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& pieces, int n) {
+  const RandomStream names({0, static_cast<std::uint64_t>(n)}, "scene/pieces/" + pieces.name);
+  return {scene.seed, names.bits(0) >> 32};
+}
+
 GrownSceneVariant grown_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,
                                 const Template& fruit, const Variation* variation, const ComposeOptions& options) {
   GrownSceneVariant made;

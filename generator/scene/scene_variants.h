@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "generator/base/random.h"
 #include "generator/base/stage_clock.h"
 #include "generator/piece/grow.h"
 #include "generator/piece/piece_origin.h"
-#include "generator/scene/make_parts.h"
+#include "generator/scene/compose_options.h"
+#include "generator/scene/scene_file.h"
 #include "generator/template/template.h"
 #include "generator/variation/variation.h"
 
@@ -25,6 +27,10 @@ struct GrownSceneVariant {
   PieceOrigin origin;
   StageClock clock;
 };
+
+/// The key of an entry's n-th variant: the scene's seed, and an index drawn from the entry's name and n. So no
+/// entry's variants depend on what else the scene holds, in which order, or how many it takes.
+VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& pieces, int n);
 
 /// An entry's n-th variant. \param variation of the template; none for pieces as drawn.
 GrownSceneVariant grown_variant(const SceneDescription& scene, const PiecesDescription& pieces, int number,

@@ -110,7 +110,7 @@ glm::dquat standing_frame(const glm::dvec3& up, const glm::dvec3& front) {
   return glm::normalize(glm::quat_cast(glm::transpose(own)));
 }
 
-struct Choice {
+struct PoseChoice {
   Rest rest;
   glm::dvec3 front{0, 0, 1};
   bool slender = false;
@@ -128,8 +128,8 @@ class Chooser {
         sides_(cut_sides(solid)),
         has_ground_(stands_on_flat_ground(solid)) {}
 
-  Choice choose() const {
-    Choice best;
+  PoseChoice choose() const {
+    PoseChoice best;
     if (has_ground_ || is_hardly_cut()) {
       try_all(as_it_grew(), best);
       return best;
@@ -140,8 +140,8 @@ class Chooser {
   }
 
   /// As it grew, and not laid down either; nothing is chosen for what was cut flat.
-  Choice choose_standing() const {
-    Choice best;
+  PoseChoice choose_standing() const {
+    PoseChoice best;
     const auto is_wide = [&](const CutSide& side) { return side.flat && side.area > 0.15 * areas_.cut(); };
     if (std::none_of(sides_.begin(), sides_.end(), is_wide)) try_all({{0, 1, 0}, false, true}, best);
     return best;
@@ -175,7 +175,7 @@ class Chooser {
     return glm::normalize(axis - glm::dot(axis, up) * up);
   }
 
-  void try_all(const Rest& rest, Choice& best) const {
+  void try_all(const Rest& rest, PoseChoice& best) const {
     PieceOutline::Plan plan = outline_.plan(rest.up);
     // What stands turns its faces to the eye, however wide it is.
     if (rest.as_grown && has_ground_) plan.ratio = 1;
@@ -220,7 +220,7 @@ glm::dvec3 diagonal_on_table() { return {reproducible::sin(diagonal_angle), 0, -
 
 TablePose standing_pose(const Solid& solid, const glm::dvec3& eye) {
   if (solid.position.empty()) return {};
-  const Choice choice = Chooser(solid, eye).choose_standing();
+  const PoseChoice choice = Chooser(solid, eye).choose_standing();
   if (choice.score < 0) return table_pose(solid, eye);
   return {standing_frame(choice.rest.up, choice.front), false, true};
 }
@@ -228,7 +228,7 @@ TablePose standing_pose(const Solid& solid, const glm::dvec3& eye) {
 TablePose table_pose(const Solid& solid, const glm::dvec3& eye) {
   if (solid.position.empty()) return {};
   const Chooser chooser(solid, eye);
-  const Choice choice = chooser.choose();
+  const PoseChoice choice = chooser.choose();
   if (choice.score < 0) return {};
   TablePose pose{standing_frame(choice.rest.up, choice.front), choice.slender, choice.rest.as_grown};
   if (!chooser.on_its_back(choice.rest)) return pose;

@@ -19,11 +19,11 @@ namespace {
 
 /// A position in whole steps. 29 bits a coordinate let volumes be computed exactly in 128 bits; doubles hold them, and
 /// their differences, as they are.
-using GridPoint = glm::dvec3;
+using LatticePoint = glm::dvec3;
 __extension__ typedef __int128 Wide;
 constexpr double grid_steps = 1 << 29;
 
-std::vector<GridPoint> on_grid(const DiffusionSurfaces& surfaces) {
+std::vector<LatticePoint> on_grid(const DiffusionSurfaces& surfaces) {
   const Box<double> bounds = bounds_of(surfaces);
   const glm::dvec3 size = bounds.size();
   const double longest = std::max({size.x, size.y, size.z});
@@ -35,7 +35,7 @@ std::vector<GridPoint> on_grid(const DiffusionSurfaces& surfaces) {
     const auto whole = static_cast<double>(static_cast<std::int64_t>(within));
     return within - whole >= 0.5 ? whole + 1 : whole;
   };
-  std::vector<GridPoint> points;
+  std::vector<LatticePoint> points;
   points.reserve(surfaces.position.size());
   for (const glm::vec3& p : surfaces.position) {
     const glm::dvec3 at = (glm::dvec3(p) - bounds.low) * steps_per_metre;
@@ -45,7 +45,7 @@ std::vector<GridPoint> on_grid(const DiffusionSurfaces& surfaces) {
 }
 
 /// 1, 0 or -1: on which side of the plane through a with these two edges, exactly.
-int exact_side(const GridPoint& u, const GridPoint& v, const GridPoint& w) {
+int exact_side(const LatticePoint& u, const LatticePoint& v, const LatticePoint& w) {
   const glm::i64vec3 a(u), b(v), c(w);
   const Wide volume = static_cast<Wide>(a.y * b.z - a.z * b.y) * c.x + static_cast<Wide>(a.z * b.x - a.x * b.z) * c.y +
                       static_cast<Wide>(a.x * b.y - a.y * b.x) * c.z;
@@ -60,11 +60,11 @@ int estimated_side(double volume) {
 
 /// A triangle, and its plane.
 struct GridTriangle {
-  std::array<GridPoint, 3> corner;
+  std::array<LatticePoint, 3> corner;
   glm::dvec3 normal{0};  ///< rounded
 
   /// On which side of the plane p lies.
-  int side_of(const GridPoint& p) const {
+  int side_of(const LatticePoint& p) const {
     const int estimate = estimated_side(glm::dot(normal, p - corner[0]));
     if (estimate != 2) return estimate;
     // Most triangles that are near each other share a corner.
@@ -73,7 +73,7 @@ struct GridTriangle {
   }
 };
 
-GridTriangle grid_triangle(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+GridTriangle grid_triangle(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
   return {{a, b, c}, glm::cross(b - a, c - a)};
 }
 
@@ -88,7 +88,7 @@ bool on_both(const Sides& sides) {
 }
 
 /// True if the line goes through the inside of the triangle.
-bool line_pierces(const GridPoint& p, const GridPoint& q, const GridTriangle& t) {
+bool line_pierces(const LatticePoint& p, const LatticePoint& q, const GridTriangle& t) {
   const auto side_of = [&](std::size_t i, std::size_t j) {
     return grid_triangle(p, q, t.corner[i]).side_of(t.corner[j]);
   };
@@ -133,7 +133,7 @@ template <typename Found>
 void visit_crossings(const DiffusionSurfaces& surfaces, const std::vector<std::uint32_t>& triangles,
                      const Found& found) {
   // Find where triangles could meet.
-  const std::vector<GridPoint> points = on_grid(surfaces);
+  const std::vector<LatticePoint> points = on_grid(surfaces);
   std::vector<GridTriangle> corners;
   std::vector<Box<float>> boxes;
   corners.reserve(triangles.size());
@@ -142,7 +142,7 @@ void visit_crossings(const DiffusionSurfaces& surfaces, const std::vector<std::u
     const glm::uvec3& v = surfaces.triangle[t];
     corners.push_back(grid_triangle(points[v.x], points[v.y], points[v.z]));
     Box<float> box;
-    for (const GridPoint& corner : corners.back().corner) box.add(glm::vec3(corner));
+    for (const LatticePoint& corner : corners.back().corner) box.add(glm::vec3(corner));
     boxes.push_back(box);
   }
 

@@ -17,7 +17,7 @@ namespace pomona {
 namespace {
 
 /// A triangle at a crowded edge: where it stands around the edge, seen against the edge's direction.
-struct Leaf {
+struct EdgeLeaf {
   double angle = 0;
   bool forward = false;  ///< solid lies below its angle; else above
   std::uint32_t triangle = 0;
@@ -68,11 +68,11 @@ class ShellFinder {
     }
   }
 
-  std::vector<Leaf> leaves_around(std::span<const HalfEdge> edge) const {
+  std::vector<EdgeLeaf> leaves_around(std::span<const HalfEdge> edge) const {
     const glm::dvec3 low(surfaces_.position[edge.front().low]);
     const glm::dvec3 along = glm::normalize(glm::dvec3(surfaces_.position[edge.front().high]) - low);
     glm::dvec3 zero_angle(0);
-    std::vector<Leaf> leaves;
+    std::vector<EdgeLeaf> leaves;
     for (const HalfEdge& h : edge) {
       const glm::uvec3& t = shells_.air_facing[h.triangle];
       const std::uint32_t tip = t.x + t.y + t.z - h.low - h.high;
@@ -83,15 +83,15 @@ class ShellFinder {
       leaves.push_back({reproducible::atan2(y, glm::dot(zero_angle, across)), h.forward, h.triangle});
     }
     // Solids that touch face to face end (forward) before the next one starts.
-    std::sort(leaves.begin(), leaves.end(), [](const Leaf& l, const Leaf& r) {
+    std::sort(leaves.begin(), leaves.end(), [](const EdgeLeaf& l, const EdgeLeaf& r) {
       return std::tuple(l.angle, !l.forward, l.triangle) < std::tuple(r.angle, !r.forward, r.triangle);
     });
     return leaves;
   }
 
   /// Joins each leaf where solid starts with the one where it ends, like brackets, those of one surface first.
-  void join_wedges(std::vector<Leaf> leaves) {
-    const auto surface_of = [&](const Leaf& leaf) { return surfaces_.surface[leaf.triangle]; };
+  void join_wedges(std::vector<EdgeLeaf> leaves) {
+    const auto surface_of = [&](const EdgeLeaf& leaf) { return surfaces_.surface[leaf.triangle]; };
     const auto join_one = [&](bool same_surface) {
       for (std::size_t i = 0; i < leaves.size(); ++i) {
         const std::size_t next = (i + 1) % leaves.size();

@@ -11,14 +11,14 @@ namespace pomona {
 
 namespace {
 
-using Fault = std::optional<CurveFault>;
+using MaybeFault = std::optional<CurveFault>;
 
 /// Rounding of an angle drawn exactly on a fold line.
 constexpr double angle_slack = 1e-6;
 
 double dot(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.x + a.y * b.y; }
 
-Fault fault_of_loop(const Curve& loop) {
+MaybeFault fault_of_loop(const Curve& loop) {
   if (loop.points.size() < 3) return CurveFault{"has too few points", "a loop needs at least three"};
   if (!loop.closed) return CurveFault{"is not closed", "end the path with Z, or join its two ends"};
   if (!is_simple(loop)) return CurveFault{"crosses itself", "redraw it as one simple loop"};
@@ -80,7 +80,7 @@ std::optional<CurveFault> fault_of_open_ends(const Curve& curve) {
 }
 
 std::optional<CurveFault> fault_of_loop_around_axis(const Curve& loop, const Symmetry& symmetry) {
-  if (Fault fault = fault_of_loop(loop)) return fault;
+  if (MaybeFault fault = fault_of_loop(loop)) return fault;
   if (!encloses(loop, {0, 0})) {
     return CurveFault{"does not surround the axis",
                       "draw it around the axis, which is at 0,0 or where the sketch has it"};
@@ -99,7 +99,7 @@ std::optional<CurveFault> fault_of_loop_around_axis(const Curve& loop, const Sym
 }
 
 std::optional<CurveFault> fault_of_loop_in_fold(const Curve& loop, const FoldSymmetry& folds, std::size_t k) {
-  if (Fault fault = fault_of_loop(loop)) return fault;
+  if (MaybeFault fault = fault_of_loop(loop)) return fault;
   if (encloses(loop, {0, 0})) {
     return CurveFault{"surrounds the axis", "draw it inside its fold, or make the surface \"around-axis\""};
   }

@@ -1,8 +1,9 @@
 // How far the variants of a template stray in what the paper does not vary.
 #pragma once
 
+#include <vector>
+
 #include "generator/template/color_variation.h"
-#include "generator/template/count_variation.h"
 
 namespace pomona {
 
@@ -11,6 +12,26 @@ struct BendVariation {
   double angle = 0;     ///< standard deviation, radians
   double swing = 0;     ///< standard deviation, radians
   bool around = false;  ///< towards all sides, rather than only along the drawn direction
+};
+
+/// What nature varies in number. Nothing where a template does not ask for it: variants then have what is drawn, and
+/// the same triangles.
+struct CountVariation {
+  /// A number of folds, and how often it is seen among individuals.
+  struct Folds {
+    int number = 1;
+    double share = 1;
+  };
+
+  /// A surface that not all individuals have: within folds it is missing from some of them, around the axis from some
+  /// fruits.
+  struct Presence {
+    int surface = 0;   ///< index into Template::surfaces
+    double share = 1;  ///< of the folds, or of the fruits
+  };
+
+  std::vector<Folds> folds;  ///< the shares add up to 1; empty = as drawn
+  std::vector<Presence> present;
 };
 
 /// Everything is 0 where a template does not ask for it: only curves vary then, as in the paper (section 4.2).

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "generator/variation/fold_blend.h"
+#include "generator/variation/fold_pca.h"
 
 namespace pomona {
 

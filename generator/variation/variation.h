@@ -5,8 +5,10 @@
 #include <variant>
 #include <vector>
 
+#include "generator/base/random.h"
+#include "generator/template/template.h"
 #include "generator/variation/swept_check.h"
-#include "generator/variation/vary.h"
+#include "generator/variation/variation_options.h"
 #include "generator/variation/vary_folds.h"
 #include "generator/variation/vary_loops.h"
 

@@ -3,19 +3,11 @@
 // the same triangles where the counts are equal: those of folds, and of surfaces that not all individuals have.
 #pragma once
 
-#include <optional>
-
 #include "generator/base/random.h"
 #include "generator/template/template.h"
+#include "generator/variation/variation_options.h"
 
 namespace pomona {
-
-struct VariationOptions {
-  double amount = 1.0;            ///< 0 = as drawn up to a turn, 1 = natural, 2 = wild
-  std::optional<int> folds = {};  ///< another number of folds than drawn, 1..64 (N-fold templates only)
-  bool curves_only = false;       ///< vary the horizontal curves alone, as in the paper, whatever the template says
-  bool drawn_counts = false;      ///< as many folds and surfaces as drawn, whatever the template says
-};
 
 /// The variant for `key`: De Bonet synthesis of all loops together for cylindrical symmetry, blending of fold
 /// samples by principal components for N-fold symmetry; then whatever `fruit.variation` asks for. Meshes do not vary:

@@ -6,9 +6,8 @@
 #include <utility>
 
 #include "generator/base/units.h"
-#include "generator/variation/fold_blend.h"
 #include "generator/variation/fold_draw.h"
-#include "generator/variation/fold_form.h"
+#include "generator/variation/fold_pca.h"
 #include "generator/variation/fold_room.h"
 #include "generator/variation/fold_samples.h"
 #include "generator/variation/vary_counts.h"
@@ -16,6 +15,58 @@
 namespace pomona {
 
 namespace {
+
+/// What all drawn samples of a surface have in common: a blend must have it too.
+class FoldForm {
+ public:
+  explicit FoldForm(const FoldSamples& drawn);
+
+  /// True if the curve, in the pie-shaped space, does not meet itself, stays between the fold lines (half as far from
+  /// them as drawn), keeps clear of the axis, and, if closed, still runs counter-clockwise. Empty ones do.
+  bool is_kept(const PolarCurve& fold) const;
+
+ private:
+  bool closed_ = false;
+  bool simple_ = true;       ///< all samples are
+  double margin_ = 0;        ///< least distance from a fold line, as a share of the fold; closed loops only
+  double least_radius_ = 0;  ///< metres
+  double pie_ = 1;           ///< angle of the pie, radians
+};
+
+Curve in_pie(const PolarCurve& fold, double pie, bool closed) {
+  PolarCurve placed = fold;
+  for (double& azimuth : placed.azimuth) azimuth *= pie;
+  return from_polar(placed, closed);
+}
+
+/// How far the curve stays from the fold lines; open curves without their ends, which lie on them.
+double distance_from_lines(const PolarCurve& fold, bool closed) {
+  const std::ptrdiff_t ends = closed ? 0 : 1;
+  const auto [least, most] = std::minmax_element(fold.azimuth.begin() + ends, fold.azimuth.end() - ends);
+  return std::min(*least, 1 - *most);
+}
+
+double least_radius(const PolarCurve& fold) { return *std::min_element(fold.radius.begin(), fold.radius.end()); }
+
+FoldForm::FoldForm(const FoldSamples& drawn) : closed_(drawn.closed), margin_(1), least_radius_(1e9) {
+  // Any angle below a whole turn shows the same crossings.
+  pie_ = std::min(2 * pi / static_cast<double>(drawn.fold.size()), pi);
+  for (const PolarCurve& fold : drawn.fold) {
+    if (fold.size() == 0) continue;
+    simple_ = simple_ && is_simple(in_pie(fold, pie_, closed_));
+    margin_ = std::min(margin_, distance_from_lines(fold, closed_));
+    least_radius_ = std::min(least_radius_, least_radius(fold));
+  }
+}
+
+bool FoldForm::is_kept(const PolarCurve& fold) const {
+  if (fold.size() == 0) return true;
+  if (least_radius(fold) < 0.2 * least_radius_) return false;
+  if (margin_ > 0 && distance_from_lines(fold, closed_) <= (closed_ ? 0.5 * margin_ : 0)) return false;
+  const Curve curve = in_pie(fold, pie_, closed_);
+  if (closed_ && !(signed_area(curve) > 0)) return false;
+  return !simple_ || is_simple(curve);
+}
 
 std::vector<bool> presence(const FoldSamples& samples) {
   std::vector<bool> present;
@@ -85,12 +136,12 @@ std::vector<Curve> loops_of(const std::vector<PolarCurve>& folds, const FoldSymm
 }
 
 /// A drawing as samples.
-struct Drawing {
+struct FoldDrawing {
   Template fruit;
   std::vector<double> widths;
   std::vector<FoldSamples> samples;
 
-  explicit Drawing(const Template& drawn)
+  explicit FoldDrawing(const Template& drawn)
       : fruit(drawn), widths(fold_widths(std::get<FoldSymmetry>(drawn.symmetry))), samples(fold_samples(drawn)) {}
 };
 
@@ -100,16 +151,16 @@ std::vector<FoldDraw> as_drawn(std::vector<FoldDraw> draws) {
   return draws;
 }
 
-struct Candidate {
+struct FoldCandidate {
   Template fruit;
-  std::vector<std::vector<PolarCurve>> folds;  ///< for each of Drawing::samples, in the pie-shaped space
+  std::vector<std::vector<PolarCurve>> folds;  ///< for each of FoldDrawing::samples, in the pie-shaped space
 };
 
-/// For each of Drawing::samples, for each fold: whether it is there.
+/// For each of FoldDrawing::samples, for each fold: whether it is there.
 using Bearing = std::vector<std::vector<bool>>;
 
 /// As in the drawn folds in turn.
-Bearing drawn_bearing(const Drawing& drawing, const std::vector<FoldDraw>& draws) {
+Bearing drawn_bearing(const FoldDrawing& drawing, const std::vector<FoldDraw>& draws) {
   Bearing bearing;
   for (const FoldSamples& samples : drawing.samples) {
     const std::vector<bool> present = presence(samples);
@@ -120,7 +171,7 @@ Bearing drawn_bearing(const Drawing& drawing, const std::vector<FoldDraw>& draws
 }
 
 /// Drawn at random where the template says that not all folds have a surface.
-Bearing varied_bearing(const Drawing& drawing, const std::vector<FoldDraw>& draws, VariantKey key, double amount) {
+Bearing varied_bearing(const FoldDrawing& drawing, const std::vector<FoldDraw>& draws, VariantKey key, double amount) {
   Bearing bearing = drawn_bearing(drawing, draws);
   for (std::size_t s = 0; s < bearing.size(); ++s) {
     const std::size_t surface = drawing.samples[s].surface;
@@ -130,8 +181,8 @@ Bearing varied_bearing(const Drawing& drawing, const std::vector<FoldDraw>& draw
   return bearing;
 }
 
-Candidate candidate(const Drawing& drawing, const std::vector<FoldDraw>& draws, const Bearing& bearing) {
-  Candidate result{drawing.fruit, {}};
+FoldCandidate candidate(const FoldDrawing& drawing, const std::vector<FoldDraw>& draws, const Bearing& bearing) {
+  FoldCandidate result{drawing.fruit, {}};
   const double first = std::get<FoldSymmetry>(drawing.fruit.symmetry).fold_angles.front();
   const std::vector<double> widths = blended_widths(drawing.widths, draws);
   const FoldSymmetry symmetry = symmetry_of(first, widths);
@@ -158,14 +209,14 @@ std::size_t fold_at(const FoldSymmetry& symmetry, double azimuth) {
 struct Requirements {
   FoldRoom room;
   SweptCheck swept;
-  std::vector<FoldForm> forms;  ///< for each of Drawing::samples
+  std::vector<FoldForm> forms;  ///< for each of FoldDrawing::samples
 
-  Requirements(const Drawing& drawing, SweptCheck check) : room(drawing.fruit), swept(std::move(check)) {
+  Requirements(const FoldDrawing& drawing, SweptCheck check) : room(drawing.fruit), swept(std::move(check)) {
     for (const FoldSamples& samples : drawing.samples) forms.emplace_back(samples);
   }
 
   /// Curves first; surfaces, which take longer, once all curves are sound.
-  std::vector<bool> are_met(const Candidate& candidate) const {
+  std::vector<bool> are_met(const FoldCandidate& candidate) const {
     std::vector<bool> sound = room.is_sound(candidate.fruit);
     for (std::size_t s = 0; s < forms.size(); ++s) {
       for (std::size_t k = 0; k < sound.size(); ++k) sound[k] = sound[k] && forms[s].is_kept(candidate.folds[s][k]);
@@ -207,7 +258,7 @@ bool step_down(std::vector<FoldDraw>& draws, const std::vector<bool>& sound) {
 }  // namespace
 
 struct FoldVariation::Prepared {
-  Drawing drawing;
+  FoldDrawing drawing;
   Requirements requirements;
 
   Prepared(const Template& fruit, SweptCheck swept) : drawing(fruit), requirements(drawing, std::move(swept)) {}
@@ -221,7 +272,7 @@ FoldVariant FoldVariation::draw(VariantKey key, double amount, int folds, bool d
   const auto& [drawing, requirements] = *prepared_;
   std::vector<FoldDraw> draws = drawn_folds(drawing.widths.size(), key, amount, folds);
   const Bearing bearing = drawn_counts ? drawn_bearing(drawing, draws) : varied_bearing(drawing, draws, key, amount);
-  Candidate result = candidate(drawing, draws, bearing);
+  FoldCandidate result = candidate(drawing, draws, bearing);
   std::vector<bool> sound = requirements.are_met(result);
   while (!Requirements::all_of(sound) && step_down(draws, sound)) {
     result = candidate(drawing, draws, bearing);
@@ -235,7 +286,7 @@ FoldVariant FoldVariation::draw(VariantKey key, double amount, int folds, bool d
 
 Template repeat_folds(const Template& fruit, int folds) {
   if (folds == fold_count(fruit)) return fruit;
-  const Drawing drawing(fruit);
+  const FoldDrawing drawing(fruit);
   const std::vector<FoldDraw> draws = as_drawn(drawn_folds(drawing.widths.size(), {}, 0, folds));
   return candidate(drawing, draws, drawn_bearing(drawing, draws)).fruit;
 }

@@ -5,32 +5,77 @@
 #include <cmath>
 #include <numeric>
 
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+
 #include "generator/base/color.h"
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
-#include "render/compare/flip_color.h"
 #include "render/compare/flip_kernels.h"
 
 namespace pomona {
 
 namespace {
 
+// XYZ of linear sRGB, by columns. The rows' sums are the white that FLIP's published figures were made with,
+// (0.950428545, 1, 1.088900371); it differs in the fifth digit from the one of the standard.
+const glm::dmat3 xyz_from_linear(10135552.0 / 24577794.0, 2613072.0 / 12288897.0, 1425312.0 / 73733382.0,
+                                 8788810.0 / 24577794.0, 8788810.0 / 12288897.0, 8788810.0 / 73733382.0,
+                                 4435075.0 / 24577794.0, 887015.0 / 12288897.0, 70074185.0 / 73733382.0);
+const glm::dvec3 white = xyz_from_linear * glm::dvec3(1);
+const glm::dmat3 linear_from_xyz = glm::inverse(xyz_from_linear);
+
+/// CIELAB's cube root, with its straight piece near black.
+double lab_curve(double t) {
+  constexpr double delta = 6.0 / 29.0;
+  return t > delta * delta * delta ? reproducible::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29.0;
+}
+
+/// Linear sRGB, 0..1 a channel, as Y, Cx, Cz: CIELAB without its cube root, so that filters may sum it.
+glm::dvec3 opponent_from_linear(const glm::dvec3& rgb) {
+  const glm::dvec3 share = xyz_from_linear * rgb / white;
+  return {116 * share.y - 16, 500 * (share.x - share.y), 200 * (share.y - share.z)};
+}
+
+glm::dvec3 linear_from_opponent(const glm::dvec3& opponent) {
+  const double y = (opponent.x + 16) / 116;
+  return linear_from_xyz * (glm::dvec3(y + opponent.y / 500, y, y - opponent.z / 200) * white);
+}
+
+/// Linear sRGB as CIELAB, with a and b scaled by lightness: colourfulness fades in the dark [Hunt 1952].
+glm::dvec3 hunt_lab_from_linear(const glm::dvec3& rgb) {
+  const glm::dvec3 share = xyz_from_linear * rgb / white;
+  const glm::dvec3 root(lab_curve(share.x), lab_curve(share.y), lab_curve(share.z));
+  const double lightness = 116 * root.y - 16;
+  return {lightness, 0.01 * lightness * 500 * (root.x - root.y), 0.01 * lightness * 200 * (root.y - root.z)};
+}
+
+/// Distance of two such colours that stays true where it is large: |L| + |(a, b)| [Abasi et al. 2020].
+double hyab(const glm::dvec3& first, const glm::dvec3& second) {
+  const glm::dvec3 d = first - second;
+  return std::fabs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
+}
+
+/// How bright a linear colour is, 0..1: what edges and points are looked for in.
+double luminance_of_linear(const glm::dvec3& rgb) { return (opponent_from_linear(rgb).x + 16) / 116; }
+
 /// Rows are worked on in bands of so many: memory does not grow with the picture's height.
 constexpr int band_rows = 64;
 
 /// One number a pixel. A band's planes hold rows above and below it, as many as filters reach.
-struct Plane {
+struct PicturePlane {
   int width = 0;
   int height = 0;
   std::vector<double> value;
-  Plane(int w, int h) : width(w), height(h), value(static_cast<std::size_t>(w) * h) {}
+  PicturePlane(int w, int h) : width(w), height(h), value(static_cast<std::size_t>(w) * h) {}
   double& at(int x, int y) { return value[static_cast<std::size_t>(y) * width + x]; }
   double at(int x, int y) const { return value[static_cast<std::size_t>(y) * width + x]; }
 };
 
-Plane filtered_along_rows(const Plane& plane, const Kernel& kernel) {
+PicturePlane filtered_along_rows(const PicturePlane& plane, const Kernel& kernel) {
   const int radius = static_cast<int>(kernel.size()) / 2;
-  Plane result(plane.width, plane.height);
+  PicturePlane result(plane.width, plane.height);
   for (int y = 0; y < plane.height; ++y) {
     for (int x = 0; x < plane.width; ++x) {
       double sum = 0;
@@ -44,9 +89,9 @@ Plane filtered_along_rows(const Plane& plane, const Kernel& kernel) {
 }
 
 /// The band's own rows; the plane holds `reach` more above and below.
-Plane filtered_along_columns(const Plane& plane, const Kernel& kernel, int reach) {
+PicturePlane filtered_along_columns(const PicturePlane& plane, const Kernel& kernel, int reach) {
   const int radius = static_cast<int>(kernel.size()) / 2;
-  Plane result(plane.width, plane.height - 2 * reach);
+  PicturePlane result(plane.width, plane.height - 2 * reach);
   for (int y = 0; y < result.height; ++y) {
     for (int i = -radius; i <= radius; ++i) {
       const double weight = kernel[static_cast<std::size_t>(i + radius)];
@@ -56,7 +101,7 @@ Plane filtered_along_columns(const Plane& plane, const Kernel& kernel, int reach
   return result;
 }
 
-Plane filtered(const Plane& plane, const Kernel& across, const Kernel& along, int reach) {
+PicturePlane filtered(const PicturePlane& plane, const Kernel& across, const Kernel& along, int reach) {
   return filtered_along_columns(filtered_along_rows(plane, across), along, reach);
 }
 
@@ -75,9 +120,9 @@ struct SeenBand {
 };
 
 /// The opponent channels and the luminance of the band's rows and those around it; the border's pixels go on.
-std::array<Plane, 4> channels(const Image& image, int first, int rows, const Filters& filters) {
-  const Plane empty(image.width, rows + 2 * filters.reach);
-  std::array<Plane, 4> planes = {empty, empty, empty, empty};
+std::array<PicturePlane, 4> channels(const Image& image, int first, int rows, const Filters& filters) {
+  const PicturePlane empty(image.width, rows + 2 * filters.reach);
+  std::array<PicturePlane, 4> planes = {empty, empty, empty, empty};
   for (int y = 0; y < empty.height; ++y) {
     const int row = std::clamp(first + y - filters.reach, 0, image.height - 1);
     for (int x = 0; x < image.width; ++x) {
@@ -93,7 +138,7 @@ std::array<Plane, 4> channels(const Image& image, int first, int rows, const Fil
   return planes;
 }
 
-std::vector<double> lengths(const Plane& x, const Plane& y) {
+std::vector<double> lengths(const PicturePlane& x, const PicturePlane& y) {
   std::vector<double> result(x.value.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = std::sqrt(x.value[i] * x.value[i] + y.value[i] * y.value[i]);
@@ -103,13 +148,13 @@ std::vector<double> lengths(const Plane& x, const Plane& y) {
 
 SeenBand seen(const Image& image, int first, int rows, const Filters& filters) {
   // Each channel as far as the eye resolves it; for blue and yellow that takes two filters.
-  const std::array<Plane, 4> planes = channels(image, first, rows, filters);
+  const std::array<PicturePlane, 4> planes = channels(image, first, rows, filters);
   const auto blurred = [&](std::size_t channel, const Kernel& kernel) {
     return filtered(planes[channel], kernel, kernel, filters.reach);
   };
-  const Plane light = blurred(0, filters.contrast.light), red_green = blurred(1, filters.contrast.red_green);
-  const Plane wide = blurred(2, filters.contrast.blue_yellow_wide);
-  const Plane narrow = blurred(2, filters.contrast.blue_yellow_narrow);
+  const PicturePlane light = blurred(0, filters.contrast.light), red_green = blurred(1, filters.contrast.red_green);
+  const PicturePlane wide = blurred(2, filters.contrast.blue_yellow_wide);
+  const PicturePlane narrow = blurred(2, filters.contrast.blue_yellow_narrow);
 
   // The colours that are left, in the space in which their distances are taken.
   SeenBand band;

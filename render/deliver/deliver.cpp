@@ -4,6 +4,7 @@
 
 #include "generator/scene/layout_file.h"
 #include "generator/surface/file/surface_file.h"
+#include "render/deliver/export_options.h"
 #include "render/deliver/mesh_files.h"
 #include "render/deliver/picture_files.h"
 #include "render/style/style_file.h"

@@ -7,7 +7,7 @@
 
 #include "generator/base/error.h"
 #include "generator/knife/knife_planes.h"
-#include "render/deliver/mesh_files.h"
+#include "render/deliver/export_options.h"
 #include "render/deliver/ordered_diffuser.h"
 #include "render/export/gltf/write_glb.h"
 #include "render/page/asset_file.h"

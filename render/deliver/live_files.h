@@ -7,7 +7,7 @@
 
 #include "generator/knife/knife.h"
 #include "generator/order/ordered_fruit.h"
-#include "render/deliver/deliver.h"
+#include "render/deliver/deliver_options.h"
 
 namespace pomona {
 

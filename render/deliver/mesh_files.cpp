@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "generator/base/error.h"
-#include "generator/order/option_table.h"
 #include "generator/piece/lod/levels_of_detail.h"
+#include "render/deliver/export_options.h"
 #include "render/deliver/live_files.h"
 #include "render/deliver/map_files.h"
 #include "render/deliver/scene_levels.h"
@@ -85,30 +85,6 @@ Delivered usda_files(const Output& output, const Scene& scene, const ReadyMeshes
 }
 
 }  // namespace
-
-ExportOptions export_options(const Order& order, const DeliverOptions& how) {
-  // Of how a piece grew and was cut its own origin speaks.
-  Order look;
-  look.color = order.color;
-  look.mesh = order.mesh;
-  return {.style = how.style,
-          .provenance = made_by(how.provenance),
-          .command_words = piece_words(look),
-          .threads = order.threads,
-          .instances = order.mesh.instances,
-          .feature_ids = order.mesh.feature_ids,
-          .engine = order.mesh.engine};
-}
-
-std::optional<BakeOptions> bake_options(const Order& order) {
-  if (!wants_textures(order.mesh)) return {};
-  // Maps are for .glb alone.
-  const bool has_maps = order.mesh.maps == Maps::all && any_is(order.outputs, {Format::glb});
-  BakeOptions how{
-      .texel = order.mesh.texel.metres, .maps = has_maps ? Maps::all : Maps::color, .threads = order.threads};
-  if (order.mesh.texture > 0) how.texels = order.mesh.texture;
-  return how;
-}
 
 ReadyMeshes ready_meshes(const SceneViews& scene, const Order& order, const DeliverOptions& how, Delivered& delivered) {
   ReadyMeshes ready;

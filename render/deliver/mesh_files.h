@@ -4,18 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "render/deliver/deliver.h"
-#include "render/export/styled_mesh.h"
+#include "render/deliver/deliver_options.h"
 #include "render/export/texture_variant.h"
 #include "render/texture/bake.h"
 
 namespace pomona {
-
-/// What exporters are told of the order.
-ExportOptions export_options(const Order& order, const DeliverOptions& how);
-
-/// Nothing unless the order wants textures.
-std::optional<BakeOptions> bake_options(const Order& order);
 
 /// What .glb and .usda are made of besides the scene, made once for both.
 struct ReadyMeshes {

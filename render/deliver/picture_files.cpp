@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "generator/base/version.h"
-#include "render/deliver/mesh_files.h"
+#include "render/deliver/export_options.h"
 #include "render/export/pov.h"
 #include "render/export/svg.h"
 #include "render/gl/context.h"

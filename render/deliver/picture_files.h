@@ -1,7 +1,7 @@
 // What shows a scene flat: pictures with their ground truth, ink as strokes, POV-Ray's description.
 #pragma once
 
-#include "render/deliver/deliver.h"
+#include "render/deliver/deliver_options.h"
 
 namespace pomona {
 

@@ -5,6 +5,7 @@
 #include "generator/scene/explode.h"
 #include "generator/scene/lay_out.h"
 #include "generator/scene/stand.h"
+#include "render/deliver/deliver.h"
 #include "render/deliver/piece_list.h"
 
 namespace pomona {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "render/deliver/deliver.h"
+#include "render/deliver/deliver_options.h"
 
 namespace pomona {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "generator/scene/scene_file.h"
-#include "render/deliver/deliver.h"
+#include "render/deliver/deliver_options.h"
 
 namespace pomona {
 

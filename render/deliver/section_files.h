@@ -2,7 +2,7 @@
 #pragma once
 
 #include "generator/piece/slice.h"
-#include "render/deliver/deliver.h"
+#include "render/deliver/deliver_options.h"
 
 namespace pomona {
 

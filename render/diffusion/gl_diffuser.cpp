@@ -41,13 +41,13 @@ PreparedFruit prepared(const DiffusionSurfaces& surfaces) {
 }
 
 /// The context and its programs, for one thread at a time.
-class Engine {
+class GlEngine {
  public:
-  explicit Engine(std::unique_ptr<GlContext> context) : context_(std::move(context)) {
+  explicit GlEngine(std::unique_ptr<GlContext> context) : context_(std::move(context)) {
     const CurrentGl gl(*context_);
     look_.emplace(gl, *context_);
   }
-  ~Engine() {
+  ~GlEngine() {
     try {
       const CurrentGl gl(*context_);
       look_.reset();
@@ -55,8 +55,8 @@ class Engine {
       // The driver has given up; with the context go its programs.
     }
   }
-  Engine(const Engine&) = delete;
-  Engine& operator=(const Engine&) = delete;
+  GlEngine(const GlEngine&) = delete;
+  GlEngine& operator=(const GlEngine&) = delete;
 
   std::string renderer() const { return context_->renderer(); }
 
@@ -75,7 +75,7 @@ class Engine {
 
 class GlField final : public ColorField {
  public:
-  GlField(const DiffusionSurfaces& surfaces, std::shared_ptr<Engine> engine, const GlDiffuserOptions& options)
+  GlField(const DiffusionSurfaces& surfaces, std::shared_ptr<GlEngine> engine, const GlDiffuserOptions& options)
       : surfaces_(surfaces), engine_(std::move(engine)), options_(options), fruit_(prepared(surfaces)) {}
 
   DiffusedColors at(std::span<const glm::vec3> points) const override {
@@ -87,7 +87,7 @@ class GlField final : public ColorField {
 
  private:
   const DiffusionSurfaces& surfaces_;
-  std::shared_ptr<Engine> engine_;  // a field may outlive its diffuser
+  std::shared_ptr<GlEngine> engine_;  // a field may outlive its diffuser
   GlDiffuserOptions options_;
   PreparedFruit fruit_;
 };
@@ -95,7 +95,7 @@ class GlField final : public ColorField {
 class GlDiffuser final : public Diffuser {
  public:
   GlDiffuser(std::unique_ptr<GlContext> context, const GlDiffuserOptions& options)
-      : engine_(std::make_shared<Engine>(std::move(context))), options_(options) {}
+      : engine_(std::make_shared<GlEngine>(std::move(context))), options_(options) {}
 
   const char* name() const override { return "gl"; }
   std::string device() const override { return engine_->renderer(); }
@@ -132,7 +132,7 @@ class GlDiffuser final : public Diffuser {
   }
 
  private:
-  std::shared_ptr<Engine> engine_;
+  std::shared_ptr<GlEngine> engine_;
   GlDiffuserOptions options_;
 };
 

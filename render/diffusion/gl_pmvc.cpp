@@ -40,10 +40,10 @@ std::vector<Asked> in_order(std::size_t task, std::span<const glm::vec3> points)
 }
 
 /// A run of fruits that is on the card, and the tasks in it.
-class Run {
+class PmvcRun {
  public:
-  Run(const CurrentGl& gl, const GlLook& look, std::span<const RaySurfaces> fruits, std::size_t first_fruit,
-      std::span<const SightTask> tasks)
+  PmvcRun(const CurrentGl& gl, const GlLook& look, std::span<const RaySurfaces> fruits, std::size_t first_fruit,
+          std::span<const SightTask> tasks)
       : gl_(gl), look_(look), fruits_(fruits), first_(first_fruit), tasks_(tasks), uploaded_(uploaded(gl, fruits)) {}
 
   /// What `asked` see, in that order; neighbours in it share a work-group.
@@ -92,7 +92,7 @@ std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlLook& l
       const std::vector<Asked> order = in_order(t, tasks[t].points);
       asked.insert(asked.end(), order.begin(), order.end());
     }
-    const Run run(gl, look, fruits.subspan(border[r], border[r + 1] - border[r]), border[r], tasks);
+    const PmvcRun run(gl, look, fruits.subspan(border[r], border[r + 1] - border[r]), border[r], tasks);
 
     // Everything once; once more, along more lines, where colours scatter.
     std::vector<Asked> rough;

@@ -28,7 +28,7 @@ float half_area(const Box<float>& box) {
 }
 
 /// A triangle on its way into the tree.
-struct Placed {
+struct BoxedTriangle {
   Box<float> box;
   glm::vec3 middle{0};
   std::uint32_t triangle = 0;
@@ -44,9 +44,9 @@ int levels_for(std::size_t count) {
   return static_cast<int>(std::bit_width((count + most_in_leaf - 1) / most_in_leaf));
 }
 
-Box<float> bounds(std::span<const Placed> part) {
+Box<float> bounds(std::span<const BoxedTriangle> part) {
   Box<float> box;
-  for (const Placed& p : part) box.add(p.box);
+  for (const BoxedTriangle& p : part) box.add(p.box);
   return box;
 }
 
@@ -59,16 +59,16 @@ struct Split {
 /// Equal slices of a box, and what of the triangles has its middle in each.
 class Bins {
  public:
-  Bins(const Box<float>& box, int axis, std::span<const Placed> part)
+  Bins(const Box<float>& box, int axis, std::span<const BoxedTriangle> part)
       : axis_(axis), low_(box.low[axis]), per_length_(bins * 0.9999f / (box.high[axis] - box.low[axis])) {
-    for (const Placed& p : part) {
+    for (const BoxedTriangle& p : part) {
       const auto bin = static_cast<std::size_t>(bin_of(p));
       box_[bin].add(p.box);
       ++count_[bin];
     }
   }
 
-  int bin_of(const Placed& p) const { return static_cast<int>((p.middle[axis_] - low_) * per_length_); }
+  int bin_of(const BoxedTriangle& p) const { return static_cast<int>((p.middle[axis_] - low_) * per_length_); }
 
   /// The border before which a bin goes into the first part, and that part: where rays have least work to do, by
   /// surface areas times triangles. A count of 0 if all are in one bin.
@@ -111,9 +111,9 @@ class Bins {
   std::array<std::size_t, bins> count_{};
 };
 
-class TreeBuilder {
+class RayTreeBuilder {
  public:
-  explicit TreeBuilder(std::vector<Placed>& placed) : placed_(placed) {
+  explicit RayTreeBuilder(std::vector<BoxedTriangle>& placed) : placed_(placed) {
     node_.reserve(placed.size() / 2 + 1);
     const Box<float> all = bounds(placed_);
     const int root = child(0, placed.size(), all, 0);
@@ -145,7 +145,7 @@ class TreeBuilder {
   }
 
   /// Puts the triangles of the first part first.
-  static Split split(std::span<Placed> part, const Box<float>& box, int depth) {
+  static Split split(std::span<BoxedTriangle> part, const Box<float>& box, int depth) {
     const glm::vec3 size = box.size();
     const int axis = longest_axis(size);
 
@@ -154,19 +154,20 @@ class TreeBuilder {
       const Bins bins(box, axis, part);
       const auto [border, found] = bins.best();
       if (found.count > 0) {
-        std::partition(part.begin(), part.end(), [&, last = border](const Placed& p) { return bins.bin_of(p) < last; });
+        std::partition(part.begin(), part.end(),
+                       [&, last = border](const BoxedTriangle& p) { return bins.bin_of(p) < last; });
         return found;
       }
     }
     const std::size_t half = part.size() / 2;
     const auto middle = part.begin() + static_cast<std::ptrdiff_t>(half);
-    std::nth_element(part.begin(), middle, part.end(), [&](const Placed& p, const Placed& q) {
+    std::nth_element(part.begin(), middle, part.end(), [&](const BoxedTriangle& p, const BoxedTriangle& q) {
       return std::pair(p.middle[axis], p.triangle) < std::pair(q.middle[axis], q.triangle);
     });
     return {half, bounds(part.first(half)), bounds(part.subspan(half))};
   }
 
-  std::vector<Placed>& placed_;
+  std::vector<BoxedTriangle>& placed_;
   std::vector<RayNode> node_;
 };
 
@@ -177,9 +178,9 @@ std::vector<glm::vec3> normalized_positions(const DiffusionSurfaces& surfaces, c
   return positions;
 }
 
-std::vector<Placed> placed_triangles(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
-                                     std::span<const glm::vec3> positions) {
-  std::vector<Placed> placed(tree.order.size());
+std::vector<BoxedTriangle> placed_triangles(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
+                                            std::span<const glm::vec3> positions) {
+  std::vector<BoxedTriangle> placed(tree.order.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     placed[i].triangle = tree.order[i];
     const glm::uvec3& corner = surfaces.triangle[tree.order[i]];
@@ -203,8 +204,8 @@ RaySurfaces ray_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& t
   result.scale = std::ldexp(1.0, 1 - exponent);
 
   const std::vector<glm::vec3> positions = normalized_positions(surfaces, result);
-  std::vector<Placed> placed = placed_triangles(surfaces, tree, positions);
-  result.node = TreeBuilder(placed).take();
+  std::vector<BoxedTriangle> placed = placed_triangles(surfaces, tree, positions);
+  result.node = RayTreeBuilder(placed).take();
 
   // Everything else in the order of the leaves.
   UsedParts parts = used_parts(surfaces);
@@ -212,7 +213,7 @@ RaySurfaces ray_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& t
   result.triangle.reserve(placed.size());
   result.side.reserve(placed.size());
   result.color.reserve(2 * surfaces.vertex_count());
-  for (const Placed& p : placed) {
+  for (const BoxedTriangle& p : placed) {
     RayTriangle corners;
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t vertex = surfaces.triangle[p.triangle][k];

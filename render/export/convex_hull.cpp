@@ -17,8 +17,8 @@ namespace pomona {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
+using InexactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = InexactKernel::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
 Point to_cgal(const glm::vec3& p) {

@@ -1,22 +1,182 @@
 #include "render/export/pov.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "generator/base/reproducible.h"
+#include "generator/base/units.h"
+#include "generator/piece/solid.h"
+#include "generator/scene/scene.h"
 #include "render/export/pov_finish.h"
-#include "render/export/pov_hairs.h"
-#include "render/export/pov_light.h"
 #include "render/export/pov_mesh.h"
 #include "render/export/pov_text.h"
+#include "render/picture/light_direction.h"
 #include "render/picture/view_frame.h"
+#include "render/style/hairs.h"
+#include "render/style/style.h"
 
 namespace pomona {
 
 using namespace pov;
 
 namespace {
+
+constexpr std::size_t most_hairs = 20000;  // about 2 MB of text
+constexpr double width = 8e-5;             // metres, at the root
+constexpr int hair_steps = 15;             // of sRGB
+
+std::array<int, 3> rounded(const Color& color) {
+  std::array<int, 3> steps{};
+  for (int k = 0; k < 3; ++k) steps[k] = static_cast<int>(std::lround(srgb_from_linear(color[k]) * hair_steps));
+  return steps;
+}
+
+std::string texture_text(const std::array<int, 3>& color) {
+  std::string text = ",\ntexture{pigment{rgb<";
+  for (int k = 0; k < 3; ++k) {
+    const double linear = linear_from_srgb(static_cast<double>(color[k]) / hair_steps);
+    text += (k > 0 ? "," : "") + number_text(std::round(linear * 10000) / 10000);
+  }
+  return text + ">}finish{ambient 0.4 diffuse 0.7}}";
+}
+
+/// To the side of the hair, along the skin.
+glm::dvec3 aside(const Hair& hair) {
+  const glm::dvec3 side = glm::cross(glm::dvec3(hair.tip - hair.root), glm::dvec3(hair.normal));
+  const double length = glm::length(side);
+  return length > 1e-15 ? side / length : glm::dvec3(1, 0, 0);
+}
+
+/// Two points at the root, two in the middle, one at the tip.
+void append_vertices(std::string& text, const Hair& hair) {
+  const glm::dvec3 side = 0.5 * width * aside(hair), root(hair.root), middle(hair.middle), tip(hair.tip);
+  for (const glm::dvec3& p : {root - side, root + side, middle - 0.7 * side, middle + 0.7 * side, tip}) {
+    text += ",\n";
+    append_integers(text, std::llround(p.x * 1e6), std::llround(p.y * 1e6), std::llround(p.z * 1e6));
+  }
+}
+
+void append_faces(std::string& text, std::int64_t first, int texture) {
+  for (const std::array<int, 3>& corner : {std::array{0, 1, 3}, std::array{0, 3, 2}, std::array{2, 3, 4}}) {
+    text += ",\n";
+    append_integers(text, first + corner[0], first + corner[1], first + corner[2]);
+    text += ',';
+    append_integer(text, texture);
+  }
+}
+
+/// "#declare Fuzz_<index> = mesh2 { ... }" in units of 10^unit_exponent metres; empty for a solid without fuzz.
+std::string hairs_text(const Solid& solid, std::size_t index, int unit_exponent) {
+  const std::vector<Hair> hairs = hairs_of(solid, most_hairs);
+  if (hairs.empty()) return {};
+  std::map<std::array<int, 3>, int> texture_of;
+  std::string vertices, textures, faces;
+  for (std::size_t i = 0; i < hairs.size(); ++i) {
+    const std::array<int, 3> color = rounded(hairs[i].color);
+    const auto [texture, is_new] = texture_of.try_emplace(color, static_cast<int>(texture_of.size()));
+    if (is_new) textures += texture_text(color);
+    append_vertices(vertices, hairs[i]);
+    append_faces(faces, static_cast<std::int64_t>(5 * i), texture->second);
+  }
+  std::string text = "\n#declare Fuzz_" + std::to_string(index) + " = mesh2 {\n";
+  text += "vertex_vectors{" + std::to_string(5 * hairs.size()) + vertices + "}\n";
+  text += "texture_list{" + std::to_string(texture_of.size()) + textures + "}\n";
+  text += "face_indices{" + std::to_string(3 * hairs.size()) + faces + "}\n";
+  return text + "scale 1e" + std::to_string(-6 - unit_exponent) + "\n}\n";
+}
+
+/// The light of a scene as a style has it, in units of `unit` metres.
+class Lighting {
+ public:
+  Lighting(const View& view, const Style& style, double unit);
+
+  /// Light sources: the style's own, as wide as its shadows are soft; without a shadow as far as the style takes from
+  /// them; and a weak one from the other side that throws none.
+  std::string sources() const;
+
+  /// For global_settings: what comes from all sides.
+  std::string ambient() const;
+
+  /// Texture of the ground: the paper's colour where it is lit, and the style's wash on it in full shadow.
+  std::string ground() const;
+
+ private:
+  glm::dvec3 target_, to_key_, to_fill_;
+  double distance_;
+  glm::dvec3 key_, fill_;  // colours
+  double width_;           // of the key, 0 = a point
+  double shadow_;          // how much of the key throws one
+  glm::dvec3 wash_;        // of the shadow
+  double from_all_sides_;
+};
+
+/// Warm light, cool sky, as in shaders/lit.glsl; together they are white. With the finishes' shares a white thing that
+/// faces the light comes out white.
+const glm::dvec3 sun = 0.8 / 0.70 * glm::dvec3(0.74, 0.70, 0.62);
+const glm::dvec3 sky = 1 / 0.50 * glm::dvec3(0.47, 0.50, 0.54);
+
+/// Sources stand so far off, times the eye's distance, that they come from nearly one direction everywhere.
+constexpr double far_off = 16;
+/// A source's width per unit of distance and of softness.
+constexpr double width_of_softness = 0.7;
+constexpr double fill_elevation = 30;  // degrees
+
+std::string four_digits(const glm::dvec3& v) { return vector_text(glm::round(v * 1e4) / 1e4); }
+
+std::string rgb(const glm::dvec3& color) { return "rgb " + four_digits(color); }
+
+std::string source(const glm::dvec3& place, const glm::dvec3& color, const std::string& more) {
+  return "light_source {\n  " + vector_text(place) + ", " + rgb(color) + more + "\n}\n";
+}
+
+Lighting::Lighting(const View& view, const Style& style, double unit)
+    : target_(view.target / unit),
+      to_key_(light_direction(view, style.light)),
+      to_fill_(light_direction(view_frame(view), -style.light.azimuth, radians(fill_elevation))),
+      distance_(far_off * view_frame(view).distance / unit),
+      key_(style.light.strength * sun),
+      fill_(0.25 * style.light.ambient),
+      width_(width_of_softness * style.light.softness * distance_),
+      shadow_(style.shadow.strength),
+      wash_(glm::mix(glm::dvec3(1), glm::dvec3(style.shadow.color), style.shadow.strength)),
+      from_all_sides_(style.light.ambient) {}
+
+std::string Lighting::sources() const {
+  const glm::dvec3 key = target_ + distance_ * to_key_;
+  const std::string side = number_text(std::round(1000 * width_) / 1000);
+  const std::string wide = "\n  area_light x * " + side + ", z * " + side + ", 7, 7 adaptive 1 circular orient";
+  std::string text;
+  if (shadow_ > 0) text += source(key, shadow_ * key_, width_ > 0 ? wide : "");
+  if (shadow_ < 1) text += source(key, (1 - shadow_) * key_, " shadowless");
+  return text + source(target_ + distance_ * to_fill_, fill_, " shadowless");
+}
+
+std::string Lighting::ambient() const { return "ambient_light " + rgb(from_all_sides_ * sky); }
+
+std::string Lighting::ground() const {
+  // Per channel: pigment p, diffuse share d, emission e, with k and f the light that falls in from key and fill. Lit it
+  // is to be paper, p (d (k + f) + e) = paper; what shadow takes is to leave the wash, p d k shadow = paper (1 - wash).
+  const glm::dvec3 k = to_key_.y * key_, f = to_fill_.y * fill_;
+  const double most = std::max({k.r, k.g, k.b});
+  const bool dark = !(shadow_ * most > 1e-3);
+  const double d = dark ? 0 : 1 / most;
+  glm::dvec3 pigment(1), emission(1);  // times the paper
+  for (int c = 0; !dark && c < 3; ++c) {
+    pigment[c] = std::max(1 - wash_[c], 0.02) / (d * k[c] * shadow_);
+    emission[c] = 1 / pigment[c] - d * (k[c] + f[c]);
+    // A wash darker than what the fill leaves of the ground cannot be had.
+    if (emission[c] < 0) pigment[c] = 1 / (d * (k[c] + f[c])), emission[c] = 0;
+  }
+  return "texture { pigment { color Paper * " + four_digits(pigment) + " } finish { ambient 0 diffuse " +
+         number_text(std::round(d * 1e4) / 1e4) + " emission " + rgb(emission) + " } }";
+}
 
 /// POV-Ray copies a mesh's textures with every instance, about 1 KB each; so many copies take some 2 GB.
 constexpr std::size_t most_texture_copies = 2'000'000;

@@ -45,17 +45,17 @@ struct Writer {
   ~Writer() { png_destroy_write_struct(&png, &info); }
 };
 
-struct Reader {
+struct PngReader {
   PngName name;
   png_structp png = nullptr;
   png_infop info = nullptr;
-  Reader(const std::string& bytes, std::string file) : name{std::move(file), bytes.size(), bytes} {
+  PngReader(const std::string& bytes, std::string file) : name{std::move(file), bytes.size(), bytes} {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &name, fail, ignore);
     info = png_create_info_struct(png);
   }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
-  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
 void append(png_structp png, png_bytep data, png_size_t size) {
@@ -150,7 +150,7 @@ namespace {
 
 /// Size and kind, within the limits: nothing has been set aside for pixels yet. Deflate shrinks by 1032 times at most,
 /// so that few bytes cannot hold many pixels.
-void read_head(Reader& reader) {
+void read_head(PngReader& reader) {
   png_set_read_fn(reader.png, &reader.name, take);
   png_set_user_limits(reader.png, max_picture_side, max_picture_side);
   png_read_info(reader.png, reader.info);
@@ -164,7 +164,7 @@ void read_head(Reader& reader) {
 
 /// Whatever the file holds becomes eight-bit RGBA, or RGB without the opacity. The image has its size, but no pixels
 /// yet.
-Image start_reading(Reader& reader, bool with_opacity) {
+Image start_reading(PngReader& reader, bool with_opacity) {
   read_head(reader);
   png_set_expand(reader.png);
   png_set_strip_16(reader.png);
@@ -182,7 +182,7 @@ Image start_reading(Reader& reader, bool with_opacity) {
 }
 
 /// Rows of `width` elements, one after another in `pixels`.
-void read_rows(Reader& reader, std::uint8_t* pixels, const Image& image, std::size_t bytes_each) {
+void read_rows(PngReader& reader, std::uint8_t* pixels, const Image& image, std::size_t bytes_each) {
   std::vector<png_bytep> rows;
   for (int y = 0; y < image.height; ++y) {
     rows.push_back(pixels + static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) * bytes_each);
@@ -193,7 +193,7 @@ void read_rows(Reader& reader, std::uint8_t* pixels, const Image& image, std::si
 }  // namespace
 
 Image read_png(const std::string& bytes, const std::string& name) {
-  Reader reader(bytes, name);
+  PngReader reader(bytes, name);
   Image image = start_reading(reader, false);
   image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
   read_rows(reader, reinterpret_cast<std::uint8_t*>(image.pixels.data()), image, 3);
@@ -201,7 +201,7 @@ Image read_png(const std::string& bytes, const std::string& name) {
 }
 
 TransparentImage read_transparent_png(const std::string& bytes, const std::string& name) {
-  Reader reader(bytes, name);
+  PngReader reader(bytes, name);
   TransparentImage result{start_reading(reader, true), {}};
   std::vector<glm::u8vec4> pixels(static_cast<std::size_t>(result.image.width) * result.image.height);
   read_rows(reader, reinterpret_cast<std::uint8_t*>(pixels.data()), result.image, 4);
@@ -213,7 +213,7 @@ TransparentImage read_transparent_png(const std::string& bytes, const std::strin
 }
 
 DeepImage read_deep_png(const std::string& bytes, const std::string& name) {
-  Reader reader(bytes, name);
+  PngReader reader(bytes, name);
   read_head(reader);
   const int channels = png_get_channels(reader.png, reader.info);
   if (png_get_bit_depth(reader.png, reader.info) != 16 || (channels != 1 && channels != 3))

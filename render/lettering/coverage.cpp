@@ -12,13 +12,13 @@ namespace {
 constexpr int rows_a_pixel = 16;
 
 /// Where a row crosses the outline, and whether it runs up or down there.
-struct Crossing {
+struct OutlineCrossing {
   double x = 0;
   int turn = 0;
 };
 
-std::vector<Crossing> crossings(const Outline& outline, double y) {
-  std::vector<Crossing> found;
+std::vector<OutlineCrossing> crossings(const Outline& outline, double y) {
+  std::vector<OutlineCrossing> found;
   for (const auto& line : outline) {
     for (std::size_t i = 0; i < line.size(); ++i) {
       const glm::dvec2& a = line[i];
@@ -27,8 +27,9 @@ std::vector<Crossing> crossings(const Outline& outline, double y) {
       found.push_back({a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)), a.y <= y ? 1 : -1});
     }
   }
-  std::sort(found.begin(), found.end(),
-            [](const Crossing& p, const Crossing& q) { return p.x < q.x || (p.x == q.x && p.turn < q.turn); });
+  std::sort(found.begin(), found.end(), [](const OutlineCrossing& p, const OutlineCrossing& q) {
+    return p.x < q.x || (p.x == q.x && p.turn < q.turn);
+  });
   return found;
 }
 
@@ -66,7 +67,7 @@ void Coverage::fill(const Outline& outline) {
   const int last = static_cast<int>(std::ceil(std::clamp(high, 0.0, static_cast<double>(height_))));
   for (int y = first; y < last; ++y) {
     for (int row = 0; row < rows_a_pixel; ++row) {
-      const std::vector<Crossing> found = crossings(outline, y + (row + 0.5) / rows_a_pixel);
+      const std::vector<OutlineCrossing> found = crossings(outline, y + (row + 0.5) / rows_a_pixel);
       int winding = 0;
       for (std::size_t i = 0; i + 1 < found.size(); ++i) {
         winding += found[i].turn;

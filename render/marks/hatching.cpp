@@ -6,13 +6,64 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "generator/base/gradient_noise.h"
-#include "render/marks/line_grid.h"
 
 namespace pomona {
 
 namespace {
+
+/// Points on a sheet in square cells, for questions that reach no farther than a cell.
+class LineGrid {
+ public:
+  /// \param reach pixels: the farthest that is_free() will be asked for.
+  LineGrid(int width, int height, double reach);
+
+  /// \param step which point of its line this is, from where it began; the other way counts negative.
+  void add(const glm::dvec2& place, int line, int step);
+
+  /// Whether no point lies nearer than `distance`, but those of the same line within `own` steps.
+  bool is_free(const glm::dvec2& place, double distance, int line, int step, int own) const;
+
+ private:
+  struct Entry {
+    glm::dvec2 place;
+    int line, step;
+  };
+  std::size_t cell(int column, int row) const { return static_cast<std::size_t>(row) * columns_ + column; }
+
+  double reach_;
+  int columns_, rows_;
+  std::vector<std::vector<Entry>> cells_;
+};
+
+LineGrid::LineGrid(int width, int height, double reach)
+    : reach_(reach),
+      columns_(static_cast<int>(width / reach) + 1),
+      rows_(static_cast<int>(height / reach) + 1),
+      cells_(static_cast<std::size_t>(columns_) * rows_) {}
+
+void LineGrid::add(const glm::dvec2& place, int line, int step) {
+  const int column = std::clamp(static_cast<int>(std::floor(place.x / reach_)), 0, columns_ - 1);
+  const int row = std::clamp(static_cast<int>(std::floor(place.y / reach_)), 0, rows_ - 1);
+  cells_[cell(column, row)].push_back({place, line, step});
+}
+
+bool LineGrid::is_free(const glm::dvec2& place, double distance, int line, int step, int own) const {
+  const int column = static_cast<int>(std::floor(place.x / reach_)),
+            row = static_cast<int>(std::floor(place.y / reach_));
+  for (int y = std::max(row - 1, 0); y <= std::min(row + 1, rows_ - 1); ++y) {
+    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, columns_ - 1); ++x) {
+      for (const Entry& entry : cells_[cell(x, y)]) {
+        if (entry.line == line && std::abs(entry.step - step) <= own) continue;
+        const glm::dvec2 away = entry.place - place;
+        if (glm::dot(away, away) < distance * distance) return false;
+      }
+    }
+  }
+  return true;
+}
 
 constexpr int most_steps = 20000;
 constexpr double least_bend = 0.75;  // cosine of what a line turns over half a spacing: a pen draws no corners

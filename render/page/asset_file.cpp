@@ -94,9 +94,9 @@ std::string arrays_of(const Asset& a, int thirds) {
 }
 
 /// Takes an unpacked asset apart, from the front.
-class Reader {
+class AssetReader {
  public:
-  Reader(std::string_view bytes, const std::filesystem::path& file) : rest_(bytes), file_(file.string()) {}
+  AssetReader(std::string_view bytes, const std::filesystem::path& file) : rest_(bytes), file_(file.string()) {}
 
   [[noreturn]] void refuse(const std::string& why) const {
     throw Error(ExitStatus::bad_data, {{{file_, 0, 0, {}}, why, "make it anew: pomona grow TEMPLATE -o FILE.pomona"}});
@@ -141,7 +141,7 @@ struct Counts {
   std::size_t vertices = 0, triangles = 0, noise = 0, details = 0, materials = 0, skin_shares = 0;
 };
 
-void check_header(const Asset& asset, const Counts& counts, const Reader& reader) {
+void check_header(const Asset& asset, const Counts& counts, const AssetReader& reader) {
   // Counts first: everything after is as large as they say.
   for (const int count : asset.count)
     reader.require(count >= 2 && count <= most_asset_nodes_along, "it has no nodes, or too many along an axis");
@@ -165,7 +165,7 @@ void check_header(const Asset& asset, const Counts& counts, const Reader& reader
   reader.require(fits, "its guide fits no lattice");
 }
 
-Counts read_header(std::string_view text, Asset& asset, const Reader& reader) {
+Counts read_header(std::string_view text, Asset& asset, const AssetReader& reader) {
   Counts counts;
   try {
     const ordered_json header = ordered_json::parse(text);
@@ -200,7 +200,7 @@ Counts read_header(std::string_view text, Asset& asset, const Reader& reader) {
   return counts;
 }
 
-void read_surfaces(const Counts& counts, Reader& reader, Asset& a) {
+void read_surfaces(const Counts& counts, AssetReader& reader, Asset& a) {
   a.position.resize(counts.vertices), a.front_color.resize(counts.vertices), a.back_color.resize(counts.vertices);
   for (int k = 0; k < 3; ++k) {
     const auto column = reader.numbers(counts.vertices, 1, 2, "positions");
@@ -235,7 +235,7 @@ void read_surfaces(const Counts& counts, Reader& reader, Asset& a) {
   }
 }
 
-void read_look(const Counts& counts, Reader& reader, Asset& a) {
+void read_look(const Counts& counts, AssetReader& reader, Asset& a) {
   a.noise = reader.texels(counts.noise), a.details = reader.texels(counts.details);
   a.materials = reader.texels(counts.materials);
   a.skin_share = reader.shares(counts.skin_shares);
@@ -264,12 +264,12 @@ std::string write_asset(const Asset& asset, const std::string& made_by, int effo
 }
 
 Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {
-  const Reader outside(bytes, file);
+  const AssetReader outside(bytes, file);
   outside.require(bytes.substr(0, magic.size()) == magic, "it is no asset of Pomona's");
   const std::optional<std::string> unpacked = inflated(bytes.substr(magic.size()), most_bytes);
   outside.require(unpacked.has_value(), "it is cut off, damaged, or larger than an asset may be");
 
-  Reader reader(*unpacked, file);
+  AssetReader reader(*unpacked, file);
   const std::size_t length = word_at(reader.take(4, "header"), 0);
   reader.require(length <= most_header, "its header is longer than one may be");
   Asset asset;

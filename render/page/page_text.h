@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/page/page.h"
+#include "render/page/page_options.h"
 
 namespace pomona {
 

@@ -28,7 +28,7 @@ bool is_left(const Corner& a, const Corner& b, std::int64_t y, std::int64_t z) {
 }
 
 /// Rows of nodes from first to last, last included, along y and z; none where last is below first.
-struct Rows {
+struct NodeRows {
   std::int64_t first_y, last_y, first_z, last_z;
   std::int64_t count() const {
     return std::max<std::int64_t>(last_y - first_y + 1, 0) * std::max<std::int64_t>(last_z - first_z + 1, 0);
@@ -36,7 +36,7 @@ struct Rows {
 };
 
 /// In the box of a triangle.
-Rows rows_near(const std::array<Corner, 3>& t, const Asset& asset) {
+NodeRows rows_near(const std::array<Corner, 3>& t, const Asset& asset) {
   const auto& [a, b, c] = t;
   const std::int64_t step = 2 * asset.units;
   return {ceiling_of(std::min({a.y, b.y, c.y}), step),
@@ -50,7 +50,7 @@ void add_crossings(const std::array<Corner, 3>& t, const Asset& asset, std::vect
   const auto& [a, b, c] = t;
   const std::int64_t step = 2 * asset.units;
   const std::int64_t nx = asset.count[0], ny = asset.count[1];
-  const Rows rows = rows_near(t, asset);
+  const NodeRows rows = rows_near(t, asset);
   for (std::int64_t iz = rows.first_z; iz <= rows.last_z; ++iz) {
     for (std::int64_t iy = rows.first_y; iy <= rows.last_y; ++iy) {
       const std::int64_t y = iy * step, z = iz * step;

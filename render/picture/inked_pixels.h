@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "render/picture/stroke.h"
+#include "render/picture/stroke_point.h"
 
 namespace pomona {
 

@@ -8,6 +8,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "render/picture/stroke_point.h"
+
 namespace pomona {
 
 /// A line to be drawn: places in pixels, y down. For a closed one the first point is not repeated.
@@ -35,21 +37,10 @@ struct PenOptions {
   glm::dvec2 from_light{0.6, 0.8};  ///< where the light goes: lines are heavier there
 };
 
-struct StrokePoint {
-  glm::dvec2 at{0};
-  double radius = 0;
-  double opacity = 1;
-};
-
 /// The line as a hand draws it: resampled, smoothed, tapered, its width trembling; closed lines overlap a little
 /// where the pen comes round. Strokes as in
 /// [Northrup & Markosian 2000].
 std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options);
-
-/// Some of a picture's rows, the last not included.
-struct PictureRows {
-  int from = 0, to = 0;
-};
 
 /// Ink on a picture, or on some of its rows: 16 fixed samples a pixel, so that what is drawn twice is as dark as what
 /// is drawn once. A pixel has the same ink whatever the rows around it.

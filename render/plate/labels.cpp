@@ -21,14 +21,14 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-struct Choice {
+struct LabelChoice {
   glm::dvec2 place{0};
   double cost = std::numeric_limits<double>::max();
 };
 
 /// The place of the part nearest to one side, and away from what is pointed at there already.
-Choice best_place(const ShownPart& part, double side, double em, const std::vector<Label>& taken) {
-  Choice best;
+LabelChoice best_place(const ShownPart& part, double side, double em, const std::vector<Label>& taken) {
+  LabelChoice best;
   for (const glm::dvec2& p : part.places) {
     double here = std::fabs(p.x - side);
     for (const Label& other : taken) {
@@ -45,8 +45,8 @@ std::vector<Label> chosen_tips(const std::vector<LabelWish>& wishes, const Plate
   std::vector<Label> labels;
   std::size_t lefts = 0, rights = 0;
   for (const LabelWish& wish : wishes) {
-    const Choice left = best_place(wish.part, figure.low.x, em, labels);
-    const Choice right = best_place(wish.part, figure.high.x, em, labels);
+    const LabelChoice left = best_place(wish.part, figure.low.x, em, labels);
+    const LabelChoice right = best_place(wish.part, figure.high.x, em, labels);
 
     // A side that has fewer words is worth a longer line.
     const double balance = 6 * em * (static_cast<double>(lefts) - static_cast<double>(rights));

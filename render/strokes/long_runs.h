@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "render/strokes/visible_runs.h"
+#include "render/strokes/hidden_lines.h"
 
 namespace pomona {
 

@@ -35,9 +35,9 @@ class Numbering {
   std::vector<Key> keys_;
 };
 
-class LineFinder {
+class ObjectLineFinder {
  public:
-  LineFinder(const Solid& solid, const SolidEdges& edges, const SeenSolid& seen, const Lens& lens)
+  ObjectLineFinder(const Solid& solid, const SolidEdges& edges, const SeenSolid& seen, const Lens& lens)
       : solid_(solid), edges_(edges), seen_(seen), lens_(lens) {}
 
   LineBundle contours() const;
@@ -60,7 +60,7 @@ class LineFinder {
 };
 
 /// `own` in the fruit's frame; `away` and `face`, directions in the scene, any length.
-LinePoint LineFinder::point(const glm::dvec3& own, const glm::dvec3& away, const glm::dvec3& face) const {
+LinePoint ObjectLineFinder::point(const glm::dvec3& own, const glm::dvec3& away, const glm::dvec3& face) const {
   const glm::dvec3 at = seen_.turn * own + seen_.at;
   const glm::dvec3 sight = glm::normalize(lens_.eye() - at);
   const double size = glm::length(face);
@@ -70,7 +70,7 @@ LinePoint LineFinder::point(const glm::dvec3& own, const glm::dvec3& away, const
       .seen = lens_.seen(at), .own = own, .outwards = lens_.seen_direction(at, away), .slope = std::min(slope, 8.0)};
 }
 
-glm::dvec3 LineFinder::face_normal(std::uint32_t triangle) const {
+glm::dvec3 ObjectLineFinder::face_normal(std::uint32_t triangle) const {
   const glm::uvec3& t = solid_.triangle[triangle];
   const glm::dvec3 a(solid_.position[t.x]), b(solid_.position[t.y]), c(solid_.position[t.z]);
   const glm::dvec3 n = glm::cross(b - a, c - a);
@@ -78,12 +78,13 @@ glm::dvec3 LineFinder::face_normal(std::uint32_t triangle) const {
   return size > 0 ? seen_.turn * (n / size) : glm::dvec3(0);
 }
 
-bool LineFinder::faces_eye(std::uint32_t triangle) const {
+bool ObjectLineFinder::faces_eye(std::uint32_t triangle) const {
   const glm::dvec3 at = seen_.in_scene(solid_.position[solid_.triangle[triangle].x]);
   return glm::dot(face_normal(triangle), lens_.eye() - at) >= 0;
 }
 
-std::vector<std::pair<LineFinder::Crossing, LineFinder::Crossing>> LineFinder::contour_pieces() const {
+std::vector<std::pair<ObjectLineFinder::Crossing, ObjectLineFinder::Crossing>> ObjectLineFinder::contour_pieces()
+    const {
   std::vector<std::pair<Crossing, Crossing>> pieces;
   for (std::size_t i = 0; i < solid_.triangle.size(); ++i) {
     const glm::uvec3& t = solid_.triangle[i];
@@ -101,7 +102,7 @@ std::vector<std::pair<LineFinder::Crossing, LineFinder::Crossing>> LineFinder::c
   return pieces;
 }
 
-LineBundle LineFinder::contours() const {
+LineBundle ObjectLineFinder::contours() const {
   const auto pieces = contour_pieces();
   std::vector<Crossing> all;
   for (const auto& [a, b] : pieces) all.insert(all.end(), {a, b});
@@ -122,12 +123,12 @@ LineBundle LineFinder::contours() const {
 }
 
 /// Edges that may be lines for their own sake are contours' equals where one face is turned away.
-LineKind LineFinder::drawn_as(const SharpEdge& edge) const {
+LineKind ObjectLineFinder::drawn_as(const SharpEdge& edge) const {
   const bool is_skin = edge.kind == LineKind::crease || edge.kind == LineKind::seam;
   return is_skin && faces_eye(edge.first) != faces_eye(edge.other) ? LineKind::fold : edge.kind;
 }
 
-LineBundle LineFinder::sharp(LineKind kind) const {
+LineBundle ObjectLineFinder::sharp(LineKind kind) const {
   std::vector<const SharpEdge*> chosen;
   std::vector<std::uint32_t> places;
   for (const SharpEdge& edge : edges_.sharp) {
@@ -172,7 +173,7 @@ void append(const LineBundle& bundle, LineKind kind, std::uint32_t instance, std
 
 std::vector<ObjectLine> object_lines(const Solid& solid, const SolidEdges& edges, const SeenSolid& seen,
                                      std::uint32_t instance, const Lens& lens) {
-  const LineFinder finder(solid, edges, seen, lens);
+  const ObjectLineFinder finder(solid, edges, seen, lens);
   std::vector<ObjectLine> lines;
   append(finder.contours(), LineKind::contour, instance, lines);
   for (const LineKind kind : {LineKind::border, LineKind::rim, LineKind::ridge, LineKind::crease, LineKind::seam,

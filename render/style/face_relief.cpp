@@ -46,12 +46,12 @@ struct GroupEdge {
 };
 
 /// The height's profile: of the relief, and by how much it grows per way of 2 |relief|.
-struct Profile {
+struct ReliefProfile {
   double share = 1, growth = 0;
 };
-Profile profile(double distance, double way) {
+ReliefProfile profile(double distance, double way) {
   const double left = 1 - distance / way;
-  return left > 0 ? Profile{1 - left * left, 2 * left} : Profile{};
+  return left > 0 ? ReliefProfile{1 - left * left, 2 * left} : ReliefProfile{};
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ RimPlace FaceRelief::at(std::uint32_t triangle, const glm::dvec3& place) const {
   found.rim = least;
   if (group.relief == 0) return found;
   const double way = 2 * std::fabs(group.relief), length = std::sqrt(glm::dot(inwards, inwards));
-  const Profile at_distance = profile(least, way);
+  const ReliefProfile at_distance = profile(least, way);
   found.height = group.relief * at_distance.share;
   if (length > 0) found.slope = inwards * (group.relief * at_distance.growth / way / length);
   return found;

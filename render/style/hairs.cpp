@@ -28,9 +28,9 @@ double hairs_on(const Solid& solid, std::size_t triangle) {
 }
 
 /// Draws from one stream in turn.
-class Draws {
+class HairDraws {
  public:
-  explicit Draws(const RandomStream& stream, std::uint64_t first) : stream_(stream), next_(first) {}
+  explicit HairDraws(const RandomStream& stream, std::uint64_t first) : stream_(stream), next_(first) {}
   double share() { return stream_.uniform(next_++); }
   double signed_share() { return 2 * share() - 1; }
 
@@ -44,7 +44,7 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& fallback) {
   return length > 1e-12 ? v / length : fallback;
 }
 
-Hair hair_on(const Solid& solid, const glm::uvec3& t, Draws draws) {
+Hair hair_on(const Solid& solid, const glm::uvec3& t, HairDraws draws) {
   // A place in the triangle, evenly.
   double u = draws.share(), v = draws.share();
   if (u + v > 1) u = 1 - u, v = 1 - v;
@@ -85,7 +85,7 @@ std::vector<Hair> hairs_of(const Solid& solid, std::size_t most) {
   for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
     sown += kept * hairs_on(solid, t);
     while (static_cast<double>(hairs.size()) + 0.5 < sown && hairs.size() < most) {
-      hairs.push_back(hair_on(solid, solid.triangle[t], Draws(stream, draws_per_hair * hairs.size())));
+      hairs.push_back(hair_on(solid, solid.triangle[t], HairDraws(stream, draws_per_hair * hairs.size())));
     }
   }
   return hairs;

@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "generator/base/color.h"
 
@@ -71,11 +69,5 @@ struct Style {
   std::optional<MarkStyle> marks;   ///< hatching or stipple in place of paint
   std::optional<PlateStyle> plate;  ///< a title, labels and a scale bar around the figure
 };
-
-/// The styles that come with Pomona, as they were when it was built, in the order of their names.
-std::vector<Style> all_styles();
-
-/// One of all_styles(). \throws Error (usage) with the nearest name.
-Style style_named(std::string_view name);
 
 }  // namespace pomona

@@ -1,9 +1,11 @@
-// From a style's TOML to a Style (docs/style.md), every error with file, line and column.
+// From a style's TOML, on disk or built into the program, to a Style (docs/style.md), every error with file, line and
+// column.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "render/style/style.h"
 
@@ -15,6 +17,12 @@ Style parse_style(std::string_view toml, const std::string& file);
 
 /// The same from disk. \throws Error (input_missing) if it cannot be read.
 Style read_style(const std::filesystem::path& file);
+
+/// The styles that come with Pomona, as they were when it was built, in the order of their names.
+std::vector<Style> all_styles();
+
+/// One of all_styles(). \throws Error (usage) with the nearest name.
+Style style_named(std::string_view name);
 
 /// True for a .toml file that says `kind = "style"`.
 bool is_style_file(const std::filesystem::path& file);

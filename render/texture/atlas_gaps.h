@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/image/image.h"
-#include "render/texture/atlas.h"
+#include "render/texture/uv_atlas.h"
 
 namespace pomona {
 

@@ -10,10 +10,10 @@
 #include "render/texture/atlas_gaps.h"
 #include "render/texture/baked_ink.h"
 #include "render/texture/chart_canvas.h"
-#include "render/texture/charts.h"
 #include "render/texture/sample_colors.h"
 #include "render/texture/sample_maps.h"
 #include "render/texture/tangents.h"
+#include "render/texture/uv_charts.h"
 
 namespace pomona {
 

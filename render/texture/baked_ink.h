@@ -7,7 +7,7 @@
 
 #include "render/picture/stroke.h"
 #include "render/style/style.h"
-#include "render/texture/atlas.h"
+#include "render/texture/uv_atlas.h"
 
 namespace pomona {
 

@@ -8,7 +8,7 @@
 
 #include "generator/base/color.h"
 #include "render/image/image.h"
-#include "render/texture/atlas.h"
+#include "render/texture/uv_atlas.h"
 
 namespace pomona {
 

@@ -34,12 +34,12 @@ std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> points) {
   return hull;
 }
 
-struct Extent {
+struct OutlineExtent {
   glm::dvec2 low, high;
 };
 
-Extent extent_of(std::span<const glm::dvec2> hull, const Turn& turn) {
-  Extent extent{turned(turn, hull.front()), turned(turn, hull.front())};
+OutlineExtent extent_of(std::span<const glm::dvec2> hull, const Turn& turn) {
+  OutlineExtent extent{turned(turn, hull.front()), turned(turn, hull.front())};
   for (const glm::dvec2& p : hull) {
     const glm::dvec2 q = turned(turn, p);
     extent.low = glm::min(extent.low, q), extent.high = glm::max(extent.high, q);
@@ -56,7 +56,7 @@ Turn smallest_box(std::span<const glm::dvec2> hull) {
     const double length = std::sqrt(glm::dot(edge, edge));
     if (!(length > 0)) continue;
     const Turn turn(edge.x / length, -edge.y / length);
-    const Extent extent = extent_of(hull, turn);
+    const OutlineExtent extent = extent_of(hull, turn);
     const double area = (extent.high.x - extent.low.x) * (extent.high.y - extent.low.y);
     if (least >= 0 && area >= least * (1 - 1e-9)) continue;
     least = area;

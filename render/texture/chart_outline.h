@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/texture/charts.h"
+#include "render/texture/uv_charts.h"
 
 namespace pomona {
 

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "render/texture/atlas.h"
+#include "render/texture/uv_atlas.h"
 
 namespace pomona {
 

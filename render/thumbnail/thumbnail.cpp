@@ -2,20 +2,186 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
-#include "render/thumbnail/ground_shadow.h"
-#include "render/thumbnail/outlines.h"
+#include "generator/piece/pose.h"
+#include "render/picture/light_direction.h"
+#include "render/picture/view_frame.h"
+#include "render/thumbnail/covered_samples.h"
 #include "render/thumbnail/projection.h"
 #include "render/thumbnail/sample_grid.h"
-#include "render/thumbnail/vertex_light.h"
 
 namespace pomona {
 
 namespace {
+
+/// What lies in the shadow of something, per pixel 0 or 1: everything thrown along `towards_light` on the ground.
+std::vector<float> thrown(const Scene& scene, std::span<const StyledMesh> meshes, const Projection& projection,
+                          const glm::dvec3& towards_light, int side) {
+  std::vector<float> mask(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0.0f);
+  for (const Instance& instance : scene.instances) {
+    const StyledMesh& mesh = meshes[static_cast<std::size_t>(instance.solid)];
+    std::vector<ProjectedPoint> points;
+    points.reserve(mesh.position.size());
+    for (const glm::vec3& position : mesh.position) {
+      const glm::dvec3 p = instance.pose.rotation * glm::dvec3(position) + instance.pose.translation;
+      points.push_back(projection(p - towards_light * (p.y / towards_light.y)));
+    }
+    for (const glm::uvec3& t : mesh.triangle) {
+      for_covered_samples({points[t.x], points[t.y], points[t.z]}, side, [&](int x, int y, const glm::dvec3&) {
+        mask[static_cast<std::size_t>(y) * side + x] = 1.0f;
+      });
+    }
+  }
+  return mask;
+}
+
+/// The mean over 2 radius + 1 values of each row; beyond the picture there is none. Rows become columns.
+std::vector<float> averaged_and_turned(const std::vector<float>& values, int side, int radius) {
+  std::vector<float> result(values.size());
+  const float share = 1.0f / static_cast<float>(2 * radius + 1);
+  for (int y = 0; y < side; ++y) {
+    const float* row = &values[static_cast<std::size_t>(y) * side];
+    float sum = 0;
+    for (int x = 0; x < std::min(radius, side); ++x) sum += row[x];
+    for (int x = 0; x < side; ++x) {
+      if (x + radius < side) sum += row[x + radius];
+      if (x - radius - 1 >= 0) sum -= row[x - radius - 1];
+      result[static_cast<std::size_t>(x) * side + y] = std::max(0.0f, sum * share);
+    }
+  }
+  return result;
+}
+
+/// Three means one after another are nearly a Gaussian.
+std::vector<float> softened(std::vector<float> values, int side, int radius) {
+  for (int pass = 0; pass < 6; ++pass) values = averaged_and_turned(values, side, radius);
+  return values;
+}
+
+/// How dark the ground y = 0 lies, 0 to 1, for each pixel of a square picture, row by row: the pieces' shadow in the
+/// style's light, and below it a narrow one where they nearly touch the ground. Behind the pieces, too.
+std::vector<float> ground_shadow(const Scene& scene, std::span<const StyledMesh> meshes, const Style& style, int side) {
+  const Projection projection(scene.view, side);
+  const auto radius = [side](double share) { return std::max(1, static_cast<int>(std::lround(share * side))); };
+
+  // From the light: long, and softer the softer the light is.
+  const glm::dvec3 to_light = light_direction(projection.frame(), style.light.azimuth, style.light.elevation);
+  std::vector<float> shadow =
+      softened(thrown(scene, meshes, projection, to_light, side), side, radius(0.008 + 0.03 * style.light.softness));
+
+  // From above: close to the pieces.
+  const std::vector<float> contact = softened(thrown(scene, meshes, projection, {0, 1, 0}, side), side, radius(0.012));
+  const auto strength = static_cast<float>(style.shadow.strength);
+  for (std::size_t i = 0; i < shadow.size(); ++i) {
+    const float dark = 1 - (1 - 0.42f * shadow[i]) * (1 - 0.30f * contact[i]);
+    shadow[i] = std::clamp(strength * dark, 0.0f, 1.0f);
+  }
+  return shadow;
+}
+
+struct OutlineWidths {
+  double outer = 4;  ///< samples: between pieces, and around them
+  double rim = 3;    ///< between a cut face and skin
+};
+
+/// What outlines() tells apart: \param instance index into the scene's. \param cut whether it is a cut face.
+constexpr std::uint32_t owner_of(std::size_t instance, bool cut) {
+  return static_cast<std::uint32_t>(2 * (instance + 1) + (cut ? 1 : 0));
+}
+
+constexpr std::size_t instance_of(std::uint32_t owner) { return owner / 2 - 1; }
+
+/// A round nib: the offsets of the samples that it covers.
+std::vector<std::pair<int, int>> nib(double width) {
+  std::vector<std::pair<int, int>> offsets;
+  const double radius = 0.5 * width;
+  const int reach = static_cast<int>(std::ceil(radius));
+  for (int y = -reach; y <= reach; ++y)
+    for (int x = -reach; x <= reach; ++x)
+      if (x * x + y * y <= radius * radius) offsets.emplace_back(x, y);
+  return offsets;
+}
+
+/// Per sample: the owner whose ink lies there, or 0. An owner is a piece and a kind of face, see owner_of().
+std::vector<std::uint32_t> outlines(const SampleGrid& grid, const OutlineWidths& widths) {
+  const int side = grid.side();
+  std::vector<std::uint32_t> ink(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
+  const auto outer = nib(widths.outer), rim = nib(widths.rim);
+  const auto draw = [&](int x, int y, std::uint32_t a, std::uint32_t b) {
+    // The nearer of the two has the line.
+    const bool same_piece = a != 0 && b != 0 && instance_of(a) == instance_of(b);
+    for (const auto& [dx, dy] : same_piece ? rim : outer) {
+      const int to_x = x + dx, to_y = y + dy;
+      if (to_x < 0 || to_y < 0 || to_x >= side || to_y >= side) continue;
+      ink[grid.index(to_x, to_y)] = a != 0 ? a : b;
+    }
+  };
+
+  // Wherever two neighbours belong to different things.
+  for (int y = 0; y + 1 < side; ++y) {
+    for (int x = 0; x + 1 < side; ++x) {
+      const std::uint32_t here = grid.owner(x, y), right = grid.owner(x + 1, y), below = grid.owner(x, y + 1);
+      if (here != right) draw(x, y, here, right);
+      if (here != below) draw(x, y, here, below);
+    }
+  }
+  return ink;
+}
+
+// The light of pictures that OpenGL draws (shaders/lit.glsl).
+const Color sun(0.74f, 0.70f, 0.62f);
+const Color sky(0.47f, 0.50f, 0.54f);
+const Color bounce(0.40f, 0.36f, 0.31f);
+constexpr double highlight = 0.20;  ///< of a skin of gloss 1
+
+/// Sunlight on a face, soft and wrapped; flatter on cut faces, so that their colours are what one sees.
+double key_light(double cosine, bool cut) {
+  const double key = std::clamp((cosine + 0.35) / 1.35, 0.0, 1.0);
+  return cut ? 0.55 * key + 0.45 * 0.8 : key;
+}
+
+/// x to the 32nd.
+double to_32nd(double x) {
+  for (int k = 0; k < 5; ++k) x *= x;
+  return x;
+}
+
+/// The mesh's colours as light of the style's direction and strength shows them, softly: linear, may go above 1 in
+/// highlights. Cut faces shine less than skin. \param frame of the one who looks.
+std::vector<Color> lit_colors(const StyledMesh& mesh, const Solid& solid, const Pose& pose, const ViewFrame& frame,
+                              const LightStyle& light) {
+  const glm::dvec3 to_light = light_direction(frame, light.azimuth, light.elevation);
+  const glm::dvec3 between = glm::normalize(to_light + frame.back);
+  std::vector<double> gloss;
+  for (std::size_t part = 0; part < solid.part_names.size(); ++part)
+    gloss.push_back(std::min(material_of(solid, static_cast<std::int32_t>(part)).gloss, 2.0));
+
+  std::vector<Color> lit(mesh.color.size());
+  for (std::size_t v = 0; v < lit.size(); ++v) {
+    // The sky above, what the table throws back from below, and the sun.
+    const glm::dvec3 normal = pose.rotation * glm::dvec3(mesh.normal[v]);
+    const bool cut = mesh.face[v] == DetailFace::cut;
+    const auto up = static_cast<float>(0.5 + 0.5 * normal.y);
+    const Color around = static_cast<float>(light.ambient) * (bounce * (1 - up) + sky * up);
+    const double key = light.strength * key_light(glm::dot(normal, to_light), cut);
+    lit[v] = mesh.color[v] * (around + static_cast<float>(key) * sun);
+
+    // What shines is skin.
+    if (cut) continue;
+    const auto part = static_cast<std::size_t>(std::max(mesh.part[v], 0));
+    const double shine = part < gloss.size() ? gloss[part] : 1;
+    const double mirrored = to_32nd(std::max(0.0, glm::dot(normal, between)));
+    lit[v] += Color(static_cast<float>(light.strength * highlight * shine * mirrored));
+  }
+  return lit;
+}
 
 constexpr int oversampling = 4;  ///< samples along a pixel's edge
 

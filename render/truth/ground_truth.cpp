@@ -3,16 +3,156 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
+#include "generator/piece/piece_facts.h"
+#include "render/strokes/lens.h"
 #include "render/truth/amodal_masks.h"
-#include "render/truth/annotations.h"
 #include "render/truth/cryptomatte.h"
+#include "render/truth/layers.h"
+#include "render/truth/mask.h"
+#include "render/truth/run_lengths.h"
 #include "render/truth/truth_exr.h"
 #include "render/truth/truth_pictures.h"
 
 namespace pomona {
 
 namespace {
+
+struct AnnotatedPicture {
+  std::string file_name;                 ///< of the picture, as `images` names it
+  std::string made_by;                   ///< version of the program, for `info`
+  std::uint64_t seed = 0;                ///< of the fruit or the scene
+  std::vector<std::string> layer_files;  ///< beside the annotations
+};
+
+using Json = nlohmann::ordered_json;
+
+Json numbers(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json box(const PixelBox& b) { return Json::array({b.left, b.top, b.width(), b.height()}); }
+
+Json encoded(const Mask& mask, int width, int height) {
+  return {{"size", Json::array({height, width})}, {"counts", packed(run_lengths(mask, width, height))}};
+}
+
+class AnnotationWriter {
+ public:
+  AnnotationWriter(const Scene& scene, const TruthNaming& names, const TruthLayers& layers,
+                   const std::vector<Mask>& amodal, const AnnotatedPicture& picture)
+      : scene_(scene),
+        names_(names),
+        layers_(layers),
+        amodal_(amodal),
+        picture_(picture),
+        visible_(visible_masks(layers.instance, layers.width, scene.instances.size())) {
+    for (const Solid& solid : scene.solids) facts_.push_back(facts_of(solid));
+  }
+
+  std::string write() const {
+    // COCO's tools expect every annotation to have pixels: what is hidden altogether is listed apart.
+    Json seen = Json::array(), hidden = Json::array();
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+      if (amodal_[i].area() > 0) (visible_[i].area() > 0 ? seen : hidden).push_back(annotation(i));
+    }
+    const Json all = {{"info", {{"description", "ground truth of one picture"}, {"made_by", picture_.made_by}}},
+                      {"licenses", Json::array()},
+                      {"images", Json::array({image()})},
+                      {"categories", categories()},
+                      {"parts", parts()},
+                      {"fruits", fruits()},
+                      {"annotations", seen},
+                      {"hidden", hidden}};
+    return json_text(all, 1) + "\n";
+  }
+
+ private:
+  Json image() const {
+    const Lens lens(scene_.view, layers_.width, layers_.height);
+    const ViewFrame& frame = lens.frame();
+    const double focal = 1 / lens.pixel_size(1);
+    Json files = Json::array();
+    for (const std::string& file : picture_.layer_files) files.push_back(file);
+    return {{"id", 1},
+            {"file_name", picture_.file_name},
+            {"width", layers_.width},
+            {"height", layers_.height},
+            {"seed", picture_.seed},
+            {"layers", files},
+            {"metres_per_depth_step", depth_step(layers_)},
+            {"camera",
+             {{"focal_length", focal},
+              {"principal_point", {0.5 * layers_.width, 0.5 * layers_.height}},
+              {"eye", numbers(lens.eye())},
+              {"right", numbers(frame.right)},
+              {"down", numbers(-frame.up)},
+              {"forward", numbers(-frame.back)}}}};
+  }
+
+  Json categories() const {
+    Json list = Json::array();
+    for (const TruthNaming::Species& s : names_.species)
+      list.push_back({{"id", list.size() + 1}, {"name", s.name}, {"supercategory", "object"}});
+    return list;
+  }
+
+  Json parts() const {
+    Json list = Json::array();
+    for (const TruthNaming::Part& p : names_.parts)
+      list.push_back({{"id", list.size() + 1}, {"name", p.name}, {"category_id", p.species}});
+    return list;
+  }
+
+  Json fruits() const {
+    Json list = Json::array();
+    for (const TruthNaming::Fruit& f : names_.fruits)
+      list.push_back({{"id", list.size() + 1}, {"name", f.name}, {"category_id", f.species}});
+    return list;
+  }
+
+  Json annotation(std::size_t i) const {
+    const Instance& instance = scene_.instances[i];
+    const auto number = static_cast<std::size_t>(instance.solid);
+    const Mask &visible = visible_[i], &whole = amodal_[i];
+    const auto area = static_cast<double>(visible.area()), amodal_area = static_cast<double>(whole.area());
+    const std::uint16_t fruit = names_.fruit_of_solid[number];
+    const glm::dquat& turn = instance.pose.rotation;
+    return {{"id", i + 1},
+            {"image_id", 1},
+            {"category_id", names_.fruit(fruit).species},
+            {"bbox", box(visible.box)},
+            {"area", visible.area()},
+            {"segmentation", encoded(visible, layers_.width, layers_.height)},
+            {"iscrowd", 0},
+            {"amodal_bbox", box(whole.box)},
+            {"amodal_area", whole.area()},
+            {"amodal_segmentation", encoded(whole, layers_.width, layers_.height)},
+            {"occlusion", 1 - area / amodal_area},
+            {"name", instance.name},
+            {"fruit_id", fruit},
+            {"volume", facts_[number].volume},
+            {"mass", facts_[number].mass},
+            {"center_of_mass", numbers(turn * facts_[number].center + instance.pose.translation)},
+            {"rotation", {turn.w, turn.x, turn.y, turn.z}},
+            {"translation", numbers(instance.pose.translation)}};
+  }
+
+  const Scene& scene_;
+  const TruthNaming& names_;
+  const TruthLayers& layers_;
+  const std::vector<Mask>& amodal_;
+  const AnnotatedPicture& picture_;
+  std::vector<Mask> visible_;      // per instance
+  std::vector<PieceFacts> facts_;  // per solid
+};
+
+/// docs/formats.md, "Ground truth". \param amodal per instance.
+std::string annotations(const Scene& scene, const TruthNaming& names, const TruthLayers& layers,
+                        const std::vector<Mask>& amodal, const AnnotatedPicture& picture) {
+  return AnnotationWriter(scene, names, layers, amodal, picture).write();
+}
 
 std::vector<TruthFile> png_files(const TruthLayers& layers, const std::vector<Mask>& amodal, Threads threads) {
   // Whole masks are drawn, packed and let go one by one: a large heap has hundreds of pictures of them.

@@ -53,7 +53,7 @@ unsigned char* pomona_reached_places() {
 FLAGS = "add_compile_options(-O1 -w -Wno-narrowing)\n"
 TOGETHER = """
 target_sources(pomona_base PRIVATE ${PROJECT_SOURCE_DIR}/generator/base/pomona_mutant.cpp)
-set_target_properties(pomona_template pomona_variation pomona_knife pomona_piece PROPERTIES UNITY_BUILD_BATCH_SIZE 100)
+set_target_properties(pomona_text pomona_template pomona_variation pomona_knife pomona_piece PROPERTIES UNITY_BUILD_BATCH_SIZE 100)
 """
 FOLDERS = {"generator": TOGETHER, "render/export": ""}
 

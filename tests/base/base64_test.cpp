@@ -25,8 +25,9 @@ TEST(Base64, KeepsEveryByte) {
   EXPECT_EQ(base64_decoded(base64(bytes)), bytes);
 }
 
-TEST(Base64, PassesOverWhiteSpaceAndRefusesWhatItIsNot) {
+TEST(Base64, PassesOverWhiteSpaceAndNeedsNoPaddingAndRefusesWhatItIsNot) {
   EXPECT_EQ(base64_decoded(" Zm9v\nYm\tFy\r\n"), "foobar");
+  EXPECT_EQ(base64_decoded("Zm8"), "fo");
   EXPECT_FALSE(base64_decoded("Zm9v*"));
   EXPECT_FALSE(base64_decoded("Zm-_"));
 }

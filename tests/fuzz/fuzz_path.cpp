@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "generator/template/read/svg_path.h"
+#include "generator/text/svg_path.h"
 #include "tests/fuzz/told.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -4,6 +4,7 @@
 
 #include "render/export/gltf/write_glb.h"
 #include "render/export/output.h"
+#include "render/style/style_file.h"
 #include "tests/render/export/named_solids.h"
 
 int main(int, char** arguments) {

@@ -22,6 +22,7 @@
 #include "render/page/asset_file.h"
 #include "render/page/make_asset.h"
 #include "render/page/page.h"
+#include "render/style/style_file.h"
 
 namespace {
 

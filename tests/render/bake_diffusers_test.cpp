@@ -9,6 +9,7 @@
 #include "generator/diffusion/pmvc/pmvc_diffuser.h"
 #include "generator/knife/parse_knife.h"
 #include "render/diffusion/gl_diffuser.h"
+#include "render/style/style_file.h"
 #include "render/texture/bake.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/sliced.h"

@@ -8,6 +8,7 @@
 
 #include "generator/base/error.h"
 #include "generator/piece/section_colors.h"
+#include "render/style/style_file.h"
 #include "tests/render/half_ball.h"
 
 namespace pomona {

@@ -11,6 +11,7 @@
 #include "generator/piece/grow.h"
 #include "generator/piece/slice.h"
 #include "generator/template/read/read_template.h"
+#include "render/style/style_file.h"
 #include "render/texture/bake.h"
 
 namespace pomona {

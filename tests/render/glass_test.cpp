@@ -10,6 +10,7 @@
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "render/gl/scene_picture.h"
+#include "render/style/style_file.h"
 #include "tests/render/painted_shapes.h"
 
 namespace pomona {

@@ -6,6 +6,7 @@
 #include "generator/base/units.h"
 #include "render/gl/scene_picture.h"
 #include "render/style/hairs.h"
+#include "render/style/style_file.h"
 #include "tests/render/painted_shapes.h"
 
 namespace pomona {

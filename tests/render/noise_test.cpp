@@ -7,7 +7,7 @@
 
 #include "generator/base/error.h"
 #include "generator/base/random.h"
-#include "render/style/style.h"
+#include "render/style/style_file.h"
 
 namespace pomona {
 namespace {

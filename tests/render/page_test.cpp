@@ -23,6 +23,7 @@
 #include "render/page/page.h"
 #include "render/page/page_scene.h"
 #include "render/page/windings.h"
+#include "render/style/style_file.h"
 
 namespace pomona {
 namespace {

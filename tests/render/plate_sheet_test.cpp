@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "render/picture/paper.h"
+#include "render/style/style_file.h"
 
 namespace pomona {
 namespace {

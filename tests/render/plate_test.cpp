@@ -10,6 +10,7 @@
 #include "render/lettering/coverage.h"
 #include "render/lettering/typeface.h"
 #include "render/picture/section_picture.h"
+#include "render/style/style_file.h"
 #include "tests/render/painted_shapes.h"
 
 namespace pomona {

@@ -13,6 +13,7 @@
 
 #include "render/style/face_relief.h"
 #include "render/style/skin_pits.h"
+#include "render/style/style_file.h"
 #include "render/texture/bake.h"
 #include "tests/render/half_ball.h"
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/picture/section_picture.h"
+#include "render/style/style_file.h"
 #include "tests/render/painted_shapes.h"
 
 namespace pomona {

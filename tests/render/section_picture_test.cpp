@@ -17,6 +17,7 @@
 #include "render/picture/inked_pixels.h"
 #include "render/picture/section_ink.h"
 #include "render/picture/section_layout.h"
+#include "render/style/style_file.h"
 #include "tests/render/painted_shapes.h"
 #include "tests/shapes/shapes.h"
 

@@ -18,6 +18,7 @@
 #include "render/strokes/ink_on_picture.h"
 #include "render/strokes/lens.h"
 #include "render/strokes/seen_solid.h"
+#include "render/style/style_file.h"
 #include "tests/render/painted_shapes.h"
 
 namespace pomona {

@@ -1,5 +1,4 @@
 // Styles as files: what they say, and every mistake where it is.
-#include "render/style/style_file.h"
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include "generator/base/error.h"
 #include "generator/base/units.h"
 #include "render/style/shipped_styles.h"
+#include "render/style/style_file.h"
 #include "tests/base/temporary_folder.h"
 
 namespace pomona {

@@ -18,6 +18,7 @@
 #include "render/gl/scene_picture.h"
 #include "render/image/deep_image.h"
 #include "render/strokes/lens.h"
+#include "render/style/style_file.h"
 #include "render/truth/amodal_masks.h"
 #include "render/truth/layers.h"
 #include "render/truth/run_lengths.h"

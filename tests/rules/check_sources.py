@@ -15,6 +15,7 @@ import sys
 # stands before the other's own files where these are the door to it, behind them where they are what it works on.
 ROAD = [
     "generator/base",
+    "generator/text",
     "generator/mesh",
     "generator/template",
     "generator/template/read",
@@ -63,9 +64,9 @@ ROAD = [
 HEAVY = {
     "CGAL": (r"CGAL/", r"generator/cut/(plane|carve)/\w+\.cpp|render/export/convex_hull\.cpp|bench/baselines/tetrahedral_mesh\.cpp"),
     "OpenMesh": (r"OpenMesh/", r"generator/piece/lod/\w+\.cpp"),
-    "toml++": (r"toml(\+\+|plusplus)?(/|\.h)", r"generator/(template/read|scene)/\w+\.cpp"),
-    "lib2geom": (r"2geom/", r"generator/template/read/\w+\.cpp"),
-    "pugixml": (r"pugixml\.hpp", r"generator/template/read/\w+\.cpp"),
+    "toml++": (r"toml(\+\+|plusplus)?(/|\.h)", r"generator/text/\w+\.cpp"),
+    "lib2geom": (r"2geom/", r"generator/text/\w+\.cpp"),
+    "pugixml": (r"pugixml\.hpp", r"generator/text/\w+\.cpp"),
     "tinygltf": (r"tiny_gltf\.h", r"generator/surface/file/glb_file\.cpp|tests/render/export/read_glb\.cpp"),
     "libpng": (r"png\.h", r"render/image/\w+\.cpp|tests/\w+/\w+\.cpp"),
     "OpenEXR": (r"Imf\w+\.h", r"render/truth/truth_exr\.cpp|tests/\w+/\w+\.cpp"),
@@ -79,9 +80,9 @@ HEAVY = {
     "Eigen": (r"Eigen/", r"tests/\w+/\w+\.cpp|bench/baselines/tetrahedral_poisson\.cpp"),
     "TBB": (r"(tbb|oneapi/tbb)/", r"generator/base/parallel\.cpp"),
     "SLEEF": (r"sleef\.h", r"generator/base/reproducible\.cpp"),
-    "Nettle": (r"nettle/", r"generator/base/sha256\.cpp"),
+    "Nettle": (r"nettle/", r"generator/base/(sha256|base64)\.cpp"),
     "Random123": (r"Random123/", r"generator/base/random\.cpp"),
-    "CLI11": (r"CLI/", r"((tests/)?cli|bench)/(\w+/)?\w+\.(cpp|h)"),
+    "CLI11": (r"CLI/", r"((tests/)?cli|tests/order|bench)/(\w+/)?\w+\.(cpp|h)"),
 }
 HEADERS_ALLOWED = {"OpenGL", "CLI11", "Highway"}
 
@@ -198,17 +199,72 @@ def check_file(name, text):
             yield 1, "a header says #pragma once"
 
 
+# A type that a namespace holds, an unnamed one too: what is within a class is indented. And another name for one.
+TYPE = re.compile(r"^(?:struct|class|union|enum(?: class| struct)?) (\w+)(?: final)?\s*(?::(?!:)[^;{]*)?\{", re.M)
+ALIAS = re.compile(r"^using (\w+) =\s*([^;]+);", re.M)
+
+
+def types_of(text):
+    """Name, line and what it stands for of each type of a source that a reader could take for another file's."""
+    code = without_comments_and_strings(text)
+    for match in TYPE.finditer(code):
+        yield match.group(1), code.count("\n", 0, match.start()) + 1, None
+    for match in ALIAS.finditer(code):
+        meaning = re.sub(r"\s+", " ", match.group(2))
+        if not meaning.endswith("::" + match.group(1)):  # no more than short for that one
+            yield match.group(1), code.count("\n", 0, match.start()) + 1, meaning
+
+
+def check_type_names(texts):
+    """A name stands for one thing in all of the product, so that whoever searches for it finds that one."""
+    known = {}
+    for name, text in texts.items():
+        for word, number, meaning in types_of(text):
+            before, meant = known.setdefault(word, (name, meaning))
+            if before != name and (meaning is None or meaning != meant):
+                yield f"{name}:{number}: {word} is something else in {before}"
+
+
+def check_circles(texts):
+    """No .h with its .cpp includes what includes it in turn, by whatever way: plain types that both ends need get a
+    header of their own."""
+    unit = lambda name: name.rsplit(".", 1)[0]
+    known = {}
+    for name, text in texts.items():
+        found = re.finditer(r'^\s*#\s*include\s*"([^"]+)"', text, re.M)
+        arrows = ((unit(m.group(1)), f"{name}:{text.count(chr(10), 0, m.start()) + 1}") for m in found)
+        known.setdefault(unit(name), []).extend((to, place) for to, place in arrows if to != unit(name))
+
+    # Walk from each unit along its arrows; one that leads back to a unit under way closes a circle.
+    done, way = set(), []
+
+    def walk(here):
+        way.append(here)
+        for to, place in known.get(here, []):
+            if to in way:
+                yield f"{place}: goes in a circle: " + " -> ".join(part.rsplit("/", 1)[1] for part in [*way[way.index(to):], to])
+            elif to not in done:
+                yield from walk(to)
+        done.add(way.pop())
+
+    for start in sorted(known):
+        if start not in done:
+            yield from walk(start)
+
+
 def check(root):
     """All that is wrong below `root`, as "file:line: what"."""
     root = pathlib.Path(root)
-    wrong = []
+    wrong, product = [], {}
     files = [p for top in ("generator", "render", "cli", "tests", "bench") for p in (root / top).rglob("*")]
     for path in sorted(p for p in files if p.suffix in (".h", ".cpp", ".hpp", ".cc", ".cxx", ".in")):
         name = path.relative_to(root).as_posix()
         text = path.read_text(encoding="utf-8")
         found = [*check_file(name, text), *check_includes(root, name, text), *check_words(name, text), *check_json(name, text)]
         wrong += [f"{name}:{number}: {why}" for number, why in sorted(found)]
-    return wrong
+        if name.startswith(("generator/", "render/", "cli/")):
+            product[name] = text
+    return wrong + [*check_type_names(product), *check_circles(product)]
 
 
 # Below these every folder that holds sources has a README of its own; tests and benches have one each for the whole.

@@ -85,6 +85,32 @@ class Rules(Tree):
         for call in ("std::normal_distribution<double> d;", "std::mt19937 g;", "int i = rand();", "std::shuffle(a, b, g);"):
             self.assert_wrong({"render/style/a.cpp": call + "\n"}, "render/style/a.cpp:1", "RandomStream" )
 
+    def test_a_type_has_a_name_of_its_own(self):
+        a = {"generator/cut/a.cpp": "namespace {\n\nstruct Face {\n  struct Edge {\n  };\n};\n}\n"}
+        for other in ("struct Face {", "class Face final : public Cut {", "enum class Face : char {", "using Face = int;"):
+            self.assert_wrong(a | {"render/gl/b.cpp": f"//\n{other}\n"}, "render/gl/b.cpp:2", "Face is something else in generator/cut/a.cpp")
+        for other in ("struct Edge {", "struct Face;", "// Face\nstruct Other {", "struct Face::Edge {", "using Face = Mesh::Face;"):
+            self.assert_fine(a | {"render/gl/b.cpp": other + "\n"})
+        self.assert_fine(a | {"tests/cut/a_test.cpp": "struct Face {\n"})
+        exact = {"generator/cut/c.cpp": "using Exact =\n    CGAL::Exact;\n", "generator/cut/d.cpp": "using Exact = double;\n"}
+        self.assert_fine({**exact, "generator/cut/d.cpp": "using Exact = CGAL::Exact;\n"})
+        self.assert_wrong({**exact, "generator/cut/c.cpp": "using Exact = float;\n"}, "generator/cut/d.cpp:1", "Exact")
+
+    def test_no_door_is_included_by_its_parts(self):
+        door = {"generator/cut/door.h": HEADER, "generator/cut/door.cpp": '#include "generator/cut/door.h"\n#include "generator/cut/part.h"\n'}
+        self.assert_fine(door | {"generator/cut/part.h": HEADER})
+        self.assert_wrong(
+            door | {"generator/cut/part.h": HEADER + '#include "generator/cut/door.h"\n'},
+            "generator/cut/part.h:3",
+            "goes in a circle: door -> part -> door",
+        )
+        far = {"generator/cut/part.h": HEADER, "generator/cut/part.cpp": '#include "generator/cut/detail.h"\n'}
+        self.assert_wrong(
+            door | far | {"generator/cut/detail.h": HEADER + '#include "generator/cut/door.h"\n'},
+            "generator/cut/part.cpp:1",
+            "in a circle",
+        )
+
     def test_files_are_named_after_something(self):
         self.assert_wrong({"generator/base/curve_utils.h": HEADER}, "generator/base/curve_utils.h:1", "says nothing")
         self.assert_wrong({"generator/base/Curve.h": HEADER}, "generator/base/Curve.h:1", "snake_case")

@@ -50,7 +50,6 @@ TEST(LayoutFile, SaysWhereItIsWrong) {
   expect_error("{\"format\": 1,\n \"instances\": [}", "l.json:2:16: error: this is not JSON");
   expect_error("{\"format\": 2}", "l.json:1:12: error: format should be 1");
   expect_error("{\"format\": 1}", "l.json:1:1: error: \"instances\" is missing");
-  expect_error("{\"format\": 1, \"format\": 1}", "l.json:1:15: error: key \"format\" is there already");
   expect_error("{\"format\": 1, \"instances\": [\n {\"name\": \"first\"}]}", "l.json:2:2: error: \"solid\" is missing");
   expect_error(
       "{\"format\": 1, \"instances\": [{\"name\": \"first\", \"solid\": \"ball\",\n"
@@ -60,16 +59,6 @@ TEST(LayoutFile, SaysWhereItIsWrong) {
       "{\"format\": 1, \"instances\": [{\"name\": \"first\", \"solid\": \"ball\",\n"
       "\"rotation\": [1, 0, 0, 0], \"translation\": [0, \"up\", 0]}]}",
       "l.json:2:46: error: should be a number");
-  expect_error(std::string(100, '['), "l.json:1:33: error: nests deeper");
-}
-
-TEST(LayoutFile, IsRefusedBeforeItFillsTheMemory) {
-  std::string many = "{\"format\": 1, \"instances\": [";
-  for (int i = 0; i < 1'500'000; ++i) many += "0,";
-  expect_error(many + "0]}", "l.json:1:3000023: error: more than 1 500 000 values");
-  std::string keys = "{\"format\": 1";
-  for (int i = 0; i < 1000; ++i) keys += ",\"" + std::to_string(i) + "\": 0";
-  expect_error(keys + "}", "l.json:1:8895: error: an object with more than 1000 keys");
 }
 
 /// Devices and pipes are told without being opened, which would wait or never end.

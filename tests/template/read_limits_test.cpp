@@ -15,7 +15,7 @@
 #include "generator/template/read/read_curve.h"
 #include "generator/template/read/read_style.h"
 #include "generator/template/read/read_template.h"
-#include "generator/template/read/toml_document.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 namespace {

@@ -9,7 +9,7 @@
 #include "generator/base/units.h"
 #include "generator/surface/crossings.h"
 #include "generator/surface/sweep/sweep.h"
-#include "generator/variation/fold_blend.h"
+#include "generator/variation/fold_pca.h"
 #include "generator/variation/fold_room.h"
 #include "generator/variation/fold_samples.h"
 #include "generator/variation/vary.h"

@@ -17,20 +17,19 @@ namespace {
 
 using Exact = CGAL::Exact_rational;
 using Vector = std::array<Exact, 3>;
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
 constexpr std::uint32_t unset = 0xffffffffu;
 
 struct PlaceNumber {
   std::uint32_t value = unset;
 };
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<PlaceNumber, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using Delaunay =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-                                               CGAL::Exact_intersections_tag>;
-using Triangulation = CGAL::Constrained_triangulation_plus_2<Delaunay>;
-using Vertex = Triangulation::Vertex_handle;
+using PlaceVertexBase = CGAL::Triangulation_vertex_base_with_info_2<PlaceNumber, ExactKernel>;
+using PlaceFaceBase = CGAL::Constrained_triangulation_face_base_2<ExactKernel>;
+using PlaceDelaunay = CGAL::Constrained_Delaunay_triangulation_2<
+    ExactKernel, CGAL::Triangulation_data_structure_2<PlaceVertexBase, PlaceFaceBase>, CGAL::Exact_intersections_tag>;
+using PlaceTriangulation = CGAL::Constrained_triangulation_plus_2<PlaceDelaunay>;
+using PlaceVertex = PlaceTriangulation::Vertex_handle;
 
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Exact dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -127,7 +126,7 @@ class FacetTriangulator {
     for (const std::uint32_t place : facet_.places) insert(place);
     for (std::size_t i = 0; i < 3; ++i) keep(facet_.corner[i], facet_.corner[(i + 1) % 3]);
     for (const std::array<std::uint32_t, 2>& s : facet_.segments) keep(s[0], s[1]);
-    for (const Vertex v : mesh_.finite_vertex_handles()) name(v);
+    for (const PlaceVertex v : mesh_.finite_vertex_handles()) name(v);
 
     // Triangles and chains, in an order that does not depend on CGAL's.
     for (const auto face : mesh_.finite_face_handles()) {
@@ -144,7 +143,7 @@ class FacetTriangulator {
  private:
   struct Kept {
     std::uint32_t from = 0;
-    Triangulation::Constraint_id id{nullptr};
+    PlaceTriangulation::Constraint_id id{nullptr};
   };
 
   bool find_axes() {
@@ -161,27 +160,27 @@ class FacetTriangulator {
     return true;
   }
 
-  Vertex insert(std::uint32_t place) {
+  PlaceVertex insert(std::uint32_t place) {
     const auto [entry, is_new] = vertex_of_.try_emplace(place);
     if (is_new) {
       const Vector& p = at_(place);
-      entry->second = mesh_.insert(Kernel::Point_2(Kernel::FT(p[u_]), Kernel::FT(p[v_])));
+      entry->second = mesh_.insert(ExactKernel::Point_2(ExactKernel::FT(p[u_]), ExactKernel::FT(p[v_])));
       entry->second->info().value = place;
     }
     return entry->second;
   }
 
   void keep(std::uint32_t from, std::uint32_t to) {
-    Kept kept{from, Triangulation::Constraint_id(nullptr)};
+    Kept kept{from, PlaceTriangulation::Constraint_id(nullptr)};
     if (from != to) {
-      const Vertex a = insert(from), b = insert(to);
+      const PlaceVertex a = insert(from), b = insert(to);
       kept.id = mesh_.insert_constraint(a, b);
     }
     kept_.push_back(kept);
   }
 
   /// A crossing gets the place it has in space.
-  void name(Vertex v) {
+  void name(PlaceVertex v) {
     if (v->info().value != unset) return;
     const Vector& a = at_(facet_.corner[0]);
     Vector place;
@@ -223,8 +222,8 @@ class FacetTriangulator {
   const NumberOf& number_of_;
   Vector normal_;
   std::size_t axis_ = 0, u_ = 1, v_ = 2;
-  Triangulation mesh_;
-  std::unordered_map<std::uint32_t, Vertex> vertex_of_;
+  PlaceTriangulation mesh_;
+  std::unordered_map<std::uint32_t, PlaceVertex> vertex_of_;
   std::vector<Kept> kept_;
 };
 

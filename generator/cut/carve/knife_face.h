@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "generator/cut/carve/arrangement.h"
-#include "generator/cut/carve/carve.h"
+#include "generator/cut/carve/closed_knife.h"
 #include "generator/cut/carve/split_surfaces.h"
+#include "generator/cut/section/face.h"
 
 namespace pomona {
 

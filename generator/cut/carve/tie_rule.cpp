@@ -9,10 +9,10 @@ namespace pomona {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using InexactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_rational;
 
-Kernel::Point_3 to_point(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+InexactKernel::Point_3 to_point(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 int sign_of(CGAL::Sign sign) { return static_cast<int>(sign); }
 
@@ -23,7 +23,7 @@ int orientation(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r, c
 /// The sign of the triangle's normal along an axis.
 int normal_sign(const Corners& t, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const auto flat = [&](const glm::dvec3& p) { return Kernel::Point_2(p[u], p[v]); };
+  const auto flat = [&](const glm::dvec3& p) { return InexactKernel::Point_2(p[u], p[v]); };
   return sign_of(CGAL::orientation(flat(t[0]), flat(t[1]), flat(t[2])));
 }
 
@@ -40,7 +40,7 @@ int side(const Corners& t, const glm::dvec3& p, int sense) {
 
 /// On which side of the way from a to b the point lies, seen from above; 0 only for a way straight up.
 int side_of_way(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p, int sense) {
-  const auto flat = [](const glm::dvec3& q) { return Kernel::Point_2(q.z, q.x); };
+  const auto flat = [](const glm::dvec3& q) { return InexactKernel::Point_2(q.z, q.x); };
   const int exact = sign_of(CGAL::orientation(flat(a), flat(b), flat(p)));
   if (exact != 0) return exact;
   if (a.z != b.z) return sense * (a.z < b.z ? 1 : -1);

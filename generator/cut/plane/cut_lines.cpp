@@ -30,10 +30,10 @@ std::uint32_t set_of(const CutLine& line, SplitMesh& mesh) {
 }
 
 /// Pair by pair of planes.
-class LineFinder {
+class CutLineFinder {
  public:
-  LineFinder(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
-             const Box<double>& bounds)
+  CutLineFinder(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
+                const Box<double>& bounds)
       : mesh_(std::move(mesh)), planes_(planes), center_(bounds.center()), reach_(0.5 * glm::length(bounds.size())) {
     for (int k = 0; k < planes.count(); ++k) {
       if (!segments[static_cast<std::size_t>(k)].empty()) used_.push_back(k);
@@ -202,7 +202,7 @@ std::vector<std::uint32_t> subdivided_points(const CutLine& line, SplitMesh& mes
 
 CutLines cut_lines(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
                    const Box<double>& bounds) {
-  return LineFinder(std::move(mesh), planes, segments, bounds).find();
+  return CutLineFinder(std::move(mesh), planes, segments, bounds).find();
 }
 
 CutLines subdivided(CutLines all, const CutPlanes& planes, const SizeOnPlane& size) {

@@ -17,7 +17,7 @@ namespace pomona {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using InexactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /// Vertices know their number, -1 until they have one.
 struct VertexNumber {
@@ -28,19 +28,19 @@ struct FaceNumber {
   std::int32_t value = -1;
 };
 
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexNumber, Kernel>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexNumber, InexactKernel>;
 using FaceBase =
-    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<FaceNumber, Kernel>>;
-using Delaunay =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-                                               CGAL::Exact_predicates_tag>;
+    CGAL::Constrained_triangulation_face_base_2<InexactKernel,
+                                                CGAL::Triangulation_face_base_with_info_2<FaceNumber, InexactKernel>>;
+using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
+    InexactKernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>, CGAL::Exact_predicates_tag>;
 using Triangulation = CGAL::Constrained_triangulation_plus_2<Delaunay>;
 using Vertex = Triangulation::Vertex_handle;
-using Face = Triangulation::Face_handle;
-using Point = Triangulation::Point;
+using FaceHandle = Triangulation::Face_handle;
+using PlanePoint = Triangulation::Point;
 
-Point to_point(const glm::dvec2& p) { return {p.x, p.y}; }
-glm::dvec2 to_vec(const Point& p) { return {p.x(), p.y()}; }
+PlanePoint to_point(const glm::dvec2& p) { return {p.x, p.y}; }
+glm::dvec2 to_vec(const PlanePoint& p) { return {p.x(), p.y()}; }
 
 }  // namespace
 
@@ -69,7 +69,7 @@ struct PlaneTriangulation::Data {
 
 PlaneTriangulation::PlaneTriangulation(std::span<const glm::dvec2> points, std::span<const PlaneConstraint> constraints)
     : data_(std::make_unique<Data>()) {
-  Face hint;
+  FaceHandle hint;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vertex v = data_->mesh.insert(to_point(points[i]), hint);
     hint = v->face();
@@ -88,7 +88,7 @@ PlaneTriangulation::PlaneTriangulation(std::span<const glm::dvec2> points, std::
 PlaneTriangulation::~PlaneTriangulation() = default;
 
 void PlaneTriangulation::insert(std::span<const glm::dvec2> points) {
-  Face hint;
+  FaceHandle hint;
   for (const glm::dvec2& p : points) {
     const Vertex v = data_->mesh.insert(to_point(p), hint);
     hint = v->face();
@@ -114,11 +114,11 @@ TriangulatedPlane PlaneTriangulation::state() const {
   // Order the triangles by their corners, each from its smallest on.
   struct Row {
     std::array<std::uint32_t, 3> corner;
-    Face face;
+    FaceHandle face;
     int first;
   };
   std::vector<Row> rows;
-  for (const Face f : mesh.finite_face_handles()) {
+  for (const FaceHandle f : mesh.finite_face_handles()) {
     const auto corner = [&](int i) { return static_cast<std::uint32_t>(f->vertex(i)->info().value); };
     int first = 0;
     for (int i = 1; i < 3; ++i) {
@@ -127,7 +127,7 @@ TriangulatedPlane PlaneTriangulation::state() const {
     rows.push_back({{corner(first), corner((first + 1) % 3), corner((first + 2) % 3)}, f, first});
   }
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.corner < b.corner; });
-  for (const Face f : mesh.all_face_handles()) f->info().value = TriangulatedPlane::none;
+  for (const FaceHandle f : mesh.all_face_handles()) f->info().value = TriangulatedPlane::none;
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].face->info().value = static_cast<std::int32_t>(i);
 
   // CGAL numbers an edge by the corner it does not touch.
@@ -148,10 +148,10 @@ TriangulatedPlane PlaneTriangulation::state() const {
 
 std::vector<std::int32_t> PlaneTriangulation::locate(std::span<const glm::dvec2> points) const {
   std::vector<std::int32_t> found;
-  Face hint;
+  FaceHandle hint;
   for (const glm::dvec2& p : points) {
     hint = data_->mesh.locate(to_point(p), hint);
-    found.push_back(hint == Face() ? TriangulatedPlane::none : hint->info().value);
+    found.push_back(hint == FaceHandle() ? TriangulatedPlane::none : hint->info().value);
   }
   return found;
 }
@@ -170,7 +170,7 @@ class Conformer {
     while (!waiting_.empty()) {
       const auto [a, b] = waiting_.back();
       waiting_.pop_back();
-      Face face;
+      FaceHandle face;
       int edge = 0;
       if (!mesh_.is_edge(a, b, face, edge) || !face->is_constrained(edge) || whole_.contains(key(a, b))) continue;
       if (needs_split(face, edge)) split(a, b, face, edge);
@@ -183,8 +183,8 @@ class Conformer {
   }
 
   /// True if the corners across the edge see each other within one circle.
-  bool needs_split(Face face, int edge) const {
-    const Face other = face->neighbor(edge);
+  bool needs_split(FaceHandle face, int edge) const {
+    const FaceHandle other = face->neighbor(edge);
     const Vertex across = other->vertex(mesh_.mirror_index(face, edge));
     if (mesh_.is_infinite(face->vertex(edge)) || mesh_.is_infinite(across)) return false;
     return mesh_.side_of_oriented_circle(face, across->point()) == CGAL::ON_POSITIVE_SIDE;
@@ -203,14 +203,14 @@ class Conformer {
     return from + (to - from) * (distance / length);
   }
 
-  void split(Vertex a, Vertex b, Face face, int edge) {
+  void split(Vertex a, Vertex b, FaceHandle face, int edge) {
     if (glm::distance(to_vec(a->point()), to_vec(b->point())) < 2 * shortest_) return;
-    const Point middle = to_point(split_point(a, b));
+    const PlanePoint middle = to_point(split_point(a, b));
 
     // Rounding may have put it beyond a very thin neighbour: then leave the edge alone.
-    const Point c = face->vertex(edge)->point(), d = mesh_.mirror_vertex(face, edge)->point();
-    const Point from = face->vertex(Triangulation::ccw(edge))->point(),
-                to = face->vertex(Triangulation::cw(edge))->point();
+    const PlanePoint c = face->vertex(edge)->point(), d = mesh_.mirror_vertex(face, edge)->point();
+    const PlanePoint from = face->vertex(Triangulation::ccw(edge))->point(),
+                     to = face->vertex(Triangulation::cw(edge))->point();
     using CGAL::orientation;
     if (orientation(from, middle, c) != CGAL::LEFT_TURN || orientation(middle, to, c) != CGAL::LEFT_TURN) return;
     if (orientation(middle, from, d) != CGAL::LEFT_TURN || orientation(to, middle, d) != CGAL::LEFT_TURN) return;

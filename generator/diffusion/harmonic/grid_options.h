@@ -6,7 +6,8 @@
 #include <glm/vec3.hpp>
 
 #include "generator/base/parallel.h"
-#include "generator/diffusion/harmonic/harmonic_diffuser.h"
+#include "generator/diffusion/harmonic/harmonic_options.h"
+#include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
 

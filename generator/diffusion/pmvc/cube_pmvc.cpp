@@ -34,7 +34,7 @@ struct Rectangle {
 };
 
 /// A range of u or v on a face.
-struct Extent {
+struct CubeExtent {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
   void include(double value) {
@@ -44,7 +44,7 @@ struct Extent {
 };
 
 /// A triangle as one face sees it; all in the face's coordinates, relative to the point.
-struct Candidate {
+struct ProjectedTriangle {
   std::array<glm::dvec3, 3> edge;  ///< functions of D, >= 0 inside; edge[k] lies opposite corner k
   glm::dvec3 inverse_depth{0};     ///< function of D
   std::uint32_t triangle = 0;
@@ -53,12 +53,12 @@ struct Candidate {
 };
 
 /// A face being drawn.
-struct Face {
+struct DrawnFace {
   std::vector<double> inverse_depth;        ///< 0 = nothing yet
   std::vector<std::int32_t> winner;         ///< index into candidates
   std::vector<double> tile_minimum;         ///< of the inverse depths of a tile
   std::vector<std::uint8_t> tile_is_stale;  ///< drawn into since
-  std::vector<Candidate> candidates;
+  std::vector<ProjectedTriangle> candidates;
 };
 
 /// What a point sees. Kept from point to point for its buffers.
@@ -70,14 +70,14 @@ class CubeView {
   PmvcValue at(const glm::dvec3& point) {
     clear();
     visit(tree_.levels.size() - 1, 0, point, (1U << face_count) - 1);
-    for (Face& face : faces_) gather(face);
+    for (DrawnFace& face : faces_) gather(face);
     return sum();
   }
 
  private:
   void clear() {
     const auto area = static_cast<std::size_t>(texels_) * static_cast<std::size_t>(texels_);
-    for (Face& face : faces_) {
+    for (DrawnFace& face : faces_) {
       face.inverse_depth.assign(area, 0);
       face.winner.assign(area, -1);
       face.tile_minimum.assign(area / (tile_texels * tile_texels), 0);
@@ -125,7 +125,7 @@ class CubeView {
 
   /// The texels a triangle may cover. An edge through the plane of the point goes to infinity there.
   Rectangle rectangle_of(const std::array<glm::dvec3, 3>& corner) const {
-    Extent u, v;
+    CubeExtent u, v;
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 &p = corner[k], &q = corner[(k + 1) % 3];
       if (p.z > 0) {
@@ -143,7 +143,7 @@ class CubeView {
   }
 
   /// The texels whose middles lie in the extents, give or take what rounding may have lost.
-  Rectangle texels_in(const Extent& u, const Extent& v) const {
+  Rectangle texels_in(const CubeExtent& u, const CubeExtent& v) const {
     constexpr double slack = 1e-9;
     const auto place = [&](double x) { return (std::clamp(x, -2.0, 2.0) + 1) * 0.5 * texels_ - 0.5; };
     const auto first = [&](double x) { return std::max(0, static_cast<int>(std::ceil(place(x) - slack))); };
@@ -154,7 +154,7 @@ class CubeView {
 
   /// Whether everything drawn in a rectangle is nearer than `inverse_depth`: by texels if there are few, else by
   /// the tiles around them. What is as near is not: among those the index decides.
-  bool is_covered(Face& face, const Rectangle& rectangle, double inverse_depth) const {
+  bool is_covered(DrawnFace& face, const Rectangle& rectangle, double inverse_depth) const {
     const int width = rectangle.right - rectangle.left + 1;
     if (width <= tile_texels && rectangle.top - rectangle.bottom < tile_texels) {
       for (int y = rectangle.bottom; y <= rectangle.top; ++y) {
@@ -171,7 +171,7 @@ class CubeView {
     return true;
   }
 
-  double tile_minimum(Face& face, int tile_x, int tile_y) const {
+  double tile_minimum(DrawnFace& face, int tile_x, int tile_y) const {
     const auto tile = static_cast<std::size_t>(tile_y * (texels_ / tile_texels) + tile_x);
     if (face.tile_is_stale[tile] == 0) return face.tile_minimum[tile];
     double least = std::numeric_limits<double>::infinity();
@@ -201,7 +201,7 @@ class CubeView {
 
       // Faces along -axis are mirror images: there a positive volume turns negative.
       const bool turned = (volume < 0) != (f % 2 == 1);
-      Candidate candidate;
+      ProjectedTriangle candidate;
       for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec3 edge = glm::cross(local[(k + 1) % 3], local[(k + 2) % 3]);
         candidate.edge[k] = turned ? -edge : edge;
@@ -215,9 +215,9 @@ class CubeView {
   }
 
   /// Gives the last candidate the texels where it is the nearest.
-  void fill(Face& face, const Rectangle& rectangle) const {
+  void fill(DrawnFace& face, const Rectangle& rectangle) const {
     // What all texels of a row have in common is added up once for the row.
-    const Candidate& candidate = face.candidates.back();
+    const ProjectedTriangle& candidate = face.candidates.back();
     const auto index = static_cast<std::int32_t>(face.candidates.size()) - 1;
     bool won = false;
     for (int y = rectangle.bottom; y <= rectangle.top; ++y) {
@@ -246,14 +246,14 @@ class CubeView {
     if (won) mark_stale(face, rectangle);
   }
 
-  static bool is_nearer(const Face& face, std::size_t texel, double nearness, std::uint32_t triangle) {
+  static bool is_nearer(const DrawnFace& face, std::size_t texel, double nearness, std::uint32_t triangle) {
     const double best = face.inverse_depth[texel];
     if (nearness != best) return nearness > best;
     const std::int32_t winner = face.winner[texel];
     return winner >= 0 && triangle < face.candidates[static_cast<std::size_t>(winner)].triangle;
   }
 
-  void mark_stale(Face& face, const Rectangle& rectangle) const {
+  void mark_stale(DrawnFace& face, const Rectangle& rectangle) const {
     for (int y = rectangle.bottom / tile_texels; y <= rectangle.top / tile_texels; ++y) {
       for (int x = rectangle.left / tile_texels; x <= rectangle.right / tile_texels; ++x) {
         face.tile_is_stale[static_cast<std::size_t>(y * (texels_ / tile_texels) + x)] = 1;
@@ -262,7 +262,7 @@ class CubeView {
   }
 
   /// Sums the directions of the texels each candidate has won. Distance is depth times |D|.
-  void gather(Face& face) const {
+  void gather(DrawnFace& face) const {
     std::size_t texel = 0;
     for (const double v : directions_.middle) {
       for (const double u : directions_.middle) {
@@ -279,8 +279,8 @@ class CubeView {
   PmvcValue sum() {
     PmvcValue value;
     part_.assign(surfaces_.part_names.size(), 0);
-    for (const Face& face : faces_) {
-      for (const Candidate& candidate : face.candidates) {
+    for (const DrawnFace& face : faces_) {
+      for (const ProjectedTriangle& candidate : face.candidates) {
         if (candidate.moment.z == 0) continue;
         const double weight = glm::dot(candidate.inverse_depth, candidate.moment);
         value.color += weight * mean_color(candidate);
@@ -295,7 +295,7 @@ class CubeView {
   }
 
   /// The colour of what was seen of a triangle, weighted by 1 / d.
-  glm::dvec3 mean_color(const Candidate& candidate) const {
+  glm::dvec3 mean_color(const ProjectedTriangle& candidate) const {
     const glm::uvec3& t = surfaces_.triangle[candidate.triangle];
     const auto& color = candidate.side == SideOf::front ? surfaces_.front_color : surfaces_.back_color;
     glm::dvec3 sum_of_colors{0};
@@ -312,7 +312,7 @@ class CubeView {
   const SurfaceTree& tree_;
   const CubeFace& directions_;
   int texels_;
-  std::array<Face, face_count> faces_;
+  std::array<DrawnFace, face_count> faces_;
   std::vector<double> part_;
 };
 

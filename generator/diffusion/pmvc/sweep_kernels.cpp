@@ -20,7 +20,7 @@ using FloatTag = hn::CappedTag<float, TriangleGroup::size>;
 using IntTag = hn::RebindToSigned<FloatTag>;
 using Float = hn::Vec<FloatTag>;
 using Int = hn::Vec<IntTag>;
-using Mask = hn::Mask<FloatTag>;
+using LaneMask = hn::Mask<FloatTag>;
 constexpr FloatTag floats;
 constexpr IntTag ints;
 constexpr std::size_t group_size = TriangleGroup::size;
@@ -85,7 +85,7 @@ HWY_INLINE BinRange bins_of(const Extents& box, const SweepBins& bins) {
 }
 
 /// Whether a box may hold something nearer than what some point sees already.
-HWY_INLINE Mask may_be_seen(const Extents& box, const BinRange& range, const SweepState& state) {
+HWY_INLINE LaneMask may_be_seen(const Extents& box, const BinRange& range, const SweepState& state) {
   // The level whose squares of cells cover it: the exponent of its size in cells, rounded up.
   const SweepBins& bins = state.bins;
   const SweepReach& reach = state.reach;
@@ -100,16 +100,16 @@ HWY_INLINE Mask may_be_seen(const Extents& box, const BinRange& range, const Swe
   const Float nearest = hn::GatherIndex(floats, reach.nearest.data(), entry);
   const Float farthest = hn::GatherIndex(floats, reach.farthest.data(), entry);
 
-  const Mask in_reach = hn::And(hn::Ge(box.high_w, nearest), hn::Le(box.low_w, farthest));
-  const Mask beside_u =
+  const LaneMask in_reach = hn::And(hn::Ge(box.high_w, nearest), hn::Le(box.low_w, farthest));
+  const LaneMask beside_u =
       hn::Or(hn::Lt(box.high_u, hn::Set(floats, bins.low_u)), hn::Gt(box.low_u, hn::Set(floats, bins.high_u)));
-  const Mask beside_v =
+  const LaneMask beside_v =
       hn::Or(hn::Lt(box.high_v, hn::Set(floats, bins.low_v)), hn::Gt(box.low_v, hn::Set(floats, bins.high_v)));
   return hn::AndNot(hn::Or(beside_u, beside_v), in_reach);
 }
 
 /// One bit a lane.
-HWY_INLINE std::uint32_t bits_of(Mask mask, std::size_t lane) {
+HWY_INLINE std::uint32_t bits_of(LaneMask mask, std::size_t lane) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(floats, mask, bytes);
   return static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8) << lane;
@@ -198,10 +198,10 @@ HWY_INLINE void project(const Line& line, const TriangleGroup& group, const Swee
     const Float flip = hn::And(area, hn::SignBit(floats));
     for (int k = 0; k < 3; ++k) store_edge(corner[(k + 1) % 3], corner[(k + 2) % 3], flip, out.edge[k], lane);
     const Int triangle = hn::Load(ints, &group.triangle[lane]);
-    const Mask looks_along = hn::Gt(area, hn::Zero(floats));
+    const LaneMask looks_along = hn::Gt(area, hn::Zero(floats));
     const Int front = hn::IfThenElseZero(hn::RebindMask(ints, looks_along), hn::Set(ints, 1));
     hn::Store(hn::Add(hn::Add(triangle, triangle), front), ints, &out.side[lane]);
-    const Mask has_area = hn::Ne(area, hn::Zero(floats));
+    const LaneMask has_area = hn::Ne(area, hn::Zero(floats));
     out.seen |= bits_of(hn::And(has_area, may_be_seen(box, bins, state)), lane);
   }
 }
@@ -227,7 +227,7 @@ HWY_INLINE void test_slots(const ProjectedGroup& group, std::size_t lane, std::s
   const Float e0 = value(group.edge[0], lane, u, v);
   const Float e1 = value(group.edge[1], lane, u, v);
   const Float e2 = value(group.edge[2], lane, u, v);
-  const Mask inside = hn::And(hn::Ge(least(e0, e1, e2), hn::Zero(floats)), hn::FirstN(floats, count));
+  const LaneMask inside = hn::And(hn::Ge(least(e0, e1, e2), hn::Zero(floats)), hn::FirstN(floats, count));
   out.lane[out.count] = lane;
   out.slot[out.count] = slot;
   hn::Store(hn::IfThenElse(inside, e0, hn::Set(floats, -1.0f)), floats, out.edge[0][out.count]);
@@ -237,12 +237,12 @@ HWY_INLINE void test_slots(const ProjectedGroup& group, std::size_t lane, std::s
 }
 
 /// Keeps a hit where it is nearer than what is known, or as near with a smaller triangle index.
-HWY_INLINE void keep_nearer(SweepHits& hits, std::size_t slot, Mask hit, Float distance, Int side, Float second,
+HWY_INLINE void keep_nearer(SweepHits& hits, std::size_t slot, LaneMask hit, Float distance, Int side, Float second,
                             Float third) {
   if (hn::AllFalse(floats, hit)) return;
   const Float best = hn::LoadU(floats, &hits.distance[slot]);
-  Mask wins = hn::And(hit, hn::Lt(distance, best));
-  const Mask ties = hn::And(hit, hn::Eq(distance, best));
+  LaneMask wins = hn::And(hit, hn::Lt(distance, best));
+  const LaneMask ties = hn::And(hit, hn::Eq(distance, best));
   if (!hn::AllFalse(floats, ties)) {
     wins = hn::Or(wins, hn::And(ties, hn::RebindMask(floats, hn::Lt(side, hn::LoadU(ints, &hits.side[slot])))));
   }
@@ -259,7 +259,7 @@ HWY_INLINE void keep(const ProjectedGroup& group, const Insides& insides, std::s
   const Float e0 = hn::Load(floats, insides.edge[0][i]);
   const Float e1 = hn::Load(floats, insides.edge[1][i]), e2 = hn::Load(floats, insides.edge[2][i]);
   const Float zero = hn::Zero(floats), sum = hn::Add(hn::Add(e0, e1), e2);
-  const Mask inside = hn::And(hn::Ge(e0, zero), hn::Gt(sum, zero));
+  const LaneMask inside = hn::And(hn::Ge(e0, zero), hn::Gt(sum, zero));
   const Float inverse = hn::Div(hn::Set(floats, 1.0f), sum);
   const Float second = hn::Mul(e1, inverse), third = hn::Mul(e2, inverse);
   const Float w0 = hn::Set(floats, group.w[0][lane]);
@@ -268,7 +268,7 @@ HWY_INLINE void keep(const ProjectedGroup& group, const Insides& insides, std::s
   const Float depth =
       hn::Add(hn::Add(hn::Sub(w0, hn::LoadU(floats, &state.slot_w[slot])), hn::Mul(second, w1)), hn::Mul(third, w2));
   const Int side = hn::Set(ints, group.side[lane]);
-  const Mask is_ahead = hn::Ge(depth, zero);
+  const LaneMask is_ahead = hn::Ge(depth, zero);
   keep_nearer(state.ahead, slot, hn::And(inside, is_ahead), depth, side, second, third);
   keep_nearer(state.behind, slot, hn::AndNot(is_ahead, inside), hn::Neg(depth), side, second, third);
 }

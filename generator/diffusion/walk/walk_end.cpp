@@ -17,7 +17,7 @@ namespace {
 constexpr double tie = 1e-12;
 
 /// A triangle near the point, with the place on it that is nearest.
-struct Candidate {
+struct NearTriangle {
   std::uint32_t triangle = 0;
   std::array<glm::dvec3, 3> corner;
   glm::dvec3 barycentric{0};
@@ -29,9 +29,9 @@ struct Candidate {
   }
 };
 
-Candidate candidate_of(const DiffusionSurfaces& surfaces, const TriangleFrames& frames, std::uint32_t triangle,
-                       const glm::dvec3& point) {
-  Candidate found{.triangle = triangle, .corner = corners(surfaces, triangle)};
+NearTriangle candidate_of(const DiffusionSurfaces& surfaces, const TriangleFrames& frames, std::uint32_t triangle,
+                          const glm::dvec3& point) {
+  NearTriangle found{.triangle = triangle, .corner = corners(surfaces, triangle)};
   for (glm::dvec3& corner : found.corner) corner = frames.normalized(corner);
   const auto& [a, b, c] = found.corner;
   found.barycentric = nearest_weights(point, a, b, c);
@@ -54,10 +54,10 @@ bool is_crossed(const std::array<glm::dvec3, 3>& corner, const glm::dvec3& p, co
 }
 
 /// Whether nothing among `others` stands between the point and the candidate, a little way into its triangle.
-bool is_seen(const Candidate& candidate, const std::vector<Candidate>& others, const glm::dvec3& point) {
+bool is_seen(const NearTriangle& candidate, const std::vector<NearTriangle>& others, const glm::dvec3& point) {
   constexpr double inwards = 0.01;
   const glm::dvec3 place = candidate.at((1 - inwards) * candidate.barycentric + glm::dvec3(inwards / 3));
-  return std::none_of(others.begin(), others.end(), [&](const Candidate& other) {
+  return std::none_of(others.begin(), others.end(), [&](const NearTriangle& other) {
     return other.triangle != candidate.triangle && is_crossed(other.corner, point, place);
   });
 }
@@ -66,23 +66,23 @@ bool is_seen(const Candidate& candidate, const std::vector<Candidate>& others, c
 
 SurfaceSide side_next_to(const DiffusionSurfaces& surfaces, const EmptyBalls& balls, const glm::dvec3& point) {
   // Keep what is nearest.
-  std::vector<Candidate> nearest;
+  std::vector<NearTriangle> nearest;
   for (const std::uint32_t triangle : balls.nearest_triangles(point)) {
     nearest.push_back(candidate_of(surfaces, balls.frames(), triangle, point));
   }
-  const auto by_distance = [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; };
+  const auto by_distance = [](const NearTriangle& a, const NearTriangle& b) { return a.distance < b.distance; };
   const double limit = std::min_element(nearest.begin(), nearest.end(), by_distance)->distance + tie;
-  std::erase_if(nearest, [&](const Candidate& candidate) { return candidate.distance > limit; });
+  std::erase_if(nearest, [&](const NearTriangle& candidate) { return candidate.distance > limit; });
 
   // Among several prefer the one faced most squarely; at a corner of many that may lie behind another.
-  std::sort(nearest.begin(), nearest.end(), [](const Candidate& a, const Candidate& b) {
+  std::sort(nearest.begin(), nearest.end(), [](const NearTriangle& a, const NearTriangle& b) {
     const double facing_a = std::fabs(a.height), facing_b = std::fabs(b.height);
     return facing_a != facing_b ? facing_a > facing_b : a.triangle < b.triangle;
   });
   auto seen = nearest.begin();
   if (nearest.size() > 2) {
     seen = std::find_if(nearest.begin(), nearest.end(),
-                        [&](const Candidate& candidate) { return is_seen(candidate, nearest, point); });
+                        [&](const NearTriangle& candidate) { return is_seen(candidate, nearest, point); });
     if (seen == nearest.end()) seen = nearest.begin();
   }
   return {seen->triangle, seen->height < 0 ? SideOf::back : SideOf::front, seen->barycentric,

@@ -1,32 +1,17 @@
 // True diffusion at single points, by random walks [Muller 1956; Sawhney and Crane 2020].
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "generator/base/parallel.h"
+#include "generator/diffusion/walk/walk_options.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
 
 struct WalkGround;
-
-struct WalkOptions {
-  double standard_error = 1;  ///< to reach at each point: RMS over the linear channels, in 1/255; above 0
-  std::uint64_t seed = 0;
-  Threads threads = {};
-
-  /// A point takes no more walks than this, whatever its standard error; but for the last two batches of twelve that
-  /// each half of its walks has begun.
-  std::uint32_t most_walks = 4'000'000;
-
-  /// Called with the points done and all points, from any thread, if given.
-  std::function<void(std::size_t done, std::size_t total)> progress = {};
-};
 
 /// One entry per point.
 struct WalkResult {

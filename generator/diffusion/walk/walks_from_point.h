@@ -7,7 +7,7 @@
 #include "generator/diffusion/surface_tree.h"
 #include "generator/diffusion/used_parts.h"
 #include "generator/diffusion/walk/empty_balls.h"
-#include "generator/diffusion/walk/walk_on_spheres.h"
+#include "generator/diffusion/walk/walk_options.h"
 
 namespace pomona {
 

@@ -16,14 +16,14 @@ namespace pomona {
 namespace {
 
 /// Where a loop meets a ray from the axis.
-struct Crossing {
+struct RayCrossing {
   std::size_t edge = 0;
   double share = 0;  ///< of the edge
   double radius = 0;
 };
 
-std::vector<Crossing> crossings(const Curve& loop, const glm::dvec2& ray) {
-  std::vector<Crossing> found;
+std::vector<RayCrossing> crossings(const Curve& loop, const glm::dvec2& ray) {
+  std::vector<RayCrossing> found;
   const std::size_t n = loop.points.size();
   for (std::size_t e = 0; e < n; ++e) {
     const glm::dvec2 &a = loop.points[e], &b = loop.points[(e + 1) % n];
@@ -36,15 +36,15 @@ std::vector<Crossing> crossings(const Curve& loop, const glm::dvec2& ray) {
   return found;
 }
 
-std::optional<Crossing> farthest_crossing(const Curve& loop, const glm::dvec2& ray) {
-  const std::vector<Crossing> all = crossings(loop, ray);
+std::optional<RayCrossing> farthest_crossing(const Curve& loop, const glm::dvec2& ray) {
+  const std::vector<RayCrossing> all = crossings(loop, ray);
   const auto found = std::max_element(all.begin(), all.end(),
-                                      [](const Crossing& l, const Crossing& r) { return l.radius < r.radius; });
+                                      [](const RayCrossing& l, const RayCrossing& r) { return l.radius < r.radius; });
   return found == all.end() ? std::nullopt : std::optional(*found);
 }
 
 /// The loop from one crossing on to the next (once around if they are the same), with both as its ends.
-Curve between(const Curve& loop, const Crossing& from, const glm::dvec2& start, const Crossing& to,
+Curve between(const Curve& loop, const RayCrossing& from, const glm::dvec2& start, const RayCrossing& to,
               const glm::dvec2& end) {
   const std::size_t n = loop.points.size();
   const bool wraps = to.edge < from.edge || (to.edge == from.edge && to.share <= from.share);
@@ -74,10 +74,10 @@ void append_spokes(SectionLoop& spokes, const Curve& even, double reference_radi
   }
 }
 
-Crossing fold_crossing(const Curve& loop, std::size_t fold, double angle) {
-  const std::vector<Crossing> all = crossings(loop, direction_of(angle));
+RayCrossing fold_crossing(const Curve& loop, std::size_t fold, double angle) {
+  const std::vector<RayCrossing> all = crossings(loop, direction_of(angle));
   double nearest = all.front().radius, farthest = nearest;
-  for (const Crossing& c : all) {
+  for (const RayCrossing& c : all) {
     nearest = std::min(nearest, c.radius);
     farthest = std::max(farthest, c.radius);
   }
@@ -109,7 +109,7 @@ double angle_of(const glm::dvec2& point) { return reproducible::atan2(point.y, p
 SectionLoop sampled_loop(const Curve& drawn, int count, double reference_radius) {
   check(drawn);
   const Curve loop = counter_clockwise(drawn);
-  const std::optional<Crossing> start = farthest_crossing(loop, {1, 0});
+  const std::optional<RayCrossing> start = farthest_crossing(loop, {1, 0});
   if (!start) throw BadLoop("the horizontal curve touches the axis", "draw it around the axis");
   const glm::dvec2 at(start->radius, 0);
   SectionLoop spokes;
@@ -121,7 +121,7 @@ SectionLoop sampled_folds(const Curve& drawn, std::span<const double> fold_angle
                           double reference_radius) {
   check(drawn);
   const Curve loop = counter_clockwise(drawn);
-  std::vector<Crossing> at;
+  std::vector<RayCrossing> at;
   for (std::size_t k = 0; k < fold_angles.size(); ++k) at.push_back(fold_crossing(loop, k, fold_angles[k]));
 
   SectionLoop spokes;

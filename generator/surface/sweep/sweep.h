@@ -1,18 +1,11 @@
 // Sweeps: from a template's curves to its diffusion surfaces (paper, section 4.1, Figures 6 and 7).
 #pragma once
 
-#include "generator/base/parallel.h"
-#include "generator/base/random.h"
 #include "generator/surface/diffusion_surfaces.h"
+#include "generator/surface/sweep/sweep_options.h"
 #include "generator/template/template.h"
 
 namespace pomona {
-
-struct SweepOptions {
-  double detail = 1.0;   ///< multiplies the number of vertices around and along, 0.1..4
-  VariantKey key = {};   ///< where the spots lie
-  Threads threads = {};  ///< that scatter grains and spots; no result depends on them
-};
 
 /// Sweeps every surface of the template, in order, and paints it; then come its meshes. Blur is not split, and there
 /// are no grains. Connectivity is a function of the template's counts, the number of folds and the detail alone, so all

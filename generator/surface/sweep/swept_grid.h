@@ -1,12 +1,15 @@
 // What a sweep makes of one sketch before colours: vertices that know where on the curves they lie.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
-#include "generator/surface/sweep/sweep.h"
+#include "generator/surface/sweep/sweep_options.h"
+#include "generator/template/template.h"
 
 namespace pomona {
 

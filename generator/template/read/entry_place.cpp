@@ -1,8 +1,8 @@
 #include "generator/template/read/entry_place.h"
 
 #include "generator/base/file_bytes.h"
-#include "generator/template/read/toml_limits.h"
-#include "generator/template/read/toml_node.h"
+#include "generator/text/toml_limits.h"
+#include "generator/text/toml_node.h"
 
 namespace pomona {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "generator/template/read/svg_path.h"
+#include "generator/text/svg_path.h"
 
 namespace pomona {
 

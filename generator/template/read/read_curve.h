@@ -8,7 +8,7 @@
 
 #include "generator/template/curve_faults.h"
 #include "generator/template/read/sketch.h"
-#include "generator/template/read/toml_document.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "generator/template/read/toml_document.h"
 #include "generator/template/template.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

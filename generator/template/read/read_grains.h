@@ -1,8 +1,8 @@
 // One [[grains]] of a template file.
 #pragma once
 
-#include "generator/template/read/toml_document.h"
 #include "generator/template/template.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "generator/template/material_sketch.h"
-#include "generator/template/read/toml_document.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/template/mesh_sketch.h"
-#include "generator/template/read/toml_document.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

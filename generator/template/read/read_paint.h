@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "generator/template/read/read_stops.h"
-#include "generator/template/read/toml_document.h"
 #include "generator/template/template.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

@@ -3,9 +3,9 @@
 
 #include "generator/template/browning_sketch.h"
 #include "generator/template/color_variation.h"
-#include "generator/template/read/toml_document.h"
 #include "generator/template/ripeness_sketch.h"
 #include "generator/template/template.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

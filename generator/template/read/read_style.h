@@ -3,7 +3,7 @@
 
 #include "generator/template/ink_style.h"
 #include "generator/template/noise_style.h"
-#include "generator/template/read/toml_document.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

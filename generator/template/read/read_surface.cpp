@@ -56,7 +56,7 @@ std::size_t fold_of(const Curve& loop, const std::vector<double>& angles) {
 
 }  // namespace
 
-void SurfaceReader::read_vertical(const TomlTable& table, SurfaceSketch& sketch) {
+void SketchSurfaceReader::read_vertical(const TomlTable& table, SurfaceSketch& sketch) {
   const TomlValue value = table.need("vertical");
   std::optional<DrawnCurve> drawn = curves_.read(value, SketchView::side);
   if (!drawn) return;
@@ -74,7 +74,7 @@ void SurfaceReader::read_vertical(const TomlTable& table, SurfaceSketch& sketch)
   if (downwards) std::reverse(points.begin(), points.end());
 }
 
-void SurfaceReader::read_around_axis(const TomlTable& table, SurfaceSketch& sketch) {
+void SketchSurfaceReader::read_around_axis(const TomlTable& table, SurfaceSketch& sketch) {
   const TomlValue value = table.get("horizontal");
   if (!value.given()) {
     sketch.horizontal = {circle(std::max(largest_x(sketch.vertical), 1e-3))};
@@ -86,7 +86,7 @@ void SurfaceReader::read_around_axis(const TomlTable& table, SurfaceSketch& sket
   note(value, *loop, fault_of_loop_around_axis(loop->curve, symmetry_));
 }
 
-void SurfaceReader::read_fold_loop(const TomlValue& value, std::size_t fold, SurfaceSketch& sketch) {
+void SketchSurfaceReader::read_fold_loop(const TomlValue& value, std::size_t fold, SurfaceSketch& sketch) {
   sketch.horizontal.emplace_back();
   if (value.is(TomlNode::Kind::string) && value.text().empty()) return;  // nothing in this fold
   const std::optional<DrawnCurve> loop = curves_.read(value, SketchView::top);
@@ -95,7 +95,7 @@ void SurfaceReader::read_fold_loop(const TomlValue& value, std::size_t fold, Sur
   note(value, *loop, fault_of_loop_in_fold(loop->curve, std::get<FoldSymmetry>(symmetry_), fold));
 }
 
-void SurfaceReader::read_fold_group(const TomlValue& value, SurfaceSketch& sketch) {
+void SketchSurfaceReader::read_fold_group(const TomlValue& value, SurfaceSketch& sketch) {
   const auto& folds = std::get<FoldSymmetry>(symmetry_);
   sketch.horizontal.resize(folds.fold_angles.size());
   std::vector<std::string> titles(folds.fold_angles.size());
@@ -113,7 +113,7 @@ void SurfaceReader::read_fold_group(const TomlValue& value, SurfaceSketch& sketc
   }
 }
 
-void SurfaceReader::read_in_fold(const TomlTable& table, SurfaceSketch& sketch) {
+void SketchSurfaceReader::read_in_fold(const TomlTable& table, SurfaceSketch& sketch) {
   const TomlValue value = table.need("horizontal");
   const auto* folds = std::get_if<FoldSymmetry>(&symmetry_);
   if (!folds) {
@@ -142,7 +142,7 @@ void SurfaceReader::read_in_fold(const TomlTable& table, SurfaceSketch& sketch) 
   for (std::size_t k = 0; k < loops.size(); ++k) read_fold_loop(loops[k], k, sketch);
 }
 
-void SurfaceReader::read_paint(const TomlTable& table, SurfaceSketch& sketch) const {
+void SketchSurfaceReader::read_paint(const TomlTable& table, SurfaceSketch& sketch) const {
   const auto share = [](const TomlValue& value) { return value.number(0, {0, 1}); };
   const auto* folds = std::get_if<FoldSymmetry>(&symmetry_);
   const PaintedSurface surface{sketch.type, folds ? static_cast<int>(folds->fold_angles.size()) : 0};
@@ -155,7 +155,7 @@ void SurfaceReader::read_paint(const TomlTable& table, SurfaceSketch& sketch) co
   }
 }
 
-SurfaceSketch SurfaceReader::read(const TomlTable& table) {
+SurfaceSketch SketchSurfaceReader::read(const TomlTable& table) {
   SurfaceSketch sketch;
   sketch.name = table.get("name").text();
   sketch.type =

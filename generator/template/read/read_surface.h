@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "generator/template/read/read_curve.h"
-#include "generator/template/read/toml_document.h"
 #include "generator/template/template.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 
 /// Reads surfaces one after another; what they share is the drawing: its curves, parts and folds.
-class SurfaceReader {
+class SketchSurfaceReader {
  public:
-  SurfaceReader(CurveReader curves, std::vector<std::string> parts, Symmetry symmetry)
+  SketchSurfaceReader(CurveReader curves, std::vector<std::string> parts, Symmetry symmetry)
       : curves_(curves), parts_(std::move(parts)), symmetry_(std::move(symmetry)) {}
 
   /// Notes what is wrong in the table's document. Vertical curves keep the height at which they were drawn.

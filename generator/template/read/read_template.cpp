@@ -1,6 +1,8 @@
 #include "generator/template/read/read_template.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "generator/base/units.h"
 #include "generator/template/bend_strain.h"
@@ -8,20 +10,68 @@
 #include "generator/template/read/read_grains.h"
 #include "generator/template/read/read_material.h"
 #include "generator/template/read/read_mesh.h"
-#include "generator/template/read/read_name.h"
 #include "generator/template/read/read_ripeness.h"
 #include "generator/template/read/read_spared.h"
 #include "generator/template/read/read_style.h"
 #include "generator/template/read/read_surface.h"
-#include "generator/template/read/read_symmetry.h"
 #include "generator/template/read/read_variation.h"
 #include "generator/template/read/sketch.h"
-#include "generator/template/read/toml_document.h"
-#include "generator/template/read/toml_text.h"
+#include "generator/text/read_name.h"
+#include "generator/text/toml_document.h"
+#include "generator/text/toml_text.h"
 
 namespace pomona {
 
 namespace {
+
+std::vector<double> even_angles(int count) {
+  std::vector<double> angles;
+  for (int k = 0; k < count; ++k) angles.push_back(2 * pi * k / count);
+  return angles;
+}
+
+std::vector<double> read_fold_angles(const TomlValue& value, int count) {
+  if (!value.given()) return even_angles(count);
+  const std::vector<TomlValue> listed = value.values();
+  if (listed.size() != static_cast<std::size_t>(count)) {
+    value.error("has " + std::to_string(listed.size()) + " angles for " + std::to_string(count) + " folds");
+    return even_angles(count);
+  }
+  std::vector<double> angles;
+  for (const TomlValue& angle : listed) {
+    angles.push_back(angle.angle(0, {0, 360}));
+    const std::size_t n = angles.size();
+    if (n > 1 && angles[n - 1] - angles[n - 2] < radians(0.5)) {
+      angle.error("does not ascend", "write where each fold begins, in degrees, one after another");
+    }
+  }
+  if (angles.back() - angles.front() > radians(359.5)) value.error("span more than a full turn");
+  return angles;
+}
+
+/// The fold lines of the sketch, or none.
+std::vector<double> drawn_fold_angles(const TomlValue& folds, int count, const Sketch* sketch) {
+  try {
+    return sketch ? sketch->fold_angles(count) : std::vector<double>();
+  } catch (const BadSketch& bad) {
+    folds.error(bad.what(), bad.hint);
+    return {};
+  }
+}
+
+/// Where neither the file nor the sketch (may be null) says where folds begin, they are even.
+Symmetry read_symmetry(const TomlTable& table, const Sketch* sketch) {
+  const int kind = table.need("kind").choice({"cylindrical", "folds", "none"});
+  if (kind == 0) return CylindricalSymmetry{};
+  if (kind == 2) return NoSymmetry{};
+  const TomlValue folds = table.need("folds"), angles = table.get("fold_angles");
+  const int count = folds.integer(1, 1, most_folds);
+  if (!angles.given()) {
+    std::vector<double> drawn = drawn_fold_angles(folds, count, sketch);
+    if (!drawn.empty()) return FoldSymmetry{std::move(drawn)};
+  }
+  return FoldSymmetry{read_fold_angles(angles, count)};
+}
 
 constexpr std::size_t most_surfaces = 64, most_meshes = 64, most_grain_kinds = 16, most_parts = 64;
 constexpr double most_triangles = 2e6;  // of all surfaces at detail 1
@@ -57,7 +107,7 @@ std::vector<std::string> read_parts(const TomlValue& value) {
   return parts;
 }
 
-std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SurfaceReader reader) {
+std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SketchSurfaceReader reader) {
   std::vector<SurfaceSketch> surfaces;
   std::vector<std::string> names;
   double triangles = 0;
@@ -174,7 +224,7 @@ DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& fil
       read_sketch_of(root, file, unit_value.given() ? std::optional<double>(unit) : std::nullopt, svg);
   fruit.symmetry = read_symmetry(root.need("symmetry").table(), sketch ? &*sketch : nullptr);
   const CurveReader curves(unit, {.sketch = sketch ? &*sketch : nullptr, .named = root.has("sketch")});
-  fruit.surfaces = read_surfaces(root, SurfaceReader(curves, fruit.parts, fruit.symmetry));
+  fruit.surfaces = read_surfaces(root, SketchSurfaceReader(curves, fruit.parts, fruit.symmetry));
   place_views(sketch, unit, set_on_ground(fruit.surfaces), drawn);
   fruit.meshes = read_meshes(root, fruit);
   check_symmetry(root, fruit);

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "generator/template/read/svg_transform.h"
 #include "generator/template/template.h"
+#include "generator/text/svg_transform.h"
 
 namespace pomona {
 

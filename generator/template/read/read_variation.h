@@ -2,8 +2,8 @@
 #pragma once
 
 #include "generator/template/axis_bend.h"
-#include "generator/template/read/toml_document.h"
 #include "generator/template/template.h"
+#include "generator/text/toml_document.h"
 
 namespace pomona {
 

@@ -9,7 +9,7 @@
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/template/read/sketch_words.h"
-#include "generator/template/read/svg_path.h"
+#include "generator/text/svg_path.h"
 
 namespace pomona {
 

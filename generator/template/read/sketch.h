@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "generator/base/curve.h"
-#include "generator/template/read/svg_drawing.h"
+#include "generator/text/svg_drawing.h"
 
 namespace pomona {
 
@@ -21,6 +21,8 @@ enum class SketchView {
   side,  ///< vertical curves: x = distance from the axis
   top,   ///< horizontal curves: the axis is a point
 };
+
+inline const char* name_of(SketchView view) { return view == SketchView::side ? "side view" : "top view"; }
 
 struct DrawnCurve {
   Curve curve;        ///< metres; the axis at x = 0 or at 0,0, y upwards

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "generator/base/error.h"
-#include "generator/template/read/svg_drawing.h"
+#include "generator/text/svg_drawing.h"
 
 namespace pomona {
 

@@ -4,8 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "generator/template/read/sketch.h"
-
 namespace pomona {
 
 /// Names as people type them: "Side View", "side_view" and "side-view" are the same.
@@ -20,8 +18,6 @@ inline std::string plain_name(std::string_view name) {
   }
   return result;
 }
-
-inline const char* name_of(SketchView view) { return view == SketchView::side ? "side view" : "top view"; }
 
 inline std::string quoted_name(const std::string& name) { return "\"" + name.substr(0, 60) + "\""; }
 

@@ -39,7 +39,7 @@ Json screen_coverage(std::size_t levels) {
 }
 
 /// The instances of one solid that become one node: one, or all of them.
-struct Placed {
+struct PlacedSolid {
   std::string name;
   std::vector<const Instance*> instances;
 };
@@ -49,18 +49,18 @@ class NodeWriter {
   NodeWriter(GltfDocument& document, const ExportOptions& options) : document_(document), options_(options) {}
 
   /// The index of the node; its levels and its hull are added with it.
-  int add(const Placed& placed, const SolidMeshes& solid);
+  int add(const PlacedSolid& placed, const SolidMeshes& solid);
 
  private:
-  Json where(const Placed& placed, const glm::vec3& pivot);
-  void add_levels(Json& node, const Placed& placed, const SolidMeshes& solid, const Json& where);
+  Json where(const PlacedSolid& placed, const glm::vec3& pivot);
+  void add_levels(Json& node, const PlacedSolid& placed, const SolidMeshes& solid, const Json& where);
 
   GltfDocument& document_;
   const ExportOptions& options_;
 };
 
 /// Rotation and translation of a single instance; arrays of them for many.
-Json NodeWriter::where(const Placed& placed, const glm::vec3& pivot) {
+Json NodeWriter::where(const PlacedSolid& placed, const glm::vec3& pivot) {
   Json node = Json::object();
   if (placed.instances.size() == 1) {
     const Pose& pose = placed.instances[0]->pose;
@@ -89,7 +89,7 @@ Json NodeWriter::where(const Placed& placed, const glm::vec3& pivot) {
 }
 
 /// A level takes the node's place; outside the scene nobody shows it who does not know why.
-void NodeWriter::add_levels(Json& node, const Placed& placed, const SolidMeshes& solid, const Json& where) {
+void NodeWriter::add_levels(Json& node, const PlacedSolid& placed, const SolidMeshes& solid, const Json& where) {
   Json ids = Json::array();
   const std::string name = engine_name(options_.engine, placed.name);
   for (std::size_t level = 1; level < solid.meshes.size(); ++level) {
@@ -104,7 +104,7 @@ void NodeWriter::add_levels(Json& node, const Placed& placed, const SolidMeshes&
   node["extras"]["MSFT_screencoverage"] = screen_coverage(solid.meshes.size());
 }
 
-int NodeWriter::add(const Placed& placed, const SolidMeshes& solid) {
+int NodeWriter::add(const PlacedSolid& placed, const SolidMeshes& solid) {
   const std::string name = engine_name(options_.engine, placed.name);
   Json node = {{"name", level_name(options_.engine, name, 0, solid.meshes.size())}, {"mesh", solid.meshes.front()}};
   const Json place = where(placed, solid.pivot);
@@ -121,8 +121,8 @@ int NodeWriter::add(const Placed& placed, const SolidMeshes& solid) {
 }
 
 /// What becomes a node each, in the order of first instances.
-std::vector<Placed> placed_solids(const Scene& scene, bool together) {
-  std::vector<Placed> all;
+std::vector<PlacedSolid> placed_solids(const Scene& scene, bool together) {
+  std::vector<PlacedSolid> all;
   std::map<int, std::size_t> of_solid;
   for (const Instance& instance : scene.instances) {
     const auto [known, is_new] = of_solid.try_emplace(instance.solid, all.size());
@@ -167,7 +167,7 @@ void add_nodes(GltfDocument& document, const Scene& scene, std::span<const Solid
   NodeWriter writer(document, options);
   std::vector<int> nodes;
   std::vector<PiecePath> paths;
-  for (const Placed& placed : placed_solids(scene, options.instances)) {
+  for (const PlacedSolid& placed : placed_solids(scene, options.instances)) {
     const auto solid = static_cast<std::size_t>(placed.instances.front()->solid);
     if (solids[solid].meshes.empty()) continue;
     nodes.push_back(writer.add(placed, solids[solid]));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -10,6 +11,20 @@
 #include "render/export/usd/usda_text.h"
 
 namespace pomona::usd {
+
+/// A variant of the set "ripeness": its name, and the file with the colours.
+struct TextureChoice {
+  std::string name, file;
+};
+
+/// "def Material NAME": the look's class prim, with the colours of a texture in place of those of vertices. \param file
+/// of the texture; empty where variants say it, since what is said here goes before them.
+void append_textured_material(std::string& text, int indent, const std::string& name, const std::string& look,
+                              const std::string& file);
+
+/// The variant set: each choice names the file of these materials, which lie in the piece's scope "Looks".
+void append_texture_choices(std::string& text, int indent, std::span<const TextureChoice> choices,
+                            std::span<const std::string> materials);
 
 /// All pieces of a fruit share its looks: a class prim for each, which pieces refer to.
 class Looks {

@@ -6,7 +6,6 @@
 
 #include "render/export/styled_mesh.h"
 #include "render/export/usd/usda_material.h"
-#include "render/export/usd/usda_texture.h"
 
 namespace pomona::usd {
 

@@ -11,6 +11,7 @@
 #include "generator/base/file_bytes.h"
 #include "render/export/output.h"
 #include "render/export/pbr_look.h"
+#include "render/style/style_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/render/export/named_solids.h"
 #include "tests/render/export/read_glb.h"

@@ -12,6 +12,7 @@
 #include "render/picture/section_layout.h"
 #include "render/strokes/lens.h"
 #include "render/strokes/scene_strokes.h"
+#include "render/style/style_file.h"
 #include "tests/render/painted_shapes.h"
 
 namespace pomona {

@@ -13,6 +13,7 @@
 #include "render/export/gltf/write_glb.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/section_picture.h"
+#include "render/style/style_file.h"
 #include "tests/render/export/read_glb.h"
 #include "tests/shapes/seeded_fruit.h"
 #include "tests/shapes/sliced.h"

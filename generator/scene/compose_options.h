@@ -1,0 +1,33 @@
+// How a scene is composed.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "generator/base/parallel.h"
+#include "generator/cut/section/cut_options.h"
+#include "generator/piece/solid.h"
+
+namespace pomona {
+
+struct ComposeOptions {
+  /// The file behind a template's name. Paths are tried beside the scene file first.
+  std::function<std::filesystem::path(const std::string& name)> find_template;
+  double variation = 1;      ///< times that of every entry
+  bool curves_only = false;  ///< see VariationOptions
+  double detail = 1;         ///< see SweepOptions
+  CutOptions cut = coarse_cut;
+  bool keep_section_colors = false;  ///< for textures: every solid knows what coloured its cut faces
+  Threads threads{};
+  /// Where nobody needs the whole scene at once: takes the solids as they come, those of some variants at a time, in
+  /// the scene's order, the dishes last. Of these the scene then keeps without_looks() alone. Called by another thread
+  /// while the next are made, one call at a time.
+  std::function<void(std::span<const Solid> solids)> take{};
+  /// Told from any thread, one call at a time, how many items of a stage are done.
+  std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress;
+};
+
+}  // namespace pomona

@@ -1,0 +1,45 @@
+// All that a scene consists of, before it has its places.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/base/error.h"
+#include "generator/piece/pose.h"
+#include "generator/piece/solid.h"
+#include "generator/scene/settle/settle.h"
+
+namespace pomona {
+
+/// What was measured on the way, for --stats.
+struct ComposeReport {
+  std::vector<std::pair<std::string, double>> stages;  ///< milliseconds, summed over threads, in the road's order
+  std::map<std::string, std::int64_t> counts;
+  std::vector<std::string> warnings;
+  std::vector<Fit> fits;  ///< of every piece; empty for a layout from a file
+};
+
+/// A dish in its place.
+struct ScenePlacedDish {
+  std::string name;
+  int solid = 0;        ///< index; dishes that are made alike share one
+  Pose pose{};          ///< turned about the vertical alone
+  int part_of = -1;     ///< index of the dish that it stands in or on, whose pieces know it
+  bool turned = true;   ///< on the wheel
+  SourcePlace place{};  ///< where it is described
+};
+
+/// Everything a scene consists of, not yet placed. Equal pieces share one solid.
+struct SceneParts {
+  std::vector<Solid> solids;            ///< of the pieces, then of the dishes
+  std::vector<SettleItem> items;        ///< what is to be placed, named; solids and arrangements by index
+  std::vector<int> dish_of;             ///< of each item, an index; -1 = the ground
+  std::vector<ScenePlacedDish> dishes;  ///< the bowl is the first, where there is one
+  std::vector<PieceArrangement> arrangements;
+  ComposeReport report;
+};
+
+}  // namespace pomona

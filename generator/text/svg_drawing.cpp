@@ -1,0 +1,203 @@
+// The one file that knows pugixml, which reads the XML.
+#include "generator/text/svg_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <pugixml.hpp>
+
+#include "generator/base/units.h"
+#include "generator/text/svg_shapes.h"
+#include "generator/text/text_places.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{64} << 20;  // room for an embedded photograph
+constexpr std::size_t most_elements = 200000, most_attributes = 4000000;
+constexpr std::size_t most_path_bytes = std::size_t{256} << 10;  // some 5000 nodes
+constexpr int deepest = 64;
+
+std::string at_place(const std::string& file, int line, int column) {
+  return file + ":" + std::to_string(line) + ":" + std::to_string(column);
+}
+
+/// An attribute's value, also with the prefix that SVG 1.1 wants it to have.
+std::string_view attribute_of(const pugi::xml_node& node, const char* name, const char* prefixed) {
+  const pugi::xml_attribute plain = node.attribute(name);
+  return plain ? plain.value() : node.attribute(prefixed).value();
+}
+
+/// A CSS property that moves what it styles; Inkscape writes attributes instead.
+bool style_moves(std::string_view style) {
+  for (std::size_t at = style.find("transform"); at != std::string_view::npos; at = style.find("transform", at + 1)) {
+    const bool starts = at == 0 || style[at - 1] == ';' || style[at - 1] == ' ';
+    const std::size_t after = style.find_first_not_of(' ', at + 9);
+    if (starts && after != std::string_view::npos && style[after] == ':') return true;
+  }
+  return false;
+}
+
+bool is_container_of_what_is_not_drawn(std::string_view tag) {
+  constexpr std::string_view tags[] = {"defs", "symbol", "clipPath", "mask", "pattern", "marker"};
+  return std::find(std::begin(tags), std::end(tags), tag) != std::end(tags);
+}
+
+/// Reads the elements below a root, each with what it inherits from the one around it.
+class SvgReader {
+ public:
+  SvgReader(std::string_view text, SvgDrawing& drawing) : places_(text, drawing.file), drawing_(drawing) {}
+
+  void read(const pugi::xml_node& node, const SvgElement& around, int depth) {
+    if (node.type() != pugi::node_element) return;
+    const std::size_t index = drawing_.elements.size();
+    drawing_.elements.push_back(element(node, around));
+    const std::string& tag = drawing_.elements[index].tag;
+    if (depth > deepest) {
+      throw BadSketch(place_of(drawing_, drawing_.elements[index]) + ": it lies in more than " +
+                          std::to_string(deepest) + " groups within each other",
+                      "ungroup some of them");
+    }
+    const bool is_nested_page = tag == "svg" && depth > 0;
+    if (is_nested_page) drawing_.elements[index].fault = "lies in a page within the page (a nested <svg>)";
+    const SvgElement inherited = drawing_.elements[index];
+    for (const pugi::xml_node& child : node.children()) read(child, inherited, depth + 1);
+    drawing_.elements[index].end = drawing_.elements.size();
+  }
+
+ private:
+  SvgElement element(const pugi::xml_node& node, const SvgElement& around) {
+    SvgElement result;
+    result.tag = node.name();
+    if (result.tag.starts_with("svg:")) result.tag.erase(0, 4);
+    result.id = node.attribute("id").value();
+    result.label = node.attribute("inkscape:label").value();
+    const std::ptrdiff_t offset = node.offset_debug();
+    const SourcePlace place_of_tag = places_.at(offset > 0 ? static_cast<std::size_t>(offset) - 1 : 0);
+    result.line = place_of_tag.line;
+    result.column = place_of_tag.column;
+    result.drawn = around.drawn && !is_container_of_what_is_not_drawn(result.tag);
+    result.fault = around.fault;
+    place(node, around, result);
+    read_geometry(node, result);
+    return result;
+  }
+
+  static void place(const pugi::xml_node& node, const SvgElement& around, SvgElement& result) {
+    result.around = around.to_page;
+    const auto own = parse_svg_transform(node.attribute("transform").value());
+    if (!own) {
+      result.fault = "has a transform that cannot be read";
+    } else if (node.attribute("transform-origin") || style_moves(node.attribute("style").value())) {
+      result.fault = "is moved by its style (CSS)";
+    } else {
+      result.to_page = around.to_page * *own;
+    }
+    if (!(largest_stretch(result.to_page) <= 1e9)) result.fault = "is scaled beyond all measure";
+  }
+
+  static void read_geometry(const pugi::xml_node& node, SvgElement& result) {
+    const SvgAttribute attribute = [&](const char* name) { return std::string_view(node.attribute(name).value()); };
+    if (std::optional<SvgShape> shape = shape_of(result.tag, attribute)) {
+      if (shape->d.size() > most_path_bytes) {
+        result.fault = "holds more than 256 KiB of path data";
+      } else {
+        result.d = std::move(shape->d);
+      }
+      result.center = shape->center;
+    }
+    if (result.tag != "image" && result.tag != "use") return;
+    result.href = attribute_of(node, "href", "xlink:href");
+    result.position = {parse_svg_length(attribute("x")).value_or(0), parse_svg_length(attribute("y")).value_or(0)};
+    result.size = {parse_svg_length(attribute("width")).value_or(0), parse_svg_length(attribute("height")).value_or(0)};
+    result.aspect = attribute("preserveAspectRatio");
+  }
+
+  TextPlaces places_;
+  SvgDrawing& drawing_;
+};
+
+/// Metres of one unit of the page: from a width in real units, and the viewBox if there is one.
+std::optional<double> page_unit_of(const pugi::xml_node& root) {
+  constexpr double pixel = 0.0254 / 96;
+  const auto real = [&](const char* name) -> std::optional<double> {
+    const std::string_view text = root.attribute(name).value();
+    const bool has_unit = text.ends_with("mm") || text.ends_with("cm") || text.ends_with("in") ||
+                          text.ends_with("pt") || text.ends_with("pc") || text.ends_with("Q");
+    const std::optional<double> pixels = parse_svg_length(text);
+    if (!has_unit || !pixels || !(*pixels > 0)) return {};
+    return *pixels * pixel;
+  };
+  const std::optional<double> width = real("width"), height = real("height");
+  const std::string_view view_box = root.attribute("viewBox").value();
+  if (view_box.empty()) return width || height ? std::optional<double>(pixel) : std::nullopt;
+
+  // The same grammar as a transform's numbers.
+  const auto numbers = parse_svg_transform("matrix(" + std::string(view_box) + " 0 0)");
+  if (!numbers) return {};
+  const double box_width = numbers->c, box_height = numbers->d;
+  std::optional<double> unit;
+  if (width && box_width > 0) unit = *width / box_width;
+  if (height && box_height > 0) unit = unit ? std::min(*unit, *height / box_height) : *height / box_height;
+  return unit && *unit >= 1e-6 && *unit <= 1 ? unit : std::nullopt;
+}
+
+void check_size(std::string_view text, const std::string& file) {
+  if (text.size() > most_bytes) {
+    throw BadSketch(at_place(file, 1, 1) + ": it is larger than 64 MiB",
+                    "link the picture instead of embedding it, or make it smaller");
+  }
+  const auto many = [&](char c, std::size_t most) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), c)) > most;
+  };
+  if (many('<', 2 * most_elements) || many('=', most_attributes)) {
+    throw BadSketch(at_place(file, 1, 1) + ": it holds more than " + std::to_string(most_elements) + " elements",
+                    "keep the curves and the picture; delete what a tracer made");
+  }
+}
+
+}  // namespace
+
+std::string place_of(const SvgDrawing& drawing, const SvgElement& element) {
+  return at_place(drawing.file, element.line, element.column);
+}
+
+SvgDrawing parse_svg(std::string_view text, const std::string& file) {
+  // Compressed drawings and those that are too large are refused before they are parsed.
+  if (text.starts_with("\x1f\x8b")) {
+    throw BadSketch(at_place(file, 1, 1) + ": it is compressed (.svgz)",
+                    "save it from Inkscape as \"Inkscape SVG\" (.svg)");
+  }
+  check_size(text, file);
+  const std::size_t begin = text.starts_with("\xef\xbb\xbf") ? 3 : 0;  // behind the mark of UTF-8
+  if (text.find_first_not_of(" \t\r\n", begin) != text.find('<'))
+    throw BadSketch(at_place(file, 1, 1) + ": it is not XML: it does not begin with an element",
+                    "save it from Inkscape as \"Inkscape SVG\"");
+
+  // The text must be XML; errors are told by line and column.
+  pugi::xml_document document;
+  const unsigned options = pugi::parse_minimal | pugi::parse_escapes | pugi::parse_wconv_attribute;
+  const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size(), options, pugi::encoding_utf8);
+  if (!result) {
+    const SourcePlace at = TextPlaces(text, file).at(static_cast<std::size_t>(result.offset));
+    throw BadSketch(at_place(file, at.line, at.column) + ": it is not XML: " + result.description(),
+                    "save it from Inkscape as \"Inkscape SVG\"");
+  }
+
+  // The drawing is made of the elements below the root.
+  SvgDrawing drawing;
+  drawing.file = file;
+  const pugi::xml_node root = document.document_element();
+  const std::string_view name = root.name();
+  if (name != "svg" && name != "svg:svg") {
+    throw BadSketch(
+        at_place(file, 1, 1) + ": it is no SVG drawing: its first element is <" + std::string(name.substr(0, 40)) + ">",
+        "save it from Inkscape as \"Inkscape SVG\"");
+  }
+  drawing.page_unit = page_unit_of(root);
+  SvgReader(text, drawing).read(root, {}, 0);
+  return drawing;
+}
+
+}  // namespace pomona

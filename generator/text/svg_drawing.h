@@ -1,0 +1,54 @@
+// An SVG file as a plain list of its elements: where each stands in the file, what it is called, where it lies on
+// the page. What it means to a template is sketch.h's business.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "generator/text/svg_transform.h"
+
+namespace pomona {
+
+/// What is wrong with a sketch, and what to redraw; the place is part of the message.
+struct BadSketch : std::runtime_error {
+  BadSketch(const std::string& message, std::string remedy) : std::runtime_error(message), hint(std::move(remedy)) {}
+  std::string hint;
+};
+
+struct SvgElement {
+  std::string tag;    ///< "g", "path", "image", ...
+  std::string id;     ///< of XML
+  std::string label;  ///< of Inkscape's Layers and Objects dialog
+  int line = 0, column = 0;
+  std::size_t end = 0;               ///< the elements from the next one up to here (not included) lie in this one
+  bool drawn = true;                 ///< false in <defs>, <symbol> and the like
+  std::string fault;                 ///< why its place on the page is not known; else empty
+  SvgTransform around;               ///< what it stands in, to the page's coordinates
+  SvgTransform to_page;              ///< its own coordinates to the page's
+  std::optional<std::string> d;      ///< the path data of a path or of a basic shape
+  std::optional<glm::dvec2> center;  ///< of a circle, ellipse or rectangle
+  std::string href;                  ///< of an image or a clone (<use>)
+  glm::dvec2 position{0}, size{0};   ///< of an image or a clone
+  std::string aspect;                ///< an image's preserveAspectRatio
+};
+
+struct SvgDrawing {
+  std::string file;                  ///< for messages
+  std::vector<SvgElement> elements;  ///< in the order of the file; hidden layers too
+  std::optional<double> page_unit;   ///< metres of one unit of the page, if the file states a real size
+};
+
+/// Reads an SVG file. Nothing in it is executed or fetched, and no entity is expanded.
+/// \throws BadSketch for what is not SVG, or beyond 64 MiB, 200 000 elements or 64 groups within each other.
+SvgDrawing parse_svg(std::string_view text, const std::string& file);
+
+/// "kiwi.svg:12:5"
+std::string place_of(const SvgDrawing& drawing, const SvgElement& element);
+
+}  // namespace pomona

@@ -1,0 +1,154 @@
+#include "generator/text/toml_limits.h"
+
+#include <vector>
+
+namespace pomona {
+
+namespace {
+
+/// Length of the UTF-8 sequence that starts here (RFC 3629: no overlong forms, no surrogates), or 0.
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const bool overlong = first == 0xE0 && byte(1) < 0xA0;
+    const bool surrogate = first == 0xED && byte(1) > 0x9F;
+    return follows(1) && follows(2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const bool overlong = first == 0xF0 && byte(1) < 0x90;
+    const bool beyond = first == 0xF4 && byte(1) > 0x8F;
+    return follows(1) && follows(2) && follows(3) && !overlong && !beyond ? 4 : 0;
+  }
+  return 0;
+}
+
+/// Walks through the text once, stepping over comments and strings, and counts what the limits are about.
+class Scanner {
+ public:
+  Scanner(std::string_view text, const TomlLimits& limits) : text_(text), limits_(limits) {}
+
+  std::optional<TomlExcess> run() {
+    while (at_ < text_.size() && !excess_) {
+      const char c = text_[at_];
+      if (c == '#') {
+        while (at_ < text_.size() && text_[at_] != '\n' && !excess_) step();
+      } else if (c == '"' || c == '\'') {
+        skip_string(c);
+      } else {
+        count(c);
+        step();
+      }
+    }
+    return excess_;
+  }
+
+ private:
+  /// One character on, keeping line and column, which count characters and not bytes.
+  void step() {
+    const std::size_t bytes = utf8_length(text_.substr(at_));
+    if (bytes == 0) return refuse("this byte is not UTF-8; save the file as UTF-8");
+    if (text_[at_] == '\n') {
+      ++place_.line;
+      place_.column = 0;
+    }
+    ++place_.column;
+    at_ += bytes;
+  }
+
+  void count(char c) {
+    switch (c) {
+      // Brackets nest, and each has commas of its own.
+      case '[':
+      case '{':
+        commas_.push_back(0);
+        key_dots_ = 0;
+        if (commas_.size() > static_cast<std::size_t>(limits_.depth))
+          refuse_number("brackets nest deeper than ", limits_.depth);
+        break;
+      case ']':
+      case '}':
+        if (!commas_.empty()) commas_.pop_back();
+        break;
+      // Commas, equals signs and ends of lines each count as a value.
+      case ',':
+        key_dots_ = 0;
+        count_value();
+        if (!commas_.empty() && ++commas_.back() >= limits_.array_values) {
+          refuse_number("an array holds more values than ", static_cast<long>(limits_.array_values));
+        }
+        break;
+      // Each dot of a key opens a table within a table.
+      case '.':
+        if (++key_dots_ >= limits_.depth) refuse_number("a dotted key nests deeper than ", limits_.depth);
+        break;
+      case '=':
+        key_dots_ = 0;
+        count_value();
+        break;
+      case '\n':
+        key_dots_ = 0;
+        count_value();
+        break;
+      default:
+        break;
+    }
+  }
+
+  void count_value() {
+    if (++values_ > limits_.values)
+      refuse_number("the file holds more values than ", static_cast<long>(limits_.values));
+  }
+
+  bool here(std::string_view what) const { return text_.substr(at_).starts_with(what); }
+
+  /// Steps over a string of any of TOML's four kinds; a broken one ends with its line or the text.
+  void skip_string(char quote) {
+    const std::string triple(3, quote);
+    const bool many_lines = here(triple);
+    const TomlPlace start = place_;
+    const std::size_t first = at_;
+    for (int i = many_lines ? 3 : 1; i > 0; --i) step();
+    while (at_ < text_.size() && !excess_) {
+      if (many_lines ? here(triple) : text_[at_] == quote) break;
+      if (!many_lines && text_[at_] == '\n') return;
+      if (quote == '"' && text_[at_] == '\\' && at_ + 1 < text_.size()) step();
+      if (!excess_) step();
+    }
+    if (excess_) return;
+    if (at_ - first > limits_.string_bytes + (many_lines ? 3 : 1)) {
+      place_ = start;
+      return refuse_number("a text is longer than this many bytes: ", static_cast<long>(limits_.string_bytes));
+    }
+    // Up to two quotes may stand directly before the closing three.
+    for (int i = many_lines ? 5 : 1; i > 0 && at_ < text_.size() && text_[at_] == quote; --i) step();
+  }
+
+  void refuse(const std::string& message) {
+    if (!excess_) excess_ = TomlExcess{place_, message};
+  }
+  void refuse_number(const std::string& message, long number) { refuse(message + std::to_string(number)); }
+
+  std::string_view text_;
+  const TomlLimits& limits_;
+  std::size_t at_ = 0;
+  TomlPlace place_{1, 1};
+  std::vector<std::size_t> commas_;  ///< in each open bracket
+  int key_dots_ = 0;
+  std::size_t values_ = 0;
+  std::optional<TomlExcess> excess_;
+};
+
+}  // namespace
+
+std::optional<TomlExcess> find_excess(std::string_view text, const TomlLimits& limits) {
+  if (text.size() > limits.bytes) {
+    return TomlExcess{{1, 1}, "the file is larger than " + std::to_string(limits.bytes >> 20) + " MiB"};
+  }
+  return Scanner(text, limits).run();
+}
+
+}  // namespace pomona

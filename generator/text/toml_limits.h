@@ -1,0 +1,30 @@
+// What a TOML text may hold, checked by a scanner that needs no stack and no memory.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "generator/text/toml_node.h"
+
+namespace pomona {
+
+struct TomlLimits {
+  std::size_t bytes = std::size_t{16} << 20;
+  int depth = 64;                     ///< of brackets, and of the dots in one key
+  std::size_t array_values = 100000;  ///< in one array or inline table
+  std::size_t values = 1000000;       ///< in the whole file
+  std::size_t string_bytes = 65536;
+};
+
+struct TomlExcess {
+  TomlPlace place;
+  std::string message;
+};
+
+/// The first place where the text goes beyond a limit or is not UTF-8; nothing if it keeps to all of them.
+/// Text that is not TOML may pass: the parser will say so.
+std::optional<TomlExcess> find_excess(std::string_view text, const TomlLimits& limits = {});
+
+}  // namespace pomona

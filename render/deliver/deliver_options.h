@@ -1,0 +1,40 @@
+// What a delivery is told and given.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "generator/order/order.h"
+#include "generator/order/ordered_fruit.h"
+#include "generator/scene/scene.h"
+#include "render/deliver/delivered.h"
+#include "render/deliver/provenance.h"
+#include "render/deliver/ripeness_variants.h"
+#include "render/deliver/streamed_glb.h"
+#include "render/export/styled_mesh.h"
+#include "render/plate/plate.h"
+#include "render/style/style.h"
+
+namespace pomona {
+
+/// How files are made besides what the order says.
+struct DeliverOptions {
+  Style style = {};  ///< that the order's style names, as found
+  Provenance provenance = {};
+  PictureSize usual_size = {960, 720};  ///< of pictures where the order says none, and of lines in .pov
+  DeliveryProgress progress = {};
+};
+
+/// One scene for all formats. All that it refers to must outlive the call it is passed to.
+struct SceneViews {
+  const Scene& placed;                             ///< for meshes: pieces where they grew, or lie
+  const Scene* shown = nullptr;                    ///< for pictures, where these show the pieces elsewhere
+  std::span<const RipenessVariant> variants = {};  ///< of `placed`, for textures
+  std::optional<PlateText> plate_text = {};        ///< what plates say; none: no plate is drawn around pictures
+  const OrderedFruit* fruit = nullptr;             ///< whose asset a .glb carries that can be cut
+  std::span<const StyledMesh> meshes = {};         ///< of `placed`, where they are at hand
+  std::span<const std::unique_ptr<StreamedGlb>> streams = {};  ///< of .glb files that have taken all solids already
+};
+
+}  // namespace pomona

@@ -1,0 +1,31 @@
+#include "render/deliver/export_options.h"
+
+#include "generator/order/option_table.h"
+
+namespace pomona {
+
+ExportOptions export_options(const Order& order, const DeliverOptions& how) {
+  // Of how a piece grew and was cut its own origin speaks.
+  Order look;
+  look.color = order.color;
+  look.mesh = order.mesh;
+  return {.style = how.style,
+          .provenance = made_by(how.provenance),
+          .command_words = piece_words(look),
+          .threads = order.threads,
+          .instances = order.mesh.instances,
+          .feature_ids = order.mesh.feature_ids,
+          .engine = order.mesh.engine};
+}
+
+std::optional<BakeOptions> bake_options(const Order& order) {
+  if (!wants_textures(order.mesh)) return {};
+  // Maps are for .glb alone.
+  const bool has_maps = order.mesh.maps == Maps::all && any_is(order.outputs, {Format::glb});
+  BakeOptions how{
+      .texel = order.mesh.texel.metres, .maps = has_maps ? Maps::all : Maps::color, .threads = order.threads};
+  if (order.mesh.texture > 0) how.texels = order.mesh.texture;
+  return how;
+}
+
+}  // namespace pomona

@@ -1,0 +1,18 @@
+// What exporters and the baker of textures are told of an order.
+#pragma once
+
+#include <optional>
+
+#include "render/deliver/deliver_options.h"
+#include "render/export/styled_mesh.h"
+#include "render/texture/bake.h"
+
+namespace pomona {
+
+/// What exporters are told of the order.
+ExportOptions export_options(const Order& order, const DeliverOptions& how);
+
+/// Nothing unless the order wants textures.
+std::optional<BakeOptions> bake_options(const Order& order);
+
+}  // namespace pomona

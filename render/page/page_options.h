@@ -1,0 +1,30 @@
+// What a page opens with.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "generator/knife/knife.h"
+#include "render/style/style.h"
+
+namespace pomona {
+
+/// Cuts that a page makes at a time.
+constexpr std::size_t most_page_cuts = 4;
+
+/// A plane that a page opens with. Those of one knife follow one another; `step` is by how much the number of the
+/// knife's cell grows beyond the plane, and 0 of wedges, whose cells are counted by their angle
+/// (generator/knife/knife_planes.h): of cells that hold as much of a spared part, the first in this order has it.
+struct PageCut {
+  CuttingPlane plane;
+  int knife = 0, step = 1;
+};
+
+struct PageOptions {
+  Style style;
+  std::vector<PageCut> cuts;  ///< it opens with these; at most most_page_cuts
+  std::string made_by;        ///< "pomona 0.3.0, seed 2"
+};
+
+}  // namespace pomona

@@ -1,0 +1,41 @@
+// UV charts: a solid's surface laid flat in parts, for texturing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "generator/base/parallel.h"
+#include "generator/piece/solid.h"
+#include "render/texture/uv_parametrization.h"
+
+namespace pomona {
+
+/// Connected triangles laid flat without lying on each other: a part of a flat cut face as it is, or a region of skin
+/// or of a curved cut face with little stretch. As seen from the air, x to the right and y down.
+struct Chart {
+  std::int32_t cut_face = -1;            ///< -1: skin
+  std::vector<std::uint32_t> triangles;  ///< of the solid
+  std::vector<glm::uvec3> corners;       ///< per triangle: indices into `flat`, in the order of its vertices
+  std::vector<glm::dvec2> flat;          ///< metres; the least x and the least y are 0
+  glm::dvec2 size{0};                    ///< the greatest x and y
+  Stretch stretch;
+
+  /// Where a flat cut face lies: directions in space of +x and of -y, and how far x = 0 and y = 0 lie along them.
+  struct Frame {
+    glm::dvec3 right{1, 0, 0}, up{0, 1, 0};
+    glm::dvec2 origin{0};
+  };
+  std::optional<Frame> frame;  ///< of flat cut faces only
+
+  /// Of a cut face: edges (indices into `flat`) across which the cut goes on smoothly in another chart.
+  std::vector<glm::uvec2> seams;
+};
+
+/// Every triangle is in exactly one chart. The same for any number of threads.
+std::vector<Chart> charts_of(const Solid& solid, Threads threads = {});
+
+}  // namespace pomona
