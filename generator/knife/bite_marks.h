@@ -1,14 +1,14 @@
-// What a mouth takes out of a fruit.
+// The surface of a bite, with the marks of teeth.
 #pragma once
 
 #include "generator/mesh/closed_surface.h"
 
 namespace pomona {
 
-/// A bite of this width (metres) about the origin: +Y goes into the fruit, +Z is up. Two rows of teeth have left their
-/// grooves, those above broader than those below; each row fans out from beyond the middle, and the rows
-/// meet in a ridge. No tooth is quite like the next, but the same width always has the same teeth. It is four fifths as
-/// high as wide, and as deep. The surface is closed, and every ray from the origin meets it once.
+/// A bite around the origin: +Y points into the fruit, +Z is up. Its height and its depth are four fifths of its width.
+/// Two rows of teeth have left grooves; the upper ones are broader. Each row fans out from a point beyond the middle,
+/// and the rows meet in a ridge. No two teeth are equal, but the same width always gives the same teeth. The surface is
+/// closed, and every ray from the origin meets it once. \param width metres
 ClosedSurface bite_marks(double width);
 
 }  // namespace pomona
