@@ -13,7 +13,7 @@
 
 namespace pomona {
 
-/// A piece before its cut faces have colours: which skin it keeps, and which triangles of the section.
+/// A piece before its cut faces have colours: its part of the skin, and its triangles of the section.
 /// Vertices lie exactly where those of the section lie, so the piece closes by position.
 struct CutPiece {
   // Skin and cavity walls, clipped. Triangles face air. Colours, parts are those of the hidden (air) side.
@@ -21,17 +21,17 @@ struct CutPiece {
   std::vector<glm::vec3> normal;  ///< smooth, pointing to air
   std::vector<Color> color;
   std::vector<std::int32_t> part;   ///< per vertex; index into CrossSection::part_names
-  std::vector<std::uint8_t> bared;  ///< per vertex: 1 on the wall of what knives went around: as new to air as a face
+  std::vector<std::uint8_t> bared;  ///< per vertex: 1 on the wall of a spared part: freshly exposed, as a cut face is
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> surface;  ///< per triangle
 
   struct CapTriangle {
     std::uint32_t triangle = 0;  ///< of the section
-    bool reversed = false;       ///< the piece lies on the positive side: it faces against the face's normal
+    bool reversed = false;       ///< the piece lies on the positive side, so that its triangle faces against the normal
   };
   std::vector<CapTriangle> caps;
 
-  double volume = 0;  ///< cubic metres, bodies summed
+  double volume = 0;  ///< cubic metres, the sum over bodies
   bool closed = true;
   bool crumb = false;
 };
@@ -42,13 +42,13 @@ struct Cut {
   std::vector<std::string> warnings;  ///< open boundaries, knives that miss
 };
 
-/// Looks at the stages (cut_observer.h).
+/// Observes the stages (cut_observer.h).
 class CutObserver;
 
 /// Cuts with all knives, one after another; with none, the whole fruit as pieces. `surfaces` are what the
 /// diffuser sees: sheets() with grains.
-/// \throws Error (usage) for knives that cannot be laid at this fruit: slices it cannot give, strokes along other
-/// knives' planes, peels thicker than it, more than ten thousand cells.
+/// \throws Error (usage) for knives that cannot be placed at this fruit: slices that it cannot give, strokes along
+/// other knives' planes, peels thicker than the fruit, more than ten thousand cells.
 Cut cut(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options = {},
         CutObserver* observer = nullptr);
 

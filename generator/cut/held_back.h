@@ -1,4 +1,5 @@
-// Bodies that a corer pushes aside: a calyx goes with the core it sits on, or stays on the fruit, whole.
+// Bodies that a corer does not cut but pushes aside: a calyx goes whole with the core that it sits on, or stays whole
+// on the fruit.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +12,15 @@
 
 namespace pomona {
 
-/// What a knife does not see, and what it does.
+/// A fruit without the bodies that the knife does not cut, and these bodies.
 struct HeldBack {
-  CutFruit fruit;                         ///< without them
-  std::vector<SurfaceTriangle> triangle;  ///< theirs, in the cells they go to
+  CutFruit fruit;                         ///< without these bodies
+  std::vector<SurfaceTriangle> triangle;  ///< of these bodies, in the cells to which they go
 };
 
-/// Takes the bodies that stick out of the fruit out of a knife's way, but those that others have cut. Each goes inside
-/// the knife or stays outside of it, as most of it does that is sunk in the fruit: what it sits on.
-/// \param stride what lies inside is in the cell with a number that is greater by this.
+/// Takes out the bodies that stick out of the fruit, except those that other knives have cut. A body goes to the inside
+/// or the outside of the knife, wherever the larger share of its part inside the fruit lies. \param stride the number
+/// of a cell inside the knife is larger by this.
 HeldBack held_back(CutFruit fruit, const ClosedSurface& knife, std::uint32_t stride, const DiffusionSurfaces& surfaces,
                    const Bodies& bodies);
 

@@ -1,4 +1,4 @@
-// Times the stages of a cut for whoever looks on.
+// Measures the times of the stages of a cut for an observer.
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-/// What `work` returns; the observer, if there is one, is told how long it took.
+/// Does the work and returns its result. Reports its time to the observer, if there is one.
 template <typename Work>
 auto watched(CutObserver* observer, std::string_view stage, Work&& work) {
   const StopWatch watch;

@@ -1,5 +1,5 @@
-// The cut along a closed surface: what lies inside it parts from what lies outside (paper, section 3.2, whose cutting
-// surface may be any).
+// The cut along a closed surface: it separates the inside from the outside (paper, section 3.2, which allows any
+// cutting surface).
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,14 @@ namespace pomona {
 struct ClosedKnife {
   KnifeMesh mesh;
   int number = 0;            ///< among all knives
-  int plane = 0;             ///< its number as one more plane, in sets of planes
-  std::uint32_t stride = 1;  ///< what lies inside is in the cell with a number that is greater by this
+  int plane = 0;             ///< its number in sets of planes, where it counts as one more plane
+  std::uint32_t stride = 1;  ///< the number of a cell inside the knife is larger by this
 };
 
-/// Lays the knife at a fruit that others have cut. Of the points of the fruit's mesh no two may share a place.
+/// Cuts a fruit that other knives may have cut before. No two points of the fruit's mesh may have the same position.
 Cutting carve(CutFruit fruit, const ClosedKnife& knife, const DiffusionSurfaces& surfaces, const Bodies& bodies);
 
-/// The knife's surface as fine as `limits` ask for, finer next to where it meets the fruit's surfaces.
+/// The knife's surface, refined as `limits` ask for, and more where it intersects the fruit's surfaces.
 KnifeMesh refined_for(const CutFruit& fruit, KnifeMesh knife, const SizeLimits& limits);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Numbers given to pairs of indices, where few second ones go with each first one: a look-up without hashing.
+// Numbers of pairs of indices, for few second indices per first index: a map without hashing.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@ namespace pomona {
 
 class PairNumbers {
  public:
-  /// First indices lie below `firsts`.
+  /// \param firsts all first indices are below this.
   explicit PairNumbers(std::size_t firsts) : latest_(firsts, none) {}
 
-  /// The pair's number, and whether it is new: then it is the one given here.
+  /// The pair's number, and whether the pair is new. A new pair gets `number`.
   std::pair<std::uint32_t, bool> try_emplace(std::uint32_t first, std::uint32_t second, std::uint32_t number) {
     for (std::uint32_t e = latest_[first]; e != none; e = entry_[e].before) {
       if (entry_[e].second == second) return {entry_[e].number, false};
