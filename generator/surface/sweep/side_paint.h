@@ -1,4 +1,4 @@
-// What a side's painting comes to at a vertex, spots apart.
+// The colour of a side at a vertex, without spots.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,8 @@
 
 namespace pomona {
 
-/// A vertex as paint sees it. Where there is no place, as around a pole, ramps give their mean.
+/// A vertex, with the attributes that paint needs. Where a position is not defined, as around at a pole, ramps give
+/// their mean.
 struct PaintPlace {
   double along = 0;
   std::optional<double> around;
@@ -37,7 +38,7 @@ class MeanRamp {
   Value mean_;
 };
 
-/// Values that the folds take in turn.
+/// Values that are assigned to the folds in turn.
 template <typename Value>
 class FoldValues {
  public:
