@@ -1,4 +1,4 @@
-// The places of a section at which guides of texture detail are wanted.
+// The points of a section at which guides of texture detail are needed.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,26 @@ struct CutDetail {
   int number = 0;
 };
 
-/// Those that count, in the template's order.
+/// The details that have an effect, in the template's order.
 std::vector<CutDetail> cut_details(const Template& fruit);
 
-/// Equal positions once: what is measured and diffused.
+/// Points to be measured and diffused; equal positions are stored once.
 struct GuidePlaces {
   std::vector<glm::vec3> position;
   std::vector<std::uint32_t> of_vertex;
 };
 GuidePlaces guide_places(const std::vector<glm::vec3>& vertices);
 
-/// For each place 1 where any of the details may count, by the parts that vertices have there; and up to three
-/// triangles away, because pictures blend the guides of a triangle's corners, and those of triangles that meet in a
-/// pixel.
+/// For each point: 1 where any of the details may have an effect, by the parts of the vertices there; also up to three
+/// triangles away, because pictures blend the guides of a triangle's corners, and those of all triangles in a pixel.
 std::vector<std::uint8_t> places_by_part(const CrossSection& section, const std::vector<CutDetail>& details,
                                          const GuidePlaces& places);
 
-/// Likewise where one of the details has a share in a vertex's guide.
+/// The same where one of the details has a share in a vertex's guide.
 std::vector<std::uint8_t> places_by_share(const CrossSection& section, const std::vector<CutDetail>& details,
                                           const GuidePlaces& places);
 
-/// Some of the places, and where each is found among all.
+/// Some of the points, and the index of each among all.
 struct ChosenPlaces {
   std::vector<glm::vec3> position;
   std::vector<std::size_t> place;

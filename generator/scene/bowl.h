@@ -1,4 +1,4 @@
-// A bowl as a template: turned, it is swept, cut and drawn like any fruit.
+// A turned bowl as a template: it is swept, cut and drawn like any fruit.
 #pragma once
 
 #include "generator/scene/scene_file.h"

@@ -1,4 +1,4 @@
-// Whether a scene's knives can cut its fruit, found out before anything is made.
+// Checks whether a scene's knives can cut its fruit, before anything is made.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace pomona {
 
-/// Grows each entry's fruit as drawn, coarsely, and cuts it. \throws Error (bad_data) at the entry whose knives cannot
-/// be laid at its fruit, or whose fruit cannot be grown.
+/// Grows each entry's fruit as drawn, coarsely, and cuts it. \throws Error (bad_data) at the entry whose knives do not
+/// fit its fruit, or whose fruit cannot be grown.
 void check_cuts(const SceneDescription& scene, const std::vector<Template>& templates);
 
-/// What cut() says of an entry's knives, as a mistake in the scene's file.
+/// An error of cut() about an entry's knives, with its place in the scene's file.
 Error at_entry(const PiecesDescription& pieces, const Error& error);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// From what a scene file says to solids: many cut variants, and dishes; where they lie comes later.
+// The parts of a scene: the solids of many cut variants, and dishes, before they are placed.
 #pragma once
 
 #include <cstdint>
@@ -22,21 +22,21 @@ namespace pomona {
 struct ComposeOptions {
   /// The file behind a template's name. Paths are tried beside the scene file first.
   std::function<std::filesystem::path(const std::string& name)> find_template;
-  double variation = 1;      ///< times that of every entry
+  double variation = 1;      ///< factor of the variation of every entry
   bool curves_only = false;  ///< see VariationOptions
   double detail = 1;         ///< see SweepOptions
   CutOptions cut = coarse_cut;
-  bool keep_section_colors = false;  ///< for textures: every solid knows what coloured its cut faces
+  bool keep_section_colors = false;  ///< for textures: every solid keeps its SectionColors
   Threads threads{};
-  /// Where nobody needs the whole scene at once: takes the solids as they come, those of some variants at a time, in
-  /// the scene's order, the dishes last. Of these the scene then keeps without_looks() alone. Called by another thread
-  /// while the next are made, one call at a time.
+  /// If set, it receives the solids while they are made, those of some variants at a time, in the scene's order, dishes
+  /// last. The scene then keeps only without_looks() of them, which needs less memory. Called from another thread while
+  /// the next solids are made, one call at a time.
   std::function<void(std::span<const Solid> solids)> take{};
-  /// Told from any thread, one call at a time, how many items of a stage are done.
+  /// Called from any thread, one call at a time, with a stage and how many of its items are done.
   std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress;
 };
 
-/// What was measured on the way, for --stats.
+/// Measurements for --stats.
 struct ComposeReport {
   std::vector<std::pair<std::string, double>> stages;  ///< milliseconds, summed over threads, in the road's order
   std::map<std::string, std::int64_t> counts;
@@ -49,8 +49,8 @@ struct ScenePlacedDish {
   std::string name;
   int solid = 0;        ///< index; dishes that are made alike share one
   Pose pose{};          ///< turned about the vertical alone
-  int part_of = -1;     ///< index of the dish that it stands in or on, whose pieces know it
-  bool turned = true;   ///< on the wheel
+  int part_of = -1;     ///< index of the dish in or on which it stands; -1 = none
+  bool turned = true;   ///< it is a solid of revolution
   SourcePlace place{};  ///< where it is described
 };
 
@@ -68,7 +68,7 @@ struct SceneParts {
 /// entry's variants depend on what else the scene holds, in which order, or how many it takes.
 VariantKey variant_key(const SceneDescription& scene, const PiecesDescription& pieces, int n);
 
-/// Reads all that the scene names, templates, meshes and the layout, and tries its knives (check_cuts.h).
+/// Reads everything that the scene names (templates, meshes, the layout), and tests its knives (check_cuts.h).
 /// \throws Error at the place in the scene that names what is missing or wrong.
 void check_sources(const SceneDescription& scene, const ComposeOptions& options);
 

@@ -1,4 +1,4 @@
-// Where pieces lie, as scene files spell it.
+// Reads arrangements of pieces from scene files.
 #pragma once
 
 #include "generator/scene/settle/piece_arrangement.h"
@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// The table `where` of an entry; what is wrong is noted in the document.
+/// The table `where` of an entry. Errors are noted in the document.
 PieceArrangement read_arrangement(const TomlTable& table);
 
 }  // namespace pomona
