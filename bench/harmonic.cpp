@@ -1,4 +1,4 @@
-// What true diffusion on the grid costs: set-up, solution, look-up, memory; for the seeded fruit and every template.
+// What true diffusion on the grid costs: set-up, solution, sampling, memory; for the seeded fruit and every template.
 //   harmonic_bench [--threads N] [--runs N] [--nodes N] [--bend B] [--quality NAME...] [--truth FILE...] [--json]
 //   [FRUIT...]
 #include <algorithm>
@@ -119,7 +119,7 @@ Row measured(const Subject& subject, const HarmonicOptions& options, int runs) {
   row.is_sealed = prepared->is_sealed;
   const SolvedLevels solved = solved_levels(prepared->snapped, std::move(prepared->levels), grid);
   for (std::size_t l = 0; l < solved.levels.size(); ++l) {
-    const std::size_t nodes = solved.levels[l].runs.node_count();
+    const std::size_t nodes = solved.levels[l].blocks.node_count();
     if (l < solved.patch_count) row.patch_nodes += nodes;
     if (l == solved.patch_count) row.grid_nodes = nodes;
     row.levels_megabytes += 1e-6 * static_cast<double>(solved.levels[l].bytes());
@@ -128,7 +128,7 @@ Row measured(const Subject& subject, const HarmonicOptions& options, int runs) {
   for (int i = 0; i < runs; ++i) {
     PreparedField again = prepared_field(subject.surfaces, grid);
     solve_times.push_back(bench::time_of([&] {
-      const FieldLookUp field = solved_field(std::move(again), grid);
+      const FieldSampler field = solved_field(std::move(again), grid);
       row.kept_megabytes = 1e-6 * static_cast<double>(field.bytes());
     }));
   }
@@ -233,7 +233,8 @@ int main(int argc, char** argv) {
       for (const std::string& file : truth) add_truth(subject, file);
       for (const std::string& quality : qualities) {
         rows.push_back(measured(
-            subject, {.quality = *quality_named(quality), .threads = {threads}, .nodes = nodes, .bend = bend / 255},
+            subject,
+            {.quality = *quality_named(quality), .threads = {threads}, .nodes = nodes, .refine_above = bend / 255},
             runs));
       }
     }

@@ -1,4 +1,4 @@
-// What the machine had too little of, where an exception says that.
+// Whether an exception means that the machine ran out of memory or threads.
 #pragma once
 
 #include <exception>
@@ -7,8 +7,8 @@
 
 namespace pomona {
 
-/// "out of memory" or "the system gives no further thread", or nothing where `error` is about something else. The first
-/// is what std::bad_alloc says and std::length_error, which is more than any vector can hold.
+/// "out of memory" (for std::bad_alloc, and for std::length_error: more than a vector can hold) or "the system gives no
+/// further thread"; nothing if `error` is about something else.
 std::optional<std::string> exhausted(const std::exception& error);
 
 }  // namespace pomona

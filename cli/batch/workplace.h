@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "render/export/durable_file.h"
+#include "render/export/transaction/durable_file.h"
 #include "render/export/pov.h"
 
 namespace pomona {

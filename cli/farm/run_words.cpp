@@ -10,7 +10,7 @@
 #include <cstring>
 
 #include "generator/base/error.h"
-#include "render/export/durable_file.h"
+#include "render/export/transaction/durable_file.h"
 
 extern char** environ;
 

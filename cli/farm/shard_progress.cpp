@@ -9,7 +9,7 @@
 #include "cli/batch/assemble.h"
 #include "cli/batch/finished_item.h"
 #include "generator/batch/batch_record.h"
-#include "render/export/durable_file.h"
+#include "render/export/transaction/durable_file.h"
 
 namespace fs = std::filesystem;
 

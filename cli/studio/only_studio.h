@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "render/export/durable_file.h"
+#include "render/export/transaction/durable_file.h"
 
 namespace pomona {
 

@@ -1,4 +1,4 @@
-// One thing that is done while its owner goes on: what is made is handed on while the next is made.
+// Work in the background: one piece of work runs on another thread while its owner prepares the next.
 #pragma once
 
 #include <functional>
@@ -8,23 +8,23 @@
 
 namespace pomona {
 
-/// One thing after another, in the order in which they were begun, and never two at once: so that what comes of them
-/// does not depend on threads.
+/// Runs one piece of work after another, in the order in which they were begun, never two at once. So the result does
+/// not depend on the number of threads.
 class BackgroundWork {
  public:
-  /// With one thread everything is done when it is begun.
+  /// With one thread, begin() does the work itself.
   explicit BackgroundWork(Threads threads) : apart_(resolved(threads) > 1) {}
 
-  /// Waits for what was begun before, then begins this. Throws what that has thrown; this is not begun then. What the
-  /// work refers to must live until this object does not.
+  /// Waits for the work begun before, then begins this work. If the work before has thrown an exception, rethrows it
+  /// and begins nothing. All that the work refers to must live as long as this object.
   void begin(std::function<void()> work);
 
-  /// Waits. Throws what the last work has thrown.
+  /// Waits until the last work is done. Rethrows its exception.
   void finish();
 
  private:
   bool apart_;
-  std::future<void> under_way_;  ///< waits when it goes away
+  std::future<void> under_way_;  ///< its destructor waits for the work
 };
 
 }  // namespace pomona

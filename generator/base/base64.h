@@ -1,4 +1,4 @@
-// Bytes as text, base 64 (RFC 4648), as pictures lie in SVG and HTML.
+// Bytes as text in base 64 (RFC 4648): SVG and HTML hold pictures so.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace pomona {
 /// In one line, with padding.
 std::string base64(std::string_view bytes);
 
-/// White space and padding are passed over; none if there is any other character that base 64 does not have.
+/// Ignores white space and padding. Nothing if the text has any other character that base 64 does not have.
 std::optional<std::string> base64_decoded(std::string_view text);
 
 }  // namespace pomona

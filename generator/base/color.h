@@ -1,5 +1,5 @@
-// Colours. Inside Pomona a colour is linear RGB with the primaries of sRGB; the sRGB curve is met only
-// where files and pictures are read and written.
+// Colours. Inside Pomona a colour is linear RGB with the primaries of sRGB. The sRGB curve is used only where files and
+// pictures are read or written.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Errors as values a user can act on: where, what, and a remedy.
+// Errors that a user can act on: a place, a message, and a hint.
 #pragma once
 
 #include <stdexcept>
@@ -55,8 +55,8 @@ class Error : public std::runtime_error {
   std::vector<Diagnostic> diagnostics_;
 };
 
-/// The same error, told of this file wherever it names none: for what is found wrong in a fruit long after its file was
-/// read.
+/// The same error with this file as its place, where a diagnostic names no file. For faults that are found long after
+/// the file was read.
 Error told_of(const Error& error, const std::string& file);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Files of other people, read whole where they are no longer than a limit.
+// Reads a whole file, if it is not larger than a limit.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,12 @@ namespace pomona {
 /// not a file"; empty for a file, which may still not be permitted.
 std::string why_no_file(const std::filesystem::path& file);
 
-/// All bytes of a file. Its size is known before memory is set aside, devices and pipes are not opened, and no more is
-/// read than `most` bytes even where the file grows meanwhile.
-/// \throws Error (input_missing) that says why it cannot be read, (bad_data) beyond `most`, with this hint, (io_error)
-/// if the disk fails.
+/// All bytes of a file. Its size is checked before memory is allocated; devices and pipes are not opened; never more
+/// than `most` bytes are read, even if the file grows meanwhile. \throws Error (input_missing) that says why it cannot
+/// be read, (bad_data) with this hint if it is larger than `most`, (io_error) if the disk fails.
 std::string file_bytes(const std::filesystem::path& file, std::size_t most, const std::string& hint = {});
 
-/// The first `most` bytes of a file, for who asks what kind of file it is; nothing where it cannot be read.
+/// The first `most` bytes of a file, to find out its kind; empty if it cannot be read.
 std::string readable_bytes(const std::filesystem::path& file, std::size_t most);
 
 }  // namespace pomona

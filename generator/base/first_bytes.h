@@ -1,4 +1,4 @@
-// Files of other people, taken in as far as they may be long.
+// Reads a stream up to a limit.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace pomona {
 
-/// What the stream still holds, but no more than `most` bytes. One byte beyond a limit is enough to know that a file
-/// goes beyond it. Memory grows with what is there, not with the limit.
+/// The rest of the stream, but at most `most` bytes. Pass the limit + 1 to find out whether a file is larger than a
+/// limit. Memory grows with the bytes read, not with the limit.
 std::string first_bytes(std::istream& stream, std::size_t most);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Plain values as bytes, the lowest first, as binary files of ours and of glTF hold them.
+// Plain values as bytes, lowest byte first (little-endian), for our binary files and for glTF.
 #pragma once
 
 #include <bit>
@@ -45,7 +45,7 @@ inline std::string word_bytes(std::size_t number) {
   return bytes.take();
 }
 
-/// The whole number whose four bytes begin at `at`; there must be as many.
+/// The whole number whose four bytes begin at `at`. The bytes must be there.
 inline std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   std::uint32_t word = 0;
   for (std::size_t b = 4; b-- > 0;) word = word << 8 | static_cast<unsigned char>(bytes[at + b]);

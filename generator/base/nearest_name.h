@@ -7,8 +7,8 @@
 
 namespace pomona {
 
-/// The known name with the smallest edit distance to `name`, capitals taken for small letters, if it is near enough to
-/// be meant: a third of its letters may be wrong, two of five.
+/// The known name with the smallest edit distance to `name`, if at most a third of its letters are wrong, or two of
+/// five. Capitals count as small letters.
 std::optional<std::string> nearest_name(const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace pomona

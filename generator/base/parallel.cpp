@@ -23,15 +23,14 @@ namespace pomona {
 
 namespace {
 
-/// More than the machine has cores are had only by leave, and asking without it makes TBB print a warning.
+/// TBB allows more threads than cores only while such an object exists; without it, TBB prints a warning.
 std::optional<tbb::global_control> leave_for(int width) {
   if (width <= tbb::info::default_concurrency()) return {};
   return std::make_optional<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                  static_cast<std::size_t>(width));
 }
 
-/// threads_given(), asked once for each width: TBB keeps its threads, and ends the program where it asks for one in
-/// vain.
+/// threads_given(), called once for each width. TBB keeps its threads, and ends the program if the system refuses one.
 int threads_had(int width) {
   static std::mutex mutex;
   static std::map<int, int> given;
@@ -40,10 +39,10 @@ int threads_had(int width) {
   return known != given.end() ? known->second : given.emplace(width, threads_given(width)).first->second;
 }
 
-/// Calls run() where TBB lets so many threads work on what it shares. A new place for that (an arena) waits for its
-/// threads for 70 microseconds, which is more than most steps on a grid take; so where the calling thread is
-/// in one of that width, as it is when it may use the whole machine, that one serves. Isolated, so that a thread that
-/// waits for an inner loop's last item does not begin an item of the outer one, whose memory would then be held twice.
+/// Calls run() in a TBB arena for this many threads. A new arena waits 70 microseconds for its threads, longer than
+/// most steps on a grid take. So if the calling thread is already in an arena of that width, that one is used. The call
+/// is isolated: a thread that waits for the last item of an inner loop must not start an item of the outer loop,
+/// because then the memory of two outer items would be in use.
 template <typename Run>
 void among_threads(int width, const Run& run) {
   if (tbb::this_task_arena::max_concurrency() == width) {
@@ -58,8 +57,8 @@ void among_threads(int width, const Run& run) {
 }  // namespace
 
 int threads_given(int width) {
-  // Each also takes memory, so that the heap that glibc makes for it is there before the next is tried. Stacks and
-  // heaps of threads that have ended are kept for those to come.
+  // Each thread also allocates memory, so that glibc makes its heap before the next thread is tried. The stacks and
+  // heaps of threads that have ended are kept for later threads.
   std::latch all_tried(1);
   std::binary_semaphore has_memory(0);
   std::vector<std::unique_ptr<int>> taken(static_cast<std::size_t>(width));
@@ -74,7 +73,7 @@ int threads_given(int width) {
       has_memory.acquire();
     }
   } catch (const std::exception&) {
-    // As many as there are must do.
+    // The system refuses more: use those that there are.
   }
   all_tried.count_down();
   return static_cast<int>(tried.size()) + 1;

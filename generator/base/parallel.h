@@ -1,4 +1,4 @@
-// Work shared among threads so that the result cannot depend on their number: item i writes slot i.
+// Parallel loops whose result does not depend on the number of threads: item i writes slot i.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +13,17 @@ struct Threads {
 
 int resolved(Threads threads);
 
-/// How many threads there can be at once, up to `width`, the calling one included: fewer where a limit on processes, or
-/// on addresses, of which a stack takes some, has the system refuse them. Starts them, and lets them go.
+/// The number of threads that the system really allows at once, at most `width`, the calling thread included. There are
+/// fewer under a limit on processes or on address space, as each thread needs a stack. Starts the threads to find out.
 int threads_given(int width);
 
-/// What is asked for beyond is left idle.
+/// More threads than this are never used.
 constexpr int most_threads = 256;
 
-/// Calls body(i) for i in [0, count), each once, on up to `threads` threads, at most `most_threads`, which may be more
-/// than there are cores; where the system gives fewer, they must do. The body must write only to places that belong to
-/// i. They are begun in order: few long ones are shared best if the longest come first. The exception of the smallest
-/// failing i is rethrown.
+/// Calls body(i) once for each i in [0, count), on up to `threads` threads, at most `most_threads`. There may be more
+/// threads than cores, and fewer if the system does not allow as many. The body must write only to places that belong
+/// to i. Items start in order of i; if few take long, put the longest first. If bodies throw, the exception of the
+/// smallest i is rethrown.
 void parallel_for(std::size_t count, Threads threads, const std::function<void(std::size_t)>& body);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Paths that files name: they may lead to what lies beside these files or below, and nowhere else.
+// Paths that input files name: they may lead only to files in the same folder or below.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace pomona {
 
-/// The way from the folder ("" = the current one) to the file, with symbolic links followed; nothing if it leads out.
-/// The file need not exist.
+/// The path from the folder ("" = the current one) to the file, with symbolic links followed; nothing if it leads out
+/// of the folder. The file need not exist.
 std::optional<std::filesystem::path> path_within(const std::filesystem::path& folder,
                                                  const std::filesystem::path& file);
 

@@ -1,4 +1,4 @@
-// What files say, on its way to a terminal.
+// Text from files, made safe for a terminal.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace pomona {
 
-/// Control characters, those of UTF-8 (U+0080 to U+009F) too, spelt out as "\x1b"; line ends and tabs stay. No file can
-/// move the cursor, clear the screen or name the window.
+/// The text with control characters (also U+0080 to U+009F) written as "\x1b"; line ends and tabs stay. So no file can
+/// move the cursor, clear the screen or change the title of the window.
 std::string printable(std::string_view text);
 
 }  // namespace pomona

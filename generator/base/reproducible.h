@@ -1,7 +1,7 @@
 // Elementary functions whose bits do not depend on the processor, the compiler or its options.
-// The C library's differ between processors (it picks fused variants at run time), so nothing that ends
-// up in a file may call std::sin and its kin. These are SLEEF's "cinz" functions: plain C, no fused
-// operations, within 1 unit in the last place.
+// The functions of the C library differ between processors, because it picks fused variants at run time. So nothing
+// that ends up in a file may call std::sin and the like. These are SLEEF's "cinz" functions: plain C, no fused
+// operations, errors within 1 unit in the last place.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ double log(double x);
 double pow(double base, double exponent);
 double cbrt(double x);
 
-/// Four at once, each with the bits that it has alone, in half the time.
+/// Four roots at once, with the same bits as one by one, in half the time.
 std::array<double, 4> cbrt(const std::array<double, 4>& x);
 
 }  // namespace pomona::reproducible

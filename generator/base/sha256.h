@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), by Nettle: what manifests say of files.
+// SHA-256 (FIPS 180-4), by Nettle, for manifests of files.
 #pragma once
 
 #include <string>

@@ -6,14 +6,13 @@
 
 namespace pomona {
 
-/// One word for the shell, whatever bytes it has: within single quotes, in which nothing has a meaning but the single
-/// quote itself.
+/// One word for the shell, whatever its bytes: in single quotes, inside which only the single quote has a meaning.
 std::string shell_quoted(const std::string& word);
 
-/// The same for people to read: quoted only where the shell would take it for something else.
+/// The same for people to read: quoted only if the shell would read it as something else.
 std::string shell_word(const std::string& word);
 
-/// Words parted by spaces, each quoted.
+/// Words separated by spaces, each quoted.
 std::string shell_line(std::span<const std::string> words);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// How long each stage of the road took: what --stats tells.
+// The time that each stage took, for --stats.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace pomona {
 
-/// Stages by name, in the order in which they first came. A value: threads have one each, and theirs are added up.
+/// Times by the name of the stage, in the order of first use. Each thread has a clock of its own; clocks can be added.
 class StageClock {
  public:
-  /// What `work` returns; the time it takes is added to the stage, even if it throws.
+  /// Does the work and returns its result. Adds its time to the stage, even if it throws.
   template <typename Work>
   auto time(const std::string& stage, Work&& work) {
     const Running running{*this, stage, {}};

@@ -1,4 +1,4 @@
-// Text as it stands in XML and HTML.
+// Text for XML and HTML.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// With &, <, > and " as entities and control characters, line breaks too, as spaces: fit for content and for
+/// The text with &, <, > and " as entities, and with control characters and line breaks as spaces: for content and for
 /// attributes in double quotes.
 std::string xml_escaped(std::string_view text);
 

@@ -20,13 +20,13 @@ struct Cut {
   std::vector<std::string> warnings;  ///< open boundaries, knives that miss
 };
 
-/// Looks at the stages (cut_observer.h).
+/// Observes the stages (cut_observer.h).
 class CutObserver;
 
 /// Cuts with all knives, one after another; with none, the whole fruit as pieces. `surfaces` are what the
 /// diffuser sees: sheets() with grains.
-/// \throws Error (usage) for knives that cannot be laid at this fruit: slices it cannot give, strokes along other
-/// knives' planes, peels thicker than it, more than ten thousand cells.
+/// \throws Error (usage) for knives that cannot be placed at this fruit: slices that it cannot give, strokes along
+/// other knives' planes, peels thicker than the fruit, more than ten thousand cells.
 Cut cut(const DiffusionSurfaces& surfaces, std::span<const Knife> knives, const CutOptions& options = {},
         CutObserver* observer = nullptr);
 

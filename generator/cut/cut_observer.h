@@ -1,4 +1,4 @@
-// Looks at the stages of a cut, for benches that time them and oracles that check them.
+// Observes the stages of a cut, for benches that measure them and oracles that check them.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// Told by cut() as it goes along; never from two threads at a time. What it is shown lives as long as the call.
+/// cut() calls these functions, never from two threads at a time. The arguments live only as long as the call.
 class CutObserver {
  public:
   virtual ~CutObserver() = default;
@@ -18,10 +18,10 @@ class CutObserver {
   /// A stage is done. Closed knives take the stage "carve" one after another.
   virtual void took(std::string_view /*stage*/, double /*milliseconds*/) {}
 
-  /// Where surfaces pass through planes and strokes, plane by plane.
+  /// The cut segments of planes and strokes, plane by plane.
   virtual void sees(const CutPlanes& /*planes*/, const std::vector<std::vector<CutSegment>>& /*segments*/) {}
 
-  /// What planes and strokes have cut, and then what each closed knife has.
+  /// The result of planes and strokes, and then the result of each closed knife.
   virtual void sees(const CutPlanes& /*planes*/, const Cutting& /*cutting*/) {}
 };
 

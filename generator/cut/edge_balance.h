@@ -1,4 +1,4 @@
-// Whether a mesh whose triangles come one by one is closed, by position.
+// Tests whether a mesh whose triangles come one by one is closed, by position.
 #pragma once
 
 #include <bit>
@@ -8,8 +8,8 @@
 
 namespace pomona {
 
-/// Counts every edge of a mesh with its direction, by position, in one sum that is zero if all edges are matched by
-/// opposite ones (and, but for a chance of 2^-64, only then).
+/// Adds up a hash of every directed edge of a mesh, by position. The sum is zero if every edge has an opposite edge; if
+/// not, it is zero only with a probability of 2^-64.
 class EdgeBalance {
  public:
   void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {

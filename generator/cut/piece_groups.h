@@ -1,5 +1,5 @@
-// Which closed parts of a cell are one piece: a cavity wall belongs to what surrounds it, and bodies that overlap hang
-// together (docs/decisions.md).
+// Which closed parts of a cell form one piece: a cavity wall belongs to the body around it, and overlapping bodies are
+// connected (docs/decisions.md).
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace pomona {
 
-/// For every part the smallest index among the parts it forms one piece with. `cell` tells which cell a part lies in:
-/// only parts of one cell come together.
+/// For every part, the smallest index of the parts that form one piece with it. Only parts of the same cell are
+/// grouped. \param cell of each part.
 std::vector<std::uint32_t> piece_groups(const std::vector<CutPiece>& parts, const std::vector<std::uint32_t>& cell,
                                         const CrossSection& section);
 

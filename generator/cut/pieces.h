@@ -1,4 +1,4 @@
-// Pieces: what the knives leave, clipped skin and cut faces joined into solids.
+// The pieces that the knives leave: clipped skin and cut faces joined to solids.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// Of the fruit's inner surfaces nothing is taken but the walls of spared parts.
+/// Makes the pieces. Of the fruit's inner surfaces, only the walls of spared parts are used.
 std::vector<CutPiece> pieces(const SparedFruit& cut, const DiffusionSurfaces& surfaces, const CutOptions& options);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Parts that knives spare: an avocado's stone stays whole in one half and leaves its socket in the other.
+// Spared parts, which knives go around: an avocado's stone stays whole in one half and leaves its socket in the other.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,24 @@
 
 namespace pomona {
 
-/// A triangle of a spared part's surface that now faces air: the part's own outside, or the wall of its socket.
+/// A triangle of a spared part's surface that now faces air: the outside of the part, or the wall of its socket.
 struct SparedWall {
-  SurfaceTriangle triangle;      ///< faces air; its vertices' normals do too. In the cell of the piece that it bounds
-  SideOf shows = SideOf::front;  ///< whose colour and part it has: a socket shows the front, what stands out the back
+  SurfaceTriangle triangle;      ///< it and its normals face air; its cell is that of the piece it bounds
+  SideOf shows = SideOf::front;  ///< the side with its colour and part: front for a socket, back for the part itself
 };
 
-/// A cut fruit, and what of it is not cut after all.
+/// A cut fruit, and its spared parts.
 struct SparedFruit {
-  CutFruit fruit;                     ///< with vertices for the walls; its section still goes through
-  std::vector<SparedWall> walls;      ///< of all parts that are spared
-  std::vector<std::uint8_t> uncut;    ///< per triangle of the section: within a spared part, so that no piece has it
+  CutFruit fruit;                     ///< with vertices for the walls; its section still goes through the spared parts
+  std::vector<SparedWall> walls;      ///< of all spared parts
+  std::vector<std::uint8_t> uncut;    ///< per triangle of the section: 1 inside a spared part; no piece has it
   std::vector<std::string> warnings;  ///< parts that cannot be spared
 };
 
-/// Surfaces with one of these parts behind them and another before them enclose what is spared, each of their closed
-/// shells for itself. It goes to the cell that holds most of it; among cells that hold within a twentieth as much, to
-/// the first in the order of cutting. A shell that is open, crosses another spared one or leaves the fruit is cut
-/// through. The fruit must have all its surfaces, inner ones too. \param parts ascending.
+/// Finds the spared parts. Each closed shell with one of `parts` behind it and another part before it encloses one. It
+/// goes to the cell that contains most of its volume; if several cells contain nearly as much (within a twentieth), to
+/// the first in the order of cutting. A shell that is open, crosses another spared shell or leaves the fruit is cut
+/// through. The fruit must still have all its surfaces, also inner ones. \param parts sorted.
 SparedFruit spared(CutFruit fruit, const DiffusionSurfaces& surfaces, std::span<const int> parts);
 
 }  // namespace pomona

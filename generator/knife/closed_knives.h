@@ -1,4 +1,4 @@
-// Closed knives laid at a fruit: balls, corers, bites, drawn profiles and peelers become closed surfaces.
+// Closed knives placed at a fruit: balls, corers, bites, drawn profiles and peelers become closed surfaces.
 #pragma once
 
 #include "generator/knife/knife.h"
@@ -7,9 +7,10 @@
 
 namespace pomona {
 
-/// The closed surface along which this knife cuts. What lies inside it is, for a peeler, the fruit that is left, and
-/// what is taken out for all others. \throws Error (usage) for what cannot be cut: a peel thicker than the fruit, a
-/// profile that needs too many triangles, and (bad_data) a peel of a skin that is open.
+/// The closed surface along which this knife cuts. For a peeler, the fruit inside it remains; for all other knives, the
+/// fruit inside it is taken out.
+/// \throws Error (usage) for a peel thicker than the fruit, and for a profile that needs too many triangles; (bad_data)
+/// for a peel of a skin that is open.
 ClosedSurface surface_of(const ClosedCut& knife, const DiffusionSurfaces& surfaces);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// The planes of all knives in the order they cut: which coincide, which are facets of one blade, and sets of them.
+// The planes of all knives, in the order in which they cut; and sets of these planes.
 #pragma once
 
 #include <cstdint>
@@ -13,53 +13,54 @@
 
 namespace pomona {
 
-/// The planes of all knives laid at one fruit, one after another. Closed knives have none.
+/// The planes of all knives placed at one fruit, knife by knife. Closed knives have no planes.
 struct CutPlanes {
   struct Plane {
     CuttingPlane plane;
     int knife = 0;              ///< index into knives
     std::size_t in_knife = 0;   ///< index into that knife's planes
-    int same_as = 0;            ///< the first plane that coincides with this one: itself, or an earlier knife's
-    bool turned = false;        ///< its normal points against that plane's
-    bool through_axis = false;  ///< contains the axis x = z = 0 and is no facet of a stroke
+    int same_as = 0;            ///< the first plane that coincides with this one: itself, or one of an earlier knife
+    bool turned = false;        ///< its normal is opposite to that of `same_as`
+    bool through_axis = false;  ///< it contains the axis x = z = 0 and is not a facet of a stroke
     int blade = 0;              ///< index into blades
   };
   std::vector<Plane> planes;
 
-  /// One cutting surface of a knife, triangulated as one: a plane, or all facets of a stroke, unrolled.
+  /// One cutting surface of a knife: a plane, or all facets of a stroke. It is triangulated in one piece, unrolled.
   struct Blade {
-    int first = 0, count = 1;      ///< its planes: planes[first] and those after it
-    std::optional<Stroke> stroke;  ///< none for a plane
+    int first = 0;                 ///< its first plane, an index into planes
+    int count = 1;                 ///< number of its planes, which follow each other
+    std::optional<Stroke> stroke;  ///< nothing for a plane
   };
   std::vector<Blade> blades;
   std::vector<KnifePlanes> knives;
-  double tolerance = 0;  ///< metres; places no farther apart than this are one
-  double rounding = 0;   ///< metres; computed points are no farther than this from where they should be
+  double tolerance = 0;  ///< metres; points no farther apart than this count as equal
+  double rounding = 0;   ///< metres; largest error of computed points
 
   int count() const { return static_cast<int>(planes.size()); }
   const Plane& operator[](int plane) const { return planes[static_cast<std::size_t>(plane)]; }
   const Blade& blade_of(int plane) const { return blades[static_cast<std::size_t>((*this)[plane].blade)]; }
 
-  /// The facet that a plane of a stroke is, or none.
+  /// The facet of a stroke that the plane is, or null.
   const Stroke::Facet* facet(int plane) const;
 
-  /// True if a place on the plane lies in the stretch that is the plane's facet; always, where it is no facet.
+  /// True if a point of the plane lies in the plane's facet. Always true for a plane that is not a facet.
   bool is_in_facet(int plane, const glm::dvec3& place) const;
 };
 
-/// Lays all knives at a fruit with these bounds. \throws Error (usage) for slices the fruit cannot give, for strokes
-/// that run along other knives' planes, and where knives make more than ten thousand cells.
+/// Places all knives at a fruit with these bounds. \throws Error (usage) for slices that the fruit cannot give, for
+/// strokes that run along another knife's plane, and for knives that make more than ten thousand cells.
 CutPlanes cut_planes(std::span<const Knife> knives, const Box<double>& bounds);
 
 /// n.p - D in metres.
 double signed_distance(const CuttingPlane& plane, const glm::dvec3& point);
 
-/// The point, which lies `on` these planes up to rounding, with the coordinates set to the bit that they fix: an
-/// axis-aligned plane fixes one, two planes through the axis fix x and z.
+/// The point with exact coordinates where its planes determine them: an axis-aligned plane determines one coordinate,
+/// two planes through the axis determine x and z. \param on the planes on which the point lies, up to rounding.
 glm::dvec3 snapped_to_planes(glm::dvec3 point, const std::vector<int>& on, const CutPlanes& planes);
 
-/// Sets of planes by number, each kept once: which planes a point lies on, or an edge is cut by. Set 0 is empty.
-/// Planes through the axis meet in one line, so a set with two of them has all of them.
+/// Numbered sets of planes, each stored once: the planes on which a point lies, or that cut an edge. Set 0 is empty.
+/// Planes through the axis have one line in common, so a set with two of them has all of them.
 class PlaneSets {
  public:
   explicit PlaneSets(const CutPlanes& planes);

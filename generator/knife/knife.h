@@ -1,4 +1,4 @@
-// Knives: what users ask for, before it is known which fruit is cut.
+// Knives as users ask for them, before they are placed at a fruit.
 #pragma once
 
 #include <memory>
@@ -31,7 +31,7 @@ struct SliceThickness {
 };
 using SliceSize = std::variant<SliceCount, SliceThickness>;
 
-/// Of slices, dice and sticks, in one direction.
+/// The largest number of slices, dice and sticks in one direction.
 constexpr int most_slices = 1024;
 
 struct PlaneKnife {
@@ -65,11 +65,11 @@ struct StrokeKnife {
 struct CrinkleKnife {
   double thickness = 0;  ///< of a slice, metres
 };
-/// Knives that cut along planes, or facets of planes: all that knife_planes.h lays at a fruit.
+/// Knives that cut along planes or along facets of planes (knife_planes.h).
 using PlaneCut = std::variant<HalfKnife, AcrossKnife, PlaneKnife, WedgeKnife, SliceKnife, DiceKnife, StickKnife,
                               CrinkleKnife, StrokeKnife>;
 
-/// Where nothing is said of it, a knife goes to the front of the fruit, or upright to its axis.
+/// Where a knife has no place or direction, it is placed at the front of the fruit, or upright along its axis.
 struct BallKnife {
   double diameter = 0;           ///< metres
   std::optional<glm::dvec3> at;  ///< of its middle, metres
@@ -92,7 +92,7 @@ struct RevolveKnife {
 };
 struct PeelKnife {
   double thickness = 0;         ///< metres
-  std::optional<double> strip;  ///< width of the strip as which the peel comes off, metres; in one without it
+  std::optional<double> strip;  ///< width of the peel if it comes off as one strip, metres; nothing = as a whole
 };
 struct SurfaceKnife {
   std::shared_ptr<const ClosedSurface> surface;  ///< never null

@@ -1,4 +1,4 @@
-// The one table of knives: what each is called, how it is written, and what it does in a line.
+// The table of all knives: the name, the ways to write it, and one line of help.
 #pragma once
 
 #include <filesystem>
@@ -15,16 +15,16 @@ struct KnifeKind {
   std::string name;                  ///< "core"
   std::vector<std::string> written;  ///< every way to write it, without options: "core:18mm"
   std::vector<std::string> options;  ///< each as one would write it: "depth=4cm"
-  std::string help;                  ///< along what it cuts, in one line
+  std::string help;                  ///< one line: along which surface it cuts
 
-  /// Reads what follows the colon. Files are looked for from `folder`.
+  /// Reads what follows the colon. Relative paths start from `folder`.
   /// \throws BadKnife (knife_options.h); those that read files also what read_stroke.h says.
   KnifeCut (*read)(const KnifeKind& kind, std::string_view value, const std::filesystem::path& folder);
 
   bool takes_value() const { return written.front() != name; }
 };
 
-/// All there are, simple ones first.
+/// All kinds of knives, simple ones first.
 const std::vector<KnifeKind>& knife_kinds();
 
 /// How one kind is written, with its options: "core:18mm [,axis=0,1,0] [,depth=4cm]".

@@ -1,4 +1,4 @@
-// A closed knife's surface made ready for cutting: as fine as its cut faces should be, with smooth normals.
+// A closed knife's surface, prepared for cutting: as fine as its cut faces should be, with smooth normals.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct KnifeMesh {
   struct Triangle {
     std::array<std::uint32_t, 3> corner{};  ///< points
     std::array<glm::dvec3, 3> normal{};  ///< per corner, unit, pointing outside; equal across edges that are no crease
-    std::uint32_t face = 0;              ///< one for all triangles that hang together across edges that are no crease
+    std::uint32_t face = 0;              ///< number of its face: triangles connected by edges that are no crease
   };
   std::vector<glm::dvec3> point;
   std::vector<Triangle> triangle;
@@ -30,7 +30,7 @@ struct KnifeMesh {
   }
 };
 
-/// The surface with points at equal places made one, and triangles without area left out. What a crease is: crease.h.
+/// The surface with equal points merged, and without triangles of area 0. Creases: see crease.h.
 /// \throws Error (bad_data) for a surface that is not closed; the message calls the knife by `name`.
 KnifeMesh knife_mesh(const ClosedSurface& surface, const std::string& name);
 

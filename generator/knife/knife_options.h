@@ -12,8 +12,8 @@
 
 namespace pomona {
 
-/// Why a knife cannot be, as the rest of a sentence that begins with the knife. Without a hint of its own, the list of
-/// all knives is what helps.
+/// A knife is not valid. what() is the end of a sentence that begins with the knife. If the hint is empty, the list of
+/// all knives is shown.
 struct BadKnife : std::runtime_error {
   explicit BadKnife(const std::string& why, std::string hint_in = {})
       : std::runtime_error(why), hint(std::move(hint_in)) {}
@@ -23,7 +23,7 @@ struct BadKnife : std::runtime_error {
 /// "1,2,,3" has four parts, one of them empty; "" has one.
 std::vector<std::string_view> split_at_commas(std::string_view text);
 
-/// Options by name. Values that are lists take the words up to the next name.
+/// Options by name. The value of an option goes on to the next name, so it may be a list.
 class KnifeOptions {
  public:
   /// `words` must outlive the object; `known` are the options there are, as a user would write them: "depth=4cm".

@@ -1,4 +1,4 @@
-// How deep under its skin a point of a fruit lies, for a peeler.
+// The depth of a point below the skin of a fruit, for a peeler.
 #pragma once
 
 #include <vector>
@@ -7,34 +7,35 @@
 
 namespace pomona {
 
-/// The skin is that of the fruit's main body: the shell that encloses most. Other bodies that stick out of it and are
-/// longer than a tenth of it (stems, calyces) stay with the fruit, as a peeler leaves them.
+/// The skin is that of the fruit's main body: the shell with the largest volume. Other bodies that stick out of it and
+/// are longer than a tenth of it (stems, calyces) are kept: a peeler leaves them on the fruit.
 class PeelDepth {
  public:
-  /// `clearance`: metres around what stays within which nothing is peeled off.
+  /// \param thickness of the peel, metres.
+  /// \param clearance nothing is peeled off within this distance of a kept body, metres.
   /// \throws Error (bad_data) for a fruit without a closed skin.
   PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double clearance);
 
   struct Place {
-    double depth = 0;      ///< metres below the skin, negative outside; what stays counts as deeper than the peel
-    glm::dvec3 deeper{0};  ///< the direction in which the depth grows, unit length, or 0 where there is none
+    double depth = 0;      ///< metres below the skin, negative outside; kept bodies count as deeper than the peel
+    glm::dvec3 deeper{0};  ///< the direction in which the depth grows, of length 1; 0 if there is none
   };
   Place at(const glm::dvec3& point) const;
 
-  /// Metres from what stays, or `within` if that is farther off.
+  /// The distance from the kept bodies, metres, if it is below `within`; else `within`.
   double from_what_stays(const glm::dvec3& point, double within) const;
 
-  /// Metres below the skin, negative outside, as if nothing but the main body were there.
+  /// The depth below the skin of the main body alone, metres, negative outside.
   double below_skin(const glm::dvec3& point) const;
 
   const TriangleTree& skin() const { return skin_.skin(); }
-  /// Of the skin and of all that stays.
+  /// The box of the skin and of the kept bodies.
   const Box<double>& box() const { return box_; }
 
  private:
   SkinDepth skin_;
   std::vector<TriangleTree> stays_;
-  double kept_ = 0;  ///< metres: the depth at the surface of what stays; farther off it is less by the distance
+  double kept_ = 0;  ///< depth at the surface of a kept body, metres; it decreases with the distance from it
   Box<double> box_;
 };
 

@@ -1,4 +1,4 @@
-// A knife as a scene or a batch file names it.
+// Reads a knife from a scene or batch file.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,11 @@
 
 namespace pomona {
 
-/// As parse_knife() reads it; what is wrong with it is noted at the value, and nothing comes back. Files that knives
-/// name are looked for from `folder`.
+/// The knife, as parse_knife() reads it. If it is not valid, notes the error at the value and returns nothing. Relative
+/// paths start from `folder`.
 std::optional<Knife> read_knife(const TomlValue& value, const std::filesystem::path& folder);
 
-/// Those of them that can be read.
+/// The knives of these that are valid.
 std::vector<Knife> read_knives(std::span<const TomlValue> values, const std::filesystem::path& folder);
 
 }  // namespace pomona

@@ -12,13 +12,13 @@
 
 namespace pomona {
 
-/// The open path with this id (or Inkscape label), in metres, y upwards, the SVG's origin at the frame's; `scale` is
-/// the length of one SVG unit. Curves are flattened to a hundredth of a millimetre. \throws Error (input_missing,
-/// bad_data) that names the file and the place in it.
+/// The open path with this id (or Inkscape label), in metres, y upwards. The SVG's origin becomes that of the frame.
+/// Curves are flattened with an error of a hundredth of a millimetre. \param scale metres per SVG unit. \throws Error
+/// (input_missing, bad_data) that names the file and the place in it.
 std::vector<glm::dvec2> read_stroke(const std::filesystem::path& file, const std::string& id, double scale);
 
-/// In the same way a profile to revolve around the SVG's y axis: x is the distance from it. Open, or closed beside the
-/// axis; without crossings, and not on or beyond the axis but with the ends of an open one.
+/// The same for a profile of revolution around the SVG's y axis: x is the distance from the axis. The profile is open,
+/// or closed and beside the axis. It does not cross itself; only the ends of an open profile may touch the axis.
 Curve read_profile(const std::filesystem::path& file, const std::string& id, double scale);
 
 /// Both from the text of an SVG; `file` is its name in messages.

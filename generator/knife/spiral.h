@@ -10,14 +10,14 @@
 
 namespace pomona {
 
-/// Tells how far along the fruit's outline, bottom to top, a point lies. The outline is the convex hull of the skin,
-/// turned into one half-plane about the axis. A point within or without it is where the ray from the nearest point of
-/// the fruit's middle, a stretch of the axis, through it meets the outline.
+/// The position of a point along the fruit's outline, from bottom to top. The outline is the convex hull of the skin
+/// after all points are turned about the axis into one half-plane. A point that is not on it is projected: by the ray
+/// from the nearest point of the fruit's middle, a segment of the axis.
 class OutlinePlace {
  public:
   explicit OutlinePlace(const TriangleTree& skin);
 
-  double along(const glm::dvec3& point) const;  ///< metres from the bottom, along the outline
+  double along(const glm::dvec3& point) const;  ///< distance from the bottom along the outline, metres
   double length() const { return along_.back(); }
 
  private:
@@ -26,8 +26,9 @@ class OutlinePlace {
   double low_middle_ = 0, high_middle_ = 0;  ///< heights of the ends of the fruit's middle
 };
 
-/// How far a point, `along` metres from the bottom of the outline, is from the middle of the nearest ridge, in turns
-/// about the axis, in [-0.5, 0.5]. The ridge rises by `pitch` metres along the outline with each turn.
+/// The distance of a point from the middle of the nearest ridge, in turns about the axis, in [-0.5, 0.5].
+/// \param along position of the point along the outline, metres from the bottom.
+/// \param pitch the ridge rises by this along the outline with each turn, metres.
 double turns_from_ridge(double along, const glm::dvec3& point, double pitch);
 
 }  // namespace pomona

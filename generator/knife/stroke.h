@@ -8,29 +8,29 @@
 
 namespace pomona {
 
-/// A polyline without crossings, swept along z; beyond its ends it goes on straight for ever. Each of its edges is a
-/// facet of the cutting surface.
+/// A polyline that does not cross itself, extruded along z. Beyond its ends it goes on straight without end. Each of
+/// its edges is a facet of the cutting surface.
 class Stroke {
  public:
-  /// `points`: metres, at least two, no two in a row equal.
+  /// \param points metres, at least two; neighbours differ.
   explicit Stroke(std::vector<glm::dvec2> points);
 
   struct Place {
     double distance = 0;  ///< metres, positive to the right of the stroke
-    int facet = 0;        ///< the one that is nearest
+    int facet = 0;        ///< the nearest facet
   };
-  /// How far a point lies from the stroke, and on which side.
+  /// The signed distance of a point from the stroke, and the nearest facet.
   Place nearest(const glm::dvec2& point) const;
 
   int facets() const { return static_cast<int>(facets_.size()); }
 
-  /// One edge. `from` and `to` are where it ends along its direction, 0 and its length, or infinity.
+  /// One edge.
   struct Facet {
     glm::dvec2 start{0}, direction{1, 0};
-    double from = 0, to = 0;
-    double along = 0;  ///< metres from the stroke's first point to the facet's start
+    double from = 0, to = 0;  ///< its ends along its direction, metres from `start`: 0 and its length, or infinity
+    double along = 0;         ///< distance from the stroke's first point to `start` along the stroke, metres
 
-    /// Metres from the start to the foot of the point's perpendicular.
+    /// The distance from the start to the foot of the point's perpendicular, metres.
     double along_of(const glm::dvec2& point) const;
   };
   const Facet& facet(int i) const { return facets_[static_cast<std::size_t>(i)]; }
@@ -39,11 +39,12 @@ class Stroke {
   std::vector<Facet> facets_;
 };
 
-/// The polyline without points that are nearer to the one before than a ten thousandth of the whole's extent, or in
-/// line with their neighbours. Its ends stay.
+/// The polyline without points that are nearer to the point before than a ten thousandth of the whole's size, and
+/// without points in line with their neighbours. Its ends stay.
 std::vector<glm::dvec2> cleaned(const std::vector<glm::dvec2>& points);
 
-/// True if the stroke crosses or touches itself, or where its ends go on straight within `reach` of the middle.
+/// True if the stroke, with its straight extensions up to a distance `reach` from the middle, crosses or touches
+/// itself.
 bool crosses_itself(const std::vector<glm::dvec2>& points, const glm::dvec2& middle, double reach);
 
 }  // namespace pomona

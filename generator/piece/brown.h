@@ -12,9 +12,9 @@
 
 namespace pomona {
 
-/// The section, its colours diffused, as brown as `fruit.individual` says: see BrowningSketch. The field is tied to
-/// the fruit, not to the cut: two cuts agree at every vertex where they meet. Only colours change, and only
-/// towards those of the sketch; at browning 0 they keep their bits. `surfaces`: those that were cut.
+/// The section with its diffused colours, browned as `fruit.individual` says: see BrowningSketch. The field of browning
+/// belongs to the fruit, not to the cut: where two cuts meet, they have the same colours. Only colours change, and only
+/// towards those of the sketch; at browning 0 they keep their bits. \param surfaces those that were cut.
 CrossSection browned(CrossSection section, const DiffusionSurfaces& surfaces, const Template& fruit,
                      Threads threads = {});
 
@@ -22,7 +22,7 @@ CrossSection browned(CrossSection section, const DiffusionSurfaces& surfaces, co
 DiffusedColors browned(DiffusedColors colors, std::span<const glm::vec3> points, const DiffusionSurfaces& surfaces,
                        const Template& fruit);
 
-/// The same for what knives went around and laid bare: the socket of a stone, and the stone.
+/// The same for the freshly exposed walls of spared parts: the socket of a stone, and the stone.
 std::vector<CutPiece> browned(std::vector<CutPiece> pieces, const DiffusionSurfaces& surfaces, const Template& fruit);
 
 }  // namespace pomona

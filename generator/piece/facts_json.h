@@ -1,4 +1,4 @@
-// Facts of a piece as lists of pieces and the records of batches tell them.
+// Facts of a piece as JSON, for lists of pieces and the records of batches.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

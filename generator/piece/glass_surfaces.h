@@ -9,10 +9,10 @@
 
 namespace pomona {
 
-/// Every surface and every kind of grain as a see-through solid of its own, named "<name>.<surface>"; each side in its
-/// own colours. What lies nearer to the axis is denser, grains most of all, so that one sees what lies in what. The
-/// densest comes first: viewers of .glb that blend in the order of the file draw from the inside outwards. Blur is not
-/// shown.
+/// Every surface and every kind of grain as a transparent solid, named "<name>.<surface>"; each side has its own
+/// colours. Surfaces nearer to the axis are more opaque, and grains most of all, so that inner things are visible
+/// through outer ones. The most opaque solid comes first, because viewers of .glb that blend in the order of the file
+/// then draw from the inside outwards. Blur is not shown.
 std::vector<Solid> glass_surfaces(const GrownFruit& fruit, const Template& variant, const std::string& name);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// From a template and a seed to everything the diffuser sees: the first half of the road in one verb.
+// Grows a fruit: from a template and a seed to everything that the diffuser sees. This is the first half of the road.
 #pragma once
 
 #include <memory>
@@ -21,29 +21,29 @@ struct GrowOptions {
   bool curves_only = false;             ///< see VariationOptions
   std::optional<int> folds = {};        ///< another number of folds than drawn
   double detail = 1.0;                  ///< see SweepOptions
-  std::optional<double> ripeness = {};  ///< 0..2 instead of what the key draws
+  std::optional<double> ripeness = {};  ///< 0..2, instead of a random one from the key
   double browning = 0;                  ///< 0..1, of cut faces
-  double scale = 1;                     ///< of all lengths of the variant
-  Threads threads = {};                 ///< no result depends on them
+  double scale = 1;                     ///< factor of all lengths of the variant
+  Threads threads = {};                 ///< the result does not depend on them
 };
 
-/// The template's variant for `key`, with patterns of noise and detail of its own; with as_drawn the template itself,
-/// or its folds repeated in turn, of the ripeness asked for.
+/// The template's variant for `key`, with its own patterns of noise and detail. With as_drawn, it is the template
+/// itself, or the template with its folds repeated in turn, with the given ripeness.
 Template variant_of(const Template& fruit, VariantKey key, const GrowOptions& options = {});
 
-/// The same of a template that was made ready for many variants, never as drawn.
+/// The same for a template that is prepared for many variants; never as drawn.
 Template variant_of(const Variation& variation, VariantKey key, const GrowOptions& options = {});
 
-/// A grown fruit at the stages of the road.
+/// A grown fruit at several stages.
 struct GrownFruit {
   DiffusionSurfaces swept;   ///< as drawn or varied: blur not split, no grains
   DiffusionSurfaces grains;  ///< blur not split
   DiffusionSurfaces sheets;  ///< everything the diffuser sees: blur split, grains included
 
-  /// Of `swept`, where growing has made it already; else none.
+  /// The skin depth of `swept`, if grow() has computed it; else null.
   std::shared_ptr<const SkinDepth> skin = {};
 
-  std::vector<Spot> raised = {};  ///< spots that stand out or are sunk (spots.h): pictures show it, no vertex does
+  std::vector<Spot> raised = {};  ///< spots with relief (spots.h): only for shading, no vertex moves
 };
 
 /// Sweeps a variant, ripens its colours, splits its blur and scatters its grains.

@@ -1,4 +1,5 @@
-// Guides for texture detail: where the surfaces run at each place of a cut face or skin (paper, section 6).
+// Guides for texture detail: the direction and depth of the layers at each point of a cut face or skin (paper, section
+// 6).
 #pragma once
 
 #include "generator/base/parallel.h"
@@ -9,16 +10,15 @@
 
 namespace pomona {
 
-/// Gives every vertex of a coloured section its guide, if the template has details for cut faces; else the section as
-/// it came. The way across the layers is the diffused normal of the surfaces around the axis, as long as the place is
-/// deep; the layer is the diffused mean depth of those surfaces. Both are 0 where no detail counts, nor near by.
-/// Elsewhere a guide depends on its place alone, so two cuts agree.
-/// \param swept all surfaces before blur is split.
-/// \param known their skin, if somebody has it; the result is the same.
+/// Gives every vertex of a coloured section its guide, if the template has details for cut faces; else returns the
+/// section unchanged. The direction across the layers is the diffused normal of the surfaces around the axis; its
+/// length is the depth of the point. The layer is the diffused mean depth of those surfaces. Both are 0 where no detail
+/// has an effect on the point or near it. Elsewhere a guide depends only on the position, so two cuts agree. \param
+/// swept all surfaces before sheets(). \param known their skin, if it exists already; the result is the same.
 CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const Template& fruit, Threads threads = {},
                     const SkinDepth* known = nullptr);
 
-/// How much each detail of that kind of face counts for a part at a depth below the skin, metres.
+/// The strength of each detail of this kind of face for a part at a depth below the skin, metres.
 glm::vec4 detail_shares(const Template& fruit, DetailFace face, std::int32_t part, double depth);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// One seed by itself, for plates.
+// A single seed, for plates.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace pomona {
 
-/// The longest of the grains whose part is called a seed, stone, pip, achene or kernel, as a solid that faces air with
-/// its front, where it grew; nothing where there is none.
+/// The longest of the grains whose part is called seed, stone, pip, achene or kernel, as a solid at the place where it
+/// grew; nothing if there is none.
 std::optional<Solid> one_grain(const GrownFruit& fruit, const Template& variant, const std::string& name);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Where a piece comes from: all that `pomona cut` must be told to make it again.
+// The origin of a piece: everything that `pomona cut` needs to make it again.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@ namespace pomona {
 
 struct PieceOrigin {
   // What was grown.
-  std::string source = {};   ///< the template as `pomona cut` is told it, a name or a path; empty: nobody has said
+  std::string source = {};   ///< the template's name or path, as an argument of `pomona cut`; empty = not known
   VariantKey key = {};       ///< of the variant
-  GrowOptions growing = {};  ///< how the variant strays from the template
+  GrowOptions growing = {};  ///< options with which the variant was grown
 
   // How it was cut.
-  std::vector<std::string> knives = {};  ///< one after another, as they were written; none leave the fruit whole
-  bool coarse = false;                   ///< by `coarse_cut`, as scenes are, instead of the default
-  int number = 0;                        ///< of the piece in the order in which it was cut, from 1; 0: nobody has said
-  int pieces = 0;                        ///< that the cut left, crumbs too
+  std::vector<std::string> knives = {};  ///< in their order, as the user wrote them; none = a whole fruit
+  bool coarse = false;                   ///< cut with `coarse_cut`, as in scenes, instead of the default options
+  int number = 0;                        ///< number of the piece in the order of cutting, from 1; 0 = not known
+  int pieces = 0;                        ///< number of all pieces of the cut, with crumbs
 
   // Where it belongs.
   std::string fruit = {};    ///< the template's own name: "tomato"
@@ -27,11 +27,11 @@ struct PieceOrigin {
   std::string variant = {};  ///< "tomato-wedges-3"; what pieces of one fruit have in common
 };
 
-/// A template's name or path as it was written, for PieceOrigin::source; of a path from the root, which means nothing
-/// elsewhere, the file's name alone.
+/// A template's name or path as it was written, for PieceOrigin::source. Of an absolute path, which means nothing on
+/// another machine, only the file's name.
 std::string source_word(const std::string& name_or_path);
 
-/// The knives, parted by spaces.
+/// The knives, separated by spaces.
 std::string knives_text(const PieceOrigin& origin);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Where a rigid thing lies.
+// The pose of a rigid body.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>

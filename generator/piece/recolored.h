@@ -1,4 +1,4 @@
-// The same piece of a fruit that is riper, or less ripe: other colours on the same mesh.
+// The same piece with another ripeness: other colours on the same mesh.
 #pragma once
 
 #include "generator/piece/solid.h"
@@ -6,10 +6,10 @@
 
 namespace pomona {
 
-/// The piece with the skin colours of `other` in place of its own: where a vertex lies on a surface of the one fruit,
-/// it takes the colour of the same place and side on the other, and where a knife has laid the surface bare it browns
-/// as `fruit` says, which is the other. Cut faces are left as they are. \param own, other of one individual, as swept:
-/// they differ in nothing but colours. \throws Error (bug) if they do.
+/// The piece with the skin colours of `other` instead of its own. A vertex on a surface of `own` gets the colour of the
+/// same point and side on `other`; where a knife has exposed the surface, it is browned as `fruit` says. Cut faces do
+/// not change. \param own, other surfaces of the same individual, as swept, which differ only in their colours. \param
+/// fruit the template of `other`. \throws Error (bug) if they differ in anything else.
 Solid recolored(Solid piece, const DiffusionSurfaces& own, const DiffusionSurfaces& other, const Template& fruit);
 
 }  // namespace pomona

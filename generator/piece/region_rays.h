@@ -1,4 +1,4 @@
-// How much denser or lighter than usual pieces are, by the parts inside them.
+// The difference in mass of pieces from parts inside them that are denser or lighter than the rest.
 #pragma once
 
 #include <span>
@@ -11,16 +11,16 @@
 namespace pomona {
 
 struct RegionRayOptions {
-  int rays = 4000;  ///< through the box around all regions; masses of pieces are then right to half a hundredth
+  int rays = 4000;  ///< number of rays through the box around all regions; the error of masses is then half a percent
 };
 
-/// Per piece, the moments of the density by which its parts exceed the usual one.
+/// Per piece, the moments of the excess density of its parts.
 ///
-/// Neither regions nor pieces need to nest: grains stick out of what they grow on, seeds touch each other. So it is not
-/// summed over polyhedra, but along parallel rays on a lattice: exactly along each ray, by the midpoint rule across.
-/// The rays go in a direction that no knife has, so that cuts are no steps of the lattice; and they are the same for
-/// all pieces of a fruit, so that what pieces have adds up to what the fruit has, to rounding. Open pieces have none.
-/// \param excess per region, kg per cubic metre. \param origin of the moments.
+/// Regions and pieces need not be nested: grains stick out of what they grow on, seeds touch each other. So the moments
+/// are not summed over polyhedra, but along parallel rays on a lattice: exactly along each ray, by the midpoint rule
+/// across. No knife has the direction of the rays, so cuts are not aligned with the lattice. The rays are the same for
+/// all pieces of a fruit, so the moments of the pieces add up to those of the fruit, up to rounding. Open pieces have
+/// none. \param excess per region, kg per cubic metre. \param origin of the moments.
 std::vector<Moments> excess_moments(std::span<const Solid> pieces, const PartRegions& regions,
                                     std::span<const double> excess, const glm::dvec3& origin,
                                     const RegionRayOptions& options = {});

@@ -1,4 +1,4 @@
-// The colours of a fruit's cut faces, kept for those who ask between the section's vertices: baked textures.
+// The colours of a fruit's cut faces at any point, not only at the section's vertices: for baked textures.
 #pragma once
 
 #include <memory>
@@ -11,15 +11,15 @@
 
 namespace pomona {
 
-/// What made the colours of a section, so that any other point of the cut faces gets its colour in the same way:
-/// diffused from the same surfaces, then browned. Shared by all pieces of one fruit.
+/// Everything that determines the colours of a section. So any other point of the cut faces can get its colour in the
+/// same way: diffused from the same surfaces, then browned. All pieces of one fruit share it.
 class SectionColors {
  public:
   /// \param surfaces those that were cut. \param fruit the variant they were grown from.
   /// \param diffuser must outlive this and its fields.
   SectionColors(DiffusionSurfaces surfaces, Template fruit, const Diffuser& diffuser);
 
-  /// Set up anew each time; the field must not outlive this.
+  /// A new field at each call. It must not outlive this object.
   /// \throws Error (bad_data) as Diffuser::field().
   std::unique_ptr<ColorField> field() const;
 
@@ -29,7 +29,7 @@ class SectionColors {
   const Diffuser& diffuser_;
 };
 
-/// The solids of one fruit, each knowing what coloured its cut faces.
+/// The solids of one fruit, each with a pointer to `colors`.
 std::vector<Solid> with_section_colors(std::vector<Solid> solids, std::shared_ptr<const SectionColors> colors);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Solids: finished pieces and whole fruits, ready to be drawn, exported and piled.
+// Solids: finished pieces and whole fruits, ready to be drawn, exported and settled.
 #pragma once
 
 #include <cstdint>

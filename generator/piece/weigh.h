@@ -1,4 +1,4 @@
-// What pieces weigh, by the parts inside them.
+// The masses of pieces, with the densities of the parts inside them.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace pomona {
 
-/// Closed pieces of a fruit with Solid::weighed, where the template gives parts a density of their own; others as they
-/// are. Their moments are those of their meshes at the fruit's density, exactly, and to that what its parts exceed it
-/// by (region_rays.h). Pieces of one fruit add up to it.
+/// The pieces of a fruit; closed pieces get Solid::weighed, if the template gives parts a density of their own. Their
+/// moments are those of their meshes with the fruit's density (exact), plus those of the excess densities of parts
+/// (region_rays.h). The moments of all pieces add up to those of the fruit.
 std::vector<Solid> weighed(std::vector<Solid> pieces, const GrownFruit& grown, const Template& fruit);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Composing: from what a scene file says to a scene of placed, coloured pieces.
+// Composes a scene: from a scene file to placed, coloured pieces.
 #pragma once
 
 #include <vector>

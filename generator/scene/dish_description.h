@@ -1,5 +1,5 @@
-// What a scene file says of a dish: something turned on the wheel, or a mesh, that pieces lie in or on, or that only
-// stands there (docs/formats.md).
+// The description of a dish in a scene file: a turned dish or a mesh. Pieces lie in it or on it, or it only stands
+// there (docs/formats.md).
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 
 namespace pomona {
 
-/// A dish turned on the potter's wheel: the profile of its clay, metres, from the axis below, along the outside
-/// up over the rim and down the inside to the axis again. Stands on y = 0.
+/// A dish as a solid of revolution. Its profile, metres, runs from the axis at the bottom along the outside, over the
+/// rim and down the inside to the axis. It stands on y = 0.
 struct BowlDescription {
   Curve profile;
   Ramp<Color> color = Ramp<Color>::constant(Color(0.8f));  ///< along the profile
@@ -32,7 +32,7 @@ struct DishDescription {
   MeshSolidOptions as_solid{};
   glm::dvec3 at{0};     ///< metres
   double turn = 0;      ///< radians about the vertical
-  std::string part_of;  ///< pieces know both as one: this stands in or on that one
+  std::string part_of;  ///< name of the dish in or on which this one stands; for pieces, both are one dish
 };
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Dishes as solids: turned like any fruit, or out of a mesh file.
+// Dishes as solids: turned ones, or from a mesh file.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ class DishSolids {
   /// \param folder of the scene, which holds the meshes.
   explicit DishSolids(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The number of the solid of this dish; made, and named after it, if none was made alike before.
+  /// The index of the solid of this dish. The solid is made, with the dish's name, unless an equal one exists.
   /// \throws Error (bad_data), (input_missing) at the place where the scene names the mesh.
   std::size_t index_of(const DishDescription& dish);
 

@@ -1,4 +1,4 @@
-// Solids side by side on the table, at one scale: a family of variants.
+// Solids side by side on the table, at one scale, for a family of variants.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace pomona {
 
-/// The solids in their order along +X on the ground, each posed as laid_out() poses it by itself, with a tenth of the
-/// largest one's width between them; seen from the front and a little above.
+/// The solids in their order along +X on the ground, each in the pose that laid_out() gives it alone. The gaps are a
+/// tenth of the largest width. The view is from the front and a little above.
 Scene in_a_row(std::vector<Solid> solids);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Which pieces of an entry a scene places, and how often each.
+// The items of an entry: which of its pieces a scene places, and how often each.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace pomona {
 
-/// How many pieces each entry places: by its share of the scene's total, those with the largest rests first; else its
-/// own total. 0 where it says neither.
+/// The number of pieces that each entry places: by its share of the scene's total (largest remainders first), or its
+/// own total; 0 if it has neither.
 std::vector<int> totals_of(const SceneDescription& scene);
 
 /// Makes the items of one entry: its pieces, each as often as asked for. First all are counted, then all added.

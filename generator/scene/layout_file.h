@@ -1,4 +1,4 @@
-// Where everything lies, as JSON: written once, read instead of settling again.
+// Layouts: the poses of all instances as JSON. A layout is written once and read instead of settling again.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ struct Layout {
     Pose pose;
     SourcePlace place;  ///< of the name
   };
-  SourcePlace list;  ///< where its placements begin, for messages
+  SourcePlace list;  ///< start of its placements, for messages
   std::vector<Placement> placements;
 };
 
@@ -36,7 +36,7 @@ Layout read_layout(const std::filesystem::path& file);
 /// The layout that a scene names, if it names one. \throws Error (input_missing) at the place where it is named.
 std::optional<Layout> layout_of(const SceneDescription& scene);
 
-/// The poses for these instances, in their order (their own poses are not looked at).
+/// The poses for these instances, in their order (their own poses are ignored).
 /// \throws Error (bad_data) if the layout belongs to another scene: names that differ, or are missing.
 std::vector<Pose> poses_for(const Layout& layout, const std::vector<Solid>& solids,
                             const std::vector<Instance>& instances);

@@ -1,4 +1,4 @@
-// From what a scene file says to solids: many cut variants, and dishes; where they lie comes later.
+// The parts of a scene: the solids of many cut variants, and dishes, before they are placed.
 #pragma once
 
 #include "generator/diffusion/diffuser.h"
@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-/// Reads all that the scene names, templates, meshes and the layout, and tries its knives.
+/// Reads everything that the scene names (templates, meshes, the layout), and tests its knives.
 /// \throws Error at the place in the scene that names what is missing or wrong.
 void check_sources(const SceneDescription& scene, const ComposeOptions& options);
 

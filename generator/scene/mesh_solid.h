@@ -1,4 +1,4 @@
-// A mesh out of a modelling tool as a solid: what a scene's dishes are made of.
+// A mesh from a modelling tool as a solid, for a scene's dishes.
 #pragma once
 
 #include <optional>

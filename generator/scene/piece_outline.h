@@ -1,4 +1,4 @@
-// A piece as the table feels it: what it would rest on, and how long and wide it is.
+// The outline of a piece: on what it can rest, and how long and wide it is.
 #pragma once
 
 #include <vector>
@@ -17,11 +17,11 @@ class PieceOutline {
 
   double radius() const { return radius_; }
 
-  /// How high the centre of mass is over the table with this side up, metres.
+  /// The height of the centre of mass above the table with this side up, metres.
   double height(const glm::dvec3& up) const { return -glm::dot(lowest(up), up); }
 
-  /// The side that is up after it has been laid down with `up` up and has come to rest: downhill steps that become
-  /// smaller, away from the point it stands on.
+  /// The side that is up after the piece was laid down with `up` up and came to rest. It tilts in smaller and smaller
+  /// steps, away from the point on which it stands.
   glm::dvec3 rested(glm::dvec3 up) const;
 
   struct Plan {
@@ -43,13 +43,13 @@ class PieceOutline {
 /// Some unit vector at right angles to this one.
 glm::dvec3 level_direction(const glm::dvec3& up);
 
-/// Whether a piece that stands as it grew (+Y is up) would balance on something thin, as a beetroot does on its root:
-/// the surface of its lowest fifth lies, in the mean, within a sixteenth of its width around the middle of that fifth.
-/// A cone on its tip is a little wider there, a strawberry three times as wide.
+/// Whether a piece that stands as it grew (+Y is up) would balance on something thin, as a beetroot on its root: the
+/// mean distance of its lowest fifth's surface from the middle of that fifth is at most a sixteenth of the piece's
+/// width. A cone on its tip is a little wider there, a strawberry three times as wide.
 bool stands_on_a_tail(const Solid& solid);
 
-/// Whether a piece that stands as it grew has flat ground under it, as a volcano has: at its very bottom lies skin that
-/// looks straight down, of six tenths of all that looks down; and it is no taller than wide.
+/// Whether a piece that stands as it grew has a flat bottom, as a volcano has: at its lowest points, the skin faces
+/// straight down, with six tenths of the area of everything that faces down; and it is not taller than wide.
 bool stands_on_flat_ground(const Solid& solid);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Dishes as scene files spell them: [bowl] and [[dishes]].
+// Reads dishes from scene files: [bowl] and [[dishes]].
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// The table [bowl]; what is wrong is noted in the document.
+/// The table [bowl]. Errors are noted in the document.
 BowlDescription read_bowl(const TomlTable& table);
 
 /// All of [[dishes]]. \param folder of the scene, which holds their meshes. \param taken names they must differ from.

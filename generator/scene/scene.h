@@ -1,4 +1,4 @@
-// A scene: solids, each with any number of placed instances, and how it is looked at.
+// A scene: solids, each with any number of placed instances, and a view.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct Instance {
   std::string name;  ///< unique within the scene
 };
 
-/// A camera by what it sees; perspective.
+/// A perspective camera.
 struct View {
   glm::dvec3 eye{0.3, 0.35, 0.5};
   glm::dvec3 target{0};
@@ -34,13 +34,13 @@ struct Scene {
   bool ground = false;  ///< a ground plane at y = 0 that takes shadows
 };
 
-/// Every solid once, where it grew, seen as `view_name` says ("front", "top", "three-quarter").
+/// A scene with every solid once, where it grew.
 Scene gathered(std::vector<Solid> solids);
 
-/// The nearest view that has all of the scene in it, with a little room around: it touches left and right, or above and
-/// below. Of a whole scene it is exact, with its perspective.
-/// \param direction from the target to the eye, any length. \param aspect the picture's width over its height.
-/// \param light towards the light: then shadows on the ground are in the view, too.
+/// The nearest view that shows all of the scene, with a small margin: the scene touches the margin left and right, or
+/// above and below. The perspective is taken into account exactly. \param direction from the target to the eye, any
+/// length. \param aspect the picture's width over its height. \param light towards the light: then shadows on the
+/// ground are in the view, too.
 View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect = 1.0,
                  const std::optional<glm::dvec3>& light = {});
 

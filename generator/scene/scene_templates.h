@@ -9,8 +9,9 @@
 
 namespace pomona {
 
-/// One per entry; the same file is read once.
-/// \throws Error at the place in the scene that names one which is missing or wrong, or lacks what the entry asks for.
+/// The template of each entry. The same file is read only once.
+/// \throws Error at the place in the scene where a template is named that is missing or wrong, or lacks what the entry
+/// asks for.
 std::vector<Template> scene_templates(const SceneDescription& scene, const ComposeOptions& options);
 
 }  // namespace pomona

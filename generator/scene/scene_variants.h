@@ -1,4 +1,4 @@
-// The variants of a scene's fruits, as they grow.
+// Grows the variants of a scene's fruits.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,11 @@
 
 namespace pomona {
 
-/// For each entry that wants variants its template made ready for them, once for all entries with the same template.
+/// For each entry with variants, its prepared template; entries with the same template share it.
 std::vector<std::shared_ptr<const Variation>> variations_of(const SceneDescription& scene,
                                                             const std::vector<Template>& templates);
 
-/// A variant as it has grown.
+/// A grown variant.
 struct GrownSceneVariant {
   Template variant;
   GrownFruit grown;

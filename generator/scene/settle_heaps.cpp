@@ -128,7 +128,7 @@ SettledHeaps settled_heaps(const SceneDescription& scene, const SceneParts& part
     how.spread = scene.spread;
     how.around = scene.around;
     how.attempts = scene.attempts;
-    how.heap.friction = scene.friction;
+    how.world.friction = scene.friction;
     how.arrangements = parts.arrangements;
     how.threads = options.threads;
     how.progress = [&, k](const std::string& stage, std::size_t done, std::size_t) { teller.tell(k, stage, done); };

@@ -1,4 +1,4 @@
-// The heaps of a scene, each in its dish, settled beside each other.
+// Settles the heaps of a scene, each in its dish.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@ namespace pomona {
 struct SettledHeaps {
   std::vector<Pose> poses;  ///< of the dishes, then of the items, in the scene
   std::vector<Fit> fits;    ///< of the items, each within its heap
-  int attempts = 0;         ///< most of any heap
+  int attempts = 0;         ///< largest number of any heap
   int steps = 0;
   std::size_t again = 0, heaps = 0;
 };
 
-/// Pieces of different dishes do not know each other; those on the ground know no dish but the bowl.
+/// Pieces of different dishes do not touch each other; pieces on the ground touch no dish except the bowl.
 /// \throws Error as settle() does.
 SettledHeaps settled_heaps(const SceneDescription& scene, const SceneParts& parts, const ComposeOptions& options);
 

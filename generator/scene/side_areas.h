@@ -1,4 +1,4 @@
-// How much of a piece is seen from where.
+// The visible area of a piece from each direction.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace pomona {
 
-/// The areas of a piece's cut faces and of its skin, sorted by the direction they look in: 6 x 6 directions on each
-/// side of a cube. What stands in whose way is not asked.
+/// The areas of a piece's cut faces and of its skin, by the direction of the normal: 6 x 6 directions on each side of a
+/// cube. Occlusion is ignored.
 class SideAreas {
  public:
   explicit SideAreas(const Solid& solid);

@@ -5,9 +5,9 @@
 
 namespace pomona {
 
-/// The scene moved up or down, so that its lowest point is on the ground, which takes shadows. The view moves along.
-/// A single fruit that nobody has turned yet and that is twice as high as wide lies down, as table_pose() lays it, and
-/// is seen anew from where it was seen.
+/// The scene moved up or down so that its lowest point is on the ground, which takes shadows. The view moves with it. A
+/// single fruit that has not been turned and is at least twice as high as wide lies down, in its table_pose(), and the
+/// view is fitted again from the same direction.
 Scene standing(Scene scene);
 
 }  // namespace pomona

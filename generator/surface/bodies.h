@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// Which body each triangle bounds, and what is known of each body.
+/// The body that each triangle bounds, and the properties of each body.
 struct Bodies {
   static constexpr std::int32_t none = -1;
 

@@ -1,4 +1,4 @@
-// Which bodies hold a place.
+// Which bodies contain a point.
 #pragma once
 
 #include "generator/mesh/enclosures.h"
@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// The boundary, facing air: each triangle a part of the mesh that has its body's number.
+/// The boundary triangles, facing air, grouped by the number of their body.
 Enclosures body_walls(const DiffusionSurfaces& surfaces, const Bodies& bodies);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Where surfaces cross each other, and themselves.
+// Crossings of surfaces with each other and with themselves.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,24 @@ namespace pomona {
 /// Two triangles that cross, the smaller index first.
 struct CrossingTriangles {
   std::uint32_t first = 0, second = 0;
-  bool same_piece = false;  ///< surfaces consist of pieces, connected parts: a chamber in each fold
+  bool same_piece = false;  ///< both lie in one connected part of a surface, for example in the chamber of one fold
 };
 
-/// What crosses what: two surfaces, the smaller index first, or one twice; and whether it is one piece with itself.
+/// The kind of a crossing: two surfaces (the smaller index first, or the same twice), and whether it is one connected
+/// part.
 using CrossingKind = std::tuple<std::int32_t, std::int32_t, bool>;
 CrossingKind kind_of(const DiffusionSurfaces& surfaces, const CrossingTriangles& crossing);
 std::set<CrossingKind> kinds_of(const DiffusionSurfaces& surfaces, const std::vector<CrossingTriangles>& crossings);
 
-/// All pairs of triangles that cross properly, an edge of one going through the inside of the other, in order. Decided
-/// exactly, for positions rounded to a 2^29th of the bounds' longest side. Touching, a shared edge, and
-/// overlapping in one plane do not count; nor does what is not finite.
+/// All pairs of triangles that cross properly (an edge of one goes through the inside of the other), sorted. The test
+/// is exact, for positions rounded to a 2^29th of the bounds' longest side. Touching, a shared edge, and an overlap in
+/// one plane do not count; triangles that are not finite are ignored.
 std::vector<CrossingTriangles> crossing_triangles(const DiffusionSurfaces& surfaces);
 
 /// The kinds of all crossings: kinds_of(surfaces, crossing_triangles(surfaces)).
 std::set<CrossingKind> crossing_kinds(const DiffusionSurfaces& surfaces);
 
-/// Those of `wanted` among them. Looks at the surfaces of these alone, and no longer than until each has been found.
+/// The kinds of `wanted` that occur. Tests only the surfaces of these kinds, and stops when each kind is found.
 std::set<CrossingKind> crossing_kinds_of(const DiffusionSurfaces& surfaces, const std::set<CrossingKind>& wanted);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Bodies that stick out of a fruit's main one: stems, calyces.
+// Bodies that stick out of a fruit's main body: stems, calyces.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,11 @@ struct OuterBodies {
   static constexpr std::int32_t none = -1;
 
   std::vector<TriangleTree> body;
-  std::vector<std::int32_t> of_triangle;  ///< per triangle of the surfaces: which body it bounds, or none
+  std::vector<std::int32_t> of_triangle;  ///< per triangle of the surfaces: the outer body that it bounds, or none
 };
 
-/// Closed ones that stick out of the skin and are longer than a tenth of it. Seeds and achenes in the skin are smaller.
+/// The closed bodies that stick out of the skin and are longer than a tenth of it. Seeds and achenes in the skin are
+/// smaller.
 OuterBodies outer_bodies(const DiffusionSurfaces& surfaces, const TriangleTree& skin);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Which part fills which room inside a fruit, as far as its surfaces enclose it.
+// The regions inside a fruit that closed surfaces enclose, and the part that fills each.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace pomona {
 
-/// What closed surfaces enclose. A place belongs to the smallest region around it: the kernel lies in the stone, the
-/// stone in the flesh. Open surfaces, septa for one, enclose nothing, and walls of cavities enclose air.
+/// The regions. A point belongs to the smallest region around it: the kernel is inside the stone, the stone inside the
+/// flesh. Open surfaces, such as septa, enclose nothing; walls of cavities enclose air.
 struct PartRegions {
   struct Region {
-    std::int32_t part = 0;             ///< that fills it: what most of its surface, by area, has on its inner side
+    std::int32_t part = 0;             ///< that fills it: the part on the inner side of most of its surface, by area
     double volume = 0;                 ///< cubic metres
-    std::size_t first = 0, count = 0;  ///< its triangles
+    std::size_t first = 0, count = 0;  ///< its triangles are triangle[first] to triangle[first + count - 1]
   };
   std::vector<Region> region;        ///< the smallest first
   std::vector<glm::uvec3> triangle;  ///< counter-clockwise seen from outside; of `position`
@@ -23,7 +23,7 @@ struct PartRegions {
   std::vector<std::string> part_names;
 };
 
-/// \param surfaces as swept and strewn, blur not split: the border lies in the middle of the blur.
+/// \param surfaces with grains, before sheets(): the border of a region lies in the middle of the blur.
 PartRegions part_regions(const DiffusionSurfaces& surfaces);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// What a shell encloses.
+// The geometry of shells: volumes, and which shell lies in which.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +20,16 @@ struct Shell {
 /// Every shell, in order.
 std::vector<Shell> measured_shells(const DiffusionSurfaces& surfaces, const Shells& shells);
 
-/// Tells which shells lie in which. Asking costs time in proportion to the outer shell's size; a budget keeps
-/// hostile files from asking without end.
+/// Tests which shells lie in which. A test takes time proportional to the size of the outer shell; a budget limits the
+/// time that a hostile file can take.
 class Containment {
  public:
-  /// \param solid_angles the budget: of so many triangles; as it is, some ten seconds
+  /// \param solid_angles the budget: number of triangles that are tested in all; the default takes some ten seconds
   explicit Containment(const DiffusionSurfaces& surfaces, double solid_angles = 4e8)
       : surfaces_(surfaces), solid_angles_left_(solid_angles) {}
 
-  /// By the mean winding number of some of the inner shell's triangles, so that touching in places, and rims
-  /// that do not close, change nothing.
+  /// Decides by the mean winding number around some of the inner shell's triangles. So shells that touch in places, and
+  /// small open rims, do not matter.
   /// \throws Error (bad_data) once the budget is spent.
   bool contains(const Shell& outer, const Shell& inner);
 

@@ -19,8 +19,8 @@ struct Shells {
   std::size_t count() const { return closed.size(); }
 };
 
-/// Where more than two triangles meet at an edge, those that bound one wedge of solid belong together, so that
-/// bodies which touch along an edge stay apart.
+/// Where more than two triangles share an edge, those that bound one wedge of solid belong together, so that bodies
+/// that touch along an edge are different bodies.
 Shells find_shells(const DiffusionSurfaces& surfaces);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// How deep below its skin a place in a fruit lies: what fields of ripeness and browning go by.
+// The depth of a point below the skin of a fruit, for fields of ripeness and browning.
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace pomona {
 
-/// The skin is the shell of the boundary that encloses most. Surfaces without a boundary have no skin.
+/// The skin is the shell of the boundary with the largest volume. Surfaces without a boundary have no skin.
 class SkinDepth {
  public:
   explicit SkinDepth(const DiffusionSurfaces& surfaces);
@@ -20,11 +20,11 @@ class SkinDepth {
   /// Distance to the skin, metres; 0 on it, and everywhere if there is none.
   double depth(const glm::dvec3& point) const;
 
-  /// Of many points, best in an order in which neighbours follow each other; `reach` where it is no less.
+  /// The depths of many points, at most `reach`, metres. Fastest if neighbours in space follow each other.
   std::vector<double> depths(std::span<const glm::dvec3> points, double reach = std::numeric_limits<double>::infinity(),
                              Threads threads = {}) const;
 
-  /// 0 at the lowest point of the skin, 1 at its highest, within that between and beyond; 0 if there is none.
+  /// The relative height: 0 at the lowest point of the skin, 1 at its highest; clamped to 0..1. 0 if there is no skin.
   double height(const glm::dvec3& point) const;
 
   /// The skin itself, facing air.

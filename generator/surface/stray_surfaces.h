@@ -1,4 +1,4 @@
-// Inner surfaces that are not inside: a curve drawn past the skin.
+// Inner surfaces that lie outside the fruit, because a curve is drawn beyond the skin.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace pomona {
 
-/// A warning for each surface of which a tenth or more lies in no body; one may touch the skin, or leave it by a
-/// trifle. Nothing where no body is closed. \param bodies of these surfaces.
+/// A warning for each inner surface of which a tenth or more lies outside all bodies. A surface may touch the skin, or
+/// leave it a little. No warnings if no body is closed. \param bodies of these surfaces.
 std::vector<std::string> stray_warnings(const DiffusionSurfaces& surfaces, const Bodies& bodies);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// How far individuals stray.
+// Random deviations of individuals.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-/// The n-th normal number of the stream, kept within two standard deviations: no individual is a freak.
+/// The n-th normal number of the stream, clamped to two standard deviations, so that no individual is extreme.
 inline double clipped_normal(const RandomStream& random, std::uint64_t n) {
   return std::clamp(random.normal(n), -2.0, 2.0);
 }

@@ -1,4 +1,4 @@
-// The random numbers behind each fold of a variant, and what each drawn fold counts for in it.
+// The random numbers of each fold of a variant, and the coefficients of the drawn folds in it.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,21 @@ namespace pomona {
 
 /// One fold to be made.
 struct FoldDraw {
-  /// How far it has stepped down towards the drawing: each rung below `mean_rung` takes a quarter off its distance from
-  /// the samples' mean.
+  /// `rung` counts the steps towards the drawing. Each rung up to `mean_rung` reduces the distance from the samples'
+  /// mean by a quarter; `mean_rung` is the mean, `drawn_rung` a drawn fold.
   static constexpr int mean_rung = 11, drawn_rung = 12;
 
   std::vector<double> z;   ///< a normal number for each drawn fold
-  std::size_t source = 0;  ///< the drawn fold it takes its turn after
+  std::size_t source = 0;  ///< the drawn fold that it repeats
   double amount = 1;
   int rung = 0;
 };
 
-/// As many as there are to be folds, of a drawing with so many samples. Fold k draws from the purpose "vary/fold/k".
+/// One draw for each of `folds` folds, of a drawing with `samples` folds. Fold k uses the random stream "vary/fold/k".
 std::vector<FoldDraw> drawn_folds(std::size_t samples, VariantKey key, double amount, int folds);
 
-/// What each sample counts for in the fold, clipped and stepped down; they add up to 1. Samples that are
-/// not `present` count for nothing.
+/// The coefficient of each sample in the fold, after clipping and steps; their sum is 1. Samples that are not `present`
+/// have coefficient 0.
 std::vector<double> coefficients(const FoldDraw& draw, const std::vector<bool>& present);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// What must hold in every fold of a variant because it holds in the drawing: nothing crosses anything.
+// Checks that in every fold of a variant nothing crosses that does not cross in the drawing.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace pomona {
 
-/// Looks at a variant as it will be swept: layers around the axis keep apart, and what lies in a fold stays on the
-/// side of every layer, and of every other loop of its fold, on which it was drawn. Whatever crosses as drawn may.
+/// Checks a variant as it will be swept. Layers around the axis must not cross. A loop in a fold must stay on the side
+/// of every layer, and of every other loop of its fold, on which it was drawn. What crosses in the drawing may cross.
 class FoldRoom {
  public:
   explicit FoldRoom(const Template& drawn);
@@ -22,14 +22,14 @@ class FoldRoom {
     std::size_t surface = 0;  ///< index into Template::surfaces
     ProfileArcs arcs;
   };
-  /// On which side of a layer all of a chamber lies, and how much of the radius stays free between.
+  /// The side of a layer on which a whole chamber lies.
   struct ChamberSide {
     std::size_t chamber = 0;  ///< index into chambers_
     std::size_t layer = 0;    ///< index into Template::surfaces
-    bool inside = false;
-    double margin = 0;
+    bool inside = false;      ///< the chamber is on the inner side
+    double margin = 0;        ///< smallest gap that must remain, as a share of the radius
   };
-  /// How two loops of a fold lie: apart, or the first within the second.
+  /// Two loops of a fold: either outside each other, or the first inside the second.
   struct Neighbours {
     std::size_t first = 0, second = 0;  ///< indices into Template::surfaces
     bool nested = false;

@@ -1,4 +1,4 @@
-// Layers around the axis, one within the other, that must not cross.
+// Layers around the axis, one inside the other, that must not cross.
 #pragma once
 
 #include <vector>
@@ -51,15 +51,15 @@ double area_to_axis(const Curve& vertical);
 /// The layers of a drawing by how far out they lie, and what keeps any two apart.
 struct Layers {
   std::vector<std::size_t> surface;        ///< index into Template::surfaces, outermost first
-  std::vector<std::vector<LayerGap>> gap;  ///< [i][j]: what keeps layer i from crossing layer j
+  std::vector<std::vector<LayerGap>> gap;  ///< [i][j]: the condition under which layer i does not cross layer j
 };
 
 /// The layers of all surfaces around the axis that have a loop.
 Layers layers_of(const Template& fruit);
 
-/// Swells that keep the layers apart: each is drawn towards the swell of the next one outside as far as it must,
-/// and gradually around the place where it must. swells[i] belongs to layer i, at azimuths common to all.
-/// Layers marked `fixed` do not move.
+/// Swells with which the layers do not cross: each swell moves towards that of the next layer outside as far as
+/// necessary, with a gradual change around such places. swells[i] belongs to layer i; the azimuths are the same for all
+/// layers. Layers marked `fixed` do not move.
 std::vector<std::vector<double>> kept_apart(const Layers& layers, std::vector<std::vector<double>> swells,
                                             const std::vector<bool>& fixed);
 

@@ -1,4 +1,4 @@
-// Ripening: from surfaces in their drawn colours to those of an individual.
+// Ripening: from the drawn colours of surfaces to those of an individual.
 #pragma once
 
 #include "generator/base/parallel.h"
@@ -8,12 +8,12 @@
 
 namespace pomona {
 
-/// A place's own ripeness, 0..2, on a fruit of this ripeness: see RipenessSketch. `lateness` is taken within 0..1.
+/// The ripeness, 0..2, of a point on a fruit of this ripeness: see RipenessSketch. `lateness` is clamped to 0..1.
 double own_ripeness(double ripeness, double lateness, double spread);
 
-/// The surfaces, fresh from the sweep, in the colours of `fruit.individual`: every side's colour ripens by its part,
-/// its depth below the skin and its height, and takes the shift of its part. Colours stay within 0..1 a channel.
-/// What neither changes keeps its bits; an individual as drawn, all of them. `skin`: of the whole fruit.
+/// The swept surfaces in the colours of `fruit.individual`. The colour of each side ripens by its part, its depth below
+/// the skin and its height; then the colour shift of its part is added. Channels stay within 0..1. Colours that do not
+/// change keep their bits; for an individual as drawn, these are all colours. \param skin of the whole fruit.
 DiffusionSurfaces ripened(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin,
                           Threads threads = {});
 

@@ -6,8 +6,8 @@
 namespace pomona {
 
 /// All lengths times the factor: curves, meshes, blur, and the sizes and distances of spots and grains, so that
-/// everything keeps its place and grains their number. The fine grain of the noise stays as it is, and so do the
-/// details of cut faces and how deep ripening and browning go.
+/// everything keeps its relative place and the number of grains stays. Not scaled: the fine grain of the noise, the
+/// details of cut faces, and the depths of ripening and browning.
 Template scaled(Template fruit, double factor);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Species draw by themselves.
+// Each species has random numbers of its own.
 #pragma once
 
 #include <string_view>
@@ -7,9 +7,9 @@
 
 namespace pomona {
 
-/// The key under which a species draws everything: that of the user, mixed with the template's name, not with its path
-/// or contents. Two species share nothing at equal seeds, and a template that is edited keeps its variants. Seed 0 with
-/// index 0, the fruit as drawn, stays what it is.
+/// The key of all random numbers of a species: the user's key, mixed with the template's name, but not with its path or
+/// contents. So two species have nothing in common at equal seeds, and an edited template keeps its variants. Seed 0
+/// with index 0 (the fruit as drawn) is not changed.
 VariantKey species_key(VariantKey key, std::string_view species);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// A template made ready to be varied many times.
+// A template that is prepared once and varied many times.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct Variant {
   std::vector<FoldReport> folds;  ///< none for cylindrical symmetry
 };
 
-/// draw() gives what vary() gives, without looking at the drawing each time.
+/// draw() gives the result of vary() without preparing the drawing each time.
 class Variation {
  public:
   /// \throws Error (bad_data) if the drawing cannot be swept.
@@ -38,7 +38,7 @@ class Variation {
 
   Template with_varied_body(const Template& variant, VariantKey key, const VariationOptions& options) const;
 
-  /// As the template has it, but for a bend that makes surfaces cross.
+  /// The variant with the body of the template, except for a bend that would make surfaces cross.
   Template with_drawn_body(const Template& variant) const;
 
   Template fruit_;

@@ -1,6 +1,6 @@
-// Variation: from a template to a variant of it (paper, section 4.2, Figure 8). Curves change, and beyond the paper
+// Variation: from a template to a variant of it (paper, section 4.2, Figure 8). Curves change; beyond the paper also
 // what the template's [variation] names (vary_body.h, vary_counts.h). The surfaces swept from template and variant have
-// the same triangles where the counts are equal: those of folds, and of surfaces that not all individuals have.
+// the same triangles, if they have the same number of folds and of optional surfaces.
 #pragma once
 
 #include "generator/base/random.h"
@@ -9,10 +9,10 @@
 
 namespace pomona {
 
-/// The variant for `key`: De Bonet synthesis of all loops together for cylindrical symmetry, blending of fold
-/// samples by principal components for N-fold symmetry; then whatever `fruit.variation` asks for. Meshes do not vary:
-/// without symmetry it is the template itself, and beside meshes only curves vary, so that all keeps together. \throws
-/// Error (usage) if folds are asked of a template without them.
+/// The variant for `key`. For cylindrical symmetry: De Bonet synthesis of all loops together. For N-fold symmetry:
+/// blends of the fold samples by principal components. Then the changes that `fruit.variation` asks for. Meshes do not
+/// vary: without symmetry the result is the template itself; in a template with meshes only curves vary, so that they
+/// still fit. \throws Error (usage) if `folds` is given for a template without folds.
 Template vary(const Template& fruit, VariantKey key, const VariationOptions& options = {});
 
 /// The template as drawn, but with `folds` folds: the drawn folds repeated in turn.

@@ -11,8 +11,8 @@ namespace pomona {
 /// name alone, so that one can be switched off and the others stay.
 Template vary_body(const Template& fruit, VariantKey key, double amount);
 
-/// A bend that would press too hard on what lies on its inner side is made gentler: to a pressing of 0.6 and a lean
-/// of 60 degrees at most, or to as much as `drawn` has.
+/// Reduces a bend that would compress its inner side too much: to a compression of at most 0.6 and a lean of at most 60
+/// degrees, or to those of `drawn` where these are larger.
 Template gently_bent(Template fruit, const Template& drawn);
 
 }  // namespace pomona

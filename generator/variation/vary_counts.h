@@ -1,5 +1,4 @@
-// How many folds a variant has, and which of its surfaces: what nature varies in number, beyond the paper's
-// section 4.2.
+// The number of folds of a variant, and which of its surfaces it has (beyond the paper's section 4.2).
 #pragma once
 
 #include <vector>
@@ -9,11 +8,12 @@
 
 namespace pomona {
 
-/// How many folds the variant has by the template's [variation]. With an amount below 1 so many more are as drawn.
+/// The number of folds of the variant, by the template's [variation]. The smaller `amount` is below 1, the more
+/// variants have the drawn number.
 int varied_folds(const Template& fruit, VariantKey key, double amount);
 
-/// Which loops of a surface the variant has: those that it would have as drawn, unless the template says that not all
-/// have it. With an amount below 1 so many more are as drawn.
+/// The loops of a surface that the variant has: those of the drawing, unless the template says that not all individuals
+/// have the surface. The smaller `amount` is below 1, the more variants are as drawn.
 std::vector<bool> varied_presence(const Template& fruit, int surface, std::vector<bool> as_drawn, VariantKey key,
                                   double amount);
 

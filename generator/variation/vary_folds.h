@@ -1,4 +1,4 @@
-// Variants of N-fold templates: every fold a blend of the drawn ones (paper, section 4.2, Figure 8 bottom).
+// Variants of N-fold templates: every fold is a blend of the drawn folds (paper, section 4.2, Figure 8 bottom).
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 
 namespace pomona {
 
-/// How one fold of a variant came about.
+/// How one fold of a variant was made.
 struct FoldReport {
-  /// How often its blend was moved nearer to the mean of the samples because something would have crossed: 0 as
-  /// drawn at random, up to 10 by a quarter each, 11 the mean itself, 12 a drawn fold.
+  /// The number of steps towards the mean of the samples that were needed so that nothing crosses: 0 = none; 1 to 10 =
+  /// each step reduces the distance by a quarter; 11 = the mean itself; 12 = a drawn fold.
   int rung = 0;
-  bool sound = true;  ///< nothing crosses that does not in the drawing
+  bool sound = true;  ///< nothing crosses that does not cross in the drawing
 };
 
 struct FoldVariant {
@@ -23,17 +23,17 @@ struct FoldVariant {
   std::vector<FoldReport> folds;
 };
 
-/// An N-fold template made ready to be varied many times.
+/// An N-fold template that is prepared once and varied many times.
 class FoldVariation {
  public:
   /// \throws Error (bad_data) if the drawing cannot be swept.
   explicit FoldVariation(const Template& fruit) : FoldVariation(fruit, SweptCheck(fruit)) {}
 
-  /// `swept` is the drawing's, where that has been looked at before.
+  /// \param swept the check of the drawing, if it exists already.
   FoldVariation(const Template& fruit, SweptCheck swept);
 
-  /// One set of weights per fold serves everything in it, so that a chamber follows the wall around it. Below amount 1
-  /// a fold is a mixture of the drawn one (in turn, if there are more or fewer folds than drawn) and the blend.
+  /// All curves of a fold use the same weights, so that a chamber follows the wall around it. With an amount below 1, a
+  /// fold is a mixture of the blend and a drawn fold (drawn folds are repeated in turn).
   /// \param drawn_counts whether folds have the same surfaces as the drawn ones, whatever the template says.
   FoldVariant draw(VariantKey key, double amount, int folds, bool drawn_counts = false) const;
 
@@ -42,7 +42,7 @@ class FoldVariation {
   std::shared_ptr<const Prepared> prepared_;
 };
 
-/// The drawn folds in turn.
+/// The template with the drawn folds repeated in turn.
 Template repeat_folds(const Template& fruit, int folds);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Variants of cylindrical templates: all loops synthesised together (paper, section 4.2, Figure 8 top).
+// Variants of cylindrical templates: all loops are synthesised together (paper, section 4.2, Figure 8 top).
 #pragma once
 
 #include <memory>
@@ -9,18 +9,18 @@
 
 namespace pomona {
 
-/// A cylindrical template made ready to be varied many times.
+/// A cylindrical template that is prepared once and varied many times.
 class LoopVariation {
  public:
   /// \throws Error (bad_data) if the drawing cannot be swept.
   explicit LoopVariation(const Template& fruit) : LoopVariation(fruit, SweptCheck(fruit)) {}
 
-  /// `swept` is the drawing's, where that has been looked at before.
+  /// \param swept the check of the drawing, if it exists already.
   LoopVariation(const Template& fruit, SweptCheck swept);
 
-  /// Every loop around the axis that varies is taken apart with the others and put together anew by one map
-  /// [De Bonet 1997], so that layers keep following each other; then layers that would cross are drawn
-  /// nearer to the next layer outside them. What lies in folds stays as drawn.
+  /// All loops around the axis that vary are decomposed, and composed again by one common map [De Bonet 1997], so that
+  /// layers still follow each other. Then layers that would cross are moved towards the next layer outside. What lies
+  /// in folds stays as drawn.
   Template draw(VariantKey key, double amount) const;
 
  private:

@@ -11,22 +11,21 @@
 #include <vector>
 
 #include "generator/base/error.h"
-#include "render/export/durable_file.h"
-#include "render/export/set_folder.h"
+#include "render/export/transaction/durable_file.h"
+#include "render/export/transaction/transaction.h"
 
 namespace pomona {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// What a path leads to, links followed, so that what a link names is replaced and not the link, even if it names
-/// nothing yet.
+/// The path with links followed: the file that a link names is replaced, not the link. The file need not exist.
 fs::path followed(const fs::path& path) {
-  constexpr int most_links = 40;  // as many as Linux follows
+  constexpr int max_links = 40;  // as many as Linux follows
   fs::path found = path;
   std::error_code failed;
   for (int n = 0; fs::is_symlink(found, failed); ++n) {
-    if (n == most_links) fail_at(ExitStatus::cannot_create, path, "cannot be created", ELOOP);
+    if (n == max_links) fail_at(ExitStatus::cannot_create, path, "cannot be created", ELOOP);
     const fs::path names = fs::read_symlink(found, failed);
     if (failed) fail_at(ExitStatus::cannot_create, path, "cannot be created", failed.value());
     found = names.is_absolute() ? names : found.parent_path() / names;
@@ -34,66 +33,8 @@ fs::path followed(const fs::path& path) {
   return found;
 }
 
-/// Files on their way into place, folder by folder. What is not put into place goes away with this.
-class FileSet {
- public:
-  void add(const OutputFile& file) {
-    const fs::path destination = followed(file.path);
-    const fs::path folder = destination.has_parent_path() ? destination.parent_path() : fs::path(".");
-    SetFolder& own = folder_for(folder, file.path);
-    const std::string name = destination.filename().native();
-    if (own.has(name)) {
-      throw Error(ExitStatus::usage, {{{file.path.string(), 0, 0, {}},
-                                       "two files of this run would be this one",
-                                       "give one of them a name or a folder of its own"}});
-    }
-    own.add(name, file.bytes, file.rest.get());
-    ++size_;
-  }
-
-  void put_into_place() {
-    // A renaming is all or nothing by itself; several need a record, by which a later run finishes what a kill cuts
-    // off.
-    const bool recorded = size_ > 1;
-    if (recorded) record();
-    try {
-      for (SetFolder& folder : folders_) folder.put_into_place();
-    } catch (const Error&) {
-      for (SetFolder& folder : folders_) folder.undo(recorded);
-      throw;
-    }
-    // The first folder leads: it goes last.
-    while (!folders_.empty()) {
-      folders_.back().settle();
-      folders_.pop_back();
-    }
-  }
-
- private:
-  SetFolder& folder_for(const fs::path& folder, const fs::path& meant) {
-    for (SetFolder& known : folders_) {
-      std::error_code failed;
-      if (fs::equivalent(known.folder(), folder, failed)) return known;
-    }
-    return folders_.emplace_back(folder, meant);
-  }
-
-  void record() {
-    for (SetFolder& folder : folders_) folder.keep_old();
-    const fs::path leader = fs::absolute(folders_.front().record_path());
-    std::vector<fs::path> followers;
-    for (std::size_t i = 1; i < folders_.size(); ++i) {
-      folders_[i].write_record(leader, {});
-      followers.push_back(fs::absolute(folders_[i].record_path()));
-    }
-    folders_.front().write_record({}, followers);
-  }
-
-  std::vector<SetFolder> folders_;
-  std::size_t size_ = 0;
-};
-
-/// While this lives, a reader that leaves its pipe is an error like others and no end without a word.
+/// While this object exists, a reader that closes its pipe causes an error with a message; SIGPIPE would end the
+/// program without one.
 class WithoutPipeSignal {
  public:
   WithoutPipeSignal() {
@@ -111,7 +52,7 @@ class WithoutPipeSignal {
 
 enum class Destination { ordinary, device };
 
-/// Refuses what no file can be put in place of, before anything is written.
+/// The kind of a destination. Throws if no file can be written there, before anything is written.
 Destination checked(const fs::path& path) {
   struct stat about {};
   if (path.filename().empty()) fail_at(ExitStatus::cannot_create, path, "cannot be created", EISDIR);
@@ -123,7 +64,7 @@ Destination checked(const fs::path& path) {
   return S_ISREG(about.st_mode) ? Destination::ordinary : Destination::device;
 }
 
-/// Programs write there for those who read on.
+/// The path "-" means standard output.
 bool is_standard_output(const OutputFile& file) { return file.path == "-"; }
 
 void write_all_of(const OutputFile& file, const Descriptor& descriptor, const fs::path& meant) {
@@ -149,16 +90,16 @@ std::size_t size_of(const OutputFile& file) { return file.bytes.size() + (file.r
 
 void write_whole(std::span<const OutputFile> files) {
   const WithoutPipeSignal no_signal;
-  FileSet set;
+  Transaction transaction;
   std::vector<const OutputFile*> for_devices;
   for (const OutputFile& file : files) {
     if (is_standard_output(file) || checked(file.path) == Destination::device)
       for_devices.push_back(&file);
     else
-      set.add(file);
+      transaction.add(followed(file.path), file.path, file.bytes, file.rest.get());
   }
   for (const OutputFile* file : for_devices) write_to_device(*file);
-  set.put_into_place();
+  transaction.commit();
 }
 
 bool is_same_file(const fs::path& a, const fs::path& b) {

@@ -1,4 +1,4 @@
-// Colours anywhere on cut faces from colours diffused at some of their points.
+// Colours at any point of cut faces, interpolated from colours diffused at some points.
 #pragma once
 
 #include <array>
@@ -13,26 +13,26 @@
 
 namespace pomona {
 
-/// Where colours between points are taken to be found.
+/// When triangles are subdivided. Colour differences are those of encoded sRGB, 0 to 255.
 struct FaceColorOptions {
-  double tolerance = 4;  ///< of 255, encoded: by how much a new point may miss what its neighbours foretold
-  double shortest = 1;   ///< texels: no new point on shorter edges
-  double even = 6;       ///< of 255, encoded: no new point within a triangle between colours that differ by less,
-  double longest = 12;   ///< texels: on edges that are no longer than this
-  int most_rounds = 3;   ///< of questions, each about as dear as some thousand points
+  double tolerance = 4;  ///< an edge is subdivided if the colour of its middle differs by more from the predicted one
+  double shortest = 1;   ///< edges shorter than this, in texels, are not subdivided
+  double even = 6;       ///< edges inside a triangle whose colours differ by less are not subdivided, up to `longest`
+  double longest = 12;   ///< texels: limit for `even`
+  int most_rounds = 3;   ///< rounds of diffusion; each costs about as much as some thousand points
 };
 
-/// A solid, and how large a texel of it is.
+/// A solid, and the size of its texels.
 struct FaceColorTask {
   const Solid* solid = nullptr;  ///< must outlive the call
   double texel = 0;              ///< metres
 };
 
-/// The colours of one solid's cut faces: quadratic within the triangles that they were parted into, and never outside
-/// the range of the six colours there.
+/// The colours of one solid's cut faces: quadratic inside the triangles of the subdivision, and never outside the range
+/// of their six colours.
 class FaceColors {
  public:
-  /// The linear colour at a place (barycentric) of a triangle of a cut face.
+  /// The linear colour at a point (barycentric coordinates) of a triangle of a cut face.
   Color at(std::uint32_t triangle, const glm::dvec3& weight) const;
 
   /// A triangle: its corners, and the middles of its edges k to k + 1, as indices of colours.

@@ -51,6 +51,7 @@ ROAD = [
     "render/texture",
     "render/gl",
     "render/diffusion",
+    "render/export/transaction",
     "render/export",
     "render/export/gltf",
     "render/export/usd",

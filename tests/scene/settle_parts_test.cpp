@@ -10,11 +10,11 @@
 #include "generator/base/units.h"
 #include "generator/mesh/triangle_tree.h"
 #include "generator/scene/settle/drop.h"
-#include "generator/scene/settle/heap.h"
 #include "generator/scene/settle/heap_plan.h"
 #include "generator/scene/settle/height_map.h"
 #include "generator/scene/settle/mesh_dish.h"
 #include "generator/scene/settle/piece_shape.h"
+#include "generator/scene/settle/rigid_body_world.h"
 #include "tests/scene/heap_shapes.h"
 
 namespace pomona {
@@ -54,19 +54,19 @@ TEST(Dish, TheGroundBesideADishOfAnyShapeIsGround) {
 }
 
 /// Thrown at each of the four walls, off the middle, a ball stays within them all.
-TEST(Heap, FourWallsKeepWhatFalls) {
+TEST(RigidBodyWorld, FourWallsKeepWhatFalls) {
   const Dish ground({}, {});
   const PieceShape shape = piece_shape(heap_shapes::ball(0.01), 0.035);
   const Funnel walls{.low = 0, .from = {-0.1, -0.04}, .to = {0.12, 0.06}};
   for (const glm::dvec3& way : {glm::dvec3(1, 0, 0), {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}) {
-    Heap heap(ground, 1, 0.035, shape.radius, {}, {1});
-    heap.set_funnel(walls);
+    RigidBodyWorld world(ground, 1, 0.035, shape.radius, {}, {1});
+    world.set_funnel(walls);
     RigidBody ball(shape, {1, 0, 0, 0}, {0.01, 0.05, 0.01});
     ball.velocity = 0.002 * way;
-    heap.put(0, ball);
-    heap.settle();
+    world.put(0, ball);
+    world.run_until_rest();
     // It may be a step's way beyond where it is stopped.
-    const glm::dvec3 at = heap.bodies()[0].center;
+    const glm::dvec3 at = world.bodies()[0].center;
     EXPECT_GT(at.x - shape.radius, walls.from.x - 0.0025) << way.x << ' ' << way.z;
     EXPECT_LT(at.x + shape.radius, walls.to.x + 0.0025) << way.x << ' ' << way.z;
     EXPECT_GT(at.z - shape.radius, walls.from.y - 0.0025) << way.x << ' ' << way.z;
@@ -101,7 +101,7 @@ TEST(MeshDish, EveryPlaceOnABoardIsAsFarInsideAsItsBorderIsAway) {
 }
 
 /// On a level floor no cell is lower than another: each is as likely.
-TEST(DrawnPlace, IsInAnyCellOfADish) {
+TEST(RandomPlace, IsInAnyCellOfADish) {
   const Dish ground({}, {});
   const HeightMap map(ground, 0.1, 0.01);
   const PieceShape shape = piece_shape(heap_shapes::ball(0.01), 0.02);
@@ -111,7 +111,7 @@ TEST(DrawnPlace, IsInAnyCellOfADish) {
   const RandomStream draw({3, 0}, "tests/drop");
   std::set<long> found;
   for (std::uint64_t n = 0; n < 60; ++n) {
-    const std::optional<glm::dvec3> place = drawn_place(ball, map, cells, draw, 100 * n);
+    const std::optional<glm::dvec3> place = random_place(ball, map, cells, draw, 100 * n);
     ASSERT_TRUE(place.has_value());
     EXPECT_NEAR(place->z, 0.01, 1e-6);
     found.insert(std::lround(place->x * 1e3));

@@ -21,8 +21,8 @@ std::vector<SettleItem> repeated(int solids, int each) {
 
 void expect_fit(const Settled& settled, const SettleOptions& options = {}) {
   for (const Fit& fit : settled.fits) {
-    EXPECT_LE(fit.gap, options.most_gap);
-    EXPECT_LE(fit.penetration, options.most_penetration);
+    EXPECT_LE(fit.gap, options.max_gap);
+    EXPECT_LE(fit.penetration, options.max_penetration);
   }
 }
 

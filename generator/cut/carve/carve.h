@@ -1,5 +1,5 @@
-// The cut along a closed surface: what lies inside it parts from what lies outside (paper, section 3.2, whose cutting
-// surface may be any).
+// The cut along a closed surface: it separates the inside from the outside (paper, section 3.2, which allows any
+// cutting surface).
 #pragma once
 
 #include "generator/cut/carve/closed_knife.h"
@@ -10,10 +10,10 @@
 
 namespace pomona {
 
-/// Lays the knife at a fruit that others have cut. Of the points of the fruit's mesh no two may share a place.
+/// Cuts a fruit that other knives may have cut before. No two points of the fruit's mesh may have the same position.
 Cutting carve(CutFruit fruit, const ClosedKnife& knife, const DiffusionSurfaces& surfaces, const Bodies& bodies);
 
-/// The knife's surface as fine as `limits` ask for, finer next to where it meets the fruit's surfaces.
+/// The knife's surface, refined as `limits` ask for, and more where it intersects the fruit's surfaces.
 KnifeMesh refined_for(const CutFruit& fruit, KnifeMesh knife, const SizeLimits& limits);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Places in space known exactly, however they were constructed, and triangulations between them.
+// Exact points, however they were constructed, and triangulations of them.
 #pragma once
 
 #include <array>
@@ -11,21 +11,21 @@
 
 namespace pomona {
 
-/// A triangle with what lies on it: all by number of place.
+/// A triangle with the points and segments on it. All are given by the numbers of points.
 struct PatchedFacet {
   std::array<std::uint32_t, 3> corner{};
-  std::vector<std::uint32_t> places;                   ///< on the triangle
-  std::vector<std::array<std::uint32_t, 2>> segments;  ///< to be kept; they may cross, overlap and lie on edges
+  std::vector<std::uint32_t> places;                   ///< points on the triangle
+  std::vector<std::array<std::uint32_t, 2>> segments;  ///< constraints; they may cross, overlap and lie on edges
 };
 
 struct FacetMesh {
-  std::vector<std::array<std::uint32_t, 3>> triangle;  ///< turned as the facet is
-  /// What the facet's edges (from corner i to i + 1), and then its segments, consist of, both ends included; a place
-  /// alone where the ends are one.
+  std::vector<std::array<std::uint32_t, 3>> triangle;  ///< with the orientation of the facet
+  /// The points along each of the facet's edges (from corner i to i + 1), and then along each of its segments, with
+  /// both ends; a single point if the ends are equal.
   std::vector<std::vector<std::uint32_t>> chain;
 };
 
-/// Places by number, each once: two ways to one place lead to one number.
+/// Numbered points, each stored once: a point that is constructed in two ways has one number.
 class ExactPlaces {
  public:
   ExactPlaces();
@@ -33,21 +33,22 @@ class ExactPlaces {
   ExactPlaces(const ExactPlaces&) = delete;
   ExactPlaces& operator=(const ExactPlaces&) = delete;
 
-  /// The next number, whether or not another place lies there; `known` is false for numbers that are not in use.
+  /// Adds a point with the next number, even if there is an equal point. `known` is false for numbers that are not
+  /// used.
   void append(const glm::dvec3& place, bool known = true);
 
   std::uint32_t number_of(const glm::dvec3& place);
 
-  /// Where the line through p and q meets the plane of a triangle to which it is not parallel.
+  /// The intersection of the line through p and q with the plane of a triangle. They must not be parallel.
   std::uint32_t meeting(std::uint32_t p, std::uint32_t q, const std::array<std::uint32_t, 3>& triangle);
 
-  /// The constrained Delaunay triangulation, seen along the axis that is nearest to the facet's normal. New places
-  /// where segments cross. No triangles for a facet without area.
+  /// The constrained Delaunay triangulation, projected along the axis that is nearest to the facet's normal. Makes new
+  /// points where segments cross. Returns no triangles for a facet of area 0.
   FacetMesh triangulated(const PatchedFacet& facet);
 
   std::size_t count() const;
 
-  /// Rounded to doubles.
+  /// The point, rounded to doubles.
   const glm::dvec3& at(std::uint32_t place) const;
 
  private:

@@ -1,4 +1,4 @@
-// How fine a closed knife's surface should be where.
+// How fine a closed knife's surface should be at each point.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace pomona {
 
-/// A place, and the length that edges should have there, metres.
+/// A point, and the length that edges should have there.
 struct FinenessSource {
   glm::dvec3 place{0};
   double size = 0;
 };
 
-/// Size as a function of place: the least over all sources of their size and the distance from them times the grading.
-/// The same for any order of the sources.
+/// The wanted edge length at a point: the minimum over all sources of (size of the source + distance from it *
+/// grading). The result does not depend on the order of the sources.
 class Fineness {
  public:
-  /// `grading`: growth of the size per metre of distance.
+  /// \param grading growth of the size per metre of distance.
   Fineness(std::vector<FinenessSource> sources, double grading);
 
-  /// The size there, or `most` if that is less.
+  /// The size at a point, at most `most`, metres.
   double at(const glm::dvec3& place, double most) const;
 
  private:

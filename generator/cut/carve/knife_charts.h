@@ -1,4 +1,4 @@
-// The surface of a closed knife in cut faces that can be looked at.
+// Divides the surface of a closed knife into cut faces that can each be seen from one direction.
 #pragma once
 
 #include "generator/cut/section/face.h"
@@ -6,8 +6,8 @@
 
 namespace pomona {
 
-/// With the section on each smooth face (Face::facet, as it comes) parted into cut faces that turn their front to one
-/// side: seen from there none of their triangles is turned away. A bowl is one; a tube is two halves, front and back.
+/// The face with the section on each smooth part (Face::facet in the input) divided into cut faces. From one direction,
+/// all triangles of a cut face show their front. A bowl is one cut face; a tube is two halves.
 Face charted(Face face, const Regions& regions, int knife);
 
 }  // namespace pomona

@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// The knife's triangles as arranged with the fruit; facets are its smooth faces, still without frames
+/// The knife's triangles, as split in the arrangement. Facets are the knife's smooth faces, still without frames
 /// (knife_charts.h). Points of the arrangement must be points of `mesh`.
 Face knife_face(const Arrangement& all, const ClosedKnife& knife, const KnifeTraces& traces, const SplitMesh& mesh);
 

@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-/// Per triangle of the fruit, per part of it (facet[f].mesh.triangle): how often the knife winds around it.
+/// The winding number of the knife around each part (facet[f].mesh.triangle) of each triangle of the fruit.
 std::vector<std::vector<int>> windings_of_knife(const Arrangement& all, const ExactPlaces& places);
 
 }  // namespace pomona

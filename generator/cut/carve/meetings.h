@@ -1,4 +1,4 @@
-// Which triangles of a fruit meet which of a closed knife.
+// The intersections between the triangles of a fruit and those of a closed knife.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@ namespace pomona {
 
 /// An edge of one triangle that passes through the other.
 struct Crossing {
-  bool of_fruit = true;   ///< whose edge it is
+  bool of_fruit = true;   ///< the edge is that of the fruit's triangle; else that of the knife's
   std::uint8_t edge = 0;  ///< from corner `edge` to the next
 };
 
-/// The segment in which two triangles meet. Seen from outside the knife, the front of the fruit's triangle is left of
-/// the way; seen from that front, the knife's inside is.
+/// The segment in which two triangles intersect. For a viewer outside the knife, the front of the fruit's triangle is
+/// left of the direction from `from` to `to`; for a viewer on that front, the knife's inside is left of it.
 struct Meeting {
   std::uint32_t fruit = 0, knife = 0;
   Crossing from, to;
 };
 
-/// All meetings, by fruit triangle, then by knife triangle. By the tie rule two triangles meet in a segment or not at
-/// all, and an edge's crossing is the same for all triangles at the edge.
+/// All intersections, sorted by the fruit's triangle, then by the knife's. By the tie rule, two triangles intersect in
+/// a segment or not at all, and the crossing of an edge is the same for all triangles at the edge.
 std::vector<Meeting> meetings(std::span<const Corners> fruit, std::span<const Corners> knife);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// How often the parts of a fruit wind around places on a closed knife.
+// The winding numbers of the parts of a fruit around points on a closed knife.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace pomona {
 
-/// All that bounds the fruit's parts: skins and cut faces.
+/// The boundaries of the fruit's parts: skins and cut faces.
 struct Boundaries {
   std::vector<Corners> triangle;
   std::vector<std::vector<CellBoundary>> boundary;           ///< per triangle
@@ -22,11 +22,11 @@ struct Boundaries {
 
 class PartWindings {
  public:
-  /// \param face the knife's, of which each triangle is a part of a facet of the arrangement.
+  /// \param face the knife's face; each of its triangles is a part of a facet of the arrangement.
   PartWindings(const Arrangement& all, const ExactPlaces& places, const Face& face, Boundaries boundaries);
 
-  /// Of some triangle of the face that hangs together with this one. Starts at the beginning of an edge along which no
-  /// surface runs: both its sides lie in the same bodies.
+  /// The winding numbers at some triangle of the face that is connected with this one. They are computed at the start
+  /// of an edge along which no surface runs, so that both its sides lie in the same bodies.
   KnownWindings near(std::uint32_t triangle);
 
  private:

@@ -11,38 +11,38 @@
 
 namespace pomona {
 
-/// What bounds the part of a body that lies in one cell, as cells are without the knife at work.
+/// The boundary of the part of a body that lies in one cell. The present knife does not yet divide the cells.
 struct CellBoundary {
   std::uint32_t cell = 0;
   std::int32_t body = 0;
-  int winding = 0;  ///< how much oftener the part winds around what is behind the boundary than before it
+  int winding = 0;  ///< winding number of the part behind the boundary, less that before it
 };
 
-/// A segment of the knife's surface. Seen from outside the knife, the front of what passes through it there lies left
-/// of the way.
+/// A segment on the knife's surface where a boundary passes through it. For a viewer outside the knife, the boundary's
+/// front is left of the direction from `from` to `to`.
 struct KnifeEdge {
-  std::uint32_t from = 0, to = 0;  ///< places
+  std::uint32_t from = 0, to = 0;  ///< numbers of points
   std::vector<CellBoundary> boundary;
 };
 
-/// A boundary triangle of the fruit, or a triangle of its section, by what it bounds.
+/// The parts that a boundary triangle of the fruit, or a triangle of its section, bounds.
 std::vector<CellBoundary> boundary_of(const SurfaceTriangle& skin, const Bodies& bodies);
 std::vector<CellBoundary> boundary_of(const Cap& cap);
 
-/// What the fruit leaves on the knife's surface.
+/// The traces of the fruit on the knife's surface.
 struct KnifeTraces {
   std::vector<CutSegment> segments;  ///< of surfaces
   std::vector<KnifeEdge> edges;      ///< of skins and of earlier cut faces
   SharedVertices shared;             ///< of earlier cut faces, where the knife's surface has its vertices, too
 };
 
-/// What of the fruit is arranged with the knife, and where its parts lie.
+/// The triangles of the fruit in the arrangement, and which of their parts are inside the knife.
 struct FruitParts {
   const Arrangement& all;
-  const std::vector<std::vector<int>>& winding;  ///< of the knife, per facet, per part
-  std::span<const std::uint32_t> surface;        ///< facets of the arrangement: first these triangles of the fruit,
-  std::span<const std::uint32_t> cap;            ///< then these of its section
-  std::uint32_t stride = 1;                      ///< cells inside the knife have a number greater by this
+  const std::vector<std::vector<int>>& winding;  ///< winding number of the knife, per facet, per part
+  std::span<const std::uint32_t> surface;        ///< the fruit's triangles that are the first facets of the arrangement
+  std::span<const std::uint32_t> cap;            ///< the triangles of its section that are the facets after these
+  std::uint32_t stride = 1;                      ///< the number of a cell inside the knife is larger by this
 };
 
 struct SplitFruit {

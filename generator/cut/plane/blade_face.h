@@ -22,18 +22,18 @@
 
 namespace pomona {
 
-/// Two points of the split mesh at one place.
+/// Two points of the split mesh with the same position.
 using Twins = std::pair<std::uint32_t, std::uint32_t>;
 
-/// What one blade adds: its face, and what that makes of the split mesh.
+/// The face of one blade, and its changes of the split mesh.
 struct BladeFace {
   /// A point that the triangulation made.
   struct NewPoint {
-    glm::dvec3 place{0};
-    int plane = 0;  ///< it lies on
+    glm::dvec3 place{0};  ///< metres
+    int plane = 0;        ///< the plane on which it lies
   };
   Face face;
-  std::vector<NewPoint> point;  ///< numbered from what finish() was told
+  std::vector<NewPoint> point;  ///< numbered from `first_new` of finish() on
   std::vector<EdgePoint> edge_point;
   std::vector<Twins> twins;
   Unshared unshared;
@@ -42,19 +42,19 @@ struct BladeFace {
 /// Step by step: conform, sample, conform, update, finish.
 class BladeFaceBuilder {
  public:
-  /// \param plane the blade's, of a stroke the first facet's. \param segments of all its planes.
+  /// \param plane that of the blade; for a stroke, that of its first facet. \param segments of all its planes.
   BladeFaceBuilder(const SplitMesh& mesh, const CutPlanes& planes, int plane, std::vector<CutSegment> segments,
                    const std::vector<CutLine>& lines);
 
   void conform(double shortest) { triangulation_->conform(shortest); }
 
-  /// Points spread inside the section, finer near cut segments.
+  /// Adds points inside the section, denser near cut segments.
   void sample(const SizeLimits& limits, const DiffusionSurfaces& surfaces, const Bodies& bodies);
 
-  /// Takes over the triangulation's present state.
+  /// Copies the present state of the triangulation.
   void update();
 
-  /// Nothing can be asked of the builder afterwards.
+  /// The result. The builder must not be used afterwards.
   /// \param first_new number of the first new point; at least the split mesh's size.
   BladeFace finish(std::uint32_t first_new) &&;
 
@@ -71,7 +71,7 @@ class BladeFaceBuilder {
   /// The first facet of the blade that the point lies on.
   int facet_of(std::uint32_t point) const;
 
-  /// Points too near to each other for what CGAL computes of them become one.
+  /// Rounds to a grid: points that are too near to each other for CGAL become equal.
   glm::dvec2 snapped(const glm::dvec2& p) const { return grid_ * glm::floor(p / grid_ + 0.5); }
 
   std::uint32_t constraint_between(std::uint32_t p, std::uint32_t q, bool divisible);
@@ -87,11 +87,11 @@ class BladeFaceBuilder {
   /// Four points far outside, so that no constraint lies on the hull.
   void surround();
 
-  /// Constraints as they are now. A plane cuts triangles at random, some only at a corner: so a segment counts with
-  /// the mean length of itself and its neighbours on the chain, if that is more than its own.
+  /// The present constraints as sources of the size field. A plane cuts some triangles only at a corner, so a segment's
+  /// size is the mean length of the segment and its neighbours on the chain, if that is larger than its own length.
   std::vector<SizeSource> sources(double contrast) const;
 
-  /// Where several surfaces lie on one edge, the first counts.
+  /// The source along an edge. If several surfaces lie on it, the first is used.
   SizeSource source_along(std::uint32_t from, std::uint32_t to, double contrast) const;
 
   /// The vertices along an edge, from its low to its high end.
@@ -101,7 +101,7 @@ class BladeFaceBuilder {
 
   static std::span<const std::uint32_t> inner(const std::vector<std::uint32_t>& chain);
 
-  /// The end of a constraint that the vertex cannot be told from; or none.
+  /// The end of a constraint that is so near that the vertex counts as equal to it; nothing if none is.
   std::optional<std::uint32_t> near_end(std::uint32_t vertex_number, std::uint32_t constraint) const;
 
   const glm::dvec2& uv(std::uint32_t v) const { return flat_.point[v]; }
@@ -111,10 +111,10 @@ class BladeFaceBuilder {
   /// Which facet each triangle lies on, and its normals.
   void find_facets();
 
-  /// Pairs of points that are one place: at equal coordinates, or next to a point of a line.
+  /// Pairs of points that count as equal: with equal coordinates, or next to a point of a line.
   std::vector<Twins> twins() const;
 
-  /// Points that crossing surfaces have put on lines after these were laid out. The other planes must have them too.
+  /// Points that crossing surfaces have added to lines after the lines were made. The other planes need them, too.
   Unshared unshared() const;
 
   void list_edge_points(const MeshEdge& edge, std::uint32_t first_new);

@@ -1,5 +1,5 @@
-// The triangles of a split mesh, split once more where cut faces put points on their edges, so that surfaces and cut
-// faces meet vertex to vertex.
+// The triangles of a split mesh, split once more where cut faces have points on their edges, so that surfaces and cut
+// faces share all vertices.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@
 namespace pomona {
 
 struct SurfaceClipOptions {
-  bool inner_too = false;  ///< all surfaces, for knives that are still to come; else the boundary alone
+  bool inner_too = false;  ///< all surfaces, for later knives; else only the boundary
 };
 
 struct ClippedSurfaces {
-  SplitMesh mesh;  ///< with new vertices on edges; all name the points that stand for their places
+  SplitMesh mesh;  ///< with new vertices on edges; vertices refer to the representative of their point (same_as)
   std::vector<SurfaceTriangle> surface;
 };
 

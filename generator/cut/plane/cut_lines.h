@@ -1,5 +1,5 @@
-// Lines in which cutting planes meet, the creases between a stroke's facets among them. Both planes must have the very
-// same points there: they are laid out once, before either plane is triangulated.
+// Lines in which cutting planes intersect; also the creases between a stroke's facets. Both planes need exactly the
+// same points there, so these are made once, before either plane is triangulated.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace pomona {
 
 struct CutLine {
-  std::vector<int> planes;  ///< the two that meet, or all that contain the axis; ascending
+  std::vector<int> planes;  ///< the two planes, or all planes that contain the axis; sorted
   glm::dvec3 origin{0}, direction{0, 1, 0};
   std::vector<std::uint32_t> points;  ///< of the split mesh, in order; at least two
 
@@ -31,31 +31,31 @@ struct CutLine {
   }
 };
 
-/// Lines, and the mesh with the points that they have put into it.
+/// The lines, and the mesh with the points that they have added.
 struct CutLines {
   SplitMesh mesh;
   std::vector<CutLine> lines;
 };
 
-/// Where the planes that have segments meet within `bounds`: with all points that surfaces have there, and those
-/// where three planes meet.
+/// The lines inside `bounds` in which planes with segments intersect, with all points that surfaces have on them, and
+/// the points where three planes intersect.
 CutLines cut_lines(SplitMesh mesh, const CutPlanes& planes, const std::vector<std::vector<CutSegment>>& segments,
                    const Box<double>& bounds);
 
 /// The length that edges should have on one of the line's planes, at a place.
 using SizeOnPlane = std::function<double(int plane, const glm::dvec3& place)>;
 
-/// With points added until neighbours are no farther apart than 1.2 times what `size` says between them, on the plane
-/// that asks for least; but for what leads outside.
+/// The lines with more points, until neighbours are at most 1.2 times the smallest `size` (over the planes) apart.
+/// Parts that lead outside the fruit are not changed.
 CutLines subdivided(CutLines all, const CutPlanes& planes, const SizeOnPlane& size);
 
-/// Points of the split mesh that lie on a line, by its number, and are news to other planes there.
+/// For each line (by number), points of the split mesh on it that the other planes do not have yet.
 using Unshared = std::map<std::size_t, std::vector<std::uint32_t>>;
 
-/// With these points at their places along their lines.
+/// The lines with these points inserted.
 CutLines with_points(CutLines all, const Unshared& points);
 
-/// The points of the line strictly between two of its points, on the way from the first to the second.
+/// The points of the line strictly between two of its points, in the order from the first to the second.
 std::vector<std::uint32_t> points_between(const CutLine& line, std::uint32_t from, std::uint32_t to);
 
 }  // namespace pomona

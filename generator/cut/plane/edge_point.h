@@ -1,4 +1,4 @@
-// A place on an edge of the split mesh that the triangulation of a cut face put a point on.
+// A point that the triangulation of a cut face has added to an edge of the split mesh.
 #pragma once
 
 #include <compare>

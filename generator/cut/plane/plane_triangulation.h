@@ -1,4 +1,4 @@
-// Triangulations of one cutting plane that keep given segments: what planes need of CGAL, and nobody else sees of it.
+// Constrained triangulation of one cutting plane. It hides CGAL from the other files.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct TriangulatedPlane {
   static constexpr std::int32_t none = -1;
 
   std::vector<glm::dvec2> point;        ///< the given ones first (those at equal places keep only the first in use)
-  std::vector<std::uint32_t> stand_in;  ///< per given point: the first at its place
+  std::vector<std::uint32_t> stand_in;  ///< per given point: the first point with the same position
   std::vector<glm::uvec3> triangle;     ///< counter-clockwise
   std::vector<std::array<std::int32_t, 3>> neighbor;     ///< across the edge from corner i to i + 1; or none
   std::vector<std::array<std::uint8_t, 3>> constrained;  ///< that edge is part of a constraint

@@ -1,5 +1,4 @@
-// The first step of a cut along planes and strokes: all surfaces split where these pass through them (paper, section
-// 3.2).
+// The first step of a cut along planes and strokes: splits all surfaces along them (paper, section 3.2).
 #pragma once
 
 #include "generator/cut/section/split_mesh.h"
@@ -7,7 +6,7 @@
 
 namespace pomona {
 
-/// Triangles that lie in no cell by halves, each with the cell it lies in and the edges it is cut at.
+/// Splits all triangles so that each lies in one cell; records its cell, and the edges at which it is cut.
 SplitMesh split(const DiffusionSurfaces& surfaces, const CutPlanes& planes);
 
 }  // namespace pomona

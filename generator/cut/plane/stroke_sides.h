@@ -1,4 +1,4 @@
-// On which side of a stroke the triangles of a split mesh lie, once none reaches over it.
+// The side of a stroke on which each triangle of a split mesh lies, once no triangle crosses the stroke.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace pomona {
 
-/// Asks the distance from the stroke, with a tolerance: unlike a plane, a stroke has no side that holds everywhere.
-/// The mesh may gain planes while this is in use, but neither points nor triangles.
+/// Decides by the distance from the stroke, with a tolerance. While this is in use, planes may be added to the mesh,
+/// but neither points nor triangles.
 class StrokeSides {
  public:
   StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const CutPlanes::Blade& stroke,
               const DiffusionSurfaces& surfaces);
 
-  /// Per triangle: 1, -1, or 0 for those that lie on the stroke. One that lies on it as far as can be told, but has an
-  /// edge along no facet, cuts off a corner of it by less than the tolerance: it goes with its neighbour across that
-  /// edge.
+  /// Per triangle: 1, -1, or 0 if it lies on the stroke. If all corners of a triangle lie on the stroke within the
+  /// tolerance, but one of its edges lies along no facet, then it cuts off a corner of the stroke; it gets the side of
+  /// its neighbour across that edge.
   std::vector<int> of_triangles() const;
 
   /// The first facet that both points lie on, as a plane; or -1.

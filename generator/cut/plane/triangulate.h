@@ -1,4 +1,5 @@
-// All blades triangulated: the faces they cut, and what these add to the split mesh (paper, section 3.2, Figure 3b).
+// Triangulates all blades: the faces that they cut, and what these add to the split mesh (paper, section 3.2, Figure
+// 3b).
 #pragma once
 
 #include <vector>
@@ -14,9 +15,9 @@
 namespace pomona {
 
 struct PlaneFaces {
-  SplitMesh mesh;                     ///< with the points of the faces, and which of all points share a place
+  SplitMesh mesh;                     ///< with the points of the faces; same_as is complete
   std::vector<Face> faces;            ///< in cut order
-  std::vector<EdgePoint> edge_point;  ///< where faces have put points on edges of the mesh; sorted, each once
+  std::vector<EdgePoint> edge_point;  ///< points that faces have added to edges of the mesh; sorted, each once
 };
 
 /// \param segments of each plane.

@@ -13,14 +13,14 @@
 
 namespace pomona {
 
-/// Where one cut face lies. u, v, normal are orthonormal and right-handed; normal points to the knife's
-/// positive side.
+/// The frame of one cut face. u, v, normal are orthonormal and right-handed; the normal points to the knife's positive
+/// side.
 struct CutFace {
   int knife = 0;
   glm::dvec3 origin{0}, u{1, 0, 0}, v{0, 1, 0}, normal{0, 0, 1};
 
-  /// Facets of one stroke have the same number, others none. Unrolled they lie side by side, with `along` as the
-  /// origin's place along u.
+  /// The facets of one stroke have the same number; all other faces have -1. When the stroke is unrolled, its facets
+  /// lie side by side, and `along` is the position of the origin along u.
   int stroke = -1;
   double along = 0;  ///< metres
 
@@ -34,21 +34,21 @@ struct SectionSegment {
   bool boundary = false;     ///< the rim of the section
 };
 
-/// All cut faces of a fruit, each once, as one mesh. A cut vertex is split into duplicate vertices, one for
-/// every fan of triangles between cut segments, each with the colour of the side it lies on; vertices where
-/// `interior` is 1 are to be coloured by diffusion. Vertices on a line where two cut faces meet belong to both.
+/// All cut faces of a fruit as one mesh, each face once. A vertex on cut segments is split into duplicates, one for
+/// every fan of triangles between the segments, each with the colour of its side. Vertices with `interior` = 1 get
+/// their colours by diffusion. Vertices on a line where two cut faces meet belong to both.
 struct CrossSection {
   std::vector<glm::vec3> position;
   std::vector<Color> color;  ///< linear
   std::vector<std::uint8_t> interior;
   std::vector<std::int32_t> part;  ///< index into part_names
-  std::vector<DetailGuide> guide;  ///< empty where no detail asks for it
+  std::vector<DetailGuide> guide;  ///< per vertex; empty if no detail needs it
 
   std::vector<glm::uvec3> triangle;  ///< counter-clockwise seen from the face's normal
   std::vector<std::int32_t> cut;     ///< index into faces
 
-  /// Per triangle, of its corners: unit, as the faces' normals point; smooth where a face is curved. Empty where all
-  /// faces are flat.
+  /// Per triangle: the unit normals at its corners, on the side of the faces' normals; smooth where a face is curved.
+  /// Empty if all faces are flat.
   std::vector<std::array<glm::vec3, 3>> normal;
 
   std::vector<CutFace> faces;  ///< in cut order

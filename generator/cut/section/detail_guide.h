@@ -1,4 +1,4 @@
-// What guides texture detail at one place of a fruit: where its surfaces run (paper, section 6).
+// The guide of texture detail at a point of a fruit: the direction and depth of its layers (paper, section 6).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,16 +8,16 @@ namespace pomona {
 
 /// One per vertex; between vertices it is interpolated linearly, like colours.
 struct DetailGuide {
-  glm::vec3 to_skin{0};  ///< metres: from here to where the way across the layers meets the skin; 0 on skins
-  float layer = 0;       ///< metres: how deep the layer lies that passes here, constant along layers; 0 on skins
-  glm::vec4 share{0};    ///< 0..1: how much each detail of this kind of face counts here, in the template's order
+  glm::vec3 to_skin{0};  ///< from here, across the layers, to the skin, metres; 0 on skins
+  float layer = 0;       ///< depth of the layer through this point, metres: constant along layers, 0 on skins
+  glm::vec4 share{0};    ///< strength of each detail of this kind of face, 0..1, in the template's order
 };
 
 inline DetailGuide scaled(const DetailGuide& guide, float factor) {
   return {guide.to_skin * factor, guide.layer * factor, guide.share * factor};
 }
 
-/// At the place with weights 1 - b - c, b and c in a triangle.
+/// The guide at the point with barycentric coordinates 1 - b - c, b and c in a triangle.
 inline DetailGuide interpolated(const DetailGuide& first, const DetailGuide& second, const DetailGuide& third, float b,
                                 float c) {
   const float a = 1 - b - c;

@@ -1,5 +1,5 @@
-// A cut face: the surface of a knife, triangulated so that it follows the surfaces of the fruit that pass through it.
-// Planes, strokes and closed knives all come to this.
+// A cut face: the surface of a knife, triangulated so that its edges follow the fruit's surfaces that pass through it.
+// Planes, strokes and closed knives all give such faces.
 #pragma once
 
 #include <array>
@@ -24,7 +24,8 @@ struct EdgeUse {
 struct Face {
   static constexpr std::int32_t none = -1;
 
-  int plane = 0;  ///< its number among all planes: of a stroke the first facet's; closed knives are one more each
+  int plane =
+      0;  ///< number among all planes; for a stroke, that of its first facet; a closed knife counts as one plane
 
   // Per vertex.
   std::vector<glm::dvec3> place;     ///< metres, on the knife's surface
@@ -37,7 +38,8 @@ struct Face {
   std::vector<std::uint32_t> facet;                      ///< index into frame
   std::vector<std::array<glm::vec3, 3>> normal;          ///< of its corners, unit
 
-  /// What becomes a face of the section each: a plane, the facets of a stroke, the charts of a closed knife.
+  /// The frames of its faces in the section: one for a plane, one per facet of a stroke, one per chart of a closed
+  /// knife.
   std::vector<CutFace> frame;
 
   std::vector<CutSegment> segment;
@@ -55,7 +57,7 @@ struct Face {
   void sort_edges();
 };
 
-/// Of two vertices.
+/// The distance between two vertices, metres.
 double distance(const Face& face, std::uint32_t p, std::uint32_t q);
 
 }  // namespace pomona

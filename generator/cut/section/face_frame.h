@@ -1,4 +1,4 @@
-// The frame of a flat cut face, and places in it.
+// The frame of a flat cut face, and positions in it.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -9,10 +9,10 @@
 
 namespace pomona {
 
-/// u and v upright where the plane is; for level planes u = +X, v = -Z.
+/// The frame of a plane: v points up as far as possible; for horizontal planes u = +X, v = -Z.
 CutFace frame_of(const CuttingPlane& plane);
 
-/// Metres along u and v from the face's origin, and back.
+/// The position of a point along u and v from the face's origin, metres; and the inverse.
 glm::dvec2 to_face(const CutFace& face, const glm::dvec3& point);
 glm::dvec3 from_face(const CutFace& face, const glm::dvec2& point);
 

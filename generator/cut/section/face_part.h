@@ -1,5 +1,5 @@
-// One cut face's share of a section: duplicate vertices where surfaces pass through it, one for each side, with the
-// colours of the sides (paper, section 3.2, Figure 3c).
+// The part of a section on one cut face: duplicate vertices where surfaces pass through the face, one for each side,
+// with the colours of the sides (paper, section 3.2, Figure 3c).
 #pragma once
 
 #include <array>
@@ -14,24 +14,24 @@
 
 namespace pomona {
 
-/// A triangle of the section as pieces see it.
+/// A triangle of the section that closes pieces.
 struct Cap {
-  std::array<std::uint32_t, 3> point{};  ///< of the split mesh, those that stand for their places
+  std::array<std::uint32_t, 3> point{};  ///< of the split mesh; representatives (same_as)
   Regions::Closing closing;
 };
 
 /// Duplicate vertices, one for each fan of triangles between cut segments, numbered from 0.
 struct FacePart {
   struct Vertex {
-    std::uint32_t point = 0;  ///< of the split mesh, the one that stands for its place
+    std::uint32_t point = 0;  ///< of the split mesh; a representative (same_as)
     Color color{0};           ///< linear
     std::int32_t part = 0;    ///< of the fruit
-    bool interior = false;    ///< still to be diffused
+    bool interior = false;    ///< its colour comes later, by diffusion
   };
   std::vector<Vertex> vertex;
   std::vector<CutFace> frame;  ///< one for each facet that has triangles
 
-  // Per triangle; one that closes several parts stands there several times.
+  // Per triangle; a triangle that closes several parts is stored several times.
   std::vector<glm::uvec3> triangle;
   std::vector<std::uint32_t> frame_of;
   std::vector<std::array<glm::vec3, 3>> normal;  ///< of its corners
@@ -40,7 +40,7 @@ struct FacePart {
   std::vector<SectionSegment> segments;
 };
 
-/// What of the face is section. Parts of several faces may be made at the same time.
+/// The part of the section on the face. Parts of several faces may be made in parallel.
 FacePart part_of(const Face& face, const Regions& regions, const SplitMesh& mesh, const DiffusionSurfaces& surfaces);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// The patches of a cut face, and which bodies wind around them: what planes, strokes and closed knives ask alike.
+// The patches of a cut face, and the winding numbers of bodies around them, for planes, strokes and closed knives.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,14 @@ struct FacePatches {
   std::vector<std::vector<std::uint32_t>> triangle;  ///< per patch, ascending
   std::vector<std::vector<BodyWinding>> inside;      ///< per patch, ascending by body, no zeros
 
-  /// Bodies whose boundary does not close on the face, ascending. They have no winding: they fill the patches that
-  /// their boundary parts from the outside and to which it turns its visible side for the greater part.
+  /// Bodies whose boundary is not closed on the face, sorted. They have no winding numbers: they fill the patches that
+  /// their boundary separates from the outside and to which the larger part of the boundary shows its visible side.
   std::vector<std::int32_t> open_body;
 
   std::size_t count() const { return triangle.size(); }
   bool is_open(std::int32_t body) const;
 
-  /// The same, with nothing known yet of what the patches close.
+  /// The patches as regions, whose `closes` are still empty.
   Regions regions() const;
 };
 

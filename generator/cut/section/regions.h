@@ -1,4 +1,4 @@
-// Which part of a cut face is section, inside which bodies, and between which cells.
+// The regions of a cut face: which parts are section, in which bodies, and between which cells.
 #pragma once
 
 #include <array>
@@ -7,25 +7,26 @@
 
 namespace pomona {
 
-/// How often a body's boundary winds around a place: 1 inside, 0 outside; more where it overlaps itself, negative where
-/// it has turned itself inside out. All but 0 is section, so that pieces close whatever the boundary does.
+/// The winding number of a body's boundary around a point: 1 inside, 0 outside; larger where the boundary overlaps
+/// itself, negative where it is turned inside out. Everything except 0 is section, so that pieces are closed in every
+/// case.
 struct BodyWinding {
   std::int32_t body = 0;
   int winding = 0;
   bool operator==(const BodyWinding&) const = default;
 };
 
-/// Triangles of a face that hang together across edges that are no constraint are one patch: they lie in the same
+/// A patch consists of the triangles of a face that are connected by edges without constraints. They lie in the same
 /// bodies and between the same cells.
 struct Regions {
-  /// What a patch closes: the parts that bodies have in two cells, one on either side of it.
+  /// The parts of bodies that a patch closes, in two cells, one on either side of the patch.
   struct Closing {
     std::array<std::uint32_t, 2> cell{};  ///< on the face's negative and positive side
-    std::vector<BodyWinding> inside;      ///< ascending by body, no zeros
+    std::vector<BodyWinding> inside;      ///< sorted by body, without zeros
   };
   struct Patch {
-    /// Nearly always one, or none where the patch is no section. More where a closed knife runs along a skin, and
-    /// rounding has laid layers of no thickness across it.
+    /// Nearly always one; none if the patch is not section. More where a closed knife runs along a skin and rounding
+    /// has made layers of thickness 0.
     std::vector<Closing> closes;
   };
   std::vector<Patch> patch;

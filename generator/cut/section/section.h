@@ -1,4 +1,4 @@
-// The cross-section as it grows, face by face (paper, Figure 3c).
+// The cross-section while faces are added to it (paper, Figure 3c).
 #pragma once
 
 #include <array>
@@ -19,21 +19,21 @@ struct Section {
   std::vector<Cap> cap;  ///< per triangle of the mesh
 };
 
-/// Of a fruit that nobody has cut yet.
+/// The empty section of a fruit that has not been cut.
 Section empty_section(const DiffusionSurfaces& surfaces);
 
-/// Per point of the split mesh, the section's vertex to be diffused there that all its faces share.
+/// Per point of the split mesh: the interior vertex of the section that all faces share there.
 using SharedVertices = std::map<std::uint32_t, std::uint32_t>;
 
-/// With the parts of more faces, one after another, which take vertices to be diffused from `shared` where there are
-/// any.
+/// The section with the parts of more faces, one after another. They use the interior vertices of `shared` where
+/// possible.
 Section with_parts(Section section, std::vector<FacePart> parts, const SplitMesh& mesh, SharedVertices shared);
 
-/// Without the triangles that are marked; there may be fewer marks than triangles.
+/// The section without the marked triangles. There may be fewer marks than triangles.
 Section without(Section section, std::span<const std::uint8_t> gone);
 
-/// Without triangles that rounding to float closes to a line: their neighbours then meet there. Knives that are still
-/// to come need them.
+/// The section without triangles that rounding to float reduces to a line: their neighbours then meet there. Call it
+/// after the last knife, because later knives need these triangles.
 Section without_collapsed(Section section);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// How fine a cut face should be next to a cut segment.
+// The wanted fineness of a cut face next to a cut segment.
 #pragma once
 
 #include "generator/cut/section/segments.h"
@@ -7,9 +7,9 @@
 
 namespace pomona {
 
-/// What the size field is to know of a segment but for its place; `size` counts in edges' lengths. Colours that change
-/// by a quarter of `contrast` or more from edge to edge want edges as long as their own next to them, others longer
-/// ones.
+/// The source of the size field for a segment, without its position; `size` is in lengths of the segment's edges. If
+/// the colours change by a quarter of `contrast` or more from edge to edge, edges next to the segment are as long as
+/// its own; else they are longer.
 SizeSource source_of(const CutSegment& segment, const SplitMesh& mesh, double contrast);
 
 }  // namespace pomona

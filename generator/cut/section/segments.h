@@ -1,4 +1,4 @@
-// Cut segments: where diffusion surfaces meet a cutting plane (paper, Figure 3a).
+// Cut segments: the intersections of diffusion surfaces with a cutting plane (paper, Figure 3a).
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace pomona {
 
-/// An edge of the split mesh along which a surface passes through a plane. Seen from the plane's positive side, the
-/// front of the surface is left of the way from `from` to `to`.
+/// An edge of the split mesh along which a surface passes through a plane. For a viewer on the plane's positive side,
+/// the front of the surface is left of the direction from `from` to `to`.
 struct CutSegment {
   std::uint32_t from = 0, to = 0;                // points
   std::uint32_t from_vertex = 0, to_vertex = 0;  // the same, with the surface's attributes
   std::uint32_t source = 0;                      // input triangle
 };
 
-/// The segments of each plane. Where a surface only touches a plane, coming and going along one edge, there is none.
+/// The segments of each plane. There is none where a surface only touches a plane along an edge and returns.
 std::vector<std::vector<CutSegment>> cut_segments(const SplitMesh& mesh, const DiffusionSurfaces& surfaces, int planes);
 
-/// Edges used in both directions by one surface cancel in pairs; what is left keeps its order.
+/// Removes pairs of segments in which one surface uses an edge in both directions. The others keep their order.
 std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, const DiffusionSurfaces& surfaces);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// How fine the triangulation of a cut face should be where, and free points that are spread accordingly.
+// The size field: the wanted edge length at each point of a cut face, and free points with this spacing.
 #pragma once
 
 #include <cstdint>
@@ -16,33 +16,34 @@ struct SizeLimits {
   double coarsest = 0;
   double finest = 0;
   double grading = 0;   ///< growth of the size per metre of distance
-  double contrast = 0;  ///< difference of colours, in linear channels, over which the field may be taken as straight
+  double contrast = 0;  ///< difference of colours, in linear channels, up to which linear interpolation is good enough
 };
 
 /// A segment, and the size that triangles should have next to it.
 struct SizeSource {
   glm::dvec2 a{0}, b{0};
   double size = 0;
-  Color left{0}, right{0};  ///< on either side of the way from a to b
-  bool has_color = true;    ///< false for lines in which planes meet: the field passes through them
+  Color left{0}, right{0};  ///< on either side of the direction from a to b
+  bool has_color = true;    ///< false for lines in which planes intersect: the field passes through them
 };
 
-/// Size as a function of place: the smallest over all sources of their size and the distance from them times the
-/// grading; and between sources that face each other with different colours, a share of the gap. Kept on a grid; a
-/// function of its input alone.
+/// The size at a point: the minimum over all sources of (size of the source + distance from it * grading); and between
+/// sources that face each other with different colours, also a share of the gap. It is stored on a grid, and depends
+/// only on its input.
 ///
-/// Between two surfaces of colours that differ by C the field strays from the straight way by a tenth of C, about, and
-/// interpolation by the square of the edges' share of the gap: so that share is the root of contrast / C, and where
-/// that is one or more the gap needs no vertex.
+/// Between two surfaces whose colours differ by C, the field differs from a straight line by about a tenth of C. The
+/// error of interpolation is the square of (edge length / gap) times that. So edge length / gap = sqrt(contrast / C);
+/// if this is 1 or more, the gap needs no vertex.
 class SizeField {
  public:
-  /// The grid has `across` cells along the longer side of the sources' bounds.
+  /// \param across number of grid cells along the longer side of the sources' bounds.
   SizeField(std::span<const SizeSource> sources, const SizeLimits& limits, int across = 192);
 
   double at(const glm::dvec2& p) const;
 
-  /// Points about a size apart from each other, and half a size from the sources: one row along the middle of gaps
-  /// that need no more, and elsewhere a lattice, hexagonal wherever the size is even. None outside the sources' bounds.
+  /// Points that are about one size apart from each other, and half a size from the sources: one row along the middle
+  /// of a gap where that is enough; elsewhere a lattice, which is hexagonal where the size is constant. None outside
+  /// the bounds of the sources.
   std::vector<glm::dvec2> samples() const;
 
  private:
@@ -60,7 +61,7 @@ class SizeField {
   void bucket_sources();
   bool is_clear_of_sources(const glm::dvec2& p, double size) const;
 
-  /// A place in the middle of a gap that one row of points is enough for.
+  /// A point in the middle of a gap for which one row of points is enough.
   struct MidGap {
     glm::dvec2 place{0};
     double size = 0;

@@ -1,6 +1,6 @@
-// All diffusion surfaces, split along the knives so far. Everything that later steps ask - what is cut, which side is
-// which, what belongs to which cell - is recorded here as it happens, by identity, and never asked of coordinates
-// again.
+// All diffusion surfaces, split along the knives so far. Later steps need to know what is cut, which side is which, and
+// what belongs to which cell. This is recorded here, by the numbers of points, when it is decided; no later step
+// decides it again from coordinates.
 #pragma once
 
 #include <array>
@@ -16,30 +16,30 @@ namespace pomona {
 struct SplitMesh {
   explicit SplitMesh(const CutPlanes& planes) : sets(planes) {}
 
-  // Points: places in space. Input vertices at equal positions are one point; so are the two ends at which two
-  // triangles meet a plane on their common edge.
+  // Points: positions in space. Input vertices with equal positions are one point. Where a plane cuts the common edge
+  // of two triangles, both get the same point.
   std::vector<glm::dvec3> point;         ///< those of the input first
   std::vector<std::uint32_t> planes_of;  ///< per point: which planes it lies on, a number in `sets`
-  std::vector<std::uint32_t> same_as;    ///< per point: the point that stands for all those at its place
+  std::vector<std::uint32_t> same_as;    ///< per point: the representative of all points with the same position
 
   // Vertices: points with the attributes that a surface has there. The first are those of the input.
   std::vector<std::uint32_t> point_of;
   std::vector<Color> front_color, back_color;
-  std::vector<glm::vec3> normal;  ///< to air, smooth; only where a boundary triangle uses the vertex
+  std::vector<glm::vec3> normal;  ///< smooth, towards air; only for vertices of boundary triangles
 
   struct Triangle {
     std::array<std::uint32_t, 3> vertex{};
     std::uint32_t source = 0;  ///< the input triangle it is part of
-    std::uint32_t cell = 0;    ///< of all knives; cells are numbered knife by knife, the first knife's slowest
-    /// Per edge (from corner i to i + 1): the planes it is cut by, of which the triangle lies on the negative side.
+    std::uint32_t cell = 0;    ///< cell of all knives together; the number of the first knife's cell varies slowest
+    /// Per edge (from corner i to i + 1): the planes that cut it and on whose negative side the triangle lies.
     std::array<std::uint32_t, 3> cut_by{};
-    KnifeSides sides;  ///< of the knife at work; of no meaning in the result
+    KnifeSides sides;  ///< of the present knife; not used in the result
   };
   std::vector<Triangle> triangle;
 
   PlaneSets sets;
 
-  /// A point that lies on the planes of this set, and stands for itself. Its number.
+  /// Adds a point on the planes of this set, which is its own representative. Returns its number.
   std::uint32_t add_point(const glm::dvec3& place, std::uint32_t set) {
     const auto number = static_cast<std::uint32_t>(point.size());
     point.push_back(place);
@@ -48,7 +48,7 @@ struct SplitMesh {
     return number;
   }
 
-  /// A vertex with what a surface has at this point. Its number.
+  /// Adds a vertex with the attributes of a surface at this point. Returns its number.
   std::uint32_t add_vertex(std::uint32_t at, const Color& front, const Color& back, const glm::vec3& to_air) {
     point_of.push_back(at);
     front_color.push_back(front);

@@ -8,13 +8,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "generator/diffusion/harmonic/cut_links.h"
+#include "generator/diffusion/harmonic/cut_arms.h"
 
 namespace pomona {
 
 namespace {
 
-/// Ranges of layers that are worked on one by one.
+/// Number of slabs.
 constexpr int most_slabs = 16;
 
 }  // namespace
@@ -127,7 +127,7 @@ void CellTriangleFinder::fill(std::size_t i) {
   for (std::uint32_t c = 0; c < slab.filled_count; ++c) sum += std::exchange(first[c], sum);
   for (const auto& [cell, t] : slab.entry) cells_.triangle_[first[cell]++] = t;
 
-  // Each has moved to where the next begins.
+  // Each start index has moved to the start of the next cell.
   for (std::uint32_t c = slab.filled_count; c-- > 1;) first[c] = first[c - 1];
   if (slab.filled_count > 0) first[0] = slab.entries_before;
 }

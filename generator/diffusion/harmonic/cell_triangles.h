@@ -1,4 +1,4 @@
-// Which triangles lie in which cell of a lattice.
+// For each cell of a lattice: the triangles in it.
 #pragma once
 
 #include <cstdint>
@@ -7,20 +7,21 @@
 #include <vector>
 
 #include "generator/diffusion/harmonic/lattice.h"
-#include "generator/diffusion/harmonic/node_runs.h"
+#include "generator/diffusion/harmonic/sparse_blocks.h"
 
 namespace pomona {
 
-/// Some of many numbered things, and the place of each of them among these.
+/// A subset of the numbers 0 to all - 1, stored as bits. place() gives the index of a member among the members.
 class SparseSet {
  public:
   SparseSet() = default;
   explicit SparseSet(std::size_t all) : words_((all + 63) / 64) {}
 
   void add(std::size_t i) { words_[i / 64].bits |= std::uint64_t{1} << i % 64; }
-  void add_all(const SparseSet& others, std::size_t first);  ///< their number 0 is `first` here
+  /// Adds every number of `others`, moved up by `first`.
+  void add_all(const SparseSet& others, std::size_t first);
 
-  /// Counts them, which place() needs; how many there are.
+  /// Prepares place(). Returns the number of members.
   std::uint32_t count();
 
   bool holds(std::size_t i) const { return words_[i / 64].bits >> i % 64 & 1; }
@@ -33,7 +34,7 @@ class SparseSet {
  private:
   struct Word {
     std::uint64_t bits = 0;
-    std::uint32_t before = 0;  ///< how many lie in words before this one
+    std::uint32_t before = 0;  ///< number of members in the words before this one
   };
   std::vector<Word> words_;
 };
@@ -43,7 +44,7 @@ class CellTriangles {
  public:
   CellTriangles() = default;
 
-  /// All triangles that meet the cell, and few others; ascending.
+  /// All triangles that meet the cell, and few others; sorted.
   std::span<const std::uint32_t> in(std::size_t cell) const {
     if (!filled_.holds(cell)) return {};
     const std::uint32_t place = filled_.place(cell);
@@ -54,16 +55,17 @@ class CellTriangles {
 
  private:
   friend class CellTriangleFinder;
-  SparseSet filled_;                  ///< most cells hold none
-  std::vector<std::uint32_t> first_;  ///< per filled cell
-  std::vector<std::uint32_t> triangle_;
+  SparseSet filled_;                     ///< the cells with triangles; most cells have none
+  std::vector<std::uint32_t> first_;     ///< per filled cell: index of its first triangle in triangle_
+  std::vector<std::uint32_t> triangle_;  ///< the triangles of all filled cells, cell by cell
 };
 
-/// Finds them slab by slab, in two rounds whose items threads may share with other work: find(i) for every slab, one
-/// place(), fill(i) for every slab.
+/// Finds the triangles slab by slab. Call find(i) for every slab, then place() once, then fill(i) for every slab. The
+/// calls for different slabs may run in parallel, also beside other work.
 class CellTriangleFinder {
  public:
-  /// Cells count as larger by `margin`, in cells. `snapped` is read until the last find(), `lattice` until place().
+  /// \param margin each cell is enlarged by this on every side, in cells.
+  /// `snapped` must live until the last find(), `lattice` until place().
   CellTriangleFinder(const SnappedSurfaces& snapped, const Lattice& lattice, double margin);
 
   std::size_t slab_count() const { return slabs_.size(); }
@@ -73,22 +75,23 @@ class CellTriangleFinder {
   CellTriangles taken() { return std::move(cells_); }
 
  private:
-  /// What lies in some layers of cells.
+  /// Some layers of cells.
   struct Slab {
-    std::pair<int, int> layers;
-    std::vector<std::uint32_t> near;  ///< triangles that may meet it
-    std::size_t first_cell = 0;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> entry;  ///< cell, from the first on, and triangle; as found
-    SparseSet filled;                                            ///< of its cells
-    std::uint32_t filled_count = 0;
-    std::uint32_t filled_before = 0, entries_before = 0;  ///< in the slabs before it
+    std::pair<int, int> layers;                                  ///< z of the first, and of the one after the last
+    std::vector<std::uint32_t> near;                             ///< triangles that may meet the slab
+    std::size_t first_cell = 0;                                  ///< index of its first cell
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> entry;  ///< (cell - first_cell, triangle), in any order
+    SparseSet filled;                                            ///< cells with triangles, counted from first_cell
+    std::uint32_t filled_count = 0;                              ///< number of filled cells
+    std::uint32_t filled_before = 0;                             ///< number of filled cells in the slabs before
+    std::uint32_t entries_before = 0;                            ///< number of entries in the slabs before
   };
   void add_cells_of(std::uint32_t triangle, Slab& slab) const;
 
   const SnappedSurfaces& snapped_;
   const Lattice& lattice_;
   double margin_;
-  std::size_t plane_;  ///< cells of a layer
+  std::size_t plane_;  ///< number of cells in a layer
   std::vector<Slab> slabs_;
   CellTriangles cells_;
 };

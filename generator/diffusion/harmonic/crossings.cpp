@@ -11,7 +11,7 @@ namespace {
 using Units = std::array<std::int64_t, 3>;
 __extension__ using Wide = __int128;
 
-/// Depths that doubles can tell apart from a node, in links; their own error is below 1e-11.
+/// The smallest depth, in arms, that doubles distinguish from 0; their error is below 1e-11.
 constexpr double clearly = 1e-9;
 
 std::int64_t floor_shift(std::int64_t value, int bits) { return value >> bits; }
@@ -19,7 +19,7 @@ std::int64_t ceil_shift(std::int64_t value, int bits) { return -((-value) >> bit
 
 int sign(std::int64_t value) { return (value > 0) - (value < 0); }
 
-/// The triangle as seen along one axis: a are coordinates along it, b and c across.
+/// The triangle seen along one axis: coordinates a lie along the axis, b and c across it.
 struct Projected {
   int axis = 0;
   std::array<std::int64_t, 3> a{}, b{}, c{};
@@ -58,22 +58,22 @@ Projected projected(const std::array<Units, 3>& corner, int axis) {
   return p;
 }
 
-/// Goes through triangles one by one, and the lines that each may cross.
+/// Visits the triangles one by one, and for each the lines that it may cross.
 class Crosser {
  public:
   Crosser(const SnappedSurfaces& snapped, const Lattice& lattice, int first_z, int end_z)
       : snapped_(snapped), bits_(lattice.unit_bits), count_(lattice.count), first_z_(first_z), end_z_(end_z) {}
 
-  /// Makes room for about as many crossings as these will have.
+  /// Reserves memory for about as many crossings as these triangles will have.
   void expect(std::span<const std::uint32_t> triangles) {
-    // Lines along an axis cross a triangle once per cell that it fills as seen along that axis.
+    // The number of crossings along an axis is about the area seen along that axis, in cells.
     double twice = 0;
     for (const std::uint32_t triangle : triangles) {
       set(triangle);
       for (const std::int64_t n : normal_) twice += std::fabs(static_cast<double>(n));
     }
-    const auto links = static_cast<std::size_t>(0.5 * std::ldexp(twice, -2 * bits_));
-    found_.reserve(std::min(links + links / 8, 64 * triangles.size()) + 256);
+    const auto arms = static_cast<std::size_t>(0.5 * std::ldexp(twice, -2 * bits_));
+    found_.reserve(std::min(arms + arms / 8, 64 * triangles.size()) + 256);
   }
 
   void cross(std::uint32_t triangle) {
@@ -83,7 +83,7 @@ class Crosser {
     }
   }
 
-  std::vector<LinkCrossing> found() { return std::move(found_); }
+  std::vector<ArmCrossing> found() { return std::move(found_); }
 
  private:
   void set(std::uint32_t triangle) {
@@ -98,7 +98,7 @@ class Crosser {
     normal_ = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
   }
 
-  /// The nodes from the least to the greatest of three coordinates.
+  /// The nodes between the smallest and the largest of three coordinates.
   std::pair<std::int64_t, std::int64_t> span(const std::array<std::int64_t, 3>& v, std::size_t axis) const {
     std::int64_t low = ceil_shift(std::min({v[0], v[1], v[2]}), bits_);
     std::int64_t high = floor_shift(std::max({v[0], v[1], v[2]}), bits_);
@@ -145,15 +145,15 @@ class Crosser {
     }
     depth /= static_cast<double>(std::int64_t{1} << bits_);
 
-    // Find the link that is crossed, if it belongs to the lattice and has an end in this range of planes.
+    // Find the arm that is crossed, if it belongs to the lattice and has an end in this range of planes.
     Node node{};
     node[(a + 1) % 3] = static_cast<int>(b);
     node[(a + 2) % 3] = static_cast<int>(c);
-    node[a] = link_at(p, depth, node);
+    node[a] = arm_at(p, depth, node);
     if (node[a] < 0 || node[a] + 1 >= count_[a]) return;
     if (a == 2 && (node[2] + 1 < first_z_ || node[2] >= end_z_)) return;
 
-    // The link is kept with the crossing's distance from its node, in links.
+    // The arm is kept with the crossing's distance from its node, in arms.
     const double theta = std::clamp(depth - node[a], 0.0, 1.0);
     found_.push_back({triangle_,
                       node,
@@ -164,7 +164,7 @@ class Crosser {
   }
 
   /// The node just behind the crossing.
-  int link_at(const Projected& p, double depth, Node node) const {
+  int arm_at(const Projected& p, double depth, Node node) const {
     const double nearest = std::floor(depth + 0.5);
     const int behind = static_cast<int>(std::floor(depth));
     if (std::fabs(depth - nearest) > clearly) return behind;
@@ -193,13 +193,13 @@ class Crosser {
   std::uint32_t triangle_ = 0;
   std::array<Units, 3> corner_{};
   Units normal_{};
-  std::vector<LinkCrossing> found_;
+  std::vector<ArmCrossing> found_;
 };
 
 }  // namespace
 
-std::vector<LinkCrossing> link_crossings(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles,
-                                         const Lattice& lattice, int first_z, int end_z) {
+std::vector<ArmCrossing> arm_crossings(const SnappedSurfaces& snapped, std::span<const std::uint32_t> triangles,
+                                       const Lattice& lattice, int first_z, int end_z) {
   Crosser crosser(snapped, lattice, first_z, end_z);
   crosser.expect(triangles);
   for (const std::uint32_t triangle : triangles) crosser.cross(triangle);

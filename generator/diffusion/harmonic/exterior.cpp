@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <utility>
 
-#include "generator/diffusion/harmonic/cut_links.h"
+#include "generator/diffusion/harmonic/cut_arms.h"
 
 namespace pomona {
 
 namespace {
 
-/// Rows of nodes as bits, 64 to a word, for one question each: reached? open towards +x, +y, +z?
+/// Rows of nodes as bits, 64 in a word. One such grid per property: reached, open towards +x, open towards +y, ...
 class BitRows {
  public:
-  explicit BitRows(const NodeRuns& runs)
-      : words(static_cast<std::size_t>(runs.count()[0] + 63) / 64),
-        rows_y(runs.count()[1]),
-        bits_(row_count(runs) * words) {}
+  explicit BitRows(const SparseBlocks& blocks)
+      : words(static_cast<std::size_t>(blocks.count()[0] + 63) / 64),
+        rows_y(blocks.count()[1]),
+        bits_(row_count(blocks) * words) {}
 
   std::uint64_t* row(int y, int z) { return &bits_[index(y, z)]; }
   const std::uint64_t* row(int y, int z) const { return &bits_[index(y, z)]; }
@@ -24,8 +24,8 @@ class BitRows {
   int rows_y;
 
  private:
-  static std::size_t row_count(const NodeRuns& runs) {
-    return static_cast<std::size_t>(runs.count()[1]) * static_cast<std::size_t>(runs.count()[2]);
+  static std::size_t row_count(const SparseBlocks& blocks) {
+    return static_cast<std::size_t>(blocks.count()[1]) * static_cast<std::size_t>(blocks.count()[2]);
   }
   std::size_t index(int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(rows_y) + static_cast<std::size_t>(y)) * words;
@@ -33,31 +33,33 @@ class BitRows {
   std::vector<std::uint64_t> bits_;
 };
 
-/// Which links towards larger x, y and z are open.
+/// Which arms towards larger x, y and z are open.
 struct OpenRows {
-  OpenRows(const NodeRuns& runs, const std::vector<std::uint8_t>& open, Threads threads) : x(runs), y(runs), z(runs) {
-    const auto ranges = runs.ranges_of_planes(16);
+  OpenRows(const SparseBlocks& blocks, const std::vector<std::uint8_t>& open, Threads threads)
+      : x(blocks), y(blocks), z(blocks) {
+    const auto ranges = blocks.ranges_of_planes(16);
     parallel_for(ranges.size(), threads, [&](std::size_t i) {
-      for (std::size_t r = ranges[i].first; r < ranges[i].second; ++r) add_run(runs[r], &open[NodeRuns::length * r]);
+      for (std::size_t r = ranges[i].first; r < ranges[i].second; ++r)
+        add_run(blocks[r], &open[SparseBlocks::length * r]);
     });
   }
 
   BitRows x, y, z;
 
  private:
-  void add_run(const NodeRun& run, const std::uint8_t* open) {
+  void add_run(const NodeBlock& block, const std::uint8_t* open) {
     const std::uint64_t eight = eight_at(open);
     const std::uint64_t part = ~(eight >> 7);  // the lowest bit of each byte: whether the node takes part
     const std::uint64_t x_byte = lowest_bits(eight >> x_up & part), y_byte = lowest_bits(eight >> y_up & part),
                         z_byte = lowest_bits(eight >> z_up & part);
-    const int word = run.block / 8, shift = 8 * (run.block % 8);
-    x.row(run.y, run.z)[word] |= x_byte << shift;
-    y.row(run.y, run.z)[word] |= y_byte << shift;
-    z.row(run.y, run.z)[word] |= z_byte << shift;
+    const int word = block.column / 8, shift = 8 * (block.column % 8);
+    x.row(block.y, block.z)[word] |= x_byte << shift;
+    y.row(block.y, block.z)[word] |= y_byte << shift;
+    z.row(block.y, block.z)[word] |= z_byte << shift;
   }
 };
 
-/// Within a word, through open links (bit i: from i to i + 1): runs double in length at every step.
+/// Spreads within a word through open arms (bit i: from i to i + 1). The distance doubles at every step.
 std::uint64_t spread_up(std::uint64_t bits, std::uint64_t open) {
   std::uint64_t passable = open << 1;
   for (int step = 1; step < 64; step *= 2) {
@@ -79,9 +81,9 @@ std::uint64_t spread_down(std::uint64_t bits, std::uint64_t open) {
 /// Floods a lattice from one corner, row by row.
 class Flood {
  public:
-  Flood(const NodeRuns& runs, const OpenRows& open) : runs_(runs), open_(open), reached_(runs) {}
+  Flood(const SparseBlocks& blocks, const OpenRows& open) : blocks_(blocks), open_(open), reached_(blocks) {}
 
-  BitRows run() {
+  BitRows block() {
     reached_.row(0, 0)[0] = 1;
     spread_along(0, 0);
     waiting_.emplace_back(0, 0);
@@ -89,15 +91,15 @@ class Flood {
       const auto [y, z] = waiting_.back();
       waiting_.pop_back();
       if (y > 0) pass(y, z, y - 1, z, open_.y.row(y - 1, z));
-      if (y + 1 < runs_.count()[1]) pass(y, z, y + 1, z, open_.y.row(y, z));
+      if (y + 1 < blocks_.count()[1]) pass(y, z, y + 1, z, open_.y.row(y, z));
       if (z > 0) pass(y, z, y, z - 1, open_.z.row(y, z - 1));
-      if (z + 1 < runs_.count()[2]) pass(y, z, y, z + 1, open_.z.row(y, z));
+      if (z + 1 < blocks_.count()[2]) pass(y, z, y, z + 1, open_.z.row(y, z));
     }
     return std::move(reached_);
   }
 
  private:
-  /// From one row to a neighbour through what is open between them.
+  /// Spreads from one row to a neighbour row through the open arms between them.
   void pass(int y, int z, int to_y, int to_z, const std::uint64_t* open) {
     const std::uint64_t* from = reached_.row(y, z);
     std::uint64_t* to = reached_.row(to_y, to_z);
@@ -112,7 +114,7 @@ class Flood {
     waiting_.emplace_back(to_y, to_z);
   }
 
-  /// Along x through open links, until nothing changes.
+  /// Spreads along x through open arms, until nothing changes.
   void spread_along(int y, int z) {
     std::uint64_t* bits = reached_.row(y, z);
     const std::uint64_t* open = open_.x.row(y, z);
@@ -134,7 +136,7 @@ class Flood {
     }
   }
 
-  const NodeRuns& runs_;
+  const SparseBlocks& blocks_;
   const OpenRows& open_;
   BitRows reached_;
   std::vector<std::pair<int, int>> waiting_;
@@ -142,25 +144,25 @@ class Flood {
 
 }  // namespace
 
-std::vector<std::uint8_t> reached_from_corner(const NodeRuns& runs, const std::vector<std::uint8_t>& open,
+std::vector<std::uint8_t> reached_from_corner(const SparseBlocks& blocks, const std::vector<std::uint8_t>& open,
                                               Threads threads) {
-  const OpenRows rows(runs, open, threads);
-  const BitRows reached = Flood(runs, rows).run();
-  std::vector<std::uint8_t> marked(runs.size(), 0);
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const NodeRun& run = runs[r];
-    marked[r] = static_cast<std::uint8_t>(reached.row(run.y, run.z)[run.block / 8] >> (8 * (run.block % 8)));
+  const OpenRows rows(blocks, open, threads);
+  const BitRows reached = Flood(blocks, rows).block();
+  std::vector<std::uint8_t> marked(blocks.size(), 0);
+  for (std::size_t r = 0; r < blocks.size(); ++r) {
+    const NodeBlock& block = blocks[r];
+    marked[r] = static_cast<std::uint8_t>(reached.row(block.y, block.z)[block.column / 8] >> (8 * (block.column % 8)));
   }
   return marked;
 }
 
-NodeRuns runs_without(const NodeRuns& runs, const std::vector<std::uint8_t>& marked) {
-  const Node& count = runs.count();
-  std::vector<BlocksOfRow> wanted(static_cast<std::size_t>(count[1] * count[2]), 0);
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const NodeRun& run = runs[r];
-    const bool is_wanted = (~marked[r] & ((1 << runs.inside(r)) - 1)) != 0;
-    if (is_wanted) wanted[static_cast<std::size_t>(run.z * count[1] + run.y)] |= BlocksOfRow{1} << run.block;
+SparseBlocks blocks_without(const SparseBlocks& blocks, const std::vector<std::uint8_t>& marked) {
+  const Node& count = blocks.count();
+  std::vector<ColumnMask> wanted(static_cast<std::size_t>(count[1] * count[2]), 0);
+  for (std::size_t r = 0; r < blocks.size(); ++r) {
+    const NodeBlock& block = blocks[r];
+    const bool is_wanted = (~marked[r] & ((1 << blocks.inside(r)) - 1)) != 0;
+    if (is_wanted) wanted[static_cast<std::size_t>(block.z * count[1] + block.y)] |= ColumnMask{1} << block.column;
   }
   return {count, wanted};
 }

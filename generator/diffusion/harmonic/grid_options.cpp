@@ -21,8 +21,8 @@ constexpr int most_halvings = 2;
 struct Effort {
   int nodes;  ///< along the side of a cube as large as the surfaces' box
   int cycles;
-  double bend = GridOptions{}.bend;
-  std::size_t most_patch_nodes = GridOptions{}.most_patch_nodes;
+  double refine_above = GridOptions{}.refine_above;
+  std::size_t max_patch_nodes = GridOptions{}.max_patch_nodes;
 };
 
 /// Measured in docs/diffusion.md. Patches where the solution bends take three times as long as all else, and pages,
@@ -51,8 +51,8 @@ GridOptions grid_options(const DiffusionSurfaces& surfaces, const HarmonicOption
           .cycles = options.cycles > 0 ? options.cycles : effort.cycles,
           .shift = options.shift,
           .finer = options.finer >= 0 ? options.finer : most_halvings,
-          .bend = options.bend >= 0 ? options.bend : effort.bend,
-          .most_patch_nodes = effort.most_patch_nodes,
+          .refine_above = options.refine_above >= 0 ? options.refine_above : effort.refine_above,
+          .max_patch_nodes = effort.max_patch_nodes,
           .reach = near_surface * glm::length(extent),
           .threads = options.threads};
 }

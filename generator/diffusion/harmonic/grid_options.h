@@ -1,4 +1,4 @@
-// How fine a grid is, and how long it is worked on.
+// Options of the grid and of its solution.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,15 @@ struct GridOptions {
   double spacing = 0;   ///< metres between nodes
   int cycles = 1;       ///< see MultigridOptions
   glm::dvec3 shift{0};  ///< of the grid, in cells
-  int finer = 0;        ///< how often patches may halve the spacing, around small bodies and where the solution bends
-  double bend = 0;      ///< how much of full colour, at the least (bends.h); 0: patches lie around small bodies only
-  std::size_t most_patch_nodes = 1'000'000;  ///< of each patch: with all that belongs to them, some 60 bytes a node
-  double reach = 0;                          ///< metres: surfaces this near to a cell count as in it
+  int finer = 0;        ///< how many times patches may halve the spacing
+  double refine_above =
+      0;  ///< how much of full colour, at the least (refinement_indicator.h); 0: patches lie around small bodies only
+  std::size_t max_patch_nodes = 1'000'000;  ///< of each patch; a node takes some 60 bytes
+  double reach = 0;                         ///< metres: a surface this near to a cell counts as in it
   Threads threads;
 };
 
-/// What a quality stands for, around these surfaces.
+/// The options for a quality, around these surfaces.
 GridOptions grid_options(const DiffusionSurfaces& surfaces, const HarmonicOptions& options);
 
 }  // namespace pomona

@@ -24,7 +24,7 @@ constexpr double on_surface = 1e-5;
 /// Points that one task looks up.
 constexpr std::size_t points_at_once = 256;
 
-FieldLookUp solve(const DiffusionSurfaces& surfaces, const GridOptions& options) {
+FieldSampler solve(const DiffusionSurfaces& surfaces, const GridOptions& options) {
   return solved_field(prepared_field(surfaces, options), options);
 }
 
@@ -35,7 +35,7 @@ class HarmonicField final : public ColorField {
         threads_(options.threads),
         tree_(make_surface_tree(surfaces)),
         hull_(hull_of(surfaces, tree_)),
-        look_up_(solve(surfaces, grid_options(surfaces, options))) {}
+        sampler_(solve(surfaces, grid_options(surfaces, options))) {}
 
   DiffusedColors at(std::span<const glm::vec3> points) const override {
     require_finite(points);
@@ -53,7 +53,7 @@ class HarmonicField final : public ColorField {
 
  private:
   std::pair<Color, std::int32_t> at(const glm::vec3& point) const {
-    const std::optional<LookedUp> found = look_up_.at(point);
+    const std::optional<FieldSample> found = sampler_.at(point);
 
     // On a surface, and where nothing is in sight, the nearest side decides.
     const double radius = found ? on_surface * tree_.size : std::numeric_limits<double>::infinity();
@@ -77,7 +77,7 @@ class HarmonicField final : public ColorField {
   Threads threads_;
   SurfaceTree tree_;
   ColorHull hull_;
-  FieldLookUp look_up_;
+  FieldSampler sampler_;
 };
 
 class HarmonicDiffuser final : public Diffuser {

@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::size_t large_page = std::size_t{2} << 20;
 
-/// Arrays that fill most of a large page are worth one.
+/// Arrays of at least this size, bytes, get large pages.
 constexpr std::size_t worth_it = large_page / 4 * 3;
 
 constexpr std::size_t cache_line = 64;
 
-/// More than any machine has, and less than any sum could run over.
+/// More than any machine has, and so small that no sum of sizes overflows.
 constexpr std::size_t most_bytes = std::size_t{1} << 48;
 
 std::size_t rounded_up(std::size_t bytes, std::size_t step) { return (bytes + step - 1) / step * step; }
@@ -30,7 +30,7 @@ void* allocate_large(std::size_t bytes) {
   void* memory = std::aligned_alloc(alignment, size);
   if (memory == nullptr) throw std::bad_alloc();
 
-  // A system that has no larger pages, or none left, says so; the small ones do as well.
+  // The call fails where the system has no large pages, or none left; small pages do as well.
   if (alignment == large_page) madvise(memory, size, MADV_HUGEPAGE);
   return memory;
 }

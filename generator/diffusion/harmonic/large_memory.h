@@ -1,4 +1,4 @@
-// Memory for arrays of megabytes, in pages as large as the system has them.
+// Memory for arrays of megabytes, in large pages where the system has them.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace pomona {
 
-/// Memory that nobody has touched, aligned for anything. To bring in a page costs microseconds, however small it is: a
-/// grid's arrays have thousands of the usual 4 KB, so large ones ask for larger pages.
-/// \throws std::bad_alloc
+/// Uninitialised memory, aligned for any type. The first access to a page costs microseconds, however small the page
+/// is. A grid's arrays would have thousands of pages of 4 KB, so large arrays ask for large pages. \throws
+/// std::bad_alloc
 void* allocate_large(std::size_t bytes);
 void free_large(void* memory) noexcept;
 
-/// An array that is left as it is: whoever first writes a page, on whichever thread, brings it in.
+/// An uninitialised array. The first thread that writes to a page makes the system provide it.
 template <typename T>
 class RawArray {
  public:
@@ -43,7 +43,7 @@ class RawArray {
   std::unique_ptr<T, Free> data_;
 };
 
-/// For vectors of that size.
+/// The same for std::vector.
 template <typename T>
 struct LargeAllocator {
   using value_type = T;  // NOLINT(readability-identifier-naming): the name that allocators have

@@ -5,31 +5,31 @@
 #include <type_traits>
 #include <utility>
 
-#include "generator/diffusion/harmonic/plane_steps.h"
+#include "generator/diffusion/harmonic/pipelined_sweeps.h"
 
-/// Inlines all that a function calls: what is done at a node is less work than a call.
+/// Inlines all calls inside a function: the work at one node is less than that of a call.
 #define POMONA_FLAT [[gnu::flatten]]
 
 namespace pomona {
 
 namespace {
 
-/// On the coarsest level, in place of a direct solution.
+/// Sweeps on the coarsest level, instead of a direct solution.
 constexpr int coarsest_sweeps = 24;
 
-constexpr int length = NodeRuns::length;
+constexpr int length = SparseBlocks::length;
 
-/// Nodes that have no equation.
+/// Bits of nodes that have no equation.
 constexpr std::uint8_t not_solved = takes_no_part | is_given;
 
-/// A node of some level, with all that an equation needs.
+/// A node of some level, with what its equation needs.
 struct At {
   std::size_t node;
   std::uint8_t open;
-  const Stencil* stencil;  ///< nothing for six open links
+  const Stencil* stencil;  ///< null if all six arms are open
 };
 
-/// Calls body(r) for every run of a level.
+/// Calls body(r) for every block of a level.
 template <typename Body>
 void for_runs(const GridLevel& level, Threads threads, const Body& body) {
   parallel_for(level.ranges.size(), threads_for(level, threads), [&](std::size_t i) {
@@ -37,38 +37,38 @@ void for_runs(const GridLevel& level, Threads threads, const Body& body) {
   });
 }
 
-/// Calls body(at) for the nodes of run r with x of parity `first`, but not for those with a bit of `skipped`; in an
-/// order that makes no difference as long as none of them reads another. Nodes of one kind are taken together: to ask
-/// each for its kind costs more than most equations do.
+/// Calls body(at) for the nodes of block r with x of parity `first`, except those with a bit of `skipped`. The order
+/// does not matter as long as no node reads another. Nodes of one kind are handled together: a test for each node would
+/// cost more than most equations.
 template <typename Body>
 void for_every_other(const GridLevel& level, std::size_t r, int first, std::uint8_t skipped, const Body& body) {
-  const RunLinks& run = level.run_links[r];
+  const BlockArms& block = level.block_arms[r];
   const std::size_t start = length * r;
-  if (run.plain) {
+  if (block.plain) {
     for (std::size_t k = static_cast<std::size_t>(first); k < length; k += 2) body(At{start + k, all_open, nullptr});
     return;
   }
   const unsigned wanted = 0x55u << first;
-  for (unsigned left = run.regular & wanted; left != 0; left &= left - 1) {
+  for (unsigned left = block.regular & wanted; left != 0; left &= left - 1) {
     body(At{start + static_cast<std::size_t>(std::countr_zero(left)), all_open, nullptr});
   }
-  const Stencil* stencil = level.stencil.data() + run.first_stencil;
-  for (unsigned left = run.irregular & wanted; left != 0; left &= left - 1) {
+  const Stencil* stencil = level.stencil.data() + block.first_stencil;
+  for (unsigned left = block.irregular & wanted; left != 0; left &= left - 1) {
     const std::size_t node = start + static_cast<std::size_t>(std::countr_zero(left));
-    const std::uint8_t open = level.links.open[node];
+    const std::uint8_t open = level.arms.open[node];
     if (open & skipped) continue;
-    body(At{node, open, stencil + bit_counts[run.irregular & ((left & (0 - left)) - 1)]});
+    body(At{node, open, stencil + bit_counts[block.irregular & ((left & (0 - left)) - 1)]});
   }
 }
 
 /// Offsets from a node to its six neighbours.
-std::array<std::ptrdiff_t, 6> offsets(const RunLinks& run) {
-  return {-1, 1, run.y_down, run.y_up, run.z_down, run.z_up};
+std::array<std::ptrdiff_t, 6> offsets(const BlockArms& block) {
+  return {-1, 1, block.y_down, block.y_up, block.z_down, block.z_up};
 }
 
-/// The sum of values beyond open links, weighted.
+/// The sum of values beyond open arms, weighted.
 Quad pulled(const Quad* value, const At& at, const std::array<std::ptrdiff_t, 6>& offset) {
-  // Closed links weigh nothing, whatever is there; only along x there may be no memory at all.
+  // Closed arms have weight 0, so any value may be there; only along x there may be no memory to read.
   const Quad* here = value + at.node;
   const auto& weight = at.stencil->weight;
   Quad sum = weight[x_down] * here[at.open >> x_down & 1 ? -1 : 0];
@@ -82,7 +82,7 @@ Quad sum_of_six(const Quad* value, const std::array<std::ptrdiff_t, 6>& offset) 
          (value[offset[z_down]] + value[offset[z_up]]);
 }
 
-/// The sum over the axes along which a node with six open links lies between coarse ones.
+/// The sum over the axes along which a node with six open arms lies between coarse ones.
 Quad sum_between(const Quad* value, const std::array<std::ptrdiff_t, 6>& offset, std::uint8_t along) {
   Quad sum{};
   if (along >> x_up & 1) sum += value[-1] + value[1];
@@ -91,7 +91,7 @@ Quad sum_between(const Quad* value, const std::array<std::ptrdiff_t, 6>& offset,
   return sum;
 }
 
-/// The same for any node, over open links only.
+/// The same for any node, over open arms only.
 Quad sum_between(const Quad* value, const At& at, const std::array<std::ptrdiff_t, 6>& offset, std::uint8_t along) {
   if (at.stencil == nullptr) return sum_between(value + at.node, offset, along);
   Quad sum{};
@@ -101,28 +101,28 @@ Quad sum_between(const Quad* value, const At& at, const std::array<std::ptrdiff_
   return sum;
 }
 
-/// The value at a node between coarse ones, from what lies at both ends of its links along these axes, neighbours and
-/// surfaces: linear along each axis, the nearer axis counting for more.
+/// The value at a node between coarse nodes, from the ends of its arms along these axes, which are neighbours or
+/// surfaces: linear along each axis; shorter arms have a larger weight.
 Quad value_between(const GridLevel& level, const At& at, const std::array<std::ptrdiff_t, 6>& offset,
                    std::uint8_t along) {
   Quad sum = sum_between(level.value.data(), at, offset, along);
-  const CutNode& node = level.links.node[level.stencil_of(at.node / length, static_cast<int>(at.node % length))];
+  const CutNode& node = level.arms.node[level.stencil_of(at.node / length, static_cast<int>(at.node % length))];
   std::uint32_t next_cut = node.first_cut;
   for (std::size_t d = 0; d < 6; ++d) {
     if ((node.cut >> d & 1) == 0) continue;
-    const LinkCut& cut = level.links.cut[next_cut++];
-    if (along >> d & 1) sum += Quad{cut.color.r, cut.color.g, cut.color.b, 1} / std::max(cut.theta, least_theta);
+    const ArmCut& cut = level.arms.cut[next_cut++];
+    if (along >> d & 1) sum += Quad{cut.color.r, cut.color.g, cut.color.b, 1} / std::max(cut.theta, min_theta);
   }
   return at.stencil->odd_inverse * sum;
 }
 
-/// Gauss-Seidel for the nodes of run r with x + y + z of parity `color`.
+/// Gauss-Seidel for the nodes of block r with x + y + z of parity `color`.
 template <bool with_source, bool with_rhs>
 void relax_run(GridLevel& level, std::size_t r, int color) {
   constexpr float sixth = 1.0f / 6;
-  const RunLinks& run = level.run_links[r];
-  const auto offset = offsets(run);
-  const int first = (run.parity + color) & 1;
+  const BlockArms& block = level.block_arms[r];
+  const auto offset = offsets(block);
+  const int first = (block.parity + color) & 1;
   Quad* value = level.value.data();
   for_every_other(level, r, first, not_solved, [&](const At& at) {
     Quad sum = at.stencil ? pulled(value, at, offset) : sum_of_six(value + at.node, offset);
@@ -138,7 +138,7 @@ void relax_run(GridLevel& level, std::size_t r, int color) {
 template <std::uint8_t bits>
 using Along = std::integral_constant<std::uint8_t, bits>;
 
-/// What a level is solved for: the field itself, or a correction to it, which is 0 on surfaces.
+/// The unknown of a level: the field itself, or a correction to it, which is 0 on surfaces.
 enum class Sought { field, correction };
 
 /// The levels, finest first.
@@ -147,7 +147,7 @@ class Multigrid {
   Multigrid(std::vector<GridLevel> levels, const MultigridOptions& options)
       : levels_(std::move(levels)), options_(options) {}
 
-  std::vector<GridLevel> run() {
+  std::vector<GridLevel> block() {
     const std::size_t coarsest = levels_.size() - 1;
     relax_coarsest(2 * coarsest_sweeps, Sought::field);
     return run_from(coarsest);
@@ -192,7 +192,7 @@ class Multigrid {
     }
   }
 
-  /// All that a level needs before the next coarser one.
+  /// The part of a V cycle before the next coarser level.
   void go_down(std::size_t l, Sought sought) {
     const int n = 2 * options_.sweeps;
     take(n + 2, l, [&](auto first, auto end, int step) {
@@ -206,7 +206,7 @@ class Multigrid {
     });
   }
 
-  /// And after it.
+  /// The part of a V cycle after it.
   void go_up(std::size_t l, Sought sought) {
     const int n = 2 * options_.sweeps;
     take(n + 2, l, [&](auto first, auto end, int step) {
@@ -220,10 +220,10 @@ class Multigrid {
 
   template <typename Body>
   void take(int steps, std::size_t l, const Body& body) {
-    take_steps(levels_[l], steps, options_.threads, body);
+    sweep_planes(levels_[l], steps, options_.threads, body);
   }
 
-  /// Half a sweep of Gauss-Seidel over some runs: the even ones relax nodes of even parity, the others the rest.
+  /// Half a Gauss-Seidel sweep over some blocks: even steps relax the nodes of even parity, odd steps the others.
   POMONA_FLAT void relax(std::size_t l, Sought sought, std::size_t first, std::size_t end, int half_sweep) {
     GridLevel& level = levels_[l];
     const int color = half_sweep % 2;
@@ -239,17 +239,17 @@ class Multigrid {
     }
   }
 
-  /// At the nodes of even parity, because relaxing the odd ones has just left nothing there; between coarse nodes
-  /// (two odd coordinates) already weighted for the way down.
+  /// The residual at the nodes of even parity; at the odd ones it is 0, as they were relaxed last. Where two
+  /// coordinates are odd, it already has its weight for the restriction.
   POMONA_FLAT void find_residual(std::size_t l, Sought sought, std::size_t first, std::size_t end) {
     GridLevel& level = levels_[l];
     const Quad* value = level.value.data();
     const bool with_rhs = has_rhs(l, sought);
     for (std::size_t r = first; r < end; ++r) {
-      const auto offset = offsets(level.run_links[r]);
-      const NodeRun& run = level.runs[r];
-      const float between = (run.y & 1) | (run.z & 1) ? 0.25f : 1.0f;
-      for_every_other(level, r, level.run_links[r].parity, takes_no_part, [&](const At& at) {
+      const auto offset = offsets(level.block_arms[r]);
+      const NodeBlock& block = level.blocks[r];
+      const float between = (block.y & 1) | (block.z & 1) ? 0.25f : 1.0f;
+      for_every_other(level, r, level.block_arms[r].parity, takes_no_part, [&](const At& at) {
         Quad rest = at.stencil ? pulled(value, at, offset) - at.stencil->diagonal * value[at.node]
                                : sum_of_six(value + at.node, offset) - 6.0f * value[at.node];
         if (with_rhs) rest += level.rhs[at.node];
@@ -264,11 +264,11 @@ class Multigrid {
   POMONA_FLAT void restrict_to_edges(std::size_t l, std::size_t first, std::size_t end) {
     GridLevel& fine = levels_[l];
     for (std::size_t r = first; r < end; ++r) {
-      const NodeRun& run = fine.runs[r];
-      if ((run.y & 1) && (run.z & 1)) continue;
-      if (run.y & 1) {
+      const NodeBlock& block = fine.blocks[r];
+      if ((block.y & 1) && (block.z & 1)) continue;
+      if (block.y & 1) {
         gather_edges<0b110011>(fine, r, 0);
-      } else if (run.z & 1) {
+      } else if (block.z & 1) {
         gather_edges<0b001111>(fine, r, 0);
       } else {
         gather_edges<0b111100>(fine, r, 1);
@@ -279,7 +279,7 @@ class Multigrid {
   template <std::uint8_t across>
   static void gather_edges(GridLevel& fine, std::size_t r, int odd_x) {
     const Quad* residual = fine.residual.data();
-    const auto offset = offsets(fine.run_links[r]);
+    const auto offset = offsets(fine.block_arms[r]);
     for_every_other(fine, r, odd_x, takes_no_part, [&](const At& at) {
       const Quad sum = at.open & is_given ? Quad{} : sum_between(residual, at, offset, across);
       fine.residual[at.node] = (at.stencil ? at.stencil->odd_inverse : 0.5f) * sum;
@@ -308,40 +308,40 @@ class Multigrid {
     });
   }
 
-  /// Calls body(coarse node, its fine node or nothing, offsets there) for run r of the coarse level.
+  /// Calls body(coarse node, its fine node or nothing, offsets there) for block r of the coarse level.
   template <typename Body>
   static void for_children(const GridLevel& fine, const GridLevel& coarse, std::size_t r, const Body& body) {
-    const NodeRun& run = coarse.runs[r];
+    const NodeBlock& block = coarse.blocks[r];
     for (int half = 0; half < 2; ++half) {
-      const std::int32_t below = fine.runs.at(2 * run.block + half, 2 * run.y, 2 * run.z);
+      const std::int32_t below = fine.blocks.at(2 * block.column + half, 2 * block.y, 2 * block.z);
       std::array<std::ptrdiff_t, 6> offset{};
-      if (below != NodeRuns::none) offset = offsets(fine.run_links[static_cast<std::size_t>(below)]);
+      if (below != SparseBlocks::none) offset = offsets(fine.block_arms[static_cast<std::size_t>(below)]);
       for (int k = 0; k < length / 2; ++k) {
         const std::size_t node = length * r + static_cast<std::size_t>(length / 2 * half + k);
         const std::size_t child = static_cast<std::size_t>(length * below + 2 * k);
-        if (below == NodeRuns::none || (coarse.links.open[node] & takes_no_part)) {
+        if (below == SparseBlocks::none || (coarse.arms.open[node] & takes_no_part)) {
           body(node, nullptr, offset);
           continue;
         }
-        const At at{child, fine.links.open[child], nullptr};
+        const At at{child, fine.arms.open[child], nullptr};
         body(node, &at, offset);
       }
     }
   }
 
-  /// Calls body(at, coarse node, offsets) for the nodes of run r of a level that lie on coarse ones.
+  /// Calls body(at, coarse node, offsets) for the nodes of block r of a level that lie on coarse ones.
   template <typename Body>
   void for_parents(std::size_t l, std::size_t r, const Body& body) const {
     const GridLevel &fine = levels_[l], &coarse = levels_[l + 1];
-    const NodeRun& run = fine.runs[r];
-    if ((run.y | run.z) & 1) return;
-    const std::int32_t above = coarse.runs.at(run.block / 2, run.y / 2, run.z / 2);
-    if (above == NodeRuns::none) return;
-    const auto offset = offsets(fine.run_links[r]);
-    const auto first = static_cast<std::size_t>(length * above + length / 2 * (run.block % 2));
+    const NodeBlock& block = fine.blocks[r];
+    if ((block.y | block.z) & 1) return;
+    const std::int32_t above = coarse.blocks.at(block.column / 2, block.y / 2, block.z / 2);
+    if (above == SparseBlocks::none) return;
+    const auto offset = offsets(fine.block_arms[r]);
+    const auto first = static_cast<std::size_t>(length * above + length / 2 * (block.column % 2));
     for_every_other(fine, r, 0, takes_no_part, [&](const At& at) {
       const std::size_t parent = first + at.node % length / 2;
-      if ((coarse.links.open[parent] & takes_no_part) == 0) body(at, parent, offset);
+      if ((coarse.arms.open[parent] & takes_no_part) == 0) body(at, parent, offset);
     });
   }
 
@@ -349,19 +349,19 @@ class Multigrid {
   /// approximation scheme [Brandt 1977]; local refinement as in [McCormick 1989]).
   void hand_to_covered(std::size_t l) {
     GridLevel &patch = levels_[l], &coarse = levels_[l + 1];
-    for_runs(patch, options_.threads, [&](std::size_t run) {
-      for_parents(l, run, [&](const At& at, std::size_t parent, const auto&) {
+    for_runs(patch, options_.threads, [&](std::size_t block) {
+      for_parents(l, block, [&](const At& at, std::size_t parent, const auto&) {
         if ((at.open & is_given) == 0) coarse.value[parent] = patch.value[at.node];
       });
     });
     const auto hand_over = [&](const At& at, std::size_t parent, const auto& offset) {
       if (at.open & is_given) return;
       const std::size_t r = parent / length;
-      const std::uint8_t open = coarse.links.open[parent];
+      const std::uint8_t open = coarse.arms.open[parent];
       const At above{
           parent, open,
           open == all_open ? nullptr : &coarse.stencil[coarse.stencil_of(r, static_cast<int>(parent % length))]};
-      const auto beside = offsets(coarse.run_links[r]);
+      const auto beside = offsets(coarse.block_arms[r]);
       const Quad& here = coarse.value[parent];
       const Quad fulfilled = above.stencil ? above.stencil->diagonal * here -
                                                  pulled(coarse.value.data(), above, beside) - above.stencil->source
@@ -369,21 +369,21 @@ class Multigrid {
       coarse.rhs[parent] =
           fulfilled + 0.5f * (patch.residual[at.node] + sum_between(patch.residual.data(), at, offset, all_open));
     };
-    for_runs(patch, options_.threads, [&](std::size_t run) { for_parents(l, run, hand_over); });
+    for_runs(patch, options_.threads, [&](std::size_t block) { for_parents(l, block, hand_over); });
   }
 
-  /// Calls body(at, offsets, directions along odd axes) for the nodes of run r with so many odd coordinates. The
+  /// Calls body(at, offsets, directions along odd axes) for the nodes of block r with so many odd coordinates. The
   /// directions are a type's value: no node needs to ask for them.
   template <typename Body>
   static void for_between(const GridLevel& level, std::size_t r, int odd_coordinates, const Body& body) {
-    const NodeRun& run = level.runs[r];
-    const int odd_x = odd_coordinates - (run.y & 1) - (run.z & 1);
+    const NodeBlock& block = level.blocks[r];
+    const int odd_x = odd_coordinates - (block.y & 1) - (block.z & 1);
     if (odd_x < 0 || odd_x > 1) return;
-    const auto offset = offsets(level.run_links[r]);
+    const auto offset = offsets(level.block_arms[r]);
     const auto go_along = [&](auto along) {
       for_every_other(level, r, along() & 1, takes_no_part, [&](const At& at) { body(at, offset, along); });
     };
-    switch (odd_x | (run.y & 1) << 1 | (run.z & 1) << 2) {
+    switch (odd_x | (block.y & 1) << 1 | (block.z & 1) << 2) {
       case 0b001:
         return go_along(Along<0b000011>());
       case 0b010:
@@ -409,7 +409,7 @@ class Multigrid {
   void go_from_coarser(std::size_t l, std::size_t first, std::size_t end, int step, const OnCoarse& on_coarse,
                        const Between& between) const {
     const GridLevel& fine = levels_[l];
-    if ((fine.runs[first].z & 1) != step) return;
+    if ((fine.blocks[first].z & 1) != step) return;
     if (step == 0) {
       for (std::size_t r = first; r < end; ++r) for_parents(l, r, on_coarse);
     }
@@ -474,7 +474,7 @@ class Multigrid {
 }  // namespace
 
 std::vector<GridLevel> solved(std::vector<GridLevel> levels, const MultigridOptions& options) {
-  return Multigrid(std::move(levels), options).run();
+  return Multigrid(std::move(levels), options).block();
 }
 
 std::vector<GridLevel> solved_further(std::vector<GridLevel> levels, std::size_t known,

@@ -1,4 +1,4 @@
-// Solves Laplace's equation on a grid with cut links by going through coarser and coarser ones.
+// Multigrid: solves Laplace's equation on a grid with cut arms with the help of coarser and coarser grids.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 namespace pomona {
 
 struct MultigridOptions {
-  int sweeps = 2;  ///< before and after each correction
-  int cycles = 1;  ///< on the finest level, from the interpolated solution of the next
+  int sweeps = 2;  ///< Gauss-Seidel sweeps before and after each correction
+  int cycles = 1;  ///< V cycles on the finest level; they start from the interpolated solution of the next level
   Threads threads;
 };
 
-/// Full multigrid with V cycles: levels.front().value becomes the solution. Coarse links inherit the cuts of fine ones,
-/// and nothing is ever interpolated across a surface. Same bits for any number of threads.
+/// Full multigrid with V cycles. levels.front().value becomes the solution. Coarse arms inherit the cuts of fine arms,
+/// and no value is interpolated across a surface. The result has the same bits for any number of threads.
 std::vector<GridLevel> solved(std::vector<GridLevel> levels, const MultigridOptions& options);
 
-/// The same where the levels from `known` on hold their solution already, found without the finer ones.
+/// The same where the levels from index `known` on already hold their solution, found without the finer levels.
 std::vector<GridLevel> solved_further(std::vector<GridLevel> levels, std::size_t known,
                                       const MultigridOptions& options);
 

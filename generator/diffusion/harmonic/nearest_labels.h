@@ -1,4 +1,4 @@
-// Which side of which surface a node is nearest to, as links go.
+// For each node, the side of the surface that is nearest along open arms.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace pomona {
 
-/// Per stored node of a level: 2 * triangle, + 1 for its back, of the surface that is reached first over open links;
-/// no_side where none is.
+/// Per stored node of a level: the side (2 * triangle, + 1 for its back) that is fewest open arms away; no_side if none
+/// can be reached.
 constexpr std::uint32_t no_side = 0xffffffffu;
 std::vector<std::uint32_t> nearest_labels(const GridLevel& level);
 

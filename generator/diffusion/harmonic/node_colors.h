@@ -1,4 +1,4 @@
-// The solution at the nodes themselves: what travels with a fruit to where it is cut (render/page).
+// The solution at the nodes themselves, for the page that cuts a fruit in the browser (render/page).
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace pomona {
 
-/// Of all nodes of a lattice: node (x, y, z) at (z * count.y + y) * count.x + x.
+/// Values of all nodes of a lattice; node (x, y, z) has the index (z * count.y + y) * count.x + x.
 struct NodeColors {
   Lattice lattice;
-  std::vector<Color> color;         ///< linear; black where it is not known
-  std::vector<std::uint8_t> known;  ///< 1 where the node takes part and some walk from it ends on a surface
+  std::vector<Color> color;         ///< linear; black where `known` is 0
+  std::vector<std::uint8_t> known;  ///< 1 where the node takes part and some random walk from it ends on a surface
 };
 
-/// The grid that holds all, of the field that make_harmonic_diffuser() solves with these options; patches around seeds
-/// have helped to solve it and are left behind.
+/// The grid that covers everything, from the field that make_harmonic_diffuser() solves with these options. Patches
+/// around seeds improve this solution; they are not returned.
 NodeColors solved_nodes(const DiffusionSurfaces& surfaces, const HarmonicOptions& options);
 
 }  // namespace pomona

@@ -79,29 +79,29 @@ std::vector<std::uint32_t> triangles_near(const SnappedSurfaces& snapped, const 
 /// The nodes of the finer lattice in covered bricks: 9 x 5 x 5 each, sharing borders.
 void add_nodes(PatchNodes& patch, const Node& bricks, const Lattice& fine) {
   const auto rows = static_cast<std::size_t>(fine.count[1] * fine.count[2]);
-  std::vector<BlocksOfRow> full(rows, 0);
+  std::vector<ColumnMask> full(rows, 0);
   for (int z = 0; z < bricks[2]; ++z) {
     for (int y = 0; y < bricks[1]; ++y) {
-      BlocksOfRow blocks = 0;
+      ColumnMask columns = 0;
       for (int x = 0; x < bricks[0]; ++x) {
-        if (patch.is_covered[brick_index({x, y, z}, bricks)]) blocks |= BlocksOfRow{1} << x;
+        if (patch.is_covered[brick_index({x, y, z}, bricks)]) columns |= ColumnMask{1} << x;
       }
       for (int row_z = 4 * z; row_z <= 4 * z + 4; ++row_z) {
         for (int row_y = 4 * y; row_y <= 4 * y + 4; ++row_y) {
-          full[static_cast<std::size_t>(row_z * fine.count[1] + row_y)] |= blocks;
+          full[static_cast<std::size_t>(row_z * fine.count[1] + row_y)] |= columns;
         }
       }
     }
   }
 
-  // A block's last border is the first node of the next.
-  std::vector<BlocksOfRow> stored(rows);
+  // The last border node of a brick is the first node of the next block.
+  std::vector<ColumnMask> stored(rows);
   for (std::size_t row = 0; row < rows; ++row) stored[row] = full[row] | full[row] << 1;
-  patch.runs = NodeRuns(fine.count, stored);
-  for (std::size_t r = 0; r < patch.runs.size(); ++r) {
-    const NodeRun& run = patch.runs[r];
-    const BlocksOfRow here = full[static_cast<std::size_t>(run.z * fine.count[1] + run.y)];
-    patch.members.push_back(here >> run.block & 1 ? 255 : 1);
+  patch.blocks = SparseBlocks(fine.count, stored);
+  for (std::size_t r = 0; r < patch.blocks.size(); ++r) {
+    const NodeBlock& block = patch.blocks[r];
+    const ColumnMask here = full[static_cast<std::size_t>(block.z * fine.count[1] + block.y)];
+    patch.members.push_back(here >> block.column & 1 ? 255 : 1);
   }
 }
 
@@ -133,7 +133,7 @@ std::vector<SmallBody> small_bodies(const DiffusionSurfaces& surfaces, double lo
     high[root] = glm::max(high[root], surfaces.position[v]);
   }
 
-  // Collect the triangles of what is short enough.
+  // Collect the triangles of the parts that are short enough.
   std::vector<SmallBody> bodies;
   std::vector<std::int32_t> body(surfaces.vertex_count(), -1);
   for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t) {
@@ -156,7 +156,7 @@ PatchNodes patch_around(const SnappedSurfaces& snapped, std::span<const std::uin
   patch.is_covered = covered_bricks(snapped, triangles, coarse, margin);
   for (std::size_t b = 0; b < wanted.size(); ++b) patch.is_covered[b] |= wanted[b];
   if (within != nullptr) {
-    // Eight of these make one of those.
+    // Eight bricks of this lattice make one of the lattice before.
     for (int z = 0; z < count[2]; ++z) {
       for (int y = 0; y < count[1]; ++y) {
         for (int x = 0; x < count[0]; ++x) {

@@ -1,9 +1,9 @@
-// Four floats at once: red, green, blue, and the chance that a walk from here ends on a surface at all.
+// Four floats at once: red, green, blue, and the probability that a random walk from here ends on a surface.
 #pragma once
 
 namespace pomona {
 
-/// A built-in vector of gcc and clang. The lanes never meet, so the bits are those of four plain floats.
+/// A built-in vector of gcc and clang. The lanes do not interact, so the bits are those of four plain floats.
 using Quad = float __attribute__((vector_size(16)));
 
 }  // namespace pomona

@@ -6,11 +6,11 @@ namespace pomona {
 
 namespace {
 
-/// A surface this little behind a corner, in parts of the way, hides it too: both have the same colour then, if it
-/// is the same side, and else the corner lies behind.
+/// A surface that is behind a corner by less than this share of the ray hides the corner, too. If it is the same side,
+/// both have the same colour; else the corner lies behind it.
 constexpr float reach = 1.0002f;
 
-/// Beyond any hit.
+/// A fraction larger than that of any hit.
 constexpr float free_way = 2;
 
 }  // namespace

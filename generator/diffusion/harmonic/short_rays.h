@@ -1,4 +1,4 @@
-// What a point sees of the surfaces in its cell, along rays to the cell's corners.
+// Casts rays from a point to the corners of its cell, against the surfaces in the cell.
 #pragma once
 
 #include <array>
@@ -12,29 +12,29 @@
 
 namespace pomona {
 
-/// One triangle's corners, in cells, relative to the point that looks.
+/// One triangle's corners, in cells, relative to the origin of the rays.
 struct SeenTriangle {
   glm::vec3 a, b, c;
 };
 
 /// Where a ray ends on a surface.
 struct ShortRayHit {
-  float fraction = 0;          ///< of the way
-  std::uint32_t triangle = 0;  ///< as numbered by the caller
-  glm::vec3 weight{0};         ///< barycentric
-  bool sees_front = true;
+  float fraction = 0;          ///< of the ray's length
+  std::uint32_t triangle = 0;  ///< the caller's number
+  glm::vec3 weight{0};         ///< barycentric coordinates of the hit
+  bool sees_front = true;      ///< the ray hits the front of the triangle
 };
 
-/// Eight rays from one point to the corners of the unit cell around it; corner k lies at bits 0, 1, 2 of k.
+/// Eight rays from one point to the corners of the unit cell around it. Bits 0, 1, 2 of k give the x, y, z of corner k.
 class ShortRays {
  public:
-  /// `low` is the cell's low corner as the point sees it: -1 to 0 along each axis.
+  /// \param low the cell's low corner relative to the point: -1 to 0 along each axis.
   explicit ShortRays(const glm::vec3& low);
 
-  /// Shortens the rays that this triangle meets. Neighbours that share an edge leave no gap between them.
+  /// Shortens the rays that this triangle meets. Two triangles that share an edge leave no gap.
   void meet(const SeenTriangle& triangle, std::uint32_t number);
 
-  /// Nothing if ray k is free.
+  /// The hit of ray k; nothing if the ray reaches its corner.
   std::optional<ShortRayHit> hit(int k) const;
 
   glm::vec3 towards(int k) const { return {across_[0][k & 1], across_[1][k >> 1 & 1], across_[2][k >> 2]}; }

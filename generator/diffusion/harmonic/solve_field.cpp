@@ -6,39 +6,39 @@
 #include <utility>
 #include <vector>
 
-#include "generator/diffusion/harmonic/bends.h"
 #include "generator/diffusion/harmonic/exterior.h"
 #include "generator/diffusion/harmonic/multigrid.h"
 #include "generator/diffusion/harmonic/nearest_labels.h"
 #include "generator/diffusion/harmonic/patches.h"
+#include "generator/diffusion/harmonic/refinement_indicator.h"
 
 namespace pomona {
 
 namespace {
 
-/// Times that the grid is halved for the multigrid.
+/// Number of coarser levels of the multigrid.
 constexpr int halvings = 4;
 
-/// Cells around surfaces that seal everything off: enough for a flood to pass.
+/// Margin around closed surfaces, in cells: enough for the flood fill of the outside.
 constexpr int narrow_margin = 1;
 
-/// Around others, as a share of their longest side: what lies beyond is only modelled.
+/// Margin around open surfaces, as a share of their longest side: what lies beyond is only modelled.
 constexpr double wide_margin = 0.25;
 
-/// The same where sides are hidden: few walks escape through what gaps a fruit has.
+/// The same where sides are hidden: few random walks escape through the gaps of a fruit.
 constexpr double fruit_margin = 0.06;
 
-/// A body's influence is right within some 4 % once this many cells make its half-thickness.
+/// Cells per half-thickness of a body: with as many, the error of its influence is at most some 4 %.
 constexpr double cells_per_half_thickness = 1.2;
 
-/// Bodies longer than this many cells are no seeds; a patch around them would be no patch.
+/// A body longer than this many cells is no seed: a patch around it would be too large.
 constexpr double longest_small_body = 16;
 
 /// A patch keeps this many cells of the coarser grid around its bodies.
 constexpr int patch_margin = 1;
 
-/// A brick has 128 nodes of its own; those that are laid where the solution bends, the most bent, fill this share of a
-/// patch at most, so that their borders and small bodies have room, too.
+/// The bricks with the largest refinement indicators fill at most this share of a patch, so that their borders and
+/// small bodies have room, too. A brick has 128 nodes of its own.
 constexpr std::size_t nodes_per_bent_brick = 166;
 
 std::vector<std::uint32_t> all_triangles(const DiffusionSurfaces& surfaces) {
@@ -55,13 +55,13 @@ bool has_boundary(const DiffusionSurfaces& surfaces) {
   return false;
 }
 
-/// Boundaries turn their visible side outwards where they cross themselves, as thin sepals do. More than this share of
-/// the boundary triangles that air sees, and air has come in.
+/// A boundary shows its visible side to the air where it crosses itself, as thin sepals do. If the air sees the visible
+/// side of more than this share of the boundary triangles, air has come in.
 constexpr double most_inside_out = 0.1;
 
-/// Whether what air reaches is air alone, given the sides that are seen from there. Where sides are hidden, it hardly
-/// meets the visible side of a boundary; where none is, no triangle is seen from both sides: else a surface is open
-/// there, and what is behind it counts like what is before it.
+/// Whether the region that the air reaches is air alone, given the sides that are seen from there. If the surfaces have
+/// hidden sides: the air hardly sees the visible side of a boundary. If not: the air sees no triangle from both sides;
+/// else the surface is open there, and the region behind it is like the region before it.
 bool stays_outside(const DiffusionSurfaces& surfaces, const std::vector<std::uint8_t>& sides_seen) {
   if (!has_boundary(surfaces)) return std::find(sides_seen.begin(), sides_seen.end(), 3) == sides_seen.end();
   std::size_t seen = 0, inside_out = 0;
@@ -74,20 +74,20 @@ bool stays_outside(const DiffusionSurfaces& surfaces, const std::vector<std::uin
   return static_cast<double>(inside_out) <= most_inside_out * static_cast<double>(seen);
 }
 
-/// What of a lattice is modelled.
+/// The modelled part of a lattice.
 struct Inside {
-  std::vector<std::uint8_t> outside;  ///< per run of the lattice, a bit for each node that is left out
-  NodeRuns runs;                      ///< all others
+  std::vector<std::uint8_t> outside;  ///< per block of the lattice, a bit for each node that is left out
+  SparseBlocks blocks;                ///< all others
   bool is_sealed = true;
 };
 
-/// All nodes but those that the outside holds, if it is sealed off.
-Inside inside_of(const DiffusionSurfaces& surfaces, const NodeRuns& all, const LinkFinder& finder, Threads threads) {
+/// All nodes, except those of the outside if the surfaces are closed.
+Inside inside_of(const DiffusionSurfaces& surfaces, const SparseBlocks& all, const ArmFinder& finder, Threads threads) {
   Inside inside;
   inside.outside = reached_from_corner(all, finder.open(), threads);
   inside.is_sealed = stays_outside(surfaces, finder.sides_seen(inside.outside));
   if (!inside.is_sealed) inside.outside.assign(inside.outside.size(), 0);
-  inside.runs = runs_without(all, inside.outside);
+  inside.blocks = blocks_without(all, inside.outside);
   return inside;
 }
 
@@ -105,9 +105,10 @@ class Patches {
   std::optional<GridLevel> on(const GridLevel& finest) {
     const Lattice& coarse = finest.lattice;
     const Lattice fine = halved(coarse);
-    if (fine.count[0] > most_nodes) return std::nullopt;
-    const std::vector<float> bends =
-        options_.bend > 0 ? bends_of_bricks(finest, options_.bend, options_.threads) : std::vector<float>();
+    if (fine.count[0] > max_nodes) return std::nullopt;
+    const std::vector<float> bends = options_.refine_above > 0
+                                         ? indicator_of_bricks(finest, options_.refine_above, options_.threads)
+                                         : std::vector<float>();
     std::optional<PatchNodes> patch = patch_on(coarse, triangles_too_small_for(coarse), bends);
     if (!patch) patch = patch_on(coarse, {}, bends);
     if (!patch) return std::nullopt;
@@ -117,17 +118,16 @@ class Patches {
   }
 
  private:
-  /// Around small bodies, and the most bent bricks that there is room for beside these; nothing if the bodies alone are
-  /// too many.
+  /// The patch around small bodies, and the bricks with the largest indicators that fit besides; nothing if the bodies
+  /// alone need too many nodes.
   std::optional<PatchNodes> patch_on(const Lattice& coarse, const std::vector<std::uint32_t>& small,
                                      const std::vector<float>& bends) const {
     const PatchNodes* within = around_ ? &*around_ : nullptr;
-    for (std::size_t most = bends.empty() ? 0 : options_.most_patch_nodes / nodes_per_bent_brick;;
-         most = most * 3 / 4) {
-      const std::vector<std::uint8_t> bent = most > 0 ? most_bent(bends, most) : std::vector<std::uint8_t>();
+    for (std::size_t most = bends.empty() ? 0 : options_.max_patch_nodes / nodes_per_bent_brick;; most = most * 3 / 4) {
+      const std::vector<std::uint8_t> bent = most > 0 ? bricks_to_refine(bends, most) : std::vector<std::uint8_t>();
       if (small.empty() && std::find(bent.begin(), bent.end(), 1) == bent.end()) return std::nullopt;
       PatchNodes patch = patch_around(snapped_, small, coarse, patch_margin, within, bent);
-      if (patch.runs.node_count() <= options_.most_patch_nodes) return patch;
+      if (patch.blocks.node_count() <= options_.max_patch_nodes) return patch;
       if (most == 0) return std::nullopt;
     }
   }
@@ -144,17 +144,17 @@ class Patches {
   }
 
   GridLevel level_of(const Lattice& lattice, const PatchNodes& patch) const {
-    const LinkFinder finder(snapped_, patch.triangle, lattice, patch.runs, patch.members, options_.threads);
+    const ArmFinder finder(snapped_, patch.triangle, lattice, patch.blocks, patch.members, options_.threads);
     std::vector<std::uint8_t> outside(patch.members);
     for (std::uint8_t& bits : outside) bits = static_cast<std::uint8_t>(~bits);
-    CutLinks links = finder.links(patch.runs, outside);
+    CutArms arms = finder.arms(patch.blocks, outside);
 
-    // Where a link leads out of the patch, the coarser grid gives the value.
-    for (const CutNode& node : links.node) {
-      std::uint8_t& open = links.open[node.node];
+    // Where an arm leads out of the patch, the coarser grid gives the value.
+    for (const CutNode& node : arms.node) {
+      std::uint8_t& open = arms.open[node.node];
       if (((open | node.cut) & all_open) != all_open) open |= is_given;
     }
-    GridLevel level = make_grid_level(lattice, patch.runs, std::move(links), middle_, options_.threads);
+    GridLevel level = make_grid_level(lattice, patch.blocks, std::move(arms), middle_, options_.threads);
     level.is_patch = true;
     return level;
   }
@@ -166,23 +166,23 @@ class Patches {
   std::optional<PatchNodes> around_;
 };
 
-/// A right-hand side of nothing, for patches to put theirs on.
+/// A right-hand side of zeros, to which patches add theirs.
 void add_empty_rhs(GridLevel& level) {
-  level.rhs = RawArray<Quad>(level.runs.node_count());
+  level.rhs = RawArray<Quad>(level.blocks.node_count());
   std::fill(level.rhs.data(), level.rhs.data() + level.rhs.size(), Quad{});
 }
 
 SolvedGrid kept(GridLevel& level) {
   SolvedGrid grid;
   grid.lattice = level.lattice;
-  grid.members.reserve(level.runs.size());
-  for (const RunLinks& run : level.run_links) grid.members.push_back(run.regular | run.irregular);
-  grid.runs = std::move(level.runs);
+  grid.members.reserve(level.blocks.size());
+  for (const BlockArms& block : level.block_arms) grid.members.push_back(block.regular | block.irregular);
+  grid.blocks = std::move(level.blocks);
   grid.value = std::move(level.value);
   return grid;
 }
 
-/// Nothing if the surfaces leave more to solve than the margin has room for.
+/// The field with a small margin; nothing if the surfaces are not closed and need a larger one.
 std::optional<PreparedField> prepared_within(const DiffusionSurfaces& surfaces, const GridOptions& options,
                                              int margin) {
   const Threads threads = options.threads;
@@ -191,9 +191,9 @@ std::optional<PreparedField> prepared_within(const DiffusionSurfaces& surfaces, 
   PreparedField prepared;
   prepared.snapped = snapped(surfaces, lattice);
 
-  // Find all links; then what lies inside. That is one thread's work: others find the cells' triangles meanwhile.
-  const NodeRuns all = all_node_runs(lattice.count);
-  const LinkFinder finder(prepared.snapped, all_triangles(surfaces), lattice, all, threads);
+  // Find all arms, then the inside. One thread does that; the others find the triangles of cells meanwhile.
+  const SparseBlocks all = all_blocks(lattice.count);
+  const ArmFinder finder(prepared.snapped, all_triangles(surfaces), lattice, all, threads);
   CellTriangleFinder cells(prepared.snapped, lattice, options.reach / lattice.spacing);
   Inside inside;
   parallel_for(1 + cells.slab_count(), threads, [&](std::size_t i) {
@@ -208,11 +208,11 @@ std::optional<PreparedField> prepared_within(const DiffusionSurfaces& surfaces, 
 
   // Make the two finest levels, whose planes threads share.
   prepared.levels.reserve(1 + halvings);
-  CutLinks links = finder.links(inside.runs, inside.outside);
-  prepared.levels.push_back(make_grid_level(lattice, std::move(inside.runs), std::move(links), middle, threads));
+  CutArms arms = finder.arms(inside.blocks, inside.outside);
+  prepared.levels.push_back(make_grid_level(lattice, std::move(inside.blocks), std::move(arms), middle, threads));
   prepared.levels.push_back(coarser(prepared.levels.front(), middle, threads));
 
-  // The coarser ones are too small to share; to know parts is one thread's work, too, and cells take what is left.
+  // The coarser levels are too small to share, and the labels are one thread's work, too; the other threads fill cells.
   cells.place();
   const GridLevel& every_other = prepared.levels[1];
   parallel_for(2 + cells.slab_count(), threads, [&](std::size_t i) {
@@ -256,11 +256,11 @@ SolvedLevels solved_levels(const SnappedSurfaces& snapped, std::vector<GridLevel
   return result;
 }
 
-FieldLookUp solved_field(PreparedField prepared, const GridOptions& options) {
+FieldSampler solved_field(PreparedField prepared, const GridOptions& options) {
   auto [levels, patch_count] = solved_levels(prepared.snapped, std::move(prepared.levels), options);
   SolvedGrids grids;
   grids.label = std::move(prepared.label);
-  grids.every_other = std::move(levels[patch_count + 1].runs);
+  grids.every_other = std::move(levels[patch_count + 1].blocks);
   for (std::size_t l = 0; l <= patch_count; ++l) grids.grids.push_back(kept(levels[l]));
   return {prepared.snapped, std::move(grids), std::move(prepared.triangles)};
 }

@@ -1,34 +1,35 @@
-// From surfaces to a field that can be asked: grid, links, levels, solution.
+// From surfaces to a field that can be sampled: grid, stencil arms, levels, solution.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "generator/diffusion/harmonic/field_look_up.h"
+#include "generator/diffusion/harmonic/field_sampler.h"
 #include "generator/diffusion/harmonic/grid_level.h"
 #include "generator/diffusion/harmonic/grid_options.h"
 
 namespace pomona {
 
-/// Levels ready to be solved.
+/// A field before it is solved.
 struct PreparedField {
   SnappedSurfaces snapped;
-  std::vector<GridLevel> levels;  ///< the grid that holds all; ever coarser ones
-  CellTriangles triangles;
-  std::vector<std::uint32_t> label;  ///< of the first coarser level's nodes, see nearest_labels()
-  bool is_sealed = false;            ///< closed surfaces keep the outside out: it has no nodes
+  std::vector<GridLevel> levels;     ///< the grid that covers everything, then coarser and coarser ones
+  CellTriangles triangles;           ///< of each cell of that grid
+  std::vector<std::uint32_t> label;  ///< of the nodes of the first coarser level, see nearest_labels()
+  bool is_sealed = false;            ///< the surfaces are closed, so that the outside has no nodes
 };
 PreparedField prepared_field(const DiffusionSurfaces& surfaces, const GridOptions& options);
 
 struct SolvedLevels {
-  std::vector<GridLevel> levels;  ///< patches, the finest first; the grid that holds all; ever coarser ones
-  std::size_t patch_count = 0;
+  std::vector<GridLevel>
+      levels;  ///< patches, the finest first; the grid that covers everything; coarser and coarser ones
+  std::size_t patch_count = 0;  ///< number of patches
 };
 
-/// Solves a field's levels, lays patches where they are too coarse, and goes on with these: around bodies that are
-/// small for the grid, and where its solution bends.
+/// Solves a field's levels; adds patches where the grid is too coarse, and solves again. Patches lie around bodies that
+/// are small compared with a cell, and where the refinement indicator is large.
 SolvedLevels solved_levels(const SnappedSurfaces& snapped, std::vector<GridLevel> levels, const GridOptions& options);
 
-FieldLookUp solved_field(PreparedField prepared, const GridOptions& options);
+FieldSampler solved_field(PreparedField prepared, const GridOptions& options);
 
 }  // namespace pomona

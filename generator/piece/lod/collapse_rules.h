@@ -1,4 +1,4 @@
-// What an edge collapse may do to a solid: how far surface, borders and colours may stray, and what must never happen.
+// Rules for edge collapses of a solid: limits for the surface, borders and colours, and what is forbidden.
 #pragma once
 
 #include <array>
@@ -18,37 +18,37 @@
 
 namespace pomona {
 
-/// How far a level may stray from the solid.
+/// The largest differences of a level from the solid.
 struct CollapseBounds {
   double distance = 0;  ///< metres: of surface and borders
   double color = 0;     ///< 0..1, of the square root of linear light, which is near sRGB; of each channel
 };
 
-/// Everything around the vertex that a half-edge collapse takes away, counter-clockwise seen from the air.
+/// The neighbourhood of the vertex that a half-edge collapse removes, counter-clockwise seen from the air.
 struct CollapseRing {
   std::uint32_t removed = 0;         ///< it moves to the first neighbour
   std::vector<std::uint32_t> spoke;  ///< its neighbours
   std::vector<std::int32_t> face;    ///< between neighbour i and the next; -1: none, the solid is open there
 };
 
-/// Keeps, for every face of the half-edge mesh, which vertices of the solid are its corners and which removed vertices
-/// lie on it, so that each collapse is judged by the solid as it was and not by the level before.
+/// For every face of the half-edge mesh, this stores the vertices of the solid that are its corners, and the removed
+/// vertices that lie on it. So each collapse is compared with the original solid, not with the level before.
 ///
-/// A border is an edge where the cut face or surface changes, or where a corner has two colours, parts or far-off
-/// normals. A vertex on a border moves along it only; where borders meet or end it stays.
+/// A border is an edge where the cut face or surface changes, or where a corner has two colours, two parts or very
+/// different normals. A vertex on a border moves only along it; where borders meet or end, it does not move.
 class CollapseRules {
  public:
   CollapseRules(const Solid& solid, const VertexFans& fans);
 
-  /// What the collapse costs in colour, in the course of borders and in long edges, as an area times a squared
-  /// distance; nothing if it is not less than `limit`, or forbidden: beyond a bound, or because a triangle would turn
-  /// over or become a needle.
+  /// The cost of a collapse: the changes of colours and borders, and long edges, as an area times a squared distance.
+  /// Nothing if the cost is not below `limit`, or if the collapse is forbidden: it would exceed a bound, turn a
+  /// triangle over or make it a needle.
   std::optional<double> cost(const CollapseRing& ring, double limit) const;
 
-  /// For all collapses from now on; none is allowed before.
+  /// Sets the bounds of all later collapses. Before this call no collapse is allowed.
   void set_bounds(const CollapseBounds& bounds) { bounds_ = bounds; }
 
-  /// Takes note of a collapse that was allowed.
+  /// Records a collapse.
   void collapse(const CollapseRing& ring);
 
   std::size_t face_count() const { return faces_left_; }
@@ -61,7 +61,7 @@ class CollapseRules {
   std::vector<Face> faces() const;
 
  private:
-  /// Where a vertex that is taken away leaves its faces: all of them, or those to one side of its border.
+  /// The faces of a vertex that is removed: all of them, or those on one side of its border.
   struct Sector {
     std::vector<std::uint32_t> kept;  ///< faces that turn to the other vertex
     std::vector<std::uint32_t> lost;  ///< faces that vanish
@@ -71,7 +71,7 @@ class CollapseRules {
     std::vector<Sector> sectors;
     std::optional<std::uint32_t> border_end;  ///< the other neighbour along the border
   };
-  /// A vertex that was taken away: what it was in the solid, and which fan.
+  /// A vertex that was removed: its number in the solid, and its fan.
   struct Removed {
     std::uint32_t vertex = 0, fan = 0;
   };

@@ -9,13 +9,13 @@
 
 namespace pomona {
 
-/// A level to come.
+/// The target of a level.
 struct LevelTarget {
-  std::size_t faces = 0;  ///< no more than these, if the bounds let it
+  std::size_t faces = 0;  ///< largest number of faces; more remain if the bounds require it
   CollapseBounds bounds;
 };
 
-/// The faces that are left at each of the levels, which grow from one another: targets descend, bounds ascend.
+/// The faces of each level. Each level continues from the one before: face numbers decrease, bounds increase.
 std::vector<std::vector<CollapseRules::Face>> decimated(const VertexFans& fans, const Solid& solid,
                                                         std::span<const LevelTarget> levels);
 

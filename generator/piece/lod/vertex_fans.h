@@ -1,5 +1,4 @@
-// A solid's triangles made ready for a half-edge structure, which wants two triangles at an edge and one fan at a
-// vertex.
+// A solid's triangles, prepared for a half-edge structure, which allows two triangles per edge and one fan per vertex.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +10,8 @@
 
 namespace pomona {
 
-/// A fan is a vertex of the half-edge mesh: triangles around one place that hang together by edges. Where bodies of a
-/// solid touch, a place has several fans.
+/// A fan is a vertex of the half-edge mesh: triangles around one point that are connected by edges. Where bodies of a
+/// solid touch, a point has several fans.
 struct VertexFans {
   std::vector<glm::uvec3> triangle;     ///< fans at the corners
   std::vector<std::uint32_t> source;    ///< per triangle: which one of the solid it is, ascending
@@ -21,8 +20,8 @@ struct VertexFans {
   std::vector<std::uint32_t> frozen;    ///< triangles of the solid at edges that more than two share
 };
 
-/// Triangles with two corners at one place are in neither list. Whatever is done to the fans that are not locked,
-/// a closed solid stays closed: an edge between a frozen triangle and another one keeps both ends.
+/// Triangles with two equal corners are in neither list. A closed solid stays closed whatever happens to fans that are
+/// not locked, because an edge between a frozen triangle and another one keeps both ends.
 VertexFans vertex_fans(const Solid& solid);
 
 }  // namespace pomona

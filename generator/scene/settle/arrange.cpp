@@ -9,9 +9,9 @@
 
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
+#include "generator/scene/settle/broad_phase.h"
 #include "generator/scene/settle/contact.h"
 #include "generator/scene/settle/drop.h"
-#include "generator/scene/settle/near_bodies.h"
 #include "generator/scene/settle/set_down.h"
 #include "generator/scene/settle/upper_side.h"
 
@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t draws_per_piece = 256;
 constexpr glm::dvec3 upwards(0, 1, 0);
 
-using Starts = std::vector<std::optional<Start>>;
+using Starts = std::vector<std::optional<StartPose>>;
 
 /// From the arrangement's own frame to the dish's.
 glm::dvec3 in_dish(const PieceArrangement& how, double along, double across) {
@@ -30,17 +30,18 @@ glm::dvec3 in_dish(const PieceArrangement& how, double along, double across) {
   return {how.at.x + c * along + s * across, 0, how.at.y - s * along + c * across};
 }
 
-/// How a piece lies after it has fallen alone onto the ground, turned as drawn.
-glm::dquat at_rest(const Arranged& piece, const RandomStream& draw, std::uint64_t n, const ArrangeOptions& options) {
+/// The rotation of a piece after it has fallen alone onto the ground from a random rotation.
+glm::dquat at_rest(const ArrangedPiece& piece, const RandomStream& draw, std::uint64_t n,
+                   const ArrangeOptions& options) {
   const Dish ground(DishForm{}, {.ground = 8 * options.widest});
-  Heap alone(ground, 1, options.unit, options.widest, options.heap, {1});
+  RigidBodyWorld alone(ground, 1, options.unit, options.widest, options.world, {1});
   const PieceShape& shape = *piece.shape;
-  alone.put(0, RigidBody(shape, drawn_rotation(glm::dvec3(0), draw, n), glm::dvec3(0, 1.02 * shape.radius, 0)));
-  alone.settle();
+  alone.put(0, RigidBody(shape, random_rotation(glm::dvec3(0), draw, n), glm::dvec3(0, 1.02 * shape.radius, 0)));
+  alone.run_until_rest();
   return alone.bodies()[0].rotation;
 }
 
-glm::dquat attitude_of(const Arranged& piece, const RandomStream& draw, const ArrangeOptions& options) {
+glm::dquat attitude_of(const ArrangedPiece& piece, const RandomStream& draw, const ArrangeOptions& options) {
   const std::uint64_t n = draws_per_piece * piece.piece;
   const glm::dquat heading = turn_about(upwards, 2 * pi * draw.uniform(n + 8));
   if (piece.attitude == Attitude::upright) return heading;
@@ -49,8 +50,8 @@ glm::dquat attitude_of(const Arranged& piece, const RandomStream& draw, const Ar
   return heading * at_rest(piece, draw, n, options);
 }
 
-/// All pieces turned as they are to lie, about the origin.
-std::vector<RigidBody> turned(std::span<const Arranged> pieces, const RandomStream& draw,
+/// All pieces at the origin, in the orientation in which they are to lie.
+std::vector<RigidBody> turned(std::span<const ArrangedPiece> pieces, const RandomStream& draw,
                               const ArrangeOptions& options) {
   std::vector<RigidBody> bodies(pieces.size());
   parallel_for(pieces.size(), options.threads, [&](std::size_t i) {
@@ -59,8 +60,8 @@ std::vector<RigidBody> turned(std::span<const Arranged> pieces, const RandomStre
   return bodies;
 }
 
-/// With the middle of its box over a place, on the dish.
-Start set_at(RigidBody body, const Solid& solid, const glm::dvec3& place, const Dish& dish) {
+/// The body on the dish, with the middle of its box above a place.
+StartPose set_at(RigidBody body, const Solid& solid, const glm::dvec3& place, const Dish& dish) {
   const glm::dvec3 middle(tight_box(body).center());
   const double above = dish.rim_height() - static_cast<double>(body.box.low.y) + 0.01 * body.shape->size;
   body.center += glm::dvec3(place.x - middle.x, above, place.z - middle.z);
@@ -75,7 +76,7 @@ std::size_t columns_of(const PieceArrangement& how, std::size_t pieces) {
   return static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(pieces))));
 }
 
-/// How far the body reaches to either side along the arrangement's rows, and across them.
+/// The size of the body along the arrangement's rows, and across them, metres.
 glm::dvec2 extent(RigidBody body, const PieceArrangement& how) {
   body.rotation = turn_about(upwards, -how.turn) * body.rotation;
   body.refresh();
@@ -83,9 +84,9 @@ glm::dvec2 extent(RigidBody body, const PieceArrangement& how) {
   return {size.x, size.z};
 }
 
-Starts in_rows(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const PieceArrangement& how,
+Starts in_rows(std::span<const ArrangedPiece> pieces, const std::vector<RigidBody>& bodies, const PieceArrangement& how,
                const Dish& dish, Threads threads) {
-  // How long each row is, and how wide.
+  // The length and the width of each row, metres.
   const std::size_t columns = columns_of(how, bodies.size());
   struct Row {
     double length = 0, width = 0;
@@ -117,7 +118,7 @@ Starts in_rows(std::span<const Arranged> pieces, const std::vector<RigidBody>& b
   return starts;
 }
 
-Starts in_grid(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const PieceArrangement& how,
+Starts in_grid(std::span<const ArrangedPiece> pieces, const std::vector<RigidBody>& bodies, const PieceArrangement& how,
                const Dish& dish, Threads threads) {
   const std::size_t columns = columns_of(how, bodies.size()), rows = (bodies.size() + columns - 1) / columns;
   Starts starts(bodies.size());
@@ -132,26 +133,27 @@ Starts in_grid(std::span<const Arranged> pieces, const std::vector<RigidBody>& b
   return starts;
 }
 
-/// Nothing of it hangs over the border.
+/// Whether no part of it hangs over the border of the dish.
 bool lies_within(const RigidBody& body, const Solid& solid, const Dish& dish) {
   return std::all_of(solid.position.begin(), solid.position.end(), [&](const glm::vec3& p) {
     return dish.covers(body.rotation * (glm::dvec3(p) - body.shape->center) + body.center);
   });
 }
 
-Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>& bodies, const PieceArrangement& how,
-                 const Dish& dish, const RandomStream& draw, const ArrangeOptions& options) {
-  constexpr std::uint64_t most_tries = 60, before_tries = 16;
+Starts scattered(std::span<const ArrangedPiece> pieces, const std::vector<RigidBody>& bodies,
+                 const PieceArrangement& how, const Dish& dish, const RandomStream& draw,
+                 const ArrangeOptions& options) {
+  constexpr std::uint64_t max_tries = 60, before_tries = 16;
   const UpperSide upper(dish.mesh().mesh, dish.form());
   Starts starts(bodies.size());
   if (upper.empty()) return starts;
-  std::vector<RigidBody> set = options.there;
-  NearBodies near(2 * options.widest + how.gap, set.size() + bodies.size());
+  std::vector<RigidBody> set = options.obstacles;
+  BroadPhase near(2 * options.widest + how.gap, set.size() + bodies.size());
   for (std::size_t k = 0; k < set.size(); ++k) near.add(k, set[k].center);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const std::uint64_t n = draws_per_piece * pieces[i].piece + before_tries;
-    for (std::uint64_t k = 0; k < most_tries && !starts[i]; ++k) {
-      // Upright on the slope, a little above the place drawn, then down onto it.
+    for (std::uint64_t k = 0; k < max_tries && !starts[i]; ++k) {
+      // The piece stands upright on the slope, a little above the random place; then it moves down onto it.
       const UpperSide::Spot spot =
           upper.spot(draw.uniform(n + 3 * k), draw.uniform(n + 3 * k + 1), draw.uniform(n + 3 * k + 2));
       RigidBody body = bodies[i];
@@ -168,14 +170,15 @@ Starts scattered(std::span<const Arranged> pieces, const std::vector<RigidBody>&
       if (!is_free) continue;
       near.add(set.size(), body.center);
       set.push_back(body);
-      starts[i] = Start{body.rotation, body.center};
+      starts[i] = StartPose{body.rotation, body.center};
     }
   }
   return starts;
 }
 
-/// The direction across most of a fruit's slices: that of its largest cut face, towards the first axis it has any of.
-glm::dvec3 cutting_direction(std::span<const Arranged> pieces, const std::vector<std::size_t>& fruit) {
+/// The direction across a fruit's slices: the normal of its largest cut face. Its sign is such that the first component
+/// that is not zero, in the order y, x, z, is positive.
+glm::dvec3 cutting_direction(std::span<const ArrangedPiece> pieces, const std::vector<std::size_t>& fruit) {
   double largest = -1;
   glm::dvec3 direction = upwards;
   for (const std::size_t i : fruit) {
@@ -190,12 +193,12 @@ glm::dvec3 cutting_direction(std::span<const Arranged> pieces, const std::vector
   return direction;
 }
 
-/// Each fruit lies along a line, its pieces pulled apart as they lean backwards.
-Starts in_order_of_cut(std::span<const Arranged> pieces, const PieceArrangement& how, const Dish& dish) {
+/// Each fruit lies along a line. Its pieces keep their order; they are pulled apart and lean backwards.
+Starts in_order_of_cut(std::span<const ArrangedPiece> pieces, const PieceArrangement& how, const Dish& dish) {
   std::map<int, std::vector<std::size_t>> fruits;
   for (std::size_t i = 0; i < pieces.size(); ++i) fruits[pieces[i].fruit].push_back(i);
   double widest = 0;
-  for (const Arranged& piece : pieces) widest = std::max(widest, 2 * piece.shape->radius);
+  for (const ArrangedPiece& piece : pieces) widest = std::max(widest, 2 * piece.shape->radius);
   const double pitch = how.line > 0 ? how.line : widest + how.gap;
   const glm::dquat heading = turn_about(upwards, how.turn);
   const glm::dquat leaning = turn_about({0, 0, 1}, how.lean);
@@ -203,14 +206,14 @@ Starts in_order_of_cut(std::span<const Arranged> pieces, const PieceArrangement&
   Starts starts(pieces.size());
   double line = -0.5 * pitch * static_cast<double>(fruits.size() - 1);
   for (auto& [number, fruit] : fruits) {
-    // The direction of the cuts along the line, with the fruit's axis or front upwards.
+    // The direction across the slices runs along the line.
     const glm::dvec3 direction = cutting_direction(pieces, fruit);
     const glm::dquat along = turn_between(direction, {1, 0, 0});
     std::stable_sort(fruit.begin(), fruit.end(), [&](std::size_t a, std::size_t b) {
       return glm::dot(pieces[a].shape->center, direction) < glm::dot(pieces[b].shape->center, direction);
     });
 
-    // One behind the other: as far apart as their boxes ask for when they lean alike.
+    // One piece behind the other. Their distances follow from the boxes of pieces that all lean by the same angle.
     std::vector<RigidBody> bodies;
     double length = 0;
     std::vector<double> middle;
@@ -228,7 +231,7 @@ Starts in_order_of_cut(std::span<const Arranged> pieces, const PieceArrangement&
       body.center.y = dish.rim_height() - static_cast<double>(body.box.low.y) + 0.01 * body.shape->size;
       body.refresh();
       set_down(body, dish, upwards);
-      starts[fruit[k]] = Start{body.rotation, body.center};
+      starts[fruit[k]] = StartPose{body.rotation, body.center};
     }
     line += pitch;
   }
@@ -239,8 +242,8 @@ Starts in_order_of_cut(std::span<const Arranged> pieces, const PieceArrangement&
 
 bool has_upper_side(const Dish& dish) { return !UpperSide(dish.mesh().mesh, dish.form()).empty(); }
 
-Starts arranged(std::span<const Arranged> pieces, const PieceArrangement& how, const Dish& dish,
-                const RandomStream& draw, const ArrangeOptions& options) {
+Starts arrange(std::span<const ArrangedPiece> pieces, const PieceArrangement& how, const Dish& dish,
+               const RandomStream& draw, const ArrangeOptions& options) {
   if (pieces.empty() || how.kind == PieceArrangementKind::heap) return Starts(pieces.size());
   if (how.kind == PieceArrangementKind::as_cut) return in_order_of_cut(pieces, how, dish);
   const std::vector<RigidBody> bodies = turned(pieces, draw, options);

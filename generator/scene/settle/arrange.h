@@ -1,4 +1,4 @@
-// Arranging: pieces that are not dropped from places drawn, but begin where their scene says.
+// Start poses of pieces that the scene arranges; all others are dropped at random.
 #pragma once
 
 #include <cstdint>
@@ -12,47 +12,49 @@
 #include "generator/base/parallel.h"
 #include "generator/base/random.h"
 #include "generator/scene/settle/dish.h"
-#include "generator/scene/settle/heap.h"
 #include "generator/scene/settle/piece_arrangement.h"
 #include "generator/scene/settle/piece_shape.h"
+#include "generator/scene/settle/rigid_body_world.h"
 
 namespace pomona {
 
-/// How a piece is turned before it falls, or where it is set.
+/// The orientation of a piece at its start.
 enum class Attitude : std::uint8_t {
-  any,      ///< as it comes to rest when it falls alone
-  face_up,  ///< its largest cut face upwards
-  upright   ///< as it grew
+  any,      ///< the one in which it comes to rest when it falls alone
+  face_up,  ///< its largest cut face points up
+  upright   ///< the one in which it grew
 };
 
 /// One piece to be arranged.
-struct Arranged {
-  std::size_t piece = 0;  ///< its number, which draws are made by
+struct ArrangedPiece {
+  std::size_t piece = 0;  ///< its number; it selects the random numbers
   const PieceShape* shape = nullptr;
   const Solid* solid = nullptr;
   Attitude attitude = Attitude::any;
-  int fruit = 0;  ///< pieces of one cut fruit have the same; their shapes know where in it they were
+  int fruit = 0;  ///< number of the fruit it was cut from; the shape's frame is that of the fruit
 };
 
-/// Where a piece begins.
-struct Start {
+/// Where a piece starts.
+struct StartPose {
   glm::dquat rotation{1, 0, 0, 0};
-  glm::dvec3 center{0};  ///< of mass, metres
+  glm::dvec3 center{0};  ///< centre of mass, metres
 };
 
 struct ArrangeOptions {
-  HeapOptions heap{};
-  double unit = 0, widest = 0;     ///< metres: the mean size of all pieces, the radius of the widest
-  std::vector<RigidBody> there{};  ///< what lies there already, which scattered pieces keep clear of
+  WorldOptions world{};
+  double unit = 0;                     ///< mean size of all pieces, metres
+  double widest = 0;                   ///< largest radius of a piece, metres
+  std::vector<RigidBody> obstacles{};  ///< bodies that lie there already; scattered pieces do not touch them
   Threads threads{};
 };
 
-/// Whether the dish has a mesh with triangles that look upwards, to scatter pieces on.
+/// Whether the dish has a mesh with triangles that face upwards, to scatter pieces on.
 bool has_upper_side(const Dish& dish);
 
-/// One start a piece, in their order: set down on the dish where they stay (rows, grids, scatterings), or where they
-/// are to be let go (as cut). None where a scattered piece finds no room.
-std::vector<std::optional<Start>> arranged(std::span<const Arranged> pieces, const PieceArrangement& how,
-                                           const Dish& dish, const RandomStream& draw, const ArrangeOptions& options);
+/// One start pose for each piece, in their order. Pieces of rows, grids and scatterings lie on the dish and stay there;
+/// pieces "as cut" start above it and fall. Nothing for a scattered piece that finds no room.
+std::vector<std::optional<StartPose>> arrange(std::span<const ArrangedPiece> pieces, const PieceArrangement& how,
+                                              const Dish& dish, const RandomStream& draw,
+                                              const ArrangeOptions& options);
 
 }  // namespace pomona

@@ -11,14 +11,14 @@ namespace pomona {
 
 namespace {
 
-/// A sample that is near. The point is in the frame in which distances were asked for.
+/// A sample that is near. The point is in the frame of the distance field.
 struct Candidate {
   glm::vec3 point;
   float distance;
   int sample;
 };
 
-/// The frame of one body seen from another's.
+/// The transform from one body's frame to another's.
 struct Frame {
   glm::mat3 turn{1};
   glm::vec3 move{0};
@@ -30,8 +30,8 @@ Frame seen_from(const RigidBody& b, const RigidBody& a) {
   return {back * a.matrix, back * glm::vec3(a.center - b.center)};
 }
 
-/// Visits all samples with a distance below `margin`; balls of samples that are farther are left out. Returns a
-/// bound: no sample is nearer than it.
+/// Visits all samples with a distance below `margin`; skips balls of samples that are farther away. Returns a lower
+/// bound of the distance of all samples.
 template <typename Field, typename Visit>
 float search(const SurfaceSamples& samples, const Frame& frame, const Field& field, float margin, const Visit& visit) {
   float bound = std::numeric_limits<float>::max();
@@ -69,11 +69,12 @@ Search near_samples(const SurfaceSamples& samples, const Frame& frame, const Fie
 
 float squared_distance(const glm::vec3& a, const glm::vec3& b) { return glm::dot(a - b, a - b); }
 
-/// The deepest, then ever the one that is farthest from those chosen; deeper ones and those of the last step count
-/// more. `sample_of` numbers a candidate as contacts do.
+/// Candidates spread over the contact area: the deepest first, then again and again the one that is farthest from those
+/// chosen. Deeper candidates and those of the last step get a larger weight. `sample_of` gives a candidate's number as
+/// in Contact::sample.
 template <typename SampleOf>
-std::vector<Candidate> chosen(const std::vector<Candidate>& from, std::size_t most, float margin,
-                              const std::vector<Contact>& before, const SampleOf& sample_of) {
+std::vector<Candidate> spread_out(const std::vector<Candidate>& from, std::size_t max_count, float margin,
+                                  const std::vector<Contact>& before, const SampleOf& sample_of) {
   if (from.empty()) return {};
   const auto deepest =
       std::min_element(from.begin(), from.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
@@ -87,7 +88,7 @@ std::vector<Candidate> chosen(const std::vector<Candidate>& from, std::size_t mo
 
   constexpr float same_place = 4e-8f;  // square metres: 0.2 mm
   std::vector<Candidate> result{*deepest};
-  while (result.size() < most) {
+  while (result.size() < max_count) {
     std::size_t next = 0;
     float best = 0;
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -100,14 +101,14 @@ std::vector<Candidate> chosen(const std::vector<Candidate>& from, std::size_t mo
   return result;
 }
 
-/// Hands on the impulse of the same contact a step ago.
-void remember(std::vector<Contact>& contacts, const std::vector<Contact>& before) {
+/// Copies the impulse that the same contact had a step before.
+void inherit_impulses(std::vector<Contact>& contacts, const std::vector<Contact>& before) {
   for (Contact& contact : contacts) {
     const auto same =
         std::find_if(before.begin(), before.end(), [&](const Contact& old) { return old.sample == contact.sample; });
     if (same == before.end()) continue;
     contact.impulse = same->impulse;
-    contact.lasting = true;
+    contact.is_persistent = true;
   }
 }
 
@@ -115,24 +116,24 @@ void remember(std::vector<Contact>& contacts, const std::vector<Contact>& before
 
 PairContacts contacts_between(const RigidBody& a, const RigidBody& b, float margin,
                               const std::vector<Contact>& before) {
-  constexpr int of_second = 1 << 20;  // marks the samples of the second body
+  constexpr int second_body = 1 << 20;  // marks the samples of the second body
   PairContacts result;
-  result.clear = std::numeric_limits<float>::max();
+  result.clearance = std::numeric_limits<float>::max();
   for (const bool second : {false, true}) {
-    const RigidBody &asked = second ? b : a, &asking = second ? a : b;
-    const DistanceGrid& grid = asking.shape->distance;
+    const RigidBody &sampled = second ? b : a, &measured = second ? a : b;
+    const DistanceGrid& grid = measured.shape->distance;
     const auto field = [&](const glm::vec3& p) { return grid.value(p); };
-    const Search search = near_samples(asked.shape->samples, seen_from(asking, asked), field, margin);
-    result.clear = std::min(result.clear, search.bound);
+    const Search search = near_samples(sampled.shape->samples, seen_from(measured, sampled), field, margin);
+    result.clearance = std::min(result.clearance, search.bound);
 
-    const auto sample_of = [&](const Candidate& c) { return c.sample + (second ? of_second : 0); };
-    for (const Candidate& c : chosen(search.found, 4, margin, before, sample_of)) {
-      const glm::vec3 off = asking.matrix * grid.direction(c.point);
-      const glm::vec3 point = asking.matrix * c.point + glm::vec3(asking.center);
-      result.contact.push_back({sample_of(c), point, second ? -off : off, c.distance});
+    const auto sample_of = [&](const Candidate& c) { return c.sample + (second ? second_body : 0); };
+    for (const Candidate& c : spread_out(search.found, 4, margin, before, sample_of)) {
+      const glm::vec3 off = measured.matrix * grid.direction(c.point);
+      const glm::vec3 point = measured.matrix * c.point + glm::vec3(measured.center);
+      result.contacts.push_back({sample_of(c), point, second ? -off : off, c.distance});
     }
   }
-  remember(result.contact, before);
+  inherit_impulses(result.contacts, before);
   return result;
 }
 
@@ -142,9 +143,9 @@ std::vector<Contact> contacts_with(const Dish& dish, const RigidBody& body, floa
   const auto field = [&](const glm::vec3& p) { return dish.distance(p); };
   const Search search = near_samples(body.shape->samples, frame, field, margin);
   std::vector<Contact> contacts;
-  for (const Candidate& c : chosen(search.found, 6, margin, before, [](const Candidate& k) { return k.sample; }))
+  for (const Candidate& c : spread_out(search.found, 6, margin, before, [](const Candidate& k) { return k.sample; }))
     contacts.push_back({c.sample, c.point, dish.direction(c.point), c.distance});
-  remember(contacts, before);
+  inherit_impulses(contacts, before);
   return contacts;
 }
 

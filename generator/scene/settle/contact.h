@@ -1,4 +1,4 @@
-// Where two pieces touch, or a piece and the dish: samples of one in the distances of the other.
+// Contacts between two pieces, or a piece and the dish: samples of one, measured in the distance grid of the other.
 #pragma once
 
 #include <vector>
@@ -11,28 +11,30 @@
 namespace pomona {
 
 struct Contact {
-  int sample = 0;        ///< which it is, from step to step
-  glm::vec3 point{0};    ///< metres
-  glm::vec3 normal{0};   ///< pushes the first body off the second
-  float distance = 0;    ///< metres, negative where they overlap
-  glm::vec3 impulse{0};  ///< that the last step ended with, for the next one to start from
-  bool lasting = false;  ///< it was one at the last step too
-  bool presses = false;  ///< the step ended with a push, not only near
+  int sample = 0;              ///< number of the surface sample; it identifies the contact from step to step
+  glm::vec3 point{0};          ///< metres
+  glm::vec3 normal{0};         ///< points from the second body to the first
+  float distance = 0;          ///< metres, negative where the bodies penetrate
+  glm::vec3 impulse{0};        ///< result of the last step; the solver starts from it
+  bool is_persistent = false;  ///< the contact existed at the last step, too
+  bool is_loaded = false;      ///< the step ended with an impulse; else the bodies are only near
 };
 
-/// Contacts nearer than `margin`, four at most on either body: the deepest, and others far from it and each other.
-/// Those in `before` are preferred.
+/// The contacts of two bodies.
 struct PairContacts {
-  std::vector<Contact> contact;
-  float clear = 0;  ///< if there are none: all samples are at least so far away, metres
+  std::vector<Contact> contacts;
+  float clearance = 0;  ///< if there are no contacts: all samples are at least this far away, metres
 };
+
+/// Contacts nearer than `margin`, metres; at most four on either body: the deepest, and others that are far from it and
+/// from each other. Contacts that are in `before` are preferred.
 PairContacts contacts_between(const RigidBody& a, const RigidBody& b, float margin, const std::vector<Contact>& before);
 
-/// The same with the dish; six at most.
+/// The same with the dish; at most six contacts.
 std::vector<Contact> contacts_with(const Dish& dish, const RigidBody& body, float margin,
                                    const std::vector<Contact>& before);
 
-/// The least distance, negative where they overlap, if it is below `within`; else `within`.
+/// The smallest distance in metres, negative where the bodies penetrate, if it is below `within`; else `within`.
 float distance_between(const RigidBody& a, const RigidBody& b, float within);
 float distance_to(const Dish& dish, const RigidBody& body, float within);
 

@@ -7,59 +7,60 @@
 
 namespace pomona {
 
-ContactSolver::Axis ContactSolver::axis(const ContactEnds& ends, const glm::vec3& direction) const {
-  const Motion &a = motions_[ends.first], &b = motions_[ends.second];
+ContactSolver::Axis ContactSolver::axis(const ContactBodies& ends, const glm::vec3& direction) const {
+  const BodyMotion &a = motions_[ends.first], &b = motions_[ends.second];
   Axis axis;
   axis.direction = direction;
-  axis.first_turn = glm::cross(ends.first_arm, direction);
-  axis.second_turn = glm::cross(ends.second_arm, direction);
-  axis.first_spins = a.inverse_inertia * axis.first_turn;
-  axis.second_spins = b.inverse_inertia * axis.second_turn;
-  axis.mass = 1 / (a.inverse_mass + b.inverse_mass + glm::dot(axis.first_turn, axis.first_spins) +
-                   glm::dot(axis.second_turn, axis.second_spins));
+  axis.first_lever = glm::cross(ends.first_arm, direction);
+  axis.second_lever = glm::cross(ends.second_arm, direction);
+  axis.first_response = a.inverse_inertia * axis.first_lever;
+  axis.second_response = b.inverse_inertia * axis.second_lever;
+  axis.effective_mass = 1 / (a.inverse_mass + b.inverse_mass + glm::dot(axis.first_lever, axis.first_response) +
+                             glm::dot(axis.second_lever, axis.second_response));
   return axis;
 }
 
-void ContactSolver::add(const Contact& contact, const ContactEnds& ends, float friction, float push) {
+void ContactSolver::add(const Contact& contact, const ContactBodies& ends, float friction, float separation) {
   const glm::vec3 normal = glm::normalize(contact.normal);
   const glm::vec3 aside = std::fabs(normal.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
   const glm::vec3 along = glm::normalize(glm::cross(normal, aside));
   Row row{ends.first, ends.second, {}, friction, 0, contact.distance};
   row.axis = {axis(ends, normal), axis(ends, along), axis(ends, glm::cross(normal, along))};
 
-  // What is apart may come as near as it is; what overlaps is to part.
-  row.target = contact.distance > 0 ? -contact.distance : push;
-  if (contact.lasting && glm::dot(contact.impulse, normal) >= 0)
-    for (Axis& each : row.axis) change(row, each, glm::dot(contact.impulse, each.direction));
+  // Bodies that are apart may approach until they touch; bodies that penetrate are moved apart.
+  row.target = contact.distance > 0 ? -contact.distance : separation;
+  if (contact.is_persistent && glm::dot(contact.impulse, normal) >= 0)
+    for (Axis& each : row.axis) apply(row, each, glm::dot(contact.impulse, each.direction));
   rows_.push_back(row);
 }
 
 float ContactSolver::speed(const Row& row, const Axis& axis) const {
-  const Motion &a = motions_[row.first], &b = motions_[row.second];
-  return glm::dot(axis.direction, a.velocity - b.velocity) + glm::dot(axis.first_turn, a.spin) -
-         glm::dot(axis.second_turn, b.spin);
+  const BodyMotion &a = motions_[row.first], &b = motions_[row.second];
+  return glm::dot(axis.direction, a.velocity - b.velocity) + glm::dot(axis.first_lever, a.spin) -
+         glm::dot(axis.second_lever, b.spin);
 }
 
-/// Adds to the axis's impulse.
-void ContactSolver::change(const Row& row, Axis& axis, float impulse) {
-  Motion &a = motions_[row.first], &b = motions_[row.second];
+/// Adds an impulse along the axis and changes both motions by it.
+void ContactSolver::apply(const Row& row, Axis& axis, float impulse) {
+  BodyMotion &a = motions_[row.first], &b = motions_[row.second];
   axis.impulse += impulse;
   a.velocity += axis.direction * (impulse * a.inverse_mass);
-  a.spin += axis.first_spins * impulse;
+  a.spin += axis.first_response * impulse;
   b.velocity -= axis.direction * (impulse * b.inverse_mass);
-  b.spin -= axis.second_spins * impulse;
+  b.spin -= axis.second_response * impulse;
 }
 
-/// The normal never pulls; along the surface, friction holds up to its share of that [Coulomb].
+/// The normal impulse never pulls. The friction impulse is at most the coefficient times the normal impulse [Coulomb].
 void ContactSolver::solve(Row& row) {
   Axis& normal = row.axis[0];
-  const float pressed = std::max(0.0f, normal.impulse + normal.mass * (row.target - speed(row, normal)));
-  change(row, normal, pressed - normal.impulse);
-  const float most = row.friction * normal.impulse;
+  const float pushed = std::max(0.0f, normal.impulse + normal.effective_mass * (row.target - speed(row, normal)));
+  apply(row, normal, pushed - normal.impulse);
+  const float max_friction = row.friction * normal.impulse;
   for (const std::size_t k : {std::size_t{1}, std::size_t{2}}) {
     Axis& along = row.axis[k];
-    const float held = std::clamp(along.impulse - along.mass * speed(row, along), -most, most);
-    change(row, along, held - along.impulse);
+    const float held =
+        std::clamp(along.impulse - along.effective_mass * speed(row, along), -max_friction, max_friction);
+    apply(row, along, held - along.impulse);
   }
 }
 

@@ -60,8 +60,8 @@ void DistanceGrid::choose_cells(const Box<double>& box, const DistanceGridOption
   }
 
   // Finer where that is asked for, within bounds.
-  const double least = width * reproducible::cbrt(static_cast<double>(options.cells) / options.most_cells);
-  width = std::max(std::min(width, options.finest), least);
+  const double min_width = width * reproducible::cbrt(static_cast<double>(options.cells) / options.max_cells);
+  width = std::max(std::min(width, options.max_width), min_width);
   width_ = static_cast<float>(width);
   per_metre_ = 1 / width_;
   reach_ = static_cast<float>(margin(width));

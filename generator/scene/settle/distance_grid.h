@@ -1,4 +1,4 @@
-// Signed distances to a closed mesh at the nodes of a grid: what settling asks where two pieces meet.
+// Signed distances to a closed mesh at the nodes of a grid: settling finds contacts by them.
 #pragma once
 
 #include <cmath>
@@ -13,27 +13,28 @@
 namespace pomona {
 
 struct DistanceGridOptions {
-  int cells = 40000;        ///< about so many
-  double finest = 1e30;     ///< metres: cells at most so wide, for thin walls,
-  int most_cells = 400000;  ///< unless that takes more than these
+  int cells = 40000;        ///< number of cells, about
+  double max_width = 1e30;  ///< largest width of a cell, metres, for thin walls; `max_cells` goes before it
+  int max_cells = 400000;   ///< largest number of cells
 };
 
-/// Distances in single precision, exact beside the surface and nearly so farther away, negative inside.
+/// Distances in single precision, negative inside. They are exact beside the surface, and nearly exact farther away.
 class DistanceGrid {
  public:
   DistanceGrid() = default;
 
-  /// \param position metres, equal ones welded. The mesh is closed, or closed but for small holes.
+  /// \param position metres; no two are equal.
+  /// \param triangle of a mesh that is closed, or has small holes only.
   DistanceGrid(std::span<const glm::dvec3> position, std::span<const glm::uvec3> triangle,
                const DistanceGridOptions& options = {});
 
-  /// Metres, between the nodes linearly; outside the grid at most the distance.
+  /// The distance in metres, interpolated linearly between the nodes. Outside the grid it is a lower bound.
   float value(const glm::vec3& point) const;
 
-  /// Where the distance grows, of length 1.
+  /// The direction in which the distance grows, of length 1.
   glm::vec3 direction(const glm::vec3& point) const;
 
-  /// Points nearer than this to the surface lie in the grid.
+  /// Points nearer to the surface than this, metres, lie in the grid.
   float reach() const { return reach_; }
 
   std::span<const float> values() const { return values_; }
@@ -50,9 +51,11 @@ class DistanceGrid {
            static_cast<std::size_t>(x);
   }
 
-  glm::ivec3 count_{0};  ///< nodes along each axis
-  glm::vec3 origin_{0};
-  float width_ = 1, per_metre_ = 1, reach_ = 0;
+  glm::ivec3 count_{0};  ///< number of nodes along each axis
+  glm::vec3 origin_{0};  ///< the first node, metres
+  float width_ = 1;      ///< distance between two nodes, metres
+  float per_metre_ = 1;  ///< 1 / width_
+  float reach_ = 0;      ///< see reach()
   std::vector<float> values_;
 };
 
@@ -64,7 +67,7 @@ inline float DistanceGrid::value(const glm::vec3& point) const {
     return reach_ + width_ * std::sqrt(out.x * out.x + out.y * out.y + out.z * out.z);
   }
 
-  // Between the eight nodes around it, axis by axis.
+  // Trilinear interpolation between the eight nodes around the point.
   const glm::ivec3 low(cell);
   const glm::vec3 share = cell - glm::vec3(low);
   const float* const near = &values_[at(low.x, low.y, low.z)];

@@ -22,22 +22,23 @@ glm::dquat any_rotation(const RandomStream& draw, std::uint64_t n) {
           high * reproducible::sin(b)};
 }
 
-/// `up` towards the sky, up to a slight tilt, and any turn about it.
+/// A random rotation about `up`, and then one that turns `up` upwards, with a slight tilt.
 glm::dquat face_up(const glm::dvec3& up, const RandomStream& draw, std::uint64_t n) {
-  constexpr double most_tilt = 0.35;
-  const double tilt = most_tilt * draw.uniform(n), heading = 2 * pi * draw.uniform(n + 1);
+  constexpr double max_tilt = 0.35;
+  const double tilt = max_tilt * draw.uniform(n), heading = 2 * pi * draw.uniform(n + 1);
   const glm::dvec3 target(reproducible::sin(tilt) * reproducible::cos(heading), reproducible::cos(tilt),
                           reproducible::sin(tilt) * reproducible::sin(heading));
   return turn_about(target, 2 * pi * draw.uniform(n + 2)) * turn_between(glm::normalize(up), target);
 }
 
-/// A place, and how high the lowest point of a piece may begin there.
+/// A place to drop a piece.
 struct DropPlace {
-  glm::vec2 at{0};
-  double highest = std::numeric_limits<double>::infinity();
+  glm::vec2 at{0};                                           ///< x and z, metres
+  double highest = std::numeric_limits<double>::infinity();  ///< the piece's lowest point starts at most here, metres
 };
 
-constexpr double steepest = 0.7;
+/// The steepest slope at which pieces lie on each other.
+constexpr double max_slope = 0.7;
 
 DropPlace spot_in(const DropRing& ring, double share, double turn) {
   // Square roots of uniform numbers fill a ring evenly.
@@ -48,7 +49,7 @@ DropPlace spot_in(const DropRing& ring, double share, double turn) {
   spot.at = {static_cast<float>(ring.middle.x + radius * reproducible::cos(angle)),
              static_cast<float>(ring.middle.y + radius * reproducible::sin(angle))};
   const double out = ring.middle == glm::dvec2(0) ? radius : static_cast<double>(glm::length(spot.at));
-  if (ring.rim_radius > 0) spot.highest = ring.rim_height + steepest * (ring.rim_radius - out);
+  if (ring.rim_radius > 0) spot.highest = ring.rim_height + max_slope * (ring.rim_radius - out);
   return spot;
 }
 
@@ -56,7 +57,7 @@ DropPlace spot_in(const DropCells& cells, double share, double) {
   const auto last = static_cast<double>(cells.size() - 1);
   const MeshDish::Place& place =
       cells[static_cast<std::size_t>(std::min(last, share * static_cast<double>(cells.size())))];
-  return {glm::vec2(place.at), place.level + steepest * place.inset};
+  return {glm::vec2(place.at), place.level + max_slope * place.inset};
 }
 
 }  // namespace
@@ -82,16 +83,16 @@ std::vector<std::size_t> dropping_order(std::span<const int> order, const Random
   return pieces;
 }
 
-glm::dquat drawn_rotation(const glm::dvec3& up, const RandomStream& draw, std::uint64_t n) {
+glm::dquat random_rotation(const glm::dvec3& up, const RandomStream& draw, std::uint64_t n) {
   return up == glm::dvec3(0) ? any_rotation(draw, n) : face_up(up, draw, n);
 }
 
-std::optional<glm::dvec3> drawn_place(const RigidBody& turned, const HeightMap& heap, const DropArea& area,
-                                      const RandomStream& draw, std::uint64_t n) {
-  constexpr std::uint64_t usual = 12, most = 24;  // more only while none is low enough
+std::optional<glm::dvec3> random_place(const RigidBody& turned, const HeightMap& heap, const DropArea& area,
+                                       const RandomStream& draw, std::uint64_t n) {
+  constexpr std::uint64_t usual = 12, max_tries = 24;  // more only while none is low enough
   if (const auto* cells = std::get_if<DropCells>(&area); cells && cells->empty()) return {};
   std::optional<glm::dvec3> best;
-  for (std::uint64_t k = 0; k < most && (k < usual || !best); ++k) {
+  for (std::uint64_t k = 0; k < max_tries && (k < usual || !best); ++k) {
     const double share = draw.uniform(n + 2 * k), turn = draw.uniform(n + 2 * k + 1);
     const DropPlace spot = std::visit([&](const auto& each) { return spot_in(each, share, turn); }, area);
     const double height = heap.resting_height(turned, spot.at.x, spot.at.y);

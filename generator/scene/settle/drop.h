@@ -1,4 +1,4 @@
-// Where and how pieces are let go.
+// From where, and in which rotation, pieces are dropped.
 #pragma once
 
 #include <cstdint>
@@ -17,38 +17,39 @@
 
 namespace pomona {
 
-/// Draws of one piece for one drop: a block of counters to itself.
+/// Number of random numbers reserved for one drop of one piece.
 constexpr std::uint64_t draws_per_drop = 64;
 
-/// The pieces in the order in which they fall: lower ones of `order` first, within these as drawn.
+/// The pieces in the order in which they fall: sorted by `order`, in random order where that is equal.
 std::vector<std::size_t> dropping_order(std::span<const int> order, const RandomStream& draw);
 
-/// The shortest turn that takes one unit direction to another.
+/// The smallest rotation that turns one direction of length 1 into another.
 glm::dquat turn_between(const glm::dvec3& from, const glm::dvec3& to);
 
-/// By an angle about an axis of length 1.
+/// The rotation by an angle about an axis of length 1.
 glm::dquat turn_about(const glm::dvec3& axis, double radians);
 
-/// Any rotation, each as likely; or, where `up` is not zero, one that turns it towards the sky, up to a slight tilt.
-/// Draws from counter n on.
-glm::dquat drawn_rotation(const glm::dvec3& up, const RandomStream& draw, std::uint64_t n);
+/// A random rotation, uniform over all. Where `up` is not zero: a random rotation that turns `up` upwards, with a
+/// slight tilt. \param n number of the first random number that is used.
+glm::dquat random_rotation(const glm::dvec3& up, const RandomStream& draw, std::uint64_t n);
 
 /// A ring on the ground into which pieces are dropped.
 struct DropRing {
-  double inner = 0, outer = 0;  ///< metres from its middle, of their centres
-  double rim_radius = 0;        ///< no piece starts above a cone that rises inwards from this circle at the steepest
-  double rim_height = 0;        ///< slope at which pieces lie on each other; a radius of 0: there is no such cone
-  glm::dvec2 middle{0};         ///< x and z; the cone stands about the axis all the same
+  double inner = 0;       ///< smallest distance of a piece's centre from the middle, metres
+  double outer = 0;       ///< largest distance of a piece's centre from the middle, metres
+  double rim_radius = 0;  ///< no piece starts above the cone that rises from this circle inwards, metres; 0 = no cone
+  double rim_height = 0;  ///< height of that circle, metres; the cone's slope is the steepest at which pieces lie
+  glm::dvec2 middle{0};   ///< of the ring, x and z; the cone always stands about the y axis
 };
 
-/// Cells of a dish into which pieces are dropped. No piece starts above what rises inwards from their border likewise.
+/// Cells of a dish into which pieces are dropped. No piece starts above the slope that rises inwards from their border.
 using DropCells = std::vector<MeshDish::Place>;
 
 using DropArea = std::variant<DropRing, DropCells>;
 
-/// The lowest of a few places drawn in the area, for the centre of a turned body; none if all are too high. Draws from
-/// counter n on.
-std::optional<glm::dvec3> drawn_place(const RigidBody& turned, const HeightMap& heap, const DropArea& area,
-                                      const RandomStream& draw, std::uint64_t n);
+/// A place for the centre of a body that is already turned: the lowest of a few random places in the area. Nothing if
+/// all are too high. \param n number of the first random number that is used.
+std::optional<glm::dvec3> random_place(const RigidBody& turned, const HeightMap& heap, const DropArea& area,
+                                       const RandomStream& draw, std::uint64_t n);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// What is wrong with settled pieces, and what may pass.
+// Faults of settled pieces, and whether they can be accepted.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@
 
 namespace pomona {
 
-/// What is wrong with a piece.
+/// A fault of one piece.
 struct Fault {
-  std::size_t piece = 0;
-  std::string what;
-  bool is_grave = true;  ///< not even one in many may have it
+  std::size_t piece = 0;  ///< index of the piece
+  std::string what;       ///< the end of a sentence that starts with the piece's name
+  bool is_severe = true;  ///< it is never accepted
 };
 
-/// Nothing if the piece fits well.
+/// The fault of a piece; nothing if it fits well.
 std::optional<Fault> fault_of(std::size_t piece, const Fit& fit, const SettleOptions& options);
 
-/// Whether faults are so small and so few of all pieces that they may stay.
-bool may_pass(const std::vector<Fault>& faults, std::size_t pieces, const SettleOptions& options);
+/// Whether no fault is severe, and their share of all pieces is small.
+bool are_acceptable(const std::vector<Fault>& faults, std::size_t pieces, const SettleOptions& options);
 
-/// \throws Error (some_items_failed) that names the first of them, at the place of what asks for the first.
+/// \throws Error (some_items_failed), always. It names the first few faults; its place is that of the first item.
 [[noreturn]] void give_up(const std::vector<Fault>& faults, std::span<const SettleItem> items);
 
 }  // namespace pomona

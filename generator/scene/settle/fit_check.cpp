@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/morton.h"
-#include "generator/scene/settle/near_bodies.h"
+#include "generator/scene/settle/broad_phase.h"
 
 namespace pomona {
 
@@ -36,7 +36,7 @@ FitCheck::FitCheck(std::span<const Solid> solids, std::vector<std::size_t> solid
       for (int k = 0; k < 3; ++k) boxes_[i].add(glm::dvec3(solids[i].position[t[k]]));
 }
 
-/// Around the turned box of the solid.
+/// The axis-aligned box around the rotated box of the solid.
 Box<double> FitCheck::box_at(std::size_t piece, const Pose& pose) const {
   const Box<double>& box = boxes_[solid_of_[piece]];
   const glm::dmat3 turn = glm::mat3_cast(pose.rotation);
@@ -45,8 +45,8 @@ Box<double> FitCheck::box_at(std::size_t piece, const Pose& pose) const {
   return {middle - reach, middle + reach};
 }
 
-/// Sorted; each piece that is somewhere has one with the stand, too.
-std::vector<FitCheck::Pair> FitCheck::pairs_near(std::span<const Pose> poses,
+/// All pairs that may be near, sorted. Each piece that is not absent also has a pair with the stand.
+std::vector<FitCheck::Pair> FitCheck::near_pairs(std::span<const Pose> poses,
                                                  std::span<const std::size_t> absent) const {
   const auto is_absent = [&](std::size_t i) { return std::binary_search(absent.begin(), absent.end(), i); };
   std::vector<Box<double>> boxes;
@@ -55,7 +55,7 @@ std::vector<FitCheck::Pair> FitCheck::pairs_near(std::span<const Pose> poses,
     boxes.push_back(box_at(i, poses[i]));
     widest = std::max(widest, size(i));
   }
-  NearBodies near((1 + farthest_gap) * widest, poses.size());
+  BroadPhase near((1 + farthest_gap) * widest, poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i)
     if (!is_absent(i)) near.add(i, boxes[i].center());
 
@@ -73,8 +73,8 @@ std::vector<FitCheck::Pair> FitCheck::pairs_near(std::span<const Pose> poses,
   return pairs;
 }
 
-/// What was measured between pieces that have not moved since.
-void FitCheck::remember(std::span<const Pose> poses, std::vector<Pair>& pairs) const {
+/// Copies the results of pairs that have not moved since the last measurement.
+void FitCheck::reuse_measured(std::span<const Pose> poses, std::vector<Pair>& pairs) const {
   if (measured_.size() != poses.size()) return;
   const auto stays = [&](std::size_t piece) { return piece == poses.size() || same(poses[piece], measured_[piece]); };
   auto known = measured_pairs_.begin();
@@ -86,9 +86,9 @@ void FitCheck::remember(std::span<const Pose> poses, std::vector<Pair>& pairs) c
   }
 }
 
-/// In chunks of pieces that lie together.
-void FitCheck::ask(Question question, std::span<const Pose> poses, std::vector<Pair*> pairs,
-                   const Progress& progress) const {
+/// Measures pairs in chunks; the pieces of a chunk lie near each other.
+void FitCheck::measure_pairs(Quantity quantity, std::span<const Pose> poses, std::vector<Pair*> pairs,
+                             const Progress& progress) const {
   constexpr std::size_t chunk = 2000;  // pairs, of some two hundred pieces
   std::vector<glm::dvec3> centers;
   for (std::size_t i = 0; i < poses.size(); ++i) centers.push_back(box_at(i, poses[i]).center());
@@ -100,13 +100,13 @@ void FitCheck::ask(Question question, std::span<const Pose> poses, std::vector<P
   });
   for (std::size_t first = 0; first < pairs.size(); first += chunk) {
     const std::size_t count = std::min(chunk, pairs.size() - first);
-    ask_chunk(question, poses, std::span(pairs).subspan(first, count));
+    measure_chunk(quantity, poses, std::span(pairs).subspan(first, count));
     if (progress) progress((first + count) * poses.size() / pairs.size());
   }
 }
 
-void FitCheck::ask_chunk(Question question, std::span<const Pose> poses, std::span<Pair* const> pairs) const {
-  // The meshes of these pieces, turned; a solid's is prepared once.
+void FitCheck::measure_chunk(Quantity quantity, std::span<const Pose> poses, std::span<Pair* const> pairs) const {
+  // The rotated meshes of these pieces. The tree of each solid is built once.
   std::vector<std::size_t> pieces, solids;
   for (const Pair* pair : pairs)
     for (const std::size_t i : {pair->first, pair->second})
@@ -129,7 +129,7 @@ void FitCheck::ask_chunk(Question question, std::span<const Pose> poses, std::sp
     Pair& pair = *pairs[k];
     const PlacedMesh& a = placed[place_in(pieces, pair.first)];
     const PlacedMesh& b = pair.second == poses.size() ? stand_ : placed[place_in(pieces, pair.second)];
-    if (question == Question::depth) {
+    if (quantity == Quantity::depth) {
       const auto inside = overlap(a, b);
       pair.depth = inside ? inside->depth : 0;
     } else {
@@ -141,12 +141,12 @@ void FitCheck::ask_chunk(Question question, std::span<const Pose> poses, std::sp
 
 std::vector<Fit> FitCheck::measure(std::span<const Pose> poses, std::span<const std::size_t> absent,
                                    const Progress& progress) {
-  std::vector<Pair> pairs = pairs_near(poses, absent);
-  remember(poses, pairs);
+  std::vector<Pair> pairs = near_pairs(poses, absent);
+  reuse_measured(poses, pairs);
   std::vector<Pair*> unknown;
   for (Pair& pair : pairs)
     if (!pair.depth) unknown.push_back(&pair);
-  ask(Question::depth, poses, unknown, progress);
+  measure_pairs(Quantity::depth, poses, unknown, progress);
   std::vector<Fit> fits(poses.size(), Fit{farthest_gap, 0});
   const auto each_piece = [&](const Pair& pair, const auto& visit) {
     visit(pair.first);
@@ -157,14 +157,14 @@ std::vector<Fit> FitCheck::measure(std::span<const Pose> poses, std::span<const 
     each_piece(pair, [&](std::size_t i) { fits[i] = {0, std::max(fits[i].penetration, *pair.depth / size(i))}; });
   }
 
-  // Few pieces overlap nothing; how near the nearest is to these has to be asked.
+  // Few pieces overlap nothing. Only for these the distance to the nearest mesh is measured.
   unknown.clear();
   for (Pair& pair : pairs) {
     bool is_wanted = false;
     each_piece(pair, [&](std::size_t i) { is_wanted |= fits[i].penetration <= 0; });
     if (is_wanted && *pair.depth <= 0 && !pair.distance) unknown.push_back(&pair);
   }
-  ask(Question::distance, poses, unknown, {});
+  measure_pairs(Quantity::distance, poses, unknown, {});
   for (const Pair& pair : pairs) {
     if (!pair.distance) continue;
     each_piece(pair, [&](std::size_t i) { fits[i].gap = std::min(fits[i].gap, *pair.distance / size(i)); });

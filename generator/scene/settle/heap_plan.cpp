@@ -28,7 +28,7 @@ std::vector<std::size_t> HeapPlan::solid_numbers() const {
   return numbers;
 }
 
-/// Shapes of the solids that are placed. Sets the sizes, which what follows is made with.
+/// Shapes of the solids that are used. Also sets `sizes_`, which the members after it need.
 std::vector<PieceShape> HeapPlan::prepared() {
   constexpr std::size_t all_cells = 100'000'000;  // of all grids: 400 MB
   std::vector<std::uint8_t> used(solids_.size());
@@ -54,7 +54,7 @@ const PieceArrangement* HeapPlan::arrangement(std::size_t item) const {
   return index < 0 ? nullptr : &options_.arrangements[static_cast<std::size_t>(index)];
 }
 
-bool HeapPlan::is_set(std::size_t item) const {
+bool HeapPlan::is_placed(std::size_t item) const {
   const PieceArrangement* how = arrangement(item);
   return how && how->kind != PieceArrangementKind::heap && how->kind != PieceArrangementKind::as_cut;
 }
@@ -72,7 +72,8 @@ DropArea HeapPlan::area_of(std::size_t item) const {
   return ring;
 }
 
-/// Of a dish that is not turned: so far from its walls that a piece does not begin in them.
+/// The cells of a dish that is not turned, as far from its walls as a piece needs so that it does not start inside
+/// them.
 DropCells HeapPlan::cells_for(double radius, const PieceArrangement* how) const {
   double widest = 0;
   for (const MeshDish::Place& place : dish_.form()->places()) widest = std::max(widest, place.inset);
@@ -88,7 +89,7 @@ DropCells HeapPlan::cells_for(double radius, const PieceArrangement* how) const 
 
 DropRing HeapPlan::ring_of(std::size_t item) const {
   const double radius = shape(item).radius, rim = dish_.rim_radius();
-  // A piece may begin leaning on the wall: it slides down, and heaps spread as wide as the bowl is.
+  // A piece may start against the wall: it slides down, so that heaps become as wide as the bowl.
   if (in_bowl(item)) return {0, std::max(0.0, options_.fill * rim - 0.65 * radius), rim, dish_.rim_height()};
   if (items_[item].beside) return {rim + radius, options_.around * std::max(rim, 2 * sizes_.widest)};
   return {0, std::max(0.0, spread() - radius)};
@@ -114,16 +115,16 @@ double HeapPlan::mean_footprint() const {
 }
 
 std::size_t HeapPlan::pieces_in_wave(std::size_t first) const {
-  constexpr std::size_t least = 12;
+  constexpr std::size_t min_pieces = 12;
   const DropArea where = area_of(first);
   if (const auto* cells = std::get_if<DropCells>(&where)) {
     const double all = static_cast<double>(cells->size()) * dish_.form()->cell_area();
-    return std::max(least, static_cast<std::size_t>(0.8 * all / footprint_));
+    return std::max(min_pieces, static_cast<std::size_t>(0.8 * all / footprint_));
   }
   const auto& ring = std::get<DropRing>(where);
   const double area =
       pi * (ring.outer + 0.5 * sizes_.unit) * (ring.outer + 0.5 * sizes_.unit) - pi * ring.inner * ring.inner;
-  return std::max(least, static_cast<std::size_t>(0.8 * area / footprint_));
+  return std::max(min_pieces, static_cast<std::size_t>(0.8 * area / footprint_));
 }
 
 Funnel HeapPlan::funnel() const {

@@ -1,4 +1,4 @@
-// What a heap is made of and where its pieces may begin, before anything moves.
+// The plan of a heap: its pieces, and where each may start, before anything moves.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@
 
 namespace pomona {
 
-/// The pieces of one dish and what is known of them; an item is told by its index. What it is given lives longer.
+/// The pieces of one dish. Items are named by their index. The arguments of the constructor must outlive the plan.
 class HeapPlan {
  public:
   HeapPlan(std::span<const Solid> solids, std::span<const SettleItem> items, const DishForm& dish,
@@ -25,10 +25,10 @@ class HeapPlan {
   const SettleOptions& options() const { return options_; }
   const Dish& dish() const { return dish_; }
   const std::string& dish_name() const { return name_; }
-  double unit() const { return sizes_.unit; }      ///< metres: the mean size of the pieces
-  double widest() const { return sizes_.widest; }  ///< metres: the radius of the widest
+  double unit() const { return sizes_.unit; }      ///< mean size of the pieces, metres
+  double widest() const { return sizes_.widest; }  ///< largest radius of a piece, metres
 
-  /// Draws that no other heap makes. \param what they are for: "/arrange"; empty: dropping
+  /// Random numbers that no other heap uses. \param what their purpose: "/arrange"; empty = dropping
   RandomStream draws(const std::string& what = {}) const { return {{options_.seed, 0}, purpose_ + what}; }
 
   const Solid& solid(std::size_t item) const { return solids_[static_cast<std::size_t>(items_[item].solid)]; }
@@ -36,25 +36,26 @@ class HeapPlan {
   std::vector<std::size_t> solid_numbers() const;
 
   bool in_bowl(std::size_t item) const { return dish_.has_bowl() && !items_[item].beside; }
-  /// How the scene says it lies, or null.
+  /// The arrangement that the scene gives the item, or null.
   const PieceArrangement* arrangement(std::size_t item) const;
-  /// Whether it does not fall: it is set to its place.
-  bool is_set(std::size_t item) const;
+  /// Whether the item is placed directly and does not fall.
+  bool is_placed(std::size_t item) const;
 
-  /// Where an item is dropped.
+  /// The area into which an item is dropped.
   DropArea area_of(std::size_t item) const;
-  /// The dish from above, wide enough for all areas, with nothing in it.
+  /// The height map of the empty dish, wide enough for all areas.
   HeightMap empty_map() const;
-  /// So many pieces, of which this is the first, cover their area once.
+  /// The number of pieces, beginning with this one, that cover the drop area once.
   std::size_t pieces_in_wave(std::size_t first) const;
-  /// The wall over the rim that keeps falling pieces together.
+  /// The wall above the rim that keeps falling pieces together.
   Funnel funnel() const;
-  /// Whether it lies beyond the rim, or under the dish.
+  /// Whether the item lies beyond the rim, or under the dish.
   bool is_outside(std::size_t item, const Pose& pose) const;
 
  private:
   struct Sizes {
-    double unit = 0, widest = 0;
+    double unit = 0;    ///< mean size of the pieces, metres
+    double widest = 0;  ///< largest radius of a piece, metres
   };
   std::vector<PieceShape> prepared();
   double spread() const { return options_.spread > 0 ? options_.spread : 4 * sizes_.widest; }
@@ -66,11 +67,11 @@ class HeapPlan {
   std::span<const SettleItem> items_;
   SettleOptions options_;
   std::string name_;     ///< of the dish
-  std::string purpose_;  ///< what draws of this heap are made for
+  std::string purpose_;  ///< name of this heap's random streams
   Sizes sizes_;
-  std::vector<PieceShape> shapes_;  ///< of the solids that are placed
+  std::vector<PieceShape> shapes_;  ///< one per solid; empty for solids that are not used
   Dish dish_;
-  double footprint_ = 0;  ///< square metres: the mean of the pieces, as they lie flat
+  double footprint_ = 0;  ///< mean area that a piece covers when it lies flat, square metres
 };
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// A heap seen from above: how high it is where.
+// The height map of a heap, seen from above.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,24 @@ namespace pomona {
 
 class HeightMap {
  public:
-  /// A square about the axis, with nothing on the dish.
-  /// \param half its half width, metres; pieces beyond count as on its border.
+  /// The map of an empty dish: a square around the axis.
+  /// \param half half of its width, metres; a piece outside counts as on the border.
+  /// \param cell width of a cell, metres.
   HeightMap(const Dish& dish, double half, double cell);
 
-  /// Adds a body, by its samples.
+  /// Adds a body: its samples raise the cells that they lie in.
   void raise(const RigidBody& body);
 
-  /// The lowest height of its centre at which the body clears all that is below, with its centre above the place.
+  /// The lowest height of the body's centre above (x, z) at which the body touches nothing below it, metres.
   float resting_height(const RigidBody& body, float x, float z) const;
 
  private:
   std::size_t at(float x, float z) const;
 
-  float half_, cell_;
-  int count_;  ///< cells along a side
-  std::vector<float> height_;
+  float half_;                 ///< half of the map's width, metres
+  float cell_;                 ///< width of a cell, metres
+  int count_;                  ///< number of cells along a side
+  std::vector<float> height_;  ///< of each cell, metres
 };
 
 }  // namespace pomona

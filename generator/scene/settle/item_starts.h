@@ -1,4 +1,4 @@
-// Where those pieces of a heap begin that are not dropped from places drawn.
+// Start poses of the items that an arrangement places; all others are dropped at random.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,12 @@
 
 namespace pomona {
 
-/// \throws Error (bad_data) at the place of the first item that would fall, if the dish has no hollow.
+/// \throws Error (bad_data) if the dish has no hollow and an item would fall into it. Its place is that of the first
+/// such item.
 void refuse_shallow_dish(const HeapPlan& plan);
 
-/// One of each item; none where it is dropped, or finds no room. \throws Error (bad_data) where pieces are to be
-/// strewn on what has nothing that looks upwards.
-std::vector<std::optional<Start>> item_starts(const HeapPlan& plan);
+/// One start pose per item; nothing where the item is dropped, or finds no room. \throws Error (bad_data) if pieces are
+/// to be scattered on a dish with no triangle that faces upwards.
+std::vector<std::optional<StartPose>> item_starts(const HeapPlan& plan);
 
 }  // namespace pomona

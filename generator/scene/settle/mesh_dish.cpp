@@ -21,21 +21,22 @@ DistanceGrid distances_of(const Solid& solid) {
   std::vector<glm::dvec3> position;
   for (const glm::vec3& p : solid.position) position.emplace_back(p);
   // A wall of 8 mm in a crate of half a metre is three cells thick.
-  return {
-      position, welded_triangles(first, solid.triangle), {.cells = 600'000, .finest = 0.004, .most_cells = 2'000'000}};
+  return {position,
+          welded_triangles(first, solid.triangle),
+          {.cells = 600'000, .max_width = 0.004, .max_cells = 2'000'000}};
 }
 
 }  // namespace
 
 MeshDish::MeshDish(const Solid& solid, const TriangleTree& mesh, bool on_top)
     : box_(mesh.box()), distance_(distances_of(solid)) {
-  look_from_above(mesh);
+  measure_heights(mesh);
   find_outline();
   find_places(on_top);
 }
 
 /// One ray a cell, with a ring of empty cells around them all.
-void MeshDish::look_from_above(const TriangleTree& mesh) {
+void MeshDish::measure_heights(const TriangleTree& mesh) {
   constexpr double along = 256;  // cells along the longer side
   const double wide = box_.high.x - box_.low.x, deep = box_.high.z - box_.low.z;
   cell_ = std::max(wide, deep) / along;

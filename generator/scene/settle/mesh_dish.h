@@ -1,4 +1,4 @@
-// A dish of any shape, as settling sees it: a crate, a tray, a board, a belt, a hill.
+// A dish of any shape: a crate, a tray, a board, a belt, a hill.
 #pragma once
 
 #include <optional>
@@ -14,31 +14,32 @@
 
 namespace pomona {
 
-/// Known by the distances of its mesh, and by its upper side on a raster seen from above. What would hold water, were
-/// its floor tight, is its hollow [filled as by Barnes et al. 2014].
+/// Described by a distance grid of its mesh, and by a height map of its upper side. Its hollow is where water would
+/// stay if no hole let it out downwards [Barnes et al. 2014, priority-flood].
 class MeshDish {
  public:
-  /// A cell of the raster in which pieces may lie.
+  /// A cell of the height map in which pieces may lie.
   struct Place {
-    glm::dvec2 at{0};  ///< its middle: x and z, metres
-    double inset = 0;  ///< metres to the border of all such cells, about
-    double level = 0;  ///< metres above the ground: that of the rim, or of the surface under the cell
+    glm::dvec2 at{0};  ///< middle of the cell: x and z, metres
+    double inset = 0;  ///< distance to the border of all such cells, about, metres
+    double level = 0;  ///< height of the rim, or of the surface under the cell, metres above the ground
   };
 
-  /// \param solid stands on y = 0. \param on_top pieces lie on it; else in its hollow.
+  /// \param solid stands on y = 0.
+  /// \param on_top whether pieces lie on it; else they lie in its hollow.
   MeshDish(const Solid& solid, const TriangleTree& mesh, bool on_top);
 
-  /// Metres from the mesh alone; far away at most that.
+  /// The distance from the mesh without the ground, metres. Far away it is a lower bound.
   float distance(const glm::vec3& point) const { return distance_.value(point); }
   glm::vec3 direction(const glm::vec3& point) const { return distance_.direction(point); }
 
-  /// Of the upper side; 0 beside it.
+  /// The height of the upper side, metres; 0 beside the dish.
   double height(double x, double z) const;
 
-  /// Within its outline as seen from above, up to a cell's width.
+  /// Whether a point is within the outline seen from above, with an error of up to a cell's width.
   bool covers(double x, double z) const;
 
-  /// None where it has no hollow, and pieces are to lie in one.
+  /// The cells in which pieces may lie. Empty if pieces are to lie in a hollow and there is none.
   const std::vector<Place>& places() const { return places_; }
 
   double cell_area() const { return cell_ * cell_; }  ///< square metres
@@ -46,17 +47,17 @@ class MeshDish {
 
  private:
   std::optional<std::size_t> cell_at(double x, double z) const;
-  void look_from_above(const TriangleTree& mesh);
+  void measure_heights(const TriangleTree& mesh);
   void find_outline();
   std::vector<double> water_levels() const;
   void find_places(bool on_top);
 
   Box<double> box_;
   DistanceGrid distance_;
-  double cell_ = 1;
-  glm::ivec2 count_{0};
-  std::vector<double> height_;        ///< of each cell; below 0 where there is no mesh
-  std::vector<std::uint8_t> inside_;  ///< within the outline
+  double cell_ = 1;                   ///< width of a cell, metres
+  glm::ivec2 count_{0};               ///< number of cells along x and z
+  std::vector<double> height_;        ///< of each cell, metres; below 0 where there is no mesh
+  std::vector<std::uint8_t> inside_;  ///< of each cell: 1 within the outline
   std::vector<Place> places_;
 };
 

@@ -142,7 +142,7 @@ PieceShape piece_shape(const Solid& solid, double unit, int cells) {
   // Grid and samples are fine enough for thin walls: two cells and three samples find them.
   shape.thickness = 2 * volume / area_of(mesh);
   shape.distance = DistanceGrid(mesh.position, mesh.triangle,
-                                {.cells = cells, .finest = 0.6 * shape.thickness, .most_cells = 10 * cells});
+                                {.cells = cells, .max_width = 0.6 * shape.thickness, .max_cells = 10 * cells});
   const double seen = std::min(unit, shape.size);
   shape.samples = surface_samples(mesh.position, mesh.triangle,
                                   {.along_edges = std::min(seen / 45, 0.5 * shape.thickness),

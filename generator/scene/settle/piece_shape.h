@@ -1,4 +1,4 @@
-// What settling needs to know of a solid, made once however often it is placed.
+// The shape of a solid as the physics needs it. It is made once, however often the solid is placed.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -11,15 +11,15 @@
 
 namespace pomona {
 
-/// Lengths in metres, places about the centre of mass; the density of what parts do not differ from counts as 1.
+/// Lengths are in metres; positions are relative to the centre of mass. The main material has density 1.
 struct PieceShape {
-  glm::dvec3 center{0};  ///< of mass, in the solid's frame
+  glm::dvec3 center{0};  ///< centre of mass, in the solid's frame
   double mass = 0;
   glm::dmat3 inverse_inertia{1};
-  double size = 0;       ///< diagonal of its box
+  double size = 0;       ///< diagonal of the box
   double radius = 0;     ///< of the ball around the centre of mass
-  double thickness = 0;  ///< twice the volume per area: that of a plate
-  glm::dvec3 up{0};      ///< where the largest cut face looks, a flat one if there is any; zero where there is none
+  double thickness = 0;  ///< twice the volume divided by the area; for a plate, its thickness
+  glm::dvec3 up{0};      ///< normal of the largest cut face, a flat one if there is any; zero if there is none
   Box<float> box;
   DistanceGrid distance;
   SurfaceSamples samples;
@@ -28,8 +28,8 @@ struct PieceShape {
 /// The diagonal of a solid's box, metres.
 double size_of(const Solid& solid);
 
-/// \param unit the pieces' mean size: what is much larger is sampled as densely as these.
-/// \param cells of its distance grid.
+/// \param unit mean size of the pieces, metres: it sets the density of samples on a much larger solid.
+/// \param cells number of cells of the distance grid, about.
 PieceShape piece_shape(const Solid& solid, double unit, int cells = 40000);
 
 }  // namespace pomona

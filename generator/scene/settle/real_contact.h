@@ -1,4 +1,4 @@
-// How real meshes touch: what a heap is judged by.
+// Overlap and distance of two meshes, measured exactly: a settled heap is checked by them.
 #pragma once
 
 #include <optional>
@@ -7,24 +7,24 @@
 
 namespace pomona {
 
-/// A mesh already turned, and where it stands. `size` is the diagonal of its box before it was turned.
+/// A mesh at its place.
 struct PlacedMesh {
-  TriangleTree mesh;
-  glm::dvec3 at{0};
-  double size = 0;
+  TriangleTree mesh;  ///< already rotated
+  glm::dvec3 at{0};   ///< translation, metres
+  double size = 0;    ///< diagonal of its box before it was rotated, metres
 };
 
-/// Two meshes inside one another: moving the first by `depth` along `away` takes the deepest point out.
+/// How deep two meshes overlap.
 struct Overlap {
-  double depth = 0;
-  glm::dvec3 away{0};
+  double depth = 0;    ///< of the deepest point, metres
+  glm::dvec3 away{0};  ///< moving the first mesh by `depth` in this direction takes the deepest point out
 };
 
-/// The deepest place where one mesh is inside the other, over the vertices and triangle centres of both:
-/// how far that point is from the other's surface. Nothing where the meshes are apart or merely touch.
+/// The deepest of the vertices and triangle centres of either mesh that lie inside the other; its depth is the distance
+/// to the other's surface. Nothing where the meshes are apart or only touch.
 std::optional<Overlap> overlap(const PlacedMesh& a, const PlacedMesh& b);
 
-/// The distance between the surfaces if it is below `within`, else infinity.
+/// The distance between the surfaces, metres, if it is below `within`; else infinity.
 double distance(const PlacedMesh& a, const PlacedMesh& b, double within);
 
 }  // namespace pomona

@@ -18,7 +18,7 @@ void RigidBody::refresh() {
   matrix = glm::mat3(turn);
   inverse_inertia = turn * shape->inverse_inertia * glm::transpose(turn);
 
-  // The box around the turned box.
+  // The axis-aligned box around the rotated box of the shape.
   const glm::vec3 middle = matrix * shape->box.center() + glm::vec3(center), half = 0.5f * shape->box.size();
   const glm::vec3 reach = glm::abs(matrix[0]) * half.x + glm::abs(matrix[1]) * half.y + glm::abs(matrix[2]) * half.z;
   box = {middle - reach, middle + reach};
@@ -29,7 +29,7 @@ void RigidBody::advance() {
   rotation += 0.5 * (glm::dquat(0, spin.x, spin.y, spin.z) * rotation);
   rotation = rotation * (1 / std::sqrt(glm::dot(rotation, rotation)));
   speed = glm::length(velocity) + shape->radius * glm::length(spin);
-  way += speed;
+  travelled += speed;
   refresh();
 }
 
@@ -38,6 +38,8 @@ void RigidBody::stop() {
   speed = 0;
 }
 
-double RigidBody::motion() const { return std::max(glm::length(velocity), 0.5 * shape->radius * glm::length(spin)); }
+double RigidBody::typical_speed() const {
+  return std::max(glm::length(velocity), 0.5 * shape->radius * glm::length(spin));
+}
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// A piece as it falls.
+// One piece as a rigid body.
 #pragma once
 
 #include <cstdint>
@@ -16,44 +16,46 @@ namespace pomona {
 enum class BodyState : std::uint8_t {
   active,
   asleep,  ///< at rest until something pushes it
-  frozen,  ///< at rest for good: nothing moves it any more
-  out      ///< taken out of the heap
+  frozen,  ///< at rest for good: contacts do not move it
+  absent   ///< not in the world
 };
 
 struct RigidBody {
-  RigidBody() = default;  ///< not in the heap
+  RigidBody() = default;  ///< an absent body
   RigidBody(const PieceShape& of, const glm::dquat& turned, const glm::dvec3& at);
 
   const PieceShape* shape = nullptr;
   glm::dquat rotation{1, 0, 0, 0};
-  glm::dvec3 center{0};             ///< of mass, metres
-  glm::dvec3 velocity{0}, spin{0};  ///< metres and radians a step
-  BodyState state = BodyState::out;
-  bool is_fixed = false;  ///< was set to its place, and stays there whatever is taken out beside it
-  int still_steps = 0;    ///< for so many steps it has hardly moved
-  double speed = 0;       ///< at most that of its fastest point, metres a step
-  double way = 0;         ///< at most that of its fastest point since it was made, metres
+  glm::dvec3 center{0};    ///< centre of mass, metres
+  glm::dvec3 velocity{0};  ///< metres a step
+  glm::dvec3 spin{0};      ///< angular velocity, radians a step
+  BodyState state = BodyState::absent;
+  bool is_fixed = false;  ///< it was set to its place and stays there, whatever is removed beside it
+  int steps_at_rest = 0;  ///< number of steps since it was last faster than the sleep threshold
+  double speed = 0;       ///< upper bound of the speed of its fastest point, metres a step
+  double travelled = 0;   ///< upper bound of what any of its points has moved since it was made, metres
 
-  // What follows from rotation and centre.
-  glm::mat3 matrix{1};
-  glm::dmat3 inverse_inertia{0};
-  Box<float> box;
+  glm::mat3 matrix{1};            ///< follows from the rotation; refresh() computes it
+  glm::dmat3 inverse_inertia{0};  ///< in the world's axes; refresh() computes it
+  Box<float> box;                 ///< around the body, metres; refresh() computes it
 
-  /// After rotation or centre have changed.
+  /// Computes what follows from rotation and centre. Call it after these have changed.
   void refresh();
 
-  /// Where it would be after one step: moves and turns it by its velocity and spin.
+  /// Moves and turns the body by its velocity and spin, for one step.
   void advance();
 
+  /// Sets velocity and spin to zero.
   void stop();
 
-  /// Of the solid, which its shape's centre of mass is part of.
+  /// The pose of the solid. Its origin is not the centre of mass.
   Pose pose() const { return {rotation, center - rotation * shape->center}; }
 
   bool is_loose() const { return state == BodyState::active || state == BodyState::asleep; }
 
-  /// Of the fastest point, roughly; spin counts half, since few points are far out.
-  double motion() const;
+  /// A typical speed of its fast points, metres a step, for the sleep threshold. Spin counts half, because few points
+  /// are far from the centre.
+  double typical_speed() const;
 };
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Setting a piece down on a dish without letting it fall.
+// Placing a piece on a dish without simulating its fall.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,14 +10,14 @@
 
 namespace pomona {
 
-/// Moved along a direction of length 1 until it touches the dish: out of it first, then towards it by what it is clear
-/// of it, and where it slides along a wall by a little.
+/// Moves the body along a direction of length 1 until it touches the dish: first out of the dish, then towards it, by
+/// its clearance or by a small step where that is smaller.
 void set_down(RigidBody& body, const Dish& dish, const glm::dvec3& away);
 
-/// Out of the dish by all vertices: samples miss the tip of what is pointed.
+/// Moves the body out of the dish until no vertex is inside. Samples alone would miss a sharp tip.
 void lift_out(RigidBody& body, const Solid& solid, const Dish& dish, const glm::dvec3& away);
 
-/// The box around a piece as it is turned: by its samples, because that of its body is one around a turned box.
+/// The box around the samples of a rotated piece. It is tighter than RigidBody::box, which holds a rotated box.
 Box<double> tight_box(const RigidBody& body);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Settling: pieces dropped into a bowl until they lie as things lie.
+// Settling: pieces fall into a bowl until they are at rest.
 #pragma once
 
 #include <cstdint>
@@ -13,53 +13,53 @@
 #include "generator/piece/solid.h"
 #include "generator/scene/settle/arrange.h"
 #include "generator/scene/settle/fit_check.h"
-#include "generator/scene/settle/heap.h"
+#include "generator/scene/settle/rigid_body_world.h"
 
 namespace pomona {
 
-/// One piece to be dropped, or set to a place.
+/// One piece to be dropped or placed.
 struct SettleItem {
-  int solid = 0;
+  int solid = 0;         ///< index of its solid
   std::string name;      ///< for messages
-  int order = 0;         ///< lower ones fall first; a garnish comes last
-  bool face_up = false;  ///< dropped with its largest cut face up, else turned at random
-  bool beside = false;   ///< onto the ground around the bowl
-  bool upright = false;  ///< as it grew
+  int order = 0;         ///< items with a lower order fall first; a garnish comes last
+  bool face_up = false;  ///< it starts with its largest cut face up; else in a random rotation
+  bool beside = false;   ///< it falls onto the ground around the bowl
+  bool upright = false;  ///< it starts in the orientation in which it grew
   int arrangement = -1;  ///< index of SettleOptions::arrangements; -1 = dropped anywhere
-  int fruit = 0;         ///< pieces of one cut fruit have the same
-  SourcePlace place{};   ///< of what asks for it, for messages
+  int fruit = 0;         ///< number of the fruit it was cut from
+  SourcePlace place{};   ///< where the scene file asks for it, for messages
 };
 
 struct SettleOptions {
   std::uint64_t seed = 0;
-  double most_gap = 0.02;          ///< shares of a piece's size, the diagonal of its box:
-  double most_penetration = 0.02;  ///< what a settled piece may have, measured on the real meshes,
-  double most_of_few = 0.05;       ///< and what one may have of so many
-  std::size_t few_of = 200;
-  double fill = 0.92;   ///< share of the rim's radius into which pieces are dropped
-  double spread = 0;    ///< metres: without a bowl, drops within so far of the axis; 0 = 4 times the widest
-  double around = 1.8;  ///< pieces beside the bowl lie within this many of its radii
-  int attempts = 5;     ///< how often what lies badly is dropped, the first time counted
+  double max_gap = 0.02;          ///< largest gap of a settled piece, as a share of the diagonal of its box
+  double max_penetration = 0.02;  ///< largest penetration of a settled piece, as a share of the same
+  double max_rare_fault = 0.05;   ///< a larger gap or penetration, up to this share, is accepted of few pieces
+  std::size_t rare_in = 200;      ///< it is accepted of one piece in this many
+  double fill = 0.92;             ///< pieces are dropped within this share of the rim's radius
+  double spread = 0;              ///< without a bowl: how far from the axis pieces fall, metres; 0 = 4 times the widest
+  double around = 1.8;            ///< pieces beside the bowl lie within this many of its radii
+  int attempts = 5;               ///< how often pieces that lie badly are dropped, the first drop included
   std::vector<PieceArrangement> arrangements{};
-  HeapOptions heap{};
+  WorldOptions world{};
   Threads threads{};
-  /// Told from the calling thread how many pieces of a stage are done: "settle", then "measure".
+  /// Called from the calling thread with the stage, "settle" or "measure", and how many of its pieces are done.
   std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress{};
 };
 
 struct Settled {
   std::vector<Pose> poses;  ///< one per item, rounded to 1e-6 so that a file holds them exactly
-  std::vector<Fit> fits;    ///< measured at those poses
-  int attempts = 0;
-  int steps = 0;          ///< of the simulation
-  std::size_t again = 0;  ///< so often a single piece was taken out and dropped once more
+  std::vector<Fit> fits;    ///< one per item, measured at those poses
+  int attempts = 0;         ///< number of attempts that were made
+  int steps = 0;            ///< number of steps of the simulation
+  std::size_t again = 0;    ///< number of times that a single piece was removed and dropped again
 };
 
-/// Sets what is to be set, then drops the other items, in an order and from places drawn from the seed, into the dish,
-/// which stands on the ground (y = 0) and does not move; without a dish, onto the ground. The same poses for any number
-/// of threads; heaps that have nothing to do with each other may settle at the same time.
-/// \throws Error (some_items_failed) naming the pieces that keep a gap, overlap or lie outside the dish, (bad_data) if
-/// the dish has no room for any: no hollow, or nothing that looks upwards to be strewn on.
+/// Places the items that an arrangement places. Then drops the others into the dish, in random order and from random
+/// places, which follow from the seed. The dish stands on the ground (y = 0) and does not move; without a dish, pieces
+/// fall onto the ground. The poses are the same for any number of threads. Several heaps may settle at the same time.
+/// \throws Error (some_items_failed) that names the pieces with a gap, with an overlap, or outside the dish; (bad_data)
+/// if the dish has no room: no hollow, or no triangle that faces upwards to scatter pieces on.
 Settled settle(std::span<const Solid> solids, std::span<const SettleItem> items, const DishForm& dish,
                const SettleOptions& options = {});
 

@@ -14,10 +14,10 @@ namespace {
 void simplify(const std::vector<glm::dvec2>& samples, std::size_t first, std::size_t last, double tolerance,
               std::vector<glm::dvec2>& kept) {
   std::size_t farthest = first;
-  double most = tolerance;
+  double max_distance = tolerance;
   for (std::size_t i = first + 1; i < last; ++i) {
     const double d = distance_to_segment(samples[i], samples[first], samples[last]);
-    if (d > most) most = d, farthest = i;
+    if (d > max_distance) max_distance = d, farthest = i;
   }
   if (farthest == first) {
     kept.push_back(samples[last]);

@@ -1,4 +1,4 @@
-// What a round stand (bowl and ground) looks like from above, for the physics.
+// The profile of a round stand (bowl and ground) seen from above, for the physics.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace pomona {
 
-/// (distance from the axis, height) of the upper surface from the axis outwards to `radius`, as few points as
-/// keep within `tolerance`, metres. The mesh must be round about the axis and go on to `radius`.
+/// Points (distance from the axis, height) of the upper surface, from the axis out to `radius`, metres: as few as keep
+/// the error below `tolerance`, metres. The mesh must be round about the axis and reach as far as `radius`.
 std::vector<glm::dvec2> stand_profile(const TriangleTree& stand, double radius, double tolerance);
 
 }  // namespace pomona

@@ -14,7 +14,7 @@ namespace pomona {
 
 namespace {
 
-constexpr int most_in_ball = 12;
+constexpr int max_in_ball = 12;
 
 /// Two ends and the middle of every edge at which the surface turns by more than 40 degrees.
 std::vector<glm::vec3> on_sharp_edges(std::span<const glm::dvec3> position, std::span<const glm::uvec3> triangle) {
@@ -64,7 +64,7 @@ void add_balls(SurfaceSamples& samples, int first, int count) {
   const auto begin = samples.point.begin() + first;
   Box<float> box;
   for (auto p = begin; p != begin + count; ++p) box.add(*p);
-  const bool is_leaf = count <= most_in_ball;
+  const bool is_leaf = count <= max_in_ball;
   SampleBall ball{box.center(), 0, first, is_leaf ? count : 0, 0};
   for (auto p = begin; p != begin + count; ++p) ball.radius = std::max(ball.radius, glm::distance(ball.center, *p));
 
@@ -91,7 +91,7 @@ SurfaceSamples surface_samples(std::span<const glm::dvec3> position, std::span<c
     samples.point = thinned(sharp, static_cast<float>(options.along_edges));
     const std::vector<glm::vec3> more = thinned(smooth, static_cast<float>(options.elsewhere));
     samples.point.insert(samples.point.end(), more.begin(), more.end());
-    if (samples.point.size() <= options.most) break;
+    if (samples.point.size() <= options.max_points) break;
   }
   add_balls(samples, 0, static_cast<int>(samples.point.size()));
   return samples;

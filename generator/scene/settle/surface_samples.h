@@ -1,4 +1,4 @@
-// Points spread over a surface, in a tree of balls: where a piece is asked whether it touches another.
+// Sample points spread over a surface, in a tree of balls: contacts are looked for at these points.
 #pragma once
 
 #include <cstddef>
@@ -9,27 +9,27 @@
 
 namespace pomona {
 
-/// A ball around the points [first, first + count) of some samples. Balls stand before those they hold; all that the
-/// ball holds ends before ball `after`. An inner ball has a count of 0.
+/// A node of the tree. Balls are stored in depth-first order: a ball stands before those that it contains.
 struct SampleBall {
-  glm::vec3 center{0};
-  float radius = 0;
-  int first = 0, count = 0;
-  int after = 0;
+  glm::vec3 center{0};  ///< metres
+  float radius = 0;     ///< metres
+  int first = 0;        ///< index of its first point
+  int count = 0;        ///< number of its points; 0 for a ball that contains other balls
+  int after = 0;        ///< index of the first ball behind those that it contains
 };
 
 struct SurfaceSamples {
   std::vector<glm::vec3> point;  ///< metres
-  std::vector<SampleBall> ball;
+  std::vector<SampleBall> ball;  ///< the tree, root first
 };
 
 struct SampleOptions {
-  double along_edges = 0;  ///< metres between points on sharp edges,
-  double elsewhere = 0;    ///< and on the rest of the surface; wider where that makes too many
-  std::size_t most = 4000;
+  double along_edges = 0;         ///< distance between points on sharp edges, metres
+  double elsewhere = 0;           ///< distance between points on the rest of the surface, metres
+  std::size_t max_points = 4000;  ///< the distances grow where there would be more points
 };
 
-/// Vertices, centres of triangles and of sharp edges of a welded mesh, thinned out evenly.
+/// Samples of a welded mesh: its vertices, the centres of its triangles and of its sharp edges, thinned out evenly.
 SurfaceSamples surface_samples(std::span<const glm::dvec3> position, std::span<const glm::uvec3> triangle,
                                SampleOptions options);
 

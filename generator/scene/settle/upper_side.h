@@ -1,4 +1,4 @@
-// What of a dish looks upwards: where pieces can be strewn.
+// The part of a dish that faces upwards: pieces can be scattered on it.
 #pragma once
 
 #include <vector>
@@ -9,22 +9,23 @@
 
 namespace pomona {
 
-/// The triangles of a mesh that look upwards, to draw places on.
+/// The triangles of a mesh that face upwards, for random places on them.
 class UpperSide {
  public:
-  /// \param form of the dish; without one there are none.
+  /// \param form of the dish; without one there are no triangles.
   UpperSide(const TriangleTree& mesh, const MeshDish* form);
   bool empty() const { return area_.empty(); }
 
   struct Spot {
-    glm::dvec3 at, normal;
+    glm::dvec3 at;      ///< metres
+    glm::dvec3 normal;  ///< of the triangle, of length 1
   };
-  /// By three draws from 0 to 1: each share of the area is as likely.
+  /// A point from three random numbers in [0, 1): uniform by area.
   Spot spot(double share, double u, double v) const;
 
  private:
   std::vector<TriangleTree::Corners> corners_;
-  std::vector<double> area_;  ///< of all up to here
+  std::vector<double> area_;  ///< sum of the areas of all triangles up to this one, square metres
 };
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Meshes out of binary glTF 2.0 (.glb).
+// Reads meshes from binary glTF 2.0 (.glb).
 #pragma once
 
 #include <string>
@@ -8,10 +8,9 @@
 
 namespace pomona {
 
-/// Triangles and COLOR_0 of the file's scene, with the transforms of its nodes; materials, pictures, skins and
-/// animations are left alone, and nothing outside the file is opened. `object` is the name of a node or of its mesh;
-/// empty = all.
-/// \throws Error (bad_data) that names the mesh.
+/// Triangles and COLOR_0 of the file's scene, with the transforms of its nodes. Materials, pictures, skins and
+/// animations are ignored; nothing outside the file is opened. `object` is the name of a node or of its mesh; empty =
+/// all. \throws Error (bad_data) that names the mesh.
 PlainMesh parse_glb(std::string_view bytes, const std::string& file, const std::string& object);
 
 }  // namespace pomona

@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// A name is what is left of a header's line: nothing in it may end that line.
+/// The name without line breaks: in a PLY header, a name is the rest of a line.
 inline std::string one_line(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');

@@ -1,4 +1,4 @@
-// A plain mesh from disk, whatever it is written as.
+// Reads a plain mesh from a file of any format.
 #pragma once
 
 #include <filesystem>

@@ -12,7 +12,7 @@ namespace pomona {
 
 std::size_t size_of(PlyType type);
 
-/// The bytes of a PLY file and where one is in them.
+/// Reads the values of a PLY file one after another.
 class PlyReader {
  public:
   /// Reads the header and checks its counts against the bytes that follow.
@@ -21,7 +21,7 @@ class PlyReader {
 
   const PlyHeader& header() const { return header_; }
 
-  /// Names the item whose values come next, for messages.
+  /// Sets the item whose values come next, for messages.
   void start_item(const PlyElement& element, std::uint64_t index);
 
   /// The next value, exact. \throws Error where the file ends early or has no number.

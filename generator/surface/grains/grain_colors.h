@@ -1,4 +1,4 @@
-// Colours that differ from grain to grain.
+// Colour variation from grain to grain.
 #pragma once
 
 #include "generator/base/color.h"
@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// How one grain's colours differ from its sketch's.
+/// The difference of one grain's colours from those of its sketch.
 struct GrainTint {
   double lightness = 0;  ///< added in OKLab
   double hue = 0;        ///< radians, a turn about OKLab's grey axis
@@ -14,8 +14,8 @@ struct GrainTint {
 
 GrainTint drawn_tint(const GrainSketch& sketch, std::uint64_t number, const GrainDraws& draws);
 
-/// The colour with the tint; beyond the gamut its chroma shrinks until it fits. Colours without a tint stay as they
-/// are, bit for bit.
+/// The colour with the tint. Outside the gamut, its chroma is reduced until it fits. Without a tint the colour keeps
+/// its bits.
 Color tinted(const Color& color, const GrainTint& tint);
 
 }  // namespace pomona

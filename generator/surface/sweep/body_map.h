@@ -1,4 +1,4 @@
-// From the straight fruit in the drawing's proportions to the fruit as it is: where every swept point comes to lie.
+// The map from the straight fruit with the proportions of the drawing to the final shape, for every swept point.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace pomona {
 
-/// First the fruit's proportions, then its bend: cross-sections stay plane and perpendicular to the bent axis, which
-/// keeps its length, as in the bend of [Barr 1984] with a curvature that may change along the axis. A smooth one-to-one
-/// map as long as the bend's strain is bearable (bend_strain.h).
+/// Applies the fruit's proportions, then its bend. Cross-sections stay plane and perpendicular to the bent axis; the
+/// axis keeps its length, as in [Barr 1984], but its curvature may change along the axis. The map is smooth and
+/// one-to-one as long as the strain of the bend is small enough (bend_strain.h).
 class BodyMap {
  public:
   explicit BodyMap(const Template& fruit);
@@ -30,8 +30,8 @@ class BodyMap {
   AxisBend bend_;
   bool changes_proportions_ = false, bends_ = false;
   double low_ = 0;                   ///< height of the bottom, metres
-  double half_ = 0;                  ///< half the drawing's height, metres
-  double half_length_ = 0;           ///< of the axis, metres
+  double half_ = 0;                  ///< half of the drawing's height, metres
+  double half_length_ = 0;           ///< half of the axis's length, metres
   glm::dvec2 towards_{1, 0};         ///< x and z of the direction in which the axis bends
   std::vector<glm::dvec2> axis_;     ///< the bent axis at equally many places: towards the direction, and up
   std::vector<glm::dvec2> tangent_;  ///< of the axis there, unit

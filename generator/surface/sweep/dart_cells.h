@@ -1,4 +1,4 @@
-// Which darts lie near a place.
+// A grid of balls, to find the darts near a point.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 
 namespace pomona {
 
-/// Balls in cells of space. Each has a diameter of its own; two of them meet if their centres are nearer than the
-/// mean of their diameters. Balls of like diameter share a level, whose cells are wide enough for what meets one
-/// to lie in a few of them.
+/// Balls in the cells of hashed grids. Each ball has a diameter of its own; two balls meet if their centres are nearer
+/// than the mean of their diameters. Balls of similar diameter share a level, whose cells are so wide that all balls
+/// that meet a given one lie in few cells.
 class DartCells {
  public:
-  /// `width`: the smallest usual diameter.
+  /// \param width the smallest usual diameter, metres.
   explicit DartCells(double width) : width_(width) {}
 
   void add(const glm::dvec3& center, double diameter, std::size_t index) {
@@ -28,7 +28,7 @@ class DartCells {
 
   void clear() { levels_.clear(); }
 
-  /// True if the question is answered with yes for any ball that may meet the given one.
+  /// True if question(ball) is true for any ball that may meet the given one.
   template <typename Question>
   bool any_meets(const glm::dvec3& center, double diameter, const Question& question) const {
     for (std::size_t at = 0; at < levels_.size(); ++at) {
@@ -52,7 +52,7 @@ class DartCells {
     bool operator==(const Cell&) const = default;
   };
 
-  /// Balls a little farther apart are asked about, too: those who ask decide exactly.
+  /// Balls that are a little farther apart are tested, too: the caller decides exactly.
   static constexpr double margin = 1.002;
 
   struct Ball {

@@ -17,13 +17,14 @@ struct Dart : GrainSeat {
   GrainPose pose;
 };
 
-/// About how many grains the targets have room for: the integral of 0.7 density / radius^2, or a little more.
+/// The number of grains for which the targets have room, about: the integral of 0.7 density / radius^2, or a little
+/// more.
 double room_for_grains(const std::vector<GrainTarget>& targets, const GrainSketch& sketch);
 
-/// Candidates spread over the targets by their density are taken one by one; each stays unless an earlier one
-/// that faces the same way (or any, if the sketch says so), or one of `others`, has its centre nearer than the
-/// mean of both spacings; or, if the grains are solid, its ellipsoid in the way.
-/// Uses draws 0 to 5 of each candidate's places. The same for any number of threads.
+/// Dart throwing. Candidates are spread over the targets by density and tested one by one. A candidate is rejected if
+/// an earlier grain that faces the same direction (or any grain, if the sketch says so), or one of `others`, is nearer
+/// than the mean of both spacings; or, if the grains are solid, if their ellipsoids overlap. Uses random numbers 0 to 5
+/// of each candidate. The result is the same for any number of threads.
 std::vector<Dart> thrown_darts(std::vector<GrainTarget> targets, const GrainSketch& sketch, const GrainDraws& draws,
                                Threads threads, std::span<const Dart> others = {});
 

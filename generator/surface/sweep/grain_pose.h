@@ -1,4 +1,4 @@
-// How a grain lies, and how large it is.
+// The pose and the size of a grain.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace pomona {
 
-/// The draws of one kind of grains in one variant; no other kind's depend on them.
+/// The random numbers of one kind of grains in one variant. Other kinds have their own.
 struct GrainDraws {
-  RandomStream places;  ///< eight to each candidate; which stay, and how they lie
-  RandomStream looks;   ///< eight to each candidate: what was added since
-  RandomStream folds;   ///< one to each fold
+  RandomStream places;  ///< eight numbers for each candidate: its position, and its pose
+  RandomStream looks;   ///< eight numbers for each candidate: its appearance
+  RandomStream folds;   ///< one number for each fold
 };
 
 GrainDraws grain_draws(VariantKey key, const std::string& name);
@@ -25,12 +25,12 @@ constexpr std::uint64_t draws_per_candidate = 8;
 /// Where one grain sits.
 struct GrainSeat {
   glm::dvec3 center{0};
-  glm::dvec3 normal{0};      ///< unit, away from the side the grain sits on
-  glm::dvec3 tangent{0};     ///< unit, across the normal, up the vertical curve
-  std::uint64_t number = 0;  ///< of the candidate: what its draws are keyed by
+  glm::dvec3 normal{0};      ///< unit, away from the side on which the grain sits
+  glm::dvec3 tangent{0};     ///< unit, perpendicular to the normal, up along the vertical curve
+  std::uint64_t number = 0;  ///< number of the candidate: it selects the random numbers
 };
 
-/// The grain there: its half axes, and which of the sketch's looks it has.
+/// The pose of a grain: its half axes, and the index of its appearance in the sketch.
 struct GrainPose {
   static constexpr int own_look = -1;
 

@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// A point of a surface as its grains see it.
+/// A point of a surface, with the attributes that grains need.
 struct GrainPlace {
   glm::dvec3 position{0};
   glm::dvec3 normal{0};                     ///< of the front, any length
@@ -23,20 +23,20 @@ GrainPlace blend(const GrainPlace& a, double share_a, const GrainPlace& b, doubl
 /// A triangle where grains may grow, or a piece of one.
 struct GrainTarget {
   std::array<GrainPlace, 3> corner;
-  glm::dvec3 uphill{0};  ///< the way `along` grows
-  double most = 1;       ///< no less than the density at any place
+  glm::dvec3 uphill{0};  ///< the direction in which `along` grows
+  double most = 1;       ///< upper bound of the density in the triangle
 };
 
 double area_of(const GrainTarget& target);
 
-/// The triangles in reach of the sketch's band, in its folds; `random` draws which folds stay empty.
+/// The triangles within the sketch's band, in its folds. `random` decides which folds stay empty.
 std::vector<GrainTarget> grain_targets(std::span<const SweptGrid> grids, const GrainSketch& sketch,
                                        const RandomStream& random);
 
-/// The density at a place of a target, 0..1; 0 outside the sketch's limits, and where it is below 0.01.
+/// The density at a point of a target, 0..1; 0 outside the sketch's limits, and where it would be below 0.01.
 double density_at(const GrainSketch& sketch, const GrainPlace& place);
 
-/// An upper bound for it all over a target.
+/// An upper bound of the density in a target.
 double most_density(const GrainSketch& sketch, const GrainTarget& target);
 
 }  // namespace pomona

@@ -8,14 +8,13 @@
 
 namespace pomona {
 
-/// The mesh where the template puts it: a surface file with its own colours and surfaces, or a plain mesh painted as
-/// the template says, one surface of the mesh's name. Parts are numbered as in the template.
-/// \throws Error (bad_data) with the place in the mesh's file, or that of the mesh in the template's, for what cannot
-/// be read, an object or colours that are not there, and parts the template does not name.
+/// The mesh, placed as in the template. It is a surface file with its own colours and surfaces, or a plain mesh with
+/// the paint of the template, as one surface with the mesh's name. Parts are numbered as in the template. \throws Error
+/// (bad_data) with a place in the mesh's file or in the template, if the file cannot be read, if an object or colours
+/// are missing, or if it has parts that the template does not name.
 DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh);
 
-/// \throws Error (bad_data) at this mesh in the template if with it all its meshes have too many triangles together,
-/// each of which alone may be in order.
+/// \throws Error (bad_data) at this mesh in the template, if the meshes up to this one have too many triangles in all.
 void check_meshes_together(const Template& fruit, const MeshSketch& mesh, std::size_t triangles);
 
 }  // namespace pomona

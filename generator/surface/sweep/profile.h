@@ -1,4 +1,4 @@
-// A vertical curve as the rings of a sweep: where they lie, and at which share of the curve.
+// A vertical curve as the rings of a sweep: their positions, and their shares of the curve.
 #pragma once
 
 #include <vector>
@@ -26,14 +26,14 @@ Profile sampled_profile(const Curve& vertical, int count);
 /// outside as drawn.
 double outward(const Profile& profile);
 
-/// A closed vertical curve parted at its bottom and its top into the arc near the axis and the one away from it,
-/// both running upwards, sampled at the same shares of their lengths (paper, section 4.1, Figure 7c).
+/// A closed vertical curve, divided at its bottom and its top into the arc near the axis and the arc away from it. Both
+/// run upwards and are sampled at the same shares of their lengths (paper, section 4.1, Figure 7c).
 struct ProfileArcs {
   std::vector<glm::dvec2> inner, outer;
   std::vector<double> share;
 };
 
-/// Shares lie closer together towards the ends, where a chamber is blunt.
+/// The samples are denser towards the ends, where a chamber is blunt.
 ProfileArcs sampled_arcs(const Curve& closed_vertical, int count);
 
 }  // namespace pomona

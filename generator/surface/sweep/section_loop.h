@@ -21,7 +21,7 @@ struct SectionLoop {
   std::vector<int> fold;  ///< from 0; 0 where there are none
 };
 
-/// Why a loop cannot be swept; the caller knows whose loop it is.
+/// The reason why a loop cannot be swept. The caller adds which loop it is.
 struct BadLoop : std::runtime_error {
   BadLoop(const std::string& what, std::string remedy) : std::runtime_error(what), hint(std::move(remedy)) {}
   std::string hint;

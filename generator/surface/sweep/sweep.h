@@ -7,10 +7,10 @@
 
 namespace pomona {
 
-/// Sweeps every surface of the template, in order, and paints it; then come its meshes. Blur is not split, and there
-/// are no grains. Connectivity is a function of the template's counts, the number of folds and the detail alone, so all
-/// variants share it.
-/// \throws Error (bad_data) naming template and surface where curves cannot be swept, or there are too many spots.
+/// Sweeps every surface of the template, in order, and paints it; then adds its meshes. Without grains, and before
+/// sheets(). The triangles depend only on the template's counts, the number of folds and the detail, so all variants
+/// have the same. \throws Error (bad_data) naming template and surface where curves cannot be swept, or there are too
+/// many spots.
 DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options = {});
 
 }  // namespace pomona

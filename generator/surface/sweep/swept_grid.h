@@ -1,4 +1,4 @@
-// What a sweep makes of one sketch before colours: vertices that know where on the curves they lie.
+// The swept grid of one sketch, before colours: vertices with their positions on the drawn curves.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,14 @@ double turn_of(double azimuth);
 struct SweptGrid {
   std::vector<glm::dvec3> position;
   std::vector<double> along;   ///< share of the vertical curve
-  std::vector<double> around;  ///< share of the horizontal curve, or of the fold; NaN never, 0 at poles
+  std::vector<double> around;  ///< share of the horizontal curve, or of the fold; 0 at poles, never NaN
   std::vector<std::uint8_t> is_pole;
   std::vector<int> fold;      ///< the fold that begins or goes on here, from 0; 0 where there are none, and at poles
                               ///< around the axis
   std::vector<double> depth;  ///< in folds: 0 on the vertical curve's inner arc, 1 on its outer one; else 1
   std::vector<std::optional<double>> turn;  ///< azimuth as a share of the whole turn; nothing on the axis. May be
                                             ///< empty where it does not matter: in grains
-  int folds_around = 1;                     ///< so many folds meet in it, in a ring
+  int folds_around = 1;                     ///< number of folds around the axis in this grid
   std::vector<glm::uvec3> triangle;         ///< front outside
 };
 
@@ -36,7 +36,7 @@ struct SweptGrid {
 /// \throws Error (bad_data) naming the surface.
 std::vector<SweptGrid> swept_grids(const Template& fruit, const SurfaceSketch& sketch, const SweepOptions& options);
 
-/// How a grid's rings hang together.
+/// How the rings of a grid are connected.
 struct GridShape {
   int around = 0;
   int rings = 0;  ///< poles included

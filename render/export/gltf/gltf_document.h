@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/export/spooled_bytes.h"
+#include "render/export/transaction/spooled_bytes.h"
 
 namespace pomona::gltf {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/export/spooled_bytes.h"
+#include "render/export/transaction/spooled_bytes.h"
 #include "render/export/styled_mesh.h"
 #include "render/export/texture_variant.h"
 

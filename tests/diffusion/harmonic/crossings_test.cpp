@@ -1,4 +1,4 @@
-// Crossings of links with surfaces whose corners lie on nodes, against whole numbers.
+// Crossings of arms with surfaces whose corners lie on nodes, against whole numbers.
 #include "generator/diffusion/harmonic/crossings.h"
 
 #include <map>
@@ -14,20 +14,19 @@
 namespace pomona {
 namespace {
 
-using Link = std::tuple<Node, int>;
+using Arm = std::tuple<Node, int>;
 
-std::vector<LinkCrossing> crossings_of(const DiffusionSurfaces& surfaces, const Lattice& lattice) {
-  return link_crossings(snapped(surfaces, lattice), shapes::all_triangles(surfaces), lattice, 0, lattice.count[2]);
+std::vector<ArmCrossing> crossings_of(const DiffusionSurfaces& surfaces, const Lattice& lattice) {
+  return arm_crossings(snapped(surfaces, lattice), shapes::all_triangles(surfaces), lattice, 0, lattice.count[2]);
 }
 
-/// A link is crossed once if one of its ends is inside and the other is not, else never; which the tie rule decides
+/// An arm is crossed once if one of its ends is inside and the other is not, else never; which the tie rule decides
 /// for nodes on faces, edges and corners.
 TEST(Crossings, AreWhereOneEndIsInside) {
   const Lattice lattice = shapes::whole_lattice();
   for (const std::vector<Corners>& shape : shapes::convex_shapes()) {
-    std::map<Link, std::vector<LinkCrossing>> found;
-    for (const LinkCrossing& c : crossings_of(shapes::surfaces_of(shape), lattice))
-      found[{c.node, c.axis}].push_back(c);
+    std::map<Arm, std::vector<ArmCrossing>> found;
+    for (const ArmCrossing& c : crossings_of(shapes::surfaces_of(shape), lattice)) found[{c.node, c.axis}].push_back(c);
     std::size_t crossed = 0;
     for (const Node& node : shapes::nodes_of(lattice)) {
       const bool here = shapes::holds(shape, shapes::place_of(lattice, node));
@@ -36,9 +35,9 @@ TEST(Crossings, AreWhereOneEndIsInside) {
         const auto& crossings = found[{node, axis}];
         const bool there = shapes::holds(shape, shapes::place_of(lattice, next));
         if (here == there) {
-          // A corner that just touches the link would count twice, once either way.
+          // A corner that just touches the arm would count twice, once either way.
           int sum = 0;
-          for (const LinkCrossing& c : crossings) sum += c.front_ahead ? 1 : -1;
+          for (const ArmCrossing& c : crossings) sum += c.front_ahead ? 1 : -1;
           EXPECT_EQ(sum, 0);
           continue;
         }
@@ -51,14 +50,14 @@ TEST(Crossings, AreWhereOneEndIsInside) {
   }
 }
 
-TEST(Crossings, LieOnTheTriangleAndOnTheLink) {
+TEST(Crossings, LieOnTheTriangleAndOnTheArm) {
   const DiffusionSurfaces ball = shapes::tilted(shapes::sphere(0.7, 4));
   const Lattice lattice = lattice_around(ball, 0.11, 1, 2, glm::dvec3(0.2, 0.5, 0.7));
-  const std::vector<LinkCrossing> found = crossings_of(ball, lattice);
+  const std::vector<ArmCrossing> found = crossings_of(ball, lattice);
   EXPECT_GT(found.size(), 200u);
-  for (const LinkCrossing& c : found) {
-    glm::dvec3 on_link = shapes::place_of(lattice, c.node);
-    on_link[c.axis] += static_cast<double>(c.theta) * lattice.spacing;
+  for (const ArmCrossing& c : found) {
+    glm::dvec3 on_arm = shapes::place_of(lattice, c.node);
+    on_arm[c.axis] += static_cast<double>(c.theta) * lattice.spacing;
     const glm::uvec3& t = ball.triangle[c.triangle];
     glm::dvec3 on_triangle(0);
     for (int k = 0; k < 3; ++k) {
@@ -66,7 +65,7 @@ TEST(Crossings, LieOnTheTriangleAndOnTheLink) {
       EXPECT_GE(weight, 0);
       on_triangle += weight * glm::dvec3(ball.position[t[k]]);
     }
-    EXPECT_LT(glm::distance(on_link, on_triangle), 2e-7);
+    EXPECT_LT(glm::distance(on_arm, on_triangle), 2e-7);
     EXPECT_GE(c.theta, 0);
     EXPECT_LE(c.theta, 1);
     const glm::dvec3 a(ball.position[t.x]), b(ball.position[t.y]), d(ball.position[t.z]);
@@ -75,7 +74,7 @@ TEST(Crossings, LieOnTheTriangleAndOnTheLink) {
 }
 
 /// Triangles whose corners and middles are nodes: where they pass through one, sums of thirds round to either side.
-TEST(Crossings, LieOnTheirLinkEvenWhereItsEndIsInTheTriangle) {
+TEST(Crossings, LieOnTheirArmEvenWhereItsEndIsInTheTriangle) {
   const Lattice lattice{.origin = glm::dvec3(0), .spacing = 1, .count = {64, 64, 64}, .unit_bits = 4};
   const RandomStream random({}, "tests/triangles through nodes");
   std::vector<Corners> triangles(200);
@@ -86,7 +85,7 @@ TEST(Crossings, LieOnTheirLinkEvenWhereItsEndIsInTheTriangle) {
     }
   }
   int at_nodes = 0;
-  for (const LinkCrossing& c : crossings_of(shapes::surfaces_of(triangles), lattice)) {
+  for (const ArmCrossing& c : crossings_of(shapes::surfaces_of(triangles), lattice)) {
     EXPECT_GE(c.theta, 0);
     EXPECT_LE(c.theta, 1);
     at_nodes += c.theta < 1e-9f || c.theta == 1;
@@ -98,17 +97,17 @@ TEST(Crossings, OfSomePlanesAreThoseWithAnEndThere) {
   const DiffusionSurfaces ball = shapes::tilted(shapes::sphere(0.7, 4));
   const Lattice lattice = lattice_around(ball, 0.11, 1, 2, glm::dvec3(0.2, 0.5, 0.7));
   const std::vector<std::uint32_t> all = shapes::all_triangles(ball);
-  const auto same = [](const LinkCrossing& a, const LinkCrossing& b) {
+  const auto same = [](const ArmCrossing& a, const ArmCrossing& b) {
     return std::tie(a.triangle, a.node, a.axis, a.theta) == std::tie(b.triangle, b.node, b.axis, b.theta);
   };
   for (const auto& [first, end] : {std::pair{0, 3}, {3, 8}, {8, lattice.count[2]}}) {
-    std::vector<LinkCrossing> wanted;
-    for (const LinkCrossing& c : crossings_of(ball, lattice)) {
+    std::vector<ArmCrossing> wanted;
+    for (const ArmCrossing& c : crossings_of(ball, lattice)) {
       const bool begins = c.node[2] >= first && c.node[2] < end;
       const bool ends = c.axis == 2 && c.node[2] + 1 >= first && c.node[2] + 1 < end;
       if (begins || ends) wanted.push_back(c);
     }
-    const std::vector<LinkCrossing> found = link_crossings(snapped(ball, lattice), all, lattice, first, end);
+    const std::vector<ArmCrossing> found = arm_crossings(snapped(ball, lattice), all, lattice, first, end);
     ASSERT_EQ(found.size(), wanted.size());
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_TRUE(same(found[i], wanted[i])) << i;
     EXPECT_GT(found.size(), 20u);

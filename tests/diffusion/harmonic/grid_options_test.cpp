@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/diffusion/harmonic/lattice.h"
-#include "generator/diffusion/harmonic/node_runs.h"
+#include "generator/diffusion/harmonic/sparse_blocks.h"
 #include "tests/shapes/shapes.h"
 
 namespace pomona {
@@ -31,23 +31,23 @@ TEST(GridOptions, WorkHarderForBetterQuality) {
   EXPECT_GT(draft.spacing, final.spacing);
   EXPECT_GT(final.spacing, reference.spacing);
   EXPECT_GT(reference.cycles, final.cycles);
-  EXPECT_EQ(draft.bend, 0) << "no patches but around small bodies";
-  EXPECT_EQ(final.bend, 0);
-  EXPECT_GT(reference.bend, 0);
+  EXPECT_EQ(draft.refine_above, 0) << "no patches but around small bodies";
+  EXPECT_EQ(final.refine_above, 0);
+  EXPECT_GT(reference.refine_above, 0);
 }
 
 TEST(GridOptions, TakeWhatIsAskedFor) {
-  const GridOptions options =
-      grid_options(shapes::sphere(1, 3),
-                   {.threads = {3}, .nodes = 20, .cycles = 7, .finer = 1, .bend = 0.25, .shift = {0.1, 0.2, 0.3}});
+  const GridOptions options = grid_options(
+      shapes::sphere(1, 3),
+      {.threads = {3}, .nodes = 20, .cycles = 7, .finer = 1, .refine_above = 0.25, .shift = {0.1, 0.2, 0.3}});
   EXPECT_NEAR(options.spacing, 0.1, 1e-6);
   EXPECT_EQ(options.cycles, 7);
   EXPECT_EQ(options.finer, 1);
-  EXPECT_EQ(options.bend, 0.25);
+  EXPECT_EQ(options.refine_above, 0.25);
   EXPECT_EQ(options.shift, glm::dvec3(0.1, 0.2, 0.3));
   EXPECT_EQ(options.threads.count, 3);
   EXPECT_EQ(grid_options(shapes::sphere(1, 3), {}).finer, 2) << "as needed";
-  EXPECT_EQ(grid_options(shapes::sphere(1, 3), {.quality = Quality::reference, .bend = 0}).bend, 0);
+  EXPECT_EQ(grid_options(shapes::sphere(1, 3), {.quality = Quality::reference, .refine_above = 0}).refine_above, 0);
 }
 
 /// However long or flat the surfaces are, and with the widest margin, a lattice's rows can be stored.
@@ -57,7 +57,7 @@ TEST(GridOptions, StayWithinWhatALatticeCanCount) {
     const GridOptions options = grid_options(thin, {.nodes = 100'000});
     const int margin = static_cast<int>(0.25 / options.spacing);
     const Lattice lattice = lattice_around(thin, options.spacing, margin, 4, glm::dvec3(0.9));
-    for (const int count : lattice.count) EXPECT_LE(count, most_nodes);
+    for (const int count : lattice.count) EXPECT_LE(count, max_nodes);
     EXPECT_GT(1 / options.spacing, 0.99 * most_cells);
   }
 }

@@ -28,24 +28,24 @@ DiffusionSurfaces painted_room() {
   });
 }
 
-bool takes_part(const GridLevel& level, std::size_t node) { return (level.links.open[node] & takes_no_part) == 0; }
+bool takes_part(const GridLevel& level, std::size_t node) { return (level.arms.open[node] & takes_no_part) == 0; }
 
-/// A node's value by those around it: along each axis the second difference over links of different lengths
+/// A node's value by those around it: along each axis the second difference over arms of different lengths
 /// [Shortley & Weller 1938], written out anew.
 class Equations {
  public:
   explicit Equations(const GridLevel& level) : level_(level) {
     std::size_t next = 0;
-    for (std::uint32_t node = 0; node < level.links.open.size(); ++node) {
+    for (std::uint32_t node = 0; node < level.arms.open.size(); ++node) {
       if (!takes_part(level, node)) continue;
-      const bool is_cut = next < level.links.node.size() && level.links.node[next].node == node;
-      equation_.push_back(equation_of(node, is_cut ? &level.links.node[next++] : nullptr));
+      const bool is_cut = next < level.arms.node.size() && level.arms.node[next].node == node;
+      equation_.push_back(equation_of(node, is_cut ? &level.arms.node[next++] : nullptr));
     }
   }
 
   /// Gauss-Seidel in doubles until nothing changes.
   std::vector<glm::dvec4> solution() const {
-    std::vector<glm::dvec4> value(level_.links.open.size(), glm::dvec4(0));
+    std::vector<glm::dvec4> value(level_.arms.open.size(), glm::dvec4(0));
     for (double change = 1; change > 1e-11;) {
       change = 0;
       for (const Equation& e : equation_) {
@@ -74,12 +74,12 @@ class Equations {
   };
 
   Equation equation_of(std::uint32_t node, const CutNode* cut) const {
-    const NodeRun& run = level_.runs[node / 8];
-    const Node at{8 * run.block + static_cast<int>(node % 8), run.y, run.z};
-    std::array<const LinkCut*, 6> ends{};
+    const NodeBlock& block = level_.blocks[node / 8];
+    const Node at{8 * block.column + static_cast<int>(node % 8), block.y, block.z};
+    std::array<const ArmCut*, 6> ends{};
     std::uint32_t next = cut ? cut->first_cut : 0;
     for (std::size_t d = 0; d < 6; ++d) {
-      if (cut && (cut->cut >> d & 1)) ends[d] = &level_.links.cut[next++];
+      if (cut && (cut->cut >> d & 1)) ends[d] = &level_.arms.cut[next++];
     }
     Equation e;
     e.node = node;
@@ -93,7 +93,7 @@ class Equations {
         e.given += weight * glm::dvec4(glm::dvec3(ends[d]->color), 1);
       } else {
         const Node other = shapes::beside(at, static_cast<int>(d));
-        e.other[d] = static_cast<std::size_t>(level_.runs.node_at(other[0], other[1], other[2]));
+        e.other[d] = static_cast<std::size_t>(level_.blocks.node_at(other[0], other[1], other[2]));
         e.weight[d] = weight;
       }
     }
@@ -171,8 +171,8 @@ TEST(Multigrid, ReproducesLinearFields) {
   const DiffusionSurfaces room = fields::painted_with(shapes::tilted(fields::linear_scene()), linear);
   const std::vector<GridLevel> levels = solved(levels_of(room, sixteen_cells()), {.cycles = 12, .threads = {2}});
   for (const Node& node : shapes::nodes_of(levels.front().lattice)) {
-    const std::int32_t number = levels.front().runs.node_at(node[0], node[1], node[2]);
-    if (number == NodeRuns::none || !takes_part(levels.front(), static_cast<std::size_t>(number))) continue;
+    const std::int32_t number = levels.front().blocks.node_at(node[0], node[1], node[2]);
+    if (number == SparseBlocks::none || !takes_part(levels.front(), static_cast<std::size_t>(number))) continue;
     const glm::dvec3 wanted = linear(shapes::place_of(levels.front().lattice, node));
     const Quad& found = levels.front().value[static_cast<std::size_t>(number)];
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], wanted[k], 2e-6);
@@ -204,7 +204,7 @@ TEST(Multigrid, LetsNoColourThroughAWall) {
 }
 
 TEST(Multigrid, IsTheSameForAnyNumberOfThreads) {
-  // More runs than are worth sharing, and then more than stay in a cache.
+  // More blocks than are worth sharing, and then more than stay in a cache.
   for (const auto& [spacing, least_runs] : {std::pair{0.05, 2000u}, {0.05 / 3, 30001u}}) {
     GridOptions options = sixteen_cells();
     options.spacing = spacing;
@@ -236,9 +236,9 @@ TEST(Multigrid, SolvesAPatchTogetherWithWhatIsAroundIt) {
   for (const std::size_t l : {0u, 1u}) {
     const GridLevel& level = levels[l];
     for (const Node& node : shapes::nodes_of(level.lattice)) {
-      const std::int32_t number = level.runs.node_at(node[0], node[1], node[2]);
+      const std::int32_t number = level.blocks.node_at(node[0], node[1], node[2]);
       const glm::dvec3 place = shapes::place_of(level.lattice, node);
-      const bool is_stored = number != NodeRuns::none && takes_part(level, static_cast<std::size_t>(number));
+      const bool is_stored = number != SparseBlocks::none && takes_part(level, static_cast<std::size_t>(number));
       if (!is_stored) continue;
       const glm::dvec3 wanted = linear(place);
       const Quad& found = level.value[static_cast<std::size_t>(number)];

@@ -45,8 +45,8 @@ struct Scene {
 };
 
 bool is_member(const PatchNodes& patch, const Node& node) {
-  const std::int32_t number = patch.runs.node_at(node[0], node[1], node[2]);
-  if (number == NodeRuns::none) return false;
+  const std::int32_t number = patch.blocks.node_at(node[0], node[1], node[2]);
+  if (number == SparseBlocks::none) return false;
   return patch.members[static_cast<std::size_t>(number) / 8] >> number % 8 & 1;
 }
 
@@ -104,7 +104,7 @@ TEST(Patches, KnowAllTrianglesThatMeetThem) {
   const std::vector<std::uint32_t> all = shapes::all_triangles(scene.surfaces);
   const Lattice fine = halved(scene.lattice);
   SnappedSurfaces snapped_fine = pomona::snapped(scene.surfaces, fine);
-  for (const LinkCrossing& c : link_crossings(snapped_fine, all, fine, 0, fine.count[2])) {
+  for (const ArmCrossing& c : arm_crossings(snapped_fine, all, fine, 0, fine.count[2])) {
     if (!is_member(patch, c.node)) continue;
     EXPECT_TRUE(std::binary_search(patch.triangle.begin(), patch.triangle.end(), c.triangle));
   }

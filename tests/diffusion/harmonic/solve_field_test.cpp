@@ -25,8 +25,8 @@ GridOptions options_of(double spacing, int finer = 0) {
 }
 
 bool takes_part(const GridLevel& level, const Node& node) {
-  const std::int32_t number = level.runs.node_at(node[0], node[1], node[2]);
-  return number != NodeRuns::none && (level.links.open[static_cast<std::size_t>(number)] & takes_no_part) == 0;
+  const std::int32_t number = level.blocks.node_at(node[0], node[1], node[2]);
+  return number != SparseBlocks::none && (level.arms.open[static_cast<std::size_t>(number)] & takes_no_part) == 0;
 }
 
 const GridLevel& whole(const PreparedField& field) { return field.levels.front(); }
@@ -72,7 +72,7 @@ TEST(SolveField, HalvesTheGridFourTimes) {
   ASSERT_EQ(field.levels.size(), 5u);
   for (std::size_t l = 1; l < field.levels.size(); ++l) {
     EXPECT_EQ(field.levels[l].lattice.spacing, 2 * field.levels[l - 1].lattice.spacing);
-    EXPECT_EQ(field.levels[l].rhs.size(), field.levels[l].runs.node_count());
+    EXPECT_EQ(field.levels[l].rhs.size(), field.levels[l].blocks.node_count());
   }
   EXPECT_NEAR(whole(field).lattice.spacing, 0.1, 1e-15);
 }
@@ -94,7 +94,7 @@ TEST(SolveField, PutsPatchesAroundSeedsThatAreSmallForTheGrid) {
   // Nodes on a patch's border have their values from what is around it.
   for (const std::size_t l : {0u, 1u}) {
     std::size_t given = 0, own = 0;
-    for (const std::uint8_t open : field.levels[l].links.open) {
+    for (const std::uint8_t open : field.levels[l].arms.open) {
       if (open & takes_no_part) continue;
       (open & is_given ? given : own) += 1;
     }
@@ -120,7 +120,7 @@ TEST(SolveField, PutsPatchesWhereTheSolutionBends) {
   const DiffusionSurfaces balls = shapes::nested_spheres(1, 0.2, 8);
   GridOptions options = options_of(0.06, 2);
   EXPECT_EQ(levels_of(balls, options).patch_count, 0u) << "unless asked";
-  options.bend = 8.0 / 255;
+  options.refine_above = 8.0 / 255;
   const SolvedLevels bent = levels_of(balls, options);
   ASSERT_GT(bent.patch_count, 0u);
   for (std::size_t l = 0; l < bent.patch_count; ++l) {
@@ -133,21 +133,21 @@ TEST(SolveField, PutsPatchesWhereTheSolutionBends) {
     }
     EXPECT_GT(members, 200u);
   }
-  options.bend = 0.6;
+  options.refine_above = 0.6;
   EXPECT_EQ(levels_of(balls, options).patch_count, 0u) << "nothing bends as much as that";
 }
 
 TEST(SolveField, KeepsEachPatchWithinItsNodes) {
   const DiffusionSurfaces balls = shapes::nested_spheres(1, 0.2, 8);
   GridOptions options = options_of(0.06, 2);
-  options.bend = 2.0 / 255;
+  options.refine_above = 2.0 / 255;
   const auto nodes_of_patches = [&](std::size_t most) {
-    options.most_patch_nodes = most;
+    options.max_patch_nodes = most;
     const SolvedLevels levels = levels_of(balls, options);
     std::size_t nodes = 0;
     for (std::size_t l = 0; l < levels.patch_count; ++l) {
-      EXPECT_LE(levels.levels[l].runs.node_count(), most);
-      nodes += levels.levels[l].runs.node_count();
+      EXPECT_LE(levels.levels[l].blocks.node_count(), most);
+      nodes += levels.levels[l].blocks.node_count();
     }
     return nodes;
   };
@@ -164,13 +164,13 @@ double worst_beside_ball(const GridOptions& options) {
   black.front = black.back = Color(0);
   white.front = white.back = Color(1);
   const DiffusionSurfaces balls = shapes::nested_spheres(1, inner, 24, black, white);
-  const FieldLookUp look_up = solved_field(prepared_field(balls, options), options);
+  const FieldSampler sampler = solved_field(prepared_field(balls, options), options);
   double most = 0;
   for (int i = 0; i < 2000; ++i) {
     // Along a spiral that leaves the ball.
     const double r = inner + 0.005 + 0.00014 * i, z = -1 + (i * 37 % 400 + 0.5) / 200, flat = std::sqrt(1 - z * z);
     const glm::dvec3 place = r * glm::dvec3(flat * std::cos(2.4 * i), flat * std::sin(2.4 * i), z);
-    const auto found = look_up.at(glm::vec3(place));
+    const auto found = sampler.at(glm::vec3(place));
     if (!found) return 1.0;
     most = std::max(most, std::fabs(found->color.r - (1 / r - 1) / (1 / inner - 1)));
   }
@@ -180,7 +180,7 @@ double worst_beside_ball(const GridOptions& options) {
 TEST(SolveField, IsNearerToTheTruthWithPatchesWhereItBends) {
   GridOptions options = options_of(0.06, 2);
   const double without = worst_beside_ball(options);
-  options.bend = 4.0 / 255;
+  options.refine_above = 4.0 / 255;
   const double with = worst_beside_ball(options);
   EXPECT_LT(with, 0.5 * without);
   EXPECT_LT(with, 2.5 / 255);
@@ -192,7 +192,7 @@ TEST(SolveField, LosesNothingWherePatchesEndBesideSurfaces) {
   GridOptions options = options_of(0.06, 1);
   const double without = worst_beside_ball(options);
   for (const int bend : {40, 30, 24, 20, 16}) {
-    options.bend = bend / 255.0;
+    options.refine_above = bend / 255.0;
     EXPECT_LT(worst_beside_ball(options), 1.25 * without) << bend;
   }
 }
@@ -201,10 +201,10 @@ TEST(SolveField, ReproducesLinearColours) {
   const DiffusionSurfaces scene = shapes::tilted(fields::linear_scene());
   const auto linear = [](const glm::dvec3& p) { return glm::dvec3(0.5 + 0.2 * p.x, 0.5 - 0.1 * p.y + 0.1 * p.z, 0.4); };
   const DiffusionSurfaces painted = fields::painted_with(scene, linear);
-  const FieldLookUp look_up = solved_field(prepared_field(painted, options_of(0.12)), options_of(0.12));
+  const FieldSampler sampler = solved_field(prepared_field(painted, options_of(0.12)), options_of(0.12));
   for (const glm::vec3& p : fields::points_in_linear_scene()) {
     const glm::vec3 inside = 0.57f * p;
-    const auto found = look_up.at(inside);
+    const auto found = sampler.at(inside);
     ASSERT_TRUE(found && found->side);
     EXPECT_LT(glm::distance(glm::dvec3(found->color), linear(glm::dvec3(inside))), 2e-5);
   }

@@ -56,27 +56,27 @@ std::vector<std::uint32_t> all_triangles(const DiffusionSurfaces& surfaces) {
   return all;
 }
 
-std::vector<std::uint8_t> all_members(const NodeRuns& runs) {
-  std::vector<std::uint8_t> members(runs.size());
-  for (std::size_t r = 0; r < runs.size(); ++r) members[r] = static_cast<std::uint8_t>((1 << runs.inside(r)) - 1);
+std::vector<std::uint8_t> all_members(const SparseBlocks& blocks) {
+  std::vector<std::uint8_t> members(blocks.size());
+  for (std::size_t r = 0; r < blocks.size(); ++r) members[r] = static_cast<std::uint8_t>((1 << blocks.inside(r)) - 1);
   return members;
 }
 
-LinkedShapes::LinkedShapes(const DiffusionSurfaces& all, const Lattice& nodes)
+GriddedShapes::GriddedShapes(const DiffusionSurfaces& all, const Lattice& nodes)
     : surfaces(all),
       lattice(nodes),
-      runs(all_node_runs(lattice.count)),
+      blocks(all_blocks(lattice.count)),
       snapped(pomona::snapped(surfaces, lattice)),
-      finder(snapped, all_triangles(surfaces), lattice, runs, all_members(runs), Threads{1}) {}
+      finder(snapped, all_triangles(surfaces), lattice, blocks, all_members(blocks), Threads{1}) {}
 
-bool LinkedShapes::is_open(const Node& node, int direction) const {
-  return finder.open()[static_cast<std::size_t>(runs.node_at(node[0], node[1], node[2]))] >> direction & 1;
+bool GriddedShapes::is_open(const Node& node, int direction) const {
+  return finder.open()[static_cast<std::size_t>(blocks.node_at(node[0], node[1], node[2]))] >> direction & 1;
 }
 
-CutLinks LinkedShapes::links() const {
-  std::vector<std::uint8_t> beyond = all_members(runs);
+CutArms GriddedShapes::arms() const {
+  std::vector<std::uint8_t> beyond = all_members(blocks);
   for (std::uint8_t& bits : beyond) bits = static_cast<std::uint8_t>(~bits);
-  return finder.links(runs, beyond);
+  return finder.arms(blocks, beyond);
 }
 
 Node beside(Node node, int direction) {
@@ -84,11 +84,11 @@ Node beside(Node node, int direction) {
   return node;
 }
 
-const LinkCut* cut_of(const CutLinks& links, std::uint32_t node, int direction) {
+const ArmCut* cut_of(const CutArms& arms, std::uint32_t node, int direction) {
   const auto found =
-      std::find_if(links.node.begin(), links.node.end(), [&](const CutNode& other) { return other.node == node; });
-  if (found == links.node.end() || (found->cut >> direction & 1) == 0) return nullptr;
-  return &links.cut[found->first_cut + bit_counts[found->cut & ((1u << direction) - 1)]];
+      std::find_if(arms.node.begin(), arms.node.end(), [&](const CutNode& other) { return other.node == node; });
+  if (found == arms.node.end() || (found->cut >> direction & 1) == 0) return nullptr;
+  return &arms.cut[found->first_cut + bit_counts[found->cut & ((1u << direction) - 1)]];
 }
 
 }  // namespace pomona::shapes

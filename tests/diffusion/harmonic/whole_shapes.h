@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/diffusion/harmonic/cut_links.h"
+#include "generator/diffusion/harmonic/cut_arms.h"
 #include "generator/diffusion/harmonic/grid_level.h"
 #include "generator/diffusion/harmonic/lattice.h"
 #include "tests/cut/carve/moved_knife.h"
@@ -26,26 +26,26 @@ bool holds(const std::vector<Corners>& convex, const glm::dvec3& place);
 
 std::vector<std::uint32_t> all_triangles(const DiffusionSurfaces& surfaces);
 
-/// All nodes that lie in the lattice: an entry per run, a bit per node.
-std::vector<std::uint8_t> all_members(const NodeRuns& runs);
+/// All nodes that lie in the lattice: an entry per block, a bit per node.
+std::vector<std::uint8_t> all_members(const SparseBlocks& blocks);
 
-/// A lattice and the links of all its nodes around some surfaces.
-struct LinkedShapes {
-  LinkedShapes(const DiffusionSurfaces& all, const Lattice& nodes);
+/// A lattice and the arms of all its nodes around some surfaces.
+struct GriddedShapes {
+  GriddedShapes(const DiffusionSurfaces& all, const Lattice& nodes);
 
   DiffusionSurfaces surfaces;
   Lattice lattice;
-  NodeRuns runs;
+  SparseBlocks blocks;
   SnappedSurfaces snapped;
-  LinkFinder finder;
+  ArmFinder finder;
 
   bool is_open(const Node& node, int direction) const;
-  CutLinks links() const;
+  CutArms arms() const;
 };
 
 Node beside(Node node, int direction);
 
-/// The cut of a stored node's link; nothing if it is not cut.
-const LinkCut* cut_of(const CutLinks& links, std::uint32_t node, int direction);
+/// The cut of a stored node's arm; nothing if it is not cut.
+const ArmCut* cut_of(const CutArms& arms, std::uint32_t node, int direction);
 
 }  // namespace pomona::shapes

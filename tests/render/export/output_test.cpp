@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "generator/base/error.h"
-#include "render/export/set_record.h"
+#include "render/export/transaction/journal.h"
 #include "tests/base/temporary_folder.h"
 
 namespace pomona {
@@ -126,24 +126,24 @@ TEST_F(Output, KeepsWhatIsPrivatePrivate) {
 }
 
 /// A later run must not act on what others have put where all may write.
-TEST_F(Output, LeavesRecordsAloneThatOthersCanWrite) {
-  SetRecord record;
-  record.members.push_back({"victim", 0, true});
+TEST_F(Output, LeavesJournalsAloneThatOthersCanWrite) {
+  Journal journal;
+  journal.entries.push_back({"victim", 0, true});
   write_whole(folder_ / "victim", "mine");
-  std::ofstream(folder_ / ".pomona-1-0.set", std::ios::binary) << record_bytes(record);
+  std::ofstream(folder_ / ".pomona-1-0.journal", std::ios::binary) << journal_bytes(journal);
   std::ofstream(folder_ / ".pomona-1-0-0.part") << "theirs";
-  fs::permissions(folder_ / ".pomona-1-0.set", fs::perms::all);
+  fs::permissions(folder_ / ".pomona-1-0.journal", fs::perms::all);
   write_whole(folder_ / "a", "new");
   EXPECT_EQ(content("victim"), "mine");
   EXPECT_EQ(content(".pomona-1-0-0.part"), "theirs");
 }
 
 TEST_F(Output, FinishesWhatADeadRunHadDecided) {
-  SetRecord record;
-  record.members = {{"a", 0, true}, {"b", 0, false}};
+  Journal journal;
+  journal.entries = {{"a", 0, true}, {"b", 0, false}};
   write_whole(folder_ / "a", "old");
-  std::ofstream(folder_ / ".pomona-1-0.set", std::ios::binary) << record_bytes(record);
-  fs::permissions(folder_ / ".pomona-1-0.set", fs::perms::owner_read | fs::perms::owner_write);
+  std::ofstream(folder_ / ".pomona-1-0.journal", std::ios::binary) << journal_bytes(journal);
+  fs::permissions(folder_ / ".pomona-1-0.journal", fs::perms::owner_read | fs::perms::owner_write);
   std::ofstream(folder_ / ".pomona-1-0-0.part") << "new a";
   std::ofstream(folder_ / ".pomona-1-0-1.part") << "new b";
   write_whole(folder_ / "c", "new c");
@@ -154,12 +154,12 @@ TEST_F(Output, FinishesWhatADeadRunHadDecided) {
 
 TEST_F(Output, ClearsAwayWhatADeadRunHadNotDecided) {
   write_whole(folder_ / "a", "old");
-  SetRecord record;
-  record.members = {{"a", 0, true}};
-  const std::string whole = record_bytes(record);
+  Journal journal;
+  journal.entries = {{"a", 0, true}};
+  const std::string whole = journal_bytes(journal);
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    std::ofstream(folder_ / ".pomona-1-0.set", std::ios::binary) << whole.substr(0, size);
-    fs::permissions(folder_ / ".pomona-1-0.set", fs::perms::owner_read | fs::perms::owner_write);
+    std::ofstream(folder_ / ".pomona-1-0.journal", std::ios::binary) << whole.substr(0, size);
+    fs::permissions(folder_ / ".pomona-1-0.journal", fs::perms::owner_read | fs::perms::owner_write);
     std::ofstream(folder_ / ".pomona-1-0-0.part") << "new";
     write_whole(folder_ / "c", "new c");
     ASSERT_EQ(content("a"), "old") << "cut off after " << size << " bytes";
@@ -167,23 +167,23 @@ TEST_F(Output, ClearsAwayWhatADeadRunHadNotDecided) {
   }
 }
 
-TEST(SetRecord, ReadsBackWhateverItsNames) {
-  SetRecord record;
-  record.leader = "/tmp/with a\nline/x.set";
-  record.followers = {"/tmp/b.set", "/c"};
-  record.members = {{"a\xff.glb", 17, true}, {"b", 18446744073709551615u, false}};
-  const auto read = parse_record(record_bytes(record) + std::string(undo_mark));
+TEST(Journal, ReadsBackWhateverItsNames) {
+  Journal journal;
+  journal.leader = "/tmp/with a\nline/x.journal";
+  journal.followers = {"/tmp/b.journal", "/c"};
+  journal.entries = {{"a\xff.glb", 17, true}, {"b", 18446744073709551615u, false}};
+  const auto read = parse_journal(journal_bytes(journal) + std::string(rollback_mark));
   ASSERT_TRUE(read.has_value());
-  EXPECT_EQ(record_bytes(*read), record_bytes(record));
-  EXPECT_TRUE(read->undone);
-  EXPECT_FALSE(parse_record(record_bytes(record))->undone);
+  EXPECT_EQ(journal_bytes(*read), journal_bytes(journal));
+  EXPECT_TRUE(read->is_rolled_back);
+  EXPECT_FALSE(parse_journal(journal_bytes(journal))->is_rolled_back);
 }
 
-TEST(SetRecord, LeadsToNoOtherFolder) {
+TEST(Journal, LeadsToNoOtherFolder) {
   for (const char* name : {"../a", "a/b", "..", ".", ""}) {
-    SetRecord record;
-    record.members = {{name, 1, true}};
-    EXPECT_FALSE(parse_record(record_bytes(record)).has_value()) << name;
+    Journal journal;
+    journal.entries = {{name, 1, true}};
+    EXPECT_FALSE(parse_journal(journal_bytes(journal)).has_value()) << name;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "render/export/durable_file.h"
+#include "render/export/transaction/durable_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-// Which bodies are near a place: a hashed grid of their centres.
+// Broad phase: which bodies are near a point. A hashed grid of their centres answers.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,16 @@
 
 namespace pomona {
 
-class NearBodies {
+class BroadPhase {
  public:
-  /// \param cell metres; visit() reaches at least so far.
-  explicit NearBodies(double cell, std::size_t expected = 0);
+  /// \param cell width of a cell, metres; visit() reaches at least this far.
+  /// \param expected number of bodies that will be added, about.
+  explicit BroadPhase(double cell, std::size_t expected = 0);
 
   void add(std::size_t body, const glm::dvec3& center);
 
-  /// Calls visit(body) for all whose centres are within a cell's width along each axis, and for some farther ones.
+  /// Calls visit(body) for every body whose centre is within a cell's width along each axis, and for some that are
+  /// farther away.
   template <typename Visit>
   void visit(const glm::dvec3& center, const Visit& visit) const {
     const glm::i64vec3 cell = cell_of(center);
@@ -36,8 +38,8 @@ class NearBodies {
   glm::i64vec3 cell_of(const glm::dvec3& center) const { return glm::i64vec3(glm::floor(center / width_)); }
   std::size_t bucket(const glm::i64vec3& cell) const;
 
-  double width_;
-  std::vector<std::vector<Entry>> buckets_;  ///< a power of two of them
+  double width_;                             ///< of a cell, metres
+  std::vector<std::vector<Entry>> buckets_;  ///< their number is a power of two
 };
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// The calls by which files come down to the disk, each checked: what write_whole() and batches are made of.
+// Checked system calls for durable writing: files and folders that are on the disk when a call returns.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// A file under way: a descriptor that closes itself.
+/// An open file. It closes itself.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -23,33 +23,33 @@ class Descriptor {
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
 
-  /// Closing may be the first to tell of a full disk.
+  /// Returns false if closing fails: a full disk may be noticed only then.
   bool close();
 
  private:
   int number_;
 };
 
-/// Throws, always: "PATH: error: WHAT: No space left on device".
+/// Always throws an Error: "PATH: error: WHAT: No space left on device".
 /// \param error an errno.
 [[noreturn]] void fail_at(ExitStatus status, const std::filesystem::path& path, const std::string& what, int error);
 
-/// A new file, open for writing; not open, with errno EEXIST, if there is one of this name.
-/// \param meant what messages call it. \param mode permissions, less the process's mask.
-/// \throws Error (cannot_create)
+/// Makes a new file and opens it for writing. The result is not open, with errno EEXIST, if there is a file of this
+/// name. \param meant the path in messages. \param mode permissions, reduced by the process's umask. \throws Error
+/// (cannot_create)
 Descriptor create_file(const std::filesystem::path& path, const std::filesystem::path& meant, unsigned mode = 0666);
 
-/// Whether the name still leads to the file that was opened: another run may have removed it between its opening and
-/// its locking, having finished, or having taken it for a dead run's.
+/// Whether the path still names the file that was opened. Another run may remove the file after it was opened and
+/// before it is locked: at its own end, or because it takes it for that of a dead run.
 bool is_still_there(const Descriptor& file, const std::filesystem::path& path);
 
 /// \throws Error (io_error)
 void write_all(const Descriptor& file, std::string_view bytes, const std::filesystem::path& meant);
 
-/// Waits until the disk has it all, and closes. \throws Error (io_error)
+/// Waits until the file is on the disk, and closes it. \throws Error (io_error)
 void bring_to_disk(Descriptor& file, const std::filesystem::path& meant);
 
-/// The folder's entries must reach the disk, too; a folder that cannot be synced is none of the user's errors.
+/// Brings the names in a folder to the disk. Not every folder can be synced; that is not reported as an error.
 void sync_folder(const std::filesystem::path& folder);
 
 /// \throws Error (cannot_create)

@@ -1,4 +1,4 @@
-#include "generator/diffusion/harmonic/field_look_up.h"
+#include "generator/diffusion/harmonic/field_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ namespace pomona {
 
 namespace {
 
-/// A linear function through values at places around the origin, the nearer the better: least squares with weights
-/// 1 / (d^2 + nearness)^2.
+/// A linear function fitted to values at places around the origin: least squares with weights 1 / (d^2 + nearness)^2,
+/// so that near places count more.
 class LinearFit {
  public:
   void add(const glm::vec3& place, const Quad& value) {
@@ -33,7 +33,7 @@ class LinearFit {
 
   bool is_empty() const { return matrix_[0][0] == 0; }
 
-  /// At the origin. A trace of stiffness keeps slopes that nothing determines at 0.
+  /// The value at the origin. A small stiffness keeps slopes at 0 that no value determines.
   Quad value_here() {
     const float stiffness = 1e-6f * matrix_[0][0];
     for (std::size_t i = 1; i < 4; ++i) matrix_[i][i] += stiffness;
@@ -52,7 +52,7 @@ class LinearFit {
   std::array<Quad, 4> right_{};
 };
 
-/// Nothing where no walk would end on a surface.
+/// The colour of a node's value; nothing where no random walk ends on a surface.
 std::optional<glm::vec3> color_in(const Quad& value) {
   constexpr float never = 1e-6f;
   if (!(value[3] > never)) return std::nullopt;
@@ -63,25 +63,25 @@ Quad quad_of(const Color& color) { return Quad{color.r, color.g, color.b, 1}; }
 
 }  // namespace
 
-/// A point's cell in some grid, and where it lies in it.
-struct FieldLookUp::Spot {
+/// The cell of a point in some grid, and where the point lies in the cell.
+struct FieldSampler::Spot {
   Node cell{};
-  glm::vec3 within{0};                  ///< 0..1
-  glm::vec3 place{0};                   ///< in cells from the origin
-  float scale = 1;                      ///< cells to one of the last grid's
+  glm::vec3 within{0};                  ///< the point's place in the cell, 0..1
+  glm::vec3 place{0};                   ///< the point's distance from the origin, in cells
+  float scale = 1;                      ///< how many cells of this grid make a side of a cell of the last grid
   double spacing = 0;                   ///< metres
-  std::array<const Quad*, 8> corner{};  ///< nothing for those without a value
-  bool is_whole = false;                ///< all eight have one
+  std::array<const Quad*, 8> corner{};  ///< values at the corners; null where there is none
+  bool is_whole = false;                ///< all eight corners have a value
 };
 
-FieldLookUp::FieldLookUp(const SnappedSurfaces& snapped, SolvedGrids solved, CellTriangles triangles)
+FieldSampler::FieldSampler(const SnappedSurfaces& snapped, SolvedGrids solved, CellTriangles triangles)
     : surfaces_(*snapped.surfaces), solved_(std::move(solved)), triangles_(std::move(triangles)) {
   const double unit = 1.0 / static_cast<double>(solved_.grids.back().lattice.units());
   position_.reserve(snapped.position.size());
   for (const auto& p : snapped.position) position_.emplace_back(glm::dvec3(p[0], p[1], p[2]) * unit);
 }
 
-FieldLookUp::Spot FieldLookUp::spot_in(const SolvedGrid& grid, const glm::vec3& point) const {
+FieldSampler::Spot FieldSampler::spot_in(const SolvedGrid& grid, const glm::vec3& point) const {
   // Note the grid's spacing, and how many of its cells make up the side of one of the last grid's.
   Spot spot;
   spot.spacing = grid.lattice.spacing;
@@ -103,17 +103,17 @@ FieldLookUp::Spot FieldLookUp::spot_in(const SolvedGrid& grid, const glm::vec3& 
   spot.is_whole = true;
   for (int k = 0; k < 8; ++k) {
     const std::int32_t node =
-        grid.runs.node_at(spot.cell[0] + (k & 1), spot.cell[1] + (k >> 1 & 1), spot.cell[2] + (k >> 2));
+        grid.blocks.node_at(spot.cell[0] + (k & 1), spot.cell[1] + (k >> 1 & 1), spot.cell[2] + (k >> 2));
     const bool is_member =
-        node != NodeRuns::none &&
-        (grid.members[static_cast<std::size_t>(node) / NodeRuns::length] >> node % NodeRuns::length & 1);
+        node != SparseBlocks::none &&
+        (grid.members[static_cast<std::size_t>(node) / SparseBlocks::length] >> node % SparseBlocks::length & 1);
     if (is_member) spot.corner[static_cast<std::size_t>(k)] = &grid.value[static_cast<std::size_t>(node)];
     spot.is_whole = spot.is_whole && is_member;
   }
   return spot;
 }
 
-std::optional<LookedUp> FieldLookUp::at(const glm::vec3& point) const {
+std::optional<FieldSample> FieldSampler::at(const glm::vec3& point) const {
   const SolvedGrid& whole = solved_.grids.back();
   Spot spot = spot_in(whole, point);
   const Node& count = whole.lattice.count;
@@ -138,14 +138,14 @@ std::optional<LookedUp> FieldLookUp::at(const glm::vec3& point) const {
   return found;
 }
 
-/// Of a cell without surfaces: its one corner with even coordinates is in sight.
-std::optional<std::uint32_t> FieldLookUp::label_near(const Node& cell) const {
+/// The label of a cell without surfaces: that of its one corner with even coordinates, which is visible.
+std::optional<std::uint32_t> FieldSampler::label_near(const Node& cell) const {
   const std::int32_t node = solved_.every_other.node_at((cell[0] + 1) / 2, (cell[1] + 1) / 2, (cell[2] + 1) / 2);
-  if (node == NodeRuns::none || solved_.label[static_cast<std::size_t>(node)] == no_side) return std::nullopt;
+  if (node == SparseBlocks::none || solved_.label[static_cast<std::size_t>(node)] == no_side) return std::nullopt;
   return solved_.label[static_cast<std::size_t>(node)];
 }
 
-std::optional<LookedUp> FieldLookUp::between_nodes(const Spot& spot) const {
+std::optional<FieldSample> FieldSampler::between_nodes(const Spot& spot) const {
   if (!spot.is_whole) return std::nullopt;
   const glm::vec3 f = spot.within;
   Quad sum{};
@@ -155,11 +155,12 @@ std::optional<LookedUp> FieldLookUp::between_nodes(const Spot& spot) const {
   }
   const auto color = color_in(sum);
   if (!color) return std::nullopt;
-  return LookedUp{*color, std::numeric_limits<float>::infinity(), std::nullopt};
+  return FieldSample{*color, std::numeric_limits<float>::infinity(), std::nullopt};
 }
 
-std::optional<LookedUp> FieldLookUp::beside_surfaces(const Spot& spot, std::span<const std::uint32_t> triangles) const {
-  // Look towards the corners, and for the nearest place of all.
+std::optional<FieldSample> FieldSampler::beside_surfaces(const Spot& spot,
+                                                         std::span<const std::uint32_t> triangles) const {
+  // Cast rays to the corners, and find the nearest point of any surface.
   ShortRays rays(-spot.within);
   float nearest = std::numeric_limits<float>::infinity();
   glm::vec3 nearest_weight{0}, nearest_place{0};
@@ -182,7 +183,7 @@ std::optional<LookedUp> FieldLookUp::beside_surfaces(const Spot& spot, std::span
     nearest_height = -glm::dot(seen.a, glm::cross(seen.b - seen.a, seen.c - seen.a));
   }
 
-  // Fit what they see.
+  // Fit a linear function to what the rays hit.
   const auto colors_of = [&](std::uint32_t t, bool front, const glm::vec3& weight) {
     const glm::uvec3& v = surfaces_.triangle[t];
     const std::vector<Color>& color = front ? surfaces_.front_color : surfaces_.back_color;
@@ -197,7 +198,7 @@ std::optional<LookedUp> FieldLookUp::beside_surfaces(const Spot& spot, std::span
       fit.add(towards, *value);
     }
   }
-  LookedUp found;
+  FieldSample found;
   const bool sees_front = nearest_height >= 0;
   if (nearest < std::numeric_limits<float>::infinity()) {
     fit.add(nearest_place, colors_of(nearest_triangle, sees_front, nearest_weight));
@@ -211,10 +212,10 @@ std::optional<LookedUp> FieldLookUp::beside_surfaces(const Spot& spot, std::span
   return found;
 }
 
-std::size_t FieldLookUp::bytes() const {
+std::size_t FieldSampler::bytes() const {
   std::size_t sum = solved_.every_other.bytes() + solved_.label.size() * sizeof(std::uint32_t) + triangles_.bytes() +
                     position_.size() * sizeof(glm::vec3);
-  for (const SolvedGrid& grid : solved_.grids) sum += grid.value.bytes() + grid.runs.bytes() + grid.members.size();
+  for (const SolvedGrid& grid : solved_.grids) sum += grid.value.bytes() + grid.blocks.bytes() + grid.members.size();
   return sum;
 }
 

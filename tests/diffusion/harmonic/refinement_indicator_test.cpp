@@ -1,4 +1,4 @@
-#include "generator/diffusion/harmonic/bends.h"
+#include "generator/diffusion/harmonic/refinement_indicator.h"
 
 #include <algorithm>
 #include <numeric>
@@ -27,20 +27,20 @@ GridLevel solved_grid(const DiffusionSurfaces& surfaces) {
 TEST(Bends, AreNoneWhereColoursAreLinear) {
   const auto linear = [](const glm::dvec3& p) { return glm::dvec3(0.5 + 0.2 * p.x, 0.5 - 0.1 * p.y + 0.1 * p.z, 0.4); };
   const GridLevel grid = solved_grid(fields::painted_with(shapes::tilted(fields::linear_scene()), linear));
-  for (const float bend : bends_of_bricks(grid, 2e-5, {2})) EXPECT_EQ(bend, 0);
+  for (const float indicator : indicator_of_bricks(grid, 2e-5, {2})) EXPECT_EQ(indicator, 0);
 }
 
-/// Around a small ball the field falls like 1 / r: at a node a cell or so away a bend of some h^2 / r^2 times its
+/// Around a small ball the field falls like 1 / r: at a node a cell or so away a indicator of some h^2 / r^2 times its
 /// colour.
 TEST(Bends, LieAroundWhatIsSmall) {
   const GridLevel grid = solved_grid(shapes::nested_spheres(1, 0.2, 8));
-  const std::vector<float> bends = bends_of_bricks(grid, 0.02, {2});
+  const std::vector<float> indicator = indicator_of_bricks(grid, 0.02, {2});
   const Node count = bricks_of(grid.lattice);
   std::size_t bent = 0;
   for (int z = 0; z < count[2]; ++z) {
     for (int y = 0; y < count[1]; ++y) {
       for (int x = 0; x < count[0]; ++x) {
-        if (bends[brick_index({x, y, z}, count)] == 0) continue;
+        if (indicator[brick_index({x, y, z}, count)] == 0) continue;
         ++bent;
         const Node middle{brick[0] * x + brick[0] / 2, brick[1] * y + brick[1] / 2, brick[2] * z + brick[2] / 2};
         EXPECT_LT(glm::length(shapes::place_of(grid.lattice, middle)), 0.7);
@@ -48,12 +48,12 @@ TEST(Bends, LieAroundWhatIsSmall) {
     }
   }
   EXPECT_GT(bent, 10u);
-  EXPECT_EQ(bends, bends_of_bricks(grid, 0.02, {1}));
+  EXPECT_EQ(indicator, indicator_of_bricks(grid, 0.02, {1}));
 }
 
 TEST(Bends, AreTakenFromTheLargestOn) {
-  const std::vector<float> bends = {0, 0.5f, 0.1f, 0.4f, 0, 0.4f, 0.2f};
-  const auto marks = [&](std::size_t most) { return most_bent(bends, most); };
+  const std::vector<float> indicator = {0, 0.5f, 0.1f, 0.4f, 0, 0.4f, 0.2f};
+  const auto marks = [&](std::size_t most) { return bricks_to_refine(indicator, most); };
   using Marks = std::vector<std::uint8_t>;
   EXPECT_EQ(marks(9), (Marks{0, 1, 1, 1, 0, 1, 1}));
   EXPECT_EQ(marks(5), (Marks{0, 1, 1, 1, 0, 1, 1}));

@@ -1,4 +1,4 @@
-#include "render/export/spooled_bytes.h"
+#include "render/export/transaction/spooled_bytes.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Not every file system has files without names: there it has one for a moment.
+/// A file without a name. Where the file system does not support this, the file has a name for a moment.
 Descriptor nameless_file(const fs::path& folder) {
   Descriptor file(::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
   if (file.is_open()) return file;
