@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "generator/base/cross.h"
+#include "generator/mesh/edge_map.h"
 
 namespace pomona {
 
@@ -108,22 +108,19 @@ class ChartTexels {
 
   /// Marks the texels through which an edge runs whose two sides have different colours.
   void find_jumps() {
-    struct Side {
-      std::uint32_t low, high;  // the solid's vertices at the edge's lower and higher place
-    };
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Side> known;
+    EdgeMap<glm::uvec2> known;  // the solid's vertices at the edge's lower and higher place
     const auto differ = [&](std::uint32_t a, std::uint32_t b) {
       const Color d = glm::abs(solid_.color[a] - solid_.color[b]);
       return a != b && std::max({d.r, d.g, d.b}) > least_jump;
     };
     for (std::uint32_t t = 0; t < chart_.corners.size(); ++t) {
       for (int k = 0; k < 3; ++k) {
-        std::uint32_t a = chart_.corners[t][k], b = chart_.corners[t][(k + 1) % 3];
-        Side side{solid_.triangle[chart_.triangles[t]][k], solid_.triangle[chart_.triangles[t]][(k + 1) % 3]};
-        if (a > b) std::swap(a, b), std::swap(side.low, side.high);
-        const auto [entry, is_new] = known.try_emplace({a, b}, side);
-        if (!is_new && (differ(entry->second.low, side.low) || differ(entry->second.high, side.high)))
-          mark_jump(at_[a], at_[b]);
+        const std::uint32_t a = chart_.corners[t][k], b = chart_.corners[t][(k + 1) % 3];
+        const glm::uvec3& own = solid_.triangle[chart_.triangles[t]];
+        const EdgeKey edge(a, b);
+        const glm::uvec2 side = a < b ? glm::uvec2(own[k], own[(k + 1) % 3]) : glm::uvec2(own[(k + 1) % 3], own[k]);
+        const auto [other, is_new] = known.try_emplace(edge, side);
+        if (!is_new && (differ(other.x, side.x) || differ(other.y, side.y))) mark_jump(at_[edge.low], at_[edge.high]);
       }
     }
   }
