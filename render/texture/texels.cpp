@@ -10,6 +10,7 @@
 
 #include "generator/base/cross.h"
 #include "generator/mesh/edge_map.h"
+#include "render/image/triangle_raster.h"
 
 namespace pomona {
 
@@ -27,8 +28,6 @@ glm::dvec3 barycentric(const Corners2& p, const glm::dvec2& q) {
   const double b = cross(q - p[0], p[2] - p[0]) / area, c = cross(p[1] - p[0], q - p[0]) / area;
   return {1 - b - c, b, c};
 }
-
-bool holds(const glm::dvec3& weight) { return weight.x >= 0 && weight.y >= 0 && weight.z >= 0; }
 
 struct NearestPlace {
   glm::dvec3 weight{0};
@@ -79,6 +78,10 @@ class ChartTexels {
     const glm::uvec3& c = chart_.corners[t];
     return {at_[c.x], at_[c.y], at_[c.z]};
   }
+  TriangleRaster<double> raster(std::uint32_t t) const {
+    const Corners2 p = corners(t);
+    return {p[0], p[1], p[2]};
+  }
   std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * size_.x + x; }
 
   /// Calls visit(x, y) for the texels of the window that a box, grown by `margin`, touches.
@@ -97,11 +100,9 @@ class ChartTexels {
 
   void cover_middles() {
     for (std::uint32_t t = 0; t < chart_.corners.size(); ++t) {
-      const Corners2 p = corners(t);
-      if (cross(p[1] - p[0], p[2] - p[0]) == 0) continue;
-      in_box(p, 0, [&](int x, int y) {
+      raster(t).for_covered({0.5, 1, {0, 0, size_.x - 1, size_.y - 1}}, [&](int x, int y, const glm::dvec3&) {
         std::uint32_t& owner = triangle_[index(x, y)];
-        if (owner == unset && holds(barycentric(p, {x + 0.5, y + 0.5}))) owner = t;
+        if (owner == unset) owner = t;
       });
     }
   }
@@ -140,13 +141,11 @@ class ChartTexels {
   void cover_subsamples() {
     sub_triangle_.assign(static_cast<std::size_t>(jumps_) * subsamples, unset);
     for (std::uint32_t t = 0; jumps_ > 0 && t < chart_.corners.size(); ++t) {
-      const Corners2 p = corners(t);
-      if (cross(p[1] - p[0], p[2] - p[0]) == 0) continue;
-      in_box(p, 0, [&](int x, int y) {
+      in_box(corners(t), 0, [&](int x, int y) {
         const std::int32_t number = jump_[index(x, y)];
         for (int k = 0; number >= 0 && k < subsamples; ++k) {
           std::uint32_t& owner = sub_triangle_[static_cast<std::size_t>(number) * subsamples + k];
-          if (owner == unset && holds(barycentric(p, subsample(x, y, k)))) owner = t;
+          if (owner == unset && raster(t).shares(subsample(x, y, k))) owner = t;
         }
       });
     }
