@@ -11,6 +11,7 @@
 
 #include "generator/cut/edge_balance.h"
 #include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/edge_map.h"
 #include "generator/mesh/edges.h"
 #include "generator/mesh/enclosures.h"
 #include "generator/mesh/weld.h"
@@ -21,8 +22,6 @@ namespace {
 
 constexpr std::uint32_t no_shell = 0xffffffffu;
 constexpr double nearly_as_much = 0.95;  // of the largest share: cells that count as equal
-
-using Way = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Per triangle of the surfaces, the shell around a spared part that it belongs to: the smallest welded vertex of it.
 std::vector<std::uint32_t> shells_of(const DiffusionSurfaces& surfaces, std::span<const int> parts) {
@@ -113,15 +112,15 @@ class Sparer {
   }
 
   /// Where shells pass through cut faces.
-  std::set<Way> rims() const {
+  EdgeSet rims() const {
     const SplitMesh& mesh = fruit_.mesh;
-    std::set<Way> all;
+    EdgeSet all;
     for (const auto& [number, shell] : shells_) {
       for (const std::uint32_t t : shell.triangle) {
         const std::array<std::uint32_t, 3>& v = fruit_.surface[t].vertex;
         for (std::size_t i = 0; i < 3; ++i) {
           const std::uint32_t p = point(v[i]), q = point(v[(i + 1) % 3]);
-          if (mesh.planes_of[p] != 0 && mesh.planes_of[q] != 0) all.insert(std::minmax(p, q));
+          if (mesh.planes_of[p] != 0 && mesh.planes_of[q] != 0) all.insert({p, q});
         }
       }
     }
@@ -131,7 +130,7 @@ class Sparer {
   /// Caps that hang together and that no shell parts.
   DisjointSets patches() const {
     const std::vector<Cap>& caps = fruit_.section.cap;
-    const std::set<Way> rim = rims();
+    const EdgeSet rim = rims();
     DisjointSets patch(caps.size());
     std::vector<glm::uvec3> triangles;
     for (const Cap& cap : caps) triangles.emplace_back(cap.point[0], cap.point[1], cap.point[2]);
@@ -214,15 +213,16 @@ class Sparer {
   /// Everywhere but at home: the part's outside for those at home, the socket for those who were there.
   void add_walls(const CutShell& shell, std::vector<SparedWall>& walls) {
     const std::map<std::uint32_t, glm::vec3> normal = normals_of(shell);
-    std::map<Way, std::uint32_t> vertex_of;  // by vertex and side
+    std::map<std::uint32_t, std::uint32_t> outside, socket;  // the walls' vertices
     for (const std::uint32_t t : shell.triangle) {
       const SurfaceTriangle whole = fruit_.surface[t];
       if (whole.cell == shell.home) continue;
       for (const SideOf side : {SideOf::back, SideOf::front}) {
         const bool is_socket = side == SideOf::front;
+        auto& vertex_of = is_socket ? socket : outside;
         SurfaceTriangle wall = whole;
         for (std::uint32_t& v : wall.vertex) {
-          const auto [entry, is_new] = vertex_of.try_emplace({v, is_socket ? 1u : 0u}, 0u);
+          const auto [entry, is_new] = vertex_of.try_emplace(v, 0u);
           if (is_new) entry->second = copy_of(v, is_socket ? -normal.at(point(v)) : normal.at(point(v)));
           v = entry->second;
         }

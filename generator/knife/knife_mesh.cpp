@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <unordered_map>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -10,6 +9,7 @@
 #include "generator/base/error.h"
 #include "generator/knife/crease.h"
 #include "generator/mesh/disjoint_sets.h"
+#include "generator/mesh/edge_map.h"
 #include "generator/mesh/edges.h"
 #include "generator/mesh/weld.h"
 
@@ -20,11 +20,6 @@ namespace {
 using Triangle = KnifeMesh::Triangle;
 
 constexpr std::array<std::size_t, 3> next{1, 2, 0}, after_next{2, 0, 1};
-
-std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
-  const auto [low, high] = std::minmax(a, b);
-  return (std::uint64_t{low} << 32) | high;
-}
 
 glm::dvec3 unit(const glm::dvec3& v) {
   const double size = glm::length(v);
@@ -77,13 +72,12 @@ class MeshBuilder {
   /// Edges at which two triangles meet without a crease. Where more than two meet, the first is paired with each other.
   void find_smooth_edges() {
     for (std::size_t t = 0; t < mesh_.triangle.size(); ++t) normal_.push_back(unit(area_vector(t)));
-    std::unordered_map<std::uint64_t, Side> first_at;
+    EdgeMap<Side> first_at;
     for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
       const auto& c = mesh_.triangle[t].corner;
       for (std::uint32_t i = 0; i < 3; ++i) {
-        const auto [entry, is_new] = first_at.try_emplace(edge_key(c[i], c[next[i]]), Side{t, i});
+        const auto [other, is_new] = first_at.try_emplace({c[i], c[next[i]]}, Side{t, i});
         if (is_new) continue;
-        const Side& other = entry->second;
         if (glm::dot(normal_[t], normal_[other.triangle]) > smooth_cosine) smooth_.push_back({{t, i}, other});
       }
     }
@@ -170,26 +164,26 @@ class Refiner {
   double length(std::uint32_t a, std::uint32_t b) const { return glm::distance(mesh_.point[a], mesh_.point[b]); }
 
   bool is_too_long(std::uint32_t a, std::uint32_t b) {
-    const auto [entry, is_new] = known_.try_emplace(edge_key(a, b), false);
-    if (is_new) entry->second = length(a, b) > 1.4 * size_(0.5 * (mesh_.point[a] + mesh_.point[b]));
-    return entry->second;
+    const auto [too_long, is_new] = known_.try_emplace({a, b}, false);
+    if (is_new) too_long = length(a, b) > 1.4 * size_(0.5 * (mesh_.point[a] + mesh_.point[b]));
+    return too_long;
   }
 
   /// Gives an edge a point in its middle, unless it has one.
   void mark(std::uint32_t a, std::uint32_t b) {
-    const auto [entry, is_new] = middle_of_.try_emplace(edge_key(a, b), static_cast<std::uint32_t>(mesh_.point.size()));
-    if (is_new) mesh_.point.push_back(0.5 * (mesh_.point[a] + mesh_.point[b]));
+    const auto number = static_cast<std::uint32_t>(mesh_.point.size());
+    if (middle_of_.try_emplace({a, b}, number).is_new) mesh_.point.push_back(0.5 * (mesh_.point[a] + mesh_.point[b]));
   }
 
   bool is_marked(const Triangle& t, std::size_t i) const {
-    return middle_of_.contains(edge_key(t.corner[i], t.corner[next[i]]));
+    return middle_of_.contains({t.corner[i], t.corner[next[i]]});
   }
 
   /// The triangle's longest edge. Ties are broken by the edge's ends, so that both triangles at an edge agree.
   std::size_t longest(const Triangle& t) const {
     std::size_t best = 0;
     const auto order = [&](std::size_t i) {
-      return std::pair(length(t.corner[i], t.corner[next[i]]), edge_key(t.corner[i], t.corner[next[i]]));
+      return std::pair(length(t.corner[i], t.corner[next[i]]), EdgeKey(t.corner[i], t.corner[next[i]]));
     };
     for (std::size_t i = 1; i < 3; ++i) {
       if (order(i) > order(best)) best = i;
@@ -227,7 +221,7 @@ class Refiner {
 
     // The new corner's normal is that of the edge's middle.
     const std::size_t j = next[i], k = after_next[i];
-    const std::uint32_t middle = middle_of_.at(edge_key(t.corner[i], t.corner[j]));
+    const std::uint32_t middle = middle_of_.at({t.corner[i], t.corner[j]});
     const glm::dvec3 normal = unit(t.normal[i] + t.normal[j]);
     split({{t.corner[i], middle, t.corner[k]}, {t.normal[i], normal, t.normal[k]}, t.face});
     split({{middle, t.corner[j], t.corner[k]}, {normal, t.normal[j], t.normal[k]}, t.face});
@@ -235,8 +229,8 @@ class Refiner {
 
   KnifeMesh& mesh_;
   const std::function<double(const glm::dvec3&)>& size_;
-  std::unordered_map<std::uint64_t, bool> known_;               // per edge: whether it is too long
-  std::unordered_map<std::uint64_t, std::uint32_t> middle_of_;  // per marked edge: the point in its middle
+  EdgeMap<bool> known_;               // whether it is too long
+  EdgeMap<std::uint32_t> middle_of_;  // per marked edge: the point in its middle
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace pomona {
 
@@ -37,8 +36,8 @@ std::uint32_t LevelSurface::add_vertex(const glm::dvec3& place, const Values& va
 }
 
 std::uint32_t LevelSurface::vertex_between(std::uint32_t a, std::uint32_t b, const Level& level) {
-  const auto [known, is_new] = between_.try_emplace(std::uint64_t{a} << 32 | b, 0);
-  if (!is_new) return known->second;
+  const auto [known, is_new] = between_.try_emplace({a, b}, 0);
+  if (!is_new) return known;
   const std::size_t f = level.function;
   const double crossing = (level.value - values_[a][f]) / (values_[b][f] - values_[a][f]);
   const double share = std::clamp(crossing, least_share, 1 - least_share);
@@ -48,7 +47,7 @@ std::uint32_t LevelSurface::vertex_between(std::uint32_t a, std::uint32_t b, con
     values[i] = within(values_[a][i] + share * way, period_[i]);
   }
   values[f] = level.value;
-  return known->second = add_vertex(place_[a] + share * (place_[b] - place_[a]), values);
+  return known = add_vertex(place_[a] + share * (place_[b] - place_[a]), values);
 }
 
 bool LevelSurface::is_crossed(std::uint32_t a, std::uint32_t b, const Level& level) const {
@@ -61,11 +60,11 @@ bool LevelSurface::is_crossed(std::uint32_t a, std::uint32_t b, const Level& lev
 void LevelSurface::split(std::vector<Tetrahedron>& parts, const Level& level) {
   // Edge by edge in the order of their numbers, so that tetrahedra to both sides of a face split it in the same way.
   // Once all of them have a vertex on the level, no part lies on both sides.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  std::vector<EdgeKey> edges;
   for (const Tetrahedron& t : parts) {
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) {
-        if (is_crossed(t[i], t[j], level)) edges.emplace_back(std::minmax(t[i], t[j]));
+        if (is_crossed(t[i], t[j], level)) edges.emplace_back(t[i], t[j]);
       }
     }
   }

@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "generator/mesh/closed_surface.h"
+#include "generator/mesh/edge_map.h"
 
 namespace pomona {
 
@@ -48,7 +48,7 @@ class LevelSurface {
   Values period_;
   std::vector<glm::dvec3> place_;
   std::vector<Values> values_;
-  std::unordered_map<std::uint64_t, std::uint32_t> between_;  ///< by the ends' numbers; looked up only
+  EdgeMap<std::uint32_t> between_;
   std::vector<glm::uvec3> surface_;
 };
 

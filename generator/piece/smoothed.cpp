@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
-#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
+
+#include "generator/mesh/edge_map.h"
 
 namespace pomona {
 
@@ -25,10 +25,10 @@ class Halving {
   explicit Halving(Solid& solid) : solid_(solid) {}
 
   std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
-    const auto [known, is_new] =
-        middles_.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(solid_.position.size()));
-    if (!is_new) return known->second;
-    const auto [low, high] = std::minmax(a, b);
+    const EdgeKey edge(a, b);
+    const auto [middle, is_new] = middles_.try_emplace(edge, static_cast<std::uint32_t>(solid_.position.size()));
+    if (!is_new) return middle;
+    const auto [low, high] = edge;
     const glm::vec3 p = solid_.position[low], q = solid_.position[high], chord = (p + q) * 0.5f;
     const glm::vec3 m = solid_.normal[low], n = solid_.normal[high], sum = m + n;
     const glm::vec3 round = (onto_plane(chord, p, m) + onto_plane(chord, q, n)) * 0.5f;
@@ -37,12 +37,12 @@ class Halving {
     solid_.normal.push_back(length > 0 ? sum / length : m);
     solid_.color.push_back((solid_.color[low] + solid_.color[high]) * 0.5f);
     solid_.part.push_back(solid_.part[low]);
-    return known->second;
+    return middle;
   }
 
  private:
   Solid& solid_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
+  EdgeMap<std::uint32_t> middles_;
 };
 
 }  // namespace

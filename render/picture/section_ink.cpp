@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/cross.h"
+#include "generator/mesh/edge_map.h"
 #include "generator/mesh/edges.h"
 #include "generator/mesh/weld.h"
 #include "render/picture/chains.h"
@@ -58,20 +59,19 @@ double color_jump(const CrossSection& section, const HalfEdge& x, const HalfEdge
 }
 
 std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::vector<std::uint32_t>& place) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> surface_of;
-  for (const SectionSegment& segment : section.segments) {
-    surface_of.emplace(std::minmax(place[segment.vertex[0]], place[segment.vertex[1]]), segment.surface);
-  }
+  EdgeMap<int> surface_of;
+  for (const SectionSegment& segment : section.segments)
+    surface_of.try_emplace({place[segment.vertex[0]], place[segment.vertex[1]]}, segment.surface);
 
   // An edge with one triangle is the rim; with two, and on a cut segment, it is an inner line.
   std::map<BundleKey, Bundle> bundles;
   for_each_edge(half_edges_of(section, place), [&](std::span<const HalfEdge> edge) {
     const HalfEdge& h = edge.front();
-    const auto segment = surface_of.find({h.low, h.high});
+    const int* surface = surface_of.find({h.low, h.high});
     const bool rim = edge.size() == 1;
     const double opacity = rim ? 1.0 : edge.size() == 2 ? line_opacity(color_jump(section, h, edge[1])) : 0.0;
-    if (!(opacity > 0) || (!rim && segment == surface_of.end())) return;
-    Bundle& bundle = bundles[{h.kind, rim ? -1 : segment->second}];
+    if (!(opacity > 0) || (!rim && !surface)) return;
+    Bundle& bundle = bundles[{h.kind, rim ? -1 : *surface}];
     bundle.links.push_back({h.low, h.high});
     bundle.opacity.push_back(opacity);
     bundle.opposite.push_back(section.triangle[h.triangle][(h.side + 2) % 3]);

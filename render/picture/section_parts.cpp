@@ -5,30 +5,21 @@
 #include <cmath>
 #include <set>
 
+#include "render/image/triangle_raster.h"
+
 namespace pomona {
 
 namespace {
 
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 void mark(const std::array<glm::dvec2, 3>& corner, const std::array<std::int32_t, 3>& part, PartMap& map) {
-  const double whole = turn(corner[0], corner[1], corner[2]);
-  if (whole == 0) return;
-  const auto [left, right] = std::minmax({corner[0].x, corner[1].x, corner[2].x});
-  const auto [top, bottom] = std::minmax({corner[0].y, corner[1].y, corner[2].y});
-  const auto pixel = [](double v, int limit) { return static_cast<int>(std::clamp(std::floor(v), 0.0, limit - 1.0)); };
-  for (int y = pixel(top, map.height); y <= pixel(bottom, map.height); ++y) {
-    for (int x = pixel(left, map.width); x <= pixel(right, map.width); ++x) {
-      const glm::dvec2 p(x + 0.5, y + 0.5);
-      const std::array<double, 3> share{turn(corner[1], corner[2], p) / whole, turn(corner[2], corner[0], p) / whole,
-                                        turn(corner[0], corner[1], p) / whole};
-      if (std::min({share[0], share[1], share[2]}) < 0) continue;
-      const auto most = std::max_element(share.begin(), share.end()) - share.begin();
-      map.part[static_cast<std::size_t>(y) * map.width + x] = part[static_cast<std::size_t>(most)];
-    }
-  }
+  // Each pixel has the part of the corner with the largest share of its middle.
+  const TriangleRaster<double> raster(corner[0], corner[1], corner[2]);
+  const RasterSamples<double> middles{0.5, 1, {0, 0, map.width - 1, map.height - 1}};
+  raster.for_covered(middles, [&](int x, int y, const glm::dvec3& shares) {
+    const std::array<double, 3> share{shares.x / raster.area(), shares.y / raster.area(), shares.z / raster.area()};
+    const auto most = std::max_element(share.begin(), share.end()) - share.begin();
+    map.part[static_cast<std::size_t>(y) * map.width + x] = part[static_cast<std::size_t>(most)];
+  });
 }
 
 /// The pixels along a line.

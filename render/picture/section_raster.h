@@ -1,12 +1,12 @@
-// Triangles to pixels, exactly: integer edge tests on a fixed grid of samples.
+// The triangles of a section to pixels, exactly: in fixed point.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "generator/cut/section/cross_section.h"
+#include "render/image/triangle_raster.h"
 #include "render/picture/section_layout.h"
 #include "render/picture/stroke.h"
 
@@ -23,16 +23,10 @@ struct SectionPixel {
 
 constexpr int section_samples = 16;  ///< 4 x 4 a pixel
 
-struct FixedPoint {
-  std::int64_t x = 0, y = 0;
-};
-
-/// A triangle on the paper, in fixed point, with positive area (y down: clockwise as seen).
+/// A triangle on the paper, in fixed point, clockwise as seen.
 struct PaperTriangle {
-  std::array<FixedPoint, 3> corner{};
-  std::array<glm::dvec3, 3> color{};
-  std::array<std::uint32_t, 3> vertex{};
-  std::int64_t area = 0;  ///< twice the area
+  TriangleRaster<std::int64_t> raster;
+  glm::uvec3 vertex;  ///< of the section
   int face = 0;
 };
 

@@ -1,11 +1,10 @@
 // Which pixels a seen triangle covers: those whose middle lies in it.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
+#include "render/image/triangle_raster.h"
 #include "render/strokes/seen_solid.h"
 
 namespace pomona {
@@ -15,8 +14,7 @@ struct PictureTriangle {
   std::array<glm::dvec3, 3> corner{};  ///< pixels, pixels, nearness (1 / metres)
   double area = 0;                     ///< twice, square pixels; above 0 where it faces the eye, 0 behind the eye
 
-  double low(int axis) const { return std::min({corner[0][axis], corner[1][axis], corner[2][axis]}); }
-  double high(int axis) const { return std::max({corner[0][axis], corner[1][axis], corner[2][axis]}); }
+  TriangleRaster<double> raster() const { return {corner[0], corner[1], corner[2]}; }
 
   /// Of a closed solid, what faces away is behind something else.
   bool can_be_seen(bool closed) const { return closed ? area > 0 : area != 0; }
@@ -41,47 +39,18 @@ inline PictureTriangle picture_triangle(const Solid& solid, const SeenSolid& see
   return picture_triangle({seen.vertex[corner.x], seen.vertex[corner.y], seen.vertex[corner.z]});
 }
 
-/// First and last pixel, of those from `least` to `most`, whose middle lies in [low, high].
-struct PixelSpan {
-  int first = 0, last = -1;
-  PixelSpan(double low, double high, int least, int most)
-      : first(static_cast<int>(std::clamp(std::ceil(low - 0.5), static_cast<double>(least), most + 1.0))),
-        last(static_cast<int>(std::clamp(std::floor(high - 0.5), least - 1.0, static_cast<double>(most)))) {}
-};
-
-/// Columns and rows of a picture, both ends included.
-struct PixelBox {
-  int left = 0, top = 0, right = -1, bottom = -1;
-
-  bool empty() const { return right < left || bottom < top; }
-  int width() const { return empty() ? 0 : right - left + 1; }
-  int height() const { return empty() ? 0 : bottom - top + 1; }
-};
+/// The middles of a picture's pixels.
+inline RasterSamples<double> pixel_middles(const PixelBox& box) { return {0.5, 1, box}; }
 
 /// Calls visit(x, y, nearness) for each pixel of the box whose middle the triangle covers, edges included.
 template <typename Visit>
-void for_covered_pixels(const PictureTriangle& t, const PixelBox& box, Visit&& visit) {
-  const PixelSpan columns(t.low(0), t.high(0), box.left, box.right);
-  const PixelSpan rows(t.low(1), t.high(1), box.top, box.bottom);
-  const double turn = t.area > 0 ? 1 : -1;  // the way round it is seen
-  for (int y = rows.first; y <= rows.last; ++y) {
-    for (int x = columns.first; x <= columns.last; ++x) {
-      // A pixel is inside if its middle lies on the inner side of all three edges.
-      const double px = x + 0.5, py = y + 0.5;
-      std::array<double, 3> share{};
-      bool inside = true;
-      for (int i = 0; i < 3; ++i) {
-        const glm::dvec3 &a = t.corner[(i + 1) % 3], &b = t.corner[(i + 2) % 3];
-        share[i] = turn * ((px - a.x) * (b.y - a.y) - (b.x - a.x) * (py - a.y));
-        inside = inside && share[i] >= 0;
-      }
-      if (!inside) continue;
-
-      // Nearness is linear on the picture.
-      const double sum = share[0] * t.corner[0].z + share[1] * t.corner[1].z + share[2] * t.corner[2].z;
-      visit(x, y, sum / (turn * t.area));
-    }
-  }
+void for_covered_pixels(const PictureTriangle& t, const PixelBox& box, const Visit& visit) {
+  // Nearness is linear on the picture.
+  const TriangleRaster<double> raster = t.raster();
+  raster.for_covered(pixel_middles(box), [&](int x, int y, const glm::dvec3& share) {
+    const double sum = share.x * t.corner[0].z + share.y * t.corner[1].z + share.z * t.corner[2].z;
+    visit(x, y, sum / raster.area());
+  });
 }
 
 }  // namespace pomona

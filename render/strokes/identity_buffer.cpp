@@ -21,15 +21,15 @@ std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std
                                                          std::span<const SeenSolid> seen,
                                                          const IdentityBuffer& buffer) {
   std::vector<std::vector<TriangleName>> bands((buffer.height + band_rows - 1) / band_rows);
+  const RasterSamples<double> all = pixel_middles({0, 0, buffer.width - 1, buffer.height - 1});
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const Solid& solid = scene.solids[scene.instances[first + i].solid];
     for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
       const PictureTriangle triangle = picture_triangle(solid, seen[i], t);
       if (!triangle.can_be_seen(solid.closed)) continue;
-      const PixelSpan columns(triangle.low(0), triangle.high(0), 0, buffer.width - 1);
-      const PixelSpan rows(triangle.low(1), triangle.high(1), 0, buffer.height - 1);
-      if (columns.first > columns.last || rows.first > rows.last) continue;
-      for (int band = rows.first / band_rows; band <= rows.last / band_rows; ++band)
+      const PixelBox box = triangle.raster().box(all);
+      if (box.empty()) continue;
+      for (int band = box.top / band_rows; band <= box.bottom / band_rows; ++band)
         bands[band].push_back({static_cast<std::uint32_t>(first + i), t});
     }
   }

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/mesh/edge_map.h"
 #include "render/picture/chains.h"
 
 namespace pomona {
@@ -44,10 +45,8 @@ class ObjectLineFinder {
   LineBundle sharp(LineKind kind) const;
 
  private:
-  /// An edge of a triangle that the contour crosses, by its smooth vertices.
-  using Crossing = std::pair<std::uint32_t, std::uint32_t>;
   bool front(std::uint32_t v) const { return seen_.facing[v] >= 0; }
-  std::vector<std::pair<Crossing, Crossing>> contour_pieces() const;
+  std::vector<std::pair<EdgeKey, EdgeKey>> contour_pieces() const;
   LinePoint point(const glm::dvec3& own, const glm::dvec3& away, const glm::dvec3& face) const;
   glm::dvec3 face_normal(std::uint32_t triangle) const;
   bool faces_eye(std::uint32_t triangle) const;
@@ -83,19 +82,19 @@ bool ObjectLineFinder::faces_eye(std::uint32_t triangle) const {
   return glm::dot(face_normal(triangle), lens_.eye() - at) >= 0;
 }
 
-std::vector<std::pair<ObjectLineFinder::Crossing, ObjectLineFinder::Crossing>> ObjectLineFinder::contour_pieces()
-    const {
-  std::vector<std::pair<Crossing, Crossing>> pieces;
+/// In each triangle that the contour crosses, from which of its edges to which, by their smooth vertices.
+std::vector<std::pair<EdgeKey, EdgeKey>> ObjectLineFinder::contour_pieces() const {
+  std::vector<std::pair<EdgeKey, EdgeKey>> pieces;
   for (std::size_t i = 0; i < solid_.triangle.size(); ++i) {
     const glm::uvec3& t = solid_.triangle[i];
     const auto& normal = solid_.normal;
     if (solid_.cut_face[i] >= 0 && normal[t.x] == normal[t.y] && normal[t.y] == normal[t.z]) continue;  // flat
     const std::array<bool, 3> turned{front(t.x), front(t.y), front(t.z)};
     if (turned[0] == turned[1] && turned[1] == turned[2]) continue;
-    std::vector<Crossing> crossed;
+    std::vector<EdgeKey> crossed;
     for (int k = 0; k < 3; ++k) {
       if (turned[k] == turned[(k + 1) % 3]) continue;
-      crossed.push_back(std::minmax(edges_.smooth[t[k]], edges_.smooth[t[(k + 1) % 3]]));
+      crossed.emplace_back(edges_.smooth[t[k]], edges_.smooth[t[(k + 1) % 3]]);
     }
     if (crossed.size() == 2 && crossed[0] != crossed[1]) pieces.emplace_back(crossed[0], crossed[1]);
   }
@@ -104,9 +103,9 @@ std::vector<std::pair<ObjectLineFinder::Crossing, ObjectLineFinder::Crossing>> O
 
 LineBundle ObjectLineFinder::contours() const {
   const auto pieces = contour_pieces();
-  std::vector<Crossing> all;
+  std::vector<EdgeKey> all;
   for (const auto& [a, b] : pieces) all.insert(all.end(), {a, b});
-  const Numbering<Crossing> crossings(std::move(all));
+  const Numbering<EdgeKey> crossings(std::move(all));
 
   LineBundle bundle;
   for (const auto& [v, w] : crossings.keys()) {

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "generator/mesh/edges.h"
+#include "generator/mesh/weld.h"
 
 namespace pomona {
 
@@ -25,25 +27,6 @@ std::uint64_t cell_key(const glm::i64vec3& cell) {
 }
 
 glm::i64vec3 rim_cell(const glm::dvec3& p) { return {glm::floor(p / FaceRelief::reach)}; }
-
-/// Vertices at one place have one number.
-std::vector<std::uint32_t> welded_numbers(const Solid& solid) {
-  std::map<std::tuple<float, float, float>, std::uint32_t> known;
-  std::vector<std::uint32_t> number;
-  number.reserve(solid.position.size());
-  for (const glm::vec3& p : solid.position)
-    number.push_back(known.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(known.size())).first->second);
-  return number;
-}
-
-/// A triangle's edge, by its group and where it lies.
-struct GroupEdge {
-  std::int32_t group = 0;
-  std::uint32_t low = 0, high = 0;
-  std::uint32_t triangle = 0;
-  int corner = 0;
-  std::tuple<std::int32_t, std::uint32_t, std::uint32_t> place() const { return {group, low, high}; }
-};
 
 /// The height's profile: of the relief, and by how much it grows per way of 2 |relief|.
 struct ReliefProfile {
@@ -85,30 +68,21 @@ void FaceRelief::group_triangles() {
 
 /// Edges of a group's triangles that no other triangle of the group has.
 void FaceRelief::find_borders() {
-  const std::vector<std::uint32_t> number = welded_numbers(solid_);
-  std::vector<GroupEdge> edges;
-  for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
-    for (int k = 0; group_of_[t] >= 0 && k < 3; ++k) {
-      const std::uint32_t a = number[solid_.triangle[t][k]], b = number[solid_.triangle[t][(k + 1) % 3]];
-      edges.push_back({group_of_[t], std::min(a, b), std::max(a, b), t, k});
-    }
-  }
-  const auto by_place = [](const GroupEdge& a, const GroupEdge& b) { return a.place() < b.place(); };
-  std::stable_sort(edges.begin(), edges.end(), by_place);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const bool like_last = i > 0 && edges[i - 1].place() == edges[i].place();
-    const bool like_next = i + 1 < edges.size() && edges[i + 1].place() == edges[i].place();
-    if (like_last || like_next) continue;
-    const glm::uvec3& t = solid_.triangle[edges[i].triangle];
-    const int k = edges[i].corner;
+  const std::vector<glm::uvec3> triangles = welded_triangles(weld(solid_.position), solid_.triangle);
+  const HalfEdgeOptions by_group{.kind = group_of_, .of_collapsed = true};
+  for_each_edge(sorted_half_edges(triangles, by_group), [&](std::span<const HalfEdge> edge) {
+    const HalfEdge& side = edge.front();
+    if (edge.size() > 1 || side.kind < 0) return;
+    const glm::uvec3& t = solid_.triangle[side.triangle];
+    const int k = side.side;
     const glm::dvec3 a(solid_.position[t[k]]), b(solid_.position[t[(k + 1) % 3]]), c(solid_.position[t[(k + 2) % 3]]);
     const glm::dvec3 along = b - a;
     const double squared = glm::dot(along, along);
-    if (squared == 0) continue;
+    if (squared == 0) return;
     const glm::dvec3 across = c - a - along * (glm::dot(c - a, along) / squared);
     const double width = std::sqrt(glm::dot(across, across));
-    if (width > 0) add(groups_[static_cast<std::size_t>(edges[i].group)], {a, b, across / width});
-  }
+    if (width > 0) add(groups_[static_cast<std::size_t>(side.kind)], {a, b, across / width});
+  });
 }
 
 void FaceRelief::add(Group& group, const Segment& segment) {

@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "generator/mesh/edge_map.h"
 #include "render/picture/section_strokes.h"
 
 namespace pomona {
@@ -21,8 +22,7 @@ CrossSection section_of(const Solid& solid, const Chart& chart) {
   CrossSection section;
   section.faces.resize(1);
   std::map<std::uint32_t, std::uint32_t> number_of;
-  using Ends = std::pair<std::uint32_t, std::uint32_t>;
-  std::map<Ends, Ends> edges;
+  EdgeMap<glm::uvec2> edges;                        // the section's vertices at the lower and higher place
   std::map<std::uint32_t, std::uint32_t> first_at;  // a vertex of the section at each place of the chart
   for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
     glm::uvec3 t(0);
@@ -41,11 +41,10 @@ CrossSection section_of(const Solid& solid, const Chart& chart) {
     section.cut.push_back(0);
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t a = chart.corners[i][k], b = chart.corners[i][(k + 1) % 3];
-      Ends vertices{t[k], t[(k + 1) % 3]};
-      if (a > b) std::swap(vertices.first, vertices.second);
-      const auto [entry, is_new] = edges.try_emplace(std::minmax(a, b), vertices);
-      if (!is_new && entry->second != vertices)
-        section.segments.push_back({{vertices.first, vertices.second}, 0, false});
+      glm::uvec2 vertices(t[k], t[(k + 1) % 3]);
+      if (a > b) std::swap(vertices.x, vertices.y);
+      const auto [first, is_new] = edges.try_emplace({a, b}, vertices);
+      if (!is_new && first != vertices) section.segments.push_back({{vertices.x, vertices.y}, 0, false});
     }
   }
 

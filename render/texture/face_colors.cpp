@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "generator/mesh/edge_map.h"
 #include "generator/mesh/edges.h"
 #include "generator/mesh/weld.h"
 
@@ -187,9 +188,7 @@ class Parting {
 
   /// The edge, new or known. \param foretold the colour of its middle, if it is new
   Edge& lay(std::uint32_t a, std::uint32_t b, const Color& foretold, bool in_surface) {
-    const std::uint64_t key = (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
-    const auto [entry, is_new] = edge_.try_emplace(key);
-    Edge& edge = entry->second;
+    const auto [edge, is_new] = edge_.try_emplace({a, b});
     if (!is_new) return edge;
     edge.in_surface = in_surface;
     const Color mean = 0.5f * (result_.color[a] + result_.color[b]);
@@ -265,7 +264,7 @@ class Parting {
   std::uint32_t corners_ = 0;           // nodes that are vertices of the solid
   std::vector<glm::vec3> position_;     // per node, like the colours of the result
   std::vector<std::uint8_t> at_end_;    // per node: where surfaces end or branch
-  std::unordered_map<std::uint64_t, Edge> edge_;
+  EdgeMap<Edge> edge_;
   std::vector<Pending> pending_;
   std::vector<std::uint32_t> open_;
 };

@@ -4,12 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "generator/base/cross.h"
+#include "generator/mesh/edge_map.h"
+#include "render/image/triangle_raster.h"
 
 namespace pomona {
 
@@ -27,8 +28,6 @@ glm::dvec3 barycentric(const Corners2& p, const glm::dvec2& q) {
   const double b = cross(q - p[0], p[2] - p[0]) / area, c = cross(p[1] - p[0], q - p[0]) / area;
   return {1 - b - c, b, c};
 }
-
-bool holds(const glm::dvec3& weight) { return weight.x >= 0 && weight.y >= 0 && weight.z >= 0; }
 
 struct NearestPlace {
   glm::dvec3 weight{0};
@@ -79,6 +78,10 @@ class ChartTexels {
     const glm::uvec3& c = chart_.corners[t];
     return {at_[c.x], at_[c.y], at_[c.z]};
   }
+  TriangleRaster<double> raster(std::uint32_t t) const {
+    const Corners2 p = corners(t);
+    return {p[0], p[1], p[2]};
+  }
   std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * size_.x + x; }
 
   /// Calls visit(x, y) for the texels of the window that a box, grown by `margin`, touches.
@@ -97,33 +100,28 @@ class ChartTexels {
 
   void cover_middles() {
     for (std::uint32_t t = 0; t < chart_.corners.size(); ++t) {
-      const Corners2 p = corners(t);
-      if (cross(p[1] - p[0], p[2] - p[0]) == 0) continue;
-      in_box(p, 0, [&](int x, int y) {
+      raster(t).for_covered({0.5, 1, {0, 0, size_.x - 1, size_.y - 1}}, [&](int x, int y, const glm::dvec3&) {
         std::uint32_t& owner = triangle_[index(x, y)];
-        if (owner == unset && holds(barycentric(p, {x + 0.5, y + 0.5}))) owner = t;
+        if (owner == unset) owner = t;
       });
     }
   }
 
   /// Marks the texels through which an edge runs whose two sides have different colours.
   void find_jumps() {
-    struct Side {
-      std::uint32_t low, high;  // the solid's vertices at the edge's lower and higher place
-    };
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Side> known;
+    EdgeMap<glm::uvec2> known;  // the solid's vertices at the edge's lower and higher place
     const auto differ = [&](std::uint32_t a, std::uint32_t b) {
       const Color d = glm::abs(solid_.color[a] - solid_.color[b]);
       return a != b && std::max({d.r, d.g, d.b}) > least_jump;
     };
     for (std::uint32_t t = 0; t < chart_.corners.size(); ++t) {
       for (int k = 0; k < 3; ++k) {
-        std::uint32_t a = chart_.corners[t][k], b = chart_.corners[t][(k + 1) % 3];
-        Side side{solid_.triangle[chart_.triangles[t]][k], solid_.triangle[chart_.triangles[t]][(k + 1) % 3]};
-        if (a > b) std::swap(a, b), std::swap(side.low, side.high);
-        const auto [entry, is_new] = known.try_emplace({a, b}, side);
-        if (!is_new && (differ(entry->second.low, side.low) || differ(entry->second.high, side.high)))
-          mark_jump(at_[a], at_[b]);
+        const std::uint32_t a = chart_.corners[t][k], b = chart_.corners[t][(k + 1) % 3];
+        const glm::uvec3& own = solid_.triangle[chart_.triangles[t]];
+        const EdgeKey edge(a, b);
+        const glm::uvec2 side = a < b ? glm::uvec2(own[k], own[(k + 1) % 3]) : glm::uvec2(own[(k + 1) % 3], own[k]);
+        const auto [other, is_new] = known.try_emplace(edge, side);
+        if (!is_new && (differ(other.x, side.x) || differ(other.y, side.y))) mark_jump(at_[edge.low], at_[edge.high]);
       }
     }
   }
@@ -143,13 +141,11 @@ class ChartTexels {
   void cover_subsamples() {
     sub_triangle_.assign(static_cast<std::size_t>(jumps_) * subsamples, unset);
     for (std::uint32_t t = 0; jumps_ > 0 && t < chart_.corners.size(); ++t) {
-      const Corners2 p = corners(t);
-      if (cross(p[1] - p[0], p[2] - p[0]) == 0) continue;
-      in_box(p, 0, [&](int x, int y) {
+      in_box(corners(t), 0, [&](int x, int y) {
         const std::int32_t number = jump_[index(x, y)];
         for (int k = 0; number >= 0 && k < subsamples; ++k) {
           std::uint32_t& owner = sub_triangle_[static_cast<std::size_t>(number) * subsamples + k];
-          if (owner == unset && holds(barycentric(p, subsample(x, y, k)))) owner = t;
+          if (owner == unset && raster(t).shares(subsample(x, y, k))) owner = t;
         }
       });
     }

@@ -14,11 +14,10 @@ PixelBox box_of(const Solid& solid, const SeenSolid& seen, int width, int height
   for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
     const PictureTriangle triangle = picture_triangle(solid, seen, t);
     if (!triangle.can_be_seen(solid.closed)) continue;
-    const PixelSpan columns(triangle.low(0), triangle.high(0), 0, width - 1);
-    const PixelSpan rows(triangle.low(1), triangle.high(1), 0, height - 1);
-    if (columns.first > columns.last || rows.first > rows.last) continue;
-    box = {std::min(box.left, columns.first), std::min(box.top, rows.first), std::max(box.right, columns.last),
-           std::max(box.bottom, rows.last)};
+    const PixelBox own = triangle.raster().box(pixel_middles({0, 0, width - 1, height - 1}));
+    if (own.empty()) continue;
+    box = {std::min(box.left, own.left), std::min(box.top, own.top), std::max(box.right, own.right),
+           std::max(box.bottom, own.bottom)};
   }
   return box;
 }

@@ -1,10 +1,10 @@
 #include "generator/cut/carve/arrangement.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "generator/base/error.h"
 #include "generator/cut/carve/meetings.h"
+#include "generator/mesh/edge_map.h"
 
 namespace pomona {
 
@@ -29,17 +29,17 @@ class Arranger {
 
  private:
   void take(std::span<const PlaceTriangle> triangles) {
-    std::unordered_map<std::uint64_t, std::uint32_t> edge_of;
+    EdgeMap<std::uint32_t> edge_of;
     for (const PlaceTriangle& t : triangles) {
       Arrangement::Facet facet;
       facet.corner = t;
       facet.mesh.triangle = {t};
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
-        const auto [entry, is_new] = edge_of.try_emplace((std::uint64_t{low} << 32) | high, all_.edge.size());
-        if (is_new) all_.edge.push_back({low, high, {}, {}, {}});
-        facet.edge[i] = entry->second;
-        all_.edge[entry->second].facets.push_back(static_cast<std::uint32_t>(all_.facet.size()));
+        const EdgeKey ends(t[i], t[(i + 1) % 3]);
+        const auto [edge, is_new] = edge_of.try_emplace(ends, all_.edge.size());
+        if (is_new) all_.edge.push_back({ends.low, ends.high, {}, {}, {}});
+        facet.edge[i] = edge;
+        all_.edge[edge].facets.push_back(static_cast<std::uint32_t>(all_.facet.size()));
       }
       all_.facet.push_back(std::move(facet));
     }
@@ -72,15 +72,15 @@ class Arranger {
   /// the knife, along the knife's where the edge enters the back of the fruit's.
   std::uint32_t place_of(const Crossing& crossing, std::uint32_t fruit, std::uint32_t knife, bool is_begin) {
     const Arrangement::Facet& own = all_.facet[crossing.of_fruit ? fruit : knife];
-    const std::uint32_t edge_number = own.edge[crossing.edge], through = crossing.of_fruit ? knife : fruit;
-    Arrangement::Edge& edge = all_.edge[edge_number];
-    const auto [entry, is_new] = crossing_at_.try_emplace((std::uint64_t{edge_number} << 32) | through, 0u);
-    if (!is_new) return entry->second;
-    entry->second = places_.meeting(edge.low, edge.high, all_.facet[through].corner);
+    const std::uint32_t through = crossing.of_fruit ? knife : fruit;
+    Arrangement::Edge& edge = all_.edge[own.edge[crossing.edge]];
+    for (const Arrangement::Crossing& known : edge.crossings)
+      if (known.facet == through) return known.place;
+    const std::uint32_t place = places_.meeting(edge.low, edge.high, all_.facet[through].corner);
     const bool to_back = is_begin != crossing.of_fruit, forward = own.corner[crossing.edge] == edge.low;
-    edge.crossings.push_back({entry->second, through, to_back == forward ? 1 : -1});
-    add_to(edge, entry->second);
-    return entry->second;
+    edge.crossings.push_back({place, through, to_back == forward ? 1 : -1});
+    add_to(edge, place);
+    return place;
   }
 
   static bool has(const std::vector<std::uint32_t>& places, std::uint32_t place) {
@@ -156,8 +156,7 @@ class Arranger {
 
   ExactPlaces& places_;
   Arrangement all_;
-  std::unordered_map<std::uint64_t, std::uint32_t> crossing_at_;  // edge and facet -> place
-  std::vector<std::uint8_t> waits_;                               // per facet
+  std::vector<std::uint8_t> waits_;  // per facet
 };
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -11,13 +9,12 @@
 #include <glm/geometric.hpp>
 
 #include "generator/cut/carve/facet_normals.h"
+#include "generator/mesh/edge_map.h"
 #include "generator/mesh/edges.h"
 
 namespace pomona {
 
 namespace {
-
-using Way = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Triangle by triangle of the knife.
 class KnifeFaceBuilder {
@@ -30,7 +27,7 @@ class KnifeFaceBuilder {
   Face build() {
     for (std::size_t t = 0; t < knife_.mesh.triangle.size(); ++t) take(t);
     take_segments();
-    for (const KnifeEdge& edge : traces_.edges) constrained_.insert(way_of(edge.from, edge.to));
+    for (const KnifeEdge& edge : traces_.edges) constrained_.insert({edge.from, edge.to});
     find_neighbors();
     return std::move(face_);
   }
@@ -57,8 +54,6 @@ class KnifeFaceBuilder {
     }
   }
 
-  static Way way_of(std::uint32_t from, std::uint32_t to) { return std::minmax(from, to); }
-
   void take_segments() {
     face_.segment = traces_.segments;
     for (std::uint32_t s = 0; s < face_.segment.size(); ++s) {
@@ -67,7 +62,7 @@ class KnifeFaceBuilder {
       if (from == vertex_of_.end() || to == vertex_of_.end()) continue;
       const auto [low, high] = std::minmax(from->second, to->second);
       face_.edges.push_back({low, high, s, from->second == low});
-      constrained_.insert(way_of(segment.from, segment.to));
+      constrained_.insert({segment.from, segment.to});
     }
     face_.sort_edges();
   }
@@ -79,8 +74,8 @@ class KnifeFaceBuilder {
     face_.constrained.assign(face_.triangle.size(), {0, 0, 0});
     for (std::uint32_t t = 0; t < face_.triangle.size(); ++t) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const Way way = way_of(face_.point[face_.corner(t, i)], face_.point[face_.corner(t, i + 1)]);
-        face_.constrained[t][i] = constrained_.contains(way) ? 1 : 0;
+        const EdgeKey edge(face_.point[face_.corner(t, i)], face_.point[face_.corner(t, i + 1)]);
+        face_.constrained[t][i] = constrained_.contains(edge) ? 1 : 0;
       }
     }
 
@@ -101,7 +96,7 @@ class KnifeFaceBuilder {
   const SplitMesh& mesh_;
   Face face_;
   std::unordered_map<std::uint32_t, std::uint32_t> vertex_of_;  // by place
-  std::set<Way> constrained_;
+  EdgeSet constrained_;
 };
 
 }  // namespace

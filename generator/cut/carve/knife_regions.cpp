@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/cut/section/face_patches.h"
+#include "generator/mesh/edge_map.h"
 
 namespace pomona {
 
@@ -26,14 +27,12 @@ void cross(std::vector<CellBoundary>& inside, const std::vector<CellBoundary>& b
 
 namespace {
 
-using Way = std::pair<std::uint32_t, std::uint32_t>;
-
 /// From patch to patch over the knife's surface.
 class KnifeRegions {
  public:
   KnifeRegions(const Face& face, const KnifeTraces& traces, std::uint32_t stride, FacePatches patches)
       : face_(face), stride_(stride), patches_(std::move(patches)), inside_(patches_.count()) {
-    for (const KnifeEdge& e : traces.edges) edges_[std::minmax(e.from, e.to)].push_back(&e);
+    for (const KnifeEdge& e : traces.edges) edges_[{e.from, e.to}].push_back(&e);
   }
 
   Regions find(const FirstWindings& first) {
@@ -77,9 +76,9 @@ class KnifeRegions {
     const std::uint32_t from = face_.point[face_.corner(triangle, edge)],
                         to = face_.point[face_.corner(triangle, edge + 1)];
     std::vector<std::pair<const KnifeEdge*, int>> all;
-    const auto found = edges_.find(std::minmax(from, to));
-    if (found == edges_.end()) return all;
-    for (const KnifeEdge* e : found->second) all.emplace_back(e, e->from == from ? 1 : -1);
+    const std::vector<const KnifeEdge*>* found = edges_.find({from, to});
+    if (!found) return all;
+    for (const KnifeEdge* e : *found) all.emplace_back(e, e->from == from ? 1 : -1);
     return all;
   }
 
@@ -124,7 +123,7 @@ class KnifeRegions {
   const Face& face_;
   std::uint32_t stride_;
   FacePatches patches_;
-  std::map<Way, std::vector<const KnifeEdge*>> edges_;
+  EdgeMap<std::vector<const KnifeEdge*>> edges_;
   std::vector<std::vector<CellBoundary>> inside_;  // per patch
 };
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 #include <tuple>
 
 #include "generator/cut/carve/tie_rule.h"
+#include "generator/mesh/edge_map.h"
 
 namespace pomona {
 
@@ -14,33 +14,30 @@ namespace {
 
 constexpr int unknown = std::numeric_limits<int>::min();
 
-using Way = std::pair<std::uint32_t, std::uint32_t>;
-
 /// What runs along the edges of one facet's parts.
-struct FacetWays {
-  std::map<Way, int> balance;           // of segments, on the way from the lower place to the higher
-  std::map<Way, std::uint32_t> border;  // the facet's own edge that this is a part of
+struct FacetEdges {
+  EdgeMap<int> balance;           // of segments, on the way from the lower place to the higher
+  EdgeMap<std::uint32_t> border;  // the facet's own edge that this is a part of
 
   int along(std::uint32_t from, std::uint32_t to) const {
-    const auto found = balance.find(std::minmax(from, to));
-    if (found == balance.end()) return 0;
-    return from < to ? found->second : -found->second;
+    const int* found = balance.find({from, to});
+    if (!found) return 0;
+    return from < to ? *found : -*found;
   }
 };
 
-FacetWays ways_of(const Arrangement::Facet& facet) {
-  FacetWays ways;
+FacetEdges edges_of(const Arrangement::Facet& facet) {
+  FacetEdges edges;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::vector<std::uint32_t>& chain = facet.mesh.chain[i];
-    for (std::size_t k = 1; k < chain.size(); ++k) ways.border[std::minmax(chain[k - 1], chain[k])] = facet.edge[i];
+    for (std::size_t k = 1; k < chain.size(); ++k) edges.border[{chain[k - 1], chain[k]}] = facet.edge[i];
   }
   for (std::size_t i = 3; i < facet.mesh.chain.size(); ++i) {
     const std::vector<std::uint32_t>& chain = facet.mesh.chain[i];
-    for (std::size_t k = 1; k < chain.size(); ++k) {
-      ways.balance[std::minmax(chain[k - 1], chain[k])] += chain[k - 1] < chain[k] ? 1 : -1;
-    }
+    for (std::size_t k = 1; k < chain.size(); ++k)
+      edges.balance[{chain[k - 1], chain[k]}] += chain[k - 1] < chain[k] ? 1 : -1;
   }
-  return ways;
+  return edges;
 }
 
 /// Goes from part to part, and from triangle to triangle across common edges. An edge lies as deep in the knife as the
@@ -75,37 +72,37 @@ class Labeller {
   };
   /// A part's edge that lies on its facet's border.
   struct Border {
-    std::uint32_t edge = 0, low = 0, high = 0, part = 0;
+    std::uint32_t edge = 0;  // the facet's, of which `between` is a part
+    EdgeKey between;
+    std::uint32_t part = 0;
     int across = 0;  // what crossing it adds on the way from the part to the edge itself
-    auto key() const { return std::tie(edge, low, high); }
+    auto key() const { return std::tie(edge, between); }
   };
 
   void take(std::size_t number) {
     const Arrangement::Facet& facet = all_.facet[number];
     if (facet.is_whole()) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto [low, high] = std::minmax(facet.corner[i], facet.corner[(i + 1) % 3]);
-        borders_.push_back({facet.edge[i], low, high, first_part_[number], 0});
-      }
+      for (std::size_t i = 0; i < 3; ++i)
+        borders_.push_back({facet.edge[i], {facet.corner[i], facet.corner[(i + 1) % 3]}, first_part_[number], 0});
       return;
     }
-    const FacetWays ways = ways_of(facet);
-    std::map<Way, std::uint32_t> other;  // part on the other side of an inner edge
+    const FacetEdges edges = edges_of(facet);
+    EdgeMap<std::uint32_t> other;  // part on the other side of an inner edge
     for (std::uint32_t k = 0; k < facet.mesh.triangle.size(); ++k) {
       const PlaceTriangle& t = facet.mesh.triangle[k];
       const std::uint32_t part = first_part_[number] + k;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t from = t[i], to = t[(i + 1) % 3];
-        const Way way = std::minmax(from, to);
-        const int across = -ways.along(from, to);
-        if (const auto border = ways.border.find(way); border != ways.border.end()) {
-          borders_.push_back({border->second, way.first, way.second, part, across});
+        const EdgeKey edge(from, to);
+        const int across = -edges.along(from, to);
+        if (const std::uint32_t* border = edges.border.find(edge)) {
+          borders_.push_back({*border, edge, part, across});
           continue;
         }
-        const auto [entry, is_new] = other.try_emplace(way, part);
+        const auto [beyond, is_new] = other.try_emplace(edge, part);
         if (is_new) continue;
-        steps_.push_back({part, entry->second, across});
-        steps_.push_back({entry->second, part, -across});
+        steps_.push_back({part, beyond, across});
+        steps_.push_back({beyond, part, -across});
       }
     }
   }
@@ -147,7 +144,7 @@ class Labeller {
           if (t[i] == corner && t[(i + 1) % 3] == end) part = first_part_[number] + k;
         }
       }
-      depth += ways_of(facet).along(corner, end);
+      depth += edges_of(facet).along(corner, end);
     }
 
     // From part to part, over all that hangs together.

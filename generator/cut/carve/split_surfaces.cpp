@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/cut/carve/facet_normals.h"
+#include "generator/mesh/edge_map.h"
 
 namespace pomona {
 
@@ -19,7 +19,6 @@ namespace {
 
 using Facet = Arrangement::Facet;
 using Weights = std::array<double, 3>;
-using Way = std::pair<std::uint32_t, std::uint32_t>;
 
 glm::vec3 unit(const glm::vec3& v) {
   const float size = glm::length(v);
@@ -176,9 +175,7 @@ class SectionSplitter {
     for (std::size_t t = 0; t < mesh_.triangle.size(); ++t) {
       for (int i = 0; i < 3; ++i) place_[mesh_.triangle[t][i]] = section_.cap[t].point[static_cast<std::size_t>(i)];
     }
-    for (const SectionSegment& s : mesh_.segments) {
-      on_surface_.insert(std::minmax(place_[s.vertex[0]], place_[s.vertex[1]]));
-    }
+    for (const SectionSegment& s : mesh_.segments) on_surface_.insert({place_[s.vertex[0]], place_[s.vertex[1]]});
   }
 
   void find_vertices(std::uint32_t triangle, const Facet& facet) {
@@ -204,7 +201,7 @@ class SectionSplitter {
   }
 
   void take_edge(std::uint32_t v, std::uint32_t w, const std::vector<std::uint32_t>& chain) {
-    const bool colored = on_surface_.contains(std::minmax(chain.front(), chain.back()));
+    const bool colored = on_surface_.contains({chain.front(), chain.back()});
     for (std::size_t k = 1; k + 1 < chain.size(); ++k) {
       vertex_[chain[k]] = colored ? colored_vertex(v, w, chain[k]) : shared_vertex(chain[k], mesh_.part[v]);
     }
@@ -212,6 +209,7 @@ class SectionSplitter {
     std::vector<std::uint32_t>& inner = inner_[{v, w}];
     inner.clear();
     for (std::size_t k = 1; k + 1 < chain.size(); ++k) inner.push_back(vertex_[chain[k]]);
+    if (v > w) std::reverse(inner.begin(), inner.end());
   }
 
   std::uint32_t colored_vertex(std::uint32_t v, std::uint32_t w, std::uint32_t place) {
@@ -267,11 +265,9 @@ class SectionSplitter {
     std::vector<SectionSegment> all;
     for (const SectionSegment& s : mesh_.segments) {
       std::vector<std::uint32_t> way{s.vertex[0]};
-      if (const auto there = inner_.find({s.vertex[0], s.vertex[1]}); there != inner_.end()) {
-        way.insert(way.end(), there->second.begin(), there->second.end());
-      } else if (const auto back = inner_.find({s.vertex[1], s.vertex[0]}); back != inner_.end()) {
-        way.insert(way.end(), back->second.rbegin(), back->second.rend());
-      }
+      if (const std::vector<std::uint32_t>* inner = inner_.find({s.vertex[0], s.vertex[1]}))
+        way.insert(way.end(), inner->begin(), inner->end());
+      if (s.vertex[0] > s.vertex[1]) std::reverse(way.begin() + 1, way.end());
       way.push_back(s.vertex[1]);
       for (std::size_t i = 1; i < way.size(); ++i) all.push_back({{way[i - 1], way[i]}, s.surface, s.boundary});
     }
@@ -284,8 +280,8 @@ class SectionSplitter {
   const FruitParts& parts_;
   KnifeTraces& traces_;
   std::vector<std::uint32_t> place_;  // per vertex of the section as it was
-  std::set<Way> on_surface_;
-  std::map<Way, std::vector<std::uint32_t>> inner_;  // new vertices between two old ones
+  EdgeSet on_surface_;
+  EdgeMap<std::vector<std::uint32_t>> inner_;  // new vertices between two old ones, from the lower one on
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> made_;
   std::map<std::uint32_t, std::uint32_t> shared_;
   std::unordered_map<std::uint32_t, std::uint32_t> vertex_;  // of the triangle at work, by place

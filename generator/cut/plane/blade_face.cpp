@@ -108,13 +108,12 @@ int BladeFaceBuilder::facet_of(std::uint32_t point) const {
 }
 
 std::uint32_t BladeFaceBuilder::constraint_between(std::uint32_t p, std::uint32_t q, bool divisible) {
-  const auto [entry, is_new] =
-      constraint_of_.try_emplace(std::minmax(p, q), static_cast<std::uint32_t>(constraint_.size()));
+  const auto [constraint, is_new] = constraint_of_.try_emplace({p, q}, static_cast<std::uint32_t>(constraint_.size()));
   if (is_new) {
     constraint_.push_back({vertex(p), vertex(q), divisible});
     leads_outside_.push_back(0);
   }
-  return entry->second;
+  return constraint;
 }
 
 void BladeFaceBuilder::take_line(std::size_t number) {
@@ -128,12 +127,12 @@ void BladeFaceBuilder::take_line(std::size_t number) {
 }
 
 void BladeFaceBuilder::take_segments() {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edge_of;
+  EdgeMap<std::uint32_t> edge_of;
   for (const CutSegment& s : made_.face.segment) {
-    const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(s.from, s.to);
-    const auto [entry, is_new] = edge_of.try_emplace(ends, static_cast<std::uint32_t>(edge_.size()));
-    if (is_new) take_edge(ends.first, ends.second);
-    edge_of_segment_.push_back(entry->second);
+    const EdgeKey ends(s.from, s.to);
+    const auto [edge, is_new] = edge_of.try_emplace(ends, static_cast<std::uint32_t>(edge_.size()));
+    edge_of_segment_.push_back(edge);
+    if (is_new) take_edge(ends.low, ends.high);
   }
 }
 

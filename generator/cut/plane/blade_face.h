@@ -18,6 +18,7 @@
 #include "generator/cut/plane/unrolled_blade.h"
 #include "generator/cut/section/face.h"
 #include "generator/cut/section/size_field.h"
+#include "generator/mesh/edge_map.h"
 #include "generator/surface/bodies.h"
 
 namespace pomona {
@@ -134,7 +135,7 @@ class BladeFaceBuilder {
   std::vector<MeshEdge> edge_;
   std::vector<std::uint32_t> edge_of_segment_;
   std::map<std::uint32_t, std::uint32_t> vertex_of_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> constraint_of_;
+  EdgeMap<std::uint32_t> constraint_of_;
   std::unique_ptr<PlaneTriangulation> triangulation_;
 };
 

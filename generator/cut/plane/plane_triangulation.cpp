@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -12,6 +11,8 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <glm/geometric.hpp>
+
+#include "generator/mesh/edge_map.h"
 
 namespace pomona {
 
@@ -178,8 +179,8 @@ class Conformer {
   }
 
  private:
-  static std::pair<std::int64_t, std::int64_t> key(Vertex a, Vertex b) {
-    return std::minmax(a->info().value, b->info().value);
+  static EdgeKey key(Vertex a, Vertex b) {
+    return {static_cast<std::uint32_t>(a->info().value), static_cast<std::uint32_t>(b->info().value)};
   }
 
   /// True if the corners across the edge see each other within one circle.
@@ -233,7 +234,7 @@ class Conformer {
   Triangulation& mesh_;
   double shortest_;
   std::vector<std::pair<Vertex, Vertex>> waiting_;
-  std::set<std::pair<std::int64_t, std::int64_t>> whole_;
+  EdgeSet whole_;
 };
 
 }  // namespace

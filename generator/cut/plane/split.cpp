@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
 
 #include <glm/geometric.hpp>
 
 #include "generator/cut/plane/stroke_sides.h"
 #include "generator/knife/exact_side.h"
+#include "generator/mesh/edge_map.h"
 #include "generator/mesh/edges.h"
 #include "generator/mesh/weld.h"
 
@@ -192,8 +192,7 @@ class Splitter {
     for (std::size_t e = 0; e < 3; ++e) {
       if (side[e] * side[next[e]] >= 0) continue;
       ++crossed;
-      const auto [low, high] = std::minmax(mesh_.point_of[whole.vertex[e]], mesh_.point_of[whole.vertex[next[e]]]);
-      if (!new_points_.contains(edge_key(low, high))) continue;
+      if (!new_points_.contains({mesh_.point_of[whole.vertex[e]], mesh_.point_of[whole.vertex[next[e]]]})) continue;
       ++known;
       i = e;
     }
@@ -330,13 +329,11 @@ class Splitter {
     replace(mesh_.triangle.size() - 1, whole, vertex, cut_by, side);
   }
 
-  static std::uint64_t edge_key(std::uint32_t low, std::uint32_t high) { return (std::uint64_t{low} << 32) | high; }
-
   /// The vertex where the plane meets the edge, the same for all triangles at the edge.
   std::uint32_t vertex_between(std::uint32_t a, std::uint32_t b) {
     if (mesh_.point_of[a] > mesh_.point_of[b]) std::swap(a, b);
-    const auto [entry, is_new] = new_vertices_.try_emplace(edge_key(a, b), mesh_.point_of.size());
-    if (!is_new) return entry->second;
+    const auto [vertex, is_new] = new_vertices_.try_emplace({a, b}, mesh_.point_of.size());
+    if (!is_new) return vertex;
 
     const std::uint32_t p = mesh_.point_of[a], q = mesh_.point_of[b];
     const double t = distance_[p] / (distance_[p] + distance_[q]);
@@ -348,8 +345,8 @@ class Splitter {
   }
 
   std::uint32_t point_between(std::uint32_t p, std::uint32_t q, double t) {
-    const auto [entry, is_new] = new_points_.try_emplace(edge_key(p, q), mesh_.point.size());
-    if (!is_new) return entry->second;
+    const auto [point, is_new] = new_points_.try_emplace({p, q}, mesh_.point.size());
+    if (!is_new) return point;
 
     // The new point lies on this plane, and on those that both ends lie on.
     const std::uint32_t set = mesh_.sets.with(mesh_.sets.common(mesh_.planes_of[p], mesh_.planes_of[q]), shared_);
@@ -357,7 +354,7 @@ class Splitter {
                     set);
     distance_.push_back(0);
     side_.push_back(0);
-    return entry->second;
+    return point;
   }
 
   const DiffusionSurfaces& surfaces_;
@@ -370,7 +367,7 @@ class Splitter {
   bool in_stroke_ = false;
   std::vector<double> distance_;  // without sign
   std::vector<std::int8_t> side_;
-  std::unordered_map<std::uint64_t, std::uint32_t> new_points_, new_vertices_;
+  EdgeMap<std::uint32_t> new_points_, new_vertices_;
 };
 
 }  // namespace

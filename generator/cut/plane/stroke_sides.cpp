@@ -11,10 +11,6 @@ namespace {
 /// The corner after corner i.
 constexpr std::array<std::size_t, 3> next{1, 2, 0};
 
-std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
-  return (std::uint64_t{std::min(p, q)} << 32) | std::max(p, q);
-}
-
 }  // namespace
 
 StrokeSides::StrokeSides(const SplitMesh& mesh, const CutPlanes& planes, const CutPlanes::Blade& stroke,
@@ -33,9 +29,10 @@ std::vector<int> StrokeSides::of_triangles() const {
 
   // Those that lie on the stroke and yet cut off a corner of it take their neighbours' side, until nothing changes.
   const TrianglesAtEdge across = triangles_across(side);
-  for (bool changed = !across.empty(); changed;) {
+  const std::vector<EdgeKey> edges = across.edges();
+  for (bool changed = !edges.empty(); changed;) {
     changed = false;
-    for (const auto& [edge, triangles] : across) changed = take_side(triangles, side) || changed;
+    for (const EdgeKey& edge : edges) changed = take_side(across.at(edge), side) || changed;
   }
   return side;
 }
@@ -50,13 +47,13 @@ StrokeSides::TrianglesAtEdge StrokeSides::triangles_across(const std::vector<int
   for (std::size_t t = 0; t < side.size(); ++t) {
     if (side[t] != 0) continue;
     for_each_edge(t, [&](std::uint32_t p, std::uint32_t q) {
-      if (facet_with(p, q) < 0) across[edge_key(p, q)];
+      if (facet_with(p, q) < 0) across[{p, q}];
     });
   }
   if (across.empty()) return across;
   for (std::size_t t = 0; t < side.size(); ++t) {
     for_each_edge(t, [&](std::uint32_t p, std::uint32_t q) {
-      if (const auto found = across.find(edge_key(p, q)); found != across.end()) found->second.push_back(t);
+      if (across.contains({p, q})) across[{p, q}].push_back(t);
     });
   }
   return across;

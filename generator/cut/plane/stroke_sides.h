@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "generator/cut/section/split_mesh.h"
+#include "generator/mesh/edge_map.h"
 #include "generator/surface/diffusion_surfaces.h"
 
 namespace pomona {
@@ -30,7 +30,7 @@ class StrokeSides {
 
  private:
   using Triangle = SplitMesh::Triangle;
-  using TrianglesAtEdge = std::map<std::uint64_t, std::vector<std::size_t>>;
+  using TrianglesAtEdge = EdgeMap<std::vector<std::size_t>>;
 
   TrianglesAtEdge triangles_across(const std::vector<int>& side) const;
   bool take_side(const std::vector<std::size_t>& triangles, std::vector<int>& side) const;

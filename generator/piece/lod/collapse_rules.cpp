@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -191,8 +193,8 @@ std::optional<double> CollapseRules::cost(const CollapseRing& ring, double limit
 std::vector<std::uint32_t> CollapseRules::gone_from_border(const CollapseRing& ring, const Change& change) const {
   std::vector<std::uint32_t> gone{ring.removed};
   for (const std::uint32_t end : {ring.spoke[0], *change.border_end}) {
-    const auto known = gone_from_.find(std::minmax(ring.removed, end));
-    if (known != gone_from_.end()) gone.insert(gone.end(), known->second.begin(), known->second.end());
+    const std::vector<std::uint32_t>* known = gone_from_.find({ring.removed, end});
+    if (known) gone.insert(gone.end(), known->begin(), known->end());
   }
   return gone;
 }
@@ -302,9 +304,8 @@ void CollapseRules::collapse(const CollapseRing& ring) {
   if (!change) return;
   if (change->border_end) {
     std::vector<std::uint32_t> gone = gone_from_border(ring, *change);
-    for (const std::uint32_t end : {ring.spoke[0], *change->border_end})
-      gone_from_.erase(std::minmax(ring.removed, end));
-    gone_from_[std::minmax(ring.spoke[0], *change->border_end)] = std::move(gone);
+    for (const std::uint32_t end : {ring.spoke[0], *change->border_end}) gone_from_.erase({ring.removed, end});
+    gone_from_[{ring.spoke[0], *change->border_end}] = std::move(gone);
   }
   for (const Sector& sector : change->sectors) {
     // Ask where faces go and what they have to take over while they are still as they were.

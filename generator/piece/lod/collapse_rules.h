@@ -4,13 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "generator/mesh/edge_map.h"
 #include "generator/mesh/triangle_distance.h"
 #include "generator/mesh/triangle_tree.h"
 #include "generator/piece/lod/vertex_fans.h"
@@ -91,7 +90,6 @@ class CollapseRules {
     glm::dvec3 point{0};
     double squared_distance = std::numeric_limits<double>::infinity();
   };
-  using FanPair = std::pair<std::uint32_t, std::uint32_t>;
 
   void plant_trees();
   double bound() const;
@@ -117,11 +115,11 @@ class CollapseRules {
   CollapseBounds bounds_;
   std::vector<std::uint32_t> source_;
   std::vector<CornerFace> face_;
-  std::vector<glm::dvec3> normal_;    // per face: of the triangle it grew from, as long as twice its area
-  std::vector<glm::dvec3> position_;  // per fan
-  std::vector<glm::dvec3> seen_;      // per vertex of the solid: its colour's square root
-  std::vector<double> area_;          // per fan, square metres: a third of the triangles around it
-  std::map<FanPair, std::vector<std::uint32_t>> gone_from_;  // per border edge: fans that lay along it
+  std::vector<glm::dvec3> normal_;                 // per face: of the triangle it grew from, as long as twice its area
+  std::vector<glm::dvec3> position_;               // per fan
+  std::vector<glm::dvec3> seen_;                   // per vertex of the solid: its colour's square root
+  std::vector<double> area_;                       // per fan, square metres: a third of the triangles around it
+  EdgeMap<std::vector<std::uint32_t>> gone_from_;  // per border edge: fans that lay along it
   std::size_t faces_left_ = 0;
 };
 
