@@ -3,6 +3,7 @@
 #include "cli/file_kind.h"
 #include "cli/find_template.h"
 #include "generator/base/error.h"
+#include "generator/base/small_ending.h"
 #include "generator/surface/file/surface_file.h"
 #include "generator/surface/sheets.h"
 #include "generator/template/read/read_template.h"
@@ -86,7 +87,7 @@ FruitSource open_fruit(const std::string& name_or_path, const SharedOptions& opt
                        StageTimes& times) {
   const std::filesystem::path file = find_template(name_or_path);
   check_kind(file, FileKind::fruit);
-  if (file.extension() == ".ply") return from_surface_file(file, options, folds, times);
+  if (small_ending(file) == ".ply") return from_surface_file(file, options, folds, times);
   const Template drawn = times.time("read", [&] { return read_template(file); });
   return fruit_of(drawn, file.stem().string(), name_or_path, options, folds, times);
 }

@@ -14,6 +14,9 @@ namespace pomona {
 /// be read, an object or colours that are not there, and parts the template does not name.
 DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh);
 
+/// Whether it bounds what is solid, and the template leaves it to the mesh which way it faces.
+bool may_turn(const MeshSketch& mesh);
+
 /// \throws Error (bad_data) at this mesh in the template if with it all its meshes have too many triangles together,
 /// each of which alone may be in order.
 void check_meshes_together(const Template& fruit, const MeshSketch& mesh, std::size_t triangles);
