@@ -18,6 +18,7 @@
 #include "generator/base/file_bytes.h"
 #include "generator/base/json_text.h"
 #include "generator/base/printable.h"
+#include "generator/base/small_ending.h"
 #include "generator/scene/layout_file.h"
 #include "generator/scene/make_parts.h"
 #include "generator/scene/scene_file.h"
@@ -80,7 +81,7 @@ void check_drawing(const std::filesystem::path& file) {
 
 /// True, having read it, for a file that templates, scenes or `compare` take, but that is none of its own.
 bool check_part(const std::filesystem::path& file) {
-  const std::string ending = file.extension().string();
+  const std::string ending = small_ending(file);
   if (ending == ".obj" || ending == ".glb") {
     read_plain_mesh(file);
   } else if (ending == ".json") {
@@ -122,9 +123,9 @@ std::vector<std::string> body_warnings(const DiffusionSurfaces& surfaces, const 
 
 /// Reads the file as what it is; surfaces and swept templates are also asked whether they are solid.
 std::vector<std::string> check_file(const std::filesystem::path& file) {
-  if (file.extension() == ".ply") return body_warnings(read_surfaces(file), file);
+  if (small_ending(file) == ".ply") return body_warnings(read_surfaces(file), file);
   if (check_part(file)) return {};
-  if (file.extension() != ".toml") {
+  if (small_ending(file) != ".toml") {
     throw Error(ExitStatus::bad_data, {{{file.string(), 1, 1, {}},
                                         "has no ending of a file that is read here",
                                         "these are .toml .ply .obj .glb .svg .png .json"}});

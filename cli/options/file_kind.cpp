@@ -3,6 +3,7 @@
 #include <string>
 
 #include "generator/base/error.h"
+#include "generator/base/small_ending.h"
 #include "generator/batch/batch_file.h"
 #include "generator/scene/scene_file.h"
 #include "generator/text/toml_text.h"
@@ -23,8 +24,8 @@ void check_kind(const std::filesystem::path& file, FileKind wanted) {
   const auto refuse = [&](const std::string& what, const std::string& hint) {
     throw Error(ExitStatus::bad_data, {{{name, 1, 1, {}}, what, hint}});
   };
-  const bool is_surfaces = file.extension() == ".ply";
-  if (file.extension() != ".toml" && !(is_surfaces && wanted == FileKind::fruit))
+  const bool is_surfaces = small_ending(file) == ".ply";
+  if (small_ending(file) != ".toml" && !(is_surfaces && wanted == FileKind::fruit))
     refuse("has no ending of a file that is read here",
            wanted == FileKind::fruit ? "templates are .toml, surfaces .ply" : "name it FILE.toml");
   const FileKind found = kind_of(file);

@@ -7,6 +7,7 @@
 
 #include "cli/options/program_folders.h"
 #include "generator/base/error.h"
+#include "generator/base/small_ending.h"
 #include "generator/text/toml_node.h"
 #include "generator/text/toml_text.h"
 
@@ -38,7 +39,7 @@ class FilesBehind {
   void add_file(const fs::path& file) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored) || !found_.insert(file.lexically_normal()).second) return;
-    if (file.extension() != ".toml") return;
+    if (small_ending(file) != ".toml") return;
     try {
       add_texts(parse_toml(read_toml_text(file), file.string()), file.parent_path());
     } catch (const Error&) {

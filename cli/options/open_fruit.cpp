@@ -4,6 +4,7 @@
 
 #include "cli/options/file_kind.h"
 #include "cli/options/find_template.h"
+#include "generator/base/small_ending.h"
 #include "generator/template/read/read_template.h"
 
 namespace pomona {
@@ -11,7 +12,7 @@ namespace pomona {
 NamedFruit open_fruit(const std::string& word, const Order& order) {
   const std::filesystem::path file = find_template(word);
   check_kind(file, FileKind::fruit);
-  if (file.extension() == ".ply") return {fruit_of_surfaces(file, order), {}};
+  if (small_ending(file) == ".ply") return {fruit_of_surfaces(file, order), {}};
   StageClock times;
   Template drawn = times.time("read", [&] { return read_template(file); });
   OrderedFruit grown = ordered_fruit(drawn, file.stem().string(), word, order);

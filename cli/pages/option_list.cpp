@@ -13,28 +13,28 @@ namespace pomona {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OptionJson = nlohmann::ordered_json;
 
-Json range_json(const char* type, double low, double high) { return {{"type", type}, {"low", low}, {"high", high}}; }
+OptionJson range_json(const char* type, double low, double high) { return {{"type", type}, {"low", low}, {"high", high}}; }
 
-Json range_json(const char* type, int low, int high) { return {{"type", type}, {"low", low}, {"high", high}}; }
+OptionJson range_json(const char* type, int low, int high) { return {{"type", type}, {"low", low}, {"high", high}}; }
 
 struct ValueJson {
-  Json operator()(const FlagValue&) const { return {{"type", "flag"}}; }
-  Json operator()(const WholeValue& v) const { return range_json("whole", v.low, v.high); }
-  Json operator()(const OptionalWholeValue& v) const { return range_json("whole", v.low, v.high); }
-  Json operator()(const NumberValue& v) const { return range_json("number", v.low, v.high); }
-  Json operator()(const OptionalNumberValue& v) const { return range_json("number", v.low, v.high); }
-  Json operator()(const CountValue&) const { return {{"type", "count"}}; }
-  Json operator()(const ChoiceValue& v) const { return {{"type", "choice"}, {"words", v.words}}; }
-  Json operator()(const TextValue&) const { return {{"type", "text"}}; }
-  Json operator()(const ParsedValue&) const { return {{"type", "text"}}; }
-  Json operator()(const KnivesValue&) const { return {{"type", "knives"}}; }
+  OptionJson operator()(const FlagValue&) const { return {{"type", "flag"}}; }
+  OptionJson operator()(const WholeValue& v) const { return range_json("whole", v.low, v.high); }
+  OptionJson operator()(const OptionalWholeValue& v) const { return range_json("whole", v.low, v.high); }
+  OptionJson operator()(const NumberValue& v) const { return range_json("number", v.low, v.high); }
+  OptionJson operator()(const OptionalNumberValue& v) const { return range_json("number", v.low, v.high); }
+  OptionJson operator()(const CountValue&) const { return {{"type", "count"}}; }
+  OptionJson operator()(const ChoiceValue& v) const { return {{"type", "choice"}, {"words", v.words}}; }
+  OptionJson operator()(const TextValue&) const { return {{"type", "text"}}; }
+  OptionJson operator()(const ParsedValue&) const { return {{"type", "text"}}; }
+  OptionJson operator()(const KnivesValue&) const { return {{"type", "knives"}}; }
 };
 
-Json takers_json(const OrderOption& option) {
+OptionJson takers_json(const OrderOption& option) {
   constexpr std::array names = {"grow", "cut", "plate", "scene", "batch"};
-  Json takers = Json::array();
+  OptionJson takers = OptionJson::array();
   for (std::size_t i = 0; i < names.size(); ++i)
     if (has_option(static_cast<OrderTaker>(i), option)) takers.push_back(names[i]);
   return takers;
@@ -44,15 +44,15 @@ Json takers_json(const OrderOption& option) {
 
 std::string option_list() {
   const std::vector<const OrderOption*> of_batches = batch_options();
-  Json list = Json::array();
+  OptionJson list = OptionJson::array();
   for (const OrderOption& option : order_options()) {
-    Json json = {{"name", option.name}, {"key", key_of(option)}};
+    OptionJson json = {{"name", option.name}, {"key", key_of(option)}};
     json.update(std::visit(ValueJson{}, option.value));
     if (!option.type.empty()) json["shown_type"] = option.type.substr(0, option.type.find(':'));
     if (!option.unit.empty()) json["unit"] = option.unit;
     json["usual"] = option.usual.empty() ? text_of_option(option, Order{}) : option.usual;
     json["commands"] = takers_json(option);
-    json["formats"] = Json::array();
+    json["formats"] = OptionJson::array();
     for (const Format format : option.heeded) json["formats"].push_back(name_of(format));
     json["batch_key"] = std::find(of_batches.begin(), of_batches.end(), &option) != of_batches.end();
     json["help"] = option.help;

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "generator/base/random.h"
+#include "generator/base/small_ending.h"
 #include "generator/batch/batch_limits.h"
 #include "generator/batch/template_hash.h"
 #include "generator/template/read/read_template.h"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 fs::path template_file(const TemplateWanted& wanted, const TemplateSource& source) {
   try {
     const fs::path file = source.find(wanted.name);
-    if (file.extension() != ".ply") return file;
+    if (small_ending(file) != ".ply") return file;
   } catch (const Error& error) {
     const Diagnostic& what = error.diagnostics().front();
     throw Error(error.status(), {{wanted.place, what.message, what.hint}});

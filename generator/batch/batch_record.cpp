@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
+#include "generator/base/file_bytes.h"
 #include "generator/base/json_text.h"
 #include "generator/base/sha256.h"
 #include "generator/batch/batch_limits.h"
 #include "generator/batch/option_json.h"
 #include "generator/batch/record_fields.h"
+#include "generator/knife/knife_kinds.h"
 #include "generator/text/read_name.h"
 
 namespace pomona {
@@ -79,17 +80,16 @@ Json entry_of(const BatchPlan& plan, const PlannedEntry& entry) {
   return json;
 }
 
+constexpr std::size_t most_drawing = std::size_t{64} << 20;  // bytes; read_stroke.h reads no larger ones
+
 /// The files that knives name ("stroke:strokes.svg#wave"), from the batch's folder, sorted by name.
 std::map<std::string, std::string> drawings_of(const BatchDescription& batch) {
   std::map<std::string, std::string> drawings;
   for (const BatchEntry& entry : batch.entries) {
     for (const std::vector<Knife>& knives : entry.knives) {
       for (const Knife& knife : knives) {
-        const std::size_t begin = knife.text.find(':') + 1, end = knife.text.find('#');
-        if (begin == 0 || end == std::string::npos || end < begin) continue;
-        const std::string name = knife.text.substr(begin, end - begin);
-        std::ifstream stream(fs::path(batch.file).parent_path() / name, std::ios::binary);
-        drawings[name] = sha256(std::string(std::istreambuf_iterator<char>(stream), {}));
+        const std::optional<std::string> name = drawing_of_knife(knife.text);
+        if (name) drawings[*name] = sha256(file_bytes(fs::path(batch.file).parent_path() / *name, most_drawing));
       }
     }
   }

@@ -246,6 +246,16 @@ const std::vector<KnifeKind>& knife_kinds() {
   return kinds;
 }
 
+std::optional<std::string> drawing_of_knife(std::string_view text) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const string_view name = text.substr(0, colon);
+  const bool has_drawing = std::any_of(knife_kinds().begin(), knife_kinds().end(), [&](const KnifeKind& kind) {
+    return kind.name == name && (kind.read == read_stroke_knife || kind.read == read_revolve);
+  });
+  if (!has_drawing || colon == text.size()) return {};
+  return parse_drawing(text.substr(colon + 1)).file.string();
+}
+
 std::string written_with_options(const KnifeKind& kind) { return written(kind) + bracketed_options(kind); }
 
 std::string known_knives() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,9 @@ struct KnifeKind {
 
 /// All kinds of knives, simple ones first.
 const std::vector<KnifeKind>& knife_kinds();
+
+/// The drawing that a knife's text names, "cut #2.svg" of "stroke:cut #2.svg#wave,scale=2mm"; none for other knives.
+std::optional<std::string> drawing_of_knife(std::string_view text);
 
 /// How one kind is written, with its options: "core:18mm [,axis=0,1,0] [,depth=4cm]".
 std::string written_with_options(const KnifeKind& kind);

@@ -1,5 +1,6 @@
 #include "generator/knife/read_stroke.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -10,6 +11,7 @@
 #include "generator/base/file_bytes.h"
 #include "generator/base/nearest_name.h"
 #include "generator/knife/stroke.h"
+#include "generator/template/read/sketch.h"
 #include "generator/template/read/sketch_fault.h"
 #include "generator/text/svg_drawing.h"
 #include "generator/text/svg_path.h"
@@ -24,24 +26,35 @@ constexpr std::size_t most_points = 4096;
 
 /// What is wrong with the drawing as a whole is told at its first line. \throws Error (bad_data) as BadSketch says,
 /// whose message begins with its place in the file.
-SvgDrawing drawing_of(std::string_view svg, const std::string& file) {
+Sketch drawing_of(std::string_view svg, const std::string& file) {
   try {
-    return parse_svg(svg, file);
+    return Sketch(parse_svg(svg, file), {});
   } catch (const BadSketch& bad) {
     throw Error(ExitStatus::bad_data, {placed_fault(bad, file)});
   }
 }
 
-/// The path with this id or label. \throws Error (bad_data) where there is none, with the name that may have been
-/// meant.
+/// The path, shape or clone with this id or label; one that is drawn before one that is not. \throws Error (bad_data)
+/// where there is none, with the name that may have been meant, and where there are several.
 const SvgElement& element_called(const SvgDrawing& drawing, const std::string& id) {
   std::vector<std::string> known;
+  std::vector<const SvgElement*> found;
   for (const SvgElement& element : drawing.elements) {
-    if (!element.d) continue;
-    if (element.id == id || element.label == id) return element;
+    if (!element.d && element.tag != "use") continue;
+    if (element.id == id || element.label == id) found.push_back(&element);
     if (!element.id.empty()) known.push_back(element.id);
     if (!element.label.empty()) known.push_back(element.label);
   }
+  const auto end_of_drawn =
+      std::stable_partition(found.begin(), found.end(), [](const SvgElement* element) { return element->drawn; });
+  if (end_of_drawn != found.begin()) found.erase(end_of_drawn, found.end());
+  if (found.size() > 1) {
+    throw Error(ExitStatus::bad_data, {{{drawing.file, found[1]->line, found[1]->column, ""},
+                                        "\"" + id.substr(0, 200) + "\" is drawn " + std::to_string(found.size()) +
+                                            " times, first at " + place_of(drawing, *found[0]),
+                                        "delete all but one, or give each a name of its own"}});
+  }
+  if (!found.empty()) return *found.front();
   const std::optional<std::string> meant = nearest_name(id, known);
   const std::string hint =
       meant ? "did you mean \"" + *meant + "\"?" : "name a path in Inkscape's Objects dialog, or by its id";
@@ -59,13 +72,17 @@ struct Complaint {
   }
 };
 
-/// The path's one curve, cleaned.
-Curve curve_of(const SvgElement& element, double scale, const Complaint& fail) {
+/// The path's one curve, or that of what a clone repeats, cleaned.
+Curve curve_of(const Sketch& sketch, const SvgElement& element, double scale, const Complaint& fail) {
   if (!element.fault.empty()) fail(element.fault, "");
+  const std::vector<Sketch::Placed> shapes = sketch.shapes_of(element);
+  if (shapes.size() != 1) fail("is a clone of " + std::to_string(shapes.size()) + " shapes", "clone one path");
   SvgPathOptions options;
   options.unit = scale;
-  options.transform = element.to_page;
-  std::vector<Curve> curves = parse_svg_path(*element.d, options);
+  options.transform = shapes.front().to_page;
+  std::vector<Curve> curves = parse_svg_path(*shapes.front().element->d, options);
+  // A pen put down and taken up again leaves no curve.
+  if (curves.size() > 1) std::erase_if(curves, [](const Curve& curve) { return cleaned(curve.points).size() < 2; });
   if (curves.size() != 1) fail("is not one line but " + std::to_string(curves.size()), "break the path apart");
   Curve curve{cleaned(curves[0].points), curves[0].closed};
   if (curve.points.size() < 2) fail("has no length", "draw a line");
@@ -77,15 +94,17 @@ Curve curve_of(const SvgElement& element, double scale, const Complaint& fail) {
 template <typename Check>
 Curve curve_called(const std::string& id, std::string_view svg, const std::string& file, double scale,
                    const std::string& what, const Check& check) {
-  const SvgDrawing drawing = drawing_of(svg, file);
-  const SvgElement& element = element_called(drawing, id);
-  const Complaint fail{{drawing.file, element.line, element.column, ""}, what + " \"" + id.substr(0, 200) + "\""};
+  const Sketch sketch = drawing_of(svg, file);
+  const SvgElement& element = element_called(sketch.drawing(), id);
+  const Complaint fail{{file, element.line, element.column, ""}, what + " \"" + id.substr(0, 200) + "\""};
   try {
-    Curve curve = curve_of(element, scale, fail);
+    Curve curve = curve_of(sketch, element, scale, fail);
     check(curve, fail);
     return curve;
   } catch (const BadPath& bad) {
     fail(bad.what(), bad.hint);
+  } catch (const BadSketch& bad) {
+    fail(std::string(": ") + bad.what(), bad.hint);
   }
 }
 

@@ -7,6 +7,8 @@
 #include "generator/base/units.h"
 #include "generator/piece/slice.h"
 #include "generator/scene/scene_file.h"
+#include "generator/surface/file/far_from_origin.h"
+#include "generator/surface/file/placing.h"
 #include "generator/surface/file/plain_mesh_file.h"
 #include "generator/surface/sweep/sweep.h"
 
@@ -58,10 +60,22 @@ std::string told(const Diagnostic& what) {
   return at == std::string::npos ? text : text.erase(at, error.size());
 }
 
+/// A dish is moved upright only.
+void check_distance(const PlainMesh& mesh, const MeshSolidOptions& options) {
+  const Placing placing{.unit = options.unit, .z_up = options.z_up};
+  Box<double> box;
+  for (const glm::dvec3& p : mesh.position) box.add(placing(p));
+  box = box.moved({0, -box.low.y, 0});
+  if (is_too_far(box))
+    throw Error(ExitStatus::bad_data, why_too_far(box), "move it to the origin, and export it again");
+}
+
 /// What is wrong with the file is told with the place in the scene that names it.
 Solid solid_of_mesh(const DishDescription& dish, const std::filesystem::path& folder) {
   try {
-    Solid solid = mesh_solid(read_plain_mesh(folder / dish.mesh), dish.name, dish.as_solid);
+    const PlainMesh mesh = read_plain_mesh(folder / dish.mesh);
+    check_distance(mesh, dish.as_solid);
+    Solid solid = mesh_solid(mesh, dish.name, dish.as_solid);
     if (!solid.triangle.empty()) return solid;
     throw Error(ExitStatus::bad_data, "the mesh has no area", "export a mesh with triangles");
   } catch (const Error& error) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/base/path_within.h"
+#include "generator/base/small_ending.h"
 #include "generator/template/read/read_paint.h"
 #include "generator/text/read_name.h"
 #include "generator/text/svg_path.h"
@@ -71,7 +72,7 @@ glm::dvec3 read_place(const TomlValue& value) {
 /// Only meshes, and only from the scene's folder.
 void check_mesh(const TomlValue& value, const std::filesystem::path& folder) {
   const std::filesystem::path file(value.text());
-  const std::string ending = file.extension().string();
+  const std::string ending = small_ending(file);
   if (ending != ".ply" && ending != ".obj" && ending != ".glb") {
     value.error("is no mesh that can be read", "export it as .ply, .obj or .glb");
   } else if (file.is_absolute() || !path_within(folder, folder / file)) {

@@ -45,7 +45,7 @@ class BodyFinder {
         return containment_.contains(shell_[solid], shell_[s]);
       });
       if (around != solids.end()) outer[s] = *around;
-      has_lone_wall_ = has_lone_wall_ || around == solids.end();
+      if (around == solids.end()) add_lone_wall(s);
     }
     return outer;
   }
@@ -73,6 +73,7 @@ class BodyFinder {
   }
 
   void add_warnings() {
+    bodies_.warnings = surfaces_.notes;
     for (const std::int32_t s : shells_.open_surfaces) {
       const std::string& name = surfaces_.surface_names[static_cast<std::size_t>(s)];
       bodies_.warnings.push_back("surface \"" + name + "\" is open: pieces will be open there");
@@ -83,7 +84,18 @@ class BodyFinder {
     if (!has_boundary)
       bodies_.warnings.push_back(
           "no surface has a hidden side: nothing faces air, and there is no skin to show or to cut");
-    if (has_lone_wall_) bodies_.warnings.push_back("a cavity wall lies in no skin: its hidden side faces inwards");
+    for (const std::int32_t s : lone_walls_)
+      bodies_.warnings.push_back("surface \"" + surfaces_.surface_names[static_cast<std::size_t>(s)] +
+                                 "\": a cavity wall lies in no skin, so nothing of it is solid: its hidden side faces "
+                                 "inwards. Hide its other side, or turn it (a [[mesh]] by flip)");
+  }
+
+  /// Notes the surface that the shell is of.
+  void add_lone_wall(std::size_t shell) {
+    const auto first =
+        std::find(shells_.of_triangle.begin(), shells_.of_triangle.end(), static_cast<std::int32_t>(shell));
+    const std::int32_t s = surfaces_.surface[static_cast<std::size_t>(first - shells_.of_triangle.begin())];
+    if (std::find(lone_walls_.begin(), lone_walls_.end(), s) == lone_walls_.end()) lone_walls_.push_back(s);
   }
 
   const DiffusionSurfaces& surfaces_;
@@ -91,7 +103,7 @@ class BodyFinder {
   std::vector<Shell> shell_;
   Containment containment_{surfaces_};
   Bodies bodies_;
-  bool has_lone_wall_ = false;
+  std::vector<std::int32_t> lone_walls_;  ///< surfaces
 };
 
 void check_sides(const DiffusionSurfaces& surfaces) {

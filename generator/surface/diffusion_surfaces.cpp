@@ -48,11 +48,26 @@ DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces
   const auto first_surface = static_cast<std::int32_t>(first.surface_names.size());
   for (const std::int32_t s : second.surface) all.surface.push_back(s + first_surface);
   append(all.surface_names, second.surface_names);
+  append(all.notes, second.notes);
 
   const std::vector<std::int32_t> part = merge_names(all.part_names, second.part_names);
   for (const std::int32_t p : second.front_part) all.front_part.push_back(part[static_cast<std::size_t>(p)]);
   for (const std::int32_t p : second.back_part) all.back_part.push_back(part[static_cast<std::size_t>(p)]);
   return all;
+}
+
+std::uint32_t doubled_vertex(DiffusionSurfaces& surfaces, std::uint32_t vertex) {
+  const auto copy = [vertex](auto& values) {
+    const auto value = values[vertex];
+    values.push_back(value);
+  };
+  copy(surfaces.position);
+  copy(surfaces.front_color);
+  copy(surfaces.back_color);
+  copy(surfaces.blur);
+  copy(surfaces.front_hidden);
+  copy(surfaces.back_hidden);
+  return static_cast<std::uint32_t>(surfaces.vertex_count() - 1);
 }
 
 Box<double> bounds_of(const DiffusionSurfaces& surfaces) {

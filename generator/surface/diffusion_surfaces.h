@@ -35,6 +35,8 @@ struct DiffusionSurfaces {
   std::vector<std::string> surface_names;
   std::vector<std::string> part_names;
 
+  std::vector<std::string> notes;  ///< what their files leave open, and how it was taken
+
   std::size_t vertex_count() const { return position.size(); }
   std::size_t triangle_count() const { return triangle.size(); }
 
@@ -47,6 +49,9 @@ struct DiffusionSurfaces {
 
 /// Both, one after the other; names merged (equal part names become one part, surfaces stay apart).
 DiffusionSurfaces joined(const DiffusionSurfaces& first, const DiffusionSurfaces& second);
+
+/// Appends a vertex like this one; the number of the new one.
+std::uint32_t doubled_vertex(DiffusionSurfaces& surfaces, std::uint32_t vertex);
 
 /// The box around all vertices that a triangle uses; a box of no size at zero for no triangles.
 Box<double> bounds_of(const DiffusionSurfaces& surfaces);

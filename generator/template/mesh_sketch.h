@@ -36,11 +36,11 @@ struct MeshPaint {
 struct MeshSketch {
   std::string name;
   std::shared_ptr<const MeshFile> file;
-  std::string object;  ///< empty = all that the file holds
-  double unit = 1;     ///< metres of one unit of the file
-  bool z_up = false;   ///< the file's Z is up, its Y to the back
-  bool flip = false;   ///< front and back of every triangle changed
-  glm::dvec3 at{0};    ///< where the file's origin lies, metres
+  std::string object;        ///< empty = all that the file holds
+  double unit = 1;           ///< metres of one unit of the file
+  bool z_up = false;         ///< the file's Z is up, its Y to the back
+  std::optional<bool> flip;  ///< front and back of every triangle changed, or not; else shells turn as they must
+  glm::dvec3 at{0};          ///< where the file's origin lies, metres
   std::optional<MeshPaint> paint;
 };
 

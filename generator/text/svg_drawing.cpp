@@ -2,7 +2,9 @@
 #include "generator/text/svg_drawing.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <pugixml.hpp>
 
@@ -23,10 +25,91 @@ std::string at_place(const std::string& file, int line, int column) {
   return file + ":" + std::to_string(line) + ":" + std::to_string(column);
 }
 
-/// An attribute's value, also with the prefix that SVG 1.1 wants it to have.
-std::string_view attribute_of(const pugi::xml_node& node, const char* name, const char* prefixed) {
-  const pugi::xml_attribute plain = node.attribute(name);
-  return plain ? plain.value() : node.attribute(prefixed).value();
+// ---- Names of XML: they belong to a namespace, whatever a file shortens that to ----
+
+constexpr std::string_view svg_space = "http://www.w3.org/2000/svg", xlink_space = "http://www.w3.org/1999/xlink",
+                           inkscape_space = "http://www.inkscape.org/namespaces/inkscape",
+                           serif_space = "http://www.serif.com/";
+
+/// What a prefix usually stands for: where the file does not say, or says it by an entity, which is not expanded.
+std::string_view usual_space(std::string_view prefix) {
+  if (prefix.empty() || prefix == "svg") return svg_space;
+  if (prefix == "xlink") return xlink_space;
+  if (prefix == "inkscape") return inkscape_space;
+  return prefix == "serif" ? serif_space : std::string_view();
+}
+
+/// A name of XML in two: its namespace, and what is left of it.
+struct XmlName {
+  std::string_view space, local;
+};
+
+/// The namespaces that an element declares and those around it.
+class Namespaces {
+ public:
+  /// Those within this element.
+  Namespaces within(const pugi::xml_node& node) const {
+    Namespaces result = *this;
+    for (const pugi::xml_attribute& attribute : node.attributes()) {
+      std::string_view name = attribute.name();
+      if (!name.starts_with("xmlns") || (name.size() > 5 && name[5] != ':')) continue;
+      name.remove_prefix(std::min<std::size_t>(6, name.size()));
+      result.spaces_.emplace_back(name, attribute.value());
+    }
+    return result;
+  }
+
+  XmlName name_of(const pugi::xml_node& node) const { return split(node.name(), true); }
+
+  std::string_view attribute(const pugi::xml_node& node, std::string_view space, std::string_view local) const {
+    for (const pugi::xml_attribute& attribute : node.attributes()) {
+      const XmlName name = split(attribute.name(), false);
+      if (name.local == local && name.space == space) return attribute.value();
+    }
+    return {};
+  }
+
+ private:
+  /// Attributes without a prefix belong to no namespace.
+  XmlName split(std::string_view name, bool is_element) const {
+    const std::size_t colon = name.find(':');
+    const std::string_view prefix = colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
+    const std::string_view local = colon == std::string_view::npos ? name : name.substr(colon + 1);
+    if (prefix.empty() && !is_element) return {{}, local};
+    const auto declared =
+        std::find_if(spaces_.rbegin(), spaces_.rend(), [&](const auto& s) { return s.first == prefix; });
+    const bool is_known = declared != spaces_.rend() && !declared->second.starts_with('&');
+    return {is_known ? declared->second : usual_space(prefix), local};
+  }
+
+  std::vector<std::pair<std::string_view, std::string_view>> spaces_;  ///< the innermost last
+};
+
+/// The name that was given to a layer or a curve, where an editor has made another id of it: Illustrator writes "fold
+/// 1" as "fold_x0020_1", and a second "axis" as "axis_1_".
+std::string name_behind(std::string_view id) {
+  std::string name;
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    const std::size_t end = id.find('_', i + 1);
+    const bool is_code = id.substr(i).starts_with("_x") && end != std::string_view::npos && end > i + 2 && end <= i + 6;
+    int code = 0;
+    if (is_code) {
+      const std::string_view digits = id.substr(i + 2, end - i - 2);
+      const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+      if (status != std::errc() || stop != digits.data() + digits.size()) code = 0;
+    }
+    if (code >= ' ' && code <= '~') {
+      name += static_cast<char>(code);
+      i = end;
+    } else {
+      name += id[i];
+    }
+  }
+  if (!name.ends_with('_')) return name;
+  const std::size_t number = name.find_last_of('_', name.size() - 2);
+  const bool is_number = number != std::string::npos && number > 0 && number + 2 < name.size() &&
+                         name.find_first_not_of("0123456789", number + 1) == name.size() - 1;
+  return is_number ? name.substr(0, number) : name;
 }
 
 /// A CSS property that moves what it styles; Inkscape writes attributes instead.
@@ -49,10 +132,11 @@ class SvgReader {
  public:
   SvgReader(std::string_view text, SvgDrawing& drawing) : places_(text, drawing.file), drawing_(drawing) {}
 
-  void read(const pugi::xml_node& node, const SvgElement& around, int depth) {
+  void read(const pugi::xml_node& node, const SvgElement& around, int depth, const Namespaces& outer) {
     if (node.type() != pugi::node_element) return;
+    const Namespaces names = outer.within(node);
     const std::size_t index = drawing_.elements.size();
-    drawing_.elements.push_back(element(node, around));
+    drawing_.elements.push_back(element(node, around, names));
     const std::string& tag = drawing_.elements[index].tag;
     if (depth > deepest) {
       throw BadSketch(place_of(drawing_, drawing_.elements[index]) + ": it lies in more than " +
@@ -62,26 +146,37 @@ class SvgReader {
     const bool is_nested_page = tag == "svg" && depth > 0;
     if (is_nested_page) drawing_.elements[index].fault = "lies in a page within the page (a nested <svg>)";
     const SvgElement inherited = drawing_.elements[index];
-    for (const pugi::xml_node& child : node.children()) read(child, inherited, depth + 1);
+    for (const pugi::xml_node& child : node.children()) read(child, inherited, depth + 1, names);
     drawing_.elements[index].end = drawing_.elements.size();
   }
 
  private:
-  SvgElement element(const pugi::xml_node& node, const SvgElement& around) {
+  SvgElement element(const pugi::xml_node& node, const SvgElement& around, const Namespaces& names) const {
     SvgElement result;
-    result.tag = node.name();
-    if (result.tag.starts_with("svg:")) result.tag.erase(0, 4);
+    // What is not of SVG keeps its whole name, and is no shape.
+    const XmlName name = names.name_of(node);
+    result.tag = name.space == svg_space ? name.local : "other:" + std::string(name.local);
     result.id = node.attribute("id").value();
-    result.label = node.attribute("inkscape:label").value();
+    result.label = label_of(node, names, result.id);
     const std::ptrdiff_t offset = node.offset_debug();
     const SourcePlace place_of_tag = places_.at(offset > 0 ? static_cast<std::size_t>(offset) - 1 : 0);
     result.line = place_of_tag.line;
     result.column = place_of_tag.column;
-    result.drawn = around.drawn && !is_container_of_what_is_not_drawn(result.tag);
+    result.drawn = around.drawn && name.space == svg_space && !is_container_of_what_is_not_drawn(result.tag);
     result.fault = around.fault;
     place(node, around, result);
-    read_geometry(node, result);
+    read_geometry(node, names, result);
     return result;
+  }
+
+  /// Inkscape's label; or what other editors keep a name in that their ids, each unique in the file, cannot be.
+  static std::string label_of(const pugi::xml_node& node, const Namespaces& names, const std::string& id) {
+    std::string_view label = names.attribute(node, inkscape_space, "label");
+    if (label.empty()) label = node.attribute("data-name").value();
+    if (label.empty()) label = names.attribute(node, serif_space, "id");
+    if (!label.empty()) return std::string(label);
+    const std::string behind = name_behind(id);
+    return behind == id ? std::string() : behind;
   }
 
   static void place(const pugi::xml_node& node, const SvgElement& around, SvgElement& result) {
@@ -97,7 +192,7 @@ class SvgReader {
     if (!(largest_stretch(result.to_page) <= 1e9)) result.fault = "is scaled beyond all measure";
   }
 
-  static void read_geometry(const pugi::xml_node& node, SvgElement& result) {
+  static void read_geometry(const pugi::xml_node& node, const Namespaces& names, SvgElement& result) {
     const SvgAttribute attribute = [&](const char* name) { return std::string_view(node.attribute(name).value()); };
     if (std::optional<SvgShape> shape = shape_of(result.tag, attribute)) {
       if (shape->d.size() > most_path_bytes) {
@@ -108,7 +203,8 @@ class SvgReader {
       result.center = shape->center;
     }
     if (result.tag != "image" && result.tag != "use") return;
-    result.href = attribute_of(node, "href", "xlink:href");
+    result.href = node.attribute("href").value();
+    if (result.href.empty()) result.href = names.attribute(node, xlink_space, "href");
     result.position = {parse_svg_length(attribute("x")).value_or(0), parse_svg_length(attribute("y")).value_or(0)};
     result.size = {parse_svg_length(attribute("width")).value_or(0), parse_svg_length(attribute("height")).value_or(0)};
     result.aspect = attribute("preserveAspectRatio");
@@ -189,14 +285,14 @@ SvgDrawing parse_svg(std::string_view text, const std::string& file) {
   SvgDrawing drawing;
   drawing.file = file;
   const pugi::xml_node root = document.document_element();
-  const std::string_view name = root.name();
-  if (name != "svg" && name != "svg:svg") {
-    throw BadSketch(
-        at_place(file, 1, 1) + ": it is no SVG drawing: its first element is <" + std::string(name.substr(0, 40)) + ">",
-        "save it from Inkscape as \"Inkscape SVG\"");
+  const XmlName name = Namespaces().within(root).name_of(root);
+  if (name.space != svg_space || name.local != "svg") {
+    throw BadSketch(at_place(file, 1, 1) + ": it is no SVG drawing: its first element is <" +
+                        std::string(root.name()).substr(0, 40) + ">",
+                    "save it from Inkscape as \"Inkscape SVG\"");
   }
   drawing.page_unit = page_unit_of(root);
-  SvgReader(text, drawing).read(root, {}, 0);
+  SvgReader(text, drawing).read(root, {}, 0, {});
   return drawing;
 }
 

@@ -24,7 +24,7 @@ struct BadSketch : std::runtime_error {
 struct SvgElement {
   std::string tag;    ///< "g", "path", "image", ...
   std::string id;     ///< of XML
-  std::string label;  ///< of Inkscape's Layers and Objects dialog
+  std::string label;  ///< of Inkscape's Layers and Objects dialog; in other editors' files the name behind the id
   int line = 0, column = 0;
   std::size_t end = 0;               ///< the elements from the next one up to here (not included) lie in this one
   bool drawn = true;                 ///< false in <defs>, <symbol> and the like

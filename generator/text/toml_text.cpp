@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "generator/base/file_bytes.h"
+#include "generator/base/small_ending.h"
 #include "generator/text/toml_limits.h"
 
 namespace pomona {
@@ -13,7 +14,7 @@ std::string read_toml_text(const std::filesystem::path& file) {
 }
 
 bool has_toml_heading(const std::filesystem::path& file, std::initializer_list<std::string_view> headings) {
-  if (file.extension() != ".toml") return false;
+  if (small_ending(file) != ".toml") return false;
   std::istringstream text(readable_bytes(file, TomlLimits{}.bytes));
   for (std::string line; std::getline(text, line);) {
     line.erase(0, line.find_first_not_of(" \t"));

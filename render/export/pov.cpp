@@ -202,6 +202,22 @@ std::string camera_text(const View& view, const ViewFrame& frame, double unit) {
   return text + "  sky " + vector_text(frame.up) + "\n  look_at " + vector_text(view.target / unit) + "\n}\n";
 }
 
+/// The name of the file that holds the meshes. POV-Ray 3.7 reads other letters than those of ASCII as blanks, and a
+/// backslash as the beginning of a folder: such bytes are spelt out, "p_c3_aache_meshes.inc" beside "pêche.pov".
+std::string include_name(const std::string& stem) {
+  std::string name;
+  for (const char c : stem) {
+    if (c >= ' ' && c <= '~' && c != '\\') {
+      name += c;
+    } else {
+      constexpr const char* digits = "0123456789abcdef";
+      const auto byte = static_cast<unsigned char>(c);
+      name += {'_', digits[byte >> 4], digits[byte & 15]};
+    }
+  }
+  return name + "_meshes.inc";
+}
+
 /// POV-Ray looks for includes where it was started, not where the scene lies.
 std::string include_text(const std::string& name) {
   const std::string beside = quoted(name), in_out = quoted("out/" + name);
@@ -272,7 +288,7 @@ std::vector<NamedFile> write_pov(const Scene& scene, const std::string& stem, co
   if (!ink.strokes.empty()) meshes += ink_text(scene, ink, exponent);
 
   // Place them.
-  const std::string include = stem + "_meshes.inc";
+  const std::string include = include_name(stem);
   std::string main = scene_text(scene, finishes, include, options);
   const double unit = power_of_ten(exponent);
   for (const Instance& instance : scene.instances) {

@@ -5,6 +5,7 @@
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
 #include "generator/base/nearest_name.h"
+#include "generator/base/small_ending.h"
 #include "generator/base/units.h"
 #include "generator/text/read_name.h"
 #include "generator/text/toml_document.h"
@@ -104,7 +105,7 @@ Style read_style(const std::filesystem::path& file) {
 }
 
 bool is_style_file(const std::filesystem::path& file) {
-  if (file.extension() != ".toml") return false;
+  if (small_ending(file) != ".toml") return false;
   std::istringstream text(readable_bytes(file, most_bytes));
   for (std::string line; std::getline(text, line);) {
     std::erase_if(line, [](char c) { return c == ' ' || c == '\t' || c == '\'' || c == '"'; });

@@ -115,6 +115,24 @@ TEST(BatchRecord, TellsOneBatchFromAnotherAndIsReadBack) {
   EXPECT_EQ(batch.entries[0].name, "a");
 }
 
+TEST(BatchRecord, NamesADrawingWholeAndChangesWithIt) {
+  const TemporaryFolder folder;
+  const auto record_of = [&](const char* end) {
+    std::ofstream(folder / "cut #2.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><path id="w" d="M -9,-20 L 9,)"
+                                         << end << R"("/></svg>)";
+    const std::string text = "[batch]\nformat = 1\nname = \"b\"\nseed = 1\n" +
+                             entry("a", "templates = \"kiwi\"\ncount = 2\nknives = \"stroke:cut #2.svg#w\"\n");
+    return batch_record(
+        planned(parse_batch(text, folder / "b.toml"),
+                {.find = [](const std::string& name) { return templates / (name + ".toml"); }, .all = {}}),
+        "pomona 1");
+  };
+  const std::string first = record_of("-30");
+  EXPECT_THAT(first, HasSubstr("\"file\": \"cut #2.svg\""));
+  EXPECT_EQ(first, record_of("-30"));
+  EXPECT_NE(first, record_of("-10"));
+}
+
 TEST(BatchRecord, RefusesNamesThatLeadElsewhere) {
   const std::string record = batch_record(plan_of(entry("a", "templates = \"kiwi\"\ncount = 2\n")), "pomona 1");
   std::string bad = record;

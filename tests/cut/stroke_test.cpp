@@ -224,6 +224,27 @@ TEST_F(StrokeFile, IsReadInMillimetresWithYUpwards) {
   EXPECT_NEAR(points("stroke:knife.svg#wave,scale=2mm")[0].x, -0.02, 1e-9);
 }
 
+TEST_F(StrokeFile, IsReadAsASketchReadsIt) {
+  std::ofstream(folder_ / "habits.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"
+        xmlns:xlink="http://www.w3.org/1999/xlink">
+      <path id="line" d="M -10,-20 L 0,-25 10,-20"/>
+      <use id="clone" xlink:href="#line" x="0" y="5"/>
+      <path id="pen" d="M -10,-20 L 0,-25 10,-20 M 10,-20"/>
+      <path id="twice" d="M 0,0 L 1,1"/>
+      <g><path id="twice" d="M 0,0 L 1,2"/></g>
+      <defs><path id="line" d="M 0,0 L 1,1"/></defs>
+    </svg>)";
+  const auto points = [&](const std::string& text) {
+    return std::get<StrokeKnife>(std::get<PlaneCut>(parse_knife(text, folder_.path()).cut)).points;
+  };
+  ASSERT_EQ(points("stroke:habits.svg#clone").size(), 3u);
+  EXPECT_NEAR(points("stroke:habits.svg#clone")[1].y, 0.02, 1e-9);
+  EXPECT_EQ(points("stroke:habits.svg#pen"), points("stroke:habits.svg#line"));
+  const std::string told = message("stroke:habits.svg#twice", ExitStatus::bad_data);
+  EXPECT_THAT(told, testing::HasSubstr("habits.svg:7:"));
+  EXPECT_THAT(told, testing::HasSubstr("drawn 2 times, first at " + (folder_ / "habits.svg") + ":6:"));
+}
+
 TEST_F(StrokeFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(message("stroke:knife.svg#loop", ExitStatus::bad_data), testing::HasSubstr("crosses itself"));
   EXPECT_THAT(message("stroke:knife.svg#loop", ExitStatus::bad_data), testing::HasSubstr("knife.svg:3:"));

@@ -74,6 +74,13 @@ TEST_F(KnifeKinds, EachIsReadAsItIsWrittenWithEveryOption) {
   }
 }
 
+TEST_F(KnifeKinds, TellTheDrawingThatTheirTextNames) {
+  EXPECT_EQ(drawing_of_knife("stroke:cut #2.svg#wave,scale=2mm"), "cut #2.svg");
+  EXPECT_EQ(drawing_of_knife("revolve:a,b.svg#line"), "a,b.svg");
+  EXPECT_EQ(drawing_of_knife("half"), std::nullopt);
+  EXPECT_EQ(drawing_of_knife("slices:4mm"), std::nullopt);
+}
+
 TEST_F(KnifeKinds, AreAllThereAreAndNoTwoTheSame) {
   std::vector<std::pair<std::size_t, std::size_t>> found;
   for (const KnifeKind& kind : knife_kinds()) found.push_back(kind_of(parsed(filled_in(kind.written[0]))));

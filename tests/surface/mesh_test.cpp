@@ -259,7 +259,7 @@ TEST(Mesh, ObjMistakesHaveLineAndColumn) {
       {three + "f 0 1 2\n", "x.obj:4:3: error: there is no such vertex"},
       {three + "f 1 2 99999999999999999999\n", "not the number of a vertex"},
       {three + "f 1 2 3x\n", "not the number of a vertex"},
-      {std::string("\0\0\0\0", 4), "holds no faces"},
+      {std::string("\0\0\0\0", 4), "begins with a keyword"},
   };
   for (const auto& [text, message] : mistakes) {
     EXPECT_THAT(message_of([&, &text = text] { parse_obj(text, "x.obj", ""); }), HasSubstr(message)) << text;
@@ -305,7 +305,7 @@ TEST(Mesh, GlbMistakesNameTheMesh) {
       {cube_glb({"\"children\":[1,2]", "\"children\":[0]"}), "within themselves"},
       {cube_glb({"\"children\":[1,2]", "\"children\":[9]"}), "no such node"},
       {cube_glb({"\"children\":[1,2]", "\"children\":[]"}), "holds no triangles"},
-      {cube_glb({"\"indices\":2", "\"indices\":2,\"mode\":1"}), "no plain triangles"},
+      {cube_glb({"\"indices\":2", "\"indices\":2,\"mode\":1"}), "points or lines"},
       {cube_glb({"\"POSITION\":0,", ""}), "has no positions"},
       {cube_glb({"5126", "5123"}), "positions must be three floats"},
       {cube_glb({"\"indices\":2", "\"indices\":0"}), "whole numbers"},

@@ -295,5 +295,47 @@ TEST(HostileSketch, survives_mutation) {
   }
 }
 
+// ---- Other editors ----
+
+/// A drawing in full, its side view's axis at x = 10 and its top view's at 50,50.
+std::string drawn_by(const std::string& root, const std::string& side, const std::string& top) {
+  return "<" + root + " " + page + ">\n" + side + "\n" + top + "\n</" + root.substr(0, root.find(' ')) + ">\n";
+}
+
+TEST(Sketch, names_belong_to_a_namespace_whatever_its_prefix) {
+  const std::string label = "http://www.inkscape.org/namespaces/inkscape", svg_name = "http://www.w3.org/2000/svg";
+  const auto prefixed = [&](const std::string& s, const std::string& i) {
+    return drawn_by(
+        s + "svg xmlns:" + s.substr(0, s.size() - 1) + "=\"" + svg_name + "\" xmlns:" + i + "=\"" + label + "\"",
+        "<" + s + "g " + i + ":label=\"side view\"><" + s + "path id=\"axis\" d=\"M10,0V-60\"/><" + s + "path " + i +
+            ":label=\"c\" d=\"M10,-5L30,-10\"/></" + s + "g>",
+        "");
+  };
+  expect_points(points(sketch(prefixed("ns0:", "ns1"))), {{0, 5}, {20, 10}});
+  expect_points(points(sketch(prefixed("svg:", "inkscape"))), {{0, 5}, {20, 10}});
+  // Declared where it is used, and a shape of another namespace beside it.
+  const std::string inner =
+      "<g xmlns:x=\"" + label + "\" x:label=\"side view\"><path id=\"axis\" d=\"M10,0V-60\"/>" +
+      "<o:path xmlns:o=\"urn:other\" id=\"c\" d=\"M0,0L1,1\"/><path x:label=\"c\" d=\"M10,-5L30,-10\"/></g>";
+  expect_points(points(sketch(drawn_by("svg xmlns=\"" + svg_name + "\"", inner, ""))), {{0, 5}, {20, 10}});
+  EXPECT_THROW(sketch(drawn_by("svg xmlns=\"urn:other\"", inner, "")), BadSketch);
+}
+
+TEST(Sketch, ids_that_had_to_be_unique_have_a_name_behind_them) {
+  const std::string root = "svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:serif=\"http://www.serif.com/\"";
+  const auto with = [&](const std::string& top_layer, const std::string& axis) {
+    return drawn_by(root, "<g id=\"side_view\"><path id=\"axis\" d=\"M10,0V-60\"/></g>",
+                    "<g " + top_layer + "><circle " + axis + " cx=\"50\" cy=\"50\" r=\"1\"/>" +
+                        "<path id=\"c\" d=\"M60,50L50,40L45,60Z\"/></g>");
+  };
+  const std::vector<glm::dvec2> wanted{{10, 0}, {0, 10}, {-5, -10}};
+  for (const auto& [layer, axis] : std::vector<std::pair<std::string, std::string>>{
+           {"id=\"top_view\" data-name=\"top view\"", "id=\"axis-2\" data-name=\"axis\""},  // Illustrator
+           {"id=\"top_x0020_view\"", "id=\"axis_1_\""},                                     // an older one
+           {"id=\"top-view\" serif:id=\"top view\"", "id=\"axis1\" serif:id=\"axis\""},     // Affinity
+           {"id=\"top view\"", "id=\"axis_2\""}})                                           // Figma
+    expect_points(points(sketch(with(layer, axis)), SketchView::top), wanted);
+}
+
 }  // namespace
 }  // namespace pomona

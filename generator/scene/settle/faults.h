@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/scene/settle/settle.h"
+#include "generator/scene/settle/settle_options.h"
 
 namespace pomona {
 

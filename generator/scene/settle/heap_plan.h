@@ -11,7 +11,7 @@
 #include "generator/scene/settle/height_map.h"
 #include "generator/scene/settle/piece_shape.h"
 #include "generator/scene/settle/rigid_body.h"
-#include "generator/scene/settle/settle.h"
+#include "generator/scene/settle/settle_options.h"
 
 namespace pomona {
 

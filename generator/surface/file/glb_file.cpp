@@ -1,6 +1,7 @@
 #include "generator/surface/file/glb_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include <tiny_gltf.h>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <nlohmann/json.hpp>
 
 #include "generator/base/error.h"
 #include "generator/base/little_endian.h"
@@ -24,6 +26,8 @@ constexpr std::uint32_t most_json = std::uint32_t{4} << 20;  // bytes; what is l
 constexpr std::ptrdiff_t most_values = 500'000;              // each takes tinygltf a fifth of a kilobyte
 constexpr int deepest_json = 64;
 constexpr std::size_t most_nodes = 65536;
+constexpr std::size_t most_instances = 65536;  // of one node
+constexpr std::size_t most_vertices = 5'000'000;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& element, const std::string& message,
                          const std::string& hint = {}) {
@@ -64,6 +68,86 @@ void check_container(std::string_view bytes, const std::string& file) {
   if (depth_of(text) > deepest_json) refuse(file, "byte 20", "values nested more than 64 deep");
   if (std::count(text.begin(), text.end(), ',') > most_values)
     refuse(file, "byte 20", "more than 500 000 values of JSON", "export the one object, not the scene");
+}
+
+// ---- Extensions ----
+
+constexpr const char* instancing = "EXT_mesh_gpu_instancing";
+constexpr const char* quantization = "KHR_mesh_quantization";
+constexpr const char* visibility = "KHR_node_visibility";
+
+/// An extension that may be required: one that is read here, or that changes what is left alone.
+bool is_understood(std::string_view extension) {
+  if (extension == instancing || extension == quantization || extension == visibility) return true;
+  constexpr std::array<std::string_view, 10> looks{
+      "KHR_materials_", "KHR_texture_", "EXT_texture_",   "MSFT_texture_",   "KHR_lights_",
+      "EXT_lights_",    "KHR_xmp",      "KHR_animation_", "ADOBE_materials", "EXT_mesh_features"};
+  return std::any_of(looks.begin(), looks.end(), [&](std::string_view look) { return extension.starts_with(look); });
+}
+
+std::string hint_about(std::string_view extension) {
+  if (extension.find("draco") != std::string_view::npos || extension.find("meshopt") != std::string_view::npos)
+    return "export it without compression";
+  return "export it without this extension, or as .obj";
+}
+
+using Json = nlohmann::json;
+
+/// The items of a list in an object; none where there is no such list.
+std::vector<Json> list_at(const Json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found == object.end() || !found->is_array() ? std::vector<Json>{} : found->get<std::vector<Json>>();
+}
+
+bool has_extension(const Json& object, const std::string& name) {
+  return object.is_object() && object.contains("extensions") && object["extensions"].is_object() &&
+         object["extensions"].contains(name);
+}
+
+/// What a reader must know and this one does not is refused by its name, before anything else is made of the file.
+void check_extensions(std::string_view text, const std::string& file) {
+  const Json json = Json::parse(text.begin(), text.end(), nullptr, false);
+  if (!json.is_object()) return;  // the reader says why
+  for (const Json& required : list_at(json, "extensionsRequired")) {
+    if (!required.is_string() || is_understood(required.get<std::string>())) continue;
+    const auto name = required.get<std::string>().substr(0, 64);
+    refuse(file, "extensionsRequired", "it requires \"" + name + "\", which is not read", hint_about(name));
+  }
+
+  // Only the first buffer may lie in the file without an address.
+  const std::vector<Json> buffers = list_at(json, "buffers"), accessors = list_at(json, "accessors");
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    if (!buffers[i].is_object() || buffers[i].contains("uri")) continue;
+    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+      if (has_extension(buffers[i], name))
+        refuse(file, "buffer " + std::to_string(i),
+               std::string("it is compressed by \"") + name + "\", which is not read", hint_about(name));
+    if (i > 0)
+      refuse(file, "buffer " + std::to_string(i), "it has no bytes", "export it anew as binary glTF 2.0 (.glb)");
+  }
+
+  // A compressed mesh may bring its values plainly, too.
+  const std::string draco = "KHR_draco_mesh_compression";
+  for (const Json& mesh : list_at(json, "meshes")) {
+    for (const Json& primitive : list_at(mesh, "primitives")) {
+      if (!has_extension(primitive, draco)) continue;
+      const auto index = primitive.contains("indices") && primitive["indices"].is_number_unsigned()
+                             ? primitive["indices"].get<std::size_t>()
+                             : accessors.size();
+      if (index < accessors.size() && accessors[index].is_object() && !accessors[index].contains("bufferView"))
+        refuse(file, "meshes", "it is compressed by \"" + draco + "\", which is not read", hint_about(draco));
+    }
+  }
+}
+
+/// Without a chunk of no bytes, which the reader does not take.
+std::string without_empty_chunk(std::string_view bytes) {
+  std::string whole(bytes);
+  const std::size_t end = 20 + std::size_t{word_at(bytes, 12)};
+  if (bytes.size() != end + 8 || word_at(bytes, end) != 0) return whole;
+  whole.resize(end);
+  for (std::size_t k = 0; k < 4; ++k) whole[8 + k] = static_cast<char>((end >> (8 * k)) & 0xFF);
+  return whole;
 }
 
 bool leave_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
@@ -107,21 +191,54 @@ struct Values {
   bool normalized = false;
 };
 
+/// The same as numbers.
+struct Table {
+  std::vector<double> value;
+  std::size_t count = 0, width = 0;
+  int component = 0;
+  double at(std::size_t item, std::size_t k) const { return value[item * width + k]; }
+};
+
+/// A node that shows a mesh.
+struct Shown {
+  int node = 0;
+  glm::dmat4 to_scene{1};
+  bool is_wanted_by_node = false, is_wanted_by_mesh = false;
+};
+
 class GlbReader {
  public:
   GlbReader(tinygltf::Model model, std::string file, std::string object)
       : model_(std::move(model)), file_(std::move(file)), object_(std::move(object)) {}
 
   PlainMesh read() {
-    for (const int root : roots()) visit(root, glm::dmat4(1), 0);
-    if (!object_.empty() && !found_)
-      refuse(file_, "scene", "has no object \"" + object_ + "\"", "it has: " + listed_names(names_));
+    to_scene_.resize(model_.nodes.size());
+    for (const int root : roots()) visit(root, glm::dmat4(1), 0, false);
+    for (const Shown& shown : wanted()) append(shown);
     if (mesh_.triangle.empty()) refuse(file_, "scene", "holds no triangles", "export the mesh as polygons");
     if (!colored_) mesh_.color.clear();
-    return without_unused(mesh_);
+    PlainMesh mesh = without_unused(mesh_);
+    mesh.notes = std::move(mesh_.notes);
+    return mesh;
   }
 
  private:
+  /// The nodes that are called so; those whose mesh data are, only where no node is.
+  std::vector<Shown> wanted() {
+    if (object_.empty()) return shown_;
+    const bool by_node = std::any_of(shown_.begin(), shown_.end(), [](const Shown& s) { return s.is_wanted_by_node; });
+    std::vector<Shown> wanted;
+    for (const Shown& s : shown_)
+      if (by_node ? s.is_wanted_by_node : s.is_wanted_by_mesh) wanted.push_back(s);
+    if (wanted.empty()) refuse(file_, "scene", "has no object \"" + object_ + "\"", "it has: " + listed_names(names_));
+    const std::size_t several = by_node ? called_so_ : wanted.size();
+    if (several > 1)
+      mesh_.notes.push_back(file_ + ": " + std::to_string(several) + " nodes " +
+                            (by_node ? "are called \"" : "show the mesh data \"") + object_.substr(0, 64) +
+                            "\": all of them are read");
+    return wanted;
+  }
+
   /// The scene's nodes, or those that are nobody's child.
   std::vector<int> roots() const {
     const int scene = model_.defaultScene >= 0 ? model_.defaultScene : 0;
@@ -141,7 +258,7 @@ class GlbReader {
     return roots;
   }
 
-  void visit(int index, const glm::dmat4& parent, int depth) {
+  void visit(int index, const glm::dmat4& parent, int depth, bool is_wanted) {
     const std::string what = "node " + std::to_string(index);
     if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
       refuse(file_, what, "there is no such node");
@@ -149,18 +266,92 @@ class GlbReader {
       refuse(file_, what, "nodes nested too deep, or within themselves");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
     const glm::dmat4 to_scene = parent * transform_of(node);
+    to_scene_[static_cast<std::size_t>(index)] = to_scene;
+    if (is_invisible(node)) return;
+    const bool called_so = !object_.empty() && node.name == object_;
+    called_so_ += called_so ? 1 : 0;
     if (node.mesh >= 0) {
       if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size()) refuse(file_, what, "there is no such mesh");
       const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
       if (names_.size() < 64) names_.push_back(node.name.empty() ? mesh.name : node.name);
-      const bool wanted = object_.empty() || node.name == object_ || mesh.name == object_;
-      found_ = found_ || wanted;
-      for (std::size_t i = 0; wanted && i < mesh.primitives.size(); ++i) {
-        element_ = "mesh \"" + mesh.name.substr(0, 64) + "\", primitive " + std::to_string(i);
-        append(mesh.primitives[i], to_scene);
+      shown_.push_back({index, to_scene, called_so || is_wanted, mesh.name == object_});
+    }
+    // A node without a mesh stands for what it holds.
+    const bool all_below = is_wanted || (called_so && node.mesh < 0);
+    for (const int child : node.children) visit(child, to_scene, depth + 1, all_below);
+  }
+
+  static bool is_invisible(const tinygltf::Node& node) {
+    const auto found = node.extensions.find(visibility);
+    if (found == node.extensions.end() || !found->second.Has("visible")) return false;
+    const tinygltf::Value& visible = found->second.Get("visible");
+    return visible.IsBool() && !visible.Get<bool>();
+  }
+
+  /// A mesh at each of its node's instances; on a skin, where its joints put it.
+  void append(const Shown& shown) {
+    const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(shown.node)];
+    const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
+    const std::string name = "mesh \"" + mesh.name.substr(0, 64) + "\"";
+    element_ = name;
+    const std::vector<glm::dmat4> joints = node.skin >= 0 ? joints_of(node.skin) : std::vector<glm::dmat4>{};
+    for (const glm::dmat4& place : places_of(node, shown.to_scene)) {
+      for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+        element_ = name + ", primitive " + std::to_string(i);
+        append(mesh.primitives[i], place, joints, node.weights.empty() ? mesh.weights : node.weights);
       }
     }
-    for (const int child : node.children) visit(child, to_scene, depth + 1);
+  }
+
+  std::vector<glm::dmat4> places_of(const tinygltf::Node& node, const glm::dmat4& to_scene) {
+    const auto extension = node.extensions.find(instancing);
+    if (extension == node.extensions.end() || node.skin >= 0) return {to_scene};
+    const tinygltf::Value& attributes = extension->second.Get("attributes");
+    const auto table = [&](const char* name, std::size_t width) -> std::optional<Table> {
+      if (!attributes.IsObject() || !attributes.Has(name)) return {};
+      Table values = table_of(attributes.Get(name).GetNumberAsInt(), name);
+      if (values.width != width) refuse(file_, element_ + ", " + name, "it has another number of components");
+      return values;
+    };
+    const auto translation = table("TRANSLATION", 3), rotation = table("ROTATION", 4), scale = table("SCALE", 3);
+    const std::optional<Table>& first = translation ? translation : rotation ? rotation : scale;
+    if (!first) return {to_scene};
+    if (first->count > most_instances) refuse(file_, element_, "more than 65 536 instances", "export fewer");
+    for (const std::optional<Table>& other : {translation, rotation, scale})
+      if (other && other->count != first->count) refuse(file_, element_, "its instances have lists of unequal length");
+    std::vector<glm::dmat4> places;
+    for (std::size_t i = 0; i < first->count; ++i) {
+      glm::dmat4 place(1);
+      if (rotation)
+        place = glm::mat4_cast(
+            glm::normalize(glm::dquat(rotation->at(i, 3), rotation->at(i, 0), rotation->at(i, 1), rotation->at(i, 2))));
+      for (int k = 0; k < 3; ++k) {
+        if (scale) place[k] *= scale->at(i, static_cast<std::size_t>(k));
+        if (translation) place[3][k] = translation->at(i, static_cast<std::size_t>(k));
+      }
+      places.push_back(to_scene * place);
+    }
+    return places;
+  }
+
+  /// What each joint of a skin does to a point of the mesh.
+  std::vector<glm::dmat4> joints_of(int index) const {
+    if (static_cast<std::size_t>(index) >= model_.skins.size()) refuse(file_, element_, "there is no such skin");
+    const tinygltf::Skin& skin = model_.skins[static_cast<std::size_t>(index)];
+    std::optional<Table> inverse;
+    if (skin.inverseBindMatrices >= 0) inverse = table_of(skin.inverseBindMatrices, "inverseBindMatrices");
+    if (inverse && (inverse->width != 16 || inverse->count < skin.joints.size()))
+      refuse(file_, element_ + ", inverseBindMatrices", "it needs a matrix for each joint");
+    std::vector<glm::dmat4> joints;
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+      const auto node = static_cast<std::size_t>(skin.joints[i]);
+      if (node >= to_scene_.size() || !to_scene_[node])
+        refuse(file_, element_, "a joint of its skin is not in the scene");
+      glm::dmat4 from_mesh(1);
+      for (int k = 0; k < 16 && inverse; ++k) from_mesh[k / 4][k % 4] = inverse->at(i, static_cast<std::size_t>(k));
+      joints.push_back(*to_scene_[node] * from_mesh);
+    }
+    return joints;
   }
 
   static glm::dmat4 transform_of(const tinygltf::Node& node) {
@@ -178,37 +369,95 @@ class GlbReader {
     return result;
   }
 
-  Values values_of(int index, const char* name) const {
+  /// The bytes of a view from an offset on, which hold `count` values of a type.
+  Values bytes_at(int view_index, std::size_t offset, std::size_t count, int type, int component_type,
+                  const char* name) const {
     const auto fail = [&](const char* why) { refuse(file_, element_ + ", " + name, why); };
-    if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size()) fail("there is no such accessor");
-    const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
-    if (accessor.sparse.isSparse) fail("sparse values are not understood");
-    if (accessor.bufferView < 0 || static_cast<std::size_t>(accessor.bufferView) >= model_.bufferViews.size()) {
+    if (view_index < 0 || static_cast<std::size_t>(view_index) >= model_.bufferViews.size())
       fail("there are no bytes for it");
-    }
-    const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
+    const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(view_index)];
     if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model_.buffers.size())
       fail("there is no such buffer");
     const std::vector<unsigned char>& bytes = model_.buffers[static_cast<std::size_t>(view.buffer)].data;
-    const int component = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
-    const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+    const int component = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type));
+    const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type));
     if (component <= 0 || components <= 0) fail("its type is not known");
     const auto size = static_cast<std::size_t>(component) * static_cast<std::size_t>(components);
     const std::size_t stride = view.byteStride != 0 ? view.byteStride : size;
 
     // All in the form "what is left is less": nothing can wrap.
     if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset) fail("the file ends early");
-    if (stride < size || stride > 252 || accessor.byteOffset > view.byteLength) fail("it lies outside its bytes");
-    const std::size_t left = view.byteLength - accessor.byteOffset;
-    if (accessor.count == 0 || left < size || accessor.count - 1 > (left - size) / stride) {
-      fail("it is longer than its bytes");
+    if (stride < size || stride > 252 || offset > view.byteLength) fail("it lies outside its bytes");
+    const std::size_t left = view.byteLength - offset;
+    if (count == 0 || left < size || count - 1 > (left - size) / stride) fail("it is longer than its bytes");
+    return {bytes.data() + view.byteOffset + offset, count, stride, type, component_type, false};
+  }
+
+  const tinygltf::Accessor& accessor_of(int index, const char* name) const {
+    if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size())
+      refuse(file_, element_ + ", " + name, "there is no such accessor");
+    return model_.accessors[static_cast<std::size_t>(index)];
+  }
+
+  Values values_of(int index, const char* name) const {
+    const tinygltf::Accessor& accessor = accessor_of(index, name);
+    if (accessor.sparse.isSparse) refuse(file_, element_ + ", " + name, "sparse values are not understood");
+    Values values =
+        bytes_at(accessor.bufferView, accessor.byteOffset, accessor.count, accessor.type, accessor.componentType, name);
+    values.normalized = accessor.normalized;
+    return values;
+  }
+
+  /// The values of an accessor as numbers, sparse ones in their places.
+  Table table_of(int index, const char* name) const {
+    const tinygltf::Accessor& accessor = accessor_of(index, name);
+    const auto fail = [&](const char* why) { refuse(file_, element_ + ", " + name, why); };
+    const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+    if (components <= 0) fail("its type is not known");
+    Table table{.value = {},
+                .count = accessor.count,
+                .width = static_cast<std::size_t>(components),
+                .component = accessor.componentType};
+    const bool is_sparse = accessor.sparse.isSparse;
+    if (accessor.bufferView >= 0 || !is_sparse) {
+      const Values plain = bytes_at(accessor.bufferView, accessor.byteOffset, accessor.count, accessor.type,
+                                    accessor.componentType, name);
+      fill(table, plain, accessor.normalized, name);
+    } else {
+      if (accessor.count > most_vertices) fail("more than 5 000 000 values");
+      table.value.assign(table.count * table.width, 0);
     }
-    return {bytes.data() + view.byteOffset + accessor.byteOffset,
-            accessor.count,
-            stride,
-            accessor.type,
-            accessor.componentType,
-            accessor.normalized};
+    if (!is_sparse) return table;
+
+    // Some values stand elsewhere, by number.
+    const auto& sparse = accessor.sparse;
+    const auto number = static_cast<std::size_t>(std::max(0, sparse.count));
+    const Values at = bytes_at(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), number,
+                               TINYGLTF_TYPE_SCALAR, sparse.indices.componentType, name);
+    Table other{.value = {}, .count = number, .width = table.width, .component = table.component};
+    fill(other,
+         bytes_at(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), number, accessor.type,
+                  accessor.componentType, name),
+         accessor.normalized, name);
+    for (std::size_t i = 0; i < number; ++i) {
+      const double place = component_of(at, i, 0).value_or(-1);
+      if (!(place >= 0 && place < static_cast<double>(table.count))) fail("a sparse value has no place");
+      for (std::size_t k = 0; k < table.width; ++k)
+        table.value[static_cast<std::size_t>(place) * table.width + k] = other.at(i, k);
+    }
+    return table;
+  }
+
+  void fill(Table& table, Values values, bool normalized, const char* name) const {
+    values.normalized = normalized;
+    table.value.reserve(table.count * table.width);
+    for (std::size_t i = 0; i < table.count; ++i) {
+      for (std::size_t k = 0; k < table.width; ++k) {
+        const std::optional<double> value = component_of(values, i, k);
+        if (!value) refuse(file_, element_ + ", " + name, "its numbers are of no known type");
+        table.value.push_back(*value);
+      }
+    }
   }
 
   template <typename T>
@@ -223,6 +472,11 @@ class GlbReader {
     switch (values.component) {
       case TINYGLTF_COMPONENT_TYPE_FLOAT:
         return raw<float>(start + 4 * k);
+      case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return values.normalized ? std::max(raw<std::int8_t>(start + k) / 127.0, -1.0) : raw<std::int8_t>(start + k);
+      case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return values.normalized ? std::max(raw<std::int16_t>(start + 2 * k) / 32767.0, -1.0)
+                                 : raw<std::int16_t>(start + 2 * k);
       case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
         return raw<std::uint8_t>(start + k) / (values.normalized ? 255.0 : 1.0);
       case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
@@ -234,32 +488,97 @@ class GlbReader {
     }
   }
 
-  void append(const tinygltf::Primitive& primitive, const glm::dmat4& to_scene) {
-    if (primitive.mode != TINYGLTF_MODE_TRIANGLES) {
-      refuse(file_, element_, "holds no plain triangles", "export it as triangles, without points, lines and strips");
+  void append(const tinygltf::Primitive& primitive, const glm::dmat4& to_scene, const std::vector<glm::dmat4>& joints,
+              const std::vector<double>& weights) {
+    if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
+        primitive.mode != TINYGLTF_MODE_TRIANGLE_FAN) {
+      refuse(file_, element_, "holds no triangles, but points or lines", "export it without them");
     }
     const auto found = primitive.attributes.find("POSITION");
     if (found == primitive.attributes.end()) {
       refuse(file_, element_, "has no positions", "export it without compression");
     }
     const std::size_t first = mesh_.position.size();
-    append_positions(values_of(found->second, "POSITION"), to_scene);
+    std::vector<glm::dvec3> position = positions_of(found->second);
+    morph(position, primitive, weights);
+    const bool on_skin = !joints.empty() && primitive.attributes.contains("JOINTS_0");
+    append_positions(on_skin ? posed(position, primitive, joints) : position, on_skin ? glm::dmat4(1) : to_scene);
     append_colors(primitive);
-    append_triangles(primitive, first, glm::determinant(to_scene) < 0);
+    append_triangles(primitive, first, glm::determinant(on_skin ? joints.front() : to_scene) < 0);
   }
 
-  void append_positions(const Values& values, const glm::dmat4& to_scene) {
-    if (values.type != TINYGLTF_TYPE_VEC3 || values.component != TINYGLTF_COMPONENT_TYPE_FLOAT) {
+  std::vector<glm::dvec3> positions_of(int accessor) const {
+    const tinygltf::Accessor& values = accessor_of(accessor, "POSITION");
+    const bool is_quantized = has_quantization() && values.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+    if (values.type != TINYGLTF_TYPE_VEC3 || (values.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT && !is_quantized)) {
       refuse(file_, element_ + ", POSITION", "positions must be three floats", "export it without quantization");
     }
-    constexpr std::size_t most_vertices = 5'000'000;
     if (values.count > most_vertices - mesh_.position.size()) {
+      // What is longer than its bytes is told as that.
+      if (!values.sparse.isSparse) values_of(accessor, "POSITION");
       refuse(file_, element_, "more than 5 000 000 vertices", "simplify the mesh");
     }
-    for (std::size_t i = 0; i < values.count; ++i) {
-      glm::dvec3 p(0);
-      for (std::size_t k = 0; k < 3; ++k) p[static_cast<int>(k)] = *component_of(values, i, k);
-      p = glm::dvec3(to_scene * glm::dvec4(p, 1));
+    const Table table = table_of(accessor, "POSITION");
+    std::vector<glm::dvec3> position;
+    position.reserve(table.count);
+    for (std::size_t i = 0; i < table.count; ++i) position.emplace_back(table.at(i, 0), table.at(i, 1), table.at(i, 2));
+    return position;
+  }
+
+  bool has_quantization() const {
+    const auto lists = [](const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), quantization) != names.end();
+    };
+    return lists(model_.extensionsUsed) || lists(model_.extensionsRequired);
+  }
+
+  /// Adds the targets that are on.
+  void morph(std::vector<glm::dvec3>& position, const tinygltf::Primitive& primitive,
+             const std::vector<double>& weights) const {
+    for (std::size_t t = 0; t < std::min(weights.size(), primitive.targets.size()); ++t) {
+      const auto found = primitive.targets[t].find("POSITION");
+      if (weights[t] == 0 || found == primitive.targets[t].end()) continue;
+      const Table moved = table_of(found->second, "morph target");
+      if (moved.width != 3 || moved.count != position.size())
+        refuse(file_, element_ + ", morph target", "it needs one place for each vertex");
+      for (std::size_t i = 0; i < position.size(); ++i)
+        position[i] += weights[t] * glm::dvec3(moved.at(i, 0), moved.at(i, 1), moved.at(i, 2));
+    }
+  }
+
+  /// Each point where its joints put it, by their weights.
+  std::vector<glm::dvec3> posed(const std::vector<glm::dvec3>& position, const tinygltf::Primitive& primitive,
+                                const std::vector<glm::dmat4>& joints) const {
+    std::vector<glm::dvec3> sum(position.size(), glm::dvec3(0));
+    std::vector<double> total(position.size(), 0);
+    for (int set = 0; primitive.attributes.contains("JOINTS_" + std::to_string(set)); ++set) {
+      const auto weights_at = primitive.attributes.find("WEIGHTS_" + std::to_string(set));
+      if (weights_at == primitive.attributes.end()) refuse(file_, element_, "its joints have no weights");
+      const Table joint = table_of(primitive.attributes.at("JOINTS_" + std::to_string(set)), "JOINTS");
+      const Table weight = table_of(weights_at->second, "WEIGHTS");
+      if (joint.width != 4 || weight.width != 4 || joint.count != position.size() || weight.count != position.size())
+        refuse(file_, element_, "it needs four joints and weights for each vertex");
+      for (std::size_t i = 0; i < position.size(); ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+          const double w = weight.at(i, k);
+          if (w == 0) continue;
+          if (!(joint.at(i, k) >= 0 && joint.at(i, k) < static_cast<double>(joints.size())))
+            refuse(file_, element_ + ", vertex " + std::to_string(i), "there is no such joint");
+          sum[i] += w * glm::dvec3(joints[static_cast<std::size_t>(joint.at(i, k))] * glm::dvec4(position[i], 1));
+          total[i] += w;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      if (!(total[i] > 0)) refuse(file_, element_ + ", vertex " + std::to_string(i), "no joint holds it");
+      sum[i] /= total[i];
+    }
+    return sum;
+  }
+
+  void append_positions(const std::vector<glm::dvec3>& position, const glm::dmat4& to_scene) {
+    for (std::size_t i = 0; i < position.size(); ++i) {
+      const auto p = glm::dvec3(to_scene * glm::dvec4(position[i], 1));
       for (int k = 0; k < 3; ++k) {
         if (!(std::fabs(p[k]) <= farthest)) {
           refuse(file_, element_ + ", vertex " + std::to_string(i), "its position is not finite or too far away");
@@ -300,23 +619,31 @@ class GlbReader {
     }
 
     // Too many triangles are refused before any is read.
-    const std::size_t count = (indices ? indices->count : vertices) / 3;
+    const std::size_t corners = indices ? indices->count : vertices;
+    const bool apart = primitive.mode == TINYGLTF_MODE_TRIANGLES;
+    const bool is_fan = primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
+    const std::size_t count = apart ? corners / 3 : corners < 3 ? 0 : corners - 2;
     if (count > most_mesh_triangles - mesh_.triangle.size()) {
       refuse(file_, element_, "more than 2 000 000 triangles", "simplify the mesh");
     }
 
-    // A mirrored triangle would turn its back: two of its corners change places.
+    // A mirrored triangle would turn its back: two of its corners change places; so would each second one of a strip.
     for (std::size_t i = 0; i < count; ++i) {
-      glm::uvec3 corners(0);
+      const std::size_t start = apart ? 3 * i : i;
+      glm::uvec3 triangle(0);
       for (std::size_t k = 0; k < 3; ++k) {
-        const double vertex = indices ? *component_of(*indices, 3 * i + k, 0) : static_cast<double>(3 * i + k);
-        if (!(vertex < static_cast<double>(vertices))) {
+        const std::size_t at = is_fan && k == 0 ? 0 : start + k;
+        const double vertex = indices ? *component_of(*indices, at, 0) : static_cast<double>(at);
+        if (!(vertex >= 0 && vertex < static_cast<double>(vertices))) {
           refuse(file_, element_ + ", triangle " + std::to_string(i), "there is no such vertex");
         }
-        corners[static_cast<int>(k)] = static_cast<std::uint32_t>(first + static_cast<std::size_t>(vertex));
+        triangle[static_cast<int>(k)] = static_cast<std::uint32_t>(first + static_cast<std::size_t>(vertex));
       }
-      if (mirrored) std::swap(corners.y, corners.z);
-      mesh_.triangle.push_back(corners);
+      const bool is_flat = triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x;
+      if (is_flat && !apart) continue;
+      const bool is_turned = !apart && !is_fan && i % 2 == 1;
+      if (mirrored != is_turned) std::swap(triangle.y, triangle.z);
+      mesh_.triangle.push_back(triangle);
     }
   }
 
@@ -324,8 +651,11 @@ class GlbReader {
   std::string file_, object_;
   std::string element_;  ///< what is read, for messages
   std::vector<std::string> names_;
+  std::vector<std::optional<glm::dmat4>> to_scene_;  ///< for each node of the scene
+  std::vector<Shown> shown_;
   std::size_t visits_ = 0;
-  bool found_ = false, colored_ = false;
+  std::size_t called_so_ = 0;  ///< nodes of the wanted name
+  bool colored_ = false;
   PlainMesh mesh_;
 };
 
@@ -333,7 +663,8 @@ class GlbReader {
 
 PlainMesh parse_glb(std::string_view bytes, const std::string& file, const std::string& object) {
   check_container(bytes, file);
-  return GlbReader(parse_model(bytes, file), file, object).read();
+  check_extensions(bytes.substr(20, word_at(bytes, 12)), file);
+  return GlbReader(parse_model(without_empty_chunk(bytes), file), file, object).read();
 }
 
 }  // namespace pomona

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "generator/base/error.h"
+#include "generator/mesh/polygon_triangles.h"
+#include "generator/surface/file/byte_mark.h"
+#include "generator/surface/file/channel_scale.h"
 
 namespace pomona {
 
@@ -16,63 +21,166 @@ constexpr double farthest = 1e9;             // in units of the file
 constexpr std::size_t most_vertices = 5e6;   // of the whole file
 constexpr std::size_t most_corners = 65536;  // of one face
 
+// What a name in the file may be to the object that is wanted; the first that occurs counts.
+enum Meaning : std::uint8_t { object_of_the_name = 1, group_of_the_name = 2, group_with_the_word = 4 };
+
+template <std::size_t N>
+bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 class ObjParser {
  public:
   ObjParser(std::string_view text, const std::string& file, const std::string& object)
       : text_(text), file_(file), object_(object) {}
 
   PlainMesh parse() {
+    if (const std::optional<ByteMark> mark = byte_mark_of(text_)) {
+      if (!mark->is_utf8) fail_whole("is UTF-16 or UTF-32 text", "save it as UTF-8 or ASCII");
+      text_.remove_prefix(mark->size);
+    }
     while (next_line()) read_line();
-    if (!object_.empty() && !found_) fail_whole("has no object \"" + object_ + "\"", "it has: " + listed_names(names_));
+    if (furthest_.size() > 0) check_corners_to_come();
+    if (!object_.empty() && meanings_ == 0)
+      fail_whole("has no object \"" + object_ + "\"", "it has: " + listed_names(names_));
+    append_faces();
     if (mesh_.triangle.empty()) fail_whole("holds no faces", "export the mesh as polygons");
-    if (!colored_) mesh_.color.clear();
+    color_vertices();
     return without_unused(mesh_);
   }
 
  private:
+  // ---- Lines and words ----
+
+  bool is_break(std::size_t at) const { return at < text_.size() && (text_[at] == '\n' || text_[at] == '\r'); }
+
+  /// Behind the line that starts here: its end, and where the next one starts, after LF, CR or both.
+  std::size_t end_of_line(std::size_t at) const { return std::min(text_.find_first_of("\r\n", at), text_.size()); }
+  std::size_t behind_break(std::size_t at) const {
+    if (at >= text_.size()) return text_.size();
+    return at + (text_[at] == '\r' && at + 1 < text_.size() && text_[at + 1] == '\n' ? 2 : 1);
+  }
+
   bool next_line() {
-    if (end_ >= text_.size() && line_number_ > 0) return false;
-    const std::size_t start = line_number_ == 0 ? 0 : end_;
-    if (start >= text_.size()) return false;
-    const std::size_t newline = text_.find('\n', start);
-    end_ = newline == std::string_view::npos ? text_.size() : newline + 1;
-    line_ = text_.substr(start, (newline == std::string_view::npos ? text_.size() : newline) - start);
-    ++line_number_;
-    at_ = word_at_ = 0;
+    line_number_ += lines_of_line_;
+    if (next_ >= text_.size()) return false;
+    std::size_t start = next_, end = end_of_line(start);
+    line_start_ = start;
+    lines_of_line_ = 1;
+    while (goes_on(line_start_, start, end)) {
+      start = behind_break(end);
+      end = end_of_line(start);
+      ++lines_of_line_;
+    }
+    line_end_ = end;
+    next_ = behind_break(end);
+    at_ = word_at_ = line_start_;
     return true;
   }
 
+  /// A backslash before the end joins a line to the next: but not in comments, and in names only where a blank stands
+  /// before it, because the names of files may end with one.
+  bool goes_on(std::size_t first, std::size_t start, std::size_t end) const {
+    const std::string_view line = text_.substr(start, end - start);
+    const std::size_t last = line.find_last_not_of(" \t\v\f");
+    if (end >= text_.size() || last == std::string_view::npos || line[last] != '\\') return false;
+    for (std::size_t k = 0; k < line.size(); ++k)
+      if (line[k] == '#' && is_comment(start + k)) return false;
+    const std::size_t keyword = std::min(text_.find_first_not_of(" \t", first), end);
+    const bool has_numbers =
+        is_one_of(text_.substr(keyword, std::min(text_.find_first_of(" \t", keyword), end) - keyword),
+                  std::array<std::string_view, 10>{"v", "vt", "vn", "vp", "f", "fo", "l", "p", "curv", "parm"});
+    return has_numbers || last == 0 || line[last - 1] == ' ' || line[last - 1] == '\t';
+  }
+
+  /// "1.#INF" is how some programs write numbers that are none.
+  bool is_comment(std::size_t at) const {
+    const std::string_view after = text_.substr(at + 1, 4);
+    return !after.starts_with("INF") && !after.starts_with("IND") && after != "QNAN" && after != "SNAN";
+  }
+
+  bool is_blank(std::size_t at) const {
+    const char c = text_[at];
+    if (c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f') return true;
+    if (c != '\\') return false;
+    const std::size_t behind = text_.find_first_not_of(" \t\v\f", at + 1);
+    return behind < line_end_ && is_break(behind);
+  }
+
+  /// The next word of the line, up to a comment.
   std::string_view word() {
-    const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (at_ < line_.size() && is_space(line_[at_])) ++at_;
+    while (at_ < line_end_ && is_blank(at_)) ++at_;
     word_at_ = at_;
-    while (at_ < line_.size() && !is_space(line_[at_])) ++at_;
-    return line_.substr(word_at_, at_ - word_at_);
+    while (at_ < line_end_ && !is_blank(at_)) {
+      if (text_[at_] == '#' && is_comment(at_)) {
+        const std::string_view before = text_.substr(word_at_, at_ - word_at_);
+        at_ = line_end_;
+        return before;
+      }
+      ++at_;
+    }
+    return text_.substr(word_at_, at_ - word_at_);
   }
 
   void read_line() {
     const std::string_view keyword = word();
+    if (keyword.empty()) return;
     if (keyword == "v") {
       read_vertex();
-    } else if (keyword == "f") {
+    } else if (keyword == "f" || keyword == "fo") {
       read_face();
     } else if (keyword == "o" || keyword == "g") {
       read_name(keyword == "o");
+    } else {
+      pass_over(keyword);
     }
   }
 
+  /// What has a shape that is not read is told; the rest of the format, and what it does not know, has none.
+  void pass_over(std::string_view keyword) {
+    static constexpr std::array<std::string_view, 7> curved{"curv", "surf", "bsp", "bzp", "cdc", "cdp", "res"};
+    if (is_one_of(keyword, curved))
+      fail("\"" + std::string(keyword) + "\" makes a curved surface, and only polygons are read",
+           "export the mesh as polygons");
+    if (keyword == "call") fail("\"call\" leads to another file, and only this one is read", "put the lines in here");
+    if (keyword == "V" || keyword == "F") fail("keywords have small letters: v and f");
+    if (std::isalpha(static_cast<unsigned char>(keyword.front())) == 0 && keyword.front() != '!' &&
+        keyword.front() != '/')
+      fail("a line of an .obj begins with a keyword", "a number may have slipped to a line of its own");
+  }
+
+  // ---- Names ----
+
   /// The rest of the line. Groups may have several names; an object ends the groups before it.
   void read_name(bool is_object) {
-    std::string name(word());
-    for (std::string_view more = word(); !more.empty(); more = word()) name += " " + std::string(more);
-    (is_object ? in_object_ : in_group_) = !name.empty() && name == object_;
-    if (is_object) in_group_ = false;
-    found_ = found_ || in_object_ || in_group_;
-    constexpr std::size_t most_names = 64;
-    if (names_.size() < most_names && std::find(names_.begin(), names_.end(), name) == names_.end()) {
-      names_.push_back(name);
+    const std::size_t start = std::min(text_.find_first_not_of(" \t", at_), line_end_);
+    const auto words_of = [&] {
+      std::vector<std::string> words;
+      at_ = start;
+      for (std::string_view more = word(); !more.empty(); more = word()) words.emplace_back(more);
+      return words;
+    };
+    const std::vector<std::string> words = words_of();  // without a comment
+    std::string name;
+    for (const std::string& one : words) name += (name.empty() ? "" : " ") + one;
+    std::string_view whole = text_.substr(start, line_end_ - start);
+    while (!whole.empty() && (whole.back() == ' ' || whole.back() == '\t')) whole.remove_suffix(1);
+
+    const bool same = !object_.empty() && (name == object_ || whole == object_);
+    const bool among = !object_.empty() && std::find(words.begin(), words.end(), object_) != words.end();
+    if (is_object) {
+      here_ = same ? object_of_the_name : 0;
+    } else {
+      here_ = static_cast<std::uint8_t>((here_ & object_of_the_name) | (same ? group_of_the_name : 0) |
+                                        (among ? group_with_the_word : 0));
     }
+    meanings_ = static_cast<std::uint8_t>(meanings_ | here_);
+    constexpr std::size_t most_names = 64;
+    if (names_.size() < most_names && std::find(names_.begin(), names_.end(), name) == names_.end())
+      names_.push_back(name);
   }
+
+  // ---- Vertices ----
 
   double number(std::string_view text) const {
     if (text.empty()) fail("a vertex needs three numbers");
@@ -97,60 +205,135 @@ class ObjParser {
     for (std::string_view text = word(); !text.empty() && count < 4; text = word()) {
       more[static_cast<std::size_t>(count++)] = number(text);
     }
-    Color color(0.5f);
-    for (int k = 0; k < 3 && count >= 3; ++k) {
-      const double channel = std::clamp(more[static_cast<std::size_t>(k)], 0.0, 1.0);
-      color[k] = static_cast<float>(linear_from_srgb(channel));
-    }
-    colored_ = colored_ || count >= 3;
-    mesh_.color.push_back(color);
+    if (count < 3) return;
+    channel_.resize(mesh_.position.size(), glm::dvec3(no_color));
+    channel_.back() = {more[0], more[1], more[2]};
   }
 
-  /// "7", "7/1", "7//3" or "-2": vertices count from 1, or backwards from the newest.
-  std::uint32_t corner(std::string_view text) const {
+  void color_vertices() {
+    if (channel_.empty()) return;
+    double largest = 0;
+    for (const glm::dvec3& c : channel_) largest = std::max({largest, c.r, c.g, c.b});
+    const double white = white_of_floats(largest);
+    channel_.resize(mesh_.position.size(), glm::dvec3(no_color));
+    for (const glm::dvec3& c : channel_) {
+      Color color(0.5f);
+      for (int k = 0; k < 3 && c.r != no_color; ++k)
+        color[k] = static_cast<float>(linear_from_srgb(std::clamp(c[k] / white, 0.0, 1.0)));
+      mesh_.color.push_back(color);
+    }
+  }
+
+  // ---- Faces ----
+
+  /// "7", "7/1", "7//3" or "-2": vertices count from 1, or backwards from the newest; a face may stand before them.
+  std::uint32_t corner(std::string_view text) {
     const std::string_view index = text.substr(0, text.find('/'));
     std::int64_t value = 0;
     const auto [end, status] = std::from_chars(index.data(), index.data() + index.size(), value);
     if (status != std::errc() || end != index.data() + index.size()) fail("this is not the number of a vertex");
     const auto count = static_cast<std::int64_t>(mesh_.position.size());
-    if (value == 0 || value > count || value < -count) {
-      fail("there is no such vertex", "vertices are numbered from 1, in the order of the file");
-    }
+    if (value == 0 || value > static_cast<std::int64_t>(most_vertices) || value < -count) fail_no_vertex(place());
+    if (value > count && (furthest_.empty() || value > furthest_.back().vertex))
+      furthest_.push_back({value, line_start_, word_at_, line_number_});
     return static_cast<std::uint32_t>(value > 0 ? value - 1 : count + value);
   }
 
   void read_face() {
-    if (!object_.empty() && !in_object_ && !in_group_) return;
-    std::vector<std::uint32_t> corners;
+    const std::size_t first = corners_.size();
     for (std::string_view text = word(); !text.empty(); text = word()) {
-      if (corners.size() == most_corners) fail("a face with more than 65536 corners");
-      corners.push_back(corner(text));
+      if (corners_.size() - first == most_corners) fail("a face with more than 65536 corners");
+      corners_.push_back(corner(text));
     }
-    if (corners.size() < 3) fail("a face needs at least 3 vertices");
-    if (mesh_.triangle.size() + corners.size() - 2 > most_mesh_triangles) {
-      fail("more than 2 000 000 triangles", "simplify the mesh");
+    const std::size_t count = corners_.size() - first;
+    if (count < 3) fail("a face needs at least 3 vertices");
+    triangles_ += count - 2;
+    if (!object_.empty() && here_ == 0) {
+      corners_.resize(first);
+      triangles_ -= count - 2;
+    } else {
+      faces_.push_back({first, static_cast<std::uint32_t>(count), here_, line_number_});
     }
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-      mesh_.triangle.emplace_back(corners[0], corners[k - 1], corners[k]);
+    if (triangles_ > most_mesh_triangles) fail("more than 2 000 000 triangles", "simplify the mesh");
+  }
+
+  /// The first face that names a vertex which never came.
+  void check_corners_to_come() const {
+    for (const Awaited& awaited : furthest_) {
+      if (awaited.vertex > static_cast<std::int64_t>(mesh_.position.size()))
+        fail_no_vertex(place_of(awaited.line_start, awaited.word_at, awaited.line));
     }
   }
 
+  void append_faces() {
+    // Objects first; groups only where no object has the name.
+    const auto wanted = static_cast<std::uint8_t>(meanings_ & (~meanings_ + 1));
+    std::vector<glm::dvec3> places;
+    for (const Face& face : faces_) {
+      if (!object_.empty() && (face.meanings & wanted) == 0) continue;
+      const std::span<const std::uint32_t> corners(&corners_[face.first], face.count);
+      places.clear();
+      for (const std::uint32_t c : corners) places.push_back(mesh_.position[c]);
+      const auto triangles = polygon_triangles(places);
+      if (!triangles) {
+        throw Error(ExitStatus::bad_data, {{{file_, face.line, 1, {}},
+                                            "this face crosses or touches itself",
+                                            "triangulate the mesh before it is exported"}});
+      }
+      for (const glm::uvec3& t : *triangles) mesh_.triangle.emplace_back(corners[t.x], corners[t.y], corners[t.z]);
+    }
+  }
+
+  // ---- Mistakes ----
+
+  /// The place of a word in a line that may go on over several.
+  SourcePlace place_of(std::size_t line_start, std::size_t word_at, int line) const {
+    for (std::size_t end = end_of_line(line_start); end < word_at; end = end_of_line(line_start)) {
+      line_start = behind_break(end);
+      ++line;
+    }
+    return {file_, line, static_cast<int>(word_at - line_start) + 1, {}};
+  }
+  SourcePlace place() const { return place_of(line_start_, word_at_, line_number_); }
+
   [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const {
-    throw Error(ExitStatus::bad_data, {{{file_, line_number_, static_cast<int>(word_at_) + 1, {}}, message, hint}});
+    throw Error(ExitStatus::bad_data, {{place(), message, hint}});
+  }
+
+  [[noreturn]] static void fail_no_vertex(const SourcePlace& place) {
+    throw Error(ExitStatus::bad_data, {{place, "there is no such vertex", "vertices are numbered from 1"}});
   }
 
   [[noreturn]] void fail_whole(const std::string& message, const std::string& hint) const {
-    throw Error(ExitStatus::bad_data, {{{file_, std::max(1, line_number_), 1, {}}, message, hint}});
+    throw Error(ExitStatus::bad_data, {{{file_, std::max(1, line_number_ - 1), 1, {}}, message, hint}});
   }
+
+  struct Face {
+    std::size_t first = 0;  ///< in corners_
+    std::uint32_t count = 0;
+    std::uint8_t meanings = 0;
+    int line = 0;
+  };
+  /// A vertex that stood further on than any before it, and the word that named it.
+  struct Awaited {
+    std::int64_t vertex = 0;
+    std::size_t line_start = 0, word_at = 0;
+    int line = 0;
+  };
+  static constexpr double no_color = -2 * farthest;
 
   std::string_view text_;
   std::string file_, object_;
-  std::string_view line_;
-  std::size_t end_ = 0;  ///< past the line's end
+  std::size_t line_start_ = 0, line_end_ = 0, next_ = 0;  ///< the line, and the one behind it
   std::size_t at_ = 0, word_at_ = 0;
-  int line_number_ = 0;
-  bool in_object_ = false, in_group_ = false, found_ = false, colored_ = false;
+  int line_number_ = 1, lines_of_line_ = 0;
+  std::uint8_t here_ = 0, meanings_ = 0;  ///< what the names so far mean: those in force, all of them
   std::vector<std::string> names_;
+  std::vector<glm::dvec3> channel_;  ///< sRGB as it stands; empty without any
+  std::vector<std::uint32_t> corners_;
+  std::vector<Face> faces_;
+  std::vector<Awaited> furthest_;
+  std::size_t triangles_ = 0;
   PlainMesh mesh_;
 };
 

@@ -39,20 +39,6 @@ std::vector<std::uint8_t> outermost(const DiffusionSurfaces& surfaces, const std
   return is_skin;
 }
 
-std::uint32_t doubled_vertex(DiffusionSurfaces& surfaces, std::uint32_t vertex) {
-  const auto copy = [vertex](auto& values) {
-    const auto value = values[vertex];
-    values.push_back(value);
-  };
-  copy(surfaces.position);
-  copy(surfaces.front_color);
-  copy(surfaces.back_color);
-  copy(surfaces.blur);
-  copy(surfaces.front_hidden);
-  copy(surfaces.back_hidden);
-  return static_cast<std::uint32_t>(surfaces.vertex_count() - 1);
-}
-
 }  // namespace
 
 DiffusionSurfaces with_outer_skin(DiffusionSurfaces surfaces) {

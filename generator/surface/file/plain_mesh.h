@@ -16,6 +16,7 @@ struct PlainMesh {
   std::vector<glm::dvec3> position;
   std::vector<Color> color;  ///< linear; one per vertex, or none
   std::vector<glm::uvec3> triangle;
+  std::vector<std::string> notes;  ///< what the file leaves open, and how it was taken
 };
 
 constexpr std::size_t most_mesh_triangles = 2'000'000;

@@ -140,6 +140,10 @@ void PlyReader::fail(const std::string& message, const std::string& hint) const 
   throw Error(ExitStatus::bad_data, {{place, message, hint}});
 }
 
+void PlyReader::fail_whole(const std::string& message, const std::string& hint) const {
+  throw Error(ExitStatus::bad_data, {{{file_, 0, 0, {}}, message, hint}});
+}
+
 void PlyReader::fail_at(std::size_t byte, const std::string& message, const std::string& hint) const {
   throw Error(ExitStatus::bad_data, {{place_in_text(bytes_, byte, file_), message, hint}});
 }

@@ -35,6 +35,9 @@ class PlyReader {
   /// Fails at the value read last: "vertex 12, byte 345" in binary files, line and column in ascii.
   [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const;
 
+  /// Fails for the file as a whole.
+  [[noreturn]] void fail_whole(const std::string& message, const std::string& hint = {}) const;
+
   /// Fails at a byte of the header.
   [[noreturn]] void fail_at(std::size_t byte, const std::string& message, const std::string& hint = {}) const;
 

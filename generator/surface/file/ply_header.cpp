@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <utility>
+
+#include "generator/surface/file/byte_mark.h"
 
 namespace pomona {
 
@@ -36,7 +39,13 @@ class HeaderParser {
   HeaderParser(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
   PlyHeader parse() {
-    // The first line tells that this is a PLY file.
+    // The first line tells that this is a PLY file, and how its lines end.
+    if (const std::optional<ByteMark> mark = byte_mark_of(bytes_)) {
+      if (!mark->is_utf8) fail("this is UTF-16 or UTF-32 text", "save it as ASCII");
+      line_end_ = mark->size;
+    }
+    const std::size_t first_end = bytes_.find_first_of("\r\n", line_end_);
+    if (first_end != std::string_view::npos && bytes_.substr(first_end, 2) != "\r\n") break_ = bytes_[first_end];
     next_line();
     if (word() != "ply") fail("this is no PLY file", "its first line must be \"ply\"");
 
@@ -71,7 +80,7 @@ class HeaderParser {
     // More than any honest header; what comes after it might be anything.
     constexpr std::size_t longest_header = std::size_t{1} << 20;
     at_ = word_at_ = line_end_;
-    const std::size_t end = bytes_.substr(0, longest_header).find('\n', at_);
+    const std::size_t end = bytes_.substr(0, longest_header).find(break_, at_);
     if (end == std::string_view::npos) fail("the header does not end", "it must end with the line \"end_header\"");
     line_end_ = end + 1;
     line_ = bytes_.substr(0, end);
@@ -173,6 +182,7 @@ class HeaderParser {
   PlyHeader header_;
   std::string_view line_;     ///< from the start of the file to the end of the line
   std::size_t line_end_ = 0;  ///< past the line's end
+  char break_ = '\n';         ///< what ends a line, perhaps behind a CR; old programs end lines with CR alone
   std::size_t at_ = 0;
   std::size_t word_at_ = 0;
 };
@@ -181,10 +191,12 @@ class HeaderParser {
 
 SourcePlace place_in_text(std::string_view bytes, std::size_t byte, const std::string& file) {
   const std::string_view before = bytes.substr(0, byte);
+  const bool ends_with_cr = bytes.find('\n') == std::string_view::npos;
+  const char line_break = ends_with_cr ? '\r' : '\n';
   SourcePlace place;
   place.file = file;
-  place.line = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
-  const std::size_t line_start = before.rfind('\n');
+  place.line = 1 + static_cast<int>(std::count(before.begin(), before.end(), line_break));
+  const std::size_t line_start = before.rfind(line_break);
   place.column = static_cast<int>(before.size() - (line_start == std::string_view::npos ? 0 : line_start + 1)) + 1;
   return place;
 }

@@ -5,14 +5,19 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
+#include "generator/mesh/polygon_triangles.h"
+#include "generator/surface/file/channel_scale.h"
+#include "generator/surface/file/far_from_origin.h"
 #include "generator/surface/file/outer_skin.h"
 #include "generator/surface/file/ply.h"
 #include "generator/surface/file/surface_file.h"
@@ -26,8 +31,9 @@ constexpr std::uint64_t most_bytes = std::uint64_t{512} << 20;
 constexpr std::uint64_t most_vertices = 5'000'000;
 constexpr std::uint64_t most_triangles = 10'000'000;
 constexpr double most_names = 65'536;
-constexpr double farthest = 1e6;   ///< metres
-constexpr double smallest = 1e-6;  ///< metres
+constexpr double farthest = 1e6;       ///< metres
+constexpr double farthest_read = 1e8;  ///< metres, before it is moved: the Earth is 4e7 m around
+constexpr double smallest = 1e-6;      ///< metres
 
 constexpr const char* both_hidden = "this face hides both its sides";
 constexpr const char* show_one = "hide only the side that faces air";
@@ -46,39 +52,150 @@ bool has(const PlyElement& element, std::initializer_list<std::string_view> name
   });
 }
 
+/// Three properties that are one vector, under any of some names.
+using VectorNames = std::array<std::string_view, 3>;
+constexpr std::array<VectorNames, 5> srgb_names{{{"red", "green", "blue"},
+                                                 {"diffuse_red", "diffuse_green", "diffuse_blue"},
+                                                 {"r", "g", "b"},
+                                                 {"color_r", "color_g", "color_b"},
+                                                 {"color_red", "color_green", "color_blue"}}};
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool same_but_for_capitals(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+}
+
+std::optional<int> channel_of(const PlyProperty& property, const VectorNames& names) {
+  const auto found = std::find_if(names.begin(), names.end(), [&](std::string_view name) {
+    return !property.count_type && same_but_for_capitals(property.name, name);
+  });
+  return found == names.end() ? std::nullopt : std::optional(static_cast<int>(found - names.begin()));
+}
+
+/// The names of an element's colours; nothing without any.
+std::optional<VectorNames> srgb_of(const PlyElement& element) {
+  for (const VectorNames& names : srgb_names) {
+    int channels = 0;
+    for (const PlyProperty& property : element.properties) channels += channel_of(property, names) ? 1 : 0;
+    if (channels == 3) return names;
+  }
+  return {};
+}
+
+bool is_float(PlyType type) { return type == PlyType::float32 || type == PlyType::float64; }
+
+/// Colours for viewers as they stand in the file. Full is 255 for bytes; with floats that depends on the largest.
+class Srgb {
+ public:
+  explicit Srgb(const PlyElement& element) : names_(srgb_of(element)) {
+    for (const PlyProperty& property : element.properties) {
+      const std::optional<int> k = names_ ? channel_of(property, *names_) : std::nullopt;
+      if (k) type_[static_cast<std::size_t>(*k)] = property.type;
+    }
+  }
+
+  bool is_there() const { return names_.has_value(); }
+  std::optional<int> channel(const PlyProperty& property) const {
+    return names_ ? channel_of(property, *names_) : std::nullopt;
+  }
+  void add(const glm::dvec3& color) {
+    color_.push_back(color);
+    for (int k = 0; k < 3; ++k)
+      if (is_float(type_[static_cast<std::size_t>(k)])) largest_float_ = std::max(largest_float_, color[k]);
+  }
+  const glm::dvec3& operator[](std::size_t i) const { return color_[i]; }
+
+  Color linear(std::size_t i) const {
+    Color color;
+    for (int k = 0; k < 3; ++k)
+      color[k] = static_cast<float>(linear_from_srgb(std::clamp(color_[i][k] / white(k), 0.0, 1.0)));
+    return color;
+  }
+
+ private:
+  double white(int k) const {
+    const PlyType type = type_[static_cast<std::size_t>(k)];
+    if (is_float(type)) return white_of_floats(largest_float_);
+    return type == PlyType::int16 || type == PlyType::uint16 ? 65535 : 255;
+  }
+
+  std::optional<VectorNames> names_;
+  std::array<PlyType, 3> type_{};
+  std::vector<glm::dvec3> color_;
+  double largest_float_ = 0;
+};
+
 class SurfaceReader {
  public:
-  SurfaceReader(std::string_view bytes, const std::string& file) : ply_(bytes, file) {}
+  SurfaceReader(std::string_view bytes, const std::string& file, const Placing& placing)
+      : ply_(bytes, file), placing_(placing) {}
 
   DiffusionSurfaces read() {
+    read_elements();
+    round_positions();
+    check_whole();
+    name_surfaces_and_parts();
+    return with_outer_skin(std::move(surfaces_));
+  }
+
+  /// Shapes and the front's colours, not rounded.
+  PlainMesh read_plain(const std::string& object) {
+    read_elements();
+    name_surfaces_and_parts();
+    std::vector<std::uint8_t> is_wanted(surfaces_.surface_names.size(), object.empty() ? 1 : 0);
+    for (std::size_t s = 0; s < is_wanted.size(); ++s)
+      if (surfaces_.surface_names[s] == object) is_wanted[s] = 1;
+    if (!object.empty() && std::find(is_wanted.begin(), is_wanted.end(), 1) == is_wanted.end())
+      ply_.fail_whole("there is no surface \"" + object + "\" in the file",
+                      "it has: " + listed_names(surfaces_.surface_names));
+    PlainMesh mesh;
+    mesh.position = std::move(exact_);
+    if (has_color_) mesh.color = std::move(surfaces_.front_color);
+    for (std::size_t i = 0; i < surfaces_.triangle_count(); ++i)
+      if (is_wanted[static_cast<std::size_t>(surfaces_.surface[i])] != 0)
+        mesh.triangle.push_back(surfaces_.triangle[i]);
+    return without_unused(mesh);
+  }
+
+ private:
+  void read_elements() {
     check_elements();
     for (const PlyElement& element : ply_.header().elements) {
       if (&element == vertices_) {
         read_vertices();
       } else if (&element == faces_) {
         read_faces();
+      } else if (&element == strips_) {
+        read_strips();
       } else {
         skip(element);
       }
     }
-    check_whole();
-    name_surfaces_and_parts();
-    return with_outer_skin(std::move(surfaces_));
+    append_awaiting();
+    paint_faces();
   }
 
- private:
   void check_elements() {
     vertices_ = find_element(ply_.header(), "vertex");
     faces_ = find_element(ply_.header(), "face");
+    strips_ = find_element(ply_.header(), "tristrips");
+    if (faces_ && faces_->count == 0 && strips_) faces_ = nullptr;
     if (!vertices_) ply_.fail_at(0, "the file has no vertices", "it needs an element \"vertex\"");
-    if (!faces_) ply_.fail_at(0, "the file has no faces", "point clouds are not surfaces");
+    if (!faces_ && !strips_) {
+      if (find_element(ply_.header(), "range_grid"))
+        ply_.fail_at(0, "the file has a range_grid instead of faces", "make a mesh of it in the program it came from");
+      ply_.fail_at(0, "the file has no faces", "point clouds are not surfaces");
+    }
     if (!has(*vertices_, {"x", "y", "z"})) ply_.fail_at(vertices_->byte, "vertices need the properties x, y and z");
-    if (std::none_of(faces_->properties.begin(), faces_->properties.end(), is_corners)) {
-      ply_.fail_at(faces_->byte, "faces need the list vertex_indices");
+    for (const PlyElement* element : {faces_, strips_}) {
+      if (element && std::none_of(element->properties.begin(), element->properties.end(), is_corners))
+        ply_.fail_at(element->byte,
+                     (element == faces_ ? "faces" : "strips") + std::string(" need the list vertex_indices"));
     }
     if (vertices_->count > most_vertices) ply_.fail_at(vertices_->byte, "more than 5 000 000 vertices");
-    if (faces_->count > most_triangles) ply_.fail_at(faces_->byte, "more than 10 000 000 faces");
-    if (faces_->count == 0) ply_.fail_at(faces_->byte, "the file has no faces");
+    if (faces_ && faces_->count > most_triangles) ply_.fail_at(faces_->byte, "more than 10 000 000 faces");
+    if (faces_ && faces_->count == 0) ply_.fail_at(faces_->byte, "the file has no faces");
   }
 
   static bool is_corners(const PlyProperty& p) {
@@ -97,7 +214,7 @@ class SurfaceReader {
 
   /// One vertex as its values come.
   struct Vertex {
-    glm::vec3 position{0};
+    glm::dvec3 position{0};
     glm::dvec3 srgb{0};
     Color front{0}, back{0};
     float blur = 0;
@@ -105,31 +222,30 @@ class SurfaceReader {
   };
   using Setter = std::function<void(Vertex&, double)>;
 
-  Setter setter_of(const PlyProperty& property) const {
+  Setter setter_of(const PlyProperty& property, const Srgb& srgb) const {
     // Properties that are lists say nothing of a vertex.
     if (property.count_type) return {};
 
     // Positions and colours are vectors, each of three properties.
+    if (const std::optional<int> k = exact_channel_of(property, {"x", "y", "z"}))
+      return [this, k = *k](Vertex& v, double value) { v.position[k] = number(value, farthest_read); };
     struct Channels {
-      std::array<std::string_view, 3> names;
+      VectorNames names;
       glm::vec3 Vertex::*values;
     };
-    static constexpr std::array<Channels, 3> vectors{{{{"x", "y", "z"}, &Vertex::position},
-                                                      {{"front_r", "front_g", "front_b"}, &Vertex::front},
-                                                      {{"back_r", "back_g", "back_b"}, &Vertex::back}}};
+    static constexpr std::array<Channels, 2> vectors{
+        {{{"front_r", "front_g", "front_b"}, &Vertex::front}, {{"back_r", "back_g", "back_b"}, &Vertex::back}}};
     for (const Channels& vector : vectors) {
-      if (const std::optional<int> k = channel_of(property, vector.names)) {
+      if (const std::optional<int> k = exact_channel_of(property, vector.names)) {
         return [this, k = *k, values = vector.values](Vertex& v, double value) {
           (v.*values)[k] = static_cast<float>(number(value, farthest));
         };
       }
     }
 
-    // Colours for viewers have a full scale that depends on their type; the rest are single values.
-    if (const std::optional<int> k = channel_of(property, {"red", "green", "blue"})) {
-      const double white = full_scale(property.type);
-      return [this, k = *k, white](Vertex& v, double value) { v.srgb[k] = number(value, 1e6) / white; };
-    }
+    // Colours for viewers have a full scale of their own; the rest are single values.
+    if (const std::optional<int> k = srgb.channel(property))
+      return [this, k = *k](Vertex& v, double value) { v.srgb[k] = number(value, 1e6); };
     if (property.name == "blur") {
       return [this](Vertex& v, double value) {
         if (value < 0) ply_.fail("blur is below 0", "blur is a length in metres");
@@ -141,28 +257,24 @@ class SurfaceReader {
     return {};
   }
 
-  static std::optional<int> channel_of(const PlyProperty& property, const std::array<std::string_view, 3>& names) {
+  static std::optional<int> exact_channel_of(const PlyProperty& property, const VectorNames& names) {
     const auto found = std::find(names.begin(), names.end(), property.name);
     return found == names.end() ? std::nullopt : std::optional(static_cast<int>(found - names.begin()));
   }
 
-  /// What stands for a full channel: 255 for bytes, 1 for floats.
-  static double full_scale(PlyType type) {
-    if (type == PlyType::float32 || type == PlyType::float64) return 1;
-    return type == PlyType::int16 || type == PlyType::uint16 ? 65535 : 255;
-  }
-
   double number(double value, double most) const {
     if (!std::isfinite(value)) ply_.fail("this number is not finite");
-    if (std::fabs(value) > most) ply_.fail("this number is too large", "at most 1000000, lengths in metres");
+    if (std::fabs(value) > most)
+      ply_.fail("this number is too large",
+                "at most " + std::to_string(static_cast<std::int64_t>(most)) + ", lengths in metres");
     return value;
   }
 
   void read_vertices() {
     // Find what each property sets, and which colours the file has.
     std::vector<Setter> setters;
-    for (const PlyProperty& property : vertices_->properties) setters.push_back(setter_of(property));
-    const bool has_srgb = has(*vertices_, {"red", "green", "blue"});
+    Srgb srgb(*vertices_);
+    for (const PlyProperty& property : vertices_->properties) setters.push_back(setter_of(property, srgb));
     const bool has_front = has(*vertices_, {"front_r", "front_g", "front_b"});
     const bool has_back = has(*vertices_, {"back_r", "back_g", "back_b"});
     constexpr Color grey(0.5f);
@@ -182,22 +294,24 @@ class SurfaceReader {
         }
       }
 
-      // A front without a colour takes what viewers show, or is grey; a back without one is like its front.
-      if (!has_front) vertex.front = has_srgb ? linear(vertex.srgb) : grey;
+      if (!has_front) vertex.front = grey;
       if (!has_back) vertex.back = vertex.front;
       append(vertex);
+      if (srgb.is_there()) srgb.add(vertex.srgb);
     }
-  }
 
-  static Color linear(const glm::dvec3& srgb) {
-    Color color;
-    for (int k = 0; k < 3; ++k) {
-      color[k] = static_cast<float>(linear_from_srgb(std::clamp(srgb[k], 0.0, 1.0)));
+    // A front without a colour takes what viewers show, or is grey; a back without one is like its front.
+    has_color_ = has_front || srgb.is_there();
+    paints_backs_ = !has_back;
+    if (has_front || !srgb.is_there()) return;
+    for (std::size_t v = 0; v < surfaces_.vertex_count(); ++v) {
+      surfaces_.front_color[v] = srgb.linear(v);
+      if (!has_back) surfaces_.back_color[v] = surfaces_.front_color[v];
     }
-    return color;
   }
 
   void reserve_vertices(std::uint64_t count) {
+    exact_.reserve(count);
     surfaces_.position.reserve(count);
     surfaces_.front_color.reserve(count);
     surfaces_.back_color.reserve(count);
@@ -207,7 +321,8 @@ class SurfaceReader {
   }
 
   void append(const Vertex& vertex) {
-    surfaces_.position.push_back(vertex.position);
+    exact_.push_back(vertex.position);
+    surfaces_.position.push_back(glm::vec3(vertex.position));
     surfaces_.front_color.push_back(vertex.front);
     surfaces_.back_color.push_back(vertex.back);
     surfaces_.blur.push_back(vertex.blur);
@@ -220,22 +335,62 @@ class SurfaceReader {
   struct Face {
     std::vector<std::uint32_t> corners;
     std::int32_t surface = 0, front_part = 0, back_part = 0;
+    std::uint32_t index = 0;  ///< in the element
   };
+  static constexpr std::uint32_t no_face = UINT32_MAX;
 
   void read_faces() {
+    Srgb& srgb = face_color_.emplace(*faces_);
     for (std::uint64_t i = 0; i < faces_->count; ++i) {
       ply_.start_item(*faces_, i);
       Face face;
+      glm::dvec3 color(0);
       for (const PlyProperty& property : faces_->properties) {
         if (is_corners(property)) {
           read_corners(property, face);
         } else if (std::int32_t* index = index_of(property, face)) {
           *index = read_index(property.type);
+        } else if (const std::optional<int> k = srgb.channel(property)) {
+          color[*k] = number(ply_.value(property.type), 1e6);
         } else {
           ply_.skip(property);
         }
       }
-      append(face);
+      if (srgb.is_there()) srgb.add(color);
+      face.index = static_cast<std::uint32_t>(i);
+      append(std::move(face));
+    }
+  }
+
+  /// Each three corners in a row are a triangle, each second one the other way round; -1 begins a new strip.
+  void read_strips() {
+    for (std::uint64_t i = 0; i < strips_->count; ++i) {
+      ply_.start_item(*strips_, i);
+      for (const PlyProperty& property : strips_->properties) {
+        if (is_corners(property)) {
+          read_strip(property);
+        } else {
+          ply_.skip(property);
+        }
+      }
+    }
+  }
+
+  void read_strip(const PlyProperty& property) {
+    const std::uint64_t count = ply_.list_length(property);
+    std::uint64_t length = 0;
+    glm::uvec3 last(0);
+    for (std::uint64_t k = 0; k < count; ++k) {
+      const double value = ply_.value(property.type);
+      if (value == -1) {
+        length = 0;
+        continue;
+      }
+      last = {last.y, last.z, corner_of(value)};
+      if (++length < 3 || last.x == last.y || last.y == last.z || last.z == last.x) continue;
+      if (surfaces_.triangle_count() >= most_triangles) ply_.fail("more than 10 000 000 triangles");
+      const bool turned = length % 2 == 0;
+      append(Face{.corners = {last.x, turned ? last.z : last.y, turned ? last.y : last.z}, .index = no_face});
     }
   }
 
@@ -259,24 +414,67 @@ class SurfaceReader {
     const std::uint64_t count = ply_.list_length(property);
     if (count < 3) ply_.fail("a face needs at least 3 vertices");
     if (surfaces_.triangle_count() + count - 2 > most_triangles) ply_.fail("more than 10 000 000 triangles");
-    for (std::uint64_t k = 0; k < count; ++k) {
-      const double corner = ply_.value(property.type);
-      if (!(corner >= 0 && corner < static_cast<double>(vertices_->count)) || corner != std::floor(corner)) {
-        ply_.fail("there is no such vertex", "vertices are numbered from 0");
-      }
-      face.corners.push_back(static_cast<std::uint32_t>(corner));
-    }
+    for (std::uint64_t k = 0; k < count; ++k) face.corners.push_back(corner_of(ply_.value(property.type)));
   }
 
-  /// A polygon as a fan around its first vertex.
-  void append(const Face& face) {
-    for (std::size_t k = 2; k < face.corners.size(); ++k) {
-      surfaces_.triangle.emplace_back(face.corners[0], face.corners[k - 1], face.corners[k]);
+  std::uint32_t corner_of(double value) const {
+    if (!(value >= 0 && value < static_cast<double>(vertices_->count)) || value != std::floor(value))
+      ply_.fail("there is no such vertex", "vertices are numbered from 0");
+    return static_cast<std::uint32_t>(value);
+  }
+
+  /// A polygon is cut into triangles where its corners lie: it waits for them if they come behind.
+  void append(Face face) {
+    if (face.corners.size() > 3 && surfaces_.vertex_count() < vertices_->count) {
+      awaiting_.push_back(std::move(face));
+      return;
+    }
+    std::vector<glm::dvec3> places;
+    for (const std::uint32_t corner : face.corners)
+      places.push_back(corner < exact_.size() ? exact_[corner] : glm::dvec3(0));
+    const auto triangles = polygon_triangles(places);
+    if (!triangles) ply_.fail("this face crosses or touches itself", "triangulate the mesh before it is exported");
+    for (const glm::uvec3& t : *triangles) {
+      surfaces_.triangle.emplace_back(face.corners[t.x], face.corners[t.y], face.corners[t.z]);
       surfaces_.surface.push_back(face.surface);
       surfaces_.front_part.push_back(face.front_part);
       surfaces_.back_part.push_back(face.back_part);
+      face_of_.push_back(face.index);
       if (hides_both_sides(surfaces_.triangle_count() - 1)) ply_.fail(both_hidden, show_one);
     }
+  }
+
+  /// The polygons that waited, behind all other triangles.
+  void append_awaiting() {
+    for (Face& face : std::exchange(awaiting_, {})) append(std::move(face));
+  }
+
+  /// Faces that have colours where vertices have none give them to their corners; each colour needs its own vertex.
+  void paint_faces() {
+    if (has_color_ || !face_color_ || !face_color_->is_there()) return;
+    has_color_ = true;
+    std::map<std::tuple<std::uint32_t, double, double, double>, std::uint32_t> known;
+    std::vector<std::uint8_t> is_painted(surfaces_.vertex_count(), 0);
+    for (std::size_t i = 0; i < surfaces_.triangle_count(); ++i) {
+      if (face_of_[i] == no_face) continue;
+      const glm::dvec3& srgb = (*face_color_)[face_of_[i]];
+      for (int k = 0; k < 3; ++k) {
+        std::uint32_t& corner = surfaces_.triangle[i][k];
+        const auto [found, is_new] = known.try_emplace({corner, srgb.r, srgb.g, srgb.b}, corner);
+        if (is_new) {
+          if (is_painted[corner] != 0) found->second = doubled_vertex(corner);
+          is_painted[corner] = 1;
+          surfaces_.front_color[found->second] = face_color_->linear(face_of_[i]);
+          if (paints_backs_) surfaces_.back_color[found->second] = surfaces_.front_color[found->second];
+        }
+        corner = found->second;
+      }
+    }
+  }
+
+  std::uint32_t doubled_vertex(std::uint32_t vertex) {
+    exact_.push_back(glm::dvec3(exact_[vertex]));
+    return pomona::doubled_vertex(surfaces_, vertex);
   }
 
   /// False while the vertices are still to come.
@@ -285,10 +483,26 @@ class SurfaceReader {
            surfaces_.is_hidden(triangle, SideOf::back);
   }
 
-  void check_whole() const {
-    for (std::size_t i = 0; i < surfaces_.triangle_count(); ++i) {
-      if (hides_both_sides(i)) ply_.fail_at(faces_->byte, both_hidden, show_one);
+  /// Where they are wanted first, then to floats: the other way round what lies far away would lose its shape.
+  void round_positions() {
+    for (std::size_t v = 0; v < exact_.size(); ++v) {
+      if (placing_.moves()) exact_[v] = placing_(exact_[v]);
+      surfaces_.position[v] = glm::vec3(exact_[v]);
     }
+    Box<double> box;
+    for (const glm::uvec3& t : surfaces_.triangle)
+      for (int k = 0; k < 3; ++k) box.add(exact_[t[k]]);
+    if (glm::length(box.size()) >= smallest && is_too_far(box))
+      ply_.fail_whole(why_too_far(box), "move it to the origin; in a template, by " + at_key(box.moved(-placing_.at)));
+    if (distance_of(box) > farthest) ply_.fail_whole("it is larger than 1000 km", "positions are in metres");
+  }
+
+  void check_whole() const {
+    const std::size_t byte = faces_ ? faces_->byte : strips_->byte;
+    for (std::size_t i = 0; i < surfaces_.triangle_count(); ++i) {
+      if (hides_both_sides(i)) ply_.fail_at(byte, both_hidden, show_one);
+    }
+    if (surfaces_.triangle.empty()) ply_.fail_at(byte, "the file has no faces");
     if (glm::length(bounds_of(surfaces_).size()) < smallest) {
       ply_.fail_at(vertices_->byte, "the surfaces have no size", "positions are in metres");
     }
@@ -334,6 +548,13 @@ class SurfaceReader {
   PlyReader ply_;
   const PlyElement* vertices_ = nullptr;
   const PlyElement* faces_ = nullptr;
+  const PlyElement* strips_ = nullptr;
+  Placing placing_;
+  std::vector<glm::dvec3> exact_;       ///< positions as they stand in the file
+  std::optional<Srgb> face_color_;      ///< one for each face
+  std::vector<std::uint32_t> face_of_;  ///< for each triangle
+  std::vector<Face> awaiting_;          ///< polygons that came before their vertices
+  bool has_color_ = false, paints_backs_ = false;
   DiffusionSurfaces surfaces_;
 };
 
@@ -345,9 +566,14 @@ class SurfaceReader {
 
 }  // namespace
 
-DiffusionSurfaces parse_surfaces(std::string_view bytes, const std::string& file) {
+DiffusionSurfaces parse_surfaces(std::string_view bytes, const std::string& file, const Placing& placing) {
   if (bytes.size() > most_bytes) refuse_size(file);
-  return SurfaceReader(bytes, file).read();
+  return SurfaceReader(bytes, file, placing).read();
+}
+
+PlainMesh parse_plain_surfaces(std::string_view bytes, const std::string& file, const std::string& object) {
+  if (bytes.size() > most_bytes) refuse_size(file);
+  return SurfaceReader(bytes, file, {}).read_plain(object);
 }
 
 DiffusionSurfaces read_surfaces(const std::filesystem::path& file) {

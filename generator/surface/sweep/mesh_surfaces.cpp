@@ -10,6 +10,7 @@
 #include "generator/base/error.h"
 #include "generator/base/reproducible.h"
 #include "generator/mesh/box.h"
+#include "generator/surface/file/far_from_origin.h"
 #include "generator/surface/file/glb_file.h"
 #include "generator/surface/file/obj_file.h"
 #include "generator/surface/file/plain_mesh.h"
@@ -25,9 +26,7 @@ namespace {
   throw Error(ExitStatus::bad_data, {{{mesh.file->path, 0, 0, {}}, "mesh \"" + mesh.name + "\": " + message, hint}});
 }
 
-glm::dvec3 placed_point(const MeshSketch& mesh, const glm::dvec3& p) {
-  return (mesh.z_up ? glm::dvec3(p.x, p.z, -p.y) : p) * mesh.unit + mesh.at;
-}
+Placing placing_of(const MeshSketch& mesh) { return {.unit = mesh.unit, .z_up = mesh.z_up, .at = mesh.at}; }
 
 // ---- Surface files ----
 
@@ -70,36 +69,23 @@ void renumber_parts(DiffusionSurfaces& surfaces, const Template& fruit, const Me
 }
 
 DiffusionSurfaces from_surface_file(const Template& fruit, const MeshSketch& mesh) {
-  DiffusionSurfaces surfaces = parse_surfaces(mesh.file->bytes, mesh.file->path);
+  // A file that is not moved keeps every bit: template and file are cut alike.
+  DiffusionSurfaces surfaces = parse_surfaces(mesh.file->bytes, mesh.file->path, placing_of(mesh));
   if (!mesh.object.empty()) surfaces = picked_surface(std::move(surfaces), mesh);
   renumber_parts(surfaces, fruit, mesh);
-  // A file that is not moved keeps every bit, the sign of zeros too: template and file are cut alike.
-  const bool is_moved = mesh.z_up || mesh.unit != 1 || mesh.at != glm::dvec3(0);
-  for (glm::vec3& p : surfaces.position) p = is_moved ? glm::vec3(placed_point(mesh, glm::dvec3(p))) : p;
   for (float& blur : surfaces.blur) blur = static_cast<float>(static_cast<double>(blur) * mesh.unit);
   for (glm::uvec3& t : surfaces.triangle) {
-    if (mesh.flip) std::swap(t.y, t.z);
+    if (mesh.flip.value_or(false)) std::swap(t.y, t.z);
   }
   return surfaces;
 }
 
 // ---- Plain meshes ----
 
-/// A surface file as a plain mesh; its front is what viewers show.
-PlainMesh plain_of(const MeshSketch& mesh) {
-  DiffusionSurfaces surfaces = parse_surfaces(mesh.file->bytes, mesh.file->path);
-  if (!mesh.object.empty()) surfaces = picked_surface(std::move(surfaces), mesh);
-  PlainMesh plain;
-  for (const glm::vec3& p : surfaces.position) plain.position.emplace_back(p);
-  plain.color = surfaces.front_color;
-  plain.triangle = surfaces.triangle;
-  return without_unused(plain);
-}
-
 PlainMesh read_plain(const MeshSketch& mesh) {
   if (mesh.file->format == MeshFormat::obj) return parse_obj(mesh.file->bytes, mesh.file->path, mesh.object);
   if (mesh.file->format == MeshFormat::glb) return parse_glb(mesh.file->bytes, mesh.file->path, mesh.object);
-  return plain_of(mesh);
+  return parse_plain_surfaces(mesh.file->bytes, mesh.file->path, mesh.object);
 }
 
 double turn_about(double x, double z) { return x == 0 && z == 0 ? 0.0 : turn_of(reproducible::atan2(-z, x)); }
@@ -108,7 +94,9 @@ double turn_about(double x, double z) { return x == 0 && z == 0 ? 0.0 : turn_of(
 SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
   // Ramps along follow the height, or the distance from a given point.
   SweptGrid grid;
-  for (const glm::dvec3& p : plain.position) grid.position.push_back(placed_point(mesh, p));
+  for (const glm::dvec3& p : plain.position) grid.position.push_back(placing_of(mesh)(p));
+  const Box<double> box = box_around(grid.position);
+  if (is_too_far(box)) refuse_mesh(mesh, why_too_far(box), "move it to the origin by " + at_key(box.moved(-mesh.at)));
   for (const glm::dvec3& p : grid.position) {
     grid.along.push_back(mesh.paint->ramps_from ? glm::distance(p, *mesh.paint->ramps_from) : p.y);
   }
@@ -116,7 +104,7 @@ SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
   // Along runs from 0 to 1; around is the angle about the mesh's own middle, the turn that about the axis.
   const auto [least, most] = std::minmax_element(grid.along.begin(), grid.along.end());
   const double from = *least, range = *most - *least;
-  const glm::dvec3 middle = box_around(grid.position).center();
+  const glm::dvec3 middle = box.center();
   for (std::size_t i = 0; i < grid.position.size(); ++i) {
     const glm::dvec3 p = grid.position[i] - middle;
     grid.along[i] = range > 0 ? (grid.along[i] - from) / range : 0.0;
@@ -130,7 +118,7 @@ SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
   grid.depth.assign(grid.position.size(), 1);
   grid.triangle = plain.triangle;
   for (glm::uvec3& t : grid.triangle) {
-    if (mesh.flip) std::swap(t.y, t.z);
+    if (mesh.flip.value_or(false)) std::swap(t.y, t.z);
   }
   return grid;
 }
@@ -143,6 +131,7 @@ DiffusionSurfaces painted_mesh(const Template& fruit, const MeshSketch& mesh) {
   }
   DiffusionSurfaces surfaces;
   surfaces.part_names = fruit.parts;
+  surfaces.notes = plain.notes;
   GridPainter(surfaces, mesh.name, paint.front, paint.back, paint.blur).append(ramp_grid(plain, mesh));
   if (paint.front_color_from_file) surfaces.front_color = plain.color;
   if (paint.back_color_from_file) surfaces.back_color = plain.color;
@@ -181,6 +170,10 @@ DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh) {
   } catch (const Error& error) {
     throw told_in_template(error, fruit, mesh);
   }
+}
+
+bool may_turn(const MeshSketch& mesh) {
+  return mesh.paint && !mesh.flip && mesh.paint->front.hidden != mesh.paint->back.hidden;
 }
 
 void check_meshes_together(const Template& fruit, const MeshSketch& mesh, std::size_t triangles) {

@@ -14,6 +14,9 @@ namespace pomona {
 /// are missing, or if it has parts that the template does not name.
 DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh);
 
+/// Whether it bounds what is solid, and the template leaves it to the mesh which way it faces.
+bool may_turn(const MeshSketch& mesh);
+
 /// \throws Error (bad_data) at this mesh in the template, if the meshes up to this one have too many triangles in all.
 void check_meshes_together(const Template& fruit, const MeshSketch& mesh, std::size_t triangles);
 

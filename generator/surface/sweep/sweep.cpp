@@ -1,11 +1,35 @@
 #include "generator/surface/sweep/sweep.h"
 
+#include <array>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/base/error.h"
+#include "generator/surface/orientation.h"
 #include "generator/surface/sweep/grid_painter.h"
 #include "generator/surface/sweep/mesh_surfaces.h"
 #include "generator/surface/sweep/spots.h"
 #include "generator/surface/sweep/swept_grid.h"
+#include "generator/template/read/entry_place.h"
 
 namespace pomona {
+
+namespace {
+
+[[noreturn]] void refuse_undecided(const Template& fruit, const DiffusionSurfaces& surfaces, const Undecided& shell) {
+  const std::string& name = surfaces.surface_names[static_cast<std::size_t>(shell.surface)];
+  std::array<char, 80> place{};
+  std::snprintf(place.data(), place.size(), "%.4g, %.4g, %.4g", shell.place.x, shell.place.y, shell.place.z);
+  const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
+  throw Error(ExitStatus::bad_data, {{entry_place(file, "mesh", name),
+                                      "mesh \"" + name + "\": which way its shell at " + place.data() +
+                                          " (m) should face cannot be told: " + shell.why,
+                                      "write flip = true to turn it, or flip = false to leave it as it is"}});
+}
+
+}  // namespace
 
 DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options) {
   DiffusionSurfaces surfaces;
@@ -19,11 +43,15 @@ DiffusionSurfaces sweep(const Template& fruit, const SweepOptions& options) {
     }
   }
   const std::size_t drawn = surfaces.triangle_count();
+  std::vector<std::uint8_t> turns(drawn, 0);
   for (const MeshSketch& mesh : fruit.meshes) {
     surfaces = joined(surfaces, mesh_surfaces(fruit, mesh));
     check_meshes_together(fruit, mesh, surfaces.triangle_count() - drawn);
+    turns.resize(surfaces.triangle_count(), may_turn(mesh) ? 1 : 0);
   }
-  return surfaces;
+  Oriented result = oriented(std::move(surfaces), turns);
+  for (const Undecided& shell : result.undecided) refuse_undecided(fruit, result.surfaces, shell);
+  return std::move(result.surfaces);
 }
 
 }  // namespace pomona

@@ -6,6 +6,7 @@
 
 #include "generator/base/file_bytes.h"
 #include "generator/base/path_within.h"
+#include "generator/base/small_ending.h"
 #include "generator/template/read/read_paint.h"
 
 namespace fs = std::filesystem;
@@ -17,9 +18,10 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{64} << 20;
 constexpr std::size_t most_bytes_together = std::size_t{128} << 20;  // of all meshes of a template
 constexpr Within anywhere{-10, 10};                                  // metres
+constexpr Within on_earth{-1e8, 1e8};                                // metres; scans lie where they were taken
 
 std::optional<MeshFormat> format_of(const fs::path& file) {
-  const std::string ending = file.extension().string();
+  const std::string ending = small_ending(file);
   if (ending == ".ply") return MeshFormat::ply;
   if (ending == ".obj") return MeshFormat::obj;
   if (ending == ".glb") return MeshFormat::glb;
@@ -73,7 +75,7 @@ std::shared_ptr<const MeshFile> read_once(const TomlValue& value, const fs::path
   return {};
 }
 
-glm::dvec3 read_point(const TomlValue& value) {
+glm::dvec3 read_point(const TomlValue& value, const Within& where) {
   glm::dvec3 point(0);
   if (!value.given()) return point;
   const std::vector<TomlValue> values = value.values();
@@ -81,7 +83,7 @@ glm::dvec3 read_point(const TomlValue& value) {
     value.error("must be three lengths, as in [\"0mm\", \"55mm\", \"0mm\"]");
     return point;
   }
-  for (int k = 0; k < 3; ++k) point[k] = values[static_cast<std::size_t>(k)].length(0, anywhere);
+  for (int k = 0; k < 3; ++k) point[k] = values[static_cast<std::size_t>(k)].length(0, where);
   return point;
 }
 
@@ -108,7 +110,7 @@ MeshPaint read_mesh_paint(const TomlTable& table, const std::vector<std::string>
     table.error("has both sides hidden", "hide only the side that faces air");
   }
   paint.blur = read_painted_blur(table.get("blur"));
-  if (table.has("ramps_from")) paint.ramps_from = read_point(table.get("ramps_from"));
+  if (table.has("ramps_from")) paint.ramps_from = read_point(table.get("ramps_from"), anywhere);
   return paint;
 }
 
@@ -121,8 +123,8 @@ MeshSketch read_mesh(const TomlTable& table, const std::vector<std::string>& par
   mesh.object = table.get("object").text();
   mesh.unit = table.get("unit").length(1, {1e-6, 1000});
   mesh.z_up = table.get("up").choice({"y", "z"}) == 1;
-  mesh.flip = table.get("flip").boolean(false);
-  mesh.at = read_point(table.get("at"));
+  if (table.has("flip")) mesh.flip = table.get("flip").boolean(false);
+  mesh.at = read_point(table.get("at"), on_earth);
 
   // Plain meshes need sides; surface files bring theirs, and may be painted over.
   const bool is_plain = mesh.file && mesh.file->format != MeshFormat::ply;

@@ -53,6 +53,16 @@ class Sketch {
   /// From the page to metres as curve() gives them; nothing for a view that is not there or cannot be measured.
   std::optional<SvgTransform> to_metres(SketchView view) const;
 
+  /// A shape where it is drawn: clones are drawn elsewhere than what they repeat.
+  struct Placed {
+    const SvgElement* element;
+    SvgTransform to_page;
+    const SvgElement* clone = nullptr;  ///< that draws it there, if one does
+  };
+
+  /// What this path, shape or clone of the drawing shows, in whatever layer it is.
+  std::vector<Placed> shapes_of(const SvgElement& element) const;
+
   /// A curve of either view as `count` points of the page, evenly spaced along it, from the bottom up.
   std::vector<glm::dvec2> page_points(const std::string& name, int count) const;
 
@@ -70,23 +80,17 @@ class Sketch {
     std::optional<Frame> frame;
     std::optional<BadSketch> fault;  ///< why there is no frame
   };
-  /// A shape where it is drawn: clones are drawn elsewhere than what they repeat.
-  struct Placed {
-    const SvgElement* element;
-    SvgTransform to_page;
-    const SvgElement* clone = nullptr;  ///< that draws it there, if one does
-  };
 
   View find_view(SketchView view) const;
   const View& view_of(SketchView view) const;
   const SvgElement& find(SketchView view, const std::string& name) const;
+  const SvgElement* made_unique(SketchView view, const std::string& name) const;
   [[noreturn]] void fail_missing(SketchView view, const std::string& name) const;
   struct Walk;
   std::string called(const SvgElement& element) const;  ///< "skin" (kiwi.svg:12:5)
   std::string called(const Placed& shape) const;        ///< and of which clone
   const SvgElement* outside_the_views(const std::string& name) const;
   bool has_labels() const;
-  std::vector<Placed> shapes_of(const SvgElement& element) const;
   void visit(const SvgElement& element, const Placed& from, int depth, Walk& walk) const;
   void visit_original(const SvgElement& clone, const Placed& from, int depth, Walk& walk) const;
   Placed shape_of(SketchView view, const std::string& name) const;

@@ -59,8 +59,22 @@ const SvgElement& Sketch::find(SketchView view, const std::string& name) const {
                         place_of(drawing_, *found->second[1]),
                     "delete all but one, or give each a label of its own (Object > Layers and Objects)");
   }
-
+  if (const SvgElement* renamed = made_unique(view, name)) return *renamed;
   fail_missing(view, name);
+}
+
+/// Both views have an axis, and editors that keep no label have to number the second: "axis2", "axis-1", "axis_2".
+const SvgElement* Sketch::made_unique(SketchView view, const std::string& name) const {
+  const View &in = view_of(view), &other = views_[view == SketchView::side ? 1 : 0];
+  if (name != "axis" || !other.named.contains(name)) return nullptr;
+  const SvgElement* only = nullptr;
+  for (auto at = in.named.lower_bound(name); at != in.named.end() && at->first.starts_with(name); ++at) {
+    const bool is_numbered = at->first.find_first_not_of("0123456789-", name.size()) == std::string::npos;
+    if (!is_numbered || !at->second.front()->label.empty()) continue;
+    if (only || at->second.size() > 1) return nullptr;
+    only = at->second.front();
+  }
+  return only;
 }
 
 /// It may be misspelt, or lie elsewhere.

@@ -93,12 +93,25 @@ TEST(PovPalette, KeepsColoursWhereTheyAreFewAndElsewhereTakesNearOnes) {
   EXPECT_EQ(std::set(finishes.begin(), finishes.end()).size(), 3u);
 }
 
+// POV-Ray 3.7 reads other letters than those of ASCII as blanks.
+TEST(Pov, TheIncludesNameIsAscii) {
+  const std::vector<NamedFile> files = write_pov(named::axes_of_balls(),
+                                                 "p\xc3\xaa"
+                                                 "che",
+                                                 {});
+  EXPECT_EQ(files[0].name,
+            "p\xc3\xaa"
+            "che.pov");
+  EXPECT_EQ(files[1].name, "p_c3_aache_meshes.inc");
+  EXPECT_THAT(files[0].bytes, HasSubstr("#include \"p_c3_aache_meshes.inc\""));
+}
+
 TEST(Pov, NamesCannotBreakOut) {
   Scene scene = named::axes_of_balls();
   scene.solids[0].name = "a\n#error \"b\"";
   scene.instances[0].name = "c\r\n}";
   const std::vector<NamedFile> files = write_pov(scene, "d\"e\\f", {.provenance = "g\nh"});
-  EXPECT_THAT(files[0].bytes, HasSubstr("\"d\\\"e\\\\f_meshes.inc\""));
+  EXPECT_THAT(files[0].bytes, HasSubstr("\"d\\\"e_5cf_meshes.inc\""));
   EXPECT_THAT(files[0].bytes, HasSubstr("g h\n"));
   EXPECT_THAT(files[0].bytes, HasSubstr("// c  }\n"));
   EXPECT_THAT(files[1].bytes, HasSubstr("// a #error \"b\"\n"));

@@ -1,0 +1,207 @@
+#include "generator/surface/orientation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "generator/mesh/edges.h"
+#include "generator/mesh/enclosures.h"
+#include "generator/surface/shell_geometry.h"
+
+namespace pomona {
+
+namespace {
+
+/// Sets of triangles, each of which knows whether it is turned against its set's root.
+class TurnedSets {
+ public:
+  explicit TurnedSets(std::size_t count) : parent_(count), turned_(count, 0) {
+    for (std::size_t i = 0; i < count; ++i) parent_[i] = static_cast<std::uint32_t>(i);
+  }
+
+  struct Root {
+    std::uint32_t root;
+    std::uint8_t turned;
+  };
+  Root root(std::uint32_t i) {
+    std::uint32_t top = i;
+    std::uint8_t turned = 0;
+    for (; parent_[top] != top; top = parent_[top]) turned ^= turned_[top];
+    for (std::uint8_t left = turned; parent_[i] != i && parent_[i] != top;) {
+      const std::uint32_t next = parent_[i];
+      const std::uint8_t own = std::exchange(turned_[i], left);
+      left ^= own;
+      parent_[i] = top;
+      i = next;
+    }
+    return {top, turned};
+  }
+
+  /// False where the two are in one set, the other way round.
+  bool join(std::uint32_t a, std::uint32_t b, bool against) {
+    const Root x = root(a), y = root(b);
+    const auto turned = static_cast<std::uint8_t>(x.turned ^ y.turned ^ (against ? 1 : 0));
+    if (x.root == y.root) return turned == 0;
+    parent_[std::max(x.root, y.root)] = std::min(x.root, y.root);
+    turned_[std::max(x.root, y.root)] = turned;
+    return true;
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> turned_;
+};
+
+class Orienter {
+ public:
+  Orienter(DiffusionSurfaces surfaces, const std::vector<std::uint8_t>& may_turn) : may_turn_(may_turn) {
+    result_.surfaces = std::move(surfaces);
+  }
+
+  Oriented result() {
+    if (std::none_of(may_turn_.begin(), may_turn_.end(), [](std::uint8_t may) { return may != 0; }))
+      return std::move(result_);
+    turn_alike();
+    turn_shells();
+    return std::move(result_);
+  }
+
+ private:
+  DiffusionSurfaces& surfaces() { return result_.surfaces; }
+
+  void turn(std::size_t triangle) { std::swap(surfaces().triangle[triangle].y, surfaces().triangle[triangle].z); }
+
+  glm::dvec3 place(std::size_t triangle) {
+    glm::dvec3 sum(0);
+    for (int k = 0; k < 3; ++k) sum += glm::dvec3(surfaces().position[surfaces().triangle[triangle][k]]);
+    return sum / 3.0;
+  }
+
+  // ---- Triangles of a shell ----
+
+  /// Where two triangles meet at an edge and both run it the same way, one of them looks the other way: the fewer turn.
+  void turn_alike() {
+    std::vector<glm::uvec3> triangles = find_shells(surfaces()).air_facing;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      if (may_turn_[i] == 0 || !surfaces().is_boundary(i)) triangles[i] = glm::uvec3(0);
+    TurnedSets sets(triangles.size());
+    std::vector<std::uint32_t> one_sided;
+    bool differ = false;
+    for_each_edge(sorted_half_edges(triangles), [&](std::span<const HalfEdge> edge) {
+      if (edge.size() != 2) return;
+      const bool against = edge[0].forward == edge[1].forward;
+      differ = differ || against;
+      if (!sets.join(edge[0].triangle, edge[1].triangle, against)) one_sided.push_back(edge[0].triangle);
+    });
+    if (!differ) return;
+    if (!one_sided.empty()) {
+      const std::uint32_t t = one_sided.front();
+      result_.undecided.push_back({surfaces().surface[t], place(t), "it has one side only, like a Moebius strip"});
+      return;
+    }
+    std::vector<std::int64_t> more_turned(triangles.size(), 0);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      const TurnedSets::Root root = sets.root(i);
+      more_turned[root.root] += root.turned != 0 ? 1 : -1;
+    }
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      const TurnedSets::Root root = sets.root(i);
+      if ((root.turned != 0) != (more_turned[root.root] > 0)) turn(i);
+    }
+  }
+
+  // ---- Shells ----
+
+  void turn_shells() {
+    const Shells shells = find_shells(surfaces());
+    const std::vector<Shell> measured = measured_shells(surfaces(), shells);
+    const Enclosures closed = closed_ones(measured);
+    std::vector<std::vector<std::uint32_t>> triangles(measured.size());
+    std::vector<std::uint8_t> may_turn(measured.size(), 1);
+    for (std::uint32_t i = 0; i < shells.of_triangle.size(); ++i) {
+      if (shells.of_triangle[i] == Shells::none) continue;
+      const auto s = static_cast<std::size_t>(shells.of_triangle[i]);
+      triangles[s].push_back(i);
+      if (may_turn_[i] == 0) may_turn[s] = 0;
+    }
+    for (std::size_t s = 0; s < measured.size(); ++s) {
+      if (may_turn[s] == 0) continue;
+      const std::string why =
+          measured[s].closed ? turn_closed(s, measured[s], closed, triangles[s]) : fault_of_open(measured[s]);
+      if (why.empty()) continue;
+      const std::uint32_t first = triangles[s].front();
+      result_.undecided.push_back({surfaces().surface[first], place(first), why});
+    }
+  }
+
+  Enclosures closed_ones(const std::vector<Shell>& measured) {
+    std::vector<Enclosures::Triangle> triangles;
+    for (std::uint32_t s = 0; s < measured.size(); ++s) {
+      if (!measured[s].closed) continue;
+      for (const glm::uvec3& t : measured[s].triangles) {
+        Enclosures::Triangle triangle{.corner = {}, .mesh = s};
+        for (int k = 0; k < 3; ++k)
+          triangle.corner[static_cast<std::size_t>(k)] = glm::dvec3(surfaces().position[t[k]]);
+        triangles.push_back(triangle);
+      }
+    }
+    return Enclosures(std::move(triangles));
+  }
+
+  /// Turns the shell where it has to; else why it cannot be decided.
+  std::string turn_closed(std::size_t s, const Shell& shell, const Enclosures& closed,
+                          const std::vector<std::uint32_t>& triangles) {
+    if (shell.volume == 0) return {};
+    const std::array<int, 2> inside = samples_in_odd_and_even(s, shell, closed);
+    const int all = inside[0] + inside[1];
+    // Most of it: what touches others, or sinks in a little, is decided.
+    const bool is_odd = 4 * inside[1] >= 3 * all, is_even = 4 * inside[0] >= 3 * all;
+    if (!is_odd && !is_even) return shell.volume > 0 ? std::string() : "it faces inwards and crosses another shell";
+    if (is_even == (shell.volume > 0)) return {};
+    for (const std::uint32_t t : triangles) turn(t);
+    return {};
+  }
+
+  /// Of some points just within the shell, how many lie in an even and how many in an odd number of others.
+  std::array<int, 2> samples_in_odd_and_even(std::size_t s, const Shell& shell, const Enclosures& closed) {
+    std::array<int, 2> count{0, 0};
+    const std::size_t samples = std::min<std::size_t>(16, shell.triangles.size());
+    for (std::size_t k = 0; k < samples; ++k) {
+      const glm::uvec3& t = shell.triangles[k * shell.triangles.size() / samples];
+      const glm::dvec3 a(surfaces().position[t.x]), b(surfaces().position[t.y]), c(surfaces().position[t.z]);
+      const glm::dvec3 area = glm::cross(b - a, c - a);
+      const double twice = glm::length(area);
+      if (!(twice > 0)) continue;
+      constexpr double depth = 1e-4;  // of the triangle's size
+      const glm::dvec3 inwards = (shell.volume > 0 ? -depth : depth) * area / std::sqrt(twice);
+      int others = 0;
+      for (const auto& [mesh, times] : closed.around((a + b + c) / 3.0 + inwards))
+        if (mesh != s && times != 0) ++others;
+      ++count[static_cast<std::size_t>(others % 2)];
+    }
+    return count;
+  }
+
+  /// A sheet may face either way; what holds a good part of its box and looks into it may be an inside out skin with a
+  /// hole.
+  static std::string fault_of_open(const Shell& shell) {
+    const glm::dvec3 size = shell.bounds.size();
+    constexpr double good_part = 0.05;
+    return shell.volume < -good_part * size.x * size.y * size.z ? "it is open, and seems to face inwards" : "";
+  }
+
+  const std::vector<std::uint8_t>& may_turn_;
+  Oriented result_;
+};
+
+}  // namespace
+
+Oriented oriented(DiffusionSurfaces surfaces, const std::vector<std::uint8_t>& may_turn) {
+  return Orienter(std::move(surfaces), may_turn).result();
+}
+
+}  // namespace pomona
