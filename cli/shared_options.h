@@ -1,4 +1,4 @@
-// The options that several commands share (docs/commands.md), from the words typed to values checked.
+// The options that several commands share (docs/reference/commands.md), from the words typed to values checked.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,8 @@
     golden_mutants.py --check           only whether every fault still applies, exactly once
     golden_mutants.py --all-goldens     every golden for every fault, instead of those that the list says catch it
 
-Works in build/golden_mutants. Writes docs/golden_mutants.md when all faults have a result. Status 1 if a fault goes unseen, or a golden sees none.
+Works in build/golden_mutants. Writes docs/reports/golden_mutants.md when all faults have a result.
+Status 1 if a fault goes unseen, or a golden sees none.
 """
 
 import argparse
@@ -148,8 +149,8 @@ def failures(result):
 def write_report(mutants, results):
     runs = golden.declared_runs()
     lines = ["# Faults that goldens see", "",
-             "Faults seeded into the program, one at a time, and the golden pictures that saw them. `make golden-mutants` writes this page;",
-             "tests/golden/mutants.toml declares the faults, [golden.md](golden.md) says what the goldens are.", "",
+             "Faults seeded into the program, one at a time, and the golden pictures that saw them. `make golden-mutants` writes",
+             "this page; tests/golden/mutants.toml declares the faults, [golden.md](../guides/golden.md) says what the goldens are.", "",
              f"{len(mutants)} faults, {sum(bool(failures(results[m['name']])) for m in mutants)} seen.", "",
              "| fault | in | seen by | by how much |", "|---|---|---|---|"]
     for mutant in mutants:
@@ -162,7 +163,7 @@ def write_report(mutants, results):
         for file in run["goldens"]:
             seen = [m["name"] for m in mutants if file in failures(results[m["name"]])]
             lines.append(f"| {file} | {', '.join(seen) or '**none**'} |")
-    (ROOT / "docs" / "golden_mutants.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (ROOT / "docs" / "reports" / "golden_mutants.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def verdict(mutants, results):

@@ -5,7 +5,7 @@
     mutants.py make [...]                            compiles them all at once; drops those that do not compile
     mutants.py map                                   which test reaches which fault, and what each test costs
     mutants.py show [...] [--seconds S]              shows each fault to the tests that reach it; goes on where it was stopped
-    mutants.py report                                what was seen, folder by folder, and what survived: docs/mutants.md
+    mutants.py report                                what was seen, folder by folder, and what survived: docs/reports/mutants.md
     mutants.py make|map|show --survivors [--asked T] the same for what survived alone, in build/mutants_survivors: a matter of
                                                      minutes, with the tests written for it
 

@@ -1,5 +1,5 @@
 // Which closed parts of a cell are one piece: a cavity wall belongs to what surrounds it, and bodies that overlap hang
-// together (docs/decisions.md).
+// together (docs/reports/decisions.md).
 #pragma once
 
 #include <cstdint>

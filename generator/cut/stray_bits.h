@@ -1,5 +1,5 @@
 // Bits of seeds, roots and leaves that hang together with nothing stay with the piece they lie on, so that a half is
-// two pieces (docs/decisions.md).
+// two pieces (docs/reports/decisions.md).
 #pragma once
 
 #include <cstdint>

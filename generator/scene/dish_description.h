@@ -1,5 +1,5 @@
 // What a scene file says of a dish: something turned on the wheel, or a mesh, that pieces lie in or on, or that only
-// stands there (docs/formats.md).
+// stands there (docs/reference/formats.md).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What a scene file says: dishes, and pieces of fruit to fill it with (docs/formats.md).
+// What a scene file says: dishes, and pieces of fruit to fill it with (docs/reference/formats.md).
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@
 
 namespace pomona {
 
-/// Whose importer names are for (docs/formats.md).
+/// Whose importer names are for (docs/reference/formats.md).
 enum class Engine { any, godot, unreal, unity };
 
 struct ExportOptions {

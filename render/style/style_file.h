@@ -1,4 +1,4 @@
-// From a style's TOML to a Style (docs/style.md), every error with file, line and column.
+// From a style's TOML to a Style (docs/reference/style.md), every error with file, line and column.
 #pragma once
 
 #include <filesystem>

@@ -16,7 +16,7 @@ struct AnnotatedPicture {
   std::vector<std::string> layer_files;  ///< beside the annotations
 };
 
-/// docs/formats.md, "Ground truth". \param amodal per instance.
+/// docs/reference/formats.md, "Ground truth". \param amodal per instance.
 std::string annotations(const Scene& scene, const TruthNaming& names, const TruthLayers& layers,
                         const std::vector<Mask>& amodal, const AnnotatedPicture& picture);
 

@@ -1,4 +1,4 @@
-// Surfaces as PLY: the door to and from every modelling tool (docs/formats.md).
+// Surfaces as PLY: the door to and from every modelling tool (docs/reference/formats.md).
 #pragma once
 
 #include <filesystem>
