@@ -1,4 +1,4 @@
-// The names of --diffuser, and what they stand for (docs/reports/diffusion.md).
+// The names of --diffuser, and what they stand for (docs/reference/diffusion.md).
 #pragma once
 
 #include <memory>
