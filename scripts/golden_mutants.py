@@ -147,7 +147,6 @@ def failures(result):
 
 
 def write_report(mutants, results):
-    runs = golden.declared_runs()
     lines = ["# Faults that goldens see", "",
              "Faults seeded into the program, one at a time, and the golden pictures that saw them. `make golden-mutants` writes",
              "this page; tests/golden/mutants.toml declares the faults, [golden.md](../guides/golden.md) says what the goldens are.", "",
@@ -158,11 +157,6 @@ def write_report(mutants, results):
         by = "<br>".join(seen) or "**nothing**"
         much = "<br>".join(by_how_much(figures) for figures in seen.values())
         lines.append(f"| {mutant['name']}: {mutant['fault']} | {mutant['file']} | {by} | {much} |")
-    lines += ["", "Which faults each golden sees, of those it was shown:", "", "| golden | faults |", "|---|---|"]
-    for run in runs:
-        for file in run["goldens"]:
-            seen = [m["name"] for m in mutants if file in failures(results[m["name"]])]
-            lines.append(f"| {file} | {', '.join(seen) or '**none**'} |")
     (ROOT / "docs" / "reports" / "golden_mutants.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
