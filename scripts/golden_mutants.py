@@ -135,8 +135,7 @@ def by_how_much(figures):
         return f"{figures['lines']} lines"
     if "flip" not in figures or not figures["pixels"]:
         return figures["reasons"][0].splitlines()[0].replace("|", "/")
-    return (f"FLIP {figures['flip']:.4f}, up to {figures['largest']} of 255, "
-            f"{100 * figures['different'] / figures['pixels']:.1f} % of the pixels")
+    return f"{figures['flip']:.4f}, {figures['largest']}, {100 * figures['different'] / figures['pixels']:.1f} %"
 
 
 def failures(result):
@@ -150,7 +149,8 @@ def write_report(mutants, results):
     lines = ["# Faults that goldens see", "",
              "Faults seeded into the program, one at a time, and the golden pictures that saw them. `make golden-mutants` writes",
              "this page; tests/golden/mutants.toml declares the faults, [golden.md](../guides/golden.md) says what the goldens are.", "",
-             f"{len(mutants)} faults, {sum(bool(failures(results[m['name']])) for m in mutants)} seen.", "",
+             f"{len(mutants)} faults, {sum(bool(failures(results[m['name']])) for m in mutants)} seen. By how much: the mean FLIP, the largest "
+             "difference of 255, the share of the pixels.", "",
              "| fault | in | seen by | by how much |", "|---|---|---|---|"]
     for mutant in mutants:
         seen = failures(results[mutant["name"]])
