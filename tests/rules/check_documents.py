@@ -1,5 +1,5 @@
 """The rules of the house over the documents: `check_documents.py ROOT` prints "file:line: what" and exits with 1 if
-a line is longer than 120 columns, or a link or picture leads to what is not there.
+a line is longer than 120 columns, or a link, a picture or a named file is not there.
 
 Tables, code, pictures, and lines that no space would let one break may be longer.
 """
@@ -16,6 +16,10 @@ SCHEME = re.compile(r"[a-z]+:")
 HEADING = re.compile(r"#+ +(.*)")
 # Lists, quotes and what stands before a link: what is left is one word.
 UNBREAKABLE = re.compile(r"\s*(?:[-*>]|\d+\.)?\s*\S+\s*")
+# A file named by its path from the root: `generator/cut/cut.h`.
+TOPS = ("bench", "cli", "cmake", "docs", "generator", "render", "scenes", "scripts", "shaders", "styles", "templates", "tests")
+NAMED = re.compile(rf"`((?:{'|'.join(TOPS)})/[\w./-]+\.\w+)`")
+TELLS_THE_PAST = ("CHANGELOG.md",)  # what it names may be gone
 TABLE_OR_PICTURE = re.compile(r"\s*(?:\||!\[|\[?<img|\[!\[|<!--)")
 
 
@@ -85,6 +89,8 @@ def check(root):
             shown = re.sub(r"`[^`]*`", "``", line)
             targets = [first or second for first, second in LINK.findall(shown)]
             wrong += [f"{name}:{number}: {why}" for t in targets if (why := fault_of(path, t))]
+            named = NAMED.findall(line) if name not in TELLS_THE_PAST else []
+            wrong += [f"{name}:{number}: there is no `{n}`" for n in named if not (root / n).exists()]
     return wrong
 
 

@@ -35,6 +35,11 @@ class Documents(Tree):
         for gone in ("[b](b.md)", "![](p.png)", "<img src=\"p.png\" alt=\"\">", "[b](docs/b.md#gone)", "[s](#gone)"):
             self.assert_wrong(there | {"a.md": f"\nSee {gone}.\n"}, "a.md:2", "no ")
 
+    def test_files_that_are_named_are_there(self):
+        self.assert_fine({"cli/b.h": "", "docs/a.md": "See `cli/b.h`, `b.h` and `out/x.png`.\n"})
+        self.assert_wrong({"docs/a.md": "See `cli/b.h`.\n"}, "docs/a.md:1", "no `cli/b.h`")
+        self.assert_fine({"CHANGELOG.md": "`cli/b.h` is `cli/c.h`.\n"})
+
     def test_what_is_code_is_no_link(self):
         self.assert_fine({"a.md": "`[a](b)`\n\n```\n[a](b)\n```\n"})
 
