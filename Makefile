@@ -14,7 +14,7 @@ gallery: build ## the pictures of README.md and templates/README.md; FRUIT="okra
 	@scripts/gallery.sh build/pomona docs/pictures $(FRUIT)
 	@scripts/gallery.py write
 
-figures: build $(if $(filter textures,$(PAGE)),.npm) ## our counterpart of each figure of the paper, docs/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures, batch, scenes) those of that page
+figures: build $(if $(filter textures,$(PAGE)),.npm) ## our counterpart of each figure of the paper, docs/reference/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures, batch, scenes) those of that page
 	@scripts/setup.sh gallery
 	@scripts/figures.py make build/pomona $(or $(PAGE),figures) $(FIGURE)
 
@@ -44,11 +44,11 @@ golden-renew: build ## keeps what is drawn now as golden pictures: NAME="onion_h
 	@scripts/setup.sh test programs
 	@scripts/golden.py renew $(NAME) --programs --reason "$(REASON)"
 
-golden-mutants: ## seeds faults into the program and asks the golden pictures: docs/golden_mutants.md; a quarter of an hour
+golden-mutants: ## seeds faults into the program and asks the golden pictures: docs/reports/golden_mutants.md; a quarter of an hour
 	@scripts/setup.sh build test programs
 	nice scripts/golden_mutants.py
 
-mutants: ## changes the generator by itself, 460 faults, and asks the tests that come by them: docs/mutants.md; an hour or two; COUNT=460 ONLY=generator/cut SECONDS=60
+mutants: ## changes the generator by itself, 460 faults, and asks the tests that come by them: docs/reports/mutants.md; an hour or two; COUNT=460 ONLY=generator/cut SECONDS=60
 	@scripts/setup.sh build test
 	nice -n 19 scripts/mutants.py make $(and $(COUNT),--count $(COUNT))
 	nice -n 19 scripts/mutants.py map $(and $(COUNT),--count $(COUNT))

@@ -1,6 +1,6 @@
 // Variants by the thousand: whether anything crosses, stays open or is connected otherwise; whether folds and loops are
 // drawn as the sample says; how unlike each other variants are, and whether species vary by themselves.
-// docs/variation.md shows what it prints.
+// docs/reports/variation.md shows what it prints.
 //   variants [FRUIT...] [--count N] [--natural] [--out FILE] [--json FILE] [--threads N]
 #include <algorithm>
 #include <cmath>

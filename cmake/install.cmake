@@ -10,7 +10,7 @@ install(TARGETS pomona RUNTIME)
 install(DIRECTORY templates scenes styles DESTINATION ${data} PATTERN "*.py" EXCLUDE)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs
   FILES_MATCHING PATTERN "*.md" PATTERN "*.yaml" PATTERN pictures EXCLUDE PATTERN figures EXCLUDE)
-# What programs need that cut assets (docs/asset.md).
+# What programs need that cut assets (docs/reference/asset.md).
 set(asset_files read_asset.js look_up.js look.glsl engines/look.hlsl engines/look.wgsl engines/look.gdshaderinc
   engines/three_cut.mjs engines/three.html)
 list(TRANSFORM asset_files PREPEND render/page/)
@@ -49,7 +49,7 @@ target_compile_features(pomona_archive INTERFACE cxx_std_20)
 target_include_directories(pomona_archive INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pomona>)
 target_link_libraries(pomona_archive PUBLIC glm::glm PRIVATE PkgConfig::POMONA_NEEDS ${CMAKE_DL_LIBS})
 
-# The steps of docs/library.md; what these include is installed with them.
+# The steps of docs/guides/library.md; what these include is installed with them.
 set(POMONA_PUBLIC_HEADERS
   # templates, variants, surfaces
   generator/template/read/read_template.h generator/piece/grow.h generator/surface/file/surface_file.h

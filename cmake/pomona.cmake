@@ -25,7 +25,7 @@ if(CCACHE)
 endif()
 
 # Half of the compiler's time goes into reading the same headers, and much of the rest into compiling what they hold
-# once more for every file (docs/building.md). So a folder's sources are compiled some ten at once.
+# once more for every file (docs/guides/building.md). So a folder's sources are compiled some ten at once.
 function(pomona_together name)
   if(POMONA_UNITY)
     set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)

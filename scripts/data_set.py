@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Makes a data set of pictures with ground truth: COCO's annotations of all of them, and a Croissant file that describes it
-(docs/data.md). Picture number i is a command with seed FIRST + i, so each can be made again by itself.
+(docs/guides/data.md). Picture number i is a command with seed FIRST + i, so each can be made again by itself.
 
     data_set.py -o FOLDER --command "scene salad" --count 1000
     data_set.py -o FOLDER --command "cut kiwi --knife half" --command "cut lemon --knife wedges:6" --count 1000

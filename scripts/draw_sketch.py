@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws a sketch with the names of its curves beside them, as docs/make_a_fruit.md shows them.
+"""Draws a sketch with the names of its curves beside them, as docs/guides/make_a_fruit.md shows them.
 
     draw_sketch.py templates/lemon.svg docs/pictures/sketch_lemon.png
 

@@ -14,12 +14,12 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ("figures", "knives", "style", "textures", "batch", "scenes")
-ELSEWHERE = {"scenes": "scenes/README.md"}  # pages that are not under docs
+ELSEWHERE = {"scenes": "scenes/README.md", "batch": "docs/guides/batch.md"}  # pages that are not under docs/reference
 FIGURES = [f"Figure {number}" for number in range(1, 14)]
 
 
 def path_of(page):
-    return ELSEWHERE.get(page, f"docs/{page}.md")
+    return ELSEWHERE.get(page, f"docs/reference/{page}.md")
 
 
 def text_of(page):
@@ -72,7 +72,7 @@ def make(program, page, headings):
 def picture_faults(page):
     """Every picture is made by a command below its heading, shown there, and in the tree."""
     for heading, section in sections(page).items():
-        shown = set(re.findall(rf"!\[\]\((?:\.\./docs/)?(pictures/{page}/\w+\.png)\)", section))
+        shown = set(re.findall(rf"!\[\]\((?:\.\./)+(?:docs/)?(pictures/{page}/\w+\.png)\)", section))
         for path in sorted(shown ^ made_by(page, section)):
             yield f"{path_of(page)}: {heading}: {path} is {'shown' if path in shown else 'made'} alone"
         for path in sorted(shown):
@@ -84,9 +84,9 @@ def figure_faults():
     found = sections("figures")
     for heading in FIGURES:
         if heading not in found:
-            yield f"docs/figures.md: there is no heading \"{heading}\""
+            yield f"docs/reference/figures.md: there is no heading \"{heading}\""
         elif f"`make figures FIGURE={heading.split()[1]}`" not in found[heading]:
-            yield f"docs/figures.md: {heading} does not say its command"
+            yield f"docs/reference/figures.md: {heading} does not say its command"
 
 
 def knife_faults():
@@ -102,7 +102,7 @@ def knife_faults():
     for row in re.findall(r"^\| (`.+?) \|", text_of("knives"), re.M):
         for knife in re.findall(r"`([a-z]+)", row):
             if len(fruits.get(knife, ())) < 2:
-                yield f"docs/knives.md: knife \"{knife}\" cuts fewer than two fruits"
+                yield f"docs/reference/knives.md: knife \"{knife}\" cuts fewer than two fruits"
 
 
 def main():

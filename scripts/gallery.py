@@ -13,13 +13,14 @@ import pathlib
 import re
 import shlex
 import sys
+import textwrap
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PICTURES = "docs/pictures"
 SEEDS = (1, 2, 3)
 SCENES = {"salad": "880x660", "ripeness": "800x352"}  # picture sizes
-VARIATION = {  # of docs/variation.md: what is grown, at seed 2
+VARIATION = {  # of docs/reference/variation.md: what is grown, at seed 2
     **{f"pepper_folds_{folds}.png": ["pepper", "--folds", str(folds)] for folds in (3, 4, 6)},
     **{f"tomato_variation_{amount}.png": ["tomato", "--variation", amount] for amount in ("0.5", "1", "2")},
 }
@@ -128,7 +129,7 @@ def block(name):
     return "\n".join([
         f"### {template.get('title', name)}",
         "",
-        f"[`{name}`]({name}.toml), {symmetry(template)}. {opening(name)}",
+        textwrap.fill(f"[`{name}`]({name}.toml), {symmetry(template)}. {opening(name)}", 120, break_on_hyphens=False),
         "",
         *large,
         image(f"{folder}/halves.png", f"{name}, its halves", WIDE_SHOWN),
@@ -178,7 +179,7 @@ def faults():
     made |= {file.name for file in (ROOT / PICTURES).glob("sketch_*.png")}  # by scripts/draw_sketch.py
     made |= {f"scenes/{file.name}" for file in (ROOT / PICTURES / "scenes").glob("*.png")}  # by scripts/figures.py
     made |= {f"style/{file.name}" for file in (ROOT / PICTURES / "style").glob("*.png")}  # by scripts/figures.py
-    made |= {"page/tomato.png", "page/board.png", "page/tomatoes.png"}  # by scripts/page_picture.mjs, as docs/page.md says
+    made |= {"page/tomato.png", "page/board.png", "page/tomatoes.png"}  # scripts/page_picture.mjs: docs/reference/page.md
     for page in pages():
         folder = (ROOT / page).parent
         for link in re.findall(r'(?:src="|\]\()([^")]*\.png)', (ROOT / page).read_text()):

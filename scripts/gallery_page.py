@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A gallery for the web: an index of all fruits, and a page for each that cuts it live (docs/page.md).
+"""A gallery for the web: an index of all fruits, and a page for each that cuts it live (docs/reference/page.md).
 
     gallery_page.py PROGRAM FOLDER [TEMPLATE ...]   all templates unless some are named; ends with 1 beyond 40 MB
 """

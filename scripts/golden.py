@@ -6,7 +6,7 @@
     golden.py renew NAME... --reason "WHY"               draws anew and keeps; `all` renews what differs or is missing
 
 --program FILE is the pomona to run (default build/pomona), --out FOLDER where results and pages go (default
-build/golden). docs/golden.md has the rest.
+build/golden). docs/guides/golden.md has the rest.
 """
 
 import argparse
@@ -23,6 +23,7 @@ import shutil
 import struct
 import subprocess
 import sys
+import textwrap
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -66,7 +67,7 @@ def texture_of(glb):
 
 
 def render_with_povray(pov, picture, size):
-    """One thread, no jitter: the same file gives the same pixels (docs/golden.md)."""
+    """One thread, no jitter: the same file gives the same pixels (docs/guides/golden.md)."""
     width, height = size.split("x")
     words = ["povray", pov.name, f"+W{width}", f"+H{height}", "+WT1", "-J", "+A0.1", "+AM1", "-D", f"+O{picture.name}"]
     done = subprocess.run(words, cwd=pov.parent, capture_output=True, text=True)
@@ -194,7 +195,8 @@ def renew(runs, program, out, reason, only_wrong):
                 print(f"  old and new: {out / (file + '.html')}")
     if renewed:
         with open(GOLDEN / "REASONS.md", "a", encoding="utf-8") as reasons:
-            reasons.write(f"- {datetime.date.today()}, {reason.strip()}: {', '.join(sorted(renewed))}\n")
+            line = f"- {datetime.date.today()}, {reason.strip()}: {', '.join(sorted(renewed))}"
+            reasons.write(textwrap.fill(line, 120, subsequent_indent="  ", break_long_words=False) + "\n")
     print(f"{len(renewed)} renewed" + ("; look at them, then commit them together with REASONS.md" if renewed else ""))
     return 0
 

@@ -2,7 +2,7 @@
 """What a batch of very many items costs beside the making: the first items are made, the others are links to their files with
 records of their own; then it is looked at and merged, by the program, as a real one would be.
 
-    many_items.py PROGRAM FOLDER N      prints the table of docs/scale.md; FOLDER must not be there, and is removed
+    many_items.py PROGRAM FOLDER N      prints the table of docs/reports/scale.md; FOLDER must not be there, and is removed
 """
 
 import os

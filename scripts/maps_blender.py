@@ -1,4 +1,5 @@
-"""Renders a .glb with maps by Blender's Cycles, on a table under a soft sky and one window: docs/textures.md. Runs within Blender:
+"""Renders a .glb with maps by Blender's Cycles, on a table under a soft sky and one window:
+docs/reference/textures.md. Runs within Blender:
 
     blender -b --factory-startup --python-exit-code 1 -P scripts/maps_blender.py -- FILE.glb PICTURE.png [rim]
 

@@ -1,4 +1,4 @@
-// Draws a .glb with maps by three.js in a headless Chromium, on a table in the light of a room and a lamp: docs/textures.md.
+// Draws a .glb with maps by three.js in a headless Chromium, on a table in the light of a room and a lamp: docs/reference/textures.md.
 //   node scripts/maps_three.mjs FILE.glb PICTURE.png [rim]
 // "rim" looks from close by at the edge between the cut face and the skin, at 45 degrees to either. Run where node_modules lies (npm ci).
 import { execFile } from 'node:child_process';

@@ -5,21 +5,20 @@
     mutants.py make [...]                            compiles them all at once; drops those that do not compile
     mutants.py map                                   which test reaches which fault, and what each test costs
     mutants.py show [...] [--seconds S]              shows each fault to the tests that reach it; goes on where it was stopped
-    mutants.py report                                what was seen, folder by folder, and what survived: docs/mutants.md
+    mutants.py report                                what was seen, folder by folder, and what survived: docs/reports/mutants.md
     mutants.py make|map|show --survivors [--asked T] the same for what survived alone, in build/mutants_survivors: a matter of
                                                      minutes, with the tests written for it
 
 Faults are turned comparisons, signs and conditions, other constants, limits that are left out, arguments that change
-places, statements that are missing. They are drawn with a fixed seed from all sources (.cpp) of `generator` and
-`render/export`, from each file in proportion to its lines. All of them are compiled into one copy of the sources, each
-behind `(pomona_fault(K) ? faulty : sound)`; the environment variable POMONA_MUTANT chooses one when a program starts.
+places, statements that are missing. A fixed seed draws them from all sources (.cpp) of `generator` and `render/export`,
+from each file in proportion to its lines. All are compiled into one copy of the sources, each behind
+`(pomona_fault(K) ? faulty : sound)`; the environment variable POMONA_MUTANT chooses one when a program starts.
 
-Asked are the GoogleTest tests that ctest knows, those that start the program among them. Golden pictures, tests by
-other programs, scripts and published hashes are not. Each test first runs once without a fault, by itself, and notes
-which faults' places it comes by (POMONA_MUTANT_MAP). A fault is then shown to those tests alone, the cheap ones first,
-until one fails; to a test that does not come by its place it changes nothing. A test also sees a fault when it crashes,
-or takes more than four times its usual processor time and ten seconds, or more than 6 GB. tests/mutants.toml says of
-survivors why nothing can see them. Works in build/mutants; what was shown is kept in tests/mutants_shown.tsv.
+GoogleTest tests are asked; golden pictures, tests by other programs, scripts and published hashes are not. Each test
+first runs once without a fault and notes which faults' places it reaches (POMONA_MUTANT_MAP). A fault is then shown to
+those tests alone, the cheap ones first, until one fails. A crash, more than four times the usual processor time and ten
+seconds, or more than 6 GB counts as seen. tests/mutants.toml says of survivors why nothing can see them. Works in
+build/mutants; what was shown is kept in tests/mutants_shown.tsv.
 """
 
 import argparse

@@ -1,4 +1,4 @@
-// The pictures of docs/studio.md: an orange is drawn over two pictures of one, by the mouse and the keys, and each step is kept.
+// The pictures of docs/guides/studio.md: an orange is drawn over two pictures of one, by the mouse and the keys, and each step is kept.
 //   node scripts/studio_pictures.mjs build/pomona docs/pictures/studio [FOLDER]      needs `npm ci` and chromium
 // The pictures that are drawn over are Pomona's own, of a template that this script writes: CC0, as everything in templates is.
 import { execFileSync } from 'node:child_process';

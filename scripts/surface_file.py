@@ -1,4 +1,4 @@
-"""Reads the .ply files that Pomona writes: surfaces and sections (docs/formats.md)."""
+"""Reads the .ply files that Pomona writes: surfaces and sections (docs/reference/formats.md)."""
 
 import struct
 

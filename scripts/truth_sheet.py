@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Shows a picture and its ground truth (`--aov FOLDER`) side by side, for docs/data.md: the picture, instances, parts, depth, normals,
-and and the whole mask of an instance that others hide.
+"""Shows a picture and its ground truth (`--aov FOLDER`) side by side, for docs/guides/data.md:
+the picture, instances, parts, depth, normals, and the whole mask of an instance that others hide.
 
     truth_sheet.py PICTURE.png FOLDER SHEET.png [WIDTH]      WIDTH of each, in pixels; 400
 """

@@ -28,7 +28,7 @@ MadeItem make_item(const BatchPlan& plan, const BatchVariant& which, const Order
 /// What went wrong, in words that are the same each time.
 std::string reason_of(const std::exception& error);
 
-/// An estimate of the memory that an item takes while it is made, bytes. docs/batch.md says what it rests on.
+/// An estimate of the memory that an item takes while it is made, bytes. docs/guides/batch.md says what it rests on.
 std::uint64_t memory_of_an_item(const PlannedEntry& entry);
 
 }  // namespace pomona

@@ -29,7 +29,7 @@ class StageTimes {
   /// Which diffuser colours the faces, and on what (Diffuser::device). A command without one names none.
   void diffused_by(const std::string& diffuser, const std::string& device);
 
-  /// The JSON text of --stats (docs/commands.md), indented, with a final newline.
+  /// The JSON text of --stats (docs/reference/commands.md), indented, with a final newline.
   std::string json(int threads) const;
 
   /// "read 1 ms, sweep 12 ms, ..." in the order of the road.

@@ -35,7 +35,7 @@ StartingSketch copied_fruit(const fs::path& original, const std::string& name) {
   const Template fruit = read_template(original);
   if (!fruit.meshes.empty())
     throw Error(ExitStatus::usage, fruit.name + " is made of meshes in files of their own",
-                "docs/import.md begins one");
+                "docs/guides/import.md begins one");
 
   // The lines before the first table are the fruit's own; comments there tell of the original.
   StartingSketch copy;

@@ -1,4 +1,4 @@
-// What the studio's page asks, and what it is answered: docs/studio.md has the list.
+// What the studio's page asks, and what it is answered: docs/guides/studio.md has the list.
 #pragma once
 
 #include <string>

@@ -26,7 +26,7 @@ fs::path template_file(const TemplateWanted& wanted, const TemplateSource& sourc
     throw Error(error.status(), {{wanted.place, what.message, what.hint}});
   }
   throw Error(ExitStatus::bad_data, {{wanted.place, "\"" + wanted.name + "\" holds surfaces, which have no variants",
-                                      "a template takes them as a [[mesh]] (docs/import.md)"}});
+                                      "a template takes them as a [[mesh]] (docs/guides/import.md)"}});
 }
 
 std::vector<fs::path> template_files(const BatchEntry& entry, const TemplateSource& source) {

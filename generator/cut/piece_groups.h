@@ -1,5 +1,5 @@
 // Which closed parts of a cell form one piece: a cavity wall belongs to the body around it, and overlapping bodies are
-// connected (docs/decisions.md).
+// connected (docs/reports/decisions.md).
 #pragma once
 
 #include <cstdint>

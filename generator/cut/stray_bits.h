@@ -1,5 +1,5 @@
 // Small bits of seeds, roots and leaves that are not connected with anything stay with the piece on which they lie, so
-// that a halved fruit is two pieces (docs/decisions.md).
+// that a halved fruit is two pieces (docs/reports/decisions.md).
 #pragma once
 
 #include <cstdint>

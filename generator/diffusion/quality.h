@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// The error of the diffusion, nothing else (docs/diffusion.md states them, measured).
+/// The error of the diffusion, nothing else (docs/reports/diffusion.md states them, measured).
 enum class Quality { draft, final, reference };
 
 /// In the order of Quality.

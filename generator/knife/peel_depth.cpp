@@ -28,7 +28,7 @@ PeelDepth::PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double
     : skin_(surfaces), kept_(thickness + clearance) {
   if (!skin_.is_closed()) {
     throw Error(ExitStatus::bad_data, "a peeler needs a fruit whose skin is closed",
-                "see docs/formats.md on hidden sides");
+                "see docs/reference/formats.md on hidden sides");
   }
 
   box_ = skin().box();

@@ -3,7 +3,7 @@
 
 namespace pomona {
 
-/// Whose importer the names in a file are for (docs/formats.md).
+/// Whose importer the names in a file are for (docs/reference/formats.md).
 enum class Engine { any, godot, unreal, unity };
 
 /// What textures hold.

@@ -7,7 +7,8 @@
 
 namespace pomona {
 
-/// Volume, density, mass, centre, inertia, box, triangles, and whether the piece is closed or a crumb: docs/formats.md.
+/// Volume, density, mass, centre, inertia, box, triangles, and whether the piece is closed or a crumb:
+/// docs/reference/formats.md.
 nlohmann::ordered_json facts_json(const Solid& solid);
 
 }  // namespace pomona

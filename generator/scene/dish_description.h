@@ -1,5 +1,5 @@
 // The description of a dish in a scene file: a turned dish or a mesh. Pieces lie in it or on it, or it only stands
-// there (docs/formats.md).
+// there (docs/reference/formats.md).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The description of a scene in a scene file: dishes, and pieces of fruit (docs/formats.md).
+// The description of a scene in a scene file: dishes, and pieces of fruit (docs/reference/formats.md).
 #pragma once
 
 #include <cstddef>

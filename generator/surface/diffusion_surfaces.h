@@ -40,7 +40,7 @@ struct DiffusionSurfaces {
   std::size_t vertex_count() const { return position.size(); }
   std::size_t triangle_count() const { return triangle.size(); }
 
-  /// A triangle's side is hidden when all three of its vertices say so (docs/formats.md).
+  /// A triangle's side is hidden when all three of its vertices say so (docs/reference/formats.md).
   bool is_hidden(std::size_t triangle_index, SideOf side) const;
 
   /// Exactly one hidden side: part of the boundary between the fruit and air.

@@ -12,7 +12,7 @@
 
 namespace pomona {
 
-/// What a detail looks like (docs/style.md has pictures and formulas).
+/// What a detail looks like (docs/reference/style.md has pictures and formulas).
 enum class DetailKind {
   fibres,    ///< thin lines
   cells,     ///< packed bodies, each a little different, with a line where two meet

@@ -14,7 +14,7 @@ namespace pomona {
 /// and the numbers of all lattices besides.
 constexpr std::uint32_t most_pattern = (1u << 24) - (1u << 13);
 
-/// Perlin modulation keyed by the unmodulated colour (paper, section 5; docs/style.md).
+/// Perlin modulation keyed by the unmodulated colour (paper, section 5; docs/reference/style.md).
 struct NoiseKey {
   Color color;
   std::vector<double> weights;  ///< one per band, OKLab units

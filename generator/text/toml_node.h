@@ -40,7 +40,7 @@ struct TomlEntry {
   TomlNode value;
 };
 
-/// Parses within the limits that docs/formats.md states: 16 MiB, UTF-8, depth 64, 100 000 values in an array,
+/// Parses within the limits that docs/reference/formats.md states: 16 MiB, UTF-8, depth 64, 100 000 values in an array,
 /// 1 000 000 in all, 64 KiB in a string. They are checked before the parser sees the text, so that it can
 /// neither exhaust the stack nor the memory. Duplicate keys are errors.
 /// \throws Error (bad_data) at the first mistake: after one in the syntax nothing else can be trusted.

@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-/// docs/formats.md, "Piece list".
+/// docs/reference/formats.md, "Piece list".
 std::string piece_list(const Scene& scene);
 
 }  // namespace pomona

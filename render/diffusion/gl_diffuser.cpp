@@ -13,7 +13,7 @@ namespace pomona {
 
 namespace {
 
-/// Measured in docs/diffusion.md.
+/// Measured in docs/reports/diffusion.md.
 LineSampling sampling_of(Quality quality) {
   switch (quality) {
     case Quality::draft:

@@ -1,4 +1,4 @@
-// Pieces as PLY: for MeshLab, CloudCompare and scripts (docs/formats.md).
+// Pieces as PLY: for MeshLab, CloudCompare and scripts (docs/reference/formats.md).
 #pragma once
 
 #include <string>

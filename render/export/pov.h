@@ -1,4 +1,4 @@
-// POV-Ray 3.7 scenes (docs/formats.md).
+// POV-Ray 3.7 scenes (docs/reference/formats.md).
 #pragma once
 
 #include <string>

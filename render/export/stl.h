@@ -1,4 +1,4 @@
-// Solids as STL: for printing and for programs that know nothing else (docs/formats.md).
+// Solids as STL: for printing and for programs that know nothing else (docs/reference/formats.md).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Ink as SVG: for Inkscape and other drawing programs (docs/formats.md).
+// Ink as SVG: for Inkscape and other drawing programs (docs/reference/formats.md).
 #pragma once
 
 #include <span>

@@ -12,7 +12,7 @@ namespace pomona {
 /// What a PNG is packed for.
 enum class PngPacking {
   small,  ///< for pictures
-  fast,   ///< for textures by the thousand: a quarter of the time, 3 to 8 % more bytes (docs/textures.md)
+  fast,   ///< for textures by the thousand: a quarter of the time, 3 to 8 % more bytes (docs/reports/textures.md)
 };
 
 /// What the numbers of a picture are.

@@ -1,5 +1,5 @@
 // A fruit that can be cut elsewhere, in a browser or an engine: its surfaces and the solved colours between them, in as
-// few bytes as eight-bit colours need. docs/asset.md describes the file it becomes.
+// few bytes as eight-bit colours need. docs/reference/asset.md describes the file it becomes.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Assets as files: .pomona, byte by byte in docs/asset.md.
+// Assets as files: .pomona, byte by byte in docs/reference/asset.md.
 #pragma once
 
 #include <filesystem>

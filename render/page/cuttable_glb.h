@@ -1,4 +1,4 @@
-// A .glb that every viewer shows, and that carries its fruit to be cut (docs/asset.md, "In glTF").
+// A .glb that every viewer shows, and that carries its fruit to be cut (docs/reference/asset.md, "In glTF").
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The colour inside a fruit at any point, in GLSL ES 3.00 or any later GLSL: what generator/diffusion/harmonic/field_look_up.h
-// answers, from four textures that any engine can hold. docs/asset.md tells how they are made of an asset.
+// answers, from four textures that any engine can hold. docs/reference/asset.md tells how they are made of an asset.
 uniform highp sampler3D pomona_grid;   // sRGB, alpha; linear filter. Colours at nodes; alpha: 1 + the part there, of 255; 0 in air
 uniform highp usampler3D pomona_cell;  // x: first entry of the list; y: how many (bits 0-11), 1 + windings of 8 corners (2 bits each)
 uniform highp usampler2D pomona_list;  // 2048 wide: triangles by cell

@@ -1,4 +1,4 @@
-// A fruit as a page of its own: one HTML file that opens from disk, and cuts it live (docs/page.md).
+// A fruit as a page of its own: one HTML file that opens from disk, and cuts it live (docs/reference/page.md).
 #pragma once
 
 #include <cstddef>

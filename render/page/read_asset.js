@@ -1,5 +1,5 @@
-// From an asset's bytes to arrays: the JavaScript half of asset_file.h, and byte for byte docs/asset.md. A classic
-// script, for pages that are opened from disk; Node requires it.
+// From an asset's bytes to arrays: the JavaScript half of asset_file.h, and byte for byte docs/reference/asset.md. A
+// classic script, for pages that are opened from disk; Node requires it.
 'use strict';
 const Asset = (() => {
   const magic = [0x70, 0x6f, 0x6d, 0x6f, 0x6e, 0x61, 0];

@@ -1,4 +1,4 @@
-// From a style's TOML, on disk or built into the program, to a Style (docs/style.md), every error with file, line and
+// From a style's TOML, on disk or built into the program, to a Style (docs/reference/style.md), every error with file, line and
 // column.
 #pragma once
 

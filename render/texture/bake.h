@@ -1,4 +1,5 @@
-// Baking: a solid's colours, noise and inner lines as a texture, for engines that want few vertices (docs/textures.md).
+// Baking: a solid's colours, noise and inner lines as a texture, for engines that want few vertices
+// (docs/reference/textures.md).
 #pragma once
 
 #include <span>

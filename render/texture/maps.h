@@ -1,4 +1,4 @@
-// What a texture has besides colours: maps of how a surface shades (docs/textures.md).
+// What a texture has besides colours: maps of how a surface shades (docs/reference/textures.md).
 #pragma once
 
 #include <vector>

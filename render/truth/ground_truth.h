@@ -25,8 +25,8 @@ struct TruthFile {
   std::string bytes;
 };
 
-/// Layers of the scene as its view sees it, and annotations.json: docs/formats.md, "Ground truth". Threads change
-/// nothing.
+/// Layers of the scene as its view sees it, and annotations.json: docs/reference/formats.md, "Ground truth".
+/// Threads change nothing.
 /// \throws Error (usage) for more instances than numbers have bits for, and for what one sees through: behind glass
 /// no one surface is what a pixel shows.
 std::vector<TruthFile> ground_truth(const Scene& scene, const TruthOptions& options);

@@ -6,4 +6,4 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 MUTATED = ("generator", "render/export")
 RESULTS = ROOT / "tests" / "mutants_shown.tsv"
 SAID = ROOT / "tests" / "mutants.toml"
-PAGE = ROOT / "docs" / "mutants.md"
+PAGE = ROOT / "docs" / "reports" / "mutants.md"

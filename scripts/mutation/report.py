@@ -1,4 +1,6 @@
-"""What was seen, folder by folder, and what survived: docs/mutants.md."""
+"""What was seen, folder by folder, and what survived: docs/reports/mutants.md."""
+
+import textwrap
 
 from .faults import all_faults, sources
 from .places import PAGE
@@ -29,6 +31,7 @@ def report(faults, how):
              *folders_table(judged, equivalent), "",
              "Survivors. \"Asked\" is how many tests it was shown to, of those that come by its place.", "",
              *survivors_table(survived, equivalent, unseen)]
+    lines = [line if line.startswith("|") else textwrap.fill(line, 120, break_long_words=False) for line in lines]
     PAGE.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(figures)
 

@@ -25,7 +25,7 @@ struct Allowed {
 
 constexpr double standard_error = 0.7;
 
-/// What the grid promises (docs/diffusion.md); the walk's own error is added.
+/// What the grid promises (docs/reference/diffusion.md); the walk's own error is added.
 constexpr Allowed grid{.rms = 1, .max = 4};
 
 class Agreement {

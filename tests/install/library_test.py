@@ -1,4 +1,5 @@
-"""docs/library.md, word for word, against the installed tree: it compiles, and what it writes is what the program writes.
+"""docs/guides/library.md, word for word, against the installed tree:
+it compiles, and what it writes is what the program writes.
 
     library_test.py BUILD SOURCE COMPILER
 """
@@ -14,11 +15,12 @@ import unittest
 from installed import install, run
 
 BUILD, SOURCE, COMPILER = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
+PAGE = SOURCE / "docs" / "guides" / "library.md"
 
 
 def code_block(language):
-    """The first block of that language in docs/library.md."""
-    return re.search(rf"^```{language}\n(.*?)^```", (SOURCE / "docs/library.md").read_text(), re.M | re.S).group(1)
+    """The first block of that language in docs/guides/library.md."""
+    return re.search(rf"^```{language}\n(.*?)^```", PAGE.read_text(), re.M | re.S).group(1)
 
 
 def parts(glb):
@@ -47,7 +49,7 @@ class InstalledLibrary(unittest.TestCase):
                 self.assertTrue((include / included).is_file(), f"{header} includes {included}")
 
     def test_every_header_the_document_names_is_installed(self):
-        table = (SOURCE / "docs/library.md").read_text().split("| step | headers |")[1].split("\n\n")[0]
+        table = PAGE.read_text().split("| step | headers |")[1].split("\n\n")[0]
         names = re.findall(r"`([a-z_/]+\.h)`", table)
         self.assertGreater(len(names), 15)
         installed = [str(header) for header in (self.tree / "include/pomona").rglob("*.h")]

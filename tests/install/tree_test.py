@@ -101,7 +101,7 @@ printf '%s\\n' "${COMPREPLY[@]}" """
 
     def test_every_knife_of_the_documents_is_in_the_help(self):
         help_of_cut = self.pomona("cut", "-h")
-        table = (SOURCE / "docs/commands.md").read_text().split("| KNIFE | cuts along |")[1].split("\n\n")[0]
+        table = (SOURCE / "docs/reference/commands.md").read_text().split("| KNIFE | cuts along |")[1].split("\n\n")[0]
         knives = re.findall(r"`([a-z]+)[:`]", table)
         self.assertGreater(len(knives), 10)
         for knife in knives:

@@ -1,5 +1,5 @@
 // The look-up in JavaScript against the C++ field, at all points of the squares that write_sections has left.
-//   node look_up.mjs FOLDER [--table]    fails if a bar is missed; --table prints a table of all templates, the worst of their seeds, as docs/page.md has it
+//   node look_up.mjs FOLDER [--table]    fails if a bar is missed; --table prints a table of all templates, the worst of their seeds, as docs/reports/pages.md has it
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { inflateSync } from 'node:zlib';

@@ -1,5 +1,5 @@
-// Renders what the POV-Ray exporter writes with the real program, in the way docs/formats.md says, and looks at
-// the picture.
+// Renders what the POV-Ray exporter writes with the real program, in the way docs/reference/formats.md says, and
+// looks at the picture.
 #include <gmock/gmock.h>
 #include <cstdlib>
 #include <filesystem>

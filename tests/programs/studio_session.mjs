@@ -1,4 +1,4 @@
-// A studio and a browser that has it open: what tests and the pictures of docs/studio.md work with.
+// A studio and a browser that has it open: what tests and the pictures of docs/guides/studio.md work with.
 import { spawn } from 'node:child_process';
 
 /** {process, address, end(signal)} */

@@ -137,8 +137,8 @@ class Readmes(Tree):
         self.assert_fine({"tests/cut/cut_test.cpp": "", "tests/README.md": ""})
 
     def test_they_name_only_what_is_there(self):
-        for named in ("main.cpp", "page.h", "pages/page.h", "cli/pages/page.h", "docs/commands.md"):
-            files = {"cli/pages/page.h": HEADER, "cli/pages/README.md": "", "docs/commands.md": ""}
+        for named in ("main.cpp", "page.h", "pages/page.h", "cli/pages/page.h", "docs/reference/commands.md"):
+            files = {"cli/pages/page.h": HEADER, "cli/pages/README.md": "", "docs/reference/commands.md": ""}
             self.assert_fine(self.ROOM | files | {"cli/README.md": f"See `{named}`.\n"})
         for named in ("gone.cpp", "pages/gone.h", "generator/cut/gone.h", "../docs/gone.md"):
             self.assert_wrong(self.ROOM | {"cli/README.md": f"\nSee `{named}`.\n"}, "cli/README.md:2", named)

@@ -55,7 +55,7 @@ TEST(ReadTemplate, all_templates_of_the_project_are_good) {
 }
 
 TEST(ReadTemplate, the_fruit_of_the_documentation_is_good) {
-  const std::string page = text_of(root / "docs/make_a_fruit.md");
+  const std::string page = text_of(root / "docs/guides/make_a_fruit.md");
   int blocks = 0;
   std::string fruit;
   for (std::size_t at = page.find("```toml\n"); at != std::string::npos; at = page.find("```toml\n", at)) {
@@ -64,7 +64,7 @@ TEST(ReadTemplate, the_fruit_of_the_documentation_is_good) {
     ++blocks;
   }
   EXPECT_GE(blocks, 4);
-  EXPECT_NO_THROW(parse_template(fruit, "docs/make_a_fruit.md"));
+  EXPECT_NO_THROW(parse_template(fruit, "docs/guides/make_a_fruit.md"));
 }
 
 TEST(ReadTemplate, reads_what_is_written) {

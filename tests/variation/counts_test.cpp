@@ -183,7 +183,7 @@ TEST(Counts, ALayerIsThereInSomeFruitsOnly) {
   EXPECT_THAT(loops, testing::ElementsAre(0, 1));
 }
 
-/// Promised in docs/variation.md.
+/// Promised in docs/reference/variation.md.
 TEST(Counts, FourTemplatesKeepTheirFacesAtAllSeeds) {
   for (const char* name : {"tomato", "onion", "strawberry", "okra"}) {
     const Template fruit = shipped(name);

@@ -1,4 +1,4 @@
-// The section as PLY (docs/formats.md).
+// The section as PLY (docs/reference/formats.md).
 #pragma once
 
 #include <string>

@@ -25,8 +25,8 @@ struct Effort {
   std::size_t max_patch_nodes = GridOptions{}.max_patch_nodes;
 };
 
-/// Measured in docs/diffusion.md. Patches where the solution bends take three times as long as all else, and pages,
-/// whose look-up is held to the field of `final`, carry none.
+/// Measured in docs/reports/diffusion.md. Patches where the solution bends take three times as long as all else, and
+/// pages, whose look-up is held to the field of `final`, carry none.
 Effort effort_for(Quality quality) {
   if (quality == Quality::draft) return {64, 1};
   if (quality == Quality::final) return {112, 1};

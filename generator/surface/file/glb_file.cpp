@@ -91,31 +91,31 @@ std::string hint_about(std::string_view extension) {
   return "export it without this extension, or as .obj";
 }
 
-using Json = nlohmann::json;
+using GlbJson = nlohmann::json;
 
 /// The items of a list in an object; none where there is no such list.
-std::vector<Json> list_at(const Json& object, const char* key) {
+std::vector<GlbJson> list_at(const GlbJson& object, const char* key) {
   const auto found = object.is_object() ? object.find(key) : object.end();
-  return found == object.end() || !found->is_array() ? std::vector<Json>{} : found->get<std::vector<Json>>();
+  return found == object.end() || !found->is_array() ? std::vector<GlbJson>{} : found->get<std::vector<GlbJson>>();
 }
 
-bool has_extension(const Json& object, const std::string& name) {
+bool has_extension(const GlbJson& object, const std::string& name) {
   return object.is_object() && object.contains("extensions") && object["extensions"].is_object() &&
          object["extensions"].contains(name);
 }
 
 /// What a reader must know and this one does not is refused by its name, before anything else is made of the file.
 void check_extensions(std::string_view text, const std::string& file) {
-  const Json json = Json::parse(text.begin(), text.end(), nullptr, false);
+  const GlbJson json = GlbJson::parse(text.begin(), text.end(), nullptr, false);
   if (!json.is_object()) return;  // the reader says why
-  for (const Json& required : list_at(json, "extensionsRequired")) {
+  for (const GlbJson& required : list_at(json, "extensionsRequired")) {
     if (!required.is_string() || is_understood(required.get<std::string>())) continue;
     const auto name = required.get<std::string>().substr(0, 64);
     refuse(file, "extensionsRequired", "it requires \"" + name + "\", which is not read", hint_about(name));
   }
 
   // Only the first buffer may lie in the file without an address.
-  const std::vector<Json> buffers = list_at(json, "buffers"), accessors = list_at(json, "accessors");
+  const std::vector<GlbJson> buffers = list_at(json, "buffers"), accessors = list_at(json, "accessors");
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     if (!buffers[i].is_object() || buffers[i].contains("uri")) continue;
     for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
@@ -128,8 +128,8 @@ void check_extensions(std::string_view text, const std::string& file) {
 
   // A compressed mesh may bring its values plainly, too.
   const std::string draco = "KHR_draco_mesh_compression";
-  for (const Json& mesh : list_at(json, "meshes")) {
-    for (const Json& primitive : list_at(mesh, "primitives")) {
+  for (const GlbJson& mesh : list_at(json, "meshes")) {
+    for (const GlbJson& primitive : list_at(mesh, "primitives")) {
       if (!has_extension(primitive, draco)) continue;
       const auto index = primitive.contains("indices") && primitive["indices"].is_number_unsigned()
                              ? primitive["indices"].get<std::size_t>()

@@ -1,4 +1,4 @@
-// Surfaces as PLY, for exchange with modelling tools (docs/formats.md).
+// Surfaces as PLY, for exchange with modelling tools (docs/reference/formats.md).
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Names as importers of engines expect them (docs/formats.md).
+// Names as importers of engines expect them (docs/reference/formats.md).
 #pragma once
 
 #include <string>

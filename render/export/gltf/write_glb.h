@@ -1,4 +1,4 @@
-// glTF 2.0 in its binary form (.glb): for Blender, three.js, game engines (docs/formats.md).
+// glTF 2.0 in its binary form (.glb): for Blender, three.js, game engines (docs/reference/formats.md).
 #pragma once
 
 #include <memory>

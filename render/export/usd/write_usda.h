@@ -1,4 +1,4 @@
-// USD in its text form (.usda): for Omniverse, Houdini, Maya, Blender (docs/formats.md).
+// USD in its text form (.usda): for Omniverse, Houdini, Maya, Blender (docs/reference/formats.md).
 #pragma once
 
 #include <span>

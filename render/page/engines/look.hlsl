@@ -1,5 +1,5 @@
 // The colour inside a fruit at any point, in HLSL (shader model 5 or later; Unreal, Unity, Direct3D): look.glsl word for
-// word. docs/asset.md tells how the four textures are made of an asset.
+// word. docs/reference/asset.md tells how the four textures are made of an asset.
 Texture3D<float4> pomona_grid;      // sRGB, alpha. Colours at nodes; alpha: 1 + the part there, of 255; 0 in air
 SamplerState pomona_linear;         // of the grid: linear, clamped
 Texture3D<uint2> pomona_cell;       // x: first entry of the list; y: how many (bits 0-11), 1 + windings of 8 corners (2 bits each)

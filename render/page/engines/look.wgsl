@@ -1,5 +1,5 @@
-// The colour inside a fruit at any point, in WGSL: look.glsl word for word. docs/asset.md tells how the four textures are
-// made of an asset. The bindings are in a group of their own; change its number as you need.
+// The colour inside a fruit at any point, in WGSL: look.glsl word for word. docs/reference/asset.md tells how the four
+// textures are made of an asset. The bindings are in a group of their own; change its number as you need.
 struct Pomona {
   count: vec3f,  // nodes along each axis
   units: i32,    // of positions, to a cell

@@ -18,7 +18,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from batches import TINY, pomona, tree  # noqa: E402
 
 PROGRAM, SHIM, KILLS = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), int(sys.argv[3])
-STATUSES = {73, 74}  # cannot create, cannot write: docs/commands.md
+STATUSES = {73, 74}  # cannot create, cannot write: docs/reference/commands.md
 
 
 class Stops:

@@ -365,10 +365,10 @@ class BadInput(Sandbox):
 
 
 class Files(Sandbox):
-    """docs/farm: what they say is done, with their places filled in."""
+    """docs/guides/farm: what they say is done, with their places filled in."""
 
     def read(self, name):
-        return yaml.safe_load((SOURCE / "docs" / "farm" / name).read_text())
+        return yaml.safe_load((SOURCE / "docs" / "guides" / "farm" / name).read_text())
 
     def merged(self, out):
         self.assertEqual(tree(out), self.alone())
@@ -413,14 +413,14 @@ class Files(Sandbox):
         self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_name_statuses_as_the_documents_do(self):
-        documented = set(re.findall(r"^\| (\d+) \|", (SOURCE / "docs" / "commands.md").read_text(), re.M))
+        documented = set(re.findall(r"^\| (\d+) \|", (SOURCE / "docs" / "reference" / "commands.md").read_text(), re.M))
         rules = self.read("kubernetes_shards.yaml")["spec"]["podFailurePolicy"]["rules"]
         named = {str(value) for rule in rules for value in rule.get("onExitCodes", {}).get("values", [])}
         self.assertLessEqual(named, documented)
         self.assertTrue(named.isdisjoint({"0", "74", "75"}))
 
     def test_of_the_page_are_commands_that_there_are(self):
-        text = (SOURCE / "docs" / "farm.md").read_text()
+        text = (SOURCE / "docs" / "guides" / "farm.md").read_text()
         typed = [line.strip() for block in re.findall(r"(?:^    .*\n)+", text, re.M) for line in block.splitlines()]
         commands = {tuple(shlex.split(line.split("#")[0])[1:3]) for line in typed if line.startswith("pomona farm ")}
         self.assertEqual(commands, {("farm", "slurm"), ("farm", "status"), ("farm", "commands")})

@@ -101,7 +101,7 @@ TEST(CutFiles, PiecesThatTouchedLookTheSameThereInGlb) {
   expect_same_on_both_sides(vertices, 2);
 }
 
-/// Vertices of a .ply of pieces: position, normal, colour, part (docs/formats.md).
+/// Vertices of a .ply of pieces: position, normal, colour, part (docs/reference/formats.md).
 std::vector<Vertex> vertices_of(const std::string& ply) {
   constexpr std::size_t bytes = 6 * 4 + 3 + 4;
   const std::string count_before = "element vertex ", end = "end_header\n";

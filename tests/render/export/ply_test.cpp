@@ -30,7 +30,7 @@ Value value_at(const std::string& bytes, std::size_t offset) {
   return value;
 }
 
-// What docs/formats.md promises: the sizes of a vertex and a face.
+// What docs/reference/formats.md promises: the sizes of a vertex and a face.
 constexpr std::size_t vertex_bytes = 6 * 4 + 3 + 4, face_bytes = 1 + 3 * 4 + 4 + 4;
 
 TEST(SolidsPly, HoldsEveryInstanceWhereItLies) {
