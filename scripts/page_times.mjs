@@ -2,14 +2,13 @@
 //   node scripts/page_times.mjs FILE.html FILE.pomona [RUNS [WAIT]]      medians; wants an idle machine; needs `npm ci` and chromium
 // WAIT: milliseconds for which the browser has been open before. One that has just been started is still busy with itself.
 import { readdirSync, readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { loadavg } from 'node:os';
 import { resolve } from 'node:path';
 import { inflateSync } from 'node:zlib';
+import * as LookUp from '../render/page/look_up.js';
+import * as Asset from '../render/page/read_asset.js';
 import { launch } from '../tests/programs/browser.mjs';
 
-const require = createRequire(import.meta.url);
-const Asset = require('../render/page/read_asset.js'), LookUp = require('../render/page/look_up.js');
 const [page, asset, runs = '5', wait = '0'] = process.argv.slice(2), side = 256;
 const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1];
 console.log(`load average before: ${loadavg()[0].toFixed(1)}`);

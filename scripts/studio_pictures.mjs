@@ -77,6 +77,7 @@ try {
     const low = [width, height], high = [0, 0];
     for (let i = 0; i < width * height; ++i) if (data[4 * i + 3] > 128 && data[4 * i + 2] < 150) { const p = [i % width, Math.floor(i / width)]; for (const k of [0, 1]) { low[k] = Math.min(low[k], p[k]); high[k] = Math.max(high[k], p[k]); } }
     const m = studio.pictures.placement(picture, loaded);
+    const { A } = studio.modules;
     return [picture.view, [A.point(m, low), A.point(m, high)]];
   })));
   console.log(JSON.stringify(boxes));
@@ -89,7 +90,7 @@ try {
         const curve = studio.drawing.curves.find((c) => c.view === v && c.kind === name);
         studio.select(curve);
         if (curve.dot) studio.commit(studio.drawing.withDot(curve, m));
-        else studio.commit(studio.drawing.withParts(curve, [{ closed: false, nodes: places.map(nodeAt) }]));
+        else studio.commit(studio.drawing.withParts(curve, [{ closed: false, nodes: places.map(studio.modules.nodeAt) }]));
       };
       put('axis', [[m[0], h[1]], [m[0], l[1]]]);
       put('scale', [[l[0], h[1] + 6], [h[0], h[1] + 6]]);
@@ -101,7 +102,7 @@ try {
     const [low, high] = boxes.top, middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], reach = 0.55 * (high[0] - low[0]);
     for (let k = 0; k < 10; ++k) {
       const fold = studio.drawing.curves.filter((c) => c.kind === 'fold')[k], a = 2 * Math.PI * (k + 0.5) / 10;
-      studio.commit(studio.drawing.withParts(fold, [{ closed: false, nodes: [middle, [middle[0] + reach * Math.cos(a), middle[1] - reach * Math.sin(a)]].map(nodeAt) }]));
+      studio.commit(studio.drawing.withParts(fold, [{ closed: false, nodes: [middle, [middle[0] + reach * Math.cos(a), middle[1] - reach * Math.sin(a)]].map(studio.modules.nodeAt) }]));
     }
     studio.select(null);
   }, boxes);
@@ -130,8 +131,8 @@ try {
   // The core is drawn by hand: its curve is moved, node by node, into the white around the axis.
   await session.evaluate((m, s) => {
     const core = studio.drawing.curves.find((c) => c.view === 'side' && c.name === 'core'), x = m[0];
-    const part = { closed: false, nodes: [[x, m[1] + 0.38 * s], [x + 0.047 * s, m[1] + 0.2 * s], [x + 0.047 * s, m[1] - 0.2 * s], [x, m[1] - 0.38 * s]].map(nodeAt) };
-    Bezier.smooth(part);
+    const part = { closed: false, nodes: [[x, m[1] + 0.38 * s], [x + 0.047 * s, m[1] + 0.2 * s], [x + 0.047 * s, m[1] - 0.2 * s], [x, m[1] - 0.38 * s]].map(studio.modules.nodeAt) };
+    studio.modules.Bezier.smooth(part);
     studio.commit(studio.drawing.withParts(core, [part]), 'core');
     studio.select(studio.drawing.curves.find((c) => c.view === 'side' && c.name === 'chamber'));
   }, middle, size);
@@ -141,9 +142,9 @@ try {
   const pick = async (surface, side, view, place) => {
     await session.evaluate((name, of) => {
       // One colour for the whole side.
-      const ramp = sideNamed(studio.drawing, name, of).ground.along;
+      const { putRamp, sideNamed } = studio.modules, ramp = sideNamed(studio.drawing, name, of).ground.along;
       if (!ramp.constant) putRamp(studio, { ramp }, [ramp.stops[0]], 'one colour');
-      chosenStop = { surface: name, side: of, path: ['ground', 'along'], stop: 0 };
+      studio.chosenStop = { surface: name, side: of, path: ['ground', 'along'], stop: 0 };
     }, surface, side);
     await key('i');
     await tab.mouse.click(...await session.where(view, place));
@@ -163,7 +164,7 @@ try {
   // A blush: a coat over the skin, painted from the side along its curve and from above around the axis.
   await tab.click('[data-cut="whole"]');
   await key('n');
-  await session.evaluate(() => { Object.assign(studio.brush, { color: '#c23a12', size: 110, soft: 1, strength: 0.8 }); showBrush(studio); });
+  await session.evaluate(() => { Object.assign(studio.brush, { color: '#c23a12', size: 110, soft: 1, strength: 0.8 }); studio.modules.showBrush(studio); });
   await session.stroke(await session.along('side', 'skin', 0.5, 0.75, 8));
   await session.stroke(await session.along('top', 'skin', 0.9, 0.98, 8));
   await tab.mouse.move(...(await session.along('side', 'skin', 0.7, 0.7, 10, 1))[0]);

@@ -1,11 +1,18 @@
 // How pages begin: a worker unpacks while the browser makes a place to draw.
-'use strict';
+import {Blade} from './blade.js';
+import {Board, fitCanvas} from './board.js';
+import {$, sorry} from './messages.js';
+import {firstDivisor} from './pace.js';
+import {Paper} from './paper.js';
+import {Picture} from './picture.js';
+import {Stroke} from './stroke.js';
+import {Unpacking} from './unpacking.js';
 
 /**
  * `unpack(unpacking)` asks for what is to be unpacked first; `what` is told where it cannot be drawn; `program`: the one that is first drawn with. Null where
  * WebGL 2 is missing. Making a place to draw may take as long as unpacking and keeps the page busy, so the worker is up before.
  */
-async function beginPage(unpack, what, program) {
+export async function beginPage(unpack, what, program) {
   const started = performance.now(), loads = {}, unpacking = new Unpacking(), first = unpack(unpacking), canvas = $('view');
   await unpacking.isUp;
   // The tools have their room, and with them the canvas, before the browser makes a place to draw of that size; they are seen when something is.

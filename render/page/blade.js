@@ -1,6 +1,8 @@
 // The blade that is drawn over the fruit, and what takes hold of it.
-'use strict';
-class Blade {
+import {M, V} from './linear.js';
+import {$} from './messages.js';
+
+export class Blade {
   constructor(board) {
     this.board = board;
     this.handles = ['move', 'turn', 'tilt'].map((what) => this.handle(what));

@@ -1,6 +1,12 @@
 // What lies before one: bodies in their setting, the knives in them, from where one looks; and when it is drawn again.
-'use strict';
-const mostKnives = 4;
+import {boxOfPoints} from './body.js';
+import {Camera} from './camera.js';
+import {Knife} from './knives.js';
+import {M, V} from './linear.js';
+import {say, sorry} from './messages.js';
+import {Pace, restMs} from './pace.js';
+
+export const mostKnives = 4;
 
 /** Pixels of a canvas as it lies on the page. */
 function sizeOf(canvas) {
@@ -8,12 +14,12 @@ function sizeOf(canvas) {
   return {width: Math.max(1, Math.round(canvas.clientWidth * scale)), height: Math.max(1, Math.round(canvas.clientHeight * scale))};
 }
 /** Gives it so many times fewer along each side. */
-function fitCanvas(canvas, divisor) {
+export function fitCanvas(canvas, divisor) {
   const size = sizeOf(canvas), width = Math.ceil(size.width / divisor), height = Math.ceil(size.height / divisor);
   if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
 }
 
-class Board {
+export class Board {
   /** `setting`: bodies, size of one, setKnives(), arrange(apart, open). */
   constructor(canvas, picture) {
     Object.assign(this, {canvas, picture, camera: new Camera(), setting: null, knives: [], apart: 0, open: 0, wantedApart: 0, wantedOpen: 0,

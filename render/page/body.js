@@ -1,6 +1,10 @@
 // A thing that can be cut: a fruit, or a piece of one. Its skin, the knives that go through it, and where what they leave
 // lies. Lengths are in cells of its fruit's grid.
-'use strict';
+import {Faces} from './faces.js';
+import {profilePlace, profilePlaces} from './knives.js';
+import {M, V} from './linear.js';
+import {PieceMeshes} from './piece_mesh.js';
+import {homesOf, piecesOf, placed, samplesOf} from './pieces.js';
 
 /** Low and high corner of so many points; `at(i, k)`: the coordinate k of one of them. */
 function boxAround(count, at) {
@@ -13,13 +17,13 @@ function boxAround(count, at) {
   return {low, high};
 }
 /** Of a skin's corners, which follow one another by tens. */
-const boxOf = (skin) => boxAround(skin.length / 10, (i, k) => skin[10 * i + k]);
-const boxOfPoints = (points) => boxAround(points.length, (i, k) => points[i][k]);
+export const boxOf = (skin) => boxAround(skin.length / 10, (i, k) => skin[10 * i + k]);
+export const boxOfPoints = (points) => boxAround(points.length, (i, k) => points[i][k]);
 
 const faceMargin = 0.02;  // beside a skin its faces are drawn, too: there lie lines, and colours for when they are seen smaller
 
 /** Triangles on the card, and what knives go by: shared by all that look alike. */
-class Shape {
+export class Shape {
   /** `skin`: ten numbers a corner (skin.js); `index`: which corners are triangles, or none: three after three; `outwards`: of skin.js. */
   constructor(card, skin, index, outwards) {
     const {low, high} = boxOf(skin), size = V.sub(high, low), middle = V.mul(V.add(low, high), 0.5);
@@ -44,7 +48,7 @@ function boxWithin({frame: {origin, u, v, reach}}, skin) {
   return [...low.map((s) => place(s - faceMargin, Math.floor)), ...high.map((s) => place(s + faceMargin, Math.ceil))];
 }
 
-class Body {
+export class Body {
   /** `samples`: so many points of its skin stand for it. */
   constructor(picture, fruit, shape, samples = 2500) {
     Object.assign(this, {fruit, frame: shape.frame, mesh: shape.mesh, skin: shape.skin, index: shape.index, knives: [], pieces: [], arranged: [], place: M.identity(), chosen: false});

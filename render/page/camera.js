@@ -1,6 +1,7 @@
 // Where one looks from, and how the fruit fits into the picture.
-'use strict';
-class Camera {
+import {M, V} from './linear.js';
+
+export class Camera {
   constructor() { Object.assign(this, {yaw: 0, pitch: 0, zoom: 1, target: [0, 0, 0], far: 1, field: 0.42}); }
 
   get directions() {

@@ -1,6 +1,6 @@
 // What the graphics card holds: programs, textures, buffers.
-'use strict';
-class Card {
+
+export class Card {
   /** `antialias`: whether what is drawn on the canvas has smooth edges; samples() has them where it has not. */
   constructor(canvas, shaders, antialias) {
     this.gl = canvas.getContext('webgl2', {antialias, premultipliedAlpha: true, powerPreference: 'high-performance'});

@@ -1,8 +1,11 @@
 // The passes that make a face's textures: bare colours, ways to rims, noise, details, lines.
-'use strict';
+import {profilePlaces} from './knives.js';
+import {V} from './linear.js';
+import {linearOf} from './color.js';
+
 const rimReach = 0.004;  // metres: farther from its rim all of a part is alike (render/style/face_relief.h)
 
-class FacePasses {
+export class FacePasses {
   constructor(card, style) {
     const {gl} = card;
     Object.assign(this, {card, gl, style});
@@ -146,7 +149,7 @@ class FacePasses {
     }
     pass('lines', this.programs.lines, face.styled, (u) => {
       card.bind(u.ways, 10, ways.colors[0]);
-      gl.uniform4f(u.ink, ...colorOf(style.ink || header.ink), style.lines ? style.inner_opacity : 0);
+      gl.uniform4f(u.ink, ...linearOf(style.ink || header.ink), style.lines ? style.inner_opacity : 0);
       gl.uniform1f(u.ink_width, 0.34 * style.inner * header.ink_width * face.size);
       gl.uniform1i(u.has_heights, hasNoise && details.length > 0 ? 1 : 0);
     });

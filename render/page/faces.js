@@ -1,11 +1,11 @@
 // The cut faces of one body: worked out once for each place of a knife, into textures, so that turning the fruit costs
 // little; while a knife moves they are coarse, fine when it rests, and then details come.
-'use strict';
+
 const frameMs = 30;          // of work on faces in one frame
 const longestDetails = 15e3; // ms: cards that would take longer for a face's details go without
 
 /** How fast the card is, as faces have shown it: texels a millisecond, the side of a coarse face, and what a texel of each stage takes. */
-class FaceSpeed {
+export class FaceSpeed {
   constructor() { Object.assign(this, {coarse: 256, perMs: 0, measured: false, costs: new Map(), skipsDetails: false}); }
   take(texels, ms) {
     // The first time takes the compiler's time, too.
@@ -66,7 +66,7 @@ class FaceWork {
   }
 }
 
-class Faces {
+export class Faces {
   constructor(passes, speed, body) { Object.assign(this, {passes, speed, body, all: [], withDetails: true}); }
 
   /** A face to be, and the work that gives it its bare colours. `filter`: how these are seen. */

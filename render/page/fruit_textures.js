@@ -1,5 +1,5 @@
 // What the graphics card holds of one fruit: grid, cells, triangles, guides, and how it is painted.
-'use strict';
+
 /** A shell (spared.js) with what pieces go by: points of its own surface, and some that stand for it among all of the fruit's. */
 function shellOf({first, count, points}, stone) {
   const rim = new Float32Array(count), samples = [], every = 3 * Math.max(1, Math.floor(points.length / 3 / 300));
@@ -9,7 +9,7 @@ function shellOf({first, count, points}, stone) {
   return {stone: [first, count], socket: [first, count], points, rim, samples};
 }
 
-class FruitTextures {
+export class FruitTextures {
   /** `header`: an asset's, or what stands for it until one is there. */
   constructor(card, header) {
     const {spacing, origin} = header;

@@ -1,6 +1,7 @@
 // Pointers over the picture: they turn, zoom, draw, move the knife, and ask what lies under them.
-'use strict';
-class Hands {
+import {$} from './messages.js';
+
+export class Hands {
   /** `nameOf(found)`: what is said of what board.at() has found; `onTap(found)`: a press that went nowhere. */
   constructor(board, blade, stroke, {nameOf, onTap = () => {}}) {
     Object.assign(this, {board, blade, stroke, nameOf, onTap, held: new Map(), pinch: 0, naming: 0, way: 0});

@@ -1,11 +1,12 @@
 // Knives: a plane through the fruit, and what its blade does beside it, as heights over the plane along one direction:
 // nothing, waves, or a stroke that was drawn. Lengths are in cells of the grid.
-'use strict';
-const profilePlaces = 256;
-/** Which of these is nearest, or the next one before or after (`round`), to s from -1 to 1. */
-const profilePlace = (s, round = Math.round) => Math.max(0, Math.min(profilePlaces - 1, round((s * 0.5 + 0.5) * (profilePlaces - 1))));
+import {V} from './linear.js';
 
-class Knife {
+export const profilePlaces = 256;
+/** Which of these is nearest, or the next one before or after (`round`), to s from -1 to 1. */
+export const profilePlace = (s, round = Math.round) => Math.max(0, Math.min(profilePlaces - 1, round((s * 0.5 + 0.5) * (profilePlaces - 1))));
+
+export class Knife {
   /**
    * `fruit`: {middle, reach}. Turn and tilt are angles of the plane's normal, shift its distance from the middle. `laid`: of
    * a plane that the page opened with {knife, step}, by which its knife's cells are numbered (render/page/page.h).

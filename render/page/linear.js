@@ -1,6 +1,6 @@
 // Vectors and matrices, as arrays; matrices in columns, as OpenGL has them.
-'use strict';
-const V = {
+
+export const V = {
   add: (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]],
   sub: (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]],
   mul: (a, s) => [a[0] * s, a[1] * s, a[2] * s],
@@ -13,7 +13,7 @@ const V = {
     return V.add(V.add(V.mul(a, c), V.mul(V.cross(axis, a), s)), V.mul(axis, V.dot(axis, a) * (1 - c)));
   },
 };
-const M = {
+export const M = {
   identity: () => new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]),
   product(a, b) {
     const out = new Float32Array(16);

@@ -1,12 +1,12 @@
 // What the page says in words.
-'use strict';
-const $ = (id) => document.getElementById(id);
+
+export const $ = (id) => document.getElementById(id);
 
 /** Beside the picture, and to screen readers. */
-function say(text) { if ($('state').textContent !== text) $('state').textContent = text; }
+export function say(text) { if ($('state').textContent !== text) $('state').textContent = text; }
 
 /** Instead of the picture, which cannot be. */
-function sorry(text) {
+export function sorry(text) {
   const p = document.createElement('p');
   p.className = 'sorry';
   p.setAttribute('role', 'alert');

@@ -1,12 +1,12 @@
 // How fast the card draws frames, and how fine they may therefore be while something moves.
-'use strict';
+
 const enoughMs = 110;   // of a frame while something moves
-const firstDivisor = 2; // of software that stands for a card
+export const firstDivisor = 2; // of software that stands for a card
 const roughest = 4;     // times fewer pixels along each side
-const restMs = 80;      // after which what has moved is drawn finely
+export const restMs = 80;      // after which what has moved is drawn finely
 const paceMemory = 3;   // frames: the first ones take the compiler's time, too
 
-class Pace {
+export class Pace {
   /** `measures`: not while a page opens (Board.beginOpening). */
   constructor({gl, isSoftware}) { Object.assign(this, {gl, fence: null, begun: 0, divisor: isSoftware ? firstDivisor : 1, given: 1, fine: [], measures: true}); }
 

@@ -1,5 +1,14 @@
 // The page of a fruit, or of several of one family: from their assets to what lies on the board.
-'use strict';
+import {beginPage} from './begin.js';
+import {Body, Shape} from './body.js';
+import {FruitTextures} from './fruit_textures.js';
+import {Hands} from './hands.js';
+import {Knife} from './knives.js';
+import {V} from './linear.js';
+import {sidesOf, trianglesOf} from './piece_mesh.js';
+import {Row} from './row.js';
+import {Tools} from './tools.js';
+
 (async () => {
   const assets = [...document.querySelectorAll('script.asset')], bodies = [];
   const begun = await beginPage((unpacking) => unpacking.asset(assets[0], takeSkin), 'fruit', 'skin');
@@ -39,7 +48,7 @@
     loads.fine = performance.now() - started;
   }
   // For tests and for the curious.
-  window.pomona = {board, picture, loads, finish: () => board.finish(), nameAt: (x, y) => board.at(x, y), pieces: () => board.first.pieces};
+  window.pomona = {board, picture, loads, modules: {sidesOf, trianglesOf}, finish: () => board.finish(), nameAt: (x, y) => board.at(x, y), pieces: () => board.first.pieces};
 
   // One after the other: the first is seen while the next are unpacked.
   for (const asset of assets) {

@@ -1,6 +1,7 @@
 // The paper behind everything: a tile of soft grain, light or dark.
-'use strict';
-class Paper {
+import {$} from './messages.js';
+
+export class Paper {
   constructor(board, style) {
     Object.assign(this, {board, style});
     this.set(matchMedia('(prefers-color-scheme: dark)').matches);

@@ -1,9 +1,10 @@
 // The picture: tables, shadows, skins and cut faces of bodies.
-'use strict';
-const colorOf = (hex) => [1, 3, 5].map((at) => {
-  const c = parseInt(hex.slice(at, at + 2), 16) / 255;
-  return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-});
+import {Card} from './card.js';
+import {linearOf} from './color.js';
+import {FacePasses} from './face_passes.js';
+import {FaceSpeed} from './faces.js';
+import {profilePlaces} from './knives.js';
+import {M, V} from './linear.js';
 
 /** On which sides of four knives a piece lies; 0 of those that are not there. */
 const keepOf = ({keep}) => [0, 1, 2, 3].map((k) => keep[k] || 0);
@@ -11,7 +12,7 @@ const keepOf = ({keep}) => [0, 1, 2, 3].map((k) => keep[k] || 0);
 /** What a fine cut face is drawn with, from its texture's paint to the hair's breadth between it and the skin. */
 const fineFaces = ['within', 'face', 'ways', 'tone', 'lines'];
 
-class Picture {
+export class Picture {
   /**
    * `program`: the one that is first drawn with. `mayBeRough`: scenes are drawn roughly until all is compiled, where software stands for a card, and
    * while something moves, where a card is slow. Then they go without smooth edges, which take such software long to compile and to draw.
@@ -49,7 +50,7 @@ class Picture {
     return ['ground', ...skins, ...faces].map((name) => this.card.isReady(this.programOf(name))).every(Boolean);
   }
 
-  inkOf(fruit) { return colorOf(this.style.ink || fruit.header.ink); }
+  inkOf(fruit) { return linearOf(this.style.ink || fruit.header.ink); }
 
   /** The knives of a body, and on which sides of them a piece of it lies. */
   setPiece(u, body, piece) {
@@ -210,7 +211,7 @@ class Picture {
   }
   /** The table, thin as a wash. */
   drawGround({camera, dark}, light) {
-    const {gl, card, style} = this, u = card.use(this.programs[this.isQuick ? 'quickGround' : 'ground']), shadow = colorOf(style.shadow.color).map((c) => c * (dark ? 0.35 : 1));
+    const {gl, card, style} = this, u = card.use(this.programs[this.isQuick ? 'quickGround' : 'ground']), shadow = linearOf(style.shadow.color).map((c) => c * (dark ? 0.35 : 1));
     this.setLight(u, light, camera);
     gl.uniformMatrix4fv(u.camera, false, camera.view);
     gl.uniform4f(u.ground, light.middle[0], light.table, light.middle[2], 3 * light.radius);
@@ -235,7 +236,7 @@ class Picture {
     gl.cullFace(gl.FRONT);
     // What has been picked has a line that one cannot overlook.
     this.drawSkins('hull', camera.view, drawn, (u, body) => {
-      gl.uniform4f(u.ink, ...(body.chosen ? colorOf('#c8442c') : this.inkOf(body.fruit)), 1);
+      gl.uniform4f(u.ink, ...(body.chosen ? linearOf('#c8442c') : this.inkOf(body.fruit)), 1);
       gl.uniform3f(u.outline, canvas.width / 2, canvas.height / 2, body.chosen ? 0.006 * canvas.height : 0.3 * this.lineOf(body));
     });
     gl.disable(gl.CULL_FACE);

@@ -1,12 +1,11 @@
 // Which triangles of a body's skin each of its pieces may have, so that a piece is drawn without what others have: cards that are software
 // work out what is drawn first and ask then whether a knife has taken it.
-'use strict';
 
 /** Cells: a curved blade rises between the corners of a triangle; a flat one but by rounding. */
 const sideMargins = {curved: 2, flat: 0.01};
 
 /** For each corner of a skin (ten numbers a corner) bits: k where it may lie on the positive side of knife k, 8 + k on the negative one. */
-function sidesOf(skin, knives) {
+export function sidesOf(skin, knives) {
   const bits = new Uint16Array(skin.length / 10);
   knives.forEach((knife, k) => {
     const margin = knife.isCurved ? sideMargins.curved : sideMargins.flat, positive = 1 << k, negative = 256 << k;
@@ -16,7 +15,7 @@ function sidesOf(skin, knives) {
 }
 
 /** Corners of the triangles that no knife has wholly on the other side. `index`: which corners are triangles, or null: three after three. */
-function trianglesOf({keep}, sides, index) {
+export function trianglesOf({keep}, sides, index) {
   const wanted = keep.map((side, k) => (side > 0 ? 1 : 256) << k), corners = index ? index.length : sides.length, kept = new Uint32Array(corners);
   let count = 0;
   for (let i = 0; i < corners; i += 3) {
@@ -30,7 +29,7 @@ function trianglesOf({keep}, sides, index) {
 }
 
 /** On the card: a mesh for each piece, made when it is first drawn. */
-class PieceMeshes {
+export class PieceMeshes {
   constructor(card, {mesh, skin, index}) { Object.assign(this, {card, mesh, skin, index, sides: null, made: new Map()}); }
 
   /** What was made for other knives is dropped. */
@@ -47,4 +46,3 @@ class PieceMeshes {
     return made.get(piece.cell);
   }
 }
-if (typeof module !== 'undefined') module.exports = {sidesOf, trianglesOf};

@@ -1,5 +1,5 @@
 // Of what knives go around, which a piece of a scene has: stones that are whole in it, and where it holds them.
-'use strict';
+import {boxOf} from './body.js';
 
 /** Asks of points whether a closed mesh holds them: how often a ray along z leaves it. */
 class Inside {
@@ -42,7 +42,7 @@ function keptOf(corners, keeps) {
 }
 
 /** As FruitTextures' `spared`, of those that lie in this piece; sockets only where they do not stand out of it already. */
-function sparedOfPiece(body, card) {
+export function sparedOfPiece(body, card) {
   const {spared} = body.fruit, near = 0.04;
   if (!spared) return null;
   const inside = new Inside(body.skin, body.index), socket = [];

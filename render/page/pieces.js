@@ -1,8 +1,8 @@
 // What the knives leave: which pieces there are, and where they lie when they are pulled apart or laid open.
-'use strict';
+import {M, V} from './linear.js';
 
 /** Points of the fruit that stand for all of it: some of its skin, where it is not of the parts `without`, some of its nodes inside. */
-function samplesOf(header, skin, winding, most = 2500, without = []) {
+export function samplesOf(header, skin, winding, most = 2500, without = []) {
   const points = [], corners = skin.length / 10, every = Math.max(1, Math.floor(corners / most));
   for (let i = 0; i < corners; i += every) if (!without.includes(skin[10 * i + 9])) points.push([skin[10 * i], skin[10 * i + 1], skin[10 * i + 2]]);
   if (winding) {
@@ -35,7 +35,7 @@ function cellNumber(bits, knives) {
  * For each shell around a spared part the cell that has all of it, and whether a knife passes through it. It is the one that holds
  * most of it; of those that hold nearly as much, the first in the order of cutting (generator/cut/spared.cpp).
  */
-function homesOf(shells, knives) {
+export function homesOf(shells, knives) {
   const nearlyAsMuch = 0.95;
   return shells.map(({points, rim}) => {
     const bits = new Uint8Array(points.length / 3), onRim = new Uint8Array(rim.length / 3), counts = new Int32Array(1 << knives.length);
@@ -52,7 +52,7 @@ function homesOf(shells, knives) {
  * Pieces by their sides of all knives: {keep: [+1, -1, ...], cell: the same as bits, middle, points}. Fewer points than a hundredth are
  * a crumb. Of a shell that is cut all goes to one cell (`homes`).
  */
-function piecesOf(samples, knives, shells = [], homes = []) {
+export function piecesOf(samples, knives, shells = [], homes = []) {
   const laid = knives.map((knife) => [knife, knife.frame, knife.profile]), found = new Map();
   const add = (p, home = null) => {
     const cell = home ? home.cell : laid.reduce((bits, [knife, frame, profile], k) => (knife.sideOf(p, frame, profile) > 0 ? bits | 1 << k : bits), 0);
@@ -71,7 +71,7 @@ function piecesOf(samples, knives, shells = [], homes = []) {
  * before a single knife swings round like the cover of a book, so that both faces are seen, and each half stands on the
  * table by itself.
  */
-function placed(pieces, knives, fruit, apart, open) {
+export function placed(pieces, knives, fruit, apart, open) {
   const upright = [0, 1, 0], least = (points, at) => points.reduce((x, p) => Math.min(x, at(p)), Infinity);
   const most = (points, at) => points.reduce((x, p) => Math.max(x, at(p)), -Infinity);
   const low = Math.min(...pieces.map(({points}) => least(points, (p) => p[1])));

@@ -1,7 +1,9 @@
 // Pieces of a scene as they lie, or pulled apart. Lengths are multiples of a fruit's cell, so that light and shadow are
 // as on the page of a fruit.
-'use strict';
-class Pile {
+import {boxOfPoints} from './body.js';
+import {M, V} from './linear.js';
+
+export class Pile {
   /** `bodies`, each with `instance`: {rotation, translation} in metres; `unit`: metres that count as 1. */
   constructor(bodies, unit) {
     Object.assign(this, {bodies, unit, takesKnives: false, size: 1});

@@ -1,6 +1,8 @@
 // Fruit on the table: one, or several side by side that all take the same knives.
-'use strict';
-class Row {
+import {boxOfPoints} from './body.js';
+import {M} from './linear.js';
+
+export class Row {
   constructor(bodies) {
     Object.assign(this, {bodies, takesKnives: true});
     // As large beside each other as they are.

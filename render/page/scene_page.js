@@ -1,5 +1,15 @@
 // The page of a scene: the pile, the piece that has been picked, and that piece alone under the knife.
-'use strict';
+import {beginPage} from './begin.js';
+import {Body, Shape} from './body.js';
+import {FruitTextures} from './fruit_textures.js';
+import {Hands} from './hands.js';
+import {V} from './linear.js';
+import {$, say} from './messages.js';
+import {sparedOfPiece} from './piece_stones.js';
+import {Pile} from './pile.js';
+import {Row} from './row.js';
+import {Tools} from './tools.js';
+
 (async () => {
   const begun = await beginPage((unpacking) => unpacking.scene($('scene')), 'scene', 'pieceSkin');
   if (!begun) return;

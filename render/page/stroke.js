@@ -1,6 +1,10 @@
 // A cut that is drawn over the fruit.
-'use strict';
-class Stroke {
+import {mostKnives} from './board.js';
+import {Knife} from './knives.js';
+import {M, V} from './linear.js';
+import {$, say} from './messages.js';
+
+export class Stroke {
   constructor(board) { Object.assign(this, {board, points: null}); }
   /** While hands draw: it has points. */
   get isDrawn() { return this.points !== null; }

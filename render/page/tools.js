@@ -1,6 +1,8 @@
 // Sliders, buttons and keys, and what they show of the knife.
-'use strict';
-class Tools {
+import {mostKnives} from './board.js';
+import {$} from './messages.js';
+
+export class Tools {
   /** `further`: more keys and what they do. */
   constructor(board, blade, stroke, paper, further = {}) {
     Object.assign(this, {board, stroke});

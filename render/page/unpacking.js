@@ -1,6 +1,7 @@
 // Assets of the page, unpacked by a worker one after another.
-'use strict';
-class Unpacking {
+import {$, sorry} from './messages.js';
+
+export class Unpacking {
   constructor() {
     const url = URL.createObjectURL(new Blob([$('worker').textContent], {type: 'text/javascript'}));
     this.worker = new Worker(url);

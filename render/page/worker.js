@@ -1,6 +1,10 @@
 // The worker: unpacks the asset and lays it out for the card. The skin goes out as soon as its bytes are there, then what
 // cut faces need.
-'use strict';
+import * as LookUp from './look_up.js';
+import * as Asset from './read_asset.js';
+import * as ScenePieces from './read_scene.js';
+import * as Skin from './skin.js';
+import * as Spared from './spared.js';
 
 /** Five characters for four bytes (page.cpp). */
 function bytesOf(text) {

@@ -1,12 +1,12 @@
 // The look-up in JavaScript against the C++ field, at all points of the squares that write_sections has left.
 //   node look_up.mjs FOLDER [--table]    fails if a bar is missed; --table prints a table of all templates, the worst of their seeds, as docs/page.md has it
 import { readdirSync, readFileSync, statSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { inflateSync } from 'node:zlib';
+import * as LookUp from '../../render/page/look_up.js';
+import * as Asset from '../../render/page/read_asset.js';
+import * as Skin from '../../render/page/skin.js';
 import { errorsOf, holds, line, readSections, srgb } from './section_errors.mjs';
 
-const require = createRequire(import.meta.url);
-const Asset = require('../../render/page/read_asset.js'), LookUp = require('../../render/page/look_up.js'), Skin = require('../../render/page/skin.js');
 const [folder, how] = process.argv.slice(2);
 let missed = 0, seen = 0;
 const rows = new Map(); // by template: the worst of its planes and seeds

@@ -68,7 +68,7 @@ const types = { html: 'text/html', js: 'text/javascript', mjs: 'text/javascript'
 const inEngines = ['three.html', 'three_cut.mjs'], inPage = ['read_asset.js', 'look_up.js', 'look.glsl'];
 const files = (path) => {
   const file = basename(path);
-  if (path === '/empty.html') return '<!doctype html><title>look-ups</title><script src="read_asset.js"></script><script src="look_up.js"></script>';
+  if (path === '/empty.html') return '<!doctype html><title>look-ups</title><script type="module">import * as Asset from "./read_asset.js"; import * as LookUp from "./look_up.js"; Object.assign(window, {Asset, LookUp});</script>';
   if (path === '/fruit.pomona') return readFileSync(join(folder, `${name}.pomona`));
   if (path === '/fruit.glb') return readFileSync(glb);
   if (path.startsWith('/node_modules/three/') && !path.includes('..')) return readFileSync(join(root, path));
@@ -202,6 +202,7 @@ try {
     assert.ok(errors.pixels > 100 && (allowed === 1 ? holds(errors) : errors.rms <= allowed && errors.p95 <= 1.5 * allowed), `${language}: a bar is missed`);
   };
   await tab.goto(`${url}/empty.html`);
+  await tab.waitForFunction('window.LookUp');
   for (const [language, shader] of [['Godot', ofGodot()], ['HLSL', ofHlsl()]]) held(language, await tab.evaluate(throughGl, shader, frame));
   const byGpu = await tab.evaluate(throughGpu, wgsl(), frame);
   if (byGpu) held('WGSL', byGpu); else console.log('WGSL: no WebGPU here, not run');

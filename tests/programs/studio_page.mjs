@@ -50,7 +50,7 @@ try {
   // Two clicks on a line: a node more, and no other curve is touched.
   await session.select('side', 'flesh');
   const flesh = await session.nodes('side', 'flesh');
-  const between = await session.evaluate('(() => { const c = studio.drawing.curves.find((k) => k.view === "side" && k.name === "flesh"); return Bezier.at(Bezier.segments(c.parts[0])[1], 0.5); })()');
+  const between = await session.evaluate('(() => { const c = studio.drawing.curves.find((k) => k.view === "side" && k.name === "flesh"); const {Bezier} = studio.modules; return Bezier.at(Bezier.segments(c.parts[0])[1], 0.5); })()');
   await session.tab.mouse.click(...await session.where('side', between), { count: 2 });
   assert.equal((await session.nodes('side', 'flesh')).length, flesh.length + 1);
   await session.tab.keyboard.press('Delete');

@@ -20,7 +20,7 @@ try {
   // The brush paints the side on which it runs, where it runs: the ground of the flesh's inside, seen in the section at once.
   await session.select('side', 'flesh');
   await session.tab.keyboard.press('b');
-  const brush = (values) => session.evaluate((v) => { Object.assign(studio.brush, v); showBrush(studio); }, values);
+  const brush = (values) => session.evaluate((v) => { Object.assign(studio.brush, v); studio.modules.showBrush(studio); }, values);
   await brush({ color: '#208040', size: 24, soft: 0.4 });
   const old = await session.paintOn('flesh', 'back'), other = await session.paintOn('flesh', 'front');
   const inside = await session.evaluate(([x, y]) => {

@@ -82,7 +82,7 @@ export class Session {
   /** What is painted on a side: {ground, coats}, each ramp as [[place, colour or share], ...]. */
   paintOn(name, which) {
     return this.evaluate((n, w) => {
-      const { drawing } = window.studio, side = sideOf(drawing.tree, drawing.surfaces.findIndex((s) => s.name === n), w);
+      const { drawing, modules: { hexOf, sideOf } } = window.studio, side = sideOf(drawing.tree, drawing.surfaces.findIndex((s) => s.name === n), w);
       const told = (ramp) => ramp && ramp.node && ramp.stops.map(({ at, value }) => [at, Array.isArray(value) ? hexOf(value) : value]);
       return { ground: told(side.ground.along), coats: side.coats.map(({ color, along, turn, around }) => ({ color: told(color), along: told(along), turn: told(turn), around: told(around) })) };
     }, name, which);
@@ -90,7 +90,7 @@ export class Session {
   /** The colours of the section under the drawing at a place of the page: [r, g, b, a]. */
   sectionAt(view, place) {
     return this.evaluate((name, p) => {
-      const { section } = window.studio.panes[name], [x, y] = A.point(A.inverse(section.placement), p).map(Math.floor);
+      const { A } = window.studio.modules, { section } = window.studio.panes[name], [x, y] = A.point(A.inverse(section.placement), p).map(Math.floor);
       return [...section.canvas.getContext('2d').getImageData(x, y, 1, 1).data];
     }, view, place);
   }

@@ -5,13 +5,14 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import vm from 'node:vm';
+import { linearOf } from '../../render/page/color.js';
+import { colorKind, hexOf, overTheSeam, rampAt, rampEdit, readRamp, shareKind } from '../../cli/studio/page/ramp.js';
+import { coatPainted, groundPainted, reachPainted, sideOf, withCoat, withoutCoat } from '../../cli/studio/page/side_text.js';
+import { edited } from '../../cli/studio/page/svg_text.js';
+import { surfacesIn } from '../../cli/studio/page/toml_curves.js';
+import { entryOf, tomlTree, withEntry, withoutEntry } from '../../cli/studio/page/toml_tree.js';
 
-const [templates, program, folder] = process.argv.slice(2), page = new URL('../../cli/studio/page/', import.meta.url);
-const scripts = ['svg_text.js', 'toml_tree.js', 'toml_curves.js', 'ramp.js', 'side_text.js'].map((name) => readFileSync(new URL(name, page), 'utf8')).join('');
-const names = 'edited, tomlTree, entryOf, withEntry, withoutEntry, surfacesIn, linearOf, hexOf, colorKind, shareKind, readRamp, rampAt, overTheSeam, rampEdit, paintedOver, sideOf, sideColor, groundPainted, reachPainted, coatPainted, withCoat, withoutCoat';
-const { tomlTree, entryOf, withEntry, withoutEntry, edited, surfacesIn, linearOf, hexOf, colorKind, shareKind, readRamp, rampAt, overTheSeam, rampEdit, sideOf, groundPainted, reachPainted, coatPainted, withCoat, withoutCoat } =
-  vm.runInThisContext(`(() => { ${scripts.replaceAll("'use strict';", '')}\nreturn {${names}}; })()`);
+const [templates, program, folder] = process.argv.slice(2);
 const files = readdirSync(templates).filter((name) => name.endsWith('.toml'));
 const near = (a, b, eps, words) => assert.ok(Math.abs(a - b) <= eps, `${words}: ${a} is not ${b}`);
 

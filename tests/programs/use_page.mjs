@@ -75,7 +75,7 @@ try {
     const {points} = pomona.board.first.spared.shells[0], middle = [0, 1, 2].map((k) => { let sum = 0; for (let i = k; i < points.length; i += 3) sum += points[i]; return 3 * sum / points.length; });
     gl.bindFramebuffer(gl.FRAMEBUFFER, bare.buffer);
     gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    const at = (v) => Math.floor(size * (0.5 + 0.5 * V.dot(V.sub(middle, frame.origin), v) / frame.reach));
+    const at = (v) => Math.floor(size * (0.5 + 0.5 * v.reduce((sum, x, k) => sum + x * (middle[k] - frame.origin[k]), 0) / frame.reach));
     return pixels[4 * (at(frame.v) * size + at(frame.u)) + 3];
   })()`);
   assert.equal(await hole(), 0, 'the face goes through the stone');
@@ -155,7 +155,7 @@ try {
   // Each piece is drawn with the triangles that it may have: of each triangle the piece on whose side its middle lies has it, and no piece has all.
   const missing = await ask(`(() => {
     const {first} = pomona.board, {skin, index, knives, pieces} = first, all = index ? index.length : skin.length / 10;
-    const own = pieces.map((piece) => new Set(trianglesOf(piece, sidesOf(skin, knives), index).filter((_, i) => i % 3 === 0)));
+    const {sidesOf, trianglesOf} = pomona.modules, own = pieces.map((piece) => new Set(trianglesOf(piece, sidesOf(skin, knives), index).filter((_, i) => i % 3 === 0)));
     let missing = 0;
     for (let i = 0; i < all; i += 3) {
       const corners = [0, 1, 2].map((k) => index ? index[i + k] : i + k), middle = [0, 1, 2].map((axis) => corners.reduce((sum, c) => sum + skin[10 * c + axis] / 3, 0));

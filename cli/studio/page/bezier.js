@@ -1,10 +1,10 @@
 // Curves as nodes with handles, as Inkscape has them: {p, before, after} of places; a handle that lies on its node is none.
-'use strict';
-const near = (a, b, d = 1e-9) => Math.hypot(a[0] - b[0], a[1] - b[1]) <= d;
-const between = (a, b, t) => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t];
-const nodeAt = (p) => ({p: [...p], before: [...p], after: [...p]});
 
-const Bezier = {
+export const near = (a, b, d = 1e-9) => Math.hypot(a[0] - b[0], a[1] - b[1]) <= d;
+export const between = (a, b, t) => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t];
+export const nodeAt = (p) => ({p: [...p], before: [...p], after: [...p]});
+
+export const Bezier = {
   /** {parts: [{nodes, closed}]}: every kind of SVG's path data becomes cubic curves. */
   read(d) {
     const words = d.match(/[a-z]|[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi) || [], parts = [];
@@ -123,4 +123,3 @@ const Bezier = {
     });
   },
 };
-if (typeof module !== 'undefined') module.exports = {Bezier, near, between, nodeAt};

@@ -1,8 +1,15 @@
 // The brush: a stroke along a curve paints the side on which it runs, the ground or a coat over it; in the view from above, how far
 // around the axis a coat lies.
-'use strict';
+import {linearOf} from '../../../render/page/color.js';
+import {$} from '../../../render/page/messages.js';
+import {between} from './bezier.js';
+import {showPaint} from './paint.js';
+import {foldTurns, nearestOn, onTheRight, paintLines} from './places.js';
+import {overTheSeam, paintedOver, rampAt, rampText, shareKind} from './ramp.js';
+import {coatPainted, groundPainted, reachPainted, sideNamed, sideWords, withCoat} from './side_text.js';
+import {edited} from './svg_text.js';
 
-class Brush {
+export class Brush {
   constructor(studio) {
     Object.assign(this, {studio, color: '#c23b22', size: 36, soft: 0.6, strength: 1, what: 'ground', fresh: false, eachFold: false, coats: {}, stroke: null, at: null});
   }
@@ -171,7 +178,7 @@ function clipped(run) {
 const overTheSeamIf = (key, ramp) => (key === 'turn' ? overTheSeam(ramp) : ramp);
 
 /** The brush's own row of the toolbar. */
-function showBrush(studio) {
+export function showBrush(studio) {
   const {brush, tool, drawing} = studio;
   $('brush').hidden = tool !== 'brush';
   $('brush-color').value = brush.color;
@@ -181,7 +188,7 @@ function showBrush(studio) {
   $('brush-folds').checked = brush.eachFold;
   if (drawing) { showPaint(studio); studio.redraw(); }
 }
-function attachBrush(studio) {
+export function attachBrush(studio) {
   const {brush} = studio, slide = (id, key, scale = 1) => $(id).addEventListener('input', () => { brush[key] = Number($(id).value) * scale; studio.redraw(); });
   slide('brush-size', 'size');
   slide('brush-soft', 'soft');
@@ -191,11 +198,11 @@ function attachBrush(studio) {
   for (const button of document.querySelectorAll('[data-what]')) button.addEventListener('click', () => setWhat(studio, button.dataset.what));
 }
 /** "ground", "coat", or "new": the next stroke begins a coat. */
-function setWhat(studio, what) {
+export function setWhat(studio, what) {
   Object.assign(studio.brush, {what: what === 'new' ? 'coat' : what, fresh: what === 'new'});
   if (studio.tool !== 'brush') studio.setTool('brush'); else showBrush(studio);
 }
-function widenBrush(studio, by) {
+export function widenBrush(studio, by) {
   studio.brush.size = Math.round(Math.max(6, Math.min(160, studio.brush.size * by)));
   showBrush(studio);
 }

@@ -1,7 +1,11 @@
 // The drawing: curves and pictures of both views, from the two texts; and the texts anew when a curve has changed. Places are
 // those of the page of the SVG; of curves that the template holds itself, of its own units.
-'use strict';
-const plainName = (name) => (name || '').toLowerCase().replace(/[ _]/g, '-');
+import {Bezier} from './bezier.js';
+import {A, attributeOf, edited, elementsOf, encoded, offsetOf} from './svg_text.js';
+import {surfacesIn} from './toml_curves.js';
+import {tomlTree} from './toml_tree.js';
+
+export const plainName = (name) => (name || '').toLowerCase().replace(/[ _]/g, '-');
 const viewNames = {'side-view': 'side', 'top-view': 'top'};
 
 /** What a curve is for, by its name: only surfaces' curves are closed, named and judged. */
@@ -13,7 +17,7 @@ function kindOf(name) {
   return /-colou?rs$/.test(plain) ? 'colours' : 'curve';
 }
 
-class Drawing {
+export class Drawing {
   constructor(texts) {
     const tree = tomlTree(texts.toml);
     Object.assign(this, {texts, tree, curves: [], images: [], surfaces: surfacesIn(texts.toml, tree)});
@@ -119,4 +123,3 @@ class Drawing {
     return this.curves.find(({element}) => element && element.from <= offset && offset <= element.opened);
   }
 }
-if (typeof module !== 'undefined') module.exports = {Drawing, plainName, kindOf};

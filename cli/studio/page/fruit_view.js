@@ -1,5 +1,11 @@
 // The fruit itself, as it is cut live: the page's own picture (render/page), fed anew whenever the drawing changes.
-'use strict';
+import {fitCanvas} from '../../../render/page/board.js';
+import {Body, boxOfPoints, Shape} from '../../../render/page/body.js';
+import {Camera} from '../../../render/page/camera.js';
+import {FruitTextures} from '../../../render/page/fruit_textures.js';
+import {Knife} from '../../../render/page/knives.js';
+import {Picture} from '../../../render/page/picture.js';
+
 const glassShader = `
 uniform mat4 camera;
 #ifdef VERTEX
@@ -24,7 +30,7 @@ void main() {
 #endif
 `;
 
-class FruitView {
+export class FruitView {
   constructor(canvas, options, workerText, {changed, failed}) {
     Object.assign(this, {canvas, changed, failed, camera: new Camera(), mode: 'half', shift: 0, number: 0, shown: 0, body: null, lastMoved: 0});
     this.picture = new Picture(canvas, options);
@@ -88,10 +94,8 @@ class FruitView {
     this.moved();
   }
   fitCanvas() {
-    const {canvas} = this, scale = Math.min(2, window.devicePixelRatio || 1);
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((v) => Math.max(1, Math.round(v * scale)));
-    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-    return width / height;
+    fitCanvas(this.canvas, 1);
+    return this.canvas.width / this.canvas.height;
   }
   moved() { this.lastMoved = performance.now(); this.stale = true; this.ask(); }
   ask() {

@@ -1,6 +1,6 @@
 // Undo and redo: the texts as they were.
-'use strict';
-class History {
+
+export class History {
   constructor(texts) { this.past = []; this.next = []; this.now = texts; }
   /** A step that can be taken back. */
   push(texts) {
@@ -14,4 +14,3 @@ class History {
   undo() { if (this.past.length) { this.next.push(this.now); this.now = this.past.pop(); return true; } return false; }
   redo() { if (this.next.length) { this.past.push(this.now); this.now = this.next.pop(); return true; } return false; }
 }
-if (typeof module !== 'undefined') module.exports = {History};

@@ -1,6 +1,7 @@
 // Hands on curves: nodes and handles are dragged, whole curves too; nodes come and go; ends snap to the axis, loops to fold lines.
-'use strict';
-class NodeTool {
+import {Bezier, near} from './bezier.js';
+
+export class NodeTool {
   constructor(studio) { this.studio = studio; this.grab = null; }
 
   attach(pane) {

@@ -1,18 +1,23 @@
 // Colours: what every side has, as bars of stops: its ground, the coats over it and how far each reaches, its spots. Stops are dragged
 // along their bar, painted, added and taken away, by mouse and keys.
-'use strict';
-let chosenStop = null;  // {surface, side, path, stop}: the colour that the pipette fills
+import {linearOf} from '../../../render/page/color.js';
+import {$} from '../../../render/page/messages.js';
+import {element, svgElement} from './elements.js';
+import {colorKind, hexOf, overTheSeam, rampAt, rampEdit, rampText, readRamp} from './ramp.js';
+import {sideNamed, sideOf, sideWords, withCoat, withoutCoat} from './side_text.js';
+import {edited} from './svg_text.js';
+import {entryOf, withEntry} from './toml_tree.js';
 
 /** A ramp by its path within a side: ['ground', 'along'], ['coats', 0, 'color'], ['spots', 1]. */
 function rampIn(side, path) {
   if (path[0] === 'spots') return readRamp(colorKind, entryOf(side?.spots[path[1]], 'color'), [0, 0, 0]);
   return path.reduce((value, key) => value?.[key], side);
 }
-const isChosen = (at, stop) => chosenStop?.surface === at.surface.name && chosenStop.side === at.side.which && chosenStop.path.join() === at.path.join() && chosenStop.stop === stop;
+const isChosen = ({chosenStop}, at, stop) => chosenStop?.surface === at.surface.name && chosenStop.side === at.side.which && chosenStop.path.join() === at.path.join() && chosenStop.stop === stop;
 const wordsFor = ({surface, side, label}) => `${surface.name} ${sideWords[side.which]}${label ? `, ${label}` : ''}`;
 
-function setChosenColor(studio, color) {
-  const side = chosenStop && sideNamed(studio.drawing, chosenStop.surface, chosenStop.side);
+export function setChosenColor(studio, color) {
+  const {chosenStop} = studio, side = chosenStop && sideNamed(studio.drawing, chosenStop.surface, chosenStop.side);
   const ramp = side && rampIn(side, chosenStop.path), stop = ramp?.stops[chosenStop.stop];
   if (!stop?.node) return false;
   const stops = ramp.stops.map((s) => (s === stop ? {...s, value: linearOf(color)} : s));
@@ -20,12 +25,12 @@ function setChosenColor(studio, color) {
   return true;
 }
 /** A ramp with other stops; one that is not written yet becomes a key of its table. */
-function putRamp(studio, {ramp, table, key}, stops, words) {
+export function putRamp(studio, {ramp, table, key}, stops, words) {
   const {toml} = studio.texts, edit = ramp.node ? rampEdit(toml, ramp, stops) : withEntry(toml, table, key, rampText(ramp.kind, stops));
   studio.commit({...studio.texts, toml: edited(toml, [edit])}, words);
 }
 
-function showPaint(studio) {
+export function showPaint(studio) {
   const list = $('paint'), focused = list.contains(document.activeElement) ? document.activeElement.dataset.key : '';
   list.replaceChildren(...studio.drawing.surfaces.flatMap((surface, index) => ['front', 'back'].flatMap((which) => {
     const side = sideOf(studio.drawing.tree, index, which);
@@ -33,11 +38,6 @@ function showPaint(studio) {
   })));
   if (focused) [...list.querySelectorAll('[data-key]')].find(({dataset}) => dataset.key === focused)?.focus();
 }
-const element = (tag, properties = {}, ...children) => {
-  const made = Object.assign(document.createElement(tag), tag === 'button' ? {type: 'button', ...properties} : properties);
-  made.append(...children);
-  return made;
-};
 
 function rowsOf(studio, surface, side) {
   const at = (label, path, more = {}) => ({surface, side, label, path, ramp: rampIn(side, path), ...more}), rows = [];
@@ -124,13 +124,13 @@ function stopOf(studio, at, i, bar) {
   button.dataset.key = `${at.surface.name}/${at.side.which}/${path.join('/')}/${i}`;
   button.title = isColor ? `${shown}: click to choose, twice for a palette; arrow keys move it, Delete takes it away` : `${shown}: drag, or arrow keys; Delete takes it away`;
   button.setAttribute('aria-label', `${wordsFor(at)}, ${shown}${ramp.constant ? '' : ` at ${Math.round(100 * stop.at)} %`}`);
-  if (isColor) button.setAttribute('aria-pressed', String(isChosen(at, i)));
+  if (isColor) button.setAttribute('aria-pressed', String(isChosen(studio, at, i)));
   const lay = (place, value) => { button.style.left = `${100 * place}%`; if (isColor) button.style.background = shown; else button.style.top = `${100 * (1 - value)}%`; };
   lay(ramp.constant ? 0.5 : stop.at, stop.value);
   dragStop(studio, at, i, bar, button, lay);
   if (isColor) {
     button.addEventListener('dblclick', () => palette(studio, button, shown));
-    button.addEventListener('click', (event) => { if (event.detail === 0) { if (isChosen(at, i)) palette(studio, button, shown); else chooseStop(studio, at, i, button); } });
+    button.addEventListener('click', (event) => { if (event.detail === 0) { if (isChosen(studio, at, i)) palette(studio, button, shown); else chooseStop(studio, at, i, button); } });
   }
   button.addEventListener('keydown', (event) => {
     const by = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key], many = event.shiftKey ? 5 : 1;
@@ -143,7 +143,7 @@ function stopOf(studio, at, i, bar) {
   return button;
 }
 function chooseStop(studio, at, i, button) {
-  chosenStop = {surface: at.surface.name, side: at.side.which, path: at.path, stop: i};
+  studio.chosenStop = {surface: at.surface.name, side: at.side.which, path: at.path, stop: i};
   for (const other of document.querySelectorAll('.stop:not(.point)')) other.setAttribute('aria-pressed', String(other === button));
   studio.say(`${wordsFor(at)}: the pipette fills this colour (I)`);
 }
@@ -189,7 +189,7 @@ function addStop(studio, at, share) {
   if (at.path[0] === 'spots' || ramp.stops.some((s) => !ramp.constant && Math.abs(s.at - place) < 0.004)) return;
   const made = {at: place, value}, kept = ramp.constant ? [0, 1].filter((end) => Math.abs(end - place) > 0.02).map((end) => ({at: end, value})) : ramp.stops;
   const stops = [...kept, made].sort((a, b) => a.at - b.at);
-  if (ramp.kind === colorKind) chosenStop = {surface: at.surface.name, side: at.side.which, path: at.path, stop: stops.indexOf(made)};
+  if (ramp.kind === colorKind) studio.chosenStop = {surface: at.surface.name, side: at.side.which, path: at.path, stop: stops.indexOf(made)};
   putRamp(studio, at, stops, 'a stop more');
 }
 function removeStop(studio, at, i) {

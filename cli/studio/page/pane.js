@@ -1,12 +1,10 @@
 // One view of the drawing: below, pixels (the photograph, and the section over or under it); above, curves that hands take hold of.
-'use strict';
-const svgElement = (tag, attributes = {}) => {
-  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
-};
+import {Bezier, near} from './bezier.js';
+import {svgElement} from './elements.js';
+import {drawBrush} from './ribbon.js';
+import {A} from './svg_text.js';
 
-class Pane {
+export class Pane {
   constructor(root, view, studio) {
     Object.assign(this, {root, view, studio, scale: 1, offset: [0, 0], fitted: false, section: null});
     this.canvas = root.querySelector('canvas');

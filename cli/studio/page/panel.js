@@ -1,35 +1,9 @@
-// Buttons, sliders, keys, the strip of variants; and the beginning of all.
-'use strict';
-async function showVariants(studio) {
-  const strip = $('strip'), texts = studio.texts, round = studio.round = (studio.round || 0) + 1;
-  if (strip.children.length === 0) for (let seed = 0; seed < 7; ++seed) {
-    const button = document.createElement('button'), canvas = document.createElement('canvas');
-    Object.assign(button, {type: 'button', title: seed ? `Seed ${seed}` : 'As drawn'});
-    button.setAttribute('aria-label', button.title);
-    button.append(canvas);
-    button.addEventListener('click', () => { $('seed').value = seed; studio.look.seed = seed; studio.assets.ask({texts: studio.texts}); markSeed(studio); });
-    strip.append(button);
-  }
-  markSeed(studio);
-  for (let seed = 0; seed < 7; ++seed) {
-    // Behind everything that hands wait for.
-    while (studio.sections.busy || studio.assets.busy) await new Promise((done) => setTimeout(done, 60));
-    if (round !== studio.round || studio.dragging) return;
-    try {
-      const head = await studio.server.section(studio.wanted(texts, {seed, detail: 0.4, size: 64})), {image} = head.pictures[0];
-      const canvas = strip.children[seed].firstChild;
-      Object.assign(canvas, {width: image.width, height: image.height});
-      canvas.getContext('2d', {willReadFrequently: true}).putImageData(image, 0, 0);
-    } catch {
-      // A drawing may be right and a variant of it not: it has no picture.
-      strip.children[seed].firstChild.width = 64;
-    }
-  }
-  studio.loads.variants = performance.now();
-}
-function markSeed(studio) { [...$('strip').children].forEach((button, seed) => button.setAttribute('aria-pressed', String(seed === studio.look.seed))); }
+// Buttons, sliders, keys.
+import {$} from '../../../render/page/messages.js';
+import {attachBrush, setWhat, widenBrush} from './brush.js';
+import {markSeed} from './variants.js';
 
-function attachPanel(studio) {
+export function attachPanel(studio) {
   const slide = (id, change) => $(id).addEventListener('input', () => change(Number($(id).value)));
   slide('photo', (v) => { studio.shown.photo = v; studio.redraw(); });
   slide('section', (v) => { studio.shown.section = v; studio.redraw(); });
@@ -85,14 +59,3 @@ function attachPanel(studio) {
   });
   window.addEventListener('beforeunload', (event) => { if (studio.unsent) event.preventDefault(); });
 }
-
-(async () => {
-  const studio = window.studio = new Studio(new Server($('script').dataset.token));
-  studio.view = new FruitView($('view'), JSON.parse($('options').textContent), $('worker').textContent,
-    {changed: () => { studio.loads.cut = performance.now(); }, failed: (text) => studio.bar(text)});
-  if (!studio.view.picture.gl) studio.view = null;
-  attachPanel(studio);
-  studio.setTool('nodes');
-  try { await studio.open(); } catch (error) { studio.bar(`The fruit cannot be opened: ${error.message}`); throw error; }
-  setInterval(() => studio.poll(), 1200);
-})();

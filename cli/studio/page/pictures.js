@@ -1,8 +1,9 @@
 // The pictures under the drawing: loaded once, drawn where the SVG places them, and asked for colours.
-'use strict';
+import {A} from './svg_text.js';
+
 const mostPixelsAcross = 4096;
 
-class Pictures {
+export class Pictures {
   constructor(server, {changed, failed}) { Object.assign(this, {server, changed, failed, loaded: new Map()}); }
 
   get(href) {

@@ -1,6 +1,9 @@
 // Where on a surface a place of the drawing is: along its vertical curve in the view from the side, around the axis or in its fold in
 // the view from above; and on which side of it. By the rules of the sweep: front is away from the axis, or out of a loop.
-'use strict';
+import {Bezier} from './bezier.js';
+import {A} from './svg_text.js';
+import {entryOf} from './toml_tree.js';
+
 const flattened = (part, steps = 24) => {
   const pairs = Bezier.segments(part), points = pairs.flatMap((pair) => Array.from({length: steps}, (_, i) => Bezier.at(pair, i / steps)));
   const {nodes, closed} = part;
@@ -74,7 +77,7 @@ function aroundOf(studio, surface, ring, turns) {
   })};
 }
 /** Where folds begin, as shares of the turn, ascending; none in a cylindrical fruit. */
-function foldTurns(studio) {
+export function foldTurns(studio) {
   const {drawing} = studio, symmetry = entryOf(drawing.tree, 'symmetry'), count = Number(entryOf(symmetry, 'folds')?.text) || 0, toMetres = studio.toMetres.top;
   if (entryOf(symmetry, 'kind')?.text !== 'folds' || count < 1) return [];
   const said = entryOf(symmetry, 'fold_angles')?.items?.map(({text}) => Number(text) / 360), drawn = drawing.folds();
@@ -84,7 +87,7 @@ function foldTurns(studio) {
 }
 
 /** Of a line, what lies nearest to a place of the page: {line, distance, point, way, place, around, side}. */
-function nearestOn(line, place) {
+export function nearestOn(line, place) {
   let best = {line, distance: Infinity};
   const {points} = line, blend = (list, i, t) => (Math.abs(list[i + 1] - list[i]) > 0.5 ? list[t < 0.5 ? i : i + 1] : list[i] + (list[i + 1] - list[i]) * t);
   for (let i = 0; i + 1 < points.length; ++i) {
@@ -100,7 +103,7 @@ function nearestOn(line, place) {
 }
 
 /** The place mirrored at the axis if it lies left of it: the other half of a fruit is painted there, too. */
-function onTheRight(studio, view, place) {
+export function onTheRight(studio, view, place) {
   const m = view === 'side' && studio.toMetres.side;
   if (!m) return place;
   const [x, y] = A.point(m, place);
@@ -108,10 +111,9 @@ function onTheRight(studio, view, place) {
 }
 
 /** All lines of a view that paint can lie on. */
-function paintLines(studio, view) {
+export function paintLines(studio, view) {
   const {drawing} = studio;
   if (view === 'top') return drawing.surfaces.flatMap((surface) => topLines(studio, surface));
   return drawing.curves.filter((curve) => curve.view === 'side' && curve.kind === 'curve').map((curve) => [curve, drawing.surfaceOf(curve)])
     .filter(([, surface]) => surface).map(([curve, surface]) => sideLine(studio, curve, surface)).filter(Boolean);
 }
-if (typeof module !== 'undefined') module.exports = {flattened, sideLine, topLines, nearestOn, foldTurns, onTheRight};

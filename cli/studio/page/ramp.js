@@ -1,12 +1,11 @@
 // Ramps as the template spells them, as values, and painted over; and written again so that stops which stay, stay as they were.
 // Colours are mixed as the program mixes them, in linear light.
-'use strict';
+import {linearOf} from '../../../render/page/color.js';
 
-const linearOf = (hex) => [1, 3, 5].map((k) => { const v = parseInt(hex.slice(k, k + 2), 16) / 255; return v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; });
-const hexOf = (linear) => `#${linear.map((v) => Math.round(255 * Math.max(0, Math.min(1, v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055))).toString(16).padStart(2, '0')).join('')}`;
+export const hexOf = (linear) => `#${linear.map((v) => Math.round(255 * Math.max(0, Math.min(1, v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055))).toString(16).padStart(2, '0')).join('')}`;
 
 /** What a ramp's values are: how they are read, written, mixed, and when two look the same. */
-const colorKind = {
+export const colorKind = {
   read: (node) => (node?.kind === 'string' && /^#[0-9a-f]{6}$/i.test(node.text) ? linearOf(node.text) : null),
   write: (value) => `"${hexOf(value)}"`,
   mix: (a, b, t) => a.map((v, k) => v + (b[k] - v) * t),
@@ -15,7 +14,7 @@ const colorKind = {
     return [1, 3, 5].every((k) => Math.abs(parseInt(x.slice(k, k + 2), 16) - parseInt(y.slice(k, k + 2), 16)) <= 2);
   },
 };
-const shareKind = {
+export const shareKind = {
   read: (node) => (node?.kind === 'plain' && Number.isFinite(Number(node.text)) ? Number(node.text) : null),
   write: (value) => String(Number(value.toFixed(3))),
   mix: (a, b, t) => a + (b - a) * t,
@@ -23,7 +22,7 @@ const shareKind = {
 };
 
 /** {kind, node, stops: [{at, value, node}], constant}; null if there is something else. A missing node is `otherwise` everywhere. */
-function readRamp(kind, node, otherwise) {
+export function readRamp(kind, node, otherwise) {
   if (!node) return {kind, node: null, constant: true, stops: [{at: 0, value: otherwise}]};
   const alone = kind.read(node);
   if (alone !== null) return {kind, node, constant: true, stops: [{at: 0, value: alone, node}]};
@@ -32,7 +31,7 @@ function readRamp(kind, node, otherwise) {
   return stops.every(({at, value}, i) => at !== null && value !== null && (i === 0 || at > stops[i - 1].at)) ? {kind, node, constant: false, stops} : null;
 }
 
-function rampAt({kind, stops}, t) {
+export function rampAt({kind, stops}, t) {
   const after = stops.findIndex(({at}) => at > t);
   if (after === 0) return stops[0].value;
   if (after < 0) return stops[stops.length - 1].value;
@@ -41,7 +40,7 @@ function rampAt({kind, stops}, t) {
 }
 
 /** What runs around the whole fruit goes on over the seam, from the last stop to the first: as the reader has it, with stops at 0 and 1. */
-function overTheSeam(ramp) {
+export function overTheSeam(ramp) {
   const {kind, stops} = ramp, [first, last] = [stops[0], stops[stops.length - 1]], gap = first.at + 1 - last.at;
   if (!(gap > 0)) return ramp;
   const seam = first.at === 0 ? first.value : last.at === 1 ? last.value : kind.mix(last.value, first.value, (1 - last.at) / gap), all = [...stops];
@@ -65,7 +64,7 @@ function fewest(points, same) {
  * outside it stay; within it they are what `mixed(value, share, place)` makes of them, and no more than are needed. A circular ramp
  * has its stops at 0 and 1 (overTheSeam).
  */
-function paintedOver(ramp, stroke, mixed, circular = false) {
+export function paintedOver(ramp, stroke, mixed, circular = false) {
   const round = (t) => Number(t.toFixed(3)), cover = stroke.map(([at, share]) => [round(at), share]).filter(([at], i, all) => i === 0 || at > all[i - 1][0]);
   const {kind, stops} = ramp, [low, high] = [cover[0][0], cover[cover.length - 1][0]];
   const share = (t) => rampAt({kind: shareKind, stops: cover.map(([at, value]) => ({at, value}))}, t);
@@ -88,7 +87,7 @@ function withoutEnds(kind, stops, atStart, atEnd) {
   return left;
 }
 /** Of stops around the whole fruit, those at the seam are not needed where the others say the same. */
-function withoutSeam(kind, stops) {
+export function withoutSeam(kind, stops) {
   const inner = stops.filter(({at}) => at > 0 && at < 1), [first, last] = [stops[0], stops[stops.length - 1]];
   if (inner.length === 0 || first.at > 0 || last.at < 1 || !kind.alike(first.value, last.value)) return stops;
   const [a, b] = [inner[inner.length - 1], inner[0]];
@@ -98,7 +97,7 @@ function withoutSeam(kind, stops) {
 const placeText = (at) => (Number.isInteger(at) ? at.toFixed(1) : String(Number(at.toFixed(3))));
 const stopText = (kind, {at, value}) => `[${placeText(at)}, ${kind.write(value)}]`;
 /** As a value of TOML: one stop is a value alone; long ones are broken. */
-function rampText(kind, stops) {
+export function rampText(kind, stops) {
   if (stops.length === 1) return kind.write(stops[0].value);
   return `[${brokenList(stops.map((stop) => stopText(kind, stop)))}]`;
 }
@@ -112,7 +111,7 @@ function brokenList(texts) {
 }
 
 /** The edit that makes a ramp's text say these stops: what stays at its ends is not touched, and no comment is lost. */
-function rampEdit(toml, {kind, node, constant, stops: old}, stops) {
+export function rampEdit(toml, {kind, node, constant, stops: old}, stops) {
   if (constant || stops.length === 1) return {from: node.from, to: node.to, text: rampText(kind, stops)};
   const same = (a, b) => a && b && a.node && a.at === b.at && a.value === b.value;
   let start = 0, end = 0;
@@ -130,7 +129,4 @@ function rampEdit(toml, {kind, node, constant, stops: old}, stops) {
   // A comma is one too many: the one before at the end of the list, else the one behind.
   const [edge, next] = end > 0 ? [from, old[old.length - end].node.from] : [old[start - 1].node.to, to], comments = commentsIn(edge, next);
   return {from: edge, to: next, text: comments && end === 0 ? `  ${comments}` : comments};
-}
-if (typeof module !== 'undefined') {
-  module.exports = {linearOf, hexOf, colorKind, shareKind, readRamp, rampAt, overTheSeam, fewest, paintedOver, withoutSeam, rampText, rampEdit};
 }

@@ -1,6 +1,9 @@
 // What lies on both sides of a curve, drawn beside it while one paints: each side's colours as the template has them now, and how far
 // the coat reaches that is being painted.
-'use strict';
+import {svgElement} from './elements.js';
+import {hexOf, overTheSeam, rampAt} from './ramp.js';
+import {sideColor, sideNamed} from './side_text.js';
+import {tomlTree} from './toml_tree.js';
 
 /** A strip along a line on the screen, from one distance beside it to another (to the right is positive), one path per run of one look. */
 function strip(pane, line, from, to, lookAt) {
@@ -29,7 +32,7 @@ function tinted(shape, {fill, opacity}) {
 const same = (a, b) => a.fill === b.fill && Math.abs(a.opacity - b.opacity) < 0.02;
 
 /** Both sides of the line that is under the brush, the coat on top of them, and the brush itself. */
-function drawBrush(pane) {
+export function drawBrush(pane) {
   const {studio} = pane, {brush} = studio, at = brush.at?.pane === pane ? brush.at : null;
   const shown = at?.found || restingLine(pane);
   if (shown) drawRibbons(pane, shown, at);

@@ -1,9 +1,9 @@
 // Talking to the program: JSON in, JSON or bytes out; what it refuses comes back as an error with all its words.
-'use strict';
-class Refusal extends Error {
+
+export class Refusal extends Error {
   constructor(status, errors) { super(errors[0]?.message || `the studio answers ${status}`); Object.assign(this, {status, errors}); }
 }
-class Server {
+export class Server {
   constructor(token) { this.token = token; this.alive = true; }
   async ask(path, body) {
     let reply;
@@ -36,7 +36,7 @@ class Server {
 }
 
 /** Does one thing at a time; of what is asked for meanwhile, the last. */
-class Latest {
+export class Latest {
   constructor(work) { this.work = work; this.wanted = null; this.busy = false; }
   async ask(what) {
     this.wanted = {what};

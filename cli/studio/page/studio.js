@@ -1,11 +1,25 @@
 // The studio: what is edited, what is chosen, and what of it goes to the program and comes back.
-'use strict';
-const $ = (id) => document.getElementById(id);
+import {$} from '../../../render/page/messages.js';
+import {Brush, showBrush} from './brush.js';
+import {Drawing} from './drawing.js';
+import {History} from './history.js';
+import {NodeTool} from './node_tool.js';
+import {showPaint} from './paint.js';
+import {Pane} from './pane.js';
+import {Pictures} from './pictures.js';
+import {Latest, Refusal} from './server.js';
+import {edited, offsetOf} from './svg_text.js';
+import {titleIn} from './toml_curves.js';
+import {withEntry} from './toml_tree.js';
+import {finishPen, tools} from './tools.js';
+import {showVariants} from './variants.js';
 
-class Studio {
+export class Studio {
   constructor(server) {
     Object.assign(this, {server, selected: null, chosen: new Set(), dragged: null, wrong: new Set(), tool: 'nodes', pen: null, unsent: false, drawing: null,
       shown: {photo: 0.65, section: 0.8, photoOver: false, blur: true, height: 0.5}, look: {seed: 0, folds: 0, ripeness: null, browning: 0}, loads: {}, toMetres: {}});
+    /** {surface, side, path, stop}: the colour that the pipette fills, or null. */
+    this.chosenStop = null;
     this.pictures = new Pictures(server, {changed: () => this.redraw(), failed: (text) => this.bar(text)});
     this.panes = {};
     for (const view of ['side', 'top']) this.panes[view] = new Pane($(`pane-${view}`), view, this);

@@ -1,16 +1,16 @@
 // An SVG file as its text: where each element and each of its attributes stands. What is edited is replaced in the text, so
 // that everything else stays as it is, letter for letter.
-'use strict';
+
 const entities = {amp: '&', lt: '<', gt: '>', quot: '"', apos: "'"};
 const decoded = (text) => text.replace(/&(#x[0-9a-f]+|#\d+|\w+);/gi, (all, name) => {
   if (name[0] !== '#') return entities[name] ?? all;
   const code = name[1] === 'x' || name[1] === 'X' ? parseInt(name.slice(2), 16) : Number(name.slice(1));
   return code > 0 && code < 0x110000 ? String.fromCodePoint(code) : all;
 });
-const encoded = (text) => text.replace(/[&<>"\u0000-\u001f]/g, (c) => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c] ?? ' ');
+export const encoded = (text) => text.replace(/[&<>"\u0000-\u001f]/g, (c) => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c] ?? ' ');
 
 /** {tag, from, opened, to, parent, children, attributes: {name: {value, from, to}}}; from..opened is the start tag. */
-function elementsOf(text) {
+export function elementsOf(text) {
   const elements = [], open = [];
   let at = 0;
   const skip = (end) => { const found = text.indexOf(end, at); at = found < 0 ? text.length : found + end.length; };
@@ -51,10 +51,10 @@ function elementsOf(text) {
     if (!single) open.push(element);
   }
 }
-const attributeOf = (element, name) => element.attributes[name]?.value;
+export const attributeOf = (element, name) => element.attributes[name]?.value;
 
 /** Replacements {from, to, text}, none of them over another. */
-function edited(text, edits) {
+export function edited(text, edits) {
   let result = '', at = 0;
   for (const {from, to, text: by} of [...edits].sort((a, b) => a.from - b.from)) {
     result += text.slice(at, from) + by;
@@ -63,14 +63,14 @@ function edited(text, edits) {
   return result + text.slice(at);
 }
 /** The offset of a line and a column, both from 1; columns are bytes of UTF-8 in messages, letters here: near enough. */
-function offsetOf(text, line, column) {
+export function offsetOf(text, line, column) {
   let at = 0;
   for (let i = 1; i < line; ++i) { const next = text.indexOf('\n', at); if (next < 0) return at; at = next + 1; }
   return at + column - 1;
 }
 
 /** SVG's transform attribute, [a, b, c, d, e, f]. */
-const A = {
+export const A = {
   one: [1, 0, 0, 1, 0, 0],
   product: (m, n) => [m[0] * n[0] + m[2] * n[1], m[1] * n[0] + m[3] * n[1], m[0] * n[2] + m[2] * n[3], m[1] * n[2] + m[3] * n[3],
     m[0] * n[4] + m[2] * n[5] + m[4], m[1] * n[4] + m[3] * n[5] + m[5]],
@@ -91,4 +91,3 @@ const A = {
     return m;
   },
 };
-if (typeof module !== 'undefined') module.exports = {elementsOf, attributeOf, edited, encoded, offsetOf, A};

@@ -1,12 +1,12 @@
 // A template's surfaces as far as the studio edits their curves in place: each with where it stands in the text. The program's own
 // reader judges it; this only finds what can be taken hold of.
-'use strict';
+import {entryOf, lineAfter, tomlTree} from './toml_tree.js';
 
 /** Where a string of the text says its words. */
 const wordsIn = (value) => (value?.kind === 'string' ? {text: value.text, ...value.inside} : null);
 
 /** {name, type, node, from, to, vertical: {text, from, to}, horizontal: [...], blur}: `to` is behind the last line of the surface. */
-function surfacesIn(toml, tree = tomlTree(toml)) {
+export function surfacesIn(toml, tree = tomlTree(toml)) {
   const list = entryOf(tree, 'surface');
   return (list?.form === 'list' ? list.items : []).map((node) => {
     const horizontal = entryOf(node, 'horizontal');
@@ -27,6 +27,5 @@ function blurIn(value) {
   const away = ({items}) => Math.abs(Number(items?.[0]?.text) - 0.5), stops = value.items.filter((stop) => away(stop) <= 0.5);
   return stops.length ? wordsIn(stops.reduce((a, b) => (away(b) < away(a) ? b : a)).items[1]) : null;
 }
-const partsIn = (toml) => { const found = /^\s*parts\s*=\s*\[([^\]]*)\]/m.exec(toml); return found ? [...found[1].matchAll(/"([^"]*)"/g)].map((m) => m[1]) : []; };
-const titleIn = (toml) => /^\s*title\s*=\s*"([^"\n]*)"/m.exec(toml)?.[1] || '';
-if (typeof module !== 'undefined') module.exports = {surfacesIn, partsIn, titleIn};
+export const partsIn = (toml) => { const found = /^\s*parts\s*=\s*\[([^\]]*)\]/m.exec(toml); return found ? [...found[1].matchAll(/"([^"]*)"/g)].map((m) => m[1]) : []; };
+export const titleIn = (toml) => /^\s*title\s*=\s*"([^"\n]*)"/m.exec(toml)?.[1] || '';

@@ -1,6 +1,5 @@
 // A template's TOML as a tree whose every value knows where it stands in the text, so that an edit replaces that and nothing else.
 // The program's own reader judges the text; this one only finds, and goes on at the next line where it does not understand.
-'use strict';
 
 /**
  * A value: {kind: 'string' | 'plain' | 'array' | 'table', from, to}. Strings have their `text` and where it stands, `inside`; arrays
@@ -136,16 +135,16 @@ class TomlReader {
     return this.fail();
   }
 }
-const tomlTree = (text) => new TomlReader(text).document();
-const entryOf = (table, ...path) => path.reduce((value, key) => (value?.kind === 'table' ? value.entries.get(key)?.value : undefined), table);
+export const tomlTree = (text) => new TomlReader(text).document();
+export const entryOf = (table, ...path) => path.reduce((value, key) => (value?.kind === 'table' ? value.entries.get(key)?.value : undefined), table);
 
 // ---- Edits, for edited(): {from, to, text}. ----
 
 /** Behind the line on which a place is. */
-function lineAfter(toml, at) { const end = toml.indexOf('\n', at); return end < 0 ? toml.length : end + 1; }
+export function lineAfter(toml, at) { const end = toml.indexOf('\n', at); return end < 0 ? toml.length : end + 1; }
 
 /** A key of a table set to a value as TOML has it: in its place if it is there, else behind the table's other keys. */
-function withEntry(toml, table, key, text) {
+export function withEntry(toml, table, key, text) {
   const known = table.entries.get(key)?.value;
   if (known) return {from: known.from, to: known.to, text};
   const name = table.form === 'dotted' ? [...table.path, key].join('.') : key;
@@ -159,13 +158,13 @@ function withEntry(toml, table, key, text) {
 }
 
 /** Without a key: its line, or its place between the commas. */
-function withoutEntry(toml, table, key) {
+export function withoutEntry(toml, table, key) {
   const {from, value} = table.entries.get(key);
   if (table.form !== 'inline' && table.host?.form !== 'inline') return {from, to: lineAfter(toml, value.to), text: ''};
   return withoutOne(toml, from, value.to);
 }
 /** Without what stands between commas, and without the comma that is then one too many. */
-function withoutOne(toml, from, to) {
+export function withoutOne(toml, from, to) {
   let next = to;
   while (/\s/.test(toml[next])) ++next;
   if (toml[next] === ',') {
@@ -178,4 +177,3 @@ function withoutOne(toml, from, to) {
   while (/\s/.test(toml[before])) --before;
   return {from: toml[before] === ',' ? before : from, to, text: ''};
 }
-if (typeof module !== 'undefined') module.exports = {tomlTree, entryOf, withEntry, withoutEntry, withoutOne, lineAfter};

@@ -1,6 +1,12 @@
 // The pen, the tracer and the pipette.
-'use strict';
-const tools = {
+import {between, Bezier, near, nodeAt} from './bezier.js';
+import {plainName} from './drawing.js';
+import {setChosenColor} from './paint.js';
+import {edited} from './svg_text.js';
+import {partsIn, surfacesIn} from './toml_curves.js';
+import {traced} from './trace.js';
+
+export const tools = {
   pen: {
     down(studio, pane, place) {
       if (!studio.pen || studio.pen.pane !== pane) studio.pen = {pane, nodes: [], closed: false};
@@ -45,7 +51,7 @@ const tools = {
   },
 };
 
-function finishPen(studio) {
+export function finishPen(studio) {
   const {pen} = studio;
   studio.pen = null;
   if (!pen || pen.nodes.length < 2) { studio.redraw(); return; }

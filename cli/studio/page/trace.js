@@ -1,7 +1,9 @@
 // Outlines traced from a picture: what is like the colour that was clicked, its rim, and a curve of few nodes along it.
-'use strict';
+import {Bezier, nodeAt} from './bezier.js';
+import {A} from './svg_text.js';
+
 /** A part on the page around what has this colour there; of an open curve of the side view, the half right of the axis. */
-function traced(studio, view, place, closed) {
+export function traced(studio, view, place, closed) {
   for (const picture of studio.drawing.images.filter((image) => image.view === view).reverse()) {
     const loaded = studio.pictures.get(picture.href);
     if (!loaded) continue;
@@ -109,4 +111,3 @@ function rightHalf(outline, axis) {
   const right = (points) => points.reduce((sum, p) => sum + p[0] - onAxis(along(p))[0], 0), chosen = right(sides[0]) > right(sides[1]) ? sides[0] : sides[1];
   return {closed: false, nodes: [onAxis(low.s), ...chosen.filter((p) => p[0] > onAxis(along(p))[0]), onAxis(high.s)].map(nodeAt)};
 }
-if (typeof module !== 'undefined') module.exports = {filled, rimOf, simplified, rightHalf};

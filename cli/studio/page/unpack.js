@@ -1,5 +1,9 @@
 // The studio's worker: unpacks one asset after another and lays it out for the card.
-'use strict';
+import * as LookUp from '../../../render/page/look_up.js';
+import * as Asset from '../../../render/page/read_asset.js';
+import * as Skin from '../../../render/page/skin.js';
+import * as Spared from '../../../render/page/spared.js';
+
 onmessage = async ({data: {bytes: packed, number}}) => {
   try {
     const bytes = await Asset.unpacked(packed), head = Asset.header(bytes, bytes.length), fruit = Asset.surfaces(bytes, head);

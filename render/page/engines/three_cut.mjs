@@ -1,6 +1,8 @@
 // Cut faces in three.js: a material that colours any surface inside a fruit, from an asset (.pomona, or a .glb that carries
-// one). Wants the classic scripts read_asset.js and look_up.js on the page, and the text of look.glsl.
+// one). Wants read_asset.js and look_up.js beside it, and the text of look.glsl.
 import * as THREE from 'three';
+import * as LookUp from './look_up.js';
+import * as Asset from './read_asset.js';
 
 /** The asset that a loaded .glb carries, unpacked; null where it carries none. `gltf`: what GLTFLoader has loaded. */
 export async function assetOf(gltf) {
