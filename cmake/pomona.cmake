@@ -80,7 +80,8 @@ find_program(POMONA_ESBUILD esbuild REQUIRED)
 function(pomona_bundle name)
   cmake_parse_arguments(ARG "" "ENTRY" "" ${ARGN})
   set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.js)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/render/page/*.js ${PROJECT_SOURCE_DIR}/cli/studio/page/*.js)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/render/page/*.js ${PROJECT_SOURCE_DIR}/cli/studio/page/*.js
+    ${PROJECT_SOURCE_DIR}/cli/batch/*.js)
   add_custom_command(
     OUTPUT ${output}
     COMMAND ${POMONA_ESBUILD} ${ARG_ENTRY} --bundle --format=iife --target=es2022 --charset=utf8 --log-level=warning

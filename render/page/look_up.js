@@ -1,5 +1,5 @@
-// Which triangles lie in which cell, the four textures that look.glsl reads, and the same look-up in JavaScript, for tests
-// and for programs that ask a few points. Lengths are in cells of the grid.
+// Which triangles lie in which cell, the four textures that look.glsl reads, and the same look-up in JavaScript, for
+// tests and for programs that ask a few points. Lengths are in cells of the grid.
 import {linear} from './read_asset.js';
 
 /**
@@ -9,7 +9,8 @@ import {linear} from './read_asset.js';
  */
 export function cells(fruit, margin = 4e-3) {
   const {position, triangle, count, units} = fruit, [nx, ny, nz] = count, triangles = triangle.length / 3;
-  const first = new Uint32Array(nx * ny * nz + 1), p = new Float64Array(9), low = [0, 0, 0], high = [0, 0, 0], ends = new Uint32Array(triangles);
+  const first = new Uint32Array(nx * ny * nz + 1), p = new Float64Array(9), low = [0, 0, 0], high = [0, 0, 0];
+  const ends = new Uint32Array(triangles);
   // The cells of one triangle after another's; then the other way round.
   let met = new Uint32Array(1 << 18), all = 0;
   for (let t = 0; t < triangles; ++t) {
@@ -21,20 +22,26 @@ export function cells(fruit, margin = 4e-3) {
     const ux = p[3] - p[0], uy = p[4] - p[1], uz = p[5] - p[2], vx = p[6] - p[0], vy = p[7] - p[1], vz = p[8] - p[2];
     const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
     const reach = (0.5 + margin) * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-    for (let k = low[2]; k <= high[2]; ++k) for (let j = low[1]; j <= high[1]; ++j) {
-      const height = y * (j + 0.5 - p[1]) + z * (k + 0.5 - p[2]) + x * (0.5 - p[0]), row = (k * ny + j) * nx;
-      if (all + nx > met.length) {
-        const larger = new Uint32Array(2 * met.length);
-        larger.set(met);
-        met = larger;
+    for (let k = low[2]; k <= high[2]; ++k)
+      for (let j = low[1]; j <= high[1]; ++j) {
+        const height = y * (j + 0.5 - p[1]) + z * (k + 0.5 - p[2]) + x * (0.5 - p[0]), row = (k * ny + j) * nx;
+        if (all + nx > met.length) {
+          const larger = new Uint32Array(2 * met.length);
+          larger.set(met);
+          met = larger;
+        }
+        for (let i = low[0]; i <= high[0]; ++i)
+          if (Math.abs(height + i * x) <= reach) {
+            met[all++] = row + i;
+            ++first[row + i + 1];
+          }
       }
-      for (let i = low[0]; i <= high[0]; ++i) if (Math.abs(height + i * x) <= reach) { met[all++] = row + i; ++first[row + i + 1]; }
-    }
     ends[t] = all;
   }
   for (let i = 1; i < first.length; ++i) first[i] += first[i - 1];
   const next = first.slice(0, -1), list = new Uint32Array(all);
-  for (let t = 0, i = 0; t < triangles; ++t) for (; i < ends[t]; ++i) list[next[met[i]]++] = t;
+  for (let t = 0, i = 0; t < triangles; ++t)
+    for (; i < ends[t]; ++i) list[next[met[i]]++] = t;
   return {first, list};
 }
 
@@ -51,8 +58,8 @@ export function textures(fruit, {first, list}) {
     grid[at++] = blue[i];
     grid[at++] = nodePart[i];
   }
-  // Windings from -1 to 2 fit into two bits; where bodies overlap more than that, inside stays inside. Of two nodes beside each other, then of the
-  // four of a cell's side.
+  // Windings from -1 to 2 fit into two bits; where bodies overlap more than that, inside stays inside. Of two nodes
+  // beside each other, then of the four of a cell's side.
   const row = new Uint8Array(nodes), side = new Uint8Array(nodes);
   for (let i = 0, low = two(winding[0]); i + 1 < nodes; ++i) {
     const high = two(winding[i + 1]);
@@ -120,7 +127,10 @@ function nearestWeights(a, b, c) {
 
 /** A linear function through values at places around the origin, by weighted least squares: its value there. */
 class Fit {
-  constructor() { this.matrix = new Float64Array(16); this.right = new Float64Array(12); }
+  constructor() {
+    this.matrix = new Float64Array(16);
+    this.right = new Float64Array(12);
+  }
   add(place, value) {
     const weight = 1 / (dot(place, place) + 1e-3) ** 2, basis = [1, ...place];
     for (let i = 0; i < 4; ++i) {
@@ -131,18 +141,19 @@ class Fit {
   value() {
     const {matrix: m, right: r} = this;
     for (let i = 1; i < 4; ++i) m[5 * i] += 1e-6 * m[0];
-    for (let p = 3; p > 0; --p) for (let i = 0; i < p; ++i) {
-      const share = m[4 * i + p] / m[5 * p];
-      for (let j = i; j < p; ++j) m[4 * i + j] -= share * m[4 * j + p];
-      for (let k = 0; k < 3; ++k) r[3 * i + k] -= share * r[3 * p + k];
-    }
+    for (let p = 3; p > 0; --p)
+      for (let i = 0; i < p; ++i) {
+        const share = m[4 * i + p] / m[5 * p];
+        for (let j = i; j < p; ++j) m[4 * i + j] -= share * m[4 * j + p];
+        for (let k = 0; k < 3; ++k) r[3 * i + k] -= share * r[3 * p + k];
+      }
     return [r[0] / m[0], r[1] / m[0], r[2] / m[0]];
   }
 }
 
 /**
- * `fruit` as Asset.decoded() gives it, `lists` of cells(), `hull` of range(). Null in air, else the colour (linear), the
- * part, and how many triangles were looked at.
+ * `fruit` as Asset.decoded() gives it, `lists` of cells(), `hull` of range(). Null in air, else the colour (linear),
+ * the part, and how many triangles were looked at.
  */
 export function at(fruit, lists, hull, g) {
   const {count, units, position, triangle, hidden, winding, nodeColor, nodePart} = fruit, [nx, ny] = count;
@@ -163,15 +174,21 @@ export function at(fruit, lists, hull, g) {
   }
 
   // Look towards the corners, and for the nearest place of all.
-  const rays = Array.from({length: 8}, (_, k) =>
-    ({towards: [(k & 1) - within[0], (k >> 1 & 1) - within[1], (k >> 2) - within[2]], fraction: 2}));
+  const rays = Array.from({length: 8}, (_, k) => ({
+                                         towards: [(k & 1) - within[0], (k >> 1 & 1) - within[1], (k >> 2) - within[2]],
+                                         fraction: 2,
+                                         t: 0,
+                                         side: 0,
+                                         weights: [1, 0, 0]
+                                       }));
   const reach = 1 + 1.5 / units;
-  let inside = 0, nearest = {squared: Infinity};
+  let inside = 0, nearest = {squared: Infinity, place: [0, 0, 0], weights: [1, 0, 0], t: 0, side: 0};
   for (let k = 0; k < 8; ++k) inside += winding[node(k)];
   for (let i = begin; i < end; ++i) {
     const t = lists.list[i];
-    const [a, b, c] = [0, 1, 2].map((k) => [0, 1, 2].map((axis) =>
-      (position[3 * triangle[3 * t + k] + axis] + 0.5 - low[axis] * units) / units - within[axis]));
+    const [a, b, c] = [0, 1, 2].map(
+      (k) => [0, 1, 2].map(
+        (axis) => (position[3 * triangle[3 * t + k] + axis] + 0.5 - low[axis] * units) / units - within[axis]));
     const qa = cross(b, c), qb = cross(c, a), qc = cross(a, b), volume = dot(a, qa);
     for (const ray of rays) {
       const pa = dot(ray.towards, qa), pb = dot(ray.towards, qb), pc = dot(ray.towards, qc), sum = pa + pb + pc;
@@ -182,7 +199,8 @@ export function at(fruit, lists, hull, g) {
       if (!(fraction <= reach && fraction < ray.fraction)) continue;
       Object.assign(ray, {fraction, t, side: volume < 0 ? 0 : 1, weights: [pa / sum, pb / sum, pc / sum]});
     }
-    const weights = nearestWeights(a, b, c), place = [0, 1, 2].map((k) => weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k]);
+    const weights = nearestWeights(a, b, c);
+    const place = [0, 1, 2].map((k) => weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k]);
     const squared = dot(place, place);
     if (squared < nearest.squared) nearest = {squared, place, weights, t, side: volume <= 0 ? 0 : 1};
   }
@@ -191,7 +209,8 @@ export function at(fruit, lists, hull, g) {
   // Fit what they see.
   const ofSide = ({t, side, weights}) => {
     const from = side === 0 ? fruit.front : fruit.back, color = [0, 0, 0];
-    for (let k = 0; k < 3; ++k) for (let i = 0; i < 3; ++i) color[i] += weights[k] * linear[from[3 * triangle[3 * t + k] + i]];
+    for (let k = 0; k < 3; ++k)
+      for (let i = 0; i < 3; ++i) color[i] += weights[k] * linear[from[3 * triangle[3 * t + k] + i]];
     return color;
   };
   const fit = new Fit();

@@ -47,7 +47,10 @@ export function surfacesEnd({at, fields}) { return at + 12 * fields.vertices + 1
 // ---- Numbers as planes of bytes (byte_planes.h). ----
 
 export class Reader {
-  constructor(bytes, at) { this.bytes = bytes; this.at = at; }
+  constructor(bytes, at) {
+    this.bytes = bytes;
+    this.at = at;
+  }
 
   /** Numbers go to out[first], out[first + stride], ...: differences from the one `back` before, modulo 2^(8 width). */
   numbers(count, back, width, out, first = 0, stride = 1) {
@@ -60,15 +63,26 @@ export class Reader {
     }
     this.at += width * count;
   }
-  take(bytes) { this.at += bytes; return this.bytes.slice(this.at - bytes, this.at); }
+  take(bytes) {
+    this.at += bytes;
+    return this.bytes.slice(this.at - bytes, this.at);
+  }
 }
 
 /** Vertices and triangles: what a skin needs. */
 export function surfaces(bytes, {at, fields}) {
   const {vertices: V, triangles: T} = fields, reader = new Reader(bytes, at);
-  const fruit = {header: fields, count: fields.count, units: fields.units,
-    position: new Uint16Array(3 * V), front: new Uint8Array(3 * V), back: new Uint8Array(3 * V),
-    triangle: new Uint32Array(3 * T), hidden: new Uint8Array(T), part: [new Uint16Array(T), new Uint16Array(T)]};
+  const fruit = {
+    header: fields,
+    count: fields.count,
+    units: fields.units,
+    position: new Uint16Array(3 * V),
+    front: new Uint8Array(3 * V),
+    back: new Uint8Array(3 * V),
+    triangle: new Uint32Array(3 * T),
+    hidden: new Uint8Array(T),
+    part: [new Uint16Array(T), new Uint16Array(T)]
+  };
   for (let k = 0; k < 3; ++k) reader.numbers(V, 1, 2, fruit.position, k, 3);
   for (let k = 0; k < 3; ++k) reader.numbers(V, 1, 1, fruit.front, k, 3);
   for (let k = 0; k < 3; ++k) reader.numbers(V, V + 1, 1, fruit.back, k, 3);
@@ -82,14 +96,15 @@ export function surfaces(bytes, {at, fields}) {
 // ---- Inside and outside (windings.h). ----
 
 /**
- * Adds `winding` (Int8Array) and `nodePart` (Uint8Array: 1 + part, 0 in air) by walking rows of nodes along x. Where a row leaves a body and is still in
- * another, as where a stem is sunk in the flesh, it is in that one's part again: the outer side of a body tells how it looks, not what lies around it.
+ * Adds `winding` (Int8Array) and `nodePart` (Uint8Array: 1 + part, 0 in air) by walking rows of nodes along x. Where a
+ * row leaves a body and is still in another, as where a stem is sunk in the flesh, it is in that one's part again: the
+ * outer side of a body tells how it looks, not what lies around it.
  */
 export function addWindings(fruit) {
   const {position, triangle, hidden, units} = fruit, [nx, ny, nz] = fruit.count, step = 2 * units;
   const winding = new Int8Array(nx * ny * nz), nodePart = new Uint8Array(nx * ny * nz);
-  const last = new Float32Array(nx * ny * nz).fill(-1); // where the last crossing before a node lies
-  const leaves = new Uint8Array(nx * ny * nz);          // 1 + the part of the body that is left there
+  const last = new Float32Array(nx * ny * nz).fill(-1);  // where the last crossing before a node lies
+  const leaves = new Uint8Array(nx * ny * nz);           // 1 + the part of the body that is left there
   const isLeft = (ay, az, by, bz, y, z) => {
     if (bz < az || (bz === az && by < ay)) return !isLeft(by, bz, ay, az, y, z);
     const twice = (by - ay) * (z - az) - (bz - az) * (y - ay);
@@ -138,16 +153,21 @@ export function addWindings(fruit) {
     }
   }
   for (let i = 0; i < winding.length; ++i) {
-    if (winding[i] === 0) nodePart[i] = 0; else if (nodePart[i] === 0) nodePart[i] = 1;
+    if (winding[i] === 0) nodePart[i] = 0;
+    else if (nodePart[i] === 0) nodePart[i] = 1;
   }
   Object.assign(fruit, {winding, nodePart});
 }
 
 // ---- Colours of nodes (node_coding.h). ----
 
-/** What a symbol stands for: differences of 0 and 1 exactly, larger ones in steps of 3, those beyond code `thirds` in steps of 5. */
+/**
+ * What a symbol stands for: differences of 0 and 1 exactly, larger ones in steps of 3, those beyond code `thirds` in
+ * steps of 5.
+ */
 const differences = (thirds) => Int32Array.from({length: 256}, (_, symbol) => {
-  const code = symbol + 1 >> 1, size = code <= 1 ? code : code <= thirds ? 1 + 3 * (code - 1) : 1 + 3 * (thirds - 1) + 5 * (code - thirds);
+  const code = symbol + 1 >> 1;
+  const size = code <= 1 ? code : code <= thirds ? 1 + 3 * (code - 1) : 1 + 3 * (thirds - 1) + 5 * (code - thirds);
   return symbol & 1 ? -size : size;
 });
 const weightOf = Int32Array.from({length: 256}, (_, d) => Math.max(1, Math.floor(1024 / (1 + d * d))));
@@ -180,7 +200,8 @@ function decodeChannel(winding, [nx, ny, nz], bytes, at, value, differenceOf) {
             }
           }
           const guess = weights > 0 ? Math.floor((2 * sum + weights) / (2 * weights))
-            : ends > 0 ? Math.floor((2 * alone + ends) / (2 * ends)) : last;
+            : ends > 0              ? Math.floor((2 * alone + ends) / (2 * ends))
+                                    : last;
           const stream = weights === 0 ? 3 : roughest <= 1 ? 0 : roughest <= 6 ? 1 : roughest <= 24 ? 2 : 3;
           last = guess + differenceOf[bytes[at[stream]++]];
           value[node] = last = last < 0 ? 0 : last > 255 ? 255 : last;
@@ -202,7 +223,8 @@ function decodeChannel(winding, [nx, ny, nz], bytes, at, value, differenceOf) {
 /** Adds `nodeColor`: [red, green, blue], a Uint8Array each. Returns where they end. */
 export function addNodes(fruit, bytes, at) {
   const differenceOf = differences(fruit.header.format === 1 ? 8 : fruit.header.thirds);
-  const view = new DataView(bytes.buffer, bytes.byteOffset), lengths = Array.from({length: 12}, (_, i) => view.getUint32(at + 4 * i, true));
+  const view = new DataView(bytes.buffer, bytes.byteOffset);
+  const lengths = Array.from({length: 12}, (_, i) => view.getUint32(at + 4 * i, true));
   at += 48;
   const begins = lengths.map((length) => (at += length) - length);
   fruit.nodeColor = [0, 1, 2].map((channel) => {

@@ -14,7 +14,8 @@ function direction(a, b, out, at) {
 
 /** Ten numbers a vertex, as skin.js has them, and the corners of triangles. */
 function mesh(reader, {vertices, triangles}, {units}) {
-  const position = new Uint16Array(3 * vertices), normal = new Uint16Array(2 * vertices), color = new Uint8Array(3 * vertices), tag = new Uint8Array(vertices);
+  const position = new Uint16Array(3 * vertices), normal = new Uint16Array(2 * vertices);
+  const color = new Uint8Array(3 * vertices), tag = new Uint8Array(vertices);
   const index = new Uint32Array(3 * triangles), skin = new Float32Array(10 * vertices);
   for (let k = 0; k < 3; ++k) reader.numbers(vertices, 1, 2, position, k, 3);
   for (let k = 0; k < 2; ++k) reader.numbers(vertices, 1, 2, normal, k, 2);
@@ -36,7 +37,8 @@ function mesh(reader, {vertices, triangles}, {units}) {
 export function decoded(bytes) {
   const {at, fields: header} = Asset.header(bytes, bytes.length), reader = new Asset.Reader(bytes, at);
   const floats = (count) => new Float32Array(reader.take(16 * count).buffer);
-  const looks = header.fruits.map(({texels}) => ({noise: floats(texels[0]), materials: floats(texels[1]), details: new Float32Array(0)}));
+  const looks = header.fruits.map(
+    ({texels}) => ({noise: floats(texels[0]), materials: floats(texels[1]), details: new Float32Array(0)}));
   const solids = header.solids.map((solid) => mesh(reader, solid, header.fruits[solid.fruit]));
   if (reader.at !== bytes.length) throw new Error('something follows the scene\'s end');
   return {header, solids, looks};

@@ -15,14 +15,31 @@ import {Tools} from './tools.js';
   if (!begun) return;
   const {loads, unpacking, first, picture, board, blade, stroke, paper, drawNow} = begun;
   let pile = null, picked = null;
-  const nameOf = ({body, part}) => body.instance.name === part ? part : `${body.instance.name}, ${part.replaceAll('_', ' ')}`;
+  const nameOf = ({body, part}) =>
+    body.instance.name === part ? part : `${body.instance.name}, ${part.replaceAll('_', ' ')}`;
   const isOut = () => board.setting !== pile;
-  new Hands(board, blade, stroke, {nameOf, onTap: (found) => { if (!isOut()) pick(found && found.body); }});
-  new Tools(board, blade, stroke, paper, {
-    Enter: () => { if (picked && !isOut()) takeOut(); }, Escape: () => { if (board.draws) stroke.toggle(); else if (isOut()) putBack(); else pick(null); },
-    n: () => pickNext(1), p: () => pickNext(-1),
+  new Hands(board, blade, stroke, {
+    nameOf,
+    onTap: (found) => {
+      if (!isOut()) pick(found && found.body);
+    }
   });
-  $('take').addEventListener('click', () => { if (isOut()) putBack(); else takeOut(); });
+  new Tools(board, blade, stroke, paper, {
+    Enter: () => {
+      if (picked && !isOut()) takeOut();
+    },
+    Escape: () => {
+      if (board.draws) stroke.toggle();
+      else if (isOut()) putBack();
+      else pick(null);
+    },
+    n: () => pickNext(1),
+    p: () => pickNext(-1),
+  });
+  $('take').addEventListener('click', () => {
+    if (isOut()) putBack();
+    else takeOut();
+  });
 
   // ---- What has been picked. ----
 
@@ -50,13 +67,21 @@ import {Tools} from './tools.js';
     // Alone, it needs the room.
     $('facts').classList.toggle('brief', isOut());
     $('take').disabled = body.fruit.header.asset < 0;
-    $('take').textContent = body.fruit.header.asset < 0 ? 'No fruit is known of it' : isOut() ? 'Back to the pile' : 'Cut it';
+    $('take').textContent = body.fruit.header.asset < 0 ? 'No fruit is known of it'
+      : isOut()                                         ? 'Back to the pile'
+                                                        : 'Cut it';
     say(`${body.instance.name}${facts.template ? `, of ${facts.template}` : ''}, ${inGrams(facts.mass)}`);
   }
   function pick(body) {
     if (picked) picked.chosen = false;
     picked = body;
-    if (body) { body.chosen = true; tell(body); } else { $('facts').hidden = true; sayAll(); }
+    if (body) {
+      body.chosen = true;
+      tell(body);
+    } else {
+      $('facts').hidden = true;
+      sayAll();
+    }
     board.changed();
   }
   function pickNext(step) {
@@ -122,10 +147,12 @@ import {Tools} from './tools.js';
     });
     const shapes = solids.map(({skin, index, outwards}) => new Shape(picture.card, skin, index, outwards));
     const bodies = header.instances.map((instance) => {
-      const solid = header.solids[instance.solid], fruit = fruits[solid.fruit], body = new Body(picture, fruit, shapes[instance.solid], 60);
+      const solid = header.solids[instance.solid], fruit = fruits[solid.fruit];
+      const body = new Body(picture, fruit, shapes[instance.solid], 60);
       return Object.assign(body, {instance, solid, isPiece: true, moves: fruit.header.asset >= 0});
     });
-    const spacings = fruits.filter(({header: {asset}}) => asset >= 0).map(({header: {spacing}}) => spacing).sort((a, b) => a - b);
+    const spacings =
+      fruits.filter(({header: {asset}}) => asset >= 0).map(({header: {spacing}}) => spacing).sort((a, b) => a - b);
     pile = new Pile(bodies, spacings.length ? spacings[spacings.length >> 1] : fruits[0].header.spacing);
     const {eye, target} = header.view, back = V.unit(V.sub(eye, target));
     Object.assign(board.camera, {yaw: Math.atan2(back[0], back[2]), pitch: Math.asin(back[1])});
@@ -138,6 +165,17 @@ import {Tools} from './tools.js';
   first.then(takeScene);
 
   // For tests and for the curious.
-  window.pomona = {board, picture, loads, finish: () => board.finish(), nameAt: (x, y) => board.at(x, y), pieces: () => board.first.pieces,
-    pick: (name) => pick(pile.bodies.find((body) => body.instance.name === name) || null), takeOut, putBack, pile: () => pile, picked: () => picked};
+  /** @type {any} */ (window).pomona = {
+    board,
+    picture,
+    loads,
+    finish: () => board.finish(),
+    nameAt: (x, y) => board.at(x, y),
+    pieces: () => board.first.pieces,
+    pick: (name) => pick(pile.bodies.find((body) => body.instance.name === name) || null),
+    takeOut,
+    putBack,
+    pile: () => pile,
+    picked: () => picked
+  };
 })();

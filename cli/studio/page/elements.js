@@ -1,7 +1,8 @@
 // Elements of HTML and of SVG, made and filled.
 
 export const element = (tag, properties = {}, ...children) => {
-  const made = Object.assign(document.createElement(tag), tag === 'button' ? {type: 'button', ...properties} : properties);
+  const made =
+    Object.assign(document.createElement(tag), tag === 'button' ? {type: 'button', ...properties} : properties);
   made.append(...children);
   return made;
 };
