@@ -15,7 +15,7 @@ gallery: build ## the pictures of README.md and templates/README.md; FRUIT="okra
 	@scripts/gallery.py write
 
 figures: build $(if $(filter textures,$(PAGE)),.npm) ## our counterpart of each figure of the paper, docs/reference/figures.md; FIGURE=8 makes one; PAGE=knives (or style, textures, batch, scenes) those of that page
-	@scripts/setup.sh gallery
+	@scripts/setup.sh gallery $(if $(filter textures,$(PAGE)),programs)
 	@scripts/figures.py make build/pomona $(or $(PAGE),figures) $(FIGURE)
 
 build: ## the program, at build/pomona
@@ -31,11 +31,11 @@ test: ## all tests that need nothing but Debian's libraries
 
 # Other programs, and what runs in node or in a browser.
 .npm:
-	@scripts/setup.sh programs
+	@scripts/setup.sh npm
 	npm ci --no-audit --no-fund --loglevel=error
 
 test-programs: .npm ## tests that start real programs: the glTF validator, POV-Ray, Inkscape
-	@scripts/setup.sh build test
+	@scripts/setup.sh build test programs
 	cmake --preset test-programs
 	cmake --build build -j $(JOBS)
 	ctest --test-dir build --output-on-failure -L programs
@@ -65,10 +65,11 @@ reproduce: ## builds the program in a dozen ways that must not matter, and two t
 	@scripts/setup.sh build clang
 	@scripts/reproduce.sh $(BUILD)
 
-lint: ## formatting, and the naming of our own headers
+lint: .npm ## formatting, the naming of our own headers, and the types of our scripts
 	@scripts/setup.sh build test lint
 	scripts/format.sh --check
 	scripts/check_naming.sh
+	npx tsc --project tsconfig.json
 
 format: ## formats the sources
 	@scripts/setup.sh lint

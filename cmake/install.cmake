@@ -12,7 +12,7 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs
   FILES_MATCHING PATTERN "*.md" PATTERN "*.yaml" PATTERN pictures EXCLUDE PATTERN figures EXCLUDE)
 # What programs need that cut assets (docs/reference/asset.md).
 set(asset_files read_asset.js look_up.js look.glsl engines/look.hlsl engines/look.wgsl engines/look.gdshaderinc
-  engines/three_cut.mjs engines/three.html)
+  engines/three_cut.mjs engines/three.html engines/package.json)
 list(TRANSFORM asset_files PREPEND render/page/)
 install(FILES ${asset_files} DESTINATION ${data}/asset)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

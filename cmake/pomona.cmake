@@ -73,6 +73,25 @@ function(pomona_test name)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()
 
+# pomona_bundle(page_script ENTRY render/page/page.js)
+# Joins a module with all that it imports into one script for a page, still to be read by people: ${page_script} is its
+# file, page_script.js. No list of modules: each says itself what it needs.
+find_program(POMONA_ESBUILD esbuild REQUIRED)
+function(pomona_bundle name)
+  cmake_parse_arguments(ARG "" "ENTRY" "" ${ARGN})
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.js)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/render/page/*.js ${PROJECT_SOURCE_DIR}/cli/studio/page/*.js
+    ${PROJECT_SOURCE_DIR}/cli/batch/*.js)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${POMONA_ESBUILD} ${ARG_ENTRY} --bundle --format=iife --target=es2022 --charset=utf8 --log-level=warning
+      "--banner:js='use strict';" --outfile=${output}
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    DEPENDS ${sources}
+    VERBATIM)
+  set(${name} ${output} PARENT_SCOPE)
+endfunction()
+
 # pomona_embed(shipped_styles HEADER render/style/shipped_styles.h FILES ${POMONA_STYLES})
 # Makes the text files part of the program: ${shipped_styles} names a source that defines the function of that name.
 function(pomona_embed name)

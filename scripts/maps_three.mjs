@@ -1,17 +1,20 @@
-// Draws a .glb with maps by three.js in a headless Chromium, on a table in the light of a room and a lamp: docs/reference/textures.md.
+// Draws a .glb with maps by three.js in a headless Chromium, on a table in the light of a room and a lamp:
+// docs/reference/textures.md.
 //   node scripts/maps_three.mjs FILE.glb PICTURE.png [rim]
-// "rim" looks from close by at the edge between the cut face and the skin, at 45 degrees to either. Run where node_modules lies (npm ci).
-import { execFile } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { tmpdir } from 'node:os';
-import { extname, join, resolve } from 'node:path';
-import { promisify } from 'node:util';
+// "rim" looks from close by at the edge between the cut face and the skin, at 45 degrees to either. Run where
+// node_modules lies (npm ci).
+import {execFile} from 'node:child_process';
+import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
+import {createServer} from 'node:http';
+import {tmpdir} from 'node:os';
+import {extname, join, resolve} from 'node:path';
+import {promisify} from 'node:util';
 
 const [glb, picture] = process.argv.slice(2, 4).map((path) => resolve(path));
 const atRim = process.argv[4] === 'rim';
 const page = `<!DOCTYPE html><meta charset="utf-8"><script type="importmap">
-{"imports": {"three": "/node_modules/three/build/three.module.js", "three/addons/": "/node_modules/three/examples/jsm/"}}
+{"imports": {"three": "/node_modules/three/build/three.module.js",
+  "three/addons/": "/node_modules/three/examples/jsm/"}}
 </script><body style="margin: 0"><script type="module">
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
@@ -31,7 +34,8 @@ fruit.rotation.x = -70 * Math.PI / 180;  // the face looks up, as a half lies on
 scene.add(fruit);
 const box = new THREE.Box3().setFromObject(fruit, true), middle = box.getCenter(new THREE.Vector3());
 const reach = box.getSize(new THREE.Vector3()).length() / 2;
-const table = new THREE.Mesh(new THREE.PlaneGeometry(60 * reach, 60 * reach), new THREE.ShadowMaterial({ opacity: 0.28 }));
+const table = new THREE.Mesh(new THREE.PlaneGeometry(60 * reach, 60 * reach),
+  new THREE.ShadowMaterial({ opacity: 0.28 }));
 table.rotation.x = -Math.PI / 2;
 table.position.set(middle.x, box.min.y, middle.z);
 table.receiveShadow = true;
@@ -42,14 +46,16 @@ sun.castShadow = true;
 sun.shadow.mapSize.set(1024, 1024);
 sun.shadow.radius = 8;
 sun.shadow.normalBias = 0.02 * reach;
-Object.assign(sun.shadow.camera, { left: -3 * reach, right: 3 * reach, top: 3 * reach, bottom: -3 * reach, near: 0.1 * reach, far: 14 * reach });
+Object.assign(sun.shadow.camera, { left: -3 * reach, right: 3 * reach, top: 3 * reach, bottom: -3 * reach,
+  near: 0.1 * reach, far: 14 * reach });
 fruit.traverse((part) => { part.castShadow = part.isMesh; });
 scene.add(table, sun, sun.target);
 const camera = new THREE.PerspectiveCamera(25, 480 / 384, 0.01 * reach, 100 * reach);
 camera.position.copy(middle).add(new THREE.Vector3(0.3, 0.8, 1).normalize().multiplyScalar(4.3 * reach));
 camera.lookAt(middle);
 if (${atRim}) {
-  const face = new THREE.Vector3(0, 0, 1).applyEuler(fruit.rotation), at = new THREE.Vector3(), place = new THREE.Vector3();
+  const face = new THREE.Vector3(0, 0, 1).applyEuler(fruit.rotation), at = new THREE.Vector3(),
+    place = new THREE.Vector3();
   let most = -Infinity;  // on the face, to the right in front
   fruit.updateMatrixWorld(true);
   fruit.traverse((part) => {
@@ -69,23 +75,30 @@ if (${atRim}) {
 renderer.render(scene, camera);
 document.title = 'drawn';
 </script>`;
-const kinds = { '.js': 'text/javascript', '.glb': 'model/gltf-binary' };
-const server = createServer((request, response) => {
-  const path = new URL(request.url, 'http://x').pathname;
-  if (path === '/') return response.setHeader('Content-Type', 'text/html').end(page);
-  const file = path === '/scene.glb' ? glb : path.startsWith('/node_modules/three/') ? resolve(`.${path}`) : null;
-  try {
-    response.setHeader('Content-Type', kinds[extname(file)]);
-    response.end(readFileSync(file));
-  } catch {
-    response.writeHead(404).end();
-  }
-}).listen(0, '127.0.0.1');
+const kinds = {
+  '.js': 'text/javascript',
+  '.glb': 'model/gltf-binary'
+};
+const server =
+  createServer((request, response) => {
+    const path = new URL(request.url, 'http://x').pathname;
+    if (path === '/') return response.setHeader('Content-Type', 'text/html').end(page);
+    const file = path === '/scene.glb' ? glb : path.startsWith('/node_modules/three/') ? resolve(`.${path}`) : null;
+    try {
+      response.setHeader('Content-Type', kinds[extname(file)]);
+      response.end(readFileSync(file));
+    } catch { response.writeHead(404).end(); }
+  }).listen(0, '127.0.0.1');
 await new Promise((done) => server.on('listening', done));
 const profile = mkdtempSync(join(tmpdir(), 'maps_three-'));
-await promisify(execFile)('chromium', [
-  '--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-  '--hide-scrollbars', '--window-size=480,384', `--user-data-dir=${profile}`, '--virtual-time-budget=60000', '--run-all-compositor-stages-before-draw',
-  `--screenshot=${picture}`, `http://127.0.0.1:${server.address().port}/`], { timeout: 200000 });
+await promisify(execFile)(
+  'chromium',
+  [
+    '--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader',
+    '--enable-unsafe-swiftshader', '--hide-scrollbars', '--window-size=480,384', `--user-data-dir=${profile}`,
+    '--virtual-time-budget=60000', '--run-all-compositor-stages-before-draw', `--screenshot=${picture}`,
+    `http://127.0.0.1:${server.address().port}/`
+  ],
+  {timeout: 200000});
 server.close();
-rmSync(profile, { recursive: true, force: true });
+rmSync(profile, {recursive: true, force: true});

@@ -1,27 +1,34 @@
-// The pictures of docs/guides/studio.md: an orange is drawn over two pictures of one, by the mouse and the keys, and each step is kept.
+// The pictures of docs/guides/studio.md: an orange is drawn over two pictures of one, by the mouse and the keys, and
+// each step is kept.
 //   node scripts/studio_pictures.mjs build/pomona docs/pictures/studio [FOLDER]      needs `npm ci` and chromium
-// The pictures that are drawn over are Pomona's own, of a template that this script writes: CC0, as everything in templates is.
-import { execFileSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
-import { launch } from '../tests/programs/browser.mjs';
-import { Session, startStudio } from '../tests/programs/studio_session.mjs';
+// The pictures that are drawn over are Pomona's own, of a template that this script writes: CC0, as everything in
+// templates is.
+import {execFileSync} from 'node:child_process';
+import {mkdirSync, mkdtempSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join, resolve} from 'node:path';
 
-const program = resolve(process.argv[2]), pictures = resolve(process.argv[3]), folder = process.argv[4] ? resolve(process.argv[4]) : mkdtempSync(join(tmpdir(), 'orange-'));
+import {launch} from '../tests/programs/browser.mjs';
+import {Session, startStudio} from '../tests/programs/studio_session.mjs';
+
+const program = resolve(process.argv[2]), pictures = resolve(process.argv[3]);
+const folder = process.argv[4] ? resolve(process.argv[4]) : mkdtempSync(join(tmpdir(), 'orange-'));
 const folds = 10;
-mkdirSync(folder, { recursive: true });
-mkdirSync(pictures, { recursive: true });
+mkdirSync(folder, {recursive: true});
+mkdirSync(pictures, {recursive: true});
 
 /** A segment between two membranes, as a loop with rounded corners. */
 function segment(k) {
   const middle = 2 * Math.PI * (k + 1) / folds, half = Math.PI / folds - 0.06, long = 1 - 0.03 * Math.cos(2.3 * k);
   const at = (r, a) => `${(r * Math.cos(middle + a)).toFixed(2)} ${(-r * Math.sin(middle + a)).toFixed(2)}`;
   const outer = 32.6 * long;
-  return `M ${at(5, 0)} C ${at(8, -half * 0.5)} ${at(16, -half)} ${at(outer * 0.92, -half)} C ${at(outer, -half)} ${at(outer, -half * 0.9)} ${at(outer, -half * 0.5)} ` +
-    `C ${at(outer, -half * 0.2)} ${at(outer, half * 0.2)} ${at(outer, half * 0.5)} C ${at(outer, half * 0.9)} ${at(outer, half)} ${at(outer * 0.92, half)} C ${at(16, half)} ${at(8, half * 0.5)} ${at(5, 0)} Z`;
+  return `M ${at(5, 0)} C ${at(8, -half * 0.5)} ${at(16, -half)} ${at(outer * 0.92, -half)} C ${at(outer, -half)} ${
+           at(outer, -half * 0.9)} ${at(outer, -half * 0.5)} ` +
+    `C ${at(outer, -half * 0.2)} ${at(outer, half * 0.2)} ${at(outer, half * 0.5)} C ${at(outer, half * 0.9)} ${
+           at(outer, half)} ${at(outer * 0.92, half)} C ${at(16, half)} ${at(8, half * 0.5)} ${at(5, 0)} Z`;
 }
-const round = (r, low, high) => `M 0 ${-low} C ${0.58 * r} ${-low} ${r} ${-(low + 0.2 * (high - low))} ${r} ${-(low + high) / 2} C ${r} ${-(high - 0.2 * (high - low))} ${0.58 * r} ${-high} 0 ${-high}`;
+const round = (r, low, high) => `M 0 ${- low} C ${0.58 * r} ${- low} ${r} ${- (low + 0.2 * (high - low))} ${r} ${
+  - (low + high) / 2} C ${r} ${- (high - 0.2 * (high - low))} ${0.58 * r} ${- high} 0 ${- high}`;
 writeFileSync(join(folder, 'picture.toml'), `format = 1
 name = "picture"
 unit = "1mm"
@@ -29,7 +36,7 @@ parts = ["skin", "pith", "pulp", "core"]
 [symmetry]
 kind = "folds"
 folds = ${folds}
-fold_angles = [${Array.from({ length: folds }, (_, k) => (360 * (k + 0.5) / folds).toFixed(0)).join(', ')}]
+fold_angles = [${Array.from({length: folds}, (_, k) => (360 * (k + 0.5) / folds).toFixed(0)).join(', ')}]
 [[surface]]
 name = "skin"
 type = "around-axis"
@@ -47,7 +54,7 @@ back = { part = "pith", color = "#fbeccb" }
 name = "segment"
 type = "in-fold"
 vertical = "M 5 -36 C 5 -52 12 -66 17 -66 C 26 -65 33 -50 33 -36.5 C 33 -23 26 -8 17 -7 C 12 -7 5 -20 5 -36 Z"
-horizontal = [${Array.from({ length: folds }, (_, k) => `"${segment(k)}"`).join(', ')}]
+horizontal = [${Array.from({length: folds}, (_, k) => `"${segment(k)}"`).join(', ')}]
 blur = "0.1mm"
 front = { part = "pith", color = "#fbe9c4" }
 back = { part = "pulp", color = "#f5a12b" }
@@ -60,23 +67,44 @@ front = { part = "pith", color = "#fdf0d4" }
 back = { part = "core", color = "#f6e2b4" }
 `);
 for (const knife of ['half', 'across']) {
-  execFileSync(program, ['cut', 'picture.toml', '--knife', knife, '--section', '--style', 'plain', '--size', '640x640', '-o', `${knife}.png`, '--quiet'], { cwd: folder });
+  execFileSync(
+    program,
+    [
+      'cut', 'picture.toml', '--knife', knife, '--section', '--style', 'plain', '--size', '640x640', '-o',
+      `${knife}.png`, '--quiet'
+    ],
+    {cwd: folder});
 }
 
 const browser = await launch();
-const studio = await startStudio(program, ['orange.toml', '--picture', 'half.png', '--picture', 'across.png', '--folds', String(folds)], folder);
+const studio = await startStudio(
+  program, ['orange.toml', '--picture', 'half.png', '--picture', 'across.png', '--folds', String(folds)], folder);
 try {
-  const session = await Session.open(browser, studio.address, { width: 1440, height: 860 }), { tab } = session;
-  const keep = async (name) => { await session.settled(); await tab.waitForFunction('studio.loads.variants > 0', { timeout: 120000, polling: 200 }); await tab.screenshot({ path: join(pictures, `${name}.png`) }); console.log(name); };
+  const session = await Session.open(browser, studio.address, {width: 1440, height: 860}), {tab} = session;
+  const keep = async (name) => {
+    await session.settled();
+    await tab.waitForFunction('studio.loads.variants > 0', {timeout: 120000, polling: 200});
+    await tab.screenshot({path: join(pictures, `${name}.png`)});
+    console.log(name);
+  };
   const key = (name) => tab.keyboard.press(name);
   await keep('start');
 
   // Where the pictures show their orange: the box of what is no paper.
   const boxes = await session.evaluate(() => Object.fromEntries(studio.drawing.images.map((picture) => {
-    const loaded = studio.pictures.get(picture.href), { width, height } = loaded.image, { data } = loaded.pixels.getImageData(0, 0, width, height);
+    const loaded = studio.pictures.get(picture.href), {width, height} = loaded.image;
+    const {data} = loaded.pixels.getImageData(0, 0, width, height);
     const low = [width, height], high = [0, 0];
-    for (let i = 0; i < width * height; ++i) if (data[4 * i + 3] > 128 && data[4 * i + 2] < 150) { const p = [i % width, Math.floor(i / width)]; for (const k of [0, 1]) { low[k] = Math.min(low[k], p[k]); high[k] = Math.max(high[k], p[k]); } }
+    for (let i = 0; i < width * height; ++i)
+      if (data[4 * i + 3] > 128 && data[4 * i + 2] < 150) {
+        const p = [i % width, Math.floor(i / width)];
+        for (const k of [0, 1]) {
+          low[k] = Math.min(low[k], p[k]);
+          high[k] = Math.max(high[k], p[k]);
+        }
+      }
     const m = studio.pictures.placement(picture, loaded);
+    const {A} = studio.modules;
     return [picture.view, [A.point(m, low), A.point(m, high)]];
   })));
   console.log(JSON.stringify(boxes));
@@ -89,7 +117,8 @@ try {
         const curve = studio.drawing.curves.find((c) => c.view === v && c.kind === name);
         studio.select(curve);
         if (curve.dot) studio.commit(studio.drawing.withDot(curve, m));
-        else studio.commit(studio.drawing.withParts(curve, [{ closed: false, nodes: places.map(nodeAt) }]));
+        else
+          studio.commit(studio.drawing.withParts(curve, [{closed: false, nodes: places.map(studio.modules.nodeAt)}]));
       };
       put('axis', [[m[0], h[1]], [m[0], l[1]]]);
       put('scale', [[l[0], h[1] + 6], [h[0], h[1] + 6]]);
@@ -98,10 +127,15 @@ try {
   }
   await session.evaluate((boxes) => {
     // Fold lines onto the membranes.
-    const [low, high] = boxes.top, middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], reach = 0.55 * (high[0] - low[0]);
+    const [low, high] = boxes.top, middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
+    const reach = 0.55 * (high[0] - low[0]);
     for (let k = 0; k < 10; ++k) {
       const fold = studio.drawing.curves.filter((c) => c.kind === 'fold')[k], a = 2 * Math.PI * (k + 0.5) / 10;
-      studio.commit(studio.drawing.withParts(fold, [{ closed: false, nodes: [middle, [middle[0] + reach * Math.cos(a), middle[1] - reach * Math.sin(a)]].map(nodeAt) }]));
+      studio.commit(studio.drawing.withParts(
+        fold, [{
+          closed: false,
+          nodes: [middle, [middle[0] + reach * Math.cos(a), middle[1] - reach * Math.sin(a)]].map(studio.modules.nodeAt)
+        }]));
     }
     studio.select(null);
   }, boxes);
@@ -110,9 +144,12 @@ try {
 
   // The outlines: traced by the colour of what they surround.
   const [low, high] = boxes.side, size = high[0] - low[0], middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
-  const [tlow, thigh] = boxes.top, tsize = thigh[0] - tlow[0], tmiddle = [(tlow[0] + thigh[0]) / 2, (tlow[1] + thigh[1]) / 2];
+  const [tlow, thigh] = boxes.top, tsize = thigh[0] - tlow[0];
+  const tmiddle = [(tlow[0] + thigh[0]) / 2, (tlow[1] + thigh[1]) / 2];
   const trace = async (view, name, place, index = 0) => {
-    await session.evaluate((v, n, i) => studio.select(studio.drawing.curves.filter((c) => c.view === v && c.name === n)[i]), view, name, index);
+    await session.evaluate(
+      (v, n, i) => studio.select(studio.drawing.curves.filter((c) => c.view === v && c.name === n)[i]), view, name,
+      index);
     await key('t');
     await tab.mouse.click(...await session.where(view, place));
   };
@@ -124,14 +161,20 @@ try {
   await trace('side', 'chamber', [middle[0] + 0.25 * size, middle[1]]);
   for (let k = 0; k < folds; ++k) {
     const a = 2 * Math.PI * (k + 1) / folds;
-    await trace('top', 'chambers', [tmiddle[0] + 0.28 * tsize * Math.cos(a), tmiddle[1] - 0.28 * tsize * Math.sin(a)], k);
+    await trace(
+      'top', 'chambers', [tmiddle[0] + 0.28 * tsize * Math.cos(a), tmiddle[1] - 0.28 * tsize * Math.sin(a)], k);
   }
   await key('v');
   // The core is drawn by hand: its curve is moved, node by node, into the white around the axis.
   await session.evaluate((m, s) => {
     const core = studio.drawing.curves.find((c) => c.view === 'side' && c.name === 'core'), x = m[0];
-    const part = { closed: false, nodes: [[x, m[1] + 0.38 * s], [x + 0.047 * s, m[1] + 0.2 * s], [x + 0.047 * s, m[1] - 0.2 * s], [x, m[1] - 0.38 * s]].map(nodeAt) };
-    Bezier.smooth(part);
+    const part = {
+      closed: false,
+      nodes: [
+        [x, m[1] + 0.38 * s], [x + 0.047 * s, m[1] + 0.2 * s], [x + 0.047 * s, m[1] - 0.2 * s], [x, m[1] - 0.38 * s]
+      ].map(studio.modules.nodeAt)
+    };
+    studio.modules.Bezier.smooth(part);
     studio.commit(studio.drawing.withParts(core, [part]), 'core');
     studio.select(studio.drawing.curves.find((c) => c.view === 'side' && c.name === 'chamber'));
   }, middle, size);
@@ -141,9 +184,9 @@ try {
   const pick = async (surface, side, view, place) => {
     await session.evaluate((name, of) => {
       // One colour for the whole side.
-      const ramp = sideNamed(studio.drawing, name, of).ground.along;
-      if (!ramp.constant) putRamp(studio, { ramp }, [ramp.stops[0]], 'one colour');
-      chosenStop = { surface: name, side: of, path: ['ground', 'along'], stop: 0 };
+      const {putRamp, sideNamed} = studio.modules, ramp = sideNamed(studio.drawing, name, of).ground.along;
+      if (!ramp.constant) putRamp(studio, {ramp}, [ramp.stops[0]], 'one colour');
+      studio.chosenStop = {surface: name, side: of, path: ['ground', 'along'], stop: 0};
     }, surface, side);
     await key('i');
     await tab.mouse.click(...await session.where(view, place));
@@ -163,7 +206,10 @@ try {
   // A blush: a coat over the skin, painted from the side along its curve and from above around the axis.
   await tab.click('[data-cut="whole"]');
   await key('n');
-  await session.evaluate(() => { Object.assign(studio.brush, { color: '#c23a12', size: 110, soft: 1, strength: 0.8 }); showBrush(studio); });
+  await session.evaluate(() => {
+    Object.assign(studio.brush, {color: '#c23a12', size: 110, soft: 1, strength: 0.8});
+    studio.modules.showBrush(studio);
+  });
   await session.stroke(await session.along('side', 'skin', 0.5, 0.75, 8));
   await session.stroke(await session.along('top', 'skin', 0.9, 0.98, 8));
   await tab.mouse.move(...(await session.along('side', 'skin', 0.7, 0.7, 10, 1))[0]);
@@ -172,12 +218,15 @@ try {
   await key('v');
 
   await tab.click('[data-cut="across"]');
-  await session.evaluate('document.getElementById("seed").value = 3, document.getElementById("seed").dispatchEvent(new Event("input"))');
-  await session.evaluate('document.getElementById("over").click(), document.getElementById("photo").value = 0.35, document.getElementById("photo").dispatchEvent(new Event("input"))');
+  await session.evaluate(
+    'document.getElementById("seed").value = 3, document.getElementById("seed").dispatchEvent(new Event("input"))');
+  await session.evaluate(
+    'document.getElementById("over").click(), document.getElementById("photo").value = 0.35, ' +
+    'document.getElementById("photo").dispatchEvent(new Event("input"))');
   await tab.keyboard.down('Control');
   await key('s');
   await tab.keyboard.up('Control');
-  await tab.waitForFunction('document.getElementById("save").disabled', { timeout: 30000 });
+  await tab.waitForFunction('document.getElementById("save").disabled', {timeout: 30000});
   await keep('variant');
   console.log(await session.evaluate('document.getElementById("errors").textContent') || 'no mistakes', session.faults);
 } finally {

@@ -20,7 +20,8 @@ std::string with(std::string text, const std::string& mark, const std::string& r
 
 ContactSheet::ContactSheet(const RecordedBatch& batch) {
   // The title last: what stands in it is no mark of ours.
-  const std::string page(contact_sheet_files().front().text);
+  const std::string_view script = contact_sheet_files().back().text;
+  const std::string page = with(std::string(contact_sheet_files().front().text), "@SCRIPT@", std::string(script));
   const std::string mark = "@ITEMS@";
   const std::size_t at = page.find(mark);
   const std::string about =

@@ -9,8 +9,8 @@
 #include <span>
 #include <string>
 
-#include "render/export/transaction/durable_file.h"
 #include "render/export/pov.h"
+#include "render/export/transaction/durable_file.h"
 
 namespace pomona {
 

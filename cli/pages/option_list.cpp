@@ -15,7 +15,9 @@ namespace {
 
 using OptionJson = nlohmann::ordered_json;
 
-OptionJson range_json(const char* type, double low, double high) { return {{"type", type}, {"low", low}, {"high", high}}; }
+OptionJson range_json(const char* type, double low, double high) {
+  return {{"type", type}, {"low", low}, {"high", high}};
+}
 
 OptionJson range_json(const char* type, int low, int high) { return {{"type", type}, {"low", low}, {"high", high}}; }
 

@@ -22,12 +22,6 @@ std::string studio_text(std::string_view name) {
   throw Error(ExitStatus::bug, "the studio has no file " + std::string(name));
 }
 
-std::string studio_scripts(std::initializer_list<std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text += studio_text(name);
-  return text;
-}
-
 /// `page` with each mark, "@NAME@", replaced. No text holds a mark that comes after its own.
 std::string marked(std::string page, const std::vector<std::pair<std::string, std::string>>& marks) {
   for (const auto& [mark, text] : marks) {
@@ -40,19 +34,15 @@ std::string marked(std::string page, const std::vector<std::pair<std::string, st
 }  // namespace
 
 StudioPage studio_page(const std::string& title, const std::string& token, const std::string& nonce) {
-  const PageParts parts = page_parts({.style = find_style("ink"), .cuts = {}, .made_by = {}});
-  const std::string scripts = studio_scripts(
-      {"svg_text.js", "toml_tree.js", "toml_curves.js", "bezier.js", "drawing.js",    "history.js",   "server.js",
-       "pictures.js", "pane.js",      "node_tool.js",   "places.js", "ramp.js",       "side_text.js", "brush.js",
-       "ribbon.js",   "tools.js",     "paint.js",       "trace.js",  "fruit_view.js", "studio.js",    "panel.js"});
   return {
-      marked(studio_text("studio.html"), {{"@NONCE@", nonce},
-                                          {"@TITLE@", xml_escaped(title)},
-                                          {"@TOKEN@", token},
-                                          {"@STYLE@", studio_text("studio.css")},
-                                          {"@OPTIONS@", parts.options},
-                                          {"@WORKER@", parts.worker + studio_text("unpack.js")},
-                                          {"@SCRIPT@", parts.picture + scripts}}),
+      marked(studio_text("studio.html"),
+             {{"@NONCE@", nonce},
+              {"@TITLE@", xml_escaped(title)},
+              {"@TOKEN@", token},
+              {"@STYLE@", studio_text("studio.css")},
+              {"@OPTIONS@", page_options({.style = find_style("ink"), .cuts = {}, .made_by = {}})},
+              {"@WORKER@", studio_text("unpack_script.js")},
+              {"@SCRIPT@", studio_text("studio_script.js")}}),
       "default-src 'none'; script-src 'nonce-" + nonce + "'; style-src 'nonce-" + nonce +
           "'; img-src 'self' data: blob:; connect-src 'self'; worker-src blob:; base-uri 'none'; form-action 'none'; "
           "frame-ancestors 'none'"};

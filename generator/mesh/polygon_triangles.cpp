@@ -22,9 +22,11 @@ using PolygonKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CornerBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, PolygonKernel>;  // the number of a corner
 enum class Part : std::uint8_t { unknown, outside, inside };
 using SideBase =
-    CGAL::Constrained_triangulation_face_base_2<PolygonKernel, CGAL::Triangulation_face_base_with_info_2<Part, PolygonKernel>>;
+    CGAL::Constrained_triangulation_face_base_2<PolygonKernel,
+                                                CGAL::Triangulation_face_base_with_info_2<Part, PolygonKernel>>;
 using PolygonTriangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<PolygonKernel, CGAL::Triangulation_data_structure_2<CornerBase, SideBase>,
+    CGAL::Constrained_Delaunay_triangulation_2<PolygonKernel,
+                                               CGAL::Triangulation_data_structure_2<CornerBase, SideBase>,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 using Point = PolygonTriangulation::Point;
 using PolygonFace = PolygonTriangulation::Face_handle;
@@ -146,8 +148,8 @@ class Filling {
 
   bool is_border(PolygonFace face, int k) const {
     if (!face->is_constrained(k)) return false;
-    const auto found = is_border_.find(
-        std::minmax(face->vertex(PolygonTriangulation::ccw(k))->info(), face->vertex(PolygonTriangulation::cw(k))->info()));
+    const auto found = is_border_.find(std::minmax(face->vertex(PolygonTriangulation::ccw(k))->info(),
+                                                   face->vertex(PolygonTriangulation::cw(k))->info()));
     return found != is_border_.end() && found->second;
   }
 

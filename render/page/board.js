@@ -1,23 +1,53 @@
 // What lies before one: bodies in their setting, the knives in them, from where one looks; and when it is drawn again.
-'use strict';
-const mostKnives = 4;
+import {boxOfPoints} from './body.js';
+import {Camera} from './camera.js';
+import {Knife} from './knives.js';
+import {M, V} from './linear.js';
+import {say, sorry} from './messages.js';
+import {Pace, restMs} from './pace.js';
+
+export const mostKnives = 4;
 
 /** Pixels of a canvas as it lies on the page. */
 function sizeOf(canvas) {
   const scale = Math.min(2, window.devicePixelRatio || 1);
-  return {width: Math.max(1, Math.round(canvas.clientWidth * scale)), height: Math.max(1, Math.round(canvas.clientHeight * scale))};
+  return {
+    width: Math.max(1, Math.round(canvas.clientWidth * scale)),
+    height: Math.max(1, Math.round(canvas.clientHeight * scale))
+  };
 }
 /** Gives it so many times fewer along each side. */
-function fitCanvas(canvas, divisor) {
+export function fitCanvas(canvas, divisor) {
   const size = sizeOf(canvas), width = Math.ceil(size.width / divisor), height = Math.ceil(size.height / divisor);
-  if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+  }
 }
 
-class Board {
+export class Board {
   /** `setting`: bodies, size of one, setKnives(), arrange(apart, open). */
   constructor(canvas, picture) {
-    Object.assign(this, {canvas, picture, camera: new Camera(), setting: null, knives: [], apart: 0, open: 0, wantedApart: 0, wantedOpen: 0,
-      dark: false, draws: false, settled: false, failed: false, asked: false, stale: true, rough: false, hasMoved: false, lastMoved: 0, bounds: null, pace: new Pace(picture.card)});
+    this.canvas = canvas;
+    this.picture = picture;
+    this.camera = new Camera();
+    this.setting = null;
+    this.knives = [];
+    this.apart = 0;
+    this.open = 0;
+    this.wantedApart = 0;
+    this.wantedOpen = 0;
+    this.dark = false;
+    this.draws = false;
+    this.settled = false;
+    this.failed = false;
+    this.asked = false;
+    this.stale = true;
+    this.rough = false;
+    this.hasMoved = false;
+    this.lastMoved = 0;
+    this.bounds = null;
+    this.pace = new Pace(picture.card);
     this.calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
     /** Told when knives have changed, when a frame has been drawn. */
     this.onKnives = this.onFrame = () => {};
@@ -28,8 +58,8 @@ class Board {
   get first() { return this.bodies[0]; }
 
   /**
-   * While a page opens, nothing fine is drawn where software stands for a card: it would come before what the page opens with. What frames take is not
-   * measured, as compilers have their share in it.
+   * While a page opens, nothing fine is drawn where software stands for a card: it would come before what the page
+   * opens with. What frames take is not measured, as compilers have their share in it.
    */
   beginOpening() { this.pace.measures = false; }
   endOpening() {
@@ -45,15 +75,31 @@ class Board {
     requestAnimationFrame(() => {
       this.asked = false;
       if (this.pace.isBusy()) return this.ask();
-      try { this.frame(); } catch (error) { this.failed = true; sorry(`The fruit cannot be drawn: ${error.message}`); throw error; }
+      try {
+        this.frame();
+      } catch (error) {
+        this.failed = true;
+        sorry(`The fruit cannot be drawn: ${error.message}`);
+        throw error;
+      }
     });
   }
-  moved() { this.lastMoved = performance.now(); this.hasMoved = this.stale = true; this.ask(); }
-  changed() { this.stale = true; this.ask(); }
+  moved() {
+    this.lastMoved = performance.now();
+    this.hasMoved = this.stale = true;
+    this.ask();
+  }
+  changed() {
+    this.stale = true;
+    this.ask();
+  }
 
   /** Pixels: of the picture at rest. */
   get size() { return sizeOf(this.canvas); }
-  get aspect() { const {width, height} = this.size; return width / height; }
+  get aspect() {
+    const {width, height} = this.size;
+    return width / height;
+  }
   arrange() {
     const {setting, camera} = this;
     setting.arrange(this.apart, this.open);
@@ -70,7 +116,14 @@ class Board {
   }
   scene(rough) {
     const {camera, bounds, dark, setting} = this;
-    return {bodies: this.bodies, bounds, dark, rough, size: setting.size, camera: {view: this.view(), eye: camera.eye, yaw: camera.yaw}};
+    return {
+      bodies: this.bodies,
+      bounds,
+      dark,
+      rough,
+      size: setting.size,
+      camera: {view: this.view(), eye: camera.eye, yaw: camera.yaw}
+    };
   }
 
   /** Moves on what moves by itself. */
@@ -82,12 +135,15 @@ class Board {
       this[now] = this.calm || Math.abs(way) < 0.004 ? this[wanted] : this[now] + 0.16 * way;
       moves = true;
     }
-    if (moves) { this.arrange(); this.lastMoved = performance.now(); }
+    if (moves) {
+      this.arrange();
+      this.lastMoved = performance.now();
+    }
     return moves;
   }
   /**
-   * At rest is what has not moved since it was last drawn, not only what moved some time ago: under a hand that drags, a slow card's frames
-   * are farther apart than a rest is long.
+   * At rest is what has not moved since it was last drawn, not only what moved some time ago: under a hand that drags,
+   * a slow card's frames are farther apart than a rest is long.
    */
   isRough(moves, now) {
     const {picture, pace} = this, rests = !moves && !this.hasMoved && now - this.lastMoved > restMs;
@@ -101,7 +157,8 @@ class Board {
     const scale = this.size.height / (2 * Math.tan(camera.field / 2) * camera.far / camera.zoom);
     let more = false, changed = false, waited = begun - this.lastMoved > 150;
     for (const body of this.bodies) {
-      const wanted = Math.max(512, Math.min(2048, Math.ceil(2.1 * body.frame.reach * M.scaleOf(body.place) * scale / 128) * 128));
+      const wanted =
+        Math.max(512, Math.min(2048, Math.ceil(2.1 * body.frame.reach * M.scaleOf(body.place) * scale / 128) * 128));
       const done = body.faces.update(wanted, waited, rough);
       // One body at a time grows finer.
       if (done.more) waited = false;
@@ -116,18 +173,25 @@ class Board {
     }
     this.stale = false;
     this.onFrame();
-    this.settled = this.bodies.every((body) => body.fruit.ready || body.knives.length === 0) && !moves && !more && !this.rough;
+    this.settled =
+      this.bodies.every((body) => body.fruit.ready || body.knives.length === 0) && !moves && !more && !this.rough;
     if (moves || more || this.rough) this.ask();
   }
   /** At once, all of it, as fine as it gets. */
   finish() {
     this.stale = true;
-    do { this.lastMoved = -1e9; this.frame(false); } while (!this.settled);
+    do {
+      this.lastMoved = -1e9;
+      this.frame(false);
+    } while (!this.settled);
   }
 
   // ---- Knives. ----
 
-  /** `from`: how one then looks at them: as fits what is seen, with the camera kept where it is, or from before the last knife's face. */
+  /**
+   * `from`: how one then looks at them: as fits what is seen, with the camera kept where it is, or from before the
+   * last knife's face.
+   */
   takeKnives(knives, from = 'fit') {
     const {camera} = this, before = {target: camera.target, far: camera.far};
     this.knives = knives;
@@ -143,26 +207,33 @@ class Board {
     const first = this.knives.length === 0;
     this.wantedOpen = knives.length === 1 ? open : 0;
     this.wantedApart = knives.length === 0 ? 0 : first || this.wantedApart < 0.05 ? 0.36 : this.wantedApart;
-    if (this.calm) { this.apart = this.wantedApart; this.open = this.wantedOpen; }
+    if (this.calm) {
+      this.apart = this.wantedApart;
+      this.open = this.wantedOpen;
+    }
     this.takeKnives(knives, from);
     this.sayPieces();
   }
   sayPieces() {
-    const names = ['whole', 'one cut', 'two cuts', 'three cuts', 'four cuts'], pieces = this.first.pieces.length, each = this.bodies.length > 1 ? ' each' : '';
-    say(this.knives.length === 0 ? 'whole' : `${names[this.knives.length]}, ${pieces} piece${pieces === 1 ? '' : 's'}${each}`);
+    const names = ['whole', 'one cut', 'two cuts', 'three cuts', 'four cuts'], pieces = this.first.pieces.length;
+    const each = this.bodies.length > 1 ? ' each' : '';
+    say(
+      this.knives.length === 0 ? 'whole'
+                               : `${names[this.knives.length]}, ${pieces} piece${pieces === 1 ? '' : 's'}${each}`);
   }
   /** One flat cut, laid open. */
-  cutOnce(turn, tilt) {
-    this.setKnives([new Knife(this.first.frame, turn, tilt, 0)], {open: 1, from: 'face'});
-  }
+  cutOnce(turn, tilt) { this.setKnives([new Knife(this.first.frame, turn, tilt, 0)], {open: 1, from: 'face'}); }
   cutAgain() {
     const {knife} = this, {frame} = this.first;
     if (!knife || this.knives.length >= mostKnives) return;
     const steep = Math.abs(knife.tilt) > 0.8;
-    const next = knife.drawn ? new Knife(frame, 0, 0, 0) : new Knife(frame, knife.turn + (steep ? 0 : Math.PI / 2), steep ? 0 : knife.tilt, 0);
+    const next = knife.drawn ? new Knife(frame, 0, 0, 0)
+                             : new Knife(frame, knife.turn + (steep ? 0 : Math.PI / 2), steep ? 0 : knife.tilt, 0);
     this.setKnives([...this.knives, next]);
   }
-  undo() { if (this.knives.length > 0) this.setKnives(this.knives.slice(0, -1)); }
+  undo() {
+    if (this.knives.length > 0) this.setKnives(this.knives.slice(0, -1));
+  }
   changeKnife(change) {
     const {knife} = this, {size} = this.first.frame;
     if (!knife || knife.drawn) return;
@@ -212,7 +283,10 @@ class Board {
     camera.pitch = Math.max(-0.25, Math.min(1.5, camera.pitch + pitch));
     this.moved();
   }
-  zoom(by) { this.camera.zoom = Math.max(0.5, Math.min(6, this.camera.zoom * by)); this.moved(); }
+  zoom(by) {
+    this.camera.zoom = Math.max(0.5, Math.min(6, this.camera.zoom * by));
+    this.moved();
+  }
 
   /** What lies at a place of the canvas, in its pixels: {body, part, cut}, or null. */
   at(x, y) { return this.picture.pick(this.scene(false), x / this.canvas.clientWidth, y / this.canvas.clientHeight); }

@@ -1,35 +1,48 @@
-// A thing that can be cut: a fruit, or a piece of one. Its skin, the knives that go through it, and where what they leave
-// lies. Lengths are in cells of its fruit's grid.
-'use strict';
+// A thing that can be cut: a fruit, or a piece of one. Its skin, the knives that go through it, and where what they
+// leave lies. Lengths are in cells of its fruit's grid.
+import {Faces} from './faces.js';
+import {profilePlace, profilePlaces} from './knives.js';
+import {M, V} from './linear.js';
+import {PieceMeshes} from './piece_mesh.js';
+import {homesOf, piecesOf, placed, samplesOf} from './pieces.js';
 
 /** Low and high corner of so many points; `at(i, k)`: the coordinate k of one of them. */
 function boxAround(count, at) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < count; ++i) for (let k = 0; k < 3; ++k) {
-    const x = at(i, k);
-    if (x < low[k]) low[k] = x;
-    if (x > high[k]) high[k] = x;
-  }
+  for (let i = 0; i < count; ++i)
+    for (let k = 0; k < 3; ++k) {
+      const x = at(i, k);
+      if (x < low[k]) low[k] = x;
+      if (x > high[k]) high[k] = x;
+    }
   return {low, high};
 }
 /** Of a skin's corners, which follow one another by tens. */
-const boxOf = (skin) => boxAround(skin.length / 10, (i, k) => skin[10 * i + k]);
-const boxOfPoints = (points) => boxAround(points.length, (i, k) => points[i][k]);
+export const boxOf = (skin) => boxAround(skin.length / 10, (i, k) => skin[10 * i + k]);
+export const boxOfPoints = (points) => boxAround(points.length, (i, k) => points[i][k]);
 
-const faceMargin = 0.02;  // beside a skin its faces are drawn, too: there lie lines, and colours for when they are seen smaller
+const faceMargin =
+  0.02;  // beside a skin its faces are drawn, too: there lie lines, and colours for when they are seen smaller
 
 /** Triangles on the card, and what knives go by: shared by all that look alike. */
-class Shape {
-  /** `skin`: ten numbers a corner (skin.js); `index`: which corners are triangles, or none: three after three; `outwards`: of skin.js. */
+export class Shape {
+  /**
+   * `skin`: ten numbers a corner (skin.js); `index`: which corners are triangles, or none: three after three;
+   * `outwards`: of skin.js.
+   */
   constructor(card, skin, index, outwards) {
     const {low, high} = boxOf(skin), size = V.sub(high, low), middle = V.mul(V.add(low, high), 0.5);
     this.frame = {middle, low, high, size: Math.max(...size), reach: 0.53 * Math.hypot(...size)};
     this.mesh = card.skin(skin, index, outwards);
-    Object.assign(this, {skin, index});
+    this.skin = skin;
+    this.index = index;
   }
 }
 
-/** The box, along a knife's u and v, of a skin (ten numbers a corner): -1 to 1 of its face, a little larger, and at places of its profile. */
+/**
+ * The box, along a knife's u and v, of a skin (ten numbers a corner): -1 to 1 of its face, a little larger, and at
+ * places of its profile.
+ */
 function boxWithin({frame: {origin, u, v, reach}}, skin) {
   const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
   for (let i = 0; i < skin.length; i += 10) {
@@ -44,13 +57,25 @@ function boxWithin({frame: {origin, u, v, reach}}, skin) {
   return [...low.map((s) => place(s - faceMargin, Math.floor)), ...high.map((s) => place(s + faceMargin, Math.ceil))];
 }
 
-class Body {
+export class Body {
   /** `samples`: so many points of its skin stand for it. */
   constructor(picture, fruit, shape, samples = 2500) {
-    Object.assign(this, {fruit, frame: shape.frame, mesh: shape.mesh, skin: shape.skin, index: shape.index, knives: [], pieces: [], arranged: [], place: M.identity(), chosen: false});
+    this.fruit = fruit;
+    this.frame = shape.frame;
+    this.mesh = shape.mesh;
+    this.skin = shape.skin;
+    this.index = shape.index;
+    this.knives = [];
+    this.pieces = [];
+    this.arranged = [];
+    this.place = M.identity();
+    this.chosen = false;
     /** Of a piece, cut faces end where it does, not where its fruit did. */
     this.isPiece = false;
-    /** What knives go around: {stone, socket: meshes; shells; parts}, or null. `homes`: of each shell the cell that has it. */
+    /**
+     * What knives go around: {stone, socket: meshes; shells; parts}, or null. `homes`: of each shell the cell that has
+     * it.
+     */
     this.spared = null;
     this.homes = [];
     this.boxes = new WeakMap();
@@ -88,8 +113,9 @@ class Body {
   meshOf(piece) { return this.parts.of(piece, this.knives); }
   get cutsSpared() { return this.homes.some(({isCut}) => isCut); }
   /**
-   * Walls of a piece beside its skin: of the shells that are cut, those that it has whole, and the sockets of the others. Where a
-   * scene's piece has stones that stand out of it, all of them are drawn so, and not as part of its skin.
+   * Walls of a piece beside its skin: of the shells that are cut, those that it has whole, and the sockets of the
+   * others. Where a scene's piece has stones that stand out of it, all of them are drawn so, and not as part of its
+   * skin.
    */
   wallsOf(piece) {
     if (!this.cutsSpared) return [];
@@ -102,14 +128,15 @@ class Body {
   /** Parts of the skin, as bits, that walls stand for. */
   get leftOut() {
     const bits = [0, 0];
-    if (this.isPiece && this.cutsSpared) for (const part of this.spared.parts) bits[part >> 5] |= 1 << (part & 31);
+    if (this.isPiece && this.cutsSpared)
+      for (const part of this.spared.parts) bits[part >> 5] |= 1 << (part & 31);
     return bits;
   }
 
   /** Pieces where they lie: in cells, then as `place` says. */
   arrange(apart, open) {
-    this.arranged = placed(this.pieces, this.knives, this.frame, apart, open).map((piece) =>
-      ({...piece, own: piece.motion, motion: M.product(this.place, piece.motion)}));
+    this.arranged = placed(this.pieces, this.knives, this.frame, apart, open)
+                      .map((piece) => ({...piece, own: piece.motion, motion: M.product(this.place, piece.motion)}));
   }
   /** Moves all of it to another place, as it is arranged. */
   moveTo(place) {

@@ -1,7 +1,15 @@
 // Where one looks from, and how the fruit fits into the picture.
-'use strict';
-class Camera {
-  constructor() { Object.assign(this, {yaw: 0, pitch: 0, zoom: 1, target: [0, 0, 0], far: 1, field: 0.42}); }
+import {M, V} from './linear.js';
+
+export class Camera {
+  constructor() {
+    this.yaw = 0;
+    this.pitch = 0;
+    this.zoom = 1;
+    this.target = [0, 0, 0];
+    this.far = 1;
+    this.field = 0.42;
+  }
 
   get directions() {
     const {yaw, pitch} = this, c = Math.cos(pitch), back = [c * Math.sin(yaw), Math.sin(pitch), c * Math.cos(yaw)];
@@ -32,7 +40,8 @@ class Camera {
 
   view(aspect, size) {
     const distance = this.far / this.zoom, near = Math.max(distance - 2.5 * size, distance / 50);
-    return M.product(M.perspective(this.field, aspect, near, distance + 4 * size), M.lookAt(this.eye, this.target, [0, 1, 0]));
+    return M.product(
+      M.perspective(this.field, aspect, near, distance + 4 * size), M.lookAt(this.eye, this.target, [0, 1, 0]));
   }
 
   /** The direction of the ray through a place of the picture, -1 to 1 from below. */

@@ -1,23 +1,26 @@
 // What the graphics card holds: programs, textures, buffers.
-'use strict';
-class Card {
+
+export class Card {
   /** `antialias`: whether what is drawn on the canvas has smooth edges; samples() has them where it has not. */
   constructor(canvas, shaders, antialias) {
     this.gl = canvas.getContext('webgl2', {antialias, premultipliedAlpha: true, powerPreference: 'high-performance'});
     this.shaders = shaders;
     if (!this.gl) return;
-    const known = this.gl.getExtension('WEBGL_debug_renderer_info'), renderer = known ? this.gl.getParameter(known.UNMASKED_RENDERER_WEBGL) : '';
+    const known = this.gl.getExtension('WEBGL_debug_renderer_info');
+    const renderer = known ? this.gl.getParameter(known.UNMASKED_RENDERER_WEBGL) : '';
     this.parallel = this.gl.getExtension('KHR_parallel_shader_compile');
     /** Software that stands for a card is known to be slow before it has drawn anything. */
     this.isSoftware = /swiftshader|llvmpipe|software|basic render/i.test(renderer);
   }
 
   /**
-   * A shader's text with what it includes; texel buffers of pictures' shaders are rows of float textures here. */
+   * A shader's text with what it includes; texel buffers of pictures' shaders are rows of float textures here.
+   */
   text(name, seen = new Set()) {
     if (seen.has(name)) return '';
     seen.add(name);
-    return this.shaders[name].replace(/^#include "(.*)"$/gm, (_, other) => this.text(other, seen))
+    return this.shaders[name]
+      .replace(/^#include "(.*)"$/gm, (_, other) => this.text(other, seen))
       .replace(/uniform samplerBuffer/g, 'uniform highp sampler2D')
       .replace(/texelFetch\((noise_styles|detail_styles|materials), ([^()]*)\)/g, 'texelFetch($1, ivec2($2, 0), 0)');
   }
@@ -29,7 +32,8 @@ class Card {
   start(made) {
     if (made.program) return;
     const {gl} = this, {name, defines} = made, program = made.program = gl.createProgram(), text = this.text(name);
-    const head = '#version 300 es\n#define COMPACT\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler3D;\n';
+    const head = '#version 300 es\n#define COMPACT\nprecision highp float;\nprecision highp int;\n' +
+      'precision highp sampler2D;\nprecision highp sampler3D;\n';
     for (const [stage, define] of [[gl.VERTEX_SHADER, 'VERTEX'], [gl.FRAGMENT_SHADER, 'FRAGMENT']]) {
       const shader = gl.createShader(stage);
       gl.shaderSource(shader, head + [define, ...defines].map((d) => `#define ${d}\n`).join('') + text);
@@ -56,8 +60,8 @@ class Card {
     return made.uniforms;
   }
   /**
-   * Asks for its uniforms, when it has been compiled or is first drawn with, so that programs compile side by side. The answer comes after all that
-   * the card has been told before.
+   * Asks for its uniforms, when it has been compiled or is first drawn with, so that programs compile side by side. The
+   * answer comes after all that the card has been told before.
    */
   know(made) {
     const {gl} = this;
@@ -81,7 +85,8 @@ class Card {
     make(target);
     gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, filter === 'mipmaps' ? gl.LINEAR_MIPMAP_LINEAR : filter);
     gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, filter === 'mipmaps' ? gl.LINEAR : filter);
-    for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R]) gl.texParameteri(target, wrap, gl.CLAMP_TO_EDGE);
+    for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R])
+      gl.texParameteri(target, wrap, gl.CLAMP_TO_EDGE);
     return {texture, target};
   }
   volume(count, format, kind, type, data, filter) {
@@ -92,17 +97,25 @@ class Card {
     const {gl} = this, rows = data.length / (width * perTexel);
     return this.texture(gl.TEXTURE_2D, filter, (t) => gl.texImage2D(t, 0, format, width, rows, 0, kind, type, data));
   }
-  floats(data, filter) { return this.table(Math.max(1, data.length / 4), this.gl.RGBA32F, this.gl.RGBA, this.gl.FLOAT, data.length ? data : new Float32Array(4), 4, filter); }
+  floats(data, filter) {
+    return this.table(
+      Math.max(1, data.length / 4), this.gl.RGBA32F, this.gl.RGBA, this.gl.FLOAT,
+      data.length ? data : new Float32Array(4), 4, filter);
+  }
 
   /** Somewhere to draw: colour textures of these formats, and depth if wanted. */
   target(width, height, formats, depth = null) {
     const {gl} = this, target = {width, height, buffer: gl.createFramebuffer()};
-    target.colors = formats.map(([format, filter]) => this.texture(gl.TEXTURE_2D, filter, (t) =>
-      gl.texStorage2D(t, filter === 'mipmaps' ? 1 + Math.floor(Math.log2(width)) : 1, format, width, height)));
+    target.colors = formats.map(
+      ([format, filter]) => this.texture(
+        gl.TEXTURE_2D, filter,
+        (t) => gl.texStorage2D(t, filter === 'mipmaps' ? 1 + Math.floor(Math.log2(width)) : 1, format, width, height)));
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
-    target.colors.forEach(({texture}, i) => gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, 0));
+    target.colors.forEach(
+      ({texture}, i) => gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, 0));
     if (depth) {
-      target.depth = this.texture(gl.TEXTURE_2D, gl.NEAREST, (t) => gl.texStorage2D(t, 1, gl.DEPTH_COMPONENT24, width, height));
+      target.depth =
+        this.texture(gl.TEXTURE_2D, gl.NEAREST, (t) => gl.texStorage2D(t, 1, gl.DEPTH_COMPONENT24, width, height));
       gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, target.depth.texture, 0);
     }
     gl.drawBuffers(formats.length ? formats.map((_, i) => gl.COLOR_ATTACHMENT0 + i) : [gl.NONE]);
@@ -111,15 +124,17 @@ class Card {
   }
   /** Somewhere to draw with smooth edges: several samples a pixel, which putOn() puts together on the canvas. */
   samples(width, height) {
-    const {gl} = this, target = {width, height, buffer: gl.createFramebuffer()}, count = Math.min(4, gl.getParameter(gl.MAX_SAMPLES));
+    const {gl} = this, target = {width, height, buffer: gl.createFramebuffer(), layers: []};
+    const count = Math.min(4, gl.getParameter(gl.MAX_SAMPLES));
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
-    target.layers = [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]].map(([format, place]) => {
-      const layer = gl.createRenderbuffer();
-      gl.bindRenderbuffer(gl.RENDERBUFFER, layer);
-      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, count, format, width, height);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, layer);
-      return layer;
-    });
+    target.layers =
+      [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]].map(([format, place]) => {
+        const layer = gl.createRenderbuffer();
+        gl.bindRenderbuffer(gl.RENDERBUFFER, layer);
+        gl.renderbufferStorageMultisample(gl.RENDERBUFFER, count, format, width, height);
+        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, layer);
+        return layer;
+      });
     return target;
   }
   putOn({width, height, buffer}) {
@@ -135,7 +150,8 @@ class Card {
   }
   drop(target) {
     if (!target) return;
-    for (const {texture} of target.depth ? [...target.colors, target.depth] : target.colors) this.gl.deleteTexture(texture);
+    for (const {texture} of target.depth ? [...target.colors, target.depth] : target.colors)
+      this.gl.deleteTexture(texture);
     this.gl.deleteFramebuffer(target.buffer);
   }
 
@@ -154,14 +170,34 @@ class Card {
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
     return buffer;
   }
-  /** `data` in groups of floats per vertex, at locations 0, 1, ...; three more of `outwards` at the next; `index` of triangles' corners, or none. */
+  /**
+   * `data` in groups of floats per vertex, at locations 0, 1, ...; three more of `outwards` at the next; `index` of
+   * triangles' corners, or none.
+   */
   vertices(data, groups, index = null, outwards = null) {
     const stride = groups.reduce((a, b) => a + b, 0);
-    return this.mesh({buffer: this.buffer(data), outwards: outwards && this.buffer(outwards), groups, stride, count: data.length / stride}, index);
+    return this.mesh(
+      {
+        buffer: this.buffer(data),
+        outwards: outwards && this.buffer(outwards),
+        groups,
+        stride,
+        count: data.length / stride
+      },
+      index);
   }
   /** Of corners that are on the card, or of another mesh, which shares its corners then. */
   mesh({buffer, outwards, groups, stride, count}, index) {
-    const {gl} = this, array = gl.createVertexArray(), made = {buffer, outwards, groups, stride, array, indices: index && gl.createBuffer(), count: index ? index.length : count};
+    const {gl} = this, array = gl.createVertexArray();
+    const made = {
+      buffer,
+      outwards,
+      groups,
+      stride,
+      array,
+      indices: index && gl.createBuffer(),
+      count: index ? index.length : count
+    };
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     let at = 0;
@@ -192,6 +228,7 @@ class Card {
   draw({array, indices, count}, first = 0, some = count) {
     const {gl} = this;
     gl.bindVertexArray(array);
-    if (indices) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0); else gl.drawArrays(gl.TRIANGLES, first, some);
+    if (indices) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0);
+    else gl.drawArrays(gl.TRIANGLES, first, some);
   }
 }

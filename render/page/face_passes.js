@@ -1,12 +1,19 @@
 // The passes that make a face's textures: bare colours, ways to rims, noise, details, lines.
-'use strict';
+import {linearOf} from './color.js';
+import {profilePlaces} from './knives.js';
+import {V} from './linear.js';
+
 const rimReach = 0.004;  // metres: farther from its rim all of a part is alike (render/style/face_relief.h)
 
-class FacePasses {
+export class FacePasses {
   constructor(card, style) {
     const {gl} = card;
-    Object.assign(this, {card, gl, style});
-    this.programs = Object.fromEntries([['look', 'LOOK'], ['within', 'WITHIN'], ['ways', 'WAYS'], ['tone', 'TONE'], ['lines', 'INK']].map(([name, mode]) => [name, card.program('section.glsl', [mode])]));
+    this.card = card;
+    this.gl = gl;
+    this.style = style;
+    this.programs = Object.fromEntries([
+      ['look', 'LOOK'], ['within', 'WITHIN'], ['ways', 'WAYS'], ['tone', 'TONE'], ['lines', 'INK']
+    ].map(([name, mode]) => [name, card.program('section.glsl', [mode])]));
     this.programs.crossed = card.program('skin.glsl', ['CROSSED']);
     this.kinds = new Map();
     this.empty = gl.createVertexArray();
@@ -20,7 +27,8 @@ class FacePasses {
     const {gl} = this;
     gl.activeTexture(gl.TEXTURE15);
     gl.bindTexture(gl.TEXTURE_2D, this.profiles.texture);
-    knives.forEach((knife, k) => gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, k, profilePlaces, 1, gl.RED, gl.FLOAT, knife.profile));
+    knives.forEach(
+      (knife, k) => gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, k, profilePlaces, 1, gl.RED, gl.FLOAT, knife.profile));
   }
 
   setFrame(u, {origin, u: along, v, n, reach}, k) {
@@ -50,8 +58,8 @@ class FacePasses {
   }
 
   /**
-   * Takes from a face what lies outside of meshes, or within them. Rays leave each place of the knife along its normal; where
-   * they leave the meshes as often as they enter them, the place lies outside. `draw()` draws them.
+   * Takes from a face what lies outside of meshes, or within them. Rays leave each place of the knife along its normal;
+   * where they leave the meshes as often as they enter them, the place lies outside. `draw()` draws them.
    */
   keep(inside, face, k, draw) {
     const {gl, card} = this, {size} = face, crossed = card.target(size, size, [[gl.RGBA8, gl.NEAREST]]);
@@ -75,14 +83,17 @@ class FacePasses {
   keepWithin(body, face, k) { this.keep(true, face, k, () => this.card.draw(body.mesh)); }
   /** Parts that knives go around leave holes. */
   leaveOut({spared, homes}, face, k) {
-    this.keep(false, face, k, () => spared.shells.forEach(({stone}, i) => { if (homes[i].isCut) this.card.draw(spared.stone, ...stone); }));
+    this.keep(false, face, k, () => spared.shells.forEach(({stone}, i) => {
+      if (homes[i].isCut) this.card.draw(spared.stone, ...stone);
+    }));
   }
 
   // ---- Stages of a face (faces.js), in order; each reads what those before it have left. ----
 
   /** Somewhere to leave colours and heights between stages, and ways along rows. */
   newPaint(size) {
-    const {gl, card} = this, left = () => card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]);
+    const {gl, card} = this;
+    const left = () => card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]);
     return [left(), left(), card.target(size, size, [[gl.RGBA8, gl.NEAREST]])];
   }
   /** What a face shows: its colours; slopes along u and v, and how far a part's rim is. */
@@ -92,10 +103,14 @@ class FacePasses {
   }
 
   lookStages(body, face, k) {
-    const {gl} = this, stages = [{name: 'look', draw: () => {
-      gl.bindFramebuffer(gl.FRAMEBUFFER, face.bare.buffer);
-      this.drawLook(body.fruit, face.frame, k);
-    }}];
+    const {gl} = this;
+    const stages = [{
+      name: 'look',
+      draw: () => {
+        gl.bindFramebuffer(gl.FRAMEBUFFER, face.bare.buffer);
+        this.drawLook(body.fruit, face.frame, k);
+      }
+    }];
     if (body.isPiece) stages.push({name: 'within', once: true, draw: () => this.keepWithin(body, face, k)});
     if (body.cutsSpared) stages.push({name: 'without', once: true, draw: () => this.leaveOut(body, face, k)});
     return stages;
@@ -103,28 +118,32 @@ class FacePasses {
 
   /** Ways to rims, noise, these details, lines and slopes. */
   paintStages(fruit, face, k, details) {
-    const {gl, card, style} = this, {header} = fruit, {guide} = header, [one, other, ways] = face.paint, hasNoise = style.noise && fruit.hasNoise, texel = 2 * face.frame.reach * header.spacing / face.size;
+    const {gl, card, style} = this, {header} = fruit, {guide} = header, [one, other, ways] = face.paint;
+    const hasNoise = style.noise && fruit.hasNoise, texel = 2 * face.frame.reach * header.spacing / face.size;
     const reach = fruit.showsRim ? Math.min(127, Math.ceil(rimReach / texel)) : 0, stages = [];
     let left = {colors: [face.bare.colors[0], this.level]}, isOne = false;
-    const pass = (name, program, target, set = () => {}) => {
+    const pass = (name, program, target, set = (_u) => {}) => {
       const before = left;
-      stages.push({name, draw: () => {
-        const u = card.use(program);
-        this.setFrame(u, face.frame, k);
-        card.bind(u.bare, 0, face.bare.colors[0]);
-        card.bind(u.tags, 1, face.bare.colors[1]);
-        card.bind(u.before, 2, before.colors[0]);
-        card.bind(u.heights, 8, before.colors[1]);
-        card.bind(u.noise_styles, 5, fruit.look.noise_styles);
-        card.bind(u.materials, 6, fruit.look.materials);
-        gl.uniform4fv(u.lattice, fruit.lattice);
-        gl.uniform1i(u.reach, reach);
-        gl.uniform2f(u.texel, texel, rimReach);
-        set(u);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
-        gl.bindVertexArray(this.empty);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
-      }});
+      stages.push({
+        name,
+        draw: () => {
+          const u = card.use(program);
+          this.setFrame(u, face.frame, k);
+          card.bind(u.bare, 0, face.bare.colors[0]);
+          card.bind(u.tags, 1, face.bare.colors[1]);
+          card.bind(u.before, 2, before.colors[0]);
+          card.bind(u.heights, 8, before.colors[1]);
+          card.bind(u.noise_styles, 5, fruit.look.noise_styles);
+          card.bind(u.materials, 6, fruit.look.materials);
+          gl.uniform4fv(u.lattice, fruit.lattice);
+          gl.uniform1i(u.reach, reach);
+          gl.uniform2f(u.texel, texel, rimReach);
+          set(u);
+          gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
+          gl.bindVertexArray(this.empty);
+          gl.drawArrays(gl.TRIANGLES, 0, 3);
+        }
+      });
     };
     const further = (name, program, set) => {
       isOne = !isOne;
@@ -146,14 +165,21 @@ class FacePasses {
     }
     pass('lines', this.programs.lines, face.styled, (u) => {
       card.bind(u.ways, 10, ways.colors[0]);
-      gl.uniform4f(u.ink, ...colorOf(style.ink || header.ink), style.lines ? style.inner_opacity : 0);
+      gl.uniform4f(u.ink, ...linearOf(style.ink || header.ink), style.lines ? style.inner_opacity : 0);
       gl.uniform1f(u.ink_width, 0.34 * style.inner * header.ink_width * face.size);
       gl.uniform1i(u.has_heights, hasNoise && details.length > 0 ? 1 : 0);
     });
-    stages.push({name: 'mipmaps', once: true, draw: () => {
-      gl.activeTexture(gl.TEXTURE15);
-      for (const {texture} of face.styled.colors) { gl.bindTexture(gl.TEXTURE_2D, texture); gl.generateMipmap(gl.TEXTURE_2D); }
-    }});
+    stages.push({
+      name: 'mipmaps',
+      once: true,
+      draw: () => {
+        gl.activeTexture(gl.TEXTURE15);
+        for (const {texture} of face.styled.colors) {
+          gl.bindTexture(gl.TEXTURE_2D, texture);
+          gl.generateMipmap(gl.TEXTURE_2D);
+        }
+      }
+    });
     return stages;
   }
 

@@ -1,12 +1,21 @@
 // The cut faces of one body: worked out once for each place of a knife, into textures, so that turning the fruit costs
 // little; while a knife moves they are coarse, fine when it rests, and then details come.
-'use strict';
-const frameMs = 30;          // of work on faces in one frame
-const longestDetails = 15e3; // ms: cards that would take longer for a face's details go without
 
-/** How fast the card is, as faces have shown it: texels a millisecond, the side of a coarse face, and what a texel of each stage takes. */
-class FaceSpeed {
-  constructor() { Object.assign(this, {coarse: 256, perMs: 0, measured: false, costs: new Map(), skipsDetails: false}); }
+const frameMs = 30;           // of work on faces in one frame
+const longestDetails = 15e3;  // ms: cards that would take longer for a face's details go without
+
+/**
+ * How fast the card is, as faces have shown it: texels a millisecond, the side of a coarse face, and what a texel of
+ * each stage takes.
+ */
+export class FaceSpeed {
+  constructor() {
+    this.coarse = 256;
+    this.perMs = 0;
+    this.measured = false;
+    this.costs = new Map();
+    this.skipsDetails = false;
+  }
   take(texels, ms) {
     // The first time takes the compiler's time, too.
     if (this.measured) {
@@ -26,11 +35,19 @@ class FaceSpeed {
 
 /** What is still to be done on a face: stages {name, once, draw}, one after another, each row by row or all at once. */
 class FaceWork {
-  constructor(passes, speed, size, stages) { Object.assign(this, {passes, speed, size, stages, at: 0, row: 0}); }
+  constructor(passes, speed, size, stages) {
+    this.passes = passes;
+    this.speed = speed;
+    this.size = size;
+    this.stages = stages;
+    this.at = 0;
+    this.row = 0;
+  }
 
   /** The next so many rows; true when all is done. */
   go(rows) {
-    const {gl} = this.passes, {size} = this, stage = this.stages[this.at], end = stage.once ? size : Math.min(size, this.row + rows);
+    const {gl} = this.passes, {size} = this, stage = this.stages[this.at];
+    const end = stage.once ? size : Math.min(size, this.row + rows);
     gl.disable(gl.BLEND);
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.CULL_FACE);
@@ -42,18 +59,25 @@ class FaceWork {
     stage.draw();
     gl.disable(gl.SCISSOR_TEST);
     this.row = end;
-    if (end === size) { ++this.at; this.row = 0; }
+    if (end === size) {
+      ++this.at;
+      this.row = 0;
+    }
     return this.at === this.stages.length;
   }
   /** All at once. */
-  goThrough() { while (!this.go(this.size)); }
+  goThrough() {
+    while (!this.go(this.size))
+      ;
+  }
   finish() {
     this.goThrough();
     this.wait();
   }
   /** As much as a frame has time for; true when all is done. */
   goOn() {
-    const {speed, size, stages} = this, {name, once} = stages[this.at], rows = once ? size : Math.min(size - this.row, speed.rows(name, size)), begin = performance.now();
+    const {speed, size, stages} = this, {name, once} = stages[this.at];
+    const rows = once ? size : Math.min(size - this.row, speed.rows(name, size)), begin = performance.now();
     const done = this.go(rows);
     this.wait();
     speed.takeStage(name, rows * size, performance.now() - begin);
@@ -66,12 +90,19 @@ class FaceWork {
   }
 }
 
-class Faces {
-  constructor(passes, speed, body) { Object.assign(this, {passes, speed, body, all: [], withDetails: true}); }
+export class Faces {
+  constructor(passes, speed, body) {
+    this.passes = passes;
+    this.speed = speed;
+    this.body = body;
+    this.all = [];
+    this.withDetails = true;
+  }
 
   /** A face to be, and the work that gives it its bare colours. `filter`: how these are seen. */
   begunFace(knife, size, k, filter) {
-    const {passes, speed, body} = this, {gl, card} = passes, bare = card.target(size, size, [[gl.SRGB8_ALPHA8, filter], [gl.RGBA8, gl.NEAREST]]);
+    const {passes, speed, body} = this, {gl, card} = passes;
+    const bare = card.target(size, size, [[gl.SRGB8_ALPHA8, filter], [gl.RGBA8, gl.NEAREST]]);
     const face = {key: knife.key, size, frame: knife.frame, bare, paint: null, isDetailed: false, isBare: false};
     face.work = new FaceWork(passes, speed, size, passes.lookStages(body, face, k));
     return face;
@@ -82,7 +113,9 @@ class Faces {
     face.work.stages.push(...passes.paintStages(body.fruit, face, k, []));
     return face;
   }
-  /** Without noise, lines and rims: what is seen of it are its bare colours. Nobody waits until the card has drawn it. */
+  /**
+   * Without noise, lines and rims: what is seen of it are its bare colours. Nobody waits until the card has drawn it.
+   */
   bareFace(knife, size, k) {
     const {passes} = this, face = this.begunFace(knife, size, k, passes.gl.LINEAR);
     face.work.goThrough();
@@ -95,7 +128,10 @@ class Faces {
     if (face.next) card.drop(face.next);
   }
   drop() {
-    for (const {now, next} of this.all) { this.dropFace(now); this.dropFace(next); }
+    for (const {now, next} of this.all) {
+      this.dropFace(now);
+      this.dropFace(next);
+    }
     this.all = [];
   }
   done(face) {
@@ -109,7 +145,8 @@ class Faces {
     if (!face.work) {
       face.next = passes.newStyled(face.size);
       face.paint = passes.newPaint(face.size);
-      face.work = new FaceWork(passes, speed, face.size, passes.paintStages(fruit, {...face, styled: face.next}, k, fruit.details));
+      face.work = new FaceWork(
+        passes, speed, face.size, passes.paintStages(fruit, {...face, styled: face.next}, k, fruit.details));
     }
     if (!face.work.goOn()) {
       const cost = Math.max(0, ...fruit.details.map(({kind}) => speed.costs.get(`detail ${kind}`) || 0));
@@ -126,19 +163,27 @@ class Faces {
   }
 
   /**
-   * Faces for all knives, at least coarse ones; `waited` where there is time for more. {more: there is more to do, changed: the picture is}. `rough`: the
-   * picture is, too; then the first faces of all are bare until they are finer, as nothing but the look-up need be compiled for them.
+   * Faces for all knives, at least coarse ones; `waited` where there is time for more. {more: there is more to do,
+   * changed: the picture is}. `rough`: the picture is, too; then the first faces of all are bare until they are finer,
+   * as nothing but the look-up need be compiled for them.
    */
   update(wanted, waited, rough = false) {
     const {passes, speed, body} = this, {knives, fruit} = body;
-    while (this.all.length > knives.length) { const {now, next} = this.all.pop(); this.dropFace(now); this.dropFace(next); }
+    while (this.all.length > knives.length) {
+      const {now, next} = this.all.pop();
+      this.dropFace(now);
+      this.dropFace(next);
+    }
     if (!fruit.ready || knives.length === 0) return {more: false, changed: false};
     passes.setProfiles(knives);
     const firstBare = rough && !speed.measured;
     let more = false, changed = false;
     knives.forEach((knife, k) => {
       const slot = this.all[k] || (this.all[k] = {now: null, next: null});
-      if (slot.next && slot.next.key !== knife.key) { this.dropFace(slot.next); slot.next = null; }
+      if (slot.next && slot.next.key !== knife.key) {
+        this.dropFace(slot.next);
+        slot.next = null;
+      }
       if (!slot.now && firstBare) {
         slot.now = this.bareFace(knife, speed.coarse, k);
         more = changed = true;
@@ -153,7 +198,8 @@ class Faces {
         slot.now = face;
         changed = true;
       }
-      const {now} = slot, size = Math.min(wanted, speed.isSlow ? 1024 : 2048), wantsDetails = this.withDetails && !speed.skipsDetails && !now.isDetailed && passes.hasDetails(fruit);
+      const {now} = slot, size = Math.min(wanted, speed.isSlow ? 1024 : 2048);
+      const wantsDetails = this.withDetails && !speed.skipsDetails && !now.isDetailed && passes.hasDetails(fruit);
       if (now.size >= size && !wantsDetails) return;
       more = true;
       if (!waited) return;

@@ -1,31 +1,52 @@
 // What the graphics card holds of one fruit: grid, cells, triangles, guides, and how it is painted.
-'use strict';
-/** A shell (spared.js) with what pieces go by: points of its own surface, and some that stand for it among all of the fruit's. */
+
+/**
+ * A shell (spared.js) with what pieces go by: points of its own surface, and some that stand for it among all of the
+ * fruit's.
+ */
 function shellOf({first, count, points}, stone) {
   const rim = new Float32Array(count), samples = [], every = 3 * Math.max(1, Math.floor(points.length / 3 / 300));
   for (let i = 0; i < count / 3; ++i) rim.set(stone.subarray(10 * (first + 3 * i), 10 * (first + 3 * i) + 3), 3 * i);
   for (let i = 0; i < points.length; i += every) samples.push([...points.subarray(i, i + 3)]);
-  for (let i = 0; i < rim.length; i += 3 * Math.max(1, Math.floor(count / 900))) samples.push([...rim.subarray(i, i + 3)]);
+  for (let i = 0; i < rim.length; i += 3 * Math.max(1, Math.floor(count / 900)))
+    samples.push([...rim.subarray(i, i + 3)]);
   return {stone: [first, count], socket: [first, count], points, rim, samples};
 }
 
-class FruitTextures {
+export class FruitTextures {
   /** `header`: an asset's, or what stands for it until one is there. */
   constructor(card, header) {
     const {spacing, origin} = header;
-    Object.assign(this, {card, header, lattice: [...origin, spacing], ready: false, hasNoise: false, showsRim: false, details: [], spared: null});
+    this.card = card;
+    this.header = header;
+    this.lattice = [...origin, spacing];
+    this.ready = false;
+    this.hasNoise = false;
+    this.showsRim = false;
+    this.details = [];
+    this.spared = null;
     // Until the rest is there, nothing is known of noise and materials.
     const plain = [1, 0.3, 1, 0, 1, 1, 1, 0, 0.7, 0.8, 0.8, 100, 0, 0, 0, 0, 0.4, 0, 0, 0];
-    this.takeLook({noise: new Float32Array(0), details: new Float32Array(0), materials: Float32Array.from(header.parts.flatMap(() => plain))});
+    this.takeLook({
+      noise: new Float32Array(0),
+      details: new Float32Array(0),
+      materials: Float32Array.from(header.parts.flatMap(() => plain))
+    });
   }
 
   takeLook({noise, details, materials}) {
     const {card} = this, {gl} = card;
-    this.look = {noise_styles: card.floats(noise, gl.NEAREST), detail_styles: card.floats(details, gl.NEAREST), materials: card.floats(materials, gl.NEAREST)};
+    this.look = {
+      noise_styles: card.floats(noise, gl.NEAREST),
+      detail_styles: card.floats(details, gl.NEAREST),
+      materials: card.floats(materials, gl.NEAREST)
+    };
     this.hasNoise = noise.length > 0;
-    // Gels and parts with a relief look otherwise near their rims (shaders/material.glsl: the last of a part's texels has its relief).
+    // Gels and parts with a relief look otherwise near their rims (shaders/material.glsl: the last of a part's texels
+    // has its relief).
     this.showsRim = false;
-    for (let i = 0; i < materials.length; i += 20) if (materials[i + 3] > 0.0034 || materials[i + 19] !== 0) this.showsRim = true;
+    for (let i = 0; i < materials.length; i += 20)
+      if (materials[i + 3] > 0.0034 || materials[i + 19] !== 0) this.showsRim = true;
   }
 
   /** What the worker has made of the whole asset: from now on it can be cut. */
@@ -37,8 +58,11 @@ class FruitTextures {
     this.triangle = card.table(4096, gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT, rest.triangle, 4);
     this.range = [rest.low, rest.high];
     this.takeLook(rest);
-    this.guide = card.volume(guide ? guide.count : [1, 1, 1], gl.RGBA16F, gl.RGBA, gl.FLOAT, guide ? rest.guide : new Float32Array(4), gl.LINEAR);
-    this.shares = card.table(32, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, guide ? rest.share : new Uint8Array(128), 4, gl.LINEAR);
+    this.guide = card.volume(
+      guide ? guide.count : [1, 1, 1], gl.RGBA16F, gl.RGBA, gl.FLOAT, guide ? rest.guide : new Float32Array(4),
+      gl.LINEAR);
+    this.shares =
+      card.table(32, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, guide ? rest.share : new Uint8Array(128), 4, gl.LINEAR);
     // Details of cut faces: their texels begin with the kind, -1 for none.
     for (let i = 0; guide && i < 4 && 28 * i < rest.details.length; ++i) {
       const kind = rest.details[28 * i];
@@ -46,7 +70,13 @@ class FruitTextures {
     }
     if (rest.spared) {
       const {stone, socket, shells} = rest.spared;
-      this.spared = {stone: card.skin(stone), socket: card.skin(socket), data: rest.spared, parts: this.header.spared, shells: shells.map((shell) => shellOf(shell, stone))};
+      this.spared = {
+        stone: card.skin(stone),
+        socket: card.skin(socket),
+        data: rest.spared,
+        parts: this.header.spared,
+        shells: shells.map((shell) => shellOf(shell, stone))
+      };
     }
     this.ready = true;
   }

@@ -1,16 +1,31 @@
 // Pointers over the picture: they turn, zoom, draw, move the knife, and ask what lies under them.
-'use strict';
-class Hands {
+import {$} from './messages.js';
+
+export class Hands {
   /** `nameOf(found)`: what is said of what board.at() has found; `onTap(found)`: a press that went nowhere. */
-  constructor(board, blade, stroke, {nameOf, onTap = () => {}}) {
-    Object.assign(this, {board, blade, stroke, nameOf, onTap, held: new Map(), pinch: 0, naming: 0, way: 0});
+  constructor(board, blade, stroke, {nameOf, onTap = (_found) => {}}) {
+    this.board = board;
+    this.blade = blade;
+    this.stroke = stroke;
+    this.nameOf = nameOf;
+    this.onTap = onTap;
+    this.held = new Map();
+    this.pinch = 0;
+    this.naming = 0;
+    this.way = 0;
     const {canvas} = board;
     canvas.addEventListener('pointerdown', (event) => this.down(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
-    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, (event) => this.up(event, end === 'pointerup'));
-    canvas.addEventListener('pointerleave', () => { $('name').hidden = true; });
+    for (const end of ['pointerup', 'pointercancel'])
+      canvas.addEventListener(end, (event) => this.up(event, end === 'pointerup'));
+    canvas.addEventListener('pointerleave', () => {
+      $('name').hidden = true;
+    });
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
-    canvas.addEventListener('wheel', (event) => { event.preventDefault(); board.zoom(Math.exp(-event.deltaY / 900)); }, {passive: false});
+    canvas.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      board.zoom(Math.exp(-event.deltaY / 900));
+    }, {passive: false});
   }
   down(event) {
     const {board, stroke} = this;

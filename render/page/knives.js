@@ -1,17 +1,26 @@
 // Knives: a plane through the fruit, and what its blade does beside it, as heights over the plane along one direction:
 // nothing, waves, or a stroke that was drawn. Lengths are in cells of the grid.
-'use strict';
-const profilePlaces = 256;
-/** Which of these is nearest, or the next one before or after (`round`), to s from -1 to 1. */
-const profilePlace = (s, round = Math.round) => Math.max(0, Math.min(profilePlaces - 1, round((s * 0.5 + 0.5) * (profilePlaces - 1))));
+import {V} from './linear.js';
 
-class Knife {
+export const profilePlaces = 256;
+/** Which of these is nearest, or the next one before or after (`round`), to s from -1 to 1. */
+export const profilePlace = (s, round = Math.round) =>
+  Math.max(0, Math.min(profilePlaces - 1, round((s * 0.5 + 0.5) * (profilePlaces - 1))));
+
+export class Knife {
   /**
-   * `fruit`: {middle, reach}. Turn and tilt are angles of the plane's normal, shift its distance from the middle. `laid`: of
-   * a plane that the page opened with {knife, step}, by which its knife's cells are numbered (render/page/page.h).
+   * `fruit`: {middle, reach}. Turn and tilt are angles of the plane's normal, shift its distance from the middle.
+   * `laid`: of a plane that the page opened with {knife, step}, by which its knife's cells are numbered
+   * (render/page/page.h).
    */
   constructor(fruit, turn = 0, tilt = 0, shift = 0) {
-    Object.assign(this, {fruit, turn, tilt, shift, waves: 0, drawn: null, laid: null});
+    this.fruit = fruit;
+    this.turn = turn;
+    this.tilt = tilt;
+    this.shift = shift;
+    this.waves = 0;
+    this.drawn = null;
+    this.laid = null;
   }
   static ofPlane(fruit, normal, offset) {
     const n = V.unit(normal), tilt = Math.asin(Math.max(-1, Math.min(1, n[1])));
@@ -33,8 +42,9 @@ class Knife {
   get profile() {
     if (this.drawn) return this.drawn.profile;
     const {waves, fruit} = this;
-    return Float32Array.from({length: profilePlaces}, (_, i) =>
-      waves * 0.045 * fruit.reach * Math.sin(i / (profilePlaces - 1) * 2 * Math.PI * 9));
+    return Float32Array.from(
+      {length: profilePlaces},
+      (_, i) => waves * 0.045 * fruit.reach * Math.sin(i / (profilePlaces - 1) * 2 * Math.PI * 9));
   }
   get isCurved() { return this.waves > 0 || this.drawn !== null; }
 
@@ -46,33 +56,45 @@ class Knife {
 
   /** For points, the first three of `stride` numbers each: tells how far each lies over the blade, `take(i, cells)`. */
   overBlade(points, stride, take) {
-    const {frame: {origin, n, u, reach}, profile} = this, along = V.mul(u, 1 / reach), offset = V.dot(n, origin), start = V.dot(along, origin);
+    const {frame: {origin, n, u, reach}, profile} = this, along = V.mul(u, 1 / reach), offset = V.dot(n, origin);
+    const start = V.dot(along, origin);
     for (let i = 0, at = 0; at < points.length; ++i, at += stride) {
-      const x = points[at], y = points[at + 1], z = points[at + 2], s = along[0] * x + along[1] * y + along[2] * z - start;
+      const x = points[at], y = points[at + 1], z = points[at + 2];
+      const s = along[0] * x + along[1] * y + along[2] * z - start;
       take(i, n[0] * x + n[1] * y + n[2] * z - offset - profile[profilePlace(s)]);
     }
   }
 
   /** For points, three numbers each: sets bit k of those on the positive side. */
-  markSides(points, k, bits) { this.overBlade(points, 3, (i, height) => { if (height >= 0) bits[i] |= 1 << k; }); }
+  markSides(points, k, bits) {
+    this.overBlade(points, 3, (i, height) => {
+      if (height >= 0) bits[i] |= 1 << k;
+    });
+  }
 
   /**
-   * The knife that a stroke is, seen along a direction: places on a plane across it, in order. It goes on straight at both
-   * ends; where it runs back, only what goes on counts.
+   * The knife that a stroke is, seen along a direction: places on a plane across it, in order. It goes on straight at
+   * both ends; where it runs back, only what goes on counts.
    */
   static drawnAlong(fruit, points, view) {
-    const first = points[0], last = points[points.length - 1], across = V.sub(V.sub(last, first), V.mul(view, V.dot(V.sub(last, first), view)));
+    const first = points[0], last = points[points.length - 1];
+    const across = V.sub(V.sub(last, first), V.mul(view, V.dot(V.sub(last, first), view)));
     if (Math.hypot(...across) < 0.1 * fruit.reach) return null;
     const u = V.unit(across), v = V.mul(V.unit(view), -1), n = V.cross(u, v);
     const origin = V.add(fruit.middle, V.mul(n, V.dot(V.sub(V.mul(V.add(first, last), 0.5), fruit.middle), n)));
     const reach = 1.15 * fruit.reach, profile = new Float32Array(profilePlaces);
-    const flat = points.map((p) => { const q = V.sub(p, origin); return [V.dot(q, u), V.dot(q, n)]; });
+    const flat = points.map((p) => {
+      const q = V.sub(p, origin);
+      return [V.dot(q, u), V.dot(q, n)];
+    });
     const way = [flat[0]];
-    for (const p of flat) if (p[0] > way[way.length - 1][0] + 1e-3 * reach) way.push(p);
+    for (const p of flat)
+      if (p[0] > way[way.length - 1][0] + 1e-3 * reach) way.push(p);
     for (let i = 0, k = 0; i < profilePlaces; ++i) {
       const s = (2 * i / (profilePlaces - 1) - 1) * reach;
       while (k + 2 < way.length && way[k + 1][0] < s) ++k;
-      const a = way[k], b = way[Math.min(k + 1, way.length - 1)], t = b[0] > a[0] ? Math.max(0, Math.min(1, (s - a[0]) / (b[0] - a[0]))) : 0;
+      const a = way[k], b = way[Math.min(k + 1, way.length - 1)];
+      const t = b[0] > a[0] ? Math.max(0, Math.min(1, (s - a[0]) / (b[0] - a[0]))) : 0;
       profile[i] = a[1] + t * (b[1] - a[1]);
     }
     const knife = new Knife(fruit);
@@ -83,14 +105,20 @@ class Knife {
   /** What its faces depend on: equal keys, equal faces. */
   get key() {
     const {turn, tilt, shift, waves, drawn} = this;
-    return drawn ? `stroke ${drawn.frame.origin} ${drawn.frame.n} ${drawn.profile[64]} ${drawn.profile[128]} ${drawn.profile[192]}` : [turn, tilt, shift, waves].join();
+    return drawn
+      ? `stroke ${drawn.frame.origin} ${drawn.frame.n} ${drawn.profile[64]} ${drawn.profile[128]} ${drawn.profile[192]}`
+      : [turn, tilt, shift, waves].join();
   }
 }
 
 function smoothed(profile) {
   return profile.map((_, i) => {
     let sum = 0, weight = 0;
-    for (let k = -4; k <= 4; ++k) if (profile[i + k] !== undefined) { sum += (5 - Math.abs(k)) * profile[i + k]; weight += 5 - Math.abs(k); }
+    for (let k = -4; k <= 4; ++k)
+      if (profile[i + k] !== undefined) {
+        sum += (5 - Math.abs(k)) * profile[i + k];
+        weight += 5 - Math.abs(k);
+      }
     return sum / weight;
   });
 }

@@ -1,6 +1,6 @@
 // Vectors and matrices, as arrays; matrices in columns, as OpenGL has them.
-'use strict';
-const V = {
+
+export const V = {
   add: (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]],
   sub: (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]],
   mul: (a, s) => [a[0] * s, a[1] * s, a[2] * s],
@@ -13,34 +13,46 @@ const V = {
     return V.add(V.add(V.mul(a, c), V.mul(V.cross(axis, a), s)), V.mul(axis, V.dot(axis, a) * (1 - c)));
   },
 };
-const M = {
+export const M = {
   identity: () => new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]),
   product(a, b) {
     const out = new Float32Array(16);
-    for (let c = 0; c < 4; ++c) for (let r = 0; r < 4; ++r) for (let k = 0; k < 4; ++k) out[4 * c + r] += a[4 * k + r] * b[4 * c + k];
+    for (let c = 0; c < 4; ++c)
+      for (let r = 0; r < 4; ++r)
+        for (let k = 0; k < 4; ++k) out[4 * c + r] += a[4 * k + r] * b[4 * c + k];
     return out;
   },
   perspective(field, aspect, near, far) {
     const t = 1 / Math.tan(field / 2);
-    return new Float32Array([t / aspect, 0, 0, 0, 0, t, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0]);
+    return new Float32Array(
+      [t / aspect, 0, 0, 0, 0, t, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0]);
   },
   /** A box of half-size `reach` around the origin of `frame` (rows x, y, z) at `at`. */
   orthographic(x, y, z, at, reach, depth) {
     const rows = [V.mul(x, 1 / reach), V.mul(y, 1 / reach), V.mul(z, -1 / depth)];
-    return new Float32Array([0, 1, 2].flatMap((c) => [...rows.map((r) => r[c]), 0]).concat([...rows.map((r) => -V.dot(r, at)), 1]));
+    return new Float32Array(
+      [0, 1, 2].flatMap((c) => [...rows.map((r) => r[c]), 0]).concat([...rows.map((r) => -V.dot(r, at)), 1]));
   },
   lookAt(eye, at, up) {
     const z = V.unit(V.sub(eye, at)), x = V.unit(V.cross(up, z)), y = V.cross(z, x);
-    return new Float32Array([x[0], y[0], z[0], 0, x[1], y[1], z[1], 0, x[2], y[2], z[2], 0, -V.dot(x, eye), -V.dot(y, eye), -V.dot(z, eye), 1]);
+    return new Float32Array([
+      x[0], y[0], z[0], 0, x[1], y[1], z[1], 0, x[2], y[2], z[2], 0, -V.dot(x, eye), -V.dot(y, eye), -V.dot(z, eye), 1
+    ]);
   },
   /** Turns about an axis through `at`, then moves. */
   rigid(axis, angle, at, move) {
-    const x = V.turned([1, 0, 0], axis, angle), y = V.turned([0, 1, 0], axis, angle), z = V.turned([0, 0, 1], axis, angle);
+    const x = V.turned([1, 0, 0], axis, angle), y = V.turned([0, 1, 0], axis, angle);
+    const z = V.turned([0, 0, 1], axis, angle);
     const moved = V.add(V.sub(at, V.turned(at, axis, angle)), move);
     return new Float32Array([...x, 0, ...y, 0, ...z, 0, ...moved, 1]);
   },
-  scaled(scale, move) { return new Float32Array([scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0, ...move, 1]); },
+  scaled(scale, move) {
+    return new Float32Array([scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0, ...move, 1]);
+  },
   /** Of a matrix that turns, moves and scales alike along all axes. */
   scaleOf: (m) => Math.hypot(m[0], m[1], m[2]),
-  point: (m, [x, y, z]) => [m[0] * x + m[4] * y + m[8] * z + m[12], m[1] * x + m[5] * y + m[9] * z + m[13], m[2] * x + m[6] * y + m[10] * z + m[14]],
+  /** @type {(m: ArrayLike<number>, p: number[]) => number[]} */
+  point: (m, [x, y, z]) =>
+    [m[0] * x + m[4] * y + m[8] * z + m[12], m[1] * x + m[5] * y + m[9] * z + m[13],
+     m[2] * x + m[6] * y + m[10] * z + m[14]],
 };

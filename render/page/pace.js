@@ -1,14 +1,22 @@
 // How fast the card draws frames, and how fine they may therefore be while something moves.
-'use strict';
-const enoughMs = 110;   // of a frame while something moves
-const firstDivisor = 2; // of software that stands for a card
-const roughest = 4;     // times fewer pixels along each side
-const restMs = 80;      // after which what has moved is drawn finely
-const paceMemory = 3;   // frames: the first ones take the compiler's time, too
 
-class Pace {
+const enoughMs = 110;           // of a frame while something moves
+export const firstDivisor = 2;  // of software that stands for a card
+const roughest = 4;             // times fewer pixels along each side
+export const restMs = 80;       // after which what has moved is drawn finely
+const paceMemory = 3;           // frames: the first ones take the compiler's time, too
+
+export class Pace {
   /** `measures`: not while a page opens (Board.beginOpening). */
-  constructor({gl, isSoftware}) { Object.assign(this, {gl, fence: null, begun: 0, divisor: isSoftware ? firstDivisor : 1, given: 1, fine: [], measures: true}); }
+  constructor({gl, isSoftware}) {
+    this.gl = gl;
+    this.fence = null;
+    this.begun = 0;
+    this.divisor = isSoftware ? firstDivisor : 1;
+    this.given = 1;
+    this.fine = [];
+    this.measures = true;
+  }
 
   /** A frame, begun at this time, has gone to the card, with so many times fewer pixels along each side. */
   gave(divisor, begun) {

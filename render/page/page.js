@@ -1,17 +1,28 @@
 // The page of a fruit, or of several of one family: from their assets to what lies on the board.
-'use strict';
+import {beginPage} from './begin.js';
+import {Body, Shape} from './body.js';
+import {FruitTextures} from './fruit_textures.js';
+import {Hands} from './hands.js';
+import {Knife} from './knives.js';
+import {V} from './linear.js';
+import {sidesOf, trianglesOf} from './piece_mesh.js';
+import {Row} from './row.js';
+import {Tools} from './tools.js';
+
 (async () => {
   const assets = [...document.querySelectorAll('script.asset')], bodies = [];
   const begun = await beginPage((unpacking) => unpacking.asset(assets[0], takeSkin), 'fruit', 'skin');
   if (!begun) return;
   const {started, loads, unpacking, first, options, picture, board, blade, stroke, paper, drawNow} = begun;
-  const nameOf = ({body, part}) => part.replaceAll('_', ' ') + (assets.length > 1 ? `, seed ${body.fruit.header.seed}` : '');
+  const nameOf = ({body, part}) =>
+    part.replaceAll('_', ' ') + (assets.length > 1 ? `, seed ${body.fruit.header.seed}` : '');
   new Hands(board, blade, stroke, {nameOf});
   new Tools(board, blade, stroke, paper);
   board.beginOpening();
   let skinDrawn = null;
   function takeSkin({header, skin, index, outwards}) {
-    bodies.push(new Body(picture, new FruitTextures(picture.card, header), new Shape(picture.card, skin, index, outwards)));
+    bodies.push(
+      new Body(picture, new FruitTextures(picture.card, header), new Shape(picture.card, skin, index, outwards)));
     board.setting = new Row(bodies);
     if (bodies.length === 1) Object.assign(board.camera, {yaw: assets.length > 1 ? 0.1 : 0.35, pitch: 0.3});
     board.takeKnives([]);
@@ -26,8 +37,9 @@
   }
   async function open() {
     const {fruit, frame} = bodies[0], {origin, spacing} = fruit.header;
-    const knives = options.cuts.map(({normal, offset, knife, step}) =>
-      Object.assign(Knife.ofPlane(frame, normal, (offset - V.dot(normal, origin)) / spacing), {laid: {knife, step}}));
+    const knives = options.cuts.map(
+      ({normal, offset, knife, step}) =>
+        Object.assign(Knife.ofPlane(frame, normal, (offset - V.dot(normal, origin)) / spacing), {laid: {knife, step}}));
     board.setKnives(knives, {open: knives.length === 1 && bodies.length === 1 ? 1 : 0, from: 'face'});
     await drawNow('cut');
     board.endOpening();
@@ -39,7 +51,15 @@
     loads.fine = performance.now() - started;
   }
   // For tests and for the curious.
-  window.pomona = {board, picture, loads, finish: () => board.finish(), nameAt: (x, y) => board.at(x, y), pieces: () => board.first.pieces};
+  /** @type {any} */ (window).pomona = {
+    board,
+    picture,
+    loads,
+    modules: {sidesOf, trianglesOf},
+    finish: () => board.finish(),
+    nameAt: (x, y) => board.at(x, y),
+    pieces: () => board.first.pieces
+  };
 
   // One after the other: the first is seen while the next are unpacked.
   for (const asset of assets) {

@@ -26,7 +26,7 @@ std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view n
   throw Error(ExitStatus::bug, "a page has no file " + std::string(name));
 }
 
-/// Without the lines that only comment: they are for those who read the sources.
+/// A shader without the lines that only comment: they are for those who read the sources.
 std::string code_of(std::string_view text) {
   std::string code;
   while (!text.empty()) {
@@ -34,21 +34,10 @@ std::string code_of(std::string_view text) {
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(end);
     const std::size_t first = line.find_first_not_of(" \n");
-    if (first == std::string_view::npos || line.substr(first, 2) == "//" || line.substr(first, 3) == "/**" ||
-        line[first] == '*')
-      continue;
+    if (first == std::string_view::npos || line.substr(first, 2) == "//") continue;
     code += line.substr(first);
   }
   return code;
-}
-
-std::string joined(std::span<const std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text += code_of(text_of(page_files(), name));
-  return text;
-}
-std::string joined(std::initializer_list<std::string_view> names) {
-  return joined(std::span<const std::string_view>(names.begin(), names.size()));
 }
 
 /// What shaders include by name: the page's own, and those of pictures, so that noise, detail and light are the same.
@@ -135,33 +124,24 @@ std::string filled(std::string_view page, const std::vector<std::pair<std::strin
 
 }  // namespace
 
-PageParts page_parts(const PageOptions& options) {
-  return {json_in_script(options_of(options)), joined({"read_asset.js", "look_up.js", "skin.js", "spared.js"}),
-          joined({"linear.js", "card.js", "camera.js", "knives.js", "pieces.js", "fruit_textures.js", "face_passes.js",
-                  "faces.js", "piece_mesh.js", "body.js", "picture.js"})};
-}
+std::string page_options(const PageOptions& options) { return json_in_script(options_of(options)); }
 
 std::string page_text(const PageText& page, const PageOptions& options) {
-  const PageParts parts = page_parts(options);
   std::string packed;
   for (const PageText::Packed& one : page.packed) {
     packed += "<script type=\"text/plain\" class=\"" + one.kind + "\" id=\"" + one.id + "\" data-length=\"" +
               std::to_string(one.bytes.size()) + "\">" + base85(one.bytes) + "</script>\n";
   }
-  return filled(
-      text_of(page_files(), "page.html"),
-      {{"@TITLE@", xml_escaped(page.title)},
-       {"@LATIN@", xml_escaped(page.latin)},
-       {"@ABOUT@", xml_escaped(page.about)},
-       {"@MADE_BY@", xml_escaped(options.made_by)},
-       {"@STYLE@", std::string(text_of(page_files(), "page.css"))},
-       {"@OPTIONS@", parts.options},
-       {"@PACKED@", packed},
-       {"@WORKER@", joined({"read_asset.js", "read_scene.js", "look_up.js", "skin.js", "spared.js", "worker.js"})},
-       {"@SCRIPT@", parts.picture +
-                        joined({"messages.js", "row.js", "pace.js", "board.js", "blade.js", "stroke.js", "hands.js",
-                                "paper.js", "tools.js", "unpacking.js", "begin.js"}) +
-                        joined(page.last)}});
+  return filled(text_of(page_files(), "page.html"),
+                {{"@TITLE@", xml_escaped(page.title)},
+                 {"@LATIN@", xml_escaped(page.latin)},
+                 {"@ABOUT@", xml_escaped(page.about)},
+                 {"@MADE_BY@", xml_escaped(options.made_by)},
+                 {"@STYLE@", std::string(text_of(page_files(), "page.css"))},
+                 {"@OPTIONS@", page_options(options)},
+                 {"@PACKED@", packed},
+                 {"@WORKER@", std::string(text_of(page_files(), "worker_script.js"))},
+                 {"@SCRIPT@", std::string(text_of(page_files(), page.script))}});
 }
 
 }  // namespace pomona

@@ -18,7 +18,7 @@ struct PageText {
   std::string title = {}, latin = {};
   std::string about = {};  ///< for screen readers; what keys do follows it
   std::vector<Packed> packed = {};
-  std::vector<std::string_view> last = {"page.js"};  ///< scripts after all others; the last of them begins
+  std::string_view script = "fruit_script.js";  ///< the one that begins
 };
 
 std::string page_text(const PageText& page, const PageOptions& options);

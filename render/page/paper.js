@@ -1,11 +1,16 @@
 // The paper behind everything: a tile of soft grain, light or dark.
-'use strict';
-class Paper {
+import {$} from './messages.js';
+
+export class Paper {
   constructor(board, style) {
-    Object.assign(this, {board, style});
+    this.board = board;
+    this.style = style;
     this.set(matchMedia('(prefers-color-scheme: dark)').matches);
   }
-  toggle() { this.set(!this.board.dark); this.lay(); }
+  toggle() {
+    this.set(!this.board.dark);
+    this.lay();
+  }
   set(dark) {
     const {style, board} = this;
     board.dark = dark;
@@ -16,14 +21,20 @@ class Paper {
   }
   /** The grain: it takes some hundredths of a second, which what lies on the paper has first. */
   lay() {
-    const {style, board} = this, tile = document.createElement('canvas'), size = 192, grain = 255 * 2.2 * style.grain * (board.dark ? 0.5 : 1);
+    const {style, board} = this, tile = document.createElement('canvas'), size = 192;
+    const grain = 255 * 2.2 * style.grain * (board.dark ? 0.5 : 1);
     tile.width = tile.height = size;
     // In the processor's memory: a card that is busy would have to give it back.
-    const context = tile.getContext('2d', {willReadFrequently: true}), image = context.createImageData(size, size), {data} = image;
+    const context = tile.getContext('2d', {willReadFrequently: true}), image = context.createImageData(size, size);
+    const {data} = image;
     let seed = 1;
-    const noise = Float32Array.from({length: size * size}, () => { seed = Math.imul(seed, 1664525) + 1013904223 >>> 0; return seed / 2 ** 32 - 0.5; });
+    const noise = Float32Array.from({length: size * size}, () => {
+      seed = Math.imul(seed, 1664525) + 1013904223 >>> 0;
+      return seed / 2 ** 32 - 0.5;
+    });
     for (let i = 0, at = 0; i < size * size; ++i) {
-      const x = i % size, near = noise[i] + noise[i - x + (x + 1) % size] + noise[(i + size) % (size * size)], v = grain * near * 0.5;
+      const x = i % size, near = noise[i] + noise[i - x + (x + 1) % size] + noise[(i + size) % (size * size)];
+      const v = grain * near * 0.5;
       data[at++] = v > 0 ? 255 : 40;
       data[at++] = v > 0 ? 255 : 30;
       data[at++] = v > 0 ? 255 : 20;

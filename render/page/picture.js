@@ -1,9 +1,10 @@
 // The picture: tables, shadows, skins and cut faces of bodies.
-'use strict';
-const colorOf = (hex) => [1, 3, 5].map((at) => {
-  const c = parseInt(hex.slice(at, at + 2), 16) / 255;
-  return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-});
+import {Card} from './card.js';
+import {linearOf} from './color.js';
+import {FacePasses} from './face_passes.js';
+import {FaceSpeed} from './faces.js';
+import {profilePlaces} from './knives.js';
+import {M, V} from './linear.js';
 
 /** On which sides of four knives a piece lies; 0 of those that are not there. */
 const keepOf = ({keep}) => [0, 1, 2, 3].map((k) => keep[k] || 0);
@@ -11,10 +12,11 @@ const keepOf = ({keep}) => [0, 1, 2, 3].map((k) => keep[k] || 0);
 /** What a fine cut face is drawn with, from its texture's paint to the hair's breadth between it and the skin. */
 const fineFaces = ['within', 'face', 'ways', 'tone', 'lines'];
 
-class Picture {
+export class Picture {
   /**
-   * `program`: the one that is first drawn with. `mayBeRough`: scenes are drawn roughly until all is compiled, where software stands for a card, and
-   * while something moves, where a card is slow. Then they go without smooth edges, which take such software long to compile and to draw.
+   * `program`: the one that is first drawn with. `mayBeRough`: scenes are drawn roughly until all is compiled, where
+   * software stands for a card, and while something moves, where a card is slow. Then they go without smooth edges,
+   * which take such software long to compile and to draw.
    */
   constructor(canvas, {shaders, style}, {program = 'skin', mayBeRough = false} = {}) {
     this.canvas = canvas;
@@ -23,13 +25,25 @@ class Picture {
     if (!gl) return;
     this.passes = new FacePasses(card, style);
     this.speed = new FaceSpeed();
-    this.programs = Object.fromEntries([['face', 'section.glsl', 'SHOW'], ['quickFace', 'section.glsl', 'SHOW', 'QUICK'], ['quickSkin', 'skin.glsl', 'SHOW', 'QUICK'], ['faceDepth', 'section.glsl', 'DEPTH'], ['facePick', 'section.glsl', 'PICK'], ['skin', 'skin.glsl', 'SHOW'], ['pieceSkin', 'skin.glsl', 'SHOW', 'PIECES'],
-      ['within', 'skin.glsl', 'WITHIN'], ['hull', 'skin.glsl', 'HULL'], ['skinDepth', 'skin.glsl', 'DEPTH'], ['skinPick', 'skin.glsl', 'PICK'], ['ground', 'ground.glsl', 'GROUND'], ['quickGround', 'ground.glsl', 'GROUND', 'QUICK']]
-      .map(([name, file, ...modes]) => [name, card.program(file, style.saturation === 1 && style.lightness === 0 ? [...modes, 'AS_IS'] : modes)]));
+    this.programs = Object.fromEntries(
+      [
+        ['face', 'section.glsl', 'SHOW'], ['quickFace', 'section.glsl', 'SHOW', 'QUICK'],
+        ['quickSkin', 'skin.glsl', 'SHOW', 'QUICK'], ['faceDepth', 'section.glsl', 'DEPTH'],
+        ['facePick', 'section.glsl', 'PICK'], ['skin', 'skin.glsl', 'SHOW'],
+        ['pieceSkin', 'skin.glsl', 'SHOW', 'PIECES'], ['within', 'skin.glsl', 'WITHIN'], ['hull', 'skin.glsl', 'HULL'],
+        ['skinDepth', 'skin.glsl', 'DEPTH'], ['skinPick', 'skin.glsl', 'PICK'], ['ground', 'ground.glsl', 'GROUND'],
+        ['quickGround', 'ground.glsl', 'GROUND', 'QUICK']
+      ]
+        .map(
+          ([name, file, ...modes]) =>
+            [name, card.program(file, style.saturation === 1 && style.lightness === 0 ? [...modes, 'AS_IS'] : modes)]));
     // Until all is compiled, software that stands for a card draws plainly.
     this.isQuick = mayBeRough && card.isSoftware;
     this.samples = mayBeRough ? {width: 0, height: 0, buffer: null, layers: []} : null;
-    this.start(['skinDepth', this.isQuick ? 'quickGround' : 'ground', this.isQuick && program === 'skin' ? 'quickSkin' : program, ...(style.lines ? ['hull'] : [])]);
+    this.start([
+      'skinDepth', this.isQuick ? 'quickGround' : 'ground', this.isQuick && program === 'skin' ? 'quickSkin' : program,
+      ...(style.lines ? ['hull'] : [])
+    ]);
     this.suns = [1024, 512].map((size) => card.target(size, size, [], true));
     this.sky = card.target(256, 256, [], true);
     /** What lies in the maps of depths (drawMap). */
@@ -38,18 +52,21 @@ class Picture {
   }
 
   programOf(name) { return this.programs[name] || this.passes.programs[name]; }
-  start(names) { for (const name of names) this.card.start(this.programOf(name)); }
+  start(names) {
+    for (const name of names) this.card.start(this.programOf(name));
+  }
   /** Has compiled what the first cut takes, then what all else does. */
   startCuts() { this.start(['look', 'faceDepth', ...(this.isQuick ? ['quickFace'] : fineFaces)]); }
   startRest() { this.start(['ground', 'skin', ...fineFaces]); }
   /** Whether bodies can be drawn finely and nobody waits for the compiler. */
   isReady(bodies) {
     if (!this.isQuick) return true;
-    const skins = new Set(bodies.map(({isPiece}) => (isPiece ? 'pieceSkin' : 'skin'))), faces = bodies.some(({knives}) => knives.length > 0) ? fineFaces : [];
+    const skins = new Set(bodies.map(({isPiece}) => (isPiece ? 'pieceSkin' : 'skin')));
+    const faces = bodies.some(({knives}) => knives.length > 0) ? fineFaces : [];
     return ['ground', ...skins, ...faces].map((name) => this.card.isReady(this.programOf(name))).every(Boolean);
   }
 
-  inkOf(fruit) { return colorOf(this.style.ink || fruit.header.ink); }
+  inkOf(fruit) { return linearOf(this.style.ink || fruit.header.ink); }
 
   /** The knives of a body, and on which sides of them a piece of it lies. */
   setPiece(u, body, piece) {
@@ -124,7 +141,8 @@ class Picture {
   }
   /** A map of depths, where it is not there already: the sky's lasts while a fruit is turned. */
   drawMap(target, view, bodies) {
-    const now = [...view, ...bodies.flatMap((body) => [body.arranged, ...body.faces.all.map(({now}) => now)])], before = this.mapped.get(target);
+    const now = [...view, ...bodies.flatMap((body) => [body.arranged, ...body.faces.all.map(({now}) => now)])];
+    const before = this.mapped.get(target);
     if (before && before.length === now.length && before.every((one, i) => one === now[i])) return;
     this.drawDepths(target, view, bodies);
     this.mapped.set(target, now);
@@ -134,12 +152,14 @@ class Picture {
   lightOf({camera, bounds, size, rough = false}) {
     const {azimuth: turn, elevation: e} = this.style.light, azimuth = camera.yaw + turn;
     const toLight = [Math.cos(e) * Math.sin(azimuth), Math.sin(e), Math.cos(e) * Math.cos(azimuth)];
-    const middle = V.mul(V.add(bounds.low, bounds.high), 0.5), radius = 0.62 * Math.hypot(...V.sub(bounds.high, bounds.low)) + 0.1 * size;
+    const middle = V.mul(V.add(bounds.low, bounds.high), 0.5);
+    const radius = 0.62 * Math.hypot(...V.sub(bounds.high, bounds.low)) + 0.1 * size;
     const across = V.unit(V.cross([0, 1, 0], toLight)), table = bounds.low[1];
     const toSun = M.orthographic(across, V.cross(toLight, across), toLight, middle, radius, radius);
     // From below the table, upwards: depth 0 on it.
     const skyDepth = 1.2 * size, skyReach = 1.6 * radius;
-    const toSky = M.orthographic([1, 0, 0], [0, 0, 1], [0, -1, 0], [middle[0], table + 0.5 * skyDepth, middle[2]], skyReach, 0.5 * skyDepth);
+    const toSky = M.orthographic(
+      [1, 0, 0], [0, 0, 1], [0, -1, 0], [middle[0], table + 0.5 * skyDepth, middle[2]], skyReach, 0.5 * skyDepth);
     return {toLight, toSun, toSky, middle, radius, table, size, rough};
   }
   setLight(u, {toLight, toSun, toSky, table, size, rough}, {eye}) {
@@ -166,7 +186,10 @@ class Picture {
     gl.uniform1i(u.painted_noise, this.style.noise && fruit.hasNoise ? 1 : 0);
   }
 
-  /** `scene`: bodies, bounds of all, size of a fruit, camera {view, eye, yaw}, dark; rough: while something moves, where cards are slow. */
+  /**
+   * `scene`: bodies, bounds of all, size of a fruit, camera {view, eye, yaw}, dark; rough: while something moves,
+   * where cards are slow.
+   */
   draw(scene) {
     const {gl, canvas, card} = this, {bodies, camera} = scene, light = this.lightOf(scene);
     gl.disable(gl.BLEND);
@@ -192,7 +215,8 @@ class Picture {
     this.drawSkins(isQuick ? 'quickSkin' : 'skin', camera.view, bodies.filter(({isPiece}) => !isPiece), set);
     this.drawSkins('pieceSkin', camera.view, bodies.filter(({isPiece}) => isPiece), set);
     gl.cullFace(gl.FRONT);
-    if (!isQuick && bodies.some(({knives}) => knives.length > 0)) this.drawSkins('within', camera.view, bodies, (u, {fruit}) => gl.uniform4f(u.ink, ...this.inkOf(fruit), 1));
+    if (!isQuick && bodies.some(({knives}) => knives.length > 0))
+      this.drawSkins('within', camera.view, bodies, (u, {fruit}) => gl.uniform4f(u.ink, ...this.inkOf(fruit), 1));
     gl.disable(gl.CULL_FACE);
     this.drawFaces(isQuick ? 'quickFace' : 'face', camera.view, bodies, (u, body) => {
       set(u, body);
@@ -206,11 +230,13 @@ class Picture {
     const {card, samples} = this;
     if (samples.width === width && samples.height === height) return samples;
     card.dropSamples(samples);
-    return this.samples = card.samples(width, height);
+    this.samples = card.samples(width, height);
+    return this.samples;
   }
   /** The table, thin as a wash. */
   drawGround({camera, dark}, light) {
-    const {gl, card, style} = this, u = card.use(this.programs[this.isQuick ? 'quickGround' : 'ground']), shadow = colorOf(style.shadow.color).map((c) => c * (dark ? 0.35 : 1));
+    const {gl, card, style} = this, u = card.use(this.programs[this.isQuick ? 'quickGround' : 'ground']);
+    const shadow = linearOf(style.shadow.color).map((c) => c * (dark ? 0.35 : 1));
     this.setLight(u, light, camera);
     gl.uniformMatrix4fv(u.camera, false, camera.view);
     gl.uniform4f(u.ground, light.middle[0], light.table, light.middle[2], 3 * light.radius);
@@ -235,8 +261,9 @@ class Picture {
     gl.cullFace(gl.FRONT);
     // What has been picked has a line that one cannot overlook.
     this.drawSkins('hull', camera.view, drawn, (u, body) => {
-      gl.uniform4f(u.ink, ...(body.chosen ? colorOf('#c8442c') : this.inkOf(body.fruit)), 1);
-      gl.uniform3f(u.outline, canvas.width / 2, canvas.height / 2, body.chosen ? 0.006 * canvas.height : 0.3 * this.lineOf(body));
+      gl.uniform4f(u.ink, ...(body.chosen ? linearOf('#c8442c') : this.inkOf(body.fruit)), 1);
+      gl.uniform3f(
+        u.outline, canvas.width / 2, canvas.height / 2, body.chosen ? 0.006 * canvas.height : 0.3 * this.lineOf(body));
     });
     gl.disable(gl.CULL_FACE);
   }
@@ -244,7 +271,8 @@ class Picture {
   /** What lies at a place of the canvas, 0..1 from above: {body, part, cut}, or null. */
   pick({bodies, camera}, x, y) {
     const {gl} = this, {width, height} = this.canvas;
-    const narrowed = new Float32Array([width, 0, 0, 0, 0, height, 0, 0, 0, 0, 1, 0, width * (1 - 2 * x), height * (2 * y - 1), 0, 1]);
+    const narrowed =
+      new Float32Array([width, 0, 0, 0, 0, height, 0, 0, 0, 0, 1, 0, width * (1 - 2 * x), height * (2 * y - 1), 0, 1]);
     const view = M.product(narrowed, camera.view), found = new Uint8Array(4);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.picked.buffer);
     gl.viewport(0, 0, 1, 1);
@@ -252,7 +280,7 @@ class Picture {
     gl.enable(gl.DEPTH_TEST);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     // Which of the bodies it is takes two bytes.
-    const number = (u, body, index) => gl.uniform2f(u.body, (index & 255) / 255, (index >> 8) / 255);
+    const number = (u, _, index) => gl.uniform2f(u.body, (index & 255) / 255, (index >> 8) / 255);
     this.drawSkins('skinPick', view, bodies, number);
     this.drawFaces('facePick', view, bodies, number);
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, found);
@@ -263,7 +291,8 @@ class Picture {
 
   /** For tests: the bare colours of a square in a plane, as bytes; `frame` in cells. */
   bare(fruit, frame, size) {
-    const {gl} = this, target = this.card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]), pixels = new Uint8Array(4 * size * size);
+    const {gl} = this, target = this.card.target(size, size, [[gl.SRGB8_ALPHA8, gl.NEAREST], [gl.RGBA8, gl.NEAREST]]);
+    const pixels = new Uint8Array(4 * size * size);
     this.passes.setProfiles([{profile: new Float32Array(profilePlaces)}]);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.buffer);
     gl.viewport(0, 0, size, size);

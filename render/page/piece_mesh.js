@@ -1,26 +1,38 @@
-// Which triangles of a body's skin each of its pieces may have, so that a piece is drawn without what others have: cards that are software
-// work out what is drawn first and ask then whether a knife has taken it.
-'use strict';
+// Which triangles of a body's skin each of its pieces may have, so that a piece is drawn without what others have:
+// cards that are software work out what is drawn first and ask then whether a knife has taken it.
 
 /** Cells: a curved blade rises between the corners of a triangle; a flat one but by rounding. */
-const sideMargins = {curved: 2, flat: 0.01};
+const sideMargins = {
+  curved: 2,
+  flat: 0.01
+};
 
-/** For each corner of a skin (ten numbers a corner) bits: k where it may lie on the positive side of knife k, 8 + k on the negative one. */
-function sidesOf(skin, knives) {
+/**
+ * For each corner of a skin (ten numbers a corner) bits: k where it may lie on the positive side of knife k, 8 + k on
+ * the negative one.
+ */
+export function sidesOf(skin, knives) {
   const bits = new Uint16Array(skin.length / 10);
   knives.forEach((knife, k) => {
     const margin = knife.isCurved ? sideMargins.curved : sideMargins.flat, positive = 1 << k, negative = 256 << k;
-    knife.overBlade(skin, 10, (i, height) => { bits[i] |= (height >= -margin ? positive : 0) | (height <= margin ? negative : 0); });
+    knife.overBlade(skin, 10, (i, height) => {
+      bits[i] |= (height >= -margin ? positive : 0) | (height <= margin ? negative : 0);
+    });
   });
   return bits;
 }
 
-/** Corners of the triangles that no knife has wholly on the other side. `index`: which corners are triangles, or null: three after three. */
-function trianglesOf({keep}, sides, index) {
-  const wanted = keep.map((side, k) => (side > 0 ? 1 : 256) << k), corners = index ? index.length : sides.length, kept = new Uint32Array(corners);
+/**
+ * Corners of the triangles that no knife has wholly on the other side. `index`: which corners are triangles, or null:
+ * three after three.
+ */
+export function trianglesOf({keep}, sides, index) {
+  const wanted = keep.map((side, k) => (side > 0 ? 1 : 256) << k), corners = index ? index.length : sides.length;
+  const kept = new Uint32Array(corners);
   let count = 0;
   for (let i = 0; i < corners; i += 3) {
-    const [a, b, c] = index ? [index[i], index[i + 1], index[i + 2]] : [i, i + 1, i + 2], some = sides[a] | sides[b] | sides[c];
+    const [a, b, c] = index ? [index[i], index[i + 1], index[i + 2]] : [i, i + 1, i + 2];
+    const some = sides[a] | sides[b] | sides[c];
     if (wanted.some((bit) => (some & bit) === 0)) continue;
     kept[count++] = a;
     kept[count++] = b;
@@ -30,8 +42,15 @@ function trianglesOf({keep}, sides, index) {
 }
 
 /** On the card: a mesh for each piece, made when it is first drawn. */
-class PieceMeshes {
-  constructor(card, {mesh, skin, index}) { Object.assign(this, {card, mesh, skin, index, sides: null, made: new Map()}); }
+export class PieceMeshes {
+  constructor(card, {mesh, skin, index}) {
+    this.card = card;
+    this.mesh = mesh;
+    this.skin = skin;
+    this.index = index;
+    this.sides = null;
+    this.made = new Map();
+  }
 
   /** What was made for other knives is dropped. */
   forget() {
@@ -47,4 +66,3 @@ class PieceMeshes {
     return made.get(piece.cell);
   }
 }
-if (typeof module !== 'undefined') module.exports = {sidesOf, trianglesOf};

@@ -1,16 +1,21 @@
 // Of what knives go around, which a piece of a scene has: stones that are whole in it, and where it holds them.
-'use strict';
+import {boxOf} from './body.js';
 
 /** Asks of points whether a closed mesh holds them: how often a ray along z leaves it. */
 class Inside {
   constructor(skin, index) {
     const {low, high} = boxOf(skin), across = 64, size = [0, 1].map((axis) => (high[axis] - low[axis]) / across || 1);
-    const column = (p) => [0, 1].map((axis) => Math.max(0, Math.min(across - 1, Math.floor((p[axis] - low[axis]) / size[axis]))));
-    Object.assign(this, {column, across, columns: Array.from({length: across * across}, () => [])});
+    const column =
+      (p) => [0, 1].map((axis) => Math.max(0, Math.min(across - 1, Math.floor((p[axis] - low[axis]) / size[axis]))));
+    this.column = column;
+    this.across = across;
+    this.columns = Array.from({length: across * across}, () => []);
     for (let t = 0; t < index.length; t += 3) {
-      const corners = [0, 1, 2].map((k) => [...skin.subarray(10 * index[t + k], 10 * index[t + k] + 3)]), at = corners.map(column);
+      const corners = [0, 1, 2].map((k) => [...skin.subarray(10 * index[t + k], 10 * index[t + k] + 3)]);
+      const at = corners.map(column);
       const [x, y] = [0, 1].map((axis) => at.map((c) => c[axis]));
-      for (let j = Math.min(...y); j <= Math.max(...y); ++j) for (let i = Math.min(...x); i <= Math.max(...x); ++i) this.columns[j * across + i].push(corners);
+      for (let j = Math.min(...y); j <= Math.max(...y); ++j)
+        for (let i = Math.min(...x); i <= Math.max(...x); ++i) this.columns[j * across + i].push(corners);
     }
   }
   has(p) {
@@ -32,7 +37,11 @@ function keptOf(corners, keeps) {
   const border = (a, b) => {
     let [low, high] = [0, 1];
     const at = (t) => a.map((v, i) => v + t * (b[i] - v));
-    for (let i = 0; i < 8; ++i) { const t = (low + high) / 2; if (keeps(at(t))) low = t; else high = t; }
+    for (let i = 0; i < 8; ++i) {
+      const t = (low + high) / 2;
+      if (keeps(at(t))) low = t;
+      else high = t;
+    }
     return at(low);
   };
   const first = kept.indexOf(count === 1), [a, b, c] = [0, 1, 2].map((k) => corners[(first + k) % 3]);
@@ -41,22 +50,29 @@ function keptOf(corners, keeps) {
   return [[p, b, c], [p, c, q]];
 }
 
-/** As FruitTextures' `spared`, of those that lie in this piece; sockets only where they do not stand out of it already. */
-function sparedOfPiece(body, card) {
+/**
+ * As FruitTextures' `spared`, of those that lie in this piece; sockets only where they do not stand out of it already.
+ */
+export function sparedOfPiece(body, card) {
   const {spared} = body.fruit, near = 0.04;
   if (!spared) return null;
   const inside = new Inside(body.skin, body.index), socket = [];
   const isHeld = (corner) => inside.has([0, 1, 2].map((k) => corner[k] - near * corner[3 + k]));
-  const shells = spared.shells.filter(({samples}) => {
-    const some = samples.slice(0, 200);
-    return some.filter((p) => inside.has(p)).length > 0.6 * some.length;
-  }).map((shell) => {
-    const [first, count] = shell.socket, begin = socket.length / 10;
-    for (let i = first; i < first + count; i += 3) {
-      const corners = [0, 1, 2].map((k) => [...spared.data.socket.subarray(10 * (i + k), 10 * (i + k) + 10)]);
-      for (const triangle of keptOf(corners, isHeld)) for (const corner of triangle) for (const v of corner) socket.push(v);
-    }
-    return {...shell, socket: [begin, socket.length / 10 - begin]};
-  });
+  const shells =
+    spared.shells
+      .filter(({samples}) => {
+        const some = samples.slice(0, 200);
+        return some.filter((p) => inside.has(p)).length > 0.6 * some.length;
+      })
+      .map((shell) => {
+        const [first, count] = shell.socket, begin = socket.length / 10;
+        for (let i = first; i < first + count; i += 3) {
+          const corners = [0, 1, 2].map((k) => [...spared.data.socket.subarray(10 * (i + k), 10 * (i + k) + 10)]);
+          for (const triangle of keptOf(corners, isHeld))
+            for (const corner of triangle)
+              for (const v of corner) socket.push(v);
+        }
+        return {...shell, socket: [begin, socket.length / 10 - begin]};
+      });
   return shells.length ? {...spared, shells, socket: card.skin(Float32Array.from(socket))} : null;
 }

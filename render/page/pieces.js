@@ -1,22 +1,29 @@
 // What the knives leave: which pieces there are, and where they lie when they are pulled apart or laid open.
-'use strict';
+import {M, V} from './linear.js';
 
-/** Points of the fruit that stand for all of it: some of its skin, where it is not of the parts `without`, some of its nodes inside. */
-function samplesOf(header, skin, winding, most = 2500, without = []) {
+/**
+ * Points of the fruit that stand for all of it: some of its skin, where it is not of the parts `without`, some of its
+ * nodes inside.
+ */
+export function samplesOf(header, skin, winding, most = 2500, without = []) {
   const points = [], corners = skin.length / 10, every = Math.max(1, Math.floor(corners / most));
-  for (let i = 0; i < corners; i += every) if (!without.includes(skin[10 * i + 9])) points.push([skin[10 * i], skin[10 * i + 1], skin[10 * i + 2]]);
+  for (let i = 0; i < corners; i += every)
+    if (!without.includes(skin[10 * i + 9])) points.push([skin[10 * i], skin[10 * i + 1], skin[10 * i + 2]]);
   if (winding) {
     const [nx, ny, nz] = header.count, step = Math.max(2, Math.round(Math.cbrt(nx * ny * nz / 8000)));
-    for (let z = 0; z < nz; z += step) for (let y = 0; y < ny; y += step) for (let x = 0; x < nx; x += step) {
-      if (winding[(z * ny + y) * nx + x] !== 0) points.push([x, y, z]);
-    }
+    for (let z = 0; z < nz; z += step)
+      for (let y = 0; y < ny; y += step)
+        for (let x = 0; x < nx; x += step) {
+          if (winding[(z * ny + y) * nx + x] !== 0) points.push([x, y, z]);
+        }
   }
   return points;
 }
 
 /**
- * Where cells stand in the order of cutting, as generator/knife numbers them: the first knife's slowest. `bits`: of which knives a
- * cell is on the positive side. Planes of one knife count by their steps; wedges, whose steps are 0, by their angle.
+ * Where cells stand in the order of cutting, as generator/knife numbers them: the first knife's slowest. `bits`: of
+ * which knives a cell is on the positive side. Planes of one knife count by their steps; wedges, whose steps are 0, by
+ * their angle.
  */
 function cellNumber(bits, knives) {
   let number = 0;
@@ -24,7 +31,11 @@ function cellNumber(bits, knives) {
     const {laid} = knives[k], first = k;
     for (end = k + 1; laid && end < knives.length && knives[end].laid && knives[end].laid.knife === laid.knife;) ++end;
     let cell = 0, positive = 0;
-    for (let i = first; i < end; ++i) if (bits >> i & 1) { ++positive; cell += laid ? laid.step : 1; }
+    for (let i = first; i < end; ++i)
+      if (bits >> i & 1) {
+        ++positive;
+        cell += laid ? laid.step : 1;
+      }
     if (laid && laid.step === 0) cell = bits >> first & 1 ? positive - 1 : 2 * (end - first) - 1 - positive;
     number = 64 * number + cell;
   }
@@ -32,46 +43,56 @@ function cellNumber(bits, knives) {
 }
 
 /**
- * For each shell around a spared part the cell that has all of it, and whether a knife passes through it. It is the one that holds
- * most of it; of those that hold nearly as much, the first in the order of cutting (generator/cut/spared.cpp).
+ * For each shell around a spared part the cell that has all of it, and whether a knife passes through it. It is the one
+ * that holds most of it; of those that hold nearly as much, the first in the order of cutting
+ * (generator/cut/spared.cpp).
  */
-function homesOf(shells, knives) {
+export function homesOf(shells, knives) {
   const nearlyAsMuch = 0.95;
   return shells.map(({points, rim}) => {
-    const bits = new Uint8Array(points.length / 3), onRim = new Uint8Array(rim.length / 3), counts = new Int32Array(1 << knives.length);
-    knives.forEach((knife, k) => { knife.markSides(points, k, bits); knife.markSides(rim, k, onRim); });
+    const bits = new Uint8Array(points.length / 3), onRim = new Uint8Array(rim.length / 3);
+    const counts = new Int32Array(1 << knives.length);
+    knives.forEach((knife, k) => {
+      knife.markSides(points, k, bits);
+      knife.markSides(rim, k, onRim);
+    });
     if (bits.length === 0) return {cell: onRim[0], isCut: false};
     if (bits.every((b) => b === bits[0]) && onRim.every((b) => b === bits[0])) return {cell: bits[0], isCut: false};
     for (const b of bits) ++counts[b];
-    const most = Math.max(...counts), cells = [...counts.keys()].filter((cell) => counts[cell] >= nearlyAsMuch * most);
+    const most = Math.max(...counts);
+    const cells = [...counts.keys()].filter((cell) => counts[cell] >= nearlyAsMuch * most);
     return {cell: cells.reduce((a, b) => (cellNumber(b, knives) < cellNumber(a, knives) ? b : a)), isCut: true};
   });
 }
 
 /**
- * Pieces by their sides of all knives: {keep: [+1, -1, ...], cell: the same as bits, middle, points}. Fewer points than a hundredth are
- * a crumb. Of a shell that is cut all goes to one cell (`homes`).
+ * Pieces by their sides of all knives: {keep: [+1, -1, ...], cell: the same as bits, middle, points}. Fewer points than
+ * a hundredth are a crumb. Of a shell that is cut all goes to one cell (`homes`).
  */
-function piecesOf(samples, knives, shells = [], homes = []) {
+export function piecesOf(samples, knives, shells = [], homes = []) {
   const laid = knives.map((knife) => [knife, knife.frame, knife.profile]), found = new Map();
   const add = (p, home = null) => {
-    const cell = home ? home.cell : laid.reduce((bits, [knife, frame, profile], k) => (knife.sideOf(p, frame, profile) > 0 ? bits | 1 << k : bits), 0);
+    const cell = home
+      ? home.cell
+      : laid.reduce(
+          (bits, [knife, frame, profile], k) => (knife.sideOf(p, frame, profile) > 0 ? bits | 1 << k : bits), 0);
     if (!found.has(cell)) found.set(cell, {cell, keep: knives.map((_, k) => (cell >> k & 1 ? 1 : -1)), points: []});
     found.get(cell).points.push(p);
   };
   for (const p of samples) add(p);
   shells.forEach(({samples: own}, i) => own.forEach((p) => add(p, homes[i])));
   const all = [...found.values()].reduce((sum, {points}) => sum + points.length, 0);
-  return [...found.values()].filter(({points}) => points.length > 0.004 * all).map((piece) =>
-    ({...piece, middle: V.mul(piece.points.reduce(V.add, [0, 0, 0]), 1 / piece.points.length)}));
+  return [...found.values()]
+    .filter(({points}) => points.length > 0.004 * all)
+    .map((piece) => ({...piece, middle: V.mul(piece.points.reduce(V.add, [0, 0, 0]), 1 / piece.points.length)}));
 }
 
 /**
- * Where each piece lies: a rigid motion each. Pulled apart, pieces move away from the middle of all; laid open, the half
- * before a single knife swings round like the cover of a book, so that both faces are seen, and each half stands on the
- * table by itself.
+ * Where each piece lies: a rigid motion each. Pulled apart, pieces move away from the middle of all; laid open, the
+ * half before a single knife swings round like the cover of a book, so that both faces are seen, and each half stands
+ * on the table by itself.
  */
-function placed(pieces, knives, fruit, apart, open) {
+export function placed(pieces, knives, fruit, apart, open) {
   const upright = [0, 1, 0], least = (points, at) => points.reduce((x, p) => Math.min(x, at(p)), Infinity);
   const most = (points, at) => points.reduce((x, p) => Math.max(x, at(p)), -Infinity);
   const low = Math.min(...pieces.map(({points}) => least(points, (p) => p[1])));

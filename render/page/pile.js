@@ -1,10 +1,15 @@
 // Pieces of a scene as they lie, or pulled apart. Lengths are multiples of a fruit's cell, so that light and shadow are
 // as on the page of a fruit.
-'use strict';
-class Pile {
+import {boxOfPoints} from './body.js';
+import {M, V} from './linear.js';
+
+export class Pile {
   /** `bodies`, each with `instance`: {rotation, translation} in metres; `unit`: metres that count as 1. */
   constructor(bodies, unit) {
-    Object.assign(this, {bodies, unit, takesKnives: false, size: 1});
+    this.bodies = bodies;
+    this.unit = unit;
+    this.takesKnives = false;
+    this.size = 1;
     const lying = bodies.map((body) => {
       const {origin, spacing} = body.fruit.header, {rotation: [w, x, y, z], translation} = body.instance;
       const turned = (p) => {
@@ -14,7 +19,8 @@ class Pile {
       const s = spacing / unit, [a, b, c] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => V.mul(turned(axis), s));
       return new Float32Array([...a, 0, ...b, 0, ...c, 0, ...V.mul(V.add(turned(origin), translation), 1 / unit), 1]);
     });
-    const middles = bodies.map((body, i) => M.point(lying[i], body.frame.middle)), moving = middles.filter((_, i) => bodies[i].moves);
+    const middles = bodies.map((body, i) => M.point(lying[i], body.frame.middle));
+    const moving = middles.filter((_, i) => bodies[i].moves);
     const middle = moving.length ? V.mul(moving.reduce(V.add, [0, 0, 0]), 1 / moving.length) : [0, 0, 0];
     this.lying = lying.map((place, i) => ({place, away: bodies[i].moves ? V.sub(middles[i], middle) : null}));
     this.arrange(0);
@@ -27,7 +33,10 @@ class Pile {
   arrange(apart) {
     this.bodies.forEach((body, i) => {
       const {place, away} = this.lying[i], moved = place.slice();
-      if (away && apart > 0) [1.6 * away[0], 1.5 * away[1] + 1.1 * this.size, 1.6 * away[2]].forEach((d, k) => { moved[12 + k] += apart * d; });
+      if (away && apart > 0)
+        [1.6 * away[0], 1.5 * away[1] + 1.1 * this.size, 1.6 * away[2]].forEach((d, k) => {
+          moved[12 + k] += apart * d;
+        });
       body.place = moved;
       body.arrange(body.knives.length > 0 ? 0.12 : 0, 0);
     });

@@ -1,8 +1,11 @@
 // Fruit on the table: one, or several side by side that all take the same knives.
-'use strict';
-class Row {
+import {boxOfPoints} from './body.js';
+import {M} from './linear.js';
+
+export class Row {
   constructor(bodies) {
-    Object.assign(this, {bodies, takesKnives: true});
+    this.bodies = bodies;
+    this.takesKnives = true;
     // As large beside each other as they are.
     this.scales = bodies.map((body) => body.fruit.header.spacing / bodies[0].fruit.header.spacing);
   }
@@ -11,16 +14,21 @@ class Row {
   /** The same knife in every body: as far from its middle as in the first, measured by their sizes. */
   setKnives(knives) {
     const [first] = this.bodies;
-    for (const body of this.bodies) body.setKnives(body === first ? knives : knives.map((knife) => knife.within(body.frame)));
+    for (const body of this.bodies)
+      body.setKnives(body === first ? knives : knives.map((knife) => knife.within(body.frame)));
   }
   arrange(apart, open) {
-    for (const body of this.bodies) { body.place = M.identity(); body.arrange(apart, open); }
+    for (const body of this.bodies) {
+      body.place = M.identity();
+      body.arrange(apart, open);
+    }
     if (this.bodies.length === 1) return;
     // Each stands on the table, a little away from the one before it; where a row is full, the next begins before it.
     const gap = 0.12 * this.size, widest = 4.4 * this.size;
     let right = 0, front = 0, deepest = 0;
     this.bodies.forEach((body, i) => {
-      const {low, high} = boxOfPoints(body.outline), scale = this.scales[i], [wide, deep] = [scale * (high[0] - low[0]), scale * (high[2] - low[2])];
+      const {low, high} = boxOfPoints(body.outline), scale = this.scales[i];
+      const [wide, deep] = [scale * (high[0] - low[0]), scale * (high[2] - low[2])];
       if (right > 0 && right + wide > widest) [right, front, deepest] = [0, front + deepest + gap, 0];
       body.moveTo(M.scaled(scale, [right - scale * low[0], -scale * low[1], front - scale * low[2]]));
       right += wide + gap;

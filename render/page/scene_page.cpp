@@ -9,11 +9,7 @@ namespace pomona {
 
 std::string write_scene_page(const PageScene& scene, const PageOptions& options) {
   check_fits_a_page(scene.scene, scene.fruits.size());
-  PageText page{.title = scene.title,
-                .latin = {},
-                .about = {},
-                .packed = {},
-                .last = {"pile.js", "piece_stones.js", "scene_page.js"}};
+  PageText page{.title = scene.title, .latin = {}, .about = {}, .packed = {}, .script = "scene_script.js"};
   page.about =
       scene.title + ": " + std::to_string(scene.scene.instances.size()) +
       " pieces, to be turned and pulled apart. N and P pick the next and the previous piece, Enter takes it out "

@@ -1,18 +1,45 @@
 // The page of a scene: the pile, the piece that has been picked, and that piece alone under the knife.
-'use strict';
+import {beginPage} from './begin.js';
+import {Body, Shape} from './body.js';
+import {FruitTextures} from './fruit_textures.js';
+import {Hands} from './hands.js';
+import {V} from './linear.js';
+import {$, say} from './messages.js';
+import {sparedOfPiece} from './piece_stones.js';
+import {Pile} from './pile.js';
+import {Row} from './row.js';
+import {Tools} from './tools.js';
+
 (async () => {
   const begun = await beginPage((unpacking) => unpacking.scene($('scene')), 'scene', 'pieceSkin');
   if (!begun) return;
   const {loads, unpacking, first, picture, board, blade, stroke, paper, drawNow} = begun;
   let pile = null, picked = null;
-  const nameOf = ({body, part}) => body.instance.name === part ? part : `${body.instance.name}, ${part.replaceAll('_', ' ')}`;
+  const nameOf = ({body, part}) =>
+    body.instance.name === part ? part : `${body.instance.name}, ${part.replaceAll('_', ' ')}`;
   const isOut = () => board.setting !== pile;
-  new Hands(board, blade, stroke, {nameOf, onTap: (found) => { if (!isOut()) pick(found && found.body); }});
-  new Tools(board, blade, stroke, paper, {
-    Enter: () => { if (picked && !isOut()) takeOut(); }, Escape: () => { if (board.draws) stroke.toggle(); else if (isOut()) putBack(); else pick(null); },
-    n: () => pickNext(1), p: () => pickNext(-1),
+  new Hands(board, blade, stroke, {
+    nameOf,
+    onTap: (found) => {
+      if (!isOut()) pick(found && found.body);
+    }
   });
-  $('take').addEventListener('click', () => { if (isOut()) putBack(); else takeOut(); });
+  new Tools(board, blade, stroke, paper, {
+    Enter: () => {
+      if (picked && !isOut()) takeOut();
+    },
+    Escape: () => {
+      if (board.draws) stroke.toggle();
+      else if (isOut()) putBack();
+      else pick(null);
+    },
+    n: () => pickNext(1),
+    p: () => pickNext(-1),
+  });
+  $('take').addEventListener('click', () => {
+    if (isOut()) putBack();
+    else takeOut();
+  });
 
   // ---- What has been picked. ----
 
@@ -40,13 +67,21 @@
     // Alone, it needs the room.
     $('facts').classList.toggle('brief', isOut());
     $('take').disabled = body.fruit.header.asset < 0;
-    $('take').textContent = body.fruit.header.asset < 0 ? 'No fruit is known of it' : isOut() ? 'Back to the pile' : 'Cut it';
+    $('take').textContent = body.fruit.header.asset < 0 ? 'No fruit is known of it'
+      : isOut()                                         ? 'Back to the pile'
+                                                        : 'Cut it';
     say(`${body.instance.name}${facts.template ? `, of ${facts.template}` : ''}, ${inGrams(facts.mass)}`);
   }
   function pick(body) {
     if (picked) picked.chosen = false;
     picked = body;
-    if (body) { body.chosen = true; tell(body); } else { $('facts').hidden = true; sayAll(); }
+    if (body) {
+      body.chosen = true;
+      tell(body);
+    } else {
+      $('facts').hidden = true;
+      sayAll();
+    }
     board.changed();
   }
   function pickNext(step) {
@@ -112,10 +147,12 @@
     });
     const shapes = solids.map(({skin, index, outwards}) => new Shape(picture.card, skin, index, outwards));
     const bodies = header.instances.map((instance) => {
-      const solid = header.solids[instance.solid], fruit = fruits[solid.fruit], body = new Body(picture, fruit, shapes[instance.solid], 60);
+      const solid = header.solids[instance.solid], fruit = fruits[solid.fruit];
+      const body = new Body(picture, fruit, shapes[instance.solid], 60);
       return Object.assign(body, {instance, solid, isPiece: true, moves: fruit.header.asset >= 0});
     });
-    const spacings = fruits.filter(({header: {asset}}) => asset >= 0).map(({header: {spacing}}) => spacing).sort((a, b) => a - b);
+    const spacings =
+      fruits.filter(({header: {asset}}) => asset >= 0).map(({header: {spacing}}) => spacing).sort((a, b) => a - b);
     pile = new Pile(bodies, spacings.length ? spacings[spacings.length >> 1] : fruits[0].header.spacing);
     const {eye, target} = header.view, back = V.unit(V.sub(eye, target));
     Object.assign(board.camera, {yaw: Math.atan2(back[0], back[2]), pitch: Math.asin(back[1])});
@@ -128,6 +165,17 @@
   first.then(takeScene);
 
   // For tests and for the curious.
-  window.pomona = {board, picture, loads, finish: () => board.finish(), nameAt: (x, y) => board.at(x, y), pieces: () => board.first.pieces,
-    pick: (name) => pick(pile.bodies.find((body) => body.instance.name === name) || null), takeOut, putBack, pile: () => pile, picked: () => picked};
+  /** @type {any} */ (window).pomona = {
+    board,
+    picture,
+    loads,
+    finish: () => board.finish(),
+    nameAt: (x, y) => board.at(x, y),
+    pieces: () => board.first.pieces,
+    pick: (name) => pick(pile.bodies.find((body) => body.instance.name === name) || null),
+    takeOut,
+    putBack,
+    pile: () => pile,
+    picked: () => picked
+  };
 })();

@@ -1,7 +1,14 @@
 // A cut that is drawn over the fruit.
-'use strict';
-class Stroke {
-  constructor(board) { Object.assign(this, {board, points: null}); }
+import {mostKnives} from './board.js';
+import {Knife} from './knives.js';
+import {M, V} from './linear.js';
+import {$, say} from './messages.js';
+
+export class Stroke {
+  constructor(board) {
+    this.board = board;
+    this.points = null;
+  }
   /** While hands draw: it has points. */
   get isDrawn() { return this.points !== null; }
 
@@ -14,7 +21,11 @@ class Stroke {
   }
   toggle() {
     const {board} = this;
-    if (board.draws) { this.stop(); board.sayPieces(); return board.ask(); }
+    if (board.draws) {
+      this.stop();
+      board.sayPieces();
+      return board.ask();
+    }
     board.draws = true;
     board.wantedApart = board.wantedOpen = 0;
     $('draw').setAttribute('aria-pressed', 'true');
@@ -29,7 +40,8 @@ class Stroke {
   }
   /** Cuts along it, straight away from who looks. */
   cut() {
-    const {board} = this, {canvas, camera} = board, {frame, place} = board.first, {aspect} = board, {back} = camera.directions, {eye} = camera;
+    const {board} = this, {canvas, camera} = board, {frame, place} = board.first, {aspect} = board;
+    const {back} = camera.directions, {eye} = camera;
     const middle = M.point(place, frame.middle);
     const points = this.points.map(([x, y]) => {
       const ray = camera.ray(2 * x / canvas.clientWidth - 1, 1 - 2 * y / canvas.clientHeight, aspect);
@@ -37,7 +49,10 @@ class Stroke {
     });
     const knife = points.length > 2 ? Knife.drawnAlong(frame, points, back) : null;
     this.stop();
-    if (!knife) { say('That stroke was too short to cut.'); return board.ask(); }
+    if (!knife) {
+      say('That stroke was too short to cut.');
+      return board.ask();
+    }
     board.setKnives([...board.knives.slice(0, mostKnives - 1), knife], {open: 0});
   }
 }

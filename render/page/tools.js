@@ -1,44 +1,111 @@
 // Sliders, buttons and keys, and what they show of the knife.
-'use strict';
-class Tools {
+import {mostKnives} from './board.js';
+import {$} from './messages.js';
+
+export class Tools {
   /** `further`: more keys and what they do. */
   constructor(board, blade, stroke, paper, further = {}) {
-    Object.assign(this, {board, stroke});
+    this.board = board;
+    this.stroke = stroke;
     board.onKnives = () => this.show();
     board.onFrame = () => blade.draw();
     const slide = (id, change) => $(id).addEventListener('input', () => change(Number($(id).value)));
-    slide('shift', (value) => board.changeKnife((k) => { k.shift = value * 0.5 * board.first.frame.size; }));
-    slide('turn', (value) => board.changeKnife((k) => { k.turn = value * Math.PI / 180; }));
-    slide('tilt', (value) => board.changeKnife((k) => { k.tilt = value * Math.PI / 180; }));
-    slide('waves', (value) => board.changeKnife((k) => { k.waves = value; }));
+    slide('shift', (value) => board.changeKnife((k) => {
+      k.shift = value * 0.5 * board.first.frame.size;
+    }));
+    slide('turn', (value) => board.changeKnife((k) => {
+      k.turn = value * Math.PI / 180;
+    }));
+    slide('tilt', (value) => board.changeKnife((k) => {
+      k.tilt = value * Math.PI / 180;
+    }));
+    slide('waves', (value) => board.changeKnife((k) => {
+      k.waves = value;
+    }));
     slide('apart', (value) => board.pullApart(value));
     const acts = this.acts(paper);
-    for (const id of ['half', 'across', 'draw', 'more', 'fewer', 'lay', 'dark']) $(id).addEventListener('click', acts[id]);
+    for (const id of ['half', 'across', 'draw', 'more', 'fewer', 'lay', 'dark'])
+      $(id).addEventListener('click', acts[id]);
     this.keys = {...this.keysOf(acts), ...further};
     window.addEventListener('keydown', (event) => this.press(event));
-    window.addEventListener('resize', () => { if (board.setting) { board.arrange(); board.moved(); } });
+    window.addEventListener('resize', () => {
+      if (board.setting) {
+        board.arrange();
+        board.moved();
+      }
+    });
   }
   acts(paper) {
-    const {board, stroke} = this, ifKnives = (act) => () => { if (board.setting && board.setting.takesKnives) act(); };
+    const {board, stroke} = this;
+    const ifKnives = (act) => () => {
+      if (board.setting && board.setting.takesKnives) act();
+    };
     return {
-      half: ifKnives(() => { stroke.stop(); board.cutOnce(0, 0); }), across: ifKnives(() => { stroke.stop(); board.cutOnce(0, Math.PI / 2); }),
-      draw: ifKnives(() => { if (board.bodies.length === 1) stroke.toggle(); }), more: ifKnives(() => board.cutAgain()), fewer: ifKnives(() => board.undo()),
-      lay: ifKnives(() => board.layOpen()), dark: () => paper.toggle(),
+      half: ifKnives(() => {
+        stroke.stop();
+        board.cutOnce(0, 0);
+      }),
+      across: ifKnives(() => {
+        stroke.stop();
+        board.cutOnce(0, Math.PI / 2);
+      }),
+      draw: ifKnives(() => {
+        if (board.bodies.length === 1) stroke.toggle();
+      }),
+      more: ifKnives(() => board.cutAgain()),
+      fewer: ifKnives(() => board.undo()),
+      lay: ifKnives(() => board.layOpen()),
+      dark: () => paper.toggle(),
     };
   }
   keysOf(acts) {
-    const {board, stroke} = this, nudge = (change) => () => board.changeKnife(change), step = () => 0.01 * board.first.frame.size;
+    const {board, stroke} = this, nudge = (change) => () => board.changeKnife(change);
+    const step = () => 0.01 * board.first.frame.size;
     return {
-      ArrowLeft: () => board.orbit(0.12, 0), ArrowRight: () => board.orbit(-0.12, 0), ArrowUp: () => board.orbit(0, 0.12), ArrowDown: () => board.orbit(0, -0.12),
-      '+': () => board.zoom(1.12), '=': () => board.zoom(1.12), '-': () => board.zoom(1 / 1.12),
-      h: acts.half, x: acts.across, b: acts.draw, c: acts.more, Backspace: acts.fewer, l: acts.dark, ' ': acts.lay,
-      w: nudge((k) => { k.shift += step(); }), s: nudge((k) => { k.shift -= step(); }), a: nudge((k) => { k.turn -= 0.06; }), d: nudge((k) => { k.turn += 0.06; }),
-      q: nudge((k) => { k.tilt -= 0.06; }), e: nudge((k) => { k.tilt += 0.06; }), Escape: () => { if (board.draws) stroke.toggle(); },
+      ArrowLeft: () => board.orbit(0.12, 0),
+      ArrowRight: () => board.orbit(-0.12, 0),
+      ArrowUp: () => board.orbit(0, 0.12),
+      ArrowDown: () => board.orbit(0, -0.12),
+      '+': () => board.zoom(1.12),
+      '=': () => board.zoom(1.12),
+      '-': () => board.zoom(1 / 1.12),
+      h: acts.half,
+      x: acts.across,
+      b: acts.draw,
+      c: acts.more,
+      Backspace: acts.fewer,
+      l: acts.dark,
+      ' ': acts.lay,
+      w: nudge((k) => {
+        k.shift += step();
+      }),
+      s: nudge((k) => {
+        k.shift -= step();
+      }),
+      a: nudge((k) => {
+        k.turn -= 0.06;
+      }),
+      d: nudge((k) => {
+        k.turn += 0.06;
+      }),
+      q: nudge((k) => {
+        k.tilt -= 0.06;
+      }),
+      e: nudge((k) => {
+        k.tilt += 0.06;
+      }),
+      Escape: () => {
+        if (board.draws) stroke.toggle();
+      },
     };
   }
   press(event) {
-    const act = this.keys[event.key] || this.keys[event.key.toLowerCase()], {target} = event, is = (what) => Boolean(target.matches && target.matches(what));
-    if (!act || is('input') || is('button') && event.key === ' ' || event.ctrlKey || event.metaKey || event.altKey || !this.board.setting) return;
+    const act = this.keys[event.key] || this.keys[event.key.toLowerCase()], {target} = event;
+    const is = (what) => Boolean(target.matches && target.matches(what));
+    if (
+      !act || is('input') || is('button') && event.key === ' ' || event.ctrlKey || event.metaKey || event.altKey ||
+      !this.board.setting)
+      return;
     event.preventDefault();
     act();
   }

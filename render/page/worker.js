@@ -1,6 +1,9 @@
-// The worker: unpacks the asset and lays it out for the card. The skin goes out as soon as its bytes are there, then what
-// cut faces need.
-'use strict';
+// The worker: unpacks the asset and lays it out for the card. The skin goes out as soon as its bytes are there, then
+// what cut faces need.
+import {laidOut} from './laid_out.js';
+import * as Asset from './read_asset.js';
+import * as ScenePieces from './read_scene.js';
+import * as Skin from './skin.js';
 
 /** Five characters for four bytes (page.cpp). */
 function bytesOf(text) {
@@ -18,27 +21,28 @@ function bytesOf(text) {
 
 /** A fruit: its skin as soon as it is there, then what cut faces need. */
 async function unpackFruit(job, packed) {
+  /** @type {any} */
   let fruit = null;
   const bytes = await Asset.unpacked(packed, (soFar, length) => {
     const head = fruit ? null : Asset.header(soFar, length);
     if (!head || length < Asset.surfacesEnd(head)) return;
     fruit = Asset.surfaces(soFar, head);
     const {skin, index} = Skin.joined(Skin.built(fruit)), outwards = Skin.outwards(skin, index);
-    postMessage({job, header: head.fields, skin, index, outwards}, [skin.buffer, index.buffer, outwards.buffer]);
+    postMessage(
+      {job, header: head.fields, skin, index, outwards}, {transfer: [skin.buffer, index.buffer, outwards.buffer]});
   });
   Asset.addWindings(fruit);
   Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(Asset.header(bytes, bytes.length))));
-  const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
-  const {header, noise, details, materials, guide, share} = fruit, spared = Spared.built(fruit), winding = spared ? spared.free : fruit.winding;
-  postMessage({job, header, grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding, spared},
-    [grid.buffer, cell.buffer, list.buffer, triangle.buffer, winding.buffer]);
+  const {message, transfer} = laidOut(fruit);
+  postMessage({job, header: fruit.header, ...message}, {transfer});
 }
 
 /** A scene: all of its pieces' meshes. */
 async function unpackScene(job, packed) {
   const scene = ScenePieces.decoded(await Asset.unpacked(packed, null, 2));
   for (const solid of scene.solids) solid.outwards = Skin.outwards(solid.skin, solid.index);
-  postMessage({job, ...scene}, scene.solids.flatMap(({skin, index, outwards}) => [skin.buffer, index.buffer, outwards.buffer]));
+  const transfer = scene.solids.flatMap(({skin, index, outwards}) => [skin.buffer, index.buffer, outwards.buffer]);
+  postMessage({job, ...scene}, {transfer});
 }
 
 // From now on it hears what it is told, also while the page is busy.
@@ -47,7 +51,5 @@ setTimeout(() => postMessage({isUp: true}));
 onmessage = async ({data: {job, text, length, isScene}}) => {
   try {
     await (isScene ? unpackScene : unpackFruit)(job, bytesOf(text).subarray(0, length));
-  } catch (error) {
-    postMessage({job, error: String(error && error.message || error)});
-  }
+  } catch (error) { postMessage({job, error: String(error && error.message || error)}); }
 };

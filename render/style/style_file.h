@@ -1,5 +1,5 @@
-// From a style's TOML, on disk or built into the program, to a Style (docs/reference/style.md), every error with file, line and
-// column.
+// From a style's TOML, on disk or built into the program, to a Style (docs/reference/style.md), every error with file,
+// line and column.
 #pragma once
 
 #include <filesystem>

@@ -1,20 +1,20 @@
 // TinyUSDZ, a reader of USD that is not ours, composes a .usda and finds in it what the .glb of the same scene holds.
 //   node usd_test.mjs SCENE.usda SCENE.glb LEVELS.usda INSTANCES.usda RIPENESSES.usda RIPENESSES.glb
 import assert from 'node:assert';
-import { existsSync, readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { dirname, join } from 'node:path';
+import {existsSync, readFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {dirname, join} from 'node:path';
 
 const [sceneFile, glbFile, levelsFile, instancesFile, ripeFile, ripeGlbFile] = process.argv.slice(2);
 
 // TinyUSDZ is compiled for browsers; it asks for no more of one than this.
 globalThis.window = globalThis;
-Object.defineProperty(process, 'type', { value: 'renderer' });
-const { default: tinyusdz } = await import('tinyusdz/tinyusdz.js');
+Object.defineProperty(process, 'type', {value: 'renderer'});
+const {default: tinyusdz} = await import('tinyusdz/tinyusdz.js');
 const wasm = readFileSync(createRequire(import.meta.url).resolve('tinyusdz/tinyusdz.wasm'));
 const usd = await tinyusdz({
   instantiateWasm(imports, done) {
-    WebAssembly.instantiate(wasm, imports).then(({ instance, module }) => done(instance, module));
+    WebAssembly.instantiate(wasm, imports).then(({instance, module}) => done(instance, module));
     return {};
   },
 });
@@ -29,7 +29,7 @@ function composed(text) {
 // Everything below a node: names and places.
 function* nodesOf(node, within = '') {
   const path = `${within}/${node.primName ?? node.nodeName}`;
-  yield { path, node };
+  yield {path, node};
   for (const child of node.children ?? []) yield* nodesOf(child, path);
 }
 
@@ -54,30 +54,33 @@ assert.equal(root.primName ?? root.nodeName, 'Scene');
 // Every instance of the glTF is there, and has its mesh.
 const shown = gltf.nodes.filter((node) => node.mesh !== undefined);
 for (const node of shown) {
-  const found = nodes.filter(({ path }) => path.endsWith(`/${plain(node.name)}`) && !path.includes('Looks'));
+  const found = nodes.filter(({path}) => path.endsWith(`/${plain(node.name)}`) && !path.includes('Looks'));
   assert(found.length >= 1, `${node.name} is not there`);
   const place = found.at(-1).node.localMatrix ?? found.at(-1).node.globalMatrix;
-  if (place) [0, 1, 2].forEach((k) => assert(Math.abs(place[12 + k] - (node.translation?.[k] ?? 0)) < 1e-6, `${node.name} lies elsewhere`));
+  if (place)
+    [0, 1, 2].forEach(
+      (k) => assert(Math.abs(place[12 + k] - (node.translation?.[k] ?? 0)) < 1e-6, `${node.name} lies elsewhere`));
 }
 const meshes = new Map();
 for (let i = 0; i < layer.numMeshes(); ++i) {
   // Its arrays lie in memory that moves when it grows.
-  const { absPath, points, faceVertexIndices } = layer.getMesh(i);
-  meshes.set(absPath, { points: points.slice(), corners: faceVertexIndices.length });
+  const {absPath, points, faceVertexIndices} = layer.getMesh(i);
+  meshes.set(absPath, {points: points.slice(), corners: faceVertexIndices.length});
 }
 const placed = [...meshes.keys()].filter((path) => path.startsWith('/Scene/'));
 assert.equal(placed.length, shown.length, 'a mesh for each instance');
 for (const path of placed) {
   const name = path.split('/').at(-2);
   const node = shown.find((one) => plain(one.name) === name);
-  const { primitives } = gltf.meshes[node.mesh];
+  const {primitives} = gltf.meshes[node.mesh];
   const mesh = meshes.get(path);
   assert.equal(mesh.points.length / 3, countOf(primitives[0].attributes.POSITION), `${name}: vertices`);
   assert.equal(mesh.corners, primitives.reduce((sum, one) => sum + countOf(one.indices), 0), `${name}: triangles`);
-  const { min, max } = gltf.accessors[primitives[0].attributes.POSITION];
+  const {min, max} = gltf.accessors[primitives[0].attributes.POSITION];
   for (let k = 0; k < 3; ++k) {
     let low = Infinity, high = -Infinity;
-    for (let i = k; i < mesh.points.length; i += 3) low = Math.min(low, mesh.points[i]), high = Math.max(high, mesh.points[i]);
+    for (let i = k; i < mesh.points.length; i += 3)
+      low = Math.min(low, mesh.points[i]), high = Math.max(high, mesh.points[i]);
     assert(Math.abs(low - min[k]) < 1e-6 && Math.abs(high - max[k]) < 1e-6, `${name}: bounds`);
   }
 }
@@ -85,8 +88,11 @@ console.log(`${placed.length} pieces as in the .glb`);
 
 // What USD has names for. The reader says all of it again but for applied schemas.
 const flat = composed(text).layerToString();
-for (const word of ['metersPerUnit = 1', 'upAxis = "Y"', 'physics:mass', 'semantics:labels:category = ["tomato"]',
-  'semantics:labels:part = ["gel"]', 'string boundCamera = "/Scene/view"', 'rel camera = </Scene/view>', 'pomona cut tomato', 'UsdPrimvarReader_float3']) assert(flat.includes(word), `${word} is lost`);
+for (const word of
+       ['metersPerUnit = 1', 'upAxis = "Y"', 'physics:mass', 'semantics:labels:category = ["tomato"]',
+        'semantics:labels:part = ["gel"]', 'string boundCamera = "/Scene/view"', 'rel camera = </Scene/view>',
+        'pomona cut tomato', 'UsdPrimvarReader_float3'])
+  assert(flat.includes(word), `${word} is lost`);
 for (const schema of ['PhysicsMassAPI', 'SemanticsLabelsAPI:category', 'PhysicsMeshCollisionAPI', 'MaterialBindingAPI'])
   assert(text.includes(`"${schema}"`), `${schema} is not applied`);
 

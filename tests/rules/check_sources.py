@@ -8,6 +8,7 @@ that is not there.
 """
 
 import pathlib
+import posixpath
 import re
 import sys
 
@@ -184,6 +185,43 @@ def check_json(name, text):
             yield number, "JSON becomes text by json_text()"
 
 
+IMPORT = re.compile(r"^(?:import|export)\b[^;]*?\bfrom '(\.[^']*)'", re.M)
+
+
+def imports_of(name, text):
+    """Our own modules that a script imports, as (line, path from the root)."""
+    for match in IMPORT.finditer(text):
+        path = posixpath.normpath(posixpath.join(posixpath.dirname(name), match.group(1)))
+        yield text.count("\n", 0, match.end()) + 1, path
+
+
+def check_scripts(root):
+    """Lines of 120; a page's modules know what comes before them on the road, and do not go round in a circle."""
+    wrong, known = [], {}
+    for path in sorted(p for top in ("render", "cli", "tests", "scripts") for p in (root / top).rglob("*.*js")):
+        name, text = path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")
+        long = [number for number, line in enumerate(text.splitlines(), 1) if len(line) > 120]
+        wrong += [f"{name}:{number}: longer than 120 characters" for number in long]
+        known[name] = list(imports_of(name, text))
+        here = place_on_road(name)
+        wrong += [f"{name}:{number}: \"{target}\" lies ahead on the road" for number, target in known[name]
+                  if here is not None and (place_on_road(target) or 0) > here]
+    done = set()
+
+    def visit(name, way):
+        if name in way:
+            wrong.append(f"{name}:1: imports itself by way of {' and '.join(way[way.index(name) + 1:])}")
+        if name in done or name in way:
+            return
+        for _, target in known.get(name, []):
+            visit(target, [*way, name])
+        done.add(name)
+
+    for name in known:
+        visit(name, [])
+    return wrong
+
+
 def check_file(name, text):
     file_name = name.rsplit("/", 1)[1]
     if not FILE_NAME.fullmatch(file_name):
@@ -265,7 +303,7 @@ def check(root):
         wrong += [f"{name}:{number}: {why}" for number, why in sorted(found)]
         if name.startswith(("generator/", "render/", "cli/")):
             product[name] = text
-    return wrong + [*check_type_names(product), *check_circles(product)]
+    return wrong + [*check_type_names(product), *check_circles(product), *check_scripts(root)]
 
 
 # Below these every folder that holds sources has a README of its own; tests and benches have one each for the whole.

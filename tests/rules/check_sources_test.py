@@ -47,6 +47,17 @@ class Rules(Tree):
             "ahead on the road",
         )
 
+    def test_scripts_point_backwards_and_not_in_circles(self):
+        page = {"render/page/board.js": "import {Camera} from './camera.js';\n", "render/page/camera.js": "\n"}
+        self.assert_fine(page | {"cli/studio/page/main.js": "import {Board} from '../../../render/page/board.js';\n"})
+        self.assert_wrong(
+            page | {"render/page/x.js": "import {\n  A\n} from '../../cli/a.js';\n"}, "render/page/x.js:3", "ahead on the road"
+        )
+        self.assert_wrong(
+            page | {"render/page/camera.js": "import {Board} from './board.js';\n"}, "render/page/board.js:1", "camera.js"
+        )
+        self.assert_wrong(page | {"render/page/x.js": f"f({'1' * 120});\n"}, "render/page/x.js:1", "120")
+
     def test_tests_may_see_everything_but_are_seen_by_none(self):
         shapes = {"tests/shapes/box.h": HEADER}
         self.assert_fine(shapes | {"tests/cut/cut_test.cpp": '#include "tests/shapes/box.h"\n'})

@@ -1,5 +1,11 @@
 // The fruit itself, as it is cut live: the page's own picture (render/page), fed anew whenever the drawing changes.
-'use strict';
+import {fitCanvas} from '../../../render/page/board.js';
+import {Body, boxOfPoints, Shape} from '../../../render/page/body.js';
+import {Camera} from '../../../render/page/camera.js';
+import {FruitTextures} from '../../../render/page/fruit_textures.js';
+import {Knife} from '../../../render/page/knives.js';
+import {Picture} from '../../../render/page/picture.js';
+
 const glassShader = `
 uniform mat4 camera;
 #ifdef VERTEX
@@ -24,22 +30,40 @@ void main() {
 #endif
 `;
 
-class FruitView {
+export class FruitView {
   constructor(canvas, options, workerText, {changed, failed}) {
-    Object.assign(this, {canvas, changed, failed, camera: new Camera(), mode: 'half', shift: 0, number: 0, shown: 0, body: null, lastMoved: 0});
+    this.canvas = canvas;
+    this.changed = changed;
+    this.failed = failed;
+    this.camera = new Camera();
+    this.mode = 'half';
+    this.shift = 0;
+    this.number = 0;
+    this.shown = 0;
+    this.body = null;
+    this.lastMoved = 0;
+    this.dark = false;
     this.picture = new Picture(canvas, options);
-    if (!this.picture.gl) { failed('The fruit is drawn with WebGL 2, which this browser does not have or has switched off.'); return; }
+    if (!this.picture.gl) {
+      failed('The fruit is drawn with WebGL 2, which this browser does not have or has switched off.');
+      return;
+    }
     this.picture.card.shaders['glass.glsl'] = glassShader;
     this.glassProgram = this.picture.card.program('glass.glsl', []);
     this.worker = new Worker(URL.createObjectURL(new Blob([workerText], {type: 'text/javascript'})));
-    this.worker.onmessage = ({data}) => { if (data.error) failed(`The fruit cannot be unpacked: ${data.error}`); else this.take(data); };
+    this.worker.onmessage = ({data}) => {
+      if (data.error) failed(`The fruit cannot be unpacked: ${data.error}`);
+      else this.take(data);
+    };
     Object.assign(this.camera, {yaw: 0.35, pitch: 0.3});
     this.attach();
     new ResizeObserver(() => this.rearrange()).observe(canvas);
   }
 
   /** Bytes of an asset; of several that come quickly, the last counts. */
-  show(bytes) { if (this.worker) this.worker.postMessage({bytes, number: ++this.number}, [bytes.buffer]); }
+  show(bytes) {
+    if (this.worker) this.worker.postMessage({bytes, number: ++this.number}, [bytes.buffer]);
+  }
 
   take({number, header, skin, outwards, glass, rest}) {
     if (number < this.shown) return;
@@ -62,7 +86,8 @@ class FruitView {
     if (!body) return;
     body.faces.drop();
     const {grid, cell, list, triangle, guide, shares, look} = body.fruit;
-    for (const {texture} of [grid, cell, list, triangle, guide, shares, ...Object.values(look)]) gl.deleteTexture(texture);
+    for (const {texture} of [grid, cell, list, triangle, guide, shares, ...Object.values(look)])
+      gl.deleteTexture(texture);
     for (const {array} of [body.mesh, this.glass]) gl.deleteVertexArray(array);
   }
 
@@ -73,12 +98,18 @@ class FruitView {
     this.mode = mode;
     const {body} = this;
     if (!body) return;
-    const {frame} = body, knife = mode === 'half' ? new Knife(frame, 0, 0, 0) : mode === 'across' ? new Knife(frame, 0, Math.PI / 2, 0) : null;
+    const {frame} = body;
+    const knife = mode === 'half' ? new Knife(frame, 0, 0, 0)
+      : mode === 'across'         ? new Knife(frame, 0, Math.PI / 2, 0)
+                                  : null;
     if (knife) knife.shift = this.shift * 0.5 * frame.size;
     body.setKnives(knife ? [knife] : []);
     this.rearrange();
   }
-  setShift(shift) { this.shift = shift; this.setCut(this.mode); }
+  setShift(shift) {
+    this.shift = shift;
+    this.setCut(this.mode);
+  }
   rearrange() {
     const {body, camera} = this;
     if (!body) return;
@@ -88,30 +119,43 @@ class FruitView {
     this.moved();
   }
   fitCanvas() {
-    const {canvas} = this, scale = Math.min(2, window.devicePixelRatio || 1);
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((v) => Math.max(1, Math.round(v * scale)));
-    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-    return width / height;
+    fitCanvas(this.canvas, 1);
+    return this.canvas.width / this.canvas.height;
   }
-  moved() { this.lastMoved = performance.now(); this.stale = true; this.ask(); }
+  moved() {
+    this.lastMoved = performance.now();
+    this.stale = true;
+    this.ask();
+  }
   ask() {
     if (this.asked || this.broken) return;
     this.asked = true;
     requestAnimationFrame(() => {
       this.asked = false;
-      try { this.frame(); } catch (error) { this.broken = true; this.failed(`The fruit cannot be drawn: ${error.message}`); }
+      try {
+        this.frame();
+      } catch (error) {
+        this.broken = true;
+        this.failed(`The fruit cannot be drawn: ${error.message}`);
+      }
     });
   }
   frame() {
     const {picture, camera, body} = this;
     if (!body) return;
     const {size, reach} = body.frame, view = camera.view(this.fitCanvas(), 2 * size);
-    if (this.mode === 'glass') { if (this.stale) this.drawGlass(view); this.stale = false; this.settled = true; return; }
+    if (this.mode === 'glass') {
+      if (this.stale) this.drawGlass(view);
+      this.stale = false;
+      this.settled = true;
+      return;
+    }
     const scale = this.canvas.height / (2 * Math.tan(camera.field / 2) * camera.far / camera.zoom);
     const wanted = Math.max(256, Math.min(2048, Math.ceil(2.1 * reach * scale / 128) * 128));
     const {more, changed} = body.faces.update(wanted, performance.now() - this.lastMoved > 250);
     const bounds = boxOfPoints(body.outline);
-    if (this.stale || changed) picture.draw({bodies: [body], bounds, size, dark: this.dark, camera: {view, eye: camera.eye, yaw: camera.yaw}});
+    if (this.stale || changed)
+      picture.draw({bodies: [body], bounds, size, dark: this.dark, camera: {view, eye: camera.eye, yaw: camera.yaw}});
     this.stale = false;
     this.settled = !more;
     if (more) this.ask();
@@ -138,17 +182,31 @@ class FruitView {
   attach() {
     const {canvas, camera} = this;
     let last = null;
-    canvas.addEventListener('pointerdown', (event) => { canvas.setPointerCapture(event.pointerId); last = [event.clientX, event.clientY]; });
+    canvas.addEventListener('pointerdown', (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      last = [event.clientX, event.clientY];
+    });
     canvas.addEventListener('pointermove', (event) => {
       if (!last) return;
       this.turn(-(event.clientX - last[0]) / 160, (event.clientY - last[1]) / 160);
       last = [event.clientX, event.clientY];
     });
-    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => { last = null; });
-    canvas.addEventListener('wheel', (event) => { event.preventDefault(); camera.zoom = Math.max(0.5, Math.min(6, camera.zoom * Math.exp(-event.deltaY / 900))); this.moved(); }, {passive: false});
+    for (const end of ['pointerup', 'pointercancel'])
+      canvas.addEventListener(end, () => {
+        last = null;
+      });
+    canvas.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      camera.zoom = Math.max(0.5, Math.min(6, camera.zoom * Math.exp(-event.deltaY / 900)));
+      this.moved();
+    }, {passive: false});
     canvas.addEventListener('keydown', (event) => {
       const way = {ArrowLeft: [0.12, 0], ArrowRight: [-0.12, 0], ArrowUp: [0, 0.12], ArrowDown: [0, -0.12]}[event.key];
-      if (way) { event.preventDefault(); event.stopPropagation(); this.turn(...way); }
+      if (way) {
+        event.preventDefault();
+        event.stopPropagation();
+        this.turn(...way);
+      }
     });
   }
   turn(yaw, pitch) {

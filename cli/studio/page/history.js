@@ -1,7 +1,11 @@
 // Undo and redo: the texts as they were.
-'use strict';
-class History {
-  constructor(texts) { this.past = []; this.next = []; this.now = texts; }
+
+export class History {
+  constructor(texts) {
+    this.past = [];
+    this.next = [];
+    this.now = texts;
+  }
   /** A step that can be taken back. */
   push(texts) {
     if (texts.toml === this.now.toml && texts.svg === this.now.svg) return false;
@@ -11,7 +15,20 @@ class History {
     this.next = [];
     return true;
   }
-  undo() { if (this.past.length) { this.next.push(this.now); this.now = this.past.pop(); return true; } return false; }
-  redo() { if (this.next.length) { this.past.push(this.now); this.now = this.next.pop(); return true; } return false; }
+  undo() {
+    if (this.past.length) {
+      this.next.push(this.now);
+      this.now = this.past.pop();
+      return true;
+    }
+    return false;
+  }
+  redo() {
+    if (this.next.length) {
+      this.past.push(this.now);
+      this.now = this.next.pop();
+      return true;
+    }
+    return false;
+  }
 }
-if (typeof module !== 'undefined') module.exports = {History};

@@ -1,51 +1,83 @@
-// One view of the drawing: below, pixels (the photograph, and the section over or under it); above, curves that hands take hold of.
-'use strict';
-const svgElement = (tag, attributes = {}) => {
-  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
-};
+// One view of the drawing: below, pixels (the photograph, and the section over or under it); above, curves that hands
+// take hold of.
+import {Bezier, near} from './bezier.js';
+import {svgElement} from './elements.js';
+import {drawBrush} from './ribbon.js';
+import {A} from './svg_text.js';
 
-class Pane {
+export class Pane {
   constructor(root, view, studio) {
-    Object.assign(this, {root, view, studio, scale: 1, offset: [0, 0], fitted: false, section: null});
+    this.root = root;
+    this.view = view;
+    this.studio = studio;
+    this.scale = 1;
+    this.offset = [0, 0];
+    this.fitted = false;
+    this.section = null;
     this.canvas = root.querySelector('canvas');
     this.overlay = root.querySelector('svg');
-    this.overlay.append(this.guides = svgElement('g', {class: 'guides'}), this.lines = svgElement('g', {class: 'lines'}), this.marks = svgElement('g', {class: 'marks'}));
-    root.addEventListener('wheel', (event) => { event.preventDefault(); this.zoom(Math.exp(-event.deltaY / 600), this.placeOn(event)); }, {passive: false});
-    new ResizeObserver(() => { this.fitted = false; this.draw(); }).observe(root);
+    this.overlay.append(
+      this.guides = svgElement('g', {class: 'guides'}), this.lines = svgElement('g', {class: 'lines'}),
+      this.marks = svgElement('g', {class: 'marks'}));
+    root.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      this.zoom(Math.exp(-event.deltaY / 600), this.placeOn(event));
+    }, {passive: false});
+    new ResizeObserver(() => {
+      this.fitted = false;
+      this.draw();
+    }).observe(root);
   }
 
   // ---- Where things are. ----
 
+  /** @param {number[]} p on the page */
   onScreen([x, y]) { return [x * this.scale + this.offset[0], y * this.scale + this.offset[1]]; }
+  /** @param {number[]} p of the pane, pixels */
   onPage([x, y]) { return [(x - this.offset[0]) / this.scale, (y - this.offset[1]) / this.scale]; }
-  placeOn(event) { const box = this.root.getBoundingClientRect(); return [event.clientX - box.left, event.clientY - box.top]; }
-  zoom(by, [x, y]) {
+  placeOn(event) {
+    const box = this.root.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+  zoom(by, /** @type {number[]} */[x, y]) {
     const p = this.onPage([x, y]);
     this.scale = Math.max(1e-3, Math.min(1e4, this.scale * by));
     this.offset = [x - p[0] * this.scale, y - p[1] * this.scale];
     this.draw();
   }
-  pan(dx, dy) { this.offset = [this.offset[0] + dx, this.offset[1] + dy]; this.draw(); }
+  pan(dx, dy) {
+    this.offset = [this.offset[0] + dx, this.offset[1] + dy];
+    this.draw();
+  }
 
   /** All curves and pictures of this view, and some room around them. */
   fit() {
-    const points = this.studio.drawing.curves.filter(({view, kind}) => view === this.view && kind !== 'scale').flatMap(({parts, dot}) =>
-      dot ? [dot] : parts.flatMap((part) => Bezier.segments(part).flatMap((pair) => [0, 0.5, 1].map((t) => Bezier.at(pair, t)))));
+    const points =
+      this.studio.drawing.curves.filter(({view, kind}) => view === this.view && kind !== 'scale')
+        .flatMap(
+          ({parts, dot}) => dot
+            ? [dot]
+            : parts.flatMap(
+                (part) => Bezier.segments(part).flatMap((pair) => [0, 0.5, 1].map((t) => Bezier.at(pair, t)))));
     for (const {view, matrix, x, y, width, height} of this.studio.drawing.images) {
-      if (view === this.view) points.push(...[[x, y], [x + width, y], [x, y + height], [x + width, y + height]].map((p) => A.point(matrix, p)));
+      if (view === this.view)
+        points.push(
+          ...[[x, y], [x + width, y], [x, y + height], [x + width, y + height]].map((p) => A.point(matrix, p)));
     }
     // Meshes have no curves, but a section.
-    if (points.length === 0 && this.section?.placement) points.push(...[[0, 0], [this.section.canvas.width, this.section.canvas.height]].map((p) => A.point(this.section.placement, p)));
+    if (points.length === 0 && this.section?.placement)
+      points.push(...[[0, 0], [this.section.canvas.width, this.section.canvas.height]].map(
+        (p) => A.point(this.section.placement, p)));
     const {clientWidth, clientHeight} = this.root;
     if (points.length === 0 || clientWidth < 20) return;
-    const low = [0, 1].map((k) => Math.min(...points.map((p) => p[k]))), high = [0, 1].map((k) => Math.max(...points.map((p) => p[k])));
+    const low = [0, 1].map((k) => Math.min(...points.map((p) => p[k])));
+    const high = [0, 1].map((k) => Math.max(...points.map((p) => p[k])));
     // The other half of the fruit is in the picture, too.
     const axis = this.view === 'side' && this.studio.drawing.axis('side');
     if (axis) low[0] = Math.min(low[0], 2 * axis[0][0] - high[0]);
     this.scale = 0.86 * Math.min(clientWidth / (high[0] - low[0] || 1), clientHeight / (high[1] - low[1] || 1));
-    this.offset = [clientWidth / 2 - (low[0] + high[0]) / 2 * this.scale, clientHeight / 2 - (low[1] + high[1]) / 2 * this.scale];
+    this.offset =
+      [clientWidth / 2 - (low[0] + high[0]) / 2 * this.scale, clientHeight / 2 - (low[1] + high[1]) / 2 * this.scale];
     this.fitted = true;
   }
 
@@ -59,10 +91,12 @@ class Pane {
   }
 
   drawPixels() {
-    const {canvas, studio} = this, ratio = Math.min(2, window.devicePixelRatio || 1), {clientWidth, clientHeight} = this.root;
+    const {canvas, studio} = this, ratio = Math.min(2, window.devicePixelRatio || 1);
+    const {clientWidth, clientHeight} = this.root;
     const [width, height] = [Math.round(clientWidth * ratio), Math.round(clientHeight * ratio)];
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-    const context = canvas.getContext('2d', {willReadFrequently: true}), page = [ratio * this.scale, 0, 0, ratio * this.scale, ratio * this.offset[0], ratio * this.offset[1]];
+    const context = canvas.getContext('2d', {willReadFrequently: true});
+    const page = [ratio * this.scale, 0, 0, ratio * this.scale, ratio * this.offset[0], ratio * this.offset[1]];
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, width, height);
     const photograph = () => {
@@ -87,8 +121,12 @@ class Pane {
 
   /** A section from the server: laid where the drawing has it, by the reader's own measure. */
   takeSection(picture, toMetres) {
-    if (!toMetres) { this.section = null; return; }
-    const canvas = this.section?.canvas || document.createElement('canvas'), {width, height, corner, right, down} = picture;
+    if (!toMetres) {
+      this.section = null;
+      return;
+    }
+    const canvas = this.section?.canvas || document.createElement('canvas');
+    const {width, height, corner, right, down} = picture;
     Object.assign(canvas, {width, height});
     canvas.getContext('2d', {willReadFrequently: true}).putImageData(picture.image, 0, 0);
     // In the plane of the view: x, and y upwards; seen from above that is -z.
@@ -120,8 +158,11 @@ class Pane {
         continue;
       }
       const d = this.pathOf(chosen && studio.dragged ? studio.dragged : curve.parts);
-      this.lines.append(svgElement('path', {class: 'grip', d, 'data-id': curve.id}),
-        svgElement('path', {class: `curve ${curve.kind}${chosen ? ' chosen' : ''}${wrong ? ' wrong' : ''}`, d, 'data-id': curve.id}));
+      this.lines.append(
+        svgElement('path', {class: 'grip', d, 'data-id': curve.id}),
+        svgElement(
+          'path',
+          {class: `curve ${curve.kind}${chosen ? ' chosen' : ''}${wrong ? ' wrong' : ''}`, d, 'data-id': curve.id}));
     }
     this.drawMarks();
   }
@@ -129,22 +170,43 @@ class Pane {
   drawMarks() {
     const {studio} = this, {selected} = studio;
     this.marks.replaceChildren();
-    if (studio.tool === 'brush') { drawBrush(this); return; }
+    if (studio.tool === 'brush') {
+      drawBrush(this);
+      return;
+    }
     this.drawBlur();
-    if (studio.pen?.pane === this) { this.drawPen(); return; }
+    if (studio.pen?.pane === this) {
+      this.drawPen();
+      return;
+    }
     if (!selected?.curve || selected.curve.view !== this.view || selected.curve.dot) return;
     const parts = studio.dragged || selected.curve.parts;
     parts.forEach(({nodes}, k) => nodes.forEach((node, i) => {
       const chosen = studio.isChosen(k, i), at = this.onScreen(node.p);
-      if (chosen) for (const which of ['before', 'after']) {
-        if (near(node[which], node.p, 1e-6)) continue;
-        const [x, y] = this.onScreen(node[which]);
-        this.marks.append(svgElement('line', {class: 'handle', x1: at[0], y1: at[1], x2: x, y2: y}),
-          svgElement('circle', {class: 'handle', cx: x, cy: y, r: 4.5, 'data-part': k, 'data-node': i, 'data-handle': which}));
-      }
+      if (chosen)
+        for (const which of ['before', 'after']) {
+          if (near(node[which], node.p, 1e-6)) continue;
+          const [x, y] = this.onScreen(node[which]);
+          this.marks.append(
+            svgElement('line', {class: 'handle', x1: at[0], y1: at[1], x2: x, y2: y}),
+            svgElement(
+              'circle', {class: 'handle', cx: x, cy: y, r: 4.5, 'data-part': k, 'data-node': i, 'data-handle': which}));
+        }
       const smooth = !near(node.before, node.p, 1e-6) && !near(node.after, node.p, 1e-6);
-      this.marks.append(smooth ? svgElement('circle', {class: `node${chosen ? ' chosen' : ''}`, cx: at[0], cy: at[1], r: 5.2, 'data-part': k, 'data-node': i})
-        : svgElement('rect', {class: `node${chosen ? ' chosen' : ''}`, x: at[0] - 4.6, y: at[1] - 4.6, width: 9.2, height: 9.2, 'data-part': k, 'data-node': i}));
+      this.marks.append(
+        smooth
+          ? svgElement(
+              'circle',
+              {class: `node${chosen ? ' chosen' : ''}`, cx: at[0], cy: at[1], r: 5.2, 'data-part': k, 'data-node': i})
+          : svgElement('rect', {
+              class: `node${chosen ? ' chosen' : ''}`,
+              x: at[0] - 4.6,
+              y: at[1] - 4.6,
+              width: 9.2,
+              height: 9.2,
+              'data-part': k,
+              'data-node': i
+            }));
     }));
   }
 
@@ -152,14 +214,17 @@ class Pane {
   drawBlur() {
     const {studio} = this, unit = studio.unitOf(this.view);
     if (!studio.shown.blur || !unit) return;
-    for (const curve of studio.drawing.curves.filter((c) => c.view === this.view && c.kind === 'curve' && c.parts.length)) {
+    for (const curve of studio.drawing.curves.filter(
+           (c) => c.view === this.view && c.kind === 'curve' && c.parts.length)) {
       const surface = studio.drawing.surfaceOf(curve), metres = surface && metresOf(surface.blur?.text);
       const chosen = studio.selected?.curve?.id === curve.id;
       if (!surface || !(metres > 0 || chosen)) continue;
       const parts = chosen && studio.dragged ? studio.dragged : curve.parts, segments = Bezier.segments(parts[0]);
       if (segments.length === 0) continue;
-      const [cx, cy] = this.onScreen(Bezier.at(segments[Math.floor(segments.length / 2)], 0.5)), r = Math.max(3, (metres || 0) / unit * this.scale);
-      this.marks.append(svgElement('circle', {class: 'blur', cx, cy, r}),
+      const [cx, cy] = this.onScreen(Bezier.at(segments[Math.floor(segments.length / 2)], 0.5));
+      const r = Math.max(3, (metres || 0) / unit * this.scale);
+      this.marks.append(
+        svgElement('circle', {class: 'blur', cx, cy, r}),
         svgElement('circle', {class: 'blur grip', cx: cx + r, cy, r: 4, 'data-blur': curve.id, 'data-x': cx}));
     }
   }
@@ -168,7 +233,10 @@ class Pane {
     const {nodes, closed} = this.studio.pen;
     if (nodes.length === 0) return;
     this.marks.append(svgElement('path', {class: 'curve chosen', d: this.pathOf([{nodes, closed}])}));
-    nodes.forEach(({p}) => { const [cx, cy] = this.onScreen(p); this.marks.append(svgElement('circle', {class: 'node', cx, cy, r: 5})); });
+    nodes.forEach(({p}) => {
+      const [cx, cy] = this.onScreen(p);
+      this.marks.append(svgElement('circle', {class: 'node', cx, cy, r: 5}));
+    });
   }
 }
 

@@ -1,26 +1,40 @@
 // The pictures under the drawing: loaded once, drawn where the SVG places them, and asked for colours.
-'use strict';
+import {A} from './svg_text.js';
+
 const mostPixelsAcross = 4096;
 
-class Pictures {
-  constructor(server, {changed, failed}) { Object.assign(this, {server, changed, failed, loaded: new Map()}); }
+export class Pictures {
+  constructor(server, {changed, failed}) {
+    this.server = server;
+    this.changed = changed;
+    this.failed = failed;
+    this.loaded = new Map();
+  }
 
   get(href) {
     const known = this.loaded.get(href);
     if (known) return known.image ? known : null;
     const entry = {image: null};
     this.loaded.set(href, entry);
-    this.load(href).then((image) => {
-      // Tracing and picking look at all pixels, and every redraw draws them: more than a screen has are of no use.
-      const scale = Math.min(1, mostPixelsAcross / Math.max(image.width, image.height)), canvas = document.createElement('canvas');
-      Object.assign(canvas, {width: Math.max(1, Math.round(scale * image.width)), height: Math.max(1, Math.round(scale * image.height))});
-      entry.pixels = canvas.getContext('2d', {willReadFrequently: true});
-      entry.pixels.imageSmoothingQuality = 'high';
-      entry.pixels.drawImage(image, 0, 0, canvas.width, canvas.height);
-      image.close();
-      entry.image = canvas;
-      this.changed();
-    }).catch((error) => this.failed(`The picture ${href.startsWith('data:') ? 'within the drawing' : href.slice(0, 80)} cannot be shown: ${error.message || 'it is no PNG or JPEG'}`));
+    this.load(href)
+      .then((image) => {
+        // Tracing and picking look at all pixels, and every redraw draws them: more than a screen has are of no use.
+        const scale = Math.min(1, mostPixelsAcross / Math.max(image.width, image.height));
+        const canvas = document.createElement('canvas');
+        Object.assign(
+          canvas,
+          {width: Math.max(1, Math.round(scale * image.width)), height: Math.max(1, Math.round(scale * image.height))});
+        entry.pixels = canvas.getContext('2d', {willReadFrequently: true});
+        entry.pixels.imageSmoothingQuality = 'high';
+        entry.pixels.drawImage(image, 0, 0, canvas.width, canvas.height);
+        image.close();
+        entry.image = canvas;
+        this.changed();
+      })
+      .catch(
+        (error) => this.failed(`The picture ${
+          href.startsWith('data:') ? 'within the drawing'
+                                   : href.slice(0, 80)} cannot be shown: ${error.message || 'it is no PNG or JPEG'}`));
     return null;
   }
   async load(href) {
@@ -48,12 +62,17 @@ class Pictures {
     for (const picture of [...images].reverse()) {
       const loaded = this.get(picture.href);
       if (!loaded) continue;
-      const [px, py] = A.point(A.inverse(this.placement(picture, loaded)), place).map(Math.floor), {width, height} = loaded.image;
+      const [px, py] = A.point(A.inverse(this.placement(picture, loaded)), place).map(Math.floor);
+      const {width, height} = loaded.image;
       if (px < 0 || py < 0 || px >= width || py >= height) continue;
-      const reach = Math.max(1, Math.round(Math.max(width, height) / 200)), left = Math.max(0, px - reach), top = Math.max(0, py - reach);
-      const {data} = loaded.pixels.getImageData(left, top, Math.min(width, px + reach + 1) - left, Math.min(height, py + reach + 1) - top);
+      const reach = Math.max(1, Math.round(Math.max(width, height) / 200)), left = Math.max(0, px - reach);
+      const top = Math.max(0, py - reach);
+      const {data} = loaded.pixels.getImageData(
+        left, top, Math.min(width, px + reach + 1) - left, Math.min(height, py + reach + 1) - top);
       const channels = [[], [], []];
-      for (let i = 0; i < data.length; i += 4) if (data[i + 3] >= 128) for (let k = 0; k < 3; ++k) channels[k].push(data[i + k]);
+      for (let i = 0; i < data.length; i += 4)
+        if (data[i + 3] >= 128)
+          for (let k = 0; k < 3; ++k) channels[k].push(data[i + k]);
       if (channels[0].length === 0) continue;
       return `#${channels.map((c) => c.sort((a, b) => a - b)[c.length >> 1].toString(16).padStart(2, '0')).join('')}`;
     }

@@ -1,12 +1,17 @@
-// Ramps as the template spells them, as values, and painted over; and written again so that stops which stay, stay as they were.
-// Colours are mixed as the program mixes them, in linear light.
-'use strict';
+// Ramps as the template spells them, as values, and painted over; and written again so that stops which stay, stay as
+// they were. Colours are mixed as the program mixes them, in linear light.
+import {linearOf} from '../../../render/page/color.js';
 
-const linearOf = (hex) => [1, 3, 5].map((k) => { const v = parseInt(hex.slice(k, k + 2), 16) / 255; return v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; });
-const hexOf = (linear) => `#${linear.map((v) => Math.round(255 * Math.max(0, Math.min(1, v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055))).toString(16).padStart(2, '0')).join('')}`;
+export const hexOf = (linear) => `#${
+  linear
+    .map(
+      (v) => Math.round(255 * Math.max(0, Math.min(1, v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055)))
+               .toString(16)
+               .padStart(2, '0'))
+    .join('')}`;
 
 /** What a ramp's values are: how they are read, written, mixed, and when two look the same. */
-const colorKind = {
+export const colorKind = {
   read: (node) => (node?.kind === 'string' && /^#[0-9a-f]{6}$/i.test(node.text) ? linearOf(node.text) : null),
   write: (value) => `"${hexOf(value)}"`,
   mix: (a, b, t) => a.map((v, k) => v + (b[k] - v) * t),
@@ -15,24 +20,33 @@ const colorKind = {
     return [1, 3, 5].every((k) => Math.abs(parseInt(x.slice(k, k + 2), 16) - parseInt(y.slice(k, k + 2), 16)) <= 2);
   },
 };
-const shareKind = {
+export const shareKind = {
   read: (node) => (node?.kind === 'plain' && Number.isFinite(Number(node.text)) ? Number(node.text) : null),
   write: (value) => String(Number(value.toFixed(3))),
   mix: (a, b, t) => a + (b - a) * t,
   alike: (a, b) => Math.abs(a - b) <= 0.012,
 };
 
-/** {kind, node, stops: [{at, value, node}], constant}; null if there is something else. A missing node is `otherwise` everywhere. */
-function readRamp(kind, node, otherwise) {
+/**
+ * {kind, node, stops: [{at, value, node}], constant}; null if there is something else. A missing node is `otherwise`
+ * everywhere.
+ */
+export function readRamp(kind, node, otherwise) {
   if (!node) return {kind, node: null, constant: true, stops: [{at: 0, value: otherwise}]};
   const alone = kind.read(node);
   if (alone !== null) return {kind, node, constant: true, stops: [{at: 0, value: alone, node}]};
   if (node.kind !== 'array' || node.items.length === 0) return null;
-  const stops = node.items.map((pair) => (pair.kind === 'array' && pair.items.length === 2 ? {at: shareKind.read(pair.items[0]), value: kind.read(pair.items[1]), node: pair} : {at: null}));
-  return stops.every(({at, value}, i) => at !== null && value !== null && (i === 0 || at > stops[i - 1].at)) ? {kind, node, constant: false, stops} : null;
+  const stops = node.items.map(
+    (pair) =>
+      (pair.kind === 'array' && pair.items.length === 2
+         ? {at: shareKind.read(pair.items[0]), value: kind.read(pair.items[1]), node: pair}
+         : {at: null}));
+  return stops.every(({at, value}, i) => at !== null && value !== null && (i === 0 || at > stops[i - 1].at))
+    ? {kind, node, constant: false, stops}
+    : null;
 }
 
-function rampAt({kind, stops}, t) {
+export function rampAt({kind, stops}, t) {
   const after = stops.findIndex(({at}) => at > t);
   if (after === 0) return stops[0].value;
   if (after < 0) return stops[stops.length - 1].value;
@@ -40,11 +54,17 @@ function rampAt({kind, stops}, t) {
   return kind.mix(a.value, b.value, (t - a.at) / (b.at - a.at));
 }
 
-/** What runs around the whole fruit goes on over the seam, from the last stop to the first: as the reader has it, with stops at 0 and 1. */
-function overTheSeam(ramp) {
+/**
+ * What runs around the whole fruit goes on over the seam, from the last stop to the first: as the reader has it, with
+ * stops at 0 and 1.
+ */
+export function overTheSeam(ramp) {
   const {kind, stops} = ramp, [first, last] = [stops[0], stops[stops.length - 1]], gap = first.at + 1 - last.at;
   if (!(gap > 0)) return ramp;
-  const seam = first.at === 0 ? first.value : last.at === 1 ? last.value : kind.mix(last.value, first.value, (1 - last.at) / gap), all = [...stops];
+  const seam = first.at === 0 ? first.value
+    : last.at === 1           ? last.value
+                              : kind.mix(last.value, first.value, (1 - last.at) / gap);
+  const all = [...stops];
   if (first.at > 0) all.unshift({at: 0, value: seam});
   if (last.at < 1) all.push({at: 1, value: seam});
   return {...ramp, stops: all};
@@ -54,32 +74,52 @@ function overTheSeam(ramp) {
 function fewest(points, same) {
   const keep = (from, to) => {
     let worst = 0, at = -1;
-    for (let i = from + 1; i < to; ++i) { const off = same(points[from], points[to], points[i]); if (off > worst) { worst = off; at = i; } }
+    for (let i = from + 1; i < to; ++i) {
+      const off = same(points[from], points[to], points[i]);
+      if (off > worst) {
+        worst = off;
+        at = i;
+      }
+    }
     return at < 0 ? [] : [...keep(from, at), points[at], ...keep(at, to)];
   };
   return points.length < 3 ? points : [points[0], ...keep(0, points.length - 1), points[points.length - 1]];
 }
 
 /**
- * Over a ramp lies paint, as thick as a stroke says: [[place, 0..1], ...], ascending, from one end of the stroke to the other. Stops
- * outside it stay; within it they are what `mixed(value, share, place)` makes of them, and no more than are needed. A circular ramp
- * has its stops at 0 and 1 (overTheSeam).
+ * Over a ramp lies paint, as thick as a stroke says: [[place, 0..1], ...], ascending, from one end of the stroke to the
+ * other. Stops outside it stay; within it they are what `mixed(value, share, place)` makes of them, and no more than
+ * are needed. A circular ramp has its stops at 0 and 1 (overTheSeam).
  */
-function paintedOver(ramp, stroke, mixed, circular = false) {
-  const round = (t) => Number(t.toFixed(3)), cover = stroke.map(([at, share]) => [round(at), share]).filter(([at], i, all) => i === 0 || at > all[i - 1][0]);
+export function paintedOver(ramp, stroke, mixed, circular = false) {
+  const round = (t) => Number(t.toFixed(3));
+  const cover = stroke.map(([at, share]) => [round(at), share]).filter(([at], i, all) => i === 0 || at > all[i - 1][0]);
   const {kind, stops} = ramp, [low, high] = [cover[0][0], cover[cover.length - 1][0]];
   const share = (t) => rampAt({kind: shareKind, stops: cover.map(([at, value]) => ({at, value}))}, t);
   const inside = (at) => at > low + 0.002 && at < high - 0.002;
-  const places = [...new Set([...cover.map(([at]) => at), ...(ramp.constant ? [] : stops.map(({at}) => at).filter(inside))].map(round))].sort((a, b) => a - b);
+  const places = [
+    ...new Set(
+      [...cover.map(([at]) => at), ...(ramp.constant ? [] : stops.map(({at}) => at).filter(inside))].map(round))
+  ].sort((a, b) => a - b);
   const painted = places.map((at) => ({at, value: mixed(rampAt(ramp, at), share(at), at)}));
-  const before = ramp.constant ? [] : stops.filter(({at}) => at < round(low) - 0.0015), after = ramp.constant ? [] : stops.filter(({at}) => at > round(high) + 0.0015);
+  const before = ramp.constant ? [] : stops.filter(({at}) => at < round(low) - 0.0015);
+  const after = ramp.constant ? [] : stops.filter(({at}) => at > round(high) + 0.0015);
   const all = [...before, ...painted, ...after];
-  // What lies on the line between its neighbours need not be said; what was there and is not painted over is left alone.
-  const off = (a, b, p) => (kind.alike(kind.mix(a.value, b.value, (p.at - a.at) / (b.at - a.at)), p.value) ? 0 : distance(kind.mix(a.value, b.value, (p.at - a.at) / (b.at - a.at)), p.value));
+  // What lies on the line between its neighbours need not be said; what was there and is not painted over is left
+  // alone.
+  const off = (a, b, p) =>
+    (kind.alike(kind.mix(a.value, b.value, (p.at - a.at) / (b.at - a.at)), p.value)
+       ? 0
+       : distance(kind.mix(a.value, b.value, (p.at - a.at) / (b.at - a.at)), p.value));
   const from = Math.max(0, before.length - 1), to = Math.min(all.length, before.length + painted.length + 1);
-  return [...all.slice(0, from), ...withoutEnds(kind, fewest(all.slice(from, to), off), !circular && from === 0, !circular && to === all.length), ...all.slice(to)];
+  return [
+    ...all.slice(0, from),
+    ...withoutEnds(kind, fewest(all.slice(from, to), off), !circular && from === 0, !circular && to === all.length),
+    ...all.slice(to)
+  ];
 }
-const distance = (a, b) => (Array.isArray(a) ? Math.hypot(...a.map((v, k) => Math.cbrt(v) - Math.cbrt(b[k]))) : Math.abs(a - b));
+const distance = (a, b) =>
+  (Array.isArray(a) ? Math.hypot(...a.map((v, k) => Math.cbrt(v) - Math.cbrt(b[k]))) : Math.abs(a - b));
 /** Ramps stay as they are beyond their outermost stops: two alike at an end are one. */
 function withoutEnds(kind, stops, atStart, atEnd) {
   const left = [...stops];
@@ -88,7 +128,7 @@ function withoutEnds(kind, stops, atStart, atEnd) {
   return left;
 }
 /** Of stops around the whole fruit, those at the seam are not needed where the others say the same. */
-function withoutSeam(kind, stops) {
+export function withoutSeam(kind, stops) {
   const inner = stops.filter(({at}) => at > 0 && at < 1), [first, last] = [stops[0], stops[stops.length - 1]];
   if (inner.length === 0 || first.at > 0 || last.at < 1 || !kind.alike(first.value, last.value)) return stops;
   const [a, b] = [inner[inner.length - 1], inner[0]];
@@ -98,39 +138,43 @@ function withoutSeam(kind, stops) {
 const placeText = (at) => (Number.isInteger(at) ? at.toFixed(1) : String(Number(at.toFixed(3))));
 const stopText = (kind, {at, value}) => `[${placeText(at)}, ${kind.write(value)}]`;
 /** As a value of TOML: one stop is a value alone; long ones are broken. */
-function rampText(kind, stops) {
+export function rampText(kind, stops) {
   if (stops.length === 1) return kind.write(stops[0].value);
   return `[${brokenList(stops.map((stop) => stopText(kind, stop)))}]`;
 }
 function brokenList(texts) {
   let line = 0;
-  return texts.map((text, i) => {
-    const breaks = i > 0 && line + text.length > 96;
-    line = (breaks ? 4 : line) + text.length + 2;
-    return i === 0 ? text : `,${breaks ? '\n    ' : ' '}${text}`;
-  }).join('');
+  return texts
+    .map((text, i) => {
+      const breaks = i > 0 && line + text.length > 96;
+      line = (breaks ? 4 : line) + text.length + 2;
+      return i === 0 ? text : `,${breaks ? '\n    ' : ' '}${text}`;
+    })
+    .join('');
 }
 
 /** The edit that makes a ramp's text say these stops: what stays at its ends is not touched, and no comment is lost. */
-function rampEdit(toml, {kind, node, constant, stops: old}, stops) {
+export function rampEdit(toml, {kind, node, constant, stops: old}, stops) {
   if (constant || stops.length === 1) return {from: node.from, to: node.to, text: rampText(kind, stops)};
   const same = (a, b) => a && b && a.node && a.at === b.at && a.value === b.value;
   let start = 0, end = 0;
   while (start < Math.min(old.length, stops.length) && same(old[start], stops[start])) ++start;
-  while (end < Math.min(old.length, stops.length) - start && same(old[old.length - 1 - end], stops[stops.length - 1 - end])) ++end;
-  const texts = stops.slice(start, stops.length - end).map((stop) => stopText(kind, stop)), gone = old.slice(start, old.length - end);
+  while (end < Math.min(old.length, stops.length) - start &&
+         same(old[old.length - 1 - end], stops[stops.length - 1 - end]))
+    ++end;
+  const texts = stops.slice(start, stops.length - end).map((stop) => stopText(kind, stop));
+  const gone = old.slice(start, old.length - end);
   if (texts.length === 0 && gone.length === 0) return {from: node.from, to: node.from, text: ''};
   if (gone.length === 0) {
     const at = start > 0 ? old[start - 1].node.to : old[0].node.from;
     return {from: at, to: at, text: start > 0 ? `, ${brokenList(texts)}` : `${brokenList(texts)}, `};
   }
   const [from, to] = [gone[0].node.from, gone[gone.length - 1].node.to];
-  const commentsIn = (a, b) => [...toml.slice(a, b).matchAll(/(?<=[\s,])#[^\n]*\n/g)].map(([text]) => `${text}    `).join('');
+  const commentsIn =
+    (a, b) => [...toml.slice(a, b).matchAll(/(?<=[\s,])#[^\n]*\n/g)].map(([text]) => `${text}    `).join('');
   if (texts.length > 0) return {from, to, text: commentsIn(from, to) + brokenList(texts)};
   // A comma is one too many: the one before at the end of the list, else the one behind.
-  const [edge, next] = end > 0 ? [from, old[old.length - end].node.from] : [old[start - 1].node.to, to], comments = commentsIn(edge, next);
+  const [edge, next] = end > 0 ? [from, old[old.length - end].node.from] : [old[start - 1].node.to, to];
+  const comments = commentsIn(edge, next);
   return {from: edge, to: next, text: comments && end === 0 ? `  ${comments}` : comments};
-}
-if (typeof module !== 'undefined') {
-  module.exports = {linearOf, hexOf, colorKind, shareKind, readRamp, rampAt, overTheSeam, fewest, paintedOver, withoutSeam, rampText, rampEdit};
 }

@@ -1,18 +1,30 @@
 // Talking to the program: JSON in, JSON or bytes out; what it refuses comes back as an error with all its words.
-'use strict';
-class Refusal extends Error {
-  constructor(status, errors) { super(errors[0]?.message || `the studio answers ${status}`); Object.assign(this, {status, errors}); }
+
+export class Refusal extends Error {
+  constructor(status, errors) {
+    super(errors[0]?.message || `the studio answers ${status}`);
+    this.status = status;
+    this.errors = errors;
+  }
 }
-class Server {
-  constructor(token) { this.token = token; this.alive = true; }
+export class Server {
+  constructor(token) {
+    this.token = token;
+    this.alive = true;
+  }
   async ask(path, body) {
     let reply;
     try {
-      reply = await fetch(path, {method: body ? 'POST' : 'GET', headers: {'X-Pomona-Token': this.token, ...(body ? {'Content-Type': 'application/json'} : {})},
-        body: body ? JSON.stringify(body) : undefined});
+      reply = await fetch(path, {
+        method: body ? 'POST' : 'GET',
+        headers: {'X-Pomona-Token': this.token, ...(body ? {'Content-Type': 'application/json'} : {})},
+        body: body ? JSON.stringify(body) : undefined
+      });
     } catch {
       this.alive = false;
-      throw new Refusal(0, [{message: 'The studio does not answer.', hint: 'start it again; what was drawn is kept beside the template'}]);
+      throw new Refusal(
+        0,
+        [{message: 'The studio does not answer.', hint: 'start it again; what was drawn is kept beside the template'}]);
     }
     this.alive = true;
     if (reply.ok) return reply;
@@ -28,7 +40,8 @@ class Server {
     let at = 4 + length;
     for (const picture of head.pictures) {
       const size = 4 * picture.width * picture.height;
-      picture.image = new ImageData(new Uint8ClampedArray(bytes.buffer.slice(at, at + size)), picture.width, picture.height);
+      picture.image =
+        new ImageData(new Uint8ClampedArray(bytes.buffer.slice(at, at + size)), picture.width, picture.height);
       at += size;
     }
     return head;
@@ -36,8 +49,12 @@ class Server {
 }
 
 /** Does one thing at a time; of what is asked for meanwhile, the last. */
-class Latest {
-  constructor(work) { this.work = work; this.wanted = null; this.busy = false; }
+export class Latest {
+  constructor(work) {
+    this.work = work;
+    this.wanted = null;
+    this.busy = false;
+  }
   async ask(what) {
     this.wanted = {what};
     if (this.busy) return;

@@ -1,32 +1,49 @@
-// A template's surfaces as far as the studio edits their curves in place: each with where it stands in the text. The program's own
-// reader judges it; this only finds what can be taken hold of.
-'use strict';
+// A template's surfaces as far as the studio edits their curves in place: each with where it stands in the text. The
+// program's own reader judges it; this only finds what can be taken hold of.
+import {entryOf, lineAfter, tomlTree} from './toml_tree.js';
 
 /** Where a string of the text says its words. */
 const wordsIn = (value) => (value?.kind === 'string' ? {text: value.text, ...value.inside} : null);
 
-/** {name, type, node, from, to, vertical: {text, from, to}, horizontal: [...], blur}: `to` is behind the last line of the surface. */
-function surfacesIn(toml, tree = tomlTree(toml)) {
+/**
+ * {name, type, node, from, to, vertical: {text, from, to}, horizontal: [...], blur}: `to` is behind the last line of
+ * the surface.
+ */
+export function surfacesIn(toml, tree = tomlTree(toml)) {
   const list = entryOf(tree, 'surface');
   return (list?.form === 'list' ? list.items : []).map((node) => {
     const horizontal = entryOf(node, 'horizontal');
-    return {name: wordsIn(entryOf(node, 'name'))?.text || '', type: wordsIn(entryOf(node, 'type'))?.text || 'around-axis', node, from: node.from, to: lineAfter(toml, endOf(node)),
-      vertical: wordsIn(entryOf(node, 'vertical')), horizontal: (horizontal?.kind === 'array' ? horizontal.items : [horizontal]).map(wordsIn).filter(Boolean),
-      blur: blurIn(entryOf(node, 'blur'))};
+    return {
+      name: wordsIn(entryOf(node, 'name'))?.text || '',
+      type: wordsIn(entryOf(node, 'type'))?.text || 'around-axis',
+      node,
+      from: node.from,
+      to: lineAfter(toml, endOf(node)),
+      vertical: wordsIn(entryOf(node, 'vertical')),
+      horizontal: (horizontal?.kind === 'array' ? horizontal.items : [horizontal]).map(wordsIn).filter(Boolean),
+      blur: blurIn(entryOf(node, 'blur'))
+    };
   });
 }
 /** Where the text of a table ends, with those below it. */
 function endOf({end, to, entries}) {
-  const below = [...entries.values()].flatMap(({value}) => (value.kind === 'table' ? [endOf(value)] : value.form === 'list' ? value.items.map(endOf) : [value.to]));
+  const below = [...entries.values()].flatMap(
+    ({value}) =>
+      (value.kind === 'table'    ? [endOf(value)]
+         : value.form === 'list' ? value.items.map(endOf)
+                                 : [value.to]));
   return Math.max(end || to, ...below);
 }
 /** The length of a blur; of one that changes along its curve, that in the middle, where its circle is drawn. */
 function blurIn(value) {
   if (value?.kind === 'table') return blurIn(entryOf(value, 'along'));
   if (value?.kind !== 'array') return wordsIn(value);
-  const away = ({items}) => Math.abs(Number(items?.[0]?.text) - 0.5), stops = value.items.filter((stop) => away(stop) <= 0.5);
+  const away = ({items}) => Math.abs(Number(items?.[0]?.text) - 0.5);
+  const stops = value.items.filter((stop) => away(stop) <= 0.5);
   return stops.length ? wordsIn(stops.reduce((a, b) => (away(b) < away(a) ? b : a)).items[1]) : null;
 }
-const partsIn = (toml) => { const found = /^\s*parts\s*=\s*\[([^\]]*)\]/m.exec(toml); return found ? [...found[1].matchAll(/"([^"]*)"/g)].map((m) => m[1]) : []; };
-const titleIn = (toml) => /^\s*title\s*=\s*"([^"\n]*)"/m.exec(toml)?.[1] || '';
-if (typeof module !== 'undefined') module.exports = {surfacesIn, partsIn, titleIn};
+export const partsIn = (toml) => {
+  const found = /^\s*parts\s*=\s*\[([^\]]*)\]/m.exec(toml);
+  return found ? [...found[1].matchAll(/"([^"]*)"/g)].map((m) => m[1]) : [];
+};
+export const titleIn = (toml) => /^\s*title\s*=\s*"([^"\n]*)"/m.exec(toml)?.[1] || '';

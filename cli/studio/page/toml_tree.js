@@ -1,15 +1,19 @@
-// A template's TOML as a tree whose every value knows where it stands in the text, so that an edit replaces that and nothing else.
-// The program's own reader judges the text; this one only finds, and goes on at the next line where it does not understand.
-'use strict';
+// A template's TOML as a tree whose every value knows where it stands in the text, so that an edit replaces that and
+// nothing else. The program's own reader judges the text; this one only finds, and goes on at the next line where it
+// does not understand.
 
 /**
- * A value: {kind: 'string' | 'plain' | 'array' | 'table', from, to}. Strings have their `text` and where it stands, `inside`; arrays
- * have `items`; tables have `entries`, a Map. Tables know how they are written: `form` is 'inline', 'heading', 'list' (one of
- * [[...]]), 'implied' (by [theirs.below]) or 'dotted'. Headings and lists have their `path`, and `end`, where their last own entry ends;
- * dotted ones have the `host` that has their lines, and the `path` within it.
+ * A value: {kind: 'string' | 'plain' | 'array' | 'table', from, to}. Strings have their `text` and where it stands,
+ * `inside`; arrays have `items`; tables have `entries`, a Map. Tables know how they are written: `form` is 'inline',
+ * 'heading', 'list' (one of
+ * [[...]]), 'implied' (by [theirs.below]) or 'dotted'. Headings and lists have their `path`, and `end`, where their
+ * last own entry ends; dotted ones have the `host` that has their lines, and the `path` within it.
  */
 class TomlReader {
-  constructor(text) { this.text = text; this.at = 0; }
+  constructor(text) {
+    this.text = text;
+    this.at = 0;
+  }
 
   document() {
     const {text} = this, root = this.table('heading', {path: [], from: 0, to: 0, end: 0});
@@ -23,7 +27,9 @@ class TomlReader {
         else this.entry(current);
       } catch (error) {
         if (!(error instanceof SyntaxError)) throw error;
-        const next = text.indexOf('\n', Math.max(began, Math.min(this.at, text.indexOf('\n', began) < 0 ? text.length : text.indexOf('\n', began))));
+        const next = text.indexOf(
+          '\n',
+          Math.max(began, Math.min(this.at, text.indexOf('\n', began) < 0 ? text.length : text.indexOf('\n', began))));
         this.at = next < 0 ? text.length : next + 1;
       }
     }
@@ -37,12 +43,16 @@ class TomlReader {
     const path = this.keys(']');
     this.at += isList ? 2 : 1;
     const written = {path, from, to: this.at, end: this.at}, last = path[path.length - 1];
-    const parent = path.slice(0, -1).reduce((table, key) => this.inside(table, key, from), root), known = parent.entries.get(last)?.value;
+    const parent = path.slice(0, -1).reduce((table, key) => this.inside(table, key, from), root);
+    const known = parent.entries.get(last)?.value;
     if (!isList) {
-      if (known?.kind === 'table') return Object.assign(known, known.form === 'dotted' ? {} : {form: 'heading'}, written);
+      if (known?.kind === 'table')
+        return Object.assign(known, known.form === 'dotted' ? {} : {form: 'heading'}, written);
       return this.put(parent, last, this.table('heading', written), written);
     }
-    const list = known?.kind === 'array' && known.form === 'list' ? known : this.put(parent, last, {kind: 'array', form: 'list', items: [], from, to: from}, written);
+    const list = known?.kind === 'array' && known.form === 'list'
+      ? known
+      : this.put(parent, last, {kind: 'array', form: 'list', items: [], from, to: from}, written);
     list.items.push(this.table('list', written));
     return list.items[list.items.length - 1];
   }
@@ -51,10 +61,14 @@ class TomlReader {
     const known = table.entries.get(key)?.value;
     if (known?.kind === 'table') return known;
     if (known?.kind === 'array' && known.items.length) return known.items[known.items.length - 1];
-    return this.put(table, key, this.table('implied', {path: [...table.path || [], key], from, to: from, end: from}), {});
+    return this.put(
+      table, key, this.table('implied', {path: [...table.path || [], key], from, to: from, end: from}), {});
   }
   table(form, more) { return {kind: 'table', form, entries: new Map(), ...more}; }
-  put(table, key, value, {from = value.from}) { table.entries.set(key, {from, value}); return value; }
+  put(table, key, value, {from = value.from}) {
+    table.entries.set(key, {from, value});
+    return value;
+  }
 
   /** key = value, on a line or within braces; dotted keys make tables. */
   entry(table) {
@@ -63,7 +77,9 @@ class TomlReader {
     let home = table;
     path.slice(0, -1).forEach((key, k) => {
       const known = home.entries.get(key)?.value;
-      home = known?.kind === 'table' ? known : this.put(home, key, this.table('dotted', {host: table, path: path.slice(0, k + 1), from, to: from}), {});
+      home = known?.kind === 'table'
+        ? known
+        : this.put(home, key, this.table('dotted', {host: table, path: path.slice(0, k + 1), from, to: from}), {});
     });
     const value = this.value();
     home.entries.set(path[path.length - 1], {from, value});
@@ -73,7 +89,9 @@ class TomlReader {
   // ---- Words. ----
 
   fail() { throw new SyntaxError(`at ${this.at}`); }
-  blank() { while (/[ \t]/.test(this.text[this.at] || '')) ++this.at; }
+  blank() {
+    while (/[ \t]/.test(this.text[this.at] || '')) ++this.at;
+  }
   /** Blanks, line breaks and comments. */
   skip() {
     for (;;) {
@@ -100,8 +118,11 @@ class TomlReader {
   value() {
     this.blank();
     const {text} = this, from = this.at, first = text[from];
-    if (first === '"' || first === "'") return this.string(first);
-    if (first === '[') { const items = this.listed(']', () => this.value()); return {kind: 'array', form: 'inline', items, from, to: this.at}; }
+    if (first === '"' || first === '\'') return this.string(first);
+    if (first === '[') {
+      const items = this.listed(']', () => this.value());
+      return {kind: 'array', form: 'inline', items, from, to: this.at};
+    }
     if (first === '{') {
       const table = this.table('inline', {from, to: from});
       this.listed('}', () => this.entry(table));
@@ -117,16 +138,23 @@ class TomlReader {
     ++this.at;
     for (;;) {
       this.skip();
-      if (this.text[this.at] === end) { ++this.at; return items; }
+      if (this.text[this.at] === end) {
+        ++this.at;
+        return items;
+      }
       items.push(one());
       this.skip();
-      if (this.text[this.at] === ',') ++this.at; else if (this.text[this.at] !== end) this.fail();
+      if (this.text[this.at] === ',') ++this.at;
+      else if (this.text[this.at] !== end) this.fail();
     }
   }
   string(quote) {
     const {text} = this, from = this.at, long = quote.repeat(3), marks = text.startsWith(long, from) ? long : quote;
     for (let at = from + marks.length; at < text.length; ++at) {
-      if (quote === '"' && text[at] === '\\') { ++at; continue; }
+      if (quote === '"' && text[at] === '\\') {
+        ++at;
+        continue;
+      }
       if (marks.length === 1 && text[at] === '\n') break;
       if (!text.startsWith(marks, at)) continue;
       this.at = at + marks.length;
@@ -136,46 +164,52 @@ class TomlReader {
     return this.fail();
   }
 }
-const tomlTree = (text) => new TomlReader(text).document();
-const entryOf = (table, ...path) => path.reduce((value, key) => (value?.kind === 'table' ? value.entries.get(key)?.value : undefined), table);
+export const tomlTree = (text) => new TomlReader(text).document();
+export const entryOf = (table, ...path) =>
+  path.reduce((value, key) => (value?.kind === 'table' ? value.entries.get(key)?.value : undefined), table);
 
 // ---- Edits, for edited(): {from, to, text}. ----
 
 /** Behind the line on which a place is. */
-function lineAfter(toml, at) { const end = toml.indexOf('\n', at); return end < 0 ? toml.length : end + 1; }
+export function lineAfter(toml, at) {
+  const end = toml.indexOf('\n', at);
+  return end < 0 ? toml.length : end + 1;
+}
 
 /** A key of a table set to a value as TOML has it: in its place if it is there, else behind the table's other keys. */
-function withEntry(toml, table, key, text) {
+export function withEntry(toml, table, key, text) {
   const known = table.entries.get(key)?.value;
   if (known) return {from: known.from, to: known.to, text};
   const name = table.form === 'dotted' ? [...table.path, key].join('.') : key;
   if (table.form === 'inline' || table.host?.form === 'inline') {
-    const last = [...table.entries.values()].reduce((end, {value}) => Math.max(end, value.to), 0), at = last || table.from + 1;
+    const last = [...table.entries.values()].reduce((end, {value}) => Math.max(end, value.to), 0);
+    const at = last || table.from + 1;
     return {from: at, to: at, text: last ? `, ${name} = ${text}` : ` ${name} = ${text} `};
   }
-  if (table.form === 'implied') return {from: table.from, to: table.from, text: `[${table.path.join('.')}]\n${name} = ${text}\n\n`};
+  if (table.form === 'implied')
+    return {from: table.from, to: table.from, text: `[${table.path.join('.')}]\n${name} = ${text}\n\n`};
   const at = lineAfter(toml, table.end);
   return {from: at, to: at, text: `${toml[at - 1] === '\n' ? '' : '\n'}${name} = ${text}\n`};
 }
 
 /** Without a key: its line, or its place between the commas. */
-function withoutEntry(toml, table, key) {
+export function withoutEntry(toml, table, key) {
   const {from, value} = table.entries.get(key);
   if (table.form !== 'inline' && table.host?.form !== 'inline') return {from, to: lineAfter(toml, value.to), text: ''};
   return withoutOne(toml, from, value.to);
 }
 /** Without what stands between commas, and without the comma that is then one too many. */
-function withoutOne(toml, from, to) {
+export function withoutOne(toml, from, to) {
   let next = to;
   while (/\s/.test(toml[next])) ++next;
   if (toml[next] === ',') {
     ++next;
     while (/[ \t]/.test(toml[next])) ++next;
-    const line = toml.lastIndexOf('\n', from - 1) + 1, alone = toml[next] === '\n' && toml.slice(line, from).trim() === '';
+    const line = toml.lastIndexOf('\n', from - 1) + 1;
+    const alone = toml[next] === '\n' && toml.slice(line, from).trim() === '';
     return alone ? {from: line, to: next + 1, text: ''} : {from, to: next, text: ''};
   }
   let before = from - 1;
   while (/\s/.test(toml[before])) --before;
   return {from: toml[before] === ',' ? before : from, to, text: ''};
 }
-if (typeof module !== 'undefined') module.exports = {tomlTree, entryOf, withEntry, withoutEntry, withoutOne, lineAfter};

@@ -1,18 +1,24 @@
 // Outlines traced from a picture: what is like the colour that was clicked, its rim, and a curve of few nodes along it.
-'use strict';
-/** A part on the page around what has this colour there; of an open curve of the side view, the half right of the axis. */
-function traced(studio, view, place, closed) {
+import {Bezier, nodeAt} from './bezier.js';
+import {A} from './svg_text.js';
+
+/**
+ * A part on the page around what has this colour there; of an open curve of the side view, the half right of the axis.
+ */
+export function traced(studio, view, place, closed) {
   for (const picture of studio.drawing.images.filter((image) => image.view === view).reverse()) {
     const loaded = studio.pictures.get(picture.href);
     if (!loaded) continue;
-    const {width, height} = loaded.image, toPage = studio.pictures.placement(picture, loaded), [x, y] = A.point(A.inverse(toPage), place).map(Math.floor);
+    const {width, height} = loaded.image, toPage = studio.pictures.placement(picture, loaded);
+    const [x, y] = A.point(A.inverse(toPage), place).map(Math.floor);
     if (x < 0 || y < 0 || x >= width || y >= height) continue;
-    const rim = rimOf(filled(loaded.pixels.getImageData(0, 0, width, height), x, y), width, height, x, y);
+    const rim = rimOf(filled(loaded.pixels.getImageData(0, 0, width, height), x, y), width, height);
     if (rim.length < 24) return null;
     const outline = simplified(rim.map((p) => A.point(toPage, p)), 0.006);
-    const part = closed || view === 'top' ? {nodes: outline.map(nodeAt), closed: true} : rightHalf(outline, studio.drawing.axis('side'));
+    const part = closed || view === 'top' ? {nodes: outline.map(nodeAt), closed: true}
+                                          : rightHalf(outline, studio.drawing.axis('side'));
     if (!part || part.nodes.length < 3) return null;
-    Bezier.smooth(part, (node, i) => turnAt(part, i) < 0.9);
+    Bezier.smooth(part, (_, i) => turnAt(part, i) < 0.9);
     return part;
   }
   return null;
@@ -20,16 +26,23 @@ function traced(studio, view, place, closed) {
 
 /** By how much the way turns at a node, radians: sharp ones stay corners, for a smooth curve would swing out there. */
 function turnAt({nodes, closed}, i) {
-  const a = nodes[closed ? (i + nodes.length - 1) % nodes.length : i - 1], b = nodes[closed ? (i + 1) % nodes.length : i + 1], {p} = nodes[i];
+  const a = nodes[closed ? (i + nodes.length - 1) % nodes.length : i - 1];
+  const b = nodes[closed ? (i + 1) % nodes.length : i + 1], {p} = nodes[i];
   if (!a || !b) return 0;
   const before = [p[0] - a.p[0], p[1] - a.p[1]], after = [b.p[0] - p[0], b.p[1] - p[1]];
   return Math.abs(Math.atan2(before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]));
 }
 
-/** 1 where the picture is like the place clicked and joined to it. Likeness is Euclidean in sRGB, a fifth of its range. */
+/**
+ * 1 where the picture is like the place clicked and joined to it. Likeness is Euclidean in sRGB, a fifth of its range.
+ */
 function filled({data, width, height}, x, y, reach = 52) {
-  const mask = new Uint8Array(width * height), stack = [y * width + x], at = 4 * (y * width + x), seed = [data[at], data[at + 1], data[at + 2], data[at + 3]];
-  const like = (i) => (data[4 * i] - seed[0]) ** 2 + (data[4 * i + 1] - seed[1]) ** 2 + (data[4 * i + 2] - seed[2]) ** 2 < reach * reach && (data[4 * i + 3] > 127) === (seed[3] > 127);
+  const mask = new Uint8Array(width * height), stack = [y * width + x], at = 4 * (y * width + x);
+  const seed = [data[at], data[at + 1], data[at + 2], data[at + 3]];
+  const like = (i) =>
+    (data[4 * i] - seed[0]) ** 2 + (data[4 * i + 1] - seed[1]) ** 2 + (data[4 * i + 2] - seed[2]) ** 2 <
+      reach * reach &&
+    (data[4 * i + 3] > 127) === (seed[3] > 127);
   mask[stack[0]] = 1;
   while (stack.length) {
     const i = stack.pop(), column = i % width;
@@ -43,9 +56,9 @@ function filled({data, width, height}, x, y, reach = 52) {
 }
 
 /** The outer rim of what is filled, once around: Moore's neighbours, from the leftmost filled pixel of the row. */
-function rimOf(mask, width, height, x, y) {
+function rimOf(mask, width, height) {
   // Holes do not count: the rim begins at the outermost pixel of all.
-  let start = mask.indexOf(1);
+  const start = mask.indexOf(1);
   const inside = (px, py) => px >= 0 && py >= 0 && px < width && py < height && mask[py * width + px] === 1;
   const ways = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]], rim = [];
   let [px, py] = [start % width, Math.floor(start / width)], way = 0;
@@ -55,7 +68,12 @@ function rimOf(mask, width, height, x, y) {
     let k = 0;
     for (; k < 8; ++k) {
       const [dx, dy] = ways[(way + 6 + k) % 8];
-      if (inside(px + dx, py + dy)) { way = (way + 6 + k) % 8; px += dx; py += dy; break; }
+      if (inside(px + dx, py + dy)) {
+        way = (way + 6 + k) % 8;
+        px += dx;
+        py += dy;
+        break;
+      }
     }
     if (k === 8 || px === sx && py === sy && rim.length > 2) break;
   }
@@ -64,18 +82,28 @@ function rimOf(mask, width, height, x, y) {
 
 /** Douglas and Peucker's, on a loop: no place further off than a share of the outline's size. */
 function simplified(points, share) {
-  const low = [0, 1].map((k) => Math.min(...points.map((p) => p[k]))), high = [0, 1].map((k) => Math.max(...points.map((p) => p[k])));
+  const low = [0, 1].map((k) => Math.min(...points.map((p) => p[k])));
+  const high = [0, 1].map((k) => Math.max(...points.map((p) => p[k])));
   const most = share * Math.hypot(high[0] - low[0], high[1] - low[1]), kept = new Set([0]), stack = [];
   let far = 0;
-  points.forEach((p, i) => { if (Math.hypot(p[0] - points[0][0], p[1] - points[0][1]) > Math.hypot(points[far][0] - points[0][0], points[far][1] - points[0][1])) far = i; });
+  points.forEach((p, i) => {
+    if (
+      Math.hypot(p[0] - points[0][0], p[1] - points[0][1]) >
+      Math.hypot(points[far][0] - points[0][0], points[far][1] - points[0][1]))
+      far = i;
+  });
   kept.add(far);
   stack.push([0, far], [far, points.length]);
   while (stack.length) {
-    const [a, b] = stack.pop(), p = points[a], q = points[b % points.length], way = [q[0] - p[0], q[1] - p[1]], length = Math.hypot(...way) || 1;
+    const [a, b] = stack.pop(), p = points[a], q = points[b % points.length], way = [q[0] - p[0], q[1] - p[1]];
+    const length = Math.hypot(...way) || 1;
     let worst = 0, at = -1;
     for (let i = a + 1; i < b; ++i) {
       const d = Math.abs((points[i][0] - p[0]) * way[1] - (points[i][1] - p[1]) * way[0]) / length;
-      if (d > worst) { worst = d; at = i; }
+      if (d > worst) {
+        worst = d;
+        at = i;
+      }
     }
     if (worst <= most) continue;
     kept.add(at);
@@ -87,15 +115,18 @@ function simplified(points, share) {
 /** From the bottom of the axis to its top; both ends are laid on it. */
 function rightHalf(outline, axis) {
   if (!axis) return null;
-  const [bottom, top] = axis, way = [top[0] - bottom[0], top[1] - bottom[1]], length = Math.hypot(...way) || 1, up = way.map((v) => v / length);
-  const along = (p) => (p[0] - bottom[0]) * up[0] + (p[1] - bottom[1]) * up[1], beside = (p) => -(p[0] - bottom[0]) * up[1] + (p[1] - bottom[1]) * up[0];
+  const [bottom, top] = axis, way = [top[0] - bottom[0], top[1] - bottom[1]], length = Math.hypot(...way) || 1;
+  const up = way.map((v) => v / length);
+  const along = (p) => (p[0] - bottom[0]) * up[0] + (p[1] - bottom[1]) * up[1];
+  const beside = (p) => -(p[0] - bottom[0]) * up[1] + (p[1] - bottom[1]) * up[0];
   const onAxis = (s) => [bottom[0] + s * up[0], bottom[1] + s * up[1]], crossings = [];
   outline.forEach((p, i) => {
     const q = outline[(i + 1) % outline.length], [a, b] = [beside(p), beside(q)];
     if (a < 0 !== b < 0) crossings.push({i, s: along(p) + (along(q) - along(p)) * a / (a - b)});
   });
   if (crossings.length < 2) return null;
-  const low = crossings.reduce((a, b) => (b.s < a.s ? b : a)), high = crossings.reduce((a, b) => (b.s > a.s ? b : a)), sides = [];
+  const low = crossings.reduce((a, b) => (b.s < a.s ? b : a)), high = crossings.reduce((a, b) => (b.s > a.s ? b : a));
+  const sides = [];
   for (const step of [1, -1]) {
     const points = [];
     for (let n = 0, i = step > 0 ? low.i + 1 : low.i; n < outline.length; ++n, i += step) {
@@ -106,7 +137,10 @@ function rightHalf(outline, axis) {
     sides.push(points);
   }
   // The page's right is where most of one side lies.
-  const right = (points) => points.reduce((sum, p) => sum + p[0] - onAxis(along(p))[0], 0), chosen = right(sides[0]) > right(sides[1]) ? sides[0] : sides[1];
-  return {closed: false, nodes: [onAxis(low.s), ...chosen.filter((p) => p[0] > onAxis(along(p))[0]), onAxis(high.s)].map(nodeAt)};
+  const right = (points) => points.reduce((sum, p) => sum + p[0] - onAxis(along(p))[0], 0);
+  const chosen = right(sides[0]) > right(sides[1]) ? sides[0] : sides[1];
+  return {
+    closed: false,
+    nodes: [onAxis(low.s), ...chosen.filter((p) => p[0] > onAxis(along(p))[0]), onAxis(high.s)].map(nodeAt)
+  };
 }
-if (typeof module !== 'undefined') module.exports = {filled, rimOf, simplified, rightHalf};

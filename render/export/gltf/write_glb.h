@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "render/export/transaction/spooled_bytes.h"
 #include "render/export/styled_mesh.h"
 #include "render/export/texture_variant.h"
+#include "render/export/transaction/spooled_bytes.h"
 
 namespace pomona {
 

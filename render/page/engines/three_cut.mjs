@@ -1,11 +1,15 @@
-// Cut faces in three.js: a material that colours any surface inside a fruit, from an asset (.pomona, or a .glb that carries
-// one). Wants the classic scripts read_asset.js and look_up.js on the page, and the text of look.glsl.
+// Cut faces in three.js: a material that colours any surface inside a fruit, from an asset (.pomona, or a .glb that
+// carries one). Wants read_asset.js and look_up.js beside it, and the text of look.glsl.
 import * as THREE from 'three';
+
+import * as LookUp from './look_up.js';
+import * as Asset from './read_asset.js';
 
 /** The asset that a loaded .glb carries, unpacked; null where it carries none. `gltf`: what GLTFLoader has loaded. */
 export async function assetOf(gltf) {
-  const { json } = gltf.parser, extension = json.extensions && json.extensions.POMONA_cuttable;
-  return extension ? unpackedAsset(new Uint8Array(await gltf.parser.getDependency('bufferView', extension.bufferView))) : null;
+  const {json} = gltf.parser, extension = json.extensions && json.extensions.POMONA_cuttable;
+  return extension ? unpackedAsset(new Uint8Array(await gltf.parser.getDependency('bufferView', extension.bufferView)))
+                   : null;
 }
 
 /** From the bytes of a .pomona. */
@@ -14,25 +18,45 @@ export async function unpackedAsset(packed) { return Asset.decoded(await Asset.u
 function texture(Kind, data, size, format, type, internalFormat, colorSpace = THREE.NoColorSpace) {
   const made = new Kind(data, ...size);
   const filter = internalFormat ? THREE.NearestFilter : THREE.LinearFilter;
-  Object.assign(made, { format, type, internalFormat, colorSpace, minFilter: filter, magFilter: filter, unpackAlignment: 1, generateMipmaps: false, needsUpdate: true });
+  Object.assign(made, {
+    format,
+    type,
+    internalFormat,
+    colorSpace,
+    minFilter: filter,
+    magFilter: filter,
+    unpackAlignment: 1,
+    generateMipmaps: false,
+    needsUpdate: true
+  });
   return made;
 }
 
 /** A material for surfaces in the fruit's own frame, metres: what lies in air is left out. */
 export function cutMaterial(fruit, look) {
-  const { header, count, units } = fruit, { grid, cell, list, triangle, low, high } = LookUp.textures(fruit, LookUp.cells(fruit));
-  const { Data3DTexture, DataTexture, UnsignedIntType } = THREE;
+  const {header, count, units} = fruit;
+  const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
+  const {Data3DTexture, DataTexture, UnsignedIntType} = THREE;
   const uniforms = {
-    pomona_grid: texture(Data3DTexture, grid, count, THREE.RGBAFormat, THREE.UnsignedByteType, null, THREE.SRGBColorSpace),
+    pomona_grid:
+      texture(Data3DTexture, grid, count, THREE.RGBAFormat, THREE.UnsignedByteType, null, THREE.SRGBColorSpace),
     pomona_cell: texture(Data3DTexture, cell, count, THREE.RGIntegerFormat, UnsignedIntType, 'RG32UI'),
-    pomona_list: texture(DataTexture, list, [2048, list.length / 2048], THREE.RedIntegerFormat, UnsignedIntType, 'R32UI'),
-    pomona_triangle: texture(DataTexture, triangle, [4096, triangle.length / (4 * 4096)], THREE.RGBAIntegerFormat, UnsignedIntType, 'RGBA32UI'),
-    pomona_count: new THREE.Vector3(...count), pomona_units: units, pomona_low: new THREE.Vector3(...low), pomona_high: new THREE.Vector3(...high),
-    lattice_origin: new THREE.Vector3(...header.origin), lattice_spacing: header.spacing,
+    pomona_list:
+      texture(DataTexture, list, [2048, list.length / 2048], THREE.RedIntegerFormat, UnsignedIntType, 'R32UI'),
+    pomona_triangle: texture(
+      DataTexture, triangle, [4096, triangle.length / (4 * 4096)], THREE.RGBAIntegerFormat, UnsignedIntType,
+      'RGBA32UI'),
+    pomona_count: new THREE.Vector3(...count),
+    pomona_units: units,
+    pomona_low: new THREE.Vector3(...low),
+    pomona_high: new THREE.Vector3(...high),
+    lattice_origin: new THREE.Vector3(...header.origin),
+    lattice_spacing: header.spacing,
   };
   return new THREE.ShaderMaterial({
-    glslVersion: THREE.GLSL3, side: THREE.DoubleSide,
-    uniforms: Object.fromEntries(Object.entries(uniforms).map(([name, value]) => [name, { value }])),
+    glslVersion: THREE.GLSL3,
+    side: THREE.DoubleSide,
+    uniforms: Object.fromEntries(Object.entries(uniforms).map(([name, value]) => [name, {value}])),
     vertexShader: `uniform vec3 lattice_origin;
       uniform float lattice_spacing;
       out vec3 in_cells;

@@ -1,0 +1,14 @@
+// What a page's workers tell of a whole asset, laid out for the card: FruitTextures.takeRest() takes it.
+import * as LookUp from './look_up.js';
+import * as Spared from './spared.js';
+
+/** Of a fruit as read_asset.js decodes it: {message, transfer}; nodes within what knives go around are air in it. */
+export function laidOut(fruit) {
+  const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
+  const {noise, details, materials, guide, share} = fruit, spared = Spared.built(fruit);
+  const winding = spared ? spared.free : fruit.winding;
+  return {
+    message: {grid, cell, list, triangle, low, high, noise, details, materials, guide, share, winding, spared},
+    transfer: [grid.buffer, cell.buffer, list.buffer, triangle.buffer, winding.buffer]
+  };
+}
