@@ -20,12 +20,4 @@ std::string write_page(const Asset& asset, const PageOptions& options);
 /// \throws Error (usage) for none, or more than most_page_family.
 std::string write_page(std::span<const Asset> family, const PageOptions& options);
 
-/// What other pages draw the same fruit with (cli/studio).
-struct PageParts {
-  std::string options;  ///< JSON that is safe within a script element
-  std::string worker;   ///< scripts: Asset, LookUp, Skin
-  std::string picture;  ///< scripts: V, M, Card, Knife, Camera, Picture and what pieces are
-};
-PageParts page_parts(const PageOptions& options);
-
 }  // namespace pomona
