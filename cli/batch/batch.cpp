@@ -16,6 +16,7 @@
 #include "cli/options/option_checks.h"
 #include "cli/options/program_folders.h"
 #include "generator/base/error.h"
+#include "render/style/style_file.h"
 
 namespace pomona {
 

@@ -1,4 +1,4 @@
-// What a page opens with.
+// What a page opens with, and how its scripts are told.
 #pragma once
 
 #include <cstddef>
@@ -26,5 +26,13 @@ struct PageOptions {
   std::vector<PageCut> cuts;  ///< it opens with these; at most most_page_cuts
   std::string made_by;        ///< "pomona 0.3.0, seed 2"
 };
+
+/// What other pages draw the same fruit with (cli/studio).
+struct PageParts {
+  std::string options;  ///< JSON that is safe within a script element
+  std::string worker;   ///< scripts: Asset, LookUp, Skin
+  std::string picture;  ///< scripts: V, M, Card, Knife, Camera, Picture and what pieces are
+};
+PageParts page_parts(const PageOptions& options);
 
 }  // namespace pomona

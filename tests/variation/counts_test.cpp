@@ -12,6 +12,7 @@
 #include "generator/template/read/read_template.h"
 #include "generator/variation/species_key.h"
 #include "generator/variation/variation.h"
+#include "generator/variation/vary.h"
 #include "tests/variation/fruits.h"
 
 namespace pomona {

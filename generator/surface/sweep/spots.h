@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/base/random.h"
+#include "generator/surface/diffusion_surfaces.h"
 #include "generator/surface/sweep/spot.h"
 #include "generator/surface/sweep/swept_grid.h"
 
