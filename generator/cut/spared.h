@@ -25,10 +25,18 @@ struct SparedFruit {
   std::vector<std::string> warnings;  ///< parts that cannot be spared
 };
 
-/// Finds the spared parts. Each closed shell with one of `parts` behind it and another part before it encloses one. It
-/// goes to the cell that contains most of its volume; if several cells contain nearly as much (within a twentieth), to
-/// the first in the order of cutting. A shell that is open, crosses another spared shell or leaves the fruit is cut
-/// through. The fruit must still have all its surfaces, also inner ones. \param parts sorted.
+/// Of the largest share of a shell's volume: cells that hold as much count as equal.
+constexpr double nearly_as_much = 0.95;
+
+/// Per triangle of the surfaces, the closed shell around one of these parts that it is of, numbered from 1 in the order
+/// of their first triangles; 0 of none. Whether a shell crosses another or leaves the fruit is not asked.
+/// \param parts ascending.
+std::vector<std::uint32_t> closed_shells(const DiffusionSurfaces& surfaces, std::span<const int> parts);
+
+/// Surfaces with one of these parts behind them and another before them enclose what is spared, each of their closed
+/// shells for itself. It goes to the cell that holds most of it; among cells that hold nearly_as_much, to
+/// the first in the order of cutting. A shell that is open, crosses another spared one or leaves the fruit is cut
+/// through. The fruit must have all its surfaces, inner ones too. \param parts ascending.
 SparedFruit spared(CutFruit fruit, const DiffusionSurfaces& surfaces, std::span<const int> parts);
 
 }  // namespace pomona
