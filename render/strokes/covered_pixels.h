@@ -1,4 +1,4 @@
-// Which pixels a seen triangle covers: those whose middle lies in it.
+// Rasteriser of projected triangles: a pixel is covered if its middle is inside.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// A triangle as a lens sees it.
+/// A projected triangle.
 struct PictureTriangle {
   std::array<glm::dvec3, 3> corner{};  ///< pixels, pixels, nearness (1 / metres)
   double area = 0;                     ///< twice, square pixels; above 0 where it faces the eye, 0 behind the eye
@@ -18,11 +18,11 @@ struct PictureTriangle {
   double low(int axis) const { return std::min({corner[0][axis], corner[1][axis], corner[2][axis]}); }
   double high(int axis) const { return std::max({corner[0][axis], corner[1][axis], corner[2][axis]}); }
 
-  /// Of a closed solid, what faces away is behind something else.
+  /// Triangles of a closed solid that face away are hidden.
   bool can_be_seen(bool closed) const { return closed ? area > 0 : area != 0; }
 };
 
-/// By its corners as Lens::seen(). What reaches behind the eye is left out.
+/// The triangle from its corners, as given by Lens::seen(). A triangle that reaches behind the eye has area 0.
 inline PictureTriangle picture_triangle(const std::array<glm::dvec3, 3>& seen) {
   PictureTriangle result;
   for (int i = 0; i < 3; ++i) {
