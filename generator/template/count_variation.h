@@ -1,12 +1,12 @@
-// How many of a thing individuals have.
+// The variation of numbers: of folds, and of surfaces that not all individuals have.
 #pragma once
 
 #include <vector>
 
 namespace pomona {
 
-/// What nature varies in number. Nothing where a template does not ask for it: variants then have what is drawn, and
-/// the same triangles.
+/// The random numbers of an individual's parts. If a template does not ask for it, variants have what is drawn, and the
+/// same triangles.
 struct CountVariation {
   /// A number of folds, and how often it is seen among individuals.
   struct Folds {

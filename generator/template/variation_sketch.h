@@ -1,4 +1,4 @@
-// How far the variants of a template stray in what the paper does not vary.
+// The variation of a template beyond what the paper varies.
 #pragma once
 
 #include "generator/template/color_variation.h"
@@ -6,14 +6,14 @@
 
 namespace pomona {
 
-/// How far the axes of variants bend, besides what is drawn (axis_bend.h).
+/// The random bend of the axes of variants, added to the drawn bend (axis_bend.h).
 struct BendVariation {
   double angle = 0;     ///< standard deviation, radians
   double swing = 0;     ///< standard deviation, radians
-  bool around = false;  ///< towards all sides, rather than only along the drawn direction
+  bool around = false;  ///< in all directions, not only along the drawn one
 };
 
-/// Everything is 0 where a template does not ask for it: only curves vary then, as in the paper (section 4.2).
+/// Everything is 0 if a template does not ask for it: then only curves vary, as in the paper (section 4.2).
 struct VariationSketch {
   double size = 0;     ///< standard deviation of the logarithm of the size
   double profile = 0;  ///< standard deviation of the logarithm of height over width; other proportions follow
