@@ -1,4 +1,4 @@
-// A solid's fuzz for POV-Ray: each hair as three thin triangles.
+// The hairs of a solid for POV-Ray: each hair is three thin triangles.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The points of lines, by where they lie: how near is the next line?
+// A grid of the points of lines, to find the distance to the next line.
 #pragma once
 
 #include <vector>

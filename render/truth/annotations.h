@@ -1,4 +1,4 @@
-// What a picture shows, as JSON with COCO's keys.
+// Annotations of a picture: its contents as JSON with COCO's keys.
 #pragma once
 
 #include <string>
