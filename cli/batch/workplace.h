@@ -22,7 +22,7 @@ struct Shard {
 /// Everything temporary lies in FOLDER/.pomona: a lock for the folder, which shards share and other runs have alone; a
 /// lock for each shard; and a folder of each shard, in which its items are made. Locks are the kernel's (flock): they
 /// end with the process that holds them. What a killed run has left there is removed by the next run of the same shard,
-/// and by whoever has the folder alone.
+/// and by a run that has the folder alone.
 class Workplace {
  public:
   /// Makes the folder if it is not there. \throws Error (locked) if another run is at work on the same items,

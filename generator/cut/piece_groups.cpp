@@ -20,7 +20,7 @@ class Grouper {
     for (const std::uint32_t part : here_) {
       if (parts_[part].volume < 0) attach_cavity(part);
     }
-    // The largest needs no look of its own: whoever overlaps it finds it.
+    // The largest needs no test of its own: every part that overlaps it finds it.
     const std::uint32_t largest = *std::max_element(here_.begin(), here_.end(), [&](std::uint32_t a, std::uint32_t b) {
       return parts_[a].volume < parts_[b].volume;
     });

@@ -126,7 +126,7 @@ class Sparer {
     return all;
   }
 
-  /// Caps that hang together and that no shell parts.
+  /// Caps that are connected and that no shell separates.
   DisjointSets patches() const {
     const std::vector<Cap>& caps = fruit_.section.cap;
     const EdgeSet rim = rims();

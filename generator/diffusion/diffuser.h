@@ -31,13 +31,13 @@ class ColorField {
   virtual DiffusedColors at(std::span<const glm::vec3> points) const = 0;
 };
 
-/// One fruit's share of a batch. Both must outlive the call they are passed to.
+/// One fruit of a batch. All that it refers to must outlive the call.
 struct DiffusionTask {
   const DiffusionSurfaces* surfaces = nullptr;
   std::span<const glm::vec3> points;
 };
 
-/// The one interface with more than one implementation: what differs is how a colour diffuses.
+/// The interface of all diffusers. They differ in the method of diffusion.
 class Diffuser {
  public:
   virtual ~Diffuser() = default;
@@ -49,13 +49,13 @@ class Diffuser {
   /// Many fruits at once; the colours do not depend on what else is in the batch.
   virtual std::vector<DiffusedColors> diffuse_all(std::span<const DiffusionTask> tasks) const;
 
-  /// As in --diffuser and in --stats.
+  /// The name in --diffuser and in --stats.
   virtual const char* name() const = 0;
 
-  /// What does the work, as --stats tells it: "cpu", or the name that OpenGL gives its renderer.
+  /// The device, for --stats: "cpu", or the name of OpenGL's renderer.
   virtual std::string device() const { return "cpu"; }
 
-  /// One fruit, asked once.
+  /// The colours of one fruit at some points.
   DiffusedColors diffuse(const DiffusionSurfaces& surfaces, std::span<const glm::vec3> points) const;
 };
 

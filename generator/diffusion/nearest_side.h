@@ -1,5 +1,5 @@
-// The side of a surface that lies nearest to a point: the limit of positive mean values at a surface, and
-// the answer where no direction sees anything.
+// The side of a surface that is nearest to a point. Its colour is the limit of positive mean values at the surface, and
+// the result where no surface is visible in any direction.
 #pragma once
 
 #include <limits>
@@ -17,9 +17,9 @@ struct SurfaceSide {
   double distance = 0;        ///< metres
 };
 
-/// The nearest side within `radius` (metres), if there is any. Where several triangles are equally near (a
-/// shared edge or corner), the one faced most squarely wins, then the smallest index; a point in the plane of
-/// its triangle takes the front.
+/// The nearest side within `radius` (metres), if there is any. If several triangles are equally near (at a shared edge
+/// or corner), it is the one whose normal is most parallel to the direction of the point, then the one with the
+/// smallest index. A point in the plane of its triangle gets the front.
 std::optional<SurfaceSide> nearest_side(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
                                         const glm::dvec3& point,
                                         double radius = std::numeric_limits<double>::infinity());

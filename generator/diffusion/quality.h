@@ -1,4 +1,4 @@
-// How exact diffusion is, and what people call it.
+// The quality of diffusion, and its names.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// The error of the diffusion, nothing else (docs/reports/diffusion.md states them, measured).
+/// It determines only the error of the diffusion (docs/reference/diffusion.md has measurements).
 enum class Quality { draft, final, reference };
 
 /// In the order of Quality.
@@ -18,7 +18,7 @@ inline std::vector<std::string> quality_names() { return {"draft", "final", "ref
 
 inline std::string name_of(Quality quality) { return quality_names()[static_cast<std::size_t>(quality)]; }
 
-/// Nothing if that is none.
+/// The quality with this name, or nothing.
 inline std::optional<Quality> quality_named(std::string_view name) {
   const std::vector<std::string> names = quality_names();
   const auto found = std::find(names.begin(), names.end(), name);

@@ -1,4 +1,4 @@
-// From positive mean values to colours: what every way of computing them leaves open.
+// From positive mean values to colours: the last steps, which all methods of computing them share.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace pomona {
 
-/// The least and the greatest of the surfaces' colours, channel by channel.
+/// The smallest and the largest of the surfaces' colours, channel by channel.
 struct ColorHull {
   Color low{0}, high{0};
 };
@@ -21,8 +21,8 @@ ColorHull hull_of(const DiffusionSurfaces& surfaces, const SurfaceTree& tree);
 /// \throws Error (bad_data) if a coordinate is not finite.
 void require_finite(std::span<const glm::vec3> points);
 
-/// Per point the side of the surface on which it lies, within 1e-5 of the surfaces' size. It decides: such points need
-/// no value.
+/// Per point: the side of the surface on which it lies, within 1e-5 of the surfaces' size. Such points get the colour
+/// of this side and need no value.
 using SidesOfPoints = std::vector<std::optional<SurfaceSide>>;
 SidesOfPoints sides_on_surfaces(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
                                 std::span<const glm::vec3> points, Threads threads);
@@ -32,16 +32,18 @@ SidesOfPoints sides_where_known(const DiffusionSurfaces& surfaces, const Surface
                                 std::span<const glm::vec3> points, SidesOfPoints sides,
                                 std::span<const PmvcValue> values, Threads threads);
 
-/// Where a side is known it decides, else the value; no colour leaves the hull. One side and value per point.
+/// The colour of each point: that of its side where it is known, else its value, clamped to the hull. There is one side
+/// and one value per point.
 DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const ColorHull& hull, const SidesOfPoints& known,
                                std::span<const PmvcValue> values, Threads threads);
 
-/// On a surface, and where nothing is seen, the nearest side decides; no colour leaves the hull. One value per point.
+/// The same with the sides on surfaces, where points that see nothing get the nearest side. There is one value per
+/// point.
 DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
                                std::span<const glm::vec3> points, const SidesOfPoints& sides,
                                std::span<const PmvcValue> values, Threads threads);
 
-/// The same where nobody has asked for the sides before.
+/// The same, and computes the sides.
 DiffusedColors resolved_colors(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const ColorHull& hull,
                                std::span<const glm::vec3> points, std::span<const PmvcValue> values, Threads threads);
 

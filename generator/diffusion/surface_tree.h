@@ -1,4 +1,4 @@
-// Boxes around boxes around triangles: finds what is near a point, or not hidden from it.
+// A bounding volume hierarchy of the surfaces, to find triangles near a point or visible from it.
 #pragma once
 
 #include <array>

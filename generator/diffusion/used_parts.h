@@ -1,4 +1,4 @@
-// The parts that a fruit's sides belong to, numbered without gaps: weights are kept per point and part.
+// The parts that a fruit's sides use, numbered without gaps, because weights are stored per point and part.
 #pragma once
 
 #include <cstdint>

@@ -95,7 +95,7 @@ class MeshBuilder {
     }
   }
 
-  /// One normal for all corners that hang together around a point without a crease between them. Each triangle counts
+  /// One normal for all corners that are connected around a point without a crease between them. Each triangle counts
   /// by the angle it has there, so that the normal does not depend on how a face was cut into triangles.
   void find_normals() {
     // Join the corners at both ends of every smooth edge.

@@ -1,4 +1,4 @@
-// How a bounding volume hierarchy (BVH) is divided and numbered, whatever its volumes hold and wherever they are split.
+// Builds a bounding volume hierarchy (BVH): the division and numbering of nodes, for any kind of volume and split.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,16 @@
 
 namespace pomona {
 
-/// Divides `count` things that stand in a row. A node has at least the members
+/// Divides a list of `count` items. A node has at least the members
 ///
-///     std::uint32_t first;  // leaf: the first of its things; else its left child, which the right one follows
-///     std::uint32_t count;  // leaf: how many things; else 0
+///     std::uint32_t first;  // leaf: index of its first item; else of its left child; the right child follows
+///     std::uint32_t count;  // leaf: number of items; else 0
 ///
 /// and children come after their parents, so that volumes are filled in from the last node to the first.
-/// \param most_in_leaf more things than this are divided
-/// \param split called as split(first, count): may put these things into another order, and tells how many of them, at
-///        least 1 and less than all, are the left child's
+/// \param most_in_leaf nodes with more items are divided
+/// \param split called as split(first, count): may reorder these items; returns how many of them go to the left child,
+/// at
+///        least 1 and less than `count`
 template <typename Node, typename Split>
 std::vector<Node> bounding_volume_hierarchy(std::uint32_t count, std::uint32_t most_in_leaf, const Split& split) {
   std::vector<Node> nodes(1);

@@ -10,8 +10,8 @@
 
 namespace pomona {
 
-/// The least box around what has been added to it. Empty, its low corner above its high one, until then; the corners
-/// are finite even so, because graphics processors make NaN of infinities.
+/// The smallest box around everything that was added to it. An empty box has its low corner above its high corner; both
+/// are finite, because graphics processors turn infinities into NaN.
 template <typename T>
 struct Box {
   using Point = glm::vec<3, T>;
@@ -34,26 +34,26 @@ struct Box {
 
   /// True if they have a point in common.
   bool meets(const Box& b) const {
-    // Without branches: they could not be foreseen.
+    // Without branches, because the processor could not predict them.
     return (low.x <= b.high.x) & (b.low.x <= high.x) & (low.y <= b.high.y) & (b.low.y <= high.y) & (low.z <= b.high.z) &
            (b.low.z <= high.z);
   }
 };
 
-/// The axis, 0 to 2, along which something is longest; of equals the first.
+/// The axis, 0 to 2, with the largest size; the first one of equal axes.
 template <typename T>
 int longest_axis(const glm::vec<3, T>& size) {
   if (size.x >= size.y && size.x >= size.z) return 0;
   return size.y >= size.z ? 1 : 2;
 }
 
-/// The least box around a triangle.
+/// The smallest box around a triangle.
 template <typename T>
 Box<T> box_around(const glm::vec<3, T>& a, const glm::vec<3, T>& b, const glm::vec<3, T>& c) {
   return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
-/// The least box around some points.
+/// The smallest box around some points.
 template <typename T>
 Box<T> box_around(const std::vector<glm::vec<3, T>>& points) {
   Box<T> box;

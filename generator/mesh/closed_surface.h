@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-/// A closed surface without crossings that parts what lies inside it from what lies outside. Triangles run
+/// A closed surface that does not cross itself. It separates the inside from the outside. Triangles run
 /// counter-clockwise seen from outside.
 struct ClosedSurface {
   std::vector<glm::dvec3> point;  ///< metres

@@ -1,4 +1,4 @@
-// Sets that grow together (union-find with path halving).
+// Disjoint sets (union-find with path halving).
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 
 namespace pomona {
 
-/// Of the numbers from 0. The smallest member stands for its set, so that it does not depend on the order of joining.
+/// Sets of the numbers from 0 on. The smallest member represents its set, so that the result does not depend on the
+/// order of joining.
 class DisjointSets {
  public:
   /// `count` sets of one member each.
@@ -17,7 +18,7 @@ class DisjointSets {
 
   std::size_t count() const { return parent_.size(); }
 
-  /// One more member, in a set of its own.
+  /// Adds a member in a set of its own.
   void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
 
   std::uint32_t root(std::uint32_t member) {

@@ -1,4 +1,4 @@
-// How far many places lie from a mesh: the answers of a TriangleTree, asked by the ten thousand.
+// Distances of many points from a mesh: the same results as those of a TriangleTree, but faster.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 
 namespace pomona {
 
-/// A triangle tree packed four boxes side by side, in single precision, rounded outwards. Each box has a slab across
-/// its triangles' mean normal, too: seen from deep inside a round mesh, boxes that lie aslant reach nearer than what is
-/// in them, slabs do not. Both only say which triangles cannot be the nearest; those that may be are measured as
-/// TriangleTree::nearest measures them, so that the answers are the same.
+/// A triangle tree with boxes in groups of four, in single precision, rounded outwards. Each box also has a slab
+/// perpendicular to its triangles' mean normal: seen from deep inside a round mesh, an oblique box is much nearer than
+/// its triangles, but a slab is not. Boxes and slabs only exclude triangles; the others are measured as by
+/// TriangleTree::nearest, so that the results are the same.
 class DistanceTree {
  public:
   DistanceTree() = default;
@@ -23,8 +23,8 @@ class DistanceTree {
 
   bool empty() const { return corners_.empty(); }
 
-  /// The distance of each point, metres; `reach` where it is no less. Points that follow each other are best near each
-  /// other: what is nearest to one is a good guess for the next.
+  /// The distance of each point, metres, at most `reach`. Fastest if points that follow each other are near each other:
+  /// the nearest triangle of one is a good guess for the next.
   std::vector<double> distances(std::span<const glm::dvec3> points,
                                 double reach = std::numeric_limits<double>::infinity(), Threads threads = {}) const;
 
@@ -37,18 +37,18 @@ class DistanceTree {
   /// Four at once on every x86-64 (GCC and Clang: "vector extensions").
   typedef float Lanes __attribute__((vector_size(4 * sizeof(float))));
 
-  /// Four boxes, coordinate by coordinate; empty ones, which nothing is near, where there are fewer.
+  /// Four boxes, coordinate by coordinate. If there are fewer, the rest are empty boxes, to which nothing is near.
   struct Boxes {
     std::array<Lanes, 3> low, high;
-    std::array<Lanes, 3> normal;             ///< unit, or 0 where the normals even out
+    std::array<Lanes, 3> normal;             ///< unit, or 0 if the sum of the normals is 0
     Lanes slab_low, slab_high;               ///< along the normal
     std::array<std::uint32_t, width> child;  ///< index of more boxes; of a triangle, marked
 
-    /// No more than the squared distance of what is in each from the point, up to rounding.
+    /// A lower bound of the squared distance of each box's content from the point, up to rounding.
     Lanes squared_distances(const std::array<float, 3>& point) const;
   };
 
-  /// What a lane stands for: triangles that follow each other, and where they are found.
+  /// The content of a lane: triangles that follow each other.
   struct Below {
     std::uint32_t first = 0, count = 0;
     std::uint32_t child = 0;
@@ -62,8 +62,8 @@ class DistanceTree {
 
   std::vector<Boxes> boxes_;  ///< the root's first
   std::vector<TriangleTree::Corners> corners_;
-  glm::dvec3 center_{0};  ///< what single precision is about
-  double slack_ = 0;      ///< more than what rounding moves a coordinate by, metres
+  glm::dvec3 center_{0};  ///< origin of the coordinates in single precision, metres
+  double slack_ = 0;      ///< upper bound of the rounding error of a coordinate, metres
 };
 
 }  // namespace pomona

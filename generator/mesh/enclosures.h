@@ -1,4 +1,4 @@
-// Closed meshes, to be asked which of them wind around a point.
+// Closed meshes, and which of them wind around a point.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ class Enclosures {
   };
   explicit Enclosures(std::vector<Triangle> triangles);
 
-  /// The meshes that wind around the point, ascending, and how often; negative for cavities.
+  /// The meshes that wind around the point, sorted, with their winding numbers; negative for cavities.
   std::vector<std::pair<std::uint32_t, int>> around(const glm::dvec3& point) const;
 
  private:

@@ -1,6 +1,5 @@
-// Marching tetrahedra [Doi & Koide 1991], for levels of several functions at once: surfaces on which functions have
-// given values. Each tetrahedron is split along one level after the other, and the surface is what then lies between
-// the parts inside and those outside.
+// Marching tetrahedra [Doi & Koide 1991] for level sets of several functions at once. Each tetrahedron is split along
+// one level set after the other; the surface lies between the parts inside and the parts outside.
 #pragma once
 
 #include <array>
@@ -14,9 +13,9 @@
 
 namespace pomona {
 
-/// Collects the boundary of a region that levels of up to three functions border. The functions are known at vertices
-/// and linear in each tetrahedron. Tetrahedra that share a face split it alike, so the surface closes by identity and
-/// cannot cross itself.
+/// Builds the boundary of a region that is bounded by level sets of up to three functions. The functions are given at
+/// vertices and linear in each tetrahedron. Tetrahedra that share a face split it in the same way, so the surface is
+/// closed (by the numbers of its points) and cannot cross itself.
 class LevelSurface {
  public:
   using Values = std::array<double, 3>;
@@ -27,7 +26,8 @@ class LevelSurface {
     std::optional<std::size_t> where = std::nullopt;  ///< only along edges on which this function is not negative
   };
 
-  /// `period`: of a function that starts anew, an angle's for one; 0 for others. Such values lie within half of it.
+  /// \param period of a periodic function, such as an angle; 0 for others. Values of a periodic function are within
+  /// half a period.
   explicit LevelSurface(const Values& period = {}) : period_(period) {}
 
   std::uint32_t add_vertex(const glm::dvec3& place, const Values& values);
@@ -37,7 +37,7 @@ class LevelSurface {
   void add(const Tetrahedron& whole, const std::vector<Level>& levels,
            const std::function<bool(const std::array<Values, 4>&)>& is_inside);
 
-  /// What has been added up to now, facing outwards.
+  /// The surface of everything that was added, facing outwards.
   ClosedSurface solid() const;
 
  private:

@@ -1,4 +1,4 @@
-// Which boxes of many meet each other.
+// Finds all pairs of overlapping boxes.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@ namespace pomona {
 
 using BoxPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Every two different boxes that meet, once, the smaller index first; in an order that the boxes alone decide.
+/// Every pair of different boxes that overlap, once, the smaller index first. The order depends only on the boxes.
 std::vector<BoxPair> meeting_boxes(const std::vector<Box<float>>& boxes);
 
 /// Calls visit(smaller index, larger index) for the same pairs in the same order, until it returns false.
 void visit_meeting_boxes(const std::vector<Box<float>>& boxes,
                          const std::function<bool(std::uint32_t, std::uint32_t)>& visit);
 
-/// Every box of the one sort that meets one of the other: their indices, in an order that the boxes alone decide.
+/// Every pair of a box of `one` and a box of `other` that overlap, as indices. The order depends only on the boxes.
 std::vector<BoxPair> meeting_boxes(const std::vector<Box<double>>& one, const std::vector<Box<double>>& other);
 
 }  // namespace pomona

@@ -1,5 +1,4 @@
-// A closed triangle mesh prepared for questions of nearness: a bounding volume hierarchy (BVH), boxes around boxes
-// around its triangles.
+// A closed triangle mesh in a bounding volume hierarchy (BVH), for nearest points, distances and inside tests.
 #pragma once
 
 #include <array>
@@ -37,7 +36,7 @@ class TriangleTree {
   TriangleTree() = default;
   TriangleTree(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangle);
 
-  /// The same mesh, turned about the origin.
+  /// The same mesh, rotated about the origin.
   TriangleTree rotated(const glm::dquat& rotation) const;
 
   bool empty() const { return corners_.empty(); }
@@ -45,12 +44,13 @@ class TriangleTree {
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Corners>& triangles() const { return corners_; }
 
-  /// The corners of a triangle that no earlier one has: over all triangles, every vertex once.
+  /// True if no earlier triangle has this corner. So a loop over all triangles can visit every vertex once.
   bool owns_corner(std::size_t triangle_index, std::size_t corner) const {
     return (owned_[triangle_index] >> corner & 1) != 0;
   }
 
-  /// True if the box meets that of any triangle. Where it does not, all of it is inside the mesh or all outside.
+  /// True if the box overlaps that of any triangle. If not, the box is completely inside or completely outside the
+  /// mesh.
   bool is_near(const Box<double>& box) const;
 
   /// The nearest point of the surface, if one is nearer than `within`.
@@ -64,7 +64,7 @@ class TriangleTree {
   /// a ray through an edge or a vertex crosses exactly one of the triangles there.
   bool contains(const glm::dvec3& point) const;
 
-  /// Where a ray straight down from the point meets the surface first: its height, or -infinity.
+  /// The height of the first hit of a ray straight down from the point, or -infinity.
   double height_below(const glm::dvec3& point) const;
 
  private:

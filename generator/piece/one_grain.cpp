@@ -23,7 +23,7 @@ bool is_seed(const std::string& part) {
   return false;
 }
 
-/// Which vertices hang together.
+/// The connected sets of vertices.
 DisjointSets grains_of(const DiffusionSurfaces& grains) {
   DisjointSets sets(grains.vertex_count());
   for (const glm::uvec3& corners : grains.triangle) {

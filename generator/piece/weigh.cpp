@@ -9,7 +9,7 @@ namespace pomona {
 
 namespace {
 
-/// By name: strewn grains bring a list of parts of their own.
+/// By name: scattered grains have a list of parts of their own.
 double density_of(const Template& fruit, const std::string& part) {
   const auto at =
       static_cast<std::size_t>(std::find(fruit.parts.begin(), fruit.parts.end(), part) - fruit.parts.begin());

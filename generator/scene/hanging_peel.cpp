@@ -30,7 +30,7 @@ constexpr double free_gap = 0.25, held_gap = 1.0, swing = 0.3;  // shares of the
 
 /// What a half-plane from the axis leaves of a strip that winds about it: one part for each turn, each joined to the
 /// next across the half-plane. A part that is joined to itself goes around the axis: there, at an end of the strip,
-/// turns hang together.
+/// turns are connected.
 struct Turns {
   std::vector<double> azimuth;      ///< per vertex: from the half-plane, turns, from 0 to 1
   std::vector<std::uint32_t> part;  ///< per vertex: where in the strip, from 0; or none

@@ -39,7 +39,7 @@ class RegionFinder {
     return kind;
   }
 
-  /// Triangles that hang together, ordered by their first ones.
+  /// Connected sets of triangles, ordered by their first triangles.
   std::vector<std::vector<std::uint32_t>> hulls() const {
     const std::vector<std::int32_t> kind = kinds();
     DisjointSets sets(triangles_.size());

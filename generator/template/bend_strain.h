@@ -1,4 +1,4 @@
-// How hard a bend presses on what lies on its inner side.
+// The strain of a bend on its inner side.
 #pragma once
 
 #include "generator/template/template.h"
@@ -6,14 +6,16 @@
 namespace pomona {
 
 struct BendStrain {
-  double pressing = 0;  ///< radius over the axis's radius of curvature, at most; at 1 space would fold
-  double lean = 0;      ///< of the axis from upright, at most; radians
+  double pressing =
+      0;            ///< largest compression: radius divided by the axis's radius of curvature; at 1 space would fold
+  double lean = 0;  ///< largest angle between the axis and the vertical, radians
 };
 
-/// Of the fruit's `bend`, for its widest surface at every height, in its proportions. Proportional to the bend.
+/// The strain of the fruit's `bend`, for its widest surface at every height, with its proportions. Proportional to the
+/// bend.
 BendStrain bend_strain(const Template& fruit);
 
-/// What is bearable: where no more presses, no two points of the fruit come to the same place.
+/// The largest allowed strain: up to it, no two points of the fruit get the same position.
 constexpr BendStrain most_strain{0.8, 1.309};  // 75 degrees
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// How a fruit's cut faces turn brown in air.
+// Browning of a fruit's cut faces in air.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace pomona {
 
 /// Browning t: 0 = just cut, 1 = left lying for long. A place of a cut face has come
 ///   w = most (1 - exp(-3 t rate speed near (1 + patches noise)))
-/// of the way, in OKLab, from its colour to its part's `color`. `speed` goes by the depth below the skin; `near` grows
-/// evenly from 1 at `within` to `faster` on a surface along which the cells brown first, the core or a bundle.
+/// of the way, in OKLab, from its colour to its part's `color`. `speed` depends on the depth below the skin. `near`
+/// grows linearly from 1 at `within` to `faster` on a surface where cells brown first, such as the core or a bundle.
 struct BrowningSketch {
   struct Part {
     int part = 0;  ///< index into Template::parts

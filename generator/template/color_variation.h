@@ -1,4 +1,4 @@
-// How much individuals differ in colour.
+// The variation of colour between individuals.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@ namespace pomona {
 
 /// Standard deviations, in OKLab for a colour of chroma 0.25 (greyer ones change hue and chroma less).
 struct ColorVariation {
-  double all = 0;             ///< of one draw for all parts
-  std::vector<double> parts;  ///< of a draw for each part; empty = none
-  double ripeness = 0;        ///< of the ripeness about 1
+  double all = 0;             ///< of a random shift that all parts share
+  std::vector<double> parts;  ///< of a random shift of each part; empty = none
+  double ripeness = 0;        ///< of the ripeness, whose mean is 1
 
   bool declared() const { return all > 0 || !parts.empty() || ripeness > 0; }
 };

@@ -1,4 +1,4 @@
-// Why a drawn curve cannot be swept, in words for who drew it.
+// Reasons why a drawn curve cannot be swept, as messages for the person who drew it.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,8 @@ struct CurveFault {
 /// fold it is a closed loop off the axis.
 std::optional<CurveFault> fault_of_vertical(const Curve& curve, SurfaceType type);
 
-/// A vertical curve of a surface around the axis that parts fruit from air: its ends lie on the axis, or it is closed.
+/// A vertical curve of a surface around the axis that separates fruit from air: its ends lie on the axis, or it is
+/// closed.
 std::optional<CurveFault> fault_of_open_ends(const Curve& curve);
 
 /// A horizontal curve around the axis: closed, simple, surrounds the axis, and crosses each fold line once.

@@ -12,7 +12,7 @@
 
 namespace pomona {
 
-/// What a detail looks like (docs/reference/style.md has pictures and formulas).
+/// The appearance of a detail (docs/reference/style.md has pictures and formulas).
 enum class DetailKind {
   fibres,    ///< thin lines
   cells,     ///< packed bodies, each a little different, with a line where two meet
@@ -21,7 +21,7 @@ enum class DetailKind {
   net,       ///< lines that stand out where cells meet
 };
 
-/// Along which direction of the fruit a detail is drawn out.
+/// The direction of the fruit along which a detail is stretched.
 enum class DetailRun {
   none,     ///< the same in all directions
   to_skin,  ///< straight out from the core, across the layers
@@ -29,7 +29,7 @@ enum class DetailRun {
   around,   ///< around the axis within a layer
 };
 
-/// Cut faces, or what faces air.
+/// Cut faces, or skin.
 enum class DetailFace { cut, skin };
 
 struct DetailSketch {
@@ -38,22 +38,22 @@ struct DetailSketch {
   DetailRun run = DetailRun::none;
   std::vector<int> parts;  ///< indices into Template::parts
 
-  double size = 1e-3;      ///< metres: from line to line, from cell to cell, width of the largest dot
-  double smallest = 1e-3;  ///< metres: width of the smallest dot
-  double length = 1e-3;    ///< metres along the run; as `size` where there is none
-  double width = 0.3;      ///< of lines, share of `size`
-  double density = 0.5;    ///< of dots: share of the places that have one; of lines and streaks: of the area
-  double softness = 0.5;   ///< 0 = hard rims, 1 = soft all through
-  double wander = 0;       ///< by how much lines leave their straight way, share of `size`
-  double variety = 0.5;    ///< of cells: how much they differ from each other, share of `amount`
+  double size = 1e-3;      ///< distance of lines, distance of cells, or width of the largest dot, metres
+  double smallest = 1e-3;  ///< width of the smallest dot, metres
+  double length = 1e-3;    ///< length along the run, metres; equal to `size` without a run
+  double width = 0.3;      ///< width of lines, as a share of `size`
+  double density = 0.5;    ///< dots: share of the lattice points with a dot; lines and streaks: share of the area
+  double softness = 0.5;   ///< 0 = hard rims, 1 = soft everywhere
+  double wander = 0;       ///< deviation of lines from straight ones, as a share of `size`
+  double variety = 0.5;    ///< difference between cells, as a share of `amount`
 
-  double amount = 0;           ///< how far colours go: a share of the way to `color`, else OKLab units
-  std::optional<Color> color;  ///< towards this colour
-  glm::vec3 axis{1, 0, 0};     ///< or in this OKLab direction
-  std::optional<Color> near;   ///< only near this unmodulated colour
-  double near_within = 0.12;   ///< OKLab distance over which that fades
+  double amount = 0;           ///< change of colours: with `color`, a share of the way to it; else in OKLab units
+  std::optional<Color> color;  ///< colours change towards this one; nothing = along `axis`
+  glm::vec3 axis{1, 0, 0};     ///< direction of the change in OKLab, without `color`
+  std::optional<Color> near;   ///< the detail only affects colours near this unmodulated one; nothing = all
+  double near_within = 0.12;   ///< OKLab distance over which the effect fades
   Ramp<double> depth = Ramp<double>::constant(1);  ///< share of the amount by the depth below the skin, metres
-  double relief = 0;  ///< metres that the marks stand out, or are sunk where negative; the look alone, no vertex moves
+  double relief = 0;  ///< height of the marks, metres, negative = below the surface; only for shading
 
   double reach = 0.03;   ///< metres: the fruit's largest drawn radius
   double middle = 0.03;  ///< metres: half its drawn height
@@ -61,7 +61,7 @@ struct DetailSketch {
   std::uint32_t pattern = 0;  ///< as of NoiseStyle
 };
 
-/// So many details of one kind of face count.
+/// Largest number of details of one kind of face.
 constexpr int most_details_of_a_face = 4;
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Grains of a template: seeds and the like, strewn over a surface.
+// Grains of a template: seeds and the like, scattered over a surface.
 #pragma once
 
 #include <string>
@@ -8,24 +8,24 @@
 
 namespace pomona {
 
-/// Where on their surface grains grow, and how densely.
+/// The region of a surface where grains grow, and their density.
 struct GrainGround {
-  double along_from = 0, along_to = 1;    ///< the band of the vertical curve
-  double around_from = 0, around_to = 1;  ///< the stretch of the horizontal curve; from > to runs through its start
+  double along_from = 0, along_to = 1;    ///< band of the vertical curve, as shares
+  double around_from = 0, around_to = 1;  ///< part of the horizontal curve, as shares; from > to runs through its start
   double depth_from = 0, depth_to = 1;  ///< in folds: between the vertical curve's inner arc (0) and its outer one (1)
   std::vector<int> folds;               ///< only in these, from 0; empty = in all
   enum class Facing { any, towards_axis, from_axis } facing = Facing::any;  ///< only where they point this way
 
-  /// Grains per area as a share of a full surface's, 0..1: along times around. Below 0.01 none grow. The spacing
-  /// is the Poisson radius over the square root of this.
+  /// Grains per area relative to a full surface, 0..1: the product of `along` and `around`. Below 0.01 no grains grow.
+  /// The spacing is the Poisson radius divided by the square root of this.
   Ramp<double> density_along = Ramp<double>::constant(1);
   Ramp<double> density_around = Ramp<double>::constant(1);
 
-  double share = 1;       ///< of the places taken, those where there is a grain at last
-  double fold_share = 1;  ///< of the folds, those with any grains
+  double share = 1;       ///< share of the places that get a grain
+  double fold_share = 1;  ///< share of the folds that have grains
 };
 
-/// What keeps grains apart.
+/// The distances between grains.
 struct GrainSpacing {
   double poisson_radius = 0;    ///< metres: two centres are no nearer than the mean of both grains' spacings
   bool any_facing = false;      ///< also if they face different ways
@@ -33,7 +33,7 @@ struct GrainSpacing {
   bool solid = false;           ///< no two ellipsoids in which the grains lie overlap, nor with those of `apart_from`
 };
 
-/// What one grain is formed like before it is stretched to its sizes.
+/// The shape of a grain before it is scaled to its sizes.
 enum class GrainShape {
   ellipsoid,
   lens,     ///< two caps that meet in a sharp rim
@@ -46,31 +46,31 @@ enum class GrainShape {
 
 struct GrainForm {
   GrainShape shape = GrainShape::ellipsoid;
-  double pointedness = 0;                       ///< 0 = as the shape is, 1 = a drop with its tip at the +length end
+  double pointedness = 0;                       ///< 0 = the shape itself, 1 = a drop with its tip at the +length end
   double length = 0, width = 0, thickness = 0;  ///< full axes of the grain, metres
-  double size_jitter = 0;                       ///< share, 0..0.9
-  double length_jitter = 0, width_jitter = 0;   ///< shares beyond that, 0..0.9
+  double size_jitter = 0;                       ///< random variation of the size, as a share, 0..0.9
+  double length_jitter = 0, width_jitter = 0;   ///< further random variation of length and width, as shares, 0..0.9
   int around = 8, along = 6;
 };
 
-/// How grains lie.
+/// The pose of grains.
 struct GrainStance {
   enum class Heading { along, towards_axis, from_axis, up, down };
   enum class Flat { surface, around, up };
 
   double sink = 0;                   ///< how deep the centre lies below the surface, metres (negative = above)
-  Heading heading = Heading::along;  ///< where the tip points: up the vertical curve within the surface, or as said
-  Flat flat = Flat::surface;         ///< what the flat side faces, as nearly as the heading lets it
-  double angle = 0;                  ///< radians, a turn about the flat side's normal
-  double angle_jitter = 0;           ///< radians, to either side
-  double tilt = 0;                   ///< radians, of the tip towards the flat side's normal
-  double tilt_jitter = 0;            ///< radians, to either side
+  Heading heading = Heading::along;  ///< direction of the tip; `along` = up the vertical curve, in the surface
+  Flat flat = Flat::surface;         ///< direction of the flat side, as far as the heading allows it
+  double angle = 0;                  ///< rotation about the flat side's normal, radians
+  double angle_jitter = 0;           ///< random part of `angle`, radians, to either side
+  double tilt = 0;                   ///< tilt of the tip towards the flat side's normal, radians
+  double tilt_jitter = 0;            ///< random part of `tilt`, radians, to either side
 };
 
-/// Colours some grains have instead of their own: unripe ones, empty ones.
+/// Another appearance of some grains, such as unripe or empty ones.
 struct GrainLook {
-  double share = 0;  ///< of the grains
-  double scale = 1;  ///< of their size
+  double share = 0;  ///< share of the grains that have it
+  double scale = 1;  ///< factor of their size
   PaintedColor front;
   PaintedColor back;
 };

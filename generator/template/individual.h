@@ -1,4 +1,4 @@
-// What one fruit has of its own in colour.
+// The colours of one individual.
 #pragma once
 
 #include <cstdint>

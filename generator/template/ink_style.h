@@ -5,10 +5,10 @@
 
 namespace pomona {
 
-/// How the ink runs on this fruit: the colour of its lines.
+/// The ink of this fruit's lines.
 struct InkStyle {
   Color color{0.03f, 0.02f, 0.015f};
-  double width = 1.0;  ///< times the style's
+  double width = 1.0;  ///< factor of the style's width
 };
 
 }  // namespace pomona

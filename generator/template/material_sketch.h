@@ -1,15 +1,15 @@
-// What a part is made of besides its colours: how it shines, what lies on it, how far light goes in.
+// The material of a part besides its colours: its gloss, its bloom and hairs, its translucency.
 #pragma once
 
 #include "generator/base/color.h"
 
 namespace pomona {
 
-/// The waxy veil on a skin. It whitens what is seen at a slant most, and is rubbed off in patches.
+/// The waxy bloom on a skin. It is whitest at grazing angles, and is rubbed off in patches.
 struct Bloom {
-  double cover = 0;  ///< share of the skin's colour that it hides where it is whole, 0..1
+  double cover = 0;  ///< share of the skin's colour that it hides where it is not rubbed off, 0..1
   Color color{0.72f, 0.76f, 0.84f};
-  double rubbed = 0.4;        ///< share of the skin where it is gone, 0..1
+  double rubbed = 0.4;        ///< share of the skin where it is rubbed off, 0..1
   double patch_size = 0.008;  ///< metres
 };
 
@@ -21,20 +21,20 @@ struct Fuzz {
   double lie = 0.5;  ///< 0 = they stand upright, 1 = they lie on the skin
 };
 
-/// Light that goes in, is scattered there, and comes out elsewhere. After `depth` times a channel of `color`, 1/e of
-/// that channel's light is left.
+/// Light that enters, is scattered and leaves elsewhere. After a length of `depth` times a channel of `color`, 1/e of
+/// that channel's light remains.
 struct Translucency {
   double depth = 0;  ///< mean free path, metres
   Color color{1.0f};
 };
 
-/// One part's. The defaults are what a part is like of which nothing is said.
+/// The material of one part. The defaults are those of a part without a description.
 struct MaterialSketch {
   double gloss = 1;        ///< strength of the highlight on skins, 0..4
   double roughness = 0.3;  ///< how far it spreads: 0 = a mirror, 1 = dull
   double wet = 1;          ///< how wet cut faces are: strength of their sheen and highlights, 0..4
-  double relief = 0;       ///< metres that the part stands proud of cut faces, or is sunk in them where negative
-  double pit = 0;          ///< metres that the skin around it is sunk, where it lies on a skin
+  double relief = 0;       ///< height of the part above cut faces, metres, negative = below
+  double pit = 0;          ///< depth of the pit around it where it lies on a skin, metres
   Bloom bloom;
   Fuzz fuzz;
   Translucency translucency;

@@ -13,26 +13,26 @@ namespace pomona {
 
 enum class MeshFormat { ply, obj, glb };
 
-/// A file as it was read, not yet understood: surface/mesh_surfaces.h does that. Variants share it.
+/// The bytes of a file, not yet parsed (surface/mesh_surfaces.h parses them). Variants share it.
 struct MeshFile {
   std::string path;  ///< for messages
   MeshFormat format = MeshFormat::ply;
   std::string bytes;
 };
 
-/// How the template paints a mesh. Ramps along run from the mesh's lowest vertex to its highest, or with the distance
-/// from a point; ramps around with the angle about the upright line through the middle of its box; turns about the
-/// fruit's axis.
+/// The paint that the template gives a mesh. Ramps `along` run from the mesh's lowest vertex to its highest, or with
+/// the distance from a point; ramps `around` with the angle about the vertical line through the middle of its box;
+/// `turn` is about the fruit's axis.
 struct MeshPaint {
   Side front;  ///< front = the side from which corners run counter-clockwise
   Side back;
-  bool front_color_from_file = false;  ///< the file's own vertex colours in place of front.color
+  bool front_color_from_file = false;  ///< use the file's own vertex colours instead of front.color
   bool back_color_from_file = false;
   PaintedBlur blur;
-  std::optional<glm::dvec3> ramps_from;  ///< metres; ramps along run with the distance from here
+  std::optional<glm::dvec3> ramps_from;  ///< if set, ramps `along` run with the distance from this point, metres
 };
 
-/// One [[mesh]]: a file, or one object of it. Without paint the file says all itself, as surface files (.ply) do.
+/// One [[mesh]]: a file, or one object of it. Without paint, the file has its own colours, as surface files (.ply) do.
 struct MeshSketch {
   std::string name;
   std::shared_ptr<const MeshFile> file;

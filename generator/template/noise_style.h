@@ -10,8 +10,8 @@
 
 namespace pomona {
 
-/// Which of many like patterns a fruit has: 0 = the drawing's, up to this in variants. Single precision holds them,
-/// and the numbers of all lattices besides.
+/// The largest number of a noise pattern. A fruit as drawn has pattern 0, variants others. Single precision must
+/// represent these numbers together with all lattice indices.
 constexpr std::uint32_t most_pattern = (1u << 24) - (1u << 13);
 
 /// Perlin modulation keyed by the unmodulated colour (paper, section 5; docs/reference/style.md).

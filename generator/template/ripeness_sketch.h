@@ -1,4 +1,4 @@
-// How a fruit's colours change as it ripens.
+// The change of a fruit's colours as it ripens.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What is painted on one side of a surface.
+// The paint on one side of a surface.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
-// What a fruit is: plain data, as drawn or as varied. Reading it is read_template.h's business, sweeping
-// it surface/sweep.h's, varying it variation/vary.h's.
+// A template: the description of a fruit as plain data, as drawn or as varied. read_template.h reads it,
+// surface/sweep.h sweeps it, variation/vary.h varies it.
 #pragma once
 
 #include <string>

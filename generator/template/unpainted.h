@@ -1,12 +1,12 @@
-// A template of which only the forms are of interest.
+// A template without paint, if only its shapes are needed.
 #pragma once
 
 #include "generator/template/template.h"
 
 namespace pomona {
 
-/// Without coats and spots, which take longer to paint than the surfaces under them to sweep. Positions, connectivity
-/// and hidden sides of what is swept stay the same.
+/// The template without coats and spots, because painting them takes longer than sweeping. The positions, triangles and
+/// hidden sides of the swept surfaces do not change.
 Template unpainted(Template fruit);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// How far the variants of a template stray in what the paper does not vary.
+// The variation of a template beyond what the paper varies.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace pomona {
 
-/// How far the axes of variants bend, besides what is drawn (axis_bend.h).
+/// The random bend of the axes of variants, added to the drawn bend (axis_bend.h).
 struct BendVariation {
   double angle = 0;     ///< standard deviation, radians
   double swing = 0;     ///< standard deviation, radians
-  bool around = false;  ///< towards all sides, rather than only along the drawn direction
+  bool around = false;  ///< in all directions, not only along the drawn one
 };
 
 /// What nature varies in number. Nothing where a template does not ask for it: variants then have what is drawn, and

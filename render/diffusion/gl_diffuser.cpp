@@ -45,12 +45,12 @@ class GlEngine {
  public:
   explicit GlEngine(std::unique_ptr<GlContext> context) : context_(std::move(context)) {
     const CurrentGl gl(*context_);
-    look_.emplace(gl, *context_);
+    caster_.emplace(gl, *context_);
   }
   ~GlEngine() {
     try {
       const CurrentGl gl(*context_);
-      look_.reset();
+      caster_.reset();
     } catch (const Error&) {
       // The driver has given up; with the context go its programs.
     }
@@ -64,12 +64,12 @@ class GlEngine {
                                              const LineSampling& sampling) {
     const std::lock_guard<std::mutex> only(mutex_);
     const CurrentGl gl(*context_);
-    return gl_pmvc(gl, *look_, fruits, tasks, sampling);
+    return gl_pmvc(gl, *caster_, fruits, tasks, sampling);
   }
 
  private:
   std::unique_ptr<GlContext> context_;
-  std::optional<GlLook> look_;
+  std::optional<GlRayCaster> caster_;
   std::mutex mutex_;
 };
 

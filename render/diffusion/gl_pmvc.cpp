@@ -42,9 +42,14 @@ std::vector<Asked> in_order(std::size_t task, std::span<const glm::vec3> points)
 /// A run of fruits that is on the card, and the tasks in it.
 class PmvcRun {
  public:
-  PmvcRun(const CurrentGl& gl, const GlLook& look, std::span<const RaySurfaces> fruits, std::size_t first_fruit,
+  PmvcRun(const CurrentGl& gl, const GlRayCaster& caster, std::span<const RaySurfaces> fruits, std::size_t first_fruit,
           std::span<const SightTask> tasks)
-      : gl_(gl), look_(look), fruits_(fruits), first_(first_fruit), tasks_(tasks), uploaded_(uploaded(gl, fruits)) {}
+      : gl_(gl),
+        caster_(caster),
+        fruits_(fruits),
+        first_(first_fruit),
+        tasks_(tasks),
+        uploaded_(uploaded(gl, fruits)) {}
 
   /// What `asked` see, in that order; neighbours in it share a work-group.
   std::vector<Sight> sights(std::span<const Asked> asked, int lines) const {
@@ -58,7 +63,7 @@ class PmvcRun {
       task = one.task;
       groups.back().eye.push_back(fruits_[fruit].normalized(tasks_[one.task].points[one.point]));
     }
-    return look_.along(gl_, uploaded_, groups, lines);
+    return caster_.along(gl_, uploaded_, groups, lines);
   }
 
   PmvcValue value(const Asked& one, const Sight& sight, int lines) const {
@@ -69,7 +74,7 @@ class PmvcRun {
 
  private:
   const CurrentGl& gl_;
-  const GlLook& look_;
+  const GlRayCaster& caster_;
   std::span<const RaySurfaces> fruits_;  ///< of this run
   std::size_t first_;                    ///< of them, among all
   std::span<const SightTask> tasks_;     ///< all
@@ -78,13 +83,13 @@ class PmvcRun {
 
 }  // namespace
 
-std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlLook& look,
+std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlRayCaster& caster,
                                             std::span<const RaySurfaces> fruits, std::span<const SightTask> tasks,
                                             const LineSampling& sampling) {
   std::vector<std::vector<PmvcValue>> values;
   for (const SightTask& task : tasks) values.emplace_back(task.points.size());
 
-  const std::vector<std::size_t> border = runs_that_fit(fruits, look.most_bytes());
+  const std::vector<std::size_t> border = runs_that_fit(fruits, caster.most_bytes());
   for (std::size_t r = 0; r + 1 < border.size(); ++r) {
     std::vector<Asked> asked;
     for (std::size_t t = 0; t < tasks.size(); ++t) {
@@ -92,7 +97,7 @@ std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlLook& l
       const std::vector<Asked> order = in_order(t, tasks[t].points);
       asked.insert(asked.end(), order.begin(), order.end());
     }
-    const PmvcRun run(gl, look, fruits.subspan(border[r], border[r + 1] - border[r]), border[r], tasks);
+    const PmvcRun run(gl, caster, fruits.subspan(border[r], border[r + 1] - border[r]), border[r], tasks);
 
     // Everything once; once more, along more lines, where colours scatter.
     std::vector<Asked> rough;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "generator/diffusion/pmvc_value.h"
-#include "render/diffusion/gl_look.h"
+#include "render/diffusion/gl_ray_caster.h"
 
 namespace pomona {
 
@@ -24,7 +24,7 @@ struct SightTask {
 
 /// Positive mean values, an entry for every point of every task. They do not depend on what else is asked for.
 /// \throws Error (helper_missing) if a fruit is too large for this OpenGL, or memory does not suffice.
-std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlLook& look,
+std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlRayCaster& caster,
                                             std::span<const RaySurfaces> fruits, std::span<const SightTask> tasks,
                                             const LineSampling& sampling);
 

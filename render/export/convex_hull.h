@@ -1,4 +1,4 @@
-// Convex hulls that a game can collide with.
+// Convex hulls, for collisions in games.
 #pragma once
 
 #include <span>
@@ -13,10 +13,9 @@ struct ConvexHull {
   std::vector<glm::uvec3> triangle;  ///< counter-clockwise seen from outside
 };
 
-/// The hull of the points, or, where that has more vertices than `most`, of those of them that stand out farthest
-/// [Barber, Dobkin and Huhdanpaa 1996, stopped early]: it lies within the whole hull. Empty for points in a plane. The
-/// same for the same points, on every machine.
-/// \param most vertices, at least 14.
+/// The hull of the points. If it has more than `most` vertices, the hull of those that stand out farthest [Barber,
+/// Dobkin and Huhdanpaa 1996, stopped early], which lies inside the whole hull. Empty for points in a plane. The result
+/// is the same on every machine. \param most largest number of vertices, at least 14.
 ConvexHull convex_hull(std::span<const glm::vec3> points, std::size_t most = 64);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// A file that belongs to an output of several.
+// One file of an output that has several.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Solids as Wavefront OBJ: the oldest door to modelling tools (docs/reference/formats.md).
+// Solids as Wavefront OBJ, for modelling tools (docs/reference/formats.md).
 #pragma once
 
 #include <string>

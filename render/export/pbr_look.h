@@ -1,4 +1,4 @@
-// Materials as glTF can say them.
+// Materials for physically based rendering (PBR), as in glTF.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace pomona {
 
-/// The factors of a glTF material and of its extensions. The defaults are those of parts of which nothing is said:
-/// dull like flesh, without extensions.
+/// The factors of a glTF material and of its extensions. The defaults are those of parts without a description: dull
+/// like flesh, without extensions.
 struct PbrLook {
   double roughness = 0.6;
   double specular = 1;                            ///< KHR_materials_specular
@@ -29,13 +29,13 @@ struct PbrLook {
 /// Smooth and wet parts have a clear coat, hairs and bloom are a sheen, translucent parts let diffuse light through.
 PbrLook look_of(const MaterialSketch& material, bool on_cut_face);
 
-/// A mesh's triangles by the look they have, in the order in which the looks first come. One group, where the solid's
-/// template says nothing of materials.
+/// The triangles of a mesh with one material. Groups are in the order in which their materials first occur. There is
+/// one group if the solid's template has no materials.
 struct LookGroup {
   PbrLook look;
-  std::string name;                  ///< what looks so: "skin", "gel", "inside"; empty where all looks alike
-  std::vector<std::int32_t> face;    ///< numbers of its triangles in the mesh, ascending
-  std::vector<glm::uvec3> triangle;  ///< these
+  std::string name;                  ///< of the part: "skin", "gel", "inside"; empty if all parts have this material
+  std::vector<std::int32_t> face;    ///< indices of its triangles in the mesh, sorted
+  std::vector<glm::uvec3> triangle;  ///< these triangles
 };
 std::vector<LookGroup> groups_by_look(const Solid& solid, const StyledMesh& mesh);
 

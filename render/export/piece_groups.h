@@ -1,4 +1,4 @@
-// The pieces of a scene in groups, as people look for them in an outliner: by entry, and by fruit within.
+// The pieces of a scene in groups, as an outliner shows them: by entry, and inside an entry by fruit.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-/// Where a piece belongs; what is not known is empty.
+/// The groups of a piece; unknown ones are empty.
 struct PiecePath {
   std::string entry;    ///< of the scene: "tomato-wedges"
   std::string variant;  ///< the fruit: "tomato-wedges-3"

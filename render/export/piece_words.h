@@ -1,4 +1,4 @@
-// What a file says of a piece in words and numbers: the same in glTF and USD.
+// Texts and numbers about a piece, for glTF and USD files.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace pomona {
 
-/// The command line that makes this piece's mesh again, coloured and textured as in this file; empty for what is no
+/// The command that makes this piece's mesh again, with the colours and textures of this file; empty if it is not a
 /// piece of a known fruit.
 std::string command_for(const Solid& solid, const ExportOptions& options, const std::string& ending);
 
-/// Where a piece turns about: its centre of mass, to the precision of vertices. The origin for what was never cut out
-/// of a fruit, a dish for one.
+/// The pivot of a piece: its centre of mass, with the precision of vertices. For solids that are not cut from a fruit,
+/// such as dishes, it is the origin.
 glm::vec3 pivot_of(const Solid& solid);
 
 }  // namespace pomona

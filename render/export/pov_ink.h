@@ -17,7 +17,7 @@ struct SceneInk {
 namespace pov {
 
 /// "#declare Ink = union { ... }" in units of 10^unit_exponent metres: ribbons that face the scene's camera, each a
-/// little nearer to it than what it is drawn on. They shine by themselves and throw no shadow.
+/// little nearer to it than the surface below. They are self-luminous and cast no shadow.
 std::string ink_text(const Scene& scene, const SceneInk& ink, int unit_exponent);
 
 }  // namespace pov

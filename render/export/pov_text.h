@@ -1,4 +1,4 @@
-// Numbers and words as POV-Ray's scene language wants them.
+// Numbers and texts for POV-Ray's scene language.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace pomona::pov {
 
-/// The shortest decimals that read back as the same number; no locale has a say.
+/// The shortest decimal that reads back as the same number; independent of the locale.
 std::string number_text(double number);
 
 /// "<1, 0.5, -2>"
 std::string vector_text(const glm::dvec3& v);
 
-/// Appends "12", and "<1,-2,3>": what meshes consist of.
+/// Appends "12", or "<1,-2,3>", for meshes.
 void append_integer(std::string& text, std::int64_t number);
 void append_integers(std::string& text, std::int64_t x, std::int64_t y, std::int64_t z);
 
@@ -24,7 +24,7 @@ double power_of_ten(int exponent);
 /// The exponent that brings `size` into [10^digits, 10^(digits + 1)) when divided by its power of ten.
 int exponent_for(double size, int digits);
 
-/// What may stand in a comment that ends with the line.
+/// The text, made safe for a one-line comment.
 std::string commentable(std::string text);
 
 /// The text between double quotes, with what is special in it escaped.

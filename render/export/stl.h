@@ -1,4 +1,4 @@
-// Solids as STL: for printing and for programs that know nothing else (docs/reference/formats.md).
+// Solids as STL, for 3D printing and for programs that read no other format (docs/reference/formats.md).
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace pomona {
 
-/// The bytes of one binary STL with every instance of the scene, where it lies, in millimetres, which is what
-/// programs take an STL's numbers for. No colours, no parts: the format has none. Triangles without area are left out.
+/// The bytes of one binary STL with every instance of the scene at its pose, in millimetres, the usual unit of STL. The
+/// format has no colours and no parts. Triangles of area 0 are omitted.
 std::string write_stl(const Scene& scene);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// What every exporter writes: a solid's triangles in the style's colours.
+// The mesh that every exporter writes: a solid's triangles with the style's colours.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,25 @@ namespace pomona {
 
 struct ExportOptions {
   Style style = {};                ///< noise and paint of the colours; in POV-Ray light, shadow and gloss, too
-  std::string provenance = {};     ///< what made it ("pomona scene scenes/salad.toml --seed 3"); no paths, no time
-  std::string command_words = {};  ///< what a command that makes a piece again must say of colours: " --style plain"
+  std::string provenance = {};     ///< the command ("pomona scene scenes/salad.toml --seed 3"); no paths, no time
+  std::string command_words = {};  ///< options of colouring for the command that makes a piece again: " --style plain"
   Threads threads = {};
 
   // Of glTF and USD.
-  bool instances = false;       ///< pieces that repeat are one node, or prim, with many places
+  bool instances = false;       ///< repeated pieces are one node, or prim, with many poses
   bool feature_ids = false;     ///< glTF: parts as EXT_mesh_features, too
   Engine engine = Engine::any;  ///< glTF: names for this importer, and convex hulls to collide with
 };
 
-/// One solid, welded: no two vertices are equal in everything, each is used, and no triangle has two corners at
-/// one place.
+/// One solid, welded: no two vertices have all attributes equal, each vertex is used, and no triangle has two corners
+/// at the same position.
 struct StyledMesh {
   std::vector<glm::vec3> position;  ///< metres, the fruit's own frame
   std::vector<glm::vec3> normal;    ///< unit length
-  std::vector<Color> color;         ///< linear, 0..1, in the style's paint, its noise as far as the mesh is fine enough
+  std::vector<Color> color;         ///< linear, 0..1, with the style's paint, and noise where the mesh is fine enough
   std::vector<std::int32_t> part;   ///< index into Solid::part_names
   std::vector<DetailGuide> guide;   ///< as in Solid
-  std::vector<DetailFace> face;     ///< what the vertex lies on
+  std::vector<DetailFace> face;     ///< the kind of face on which the vertex lies
   std::vector<glm::vec2> uv;        ///< into a baked texture, (0, 0) its upper left corner; else empty
   std::vector<glm::vec4> tangent;   ///< of a texture with a normal map; else empty
 
@@ -45,7 +45,7 @@ struct StyledMesh {
 /// One mesh per solid, in their order.
 std::vector<StyledMesh> styled_meshes(std::span<const Solid> solids, const ExportOptions& options);
 
-/// Of the scene's solids.
+/// One mesh per solid of the scene.
 std::vector<StyledMesh> styled_meshes(const Scene& scene, const ExportOptions& options);
 
 /// A baked solid: the texture has the colours and their noise; `color` is left as it was.

@@ -16,7 +16,7 @@ namespace pomona {
 /// The sheet of an .svg: a user unit is a pixel.
 struct SvgSheet {
   int width = 0, height = 0;
-  double dpi = 0;  ///< pixels per inch: the drawing has a size in millimetres; 0 = unsaid
+  double dpi = 0;  ///< pixels per inch: then the drawing has a size in millimetres; 0 = not given
 };
 
 /// Hatching or stipple below the strokes, in one ink.

@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-/// The solids of a scene once more in other colours, on the same atlases.
+/// The textures of a scene's solids in other colours, on the same atlases.
 struct TextureVariant {
   std::string name;
   std::vector<BakedSolid> solids;

@@ -39,7 +39,7 @@ class GlContext {
   GlRoute route() const { return route_; }
   const std::string& renderer() const { return renderer_; }  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
   int version() const { return version_; }                   ///< 45 = OpenGL 4.5
-  bool is_software() const;                                  ///< drawn by the processor, whoever names it a device
+  bool is_software() const;  ///< drawn by the processor, even if it is listed as a device
 
  private:
   friend class CurrentGl;

@@ -1,4 +1,4 @@
-// What is see-through, layer upon layer: depth peeling [Everitt 2001].
+// Transparent solids, layer by layer: depth peeling [Everitt 2001].
 #pragma once
 
 #include "render/gl/placed_solids.h"
@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// How the layers are looked at and lit.
+/// The view and the light of the layers.
 struct GlassView {
   SceneCamera camera;
   glm::vec3 eye{0};       ///< scene

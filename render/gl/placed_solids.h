@@ -1,4 +1,4 @@
-// A scene's solids where its instances put them: what every pass over solids draws.
+// A scene's solids at the poses of their instances, for all passes that draw solids.
 #pragma once
 
 #include "render/gl/program.h"
@@ -15,9 +15,9 @@ class PlacedSolids {
   PlacedSolids(const CurrentGl& gl, const Scene& scene, const Style& style);
 
   bool any(Drawn which) const;
-  /// With the program in use, the nearest first, so that what is hidden is not worked out in vain. Sets "placement",
-  /// "instance_id", "first_triangle" and "opacity". Of closed solids only what faces the eye is drawn, which is half of
-  /// their triangles; after CullFace(GL_FRONT) only what does not.
+  /// Draws with the current program, the nearest solids first, so that hidden fragments are not shaded. Sets
+  /// "placement", "instance_id", "first_triangle" and "opacity". Of closed solids, only triangles that face the eye are
+  /// drawn (half of them); after CullFace(GL_FRONT) only the others.
   void draw(const Program& program, Drawn which) const;
   /// Per solid (shaders/detail.glsl); none where no solid has guides.
   const GlTexture* detail_styles() const { return uploaded_.guides ? &uploaded_.guides->styles.texture() : nullptr; }

@@ -5,7 +5,7 @@
 
 namespace pomona {
 
-/// A context as its library knows it.
+/// A context of one of the libraries.
 class GlPlatform {
  public:
   virtual ~GlPlatform() = default;

@@ -1,4 +1,4 @@
-// Where the eye and the light of a scene are, as matrices.
+// The camera and the light of a scene, as matrices.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -33,7 +33,7 @@ struct SceneLight {
 
 SceneLight light_of(const SceneCamera& camera, const SceneBall& ball, const LightStyle& style);
 
-/// What stands on the table, seen from below: it takes sky from the table around where it stands.
+/// The occlusion of the table by the pieces on it, from a view from below.
 struct TableShade {
   glm::mat4 to_clip{1};  ///< scene to clip space; depth is height over the table, up to the reach
   float reach = 0;       ///< metres: six tenths of the pieces' mean height, or width if that is less; 0 without a table

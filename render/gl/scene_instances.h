@@ -1,4 +1,4 @@
-// What shaders want to know of each instance (shaders/gbuffer.glsl).
+// The data of each instance for the shaders (shaders/gbuffer.glsl).
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// How much of each pixel is covered by filled outlines.
+// Rasteriser of filled outlines: the covered share of each pixel.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Letters as outlines: what plates are lettered with.
+// Typefaces: letters as outlines, for plates.
 #pragma once
 
 #include <cstdint>

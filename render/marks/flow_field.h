@@ -1,4 +1,4 @@
-// Which way a picture runs: along its edges, not across them.
+// The flow field of a picture: directions along its edges.
 #pragma once
 
 #include <vector>

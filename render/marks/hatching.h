@@ -1,4 +1,4 @@
-// Hatching: tones as lines that follow the forms, broader in the dark, crossed where it is darkest.
+// Hatching: tones as lines that follow the shapes, thicker in dark areas, crossed in the darkest ones.
 #pragma once
 
 #include <vector>
@@ -17,8 +17,8 @@ struct HatchOptions {
   double crossing = 0.6;   ///< darkness above which a second set of lines crosses the first
 };
 
-/// Evenly spaced lines along the flow [Jobard and Lefer 1997], as broad as the tone asks for; they end where it gets
-/// light. No two lines of a set come nearer than half their spacing, but where one ends.
+/// Evenly spaced lines along the flow [Jobard and Lefer 1997]. Their width follows from the tone; they end in light
+/// areas. Two lines of a set are never nearer than half the spacing, except where one ends.
 std::vector<Mark> hatched(const ToneMap& tones, const FlowField& flow, const HatchOptions& options = {});
 
 }  // namespace pomona

@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// The lines or dots that stand for a painted picture's tones on paper of this colour. Pictures alike, marks alike, to
+/// The lines or dots for the tones of a painted picture on paper of this colour. Equal pictures give equal marks, to
 /// the bit.
 std::vector<Mark> marks_of(const Image& painted, const Color& paper, const MarkStyle& style);
 

@@ -1,4 +1,4 @@
-// Stippling: tones as dots, closer together in the dark.
+// Stippling: tones as dots, which are denser in dark areas.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// How dark a picture is to be drawn, pixel by pixel.
+// The tone map of a picture: how dark each pixel is drawn.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Chains: many short links joined into the long lines a pen would draw (as in section 3 of
-// [Northrup & Markosian 2000], on links that already share their nodes).
+// Chains: many short links joined to the long lines that a pen would draw (as in section 3 of [Northrup & Markosian
+// 2000], for links that already share their nodes).
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ struct Chain {
   bool closed = false;
 };
 
-/// Every link is in exactly one chain. Where two links meet they are joined unless they turn back; where more
-/// meet, the straightest pairs are. The order depends on nothing but the links' order and the nodes' places.
+/// Every link is in exactly one chain. Where two links meet, they are joined unless they turn back; where more meet,
+/// the straightest pairs are joined. The order depends only on the order of the links and the positions of the nodes.
 std::vector<Chain> chained(std::span<const ChainLink> links, std::span<const glm::dvec2> nodes);
 
 /// The nodes of a chain in walking order; for a closed one the first is not repeated.

@@ -1,4 +1,4 @@
-// Which pixels a piece of a stroke inks.
+// The pixels that a piece of a stroke covers.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 
 namespace pomona {
 
-/// Calls `found(x, y, hits)` for each pixel of these rows with samples, of 4 x 4, that lie within the radius that holds
-/// at their nearest place on the piece from a to b; bit s of `hits` is sample s. The same for a pixel whatever the rows
-/// around it.
+/// Calls `found(x, y, hits)` for each pixel of these rows that is covered. Each pixel has 4 x 4 samples; a sample is
+/// covered if its distance from the nearest point of the piece from a to b is at most the radius there. Bit s of `hits`
+/// is sample s. The result for a pixel does not depend on the choice of rows.
 template <typename Found>
 void for_inked_pixels(const StrokePoint& a, const StrokePoint& b, int width, PictureRows rows, const Found& found) {
   const double reach = std::max(a.radius, b.radius);

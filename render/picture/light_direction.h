@@ -1,4 +1,4 @@
-// Where a style's light comes from, as seen by the one who looks.
+// The direction of a style's light, relative to the viewer.
 #pragma once
 
 #include "render/picture/view_frame.h"
@@ -6,8 +6,8 @@
 
 namespace pomona {
 
-/// Unit, scene: towards what is at `azimuth` from behind the one who looks (negative = left) and at `elevation` above
-/// the table. Radians.
+/// The unit vector towards the light, in the scene. `azimuth` is measured from behind the viewer (negative = left), and
+/// `elevation` from the table, radians.
 glm::dvec3 light_direction(const ViewFrame& frame, double azimuth, double elevation);
 
 /// The same for the light of a style.

@@ -3,8 +3,8 @@
 
 namespace pomona {
 
-/// How opaque a line between two colours should be, from their distance in OKLab: those that one hardly tells
-/// apart get none.
+/// The opacity of a line between two colours, from their distance in OKLab. There is no line between colours that can
+/// hardly be distinguished.
 double line_opacity(double oklab_distance);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Hatching or stipple in place of paint.
+// Hatching or stipple instead of paint.
 #pragma once
 
 #include <span>
@@ -13,10 +13,10 @@
 
 namespace pomona {
 
-/// Marks as the pen draws them; a dot is a stroke from a place to itself.
+/// A mark as a stroke of the pen; a dot is a stroke of length 0.
 std::vector<StrokePoint> stroke_of(const Mark& mark);
 
-/// The bare paper with the painted picture as thin on it as the style's wash, and the marks above, in one ink.
+/// The paper with the painted picture on it, as transparent as the style's wash, and the marks above it, in one ink.
 Image with_marks(const Image& painted, const Paper& paper, std::span<const Mark> marks, const MarkStyle& style,
                  const Color& ink);
 

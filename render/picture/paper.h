@@ -1,4 +1,4 @@
-// The paper everything is drawn on, and the paint on it.
+// The paper on which everything is drawn, and the paint on it.
 #pragma once
 
 #include "generator/base/color.h"
@@ -7,17 +7,17 @@
 
 namespace pomona {
 
-/// A sheet of the style's paper: its colour, a grain of tooth and fibres a few pixels long, and edges that have gone
-/// brown. The grain is tied to pixels: a larger picture is a larger sheet. Mirrored in shaders/paper.glsl.
+/// A sheet of the style's paper: its colour, a grain with fibres a few pixels long, and brown edges. The grain has a
+/// fixed size in pixels: a larger picture is a larger sheet. The same code is in shaders/paper.glsl.
 class Paper {
  public:
   Paper(const Style& style, int width, int height);
 
-  /// With neither grain nor vignette the colour itself.
+  /// The colour of the paper at a pixel. Without grain and vignette it is the style's colour.
   Color at(int x, int y) const;
 
-  /// What a colour becomes as paint on this paper: the style's saturation, lightness and granulation. The colour
-  /// itself, bit for bit, where the style asks for none of them.
+  /// A colour as paint on this paper, with the style's saturation, lightness and granulation. If the style has none of
+  /// these, the colour keeps its bits.
   Color painted(const Color& color, int x, int y) const;
 
  private:

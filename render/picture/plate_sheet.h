@@ -1,4 +1,4 @@
-// A plate with several figures of one fruit: whole, cut, its section, a seed; their parts numbered, and a legend.
+// A plate with several figures of one fruit: whole, cut, its section, a seed; with numbered parts and a legend.
 #pragma once
 
 #include <string>
@@ -11,30 +11,30 @@
 
 namespace pomona {
 
-/// A picture of a figure on bare paper of the style's colour, as large as its room.
+/// A figure of a plate.
 struct SheetFigure {
-  Image picture;
-  PartMap parts;                ///< empty where none are to be numbered
-  double pixels_per_metre = 0;  ///< 0 = without a bar
+  Image picture;                ///< on plain paper of the style's colour, as large as its room
+  PartMap parts;                ///< empty = no numbered parts
+  double pixels_per_metre = 0;  ///< 0 = without a scale bar
 };
 
-/// A sheet before anything is drawn: how large each figure is to be.
+/// The layout of a plate.
 class PlateSheet {
  public:
-  /// \param style whose plate says margins and letters; one without a plate has the usual ones.
-  /// \param part_names all that may come to be named. \param figures 1 to 4.
+  /// \param style its plate gives the margins and letters; without a plate, the defaults are used.
+  /// \param part_names all part names that may occur. \param figures 1 to 4.
   PlateSheet(const Style& style, PlateText text, const std::vector<std::string>& part_names, int figures, int width,
              int height);
 
-  /// Where each figure goes, in pixels: in rows of two.
+  /// The room of each figure, pixels; the figures are in rows of two.
   const std::vector<PlateBox>& rooms() const { return rooms_; }
 
-  /// The sheet: figures on the style's paper, each with its letter and its scale; numbers at parts, each part numbered
-  /// where it shows best; the legend, the title and the species. The same bytes for the same figures.
+  /// The plate: figures on the style's paper, each with its letter and its scale; a number at each part, in the figure
+  /// that shows it best; the legend, the title and the species. The same figures give the same bytes.
   Image drawn(const std::vector<SheetFigure>& figures) const;
 
  private:
-  /// A part with its number, and where it is pointed at.
+  /// A part with its number, and the position to which the number points.
   struct Numbered {
     int number = 0;
     std::string name;

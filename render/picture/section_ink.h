@@ -1,4 +1,4 @@
-// Which lines of a cross-section are worth ink.
+// The lines of a cross-section that are drawn in ink.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace pomona {
 
-/// A line on the paper, along the rim of a face or along an inner cut segment where the colour jumps (the more
-/// it jumps, the more opaque).
+/// A line on the paper: the rim of a face, or an inner cut segment where the colour changes. A larger change gives a
+/// more opaque line.
 struct SectionLine {
   PenLine line;
   int face = 0;

@@ -1,4 +1,4 @@
-// Which part of the fruit each pixel of a section's picture shows.
+// The part of the fruit in each pixel of a section's picture.
 #pragma once
 
 #include <map>
@@ -11,18 +11,18 @@
 
 namespace pomona {
 
-/// Looked at in the middle of each pixel: the part of the triangle's vertex with the largest share there.
+/// The part at the middle of each pixel: that of the triangle's vertex with the largest barycentric coordinate.
 PartMap section_parts(const CrossSection& section, const std::vector<PlacedFace>& faces, int width, int height);
 
-/// Which part the outside of a surface is: by the surface's name, the part's.
+/// The part on the outside of a surface: name of the surface -> name of the part.
 using OutsideParts = std::map<std::string, std::string>;
 
-/// Adds the parts that a section shows as its rim alone, such as a skin without thickness: those that fewer pixels
-/// show than there are along the rim have these.
+/// Adds the parts that appear only as a rim of the section, such as a skin without thickness: a part gets the pixels of
+/// its rim if fewer pixels show it otherwise.
 void add_rims(PartMap& map, const CrossSection& section, const std::vector<PlacedFace>& faces,
               const OutsideParts& outside);
 
-/// Names of the parts that the section's vertices bear, and of those that are outside along its rim.
+/// Names of the parts of the section's vertices, and of the parts outside along its rim.
 std::vector<std::string> parts_in(const CrossSection& section, const OutsideParts& outside = {});
 
 }  // namespace pomona

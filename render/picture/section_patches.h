@@ -1,4 +1,4 @@
-// A section's colours as patches of one colour each, for drawing programs.
+// A section as patches of uniform colour, for drawing programs.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@ namespace pomona {
 
 struct PatchOptions {
   int width = 800, height = 600;  ///< of the paper, pixels
-  double finest = 2.5;            ///< pixels: shorter edges are not halved
-  double coarsest = 8;            ///< pixels: longer edges are halved, so that no noise falls between corners
-  int tolerance = 6;              ///< of 255: a patch whose colours differ by less is one
+  double finest = 2.5;            ///< edges shorter than this are not halved, pixels
+  double coarsest = 8;            ///< edges longer than this are halved, so that no noise is missed, pixels
+  int tolerance = 6;              ///< patches whose colours differ by less are not divided, 0 to 255
   Threads threads{};
 };
 
@@ -31,9 +31,9 @@ struct SectionPatch {
   std::int32_t part = 0;               ///< index into part_names
 };
 
-/// The section's triangles, halved at their longest edges until they are no longer than `coarsest`, and the look at
-/// their corners and centre is one colour or they are as small as `finest`. Together they are the faces, without gaps
-/// or overlaps. Same section, same patches, for any threads.
+/// The section's triangles, halved at their longest edges until these are at most `coarsest`, and the colours at
+/// corners and centre are equal or the edges are at most `finest`. Together they cover the faces without gaps or
+/// overlaps. The result is the same for any number of threads.
 std::vector<SectionPatch> section_patches(const CrossSection& section, const std::vector<PlacedFace>& faces,
                                           const Look& look, const Style& style, const PatchOptions& options = {});
 

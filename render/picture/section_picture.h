@@ -1,4 +1,4 @@
-// Pictures of bare cross-sections, drawn on the CPU and exact to the byte.
+// Pictures of cross-sections, drawn on the CPU; their bytes are reproducible.
 #pragma once
 
 #include <optional>
@@ -19,14 +19,14 @@ namespace pomona {
 struct SectionPictureOptions {
   int width = 800;
   int height = 600;
-  double dpi = 0;             ///< pixels per inch of what an .svg is on paper; 0 = unsaid
-  double margin = 0.05;       ///< around all faces and between them, share of the shorter side
-  PlateText text = {};        ///< what a plate says
-  OutsideParts outside = {};  ///< for a plate's labels of what is rim alone
+  double dpi = 0;             ///< pixels per inch of an .svg on paper; 0 = not given
+  double margin = 0.05;       ///< around all faces and between them, as a share of the shorter side
+  PlateText text = {};        ///< texts of a plate
+  OutsideParts outside = {};  ///< for a plate's labels of parts that appear only as a rim
   Threads threads{};
 };
 
-/// Where everything goes in the picture of a section.
+/// The layout of a section's picture.
 class SectionSheet {
  public:
   /// \param section must outlive it. \throws Error (usage) for sizes that are not 1 to max_picture_side.
@@ -34,7 +34,7 @@ class SectionSheet {
 
   const std::vector<PlacedFace>& faces() const { return faces_; }
 
-  /// What stands around the faces where the style asks for a plate; else nothing.
+  /// The parts of a plate around the faces, if the style asks for a plate; else nothing.
   std::vector<PlateLayer> plate_layers() const;
 
  private:
@@ -45,18 +45,18 @@ class SectionSheet {
   std::vector<PlacedFace> faces_;
 };
 
-/// The faces, laid out already, on their paper: draw_section() without what a plate adds.
+/// The faces on their paper, for a given layout: draw_section() without the parts of a plate.
 Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& faces, const Look& look,
                  const InkStyle& ink, const Style& style, const SectionPictureOptions& options);
 
-/// The same in paint alone, whatever the style says of ink and marks.
+/// The same only in paint, whatever the style says about ink and marks.
 Image paint_faces(const CrossSection& section, const std::vector<PlacedFace>& faces, const Look& look,
                   const InkStyle& ink, Style style, const SectionPictureOptions& options);
 
-/// Every cut face flat and front on (seen from the knife's positive side, +Y upwards, or -Z where the face lies
-/// level), several faces in rows, in cut order and at one scale. The same bytes for any number of threads, on any
-/// machine. A section without triangles leaves the paper empty. Where the style asks for a plate, the faces make room
-/// for what stands around them. \throws Error (usage) for sizes that are not 1 to max_picture_side.
+/// Every cut face from the front (from the knife's positive side, with +Y upwards, or -Z for a horizontal face);
+/// several faces in rows, in cut order and at one scale. The bytes are the same for any number of threads, on any
+/// machine. A section without triangles gives empty paper. If the style asks for a plate, the faces leave room for its
+/// parts. \throws Error (usage) for sizes that are not 1 to max_picture_side.
 Image draw_section(const CrossSection& section, const Look& look, const InkStyle& ink, const Style& style,
                    const SectionPictureOptions& options = {});
 

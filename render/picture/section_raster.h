@@ -1,4 +1,4 @@
-// The triangles of a section to pixels, exactly: in fixed point.
+// Rasteriser of sections: exact integer edge tests on a fixed grid of samples.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,14 @@
 
 namespace pomona {
 
-/// What of the section falls into one pixel.
+/// The part of the section in one pixel.
 struct SectionPixel {
-  glm::dvec3 color_sum{0};    ///< linear, over the covered samples
-  int samples = 0;            ///< covered ones, of section_samples
-  std::uint16_t covered = 0;  ///< which; where a curved face lies on itself, the first triangle counts
-  int face = -1;              ///< the face they belong to
-  DetailGuide guide_sum;      ///< over the covered samples; 0 where the section has none
+  glm::dvec3 color_sum{0};  ///< sum of linear colours over the covered samples
+  int samples = 0;          ///< number of covered samples, of section_samples
+  std::uint16_t covered =
+      0;                  ///< a bit per covered sample; where a curved face overlaps itself, the first triangle counts
+  int face = -1;          ///< the face they belong to
+  DetailGuide guide_sum;  ///< sum over the covered samples; 0 if the section has no guides
 };
 
 constexpr int section_samples = 16;  ///< 4 x 4 a pixel
@@ -30,18 +31,19 @@ struct PaperTriangle {
   int face = 0;
 };
 
-/// A section's triangles, ready to be drawn some rows at a time: a large picture's pixels are never held all at once.
+/// A section's triangles, to be drawn in bands of rows, so that the pixels of a large picture are never in memory at
+/// once.
 class SectionRaster {
  public:
   /// Both must outlive it.
   SectionRaster(const CrossSection& section, const std::vector<PlacedFace>& faces, int width, int height);
 
-  /// How many bands the picture has, and which rows each holds, from the top.
+  /// The number of bands of the picture, and the rows of each, from the top.
   std::size_t bands() const { return touching_.size(); }
   PictureRows rows(std::size_t band) const;
 
-  /// The band's pixels, row by row; a sample on a shared edge belongs to exactly one of the two triangles. To be called
-  /// from any thread.
+  /// The band's pixels, row by row. A sample on a shared edge belongs to exactly one of the two triangles. May be
+  /// called from any thread.
   std::vector<SectionPixel> pixels(std::size_t band) const;
 
  private:

@@ -15,9 +15,8 @@ struct SectionStroke {
   bool rim = false;
 };
 
-/// In the order of section_lines(). Widths follow the style, times the ink's; small faces and short lines get finer
-/// ones.
-/// \param side the picture's shorter side, pixels.
+/// The strokes in the order of section_lines(). Widths are those of the style times those of the ink; small faces and
+/// short lines get thinner strokes. \param side the picture's shorter side, pixels.
 std::vector<SectionStroke> section_strokes(const CrossSection& section, const std::vector<PlacedFace>& faces,
                                            const InkStyle& ink, const Style& style, double side);
 

@@ -1,4 +1,4 @@
-// Strokes: lines of varying width, as a pen or a brush leaves them.
+// Strokes: lines of varying width, as a pen or a brush draws them.
 #pragma once
 
 #include <cstddef>
@@ -17,29 +17,27 @@ struct PenLine {
   std::vector<glm::dvec2> points;
   std::vector<double> opacity;  ///< one per point, 0..1
   bool closed = false;
-  double weighted_side = 0;  ///< +1 or -1: the object lies to the left or right, and the line is thicker away
-                             ///< from the light; 0 = thickness knows no side
-  std::uint32_t key = 0;     ///< picks the hand's tremble
+  double weighted_side = 0;  ///< +1 or -1: the object is on the left or right; the line is thicker away from the light
+  std::uint32_t key = 0;     ///< selects the random tremble of the hand
 
-  // Of lines on things that turn before the eye; each empty, or one per point.
-  std::vector<double> heft{};          ///< times the width
-  std::vector<glm::dvec3> place{};     ///< on the thing, in wavelengths: the tremble is tied to it and moves with it
-  std::vector<glm::dvec2> outwards{};  ///< which way the object ends; takes the place of weighted_side
+  // For lines on objects in a scene; each is empty, or has one entry per point.
+  std::vector<double> heft{};          ///< factor of the width
+  std::vector<glm::dvec3> place{};     ///< position on the object, in wavelengths: the tremble moves with the object
+  std::vector<glm::dvec2> outwards{};  ///< direction away from the object; used instead of weighted_side
 };
 
 struct PenOptions {
-  double width = 3;                 ///< pixels, at its usual widest
-  double wander = 0.35;             ///< share of the width the hand varies
-  double wavelength = 70;           ///< pixels, of that variation
-  double taper = 40;                ///< pixels over which an end runs out, at most a third of the line
-  double sway = 0.4;                ///< pixels the centre line leaves the true one by, at most
-  double least = 0;                 ///< pixels: between its ends no line gets thinner
-  glm::dvec2 from_light{0.6, 0.8};  ///< where the light goes: lines are heavier there
+  double width = 3;                 ///< usual largest width, pixels
+  double wander = 0.35;             ///< variation of the width by the hand, as a share of it
+  double wavelength = 70;           ///< wavelength of that variation, pixels
+  double taper = 40;                ///< length over which an end becomes thin, pixels; at most a third of the line
+  double sway = 0.4;                ///< largest distance of the drawn centre line from the true one, pixels
+  double least = 0;                 ///< smallest width between the ends, pixels
+  glm::dvec2 from_light{0.6, 0.8};  ///< direction in which the light travels: lines on that side are thicker
 };
 
-/// The line as a hand draws it: resampled, smoothed, tapered, its width trembling; closed lines overlap a little
-/// where the pen comes round. Strokes as in
-/// [Northrup & Markosian 2000].
+/// The line as a hand draws it: resampled, smoothed, tapered, with a trembling width. Closed lines overlap a little at
+/// their ends. Strokes as in [Northrup & Markosian 2000].
 std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options);
 
 /// Ink on a picture, or on some of its rows: 16 fixed samples a pixel, so that what is drawn twice is as dark as what

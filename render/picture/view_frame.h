@@ -1,4 +1,4 @@
-// The camera's own axes, as exporters write them.
+// The axes of the camera, for exporters.
 #pragma once
 
 #include "generator/scene/scene.h"

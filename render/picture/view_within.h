@@ -1,4 +1,4 @@
-// A view with room around what fills it, for a plate's margins and letters.
+// A view with a margin, for a plate's margins and letters.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -7,10 +7,10 @@
 
 namespace pomona {
 
-/// `view`, so that what fills a picture fills a box within it instead. Pixels, y down.
+/// The view with which the scene fills a box inside the picture, instead of the whole picture. Pixels, y down.
 View view_within(const View& view, const glm::dvec2& picture, const glm::dvec2& low, const glm::dvec2& high);
 
-/// Of what lies as far away as the view's target.
+/// The scale at the distance of the view's target.
 double pixels_per_metre(const View& view, double picture_height);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Names beside a figure, each with a line to what it names.
+// Labels beside a figure, each with a line to its part.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Which part of the fruit each pixel of a picture shows, and where a part is best pointed at.
+// The part of the fruit in each pixel of a picture, and the best points for labels.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct PartMap {
 struct ShownPart {
   std::int32_t part = 0;
   double area = 0;  ///< pixels
-  /// Where one could point at it, pixels: places well inside it, from its left to its right.
+  /// Possible end points of a label's line, pixels: points well inside the part, from left to right.
   std::vector<glm::dvec2> places;
 };
 

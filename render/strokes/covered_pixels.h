@@ -1,4 +1,4 @@
-// Which pixels a seen triangle covers: those whose middle lies in it.
+// Rasteriser of projected triangles: a pixel is covered if its middle is inside.
 #pragma once
 
 #include <array>
@@ -9,18 +9,18 @@
 
 namespace pomona {
 
-/// A triangle as a lens sees it.
+/// A projected triangle.
 struct PictureTriangle {
   std::array<glm::dvec3, 3> corner{};  ///< pixels, pixels, nearness (1 / metres)
   double area = 0;                     ///< twice, square pixels; above 0 where it faces the eye, 0 behind the eye
 
   TriangleRaster<double> raster() const { return {corner[0], corner[1], corner[2]}; }
 
-  /// Of a closed solid, what faces away is behind something else.
+  /// Triangles of a closed solid that face away are hidden.
   bool can_be_seen(bool closed) const { return closed ? area > 0 : area != 0; }
 };
 
-/// By its corners as Lens::seen(). What reaches behind the eye is left out.
+/// The triangle from its corners, as given by Lens::seen(). A triangle that reaches behind the eye has area 0.
 inline PictureTriangle picture_triangle(const std::array<glm::dvec3, 3>& seen) {
   PictureTriangle result;
   for (int i = 0; i < 3; ++i) {

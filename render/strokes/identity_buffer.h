@@ -1,4 +1,4 @@
-// What one sees first through each pixel: which triangle of which instance, and how far away.
+// The identity buffer: the nearest triangle and its instance in each pixel, and its distance.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace pomona {
 
-/// Drawn on the CPU, so that the lines that rest on it are the same everywhere.
+/// Drawn on the CPU, so that the lines that depend on it are the same on every machine.
 struct IdentityBuffer {
   int width = 0, height = 0;
   std::vector<float> nearness;          ///< 1 / distance, 1 / metres; 0 where there is nothing
   std::vector<std::uint32_t> instance;  ///< index + 1; 0 where there is nothing
-  std::vector<std::uint32_t> triangle;  ///< of the instance's solid; of no meaning where there is nothing
+  std::vector<std::uint32_t> triangle;  ///< of the instance's solid; not defined where there is nothing
 
-  /// The pixel that holds a place; places outside have the nearest pixel of the border.
+  /// The pixel at a position. Positions outside the picture get the nearest pixel of the border.
   std::size_t pixel_at(const glm::dvec2& place) const;
 };
 

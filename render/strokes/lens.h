@@ -1,4 +1,4 @@
-// How a scene's view projects: in double precision, and the same bits everywhere.
+// The projection of a scene's view, in double precision, with the same bits on every machine.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -14,13 +14,13 @@ class Lens {
   /// \param width,height of the picture, pixels.
   Lens(const View& view, int width, int height);
 
-  /// A point of the scene as it is seen: pixels (y down), and its distance along the line of sight, metres.
+  /// The projection of a point of the scene: pixels (y down), and its distance along the line of sight, metres.
   glm::dvec3 seen(const glm::dvec3& point) const;
 
-  /// The other way round.
+  /// The inverse.
   glm::dvec3 in_scene(const glm::dvec2& pixel, double distance) const;
 
-  /// A direction at `point` as it is seen: unit length, y down; (0, 0) where it points at the eye.
+  /// The projection of a direction at `point`: of length 1, y down; (0, 0) if it points at the eye.
   glm::dvec2 seen_direction(const glm::dvec3& point, const glm::dvec3& direction) const;
 
   /// Size of a pixel at that distance, metres.
@@ -28,7 +28,7 @@ class Lens {
 
   const glm::dvec3& eye() const { return eye_; }
   const ViewFrame& frame() const { return frame_; }
-  double nearest() const { return nearest_; }  ///< metres: what is nearer cannot be seen
+  double nearest() const { return nearest_; }  ///< distance of the near plane, metres
   int width() const { return width_; }
   int height() const { return height_; }
 

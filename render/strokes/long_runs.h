@@ -1,4 +1,4 @@
-// Runs made fit for a pen: what overlaps is drawn once, and what continues each other is one line
+// Prepares runs for the pen: overlapping runs are drawn once, and runs that continue each other become one line
 // [Northrup & Markosian 2000, section 3.2].
 #pragma once
 
@@ -9,14 +9,14 @@
 
 namespace pomona {
 
-/// How near two lines may come: a share of the width of the pen that draws them, by instance.
+/// The smallest distance of two lines, by instance; it follows from the width of the pen.
 struct PenWidths {
   double outline = 0, inner = 0;  ///< pixels
 };
 
-/// Where two runs go the same way closer to each other than the pen is wide, only one is kept: rims before contours
-/// before ridges before finer lines, then what is nearer to the eye. A run that is cut short reaches a little under the
-/// one that stays.
+/// Where two runs are parallel and nearer to each other than the pen is wide, only one is kept: rims before contours
+/// before ridges before finer lines; among equal ones, the nearer to the eye. A run that is shortened still overlaps
+/// the other a little.
 std::vector<VisibleRun> without_overlaps(std::vector<VisibleRun> runs, std::span<const PenWidths> pens, int width,
                                          int height);
 

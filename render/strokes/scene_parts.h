@@ -1,4 +1,4 @@
-// Which part of the fruit each pixel of a scene's picture shows.
+// The part of the fruit in each pixel of a scene's picture.
 #pragma once
 
 #include "generator/base/parallel.h"
@@ -7,8 +7,8 @@
 
 namespace pomona {
 
-/// Looked at in the middle of each pixel: the part of the vertex with the largest share in the foremost triangle. All
-/// solids are taken to have the part names of the first.
+/// The part at the middle of each pixel: that of the vertex with the largest barycentric coordinate in the nearest
+/// triangle. All solids must have the part names of the first.
 PartMap scene_parts(const Scene& scene, int width, int height, Threads threads = {});
 
 }  // namespace pomona

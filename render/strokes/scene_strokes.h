@@ -1,4 +1,4 @@
-// A scene's ink: the strokes that an illustrator's pen would draw of it [Northrup & Markosian 2000].
+// The strokes of a scene, as an illustrator's pen would draw them [Northrup & Markosian 2000].
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ struct SceneStroke {
   bool closed = false;
   Color color{0};                   ///< of the ink
   std::vector<StrokePoint> points;  ///< pixels, y down
-  std::vector<double> distance;     ///< per point: metres from the eye, a little nearer than all the stroke covers
+  std::vector<double> distance;     ///< per point: distance from the eye, metres; a little less than of what it covers
 };
 
 struct StrokeOptions {
@@ -25,10 +25,10 @@ struct StrokeOptions {
   Threads threads{};
 };
 
-/// From back to front as they were found: finer lines first, then outlines. The same for any number of threads, on any
-/// machine; a style without ink has none. Widths are those of the style and of each solid's ink; small things get finer
-/// lines. The hand's tremble is tied to the fruits, so that strokes go with them when the camera moves.
-/// \throws Error (usage) for sizes that are not 1 to max_picture_side.
+/// The strokes in the order of drawing: finer lines first, then outlines. The result is the same for any number of
+/// threads, on any machine. A style without ink gives none. Widths are those of the style and of each solid's ink;
+/// small objects get thinner lines. The tremble of the hand belongs to the fruits, so that strokes move with them when
+/// the camera moves. \throws Error (usage) for sizes that are not 1 to max_picture_side.
 std::vector<SceneStroke> scene_strokes(const Scene& scene, const Style& style, const StrokeOptions& options);
 
 }  // namespace pomona

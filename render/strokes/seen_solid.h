@@ -1,4 +1,4 @@
-// A placed solid as a lens sees it: what the identity buffer and the lines are both made from.
+// A placed solid after projection, for the identity buffer and for the lines.
 #pragma once
 
 #include <functional>
@@ -22,8 +22,8 @@ struct SeenSolid {
 
 SeenSolid seen_solid(const Solid& solid, const Pose& pose, const Lens& lens);
 
-/// All instances in their order, as many at a time as a few tens of megabytes hold: those of a heap of ten thousand
-/// would take a gigabyte together. Calls visit with the index of the first and those that were seen with it.
+/// Calls visit for all instances in their order, with the index of the first and a group of projected instances. A
+/// group takes a few tens of megabytes; all instances of a heap of ten thousand would take a gigabyte.
 void visit_seen_solids(const Scene& scene, const Lens& lens, Threads threads,
                        const std::function<void(std::size_t first, std::span<const SeenSolid> seen)>& visit);
 

@@ -1,4 +1,4 @@
-// What of a solid's mesh can become a line, whatever side it is looked at from.
+// The edges of a solid that can become lines, from any viewpoint.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@ namespace pomona {
 enum class LineKind : std::uint8_t {
   contour,  ///< where a smooth surface turns away from the eye
   border,   ///< of an open surface
-  rim,      ///< where a cut face meets the skin; faint where one body's is sunk in another
+  rim,      ///< where a cut face meets the skin; faint where the rim of one body is inside another
   ridge,    ///< where two cut faces meet
   crease,   ///< a sharp edge of the skin
   seam,     ///< where two surfaces of the skin meet
-  fold,     ///< an edge that is a line only where one of its faces is turned away
+  fold,     ///< an edge that is a line only if one of its faces faces away
   inner,    ///< on a cut face, where the colour jumps
 };
 
@@ -32,9 +32,9 @@ struct SharpEdge {
 };
 
 struct SolidEdges {
-  std::vector<std::uint32_t> place;   ///< per vertex: the one that stands for all at its position
-  std::vector<std::uint32_t> smooth;  ///< per vertex: the first one that has its normal as well
-  std::vector<SharpEdge> sharp;       ///< in the order of their places
+  std::vector<std::uint32_t> place;   ///< per vertex: the first vertex with the same position
+  std::vector<std::uint32_t> smooth;  ///< per vertex: the first vertex with the same position and normal
+  std::vector<SharpEdge> sharp;       ///< in the order of their positions
 };
 
 /// Two triangles meet in an edge when its ends lie at equal positions. Creases are those where the surface turns by

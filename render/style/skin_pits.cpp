@@ -19,7 +19,7 @@ constexpr std::size_t most_spots = 100'000;
 constexpr double spot_step = 1.0 / 128;  // of its radius, over which its slope is taken
 constexpr int texels_of_pit = 2, texels_of_spot = 6;
 
-/// Which vertices hang together, by triangles or by lying at one place.
+/// Which vertices are connected, by triangles or by equal positions.
 class Islands {
  public:
   explicit Islands(std::size_t count) : root_(count) { std::iota(root_.begin(), root_.end(), 0u); }
@@ -50,7 +50,7 @@ SkinPits::SkinPits(const Solid& solid) : spots_(solid.raised) {
   if (!empty()) sort_into_cells();
 }
 
-/// What hangs together of a part on the skin is a grain.
+/// A connected set of triangles of a part on the skin is a grain.
 void SkinPits::find(const Solid& solid) {
   Islands islands(solid.position.size());
   std::map<std::tuple<float, float, float>, std::uint32_t> known;

@@ -1,4 +1,4 @@
-// What no chart of an atlas owns.
+// The parts of an atlas that no chart owns.
 #pragma once
 
 #include "render/image/image.h"
@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// Gives it the mean of the atlas around it, so that the coarsest mip levels look like the whole.
+/// Fills them with the mean of the atlas around them, so that the coarsest mip levels look like the whole.
 void fill_gaps(Image& image, const Atlas& atlas);
 
 }  // namespace pomona

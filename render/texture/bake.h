@@ -18,9 +18,9 @@ namespace pomona {
 struct BakeOptions {
   int texels = 1024;   ///< along the texture's edge; a multiple of 2^mip_levels keeps all of these
   double texel = 0;    ///< metres: if above 0 the texture is as large as that asks for, and `texels` means nothing
-  int mip_levels = 3;  ///< down to which no chart takes on another one's colours
+  int mip_levels = 3;  ///< number of mip levels at which no chart gets colours of another
   Maps maps = Maps::color;
-  bool every_texel = false;  ///< diffuses each by itself, as a measure for others; slow
+  bool every_texel = false;  ///< diffuse at each texel, as a reference for measurements; slow
   Threads threads{};
 };
 
@@ -31,22 +31,22 @@ struct BakedSolid {
   Image texture;              ///< sRGB; 0 x 0 for a solid without triangles
   SurfaceMaps maps{};         ///< empty unless BakeOptions::maps asks for all
 
-  int mip_levels = 0;  ///< as promised by BakeOptions, or fewer where charts are many and texels few
+  int mip_levels = 0;  ///< as in BakeOptions, or fewer if there are many charts and few texels
   double texel = 0;    ///< metres, exact on cut faces
   int charts = 0;
-  double filled = 0;        ///< share of the texture that shows something
+  double filled = 0;        ///< share of the texture that triangles cover
   double mean_stretch = 1;  ///< of skin, see Stretch
   double worst_stretch = 1;
-  std::size_t diffused = 0;  ///< points at which colours were diffused, of solids of one fruit all with the first
+  std::size_t diffused = 0;  ///< number of diffused points; for solids of one fruit, the first has the sum
 };
 
-/// The same bytes for the same solid, on any machine and for any number of threads, unless the solid's diffuser is
-/// OpenGL. Texels of cut faces have the colours diffused around them if the solid has `section_colors` (face_colors.h);
-/// all others interpolate the colours of vertices. Means of colours are taken in linear light.
-/// \throws Error (usage) if there are too few texels, or `texel` asks for too many.
+/// Bakes one solid. The bytes are the same on any machine and for any number of threads, unless the solid's diffuser is
+/// OpenGL. Texels of cut faces get diffused colours (face_colors.h) if the solid has `section_colors`; all others
+/// interpolate the colours of vertices. Means of colours are computed in linear light. \throws Error (usage) if there
+/// are too few texels, or `texel` asks for too many.
 BakedSolid baked(const Solid& solid, const Style& style, const BakeOptions& options = {});
 
-/// Many solids, one texture each; those beside each other that share their section_colors are diffused together.
+/// Bakes many solids, one texture each. Neighbours in the list with the same section_colors are diffused together.
 std::vector<BakedSolid> all_baked(std::span<const Solid> solids, const Style& style, const BakeOptions& options = {});
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Ink on the cut faces of a texture, drawn by the same pen as in pictures of sections.
+// Ink on the cut faces of a texture, drawn with the same pen as in pictures of sections.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ struct BakedInk {
   Color over(const Color& color, int x, int y) const;
 };
 
-/// Of a chart that is part of a cut face. Widths are as in a picture that the solid's largest cut face fills.
+/// The ink of a chart that is part of a cut face. Widths are as in a picture that the solid's largest cut face fills.
 BakedInk baked_ink(const Solid& solid, const std::vector<Chart>& charts, std::size_t chart, const Atlas& atlas,
                    const Style& style);
 

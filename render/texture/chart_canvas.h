@@ -1,4 +1,4 @@
-// The part of a texture that one chart owns, in linear colours, while it is made.
+// The part of a texture that one chart owns, while it is drawn, in linear colours.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class ChartCanvas {
   /// \param box of this chart, out of owned_boxes().
   ChartCanvas(const Atlas& atlas, std::size_t chart, const OwnedBox& box);
 
-  // Texels of the atlas: whether they are the chart's, and whether they have a colour yet.
+  // Whether a texel of the atlas belongs to the chart, and whether it already has a colour.
   bool owns(int x, int y) const;
   bool has(int x, int y) const { return owns(x, y) && filled_[at(x, y)] != 0; }
   Color& color(int x, int y) { return color_[at(x, y)]; }
@@ -40,13 +40,13 @@ class ChartCanvas {
 
   void fill_with(const Color& color);
 
-  /// From the chart's edges outwards, ring by ring, all that it owns takes the mean of what lies beside it.
+  /// Fills all owned texels from the chart's edges outwards, ring by ring, with the mean of their neighbours.
   void fill();
 
-  /// Copies what is filled, as sRGB.
+  /// Copies the filled texels, as sRGB.
   void write(Image& image) const;
 
-  /// The same of what are no colours but shares, as shares of 255; or of directions, made unit, as (n + 1) / 2.
+  /// The same for values that are not colours: shares, as shares of 255; or directions, normalised, as (n + 1) / 2.
   void write_shares(Image& image) const;
   void write_directions(Image& image) const;
 
@@ -62,10 +62,10 @@ class ChartCanvas {
 
   std::size_t at(int x, int y) const { return static_cast<std::size_t>(y - low_.y) * (high_.x - low_.x) + x - low_.x; }
 
-  /// Owned and empty beside something filled; row by row.
+  /// The owned, empty texels next to a filled one, row by row.
   std::vector<glm::ivec2> border() const;
 
-  /// Empty ones beside those just filled, each once, in their order.
+  /// The empty texels next to those of a ring, each once, in their order.
   std::vector<glm::ivec2> beside(const std::vector<glm::ivec2>& ring);
 
   Color mean_beside(const glm::ivec2& p) const;

@@ -1,4 +1,4 @@
-// A chart's outline, the ways to turn the chart on the atlas, and the blocks of the atlas that it needs.
+// A chart's outline, its possible orientations on the atlas, and the blocks of the atlas that it needs.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace pomona {
 
-/// Which blocks a chart needs, as rows of bits.
+/// The blocks that a chart needs, as rows of bits.
 struct BlockMask {
   int width = 0, height = 0;
   std::vector<std::uint64_t> bits;  ///< words() per row
@@ -32,7 +32,7 @@ inline glm::dvec2 turned(const Turn& turn, const glm::dvec2& p) {
   return {turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y};
 }
 
-/// The chart turned, the least x and the least y 0 again. Not for flat cut faces, which lie as they are.
+/// The rotated chart; its smallest x and y are 0 again. Not for flat cut faces, which are not rotated.
 Chart turned(const Chart& chart, const Turn& turn);
 
 class ChartOutline {
@@ -41,12 +41,12 @@ class ChartOutline {
 
   double area() const { return area_; }  ///< of its triangles, square metres
 
-  /// A flat cut face stays as it is, so that its ink has the light from where pictures have it. Anything else may be
-  /// turned by eighths from where the box around it is smallest.
+  /// The possible rotations. A flat cut face is not rotated, so that the light on its ink is as in pictures. All others
+  /// have the rotation with the smallest box, and steps of an eighth of a turn from there.
   const std::vector<Turn>& turns() const { return turns_; }
 
-  /// The blocks whose texels a bilinear look-up reads, at this scale: with the lower corner of the turned chart in the
-  /// middle of block (0, 0), a look-up at p reads block floor(p) and its right and lower neighbours.
+  /// The blocks whose texels a bilinear sample reads, at this scale. The lower corner of the rotated chart is in the
+  /// middle of block (0, 0); a sample at p reads block floor(p) and its right and lower neighbours.
   BlockMask mask(const Turn& turn, double blocks_per_metre) const;
 
  private:

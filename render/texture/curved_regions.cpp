@@ -63,7 +63,7 @@ class RegionGrowth {
   }
 
  private:
-  /// Triangles that hang together across edges, of those for which `wanted` says so.
+  /// Triangles that are connected by edges, among those that `wanted` marks.
   template <typename Wanted>
   std::vector<std::vector<std::uint32_t>> connected(const std::vector<std::uint32_t>& among, const Wanted& wanted) {
     std::vector<std::vector<std::uint32_t>> groups;

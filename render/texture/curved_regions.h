@@ -1,4 +1,4 @@
-// Skin and curved cut faces parted into regions that face one way, to be laid flat one by one.
+// Divides skin and curved cut faces into regions that face one direction, to be flattened one by one.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,10 @@ struct CurvedRegion {
   glm::dvec3 normal{0, 1, 0};            ///< unit; all triangles with an area face it by less than a right angle
 };
 
-/// Every triangle that `is_curved` marks in one region, each region connected and of one kind. Regions grow from their
-/// middle outwards in the order of their normals [variational shape approximation, Cohen-Steiner et al. 2004] up to 63
-/// degrees from it, are grown again from their mean normals, and joined where the union stays within 72 degrees.
+/// Puts every triangle marked by `is_curved` into one region; each region is connected and of one kind. Regions grow
+/// from their middle outwards, in the order of their normals, up to 63 degrees from it [variational shape
+/// approximation, Cohen-Steiner et al. 2004]. They grow again from their mean normals, and are joined if the union is
+/// within 72 degrees.
 std::vector<CurvedRegion> curved_regions(const Solid& solid, const TriangleNeighbors& neighbors,
                                          std::span<const std::uint8_t> is_curved);
 

@@ -123,7 +123,7 @@ class Parting {
     std::uint32_t middle = 0;
     bool in_surface = false;  // across which colours may jump, or a rim: the colour is that of the cell's side
     bool is_asked = false;
-    double miss = 0;  // by which the middle's colour differs from what was foretold, of 255
+    double miss = 0;  // difference of the middle's colour from the predicted one, of 255
   };
   struct Pending {
     Edge* edge = nullptr;
@@ -186,7 +186,7 @@ class Parting {
     return static_cast<double>(glm::distance(position_[a], position_[b])) / texel_;
   }
 
-  /// The edge, new or known. \param foretold the colour of its middle, if it is new
+  /// The edge, new or known. \param foretold the predicted colour of its middle, if it is new
   Edge& lay(std::uint32_t a, std::uint32_t b, const Color& foretold, bool in_surface) {
     const auto [edge, is_new] = edge_.try_emplace({a, b});
     if (!is_new) return edge;
@@ -216,7 +216,7 @@ class Parting {
     return glm::vec3(glm::dvec3(middle) + way * std::min(0.1, aside * texel_ / length));
   }
 
-  /// Where a middle was not foretold. And where a triangle lies within surfaces, for then nothing is known of its
+  /// Where a middle was not predicted. And where a triangle lies within surfaces, for then nothing is known of its
   /// inside.
   bool must_be_parted(std::uint32_t c) {
     const Cell& cell = result_.cells[c];
@@ -232,7 +232,7 @@ class Parting {
     return in_surface == 3 && longest > 2 * options_.shortest;
   }
 
-  /// Into four, whose new edges get from the parabola what it foretells.
+  /// Divides into four; the middles of new edges are predicted by the parabola.
   void part(std::uint32_t c) {
     const Cell cell = result_.cells[c];
     const auto& p = cell.corner;

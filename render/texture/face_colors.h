@@ -45,17 +45,17 @@ class FaceColors {
   std::vector<Color> color;
 };
 
-/// What was diffused for solids of one fruit.
+/// The diffused colours of solids of one fruit.
 struct DiffusedFaces {
   std::vector<FaceColors> of_solid;
   std::size_t points = 0;  ///< asked of the field
 };
 
-/// Starts from the triangles and the colours at their corners, asks `field` in the middles of edges, and parts a
-/// triangle into four for as long as one of its middles differs from what the points before it foretold: the mean of
-/// the ends, and later the parabola. On edges in surfaces, and on rims, colours are those between the ends, except
-/// where surfaces end or branch. Solids that share points of the section share the answers. The colours do not depend
-/// on any number of threads.
+/// Adaptive subdivision. It starts with the triangles and the colours at their corners, and samples `field` at the
+/// middles of edges. A triangle is divided into four as long as the colour of one of its middles differs from the
+/// predicted one: the mean of the ends, and in later rounds the parabola. On edges along surfaces, and on rims, colours
+/// are interpolated between the ends, except where surfaces end or branch. Solids that share points of the section
+/// share the samples. The colours do not depend on the number of threads.
 DiffusedFaces diffused_faces(std::span<const FaceColorTask> tasks, const ColorField& field,
                              const FaceColorOptions& options = {});
 

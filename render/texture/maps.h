@@ -1,4 +1,4 @@
-// What a texture has besides colours: maps of how a surface shades (docs/reference/textures.md).
+// The maps of a texture besides colours: normals, roughness, thickness (docs/reference/textures.md).
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace pomona {
 
-/// On the texture's own atlas, as glTF has them: values are shares of 255, not sRGB. 0 x 0 where there are none.
+/// The maps, on the atlas of the texture, as in glTF: values are shares of 255, not sRGB. 0 x 0 if there are none.
 struct SurfaceMaps {
   Image normal;     ///< n of the tangent frame as (n + 1) / 2; level: (128, 128, 255)
   Image orm;        ///< occlusion, roughness, metal (none)

@@ -1,4 +1,4 @@
-// Colours of texels: diffused at their own points, then in the style's noise and paint.
+// Colours of texels: diffused at the texels' own points, then with the style's noise and paint.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@ namespace pomona {
 
 class SampleColors {
  public:
-  /// Samples that are coloured at once: enough for many threads, and few enough for their memory not to count.
+  /// Number of samples that are coloured at once: enough for many threads, and few enough to need little memory.
   static constexpr std::size_t at_once = 300'000;
 
-  /// What colours cut faces: both null: what lies at their vertices.
+  /// The source of the colours of cut faces. If both are null, the colours of vertices are interpolated.
   struct OfCutFaces {
     const FaceColors* faces = nullptr;  ///< diffused at some points
     const ColorField* field = nullptr;  ///< to be diffused at each sample
@@ -27,7 +27,7 @@ class SampleColors {
   /// \param texel size, metres
   SampleColors(const Solid& solid, const Style& style, const OfCutFaces& of_cut_faces, double texel, Threads threads);
 
-  /// Linear, one per sample, as they look: styled() of what plain() gives.
+  /// The final linear colours, one per sample: styled() of plain().
   std::vector<Color> of(const std::vector<TexelSample>& samples) { return styled(samples, plain(samples)); }
 
   /// Before noise, details and paint.
@@ -39,7 +39,7 @@ class SampleColors {
   /// The mean of a chart that is smaller than a texel.
   Color mean_of(const Chart& chart) const;
 
-  /// How many have been diffused so far.
+  /// The number of samples diffused so far.
   std::size_t diffused() const { return diffused_; }
 
  private:

@@ -1,4 +1,4 @@
-// What the maps of a texture show at a texel: relief as a normal, how open and rough it is, how thick.
+// The values of a texture's maps at a texel: the normal, occlusion, roughness and thickness.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@
 
 namespace pomona {
 
-/// Of one sample; each is a triple that means over samples are taken of.
+/// The values at one sample. Texels are means over their samples.
 struct MapSample {
   glm::vec3 normal{0, 0, 1};     ///< in the tangent frame, unit
   glm::vec3 orm{1, 0.6f, 0};     ///< occlusion, roughness, metal
   glm::vec3 thickness{1, 1, 0};  ///< red: share of the film of juice; green: share of most_thickness
 };
 
-/// What a texel's frame is made of, per vertex of the texture's mesh.
+/// The tangent frames, per vertex of the texture's mesh.
 struct TangentMesh {
   std::vector<glm::uvec3> triangle;  ///< in the order of the charts
   std::vector<glm::vec4> tangent;
@@ -37,7 +37,7 @@ class SampleMaps {
   /// \param plain the samples' colours before noise and details.
   std::vector<MapSample> of(const std::vector<TexelSample>& samples, const std::vector<Color>& plain) const;
 
-  /// Of a chart that is smaller than a texel: level.
+  /// The values for a chart that is smaller than a texel; its normal is flat.
   MapSample speck(std::uint32_t triangle) const;
 
   /// The part that a sample shows.
@@ -48,7 +48,7 @@ class SampleMaps {
   LookPlace look_place(const TexelSample& sample, const glm::dvec3& place) const;
   double roughness(std::uint32_t triangle, double own, const glm::dvec3& place) const;
 
-  /// What a part's material is like on skins and on cut faces.
+  /// The material of a part on skins and on cut faces.
   struct OfPart {
     bool shows_rim = false;
     double wet = 0;

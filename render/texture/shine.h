@@ -1,4 +1,4 @@
-// How rough and how wet a solid's surface is at its vertices, so that parts that pass softly into each other shine so.
+// The roughness and wetness of a solid's surface at its vertices; smooth where parts change smoothly into each other.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace pomona {
 
-/// Of a place in a triangle. Where parts of one colour meet on a cut face, both have the mean of their roughnesses, and
-/// no more of a film than the drier of them; the film of the wetter thins out on its way there. Everywhere else it is
-/// as the part's material says.
+/// The shine at a point in a triangle. Where parts of the same colour meet on a cut face, both have the mean of their
+/// roughnesses and the film of the drier part; the film of the wetter part becomes thinner towards that place.
+/// Everywhere else it is as the part's material says.
 struct PlaceShine {
   double roughness = 0.6;  ///< of physically based shading, 0..1
   double film = 1;         ///< share of the film of juice that the part's cut faces have, 0..1; 1 of what has none
 };
 
-/// Worked out once for a solid, which must outlive it.
+/// The shine of a solid, computed once. The solid must outlive it.
 class Shine {
  public:
   explicit Shine(const Solid& solid);
@@ -24,7 +24,7 @@ class Shine {
   PlaceShine at(std::uint32_t triangle, const glm::dvec3& weight) const;
 
  private:
-  /// What the triangles have around a vertex, or around all those of one colour at its place.
+  /// Sums over the triangles around a vertex, or around all vertices of the same colour at its position.
   struct AtVertex {
     double roughness = 0;            ///< the sum of theirs
     double driest = 1, wettest = 0;  ///< their films
@@ -42,7 +42,7 @@ class Shine {
 
   const Solid& solid_;
   std::vector<OfPart> part_;
-  std::vector<std::uint32_t> joint_;  ///< per vertex: the first of those that it is one with
+  std::vector<std::uint32_t> joint_;  ///< per vertex: the first vertex of its group
   std::vector<AtVertex> vertex_;      ///< of these, on cut faces
 };
 

@@ -10,9 +10,9 @@
 
 namespace pomona {
 
-/// Per vertex the unit direction in which u grows, at right angles to its normal, and 1: textures are laid as seen from
-/// the air, so that v runs against normal x tangent. The mean of the triangles around by their area; where there is
-/// none, as in specks, any.
+/// Per vertex: the unit direction in which u grows, perpendicular to the normal; and 1, because textures are laid as
+/// seen from the air, so that v runs against normal x tangent. The direction is the mean of the triangles around,
+/// weighted by area; any direction where there is none, as in specks.
 std::vector<glm::vec4> tangents(std::span<const glm::vec3> position, std::span<const glm::vec3> normal,
                                 std::span<const glm::vec2> uv, std::span<const glm::uvec3> triangle);
 

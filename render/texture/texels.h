@@ -1,4 +1,4 @@
-// The texels of a chart, and the places on the solid whose colours they show.
+// The texels of a chart, and the points of the solid whose colours they show.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 
 namespace pomona {
 
-/// A place on the solid, seen by a texel. Texels show the mean of their samples.
+/// A sample of a texel: a point of the solid. A texel shows the mean of its samples.
 struct TexelSample {
   glm::ivec2 texel{0};         ///< of the atlas
   std::uint32_t triangle = 0;  ///< of the solid
   glm::dvec3 weight{0};        ///< barycentric, of its corners
-  bool outside = false;        ///< the texel's middle lies beside the chart: this is the nearest place on it
+  bool outside = false;        ///< the texel's middle lies outside the chart; this is the nearest point on it
 };
 
-/// Every texel that a look-up on the chart may read: one sample in its middle; where a line passes through it across
-/// which colours jump, four; where it only touches the chart, the nearest place. A speck has none.
+/// The samples of every texel that a texture lookup on the chart may read: one in its middle; four where a line with a
+/// change of colour passes through it; the nearest point where it only touches the chart. A speck has none.
 std::vector<TexelSample> texel_samples(const Solid& solid, const std::vector<Chart>& charts, std::size_t chart,
                                        const Atlas& atlas);
 

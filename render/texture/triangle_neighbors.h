@@ -1,4 +1,5 @@
-// Which triangles of a solid lie side by side, found by position: vertices are doubled where colour or normal jumps.
+// The neighbours of triangles of a solid, found by position, because vertices are duplicated where colour or normal
+// changes.
 #pragma once
 
 #include <array>

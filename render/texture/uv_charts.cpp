@@ -100,7 +100,7 @@ glm::dvec3 mean_normal(const Solid& solid, const std::vector<std::uint32_t>& tri
   return length > 0 ? normal / length : glm::dvec3(0, 0, 1);
 }
 
-/// A cut face whose points stray from its mean plane by less than this share of its size is flat.
+/// A cut face is flat if its points are nearer to its mean plane than this share of its size.
 constexpr double flatness = 1e-4;
 
 bool is_flat(const Solid& solid, const std::vector<std::uint32_t>& triangles) {

@@ -1,4 +1,4 @@
-// What instances would cover if nothing stood before them.
+// Amodal masks: the pixels that each instance would cover if nothing hid it.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Cryptomatte: who covers how much of each pixel, by hashes of names [Friedman and Jones 2015; specification 1.2].
+// Cryptomatte: the share of each pixel that each object covers, by hashes of names [Friedman and Jones 2015;
+// specification 1.2].
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,8 @@
 
 namespace pomona {
 
-/// The name's 32 bits as they are told apart in files: MurmurHash3 of its bytes, with a bit flipped where they would be
-/// no ordinary float.
+/// The 32-bit hash of a name in files: MurmurHash3 of its bytes, with one bit flipped if the result is not a normal
+/// float.
 std::uint32_t cryptomatte_hash(const std::string& name);
 
 /// One kind of things, "CryptoObject" for one.

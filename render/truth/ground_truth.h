@@ -1,4 +1,4 @@
-// What a picture of a scene shows, pixel by pixel, as files.
+// The ground truth of a picture: its contents, pixel by pixel, as files.
 #pragma once
 
 #include <string>

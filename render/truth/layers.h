@@ -1,4 +1,4 @@
-// What each pixel of a picture shows: who, how far away, turned where.
+// The layers of ground truth: for each pixel the instance, the part, the depth and the normal.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ struct TruthLayers {
   std::size_t pixel(int x, int y) const { return static_cast<std::size_t>(y) * width + x; }
 };
 
-/// The scene as its view sees it, by the very projection of its strokes. Of a part the vertex with the largest share
-/// decides. Open solids show both sides; their normals look at the eye.
+/// The layers of the scene's view, with the same projection as its strokes. The part is that of the vertex with the
+/// largest barycentric coordinate. Open solids show both sides; their normals point to the eye.
 TruthLayers truth_layers(const Scene& scene, const TruthNaming& names, int width, int height, Threads threads = {});
 
 }  // namespace pomona

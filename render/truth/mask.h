@@ -1,4 +1,4 @@
-// Which pixels of a picture something covers.
+// Masks: the pixels of a picture that something covers.
 #pragma once
 
 #include <cstdint>

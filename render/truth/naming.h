@@ -1,4 +1,4 @@
-// Numbers for what a scene shows, as its ground truth tells it.
+// Numbers of the species, fruits, parts and instances of a scene, for its ground truth.
 #pragma once
 
 #include <cstdint>

@@ -250,9 +250,9 @@ TEST(GlDiffuser, SmallBuffersChangeNothing) {
   GlContext context;
   const CurrentGl gl(context);
   const auto values = [&](std::size_t most_bytes) {
-    const GlLook look(gl, context, most_bytes);
+    const GlRayCaster caster(gl, context, most_bytes);
     std::vector<glm::dvec3> colors;
-    for (const auto& task : gl_pmvc(gl, look, fruits, tasks, {.lines = 32})) {
+    for (const auto& task : gl_pmvc(gl, caster, fruits, tasks, {.lines = 32})) {
       for (const PmvcValue& value : task) colors.push_back(value.color);
     }
     return colors;

@@ -147,7 +147,7 @@ class Labeller {
       depth += edges_of(facet).along(corner, end);
     }
 
-    // From part to part, over all that hangs together.
+    // From part to part, over all connected parts.
     label_[part] = depth;
     std::vector<std::uint32_t> stack{part};
     while (!stack.empty()) {

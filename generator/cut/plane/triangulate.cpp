@@ -121,7 +121,7 @@ PlaneFaces triangulate(SplitMesh mesh, const CutPlanes& planes, const std::vecto
   const SegmentLists of_blade = by_blade(planes, segments);
   const std::vector<std::size_t> order = largest_first(of_blade);
 
-  // A crossing on a line is news to the other planes there: then all start again. Once is nearly always enough.
+  // The other planes do not know a new crossing on a line yet: then all start again. Once is nearly always enough.
   for (int number = 1;; ++number) {
     Builders builders(of_blade.size());
     parallel_for(builders.size(), options.threads, [&](std::size_t i) {

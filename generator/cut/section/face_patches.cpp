@@ -99,7 +99,7 @@ class PatchFinder {
 
   /// Joins the patches that an open body's boundary leaves together, and takes those it mostly shows its inside.
   void fill(std::int32_t body) {
-    // What hangs together around the boundary's ends, and what of it reaches the rim.
+    // The connected parts around the boundary's ends, and those of them that reach the rim.
     const auto patches = static_cast<std::uint32_t>(found_.count());
     DisjointSets sets(patches);
     for (std::size_t t = 0; t < triangle_count(); ++t) {
@@ -154,7 +154,7 @@ class PatchFinder {
     return {face_.corner(triangle, edge), face_.corner(triangle, edge + 1)};
   }
 
-  /// From patch to patch, starting outside: whoever crosses a boundary enters or leaves its body.
+  /// From patch to patch, starting outside: a step across a boundary enters or leaves its body.
   void find_windings() {
     // Patches at the rim of the triangulation lie outside everything.
     found_.inside.resize(found_.count());

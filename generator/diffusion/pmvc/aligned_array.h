@@ -1,4 +1,4 @@
-// Arrays that a processor's widest registers take at once.
+// Arrays aligned for the processor's widest vector registers.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Directions of a world-aligned cube around a point, with the solid angle each stands for.
+// The directions of a world-aligned cube around a point, with their solid angles.
 #pragma once
 
 #include <vector>

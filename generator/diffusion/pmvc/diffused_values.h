@@ -1,4 +1,4 @@
-// What colours do in the volume, for other smooth values on surfaces, four at a time.
+// Diffuses other smooth values on surfaces as colours are diffused, four at a time.
 #pragma once
 
 #include <span>

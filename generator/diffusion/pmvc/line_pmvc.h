@@ -12,12 +12,12 @@
 
 namespace pomona {
 
-/// Which lines to look along.
+/// The lines along which rays are cast.
 struct LinePlan {
   /// For all points. Neighbours in pairs (2 i, 2 i + 1) if there are `more`.
   std::vector<Line> lines;
 
-  /// Then, for points where colours scatter by more than most_scatter.
+  /// Additional lines, for points where colours scatter by more than `most_scatter`.
   std::vector<Line> more;
 
   /// Of the colour in any channel, linear or in sRGB, whichever is more: the root of the summed squares of what the

@@ -1,4 +1,4 @@
-// One sweep: what all points see along one line, both ways.
+// One sweep: casts rays from all points along one line, in both directions.
 #pragma once
 
 #include <memory>
@@ -32,7 +32,7 @@ class LineSweep {
   LineSweep(const PackedSurfaces& surfaces, const GroupBoxes& boxes, std::span<const glm::vec3> points);
   ~LineSweep();
 
-  /// Adds what is seen along `line` to `sums`, which has an entry for every point.
+  /// Casts the rays along `line` and adds their results to `sums`, which has an entry for every point.
   void add(const Line& line, SweepSums& sums);
 
  private:

@@ -1,4 +1,4 @@
-// Names as importers of engines expect them (docs/reference/formats.md).
+// Names for the importers of engines (docs/reference/formats.md).
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace pomona::gltf {
 
-/// A node's or mesh's own name. Godot and Unreal take the dots out of names; so they are underscores for any of the
-/// engines, and what we name after it still fits.
+/// The name of a node or mesh. Godot and Unreal remove dots from names; so they become underscores for all engines, and
+/// names derived from this one still match.
 std::string engine_name(Engine engine, const std::string& name);
 
 /// Of a level of detail, 0 the finest, one of `count` in all. Unreal and Unity number the finest, too.
 std::string level_name(Engine engine, const std::string& name, std::size_t level, std::size_t count);
 
-/// Of the convex hull that belongs to a node or mesh of this name, complete; empty for engines that want none.
+/// The full name of the convex hull of a node or mesh; empty for engines that need none.
 std::string hull_name(Engine engine, const std::string& name);
 
 }  // namespace pomona::gltf

@@ -1,4 +1,4 @@
-// Materials of a glTF file: one for each look of a fruit.
+// Materials of a glTF file: one for each PBR material of a fruit.
 #pragma once
 
 #include <map>

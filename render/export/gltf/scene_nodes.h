@@ -1,4 +1,4 @@
-// The nodes of a glTF file: pieces where they lie, by fruit, with what belongs to them.
+// The nodes of a glTF file: pieces at their poses, grouped by fruit, with levels of detail and hulls.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace pomona::gltf {
 
-/// What has been made of a solid; no meshes of one without triangles, which glTF cannot hold.
+/// The meshes of a solid. A solid without triangles has none, because glTF does not allow empty meshes.
 struct SolidMeshes {
   std::vector<int> meshes;  ///< of the solid, then of its coarser levels
   std::optional<int> hull;  ///< mesh to collide with

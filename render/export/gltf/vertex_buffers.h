@@ -8,12 +8,11 @@
 
 namespace pomona::gltf {
 
-/// Lays a mesh's vertices down once, interleaved, and returns the attributes over them: POSITION, NORMAL, _PART, and
-/// COLOR_0 or, where there is a texture, TEXCOORD_0, and TANGENT where that has a normal map.
-/// \param pivot becomes the origin of positions.
+/// Stores a mesh's vertices once, interleaved, and returns their attributes: POSITION, NORMAL, _PART, and COLOR_0; with
+/// a texture TEXCOORD_0 instead, and TANGENT if it has a normal map. \param pivot becomes the origin of positions.
 Json add_vertices(GltfDocument& document, const StyledMesh& mesh, const glm::vec3& pivot);
 
-/// The index of an accessor: 16 bits, as long as that is enough for so many vertices.
+/// Stores triangles, with 16 bits per index if that is enough for so many vertices. Returns the index of the accessor.
 int add_triangles(GltfDocument& document, const std::vector<glm::uvec3>& triangle, std::size_t vertices);
 
 /// An accessor of bare positions, with their bounds.

@@ -21,7 +21,7 @@ namespace pomona {
 std::string write_glb(const Scene& scene, const ExportOptions& options = {},
                       std::span<const std::vector<Solid>> levels = {});
 
-/// The same for who has the solids' meshes already: `styled` is what styled_meshes() makes of the scene.
+/// The same with existing meshes of the solids. \param styled the result of styled_meshes() for the scene.
 std::string write_glb(const Scene& scene, std::span<const StyledMesh> styled, const ExportOptions& options,
                       std::span<const std::vector<Solid>> levels = {});
 
@@ -32,17 +32,17 @@ std::string write_glb(const Scene& scene, std::span<const BakedSolid> baked, con
                       std::span<const std::vector<BakedSolid>> levels = {},
                       std::span<const TextureVariant> variants = {});
 
-/// The same bytes for who makes a scene's solids one after another and need not hold them: these are added in their
-/// order, any number at a time, all in the same of the three ways.
+/// Writes the same bytes from solids that are added one after another and need not stay in memory. Add them in their
+/// order, any number at a time, all by the same one of the three functions.
 class GlbStream {
  public:
-  /// \param spool where what has been added goes; none: memory holds it. Must live as long as the stream.
+  /// \param spool receives what is added; null = it stays in memory. Must outlive the stream.
   explicit GlbStream(ExportOptions options, SpooledBytes* spool = nullptr);
   ~GlbStream();
   GlbStream(const GlbStream&) = delete;
   GlbStream& operator=(const GlbStream&) = delete;
 
-  /// As for write_glb(), with entries for these solids alone.
+  /// The arguments are those of write_glb(), with entries only for these solids.
   void add(std::span<const Solid> solids, std::span<const std::vector<Solid>> levels = {});
   void add_styled(std::span<const Solid> solids, std::span<const StyledMesh> styled,
                   std::span<const std::vector<Solid>> levels = {});

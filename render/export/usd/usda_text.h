@@ -1,4 +1,4 @@
-// Words and numbers as USD's text form has them.
+// Texts and numbers for USD's text format.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace pomona::usd {
 
-/// The shortest decimals for the number rounded to multiples of `step`, a power of ten; no locale has a say.
+/// The shortest decimal for the number rounded to multiples of `step`, a power of ten; independent of the locale.
 void append_number(std::string& text, double number, double step);
 
 /// "(1, 0.5, -2)"

@@ -1,4 +1,4 @@
-#include "render/diffusion/gl_look.h"
+#include "render/diffusion/gl_ray_caster.h"
 
 #include <algorithm>
 #include <string>
@@ -14,15 +14,15 @@ namespace {
 
 constexpr std::size_t lines_per_block = 8;  // as in pmvc_rays.comp.glsl
 
-/// Blocks whose sums are held at a time. It must not depend on what is asked for: it decides the order in which single
-/// precision adds up.
+/// Number of blocks whose sums are stored at a time. It must be constant, because it determines the order of additions
+/// in single precision.
 constexpr std::size_t blocks_per_chunk = 32;
 
-/// Rays in one dispatch, 16 an invocation: enough to fill a large card, and a tenth of a second on a poor one, far
-/// below what drivers take for a hang.
+/// Rays in one dispatch, 16 per invocation: enough to fill a large card, and a tenth of a second on a slow one, far
+/// below the time after which drivers stop a shader.
 constexpr std::size_t rays_per_dispatch = std::size_t{1} << 22;
 
-/// More groups at a time than any card works on at once.
+/// Number of groups in one pass: more than any card processes at once.
 constexpr std::size_t most_groups = 4096;
 
 std::size_t storage_limit(const CurrentGl& gl) {
@@ -39,7 +39,7 @@ const CurrentGl& require_compute_shaders(const CurrentGl& gl, const GlContext& c
               "diffusion by OpenGL needs version 4.5; " + context.renderer() + " has " + version, "use --diffuser cpu");
 }
 
-/// Three vectors a line. Block b is every so manieth line, so that each block looks all around.
+/// Three vectors per line. Lines are dealt to the blocks in turn, so that each block covers all directions.
 std::vector<glm::vec4> shuffled_lines(int count) {
   const std::vector<Line> lines = line_directions(count);
   const std::size_t blocks = (lines.size() + lines_per_block - 1) / lines_per_block;
@@ -70,10 +70,10 @@ struct SightRecord {
 
 }  // namespace
 
-/// Some groups on their way through all lines.
-class GlLook::Pass {
+/// One pass: some groups with all lines.
+class GlRayCaster::Pass {
  public:
-  Pass(const CurrentGl& gl, const GlLook& look, std::size_t lines) : gl_(gl), look_(look), lines_(lines) {}
+  Pass(const CurrentGl& gl, const GlRayCaster& caster, std::size_t lines) : gl_(gl), caster_(caster), lines_(lines) {}
 
   std::size_t blocks_in_chunk() const { return std::min(blocks_per_chunk, blocks_from(0)); }
 
@@ -99,7 +99,7 @@ class GlLook::Pass {
     gl_.check("making room for sums");
     for (std::size_t block = 0; blocks_from(block) > 0; block += blocks_in_chunk()) {
       bind({&fruits.nodes, &fruits.triangles, &fruits.sides, &fruits.colors, &points, &places, &lines, &sums});
-      look_along(block, groups.size());
+      cast_rays(block, groups.size());
       bind({&total, &seen});
       add_up(block, groups.size());
     }
@@ -120,15 +120,15 @@ class GlLook::Pass {
   }
 
   /// A chunk, in dispatches short enough.
-  void look_along(std::size_t first_block, std::size_t groups) const {
-    look_.rays_.use();
-    look_.rays_.set("first_line", static_cast<unsigned>(first_block * lines_per_block));
-    look_.rays_.set("line_count", static_cast<unsigned>(lines_));
+  void cast_rays(std::size_t first_block, std::size_t groups) const {
+    caster_.rays_.use();
+    caster_.rays_.set("first_line", static_cast<unsigned>(first_block * lines_per_block));
+    caster_.rays_.set("line_count", static_cast<unsigned>(lines_));
     const std::size_t blocks = std::min(blocks_in_chunk(), blocks_from(first_block));
     const std::size_t rays_per_row = groups * PointGroup::size * lines_per_block * 2;
     const std::size_t at_once = std::max<std::size_t>(1, rays_per_dispatch / rays_per_row);
     for (std::size_t block = 0; block < blocks; block += at_once) {
-      look_.rays_.set("first_block", static_cast<unsigned>(block));
+      caster_.rays_.set("first_block", static_cast<unsigned>(block));
       gl_->DispatchCompute(static_cast<GLuint>(groups), static_cast<GLuint>(std::min(at_once, blocks - block)), 1);
       gl_->Flush();
     }
@@ -137,9 +137,9 @@ class GlLook::Pass {
   }
 
   void add_up(std::size_t first_block, std::size_t groups) const {
-    look_.sums_.use();
-    look_.sums_.set("blocks", static_cast<unsigned>(std::min(blocks_in_chunk(), blocks_from(first_block))));
-    look_.sums_.set("is_first", first_block == 0 ? 1 : 0);
+    caster_.sums_.use();
+    caster_.sums_.set("blocks", static_cast<unsigned>(std::min(blocks_in_chunk(), blocks_from(first_block))));
+    caster_.sums_.set("is_first", first_block == 0 ? 1 : 0);
     gl_->DispatchCompute(static_cast<GLuint>(groups), 1, 1);
     gl_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     gl_.check("adding up");
@@ -164,17 +164,17 @@ class GlLook::Pass {
   }
 
   const CurrentGl& gl_;
-  const GlLook& look_;
+  const GlRayCaster& caster_;
   std::size_t lines_;
 };
 
-GlLook::GlLook(const CurrentGl& gl, const GlContext& context, std::size_t most_bytes)
+GlRayCaster::GlRayCaster(const CurrentGl& gl, const GlContext& context, std::size_t most_bytes)
     : rays_(Program::compute(require_compute_shaders(gl, context), "pmvc_rays.comp.glsl")),
       sums_(Program::compute(gl, "pmvc_sums.comp.glsl")),
       most_bytes_(std::min(storage_limit(gl), most_bytes)) {}
 
-std::vector<Sight> GlLook::along(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,
-                                 int line_count) const {
+std::vector<Sight> GlRayCaster::along(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,
+                                      int line_count) const {
   if (groups.empty()) return {};
   const GlBuffer lines(gl, GL_SHADER_STORAGE_BUFFER, shuffled_lines(line_count));
   const Pass pass(gl, *this, static_cast<std::size_t>(line_count));

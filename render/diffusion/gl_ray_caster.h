@@ -1,0 +1,53 @@
+// Casts rays from points along lines, by compute shaders.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/diffusion/gl_fruits.h"
+#include "render/gl/program.h"
+
+namespace pomona {
+
+/// Up to 64 neighbouring points in one fruit: the origins of the rays of one work-group.
+struct PointGroup {
+  static constexpr std::size_t size = 64;
+
+  std::size_t fruit = 0;       ///< index among the uploaded fruits
+  std::uint32_t parts = 0;     ///< number of parts that the fruit uses
+  std::vector<glm::vec3> eye;  ///< the points, in normalised coordinates
+};
+
+/// The surfaces visible from a point: sums over all lines, in both directions.
+struct Sight {
+  glm::vec3 mean{0};           ///< linear colour
+  float weight = 0;            ///< sum of 1 / d, normalised; 0 if no ray hits anything
+  std::uint32_t heaviest = 0;  ///< the used part with the largest share of the weight
+  float scatter = 0;           ///< difference between blocks of lines: standard error of the colour's worst channel
+};
+
+/// The compute shaders, and the size limit of storage buffers. Destroy this object while its context is current.
+class GlRayCaster {
+ public:
+  /// \param most_bytes  largest size of a buffer, even if the card allows more
+  /// \throws Error (helper_missing) if this OpenGL is older than 4.5.
+  GlRayCaster(const CurrentGl& gl, const GlContext& context, std::size_t most_bytes = std::size_t{256} << 20);
+
+  std::size_t most_bytes() const { return most_bytes_; }
+
+  /// One sight for each point, group by group, along `lines` lines. The result of a point depends only on the point,
+  /// its fruit and the number of lines. All work is done when this returns. \throws Error (helper_missing) if memory
+  /// does not suffice.
+  std::vector<Sight> along(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,
+                           int lines) const;
+
+ private:
+  class Pass;
+
+  Program rays_;
+  Program sums_;
+  std::size_t most_bytes_;
+};
+
+}  // namespace pomona
