@@ -38,7 +38,7 @@ struct Options {
 };
 
 /// What issue 6 allows.
-constexpr double most_area_error = 1e-9, most_volume_error = 1e-6, most_curved_volume_error = 1e-5;
+constexpr double max_area_error = 1e-9, max_volume_error = 1e-6, max_curved_volume_error = 1e-5;
 
 /// Cuts that are done between two savings of the figures.
 constexpr int chunk = 250;
@@ -125,7 +125,7 @@ Json measured(const oracle::CutOracle& oracle, const std::string& kind, const st
   Json row = {{"fruit", fruit}, {"kind", kind}, {"first", first}, {"cuts", count}};
   double area = 0, volume = 0, side = 0;
   int chains = 0, pieces = 0, aborts = 0;
-  const double most_volume = kind == "solids" || kind == "peels" ? most_curved_volume_error : most_volume_error;
+  const double max_volume = kind == "solids" || kind == "peels" ? max_curved_volume_error : max_volume_error;
   Json bad = Json::array(), why = Json::array();
   for (std::size_t i = 0; i < facts.size(); ++i) {
     const oracle::CutFacts& f = facts[i];
@@ -135,9 +135,8 @@ Json measured(const oracle::CutOracle& oracle, const std::string& kind, const st
     chains += f.open_chains > 0;
     pieces += f.open_pieces > 0;
     aborts += !abort[i].empty();
-    const bool sound = abort[i].empty() && f.open_chains == 0 && f.open_pieces == 0 &&
-                       f.area_error <= most_area_error && f.volume_error <= most_volume &&
-                       f.side_error <= most_volume_error;
+    const bool sound = abort[i].empty() && f.open_chains == 0 && f.open_pieces == 0 && f.area_error <= max_area_error &&
+                       f.volume_error <= max_volume && f.side_error <= max_volume_error;
     if (!sound) bad.push_back(first + static_cast<int>(i));
     if (!abort[i].empty()) why.push_back(abort[i]);
   }

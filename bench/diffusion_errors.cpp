@@ -41,11 +41,11 @@ struct Entry {
   ColorErrors linear, srgb;
 };
 
-std::vector<glm::vec3> picked(const std::vector<glm::vec3>& points, int most) {
-  if (most == 0 || points.size() <= static_cast<std::size_t>(most)) return points;
+std::vector<glm::vec3> picked(const std::vector<glm::vec3>& points, int max) {
+  if (max == 0 || points.size() <= static_cast<std::size_t>(max)) return points;
   std::vector<glm::vec3> some;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(most); ++i) {
-    some.push_back(points[i * points.size() / static_cast<std::size_t>(most)]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(max); ++i) {
+    some.push_back(points[i * points.size() / static_cast<std::size_t>(max)]);
   }
   return some;
 }

@@ -52,14 +52,14 @@ std::vector<BenchFruit> grown(const std::vector<std::string>& names) {
   return fruits;
 }
 
-std::vector<Section> sections_of(const std::vector<BenchFruit>& fruits, std::size_t most_points) {
+std::vector<Section> sections_of(const std::vector<BenchFruit>& fruits, std::size_t max_points) {
   std::vector<Section> sections;
   for (const BenchFruit& fruit : fruits) {
     for (const BenchCut& way : standard_cuts(fruit.grown.sheets)) {
       const auto all = interior_positions(cut(fruit.grown.sheets, {&way.knife, 1}).section);
       Section section{fruit.name, way.name, &fruit.grown.sheets, all.size(), {}};
       const std::size_t step =
-          most_points == 0 ? 1 : std::max<std::size_t>(1, (all.size() + most_points - 1) / most_points);
+          max_points == 0 ? 1 : std::max<std::size_t>(1, (all.size() + max_points - 1) / max_points);
       for (std::size_t i = 0; i < all.size(); i += step) section.points.push_back(all[i]);
       sections.push_back(std::move(section));
     }

@@ -67,7 +67,7 @@ std::vector<LoopShape> loop_shapes(const Template& fruit) {
 LoopStatistics loop_statistics(const std::vector<LoopShape>& drawn,
                                const std::vector<std::vector<LoopShape>>& variants) {
   LoopStatistics result;
-  result.least_deviation = 1e9;
+  result.min_deviation = 1e9;
   const double n = static_cast<double>(variants.size()), drawn_variance = total_variance(drawn);
   std::vector<double> mean(drawn.size(), 0.0);
   for (const LoopShape& shape : drawn) {
@@ -77,8 +77,8 @@ LoopStatistics loop_statistics(const std::vector<LoopShape>& drawn,
   for (const std::vector<LoopShape>& variant : variants) {
     const double here = total_variance(variant);
     variance += here / n;
-    result.least_deviation = std::min(result.least_deviation, std::sqrt(here / drawn_variance));
-    result.most_deviation = std::max(result.most_deviation, std::sqrt(here / drawn_variance));
+    result.min_deviation = std::min(result.min_deviation, std::sqrt(here / drawn_variance));
+    result.max_deviation = std::max(result.max_deviation, std::sqrt(here / drawn_variance));
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       mean[i] += variant[i].mean / n;
       for (std::size_t b = 0; b < result.power.size(); ++b) {

@@ -20,8 +20,8 @@ std::vector<LoopShape> loop_shapes(const Template& fruit);
 /// Over all loops. Variances and powers are sums over the loops, means over the variants.
 struct LoopStatistics {
   double mean_shift = 0;  ///< the mean over the variants less the drawn one, of the loop where that is largest
-  double least_deviation = 0, deviation = 0, most_deviation = 0;  ///< standard deviation over the drawn one
-  std::array<double, 3> drawn_power{}, power{};                   ///< in parts of the drawing's variance
+  double min_deviation = 0, deviation = 0, max_deviation = 0;  ///< standard deviation over the drawn one
+  std::array<double, 3> drawn_power{}, power{};                ///< in parts of the drawing's variance
 };
 
 LoopStatistics loop_statistics(const std::vector<LoopShape>& drawn,

@@ -82,7 +82,7 @@ class Meter {
 
   /// Interior vertices of a mesh of one size that has this error: between two sizes, by the slope of their logarithms.
   double uniform_for(const Knife& knife, double rms) const {
-    constexpr double most_vertices = 60000;
+    constexpr double max_vertices = 60000;
     Measured coarser;
     for (double share = 1.0 / 20;; share /= 1.5) {
       CutOptions options;
@@ -96,7 +96,7 @@ class Meter {
         const double e0 = std::log(coarser.errors.rms), e1 = std::log(finer.errors.rms);
         return std::exp(n0 + (n1 - n0) * (e0 - std::log(rms)) / (e0 - e1));
       }
-      if (static_cast<double>(finer.interior) > most_vertices) return NAN;
+      if (static_cast<double>(finer.interior) > max_vertices) return NAN;
       coarser = finer;
     }
   }

@@ -23,10 +23,10 @@ std::optional<std::vector<double>> normalized(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<SpeciesPair> most_correlated(const std::vector<SpeciesSeries>& species) {
+std::vector<SpeciesPair> max_correlated(const std::vector<SpeciesSeries>& species) {
   std::vector<std::optional<std::vector<double>>> series;
   for (const SpeciesSeries& one : species) series.push_back(normalized(one.values));
-  std::vector<SpeciesPair> most;
+  std::vector<SpeciesPair> max;
   for (std::size_t i = 0; i < species.size(); ++i) {
     if (!series[i]) continue;
     SpeciesPair pair{species[i].species, "", 0};
@@ -35,9 +35,9 @@ std::vector<SpeciesPair> most_correlated(const std::vector<SpeciesSeries>& speci
       const double correlation = std::inner_product(series[i]->begin(), series[i]->end(), series[j]->begin(), 0.0);
       if (std::abs(correlation) > std::abs(pair.correlation)) pair = {pair.first, species[j].species, correlation};
     }
-    most.push_back(pair);
+    max.push_back(pair);
   }
-  return most;
+  return max;
 }
 
 }  // namespace pomona::bench

@@ -20,6 +20,6 @@ struct SpeciesPair {
 
 /// For each species the pair with the greatest correlation, in absolute value. Species that do not vary in it have
 /// none. Series must be equally long.
-std::vector<SpeciesPair> most_correlated(const std::vector<SpeciesSeries>& species);
+std::vector<SpeciesPair> max_correlated(const std::vector<SpeciesSeries>& species);
 
 }  // namespace pomona::bench

@@ -69,10 +69,10 @@ Difference difference_of(const std::vector<BakedSolid>& a, const std::vector<Bak
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t p = 0; p < a[i].texture.pixels.size(); ++p) {
       const glm::ivec3 d = glm::abs(glm::ivec3(a[i].texture.pixels[p]) - glm::ivec3(b[i].texture.pixels[p]));
-      const int most = std::max({d.x, d.y, d.z});
+      const int max = std::max({d.x, d.y, d.z});
       found.rms += d.x * d.x + d.y * d.y + d.z * d.z;
-      found.largest = std::max(found.largest, most);
-      found.beyond_4 += most > 4 ? 1 : 0;
+      found.largest = std::max(found.largest, max);
+      found.beyond_4 += max > 4 ? 1 : 0;
     }
     count += 3 * static_cast<double>(a[i].texture.pixels.size());
   }

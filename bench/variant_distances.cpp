@@ -71,11 +71,11 @@ VariantDistances distances_between(const std::vector<std::vector<glm::vec3>>& va
   all.resize(std::min(all.size(), looked_at_closely));
   parallel_for(all.size(), {},
                [&](std::size_t i) { all[i].distance = distance_between(all_of(all[i].first), all_of(all[i].second)); });
-  const auto least = std::min_element(all.begin(), all.end(), nearer);
-  if (least != all.end()) {
-    result.least = least->distance;
-    result.first = least->first;
-    result.second = least->second;
+  const auto min = std::min_element(all.begin(), all.end(), nearer);
+  if (min != all.end()) {
+    result.min = min->distance;
+    result.first = min->first;
+    result.second = min->second;
   }
   return result;
 }

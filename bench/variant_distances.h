@@ -8,9 +8,9 @@
 
 namespace pomona::bench {
 
-/// Root mean square distance of equal vertices, metres; `least` over all pairs of variants.
+/// Root mean square distance of equal vertices, metres; `min` over all pairs of variants.
 struct VariantDistances {
-  double least = 0, mean = 0;
+  double min = 0, mean = 0;
   int first = 0, second = 0;  ///< the two nearest, as indices
 };
 

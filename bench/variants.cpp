@@ -56,7 +56,7 @@ std::vector<VariantFacts> all_facts(const VariantChecks& checks, const VariantSe
 /// What keeps variants from being sound, each with the number of variants it is found in.
 Json defects_of(const std::vector<VariantFacts>& facts) {
   int crossing_curves = 0, crossing_surfaces = 0, open = 0, connected_otherwise = 0;
-  std::map<std::string, int> where, most;
+  std::map<std::string, int> where, max;
   for (const VariantFacts& variant : facts) {
     crossing_curves += !variant.crossing_curves.empty();
     crossing_surfaces += !variant.crossings.empty();
@@ -65,12 +65,12 @@ Json defects_of(const std::vector<VariantFacts>& facts) {
     for (const std::string& name : variant.crossing_curves) ++where["curve " + name];
     for (const auto& [pair, triangles] : variant.crossings) {
       ++where[pair];
-      most[pair] = std::max(most[pair], triangles);
+      max[pair] = std::max(max[pair], triangles);
     }
   }
   Json list = Json::array();
   for (const auto& [name, variants] : where) {
-    list.push_back({{"what", name}, {"variants", variants}, {"most_triangle_pairs", most[name]}});
+    list.push_back({{"what", name}, {"variants", variants}, {"most_triangle_pairs", max[name]}});
   }
   return {{"crossing_curves", crossing_curves},
           {"crossing_surfaces", crossing_surfaces},
@@ -98,7 +98,7 @@ Json distances_of(const VariantChecks& checks, const std::vector<VariantFacts>& 
   const VariantDistances distances =
       distances_between(positions, [&](int variant) { return checks.positions(variant + 1); });
   const double percent = 100 / checks.size();
-  return {{"least_percent", distances.least * percent},
+  return {{"least_percent", distances.min * percent},
           {"mean_percent", distances.mean * percent},
           {"nearest_seeds", {distances.first + 1, distances.second + 1}}};
 }
@@ -116,8 +116,8 @@ Json json_of(const FoldStatistics& s) {
 }
 
 Json json_of(const LoopStatistics& s) {
-  return {{"mean_shift", s.mean_shift},         {"least_deviation", s.least_deviation}, {"deviation", s.deviation},
-          {"most_deviation", s.most_deviation}, {"drawn_power", s.drawn_power},         {"power", s.power}};
+  return {{"mean_shift", s.mean_shift},        {"least_deviation", s.min_deviation}, {"deviation", s.deviation},
+          {"most_deviation", s.max_deviation}, {"drawn_power", s.drawn_power},       {"power", s.power}};
 }
 
 /// One line of the report.
@@ -211,7 +211,7 @@ std::vector<SpeciesPair> correlations(const std::vector<Json>& rows, const char*
     species.push_back({row["fruit"], row[quantity].get<std::vector<double>>()});
     if (species.back().values.size() != species.front().values.size()) return {};
   }
-  return most_correlated(species);
+  return max_correlated(species);
 }
 
 TextTable independence(const std::vector<Json>& rows) {

@@ -62,9 +62,9 @@ std::filesystem::path find_known(const std::string& name) {
 
 /// A drawing by itself: whether it can be read, and the curves in it.
 void check_drawing(const std::filesystem::path& file) {
-  constexpr std::size_t most = std::size_t{64} << 20;
+  constexpr std::size_t max = std::size_t{64} << 20;
   try {
-    const SvgDrawing drawing = parse_svg(file_bytes(file, most), file.string());
+    const SvgDrawing drawing = parse_svg(file_bytes(file, max), file.string());
     const SvgElement* at = nullptr;
     try {
       for (const SvgElement& element : drawing.elements) {

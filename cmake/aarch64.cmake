@@ -1,5 +1,5 @@
-# A toolchain: g++ for aarch64, with headers and libraries of the folder POMONA_SYSROOT (scripts/aarch64_sysroot.sh). What it
-# makes is started by qemu.
+# A toolchain: g++ for aarch64, with headers and libraries of the folder POMONA_SYSROOT (scripts/aarch64_sysroot.sh).
+# What it makes is started by qemu.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES POMONA_SYSROOT)

@@ -18,7 +18,8 @@ if(POMONA_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# ccache would not keep what includes a precompiled header unless told that it may: ccache's manual, "Precompiled headers".
+# ccache would not keep what includes a precompiled header unless told that it may: ccache's manual, "Precompiled
+# headers".
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})

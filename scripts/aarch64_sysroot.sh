@@ -1,8 +1,10 @@
 #!/bin/sh
-# Makes a folder with what the program needs of Debian for aarch64: headers and libraries, and the C library to run it by qemu.
+# Makes a folder with what the program needs of Debian for aarch64: headers and libraries, and the C library to run it
+# by qemu.
 #   scripts/aarch64_sysroot.sh FOLDER
-# Nothing is installed and no rights are asked for: apt-get keeps lists and packages in FOLDER, too, as if no package were
-# there yet, and finds what the libraries of scripts/packages.txt depend on. 170 MB are fetched, 900 MB lie there afterwards.
+# Nothing is installed and no rights are asked for: apt-get keeps lists and packages in FOLDER, too, as if no package
+# were there yet, and finds what the libraries of scripts/packages.txt depend on. 170 MB are fetched, 900 MB lie there
+# afterwards.
 set -eu
 cd "$(dirname "$0")/.."
 mkdir -p "$1"

@@ -51,7 +51,8 @@ def make(program, page, headings):
     program = pathlib.Path(program).resolve()
     if program.name != "pomona" or not program.is_file():
         sys.exit(f"figures: error: {program} is no pomona: make build")
-    # Debian's Python before any other: setup.sh has given it what the scripts need, and Blender takes the first it finds.
+    # Debian's Python before any other: setup.sh has given it what the scripts need, and Blender takes the first it
+    # finds.
     where = dict(os.environ, PATH=f"{program.parent}:/usr/bin:{os.environ['PATH']}")
     for folder in (f"docs/pictures/{page}", f"out/{page}"):
         (ROOT / folder).mkdir(parents=True, exist_ok=True)

@@ -14,7 +14,7 @@ pictures=$(echo "$commands" | sed 's/.* -o //')
 echo "$pictures" | xargs -n 1 dirname | sort -u | xargs mkdir -p
 echo "$commands" | tr '\n' '\0' | xargs -0 -P "$(nproc)" -n 1 sh -c
 
-# Painted paper does not pack well: 256 colours, dithered, take a third of the room. Scenes keep all of theirs: they have
-# too many, and the dither would show.
+# Painted paper does not pack well: 256 colours, dithered, take a third of the room. Scenes keep all of theirs: they
+# have too many, and the dither would show.
 palette=$(echo "$commands" | grep -v ' scene ' | sed 's/.* -o //') || exit 0
 echo "$palette" | xargs -r -P "$(nproc)" -n 8 pngquant --force --ext .png --speed 1 256

@@ -82,11 +82,11 @@ std::string crossing_surfaces(const SurfaceMesh& mesh, const Soup& soup, const s
   if (pairs.empty()) return {};
   std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> count;
   for (const auto& [a, b] : pairs) ++count[std::minmax(soup.surface[a], soup.surface[b])];
-  const auto most =
+  const auto max =
       std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  const auto& [first, second] = most->first;
+  const auto& [first, second] = max->first;
   const std::string who = first == second ? names[first] + " and itself" : names[first] + " and " + names[second];
-  return who + " (" + std::to_string(most->second) + " pairs of triangles)";
+  return who + " (" + std::to_string(max->second) + " pairs of triangles)";
 }
 
 double diagonal(const CGAL::Bbox_3& box) {

@@ -232,12 +232,12 @@ class Finder {
     // Rounding must not lose a point on a face: take the one that it is most inside.
     constexpr double slack = 1e-9;
     std::optional<Place> best;
-    double most = -slack;
+    double max = -slack;
     for (const std::uint32_t t : buckets_[bucket_at(index_of(point))]) {
       const std::array<double, 4> weight = weights(t, point);
-      const double least = *std::min_element(weight.begin(), weight.end());
-      if (least < most) continue;
-      most = least;
+      const double min = *std::min_element(weight.begin(), weight.end());
+      if (min < max) continue;
+      max = min;
       best = Place{t, weight};
     }
     return best;

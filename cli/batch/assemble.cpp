@@ -18,7 +18,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_named = 20;
+constexpr std::size_t max_named = 20;
 constexpr std::size_t longest_record = std::size_t{64} << 20;  // bytes
 
 /// Calls `visit` with each item's folder, in the order of the batch.
@@ -35,7 +35,7 @@ AssembleReport surveyed(const fs::path& folder, const RecordedBatch& batch) {
     if (found && !found->facts.error.empty()) report.failed.push_back({item, found->facts.error});
     if (found) return;
     ++report.missing;
-    if (report.first_missing.size() < most_named) report.first_missing.push_back(item);
+    if (report.first_missing.size() < max_named) report.first_missing.push_back(item);
   });
   return report;
 }

@@ -28,7 +28,7 @@ Shard parse_shard(const std::string& text) {
   const auto number = whole_number(std::string_view(text).substr(0, slash));
   const auto count = slash == std::string::npos ? std::nullopt : whole_number(std::string_view(text).substr(slash + 1));
   if (!number || !count) throw Error(ExitStatus::usage, "--shard " + text + " is no share", hint);
-  if (*count < 1 || *count > most_shards || *number < 1 || *number > *count)
+  if (*count < 1 || *count > max_shards || *number < 1 || *number > *count)
     throw Error(ExitStatus::usage, "--shard " + text + " is out of range", hint);
   return {*number, *count};
 }

@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-constexpr int most_shards = 1'000'000;
+constexpr int max_shards = 1'000'000;
 
 /// "3/8"; "" is the whole. \throws Error (usage) for what is none, and for a number out of range.
 Shard parse_shard(const std::string& text);

@@ -158,7 +158,7 @@ void declare_job(CLI::App& command, JobOptions& options) {
       ->type_name("FOLDER")
       ->required();
   command.add_option("--tasks", options.tasks, "Shards to make of it")
-      ->check(whole_between(1, most_shards))
+      ->check(whole_between(1, max_shards))
       ->capture_default_str();
   command.add_option("--memory", options.memory, "What items under way in a task may take together (2GB)")
       ->type_name("SIZE");
@@ -171,7 +171,7 @@ std::function<ExitStatus()> declare_slurm(CLI::App& command) {
   declare_job(command, *options);
   command.add_flag("--dry-run", options->dry_run, "Write the scripts, and submit nothing");
   command.add_option("--at-once", options->slurm.at_once, "Most tasks that run at a time; 0 = as many as Slurm likes")
-      ->check(whole_between(0, most_shards))
+      ->check(whole_between(0, max_shards))
       ->capture_default_str();
   command.add_option("--retries", options->slurm.retries, "How often a task that was disturbed tries again by itself")
       ->check(whole_between(0, 100))
@@ -198,7 +198,7 @@ std::function<ExitStatus()> declare_status(CLI::App& command) {
   const auto options = std::make_shared<StatusCommand>();
   command.add_option("FOLDER", options->folder, "The folder that the batch is made in")->required();
   command.add_option("--tasks", options->tasks, "Shards it is made in; what Slurm was given unless said")
-      ->check(whole_between(1, most_shards));
+      ->check(whole_between(1, max_shards));
   command.add_option("--threads", options->threads, "Threads to read with; 0 = all")
       ->check(whole_between(0, 1024))
       ->capture_default_str();

@@ -78,7 +78,7 @@ std::optional<FarmRecord> read_farm(const fs::path& output) {
   if (!fs::exists(file, ignored)) return {};
   const JsonNode root = parse_json(text_of(file), file.string());
   const JsonNode& tasks = root.need("tasks");
-  const bool is_whole = tasks.kind == JsonNode::Kind::number && tasks.number >= 1 && tasks.number <= most_shards &&
+  const bool is_whole = tasks.kind == JsonNode::Kind::number && tasks.number >= 1 && tasks.number <= max_shards &&
                         tasks.number == static_cast<int>(tasks.number);
   if (!is_whole) fail(file, "should say how many tasks there are");
   return FarmRecord{static_cast<int>(tasks.number), read_jobs(farm_folder(output) / "jobs")};

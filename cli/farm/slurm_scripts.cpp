@@ -14,7 +14,7 @@ namespace {
 
 /// Runs the command until it ends in a way that another attempt does not change.
 std::string with_retries(const std::string& command, int retries) {
-  const std::string most = std::to_string(retries);
+  const std::string max = std::to_string(retries);
   return "attempt=0\n"
          "while :; do\n"
          "  " +
@@ -25,11 +25,11 @@ std::string with_retries(const std::string& command, int retries) {
          "  # Above 128: killed. Whatever else it is, it would be the same again.\n"
          "  [ \"$status\" -eq 74 ] || [ \"$status\" -eq 75 ] || [ \"$status\" -gt 128 ] || exit \"$status\"\n"
          "  [ \"$attempt\" -lt " +
-         most +
+         max +
          " ] || exit \"$status\"\n"
          "  attempt=$((attempt + 1))\n"
          "  echo \"ended with status $status; again in $((10 * attempt)) s, attempt $attempt of " +
-         most +
+         max +
          "\"\n"
          "  sleep $((10 * attempt))\n"
          "done\n";

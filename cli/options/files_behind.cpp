@@ -17,13 +17,13 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_files = 10000, longest_word = 255;
+constexpr std::size_t max_files = 10000, longest_word = 255;
 
 class FilesBehind {
  public:
   /// A word of the command line, or a text in a TOML file of `folder`.
   void add_word(const std::string& word, const fs::path& folder) {
-    if (word.empty() || word.size() > longest_word || found_.size() > most_files) return;
+    if (word.empty() || word.size() > longest_word || found_.size() > max_files) return;
     add_file(folder / word);
     for (const char* kind : {"templates", "scenes", "styles"}) {
       try {

@@ -20,9 +20,9 @@ std::string bold(const std::string& text) { return "\\fB" + escaped(text) + "\\f
 std::string italic(const std::string& text) { return "\\fI" + escaped(text) + "\\fR"; }
 
 /// "-o, --output FILE", as it is typed.
-std::string shape_of(const TypedOption& option, std::size_t most_names = 2) {
+std::string shape_of(const TypedOption& option, std::size_t max_names = 2) {
   std::string shape;
-  for (std::size_t i = 0; i < std::min(most_names, option.names.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_names, option.names.size()); ++i) {
     shape += (shape.empty() ? "" : ", ") + bold(option.names[i]);
   }
   if (!option.value.empty()) shape += (shape.empty() ? "" : " ") + italic(option.value);

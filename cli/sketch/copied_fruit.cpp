@@ -48,8 +48,8 @@ StartingSketch copied_fruit(const fs::path& original, const std::string& name) {
     if (is_head && gives(line, "name")) line = "name = \"" + name + "\"";
     if (is_head && gives(line, "title")) line = "title = \"" + words_of(name) + "\"";
     if (is_head && gives(line, "sketch")) {
-      constexpr std::size_t most = std::size_t{64} << 20;
-      copy.svg = file_bytes(original.parent_path() / in_quotes(line), most);
+      constexpr std::size_t max = std::size_t{64} << 20;
+      copy.svg = file_bytes(original.parent_path() / in_quotes(line), max);
       line = "sketch = \"" + name + ".svg\"";
     }
     copy.toml += line + "\n";

@@ -17,8 +17,8 @@ namespace pomona {
 
 namespace {
 
-constexpr std::uintmax_t most_bytes = std::uintmax_t{256} << 20;
-constexpr double most_pixels = 1e8;
+constexpr std::uintmax_t max_bytes = std::uintmax_t{256} << 20;
+constexpr double max_pixels = 1e8;
 
 [[noreturn]] void fail(const std::string& place, const std::string& message, const std::string& hint,
                        ExitStatus status = ExitStatus::bad_data) {
@@ -43,7 +43,7 @@ glm::dvec2 png_size(const std::string& bytes, const std::string& place) {
   };
   const glm::dvec2 size(number(16), number(20));
   if (!(size.x >= 1 && size.y >= 1)) fail_at(16, place, "the picture has no pixels", "make it anew");
-  if (size.x * size.y > most_pixels) {
+  if (size.x * size.y > max_pixels) {
     fail_at(16, place, "the picture has more than 100 million pixels",
             "make it smaller: 2000 pixels a side are plenty");
   }
@@ -95,7 +95,7 @@ std::string picture_bytes(const fs::path& file, const std::string& place) {
     fail(place, "the picture " + file.string() + " is not there", "put it back, or keep the colours as they are",
          ExitStatus::input_missing);
   }
-  if (fs::file_size(file, ignored) > most_bytes) fail(place, "the picture is larger than 256 MiB", "make it smaller");
+  if (fs::file_size(file, ignored) > max_bytes) fail(place, "the picture is larger than 256 MiB", "make it smaller");
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }

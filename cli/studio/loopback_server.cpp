@@ -20,7 +20,7 @@ namespace pomona {
 namespace {
 
 constexpr std::size_t longest_path = 100;
-constexpr int most_connections = 32;  // at a time: each has a thread while it lasts
+constexpr int max_connections = 32;  // at a time: each has a thread while it lasts
 
 /// Looks at all letters, however many are right.
 bool is_token(std::string_view given, std::string_view token) {
@@ -68,8 +68,8 @@ struct LoopbackServer::Listener {
     const std::string length = request.get_header_value("Content-Length");
     if (length.empty() || length.size() > 15 || length.find_first_not_of("0123456789") != std::string::npos)
       return refused(411, "a body states its length");
-    if (std::stoull(length) > options.most_body_bytes)
-      return refused(413, "that is more than " + std::to_string(options.most_body_bytes >> 20) + " MiB",
+    if (std::stoull(length) > options.max_body_bytes)
+      return refused(413, "that is more than " + std::to_string(options.max_body_bytes >> 20) + " MiB",
                      "link pictures instead of embedding them");
     return {};
   }
@@ -91,7 +91,7 @@ struct LoopbackServer::Listener {
     const StopWatch watch;
     const bool whole = read([&](const char* data, std::size_t size) {
       wanted.body.append(data, size);
-      return wanted.body.size() <= options.most_body_bytes && watch.milliseconds() < 1000.0 * options.most_body_seconds;
+      return wanted.body.size() <= options.max_body_bytes && watch.milliseconds() < 1000.0 * options.max_body_seconds;
     });
     send(whole ? handler(wanted) : refused(408, "the body did not arrive in time"), response);
   }
@@ -99,12 +99,12 @@ struct LoopbackServer::Listener {
   void set_up() {
     using Answer = httplib::Server::HandlerResponse;
     // The library waits for ever where it cannot have one of them.
-    server.new_task_queue = [] { return new httplib::ThreadPool(std::max(1, threads_given(most_connections) - 1)); };
+    server.new_task_queue = [] { return new httplib::ThreadPool(std::max(1, threads_given(max_connections) - 1)); };
     // One request a connection: what is refused leaves nothing behind that could pass for the next request.
     server.set_keep_alive_max_count(1);
     server.set_read_timeout(options.idle_seconds);
     server.set_write_timeout(options.idle_seconds);
-    server.set_payload_max_length(options.most_body_bytes);
+    server.set_payload_max_length(options.max_body_bytes);
     server.set_tcp_nodelay(true);
     server.set_default_headers({{"Content-Security-Policy", options.page_policy},
                                 {"X-Content-Type-Options", "nosniff"},

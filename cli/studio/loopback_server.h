@@ -25,9 +25,9 @@ struct WebReply {
 struct LoopbackOptions {
   std::string token;  ///< every request shows it: in the address of "/", else in the header X-Pomona-Token
   std::string page_policy = "default-src 'none'";  ///< Content-Security-Policy of every reply
-  std::size_t most_body_bytes = std::size_t{32} << 20;
-  int most_body_seconds = 20;  ///< for a body to arrive
-  int idle_seconds = 5;        ///< a connection on which nothing arrives is closed
+  std::size_t max_body_bytes = std::size_t{32} << 20;
+  int max_body_seconds = 20;  ///< for a body to arrive
+  int idle_seconds = 5;       ///< a connection on which nothing arrives is closed
 };
 
 /// Answers on a free port of 127.0.0.1 and nowhere else. What lacks the token, names another host, comes from another

@@ -27,13 +27,13 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::uintmax_t most_picture_bytes = std::uintmax_t{64} << 20;
+constexpr std::uintmax_t max_picture_bytes = std::uintmax_t{64} << 20;
 constexpr std::string_view binary = "application/octet-stream";
 
-WebReply told(int status, const ordered_json& body) { return {status, "application/json", json_text(body)}; }
+WebReply json_reply(int status, const ordered_json& body) { return {status, "application/json", json_text(body)}; }
 
-WebReply told_error(int status, const std::string& message, const std::string& hint = {}) {
-  return told(status, {{"errors", {{{"message", message}, {"hint", hint}}}}});
+WebReply error_reply(int status, const std::string& message, const std::string& hint = {}) {
+  return json_reply(status, {{"errors", {{{"message", message}, {"hint", hint}}}}});
 }
 
 /// Without the folder, which is the same for all: "kiwi.svg:12:5".
@@ -76,11 +76,11 @@ std::string text_in(const json& wanted, const char* key) {
 }
 
 /// A number within bounds; `otherwise` where it is missing or null.
-double number_in(const json& wanted, const char* key, double otherwise, double least, double most) {
+double number_in(const json& wanted, const char* key, double otherwise, double min, double max) {
   if (!wanted.contains(key) || wanted[key].is_null()) return otherwise;
-  if (!wanted[key].is_number() || !(wanted[key].get<double>() >= least && wanted[key].get<double>() <= most))
+  if (!wanted[key].is_number() || !(wanted[key].get<double>() >= min && wanted[key].get<double>() <= max))
     throw Error(ExitStatus::usage,
-                std::string(key) + " is not a number from " + std::to_string(least) + " to " + std::to_string(most));
+                std::string(key) + " is not a number from " + std::to_string(min) + " to " + std::to_string(max));
   return wanted[key];
 }
 
@@ -147,11 +147,11 @@ WebReply StudioApi::answer(const WebRequest& request) {
     ordered_json errors = ordered_json::array();
     for (const Diagnostic& diagnostic : error.diagnostics())
       errors.push_back(error_of(diagnostic, workspace_.files().toml));
-    return told(status_for(error), {{"errors", errors}});
+    return json_reply(status_for(error), {{"errors", errors}});
   } catch (const std::exception& error) {
     if (const auto lack = exhausted(error))
-      return told_error(500, *lack, "fewer triangles need less: lower around and along");
-    return told_error(500, std::string("this is a bug in pomona: ") + error.what());
+      return error_reply(500, *lack, "fewer triangles need less: lower around and along");
+    return error_reply(500, std::string("this is a bug in pomona: ") + error.what());
   }
 }
 
@@ -172,30 +172,31 @@ WebReply StudioApi::routed(const WebRequest& request) {
     if (path == "/api/section") return section(request.body);
     if (path == "/api/asset") return asset(request.body);
   }
-  return told_error(404, "there is nothing at this path");
+  return error_reply(404, "there is nothing at this path");
 }
 
 WebReply StudioApi::document(bool with_texts) {
   const WorkspaceState state = workspace_.state();
   const WorkspaceFiles& files = workspace_.files();
-  ordered_json told_of = {{"version", state.version},
-                          {"unsaved", state.unsaved},
-                          {"recovered", state.recovered},
-                          {"changed_outside", state.changed_outside}};
-  if (!with_texts) return told(200, told_of);
-  told_of.update({{"name", files.toml.stem().string()},
-                  {"toml_file", files.toml.filename().string()},
-                  {"svg_file", files.svg.filename().string()},
-                  {"toml", state.texts.toml},
-                  {"svg", state.texts.svg}});
-  return told(200, told_of);
+  ordered_json description = {{"version", state.version},
+                              {"unsaved", state.unsaved},
+                              {"recovered", state.recovered},
+                              {"changed_outside", state.changed_outside}};
+  if (!with_texts) return json_reply(200, description);
+  description.update({{"name", files.toml.stem().string()},
+                      {"toml_file", files.toml.filename().string()},
+                      {"svg_file", files.svg.filename().string()},
+                      {"toml", state.texts.toml},
+                      {"svg", state.texts.svg}});
+  return json_reply(200, description);
 }
 
 WebReply StudioApi::change(const std::string& body) {
   const json wanted = parsed(body);
   const std::optional<std::uint64_t> version = workspace_.change(version_in(wanted), texts_in(wanted));
-  if (!version) return told_error(409, "the fruit was changed elsewhere in the meantime", "another window has it open");
-  return told(200, {{"version", *version}});
+  if (!version)
+    return error_reply(409, "the fruit was changed elsewhere in the meantime", "another window has it open");
+  return json_reply(200, {{"version", *version}});
 }
 
 WebReply StudioApi::save(const std::string& body) {
@@ -203,18 +204,18 @@ WebReply StudioApi::save(const std::string& body) {
   const bool over = wanted.contains("over") && wanted["over"] == true;
   switch (workspace_.save(version_in(wanted), over)) {
     case SaveResult::saved:
-      return told(200, {{"saved", true}});
+      return json_reply(200, {{"saved", true}});
     case SaveResult::behind:
-      return told_error(409, "the fruit was changed elsewhere in the meantime", "another window has it open");
+      return error_reply(409, "the fruit was changed elsewhere in the meantime", "another window has it open");
     case SaveResult::changed_outside:
       break;
   }
-  return told_error(409, "another program has changed the files", "save over them, or go back to them");
+  return error_reply(409, "another program has changed the files", "save over them, or go back to them");
 }
 
 WebReply StudioApi::revert(const std::string& body) {
   if (workspace_.revert(version_in(parsed(body)))) return document(true);
-  return told_error(409, "the fruit was changed elsewhere in the meantime", "another window has it open");
+  return error_reply(409, "the fruit was changed elsewhere in the meantime", "another window has it open");
 }
 
 WebReply StudioApi::section(const std::string& body) {
@@ -236,13 +237,13 @@ WebReply StudioApi::picture(const std::string& href) const {
   const fs::path folder = workspace_.files().toml.parent_path(), file = folder / href;
   std::error_code wrong;
   const bool within = !href.empty() && !fs::path(href).is_absolute() && path_within(folder, file).has_value();
-  if (!within || !fs::is_regular_file(file, wrong) || fs::file_size(file, wrong) > most_picture_bytes || wrong)
-    return told_error(404, "there is no such picture beside the template");
+  if (!within || !fs::is_regular_file(file, wrong) || fs::file_size(file, wrong) > max_picture_bytes || wrong)
+    return error_reply(404, "there is no such picture beside the template");
   std::ifstream stream(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (bytes.starts_with("\x89PNG\r\n")) return {200, "image/png", std::move(bytes)};
   if (bytes.starts_with("\xff\xd8\xff")) return {200, "image/jpeg", std::move(bytes)};
-  return told_error(404, "there is no such picture beside the template");
+  return error_reply(404, "there is no such picture beside the template");
 }
 
 }  // namespace pomona

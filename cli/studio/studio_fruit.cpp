@@ -11,7 +11,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_kept = 3;  // what is dragged, what is drawn, and the variant that is shown
+constexpr std::size_t max_kept = 3;  // what is dragged, what is drawn, and the variant that is shown
 
 std::shared_ptr<const StudioFruit> grow_anew(const WantedFruit& wanted, const std::filesystem::path& file) {
   auto fruit = std::make_shared<StudioFruit>();
@@ -59,7 +59,7 @@ std::shared_ptr<const StudioFruit> StudioFruits::grown(const WantedFruit& wanted
   }
   std::shared_ptr<const StudioFruit> fruit = grow_anew(wanted, file_);
   kept_.push_back(fruit);
-  if (kept_.size() > most_kept) kept_.erase(kept_.begin());
+  if (kept_.size() > max_kept) kept_.erase(kept_.begin());
   return fruit;
 }
 

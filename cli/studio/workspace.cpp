@@ -19,20 +19,20 @@ namespace pomona {
 
 namespace {
 
-constexpr std::uintmax_t most_text_bytes = std::uintmax_t{24} << 20;  // of a template or a sketch
+constexpr std::uintmax_t max_text_bytes = std::uintmax_t{24} << 20;  // of a template or a sketch
 // Two texts twice, and as much again for what JSON writes as two letters.
-constexpr std::uintmax_t most_unsaved_bytes = 8 * most_text_bytes;
+constexpr std::uintmax_t max_unsaved_bytes = 8 * max_text_bytes;
 
-void check_size(const fs::path& file, std::uintmax_t bytes, std::uintmax_t most) {
-  if (bytes <= most) return;
+void check_size(const fs::path& file, std::uintmax_t bytes, std::uintmax_t max) {
+  if (bytes <= max) return;
   throw Error(ExitStatus::bad_data, {{{file.string(), 0, 0, {}},
-                                      "is larger than the studio holds, " + std::to_string(most >> 20) + " MiB",
+                                      "is larger than the studio holds, " + std::to_string(max >> 20) + " MiB",
                                       "link the picture instead of embedding it"}});
 }
 
-std::string kept_text(const fs::path& file, std::uintmax_t most = most_text_bytes) {
+std::string kept_text(const fs::path& file, std::uintmax_t max = max_text_bytes) {
   std::error_code wrong;
-  check_size(file, fs::is_regular_file(file, wrong) ? fs::file_size(file, wrong) : 0, most);
+  check_size(file, fs::is_regular_file(file, wrong) ? fs::file_size(file, wrong) : 0, max);
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream.good() && !stream.eof()) throw Error(ExitStatus::input_missing, file.string() + " cannot be read");
@@ -83,7 +83,7 @@ FruitTexts Workspace::on_disk() const {
 void Workspace::recover() {
   std::error_code ignored;
   if (!fs::is_regular_file(files_.unsaved, ignored)) return;
-  const auto json = nlohmann::json::parse(kept_text(files_.unsaved, most_unsaved_bytes), nullptr, false);
+  const auto json = nlohmann::json::parse(kept_text(files_.unsaved, max_unsaved_bytes), nullptr, false);
   const auto is_text = [&](const char* key) { return json.contains(key) && json[key].is_string(); };
   if (!json.is_object() || !is_text("toml") || !is_text("svg") || !is_text("toml_was") || !is_text("svg_was")) return;
   const FruitTexts texts{json["toml"], json["svg"]}, before{json["toml_was"], json["svg_was"]};
@@ -139,8 +139,8 @@ std::optional<std::uint64_t> Workspace::change(std::uint64_t seen, FruitTexts te
   if (seen != state_.version) return {};
   if (texts == state_.texts) return state_.version;
   // What could not be opened again is not taken.
-  check_size(files_.toml, texts.toml.size(), most_text_bytes);
-  check_size(files_.svg, texts.svg.size(), most_text_bytes);
+  check_size(files_.toml, texts.toml.size(), max_text_bytes);
+  check_size(files_.svg, texts.svg.size(), max_text_bytes);
   const WorkspaceState before = state_;
   state_.texts = std::move(texts);
   state_.unsaved = !exists_ || state_.texts != saved_;

@@ -137,13 +137,13 @@ void say_as_json(std::size_t compared, std::size_t published, const std::vector<
 }
 
 void say_in_words(std::size_t compared, std::size_t published, const std::vector<DifferentCut>& different) {
-  constexpr std::size_t most_lines = 20;
-  for (std::size_t i = 0; i < std::min(most_lines, different.size()); ++i) {
+  constexpr std::size_t max_lines = 20;
+  for (std::size_t i = 0; i < std::min(max_lines, different.size()); ++i) {
     const auto& [cut, stage] = different[i];
     std::printf("%s, seed %llu, %s: differs from %s on\n", cut.fruit.c_str(), static_cast<unsigned long long>(cut.seed),
                 cut.knife.c_str(), verified_stages[stage]);
   }
-  if (different.size() > most_lines) std::printf("and %zu more\n", different.size() - most_lines);
+  if (different.size() > max_lines) std::printf("and %zu more\n", different.size() - max_lines);
   if (different.empty()) {
     std::printf("%zu of %zu cuts compared, 0 differ: this machine gives what is published.\n", compared, published);
     return;

@@ -32,37 +32,37 @@ class Encoder {
  public:
   Encoder() {
     // The least float of each byte, by halving what lies between the bits of 0 and of 1.
-    for (std::size_t byte = 1; byte < least_.size(); ++byte) {
-      std::uint32_t below = std::bit_cast<std::uint32_t>(least_[byte - 1]), at = std::bit_cast<std::uint32_t>(1.0f);
+    for (std::size_t byte = 1; byte < min_.size(); ++byte) {
+      std::uint32_t below = std::bit_cast<std::uint32_t>(min_[byte - 1]), at = std::bit_cast<std::uint32_t>(1.0f);
       while (at - below > 1) {
         const std::uint32_t middle = below + (at - below) / 2;
         const double encoded = srgb_from_linear(static_cast<double>(std::bit_cast<float>(middle)));
         (to_byte(encoded) < byte ? below : at) = middle;
       }
-      least_[byte] = std::bit_cast<float>(at);
+      min_[byte] = std::bit_cast<float>(at);
     }
 
     // Where to begin to look: the byte of the least value of each cell.
     std::uint8_t byte = 0;
     for (std::size_t cell = 0; cell < start_.size(); ++cell) {
       const float value = std::bit_cast<float>(static_cast<std::uint32_t>(cell + first_cell) << cell_shift);
-      while (byte < 255 && value >= least_[byte + 1U]) ++byte;
+      while (byte < 255 && value >= min_[byte + 1U]) ++byte;
       start_[cell] = byte;
     }
   }
 
   std::uint8_t operator()(float linear) const {
-    if (!(linear >= least_[1])) return 0;
-    if (linear >= least_[255]) return 255;
+    if (!(linear >= min_[1])) return 0;
+    if (linear >= min_[255]) return 255;
     std::uint8_t byte = start_[(std::bit_cast<std::uint32_t>(linear) >> cell_shift) - first_cell];
-    while (linear >= least_[byte + 1U]) ++byte;
+    while (linear >= min_[byte + 1U]) ++byte;
     return byte;
   }
 
  private:
   // Cells are what floats share in their exponent and the first seven bits after it, from 2^-13, which is black, to 1.
   static constexpr std::uint32_t cell_shift = 16, first_cell = (127 - 13) << 7, cells = 13 << 7;
-  std::array<float, 256> least_{};
+  std::array<float, 256> min_{};
   std::array<std::uint8_t, cells> start_{};
 };
 

@@ -48,7 +48,7 @@ bool on_segment(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
 }
 
 /// What is_simple() spends on one curve: 256 overlaps in x for each of 65 536 edges, a tenth of a second.
-constexpr std::size_t most_comparisons = std::size_t{1} << 24;
+constexpr std::size_t max_comparisons = std::size_t{1} << 24;
 
 bool segments_meet(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
   const double abc = turn(a, b, c), abd = turn(a, b, d), cda = turn(c, d, a), cdb = turn(c, d, b);
@@ -128,7 +128,7 @@ bool is_simple(const Curve& curve) {
     const double lx = std::min(l.a.x, l.b.x), rx = std::min(r.a.x, r.b.x);
     return lx != rx ? lx < rx : l.index < r.index;
   });
-  std::size_t comparisons_left = most_comparisons;
+  std::size_t comparisons_left = max_comparisons;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const double right = std::max(edges[i].a.x, edges[i].b.x);
     for (std::size_t j = i + 1; j < edges.size() && std::min(edges[j].a.x, edges[j].b.x) <= right; ++j) {

@@ -28,16 +28,16 @@ std::string why_no_file(const std::filesystem::path& file) {
   return is_absent ? "there is no such file" : "cannot be read: " + wrong.message();
 }
 
-std::string file_bytes(const std::filesystem::path& file, std::size_t most, const std::string& hint) {
+std::string file_bytes(const std::filesystem::path& file, std::size_t max, const std::string& hint) {
   const auto fail = [&](ExitStatus status, const std::string& why, const std::string& remedy = {}) {
     throw Error(status, {{{file.string(), 0, 0, {}}, why, remedy}});
   };
   const std::string why = why_no_file(file);
   if (!why.empty()) fail(ExitStatus::input_missing, why);
-  const auto too_large = [&] { fail(ExitStatus::bad_data, "is larger than " + in_units(most), hint); };
+  const auto too_large = [&] { fail(ExitStatus::bad_data, "is larger than " + in_units(max), hint); };
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(file, unknown);
-  if (!unknown && size > most) too_large();
+  if (!unknown && size > max) too_large();
 
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
@@ -49,16 +49,16 @@ std::string file_bytes(const std::filesystem::path& file, std::size_t most, cons
   std::string bytes(unknown ? 0 : static_cast<std::size_t>(size), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  if (stream) bytes += first_bytes(stream, most + 1 - bytes.size());
+  if (stream) bytes += first_bytes(stream, max + 1 - bytes.size());
   if (stream.bad()) fail(ExitStatus::io_error, "cannot be read to its end");
-  if (bytes.size() > most) too_large();
+  if (bytes.size() > max) too_large();
   return bytes;
 }
 
-std::string readable_bytes(const std::filesystem::path& file, std::size_t most) {
+std::string readable_bytes(const std::filesystem::path& file, std::size_t max) {
   if (!why_no_file(file).empty()) return {};
   std::ifstream stream(file, std::ios::binary);
-  return first_bytes(stream, most);
+  return first_bytes(stream, max);
 }
 
 }  // namespace pomona

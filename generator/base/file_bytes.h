@@ -12,11 +12,11 @@ namespace pomona {
 std::string why_no_file(const std::filesystem::path& file);
 
 /// All bytes of a file. Its size is checked before memory is allocated; devices and pipes are not opened; never more
-/// than `most` bytes are read, even if the file grows meanwhile. \throws Error (input_missing) that says why it cannot
-/// be read, (bad_data) with this hint if it is larger than `most`, (io_error) if the disk fails.
-std::string file_bytes(const std::filesystem::path& file, std::size_t most, const std::string& hint = {});
+/// than `max` bytes are read, even if the file grows meanwhile. \throws Error (input_missing) that says why it cannot
+/// be read, (bad_data) with this hint if it is larger than `max`, (io_error) if the disk fails.
+std::string file_bytes(const std::filesystem::path& file, std::size_t max, const std::string& hint = {});
 
-/// The first `most` bytes of a file, to find out its kind; empty if it cannot be read.
-std::string readable_bytes(const std::filesystem::path& file, std::size_t most);
+/// The first `max` bytes of a file, to find out its kind; empty if it cannot be read.
+std::string readable_bytes(const std::filesystem::path& file, std::size_t max);
 
 }  // namespace pomona

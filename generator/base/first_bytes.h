@@ -7,8 +7,8 @@
 
 namespace pomona {
 
-/// The rest of the stream, but at most `most` bytes. Pass the limit + 1 to find out whether a file is larger than a
+/// The rest of the stream, but at most `max` bytes. Pass the limit + 1 to find out whether a file is larger than a
 /// limit. Memory grows with the bytes read, not with the limit.
-std::string first_bytes(std::istream& stream, std::size_t most);
+std::string first_bytes(std::istream& stream, std::size_t max);
 
 }  // namespace pomona

@@ -21,9 +21,9 @@ void keep_free_memory() {
 #endif
 }
 
-void share_heaps([[maybe_unused]] int most) {
+void share_heaps([[maybe_unused]] int max) {
 #ifdef __GLIBC__
-  mallopt(M_ARENA_MAX, most);
+  mallopt(M_ARENA_MAX, max);
 #endif
 }
 

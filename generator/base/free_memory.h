@@ -16,6 +16,6 @@ void keep_free_memory();
 /// and memory freed in one heap cannot be used by another. In a server, where each request comes on another thread, the
 /// first dozen requests would each need new memory for their grids, which takes two fifths of their time. A program
 /// calls this before it starts threads.
-void share_heaps(int most);
+void share_heaps(int max);
 
 }  // namespace pomona

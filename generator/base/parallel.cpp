@@ -85,7 +85,7 @@ int resolved(Threads threads) {
 }
 
 void parallel_for(std::size_t count, Threads threads, const std::function<void(std::size_t)>& body) {
-  const int wanted = std::min(resolved(threads), most_threads);
+  const int wanted = std::min(resolved(threads), max_threads);
   const int width = wanted == 1 || count < 2 ? 1 : threads_had(wanted);
   if (width == 1) {
     for (std::size_t i = 0; i < count; ++i) body(i);

@@ -18,9 +18,9 @@ int resolved(Threads threads);
 int threads_given(int width);
 
 /// More threads than this are never used.
-constexpr int most_threads = 256;
+constexpr int max_threads = 256;
 
-/// Calls body(i) once for each i in [0, count), on up to `threads` threads, at most `most_threads`. There may be more
+/// Calls body(i) once for each i in [0, count), on up to `threads` threads, at most `max_threads`. There may be more
 /// threads than cores, and fewer if the system does not allow as many. The body must write only to places that belong
 /// to i. Items start in order of i; if few take long, put the longest first. If bodies throw, the exception of the
 /// smallest i is rethrown.

@@ -113,7 +113,7 @@ class BatchReader {
     batch_.seed = static_cast<std::uint64_t>(table.get("seed").integer(0, 0, largest_seed));
     const AssetOptions usual = read_assets(table, {}, folder());
 
-    const std::vector<TomlTable> entries = root.need("entry").tables(most_batch_entries);
+    const std::vector<TomlTable> entries = root.need("entry").tables(max_batch_entries);
     if (root.has("entry") && entries.empty()) root.get("entry").error("is empty", "say what to make: [[entry]]");
     for (const TomlTable& entry : entries) batch_.entries.push_back(read_entry(entry, usual));
     document_.throw_if_any();
@@ -134,7 +134,7 @@ class BatchReader {
     read_templates(table, entry);
     read_variants(table, entry);
     read_list(table.get("folds"), entry.folds,
-              [](const TomlValue& value) { return std::optional(value.integer(1, 1, most_folds)); });
+              [](const TomlValue& value) { return std::optional(value.integer(1, 1, max_folds)); });
     read_list(table.get("ripeness"), entry.ripeness, [](const TomlValue& value) {
       return std::optional(value.number(1, range_of(order_option("ripeness"))));
     });
@@ -168,8 +168,8 @@ class BatchReader {
   void read_variants(const TomlTable& table, BatchEntry& entry) {
     read_list(table.get("seeds"), entry.seeds,
               [](const TomlValue& value) { return static_cast<std::uint64_t>(value.integer(0, 0, largest_seed)); });
-    entry.count = table.get("count").integer(0, 1, most_batch_items);
-    entry.total = table.get("total").integer(0, 1, most_batch_items);
+    entry.count = table.get("count").integer(0, 1, max_batch_items);
+    entry.total = table.get("total").integer(0, 1, max_batch_items);
     const int given = (table.has("seeds") ? 1 : 0) + (table.has("count") ? 1 : 0) + (table.has("total") ? 1 : 0);
     if (given != 1)
       table.error("needs \"seeds\", \"count\" or \"total\", and one of them alone",

@@ -5,7 +5,7 @@
 
 namespace pomona {
 
-constexpr int most_batch_items = 10'000'000;
-constexpr std::size_t most_batch_entries = 1000;
+constexpr int max_batch_items = 10'000'000;
+constexpr std::size_t max_batch_entries = 1000;
 
 }  // namespace pomona

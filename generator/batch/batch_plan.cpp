@@ -40,8 +40,8 @@ std::vector<fs::path> template_files(const BatchEntry& entry, const TemplateSour
 std::int64_t product(std::initializer_list<std::size_t> factors) {
   std::int64_t product = 1;
   for (const std::size_t factor : factors) {
-    product *= std::min<std::int64_t>(static_cast<std::int64_t>(factor), most_batch_items + 1);
-    product = std::min<std::int64_t>(product, most_batch_items + 1);
+    product *= std::min<std::int64_t>(static_cast<std::int64_t>(factor), max_batch_items + 1);
+    product = std::min<std::int64_t>(product, max_batch_items + 1);
   }
   return product;
 }
@@ -60,10 +60,10 @@ void count(PlannedEntry& entry, std::size_t templates) {
 void check_size(const PlannedEntry& entry, std::int64_t before) {
   const std::int64_t items =
       product({static_cast<std::size_t>(entry.variants), static_cast<std::size_t>(entry.items_of_a_variant)});
-  if (before + items <= most_batch_items) return;
+  if (before + items <= max_batch_items) return;
   throw Error(ExitStatus::bad_data, {{entry.wanted.place,
                                       "entry \"" + entry.wanted.name + "\" takes the batch beyond " +
-                                          std::to_string(most_batch_items) + " items: its lists multiply",
+                                          std::to_string(max_batch_items) + " items: its lists multiply",
                                       "shorten them, or make batches of their own"}});
 }
 
@@ -100,7 +100,7 @@ std::uint64_t new_seed(std::uint64_t batch_seed, const std::string& entry, std::
 /// Digits that number `count` things from 0, in threes.
 int digits_for(std::int64_t count) {
   int digits = 3;
-  for (std::int64_t most = 1000; most < count; most *= 1000) digits += 3;
+  for (std::int64_t max = 1000; max < count; max *= 1000) digits += 3;
   return digits;
 }
 

@@ -45,7 +45,7 @@ struct TemplateSource {
   std::function<std::vector<std::filesystem::path>()> all;
 };
 
-/// \throws Error (bad_data) with the entry's place if there are more than most_batch_items, or if a template does not
+/// \throws Error (bad_data) with the entry's place if there are more than max_batch_items, or if a template does not
 /// have what the entry asks of it; (input_missing) with the place of a name that is no template.
 BatchPlan planned(BatchDescription batch, const TemplateSource& source);
 

@@ -80,7 +80,7 @@ Json entry_of(const BatchPlan& plan, const PlannedEntry& entry) {
   return json;
 }
 
-constexpr std::size_t most_drawing = std::size_t{64} << 20;  // bytes; read_stroke.h reads no larger ones
+constexpr std::size_t max_drawing = std::size_t{64} << 20;  // bytes; read_stroke.h reads no larger ones
 
 /// The files that knives name ("stroke:strokes.svg#wave"), from the batch's folder, sorted by name.
 std::map<std::string, std::string> drawings_of(const BatchDescription& batch) {
@@ -89,7 +89,7 @@ std::map<std::string, std::string> drawings_of(const BatchDescription& batch) {
     for (const std::vector<Knife>& knives : entry.knives) {
       for (const Knife& knife : knives) {
         const std::optional<std::string> name = drawing_of_knife(knife.text);
-        if (name) drawings[*name] = sha256(file_bytes(fs::path(batch.file).parent_path() / *name, most_drawing));
+        if (name) drawings[*name] = sha256(file_bytes(fs::path(batch.file).parent_path() / *name, max_drawing));
       }
     }
   }
@@ -100,10 +100,10 @@ constexpr const char* hint = "pomona wrote this file; make the batch again";
 
 [[noreturn]] void fail(const SourcePlace& place, const std::string& message) { refuse_record(place, message, hint); }
 
-double number_at(const JsonNode& node, std::string_view key, double most) {
+double number_at(const JsonNode& node, std::string_view key, double max) {
   const JsonNode& value = node.need(key);
   const bool is_whole = value.kind == JsonNode::Kind::number && value.number == std::floor(value.number);
-  if (!is_whole || value.number < 0 || value.number > most) fail(value.place(), "should be a whole number");
+  if (!is_whole || value.number < 0 || value.number > max) fail(value.place(), "should be a whole number");
   return value.number;
 }
 
@@ -114,7 +114,7 @@ std::int64_t items_of_a_variant(const JsonNode& entry) {
     const JsonNode& values = entry.need(list);
     if (values.kind != JsonNode::Kind::array || values.items.empty()) fail(values.place(), "should be a list");
     items *= static_cast<std::int64_t>(values.items.size());
-    if (items > most_batch_items) fail(values.place(), "has too many items");
+    if (items > max_batch_items) fail(values.place(), "has too many items");
   }
   return items;
 }
@@ -154,16 +154,16 @@ RecordedBatch parse_batch_record(const std::string& json, const std::string& fil
                       .seed = static_cast<std::uint64_t>(number_at(root, "seed", 0x1p53)),
                       .entries = {}};
   const JsonNode& entries = root.need("entries");
-  if (entries.kind != JsonNode::Kind::array || entries.items.size() > most_batch_entries)
+  if (entries.kind != JsonNode::Kind::array || entries.items.size() > max_batch_entries)
     fail(entries.place(), "should be a list of entries");
   for (const JsonNode& entry : entries.items) {
     // A name becomes a folder's: it must not lead elsewhere.
     const std::string name = text_at(entry, "name", hint);
     if (!is_plain_name(name)) fail(entry.place(), "has no plain name");
     batch.entries.push_back(
-        {name, static_cast<std::int64_t>(number_at(entry, "items", most_batch_items)), items_of_a_variant(entry)});
+        {name, static_cast<std::int64_t>(number_at(entry, "items", max_batch_items)), items_of_a_variant(entry)});
   }
-  if (batch.items() > most_batch_items) fail(entries.place(), "has too many items");
+  if (batch.items() > max_batch_items) fail(entries.place(), "has too many items");
   return batch;
 }
 

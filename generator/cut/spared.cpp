@@ -197,13 +197,13 @@ class Sparer {
       in_cell[cap.closing.cell[0]].add(p, q, r);
       in_cell[cap.closing.cell[1]].add(p, r, q);
     }
-    double most = 0;
+    double max = 0;
     for (const auto& [cell, share] : in_cell) {
       shell.is_whole = shell.is_whole && share.edges.closed();
-      most = std::max(most, share.volume);
+      max = std::max(max, share.volume);
     }
     for (const auto& [cell, share] : in_cell) {
-      if (share.volume < nearly_as_much * most) continue;
+      if (share.volume < nearly_as_much * max) continue;
       shell.home = cell;
       return;
     }

@@ -31,7 +31,7 @@ double nearest(const std::vector<glm::vec3>& bit, const std::vector<glm::vec3>& 
   for (const glm::vec3& p : bit) near.add(glm::dvec3(p));
   near.low -= reach;
   near.high += reach;
-  double least = reach * reach;
+  double min = reach * reach;
   bool found = false;
   for (const glm::vec3& q : home) {
     const glm::dvec3 place(q);
@@ -39,10 +39,10 @@ double nearest(const std::vector<glm::vec3>& bit, const std::vector<glm::vec3>& 
     for (const glm::vec3& p : bit) {
       const glm::dvec3 way = glm::dvec3(p) - place;
       const double square = glm::dot(way, way);
-      if (square <= least) least = square, found = true;
+      if (square <= min) min = square, found = true;
     }
   }
-  return found ? least : std::numeric_limits<double>::infinity();
+  return found ? min : std::numeric_limits<double>::infinity();
 }
 
 /// Works on the pieces of one cell, the largest first.
@@ -55,10 +55,10 @@ void find_homes(const std::vector<CutPiece>& pieces, const std::vector<std::uint
   for (std::size_t h = 0; h < homes; ++h) places.push_back(corners(pieces[here[h]], section));
   for (std::size_t b = homes; b < here.size(); ++b) {
     const std::vector<glm::vec3> bit = corners(pieces[here[b]], section);
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (std::size_t h = 0; h < homes; ++h) {
       const double square = nearest(bit, places[h], reach);
-      if (square < least) least = square, home[here[b]] = here[h];
+      if (square < min) min = square, home[here[b]] = here[h];
     }
   }
 }

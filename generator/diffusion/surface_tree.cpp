@@ -73,14 +73,14 @@ std::array<glm::dvec3, 3> corners(const DiffusionSurfaces& surfaces, std::uint32
 }
 
 NearestChildren nearest_children(const SurfaceTree& tree, std::size_t level, std::size_t index, const glm::dvec3& point,
-                                 double most) {
+                                 double max) {
   const std::vector<Box<double>>& boxes = tree.levels[level - 1];
   const std::size_t first = index * SurfaceTree::branching;
   const std::size_t end = std::min(first + SurfaceTree::branching, boxes.size());
   NearestChildren sorted;
   for (std::size_t i = first; i < end; ++i) {
     const double distance = squared_distance(boxes[i], point);
-    if (distance > most) continue;
+    if (distance > max) continue;
     std::size_t place = sorted.count++;
     for (; place > 0 && sorted.child[place - 1].first > distance; --place) {
       sorted.child[place] = sorted.child[place - 1];

@@ -30,13 +30,13 @@ struct SurfaceTree {
 };
 
 /// The boxes of `level` - 1 inside box `index` of `level` (> 0), nearest to a point first, with their squared
-/// distances; none farther than `most`, squared too.
+/// distances; none farther than `max`, squared too.
 struct NearestChildren {
   std::array<std::pair<double, std::size_t>, SurfaceTree::branching> child;
   std::size_t count = 0;
 };
 NearestChildren nearest_children(const SurfaceTree& tree, std::size_t level, std::size_t index, const glm::dvec3& point,
-                                 double most = std::numeric_limits<double>::infinity());
+                                 double max = std::numeric_limits<double>::infinity());
 
 /// The range of `order` in leaf `index`: first and end.
 std::pair<std::size_t, std::size_t> leaf(const SurfaceTree& tree, std::size_t index);

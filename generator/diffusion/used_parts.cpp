@@ -10,7 +10,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_parts = 1024;
+constexpr std::size_t max_parts = 1024;
 
 std::vector<std::int32_t> parts_in_use(const DiffusionSurfaces& surfaces) {
   // Neighbours mostly have the same part: drop them before sorting.
@@ -20,9 +20,9 @@ std::vector<std::int32_t> parts_in_use(const DiffusionSurfaces& surfaces) {
   }
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  if (used.size() > most_parts) {
+  if (used.size() > max_parts) {
     throw Error(ExitStatus::bad_data,
-                "surfaces: " + std::to_string(used.size()) + " parts are used, more than " + std::to_string(most_parts),
+                "surfaces: " + std::to_string(used.size()) + " parts are used, more than " + std::to_string(max_parts),
                 "give sides that belong together the same part");
   }
   return used;

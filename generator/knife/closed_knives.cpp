@@ -40,7 +40,7 @@ class ToothRow {
       std::vector<double>& edge = side > 0 ? right_ : left_;
       const std::uint64_t first = side > 0 ? 0 : 1000;
       edge.push_back(0);
-      while (edge.back() < most && edge.size() < 200) {
+      while (edge.back() < max && edge.size() < 200) {
         const std::uint64_t n = edge.size();
         edge.push_back(edge.back() + pitch * (n == 1 ? 1.15 : 0.82 + 0.36 * draw_.uniform(first + n)));
       }
@@ -66,7 +66,7 @@ class ToothRow {
   }
 
  private:
-  static constexpr double most = 2;  // radians
+  static constexpr double max = 2;  // radians
   RandomStream draw_;
   std::vector<double> right_, left_;  // edges of teeth, growing from 0
 };

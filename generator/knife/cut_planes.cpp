@@ -14,7 +14,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double most_cells = 1e4;
+constexpr double max_cells = 1e4;
 
 /// Shares of the fruit's size. A fruit's coordinates are floats, which resolve about 1e-7 of it; places are computed in
 /// doubles, which resolve 1e-16. What counts as one place lies between, nearer to the doubles.
@@ -61,7 +61,7 @@ std::vector<KnifePlanes> laid(std::span<const Knife> knives, const Box<double>& 
   for (const Knife& knife : knives) {
     all.push_back(planes_of(knife, bounds));
     cells *= all.back().cell_count();
-    if (cells > most_cells) {
+    if (cells > max_cells) {
       throw Error(ExitStatus::usage, "the knives together make more than ten thousand cells",
                   "take larger pieces, or fewer knives");
     }

@@ -24,7 +24,7 @@ struct CuttingPlane {
 
 /// How many slices a fruit is cut into, or how thick they are.
 struct SliceCount {
-  int count = 2;  ///< 2 to most_slices
+  int count = 2;  ///< 2 to max_slices
 };
 struct SliceThickness {
   double metres = 0;
@@ -32,7 +32,7 @@ struct SliceThickness {
 using SliceSize = std::variant<SliceCount, SliceThickness>;
 
 /// The largest number of slices, dice and sticks in one direction.
-constexpr int most_slices = 1024;
+constexpr int max_slices = 1024;
 
 struct PlaneKnife {
   CuttingPlane plane;

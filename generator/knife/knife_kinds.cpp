@@ -19,7 +19,7 @@ namespace {
 using std::string_view;
 using std::filesystem::path;
 
-constexpr int most_wedges = 360;
+constexpr int max_wedges = 360;
 constexpr double largest_knife = 10;       // metres
 constexpr double largest_scale = 1;        // metres per unit of a drawing
 constexpr double millimetre_scale = 1e-3;  // what a unit of a drawing is where nothing is said
@@ -63,8 +63,8 @@ KnifeCut read_plane(const KnifeKind&, string_view value, const path&) {
 
 KnifeCut read_wedges(const KnifeKind&, string_view value, const path&) {
   const int count = parse_count(value).value_or(0);
-  if (count < 2 || count > most_wedges) {
-    throw BadKnife("needs a number of wedges between 2 and " + std::to_string(most_wedges));
+  if (count < 2 || count > max_wedges) {
+    throw BadKnife("needs a number of wedges between 2 and " + std::to_string(max_wedges));
   }
   return PlaneCut(WedgeKnife{count});
 }
@@ -77,12 +77,12 @@ double parse_thickness(string_view value, const std::string& expected) {
 }
 
 SliceSize parse_slices(string_view value) {
-  const std::string too_many = "asks for more than " + std::to_string(most_slices) + " slices";
+  const std::string too_many = "asks for more than " + std::to_string(max_slices) + " slices";
   const bool is_count = !value.empty() && value.find_first_not_of("0123456789") == string_view::npos;
   if (is_count && value.size() > 6) throw BadKnife(too_many);
   if (const std::optional<int> count = parse_count(value)) {
     if (*count < 2) throw BadKnife("makes no cut: two pieces across are the fewest");
-    if (*count > most_slices) throw BadKnife(too_many);
+    if (*count > max_slices) throw BadKnife(too_many);
     return SliceCount{*count};
   }
   // A number that is no count would be metres, which nobody means.

@@ -73,13 +73,13 @@ const KnifeOptions::Option* KnifeOptions::find(std::string_view name) const {
   return found == options_.end() ? nullptr : &*found;
 }
 
-std::optional<double> KnifeOptions::length(std::string_view name, double most) const {
+std::optional<double> KnifeOptions::length(std::string_view name, double max) const {
   const Option* option = find(name);
   if (!option) return std::nullopt;
   const std::optional<double> value =
       option->values.size() == 1 ? parse_length(option->values[0]) : std::optional<double>();
-  if (!value || !(*value > 0) || *value > most) {
-    throw BadKnife("needs a length above 0 and up to " + std::to_string(static_cast<int>(most)) + "m for " +
+  if (!value || !(*value > 0) || *value > max) {
+    throw BadKnife("needs a length above 0 and up to " + std::to_string(static_cast<int>(max)) + "m for " +
                    std::string(name));
   }
   return *value;

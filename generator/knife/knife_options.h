@@ -30,8 +30,8 @@ class KnifeOptions {
   /// \throws BadKnife for words that belong to no option, and names that are not known or are said twice.
   KnifeOptions(std::span<const std::string_view> words, std::span<const std::string> known);
 
-  /// A length above 0 and at most `most` metres, if the option is there. \throws BadKnife for any other value.
-  std::optional<double> length(std::string_view name, double most) const;
+  /// A length above 0 and at most `max` metres, if the option is there. \throws BadKnife for any other value.
+  std::optional<double> length(std::string_view name, double max) const;
 
   /// Three lengths, each within 100 m. \throws BadKnife
   std::optional<glm::dvec3> place(std::string_view name) const;

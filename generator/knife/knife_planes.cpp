@@ -19,7 +19,7 @@ namespace pomona {
 namespace {
 
 constexpr double thinnest_slice = 1e-4;  // share of the fruit's diagonal
-constexpr int most_facets = 8192;
+constexpr int max_facets = 8192;
 
 /// Cosine and sine with the zeros and ones of quarter turns exact, so that such planes lie on the axes.
 glm::dvec2 direction(double angle) {
@@ -77,8 +77,8 @@ class PlaneLayer {
     const std::vector<double> heights = slices_of(SliceThickness{knife.thickness}, 1);
     const double wave = knife.thickness, height = wave / 8;
     const double waves = std::ceil(0.5 * bounds_.size().x / wave) + 1;
-    if (2 * waves * steps * static_cast<double>(heights.size()) > most_facets) {
-      refuse_knife(laid_.text, "makes more than " + std::to_string(most_facets) + " facets", "take thicker slices");
+    if (2 * waves * steps * static_cast<double>(heights.size()) > max_facets) {
+      refuse_knife(laid_.text, "makes more than " + std::to_string(max_facets) + " facets", "take thicker slices");
     }
 
     // Draw a wave at each height. Where it turns from left to right its edges are in line, and cleaned() joins them.
@@ -116,12 +116,12 @@ class PlaneLayer {
     // Refuse what is finer than the fruit's coordinates resolve, and more slices than anybody can want.
     const double thickness = std::get<SliceThickness>(size).metres;
     const double thinnest = thinnest_slice * glm::length(bounds_.size());
-    const double least = std::fmax(thinnest, height / (most_slices - 3));
-    const std::string hint = "take slices of at least " + in_millimetres(1.01 * least);
+    const double min = std::fmax(thinnest, height / (max_slices - 3));
+    const std::string hint = "take slices of at least " + in_millimetres(1.01 * min);
     if (thickness < thinnest) refuse_knife(laid_.text, "is thinner than the fruit resolves", hint);
     const double whole = std::floor(height / thickness * (1 + 1e-6));
-    if (whole + 2 > most_slices) {
-      refuse_knife(laid_.text, "makes more than " + std::to_string(most_slices) + " slices", hint);
+    if (whole + 2 > max_slices) {
+      refuse_knife(laid_.text, "makes more than " + std::to_string(max_slices) + " slices", hint);
     }
     return {whole, thickness};
   }

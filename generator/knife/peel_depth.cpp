@@ -50,9 +50,9 @@ PeelDepth::Place PeelDepth::at(const glm::dvec3& point) const {
 }
 
 double PeelDepth::from_what_stays(const glm::dvec3& point, double within) const {
-  double least = within;
-  for (const TriangleTree& body : stays_) least = std::min(least, outside_of(body, point, least).depth);
-  return least;
+  double min = within;
+  for (const TriangleTree& body : stays_) min = std::min(min, outside_of(body, point, min).depth);
+  return min;
 }
 
 double PeelDepth::below_skin(const glm::dvec3& point) const { return -outside_of(skin(), point, INFINITY).depth; }

@@ -20,9 +20,9 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{64} << 20;
+constexpr std::size_t max_bytes = std::size_t{64} << 20;
 constexpr const char* too_large = "keep the paths, and link pictures instead of embedding them";
-constexpr std::size_t most_points = 4096;
+constexpr std::size_t max_points = 4096;
 
 /// What is wrong with the drawing as a whole is told at its first line. \throws Error (bad_data) as BadSketch says,
 /// whose message begins with its place in the file.
@@ -86,7 +86,7 @@ Curve curve_of(const Sketch& sketch, const SvgElement& element, double scale, co
   if (curves.size() != 1) fail("is not one line but " + std::to_string(curves.size()), "break the path apart");
   Curve curve{cleaned(curves[0].points), curves[0].closed};
   if (curve.points.size() < 2) fail("has no length", "draw a line");
-  if (curve.points.size() > most_points) fail("has more than 4096 points", "simplify the path");
+  if (curve.points.size() > max_points) fail("has more than 4096 points", "simplify the path");
   return curve;
 }
 
@@ -155,11 +155,11 @@ Curve parse_profile(std::string_view svg, const std::string& file, const std::st
 }
 
 std::vector<glm::dvec2> read_stroke(const std::filesystem::path& file, const std::string& id, double scale) {
-  return parse_stroke(file_bytes(file, most_bytes, too_large), file.string(), id, scale);
+  return parse_stroke(file_bytes(file, max_bytes, too_large), file.string(), id, scale);
 }
 
 Curve read_profile(const std::filesystem::path& file, const std::string& id, double scale) {
-  return parse_profile(file_bytes(file, most_bytes, too_large), file.string(), id, scale);
+  return parse_profile(file_bytes(file, max_bytes, too_large), file.string(), id, scale);
 }
 
 }  // namespace pomona

@@ -28,7 +28,7 @@ constexpr double cells_in_strip = 6;     // so that a tetrahedron sees one turn 
 constexpr double ridge_share = 1 / 30.;  // of a strip's width
 constexpr double ridge_height = 1;       // out of the skin, in cells
 constexpr double ridge_distance = 4;     // from what stays, in cells: nearer, it would part crumbs from the peel
-constexpr double most_vertices = 6e6;
+constexpr double max_vertices = 6e6;
 
 double area_of(const TriangleTree& skin) {
   double area = 0;
@@ -62,7 +62,7 @@ class PeelGrid {
       const double size = depth_.box().high[i] - depth_.box().low[i];
       const double cubes = std::ceil(size / cell_) + 4;
       count *= cubes + 1;
-      if (!(count <= most_vertices)) fail_too_fine();
+      if (!(count <= max_vertices)) fail_too_fine();
       cubes_[i] = static_cast<int>(cubes);
       low_[i] = depth_.box().low[i] - 0.5 * (cubes * cell_ - size) + shift * cell_;
     }
@@ -102,9 +102,9 @@ class PeelGrid {
   };
 
   [[noreturn]] void fail_too_fine() const {
-    const double least = cells_in_strip * reproducible::cbrt(2.0 * volume_of_box() / most_vertices);
+    const double min = cells_in_strip * reproducible::cbrt(2.0 * volume_of_box() / max_vertices);
     throw Error(ExitStatus::usage, "a strip of " + in_millimetres(options_.strip) + " is too narrow for this fruit",
-                "take one at least " + in_millimetres(1.05 * least) + " wide");
+                "take one at least " + in_millimetres(1.05 * min) + " wide");
   }
   double volume_of_box() const {
     const glm::dvec3 size = depth_.box().high - depth_.box().low;

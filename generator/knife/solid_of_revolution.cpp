@@ -15,7 +15,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_triangles = 500000;
+constexpr std::size_t max_triangles = 500000;
 
 /// The outline of the region between a profile and the axis, counter-clockwise. Of an open profile it begins and ends
 /// on the axis and stays an open curve; a closed one is its own outline.
@@ -67,8 +67,8 @@ class Revolution {
   void check(const std::vector<glm::dvec2>& rows) const {
     double triangles = 0;
     for (const glm::dvec2& p : rows) triangles += 2 * static_cast<double>(count_at(p.x));
-    if (triangles <= most_triangles) return;
-    throw Error(ExitStatus::usage, "a profile needs more than " + std::to_string(most_triangles) + " triangles",
+    if (triangles <= max_triangles) return;
+    throw Error(ExitStatus::usage, "a profile needs more than " + std::to_string(max_triangles) + " triangles",
                 "draw it with fewer points, or make it shorter beside its width");
   }
 
@@ -80,7 +80,7 @@ class Revolution {
     // A chord strays from its circle by the tolerance; take the smallest multiple that is enough.
     const double wanted = pi * std::sqrt(radius / (2 * options_.tolerance));
     std::uint32_t count = 6;
-    while (count < wanted && count < most_triangles) {
+    while (count < wanted && count < max_triangles) {
       if (1.5 * count >= wanted && count % 2 == 0) return count / 2 * 3;
       count *= 2;
     }

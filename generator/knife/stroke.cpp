@@ -62,12 +62,12 @@ std::vector<glm::dvec2> cleaned(const std::vector<glm::dvec2>& points) {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
-  const double least = 1e-4 * glm::length(high - low);
+  const double min = 1e-4 * glm::length(high - low);
 
   // Leave out points that are too near to the one before; the last point stays, in place of the one it is near to.
   std::vector<glm::dvec2> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!kept.empty() && glm::distance(kept.back(), points[i]) <= least) {
+    if (!kept.empty() && glm::distance(kept.back(), points[i]) <= min) {
       if (i + 1 == points.size() && kept.size() > 1) kept.back() = points[i];
       continue;
     }

@@ -12,7 +12,7 @@ using Tetrahedron = LevelSurface::Tetrahedron;
 
 /// Of an edge, between its ends and what splits it: a level is moved by less than this part of a cell, so that no part
 /// becomes so thin that rounding could turn it over.
-constexpr double least_share = 0.03;
+constexpr double min_share = 0.03;
 
 std::array<glm::uvec3, 4> outward_faces(const Tetrahedron& t) {
   return {glm::uvec3(t[1], t[2], t[3]), {t[0], t[3], t[2]}, {t[0], t[1], t[3]}, {t[0], t[2], t[1]}};
@@ -40,7 +40,7 @@ std::uint32_t LevelSurface::vertex_between(std::uint32_t a, std::uint32_t b, con
   if (!is_new) return known;
   const std::size_t f = level.function;
   const double crossing = (level.value - values_[a][f]) / (values_[b][f] - values_[a][f]);
-  const double share = std::clamp(crossing, least_share, 1 - least_share);
+  const double share = std::clamp(crossing, min_share, 1 - min_share);
   Values values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double way = within(values_[b][i] - values_[a][i], period_[i]);

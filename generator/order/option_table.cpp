@@ -99,7 +99,7 @@ std::vector<OrderOption> fruit_options() {
        .need = OptionNeed::a_variant,
        .makes_piece = true},
       {.name = "folds",
-       .value = OptionalWholeValue{member_of<&Order::fruit, &FruitOrder::growing, &GrowOptions::folds>, 1, most_folds},
+       .value = OptionalWholeValue{member_of<&Order::fruit, &FruitOrder::growing, &GrowOptions::folds>, 1, max_folds},
        .help = "Another number of folds than drawn",
        .takers = {grow, cut, plate, batch},
        .makes_piece = true},

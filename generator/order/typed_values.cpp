@@ -13,8 +13,8 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_seeds = 64;
-constexpr std::size_t most_ripeness_variants = 16;
+constexpr std::size_t max_seeds = 64;
+constexpr std::size_t max_ripeness_variants = 16;
 
 struct NamedView {
   std::string_view name;
@@ -72,14 +72,14 @@ void read_seeds(Order& order, const std::string& text) {
   const std::size_t dash = text.find('-');
   if (dash != std::string::npos) {
     const auto first = whole_number(text.substr(0, dash)), last = whole_number(text.substr(dash + 1));
-    if (!first || !last || *last < *first || *last - *first >= most_seeds) refuse_seeds(text);
+    if (!first || !last || *last < *first || *last - *first >= max_seeds) refuse_seeds(text);
     for (std::uint64_t seed = *first; seeds.size() <= *last - *first; ++seed) seeds.push_back(seed);
     return;
   }
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t comma = std::min(text.find(',', from), text.size());
     const auto seed = whole_number(text.substr(from, comma - from));
-    if (!seed || seeds.size() == most_seeds) refuse_seeds(text);
+    if (!seed || seeds.size() == max_seeds) refuse_seeds(text);
     seeds.push_back(*seed);
     from = comma + 1;
   }
@@ -112,7 +112,7 @@ void read_ripeness_variants(Order& order, const std::string& text) {
   for (std::string word; std::getline(words, word, ',');) {
     const std::optional<double> ripeness = parse_number(word);
     const bool is_new = ripeness && std::find(wanted.begin(), wanted.end(), *ripeness) == wanted.end();
-    if (!is_new || !(*ripeness >= 0 && *ripeness <= 2) || wanted.size() == most_ripeness_variants)
+    if (!is_new || !(*ripeness >= 0 && *ripeness <= 2) || wanted.size() == max_ripeness_variants)
       throw Error(ExitStatus::usage, "--ripeness-variants " + text + ": \"" + word + "\" is no further ripeness",
                   "write up to 16 numbers from 0 to 2, as in 0.3,1,1.7");
     wanted.push_back(*ripeness);

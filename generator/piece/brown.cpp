@@ -39,7 +39,7 @@ class Browning {
     if (part < 0 || static_cast<std::size_t>(part) >= of_part_.size()) return color;
     const std::optional<BrowningSketch::Part>& how = of_part_[static_cast<std::size_t>(part)];
     if (!how) return color;
-    const double share = how->most * (1 - reproducible::exp(-3 * individual_.browning * how->rate * speed_at(place)));
+    const double share = how->max * (1 - reproducible::exp(-3 * individual_.browning * how->rate * speed_at(place)));
     if (share == 0) return color;
     const glm::dvec3 fresh(to_oklab(color)), brown(to_oklab(how->color));
     return from_oklab_within_gamut(glm::vec3(fresh + share * (brown - fresh)));

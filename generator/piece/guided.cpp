@@ -57,7 +57,7 @@ std::vector<std::uint8_t> with_neighbours(std::vector<std::uint8_t> counts, cons
 std::vector<CutDetail> cut_details(const Template& fruit) {
   std::vector<CutDetail> details;
   for (const DetailSketch& detail : fruit.details) {
-    if (detail.face != DetailFace::cut || details.size() == static_cast<std::size_t>(most_details_of_a_face)) continue;
+    if (detail.face != DetailFace::cut || details.size() == static_cast<std::size_t>(max_details_of_a_face)) continue;
     details.push_back({&detail, static_cast<int>(details.size())});
   }
   return details;
@@ -229,7 +229,7 @@ glm::vec4 detail_shares(const Template& fruit, DetailFace face, std::int32_t par
   glm::vec4 share(0);
   int next = 0;
   for (const DetailSketch& detail : fruit.details) {
-    if (detail.face != face || next == most_details_of_a_face) continue;
+    if (detail.face != face || next == max_details_of_a_face) continue;
     const bool counts = std::find(detail.parts.begin(), detail.parts.end(), part) != detail.parts.end();
     share[next++] = counts ? static_cast<float>(detail.depth(depth)) : 0.0f;
   }

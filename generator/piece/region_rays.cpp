@@ -99,9 +99,9 @@ class RayLattice {
   static double height_at(const std::array<glm::dvec3, 3>& c, const glm::dvec2& p) {
     const glm::dvec3 share(side(c[1], c[2], p), side(c[2], c[0], p), side(c[0], c[1], p));
     const double sum = share.x + share.y + share.z;
-    const double least = std::min({c[0].z, c[1].z, c[2].z}), most = std::max({c[0].z, c[1].z, c[2].z});
-    if (sum == 0) return 0.5 * (least + most);
-    return std::clamp((share.x * c[0].z + share.y * c[1].z + share.z * c[2].z) / sum, least, most);
+    const double min = std::min({c[0].z, c[1].z, c[2].z}), max = std::max({c[0].z, c[1].z, c[2].z});
+    if (sum == 0) return 0.5 * (min + max);
+    return std::clamp((share.x * c[0].z + share.y * c[1].z + share.z * c[2].z) / sum, min, max);
   }
 
   glm::dvec3 low_{0};
@@ -122,10 +122,10 @@ class Surrounding {
     }
   }
   /// The smallest; -1 where there is none.
-  std::int32_t least() const {
-    std::int32_t least = -1;
-    for (const auto& [what, times] : in_) least = least < 0 ? what : std::min(least, what);
-    return least;
+  std::int32_t min() const {
+    std::int32_t min = -1;
+    for (const auto& [what, times] : in_) min = min < 0 ? what : std::min(min, what);
+    return min;
   }
   const std::vector<std::pair<std::int32_t, std::int32_t>>& all() const { return in_; }
   void clear() { in_.clear(); }
@@ -192,7 +192,7 @@ class ExcessSum {
       if (i == 0 || passings[i - 1].ray != now.ray) regions.clear(), pieces.clear();
       (now.what < 0 ? pieces : regions).pass(now.what, now.into);
       if (i + 1 == passings.size() || passings[i + 1].ray != now.ray) continue;
-      const std::int32_t region = regions.least();
+      const std::int32_t region = regions.min();
       if (region < 0 || excess[static_cast<std::size_t>(region)] == 0) continue;
       const Moments part = stretch(lattice.place(now.ray), now.height, passings[i + 1].height);
       for (const auto& [what, times] : pieces.all())

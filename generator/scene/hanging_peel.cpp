@@ -128,7 +128,7 @@ bool surrounds_axis(std::span<const double> azimuth) {
 }
 
 /// By the half-plane that leaves most free turns; none that do not wind about the axis.
-Turns most_turns(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangles) {
+Turns max_turns(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangles) {
   std::vector<double> azimuth;
   for (const glm::vec3& p : position) azimuth.push_back(reproducible::atan2(p.z, p.x) / (2 * pi));
   Turns best;
@@ -216,7 +216,7 @@ std::optional<Solid> hanging_peel(const Solid& solid) {
     return std::nullopt;
   const std::vector<std::uint32_t> first = weld(solid.position);
   const std::vector<glm::uvec3> triangles = welded_triangles(first, solid.triangle);
-  const Turns turns = most_turns(solid.position, triangles);
+  const Turns turns = max_turns(solid.position, triangles);
   if (turns.free() == 0) return std::nullopt;
 
   // Vertices at one place go one way: their strip's is that of the first.

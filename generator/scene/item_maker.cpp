@@ -45,10 +45,10 @@ void ItemMaker::add(Solid solid, int fruit) {
       has_total ? total_ / solids_ + (next_ < total_ % solids_ ? 1 : 0) : static_cast<std::size_t>(pieces_.copies);
   ++next_;
   if (times == 0) return;
-  if (parts_.items.size() + times > most_scene_pieces) {
+  if (parts_.items.size() + times > max_scene_pieces) {
     throw Error(ExitStatus::bad_data, {{pieces_.place,
                                         "pieces \"" + pieces_.name + "\": with these the scene has more than " +
-                                            std::to_string(most_scene_pieces) + " pieces",
+                                            std::to_string(max_scene_pieces) + " pieces",
                                         "lower \"copies\", \"take\" or \"count\", or say how many by \"total\""}});
   }
   SettleItem item{.solid = static_cast<int>(parts_.solids.size()),
@@ -61,7 +61,7 @@ void ItemMaker::add(Solid solid, int fruit) {
                   .place = pieces_.place};
   for (std::size_t copy = 0; copy < times; ++copy) {
     // Copies of a fruit are fruits of their own.
-    item.fruit = fruit + static_cast<int>(copy) * most_fruits;
+    item.fruit = fruit + static_cast<int>(copy) * max_fruits;
     if (copy > 0) item.name = solid.name + ".copy-" + std::to_string(copy + 1);
     parts_.items.push_back(item);
     parts_.dish_of.push_back(dish_);

@@ -22,7 +22,7 @@ class ItemMaker {
   void add(Solid solid, int fruit);
 
  private:
-  static constexpr int most_fruits = 1 << 16;  // more than a scene has variants
+  static constexpr int max_fruits = 1 << 16;  // more than a scene has variants
   const PiecesDescription& pieces_;
   SceneParts& parts_;
   std::size_t total_, solids_ = 0, next_ = 0;

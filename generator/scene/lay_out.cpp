@@ -131,10 +131,10 @@ std::vector<double> row_widths(const Tray& tray, const std::vector<std::size_t>&
     total += room.x;
     widest = std::max(widest, room.x);
   }
-  const std::size_t most = std::min<std::size_t>(order.size(), 40);
+  const std::size_t max = std::min<std::size_t>(order.size(), 40);
   std::vector<double> widths;
   double filled = 0;
-  for (std::size_t k = 0; k < most; ++k) {
+  for (std::size_t k = 0; k < max; ++k) {
     filled += tray.room[order[k]].x;
     for (const double width : {filled, total / static_cast<double>(k + 1) * 1.06})
       widths.push_back(std::max(widest, width * 1.0001));

@@ -93,7 +93,7 @@ Layout parse_layout(std::string_view json, const std::string& file) {
 }
 
 Layout read_layout(const std::filesystem::path& file) {
-  return parse_layout(file_bytes(file, most_json_bytes), file.string());
+  return parse_layout(file_bytes(file, max_json_bytes), file.string());
 }
 
 std::optional<Layout> layout_of(const SceneDescription& scene) {

@@ -69,8 +69,8 @@ class Teller {
 /// How many variants are held between growing and their solids: some seven megabytes each. Enough for all threads, and
 /// for a graphics card to pay.
 std::size_t variants_at_once(Threads threads) {
-  constexpr std::size_t least = 16;
-  return std::max(least, 2 * static_cast<std::size_t>(resolved(threads)));
+  constexpr std::size_t min = 16;
+  return std::max(min, 2 * static_cast<std::size_t>(resolved(threads)));
 }
 
 /// One variant to be made: entry and number in it.

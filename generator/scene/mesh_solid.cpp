@@ -49,12 +49,12 @@ class CornerVertices {
   /// The mean normal of the triangles at the place of corner k that turn little against its own, triangle i. Where very
   /// many meet, at the tip of a cone, it is the triangle's own: asking each of all others would take hours.
   glm::vec3 normal_at(std::size_t i, int k) const {
-    constexpr double least_cosine = 0.766;
+    constexpr double min_cosine = 0.766;
     if (is_crowded(i, k)) return glm::vec3(glm::normalize(area_[i]));
     const double own = glm::length(area_[i]);
     glm::dvec3 sum(0);
     for (const std::uint32_t other : at_[triangle_[i][k]])
-      if (glm::dot(area_[i], area_[other]) >= least_cosine * own * glm::length(area_[other])) sum += area_[other];
+      if (glm::dot(area_[i], area_[other]) >= min_cosine * own * glm::length(area_[other])) sum += area_[other];
     return glm::vec3(glm::normalize(sum));
   }
 
@@ -66,12 +66,12 @@ class CornerVertices {
     return same != some.end() ? std::optional(*same) : std::nullopt;
   }
   void remember(std::uint32_t vertex, std::uint32_t as) {
-    if (known_[vertex].size() < most_together) known_[vertex].push_back(as);
+    if (known_[vertex].size() < max_together) known_[vertex].push_back(as);
   }
 
  private:
-  static constexpr std::size_t most_together = 256;  // triangles at a place
-  bool is_crowded(std::size_t i, int k) const { return at_[triangle_[i][k]].size() > most_together; }
+  static constexpr std::size_t max_together = 256;  // triangles at a place
+  bool is_crowded(std::size_t i, int k) const { return at_[triangle_[i][k]].size() > max_together; }
 
   const std::vector<glm::uvec3>& triangle_;
   std::vector<std::vector<std::uint32_t>> at_;

@@ -72,11 +72,11 @@ PieceOutline::Plan PieceOutline::plan(const glm::dvec3& up) const {
 
 glm::dvec3 PieceOutline::lowest(const glm::dvec3& up) const {
   glm::dvec3 arm(0);
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (const glm::dvec3& a : arms_) {
     const double height = glm::dot(a, up);
-    if (height < least) {
-      least = height;
+    if (height < min) {
+      min = height;
       arm = a;
     }
   }

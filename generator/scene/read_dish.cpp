@@ -14,7 +14,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_dishes = 256;
+constexpr std::size_t max_dishes = 256;
 
 /// A profile that can be turned: one open simple line from the axis to the axis, in the right half plane.
 std::string fault_of_profile(const std::vector<Curve>& curves) {
@@ -135,7 +135,7 @@ BowlDescription read_bowl(const TomlTable& table) {
 std::vector<DishDescription> read_dishes(const TomlValue& value, const std::filesystem::path& folder,
                                          std::vector<std::string> taken) {
   std::vector<DishDescription> dishes;
-  for (const TomlTable& table : value.tables(most_dishes)) {
+  for (const TomlTable& table : value.tables(max_dishes)) {
     dishes.push_back(read_dish(table, folder, taken, dishes));
     taken.push_back(dishes.back().name);
   }

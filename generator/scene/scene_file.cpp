@@ -65,8 +65,8 @@ PieceArrangement read_arrangement(const TomlTable& table) {
   return how;
 }
 
-constexpr int most_variants = 4096;  // of one entry, and of the scene
-constexpr int most_pieces = static_cast<int>(most_scene_pieces);
+constexpr int max_variants = 4096;  // of one entry, and of the scene
+constexpr int max_pieces = static_cast<int>(max_scene_pieces);
 
 glm::dvec3 read_vector(const TomlValue& value, Within within, const glm::dvec3& fallback) {
   if (!value.given()) return fallback;
@@ -129,7 +129,7 @@ class SceneReader {
     if (root.has("bowl")) scene_.bowl = read_bowl(root.get("bowl").table());
     scene_.bowl_place = root.get("bowl").place();
     scene_.dishes = read_dishes(root.get("dishes"), std::filesystem::path(file_).parent_path(), {"bowl"});
-    scene_.total = root.get("total").integer(0, 1, most_pieces);
+    scene_.total = root.get("total").integer(0, 1, max_pieces);
     scene_.layout = root.get("layout").text();
     scene_.layout_place = root.get("layout").place();
     read_settling(root.get("settle").table());
@@ -169,14 +169,14 @@ class SceneReader {
       const PiecesDescription& pieces = scene_.pieces.back();
       // Each variant has one piece at least. How many more, its knives will tell.
       if (pieces.share <= 0) placed += pieces.total > 0 ? pieces.total : std::int64_t{pieces.count} * pieces.copies;
-      if (placed > most_pieces) {
-        entry.error("makes more than " + std::to_string(most_pieces) + " pieces of the scene",
+      if (placed > max_pieces) {
+        entry.error("makes more than " + std::to_string(max_pieces) + " pieces of the scene",
                     "lower \"total\", \"copies\" or \"count\"");
         return;
       }
       variants += pieces.count;
-      if (variants > most_variants) {
-        entry.error("makes more than " + std::to_string(most_variants) + " variants of the scene", "lower \"count\"");
+      if (variants > max_variants) {
+        entry.error("makes more than " + std::to_string(max_variants) + " variants of the scene", "lower \"count\"");
         return;
       }
     }
@@ -228,9 +228,9 @@ class SceneReader {
     pieces.template_name = fruit.text();
     pieces.template_place = fruit.place();
     if (fruit.is(TomlNode::Kind::string) && pieces.template_name.empty()) fruit.error("is empty");
-    pieces.count = table.get("count").integer(1, 1, most_variants);
+    pieces.count = table.get("count").integer(1, 1, max_variants);
     pieces.as_drawn = table.get("as_drawn").boolean(false);
-    if (table.has("folds")) pieces.folds = table.get("folds").integer(1, 1, most_folds);
+    if (table.has("folds")) pieces.folds = table.get("folds").integer(1, 1, max_folds);
     pieces.variation = table.get("variation").number(1, {0, 2});
     if (pieces.as_drawn && table.has("variation"))
       table.get("variation").error("has no effect on what is as drawn", "keep \"variation\" or \"as_drawn\"");
@@ -241,9 +241,9 @@ class SceneReader {
 
     // Then come the knives, and which of the pieces are placed how often.
     pieces.knives = read_knives(table.get("knives").values(), std::filesystem::path(file_).parent_path());
-    pieces.take = table.get("take").integer(0, 0, most_variants);
+    pieces.take = table.get("take").integer(0, 0, max_variants);
     pieces.copies = table.get("copies").integer(1, 1, 10000);
-    pieces.total = table.get("total").integer(0, 1, most_pieces);
+    pieces.total = table.get("total").integer(0, 1, max_pieces);
     pieces.share = table.get("share").number(0, {1e-6, 1e6});
     if (pieces.share > 0 && scene_.total == 0)
       table.get("share").error("is of a total that the scene does not say", "write total = 300 before all [[pieces]]");

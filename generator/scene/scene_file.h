@@ -19,7 +19,7 @@
 
 namespace pomona {
 
-inline constexpr std::size_t most_scene_pieces = 100'000;
+inline constexpr std::size_t max_scene_pieces = 100'000;
 
 /// Some variants of one template, all cut the same way.
 struct PiecesDescription {

@@ -56,8 +56,8 @@ std::vector<CutSide> cut_sides(const Solid& solid) {
     if (facing > 0.3 * of.second && facing > 0) sides.push_back({of.first / facing, facing, facing > 0.98 * of.second});
   }
   std::stable_sort(sides.begin(), sides.end(), [](const CutSide& a, const CutSide& b) { return a.area > b.area; });
-  constexpr std::size_t most = 8;
-  if (sides.size() > most) sides.resize(most);
+  constexpr std::size_t max = 8;
+  if (sides.size() > max) sides.resize(max);
   return sides;
 }
 

@@ -37,8 +37,8 @@ class BodyFinder {
       outer[s] = s;
       if (shell_[s].volume >= 0) continue;
       // Each wall is held against every solid.
-      constexpr std::size_t most_walls = 4096;
-      if (++walls > most_walls)
+      constexpr std::size_t max_walls = 4096;
+      if (++walls > max_walls)
         throw Error(ExitStatus::bad_data, "more than 4096 cavities: surfaces that face inwards and are closed",
                     "flip the surfaces whose back faces air, or leave some out");
       const auto around = std::find_if(solids.begin(), solids.end(), [&](std::size_t solid) {

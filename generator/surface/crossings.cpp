@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/mesh/disjoint_sets.h"
-#include "generator/mesh/meeting_boxes.h"
+#include "generator/mesh/overlapping_boxes.h"
 
 namespace pomona {
 
@@ -148,7 +148,7 @@ void visit_crossings(const DiffusionSurfaces& surfaces, const std::vector<std::u
 
   // Look closely there. What is connected matters once anything crosses.
   std::optional<DisjointSets> pieces;
-  visit_meeting_boxes(boxes, [&](std::uint32_t i, std::uint32_t j) {
+  visit_overlapping_boxes(boxes, [&](std::uint32_t i, std::uint32_t j) {
     const glm::uvec3 &a = surfaces.triangle[triangles[i]], &b = surfaces.triangle[triangles[j]];
     if (share_an_edge(a, b) || !cross_properly(corners[i], corners[j])) return true;
     if (!pieces) pieces = pieces_of(surfaces);

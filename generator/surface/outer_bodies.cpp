@@ -11,7 +11,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double least_length = 0.1;  // of the skin's diagonal
+constexpr double min_length = 0.1;  // of the skin's diagonal
 
 /// True if any triangle of the body begins outside the skin.
 bool sticks_out(const TriangleTree& body, const TriangleTree& skin) {
@@ -29,7 +29,7 @@ OuterBodies outer_bodies(const DiffusionSurfaces& surfaces, const TriangleTree& 
   std::vector<std::int32_t> body_of_shell(measured.size(), OuterBodies::none);
   for (std::size_t s = 0; s < measured.size(); ++s) {
     const Shell& shell = measured[s];
-    if (!shell.closed || shell.volume <= 0 || glm::length(shell.bounds.size()) < least_length * size) continue;
+    if (!shell.closed || shell.volume <= 0 || glm::length(shell.bounds.size()) < min_length * size) continue;
     TriangleTree body(surfaces.position, shell.triangles);
     // The main body itself is among the shells, and is none of them.
     if (body.triangles() == skin.triangles() || !sticks_out(body, skin)) continue;

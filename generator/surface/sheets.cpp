@@ -53,9 +53,9 @@ class SheetDistances {
     }
     const bool rim = edge.size() == 1;
     const bool changes = boundary != 0 && boundary != edge.size();
-    const double most = rim || changes ? 0 : farthest_unfolded(a, b, outwards, inwards);
-    distance_[a] = std::min(distance_[a], most);
-    distance_[b] = std::min(distance_[b], most);
+    const double max = rim || changes ? 0 : farthest_unfolded(a, b, outwards, inwards);
+    distance_[a] = std::min(distance_[a], max);
+    distance_[b] = std::min(distance_[b], max);
   }
 
   /// 0.4 of the radius by which the normals of an edge's ends turn along it, if towards a moving sheet.
@@ -99,7 +99,7 @@ class SheetMaker {
     std::array<std::uint32_t, role_count> none{};
     none.fill(no_vertex);
     copies_.assign(surfaces.vertex_count(), none);
-    least_ = 1e-6 * glm::length(bounds_of(surfaces).size());
+    min_ = 1e-6 * glm::length(bounds_of(surfaces).size());
   }
 
   DiffusionSurfaces make() {
@@ -122,7 +122,7 @@ class SheetMaker {
     return !both_hidden && (moves(t.x) || moves(t.y) || moves(t.z));
   }
 
-  bool moves(std::uint32_t vertex) const { return static_cast<double>(distances_[vertex]) >= least_ && least_ > 0; }
+  bool moves(std::uint32_t vertex) const { return static_cast<double>(distances_[vertex]) >= min_ && min_ > 0; }
 
   Role first_role(std::size_t i) const {
     const bool front_hidden = from_.is_hidden(i, SideOf::front), back_hidden = from_.is_hidden(i, SideOf::back);
@@ -172,7 +172,7 @@ class SheetMaker {
   const DiffusionSurfaces& from_;
   std::vector<glm::vec3> normals_;
   std::vector<float> distances_;
-  double least_ = 0;  ///< sheets nearer than this stay one surface
+  double min_ = 0;  ///< sheets nearer than this stay one surface
   std::vector<std::array<std::uint32_t, role_count>> copies_;
   DiffusionSurfaces to_;
 };

@@ -8,7 +8,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_asked = 500;  // triangles of a surface
+constexpr std::size_t max_asked = 500;  // triangles of a surface
 
 /// The inner triangles of each surface.
 std::vector<std::vector<std::size_t>> inner_triangles(const DiffusionSurfaces& surfaces) {
@@ -40,7 +40,7 @@ std::vector<std::string> stray_warnings(const DiffusionSurfaces& surfaces, const
   std::vector<std::string> warnings;
   const std::vector<std::vector<std::size_t>> inner = inner_triangles(surfaces);
   for (std::size_t s = 0; s < inner.size(); ++s) {
-    const std::size_t step = inner[s].size() / most_asked + 1;
+    const std::size_t step = inner[s].size() / max_asked + 1;
     std::size_t asked = 0, outside = 0;
     for (std::size_t i = 0; i < inner[s].size(); i += step, ++asked)
       if (is_outside(middle_of(surfaces, inner[s][i]))) ++outside;

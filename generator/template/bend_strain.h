@@ -16,6 +16,6 @@ struct BendStrain {
 BendStrain bend_strain(const Template& fruit);
 
 /// The largest allowed strain: up to it, no two points of the fruit get the same position.
-constexpr BendStrain most_strain{0.8, 1.309};  // 75 degrees
+constexpr BendStrain max_strain{0.8, 1.309};  // 75 degrees
 
 }  // namespace pomona

@@ -18,7 +18,7 @@ struct BrowningSketch {
     int part = 0;  ///< index into Template::parts
     Color color{0.3f, 0.15f, 0.05f};
     double rate = 1;
-    double most = 0.8;  ///< share, 0..1
+    double max = 0.8;  ///< share, 0..1
   };
   struct Near {
     int surface = 0;  ///< index into Template::surfaces

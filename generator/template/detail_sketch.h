@@ -62,6 +62,6 @@ struct DetailSketch {
 };
 
 /// Largest number of details of one kind of face.
-constexpr int most_details_of_a_face = 4;
+constexpr int max_details_of_a_face = 4;
 
 }  // namespace pomona

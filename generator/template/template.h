@@ -51,7 +51,7 @@ struct Template {
   VariationSketch variation;              ///< what varies besides the horizontal curves
   std::vector<MaterialSketch> materials;  ///< one per part, or none
   NoiseStyle noise;
-  std::vector<DetailSketch> details;  ///< at most most_details_of_a_face of each kind of face
+  std::vector<DetailSketch> details;  ///< at most max_details_of_a_face of each kind of face
   InkStyle ink;
   RipenessSketch ripeness;
   BrowningSketch browning;
@@ -68,7 +68,7 @@ struct HeightRange {
 HeightRange drawn_heights(const Template& fruit);
 
 /// Of any fruit, drawn or asked for.
-constexpr int most_folds = 64;
+constexpr int max_folds = 64;
 
 /// Folds, or 1 where there are none.
 int fold_count(const Template& fruit);

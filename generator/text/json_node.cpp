@@ -14,9 +14,9 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_levels = 32;
-constexpr std::size_t most_values = 1'500'000;
-constexpr std::size_t most_keys = 1000;  // of an object: each is compared with all before it
+constexpr std::size_t max_levels = 32;
+constexpr std::size_t max_values = 1'500'000;
+constexpr std::size_t max_keys = 1000;  // of an object: each is compared with all before it
 
 /// Reads characters and says how far the parser has come.
 struct CountingIterator {
@@ -76,7 +76,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     const SourcePlace place = next_place(0);
     for (const std::string& known : open_.back()->keys)
       if (known == name) fail(place, "key \"" + name + "\" is there already");
-    if (open_.back()->keys.size() == most_keys) fail(place, "an object with more than 1000 keys");
+    if (open_.back()->keys.size() == max_keys) fail(place, "an object with more than 1000 keys");
     open_.back()->keys.push_back(name);
     return true;
   }
@@ -102,7 +102,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     JsonNode* node = &root_;
     if (!open_.empty()) node = &open_.back()->items.emplace_back();
     const SourcePlace place = next_place(ahead);
-    if (++values_ > most_values) fail(place, "more than 1 500 000 values");
+    if (++values_ > max_values) fail(place, "more than 1 500 000 values");
     node->kind = kind;
     node->line = place.line;
     node->column = place.column;
@@ -118,7 +118,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool open(JsonNode::Kind kind) {
     JsonNode& node = add(kind, 0);
     open_.push_back(&node);
-    if (open_.size() > most_levels) fail(node.place(), "nests deeper than " + std::to_string(most_levels) + " levels");
+    if (open_.size() > max_levels) fail(node.place(), "nests deeper than " + std::to_string(max_levels) + " levels");
     return true;
   }
 
@@ -147,7 +147,7 @@ const JsonNode& JsonNode::need(std::string_view key) const {
 }
 
 JsonNode parse_json(std::string_view text, const std::string& file) {
-  if (text.size() > most_json_bytes) fail({file, 1, 1, {}}, "is larger than 64 MiB");
+  if (text.size() > max_json_bytes) fail({file, 1, 1, {}}, "is larger than 64 MiB");
   return TreeBuilder(text, file).run();
 }
 

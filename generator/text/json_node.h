@@ -28,7 +28,7 @@ struct JsonNode {
   const JsonNode& need(std::string_view key) const;
 };
 
-constexpr std::size_t most_json_bytes = std::size_t{64} << 20;
+constexpr std::size_t max_json_bytes = std::size_t{64} << 20;
 
 /// Up to 64 MiB, 1 500 000 values (a layout of 100 000 pieces has 1 200 000), 1000 keys of an object and 32 levels,
 /// within a quarter of a gigabyte. \throws Error (bad_data) with line and column; duplicate keys are errors.

@@ -16,9 +16,9 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{64} << 20;  // room for an embedded photograph
-constexpr std::size_t most_elements = 200000, most_attributes = 4000000;
-constexpr std::size_t most_path_bytes = std::size_t{256} << 10;  // some 5000 nodes
+constexpr std::size_t max_bytes = std::size_t{64} << 20;  // room for an embedded photograph
+constexpr std::size_t max_elements = 200000, max_attributes = 4000000;
+constexpr std::size_t max_path_bytes = std::size_t{256} << 10;  // some 5000 nodes
 constexpr int deepest = 64;
 
 std::string at_place(const std::string& file, int line, int column) {
@@ -151,7 +151,7 @@ class SvgReader {
   }
 
  private:
-  SvgElement element(const pugi::xml_node& node, const SvgElement& around, const Namespaces& names) const {
+  SvgElement element(const pugi::xml_node& node, const SvgElement& around, const Namespaces& names) {
     SvgElement result;
     // What is not of SVG keeps its whole name, and is no shape.
     const XmlName name = names.name_of(node);
@@ -195,7 +195,7 @@ class SvgReader {
   static void read_geometry(const pugi::xml_node& node, const Namespaces& names, SvgElement& result) {
     const SvgAttribute attribute = [&](const char* name) { return std::string_view(node.attribute(name).value()); };
     if (std::optional<SvgShape> shape = shape_of(result.tag, attribute)) {
-      if (shape->d.size() > most_path_bytes) {
+      if (shape->d.size() > max_path_bytes) {
         result.fault = "holds more than 256 KiB of path data";
       } else {
         result.d = std::move(shape->d);
@@ -240,15 +240,15 @@ std::optional<double> page_unit_of(const pugi::xml_node& root) {
 }
 
 void check_size(std::string_view text, const std::string& file) {
-  if (text.size() > most_bytes) {
+  if (text.size() > max_bytes) {
     throw BadSketch(at_place(file, 1, 1) + ": it is larger than 64 MiB",
                     "link the picture instead of embedding it, or make it smaller");
   }
-  const auto many = [&](char c, std::size_t most) {
-    return static_cast<std::size_t>(std::count(text.begin(), text.end(), c)) > most;
+  const auto many = [&](char c, std::size_t max) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), c)) > max;
   };
-  if (many('<', 2 * most_elements) || many('=', most_attributes)) {
-    throw BadSketch(at_place(file, 1, 1) + ": it holds more than " + std::to_string(most_elements) + " elements",
+  if (many('<', 2 * max_elements) || many('=', max_attributes)) {
+    throw BadSketch(at_place(file, 1, 1) + ": it holds more than " + std::to_string(max_elements) + " elements",
                     "keep the curves and the picture; delete what a tracer made");
   }
 }

@@ -138,7 +138,7 @@ class Flattener {
   }
 
   std::size_t checked_steps(double steps) const {
-    if (!(steps < static_cast<double>(options_.most_points))) {
+    if (!(steps < static_cast<double>(options_.max_points))) {
       throw BadPath("has a curve too long to draw", "check the unit and the path's numbers");
     }
     return static_cast<std::size_t>(std::max(1.0, std::ceil(steps)));
@@ -176,8 +176,8 @@ class Flattener {
     const glm::dvec2 point(snapped(placed.x * options_.unit), snapped(-placed.y * options_.unit));
     std::vector<glm::dvec2>& points = curves_.back().points;
     if (!points.empty() && points.back() == point) return;
-    if (++count_ > options_.most_points) {
-      throw BadPath("flattens to more than " + std::to_string(options_.most_points) + " points", "draw it simpler");
+    if (++count_ > options_.max_points) {
+      throw BadPath("flattens to more than " + std::to_string(options_.max_points) + " points", "draw it simpler");
     }
     points.push_back(point);
   }

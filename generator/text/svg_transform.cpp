@@ -12,7 +12,7 @@ namespace pomona {
 namespace {
 
 constexpr double largest_entry = 1e9;
-constexpr std::size_t most_steps = 1000;
+constexpr std::size_t max_steps = 1000;
 
 bool fits(const SvgTransform& t) {
   const double entries[] = {t.a, t.b, t.c, t.d, t.e, t.f};
@@ -107,7 +107,7 @@ std::optional<SvgTransform> parse_svg_transform(std::string_view text) {
   std::size_t steps = 0;
   for (skip_separators(text); !text.empty(); skip_separators(text)) {
     const std::size_t bracket = text.find('(');
-    if (bracket == std::string_view::npos || ++steps > most_steps) return {};
+    if (bracket == std::string_view::npos || ++steps > max_steps) return {};
     std::string_view name = text.substr(0, bracket);
     while (!name.empty() && is_space(name.back())) name.remove_suffix(1);
     text.remove_prefix(bracket + 1);

@@ -23,7 +23,7 @@ struct TomlState {
 
 namespace {
 
-constexpr std::size_t most_diagnostics = 20;  ///< more of them help nobody
+constexpr std::size_t max_diagnostics = 20;  ///< more of them help nobody
 
 std::string joined(const std::string& path, const std::string& key) {
   if (path.empty() || path.ends_with(": ")) return path + key;
@@ -39,9 +39,9 @@ std::string shortest(double value) {
 
 /// A text as messages quote it: cut where it gets long.
 std::string quoted(const std::string& text) {
-  constexpr std::size_t most = 40;
-  if (text.size() <= most) return "\"" + text + "\"";
-  std::size_t end = most;
+  constexpr std::size_t max = 40;
+  if (text.size() <= max) return "\"" + text + "\"";
+  std::size_t end = max;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
   return "\"" + text.substr(0, end) + "...\"";
 }
@@ -191,12 +191,12 @@ std::vector<TomlValue> TomlValue::values() const {
   return values;
 }
 
-std::vector<TomlTable> TomlValue::tables(std::size_t most) const {
+std::vector<TomlTable> TomlValue::tables(std::size_t max) const {
   std::vector<TomlTable> tables;
   for (const TomlValue& value : values()) tables.push_back(value.table());
-  if (tables.size() > most) {
-    error("is there " + std::to_string(tables.size()) + " times; the most is " + std::to_string(most));
-    tables.erase(tables.begin() + static_cast<std::ptrdiff_t>(most), tables.end());
+  if (tables.size() > max) {
+    error("is there " + std::to_string(tables.size()) + " times; the most is " + std::to_string(max));
+    tables.erase(tables.begin() + static_cast<std::ptrdiff_t>(max), tables.end());
   }
   return tables;
 }
@@ -270,7 +270,7 @@ void TomlDocument::throw_if_noted() {
   std::stable_sort(found.begin(), found.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return a.place.line != b.place.line ? a.place.line < b.place.line : a.place.column < b.place.column;
   });
-  if (found.size() > most_diagnostics) found.resize(most_diagnostics);
+  if (found.size() > max_diagnostics) found.resize(max_diagnostics);
   throw Error(ExitStatus::bad_data, std::move(found));
 }
 

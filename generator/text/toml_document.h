@@ -51,8 +51,8 @@ class TomlValue {
   int choice(const std::vector<std::string>& names, int fallback = 0) const;
 
   std::vector<TomlValue> values() const;  ///< of an array
-  /// Of an array of tables; more than `most` are an error, and left out.
-  std::vector<TomlTable> tables(std::size_t most = SIZE_MAX) const;
+  /// Of an array of tables; more than `max` are an error, and left out.
+  std::vector<TomlTable> tables(std::size_t max = SIZE_MAX) const;
   TomlTable table() const;  ///< where there is none, an empty one that never complains
 
   /// Notes something wrong with this value: "surface "skin": blur <message>".

@@ -28,8 +28,8 @@ struct SweptPoint {
 /// Points of a chamber as sweep() will place them, poles left out.
 std::vector<SweptPoint> swept(const ProfileArcs& arcs, const Curve& loop, const SurfaceSketch& sketch) {
   PolarCurve polar = to_polar(loop.points);
-  const auto [least, most] = std::minmax_element(polar.azimuth.begin(), polar.azimuth.end());
-  const double center = 0.5 * (*least + *most);
+  const auto [min, max] = std::minmax_element(polar.azimuth.begin(), polar.azimuth.end());
+  const double center = 0.5 * (*min + *max);
   const ReferenceRadii reference = reference_radii(sketch);
   double widest = 0;
   for (std::size_t j = 0; j < arcs.share.size(); ++j) {
@@ -111,8 +111,8 @@ bool cross_each_other(const Curve& a, const Curve& b) {
 
 /// A loop that a drawing gives very many points has as many as this question needs: every edge is asked of every other.
 Curve few_points(const Curve& loop) {
-  constexpr int most = 1024;
-  return loop.points.size() > most ? resampled(loop, most) : loop;
+  constexpr int max = 1024;
+  return loop.points.size() > max ? resampled(loop, max) : loop;
 }
 
 /// 1 = the first within the second, 0 = apart, nothing if they cross or lie the other way.

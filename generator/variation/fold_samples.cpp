@@ -127,12 +127,12 @@ std::vector<double> fold_widths(const FoldSymmetry& symmetry) {
 
 std::size_t best_shift(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b) {
   std::size_t best = 0;
-  double least = -1;
+  double min = -1;
   for (std::size_t shift = 0; shift < b.size(); ++shift) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += glm::distance(a[i], b[(i + shift) % b.size()]);
-    if (least < 0 || sum < least) {
-      least = sum;
+    if (min < 0 || sum < min) {
+      min = sum;
       best = shift;
     }
   }

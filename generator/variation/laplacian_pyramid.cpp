@@ -30,7 +30,7 @@ CyclicSignal expanded(const CyclicSignal& coarse) {
 
 }  // namespace
 
-LaplacianPyramid taken_apart(CyclicSignal signal, std::size_t coarsest) {
+LaplacianPyramid decompose(CyclicSignal signal, std::size_t coarsest) {
   LaplacianPyramid pyramid;
   while (signal.size() > coarsest) {
     CyclicSignal coarse = reduced(signal);
@@ -43,7 +43,7 @@ LaplacianPyramid taken_apart(CyclicSignal signal, std::size_t coarsest) {
   return pyramid;
 }
 
-CyclicSignal put_together(const LaplacianPyramid& pyramid) {
+CyclicSignal compose(const LaplacianPyramid& pyramid) {
   CyclicSignal signal = pyramid.back();
   for (std::size_t level = pyramid.size() - 1; level-- > 0;) {
     signal = expanded(signal);

@@ -13,9 +13,9 @@ using CyclicSignal = std::vector<double>;
 using LaplacianPyramid = std::vector<CyclicSignal>;
 
 /// Decomposes a signal [Burt & Adelson 1983], in one dimension, with the binomial filter 1 4 6 4 1.
-LaplacianPyramid taken_apart(CyclicSignal signal, std::size_t coarsest = 8);
+LaplacianPyramid decompose(CyclicSignal signal, std::size_t coarsest = 8);
 
 /// Composes a signal again: the inverse, exact up to rounding.
-CyclicSignal put_together(const LaplacianPyramid& pyramid);
+CyclicSignal compose(const LaplacianPyramid& pyramid);
 
 }  // namespace pomona

@@ -36,9 +36,9 @@ bool cross_as_drawn(const Profile& a, const Profile& b) {
 }
 
 double farthest(const Profile& profile) {
-  double most = 0;
-  for (const glm::dvec2& p : profile.points) most = std::max(most, p.x);
-  return most;
+  double max = 0;
+  for (const glm::dvec2& p : profile.points) max = std::max(max, p.x);
+  return max;
 }
 
 /// Calls body(radius, share of the length) for every place of the profile at this height.
@@ -190,13 +190,13 @@ double share_within(const SwellRange& range, double start, double end) {
 std::vector<double> smoothed_below(const std::vector<double>& values) {
   constexpr std::size_t reach = 6;  // of 256: about 8 degrees to either side
   const std::size_t n = values.size();
-  std::vector<double> least(n), mean(n);
+  std::vector<double> min(n), mean(n);
   for (std::size_t i = 0; i < n; ++i) {
-    least[i] = values[i];
-    for (std::size_t d = 0; d <= 2 * reach; ++d) least[i] = std::min(least[i], values[(i + n + d - reach) % n]);
+    min[i] = values[i];
+    for (std::size_t d = 0; d <= 2 * reach; ++d) min[i] = std::min(min[i], values[(i + n + d - reach) % n]);
   }
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t d = 0; d <= 2 * reach; ++d) mean[i] += least[(i + n + d - reach) % n];
+    for (std::size_t d = 0; d <= 2 * reach; ++d) mean[i] += min[(i + n + d - reach) % n];
     mean[i] = std::min(values[i], mean[i] / static_cast<double>(2 * reach + 1));
   }
   return mean;

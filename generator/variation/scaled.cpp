@@ -11,8 +11,8 @@ void scale(Curve& curve, double factor) {
 void scale(Side& side, double factor) {
   for (SpotSketch& spot : side.spots) {
     spot.spacing *= factor;
-    spot.size_least *= factor;
-    spot.size_most *= factor;
+    spot.size_min *= factor;
+    spot.size_max *= factor;
     spot.relief *= factor;
   }
 }

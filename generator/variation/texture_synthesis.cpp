@@ -101,10 +101,10 @@ class ParentDistances {
   /// Sources of the same parity whose parent structure is within the threshold, in order. The parity rule
   /// keeps siblings apart; without it even a threshold of 0 would scramble the curve.
   std::vector<std::size_t> candidates(std::size_t output, double threshold, std::size_t features) const {
-    const double most = threshold * threshold * static_cast<double>(features * levels_);
+    const double max = threshold * threshold * static_cast<double>(features * levels_);
     std::vector<std::size_t> found;
     for (std::size_t j = output % 2; j < n_; j += 2) {
-      if (sum_[output * n_ + j] <= most) found.push_back(j);
+      if (sum_[output * n_ + j] <= max) found.push_back(j);
     }
     return found;
   }
@@ -119,7 +119,7 @@ class ParentDistances {
 
 SourceMap draw_source_map(const std::vector<CyclicSignal>& channels, VariantKey key, const SynthesisOptions& options) {
   std::vector<LaplacianPyramid> pyramids;
-  for (const CyclicSignal& channel : channels) pyramids.push_back(taken_apart(channel));
+  for (const CyclicSignal& channel : channels) pyramids.push_back(decompose(channel));
   const std::size_t top = pyramids.front().size() - 1;
   const std::size_t coarsest = pyramids.front()[top].size();
   const auto stream = [&](std::size_t level) { return RandomStream(key, "vary/loop/level" + std::to_string(level)); };
@@ -153,7 +153,7 @@ SourceMap draw_source_map(const std::vector<CyclicSignal>& channels, VariantKey 
 }
 
 CyclicSignal copied(const CyclicSignal& channel, const SourceMap& map) {
-  const LaplacianPyramid source = taken_apart(channel);
+  const LaplacianPyramid source = decompose(channel);
   LaplacianPyramid target = source;
   for (std::size_t level = 0; level + 1 < source.size(); ++level) {
     for (std::size_t i = 0; i < source[level].size(); ++i) target[level][i] = source[level][map.level[level][i]];
@@ -165,7 +165,7 @@ CyclicSignal copied(const CyclicSignal& channel, const SourceMap& map) {
     target.back()[i] = mean;
     for (std::size_t s = 0; s < n; ++s) target.back()[i] += map.turns[s] * (coarse[(i + s) % n] - mean);
   }
-  return put_together(target);
+  return compose(target);
 }
 
 }  // namespace pomona

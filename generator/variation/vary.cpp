@@ -18,9 +18,9 @@ void check_folds(const Template& fruit, int folds) {
     throw Error(ExitStatus::usage, "template \"" + fruit.name + "\" has no folds to change",
                 "leave out --folds: the template's symmetry has none");
   }
-  if (folds < 1 || folds > most_folds) {
+  if (folds < 1 || folds > max_folds) {
     throw Error(ExitStatus::usage,
-                "a fruit has 1 to " + std::to_string(most_folds) + " folds, not " + std::to_string(folds));
+                "a fruit has 1 to " + std::to_string(max_folds) + " folds, not " + std::to_string(folds));
   }
 }
 

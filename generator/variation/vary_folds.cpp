@@ -27,10 +27,10 @@ class FoldForm {
 
  private:
   bool closed_ = false;
-  bool simple_ = true;       ///< all samples are
-  double margin_ = 0;        ///< least distance from a fold line, as a share of the fold; closed loops only
-  double least_radius_ = 0;  ///< metres
-  double pie_ = 1;           ///< angle of the pie, radians
+  bool simple_ = true;     ///< all samples are
+  double margin_ = 0;      ///< least distance from a fold line, as a share of the fold; closed loops only
+  double min_radius_ = 0;  ///< metres
+  double pie_ = 1;         ///< angle of the pie, radians
 };
 
 Curve in_pie(const PolarCurve& fold, double pie, bool closed) {
@@ -42,26 +42,26 @@ Curve in_pie(const PolarCurve& fold, double pie, bool closed) {
 /// How far the curve stays from the fold lines; open curves without their ends, which lie on them.
 double distance_from_lines(const PolarCurve& fold, bool closed) {
   const std::ptrdiff_t ends = closed ? 0 : 1;
-  const auto [least, most] = std::minmax_element(fold.azimuth.begin() + ends, fold.azimuth.end() - ends);
-  return std::min(*least, 1 - *most);
+  const auto [min, max] = std::minmax_element(fold.azimuth.begin() + ends, fold.azimuth.end() - ends);
+  return std::min(*min, 1 - *max);
 }
 
-double least_radius(const PolarCurve& fold) { return *std::min_element(fold.radius.begin(), fold.radius.end()); }
+double min_radius(const PolarCurve& fold) { return *std::min_element(fold.radius.begin(), fold.radius.end()); }
 
-FoldForm::FoldForm(const FoldSamples& drawn) : closed_(drawn.closed), margin_(1), least_radius_(1e9) {
+FoldForm::FoldForm(const FoldSamples& drawn) : closed_(drawn.closed), margin_(1), min_radius_(1e9) {
   // Any angle below a whole turn shows the same crossings.
   pie_ = std::min(2 * pi / static_cast<double>(drawn.fold.size()), pi);
   for (const PolarCurve& fold : drawn.fold) {
     if (fold.size() == 0) continue;
     simple_ = simple_ && is_simple(in_pie(fold, pie_, closed_));
     margin_ = std::min(margin_, distance_from_lines(fold, closed_));
-    least_radius_ = std::min(least_radius_, least_radius(fold));
+    min_radius_ = std::min(min_radius_, min_radius(fold));
   }
 }
 
 bool FoldForm::is_kept(const PolarCurve& fold) const {
   if (fold.size() == 0) return true;
-  if (least_radius(fold) < 0.2 * least_radius_) return false;
+  if (min_radius(fold) < 0.2 * min_radius_) return false;
   if (margin_ > 0 && distance_from_lines(fold, closed_) <= (closed_ ? 0.5 * margin_ : 0)) return false;
   const Curve curve = in_pie(fold, pie_, closed_);
   if (closed_ && !(signed_area(curve) > 0)) return false;
@@ -76,14 +76,14 @@ std::vector<bool> presence(const FoldSamples& samples) {
 
 /// Widths blended like the rest, none less than half or more than one and a half times the drawn ones.
 std::vector<double> blended_widths(const std::vector<double>& drawn, const std::vector<FoldDraw>& draws) {
-  const auto [least, most] = std::minmax_element(drawn.begin(), drawn.end());
+  const auto [min, max] = std::minmax_element(drawn.begin(), drawn.end());
   std::vector<double> widths;
   double total = 0;
   for (const FoldDraw& draw : draws) {
     const std::vector<double> c = coefficients(draw, std::vector<bool>(drawn.size(), true));
     double width = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) width += c[i] * drawn[i];
-    widths.push_back(std::clamp(width, 0.5 * *least, 1.5 * *most));
+    widths.push_back(std::clamp(width, 0.5 * *min, 1.5 * *max));
     total += widths.back();
   }
   for (double& width : widths) width *= 2 * pi / total;

@@ -42,9 +42,9 @@ std::vector<PageCut> planes_in(std::span<const Knife> knives, const Box<double>&
     for (std::size_t i = 0; i < laid.planes.size(); ++i)
       planes.push_back({laid.planes[i], static_cast<int>(k), step_beyond(laid, i)});
   }
-  if (planes.size() > most_page_cuts) {
+  if (planes.size() > max_page_cuts) {
     throw Error(ExitStatus::usage,
-                "a page opens with " + std::to_string(most_page_cuts) + " planes at most; these knives have " +
+                "a page opens with " + std::to_string(max_page_cuts) + " planes at most; these knives have " +
                     std::to_string(planes.size()),
                 "take a knife of fewer planes: the page has knives of its own");
   }

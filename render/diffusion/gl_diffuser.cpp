@@ -19,7 +19,7 @@ LineSampling sampling_of(Quality quality) {
     case Quality::draft:
       return {.lines = 64};
     case Quality::final:
-      return {.lines = 192, .fine_lines = 1536, .most_scatter = 1.0 / 255};
+      return {.lines = 192, .fine_lines = 1536, .max_scatter = 1.0 / 255};
     case Quality::reference:
       break;
   }

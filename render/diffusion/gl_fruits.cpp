@@ -26,7 +26,7 @@ struct Bytes {
     triangles += fruit.triangle.size() * sizeof(RayTriangle);
     colors += fruit.color.size() * sizeof(glm::vec4);
   }
-  std::size_t most() const { return std::max({nodes, triangles, colors}); }
+  std::size_t max() const { return std::max({nodes, triangles, colors}); }
 };
 
 }  // namespace
@@ -46,21 +46,21 @@ GlFruits uploaded(const CurrentGl& gl, std::span<const RaySurfaces> fruits) {
   return result;
 }
 
-std::vector<std::size_t> runs_that_fit(std::span<const RaySurfaces> fruits, std::size_t most_bytes) {
+std::vector<std::size_t> runs_that_fit(std::span<const RaySurfaces> fruits, std::size_t max_bytes) {
   std::vector<std::size_t> borders{0};
   Bytes run;
   for (std::size_t i = 0; i < fruits.size(); ++i) {
     Bytes alone;
     alone.add(fruits[i]);
-    if (alone.most() > most_bytes) {
+    if (alone.max() > max_bytes) {
       throw Error(ExitStatus::helper_missing,
                   "surfaces of " + std::to_string(fruits[i].triangle.size()) + " triangles need storage buffers of " +
-                      std::to_string((alone.most() >> 20) + 1) + " MiB; this OpenGL has " +
-                      std::to_string(most_bytes >> 20) + " MiB",
+                      std::to_string((alone.max() >> 20) + 1) + " MiB; this OpenGL has " +
+                      std::to_string(max_bytes >> 20) + " MiB",
                   "use --diffuser cpu");
     }
     run.add(fruits[i]);
-    if (run.most() <= most_bytes) continue;
+    if (run.max() <= max_bytes) continue;
     borders.push_back(i);
     run = alone;
   }

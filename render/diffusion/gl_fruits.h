@@ -23,8 +23,8 @@ struct GlFruits {
 
 GlFruits uploaded(const CurrentGl& gl, std::span<const RaySurfaces> fruits);
 
-/// Runs of fruits whose buffers hold at most `most_bytes` each: the index at which every run begins, and the end.
+/// Runs of fruits whose buffers hold at most `max_bytes` each: the index at which every run begins, and the end.
 /// \throws Error (helper_missing) if one fruit alone needs more.
-std::vector<std::size_t> runs_that_fit(std::span<const RaySurfaces> fruits, std::size_t most_bytes);
+std::vector<std::size_t> runs_that_fit(std::span<const RaySurfaces> fruits, std::size_t max_bytes);
 
 }  // namespace pomona

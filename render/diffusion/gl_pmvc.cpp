@@ -89,7 +89,7 @@ std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlRayCast
   std::vector<std::vector<PmvcValue>> values;
   for (const SightTask& task : tasks) values.emplace_back(task.points.size());
 
-  const std::vector<std::size_t> border = runs_that_fit(fruits, caster.most_bytes());
+  const std::vector<std::size_t> border = runs_that_fit(fruits, caster.max_bytes());
   for (std::size_t r = 0; r + 1 < border.size(); ++r) {
     std::vector<Asked> asked;
     for (std::size_t t = 0; t < tasks.size(); ++t) {
@@ -104,7 +104,7 @@ std::vector<std::vector<PmvcValue>> gl_pmvc(const CurrentGl& gl, const GlRayCast
     const std::vector<Sight> sights = run.sights(asked, sampling.lines);
     for (std::size_t i = 0; i < asked.size(); ++i) {
       values[asked[i].task][asked[i].point] = run.value(asked[i], sights[i], sampling.lines);
-      const bool scatters = static_cast<double>(sights[i].scatter) > sampling.most_scatter;
+      const bool scatters = static_cast<double>(sights[i].scatter) > sampling.max_scatter;
       if (sampling.fine_lines > 0 && scatters) rough.push_back(asked[i]);
     }
     const std::vector<Sight> finer = run.sights(rough, sampling.fine_lines);

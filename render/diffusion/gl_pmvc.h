@@ -12,8 +12,8 @@ namespace pomona {
 /// How many lines are looked along from each point, both ways.
 struct LineSampling {
   int lines = 0;
-  int fine_lines = 0;       ///< instead, where colours scatter by more than `most_scatter`; 0 = nowhere
-  double most_scatter = 0;  ///< linear; see Sight
+  int fine_lines = 0;      ///< instead, where colours scatter by more than `max_scatter`; 0 = nowhere
+  double max_scatter = 0;  ///< linear; see Sight
 };
 
 /// Points in one of several fruits.

@@ -23,7 +23,7 @@ constexpr std::size_t blocks_per_chunk = 32;
 constexpr std::size_t rays_per_dispatch = std::size_t{1} << 22;
 
 /// Number of groups in one pass: more than any card processes at once.
-constexpr std::size_t most_groups = 4096;
+constexpr std::size_t max_groups = 4096;
 
 std::size_t storage_limit(const CurrentGl& gl) {
   GLint bytes = 0;
@@ -168,23 +168,23 @@ class GlRayCaster::Pass {
   std::size_t lines_;
 };
 
-GlRayCaster::GlRayCaster(const CurrentGl& gl, const GlContext& context, std::size_t most_bytes)
+GlRayCaster::GlRayCaster(const CurrentGl& gl, const GlContext& context, std::size_t max_bytes)
     : rays_(Program::compute(require_compute_shaders(gl, context), "pmvc_rays.comp.glsl")),
       sums_(Program::compute(gl, "pmvc_sums.comp.glsl")),
-      most_bytes_(std::min(storage_limit(gl), most_bytes)) {}
+      max_bytes_(std::min(storage_limit(gl), max_bytes)) {}
 
 std::vector<Sight> GlRayCaster::along(const CurrentGl& gl, const GlFruits& fruits, std::span<const PointGroup> groups,
                                       int line_count) const {
   if (groups.empty()) return {};
   const GlBuffer lines(gl, GL_SHADER_STORAGE_BUFFER, shuffled_lines(line_count));
   const Pass pass(gl, *this, static_cast<std::size_t>(line_count));
-  const std::size_t most_sums = most_bytes_ / sizeof(float) / pass.blocks_in_chunk();
+  const std::size_t max_sums = max_bytes_ / sizeof(float) / pass.blocks_in_chunk();
 
   // As many groups at a time as their sums have room.
   std::vector<Sight> sights;
   for (std::size_t first = 0; first < groups.size();) {
     std::size_t end = first, sums = 0;
-    while (end < groups.size() && end - first < most_groups && sums + sums_of(groups[end]) <= most_sums) {
+    while (end < groups.size() && end - first < max_groups && sums + sums_of(groups[end]) <= max_sums) {
       sums += sums_of(groups[end++]);
     }
     if (end == first) throw Error(ExitStatus::helper_missing, "this OpenGL's storage buffers are too small");

@@ -30,11 +30,11 @@ struct Sight {
 /// The compute shaders, and the size limit of storage buffers. Destroy this object while its context is current.
 class GlRayCaster {
  public:
-  /// \param most_bytes  largest size of a buffer, even if the card allows more
+  /// \param max_bytes  largest size of a buffer, even if the card allows more
   /// \throws Error (helper_missing) if this OpenGL is older than 4.5.
-  GlRayCaster(const CurrentGl& gl, const GlContext& context, std::size_t most_bytes = std::size_t{256} << 20);
+  GlRayCaster(const CurrentGl& gl, const GlContext& context, std::size_t max_bytes = std::size_t{256} << 20);
 
-  std::size_t most_bytes() const { return most_bytes_; }
+  std::size_t max_bytes() const { return max_bytes_; }
 
   /// One sight for each point, group by group, along `lines` lines. The result of a point depends only on the point,
   /// its fruit and the number of lines. All work is done when this returns. \throws Error (helper_missing) if memory
@@ -47,7 +47,7 @@ class GlRayCaster {
 
   Program rays_;
   Program sums_;
-  std::size_t most_bytes_;
+  std::size_t max_bytes_;
 };
 
 }  // namespace pomona

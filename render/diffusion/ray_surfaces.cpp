@@ -17,7 +17,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_in_leaf = 4;
+constexpr std::size_t max_in_leaf = 4;
 
 /// Boxes are this much larger than what they hold, normalised: more than what rounding does to a crossing.
 constexpr float slack = 0x1p-19f;
@@ -40,9 +40,7 @@ glm::uvec4 bits(const glm::vec3& corner, std::uint32_t last) {
 }
 
 /// The levels that halving `count` triangles needs.
-int levels_for(std::size_t count) {
-  return static_cast<int>(std::bit_width((count + most_in_leaf - 1) / most_in_leaf));
-}
+int levels_for(std::size_t count) { return static_cast<int>(std::bit_width((count + max_in_leaf - 1) / max_in_leaf)); }
 
 Box<float> bounds(std::span<const BoxedTriangle> part) {
   Box<float> box;
@@ -87,7 +85,7 @@ class Bins {
 
     // From the first bin onwards: the border at which the work is least.
     std::pair<int, Split> best;
-    float least = std::numeric_limits<float>::max();
+    float min = std::numeric_limits<float>::max();
     Box<float> before;
     std::size_t count = 0;
     for (std::size_t border = 1; border < bins; ++border) {
@@ -96,8 +94,8 @@ class Bins {
       if (count == 0 || count_after[border] == 0) continue;
       const float cost = half_area(before) * static_cast<float>(count) +
                          half_area(after[border]) * static_cast<float>(count_after[border]);
-      if (cost >= least) continue;
-      least = cost;
+      if (cost >= min) continue;
+      min = cost;
       best = {static_cast<int>(border), {count, before, after[border]}};
     }
     return best;
@@ -129,7 +127,7 @@ class RayTreeBuilder {
  private:
   /// Triangles [first, first + count) as a child of a node, `depth` below the root.
   int child(std::size_t first, std::size_t count, const Box<float>& box, int depth) {
-    if (count <= most_in_leaf) return ~static_cast<int>(8 * first + count);
+    if (count <= max_in_leaf) return ~static_cast<int>(8 * first + count);
     const std::size_t index = node_.size();
     node_.emplace_back();
     const Split parts = split({placed_.data() + first, count}, box, depth);
@@ -150,7 +148,7 @@ class RayTreeBuilder {
     const int axis = longest_axis(size);
 
     // By surface area, unless all middles are in one bin or the tree gets too deep for halving.
-    if (size[axis] > 0 && depth + levels_for(part.size()) < RaySurfaces::most_depth - 2) {
+    if (size[axis] > 0 && depth + levels_for(part.size()) < RaySurfaces::max_depth - 2) {
       const Bins bins(box, axis, part);
       const auto [border, found] = bins.best();
       if (found.count > 0) {

@@ -103,17 +103,17 @@ std::optional<glm::vec3> farthest_outside(const ConvexHull& hull, const std::vec
 
 }  // namespace
 
-ConvexHull convex_hull(std::span<const glm::vec3> points, std::size_t most) {
+ConvexHull convex_hull(std::span<const glm::vec3> points, std::size_t max) {
   std::vector<glm::vec3> different(points.begin(), points.end());
   std::sort(different.begin(), different.end(), is_before);
   different.erase(std::unique(different.begin(), different.end()), different.end());
   const ConvexHull whole = whole_hull(different);
-  if (whole.position.size() <= most) return whole;
+  if (whole.position.size() <= max) return whole;
 
   // From a rough hull outwards, a point at a time.
   std::vector<glm::vec3> chosen = farthest_along_directions(whole.position);
   ConvexHull hull = whole_hull(chosen);
-  while (hull.position.size() < most) {
+  while (hull.position.size() < max) {
     const std::optional<glm::vec3> next = farthest_outside(hull, whole.position);
     if (!next) break;
     chosen = hull.position;

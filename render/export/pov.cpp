@@ -28,9 +28,9 @@ using namespace pov;
 
 namespace {
 
-constexpr std::size_t most_hairs = 20000;  // about 2 MB of text
-constexpr double width = 8e-5;             // metres, at the root
-constexpr int hair_steps = 15;             // of sRGB
+constexpr std::size_t max_hairs = 20000;  // about 2 MB of text
+constexpr double width = 8e-5;            // metres, at the root
+constexpr int hair_steps = 15;            // of sRGB
 
 std::array<int, 3> rounded(const Color& color) {
   std::array<int, 3> steps{};
@@ -74,7 +74,7 @@ void append_faces(std::string& text, std::int64_t first, int texture) {
 
 /// "#declare Fuzz_<index> = mesh2 { ... }" in units of 10^unit_exponent metres; empty for a solid without fuzz.
 std::string hairs_text(const Solid& solid, std::size_t index, int unit_exponent) {
-  const std::vector<Hair> hairs = hairs_of(solid, most_hairs);
+  const std::vector<Hair> hairs = hairs_of(solid, max_hairs);
   if (hairs.empty()) return {};
   std::map<std::array<int, 3>, int> texture_of;
   std::string vertices, textures, faces;
@@ -164,9 +164,9 @@ std::string Lighting::ground() const {
   // Per channel: pigment p, diffuse share d, emission e, with k and f the light that falls in from key and fill. Lit it
   // is to be paper, p (d (k + f) + e) = paper; what shadow takes is to leave the wash, p d k shadow = paper (1 - wash).
   const glm::dvec3 k = to_key_.y * key_, f = to_fill_.y * fill_;
-  const double most = std::max({k.r, k.g, k.b});
-  const bool dark = !(shadow_ * most > 1e-3);
-  const double d = dark ? 0 : 1 / most;
+  const double max = std::max({k.r, k.g, k.b});
+  const bool dark = !(shadow_ * max > 1e-3);
+  const double d = dark ? 0 : 1 / max;
   glm::dvec3 pigment(1), emission(1);  // times the paper
   for (int c = 0; !dark && c < 3; ++c) {
     pigment[c] = std::max(1 - wash_[c], 0.02) / (d * k[c] * shadow_);
@@ -179,14 +179,14 @@ std::string Lighting::ground() const {
 }
 
 /// POV-Ray copies a mesh's textures with every instance, about 1 KB each; so many copies take some 2 GB.
-constexpr std::size_t most_texture_copies = 2'000'000;
+constexpr std::size_t max_texture_copies = 2'000'000;
 /// Of any mesh, however few instances there are.
-constexpr std::size_t most_textures = 4096;
+constexpr std::size_t max_textures = 4096;
 
 /// So many textures a mesh may have that all copies stay in bounds: in a heap of thousands colours are fewer.
 std::size_t textures_of_a_mesh(const Scene& scene) {
   const std::size_t copies = scene.solids.size() + scene.instances.size();
-  return std::clamp(most_texture_copies / std::max<std::size_t>(copies, 1), std::size_t{64}, most_textures);
+  return std::clamp(max_texture_copies / std::max<std::size_t>(copies, 1), std::size_t{64}, max_textures);
 }
 
 /// POV-Ray ignores what is nearer than 0.001 to where a ray starts, so a salad in metres would lose its

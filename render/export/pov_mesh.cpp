@@ -54,8 +54,8 @@ std::vector<FinishedColor> corner_colors(const StyledMesh& mesh, const FinishesO
   return of_corner;
 }
 
-Textures textures_of(const StyledMesh& mesh, const FinishesOfParts& finishes, std::size_t most) {
-  const std::vector<FinishedColor> of_corner = few_colors(corner_colors(mesh, finishes), most);
+Textures textures_of(const StyledMesh& mesh, const FinishesOfParts& finishes, std::size_t max) {
+  const std::vector<FinishedColor> of_corner = few_colors(corner_colors(mesh, finishes), max);
   Textures textures;
   textures.of_triangle.resize(mesh.triangle.size());
   for (std::size_t c = 0; c < of_corner.size(); ++c) {
@@ -120,9 +120,9 @@ void append_faces(std::string& text, const StyledMesh& mesh, const Textures& tex
 }  // namespace
 
 std::string mesh_text(const StyledMesh& mesh, const Solid& solid, const Finishes& finishes, std::size_t index,
-                      int unit_exponent, std::size_t most_textures) {
+                      int unit_exponent, std::size_t max_textures) {
   const int step_exponent = exponent_for(largest_coordinate(mesh), 5);
-  const Textures textures = textures_of(mesh, finishes_of_parts(solid, finishes), most_textures);
+  const Textures textures = textures_of(mesh, finishes_of_parts(solid, finishes), max_textures);
   std::string text = "\n// " + commentable(solid.name) + "\n#declare Mesh_" + std::to_string(index) + " = mesh2 {\n";
   append_points(text, "vertex_vectors", mesh.position, power_of_ten(step_exponent));
   append_points(text, "normal_vectors", mesh.normal, 0.001);

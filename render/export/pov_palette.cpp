@@ -56,12 +56,12 @@ FinishedColor middle_of(const ColorBox& box, const std::vector<FinishedColor>& a
 
 }  // namespace
 
-std::vector<FinishedColor> few_colors(const std::vector<FinishedColor>& colors, std::size_t most) {
+std::vector<FinishedColor> few_colors(const std::vector<FinishedColor>& colors, std::size_t max) {
   // Each colour once, in order, so that nothing depends on how vertices are numbered.
   std::vector<FinishedColor> different = colors;
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());
-  if (different.size() <= most) return colors;
+  if (different.size() <= max) return colors;
 
   // Part the longest box again and again; those of several finishes in any case.
   std::vector<std::size_t> numbers(different.size());
@@ -70,7 +70,7 @@ std::vector<FinishedColor> few_colors(const std::vector<FinishedColor>& colors, 
   std::vector<ColorBox> boxes{box_around(std::move(numbers), different)};
   while (true) {
     const auto longest = std::max_element(boxes.begin(), boxes.end(), is_shorter);
-    if (longest->length == 0 || (boxes.size() >= most && longest->axis != finish_axis)) break;
+    if (longest->length == 0 || (boxes.size() >= max && longest->axis != finish_axis)) break;
     auto [lower, upper] = parted(*longest, different);
     *longest = std::move(lower);
     boxes.push_back(std::move(upper));

@@ -12,7 +12,7 @@ namespace pomona::pov {
 using FinishedColor = std::array<int, 4>;
 
 /// For each colour a representative, by median cut [Heckbert 1982]: the middle of the colours in its box. There are at
-/// most `most` representatives, but at least one per finish. If there are at most `most` colours, nothing changes.
-std::vector<FinishedColor> few_colors(const std::vector<FinishedColor>& colors, std::size_t most);
+/// most `max` representatives, but at least one per finish. If there are at most `max` colours, nothing changes.
+std::vector<FinishedColor> few_colors(const std::vector<FinishedColor>& colors, std::size_t max);
 
 }  // namespace pomona::pov

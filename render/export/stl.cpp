@@ -51,16 +51,16 @@ void append_instance(std::string& bytes, const Solid& solid, const Pose& pose, s
 }  // namespace
 
 std::string write_stl(const Scene& scene) {
-  std::uint64_t most = 0;
+  std::uint64_t max = 0;
   for (const Instance& instance : scene.instances)
-    most += scene.solids[static_cast<std::size_t>(instance.solid)].triangle.size();
-  if (most > UINT32_MAX)
+    max += scene.solids[static_cast<std::size_t>(instance.solid)].triangle.size();
+  if (max > UINT32_MAX)
     throw Error(ExitStatus::bad_data,
-                "an STL holds 4294967295 triangles at most, and the scene has " + std::to_string(most));
+                "an STL holds 4294967295 triangles at most, and the scene has " + std::to_string(max));
 
   std::string bytes(header);
   bytes.resize(header_bytes + sizeof(std::uint32_t), '\0');
-  bytes.reserve(bytes.size() + most * triangle_bytes);
+  bytes.reserve(bytes.size() + max * triangle_bytes);
   std::uint32_t count = 0;
   for (const Instance& instance : scene.instances)
     append_instance(bytes, scene.solids[static_cast<std::size_t>(instance.solid)], instance.pose, count);

@@ -28,8 +28,8 @@ std::size_t hash_of(const VertexBits& bits) {
 /// which the first free one from a vertex's hash on is its own.
 class VertexNumbers {
  public:
-  /// \param most so many different vertices at most
-  explicit VertexNumbers(std::size_t most) : table_(std::bit_ceil(2 * most + 1), free) { known_.reserve(most / 2); }
+  /// \param max so many different vertices at most
+  explicit VertexNumbers(std::size_t max) : table_(std::bit_ceil(2 * max + 1), free) { known_.reserve(max / 2); }
 
   /// The vertex's number, and whether it is new.
   std::pair<std::uint32_t, bool> number_of(const VertexBits& bits) {

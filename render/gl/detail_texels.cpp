@@ -31,7 +31,7 @@ std::vector<glm::vec4> detail_texels(const Look& look) {
       texels.insert(texels.end(), own.begin(), own.end());
     }
     const std::size_t faces = face == DetailFace::cut ? 1 : 2;
-    while (texels.size() < faces * most_details_of_a_face * texels_of_a_detail)
+    while (texels.size() < faces * max_details_of_a_face * texels_of_a_detail)
       texels.insert(texels.end(), {no_detail, 0, 0, 0});
   }
   return texels;

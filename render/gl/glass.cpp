@@ -57,14 +57,14 @@ class LayerPeeler {
     const Program peel(gl_, "glass.vert.glsl", "glass.frag.glsl");
     const Program light(gl_, "fullscreen.vert.glsl", "glass_layer.frag.glsl");
     int layer = 0;
-    for (; layer < view_.most_layers; ++layer) {
+    for (; layer < view_.max_layers; ++layer) {
       const GlTexture& last = depth_[layer % 2];
       const GlTexture& depth = depth_[(layer + 1) % 2];
       start_layer(start, depth);
       if (!peel_layer(peel, last, depth)) break;
       light_layer(light);
     }
-    if (layer == view_.most_layers) add_the_rest(start, depth_[layer % 2], depth_[(layer + 1) % 2]);
+    if (layer == view_.max_layers) add_the_rest(start, depth_[layer % 2], depth_[(layer + 1) % 2]);
     gl_.check("what is see-through");
     return std::move(gathered_);
   }

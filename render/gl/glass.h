@@ -15,7 +15,7 @@ struct GlassView {
   glm::vec2 light_strengths{1};  ///< of the light, of what comes from all sides
   bool inked = false;
   const GlTexture* instances = nullptr;  ///< buffer of InstanceTexels
-  int most_layers = 1;                   ///< what lies behind that many is drawn as one, in the mean of its colours
+  int max_layers = 1;                    ///< what lies behind that many is drawn as one, in the mean of its colours
 };
 
 /// The see-through solids before what is opaque, at the samples of `opaque_depth`: colour times coverage, and coverage,

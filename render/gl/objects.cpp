@@ -80,11 +80,11 @@ namespace {
 /// The number of bytes, if a buffer texture holds as many.
 std::size_t fitting(const CurrentGl& gl, GLenum format, std::size_t bytes, const char* what) {
   const std::size_t texels = bytes / (format == GL_R16UI ? 2 : 16);
-  GLint most = 0;
-  gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  if (texels <= static_cast<std::size_t>(most)) return bytes;
+  GLint max = 0;
+  gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &max);
+  if (texels <= static_cast<std::size_t>(max)) return bytes;
   throw Error(ExitStatus::bad_data, "the scene has " + std::to_string(texels) + " texels of " + what +
-                                        "; this OpenGL draws at most " + std::to_string(most));
+                                        "; this OpenGL draws at most " + std::to_string(max));
 }
 
 }  // namespace

@@ -29,9 +29,9 @@ class Pace {
  public:
   explicit Pace(const CurrentGl& gl) : gl_(gl) {}
   void handed_over(GLsizei indices) {
-    constexpr GLsizei most = 3 * 50'000;
+    constexpr GLsizei max = 3 * 50'000;
     waiting_ += indices;
-    if (waiting_ < most) return;
+    if (waiting_ < max) return;
     gl_->Finish();
     waiting_ = 0;
   }

@@ -10,7 +10,7 @@ namespace pomona {
 namespace {
 
 constexpr std::size_t texels_each = 5;  // the same in shaders/material.glsl
-constexpr int most_materials = 2048;    // half floats count no further
+constexpr int max_materials = 2048;     // half floats count no further
 
 /// How much of what lies below is covered by hairs too fine to be drawn: more of long and of many.
 double fuzz_cover(const Fuzz& fuzz) {
@@ -36,8 +36,8 @@ float SceneMaterials::number_of(const MaterialSketch& material) {
   std::vector<float> key;
   for (const glm::vec4& texel : texels) key.insert(key.end(), {texel.x, texel.y, texel.z, texel.w});
   const int next = static_cast<int>(texels_.size() / texels_each);
-  const auto [entry, is_new] = known_.try_emplace(key, next < most_materials ? next : 0);
-  if (is_new && next < most_materials) texels_.insert(texels_.end(), texels.begin(), texels.end());
+  const auto [entry, is_new] = known_.try_emplace(key, next < max_materials ? next : 0);
+  if (is_new && next < max_materials) texels_.insert(texels_.end(), texels.begin(), texels.end());
   return static_cast<float>(entry->second);
 }
 

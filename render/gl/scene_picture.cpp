@@ -204,7 +204,7 @@ void ScenePainter::draw_glass() {
                        .light_strengths = {style_.light.strength, style_.light.ambient},
                        .inked = style_.ink,
                        .instances = &instances_.texture(),
-                       .most_layers = options_.most_layers};
+                       .max_layers = options_.max_layers};
   targets_.glass.emplace(glass_layers(gl_, solids_, view, targets_.opaque.depth, targets_.samples));
 }
 
@@ -432,12 +432,12 @@ void check_options(const CurrentGl& gl, const PictureOptions& options) {
   if (side < 1 || side > 4 || side * side != options.samples) {
     throw Error(ExitStatus::usage, "samples per pixel must be 1, 4, 9 or 16");
   }
-  GLint most = 0;
-  gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-  most = std::min(most, max_picture_side);
-  if (options.width < 1 || options.height < 1 || std::max(options.width, options.height) > most / side) {
+  GLint max = 0;
+  gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &max);
+  max = std::min(max, max_picture_side);
+  if (options.width < 1 || options.height < 1 || std::max(options.width, options.height) > max / side) {
     throw Error(ExitStatus::usage, "a picture with " + std::to_string(options.samples) +
-                                       " samples per pixel must be 1 to " + std::to_string(most / side) +
+                                       " samples per pixel must be 1 to " + std::to_string(max / side) +
                                        " pixels each way");
   }
 }

@@ -11,9 +11,9 @@ namespace pomona {
 struct PictureOptions {
   int width = 800;
   int height = 600;
-  int samples = 4;       ///< per pixel: 1, 4, 9 or 16
-  int most_layers = 48;  ///< of see-through surfaces in their order; what lies behind counts as one more layer
-  Threads threads{};     ///< of the strokes; OpenGL takes its own
+  int samples = 4;      ///< per pixel: 1, 4, 9 or 16
+  int max_layers = 48;  ///< of see-through surfaces in their order; what lies behind counts as one more layer
+  Threads threads{};    ///< of the strokes; OpenGL takes its own
 };
 
 /// The scene as its view sees it. The same picture every time on one machine and driver; others may differ by a

@@ -16,7 +16,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double most_pixels = 1e8;  // of a picture that is read
+constexpr double max_pixels = 1e8;  // of a picture that is read
 
 /// What is written or read, for messages.
 struct PngName {
@@ -157,7 +157,7 @@ void read_head(PngReader& reader) {
   const auto pixels = static_cast<double>(png_get_image_width(reader.png, reader.info)) *
                       static_cast<double>(png_get_image_height(reader.png, reader.info));
   const int bits = png_get_bit_depth(reader.png, reader.info) * png_get_channels(reader.png, reader.info);
-  if (pixels > most_pixels) png_error(reader.png, "it has more than 100 million pixels");
+  if (pixels > max_pixels) png_error(reader.png, "it has more than 100 million pixels");
   if (pixels * bits / 8 > 1040.0 * static_cast<double>(reader.name.bytes))
     png_error(reader.png, "it claims more pixels than its bytes can hold");
 }

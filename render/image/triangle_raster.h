@@ -79,11 +79,11 @@ class TriangleRaster {
   PixelBox box(const RasterSamples<Number>& samples) const {
     const Point low = glm::min(glm::min(corner_[0], corner_[1]), corner_[2]),
                 high = glm::max(glm::max(corner_[0], corner_[1]), corner_[2]);
-    const auto first = [&](Number at, int least, int most) {
-      return static_cast<int>(std::clamp<Number>(-whole(samples.first - at, samples.step), least, most + Number(1)));
+    const auto first = [&](Number at, int min, int max) {
+      return static_cast<int>(std::clamp<Number>(-whole(samples.first - at, samples.step), min, max + Number(1)));
     };
-    const auto last = [&](Number at, int least, int most) {
-      return static_cast<int>(std::clamp<Number>(whole(at - samples.first, samples.step), least - Number(1), most));
+    const auto last = [&](Number at, int min, int max) {
+      return static_cast<int>(std::clamp<Number>(whole(at - samples.first, samples.step), min - Number(1), max));
     };
     const PixelBox& b = samples.box;
     return {first(low.x, b.left, b.right), first(low.y, b.top, b.bottom), last(high.x, b.left, b.right),

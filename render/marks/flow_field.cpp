@@ -13,7 +13,7 @@ namespace pomona {
 
 namespace {
 
-constexpr int most_side = 1600;  // pixels: flow is smooth, and a large print needs no finer one
+constexpr int max_side = 1600;  // pixels: flow is smooth, and a large print needs no finer one
 
 /// The means of squares of pixels; those at the right and the lower edge may be smaller.
 Image in_squares(const Image& image, int square) {
@@ -87,7 +87,7 @@ glm::dvec2 FlowField::at(const glm::dvec2& place, const glm::dvec2& heading) con
 }
 
 FlowField flow_of(const Image& whole, const FlowOptions& options) {
-  const int square = std::max(1, (std::max(whole.width, whole.height) + most_side - 1) / most_side);
+  const int square = std::max(1, (std::max(whole.width, whole.height) + max_side - 1) / max_side);
   const Image painted = in_squares(whole, square);
 
   // The same edges gathered over three widths.

@@ -65,8 +65,8 @@ bool LineGrid::is_free(const glm::dvec2& place, double distance, int line, int s
   return true;
 }
 
-constexpr int most_steps = 20000;
-constexpr double least_bend = 0.75;  // cosine of what a line turns over half a spacing: a pen draws no corners
+constexpr int max_steps = 20000;
+constexpr double min_bend = 0.75;  // cosine of what a line turns over half a spacing: a pen draws no corners
 
 /// One set of lines: those along the flow, or those that cross them.
 class LineSet {
@@ -119,13 +119,13 @@ class LineSet {
     std::vector<glm::dvec2> points;
     std::deque<glm::dvec2> lately;  // headings over half a spacing
     const int own = static_cast<int>(std::ceil(3 * options_.spacing / stride_));
-    for (int step = 1; step <= most_steps; ++step) {
+    for (int step = 1; step <= max_steps; ++step) {
       const glm::dvec2 first = way(place, heading);
       heading = way(place + first * (0.5 * stride_), first);
       place += heading * stride_;
       lately.push_back(heading);
       if (static_cast<double>(lately.size()) * stride_ > 0.5 * options_.spacing) lately.pop_front();
-      if (glm::dot(lately.front(), heading) < least_bend) break;
+      if (glm::dot(lately.front(), heading) < min_bend) break;
       if (!holds(place) || !grid_.is_free(place, 0.55 * options_.spacing, line, sense * step, own)) break;
       grid_.add(place, line, sense * step);
       points.push_back(place);

@@ -49,9 +49,9 @@ ToneMap tones_of(const Image& painted, const Color& paper, const ToneOptions& op
   map.darkness = blurred(std::move(map.darkness), map.width, map.height, options.blur);
 
   // From bare paper to the picture's own darkest.
-  const double most = std::max(quantile(map.darkness, options.bare, options.darkest), 2 * options.bare);
+  const double max = std::max(quantile(map.darkness, options.bare, options.darkest), 2 * options.bare);
   for (float& dark : map.darkness) {
-    dark = static_cast<float>(std::clamp((dark - options.bare) / (most - options.bare), 0.0, 1.0));
+    dark = static_cast<float>(std::clamp((dark - options.bare) / (max - options.bare), 0.0, 1.0));
   }
   return map;
 }

@@ -68,11 +68,11 @@ struct Asset {
 };
 
 /// The most that a reader takes: what a lattice can count, and more triangles than any template has by far.
-constexpr int most_asset_nodes_along = 512;
-constexpr std::size_t most_asset_nodes = 40'000'000;
-constexpr std::size_t most_asset_vertices = 4'000'000;
-constexpr std::size_t most_asset_triangles = 8'000'000;
-constexpr std::size_t most_asset_parts = 64;
-constexpr std::uint32_t most_asset_shells = 65535;
+constexpr int max_asset_nodes_along = 512;
+constexpr std::size_t max_asset_nodes = 40'000'000;
+constexpr std::size_t max_asset_vertices = 4'000'000;
+constexpr std::size_t max_asset_triangles = 8'000'000;
+constexpr std::size_t max_asset_parts = 64;
+constexpr std::uint32_t max_asset_shells = 65535;
 
 }  // namespace pomona

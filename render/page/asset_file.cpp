@@ -27,10 +27,10 @@ using nlohmann::ordered_json;
 
 // The file's first eight bytes, and what an unpacked one may hold at most.
 constexpr std::string_view magic("pomona\0\1", 8);
-constexpr std::size_t most_bytes = std::size_t{1} << 28;
-constexpr std::size_t most_header = std::size_t{1} << 20;
+constexpr std::size_t max_bytes = std::size_t{1} << 28;
+constexpr std::size_t max_header = std::size_t{1} << 20;
 // Rows of nodes that its triangles lie across: a fruit of 100 000 triangles has some millions.
-constexpr std::int64_t most_rows = 300'000'000;
+constexpr std::int64_t max_rows = 300'000'000;
 
 // How coarsely nodes are rounded: the finest that leaves an asset this small, so that its page, of five characters for
 // four bytes and 0.16 MB of code, stays below 1.5 MB.
@@ -150,11 +150,11 @@ struct Counts {
 void check_header(const Asset& asset, const Counts& counts, const AssetReader& reader) {
   // Counts first: everything after is as large as they say.
   for (const int count : asset.count)
-    reader.require(count >= 2 && count <= most_asset_nodes_along, "it has no nodes, or too many along an axis");
-  reader.require(asset.node_count() <= most_asset_nodes && counts.vertices <= most_asset_vertices &&
-                     counts.triangles <= most_asset_triangles && asset.parts.size() <= most_asset_parts,
+    reader.require(count >= 2 && count <= max_asset_nodes_along, "it has no nodes, or too many along an axis");
+  reader.require(asset.node_count() <= max_asset_nodes && counts.vertices <= max_asset_vertices &&
+                     counts.triangles <= max_asset_triangles && asset.parts.size() <= max_asset_parts,
                  "it has more nodes, vertices, triangles or parts than an asset holds");
-  reader.require(counts.noise <= 1024 && counts.details <= 1024 && counts.materials <= 5 * most_asset_parts &&
+  reader.require(counts.noise <= 1024 && counts.details <= 1024 && counts.materials <= 5 * max_asset_parts &&
                      (counts.skin_shares == 0 || counts.skin_shares == asset.parts.size()),
                  "it has more texels than an asset holds");
   reader.require(counts.thirds >= 1 && counts.thirds <= 128, "its nodes are rounded in no known way");
@@ -180,7 +180,7 @@ Counts read_header(std::string_view text, Asset& asset, const AssetReader& reade
     if (format >= 2) counts.thirds = header.at("thirds");
     if (format == 3) {
       counts.shells = header.at("shells").at("count");
-      reader.require(counts.shells >= 1 && counts.shells <= most_asset_shells, "it has no shells, or too many");
+      reader.require(counts.shells >= 1 && counts.shells <= max_asset_shells, "it has no shells, or too many");
     }
     asset.name = header.at("name"), asset.title = header.at("title"), asset.latin = header.at("latin");
     asset.seed = header.at("seed"), asset.diffuser = header.at("diffuser");
@@ -261,7 +261,7 @@ void read_look(const Counts& counts, AssetReader& reader, Asset& a) {
   guide.share = reader.shares(a.parts.size() * static_cast<std::size_t>(depth_steps));
 }
 
-void read_shells(const Counts& counts, Reader& reader, Asset& a) {
+void read_shells(const Counts& counts, AssetReader& reader, Asset& a) {
   if (counts.shells == 0) return;
   for (const std::uint32_t shell : reader.numbers(counts.triangles, 1, 2, "shells")) {
     reader.require(shell <= counts.shells, "a triangle is of a shell that is none");
@@ -284,16 +284,16 @@ std::string write_asset(const Asset& asset, const std::string& made_by, int effo
 Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {
   const AssetReader outside(bytes, file);
   outside.require(bytes.substr(0, magic.size()) == magic, "it is no asset of Pomona's");
-  const std::optional<std::string> unpacked = inflated(bytes.substr(magic.size()), most_bytes);
+  const std::optional<std::string> unpacked = inflated(bytes.substr(magic.size()), max_bytes);
   outside.require(unpacked.has_value(), "it is cut off, damaged, or larger than an asset may be");
 
   AssetReader reader(*unpacked, file);
   const std::size_t length = word_at(reader.take(4, "header"), 0);
-  reader.require(length <= most_header, "its header is longer than one may be");
+  reader.require(length <= max_header, "its header is longer than one may be");
   Asset asset;
   const Counts counts = read_header(reader.take(length, "header"), asset, reader);
   read_surfaces(counts, reader, asset);
-  reader.require(rows_to_ask(asset) <= most_rows, "its triangles are larger than a fruit's");
+  reader.require(rows_to_ask(asset) <= max_rows, "its triangles are larger than a fruit's");
   asset.winding = windings(asset);
   const auto inside = static_cast<std::size_t>(
       std::count_if(asset.winding.begin(), asset.winding.end(), [](std::int8_t w) { return w != 0; }));

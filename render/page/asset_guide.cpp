@@ -16,7 +16,7 @@ namespace pomona {
 namespace {
 
 /// Whole numbers up to this: a thousandth of a fruit's size is less than patterns show, and small numbers pack well.
-constexpr double most_units = 1023;
+constexpr double max_units = 1023;
 
 bool has_details(const Template& fruit, DetailFace face) {
   return std::any_of(fruit.details.begin(), fruit.details.end(), [&](const DetailSketch& d) { return d.face == face; });
@@ -117,7 +117,7 @@ void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, 
     largest = std::max<double>({largest, way.x, way.y, way.z, std::fabs(at.layer)});
     guide.deepest = std::max<double>(guide.deepest, glm::length(at.to_skin));
   }
-  guide.unit = largest / most_units;
+  guide.unit = largest / max_units;
   guide.value.assign(static_cast<std::size_t>(guide.count[0]) * static_cast<std::size_t>(guide.count[1]) *
                          static_cast<std::size_t>(guide.count[2]),
                      glm::i16vec4(0));

@@ -38,14 +38,14 @@ std::string deflated(std::string_view bytes, int effort) {
   return packed;
 }
 
-std::optional<std::string> inflated(std::string_view packed, std::size_t most) {
+std::optional<std::string> inflated(std::string_view packed, std::size_t max) {
   z_stream stream{};
   if (inflateInit(&stream) != Z_OK) throw Error(ExitStatus::bug, "zlib does not start");
   stream.next_in = bytes_of(packed);
   stream.avail_in = static_cast<uInt>(packed.size());
   std::string bytes;
   int result = Z_OK;
-  while (result == Z_OK && bytes.size() <= most) {
+  while (result == Z_OK && bytes.size() <= max) {
     const std::size_t before = bytes.size();
     bytes.resize(before + chunk);
     stream.next_out = reinterpret_cast<Bytef*>(bytes.data() + before);
@@ -55,7 +55,7 @@ std::optional<std::string> inflated(std::string_view packed, std::size_t most) {
     // Nothing more comes out of a stream that stops halfway.
     if (result == Z_OK && bytes.size() == before) break;
   }
-  const bool whole = result == Z_STREAM_END && stream.avail_in == 0 && bytes.size() <= most;
+  const bool whole = result == Z_STREAM_END && stream.avail_in == 0 && bytes.size() <= max;
   inflateEnd(&stream);
   if (!whole) return std::nullopt;
   return bytes;

@@ -37,9 +37,9 @@ void require_closed(const AssetTask& task) {
     refuse("its boundary is open" + (bodies.warnings.empty() ? std::string() : " (" + bodies.warnings.front() + ")") +
            ": a page and an asset have to know what is inside");
   }
-  if (surfaces.part_names.size() > most_asset_parts)
+  if (surfaces.part_names.size() > max_asset_parts)
     refuse("it has " + std::to_string(surfaces.part_names.size()) + " parts; a page and an asset hold at most " +
-           std::to_string(most_asset_parts));
+           std::to_string(max_asset_parts));
 }
 
 /// Vertices on the whole units nearest to them.
@@ -107,7 +107,7 @@ void add_spared(const DiffusionSurfaces& surfaces, const Template& fruit, Asset&
   const std::set<std::uint32_t> crossed = crossed_shells(surfaces, shell, asset);
   std::map<std::uint32_t, std::uint16_t> number;
   for (std::uint32_t& one : shell) {
-    const bool is_kept = one != 0 && one <= most_asset_shells && !crossed.contains(one);
+    const bool is_kept = one != 0 && one <= max_asset_shells && !crossed.contains(one);
     one = is_kept ? number.try_emplace(one, static_cast<std::uint16_t>(number.size() + 1)).first->second : 0;
   }
   if (!number.empty()) asset.shell.assign(shell.begin(), shell.end());

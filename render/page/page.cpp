@@ -13,8 +13,8 @@ std::string write_page(const Asset& asset, const PageOptions& options) {
 }
 
 std::string write_page(std::span<const Asset> family, const PageOptions& options) {
-  if (family.empty() || family.size() > most_page_family) {
-    throw Error(ExitStatus::usage, "a page shows up to " + std::to_string(most_page_family) + " fruits side by side",
+  if (family.empty() || family.size() > max_page_family) {
+    throw Error(ExitStatus::usage, "a page shows up to " + std::to_string(max_page_family) + " fruits side by side",
                 "take fewer");
   }
   const Asset& first = family.front();

@@ -11,7 +11,7 @@
 namespace pomona {
 
 /// Cuts that a page makes at a time.
-constexpr std::size_t most_page_cuts = 4;
+constexpr std::size_t max_page_cuts = 4;
 
 /// A plane that a page opens with. Those of one knife follow one another; `step` is by how much the number of the
 /// knife's cell grows beyond the plane, and 0 of wedges, whose cells are counted by their angle
@@ -23,7 +23,7 @@ struct PageCut {
 
 struct PageOptions {
   Style style;
-  std::vector<PageCut> cuts;  ///< it opens with these; at most most_page_cuts
+  std::vector<PageCut> cuts;  ///< it opens with these; at most max_page_cuts
   std::string made_by;        ///< "pomona 0.3.0, seed 2"
 };
 

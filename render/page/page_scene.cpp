@@ -178,16 +178,16 @@ ordered_json place_of(const Instance& instance) {
 void check_fits_a_page(const Scene& scene, std::size_t fruits) {
   std::size_t triangles = 0;
   for (const Solid& solid : scene.solids) triangles += solid.triangle.size();
-  const auto refuse = [](const std::string& what, std::size_t there, std::size_t most, const char* hint) {
-    if (there <= most) return;
+  const auto refuse = [](const std::string& what, std::size_t there, std::size_t max, const char* hint) {
+    if (there <= max) return;
     throw Error(
         ExitStatus::usage,
-        "a page of a scene takes " + std::to_string(most) + " " + what + "; this one has " + std::to_string(there),
+        "a page of a scene takes " + std::to_string(max) + " " + what + "; this one has " + std::to_string(there),
         hint);
   };
-  refuse("fruits", fruits, most_page_fruits, "fewer variants, each placed more often: `copies` or `total` for `count`");
-  refuse("pieces", scene.instances.size(), most_page_instances, "write a .glb with --instances, or a smaller scene");
-  refuse("triangles", triangles, most_scene_triangles, "--detail 0.5");
+  refuse("fruits", fruits, max_page_fruits, "fewer variants, each placed more often: `copies` or `total` for `count`");
+  refuse("pieces", scene.instances.size(), max_page_instances, "write a .glb with --instances, or a smaller scene");
+  refuse("triangles", triangles, max_scene_triangles, "--detail 0.5");
 }
 
 std::string packed_scene(const PageScene& page) {

@@ -22,10 +22,10 @@ struct PageScene {
 };
 
 /// What a page of a scene holds at most. Browsers take more; who waits for it may not.
-constexpr std::size_t most_page_fruits = 64;
-constexpr std::size_t most_page_instances = 4000;
-constexpr std::size_t most_scene_triangles = 3'000'000;
-constexpr std::size_t most_scene_page_bytes = 48'000'000;
+constexpr std::size_t max_page_fruits = 64;
+constexpr std::size_t max_page_instances = 4000;
+constexpr std::size_t max_scene_triangles = 3'000'000;
+constexpr std::size_t max_scene_page_bytes = 48'000'000;
 
 /// \throws Error (usage) for a scene with more fruits, pieces or triangles than a page takes.
 void check_fits_a_page(const Scene& scene, std::size_t fruits);
@@ -34,7 +34,7 @@ void check_fits_a_page(const Scene& scene, std::size_t fruits);
 std::string packed_scene(const PageScene& page);
 
 /// One file of HTML: the pile is turned and pulled apart, pieces are picked, and those of a known fruit are cut.
-/// \throws Error (usage) where it would be larger than most_scene_page_bytes.
+/// \throws Error (usage) where it would be larger than max_scene_page_bytes.
 std::string write_scene_page(const PageScene& page, const PageOptions& options);
 
 }  // namespace pomona

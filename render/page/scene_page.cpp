@@ -19,10 +19,10 @@ std::string write_scene_page(const PageScene& scene, const PageOptions& options)
     page.packed.push_back(
         {"asset", "asset-" + std::to_string(page.packed.size() - 1), write_asset(asset, options.made_by)});
   std::string text = page_text(page, options);
-  if (text.size() > most_scene_page_bytes) {
+  if (text.size() > max_scene_page_bytes) {
     throw Error(ExitStatus::usage,
                 "the page would have " + std::to_string(text.size() / 1'000'000) +
-                    " MB; a page of a scene has at most " + std::to_string(most_scene_page_bytes / 1'000'000),
+                    " MB; a page of a scene has at most " + std::to_string(max_scene_page_bytes / 1'000'000),
                 "fewer variants, each placed more often, or --detail 0.5");
   }
   return text;

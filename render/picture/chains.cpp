@@ -34,12 +34,12 @@ glm::dvec2 direction_away(const LinkEnd& e, std::span<const ChainLink> links, st
 void join(std::span<const LinkEnd> ends, std::span<const ChainLink> links, std::span<const glm::dvec2> nodes,
           Joints& joints) {
   // Where only two meet, everything but turning back (by more than 120 degrees) goes on; else at most 60 degrees.
-  const double least = ends.size() == 2 ? -0.5 : 0.5;
+  const double min = ends.size() == 2 ? -0.5 : 0.5;
   std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> pairs;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (std::size_t j = i + 1; j < ends.size(); ++j) {
       const double straight = -glm::dot(direction_away(ends[i], links, nodes), direction_away(ends[j], links, nodes));
-      if (straight < least || ends[i].link == ends[j].link) continue;
+      if (straight < min || ends[i].link == ends[j].link) continue;
       pairs.emplace_back(-straight, 2 * ends[i].link + ends[i].end, 2 * ends[j].link + ends[j].end);
     }
   }
@@ -61,12 +61,12 @@ Joints all_joints(std::span<const ChainLink> links, std::span<const glm::dvec2> 
   std::stable_sort(ends.begin(), ends.end(), [](const LinkEnd& x, const LinkEnd& y) { return x.node < y.node; });
 
   // A node where very many meet is no pen's line: leave it unjoined, and the pairs few.
-  constexpr std::size_t most = 32;
+  constexpr std::size_t max = 32;
   Joints joints(2 * links.size(), none);
   for (std::size_t i = 0; i < ends.size();) {
     std::size_t j = i;
     while (j < ends.size() && ends[j].node == ends[i].node) ++j;
-    if (j - i <= most) join(std::span(ends).subspan(i, j - i), links, nodes, joints);
+    if (j - i <= max) join(std::span(ends).subspan(i, j - i), links, nodes, joints);
     i = j;
   }
   return joints;

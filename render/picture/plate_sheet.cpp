@@ -18,12 +18,12 @@ namespace pomona {
 
 namespace {
 
-constexpr double least_of_figure = 0.002;  // share that a part must cover to be numbered
-constexpr double row_ems = 1.35;           // from line to line of the legend
-constexpr double beside_ems = 2.2;         // what numbers take to the left and to the right of a figure
-constexpr double below_ems = 2.6;          // what a figure's letter and scale take below it
-constexpr double fading = 0.16;            // of a room's shorter side: where shadows fade out along its edges
-constexpr int ink_reach = 3;               // pixels from a part that its ink may cover
+constexpr double min_of_figure = 0.002;  // share that a part must cover to be numbered
+constexpr double row_ems = 1.35;         // from line to line of the legend
+constexpr double beside_ems = 2.2;       // what numbers take to the left and to the right of a figure
+constexpr double below_ems = 2.6;        // what a figure's letter and scale take below it
+constexpr double fading = 0.16;          // of a room's shorter side: where shadows fade out along its edges
+constexpr int ink_reach = 3;             // pixels from a part that its ink may cover
 
 /// How much of a figure's pixel is laid on the sheet: all of the fruit and of the ink along it, and less and less of
 /// its shadow towards the edges of its room, where that would be cut off.
@@ -108,7 +108,7 @@ std::vector<PlateSheet::Numbered> PlateSheet::numbered(const std::vector<SheetFi
   for (std::size_t f = 0; f < figures.size(); ++f) {
     const PartMap& map = figures[f].parts;
     if (map.part.empty()) continue;
-    for (ShownPart& shown : shown_parts(map, least_of_figure, 0.0016 * std::min(width_, height_))) {
+    for (ShownPart& shown : shown_parts(map, min_of_figure, 0.0016 * std::min(width_, height_))) {
       const std::string name = words_of(map.names[static_cast<std::size_t>(shown.part)]);
       const double share = shown.area / static_cast<double>(map.part.size());
       const auto known = std::find_if(best.begin(), best.end(), [&](const Place& place) { return place.name == name; });

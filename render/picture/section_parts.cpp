@@ -17,8 +17,8 @@ void mark(const std::array<glm::dvec2, 3>& corner, const std::array<std::int32_t
   const RasterSamples<double> middles{0.5, 1, {0, 0, map.width - 1, map.height - 1}};
   raster.for_covered(middles, [&](int x, int y, const glm::dvec3& shares) {
     const std::array<double, 3> share{shares.x / raster.area(), shares.y / raster.area(), shares.z / raster.area()};
-    const auto most = std::max_element(share.begin(), share.end()) - share.begin();
-    map.part[static_cast<std::size_t>(y) * map.width + x] = part[static_cast<std::size_t>(most)];
+    const auto max = std::max_element(share.begin(), share.end()) - share.begin();
+    map.part[static_cast<std::size_t>(y) * map.width + x] = part[static_cast<std::size_t>(max)];
   });
 }
 

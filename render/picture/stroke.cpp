@@ -134,7 +134,7 @@ std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options) {
                                                : glm::dot(point.outwards, options.from_light);
     const double end = taper > 0 ? std::min({1.0, s / taper, (total - s) / taper}) : 1.0;
     const double width = options.width * (0.72 + options.wander * tremble + 0.28 * shade);
-    const double heavy = std::max(point.heft * std::max(width, 0.25 * options.width), options.least);
+    const double heavy = std::max(point.heft * std::max(width, 0.25 * options.width), options.min);
     const double radius = 0.5 * heavy * std::sqrt(std::max(end, 0.02));
 
     // Where a thing's own sides say which way is out, the hand sways that way, whichever way the line is walked.

@@ -32,7 +32,7 @@ struct PenOptions {
   double wavelength = 70;           ///< wavelength of that variation, pixels
   double taper = 40;                ///< length over which an end becomes thin, pixels; at most a third of the line
   double sway = 0.4;                ///< largest distance of the drawn centre line from the true one, pixels
-  double least = 0;                 ///< smallest width between the ends, pixels
+  double min = 0;                   ///< smallest width between the ends, pixels
   glm::dvec2 from_light{0.6, 0.8};  ///< direction in which the light travels: lines on that side are thicker
 };
 

@@ -35,11 +35,11 @@ std::vector<std::size_t> nodes_worth(const std::vector<StrokePoint>& stroke) {
   while (!spans.empty()) {
     const auto [first, last] = spans.back();
     spans.pop_back();
-    double most = 4 * tolerance;
+    double max = 4 * tolerance;
     std::size_t at = 0;
     for (std::size_t i = first + 1; i < last; ++i) {
       const double off = off_straight(stroke[first], stroke[last], stroke[i]);
-      if (off > most) most = off, at = i;
+      if (off > max) max = off, at = i;
     }
     if (at == 0) continue;
     worth[at] = 1;

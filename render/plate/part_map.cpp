@@ -128,16 +128,16 @@ std::vector<glm::dvec2> places_on_rim(const PartMap& map, std::int32_t part) {
 
 }  // namespace
 
-std::vector<ShownPart> shown_parts(const PartMap& given, double least_share, double least_depth) {
+std::vector<ShownPart> shown_parts(const PartMap& given, double min_share, double min_depth) {
   const PartMap map = merged_names(given);
   const auto all = static_cast<double>(std::count_if(map.part.begin(), map.part.end(), [](auto p) { return p >= 0; }));
   std::vector<ShownPart> parts;
   for (std::int32_t part = 0; part < static_cast<std::int32_t>(map.names.size()); ++part) {
     const Cutout cutout = cut_out(map, part);
-    if (cutout.area == 0 || cutout.area < least_share * all) continue;
+    if (cutout.area == 0 || cutout.area < min_share * all) continue;
     const std::vector<double> depth = squared_depths(cutout);
     const double deepest = *std::max_element(depth.begin(), depth.end());
-    if (deepest >= least_depth * least_depth) {
+    if (deepest >= min_depth * min_depth) {
       parts.push_back(shown(cutout, depth, deepest, part));
     } else if (std::vector<glm::dvec2> places = places_on_rim(map, part); !places.empty()) {
       parts.push_back({part, cutout.area, std::move(places)});

@@ -24,9 +24,9 @@ struct ShownPart {
   std::vector<glm::dvec2> places;
 };
 
-/// All parts that cover at least `least_share` of what shows and are somewhere as thick as `least_depth` pixels to
+/// All parts that cover at least `min_share` of what shows and are somewhere as thick as `min_depth` pixels to
 /// either side, in the order of their numbers; thinner ones where they are the figure's rim, with places on it alone.
 /// Parts of one name are one.
-std::vector<ShownPart> shown_parts(const PartMap& map, double least_share, double least_depth);
+std::vector<ShownPart> shown_parts(const PartMap& map, double min_share, double min_depth);
 
 }  // namespace pomona

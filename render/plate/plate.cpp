@@ -15,7 +15,7 @@ namespace {
 
 constexpr double title_ems = 1.6, latin_ems = 1.15, scale_ems = 0.85;  // of a label's
 constexpr double title_spacing = 0.09;                                 // capitals want air, ems of the title
-constexpr double least_share = 0.0008;                                 // of the figure, for a part to be named
+constexpr double min_share = 0.0008;                                   // of the figure, for a part to be named
 constexpr double halo = 0.55;  // how far a line is set off from dark paint by the paper's colour
 
 /// The title at a size at which it fits.
@@ -84,7 +84,7 @@ std::vector<Label> Plate::labels(const PartMap& map) const {
   if (!style_.labels) return {};
   const Typeface italic("italic");
   std::vector<LabelWish> wishes;
-  for (ShownPart& part : shown_parts(map, least_share, 0.0016 * std::min(width_, height_))) {
+  for (ShownPart& part : shown_parts(map, min_share, 0.0016 * std::min(width_, height_))) {
     const std::string text = words_of(map.names[part.part]);
     const double width = italic.width(text) * em_;
     wishes.push_back({std::move(part), text, width});

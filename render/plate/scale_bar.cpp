@@ -19,9 +19,9 @@ std::string length_text(double metres) {
 
 }  // namespace
 
-ScaleLength scale_length(double most, double pixels_per_metre) {
+ScaleLength scale_length(double max, double pixels_per_metre) {
   if (!(pixels_per_metre > 0)) return {};
-  const double longest = most / pixels_per_metre;
+  const double longest = max / pixels_per_metre;
   double power = 1e-7;
   while (power * 10 <= longest) power *= 10;
   const double metres = longest >= 5 * power ? 5 * power : longest >= 2 * power ? 2 * power : power;

@@ -12,7 +12,7 @@ struct ScaleLength {
   double pixels = 0;  ///< 0 where there is no scale
 };
 
-/// The longest of at most `most` pixels. \param pixels_per_metre 0 = there is no scale
-ScaleLength scale_length(double most, double pixels_per_metre);
+/// The longest of at most `max` pixels. \param pixels_per_metre 0 = there is no scale
+ScaleLength scale_length(double max, double pixels_per_metre);
 
 }  // namespace pomona

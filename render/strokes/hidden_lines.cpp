@@ -121,7 +121,7 @@ void even_out_heft(std::vector<RunPoint>& points, bool closed) {
 
 }  // namespace
 
-void close_gaps(std::vector<std::uint8_t>& flags, std::uint8_t value, double least, bool closed) {
+void close_gaps(std::vector<std::uint8_t>& flags, std::uint8_t value, double min, bool closed) {
   const std::size_t count = flags.size();
   const auto first = std::find(flags.begin(), flags.end(), value);
   if (first == flags.end()) return;
@@ -131,7 +131,7 @@ void close_gaps(std::vector<std::uint8_t>& flags, std::uint8_t value, double lea
   std::size_t before = start;
   for (std::size_t k = start + 1; k <= (closed ? start + count : count - 1); ++k) {
     if (flags[k % count] != value) continue;
-    if (static_cast<double>(k - before - 1) < least) {
+    if (static_cast<double>(k - before - 1) < min) {
       for (std::size_t i = before + 1; i < k; ++i) flags[i % count] = value;
     }
     before = k;
@@ -167,7 +167,7 @@ std::vector<VisibleRun> visible_runs(std::span<const ObjectLine> lines, const Id
     for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = walker.is_visible(stepped, i) ? 1 : 0;
     close_gaps(seen, 1, options.gap, line.closed);
     for (VisibleRun& run : kept_stretches(stepped.run, seen)) {
-      if (static_cast<double>(run.points.size()) < options.least) continue;
+      if (static_cast<double>(run.points.size()) < options.min) continue;
       for (RunPoint& point : run.points) point.heft = walker.heft(run, point);
       even_out_heft(run.points, run.closed);
       runs.push_back(std::move(run));

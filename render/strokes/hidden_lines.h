@@ -27,8 +27,8 @@ struct VisibleRun {
 };
 
 struct VisibilityOptions {
-  double gap = 4;    ///< shorter hidden runs between visible ones count as visible, pixels
-  double least = 4;  ///< shorter visible runs are dropped, pixels
+  double gap = 4;  ///< shorter hidden runs between visible ones count as visible, pixels
+  double min = 4;  ///< shorter visible runs are dropped, pixels
 };
 
 /// A contour is visible where nothing nearer lies a pixel outside of it; another line is visible where its own surface
@@ -39,8 +39,8 @@ std::vector<VisibleRun> visible_runs(std::span<const ObjectLine> lines, const Id
 /// The runs of a line where `keep` is set (one entry per point); the line itself if it is set everywhere.
 std::vector<VisibleRun> kept_stretches(const VisibleRun& line, const std::vector<std::uint8_t>& keep);
 
-/// Sets to `value` all runs of fewer than `least` points with another value, if they lie between points with this
+/// Sets to `value` all runs of fewer than `min` points with another value, if they lie between points with this
 /// value.
-void close_gaps(std::vector<std::uint8_t>& flags, std::uint8_t value, double least, bool closed);
+void close_gaps(std::vector<std::uint8_t>& flags, std::uint8_t value, double min, bool closed);
 
 }  // namespace pomona

@@ -20,11 +20,11 @@ namespace {
 
 /// Lines are looked for on a picture of about this many pixels a side, whatever the size of the one that is drawn: a
 /// small picture has the lines of a large one.
-constexpr int least_side = 900, most_side = 4096;
+constexpr int min_side = 900, max_side = 4096;
 
 double magnification(const StrokeOptions& options) {
   const double shorter = std::min(options.width, options.height), longer = std::max(options.width, options.height);
-  return std::min(std::max(1.0, least_side / shorter), std::max(most_side / longer, 1e-3));
+  return std::min(std::max(1.0, min_side / shorter), std::max(max_side / longer, 1e-3));
 }
 
 /// Half the diagonal of the solid's box, metres.
@@ -173,7 +173,7 @@ SceneStroke Draughtsman::stroke(const VisibleRun& run, const IdentityBuffer& buf
                                .wavelength = 1,
                                .taper = 0.06 * side_ * sitter.fine,
                                .sway = 0.1 * width,
-                               .least = std::min(width, (is_inner(run.kind) ? 0.6 : 1.25) * scale_ * finer),
+                               .min = std::min(width, (is_inner(run.kind) ? 0.6 : 1.25) * scale_ * finer),
                                .from_light = from_light_});
   for (StrokePoint& point : result.points) {
     result.distance.push_back(before_all(point.at, point.radius, buffer));

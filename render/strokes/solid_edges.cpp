@@ -92,14 +92,14 @@ void EdgeFinder::look_at(std::span<const HalfEdge> sides) {
 /// fades there to what a line on a cut face would be, and never quite to nothing: rims of thin roots that are parted
 /// into bits flicker.
 double EdgeFinder::sunk_opacity(std::span<const HalfEdge> sides) const {
-  constexpr double least = 0.07, most = 0.75;
+  constexpr double min = 0.07, max = 0.75;
   double jump = 0;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     for (std::size_t k = i + 1; k < sides.size(); ++k) {
       if (is_cut(sides[i]) && is_cut(sides[k])) jump = std::max(jump, color_jump(sides[i], sides[k]));
     }
   }
-  return least + (most - least) * line_opacity(jump);
+  return min + (max - min) * line_opacity(jump);
 }
 
 /// How far the colours of two triangles are apart at their common edge, in OKLab.

@@ -18,9 +18,9 @@ double smoothstep(double low, double high, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-constexpr double offset = 0.37;        // keeps the lattice's zeros off the axis
-constexpr double deviation = 0.27;     // of gradient noise: measured
-constexpr double least_radius = 1e-9;  // metres
+constexpr double offset = 0.37;      // keeps the lattice's zeros off the axis
+constexpr double deviation = 0.27;   // of gradient noise: measured
+constexpr double min_radius = 1e-9;  // metres
 
 /// A turn that brings no lattice plane to lie in a usual cut.
 glm::dvec3 turned(const glm::dvec3& p) {
@@ -37,13 +37,13 @@ double way_up(const DetailSketch& detail, const glm::dvec3& foot) {
 }
 
 PatternPlace place_to_skin(const DetailSketch& detail, const glm::dvec3& position, const glm::dvec3& to_skin) {
-  const double radius = std::max(radius_of(position), least_radius);
+  const double radius = std::max(radius_of(position), min_radius);
   return {position / detail.size + to_skin * (1 / detail.size - 1 / detail.length),
           std::max(1.0, radius_of(position + to_skin) / radius)};
 }
 
 PatternPlace place_in_layer(const DetailSketch& detail, const glm::dvec3& position, const DetailGuide& guide) {
-  const double radius = std::max(radius_of(position), least_radius);
+  const double radius = std::max(radius_of(position), min_radius);
   const double cosine = position.x / radius, sine = position.z / radius;
   const double layer = static_cast<double>(guide.layer);
   const double up = way_up(detail, position + glm::dvec3(guide.to_skin));
@@ -65,8 +65,8 @@ double dots(const DetailSketch& detail, const glm::dvec3& point, double pitch, s
   if (chance >= detail.density) return 0;
   // Small chances make small dots; all are wholly within their cell.
   const double widest = 0.5 * pitch;
-  const double least = widest * detail.smallest / detail.size;
-  const double radius = least + (widest - least) * chance / detail.density;
+  const double min = widest * detail.smallest / detail.size;
+  const double radius = min + (widest - min) * chance / detail.density;
   const glm::dvec3 share(hash & 1023u, (hash >> 10) & 1023u, (hash >> 20) & 1023u);
   const glm::dvec3 away = point - low - radius - share * ((1 - 2 * radius) / 1023.0);
   const double distance = std::sqrt(away.x * away.x + away.y * away.y + away.z * away.z) / radius;

@@ -107,7 +107,7 @@ RimPlace FaceRelief::at(std::uint32_t triangle, const glm::dvec3& place) const {
 
   // The nearest; at a corner the mean of both sides' ways inwards.
   constexpr double alike = 1e-9;  // metres
-  double least = reach;
+  double min = reach;
   glm::dvec3 inwards(0);
   for (const std::uint32_t i : cell->second) {
     const Segment& s = segments_[i];
@@ -115,15 +115,15 @@ RimPlace FaceRelief::at(std::uint32_t triangle, const glm::dvec3& place) const {
     const double share = std::clamp(glm::dot(place - s.from, along) / glm::dot(along, along), 0.0, 1.0);
     const glm::dvec3 away = place - s.from - along * share;
     const double distance = std::sqrt(glm::dot(away, away));
-    if (distance > least + alike) continue;
+    if (distance > min + alike) continue;
     const glm::dvec3 way = distance > alike ? away / distance : s.inwards;
-    inwards = distance < least - alike ? way : inwards + way;
-    least = std::min(least, distance);
+    inwards = distance < min - alike ? way : inwards + way;
+    min = std::min(min, distance);
   }
-  found.rim = least;
+  found.rim = min;
   if (group.relief == 0) return found;
   const double way = 2 * std::fabs(group.relief), length = std::sqrt(glm::dot(inwards, inwards));
-  const ReliefProfile at_distance = profile(least, way);
+  const ReliefProfile at_distance = profile(min, way);
   found.height = group.relief * at_distance.share;
   if (length > 0) found.slope = inwards * (group.relief * at_distance.growth / way / length);
   return found;

@@ -71,12 +71,12 @@ Hair hair_on(const Solid& solid, const glm::uvec3& t, HairDraws draws) {
 
 }  // namespace
 
-std::vector<Hair> hairs_of(const Solid& solid, std::size_t most) {
+std::vector<Hair> hairs_of(const Solid& solid, std::size_t max) {
   double total = 0;
   for (std::size_t t = 0; t < solid.triangle.size(); ++t) total += hairs_on(solid, t);
   std::vector<Hair> hairs;
   if (total == 0) return hairs;
-  const double kept = std::min(1.0, static_cast<double>(most) / total);
+  const double kept = std::min(1.0, static_cast<double>(max) / total);
 
   // Walk over the triangles and set one hair whenever a whole one has come together.
   const RandomStream stream({}, "fuzz");
@@ -84,7 +84,7 @@ std::vector<Hair> hairs_of(const Solid& solid, std::size_t most) {
   double sown = 0;
   for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
     sown += kept * hairs_on(solid, t);
-    while (static_cast<double>(hairs.size()) + 0.5 < sown && hairs.size() < most) {
+    while (static_cast<double>(hairs.size()) + 0.5 < sown && hairs.size() < max) {
       hairs.push_back(hair_on(solid, solid.triangle[t], HairDraws(stream, draws_per_hair * hairs.size())));
     }
   }

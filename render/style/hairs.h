@@ -16,8 +16,8 @@ struct Hair {
   Color color{0};       ///< linear
 };
 
-/// The hairs on the parts of the skin that have fuzz, at most `most`: where there were more, they are thinned out
+/// The hairs on the parts of the skin that have fuzz, at most `max`: where there were more, they are thinned out
 /// evenly. The same for the same solid, always. Hairs lean downwards and to all sides, as much as they lie.
-std::vector<Hair> hairs_of(const Solid& solid, std::size_t most = 60000);
+std::vector<Hair> hairs_of(const Solid& solid, std::size_t max = 60000);
 
 }  // namespace pomona

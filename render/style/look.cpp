@@ -13,7 +13,7 @@ namespace pomona {
 namespace {
 
 /// Weights below this change nothing that eight bits could show.
-constexpr double least_weight = 1e-3;
+constexpr double min_weight = 1e-3;
 
 /// How near a colour is to what a detail keeps to, 0..1. \param unmodulated in OKLab
 double nearness(const Look::Detail& detail, const glm::dvec3& unmodulated) {
@@ -26,7 +26,7 @@ double nearness(const Look::Detail& detail, const glm::dvec3& unmodulated) {
 /// How much a detail counts for a colour.
 double weight_of(const Look::Detail& detail, const glm::dvec3& unmodulated, double share) {
   const double weight = detail.pattern.detail().amount * share;
-  return std::fabs(weight) < least_weight ? weight : weight * nearness(detail, unmodulated);
+  return std::fabs(weight) < min_weight ? weight : weight * nearness(detail, unmodulated);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ double weight_of(const Look::Detail& detail, const glm::dvec3& unmodulated, doub
 Look::Look(const NoiseStyle& noise, const std::vector<DetailSketch>& details, const Look* like) : modulation_(noise) {
   for (const DetailSketch& sketch : details) {
     std::vector<Detail>& of_face = details_[static_cast<std::size_t>(sketch.face)];
-    if (of_face.size() == static_cast<std::size_t>(most_details_of_a_face)) continue;
+    if (of_face.size() == static_cast<std::size_t>(max_details_of_a_face)) continue;
     const Pattern* known = nullptr;
     if (like != nullptr) {
       const std::vector<Detail>& others = like->details(sketch.face);
@@ -86,7 +86,7 @@ Color Look::operator()(const Color& unmodulated, const LookPlace& place) const {
     if (given == 0) continue;
     if (!plain) plain = to_oklab(unmodulated);
     const double weight = weight_of(details[i], *plain, given);
-    if (std::fabs(weight) < least_weight) continue;
+    if (std::fabs(weight) < min_weight) continue;
     if (!lab) lab = to_oklab(modulated);
     const PatternValue value = details[i].pattern(place.position, place.guide, place.footprint);
     const glm::dvec3 way = details[i].pattern.detail().color ? details[i].target - *lab : details[i].target;

@@ -9,8 +9,8 @@ namespace pomona {
 
 namespace {
 
-constexpr double least_step = 1e-5;  // metres
-constexpr double least_open = 0.4;
+constexpr double min_step = 1e-5;  // metres
+constexpr double min_open = 0.4;
 constexpr double closed_by_depth = 1.2;  // of the light, in a pit as deep as it is wide
 
 glm::dvec3 unit(const glm::dvec3& v) { return v / std::sqrt(glm::dot(v, v)); }
@@ -32,7 +32,7 @@ glm::dvec3 tilted(const glm::dvec3& normal, const glm::dvec3& slope) { return un
 
 Relief relief_at(const Look& look, const Color& unmodulated, const LookPlace& place, const glm::dvec3& normal) {
   if (place.guide.share == glm::vec4(0) || !look.has_relief(place.face)) return {};
-  const double step = std::max(0.5 * place.footprint, least_step);
+  const double step = std::max(0.5 * place.footprint, min_step);
   const glm::dvec3 aside = std::fabs(normal.y) < 0.8 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
   const glm::dvec3 first = unit(glm::cross(aside, normal)), second = glm::cross(normal, first);
   const Look::Height here = look.height(unmodulated, place);
@@ -43,7 +43,7 @@ Relief relief_at(const Look& look, const Color& unmodulated, const LookPlace& pl
     return (look.height(unmodulated, beside).height - here.height) / step;
   };
   return {here.height, growth(first) * first + growth(second) * second,
-          std::max(least_open, 1 - closed_by_depth * here.below)};
+          std::max(min_open, 1 - closed_by_depth * here.below)};
 }
 
 }  // namespace pomona

@@ -13,9 +13,9 @@ namespace pomona {
 
 namespace {
 
-constexpr int most_cells_along = 64;
-constexpr std::size_t most_pits = 100'000;
-constexpr std::size_t most_spots = 100'000;
+constexpr int max_cells_along = 64;
+constexpr std::size_t max_pits = 100'000;
+constexpr std::size_t max_spots = 100'000;
 constexpr double spot_step = 1.0 / 128;  // of its radius, over which its slope is taken
 constexpr int texels_of_pit = 2, texels_of_spot = 6;
 
@@ -46,7 +46,7 @@ SkinPits::SkinPits(const Solid& solid) : spots_(solid.raised) {
   const bool any = std::any_of(solid.materials.begin(), solid.materials.end(),
                                [](const MaterialSketch& material) { return material.pit > 0; });
   if (any) find(solid);
-  if (spots_.size() > most_spots) spots_.resize(most_spots);
+  if (spots_.size() > max_spots) spots_.resize(max_spots);
   if (!empty()) sort_into_cells();
 }
 
@@ -83,7 +83,7 @@ void SkinPits::find(const Solid& solid) {
   for (const auto& [island, grain] : grains) {
     const glm::dvec3 size(grain.high - grain.low);
     const double radius = 0.5 * wider * std::sqrt(glm::dot(size, size));
-    if (radius > 0 && pits_.size() < most_pits)
+    if (radius > 0 && pits_.size() < max_pits)
       pits_.push_back({glm::dvec3(grain.low + grain.high) / 2.0, radius, grain.depth});
   }
 }
@@ -99,7 +99,7 @@ void SkinPits::sort_into_cells() {
   for (const Spot& spot : spots_) hold(spot.center, reach_of(spot));
   const glm::dvec3 size = high - low;
   low_ = low;
-  side_ = std::max(2 * widest, std::max({size.x, size.y, size.z}) / most_cells_along);
+  side_ = std::max(2 * widest, std::max({size.x, size.y, size.z}) / max_cells_along);
   count_ = glm::ivec3(glm::floor(size / side_)) + 1;
   cells_.resize(static_cast<std::size_t>(count_.x) * count_.y * count_.z);
   const auto visit = [&](const glm::dvec3& middle, double reach, const auto& put) {

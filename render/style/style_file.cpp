@@ -15,7 +15,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_bytes = 65536;  // a style is a page, not a book
+constexpr std::size_t max_bytes = 65536;  // a style is a page, not a book
 
 void read_ink(const TomlTable& table, Style& style) {
   style.ink = table.get("lines").boolean(style.ink);
@@ -101,12 +101,12 @@ Style parse_style(std::string_view toml, const std::string& file) {
 }
 
 Style read_style(const std::filesystem::path& file) {
-  return parse_style(file_bytes(file, most_bytes, "no style is that long"), file.string());
+  return parse_style(file_bytes(file, max_bytes, "no style is that long"), file.string());
 }
 
 bool is_style_file(const std::filesystem::path& file) {
   if (small_ending(file) != ".toml") return false;
-  std::istringstream text(readable_bytes(file, most_bytes));
+  std::istringstream text(readable_bytes(file, max_bytes));
   for (std::string line; std::getline(text, line);) {
     std::erase_if(line, [](char c) { return c == ' ' || c == '\t' || c == '\'' || c == '"'; });
     if (line.starts_with("kind=style")) return true;

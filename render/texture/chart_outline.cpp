@@ -50,7 +50,7 @@ OutlineExtent extent_of(std::span<const glm::dvec2> hull, const Turn& turn) {
 /// One side of the smallest box around a hull lies in one of its edges.
 Turn smallest_box(std::span<const glm::dvec2> hull) {
   Turn best(1, 0);
-  double least = -1;
+  double min = -1;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const glm::dvec2 edge = hull[(i + 1) % hull.size()] - hull[i];
     const double length = std::sqrt(glm::dot(edge, edge));
@@ -58,8 +58,8 @@ Turn smallest_box(std::span<const glm::dvec2> hull) {
     const Turn turn(edge.x / length, -edge.y / length);
     const OutlineExtent extent = extent_of(hull, turn);
     const double area = (extent.high.x - extent.low.x) * (extent.high.y - extent.low.y);
-    if (least >= 0 && area >= least * (1 - 1e-9)) continue;
-    least = area;
+    if (min >= 0 && area >= min * (1 - 1e-9)) continue;
+    min = area;
     best = turn;
   }
   return best;

@@ -19,7 +19,7 @@ namespace {
 
 using Cell = FaceColors::Cell;
 
-constexpr float least_jump = 2e-3f;  // of a linear channel, between two sides of an edge
+constexpr float min_jump = 2e-3f;  // of a linear channel, between two sides of an edge
 
 /// The largest difference of a channel as pictures show it, of 255.
 double encoded_difference(const Color& a, const Color& b) {
@@ -65,9 +65,9 @@ class AskedPoints {
 };
 
 /// Parts one solid's cut faces.
-class Parting {
+class Subdivision {
  public:
-  Parting(const FaceColorTask& task, const FaceColorOptions& options, FaceColors& result)
+  Subdivision(const FaceColorTask& task, const FaceColorOptions& options, FaceColors& result)
       : solid_(*task.solid), options_(options), texel_(task.texel), result_(result) {
     result_.root.assign(solid_.triangle.size(), -1);
     node_of_.assign(solid_.position.size(), none);
@@ -177,7 +177,7 @@ class Parting {
     if (a == b) return true;
     for (int k = 0; k < 2; ++k) {
       const Color d = glm::abs(result_.color[a[k]] - result_.color[b[k]]);
-      if (face_a == face_b || std::max({d.r, d.g, d.b}) > least_jump) return false;
+      if (face_a == face_b || std::max({d.r, d.g, d.b}) > min_jump) return false;
     }
     return true;
   }
@@ -186,14 +186,14 @@ class Parting {
     return static_cast<double>(glm::distance(position_[a], position_[b])) / texel_;
   }
 
-  /// The edge, new or known. \param foretold the predicted colour of its middle, if it is new
-  Edge& lay(std::uint32_t a, std::uint32_t b, const Color& foretold, bool in_surface) {
+  /// The edge, new or known. \param predicted the predicted colour of its middle, if it is new
+  Edge& lay(std::uint32_t a, std::uint32_t b, const Color& predicted, bool in_surface) {
     const auto [edge, is_new] = edge_.try_emplace({a, b});
     if (!is_new) return edge;
     edge.in_surface = in_surface;
     const Color mean = 0.5f * (result_.color[a] + result_.color[b]);
     edge.middle = add_node(0.5f * (position_[a] + position_[b]), mean, false);
-    if (wants_middle(a, b, edge)) result_.color[edge.middle] = foretold;
+    if (wants_middle(a, b, edge)) result_.color[edge.middle] = predicted;
     return edge;
   }
 
@@ -306,17 +306,17 @@ DiffusedFaces diffused_faces(std::span<const FaceColorTask> tasks, const ColorFi
                              const FaceColorOptions& options) {
   DiffusedFaces result;
   result.of_solid.resize(tasks.size());
-  std::vector<Parting> partings;
-  partings.reserve(tasks.size());
-  for (std::size_t i = 0; i < tasks.size(); ++i) partings.emplace_back(tasks[i], options, result.of_solid[i]);
+  std::vector<Subdivision> subdivisions;
+  subdivisions.reserve(tasks.size());
+  for (std::size_t i = 0; i < tasks.size(); ++i) subdivisions.emplace_back(tasks[i], options, result.of_solid[i]);
 
   // Round by round, so that the field is asked many points at a time.
   AskedPoints asked;
-  for (int round = 0; round < options.most_rounds; ++round) {
-    for (Parting& parting : partings) parting.open(asked);
+  for (int round = 0; round < options.max_rounds; ++round) {
+    for (Subdivision& subdivision : subdivisions) subdivision.open(asked);
     asked.ask(field);
-    for (Parting& parting : partings) parting.close(asked, round + 1 < options.most_rounds);
-    if (std::all_of(partings.begin(), partings.end(), [](const Parting& p) { return p.is_done(); })) break;
+    for (Subdivision& subdivision : subdivisions) subdivision.close(asked, round + 1 < options.max_rounds);
+    if (std::all_of(subdivisions.begin(), subdivisions.end(), [](const Subdivision& p) { return p.is_done(); })) break;
   }
   result.points = asked.size();
   return result;

@@ -19,7 +19,7 @@ struct FaceColorOptions {
   double shortest = 1;   ///< edges shorter than this, in texels, are not subdivided
   double even = 6;       ///< edges inside a triangle whose colours differ by less are not subdivided, up to `longest`
   double longest = 12;   ///< texels: limit for `even`
-  int most_rounds = 3;   ///< rounds of diffusion; each costs about as much as some thousand points
+  int max_rounds = 3;    ///< rounds of diffusion; each costs about as much as some thousand points
 };
 
 /// A solid, and the size of its texels.

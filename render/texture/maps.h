@@ -15,7 +15,7 @@ namespace pomona {
 struct SurfaceMaps {
   Image normal;     ///< n of the tangent frame as (n + 1) / 2; level: (128, 128, 255)
   Image orm;        ///< occlusion, roughness, metal (none)
-  Image thickness;  ///< in green: of what light passes through, share of most_thickness; in red: share of a cut face's
+  Image thickness;  ///< in green: of what light passes through, share of max_thickness; in red: share of a cut face's
                     ///< film
   Image part;       ///< the part's number in Solid::part_names, in all channels; 255 where there is none
 
@@ -25,6 +25,6 @@ struct SurfaceMaps {
 };
 
 /// Metres: thicker parts count as this thick.
-constexpr double most_thickness = 0.006;
+constexpr double max_thickness = 0.006;
 
 }  // namespace pomona

@@ -96,7 +96,7 @@ MapSample SampleMaps::at(const TexelSample& sample, const Color& plain) const {
   made.thickness.x = static_cast<float>(shine.film);
   const auto part_number = static_cast<std::size_t>(std::max(part(sample), 0));
   const bool thin_at_rim = cut && part_number < of_part_.size() && of_part_[part_number].shows_rim;
-  if (thin_at_rim) made.thickness.y = static_cast<float>(std::min(1.0, (0.0005 + 2 * rim.rim) / most_thickness));
+  if (thin_at_rim) made.thickness.y = static_cast<float>(std::min(1.0, (0.0005 + 2 * rim.rim) / max_thickness));
   return made;
 }
 

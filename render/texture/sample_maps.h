@@ -19,7 +19,7 @@ namespace pomona {
 struct MapSample {
   glm::vec3 normal{0, 0, 1};     ///< in the tangent frame, unit
   glm::vec3 orm{1, 0.6f, 0};     ///< occlusion, roughness, metal
-  glm::vec3 thickness{1, 1, 0};  ///< red: share of the film of juice; green: share of most_thickness
+  glm::vec3 thickness{1, 1, 0};  ///< red: share of the film of juice; green: share of max_thickness
 };
 
 /// The tangent frames, per vertex of the texture's mesh.

@@ -16,8 +16,8 @@ namespace pomona {
 
 namespace {
 
-constexpr int subsamples = 4;        // 2 x 2, where colours jump
-constexpr float least_jump = 2e-3f;  // of a linear channel
+constexpr int subsamples = 4;      // 2 x 2, where colours jump
+constexpr float min_jump = 2e-3f;  // of a linear channel
 constexpr std::uint32_t unset = 0xffffffffu;
 
 using Corners2 = std::array<glm::dvec2, 3>;
@@ -112,7 +112,7 @@ class ChartTexels {
     EdgeMap<glm::uvec2> known;  // the solid's vertices at the edge's lower and higher place
     const auto differ = [&](std::uint32_t a, std::uint32_t b) {
       const Color d = glm::abs(solid_.color[a] - solid_.color[b]);
-      return a != b && std::max({d.r, d.g, d.b}) > least_jump;
+      return a != b && std::max({d.r, d.g, d.b}) > min_jump;
     };
     for (std::uint32_t t = 0; t < chart_.corners.size(); ++t) {
       for (int k = 0; k < 3; ++k) {

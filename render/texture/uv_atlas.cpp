@@ -143,8 +143,8 @@ struct Shapes {
   int mip_levels = 0;
   std::vector<std::vector<Shape>> of_chart;
   std::vector<std::uint8_t> speck;
-  std::size_t kinds = 0;   ///< of shapes
-  std::int64_t least = 0;  ///< blocks
+  std::size_t kinds = 0;  ///< of shapes
+  std::int64_t min = 0;   ///< blocks
 };
 
 /// A chart of a few blocks needs about the same ones however it is turned.
@@ -181,11 +181,11 @@ class Packer {
     Shapes shapes{.texels_per_metre = texels_per_metre, .mip_levels = mip_levels_, .of_chart = {}, .speck = {}};
     Kinds kinds;
     for (std::size_t c = 0; c < charts_.size(); ++c) {
-      std::vector<Shape> ways;
+      std::vector<Shape> orientations;
       const bool speck = is_speck(charts_[c], outlines_[c].area(), texels_per_metre);
       const auto add = [&](BlockMask mask) {
         const std::size_t kind = kinds.of(mask);
-        ways.emplace_back(std::move(mask), kind);
+        orientations.emplace_back(std::move(mask), kind);
       };
       if (speck) add(speck_mask());
       const double blocks_per_metre = texels_per_metre / (1 << mip_levels_);
@@ -193,10 +193,10 @@ class Packer {
       const std::vector<Turn>& turns = outlines_[c].turns();
       const std::size_t count = small ? std::min(turns_of_small_ones, turns.size()) : turns.size();
       for (std::size_t i = 0; i < count && !speck; ++i) add(outlines_[c].mask(turns[i], blocks_per_metre));
-      std::int64_t least = ways.front().mask.count;
-      for (const Shape& way : ways) least = std::min(least, way.mask.count);
-      shapes.least += least;
-      shapes.of_chart.push_back(std::move(ways));
+      std::int64_t min = orientations.front().mask.count;
+      for (const Shape& shape : orientations) min = std::min(min, shape.mask.count);
+      shapes.min += min;
+      shapes.of_chart.push_back(std::move(orientations));
       shapes.speck.push_back(speck ? 1 : 0);
     }
     shapes.kinds = kinds.count();
@@ -232,21 +232,21 @@ class Packer {
   std::optional<ChartPlaces> placed(const Shapes& shapes, const glm::ivec2& size, const PackingOrder& order) {
     // A size with fewer blocks than are wanted is not tried.
     const glm::ivec2 blocks = size >> mip_levels_;
-    if (shapes.least > static_cast<std::int64_t>(blocks.x) * blocks.y) return std::nullopt;
+    if (shapes.min > static_cast<std::int64_t>(blocks.x) * blocks.y) return std::nullopt;
     ChartPlaces found{std::vector<glm::ivec2>(charts_.size()), std::vector<std::size_t>(charts_.size(), 0)};
     Field field(blocks, shapes.kinds);
     for (const std::size_t c : order.charts) {
-      const std::vector<Shape>& ways = shapes.of_chart[c];
+      const std::vector<Shape>& orientations = shapes.of_chart[c];
       double lowest = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 0; i < ways.size(); ++i) {
-        const double own = order.height * ways[i].mask.height;
-        const std::optional<glm::ivec2> at = field.place(ways[i], lowest - own);
+      for (std::size_t i = 0; i < orientations.size(); ++i) {
+        const double own = order.height * orientations[i].mask.height;
+        const std::optional<glm::ivec2> at = field.place(orientations[i], lowest - own);
         if (!at) continue;
         lowest = at->y + own;
         found.at[c] = *at, found.turned[c] = i;
       }
       if (lowest == std::numeric_limits<double>::infinity()) break;
-      field.take(ways[found.turned[c]], found.at[c]);
+      field.take(orientations[found.turned[c]], found.at[c]);
       if (c == order.charts.back()) {
         looks_ += field.looks();
         return found;
@@ -264,8 +264,8 @@ class Packer {
     atlas.speck = shapes.speck;
     atlas.owner.assign(static_cast<std::size_t>(atlas.blocks().x) * atlas.blocks().y, -1);
     for (std::size_t c = 0; c < charts_.size(); ++c) {
-      const std::size_t way = placed.turned[c];
-      const BlockMask& mask = shapes.of_chart[c][way].mask;
+      const std::size_t packing = placed.turned[c];
+      const BlockMask& mask = shapes.of_chart[c][packing].mask;
       for (int y = 0; y < mask.height; ++y) {
         for (int x = 0; x < mask.width; ++x) {
           const std::size_t block =
@@ -275,7 +275,7 @@ class Packer {
       }
       atlas.corner.push_back((glm::dvec2(placed.at[c]) + 0.5) * static_cast<double>(atlas.block()));
       const bool turns = !charts_[c].frame && shapes.speck[c] == 0;
-      result.charts.push_back(turns ? turned(charts_[c], outlines_[c].turns()[way]) : charts_[c]);
+      result.charts.push_back(turns ? turned(charts_[c], outlines_[c].turns()[packing]) : charts_[c]);
     }
     return result;
   }
@@ -291,7 +291,7 @@ class Packer {
 
 /// What finding a better place for charts may cost, words that are read: a share of what a texel costs.
 std::size_t looks_for(const glm::ivec2& size) { return static_cast<std::size_t>(size.x) * size.y * 24; }
-constexpr std::uint64_t most_ways = 2000, ways_at_a_scale = 24;
+constexpr std::uint64_t max_orders = 2000, orders_at_a_scale = 24;
 
 /// Charts at a scale, and where they are.
 struct AtlasFit {
@@ -324,10 +324,10 @@ AtlasFit enlarged(Packer& packer, const glm::ivec2& size, AtlasFit best) {
   double step = 0.08;
   std::uint64_t tried = 0, number = 0;
   Shapes larger = packer.shapes_at(best.shapes.texels_per_metre * (1 + step));
-  while (step > 0.002 && number < most_ways && packer.looks() < enough) {
+  while (step > 0.002 && number < max_orders && packer.looks() < enough) {
     std::optional<ChartPlaces> found = packer.placed(larger, size, packer.other_order(larger, ++number));
     ++tried;
-    if (!found && tried < ways_at_a_scale) continue;
+    if (!found && tried < orders_at_a_scale) continue;
     if (found)
       best = {std::move(larger), std::move(*found)};
     else
@@ -370,9 +370,9 @@ PackedCharts packed_at_texel(const std::vector<Chart>& charts, double texel, int
   };
   // Told before anything is made of that size.
   const double scale = 1 / texel;
-  constexpr double most = static_cast<double>(max_texture_side) * max_texture_side;
+  constexpr double max = static_cast<double>(max_texture_side) * max_texture_side;
   Packer packer(charts, mip_levels);
-  if (!(packer.area() * scale * scale <= most)) throw too_many();
+  if (!(packer.area() * scale * scale <= max)) throw too_many();
   for (const Chart& chart : charts) {
     if (!(std::max(chart.size.x, chart.size.y) * scale < max_texture_side)) throw too_many();
   }
@@ -382,7 +382,7 @@ PackedCharts packed_at_texel(const std::vector<Chart>& charts, double texel, int
     for (const glm::ivec2 size : {glm::ivec2(side, side), {2 * side, side}}) {
       if (size.x > max_texture_side) continue;
       std::optional<ChartPlaces> placed = packer.placed(shapes, size, packer.first_order(shapes));
-      for (std::uint64_t number = 1; !placed && number <= ways_at_a_scale; ++number)
+      for (std::uint64_t number = 1; !placed && number <= orders_at_a_scale; ++number)
         placed = packer.placed(shapes, size, packer.other_order(shapes, number));
       if (placed) return packer.packed(shapes, size, *placed);
     }

@@ -14,10 +14,10 @@ namespace pomona {
 
 namespace {
 
-constexpr int most_sweeps = 120;
+constexpr int max_sweeps = 120;
 constexpr double over_relaxation = 1.7;
-constexpr double at_rest = 2e-4;     // of the patch's size: the longest step of a sweep that ends the work
-constexpr double least_area = 0.05;  // of a triangle's own: flatter it may not become
+constexpr double at_rest = 2e-4;   // of the patch's size: the longest step of a sweep that ends the work
+constexpr double min_area = 0.05;  // of a triangle's own: flatter it may not become
 
 /// A triangle by itself, laid flat as it is: its first corner at the origin, its second on the x axis.
 std::array<glm::dvec2, 3> at_rest_shape(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -55,7 +55,7 @@ class Relaxation {
   std::vector<glm::dvec2> run() {
     double size = 0;
     for (const glm::dvec2& p : flat_) size = std::max({size, std::abs(p.x - flat_[0].x), std::abs(p.y - flat_[0].y)});
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    for (int sweep = 0; sweep < max_sweeps; ++sweep) {
       for (std::size_t t = 0; t < turn_.size(); ++t) turn_[t] = turn_of(t);
       double longest = 0;
       for (std::uint32_t p = 0; p < flat_.size(); ++p) longest = std::max(longest, move(p));
@@ -127,7 +127,7 @@ class Relaxation {
     for (std::size_t i = first_[p]; i < first_[p + 1]; ++i) {
       const std::uint32_t t = around_[i].triangle;
       const glm::uvec3& v = patch_.triangle[t];
-      if (area_[t] > 0 && cross(flat_[v.y] - flat_[v.x], flat_[v.z] - flat_[v.x]) < least_area * area_[t]) return false;
+      if (area_[t] > 0 && cross(flat_[v.y] - flat_[v.x], flat_[v.z] - flat_[v.x]) < min_area * area_[t]) return false;
     }
     return true;
   }
@@ -225,9 +225,9 @@ Stretch stretch_of(const Patch3& patch, std::span<const glm::dvec2> flat) {
     const glm::dvec2 x = e / r[1].x, y = (f - x * r[2].x) / r[2].y;
     const double a = glm::dot(x, x), b = glm::dot(x, y), c = glm::dot(y, y);
     const double root = std::sqrt((a - c) * (a - c) + 4 * b * b);
-    const double most = std::sqrt(std::max(0.0, 0.5 * (a + c + root)));
-    const double least = std::sqrt(std::max(1e-12, 0.5 * (a + c - root)));
-    const double either = std::max(most, 1 / least);
+    const double max = std::sqrt(std::max(0.0, 0.5 * (a + c + root)));
+    const double min = std::sqrt(std::max(1e-12, 0.5 * (a + c - root)));
+    const double either = std::max(max, 1 / min);
     sum += own * either;
     area += own;
     worst = std::max(worst, either);

@@ -9,7 +9,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_numbers = 65535;
+constexpr std::size_t max_numbers = 65535;
 
 /// The number of a key in a list that grows by `entry` where the key is new.
 template <typename Key, typename Entry>
@@ -22,7 +22,7 @@ std::uint16_t numbered(std::map<Key, std::uint16_t>& known, const Key& key, std:
 }  // namespace
 
 TruthNaming truth_naming(const Scene& scene) {
-  if (scene.instances.size() > most_numbers || scene.solids.size() > most_numbers) {
+  if (scene.instances.size() > max_numbers || scene.solids.size() > max_numbers) {
     throw Error(ExitStatus::usage, "--aov: the scene has " + std::to_string(scene.instances.size()) + " pieces",
                 "ids have 16 bits: at most 65535");
   }

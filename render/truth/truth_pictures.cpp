@@ -8,7 +8,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double most = 65535;
+constexpr double max = 65535;
 
 TruthPicture picture(const TruthLayers& layers, std::string name, int channels) {
   TruthPicture result{std::move(name), {layers.width, layers.height, channels, {}}};
@@ -26,7 +26,7 @@ TruthPicture depths(const TruthLayers& layers) {
   TruthPicture result = picture(layers, "depth", 1);
   const double step = depth_step(layers);
   for (const float depth : layers.depth) {
-    const double steps = std::clamp(std::round(static_cast<double>(depth) / step), 1.0, most);
+    const double steps = std::clamp(std::round(static_cast<double>(depth) / step), 1.0, max);
     result.image.values.push_back(depth > 0 ? static_cast<std::uint16_t>(steps) : std::uint16_t{0});
   }
   return result;
@@ -37,7 +37,7 @@ TruthPicture normals(const TruthLayers& layers) {
   for (const glm::vec3& n : layers.normal) {
     const bool nothing = n == glm::vec3(0);
     for (int k = 0; k < 3; ++k) {
-      const double value = nothing ? 0 : std::clamp(0.5 * (static_cast<double>(n[k]) + 1), 0.0, 1.0) * most;
+      const double value = nothing ? 0 : std::clamp(0.5 * (static_cast<double>(n[k]) + 1), 0.0, 1.0) * max;
       result.image.values.push_back(static_cast<std::uint16_t>(std::lround(value)));
     }
   }
@@ -60,10 +60,10 @@ double depth_step(const TruthLayers& layers) {
   // Divided by whole numbers, steps are the decimal ones to the bit.
   for (double divisor = 1e9; divisor >= 1; divisor /= 10) {
     for (const double times : {1.0, 2.0, 5.0}) {
-      if (times / divisor * most >= static_cast<double>(deepest)) return times / divisor;
+      if (times / divisor * max >= static_cast<double>(deepest)) return times / divisor;
     }
   }
-  return static_cast<double>(deepest) / most;
+  return static_cast<double>(deepest) / max;
 }
 
 std::vector<TruthPicture> pictures_of(const TruthLayers& layers) {

@@ -15,9 +15,9 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string told(const std::filesystem::path& file, std::size_t most, ExitStatus status) {
+std::string told(const std::filesystem::path& file, std::size_t max, ExitStatus status) {
   try {
-    file_bytes(file, most, "make it smaller");
+    file_bytes(file, max, "make it smaller");
     ADD_FAILURE() << "was read";
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), status);

@@ -18,15 +18,15 @@ namespace {
 std::size_t met_at_once(std::size_t count, Threads threads) {
   std::mutex mutex;
   std::condition_variable all_here;
-  std::size_t inside = 0, most = 0;
+  std::size_t inside = 0, max = 0;
   parallel_for(count, threads, [&](std::size_t) {
     std::unique_lock lock(mutex);
-    most = std::max(most, ++inside);
+    max = std::max(max, ++inside);
     all_here.notify_all();
-    all_here.wait_for(lock, std::chrono::seconds(20), [&] { return most == count; });
+    all_here.wait_for(lock, std::chrono::seconds(20), [&] { return max == count; });
     --inside;
   });
-  return most;
+  return max;
 }
 
 TEST(Parallel, HasAsManyThreadsAsAskedForAlsoBeyondTheCores) {

@@ -13,9 +13,9 @@ namespace {
 TEST(FirstBytes, AreAsManyAsAskedForOrAsThereAre) {
   std::string all;
   for (int i = 0; i < 200000; ++i) all += static_cast<char>('a' + i % 23);
-  for (const std::size_t most : {0u, 1u, 100u, 65535u, 65536u, 65537u, 150000u, 200000u, 300000u}) {
+  for (const std::size_t max : {0u, 1u, 100u, 65535u, 65536u, 65537u, 150000u, 200000u, 300000u}) {
     std::istringstream stream(all);
-    EXPECT_EQ(first_bytes(stream, most), all.substr(0, most)) << most;
+    EXPECT_EQ(first_bytes(stream, max), all.substr(0, max)) << max;
   }
 }
 

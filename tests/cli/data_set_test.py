@@ -77,7 +77,8 @@ def main():
         annotations = check_coco(folder)
         check_croissant(folder)
 
-        # A second run finds all, and writes the same; a picture that is lost comes back to the byte, by its own command too.
+        # A second run finds all, and writes the same; a picture that is lost comes back to the byte, by its own command
+        # too.
         before = {p: p.read_bytes() for p in folder.rglob("*") if p.is_file()}
         lost = folder / "images" / "000001.png"
         lost.unlink()

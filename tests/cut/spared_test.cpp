@@ -217,9 +217,9 @@ TEST(HeldBack, ACorerLeavesLeavesWhole) {
 TEST(HeldBack, ALeafGoesWithWhatItSitsOn) {
   const auto volume_of_core = [](const DiffusionSurfaces& fruit) {
     const Cut found = cut(fruit, parsed({"core:12mm"}));
-    double least = 1;
-    for (const CutPiece& piece : found.pieces) least = std::min(least, piece.volume);
-    return least;
+    double min = 1;
+    for (const CutPiece& piece : found.pieces) min = std::min(min, piece.volume);
+    return min;
   };
   const double bare = volume_of_core(shapes::sphere(outer, 10, shapes::skin_paint()));
   const double leaf = 0.022 * 0.003 * 0.008;

@@ -170,9 +170,9 @@ TEST(Stroke, IsSmoothWhereItTurnsALittleAndCreasedWhereItTurnsMuch) {
         at[{p.x, p.y, p.z}].insert({n.x, n.y, n.z});
       }
     }
-    std::size_t most = 0;
-    for (const auto& [place, normals] : at) most = std::max(most, normals.size());
-    return most;
+    std::size_t max = 0;
+    for (const auto& [place, normals] : at) max = std::max(max, normals.size());
+    return max;
   };
   ASSERT_GT(waves.section.faces.size(), 10u);
   EXPECT_EQ(normals_at_places(waves.section), 1u) << "one normal to the bit, whichever facet it is seen on";

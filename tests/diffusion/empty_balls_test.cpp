@@ -32,14 +32,14 @@ std::vector<glm::dvec3> random_places(std::size_t count) {
 
 /// Normalised, by trying all triangles.
 double true_distance(const DiffusionSurfaces& surfaces, const TriangleFrames& frames, const glm::dvec3& place) {
-  double least = 1e30;
+  double min = 1e30;
   for (std::uint32_t t = 0; t < surfaces.triangle_count(); ++t) {
     auto [a, b, c] = corners(surfaces, t);
     a = frames.normalized(a), b = frames.normalized(b), c = frames.normalized(c);
     const glm::dvec3 w = nearest_weights(place, a, b, c);
-    least = std::min(least, glm::length(place - (w.x * a + w.y * b + w.z * c)));
+    min = std::min(min, glm::length(place - (w.x * a + w.y * b + w.z * c)));
   }
-  return least;
+  return min;
 }
 
 void expect_empty_and_large(const DiffusionSurfaces& surfaces, const std::vector<glm::dvec3>& places) {

@@ -103,16 +103,16 @@ TEST(HarmonicDiffuser, LetsNoSeedPop) {
   constexpr double cell = 2.0 / nodes;
   // The smallest still has 1.2 cells of the finest patch to its radius.
   for (const auto& [cells, limit] : {std::pair{1.2, 0.1}, {0.5, 0.1}, {0.3, 0.15}}) {
-    double least = 10, greatest = 0;
+    double min = 10, greatest = 0;
     for (int step = 0; step <= 6; ++step) {
       const glm::dvec3 place = cell * step / 6 * glm::dvec3(1, 0.7, 0.4);
       const double strength = strength_of_ball(cells * cell, place, {.threads = {2}, .nodes = nodes});
-      least = std::min(least, strength);
+      min = std::min(min, strength);
       greatest = std::max(greatest, strength);
     }
-    EXPECT_GT(least, 0.85) << cells;
+    EXPECT_GT(min, 0.85) << cells;
     EXPECT_LT(greatest, 1 + limit) << cells;
-    EXPECT_LT(greatest - least, limit) << cells;
+    EXPECT_LT(greatest - min, limit) << cells;
   }
 }
 

@@ -25,8 +25,8 @@ LinePlan with_draft_lines_alone() {
   return plan;
 }
 
-LinePlan with_most_scatter(double most) {
-  return {.lines = relaxed_draft_lines(), .more = relaxed_final_lines(), .most_scatter = most};
+LinePlan with_max_scatter(double max) {
+  return {.lines = relaxed_draft_lines(), .more = relaxed_final_lines(), .max_scatter = max};
 }
 
 /// All of a sphere is as far from its middle as it is wide: all directions, 4 pi, over that distance.
@@ -42,9 +42,9 @@ TEST(LinePmvc, WeightsAreAllDirectionsOverTheirDistance) {
 TEST(LinePmvc, OneColourScattersNowhere) {
   const DiffusionSurfaces ball = shapes::sphere(1, 6);
   const std::vector<PmvcValue> few = off_the_middle(ball, with_draft_lines_alone());
-  const std::vector<PmvcValue> most = off_the_middle(ball, with_most_scatter(1e-3));
+  const std::vector<PmvcValue> max = off_the_middle(ball, with_max_scatter(1e-3));
   for (std::size_t i = 0; i < few.size(); ++i)
-    EXPECT_EQ(few[i].weight, most[i].weight) << "further lines were looked along";
+    EXPECT_EQ(few[i].weight, max[i].weight) << "further lines were looked along";
 }
 
 TEST(LinePmvc, WhatScattersMoreThanMayBeIsLookedAtAlongMoreLines) {
@@ -52,8 +52,8 @@ TEST(LinePmvc, WhatScattersMoreThanMayBeIsLookedAtAlongMoreLines) {
   for (std::size_t v = 0; v < ball.vertex_count(); ++v)
     ball.back_color[v] = Color(ball.position[v].x > 0 ? 0.9f : 0.1f);
   const std::vector<PmvcValue> few = off_the_middle(ball, with_draft_lines_alone());
-  const std::vector<PmvcValue> more = off_the_middle(ball, with_most_scatter(1e-3));
-  const std::vector<PmvcValue> content = off_the_middle(ball, with_most_scatter(1));
+  const std::vector<PmvcValue> more = off_the_middle(ball, with_max_scatter(1e-3));
+  const std::vector<PmvcValue> content = off_the_middle(ball, with_max_scatter(1));
   for (std::size_t i = 0; i < few.size(); ++i) {
     EXPECT_NE(few[i].weight, more[i].weight);
     EXPECT_EQ(few[i].weight, content[i].weight);

@@ -53,7 +53,7 @@ TEST(NearestSide, AgreesWithTryingAllTriangles) {
   const SurfaceTree tree = make_surface_tree(fruit);
   const std::vector<glm::vec3> points = shapes::points_on_section_of_seeded_fruit(50);
   for (const glm::vec3& p : points) {
-    double least = 1;
+    double min = 1;
     for (std::uint32_t t = 0; t < fruit.triangle_count(); ++t) {
       const auto [a, b, c] = corners(fruit, t);
       // The nearest of many places on the triangle is no nearer than the truth, and almost as near.
@@ -61,13 +61,13 @@ TEST(NearestSide, AgreesWithTryingAllTriangles) {
         for (int j = 0; i + j <= 8; ++j) {
           const glm::dvec3 q =
               (a * static_cast<double>(i) + b * static_cast<double>(j) + c * static_cast<double>(8 - i - j)) / 8.0;
-          least = std::min(least, glm::length(glm::dvec3(p) - q));
+          min = std::min(min, glm::length(glm::dvec3(p) - q));
         }
       }
     }
     const double found = nearest_side(fruit, tree, glm::dvec3(p))->distance;
-    EXPECT_LE(found, least * (1 + 1e-12));
-    EXPECT_GE(found, least - 0.0006);
+    EXPECT_LE(found, min * (1 + 1e-12));
+    EXPECT_GE(found, min - 0.0006);
   }
 }
 

@@ -17,14 +17,14 @@
 namespace pomona {
 namespace {
 
-/// About `most` interior vertices of a section, evenly picked.
-std::vector<glm::vec3> some_interior(const CrossSection& section, std::size_t most) {
+/// About `max` interior vertices of a section, evenly picked.
+std::vector<glm::vec3> some_interior(const CrossSection& section, std::size_t max) {
   std::vector<glm::vec3> interior, some;
   for (std::size_t v = 0; v < section.position.size(); ++v) {
     if (section.interior[v]) interior.push_back(section.position[v]);
   }
-  for (std::size_t i = 0; i < most && i < interior.size(); ++i) {
-    some.push_back(interior[i * interior.size() / std::min(most, interior.size())]);
+  for (std::size_t i = 0; i < max && i < interior.size(); ++i) {
+    some.push_back(interior[i * interior.size() / std::min(max, interior.size())]);
   }
   return some;
 }

@@ -225,7 +225,7 @@ TEST(WalkDiffuser, WhereNothingIsMetTheNearestSideCounts) {
   // The single walk that is allowed here does not meet a speck far away.
   DiffusionSurfaces specks = shapes::moved(shapes::sphere(1e-3, 1, plain(0.25f, 0)), {1000, 0, 0});
   specks = joined(specks, shapes::moved(shapes::sphere(1e-3, 1, plain(0.75f, 0)), {-1000, 0, 0}));
-  const WalkResult result = WalkOnSpheres(specks, {.most_walks = 1}).at(std::vector<glm::vec3>{{100, 0, 0}});
+  const WalkResult result = WalkOnSpheres(specks, {.max_walks = 1}).at(std::vector<glm::vec3>{{100, 0, 0}});
   EXPECT_EQ(result.color[0].x, 0.25f);
   EXPECT_EQ(result.misses[0], result.walks[0]);
 }

@@ -10,8 +10,8 @@
 #include "tests/fuzz/told.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max);
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max, unsigned seed);
 
 namespace {
 
@@ -44,11 +44,11 @@ std::string with_lengths(std::string_view bytes) {
 
 }  // namespace
 
-std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
-  const std::size_t now = LLVMFuzzerMutate(data, size, most);
+std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max, unsigned seed) {
+  const std::size_t now = LLVMFuzzerMutate(data, size, max);
   if (seed % 8 == 0) return now;
   const std::string right = with_lengths({reinterpret_cast<const char*>(data), now});
-  if (right.size() > most) return now;
+  if (right.size() > max) return now;
   std::copy(right.begin(), right.end(), data);
   return right.size();
 }

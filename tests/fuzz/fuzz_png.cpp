@@ -8,8 +8,8 @@
 #include "tests/fuzz/told.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max);
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max, unsigned seed);
 
 namespace {
 
@@ -43,8 +43,8 @@ void set_checksums(std::uint8_t* data, std::size_t size) {
 
 }  // namespace
 
-std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
-  const std::size_t now = LLVMFuzzerMutate(data, size, most);
+std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max, unsigned seed) {
+  const std::size_t now = LLVMFuzzerMutate(data, size, max);
   if (seed % 8 != 0) set_checksums(data, now);
   return now;
 }

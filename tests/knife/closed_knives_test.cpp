@@ -54,13 +54,13 @@ TEST(ClosedKnives, ABallIsABallWhereTheFruitIsSeen) {
   EXPECT_NEAR(volume_of(ball), 4. / 3 * pi * std::pow(0.012, 3), area_of(ball) * 0.000024);
   const glm::dvec3 front = middle_of(ball);
   EXPECT_NEAR(glm::distance(front, {0, 0.035, 0.035}), 0, 1e-4);
-  double least = 1, most = 0;
+  double min = 1, max = 0;
   for (const glm::dvec3& p : ball.point) {
-    least = std::min(least, glm::distance(p, {0, 0.035, front.z}));
-    most = std::max(most, glm::distance(p, {0, 0.035, front.z}));
+    min = std::min(min, glm::distance(p, {0, 0.035, front.z}));
+    max = std::max(max, glm::distance(p, {0, 0.035, front.z}));
   }
-  EXPECT_NEAR(least, 0.012, 2e-4);
-  EXPECT_NEAR(most, 0.012, 2e-4);
+  EXPECT_NEAR(min, 0.012, 2e-4);
+  EXPECT_NEAR(max, 0.012, 2e-4);
   EXPECT_NEAR(glm::distance(middle_of(solid_of("ball:3cm,at=1cm,2cm,-3mm")), {0.01, 0.02, -0.003}), 0, 1e-7);
 }
 
@@ -137,8 +137,8 @@ TEST(ClosedKnives, ABiteHasTheMarksOfUnequalTeeth) {
   }
   EXPECT_GE(groove.size(), 8u);
   EXPECT_LE(groove.size(), 24u);
-  const auto [least, most] = std::minmax_element(groove.begin(), groove.end());
-  EXPECT_GT(*most - *least, 0.02 * 0.0225);
+  const auto [min, max] = std::minmax_element(groove.begin(), groove.end());
+  EXPECT_GT(*max - *min, 0.02 * 0.0225);
 }
 
 class ProfileFile : public testing::Test {

@@ -130,7 +130,7 @@ TEST(KnifeMesh, WhatIsNotClosedIsRefusedByName) {
   EXPECT_NE(message(lacking).find("\"lid\" lacks points"), std::string::npos);
 }
 
-double least_angle(const KnifeMesh& mesh) {
+double min_angle(const KnifeMesh& mesh) {
   double widest = -1;
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
     const auto c = mesh.corners(t);
@@ -153,7 +153,7 @@ TEST(RefinedKnife, HasEdgesAsShortAsAskedOnTheSameSurface) {
   EXPECT_NEAR(volume_of(as_surface(fine)), 6, 1e-12);
   EXPECT_NEAR(area_of(as_surface(fine)), 22, 1e-12);
   EXPECT_EQ(fine.faces, 6u);
-  EXPECT_GE(least_angle(fine), 0.5 * least_angle(coarse));
+  EXPECT_GE(min_angle(fine), 0.5 * min_angle(coarse));
   for (std::size_t t = 0; t < fine.triangle.size(); ++t) {
     const auto c = fine.corners(t);
     for (std::size_t i = 0; i < 3; ++i) {

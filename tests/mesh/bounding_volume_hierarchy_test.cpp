@@ -15,14 +15,14 @@ std::uint32_t by_half(std::uint32_t, std::uint32_t count) { return count / 2; }
 std::uint32_t one_by_one(std::uint32_t, std::uint32_t) { return 1; }
 
 /// How often each thing is in a leaf, going down from the root.
-std::vector<int> times_in_a_leaf(const std::vector<Node>& nodes, std::uint32_t things, std::uint32_t most_in_leaf) {
+std::vector<int> times_in_a_leaf(const std::vector<Node>& nodes, std::uint32_t things, std::uint32_t max_in_leaf) {
   std::vector<int> times(things, 0);
   std::vector<std::uint32_t> open{0};
   while (!open.empty()) {
     const std::uint32_t index = open.back();
     const Node node = nodes[index];
     open.pop_back();
-    EXPECT_LE(node.count, most_in_leaf);
+    EXPECT_LE(node.count, max_in_leaf);
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) ++times[i];
     if (node.count > 0) continue;
     EXPECT_GT(node.first, index) << "children come after their parents";

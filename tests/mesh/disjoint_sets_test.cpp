@@ -21,24 +21,24 @@ Pairs random_pairs(std::size_t count, std::uint64_t members) {
 }
 
 /// The least member that each can be reached from, by going along pairs until nothing changes.
-std::vector<std::uint32_t> least_reached(const Pairs& pairs, std::uint32_t members) {
-  std::vector<std::uint32_t> least(members);
-  for (std::uint32_t i = 0; i < members; ++i) least[i] = i;
+std::vector<std::uint32_t> min_reached(const Pairs& pairs, std::uint32_t members) {
+  std::vector<std::uint32_t> min(members);
+  for (std::uint32_t i = 0; i < members; ++i) min[i] = i;
   for (bool changed = true; changed;) {
     changed = false;
     for (const auto& [a, b] : pairs) {
-      const std::uint32_t both = std::min(least[a], least[b]);
-      changed = changed || least[a] != both || least[b] != both;
-      least[a] = least[b] = both;
+      const std::uint32_t both = std::min(min[a], min[b]);
+      changed = changed || min[a] != both || min[b] != both;
+      min[a] = min[b] = both;
     }
   }
-  return least;
+  return min;
 }
 
 TEST(DisjointSets, AreWhatHangsTogetherWhateverTheOrderOfJoining) {
   constexpr std::uint32_t members = 100;
   Pairs pairs = random_pairs(70, members);
-  const std::vector<std::uint32_t> expected = least_reached(pairs, members);
+  const std::vector<std::uint32_t> expected = min_reached(pairs, members);
   for (int turn = 0; turn < 3; ++turn) {
     DisjointSets sets(members);
     for (const auto& [a, b] : pairs) turn == 1 ? sets.join(b, a) : sets.join(a, b);

@@ -18,12 +18,12 @@ TriangleTree tree_of(const DiffusionSurfaces& surfaces) { return {surfaces.posit
 
 /// The least of what nearest_on_triangle finds, triangle by triangle.
 double distance_by_trying_all(const TriangleTree& tree, const glm::dvec3& p) {
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (const TriangleTree::Corners& t : tree.triangles()) {
     const glm::dvec3 away = nearest_on_triangle(p, t) - p;
-    least = std::min(least, glm::dot(away, away));
+    min = std::min(min, glm::dot(away, away));
   }
-  return std::sqrt(least);
+  return std::sqrt(min);
 }
 
 /// Inside, outside, far away, and on the mesh itself.

@@ -21,13 +21,13 @@ TriangleTree tree_of(const DiffusionSurfaces& surfaces) { return {surfaces.posit
 TEST(TriangleTree, FindsTheNearestPointAsTryingAllTrianglesDoes) {
   const TriangleTree tree = tree_of(shapes::torus(2, 0.7, 24, 12));
   for (const glm::dvec3& p : random_points(200, 3)) {
-    double least = 1e9;
+    double min = 1e9;
     for (const TriangleTree::Corners& t : tree.triangles())
-      least = std::min(least, glm::distance(p, nearest_on_triangle(p, t)));
+      min = std::min(min, glm::distance(p, nearest_on_triangle(p, t)));
     const TriangleTree::Nearest found = tree.nearest(p);
-    EXPECT_DOUBLE_EQ(found.distance, least);
-    EXPECT_DOUBLE_EQ(glm::distance(found.point, p), least);
-    EXPECT_EQ(tree.nearest(p, 0.999 * least).distance, std::numeric_limits<double>::infinity());
+    EXPECT_DOUBLE_EQ(found.distance, min);
+    EXPECT_DOUBLE_EQ(glm::distance(found.point, p), min);
+    EXPECT_EQ(tree.nearest(p, 0.999 * min).distance, std::numeric_limits<double>::infinity());
   }
 }
 
@@ -37,13 +37,13 @@ TEST(TriangleTree, FindsTheNearestPointOfWhatFacesTheSameWay) {
   std::size_t farther = 0, i = 0;
   for (const glm::dvec3& p : random_points(200, 3)) {
     const glm::dvec3& way = ways[199 - i++];  // of other draws than the place
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (const TriangleTree::Corners& t : tree.triangles()) {
       if (glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), way) >= 0)
-        least = std::min(least, glm::distance(p, nearest_on_triangle(p, t)));
+        min = std::min(min, glm::distance(p, nearest_on_triangle(p, t)));
     }
-    EXPECT_DOUBLE_EQ(tree.nearest_facing(p, way).distance, least);
-    farther += least > tree.nearest(p).distance ? 1 : 0;
+    EXPECT_DOUBLE_EQ(tree.nearest_facing(p, way).distance, min);
+    farther += min > tree.nearest(p).distance ? 1 : 0;
   }
   EXPECT_GT(farther, 50u);
 }
@@ -104,17 +104,17 @@ TEST(TriangleTree, IsAsFarFromAnotherAsTheirNearestTriangles) {
   const TriangleTree a = tree_of(shapes::tilted(shapes::box({-1, -1, -1}, {1, 1, 1}))),
                      b = tree_of(shapes::sphere(1, 4));
   for (const glm::dvec3& offset : random_points(60, 3)) {
-    double least = 1e9;
+    double min = 1e9;
     for (const TriangleTree::Corners& t : a.triangles()) {
       for (TriangleTree::Corners u : b.triangles()) {
         for (glm::dvec3& corner : u) corner += offset;
         const auto [p, q] = nearest_on_triangles(t, u);
-        least = std::min(least, glm::distance(p, q));
+        min = std::min(min, glm::distance(p, q));
       }
     }
     const ClosestPair found = closest(a, b, offset, 100);
-    EXPECT_DOUBLE_EQ(found.distance, least);
-    EXPECT_DOUBLE_EQ(glm::distance(found.first, found.second), least);
+    EXPECT_DOUBLE_EQ(found.distance, min);
+    EXPECT_DOUBLE_EQ(glm::distance(found.first, found.second), min);
   }
 }
 

@@ -26,7 +26,7 @@ const Color cream(0.8f, 0.7f, 0.4f), brown(0.2f, 0.1f, 0.03f);
 Template browning_fruit() {
   Template fruit;
   fruit.parts = {"skin", "flesh"};
-  fruit.browning.parts = {{.part = 1, .color = brown, .rate = 1, .most = 0.8}};
+  fruit.browning.parts = {{.part = 1, .color = brown, .rate = 1, .max = 0.8}};
   fruit.individual.browning = 0.5;
   return fruit;
 }
@@ -195,15 +195,15 @@ TEST(Browning, of_a_spared_socket_is_in_the_pieces_of_a_slice) {
   const GrownFruit grown{peach.surfaces, {}, peach.surfaces};
   const std::vector<Knife> knives{parse_knife("half")};
   const Slices halves = slice({grown, peach.fruit, knives, "peach"}, nullptr);
-  double most = 0;
+  double max = 0;
   for (const Solid& half : halves.pieces) {
     for (std::size_t t = 0; t < half.triangle.size(); ++t) {
       const std::uint32_t v = half.triangle[t].x;
       if (half.cut_face[t] < 0 && half.part_names[static_cast<std::size_t>(half.part[v])] == "flesh")
-        most = std::max(most, share_of_way(half.color[v]));
+        max = std::max(max, share_of_way(half.color[v]));
     }
   }
-  EXPECT_NEAR(most, 0.8 * (1 - std::exp(-1.5)), 1e-4);
+  EXPECT_NEAR(max, 0.8 * (1 - std::exp(-1.5)), 1e-4);
 }
 
 }  // namespace

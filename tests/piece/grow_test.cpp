@@ -24,7 +24,7 @@ TEST(Grow, EveryVariantHasAPatternOfItsOwn) {
     const Template variant = variant_of(melon, key);
     EXPECT_EQ(variant_of(melon, key).noise.pattern, variant.noise.pattern);
     EXPECT_GE(variant.noise.pattern, 1u);
-    EXPECT_LE(variant.noise.pattern, most_pattern);
+    EXPECT_LE(variant.noise.pattern, max_pattern);
     for (const DetailSketch& detail : variant.details) EXPECT_EQ(detail.pattern, variant.noise.pattern);
     patterns.insert(variant.noise.pattern);
   }

@@ -125,12 +125,12 @@ TEST(Guided, surfaces_that_stay_out_turn_nothing_aside) {
   const CrossSection aside = guided(section, both, fruit);
   fruit.surfaces[1].guide = false;
   const CrossSection straight = guided(section, both, fruit), alone = guided(section, ball(), fruit);
-  float most = 0;
+  float max = 0;
   for (std::size_t v = 0; v < section.position.size(); ++v) {
     EXPECT_LT(glm::distance(straight.guide[v].to_skin, alone.guide[v].to_skin), 1e-6f * float(radius));
-    most = std::max(most, glm::distance(aside.guide[v].to_skin, alone.guide[v].to_skin));
+    max = std::max(max, glm::distance(aside.guide[v].to_skin, alone.guide[v].to_skin));
   }
-  EXPECT_GT(most, 0.2f * float(radius)) << "it would have";
+  EXPECT_GT(max, 0.2f * float(radius)) << "it would have";
 }
 
 TEST(Guided, two_cuts_agree_where_they_share_a_place) {

@@ -64,20 +64,20 @@ class Patch {
 
   /// Among those that face the same way, or all if `normal` is 0. The search begins where the last one ended.
   Near nearest(const glm::dvec3& point, const glm::dvec3& normal = glm::dvec3(0)) {
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     glm::dvec3 at(0);
     const auto look_at = [&](std::size_t i) {
       const ColoredTriangle& triangle = triangles_[i];
-      const double reach = least + triangle.radius;
+      const double reach = min + triangle.radius;
       const glm::dvec3 away = point - triangle.middle;
       if (glm::dot(away, away) > reach * reach || glm::dot(triangle.normal, normal) < 0) return;
       const glm::dvec3 on = nearest_on_triangle(point, triangle.corner);
       const double distance = glm::distance(on, point);
-      if (distance < least) least = distance, at = on, last_ = i;
+      if (distance < min) min = distance, at = on, last_ = i;
     };
     look_at(last_);
     for (std::size_t i = 0; i < triangles_.size(); ++i) look_at(i);
-    return {least, color_at(triangles_[last_], at)};
+    return {min, color_at(triangles_[last_], at)};
   }
 
  private:

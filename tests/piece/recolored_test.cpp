@@ -53,7 +53,7 @@ TEST(Recolored, TellsTheSidesOfASpareStoneByTheirParts) {
     return static_cast<int>(std::find(fruit.parts.begin(), fruit.parts.end(), part) - fruit.parts.begin());
   };
   fruit.spared = {number("coat")};
-  fruit.browning.parts = {{.part = number("flesh"), .color = coat, .rate = 1, .most = 0.9}};
+  fruit.browning.parts = {{.part = number("flesh"), .color = coat, .rate = 1, .max = 0.9}};
   fruit.individual.browning = 1;
   DiffusionSurfaces other = own;
   for (Color& color : other.front_color)

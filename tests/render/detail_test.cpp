@@ -68,17 +68,17 @@ double share_at(const Pattern& pattern, const glm::dvec3& p, double footprint = 
 TEST(Detail, patterns_stay_within_their_range_and_use_it) {
   for (const DetailKind kind : all_kinds) {
     const Pattern pattern(some_detail(kind, DetailRun::to_skin), 1);
-    double least = 1, most = 0;
+    double min = 1, max = 0;
     for (std::uint64_t i = 0; i < 2000; ++i) {
       const glm::dvec3 p = some_place(i);
       const PatternValue value = pattern(p, guide_at(p), 0);
       ASSERT_GE(value.share, 0.0);
       ASSERT_LE(value.share, 1.0);
       ASSERT_LE(std::fabs(value.tone), 1.0);
-      least = std::min(least, value.share), most = std::max(most, value.share);
+      min = std::min(min, value.share), max = std::max(max, value.share);
     }
-    EXPECT_LT(least, 0.05);
-    EXPECT_GT(most, 0.9);
+    EXPECT_LT(min, 0.05);
+    EXPECT_GT(max, 0.9);
   }
 }
 

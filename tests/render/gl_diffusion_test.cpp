@@ -249,8 +249,8 @@ TEST(GlDiffuser, SmallBuffersChangeNothing) {
 
   GlContext context;
   const CurrentGl gl(context);
-  const auto values = [&](std::size_t most_bytes) {
-    const GlRayCaster caster(gl, context, most_bytes);
+  const auto values = [&](std::size_t max_bytes) {
+    const GlRayCaster caster(gl, context, max_bytes);
     std::vector<glm::dvec3> colors;
     for (const auto& task : gl_pmvc(gl, caster, fruits, tasks, {.lines = 32})) {
       for (const PmvcValue& value : task) colors.push_back(value.color);

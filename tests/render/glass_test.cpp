@@ -48,9 +48,9 @@ Scene before_paper(std::vector<Solid> solids, const Color& paper) {
   return scene;
 }
 
-glm::dvec3 middle(const std::vector<Solid>& solids, const Color& paper, int most_layers = 48) {
+glm::dvec3 middle(const std::vector<Solid>& solids, const Color& paper, int max_layers = 48) {
   const Image image = draw_scene(before_paper(solids, paper), style_named("plain"),
-                                 {.width = 33, .height = 33, .most_layers = most_layers});
+                                 {.width = 33, .height = 33, .max_layers = max_layers});
   const glm::u8vec3 pixel = image.at(16, 16);
   glm::dvec3 linear;
   for (int k = 0; k < 3; ++k) linear[k] = linear_from_srgb(pixel[k] / 255.0);
@@ -58,12 +58,12 @@ glm::dvec3 middle(const std::vector<Solid>& solids, const Color& paper, int most
 }
 
 /// What shows through, by the difference that the paper makes.
-double transmittance(const std::vector<Solid>& solids, int most_layers = 48) {
-  return (middle(solids, white, most_layers) - middle(solids, black, most_layers)).g;
+double transmittance(const std::vector<Solid>& solids, int max_layers = 48) {
+  return (middle(solids, white, max_layers) - middle(solids, black, max_layers)).g;
 }
 
-void expect_near(const glm::dvec3& a, const glm::dvec3& b, double most) {
-  for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], most);
+void expect_near(const glm::dvec3& a, const glm::dvec3& b, double max) {
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], max);
 }
 
 TEST(Glass, CoversByItsOpacity) {
@@ -111,9 +111,9 @@ TEST(Glass, LosesNothingWhereThereAreMoreLayersThanItOrders) {
   const double all = transmittance(panes);
   EXPECT_NEAR(all, std::pow(0.8, 7), 0.006);
   const glm::dvec3 color = middle(panes, black);
-  for (const int most : {1, 6, 7}) {
-    EXPECT_NEAR(transmittance(panes, most), all, 0.008) << most;
-    expect_near(middle(panes, black, most), color, 0.01);
+  for (const int max : {1, 6, 7}) {
+    EXPECT_NEAR(transmittance(panes, max), all, 0.008) << max;
+    expect_near(middle(panes, black, max), color, 0.01);
   }
 
   // Of different colors the rest is their mean.

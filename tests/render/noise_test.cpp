@@ -70,7 +70,7 @@ TEST(Noise, PatternsHaveNothingInCommon) {
   for (const glm::dvec3& stretch : {glm::dvec3(1), glm::dvec3(0.2, 1, 1)}) {
     NoiseStyle drawn = two_keys(), own = drawn, others = drawn;
     drawn.stretch = own.stretch = others.stretch = stretch;
-    own.pattern = 77, others.pattern = most_pattern;
+    own.pattern = 77, others.pattern = max_pattern;
     for (const NoiseStyle& other : {drawn, others}) {
       double both = 0, squares = 0;
       for (std::uint64_t i = 0; i < 20000; ++i) {

@@ -281,7 +281,7 @@ TEST(Page, ShowsSeedsSideBySide) {
   const std::string page = write_page(family, {.style = style_named("ink"), .cuts = {}, .made_by = "a test"});
   for (const char* id : {"asset-0", "asset-1", "asset-2"}) EXPECT_THAT(page, testing::HasSubstr(id));
   EXPECT_THROW(write_page(std::span<const Asset>(), {}), Error);
-  EXPECT_THROW(write_page(std::vector<Asset>(most_page_family + 1, asset()), {}), Error);
+  EXPECT_THROW(write_page(std::vector<Asset>(max_page_family + 1, asset()), {}), Error);
 }
 
 /// The cherry's whole solid, twice in a scene.
@@ -315,8 +315,8 @@ TEST(ScenePage, HoldsEachFruitAndEachMeshOnce) {
 TEST(ScenePage, TellsWhatItDoesNotTake) {
   PageScene page = two_cherries();
   EXPECT_NO_THROW(check_fits_a_page(page.scene, 1));
-  EXPECT_THROW(check_fits_a_page(page.scene, most_page_fruits + 1), Error);
-  page.scene.instances.resize(most_page_instances + 1, page.scene.instances.front());
+  EXPECT_THROW(check_fits_a_page(page.scene, max_page_fruits + 1), Error);
+  page.scene.instances.resize(max_page_instances + 1, page.scene.instances.front());
   EXPECT_THROW(write_scene_page(page, {}), Error);
 }
 

@@ -248,18 +248,18 @@ TEST(ReliefOfDetails, SlopeIntegratesToHeight) {
         {.position = way * along, .footprint = step, .face = DetailFace::skin, .guide = {.share = glm::vec4(1)}}, up);
   };
   const double start = at(0).height;
-  double height = start, highest = 0, least_open = 1;
+  double height = start, highest = 0, min_open = 1;
   for (int i = 0; i < 4000; ++i) {
     const Relief here = at(i * step);
     EXPECT_NEAR(glm::dot(here.slope, up), 0.0, 1e-12);
     EXPECT_NEAR(height, here.height, 1e-3) << i;
     height += glm::dot(here.slope, along) * step;
     highest = std::max(highest, here.height);
-    least_open = std::min(least_open, here.open);
+    min_open = std::min(min_open, here.open);
   }
   EXPECT_GT(highest, 0.025);
   EXPECT_LE(highest, 0.05 + 1e-12);
-  EXPECT_LT(least_open, 1.0);
+  EXPECT_LT(min_open, 1.0);
 }
 
 TEST(ReliefOfDetails, LevelWhereNothingStandsOut) {

@@ -119,7 +119,7 @@ TEST(Shaders, NoiseIsThatOfTheCpu) {
   for (const glm::dvec3& stretch : {glm::dvec3(1), glm::dvec3(0.3, 1, 1), glm::dvec3(1, 0.2, 2)}) {
     NoiseStyle style = testing::some_noise({0.6f, 0.02f, 0.02f});
     style.stretch = stretch;
-    style.pattern = stretch.x == 1 ? 0 : most_pattern;
+    style.pattern = stretch.x == 1 ? 0 : max_pattern;
     style.keys.push_back({Color(0.9f, 0.85f, 0.6f), {0.1, 0.1, 0.05}, {0.5, 0.2, -0.3}});
     const std::vector<glm::u8vec4> pixels = drawn_by(gl,
                                                      "#include \"noise.glsl\"\n"
@@ -189,7 +189,7 @@ TEST(Shaders, DetailIsThatOfTheCpu) {
     for (const DetailKind kind :
          {DetailKind::fibres, DetailKind::cells, DetailKind::speckles, DetailKind::streaks, DetailKind::net}) {
       DetailSketch darker = some_detail(DetailKind::fibres, run);
-      darker.color = {}, darker.amount = -0.1, darker.pattern = most_pattern;
+      darker.color = {}, darker.amount = -0.1, darker.pattern = max_pattern;
       const Look look(NoiseStyle{}, {darker, some_detail(kind, run)});
       const std::vector<glm::u8vec4> pixels = drawn_by(gl, std::string(detail_places) + R"(
 void main() {

@@ -185,7 +185,7 @@ TEST(SeenSolids, AreVisitedOnceInTheirOrderSomeAtATime) {
   for (int i = 0; i < 5; ++i) scene.instances.push_back({0, {{1, 0, 0, 0}, {0.01 * i, 0, 0}}, ""});
   scene.instances.push_back({1, {}, ""});
   const Lens lens(scene.view, 100, 100);
-  std::size_t next = 0, most = 0;
+  std::size_t next = 0, max = 0;
   visit_seen_solids(scene, lens, {1}, [&](std::size_t first, std::span<const SeenSolid> seen) {
     EXPECT_EQ(first, next);
     for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -193,10 +193,10 @@ TEST(SeenSolids, AreVisitedOnceInTheirOrderSomeAtATime) {
       EXPECT_EQ(seen[i].vertex.size(), scene.solids[scene.instances[first + i].solid].position.size());
     }
     next += seen.size();
-    most = std::max(most, seen.size());
+    max = std::max(max, seen.size());
   });
   EXPECT_EQ(next, scene.instances.size());
-  EXPECT_EQ(most, 2u);
+  EXPECT_EQ(max, 2u);
 }
 
 TEST(Strokes, AreTheSameForAnyNumberOfThreads) {
@@ -247,16 +247,16 @@ Scene seen_from(Scene scene, double degrees) {
 }
 
 /// The farthest that a vertex moves on the picture.
-double most_motion(const Scene& a, const Scene& b, const StrokeOptions& options) {
+double max_motion(const Scene& a, const Scene& b, const StrokeOptions& options) {
   const Lens before(a.view, options.width, options.height), after(b.view, options.width, options.height);
-  double most = 0;
+  double max = 0;
   for (const Instance& instance : a.instances) {
     for (const glm::vec3& p : a.solids[instance.solid].position) {
       const glm::dvec3 at = instance.pose.rotation * glm::dvec3(p) + instance.pose.translation;
-      most = std::max(most, glm::distance(glm::dvec2(before.seen(at)), glm::dvec2(after.seen(at))));
+      max = std::max(max, glm::distance(glm::dvec2(before.seen(at)), glm::dvec2(after.seen(at))));
     }
   }
-  return most;
+  return max;
 }
 
 double mean_change(const std::vector<SceneStroke>& a, const std::vector<SceneStroke>& b, const StrokeOptions& options) {
@@ -276,7 +276,7 @@ double mean_change(const std::vector<SceneStroke>& a, const std::vector<SceneStr
 Flicker flicker(const Scene& scene, double from, double to, const StrokeOptions& options) {
   const Scene first = seen_from(scene, from), second = seen_from(scene, to);
   const std::vector<SceneStroke> a = strokes_of(first, options), b = strokes_of(second, options);
-  const double motion = most_motion(first, second, options);
+  const double motion = max_motion(first, second, options);
   std::vector<double> moved;
   for (const SceneStroke& stroke : a) {
     for (const StrokePoint& point : stroke.points) {

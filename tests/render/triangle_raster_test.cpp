@@ -118,10 +118,10 @@ TEST(TriangleRaster, OfDoublesErrsOnlyAtEdges) {
       for (int x = 0; x <= picture.right; ++x) {
         const glm::dvec2 sample(x + 0.5, y + 0.5);
         const std::array<Rational, 3> exact = exact_shares(corner, sample);
-        const Rational least = std::min({exact[0], exact[1], exact[2]});
-        if (abs(least) < Rational(1e-9)) continue;
+        const Rational min = std::min({exact[0], exact[1], exact[2]});
+        if (abs(min) < Rational(1e-9)) continue;
         const auto shares = raster.shares(sample);
-        ASSERT_EQ(shares.has_value(), least > 0) << x << " " << y;
+        ASSERT_EQ(shares.has_value(), min > 0) << x << " " << y;
         for (int k = 0; k < 3 && shares; ++k)
           EXPECT_NEAR((*shares)[k] / raster.area(), static_cast<double>(exact[static_cast<std::size_t>(k)]), 1e-9);
       }

@@ -98,9 +98,9 @@ TEST(Compose, SharesAreDealtOut) {
 
 TEST(Compose, SizesAreTimesTheVariantsOwn) {
   const auto radius = [](const SceneParts& parts) {
-    double most = 0;
-    for (const glm::vec3& p : parts.solids[0].position) most = std::max(most, std::hypot(double{p.x}, double{p.z}));
-    return most;
+    double max = 0;
+    for (const glm::vec3& p : parts.solids[0].position) max = std::max(max, std::hypot(double{p.x}, double{p.z}));
+    return max;
   };
   const SceneParts plain = make_parts(parse_scene(head + wedges, "a.toml"), nullptr, coarse());
   const SceneParts small = make_parts(parse_scene(head + wedges + "size = 0.5\n", "a.toml"), nullptr, coarse());
@@ -118,15 +118,15 @@ TEST(Compose, SolidsAreTakenInTheirOrderAndTheirLooksLetGo) {
     ComposeOptions options = coarse();
     options.threads = {threads};
     std::vector<Solid> taken;
-    std::size_t most = 0;
+    std::size_t max = 0;
     options.take = [&](std::span<const Solid> solids) {
-      most = std::max(most, solids.size());
+      max = std::max(max, solids.size());
       taken.insert(taken.end(), solids.begin(), solids.end());
     };
     const Composition streamed = compose(scene, nullptr, options);
     ASSERT_EQ(taken.size(), whole.scene.solids.size());
     ASSERT_EQ(streamed.scene.solids.size(), whole.scene.solids.size());
-    EXPECT_LT(most, taken.size() - 1) << "one after another, not all at the end";
+    EXPECT_LT(max, taken.size() - 1) << "one after another, not all at the end";
     for (std::size_t i = 0; i < taken.size(); ++i) {
       const Solid &expected = whole.scene.solids[i], &kept = streamed.scene.solids[i];
       EXPECT_EQ(taken[i].name, expected.name);

@@ -46,11 +46,11 @@ TEST(Settle, ABallOnTheGroundLiesOnIt) {
 TEST(Settle, WithoutABowlPiecesFallWhereTheyAreLetFall) {
   const std::vector<Solid> solids{heap_shapes::wedge(0.02, 60)};
   const auto furthest = [&](double spread) {
-    double most = 0;
+    double max = 0;
     for (const Pose& pose : settle(solids, repeated(1, 8), nullptr, {.spread = spread}).poses) {
-      most = std::max(most, std::hypot(pose.translation.x, pose.translation.z));
+      max = std::max(max, std::hypot(pose.translation.x, pose.translation.z));
     }
-    return most;
+    return max;
   };
   EXPECT_LT(furthest(0.04), 0.08);
   EXPECT_GT(furthest(0.4), 0.1);

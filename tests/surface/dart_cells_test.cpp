@@ -35,7 +35,7 @@ TEST(DartCells, AskAboutEveryBallThatMeetsAndAboutNoneTwice) {
   const std::vector<Ball> balls = random_balls(600, 1);
   DartCells cells(0.002);
   for (std::size_t i = 0; i < balls.size(); ++i) cells.add(balls[i].center, balls[i].diameter, i);
-  std::size_t meetings = 0;
+  std::size_t intersections = 0;
   for (const Ball& ball : random_balls(200, 2)) {
     std::multiset<std::size_t> asked;
     EXPECT_FALSE(cells.any_meets(ball.center, ball.diameter, [&](std::size_t i) { return asked.insert(i), false; }));
@@ -43,10 +43,10 @@ TEST(DartCells, AskAboutEveryBallThatMeetsAndAboutNoneTwice) {
       EXPECT_LE(asked.count(i), 1u);
       if (!meet(ball, balls[i])) continue;
       EXPECT_EQ(asked.count(i), 1u);
-      ++meetings;
+      ++intersections;
     }
   }
-  EXPECT_GT(meetings, 100u);
+  EXPECT_GT(intersections, 100u);
 }
 
 TEST(DartCells, AnswerAsTryingAllBallsDoes) {

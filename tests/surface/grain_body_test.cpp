@@ -153,7 +153,7 @@ TEST(GrainJitter, StaysWithinItsBoundsAndUsesThem) {
   sketch.form.length_jitter = 0.5;
   sketch.form.width_jitter = 0.3;
   sketch.stance.tilt_jitter = 0.4;
-  double least = 9, most = 0, steepest = 0;
+  double min = 9, max = 0, steepest = 0;
   for (std::uint64_t n = 0; n < 2000; ++n) {
     const GrainPose pose = grain_pose(sketch, {{0.03, 0, 0}, {1, 0, 0}, {0, 1, 0}, n}, draws);
     const double size = glm::length(pose.thickness) / 0.0005;
@@ -162,12 +162,12 @@ TEST(GrainJitter, StaysWithinItsBoundsAndUsesThem) {
     ASSERT_TRUE(longer >= 0.5 && longer <= 1.5);
     const double wider = glm::length(pose.width) / (0.001 * size);
     ASSERT_TRUE(wider >= 0.7 - 1e-9 && wider <= 1.3 + 1e-9);
-    least = std::min(least, longer);
-    most = std::max(most, longer);
+    min = std::min(min, longer);
+    max = std::max(max, longer);
     steepest = std::max(steepest, std::fabs(pose.length.x) / glm::length(pose.length));
   }
-  EXPECT_LT(least, 0.51);
-  EXPECT_GT(most, 1.49);
+  EXPECT_LT(min, 0.51);
+  EXPECT_GT(max, 1.49);
   EXPECT_LE(steepest, 0.38942);  // sin 0.4
   EXPECT_GT(steepest, 0.38);
 }
@@ -192,15 +192,15 @@ TEST(GrainColors, EachGrainHasItsOwn) {
   made.grains[0].hue_jitter = 0.3;
   const DiffusionSurfaces grains = scatter_grains(made, {});
   const double own = to_oklab(Color(0.6f, 0.6f, 0.3f)).x;
-  double least = 1, most = 0;
+  double min = 1, max = 0;
   for (std::size_t v = 0; v < grains.vertex_count(); ++v) {
     EXPECT_EQ(grains.back_color[v], grains.back_color[v / per_grain * per_grain]);
     const double lightness = to_oklab(grains.back_color[v]).x;
     EXPECT_NEAR(lightness, own, 0.051);
-    least = std::min(least, lightness);
-    most = std::max(most, lightness);
+    min = std::min(min, lightness);
+    max = std::max(max, lightness);
   }
-  EXPECT_GT(most - least, 0.08);
+  EXPECT_GT(max - min, 0.08);
 }
 
 TEST(GrainLooks, HaveTheirShareColorAndSize) {

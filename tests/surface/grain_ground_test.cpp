@@ -203,11 +203,11 @@ TEST(GrainSpacingRule, MayHoldWhateverTheyFace) {
   const std::vector<Curve> loops{circle_at({0, 0.03}, 0.004), circle_at({0, -0.03}, 0.004)};
   const Template thin = fruit({in_fold(circle_at({0.03, 0.04}, 0.004), loops)}, 2);
   const auto nearest = [](const std::vector<Dart>& darts) {
-    double least = 1;
+    double min = 1;
     for (std::size_t i = 0; i < darts.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) least = std::min(least, glm::distance(darts[i].center, darts[j].center));
+      for (std::size_t j = 0; j < i; ++j) min = std::min(min, glm::distance(darts[i].center, darts[j].center));
     }
-    return least;
+    return min;
   };
   GrainSketch sketch = round_grains(0.005);
   sketch.stance.sink = 0.003;

@@ -428,8 +428,8 @@ TEST(MeshInTemplate, WhatIsWrongInALineOfItsFileIsToldThere) {
 /// Each may be in order; together they would fill the memory.
 TEST(Mesh, AllOfATemplateHaveALimitTogether) {
   const Template fruit = fruit_of({sketch_of(MeshFormat::obj, cube_obj())});
-  EXPECT_NO_THROW(check_meshes_together(fruit, fruit.meshes[0], most_mesh_triangles));
-  EXPECT_THAT(message_of([&] { check_meshes_together(fruit, fruit.meshes[0], most_mesh_triangles + 1); }),
+  EXPECT_NO_THROW(check_meshes_together(fruit, fruit.meshes[0], max_mesh_triangles));
+  EXPECT_THAT(message_of([&] { check_meshes_together(fruit, fruit.meshes[0], max_mesh_triangles + 1); }),
               HasSubstr("mesh \"cube\": with it the meshes have more than 2 000 000 triangles together"));
 }
 

@@ -149,7 +149,7 @@ SpotSketch patch(double along, double degrees, double size) {
   SpotSketch spot;
   spot.color = paint;
   spot.place = PatchPlace{along, radians(degrees)};
-  spot.size_least = spot.size_most = size;
+  spot.size_min = spot.size_max = size;
   return spot;
 }
 
@@ -157,7 +157,7 @@ SpotSketch scattered(double spacing, double size) {
   SpotSketch spot;
   spot.color = paint;
   spot.spacing = spacing;
-  spot.size_least = spot.size_most = size;
+  spot.size_min = spot.size_max = size;
   return spot;
 }
 
@@ -262,13 +262,13 @@ TEST(Spots, softness_strength_stretch_and_raggedness_do_what_they_say) {
 TEST(Spots, scattered_ones_keep_their_spacing_and_band_and_count) {
   SurfaceSketch sketch = ball();
   SpotSketch spot = scattered(0.005, 0.002);
-  spot.size_most = 0.003;
+  spot.size_max = 0.003;
   sketch.front.spots = {spot};
   const std::vector<Spot> all = spots_of(sketch);
   // Full: between half and all of what a hexagonal packing of the ball's surface holds.
-  const double most = 4 * pi * 0.04 * 0.04 / (0.005 * 0.005 * std::sqrt(3.0) / 2);
-  EXPECT_GT(static_cast<double>(all.size()), 0.5 * most);
-  EXPECT_LT(static_cast<double>(all.size()), most);
+  const double max = 4 * pi * 0.04 * 0.04 / (0.005 * 0.005 * std::sqrt(3.0) / 2);
+  EXPECT_GT(static_cast<double>(all.size()), 0.5 * max);
+  EXPECT_LT(static_cast<double>(all.size()), max);
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_GE(all[i].radius, 0.001);
     EXPECT_LE(all[i].radius, 0.0015);
@@ -362,7 +362,7 @@ TEST(Spots, what_is_smaller_than_the_cells_is_warned_of) {
   SurfaceSketch sketch = ball();
   sketch.front.spots = {scattered(0.01, 0.006)};
   EXPECT_TRUE(spot_warnings(fruit({sketch})).empty());
-  sketch.front.spots[0].size_least = 0.001;
+  sketch.front.spots[0].size_min = 0.001;
   const std::vector<std::string> warnings = spot_warnings(fruit({sketch}));
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0],

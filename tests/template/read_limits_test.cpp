@@ -65,9 +65,9 @@ TEST(DrawnTemplate, KnowsHowItsDrawingLies) {
   const DrawnTemplate drawn = parse_drawn_template(good_fruit(), "plum.toml", {});
   ASSERT_TRUE(drawn.side && drawn.top);
   const auto nearest = [](const Curve& curve, const glm::dvec2& place) {
-    double least = 1;
-    for (const glm::dvec2& p : curve.points) least = std::min(least, glm::distance(p, place));
-    return least;
+    double min = 1;
+    for (const glm::dvec2& p : curve.points) min = std::min(min, glm::distance(p, place));
+    return min;
   };
   const SurfaceSketch& skin = drawn.fruit.surfaces.at(0);
   for (const glm::dvec2& p : {glm::dvec2(0, 0), glm::dvec2(25, -25), glm::dvec2(0, -50)})
@@ -105,10 +105,10 @@ TEST(BendStrain, LeansAsFarAsTheAxisDoesAnywhere) {
   for (const auto& [angle, swing] : {std::pair{0.3, 0.0}, {0.0, 0.4}, {0.2, 0.9}, {-0.5, 0.7}, {1.0, 0.1}}) {
     fruit.bend.angle = angle;
     fruit.bend.swing = swing;
-    double most = 0;
-    for (int i = -10000; i <= 10000; ++i) most = std::max(most, std::fabs(fruit.bend.lean(i / 10000.0)));
-    EXPECT_NEAR(bend_strain(fruit).lean, most, 1e-7) << angle << " " << swing;
-    EXPECT_GE(bend_strain(fruit).lean, most - 1e-15);
+    double max = 0;
+    for (int i = -10000; i <= 10000; ++i) max = std::max(max, std::fabs(fruit.bend.lean(i / 10000.0)));
+    EXPECT_NEAR(bend_strain(fruit).lean, max, 1e-7) << angle << " " << swing;
+    EXPECT_GE(bend_strain(fruit).lean, max - 1e-15);
   }
 }
 

@@ -86,8 +86,8 @@ TEST(ReadPaint, spots_are_scattered_or_lie_at_a_place) {
   ASSERT_EQ(spots.size(), 2u);
   EXPECT_FALSE(spots[0].place);
   EXPECT_DOUBLE_EQ(spots[0].spacing, 0.004);
-  EXPECT_DOUBLE_EQ(spots[0].size_least, 0.001);
-  EXPECT_DOUBLE_EQ(spots[0].size_most, 0.002);
+  EXPECT_DOUBLE_EQ(spots[0].size_min, 0.001);
+  EXPECT_DOUBLE_EQ(spots[0].size_max, 0.002);
   EXPECT_EQ(spots[0].count, 9);
   EXPECT_DOUBLE_EQ(spots[0].along_from, 0.2);
   EXPECT_DOUBLE_EQ(spots[0].along_to, 0.8);
@@ -95,7 +95,7 @@ TEST(ReadPaint, spots_are_scattered_or_lie_at_a_place) {
   ASSERT_TRUE(spots[1].place);
   EXPECT_DOUBLE_EQ(spots[1].place->along, 0.3);
   EXPECT_DOUBLE_EQ(spots[1].place->azimuth, radians(200));
-  EXPECT_DOUBLE_EQ(spots[1].size_most, 0.03);
+  EXPECT_DOUBLE_EQ(spots[1].size_max, 0.03);
   EXPECT_DOUBLE_EQ(spots[1].stretch, 1.5);
   EXPECT_DOUBLE_EQ(spots[1].softness, 0.8);
   EXPECT_DOUBLE_EQ(spots[1].raggedness, 0.4);

@@ -71,7 +71,7 @@ most = 0.7
   EXPECT_EQ(browning.parts[0].part, 1);
   EXPECT_EQ(browning.parts[0].color, Color(1, 0, 0));
   EXPECT_EQ(browning.parts[0].rate, 1.5);
-  EXPECT_EQ(browning.parts[0].most, 0.7);
+  EXPECT_EQ(browning.parts[0].max, 0.7);
 }
 
 TEST(ReadColorVariation, is_one_number_or_one_for_each_part) {

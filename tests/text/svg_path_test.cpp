@@ -117,7 +117,7 @@ TEST(SvgPath, says_what_is_wrong) {
   EXPECT_THAT(message("M 0 0 A 1e999 1 0 0 0 5 5"), HasSubstr("beyond"));
   EXPECT_THAT(message("M 0 0 A 5 5 1e999 0 0 5 5"), testing::_);
   EXPECT_THAT(message("M 0 0 C 9e5 9e5 -9e5 9e5 0 0", {.unit = 1e6}), HasSubstr("too long"));
-  EXPECT_THAT(message("M 0 0 L 1 1 2 2 3 3 4 4", {.most_points = 3}), HasSubstr("more than 3 points"));
+  EXPECT_THAT(message("M 0 0 L 1 1 2 2 3 3 4 4", {.max_points = 3}), HasSubstr("more than 3 points"));
 }
 
 TEST(SvgPath, survives_anything) {

@@ -132,7 +132,7 @@ TEST(Body, all_draws_leave_space_one_to_one) {
     const Template fruit = varying(shipped(name));
     double widest = 0;
     for (const glm::dvec2& p : fruit.surfaces[0].vertical.points) widest = std::max(widest, p.x);
-    double least = 1e9;
+    double min = 1e9;
     for (std::uint64_t seed = 0; seed < 500; ++seed) {
       const Template variant = gently_bent(vary_body(fruit, {seed, 0}, 2), fruit);
       EXPECT_LE(bend_strain(variant).pressing, 0.6 + 1e-12);
@@ -146,13 +146,13 @@ TEST(Body, all_draws_leave_space_one_to_one) {
         for (int k = 0; k < 8; ++k) {
           const glm::dvec2 at = skin.points[i];
           const double angle = 2 * pi * k / 8;
-          least = std::min(least, jacobian(map, {at.x * std::cos(angle), at.y, at.x * std::sin(angle)}));
+          min = std::min(min, jacobian(map, {at.x * std::cos(angle), at.y, at.x * std::sin(angle)}));
         }
       }
       EXPECT_GT(size, std::exp(-2 * 2 * 0.25) * 0.999);
       EXPECT_LT(size, std::exp(2 * 2 * 0.25) * 1.001);
     }
-    EXPECT_GT(least, 0.01) << name;
+    EXPECT_GT(min, 0.01) << name;
   }
 }
 

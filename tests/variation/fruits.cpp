@@ -145,12 +145,12 @@ Template tomato(int folds) {
 }
 
 double waviness(const Curve& curve) {
-  double least = 1e9, most = 0;
+  double min = 1e9, max = 0;
   for (const glm::dvec2& p : curve.points) {
-    least = std::min(least, glm::length(p));
-    most = std::max(most, glm::length(p));
+    min = std::min(min, glm::length(p));
+    max = std::max(max, glm::length(p));
   }
-  return 2 * (most - least) / (most + least);
+  return 2 * (max - min) / (max + min);
 }
 
 }  // namespace pomona::fruits

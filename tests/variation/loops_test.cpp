@@ -51,7 +51,7 @@ std::vector<CyclicSignal> wavy_channels() {
 
 TEST(LaplacianPyramid, IsPutTogetherAgain) {
   const CyclicSignal wave = wavy_channels().front();
-  const CyclicSignal again = put_together(taken_apart(wave));
+  const CyclicSignal again = compose(decompose(wave));
   for (std::size_t i = 0; i < wave.size(); ++i) EXPECT_NEAR(again[i], wave[i], 1e-14);
 }
 

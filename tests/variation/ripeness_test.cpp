@@ -150,13 +150,13 @@ TEST(Ripening, deeper_flesh_of_the_same_colour_ripens_as_declared) {
   const DiffusionSurfaces drawn = nested_fruit();
   const DiffusionSurfaces half = ripened_to(0.5, fruit, drawn);
   const auto share_of = [&](const std::string& surface) {
-    double least = 2, most = -1;
+    double min = 2, max = -1;
     for (const std::size_t v : vertices_of(drawn, surface)) {
       const double share = on_way(half.front_color[v], green, red).share;
-      least = std::min(least, share), most = std::max(most, share);
+      min = std::min(min, share), max = std::max(max, share);
     }
-    EXPECT_LT(most - least, 0.06) << surface;  // equally deep, but for the flatness of triangles
-    return 0.5 * (least + most);
+    EXPECT_LT(max - min, 0.06) << surface;  // equally deep, but for the flatness of triangles
+    return 0.5 * (min + max);
   };
   // u = 1/2, s = 1: x = 1 - clamp(l) with l = 1, 1/2, 0 at depths of 0, 10 and 20 mm.
   EXPECT_NEAR(share_of("skin"), 0, 1e-4);
@@ -225,19 +225,19 @@ TEST(SkinDepth, is_the_distance_to_the_outermost_boundary) {
 TEST(Individuals, differ_as_far_as_declared_and_never_more_than_two_deviations) {
   Template fruit = ripening_fruit();
   fruit.variation.color = {.all = 0.01, .parts = {0.03, 0, 0}, .ripeness = 0.2};
-  double sum = 0, squares = 0, most = 0;
+  double sum = 0, squares = 0, max = 0;
   constexpr int count = 2000;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     const Individual one = drawn_individual(fruit, {seed, 0});
     ASSERT_EQ(one.shifts.size(), 3u);
     EXPECT_EQ(one.shifts[1].lightness, one.shifts[2].lightness);  // the draw for all
     const double own = one.shifts[0].lightness - one.shifts[1].lightness;
-    sum += own, squares += own * own, most = std::max(most, std::fabs(own));
+    sum += own, squares += own * own, max = std::max(max, std::fabs(own));
     EXPECT_LE(std::fabs(one.ripeness - 1), 0.4 + 1e-12);
   }
   EXPECT_NEAR(sum / count, 0, 0.003);
   EXPECT_NEAR(std::sqrt(squares / count), 0.03 * 0.96, 0.002);  // clipping takes 4 %
-  EXPECT_LE(most, 0.06 + 1e-12);
+  EXPECT_LE(max, 0.06 + 1e-12);
 }
 
 TEST(Individuals, chroma_and_hue_differ_as_much_as_lightness_of_a_typical_colour) {

@@ -3,18 +3,18 @@
 #include <algorithm>
 
 #include "generator/base/error.h"
-#include "generator/cut/carve/meetings.h"
+#include "generator/cut/carve/intersections.h"
 #include "generator/mesh/edge_map.h"
 
 namespace pomona {
 
 namespace {
 
-constexpr int most_rounds = 50;
+constexpr int max_rounds = 50;
 
 class Arranger {
  public:
-  Arranger(std::span<const PlaceTriangle> fruit, std::span<const PlaceTriangle> knife, ExactPlaces& places)
+  Arranger(std::span<const PlaceTriangle> fruit, std::span<const PlaceTriangle> knife, ExactPoints& places)
       : places_(places) {
     all_.fruit_count = fruit.size();
     take(fruit);
@@ -57,7 +57,7 @@ class Arranger {
   void find_segments() {
     const std::vector<Corners> fruit = corners(0, all_.fruit_count),
                                knife = corners(all_.fruit_count, all_.facet.size());
-    for (const Meeting& m : meetings(fruit, knife)) {
+    for (const Intersection& m : intersections(fruit, knife)) {
       const auto other = static_cast<std::uint32_t>(m.knife + all_.fruit_count);
       const Arrangement::Segment segment{
           place_of(m.from, m.fruit, other, true), place_of(m.to, m.fruit, other, false), m.fruit, other, {}};
@@ -76,7 +76,7 @@ class Arranger {
     Arrangement::Edge& edge = all_.edge[own.edge[crossing.edge]];
     for (const Arrangement::Crossing& known : edge.crossings)
       if (known.facet == through) return known.place;
-    const std::uint32_t place = places_.meeting(edge.low, edge.high, all_.facet[through].corner);
+    const std::uint32_t place = places_.intersection(edge.low, edge.high, all_.facet[through].corner);
     const bool to_back = is_begin != crossing.of_fruit, forward = own.corner[crossing.edge] == edge.low;
     edge.crossings.push_back({place, through, to_back == forward ? 1 : -1});
     add_to(edge, place);
@@ -104,7 +104,7 @@ class Arranger {
   void split() {
     waits_.assign(all_.facet.size(), 0);
     for (std::size_t f = 0; f < all_.facet.size(); ++f) waits_[f] = patched(f).places.empty() ? 0 : 1;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       if (std::find(waits_.begin(), waits_.end(), 1) == waits_.end()) return;
       for (std::size_t f = all_.fruit_count; f < all_.facet.size(); ++f) split(f);
       for (std::size_t f = 0; f < all_.fruit_count; ++f) split(f);
@@ -154,14 +154,14 @@ class Arranger {
     return result;
   }
 
-  ExactPlaces& places_;
+  ExactPoints& places_;
   Arrangement all_;
   std::vector<std::uint8_t> waits_;  // per facet
 };
 
 }  // namespace
 
-Arrangement arranged(std::span<const PlaceTriangle> fruit, std::span<const PlaceTriangle> knife, ExactPlaces& places) {
+Arrangement arranged(std::span<const PlaceTriangle> fruit, std::span<const PlaceTriangle> knife, ExactPoints& places) {
   return Arranger(fruit, knife, places).run();
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "generator/cut/carve/exact_places.h"
+#include "generator/cut/carve/exact_points.h"
 
 namespace pomona {
 
@@ -49,6 +49,6 @@ struct Arrangement {
 };
 
 /// Computes the arrangement. Triangles are given by the numbers of their points; the corners of a triangle differ.
-Arrangement arranged(std::span<const PlaceTriangle> fruit, std::span<const PlaceTriangle> knife, ExactPlaces& places);
+Arrangement arranged(std::span<const PlaceTriangle> fruit, std::span<const PlaceTriangle> knife, ExactPoints& places);
 
 }  // namespace pomona

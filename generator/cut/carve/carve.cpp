@@ -9,11 +9,11 @@
 #include <glm/geometric.hpp>
 
 #include "generator/cut/carve/fineness.h"
+#include "generator/cut/carve/intersections.h"
 #include "generator/cut/carve/knife_charts.h"
 #include "generator/cut/carve/knife_face.h"
 #include "generator/cut/carve/knife_regions.h"
 #include "generator/cut/carve/labels.h"
-#include "generator/cut/carve/meetings.h"
 #include "generator/cut/carve/part_windings.h"
 #include "generator/cut/carve/split_surfaces.h"
 #include "generator/mesh/triangle_tree.h"
@@ -139,7 +139,7 @@ class Carver {
   const ClosedKnife& knife_;
   const DiffusionSurfaces& surfaces_;
   const Bodies& bodies_;
-  ExactPlaces places_;
+  ExactPoints places_;
   std::vector<PlaceTriangle> fruit_triangle_, knife_triangle_;
   std::vector<std::uint32_t> surface_, cap_;  // which of the fruit's triangles take part
 };
@@ -165,7 +165,7 @@ KnifeMesh refined_for(const CutFruit& fruit, KnifeMesh knife, const SizeLimits& 
   for (std::size_t t = 0; t < knife.triangle.size(); ++t) own.push_back(knife.corners(t));
   std::vector<FinenessSource> sources;
   std::uint32_t last = 0;  // one more than the triangle of the latest source
-  for (const Meeting& m : meetings(surface, own)) {
+  for (const Intersection& m : intersections(surface, own)) {
     if (m.fruit + 1 == last) continue;
     last = m.fruit + 1;
     const Corners& s = surface[m.fruit];

@@ -47,28 +47,28 @@ Fineness::Fineness(std::vector<FinenessSource> sources, double grading)
 }
 
 void Fineness::fill(Node& node) const {
-  node.least = std::numeric_limits<double>::infinity();
+  node.min = std::numeric_limits<double>::infinity();
   for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
     node.box.add(source_[i].place);
-    node.least = std::min(node.least, source_[i].size);
+    node.min = std::min(node.min, source_[i].size);
   }
   if (node.count > 0) return;
   for (const Node& child : {node_[node.first], node_[node.first + 1]}) {
     node.box.add(child.box);
-    node.least = std::min(node.least, child.least);
+    node.min = std::min(node.min, child.min);
   }
 }
 
-double Fineness::at(const glm::dvec3& place, double most) const {
-  if (node_.empty()) return most;
-  double size = most;
+double Fineness::at(const glm::dvec3& place, double max) const {
+  if (node_.empty()) return max;
+  double size = max;
 
   // 2^32 sources make 32 levels, each of which leaves one node behind.
   std::array<std::uint32_t, 64> stack{};
   std::size_t height = 1;
   while (height > 0) {
     const Node& node = node_[stack[--height]];
-    if (node.least + grading_ * distance(node.box, place) >= size) continue;
+    if (node.min + grading_ * distance(node.box, place) >= size) continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       size = std::min(size, source_[i].size + grading_ * glm::distance(place, source_[i].place));
     }

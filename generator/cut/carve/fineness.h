@@ -23,13 +23,13 @@ class Fineness {
   /// \param grading growth of the size per metre of distance.
   Fineness(std::vector<FinenessSource> sources, double grading);
 
-  /// The size at a point, at most `most`, metres.
-  double at(const glm::dvec3& place, double most) const;
+  /// The size at a point, at most `max`, metres.
+  double at(const glm::dvec3& place, double max) const;
 
  private:
   struct Node {
     Box<double> box;
-    double least = 0;         ///< size of all sources in it
+    double min = 0;           ///< size of all sources in it
     std::uint32_t first = 0;  ///< leaf: first source; else: left child, which the right one follows
     std::uint32_t count = 0;  ///< leaf: sources; else 0
   };

@@ -14,9 +14,9 @@ namespace pomona {
 namespace {
 
 /// Where normals add up to less than this share of the area, they have no mean direction worth looking along.
-constexpr double least_mean = 0.25;
+constexpr double min_mean = 0.25;
 
-constexpr int most_partings = 8;
+constexpr int max_subdivisions = 8;
 
 /// Part by part: what looks one way on the whole, then the rest.
 class Charter {
@@ -39,7 +39,7 @@ class Charter {
   }
 
  private:
-  void part(std::vector<std::uint32_t> triangles, int partings) {
+  void part(std::vector<std::uint32_t> triangles, int subdivisions) {
     // The direction they look in on the whole, or, of a tube, the axis around which they look.
     if (triangles.empty()) return;
     glm::dvec3 sum(0);
@@ -49,29 +49,29 @@ class Charter {
       area += glm::length(area_[t]);
     }
     const double size = glm::length(sum);
-    const bool has_direction = size > least_mean * area;
+    const bool has_direction = size > min_mean * area;
     const glm::dvec3 direction = has_direction ? sum / size : main_axis(triangles);
 
     // What looks that way is one face; the rest is parted again.
     std::vector<std::uint32_t> seen, others;
     for (const std::uint32_t t : triangles) (glm::dot(area_[t], direction) > 0 ? seen : others).push_back(t);
-    if (seen.empty() || partings >= most_partings) {
+    if (seen.empty() || subdivisions >= max_subdivisions) {
       add(triangles, direction);
       return;
     }
     add(seen, direction);
     if (has_direction)
-      part(std::move(others), partings + 1);
+      part(std::move(others), subdivisions + 1);
     else
-      part_away_from(direction, std::move(others), partings + 1);
+      part_away_from(direction, std::move(others), subdivisions + 1);
   }
 
   /// The other half of what looks one way and the other along an axis.
-  void part_away_from(const glm::dvec3& axis, std::vector<std::uint32_t> triangles, int partings) {
+  void part_away_from(const glm::dvec3& axis, std::vector<std::uint32_t> triangles, int subdivisions) {
     std::vector<std::uint32_t> seen, others;
     for (const std::uint32_t t : triangles) (glm::dot(area_[t], axis) < 0 ? seen : others).push_back(t);
     if (!seen.empty()) add(seen, -axis);
-    part(std::move(others), partings);
+    part(std::move(others), subdivisions);
   }
 
   /// The axis of the frame along which most of the area looks, one way or the other.

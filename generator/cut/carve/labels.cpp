@@ -44,7 +44,7 @@ FacetEdges edges_of(const Arrangement::Facet& facet) {
 /// part on either side of it, but for the segments that follow it there: left of a segment it is deeper by one.
 class Labeller {
  public:
-  Labeller(const Arrangement& all, const ExactPlaces& places) : all_(all), places_(places) {}
+  Labeller(const Arrangement& all, const ExactPoints& places) : all_(all), places_(places) {}
 
   std::vector<std::vector<int>> run() {
     first_part_.push_back(0);
@@ -180,7 +180,7 @@ class Labeller {
   }
 
   const Arrangement& all_;
-  const ExactPlaces& places_;
+  const ExactPoints& places_;
   std::vector<std::uint32_t> first_part_;  // per facet
   std::vector<Border> borders_;
   std::vector<Step> steps_;
@@ -190,7 +190,7 @@ class Labeller {
 
 }  // namespace
 
-std::vector<std::vector<int>> windings_of_knife(const Arrangement& all, const ExactPlaces& places) {
+std::vector<std::vector<int>> windings_of_knife(const Arrangement& all, const ExactPoints& places) {
   return Labeller(all, places).run();
 }
 

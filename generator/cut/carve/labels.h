@@ -9,6 +9,6 @@
 namespace pomona {
 
 /// The winding number of the knife around each part (facet[f].mesh.triangle) of each triangle of the fruit.
-std::vector<std::vector<int>> windings_of_knife(const Arrangement& all, const ExactPlaces& places);
+std::vector<std::vector<int>> windings_of_knife(const Arrangement& all, const ExactPoints& places);
 
 }  // namespace pomona

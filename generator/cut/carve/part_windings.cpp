@@ -19,7 +19,7 @@ int beginning(const Arrangement::Facet& facet, std::uint32_t from, std::uint32_t
 
 }  // namespace
 
-PartWindings::PartWindings(const Arrangement& all, const ExactPlaces& places, const Face& face, Boundaries boundaries)
+PartWindings::PartWindings(const Arrangement& all, const ExactPoints& places, const Face& face, Boundaries boundaries)
     : all_(all), places_(places), face_(face), boundaries_(std::move(boundaries)), part_of_(all.edge.size()) {
   for (std::size_t f = all.fruit_count; f < all.facet.size(); ++f) {
     const std::array<std::uint32_t, 3>& e = all.facet[f].edge;

@@ -23,7 +23,7 @@ struct Boundaries {
 class PartWindings {
  public:
   /// \param face the knife's face; each of its triangles is a part of a facet of the arrangement.
-  PartWindings(const Arrangement& all, const ExactPlaces& places, const Face& face, Boundaries boundaries);
+  PartWindings(const Arrangement& all, const ExactPoints& places, const Face& face, Boundaries boundaries);
 
   /// The winding numbers at some triangle of the face that is connected with this one. They are computed at the start
   /// of an edge along which no surface runs, so that both its sides lie in the same bodies.
@@ -33,7 +33,7 @@ class PartWindings {
   std::vector<CellBoundary> at(std::uint32_t place, const Arrangement::Edge& edge) const;
 
   const Arrangement& all_;
-  const ExactPlaces& places_;
+  const ExactPoints& places_;
   const Face& face_;
   Boundaries boundaries_;
   DisjointSets part_of_;                 // of edges

@@ -43,7 +43,7 @@ class CutLineFinder {
   CutLines find() {
     find_lines();
     take_points();
-    for (CutLine& line : lines_) add_meetings(line);
+    for (CutLine& line : lines_) add_intersections(line);
     for (CutLine& line : lines_) put_in_order(line);
     std::erase_if(lines_, [](const CutLine& line) { return line.points.size() < 2; });
     return {std::move(mesh_), std::move(lines_)};
@@ -132,7 +132,7 @@ class CutLineFinder {
   }
 
   /// The points where further planes pass through the line; each is made once for the lines that meet there.
-  void add_meetings(CutLine& line) {
+  void add_intersections(CutLine& line) {
     for (const int k : used_) {
       if (std::find(line.planes.begin(), line.planes.end(), k) != line.planes.end()) continue;
       if (!may_meet(line, k)) continue;
@@ -144,7 +144,7 @@ class CutLineFinder {
       if (!is_within(line, place) || !planes_.is_in_facet(k, place)) continue;
 
       const std::uint32_t set = mesh_.sets.with(mesh_.sets.with(mesh_.sets.with(0, line.planes[0]), line.planes[1]), k);
-      const auto [entry, is_new] = meeting_.try_emplace(set, static_cast<std::uint32_t>(mesh_.point.size()));
+      const auto [entry, is_new] = intersection_.try_emplace(set, static_cast<std::uint32_t>(mesh_.point.size()));
       if (is_new) {
         mesh_.add_point(snapped_to_planes(place, mesh_.sets.planes_in(set), planes_), set);
       }
@@ -174,7 +174,7 @@ class CutLineFinder {
   double reach_;           // radius of a ball that holds the fruit
   std::vector<int> used_;  // planes that cut anything
   std::vector<CutLine> lines_;
-  std::map<std::uint32_t, std::uint32_t> meeting_;  // set of planes -> point
+  std::map<std::uint32_t, std::uint32_t> intersection_;  // set of planes -> point
 };
 
 /// Halves what is too long; what waits lies behind on the stack.

@@ -25,7 +25,7 @@ using Builders = std::vector<std::optional<BladeFaceBuilder>>;
 /// Constraints are not halved below this share of the finest size.
 constexpr double shortest_share = 0.25;
 
-constexpr int most_rounds = 4;
+constexpr int max_rounds = 4;
 
 /// Lines need their sizes only roughly, and there may be many planes.
 constexpr int line_grid = 48;
@@ -136,7 +136,7 @@ PlaneFaces triangulate(SplitMesh mesh, const CutPlanes& planes, const std::vecto
     });
     Round round = finished(std::move(builders), lines.mesh.point.size());
     for (const BladeFace::NewPoint& p : round.point) lines.mesh.add_point(p.place, lines.mesh.sets.with(0, p.plane));
-    if (!round.unshared.empty() && number < most_rounds) {
+    if (!round.unshared.empty() && number < max_rounds) {
       lines = with_points(std::move(lines), round.unshared);
       continue;
     }

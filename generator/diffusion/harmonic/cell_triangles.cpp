@@ -15,7 +15,7 @@ namespace pomona {
 namespace {
 
 /// Number of slabs.
-constexpr int most_slabs = 16;
+constexpr int max_slabs = 16;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ CellTriangleFinder::CellTriangleFinder(const SnappedSurfaces& snapped, const Lat
       lattice_(lattice),
       margin_(margin),
       plane_(static_cast<std::size_t>(lattice.count[0]) * static_cast<std::size_t>(lattice.count[1])) {
-  const int cells_z = lattice.count[2] - 1, slab_number = std::min(most_slabs, cells_z);
+  const int cells_z = lattice.count[2] - 1, slab_number = std::min(max_slabs, cells_z);
   std::vector<std::pair<int, int>> layers;
   for (int i = 0; i < slab_number; ++i) layers.emplace_back(cells_z * i / slab_number, cells_z * (i + 1) / slab_number);
   std::vector<std::uint32_t> all(snapped.surfaces->triangle_count());

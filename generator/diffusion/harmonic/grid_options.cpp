@@ -16,7 +16,7 @@ namespace {
 constexpr double near_surface = 2e-5;
 
 /// Patches may halve the spacing so often; their limit in memory may stop them sooner.
-constexpr int most_halvings = 2;
+constexpr int max_halvings = 2;
 
 struct Effort {
   int nodes;  ///< along the side of a cube as large as the surfaces' box
@@ -39,7 +39,7 @@ double spacing_in(const glm::dvec3& extent, int nodes) {
   const double longest = std::max({extent.x, extent.y, extent.z});
   const glm::dvec3 thick = glm::max(extent, glm::dvec3(longest / 16));
   const double even = reproducible::cbrt(thick.x * thick.y * thick.z) / std::max(nodes, 4);
-  return std::max(even, longest / most_cells);
+  return std::max(even, longest / max_cells);
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ GridOptions grid_options(const DiffusionSurfaces& surfaces, const HarmonicOption
   return {.spacing = spacing_in(extent, options.nodes > 0 ? options.nodes : effort.nodes),
           .cycles = options.cycles > 0 ? options.cycles : effort.cycles,
           .shift = options.shift,
-          .finer = options.finer >= 0 ? options.finer : most_halvings,
+          .finer = options.finer >= 0 ? options.finer : max_halvings,
           .refine_above = options.refine_above >= 0 ? options.refine_above : effort.refine_above,
           .max_patch_nodes = effort.max_patch_nodes,
           .reach = near_surface * glm::length(extent),

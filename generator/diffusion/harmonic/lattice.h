@@ -30,7 +30,7 @@ struct Lattice {
 /// 2^10 nodes along an axis, with the widest margins, so that coordinates stay below 2^29 and areas of triangles below
 /// 2^60.
 constexpr int base_unit_bits = 19;
-constexpr int most_cells = 480;  ///< along an axis of the surfaces' box
+constexpr int max_cells = 480;  ///< along an axis of the surfaces' box
 
 /// A lattice around `surfaces`. Its counts are 1 + a multiple of 2^`halvings`.
 /// \param spacing wanted, metres; the real one is about this.

@@ -35,10 +35,10 @@ Threads threads_for(const GridLevel& level, Threads threads) {
 
 std::vector<PlaneSlab> slabs_for(const GridLevel& level, int steps, Threads threads) {
   if (level.blocks.size() < runs_beyond_cache) return {};
-  const auto most = static_cast<std::size_t>(std::min(resolved(threads), most_threads));
-  if (most == 1) return stacks_of(level, steps, 1);
+  const auto max = static_cast<std::size_t>(std::min(resolved(threads), max_threads));
+  if (max == 1) return stacks_of(level, steps, 1);
   for (const std::size_t to_a_thread : {4, 2, 1}) {
-    std::vector<PlaneSlab> slabs = stacks_of(level, steps, to_a_thread * most);
+    std::vector<PlaneSlab> slabs = stacks_of(level, steps, to_a_thread * max);
     if (!slabs.empty()) return slabs;
   }
   return {};

@@ -57,7 +57,7 @@ bool has_boundary(const DiffusionSurfaces& surfaces) {
 
 /// A boundary shows its visible side to the air where it crosses itself, as thin sepals do. If the air sees the visible
 /// side of more than this share of the boundary triangles, air has come in.
-constexpr double most_inside_out = 0.1;
+constexpr double max_inside_out = 0.1;
 
 /// Whether the region that the air reaches is air alone, given the sides that are seen from there. If the surfaces have
 /// hidden sides: the air hardly sees the visible side of a boundary. If not: the air sees no triangle from both sides;
@@ -71,7 +71,7 @@ bool stays_outside(const DiffusionSurfaces& surfaces, const std::vector<std::uin
     ++seen;
     if ((sides_seen[t] & visible) != 0) ++inside_out;
   }
-  return static_cast<double>(inside_out) <= most_inside_out * static_cast<double>(seen);
+  return static_cast<double>(inside_out) <= max_inside_out * static_cast<double>(seen);
 }
 
 /// The modelled part of a lattice.
@@ -123,12 +123,12 @@ class Patches {
   std::optional<PatchNodes> patch_on(const Lattice& coarse, const std::vector<std::uint32_t>& small,
                                      const std::vector<float>& bends) const {
     const PatchNodes* within = around_ ? &*around_ : nullptr;
-    for (std::size_t most = bends.empty() ? 0 : options_.max_patch_nodes / nodes_per_bent_brick;; most = most * 3 / 4) {
-      const std::vector<std::uint8_t> bent = most > 0 ? bricks_to_refine(bends, most) : std::vector<std::uint8_t>();
+    for (std::size_t max = bends.empty() ? 0 : options_.max_patch_nodes / nodes_per_bent_brick;; max = max * 3 / 4) {
+      const std::vector<std::uint8_t> bent = max > 0 ? bricks_to_refine(bends, max) : std::vector<std::uint8_t>();
       if (small.empty() && std::find(bent.begin(), bent.end(), 1) == bent.end()) return std::nullopt;
       PatchNodes patch = patch_around(snapped_, small, coarse, patch_margin, within, bent);
       if (patch.blocks.node_count() <= options_.max_patch_nodes) return patch;
-      if (most == 0) return std::nullopt;
+      if (max == 0) return std::nullopt;
     }
   }
 

@@ -118,9 +118,9 @@ class CubeView {
     const double depth = box.high.z;
     if (box.low.x > depth || box.high.x < -depth || box.low.y > depth || box.high.y < -depth) return {};
     if (box.low.z <= 0) return {0, texels_ - 1, 0, texels_ - 1};
-    const auto least = [&](double x) { return x / (x < 0 ? box.low.z : box.high.z); };
-    const auto most = [&](double x) { return x / (x < 0 ? box.high.z : box.low.z); };
-    return texels_in({least(box.low.x), most(box.high.x)}, {least(box.low.y), most(box.high.y)});
+    const auto min = [&](double x) { return x / (x < 0 ? box.low.z : box.high.z); };
+    const auto max = [&](double x) { return x / (x < 0 ? box.high.z : box.low.z); };
+    return texels_in({min(box.low.x), max(box.high.x)}, {min(box.low.y), max(box.high.y)});
   }
 
   /// The texels a triangle may cover. An edge through the plane of the point goes to infinity there.
@@ -174,13 +174,13 @@ class CubeView {
   double tile_minimum(DrawnFace& face, int tile_x, int tile_y) const {
     const auto tile = static_cast<std::size_t>(tile_y * (texels_ / tile_texels) + tile_x);
     if (face.tile_is_stale[tile] == 0) return face.tile_minimum[tile];
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (int y = tile_y * tile_texels; y < (tile_y + 1) * tile_texels; ++y) {
       const double* row = &face.inverse_depth[static_cast<std::size_t>(y * texels_ + tile_x * tile_texels)];
-      least = std::min(least, *std::min_element(row, row + tile_texels));
+      min = std::min(min, *std::min_element(row, row + tile_texels));
     }
     face.tile_is_stale[tile] = 0;
-    return face.tile_minimum[tile] = least;
+    return face.tile_minimum[tile] = min;
   }
 
   /// Draws a triangle on each of `faces`, unless it is seen edge-on.

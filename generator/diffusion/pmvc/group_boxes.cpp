@@ -22,8 +22,8 @@ Box<float> box_of(const TriangleGroup& group) {
 
 /// Boxes around runs of neighbouring points, few enough to compare every group with.
 std::vector<Box<float>> boxes_of(std::span<const glm::vec3> points) {
-  constexpr std::size_t most_boxes = 64;
-  const std::size_t run = (points.size() + most_boxes - 1) / most_boxes;
+  constexpr std::size_t max_boxes = 64;
+  const std::size_t run = (points.size() + max_boxes - 1) / max_boxes;
   std::vector<Box<float>> boxes((points.size() + run - 1) / run);
   for (std::size_t i = 0; i < points.size(); ++i) boxes[i / run].add(points[i]);
   return boxes;

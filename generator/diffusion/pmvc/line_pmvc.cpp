@@ -16,9 +16,9 @@ namespace pomona {
 namespace {
 
 constexpr std::size_t lines_per_block = 8;
-constexpr std::size_t most_points_at_once = 8192;
-constexpr std::size_t most_sums = std::size_t{1} << 24;  // floats in all blocks' sums: 64 MiB
-constexpr std::size_t floats_per_point = 12;             // of a block's sums, without parts
+constexpr std::size_t max_points_at_once = 8192;
+constexpr std::size_t max_sums = std::size_t{1} << 24;  // floats in all blocks' sums: 64 MiB
+constexpr std::size_t floats_per_point = 12;            // of a block's sums, without parts
 
 std::size_t blocks_of(std::size_t lines) { return (lines + lines_per_block - 1) / lines_per_block; }
 
@@ -107,9 +107,9 @@ double encoded_spread(double value, double spread) {
   return 0.5 * (srgb_from_linear(high) - srgb_from_linear(low));
 }
 
-/// Whether the colour of a point scatters more than `most`, as in LinePlan: with w the weight and f the colour, each
+/// Whether the colour of a point scatters more than `max`, as in LinePlan: with w the weight and f the colour, each
 /// pair adds (d.rgb - f d.w) / w.
-bool scatters_more_than(double most, std::span<const BlockSums> blocks, const glm::dvec4& total, std::size_t point) {
+bool scatters_more_than(double max, std::span<const BlockSums> blocks, const glm::dvec4& total, std::size_t point) {
   glm::dvec4 squares(0), with_weight(0);
   for (const BlockSums& block : blocks) {
     squares += glm::dvec4(block.scatter.squares[point]);
@@ -120,7 +120,7 @@ bool scatters_more_than(double most, std::span<const BlockSums> blocks, const gl
   for (int k = 0; k < 3; ++k) {
     const double sum = squares[k] - 2 * f[k] * with_weight[k] + f[k] * f[k] * squares.w;
     const double spread = std::sqrt(std::max(sum, 0.0)) / total.w;
-    if (spread > most || (steepest * spread > most && encoded_spread(f[k], spread) > most)) return true;
+    if (spread > max || (steepest * spread > max && encoded_spread(f[k], spread) > max)) return true;
   }
   return false;
 }
@@ -156,7 +156,7 @@ std::vector<PmvcValue> batch_pmvc(const PackedSurfaces& surfaces, std::span<cons
     place.clear();
     for (std::size_t i = 0; i < points.size(); ++i) {
       const glm::dvec4& total = totals.color_and_weight[i];
-      if (!(total.w > 0) || !scatters_more_than(plan.most_scatter, blocks, total, i)) continue;
+      if (!(total.w > 0) || !scatters_more_than(plan.max_scatter, blocks, total, i)) continue;
       place.push_back(i);
       scattered.push_back(points[i]);
     }
@@ -180,7 +180,7 @@ std::vector<PmvcValue> line_pmvc(const DiffusionSurfaces& surfaces, const Surfac
   // As many points at a time as keep the blocks' sums small.
   const std::size_t sums_per_point =
       blocks_of(std::max(plan.lines.size(), plan.more.size())) * (floats_per_point + packed.used_parts.size());
-  const std::size_t at_once = std::clamp<std::size_t>(most_sums / sums_per_point, 1, most_points_at_once);
+  const std::size_t at_once = std::clamp<std::size_t>(max_sums / sums_per_point, 1, max_points_at_once);
   std::vector<PmvcValue> values(points.size());
   const std::vector<std::uint32_t> order = morton_order(std::vector<glm::dvec3>(points.begin(), points.end()));
   for (std::size_t first = 0; first < points.size(); first += at_once) {

@@ -17,12 +17,12 @@ struct LinePlan {
   /// For all points. Neighbours in pairs (2 i, 2 i + 1) if there are `more`.
   std::vector<Line> lines;
 
-  /// Additional lines, for points where colours scatter by more than `most_scatter`.
+  /// Additional lines, for points where colours scatter by more than `max_scatter`.
   std::vector<Line> more;
 
   /// Of the colour in any channel, linear or in sRGB, whichever is more: the root of the summed squares of what the
   /// lines of each pair add differently.
-  double most_scatter = std::numeric_limits<double>::infinity();
+  double max_scatter = std::numeric_limits<double>::infinity();
 };
 
 /// Positive mean values from two directions for every line, the same for all points. Lines are summed in fixed blocks

@@ -16,7 +16,7 @@ namespace {
 constexpr float nowhere = std::numeric_limits<float>::infinity();
 
 /// Points nearer than 1e-5 of the size to a surface never come here, so that a smaller distance is rounding.
-constexpr float least_distance = 1e-6f;
+constexpr float min_distance = 1e-6f;
 
 /// Groups of triangles tested before the first look at what they hide; a multiple of TriangleGroup::size.
 constexpr std::size_t first_round = 128;
@@ -49,14 +49,14 @@ Range range_of(const AlignedFloats& values, std::size_t count) {
 /// been pushed together along u.
 void lay_out_bins(SweepState& state, float squeeze) {
   constexpr float points_per_bin = 0.5f;
-  constexpr float tallness = 8;     // height over width
-  constexpr float most_bins = 512;  // along an axis
+  constexpr float tallness = 8;    // height over width
+  constexpr float max_bins = 512;  // along an axis
   const Range u = range_of(state.u, state.points), v = range_of(state.v, state.points);
   const float width = u.high - u.low, height = v.high - v.low;
   const float spread = width / std::max(squeeze, 1e-3f);
   const float bin_height = std::sqrt(spread * height * tallness * points_per_bin / static_cast<float>(state.points));
   const auto bins_along = [&](float length, float bin) {
-    return bin > 0 ? std::clamp(length / bin, 1.0f, most_bins) : 1.0f;
+    return bin > 0 ? std::clamp(length / bin, 1.0f, max_bins) : 1.0f;
   };
 
   SweepBins& bins = state.bins;
@@ -66,8 +66,8 @@ void lay_out_bins(SweepState& state, float squeeze) {
   bins.high_v = v.high;
   bins.columns = static_cast<std::int32_t>(bins_along(spread, bin_height / tallness));
   bins.rows = static_cast<std::int32_t>(bins_along(height, bin_height));
-  bins.per_u = width > least_distance ? static_cast<float>(bins.columns) / width : 0;
-  bins.per_v = height > least_distance ? static_cast<float>(bins.rows) / height : 0;
+  bins.per_u = width > min_distance ? static_cast<float>(bins.columns) / width : 0;
+  bins.per_v = height > min_distance ? static_cast<float>(bins.rows) / height : 0;
 }
 
 /// Counting sort: slots are numbered by bin, then by point.
@@ -171,7 +171,7 @@ void shade(const PackedSurfaces& surfaces, const SweepState& state, const SweepH
     const auto& [a, b, c] = surfaces.triangle[triangle];
     const std::vector<glm::vec4>& color = sees_front ? surfaces.front_color : surfaces.back_color;
     const float second = hits.second[slot], third = hits.third[slot], first = 1 - second - third;
-    const float weight = 1 / std::max(hits.distance[slot], least_distance);
+    const float weight = 1 / std::max(hits.distance[slot], min_distance);
     const glm::vec4 seen = color[static_cast<std::size_t>(a)] * first + color[static_cast<std::size_t>(b)] * second +
                            color[static_cast<std::size_t>(c)] * third;
 

@@ -12,13 +12,12 @@ namespace {
 
 /// Final looks along more lines where colours scatter by more than this; measured in docs/reports/diffusion.md.
 constexpr int lines_where_colors_scatter = 352;
-constexpr double most_scatter = 1.0 / 255;
+constexpr double max_scatter = 1.0 / 255;
 
 LinePlan plan_for(Quality quality) {
   if (quality == Quality::draft) return {.lines = relaxed_draft_lines(), .more = {}};
-  return {.lines = relaxed_final_lines(),
-          .more = line_directions(lines_where_colors_scatter),
-          .most_scatter = most_scatter};
+  return {
+      .lines = relaxed_final_lines(), .more = line_directions(lines_where_colors_scatter), .max_scatter = max_scatter};
 }
 
 /// 6 x 64^2 directions: within 0.02/255 RMS of four times as many.

@@ -153,17 +153,17 @@ struct ProjectedGroup {
   std::uint32_t seen = 0;                                      ///< a bit for each triangle that is left
 };
 
-HWY_INLINE Float least(Float a, Float b, Float c) { return hn::Min(a, hn::Min(b, c)); }
-HWY_INLINE Float most(Float a, Float b, Float c) { return hn::Max(a, hn::Max(b, c)); }
+HWY_INLINE Float min(Float a, Float b, Float c) { return hn::Min(a, hn::Min(b, c)); }
+HWY_INLINE Float max(Float a, Float b, Float c) { return hn::Max(a, hn::Max(b, c)); }
 
 HWY_INLINE Extents extents_of(const Point3& a, const Point3& b, const Point3& c) {
   const Float slack = hn::Set(floats, 1e-6f);
-  return {least(a.u, b.u, c.u),
-          most(a.u, b.u, c.u),
-          least(a.v, b.v, c.v),
-          most(a.v, b.v, c.v),
-          hn::Sub(least(a.w, b.w, c.w), slack),
-          hn::Add(most(a.w, b.w, c.w), slack)};
+  return {min(a.u, b.u, c.u),
+          max(a.u, b.u, c.u),
+          min(a.v, b.v, c.v),
+          max(a.v, b.v, c.v),
+          hn::Sub(min(a.w, b.w, c.w), slack),
+          hn::Add(max(a.w, b.w, c.w), slack)};
 }
 
 /// (p - q) x (r - q) across the line, as a function of q; exactly the negative of that with p and r exchanged. With
@@ -227,7 +227,7 @@ HWY_INLINE void test_slots(const ProjectedGroup& group, std::size_t lane, std::s
   const Float e0 = value(group.edge[0], lane, u, v);
   const Float e1 = value(group.edge[1], lane, u, v);
   const Float e2 = value(group.edge[2], lane, u, v);
-  const LaneMask inside = hn::And(hn::Ge(least(e0, e1, e2), hn::Zero(floats)), hn::FirstN(floats, count));
+  const LaneMask inside = hn::And(hn::Ge(min(e0, e1, e2), hn::Zero(floats)), hn::FirstN(floats, count));
   out.lane[out.count] = lane;
   out.slot[out.count] = slot;
   hn::Store(hn::IfThenElse(inside, e0, hn::Set(floats, -1.0f)), floats, out.edge[0][out.count]);

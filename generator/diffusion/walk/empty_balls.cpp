@@ -39,7 +39,7 @@ bool is_nearer(const NearGroup& a, const NearGroup& b) {
   return a.distance != b.distance ? a.distance < b.distance : a.group < b.group;
 }
 
-float least_of(const GroupDistances& squared) { return *std::min_element(squared.begin(), squared.end()); }
+float min_of(const GroupDistances& squared) { return *std::min_element(squared.begin(), squared.end()); }
 
 }  // namespace
 
@@ -64,7 +64,7 @@ void EmptyBalls::divide(Branch& branch, std::size_t cell, const glm::vec3& middl
                         std::vector<NearGroup> candidates) const {
   // How far is each from the middle?
   for (NearGroup& near : candidates) {
-    near.distance = std::sqrt(least_of(squared_distances(frames_.groups[near.group], middle)));
+    near.distance = std::sqrt(min_of(squared_distances(frames_.groups[near.group], middle)));
   }
   const float nearest = std::min_element(candidates.begin(), candidates.end(), is_nearer)->distance;
   branch.cells[cell].distance = nearest;
@@ -124,8 +124,8 @@ double EmptyBalls::radius_at(const glm::dvec3& point) const {
   if (cell.count == is_far || place.from_middle < near_middle * cell.distance) {
     distance = cell.distance - place.from_middle;
   } else {
-    distance = std::sqrt(least_squared_distance(frames_.groups.data(), &place.branch->near[cell.first], cell.count,
-                                                place.from_middle, single));
+    distance = std::sqrt(min_squared_distance(frames_.groups.data(), &place.branch->near[cell.first], cell.count,
+                                              place.from_middle, single));
   }
   return std::max(0.0, distance - slack);
 }
@@ -136,7 +136,7 @@ std::vector<std::uint32_t> EmptyBalls::nearest_triangles(const glm::dvec3& point
   const Cell& cell = *place.cell;
   const NearGroup* near = &place.branch->near[cell.first];
   const float limit =
-      std::sqrt(least_squared_distance(frames_.groups.data(), near, cell.count, place.from_middle, single)) +
+      std::sqrt(min_squared_distance(frames_.groups.data(), near, cell.count, place.from_middle, single)) +
       4 * static_cast<float>(slack);
   std::vector<std::uint32_t> found;
   for (std::size_t n = 0; n < cell.count && near[n].distance - place.from_middle <= limit; ++n) {

@@ -64,18 +64,18 @@ void SquaredDistances(const FrameGroup& group, const glm::vec3& point, float* sq
   }
 }
 
-float LeastSquaredDistance(const FrameGroup* groups, const NearGroup* near, std::size_t count, float reach,
-                           const glm::vec3& point) {
-  float least = std::numeric_limits<float>::max();
+float MinSquaredDistance(const FrameGroup* groups, const NearGroup* near, std::size_t count, float reach,
+                         const glm::vec3& point) {
+  float min = std::numeric_limits<float>::max();
   for (std::size_t n = 0; n < count; ++n) {
     const float beyond = near[n].distance - reach;
-    if (beyond > 0 && beyond * beyond > least) break;
+    if (beyond > 0 && beyond * beyond > min) break;
     const FrameGroup& group = groups[near[n].group];
     for (std::size_t i = 0; i < FrameGroup::size; i += hn::Lanes(lanes)) {
-      least = std::min(least, hn::GetLane(hn::MinOfLanes(lanes, squared_distance(group, i, point))));
+      min = std::min(min, hn::GetLane(hn::MinOfLanes(lanes, squared_distance(group, i, point))));
     }
   }
-  return least;
+  return min;
 }
 
 }  // namespace pomona::HWY_NAMESPACE
@@ -85,7 +85,7 @@ HWY_AFTER_NAMESPACE();
 namespace pomona {
 
 HWY_EXPORT(SquaredDistances);
-HWY_EXPORT(LeastSquaredDistance);
+HWY_EXPORT(MinSquaredDistance);
 
 GroupDistances squared_distances(const FrameGroup& group, const glm::vec3& point) {
   GroupDistances distances;
@@ -93,9 +93,9 @@ GroupDistances squared_distances(const FrameGroup& group, const glm::vec3& point
   return distances;
 }
 
-float least_squared_distance(const FrameGroup* groups, const NearGroup* near, std::size_t count, float reach,
-                             const glm::vec3& point) {
-  return HWY_DYNAMIC_DISPATCH(LeastSquaredDistance)(groups, near, count, reach, point);
+float min_squared_distance(const FrameGroup* groups, const NearGroup* near, std::size_t count, float reach,
+                           const glm::vec3& point) {
+  return HWY_DYNAMIC_DISPATCH(MinSquaredDistance)(groups, near, count, reach, point);
 }
 
 }  // namespace pomona

@@ -22,7 +22,7 @@ struct NearGroup {
 
 /// The least of squared_distances() over `count` groups that come in order of `near[i].distance`; it stops where
 /// these exceed `reach` plus the distance found.
-float least_squared_distance(const FrameGroup* groups, const NearGroup* near, std::size_t count, float reach,
-                             const glm::vec3& point);
+float min_squared_distance(const FrameGroup* groups, const NearGroup* near, std::size_t count, float reach,
+                           const glm::vec3& point);
 
 }  // namespace pomona

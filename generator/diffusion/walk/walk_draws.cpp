@@ -58,8 +58,8 @@ glm::dvec3 random_return(const glm::dvec3& outside, double radius, Draws& draws)
 
   // Any direction around.
   const glm::dvec3 axis = outside / distance;
-  const glm::dvec3 least = std::fabs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 side = glm::normalize(glm::cross(axis, least)), other = glm::cross(axis, side);
+  const glm::dvec3 min = std::fabs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 side = glm::normalize(glm::cross(axis, min)), other = glm::cross(axis, side);
   const Draws::InDisc p = draws.in_disc();
   const double sine = std::sqrt((1 - cosine * cosine) / p.squared);
   return radius * (cosine * axis + sine * p.x * side + sine * p.y * other);

@@ -16,7 +16,7 @@ struct WalkOptions {
 
   /// A point takes no more walks than this, whatever its standard error; but for the last two batches of twelve that
   /// each half of its walks has begun.
-  std::uint32_t most_walks = 4'000'000;
+  std::uint32_t max_walks = 4'000'000;
 
   /// Called with the points done and all points, from any thread, if given.
   std::function<void(std::size_t done, std::size_t total)> progress = {};

@@ -34,10 +34,10 @@ constexpr double on_surface = 2e-5;
 constexpr double outer_radius = 1.02;
 
 /// Far beyond any walk there is.
-constexpr int most_steps = 1 << 20;
+constexpr int max_steps = 1 << 20;
 
 /// Batches that each half begins with, at least.
-constexpr double least_batches = 4;
+constexpr double min_batches = 4;
 
 /// Walks that begin together, towards the corners of an icosahedron.
 constexpr std::uint64_t batch_size = 12;
@@ -79,7 +79,7 @@ void step(const EmptyBalls& balls, double stop, Walker& walker) {
 void walk_to_end(const EmptyBalls& balls, double stop, std::vector<Walker>& walkers) {
   std::vector<Walker*> under_way;
   for (Walker& walker : walkers) under_way.push_back(&walker);
-  for (int steps = 0; !under_way.empty() && steps < most_steps; ++steps) {
+  for (int steps = 0; !under_way.empty() && steps < max_steps; ++steps) {
     for (Walker* walker : under_way) step(balls, stop, *walker);
     std::erase_if(under_way, [](const Walker* walker) { return walker->state != Walker::State::under_way; });
   }
@@ -109,15 +109,15 @@ class PointWalks {
 
     // So many that what is too rare to be met could not change the mean by more than the target.
     const double pilot =
-        std::max(least_batches, std::ceil(std::min(most_batches(), 1.5 * contrast_ / target_ / batch_size)));
+        std::max(min_batches, std::ceil(std::min(max_batches(), 1.5 * contrast_ / target_ / batch_size)));
     grow(pilot, pilot);
-    while (!is_known() && walks() < options_.most_walks) grow(wanted(0), wanted(1));
+    while (!is_known() && walks() < options_.max_walks) grow(wanted(0), wanted(1));
     return half_[0].hits() + half_[1].hits() > 0 ? mean() : on_nearest_side();
   }
 
  private:
   /// Of each half.
-  double most_batches() const { return options_.most_walks / (2.0 * batch_size) + 1; }
+  double max_batches() const { return options_.max_walks / (2.0 * batch_size) + 1; }
 
   double walks() const { return batch_size * (half_[0].batches() + half_[1].batches()); }
 
@@ -140,15 +140,15 @@ class PointWalks {
   double wanted(int which) const {
     const WalkTally& half = half_[which];
     const WalkTally& other = half_[1 - which];
-    const double most = most_batches();
-    if (half.hits() == 0 || other.hits() == 0) return std::min(most, 2 * half.batches());
+    const double max = max_batches();
+    if (half.hits() == 0 || other.hits() == 0) return std::min(max, 2 * half.batches());
 
     // Half the variance of one batch over n, and the square of the unmet over n, shall make the target's square.
     const double squared = target_ * target_, unmet = 0.25 * contrast_ * other.batches() / other.hits();
     const double v = 0.5 * other.variance_of_batch();
     const double needed = (v + std::sqrt(v * v + 4 * squared * unmet * unmet)) / (2 * squared);
-    constexpr double reserve = 1.04, least_growth = 1.02;
-    return std::min(most, std::ceil(std::max(reserve * needed, least_growth * half.batches())));
+    constexpr double reserve = 1.04, min_growth = 1.02;
+    return std::min(max, std::ceil(std::max(reserve * needed, min_growth * half.batches())));
   }
 
   void grow(double first, double second) {
@@ -188,10 +188,10 @@ class PointWalks {
     const glm::dvec3 color = half_[0].hits() == 0   ? half_[1].mean()
                              : half_[1].hits() == 0 ? half_[0].mean()
                                                     : 0.5 * (half_[0].mean() + half_[1].mean());
-    const auto most = std::max_element(hits_of_part_.begin(), hits_of_part_.end());
+    const auto max = std::max_element(hits_of_part_.begin(), hits_of_part_.end());
     const double hits = half_[0].hits() + half_[1].hits();
     return {glm::clamp(Color(color), ground_.hull.low, ground_.hull.high),
-            ground_.parts.part[static_cast<std::size_t>(most - hits_of_part_.begin())], 255 * std::sqrt(variance()),
+            ground_.parts.part[static_cast<std::size_t>(max - hits_of_part_.begin())], 255 * std::sqrt(variance()),
             static_cast<std::uint32_t>(walks()), static_cast<std::uint32_t>(walks() - hits)};
   }
 

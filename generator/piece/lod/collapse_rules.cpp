@@ -14,10 +14,10 @@ namespace {
 constexpr float crease_cosine = 0.866f;
 
 /// Two colours at one place make a border if a channel differs by more than this, of the square root of light.
-constexpr double least_jump = 0.012;
+constexpr double min_jump = 0.012;
 
 /// A triangle may turn by 60 degrees in one collapse, and by 80 from the triangle it grew from.
-constexpr double least_cosine_now = 0.5, least_cosine_ever = 0.17;
+constexpr double min_cosine_now = 0.5, min_cosine_ever = 0.17;
 
 /// Where a triangle has not turned at all, it still lies in the face that it grew from.
 constexpr double flat_cosine = 1 - 1e-12;
@@ -101,7 +101,7 @@ std::uint32_t CollapseRules::vertex_at(std::uint32_t face, std::uint32_t fan) co
 bool CollapseRules::looks_alike(std::uint32_t a, std::uint32_t b) const {
   if (a == b) return true;
   if (solid_.part[a] != solid_.part[b]) return false;
-  return greatest(seen_[a] - seen_[b]) < least_jump && glm::dot(solid_.normal[a], solid_.normal[b]) > crease_cosine;
+  return greatest(seen_[a] - seen_[b]) < min_jump && glm::dot(solid_.normal[a], solid_.normal[b]) > crease_cosine;
 }
 
 bool CollapseRules::is_border(std::int32_t left, std::int32_t right, std::uint32_t from, std::uint32_t to) const {
@@ -255,8 +255,8 @@ bool CollapseRules::keeps_its_side(std::uint32_t face, const Target& target) con
   const TriangleCorners now{position_[f.fan[0]], position_[f.fan[1]], position_[f.fan[2]]};
   const glm::dvec3 normal = area_vector(target.corner), normal_now = area_vector(now);
   if (!(squared(normal) > 0)) return false;
-  if (squared(normal_now) > 0 && !is_within(normal, normal_now, least_cosine_now)) return false;
-  if (squared(normal_[face]) > 0 && !is_within(normal, normal_[face], least_cosine_ever)) return false;
+  if (squared(normal_now) > 0 && !is_within(normal, normal_now, min_cosine_now)) return false;
+  if (squared(normal_[face]) > 0 && !is_within(normal, normal_[face], min_cosine_ever)) return false;
   const double round = roundness(target.corner);
   return round > narrowest || round >= roundness(now);
 }

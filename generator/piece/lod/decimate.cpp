@@ -66,10 +66,10 @@ class RuledQuadric : public decimater::ModQuadricT<HalfEdgeMesh> {
     // The decimater asks for one vertex after another, and takes the least of each: what costs more than
     // the best so far may as well be forbidden.
     const float shape = Quadric::collapse_priority(collapse);
-    if (collapse.v0 != asked_) asked_ = collapse.v0, least_ = std::numeric_limits<float>::max();
-    const std::optional<double> rest = rules_->cost(ring_of(collapse), double{least_} - shape);
+    if (collapse.v0 != asked_) asked_ = collapse.v0, min_ = std::numeric_limits<float>::max();
+    const std::optional<double> rest = rules_->cost(ring_of(collapse), double{min_} - shape);
     if (!rest) return ILLEGAL_COLLAPSE;
-    return least_ = std::min(least_, shape + static_cast<float>(*rest));
+    return min_ = std::min(min_, shape + static_cast<float>(*rest));
   }
 
   void preprocess_collapse(const CollapseInfo& collapse) override { rules_->collapse(ring_of(collapse)); }
@@ -82,7 +82,7 @@ class RuledQuadric : public decimater::ModQuadricT<HalfEdgeMesh> {
  private:
   CollapseRules* rules_ = nullptr;
   HalfEdgeMesh::VertexHandle asked_;
-  float least_ = std::numeric_limits<float>::max();
+  float min_ = std::numeric_limits<float>::max();
 };
 
 /// Looks on, and stops the decimater where a level is reached.

@@ -40,12 +40,12 @@ bool Dish::covers(const glm::dvec3& point) const {
 }
 
 /// The ground is a slab with its upper face at y = 0.
-void Dish::lay_ground(const Solid* bowl, double least) {
+void Dish::lay_ground(const Solid* bowl, double min) {
   std::vector<glm::vec3> position;
   std::vector<glm::uvec3> triangle;
   if (bowl) position = bowl->position, triangle = bowl->triangle;
   const auto first = static_cast<unsigned>(position.size());
-  const float wide = static_cast<float>(std::max(4 * rim_radius_, least)), deep = -0.25f * wide;
+  const float wide = static_cast<float>(std::max(4 * rim_radius_, min)), deep = -0.25f * wide;
   for (const float y : {deep, 0.0f})
     for (const glm::vec2& xz : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)})
       position.emplace_back(xz.x * wide, y, xz.y * wide);

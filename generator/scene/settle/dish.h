@@ -63,7 +63,7 @@ class Dish {
   double height(double x, double z) const;
 
  private:
-  void lay_ground(const Solid* bowl, double least);
+  void lay_ground(const Solid* bowl, double min);
   void bake(const DishOptions& options);
   double turned_height(double radius) const;
   float field(float radius, float height) const;

@@ -105,12 +105,12 @@ std::vector<double> MeshDish::water_levels() const {
 
 void MeshDish::find_places(bool on_top) {
   // A dent less deep than a twentieth of the dish's height holds nothing.
-  const double least = std::max(0.002, 0.05 * box_.high.y);
+  const double min = std::max(0.002, 0.05 * box_.high.y);
   const std::vector<double> level = on_top ? height_ : water_levels();
   std::vector<double> inset(height_.size(), 0);
   for (std::size_t c = 0; c < height_.size(); ++c) {
     const bool is_place =
-        on_top ? height_[c] > nothing : inside_[c] != 0 && level[c] - std::max(0.0, height_[c]) >= least;
+        on_top ? height_[c] > nothing : inside_[c] != 0 && level[c] - std::max(0.0, height_[c]) >= min;
     if (is_place) inset[c] = std::numeric_limits<double>::max();
   }
 

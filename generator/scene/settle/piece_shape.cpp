@@ -64,16 +64,16 @@ void weigh(PieceShape& shape, const WeldedMesh& mesh, const glm::dvec3& middle) 
   shape.mass = volume;
   second -= volume * glm::outerProduct(away, away);
   const double trace = second[0][0] + second[1][1] + second[2][2];
-  const double least = 1e-3 * volume * shape.size * shape.size;  // thin things do not spin for nothing
-  shape.inverse_inertia = glm::inverse(glm::dmat3(trace + least) - second);
+  const double min = 1e-3 * volume * shape.size * shape.size;  // thin things do not spin for nothing
+  shape.inverse_inertia = glm::inverse(glm::dmat3(trace + min) - second);
 }
 
 /// By the parts inside, as far as they differ from the rest, of which the density counts as 1.
 void take_weight(PieceShape& shape, const RigidMass& weighed, double density) {
   shape.center = weighed.center;
   shape.mass = weighed.mass / density;
-  const double least = 1e-3 * shape.mass * shape.size * shape.size;
-  shape.inverse_inertia = glm::inverse(weighed.inertia / density + glm::dmat3(least));
+  const double min = 1e-3 * shape.mass * shape.size * shape.size;
+  shape.inverse_inertia = glm::inverse(weighed.inertia / density + glm::dmat3(min));
 }
 
 double area_of(const WeldedMesh& mesh) {

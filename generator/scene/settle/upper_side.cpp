@@ -8,11 +8,11 @@
 namespace pomona {
 
 UpperSide::UpperSide(const TriangleTree& mesh, const MeshDish* form) {
-  constexpr double least_slope = 0.2;
+  constexpr double min_slope = 0.2;
   for (const TriangleTree::Corners& t : mesh.triangles()) {
     const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
     const double twice_area = glm::length(normal);
-    if (!(normal.y > least_slope * twice_area)) continue;
+    if (!(normal.y > min_slope * twice_area)) continue;
     // What lies under something else is no upper side.
     const glm::dvec3 middle = (t[0] + t[1] + t[2]) / 3.0;
     if (form == nullptr || middle.y < form->box().low.y - 1e-9 || !form->covers(middle.x, middle.z)) continue;

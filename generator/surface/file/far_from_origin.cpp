@@ -34,8 +34,8 @@ double distance_of(const Box<double>& box) {
 }
 
 bool is_too_far(const Box<double>& box) {
-  constexpr double most_change = 2e-4;
-  return step_at(distance_of(box)) > most_change * glm::length(box.size());
+  constexpr double max_change = 2e-4;
+  return step_at(distance_of(box)) > max_change * glm::length(box.size());
 }
 
 std::string why_too_far(const Box<double>& box) {

@@ -21,13 +21,13 @@ namespace pomona {
 
 namespace {
 
-constexpr double farthest = 1e9;                             // in units of the file
-constexpr std::uint32_t most_json = std::uint32_t{4} << 20;  // bytes; what is large lies outside it
-constexpr std::ptrdiff_t most_values = 500'000;              // each takes tinygltf a fifth of a kilobyte
+constexpr double farthest = 1e9;                            // in units of the file
+constexpr std::uint32_t max_json = std::uint32_t{4} << 20;  // bytes; what is large lies outside it
+constexpr std::ptrdiff_t max_values = 500'000;              // each takes tinygltf a fifth of a kilobyte
 constexpr int deepest_json = 64;
-constexpr std::size_t most_nodes = 65536;
-constexpr std::size_t most_instances = 65536;  // of one node
-constexpr std::size_t most_vertices = 5'000'000;
+constexpr std::size_t max_nodes = 65536;
+constexpr std::size_t max_instances = 65536;  // of one node
+constexpr std::size_t max_vertices = 5'000'000;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& element, const std::string& message,
                          const std::string& hint = {}) {
@@ -63,10 +63,10 @@ void check_container(std::string_view bytes, const std::string& file) {
   const std::uint32_t json = word_at(bytes, 12);
   if (word_at(bytes, 16) != 0x4E4F534Au) refuse(file, "byte 16", "the first chunk is not JSON");
   if (json > bytes.size() - head) refuse(file, "byte 12", "the file ends early");
-  if (json > most_json) refuse(file, "byte 12", "more than 4 MiB of JSON", "export the one object, not the scene");
+  if (json > max_json) refuse(file, "byte 12", "more than 4 MiB of JSON", "export the one object, not the scene");
   const std::string_view text = bytes.substr(head, json);
   if (depth_of(text) > deepest_json) refuse(file, "byte 20", "values nested more than 64 deep");
-  if (std::count(text.begin(), text.end(), ',') > most_values)
+  if (std::count(text.begin(), text.end(), ',') > max_values)
     refuse(file, "byte 20", "more than 500 000 values of JSON", "export the one object, not the scene");
 }
 
@@ -262,7 +262,7 @@ class GlbReader {
     const std::string what = "node " + std::to_string(index);
     if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
       refuse(file_, what, "there is no such node");
-    if (depth > deepest_json || ++visits_ > most_nodes)
+    if (depth > deepest_json || ++visits_ > max_nodes)
       refuse(file_, what, "nodes nested too deep, or within themselves");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
     const glm::dmat4 to_scene = parent * transform_of(node);
@@ -316,7 +316,7 @@ class GlbReader {
     const auto translation = table("TRANSLATION", 3), rotation = table("ROTATION", 4), scale = table("SCALE", 3);
     const std::optional<Table>& first = translation ? translation : rotation ? rotation : scale;
     if (!first) return {to_scene};
-    if (first->count > most_instances) refuse(file_, element_, "more than 65 536 instances", "export fewer");
+    if (first->count > max_instances) refuse(file_, element_, "more than 65 536 instances", "export fewer");
     for (const std::optional<Table>& other : {translation, rotation, scale})
       if (other && other->count != first->count) refuse(file_, element_, "its instances have lists of unequal length");
     std::vector<glm::dmat4> places;
@@ -424,7 +424,7 @@ class GlbReader {
                                     accessor.componentType, name);
       fill(table, plain, accessor.normalized, name);
     } else {
-      if (accessor.count > most_vertices) fail("more than 5 000 000 values");
+      if (accessor.count > max_vertices) fail("more than 5 000 000 values");
       table.value.assign(table.count * table.width, 0);
     }
     if (!is_sparse) return table;
@@ -513,7 +513,7 @@ class GlbReader {
     if (values.type != TINYGLTF_TYPE_VEC3 || (values.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT && !is_quantized)) {
       refuse(file_, element_ + ", POSITION", "positions must be three floats", "export it without quantization");
     }
-    if (values.count > most_vertices - mesh_.position.size()) {
+    if (values.count > max_vertices - mesh_.position.size()) {
       // What is longer than its bytes is told as that.
       if (!values.sparse.isSparse) values_of(accessor, "POSITION");
       refuse(file_, element_, "more than 5 000 000 vertices", "simplify the mesh");
@@ -623,7 +623,7 @@ class GlbReader {
     const bool apart = primitive.mode == TINYGLTF_MODE_TRIANGLES;
     const bool is_fan = primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
     const std::size_t count = apart ? corners / 3 : corners < 3 ? 0 : corners - 2;
-    if (count > most_mesh_triangles - mesh_.triangle.size()) {
+    if (count > max_mesh_triangles - mesh_.triangle.size()) {
       refuse(file_, element_, "more than 2 000 000 triangles", "simplify the mesh");
     }
 

@@ -17,9 +17,9 @@ namespace pomona {
 
 namespace {
 
-constexpr double farthest = 1e9;             // in units of the file
-constexpr std::size_t most_vertices = 5e6;   // of the whole file
-constexpr std::size_t most_corners = 65536;  // of one face
+constexpr double farthest = 1e9;            // in units of the file
+constexpr std::size_t max_vertices = 5e6;   // of the whole file
+constexpr std::size_t max_corners = 65536;  // of one face
 
 // What a name in the file may be to the object that is wanted; the first that occurs counts.
 enum Meaning : std::uint8_t { object_of_the_name = 1, group_of_the_name = 2, group_with_the_word = 4 };
@@ -175,8 +175,8 @@ class ObjParser {
                                         (among ? group_with_the_word : 0));
     }
     meanings_ = static_cast<std::uint8_t>(meanings_ | here_);
-    constexpr std::size_t most_names = 64;
-    if (names_.size() < most_names && std::find(names_.begin(), names_.end(), name) == names_.end())
+    constexpr std::size_t max_names = 64;
+    if (names_.size() < max_names && std::find(names_.begin(), names_.end(), name) == names_.end())
       names_.push_back(name);
   }
 
@@ -194,7 +194,7 @@ class ObjParser {
   }
 
   void read_vertex() {
-    if (mesh_.position.size() == most_vertices) fail("more than 5 000 000 vertices", "simplify the mesh");
+    if (mesh_.position.size() == max_vertices) fail("more than 5 000 000 vertices", "simplify the mesh");
     glm::dvec3 position;
     for (int k = 0; k < 3; ++k) position[k] = number(word());
     mesh_.position.push_back(position);
@@ -233,7 +233,7 @@ class ObjParser {
     const auto [end, status] = std::from_chars(index.data(), index.data() + index.size(), value);
     if (status != std::errc() || end != index.data() + index.size()) fail("this is not the number of a vertex");
     const auto count = static_cast<std::int64_t>(mesh_.position.size());
-    if (value == 0 || value > static_cast<std::int64_t>(most_vertices) || value < -count) fail_no_vertex(place());
+    if (value == 0 || value > static_cast<std::int64_t>(max_vertices) || value < -count) fail_no_vertex(place());
     if (value > count && (furthest_.empty() || value > furthest_.back().vertex))
       furthest_.push_back({value, line_start_, word_at_, line_number_});
     return static_cast<std::uint32_t>(value > 0 ? value - 1 : count + value);
@@ -242,7 +242,7 @@ class ObjParser {
   void read_face() {
     const std::size_t first = corners_.size();
     for (std::string_view text = word(); !text.empty(); text = word()) {
-      if (corners_.size() - first == most_corners) fail("a face with more than 65536 corners");
+      if (corners_.size() - first == max_corners) fail("a face with more than 65536 corners");
       corners_.push_back(corner(text));
     }
     const std::size_t count = corners_.size() - first;
@@ -254,7 +254,7 @@ class ObjParser {
     } else {
       faces_.push_back({first, static_cast<std::uint32_t>(count), here_, line_number_});
     }
-    if (triangles_ > most_mesh_triangles) fail("more than 2 000 000 triangles", "simplify the mesh");
+    if (triangles_ > max_mesh_triangles) fail("more than 2 000 000 triangles", "simplify the mesh");
   }
 
   /// The first face that names a vertex which never came.

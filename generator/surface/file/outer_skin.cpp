@@ -24,12 +24,12 @@ std::vector<std::uint8_t> outermost(const DiffusionSurfaces& surfaces, const std
     return std::fabs(shells[l].volume) > std::fabs(shells[r].volume);
   });
 
-  constexpr std::size_t most_skins = 1024;
+  constexpr std::size_t max_skins = 1024;
   Containment containment(surfaces);
   std::vector<std::size_t> skins;
   std::vector<std::uint8_t> is_skin(shells.size(), 0);
   for (const std::size_t s : order) {
-    if (!shells[s].closed || shells[s].volume == 0 || skins.size() == most_skins) continue;
+    if (!shells[s].closed || shells[s].volume == 0 || skins.size() == max_skins) continue;
     const bool inside = std::any_of(skins.begin(), skins.end(),
                                     [&](std::size_t skin) { return containment.contains(shells[skin], shells[s]); });
     if (inside) continue;

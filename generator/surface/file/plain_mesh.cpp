@@ -5,12 +5,12 @@
 namespace pomona {
 
 std::string listed_names(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 20, longest = 64;
+  constexpr std::size_t max = 20, longest = 64;
   std::string text;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i) {
+  for (std::size_t i = 0; i < names.size() && i < max; ++i) {
     text += (text.empty() ? "" : ", ") + names[i].substr(0, longest);
   }
-  return names.size() > most ? text + ", ..." : text;
+  return names.size() > max ? text + ", ..." : text;
 }
 
 PlainMesh without_unused(const PlainMesh& mesh) {

@@ -19,7 +19,7 @@ struct PlainMesh {
   std::vector<std::string> notes;  ///< what the file leaves open, and how it was taken
 };
 
-constexpr std::size_t most_mesh_triangles = 2'000'000;
+constexpr std::size_t max_mesh_triangles = 2'000'000;
 
 /// "capsule, pyramids, fat", for messages about an object that a file lacks.
 std::string listed_names(const std::vector<std::string>& names);

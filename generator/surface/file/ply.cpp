@@ -44,7 +44,7 @@ double decoded(PlyType type, const std::array<unsigned char, 8>& little_endian) 
 }
 
 /// The fewest bytes one item of an element takes.
-std::uint64_t least_size(const PlyElement& element, PlyFormat format) {
+std::uint64_t min_size(const PlyElement& element, PlyFormat format) {
   std::uint64_t size = 0;
   for (const PlyProperty& property : element.properties) {
     // In text, a digit and what parts it from the next.
@@ -71,7 +71,7 @@ void PlyReader::check_counts() const {
   // The last value of a text needs nothing after it.
   std::uint64_t left = bytes_.size() - header_.size + (header_.format == PlyFormat::ascii ? 1 : 0);
   for (const PlyElement& element : header_.elements) {
-    const std::uint64_t size = least_size(element, header_.format);
+    const std::uint64_t size = min_size(element, header_.format);
     if (size == 0) continue;
     if (element.count > left / size) {
       fail_at(element.byte,
@@ -120,9 +120,9 @@ double PlyReader::ascii_value() {
 std::uint64_t PlyReader::list_length(const PlyProperty& list) {
   const double length = value(*list.count_type);
   const std::size_t item = header_.format == PlyFormat::ascii ? 2 : size_of(list.type);
-  const std::uint64_t most = (bytes_.size() - next_ + 1) / item;
+  const std::uint64_t max = (bytes_.size() - next_ + 1) / item;
   if (!(length >= 0) || length != std::floor(length)) fail("a list cannot be that long");
-  if (length > static_cast<double>(most)) fail("the file is too short for this list");
+  if (length > static_cast<double>(max)) fail("the file is too short for this list");
   return static_cast<std::uint64_t>(length);
 }
 

@@ -27,10 +27,10 @@ namespace pomona {
 namespace {
 
 // Limits on what is read; a fruit has some ten thousand triangles.
-constexpr std::uint64_t most_bytes = std::uint64_t{512} << 20;
-constexpr std::uint64_t most_vertices = 5'000'000;
-constexpr std::uint64_t most_triangles = 10'000'000;
-constexpr double most_names = 65'536;
+constexpr std::uint64_t max_bytes = std::uint64_t{512} << 20;
+constexpr std::uint64_t max_vertices = 5'000'000;
+constexpr std::uint64_t max_triangles = 10'000'000;
+constexpr double max_names = 65'536;
 constexpr double farthest = 1e6;       ///< metres
 constexpr double farthest_read = 1e8;  ///< metres, before it is moved: the Earth is 4e7 m around
 constexpr double smallest = 1e-6;      ///< metres
@@ -193,8 +193,8 @@ class SurfaceReader {
         ply_.fail_at(element->byte,
                      (element == faces_ ? "faces" : "strips") + std::string(" need the list vertex_indices"));
     }
-    if (vertices_->count > most_vertices) ply_.fail_at(vertices_->byte, "more than 5 000 000 vertices");
-    if (faces_ && faces_->count > most_triangles) ply_.fail_at(faces_->byte, "more than 10 000 000 faces");
+    if (vertices_->count > max_vertices) ply_.fail_at(vertices_->byte, "more than 5 000 000 vertices");
+    if (faces_ && faces_->count > max_triangles) ply_.fail_at(faces_->byte, "more than 10 000 000 faces");
     if (faces_ && faces_->count == 0) ply_.fail_at(faces_->byte, "the file has no faces");
   }
 
@@ -262,11 +262,11 @@ class SurfaceReader {
     return found == names.end() ? std::nullopt : std::optional(static_cast<int>(found - names.begin()));
   }
 
-  double number(double value, double most) const {
+  double number(double value, double max) const {
     if (!std::isfinite(value)) ply_.fail("this number is not finite");
-    if (std::fabs(value) > most)
+    if (std::fabs(value) > max)
       ply_.fail("this number is too large",
-                "at most " + std::to_string(static_cast<std::int64_t>(most)) + ", lengths in metres");
+                "at most " + std::to_string(static_cast<std::int64_t>(max)) + ", lengths in metres");
     return value;
   }
 
@@ -388,7 +388,7 @@ class SurfaceReader {
       }
       last = {last.y, last.z, corner_of(value)};
       if (++length < 3 || last.x == last.y || last.y == last.z || last.z == last.x) continue;
-      if (surfaces_.triangle_count() >= most_triangles) ply_.fail("more than 10 000 000 triangles");
+      if (surfaces_.triangle_count() >= max_triangles) ply_.fail("more than 10 000 000 triangles");
       const bool turned = length % 2 == 0;
       append(Face{.corners = {last.x, turned ? last.z : last.y, turned ? last.y : last.z}, .index = no_face});
     }
@@ -404,7 +404,7 @@ class SurfaceReader {
 
   std::int32_t read_index(PlyType type) {
     const double value = ply_.value(type);
-    if (!(value >= 0 && value < most_names) || value != std::floor(value)) {
+    if (!(value >= 0 && value < max_names) || value != std::floor(value)) {
       ply_.fail("surfaces and parts are numbered from 0 to 65535");
     }
     return static_cast<std::int32_t>(value);
@@ -413,7 +413,7 @@ class SurfaceReader {
   void read_corners(const PlyProperty& property, Face& face) {
     const std::uint64_t count = ply_.list_length(property);
     if (count < 3) ply_.fail("a face needs at least 3 vertices");
-    if (surfaces_.triangle_count() + count - 2 > most_triangles) ply_.fail("more than 10 000 000 triangles");
+    if (surfaces_.triangle_count() + count - 2 > max_triangles) ply_.fail("more than 10 000 000 triangles");
     for (std::uint64_t k = 0; k < count; ++k) face.corners.push_back(corner_of(ply_.value(property.type)));
   }
 
@@ -526,7 +526,7 @@ class SurfaceReader {
     comment.remove_prefix(what.size());
     std::size_t index = 0;
     const auto [end, status] = std::from_chars(comment.data(), comment.data() + comment.size(), index);
-    if (status != std::errc() || static_cast<double>(index) >= most_names) return;
+    if (status != std::errc() || static_cast<double>(index) >= max_names) return;
     comment.remove_prefix(static_cast<std::size_t>(end - comment.data()));
     if (!comment.empty() && comment.front() != ' ') return;
     if (!comment.empty()) comment.remove_prefix(1);
@@ -567,17 +567,17 @@ class SurfaceReader {
 }  // namespace
 
 DiffusionSurfaces parse_surfaces(std::string_view bytes, const std::string& file, const Placing& placing) {
-  if (bytes.size() > most_bytes) refuse_size(file);
+  if (bytes.size() > max_bytes) refuse_size(file);
   return SurfaceReader(bytes, file, placing).read();
 }
 
 PlainMesh parse_plain_surfaces(std::string_view bytes, const std::string& file, const std::string& object) {
-  if (bytes.size() > most_bytes) refuse_size(file);
+  if (bytes.size() > max_bytes) refuse_size(file);
   return SurfaceReader(bytes, file, {}).read_plain(object);
 }
 
 DiffusionSurfaces read_surfaces(const std::filesystem::path& file) {
-  return parse_surfaces(file_bytes(file, most_bytes, "simplify the mesh"), file.string());
+  return parse_surfaces(file_bytes(file, max_bytes, "simplify the mesh"), file.string());
 }
 
 }  // namespace pomona

@@ -19,7 +19,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double most_grains = 20'000;
+constexpr double max_grains = 20'000;
 
 [[noreturn]] void refuse(const Template& fruit, const GrainSketch& sketch, const std::string& why,
                          const std::string& hint) {
@@ -142,7 +142,7 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
     const SurfaceSketch& surface = fruit.surfaces.at(static_cast<std::size_t>(sketch.surface));
     const std::vector<GrainTarget> targets = grain_targets(swept_grids(fruit, surface, options), sketch, draws.folds);
     expected += room_for_grains(targets, sketch);
-    if (expected > most_grains) refuse(fruit, sketch, "more than 20 000 grains", "make their spacing larger");
+    if (expected > max_grains) refuse(fruit, sketch, "more than 20 000 grains", "make their spacing larger");
 
     std::vector<Dart> others;
     for (const int kind : sketch.spacing.apart_from) {

@@ -27,7 +27,7 @@ constexpr std::size_t targets_of_a_part = 128;
 constexpr std::size_t few = 24;
 
 /// Of targets in a round: slivers could go on much longer.
-constexpr std::size_t most_splits = 4'000'000;
+constexpr std::size_t max_splits = 4'000'000;
 
 class DartThrower {
  public:
@@ -47,7 +47,7 @@ class DartThrower {
       if (sketch.spacing.solid) bodies_.add(others[i].center, diameter(others[i].pose), i);
     }
     for (GrainTarget& target : targets) {
-      target.most = most_density(sketch_, target);
+      target.max = max_density(sketch_, target);
       add_target(target);
     }
   }
@@ -68,9 +68,9 @@ class DartThrower {
     bool aimed_at = false;  ///< and found not to be taken
   };
 
-  /// Whose `most` is known.
+  /// Whose `max` is known.
   void add_target(const GrainTarget& target) {
-    const double weight = area_of(target) * target.most;
+    const double weight = area_of(target) * target.max;
     if (!(weight > 0)) return;
     weight_before_.push_back(weight_);
     weight_ += weight;
@@ -125,7 +125,7 @@ class DartThrower {
     // Where grains are rarer than anywhere in the triangle, so are candidates.
     const double density = density_at(sketch_, place);
     if (density <= 0) return std::nullopt;
-    if (density < target.most && draws_.places.uniform(draws_per_candidate * n + 5) * target.most >= density) {
+    if (density < target.max && draws_.places.uniform(draws_per_candidate * n + 5) * target.max >= density) {
       return std::nullopt;
     }
 
@@ -167,7 +167,7 @@ class DartThrower {
       const std::size_t begin = end > targets_of_a_part ? end - targets_of_a_part : 0;
       for (std::size_t i = end; i-- > begin;) add_free_pieces(targets_[i], splits, free[part]);
     });
-    if (splits > most_splits) {
+    if (splits > max_splits) {
       splits = 0;
       free.assign(1, {});
       for (std::size_t i = targets_.size(); i-- > 0;) add_free_pieces(targets_[i], splits, free.front());
@@ -191,15 +191,15 @@ class DartThrower {
     std::vector<Pending> pending{{whole, has_aimed_}};
     while (!pending.empty()) {
       auto& [target, aimed_at] = pending.back();
-      if (!aimed_at) target.most = most_density(sketch_, target);
-      if (target.most <= 0 || is_taken(target, aimed_at)) {
+      if (!aimed_at) target.max = max_density(sketch_, target);
+      if (target.max <= 0 || is_taken(target, aimed_at)) {
         pending.pop_back();
         continue;
       }
       const std::size_t edge = longest_edge(target);
       const GrainPlace &a = target.corner[edge], &b = target.corner[(edge + 1) % 3];
-      const bool is_small = glm::distance(a.position, b.position) < spacing_for(target.most) / 8;
-      if (is_small || ++splits > most_splits) {
+      const bool is_small = glm::distance(a.position, b.position) < spacing_for(target.max) / 8;
+      if (is_small || ++splits > max_splits) {
         free.push_back(target);
         pending.pop_back();
         continue;
@@ -223,7 +223,7 @@ class DartThrower {
   /// True only if no candidate in the target could be free, even where its spacing is smallest. Of what was aimed at
   /// before, the darts of that time are known not to reach all.
   bool is_taken(const GrainTarget& target, bool aimed_at) const {
-    const double spacing = spacing_for(target.most);
+    const double spacing = spacing_for(target.max);
     const std::optional<Footing> first = footing_at(target.corner[0], spacing);
     if (!first) return false;
     const auto covers = [&](const Dart& known, bool any_facing) {
@@ -288,7 +288,7 @@ class DartThrower {
   Threads threads_;
   std::span<const Dart> others_;
   std::vector<GrainTarget> targets_;
-  std::vector<double> weight_before_;  ///< per target: area times `most` of all before it
+  std::vector<double> weight_before_;  ///< per target: area times `max` of all before it
   double weight_ = 0;
   std::uint64_t next_candidate_ = 0;
   DartCells cells_, other_cells_, bodies_;
@@ -302,7 +302,7 @@ class DartThrower {
 
 double room_for_grains(const std::vector<GrainTarget>& targets, const GrainSketch& sketch) {
   double weight = 0;
-  for (const GrainTarget& target : targets) weight += area_of(target) * most_density(sketch, target);
+  for (const GrainTarget& target : targets) weight += area_of(target) * max_density(sketch, target);
   // A full surface has some 0.7 grains per squared radius.
   return 0.7 * weight / (sketch.spacing.poisson_radius * sketch.spacing.poisson_radius);
 }

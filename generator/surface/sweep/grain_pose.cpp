@@ -82,7 +82,7 @@ int drawn_look(const GrainSketch& sketch, double draw) {
   return GrainPose::own_look;
 }
 
-double least_radius(const GrainPose& pose) {
+double min_radius(const GrainPose& pose) {
   return std::min({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
 }
 
@@ -128,7 +128,7 @@ bool ellipsoids_overlap(const glm::dvec3& center, const GrainPose& pose, const g
                         const GrainPose& other) {
   // Their inner balls meet.
   const glm::dvec3 away = other_center - center;
-  const double inner = 0.999 * (least_radius(pose) + least_radius(other));
+  const double inner = 0.999 * (min_radius(pose) + min_radius(other));
   if (glm::dot(away, away) < inner * inner) return true;
 
   // They are apart if the contact function, concave in t, reaches 1 anywhere.

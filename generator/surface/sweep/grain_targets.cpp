@@ -12,11 +12,11 @@ namespace pomona {
 
 namespace {
 
-constexpr double least_density = 0.01;
+constexpr double min_density = 0.01;
 
 bool in_band(const SweptGrid& grid, const glm::uvec3& t, const GrainGround& ground) {
-  const auto [least, most] = std::minmax({grid.along[t.x], grid.along[t.y], grid.along[t.z]});
-  return most >= ground.along_from && least <= ground.along_to;
+  const auto [min, max] = std::minmax({grid.along[t.x], grid.along[t.y], grid.along[t.z]});
+  return max >= ground.along_from && min <= ground.along_to;
 }
 
 /// Places around for the corners of one triangle that do not jump where the horizontal curve starts again. Poles lie
@@ -24,11 +24,11 @@ bool in_band(const SweptGrid& grid, const glm::uvec3& t, const GrainGround& grou
 std::array<double, 3> places_around(const SweptGrid& grid, const glm::uvec3& t) {
   // Corners more than half the way apart lie to both sides of where the curve starts again.
   std::array<double, 3> around{};
-  double least = 1, most = 0;
+  double min = 1, max = 0;
   for (int k = 0; k < 3; ++k) {
     if (grid.is_pole[t[k]] != 0) continue;
-    least = std::min(least, grid.around[t[k]]);
-    most = std::max(most, grid.around[t[k]]);
+    min = std::min(min, grid.around[t[k]]);
+    max = std::max(max, grid.around[t[k]]);
   }
 
   // If they do, places behind the start count on from 1.
@@ -37,7 +37,7 @@ std::array<double, 3> places_around(const SweptGrid& grid, const glm::uvec3& t) 
   for (int k = 0; k < 3; ++k) {
     if (grid.is_pole[t[k]] != 0) continue;
     const double at = grid.around[t[k]];
-    around[static_cast<std::size_t>(k)] = most - least > 0.5 && at < 0.5 ? at + 1 : at;
+    around[static_cast<std::size_t>(k)] = max - min > 0.5 && at < 0.5 ? at + 1 : at;
     sum += around[static_cast<std::size_t>(k)];
     ++count;
   }
@@ -65,12 +65,12 @@ bool grows_in(const GrainGround& ground, int fold, const RandomStream& random) {
   return named && (ground.fold_share >= 1 || random.uniform(static_cast<std::uint64_t>(fold)) < ground.fold_share);
 }
 
-double most_between(const Ramp<double>& ramp, double from, double to) {
-  double most = std::max(ramp(from), ramp(to));
+double max_between(const Ramp<double>& ramp, double from, double to) {
+  double max = std::max(ramp(from), ramp(to));
   for (const Ramp<double>::Stop& stop : ramp.stops) {
-    if (stop.at > from && stop.at < to) most = std::max(most, stop.value);
+    if (stop.at > from && stop.at < to) max = std::max(max, stop.value);
   }
-  return most;
+  return max;
 }
 
 bool in_sector(const GrainGround& ground, double around) {
@@ -133,10 +133,10 @@ double density_at(const GrainSketch& sketch, const GrainPlace& place) {
                       place.depth >= ground.depth_from && place.depth <= ground.depth_to && faces_right(sketch, place);
   if (!inside) return 0;
   const double density = ground.density_along(place.along) * ground.density_around(around);
-  return density < least_density ? 0 : std::min(density, 1.0);
+  return density < min_density ? 0 : std::min(density, 1.0);
 }
 
-double most_density(const GrainSketch& sketch, const GrainTarget& target) {
+double max_density(const GrainSketch& sketch, const GrainTarget& target) {
   const GrainGround& ground = sketch.ground;
   const auto& [a, b, c] = target.corner;
   const auto [shallow, deep] = std::minmax({a.depth, b.depth, c.depth});
@@ -146,13 +146,13 @@ double most_density(const GrainSketch& sketch, const GrainTarget& target) {
 
   // Where the horizontal curve starts again the triangle has a part on either side.
   const auto [from, to] = std::minmax({a.around, b.around, c.around});
-  const auto most_around = [&](double low, double high) {
-    return sector_meets(ground, low, high) ? most_between(ground.density_around, low, high) : 0.0;
+  const auto max_around = [&](double low, double high) {
+    return sector_meets(ground, low, high) ? max_between(ground.density_around, low, high) : 0.0;
   };
-  const double around = to <= 1 ? most_around(from, to) : std::max(most_around(from, 1), most_around(0, to - 1));
+  const double around = to <= 1 ? max_around(from, to) : std::max(max_around(from, 1), max_around(0, to - 1));
   const auto [low, high] = std::minmax({a.along, b.along, c.along});
-  const double density = most_between(ground.density_along, low, high) * around;
-  return density < least_density ? 0 : std::min(density, 1.0);
+  const double density = max_between(ground.density_along, low, high) * around;
+  return density < min_density ? 0 : std::min(density, 1.0);
 }
 
 }  // namespace pomona

@@ -24,7 +24,7 @@ GrainPlace blend(const GrainPlace& a, double share_a, const GrainPlace& b, doubl
 struct GrainTarget {
   std::array<GrainPlace, 3> corner;
   glm::dvec3 uphill{0};  ///< the direction in which `along` grows
-  double most = 1;       ///< upper bound of the density in the triangle
+  double max = 1;        ///< upper bound of the density in the triangle
 };
 
 double area_of(const GrainTarget& target);
@@ -37,6 +37,6 @@ std::vector<GrainTarget> grain_targets(std::span<const SweptGrid> grids, const G
 double density_at(const GrainSketch& sketch, const GrainPlace& place);
 
 /// An upper bound of the density in a target.
-double most_density(const GrainSketch& sketch, const GrainTarget& target);
+double max_density(const GrainSketch& sketch, const GrainTarget& target);
 
 }  // namespace pomona

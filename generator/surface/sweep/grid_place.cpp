@@ -85,9 +85,9 @@ GridPoint point_at(const SweptGrid& grid, double along, double azimuth) {
     const double area = cross(b - a, c - a);
     if (area == 0) continue;
     const glm::dvec3 shares = glm::dvec3(cross(b, c), cross(c, a), cross(a, b)) / area;
-    const double least = std::min({shares.x, shares.y, shares.z});
-    if (least > best) {
-      best = least;
+    const double min = std::min({shares.x, shares.y, shares.z});
+    if (min > best) {
+      best = min;
       triangle = t;
       share = shares;
     }

@@ -102,8 +102,8 @@ SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
   }
 
   // Along runs from 0 to 1; around is the angle about the mesh's own middle, the turn that about the axis.
-  const auto [least, most] = std::minmax_element(grid.along.begin(), grid.along.end());
-  const double from = *least, range = *most - *least;
+  const auto [min, max] = std::minmax_element(grid.along.begin(), grid.along.end());
+  const double from = *min, range = *max - *min;
   const glm::dvec3 middle = box.center();
   for (std::size_t i = 0; i < grid.position.size(); ++i) {
     const glm::dvec3 p = grid.position[i] - middle;
@@ -177,7 +177,7 @@ bool may_turn(const MeshSketch& mesh) {
 }
 
 void check_meshes_together(const Template& fruit, const MeshSketch& mesh, std::size_t triangles) {
-  if (triangles <= most_mesh_triangles) return;
+  if (triangles <= max_mesh_triangles) return;
   const std::string file = fruit.file.empty() ? fruit.name : fruit.file;
   throw Error(ExitStatus::bad_data,
               {{entry_place(file, "mesh", mesh.name),

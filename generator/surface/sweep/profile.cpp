@@ -24,8 +24,8 @@ std::vector<glm::dvec2> distinct_points(const Curve& curve) {
   return points;
 }
 
-/// Indices of the two ends and of the sharpest corners, at most `most` corners, ascending.
-std::vector<std::size_t> stretch_ends(const std::vector<glm::dvec2>& points, std::size_t most) {
+/// Indices of the two ends and of the sharpest corners, at most `max` corners, ascending.
+std::vector<std::size_t> stretch_ends(const std::vector<glm::dvec2>& points, std::size_t max) {
   // Flattened smooth curves turn by a few degrees per point; hand-drawn corners by much more.
   constexpr double cos_of_35_degrees = 0.819;
   struct Corner {
@@ -40,7 +40,7 @@ std::vector<std::size_t> stretch_ends(const std::vector<glm::dvec2>& points, std
   }
   std::stable_sort(corners.begin(), corners.end(),
                    [](const Corner& l, const Corner& r) { return l.straightness < r.straightness; });
-  if (corners.size() > most) corners.resize(most);
+  if (corners.size() > max) corners.resize(max);
 
   std::vector<std::size_t> ends{0, points.size() - 1};
   for (const Corner& corner : corners) ends.push_back(corner.at);

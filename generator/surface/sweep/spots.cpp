@@ -16,11 +16,11 @@ namespace pomona {
 
 namespace {
 
-constexpr double most_spots = 20'000;  // of one kind
-constexpr double most_layers = 2'000;  // of all kinds, level with any vertex on average
+constexpr double max_spots = 20'000;  // of one kind
+constexpr double max_layers = 2'000;  // of all kinds, level with any vertex on average
 
 // A spot that stands out does so within this share of its radius at least: a hard rim would be a cliff.
-constexpr double least_slope = 0.4;
+constexpr double min_slope = 0.4;
 
 const char* name_of(SideOf side) { return side == SideOf::front ? "front" : "back"; }
 const Side& side_of(const SurfaceSketch& sketch, SideOf side) {
@@ -53,7 +53,7 @@ Spot spot_at(const Dart& dart, const SpotSketch& sketch, const RandomStream& ran
   spot.center = dart.center;
   spot.normal = dart.normal;
   spot.tangent = dart.tangent;
-  spot.radius = 0.5 * (sketch.size_least + (sketch.size_most - sketch.size_least) * random.uniform(draw));
+  spot.radius = 0.5 * (sketch.size_min + (sketch.size_max - sketch.size_min) * random.uniform(draw));
   spot.stretch = sketch.stretch;
   spot.softness = sketch.softness;
   spot.strength = sketch.strength;
@@ -76,7 +76,7 @@ std::vector<Dart> darts_of(const Template& fruit, const SurfaceSketch& surface, 
   }
   const GrainSketch thrown = as_darts(sketch);
   const std::vector<GrainTarget> targets = grain_targets(grids, thrown, random);
-  if (room_for_grains(targets, thrown) > most_spots) {
+  if (room_for_grains(targets, thrown) > max_spots) {
     refuse(fruit, surface, std::string(name_of(side)) + " has more than 20 000 spots", "make their spacing larger");
   }
   std::vector<Dart> darts = thrown_darts(targets, thrown, {random, random, random}, threads);
@@ -124,7 +124,7 @@ double layers(std::span<const SweptGrid> grids, const std::vector<Spot>& spots) 
 
 /// Seen from behind an outline runs the other way around.
 Spot seen_from_air(Spot spot, SideOf side) {
-  spot.softness = std::max(spot.softness, least_slope);
+  spot.softness = std::max(spot.softness, min_slope);
   spot.strength = 1;
   if (side == SideOf::front) return spot;
   spot.normal = -spot.normal;
@@ -145,8 +145,8 @@ double widest_cell(std::span<const SweptGrid> grids, const SpotSketch& sketch) {
   double widest = 0;
   for (const SweptGrid& grid : grids) {
     for (const glm::uvec3& t : grid.triangle) {
-      const auto [least, most] = std::minmax({grid.along[t.x], grid.along[t.y], grid.along[t.z]});
-      if (most < from || least > to) continue;
+      const auto [min, max] = std::minmax({grid.along[t.x], grid.along[t.y], grid.along[t.z]});
+      if (max < from || min > to) continue;
       for (int k = 0; k < 3; ++k) {
         widest = std::max(widest, glm::distance(grid.position[t[k]], grid.position[t[(k + 1) % 3]]));
       }
@@ -167,7 +167,7 @@ std::vector<Spot> placed_spots(const Template& fruit, const SurfaceSketch& sketc
       spots.push_back(spot_at(dart, kinds[kind], random));
     }
   }
-  if (layers(grids, spots) > most_layers) {
+  if (layers(grids, spots) > max_layers) {
     refuse(fruit, sketch, std::string(name_of(side)) + " has more than 2 000 spots over one another",
            "make them smaller, or their spacing larger");
   }
@@ -206,7 +206,7 @@ std::vector<std::string> spot_warnings(const Template& fruit, const SweepOptions
     const std::vector<SweptGrid> grids = swept_grids(fruit, sketch, options);
     for (const SideOf side : {SideOf::front, SideOf::back}) {
       for (const SpotSketch& spots : side_of(sketch, side).spots) {
-        const double cell = widest_cell(grids, spots), width = spots.size_least * std::min(1.0, spots.stretch);
+        const double cell = widest_cell(grids, spots), width = spots.size_min * std::min(1.0, spots.stretch);
         if (width >= cell) continue;
         warnings.push_back("surface \"" + sketch.name + "\": " + name_of(side) + " has spots " + millimetres(width) +
                            " wide, but up to " + millimetres(cell) +

@@ -60,8 +60,8 @@ FoldLoop sampled_fold_loop(const Curve& loop, const FoldSpan& span, const Refere
   const std::vector<glm::dvec2> points = resampled(counter_clockwise(loop), around).points;
   FoldLoop sampled;
   sampled.turn = angles_near(points, 0.5 * (span.from + span.to));
-  const auto [least, most] = std::minmax_element(sampled.turn.begin(), sampled.turn.end());
-  sampled.center = 0.5 * (*least + *most);
+  const auto [min, max] = std::minmax_element(sampled.turn.begin(), sampled.turn.end());
+  sampled.center = 0.5 * (*min + *max);
   for (double& turn : sampled.turn) turn -= sampled.center;
 
   const double depth = reference.outer - reference.inner;

@@ -28,9 +28,7 @@ double turn_of(double azimuth) {
 namespace {
 
 /// A count at the wanted detail.
-int refined(int count, double detail, int least) {
-  return std::max(least, static_cast<int>(std::lround(count * detail)));
-}
+int refined(int count, double detail, int min) { return std::max(min, static_cast<int>(std::lround(count * detail))); }
 
 /// The grids in the fruit's proportions, and bent with it.
 std::vector<SweptGrid> in_place(const Template& fruit, std::vector<SweptGrid> grids) {

@@ -52,7 +52,7 @@ void note(const TomlValue& value, const DrawnCurve& curve, const std::optional<C
   if (fault) value.error(curve.title + " " + fault->message, fault->hint);
 }
 
-std::size_t CurveReader::points_allowed() const { return std::min(SvgPathOptions{}.most_points, points_left_); }
+std::size_t CurveReader::points_allowed() const { return std::min(SvgPathOptions{}.max_points, points_left_); }
 
 std::optional<DrawnCurve> CurveReader::parse(const TomlValue& value, SketchView view) const {
   if (names_sketch(value)) {
@@ -61,7 +61,7 @@ std::optional<DrawnCurve> CurveReader::parse(const TomlValue& value, SketchView 
     value.error("is a name in a sketch, but there is none", "write sketch = \"NAME.svg\" at the top of the template");
     return {};
   }
-  std::vector<Curve> curves = parse_svg_path(value.text(), {.unit = unit_, .most_points = points_allowed()});
+  std::vector<Curve> curves = parse_svg_path(value.text(), {.unit = unit_, .max_points = points_allowed()});
   if (curves.size() == 1) return DrawnCurve{std::move(curves.front()), "curve"};
   if (curves.empty()) value.error("curve is empty", "draw it: SVG path data, as in \"M 0 40 C 20 40 30 25 30 0\"");
   if (curves.size() > 1) value.error("curve has several parts", "keep one M at its start");

@@ -9,7 +9,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_details = 2 * most_details_of_a_face;
+constexpr std::size_t max_details = 2 * max_details_of_a_face;
 constexpr Within detail_size{5e-5, 0.1};   // metres
 constexpr Within detail_length{5e-5, 10};  // metres
 
@@ -110,11 +110,11 @@ DetailSketch read_detail(const TomlTable& table, const Template& fruit) {
 std::vector<DetailSketch> read_details(const TomlValue& value, const Template& fruit) {
   std::vector<DetailSketch> details;
   int on_face[2] = {};
-  for (const TomlTable& table : value.tables(most_details)) {
+  for (const TomlTable& table : value.tables(max_details)) {
     details.push_back(read_detail(table, fruit));
-    if (++on_face[static_cast<int>(details.back().face)] != most_details_of_a_face + 1) continue;
+    if (++on_face[static_cast<int>(details.back().face)] != max_details_of_a_face + 1) continue;
     table.error("is one too many",
-                "at most " + std::to_string(most_details_of_a_face) + " may be on cut faces, and as many on the skin");
+                "at most " + std::to_string(max_details_of_a_face) + " may be on cut faces, and as many on the skin");
   }
   return details;
 }

@@ -14,7 +14,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_looks = 8, most_cores = 4;
+constexpr std::size_t max_looks = 8, max_cores = 4;
 
 /// Two numbers of 0..1, all of it if they are not given; `wraps` lets the second be the smaller one.
 std::pair<double, double> read_stretch(const TomlValue& value, bool wraps = false) {
@@ -132,7 +132,7 @@ void refuse_both_hidden(const TomlTable& table, const Side& front, const Side& b
 std::vector<GrainLook> read_looks(const TomlTable& table, const GrainSketch& grain) {
   std::vector<GrainLook> looks;
   double sum = 0;
-  for (const TomlTable& entry : table.get("looks").tables(most_looks)) {
+  for (const TomlTable& entry : table.get("looks").tables(max_looks)) {
     GrainLook look{0, 1, grain.front.color, grain.back.color};
     look.share = entry.need("share").number(0, {0, 1});
     look.scale = entry.get("scale").number(1, {0.05, 2});
@@ -182,7 +182,7 @@ std::vector<GrainCore> read_cores(const TomlTable& table, const Template& fruit)
   const TomlValue value = table.get("core");
   std::vector<GrainCore> cores;
   if (value.is(TomlNode::Kind::array)) {
-    for (const TomlTable& core : value.tables(most_cores)) cores.push_back(read_core(core, fruit.parts));
+    for (const TomlTable& core : value.tables(max_cores)) cores.push_back(read_core(core, fruit.parts));
   } else if (value.given()) {
     cores.push_back(read_core(value.table(), fruit.parts));
   }
@@ -192,9 +192,9 @@ std::vector<GrainCore> read_cores(const TomlTable& table, const Template& fruit)
 /// Solid grains lie apart by what they are thick, whatever their spacing says; a spacing far below that would have
 /// millions of places tried in vain.
 void refuse_crowd(const TomlTable& table, const GrainSketch& grain) {
-  constexpr double most = 8;
+  constexpr double max = 8;
   const double thick = std::min({grain.form.length, grain.form.width, grain.form.thickness});
-  if (!grain.spacing.solid || thick <= most * grain.spacing.poisson_radius) return;
+  if (!grain.spacing.solid || thick <= max * grain.spacing.poisson_radius) return;
   table.get("spacing").error("is less than an eighth of what these solid grains are thick",
                              "make it about as large as the grains");
 }

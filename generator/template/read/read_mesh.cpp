@@ -15,10 +15,10 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{64} << 20;
-constexpr std::size_t most_bytes_together = std::size_t{128} << 20;  // of all meshes of a template
-constexpr Within anywhere{-10, 10};                                  // metres
-constexpr Within on_earth{-1e8, 1e8};                                // metres; scans lie where they were taken
+constexpr std::size_t max_bytes = std::size_t{64} << 20;
+constexpr std::size_t max_bytes_together = std::size_t{128} << 20;  // of all meshes of a template
+constexpr Within anywhere{-10, 10};                                 // metres
+constexpr Within on_earth{-1e8, 1e8};                               // metres; scans lie where they were taken
 
 std::optional<MeshFormat> format_of(const fs::path& file) {
   const std::string ending = small_ending(file);
@@ -44,7 +44,7 @@ std::shared_ptr<const MeshFile> read_bytes(const TomlValue& value, const fs::pat
 
   // It must be a file, and neither it nor all of them together may fill the memory.
   try {
-    return std::make_shared<MeshFile>(MeshFile{file.string(), *format, file_bytes(file, most_bytes)});
+    return std::make_shared<MeshFile>(MeshFile{file.string(), *format, file_bytes(file, max_bytes)});
   } catch (const Error& error) {
     const bool is_long = error.status() == ExitStatus::bad_data;
     value.error(
@@ -70,7 +70,7 @@ std::shared_ptr<const MeshFile> read_once(const TomlValue& value, const fs::path
   std::shared_ptr<const MeshFile> read = read_bytes(value, folder);
   std::size_t together = read ? read->bytes.size() : 0;
   for (const auto& file : files) together += file->bytes.size();
-  if (together <= most_bytes_together) return read;
+  if (together <= max_bytes_together) return read;
   value.error("makes the meshes larger than 128 MiB together", "simplify them");
   return {};
 }

@@ -9,7 +9,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_kinds = 16;
+constexpr std::size_t max_kinds = 16;
 constexpr Within sizes{1e-5, 1};
 constexpr Within spot_height{-0.01, 0.01};  // metres
 
@@ -33,14 +33,14 @@ std::optional<PatchPlace> read_place(const TomlValue& value, SurfaceType type) {
 /// "2mm", or the least and the most: ["1mm", "3mm"].
 void read_size(const TomlValue& value, SpotSketch& spots) {
   if (!value.is(TomlNode::Kind::array)) {
-    spots.size_least = spots.size_most = value.length(spots.size_least, sizes);
+    spots.size_min = spots.size_max = value.length(spots.size_min, sizes);
     return;
   }
   const std::vector<TomlValue> pair = value.values();
   if (pair.size() != 2) return value.error("is not a size", "write one length, or the least and the most");
-  spots.size_least = pair[0].length(spots.size_least, sizes);
-  spots.size_most = pair[1].length(spots.size_least, sizes);
-  if (spots.size_most < spots.size_least) value.error("is upside down", "write the smaller length first");
+  spots.size_min = pair[0].length(spots.size_min, sizes);
+  spots.size_max = pair[1].length(spots.size_min, sizes);
+  if (spots.size_max < spots.size_min) value.error("is upside down", "write the smaller length first");
 }
 
 void read_band(const TomlValue& value, SpotSketch& spots) {
@@ -90,11 +90,11 @@ SpotSketch read_spot(const TomlTable& table, SurfaceType type, bool faces_air) {
 /// \param faces_air whether the side does: relief is for such sides.
 std::vector<SpotSketch> read_spots(const TomlValue& value, SurfaceType type, bool faces_air) {
   std::vector<SpotSketch> spots;
-  for (const TomlTable& table : value.tables(most_kinds)) spots.push_back(read_spot(table, type, faces_air));
+  for (const TomlTable& table : value.tables(max_kinds)) spots.push_back(read_spot(table, type, faces_air));
   return spots;
 }
 
-constexpr std::size_t most_coats = 32;
+constexpr std::size_t max_coats = 32;
 
 Color read_color(const TomlValue& value) { return value.color(); }
 double read_share(const TomlValue& value) { return value.number(1, {0, 1}); }
@@ -194,7 +194,7 @@ PaintedColor read_painted_color(const TomlValue& value) { return read_painted_co
 
 Side read_surface_side(const TomlTable& table, const std::vector<std::string>& parts, const PaintedSurface& surface) {
   Side side = read_any_side(table, parts, &surface);
-  for (const TomlTable& coat : table.get("coats").tables(most_coats)) side.coats.push_back(read_coat(coat, surface));
+  for (const TomlTable& coat : table.get("coats").tables(max_coats)) side.coats.push_back(read_coat(coat, surface));
   side.spots = read_spots(table.get("spots"), surface.type, side.hidden);
   return side;
 }

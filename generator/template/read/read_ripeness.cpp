@@ -11,9 +11,9 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_stops = 64;
+constexpr std::size_t max_stops = 64;
 constexpr Within patch_size{5e-4, 1};  // metres
-constexpr double most_color_variation = 0.2;
+constexpr double max_color_variation = 0.2;
 
 /// The table of one part; `known` are the parts that have one already.
 int read_part(const TomlTable& table, const Template& fruit, std::vector<int>& known) {
@@ -37,7 +37,7 @@ std::vector<Ramp<Color>::Stop> read_ripe_colors(const TomlValue& value) {
   const std::vector<Ramp<Color>::Stop> stops = read_stops<Color>(
       value, ripeness, color,
       {.one = "write [ripeness, \"#rrggbb\"] with a ripeness from 0 to 2", .all = "write at least one"});
-  if (stops.size() > most_stops) value.error("has more than " + std::to_string(most_stops) + " stops");
+  if (stops.size() > max_stops) value.error("has more than " + std::to_string(max_stops) + " stops");
   return stops;
 }
 
@@ -55,7 +55,7 @@ BrowningSketch::Part read_browning_part(const TomlTable& table, const Template& 
   part.part = read_part(table, fruit, known);
   part.color = table.need("color").color();
   part.rate = table.get("rate").number(part.rate, {0, 10});
-  part.most = table.get("most").number(part.most, {0, 1});
+  part.max = table.get("most").number(part.max, {0, 1});
   return part;
 }
 
@@ -99,7 +99,7 @@ BrowningSketch read_browning(const TomlTable& table, const Template& fruit) {
 }
 
 ColorVariation read_color_variation(const TomlTable& table, const Template& fruit) {
-  const Within within{0, most_color_variation};
+  const Within within{0, max_color_variation};
   ColorVariation variation;
   variation.ripeness = table.get("ripeness").number(0, {0, 0.5});
   const TomlValue color = table.get("color");

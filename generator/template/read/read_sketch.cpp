@@ -12,7 +12,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
+constexpr std::uintmax_t max_bytes = std::uintmax_t{64} << 20;
 
 /// The SVG beside a template: nothing outside its folder, and no device or pipe.
 fs::path find_svg(const fs::path& folder, const std::string& name) {
@@ -26,7 +26,7 @@ fs::path find_svg(const fs::path& folder, const std::string& name) {
     throw BadSketch(quoted + " cannot be read", "put it beside the template; `pomona sketch` writes one to start from");
   }
   const std::uintmax_t bytes = fs::file_size(file, wrong);
-  if (wrong || bytes > most_bytes) {
+  if (wrong || bytes > max_bytes) {
     throw BadSketch(quoted + " is larger than 64 MiB", "link the picture instead of embedding it");
   }
   return file;

@@ -7,18 +7,18 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t most_noise_keys = 64;
+constexpr std::size_t max_noise_keys = 64;
 
-std::vector<double> read_numbers(const TomlValue& value, std::size_t least, std::size_t most, Within within) {
+std::vector<double> read_numbers(const TomlValue& value, std::size_t min, std::size_t max, Within within) {
   std::vector<double> numbers;
   if (!value.is(TomlNode::Kind::array)) {
     value.values();  // notes that it is none, if it is there
     return numbers;
   }
   for (const TomlValue& number : value.values()) numbers.push_back(number.number(0, within));
-  if (numbers.size() >= least && numbers.size() <= most) return numbers;
-  value.error("has " + std::to_string(numbers.size()) + " numbers, but must have " + std::to_string(least) +
-              (least == most ? "" : " to " + std::to_string(most)));
+  if (numbers.size() >= min && numbers.size() <= max) return numbers;
+  value.error("has " + std::to_string(numbers.size()) + " numbers, but must have " + std::to_string(min) +
+              (min == max ? "" : " to " + std::to_string(max)));
   return {};
 }
 
@@ -40,7 +40,7 @@ NoiseStyle read_noise(const TomlTable& table) {
   const std::vector<double> stretch = read_numbers(table.get("stretch"), 3, 3, {1e-3, 1e3});
   if (stretch.size() == 3) noise.stretch = {stretch[0], stretch[1], stretch[2]};
   noise.sigma = table.get("sigma").number(noise.sigma, {1e-3, 10});
-  for (const TomlTable& key : table.get("key").tables(most_noise_keys)) noise.keys.push_back(read_noise_key(key));
+  for (const TomlTable& key : table.get("key").tables(max_noise_keys)) noise.keys.push_back(read_noise_key(key));
   return noise;
 }
 

@@ -65,7 +65,7 @@ Symmetry read_symmetry(const TomlTable& table, const Sketch* sketch) {
   if (kind == 0) return CylindricalSymmetry{};
   if (kind == 2) return NoSymmetry{};
   const TomlValue folds = table.need("folds"), angles = table.get("fold_angles");
-  const int count = folds.integer(1, 1, most_folds);
+  const int count = folds.integer(1, 1, max_folds);
   if (!angles.given()) {
     std::vector<double> drawn = drawn_fold_angles(folds, count, sketch);
     if (!drawn.empty()) return FoldSymmetry{std::move(drawn)};
@@ -73,8 +73,8 @@ Symmetry read_symmetry(const TomlTable& table, const Sketch* sketch) {
   return FoldSymmetry{read_fold_angles(angles, count)};
 }
 
-constexpr std::size_t most_surfaces = 64, most_meshes = 64, most_grain_kinds = 16, most_parts = 64;
-constexpr double most_triangles = 2e6;  // of all surfaces at detail 1
+constexpr std::size_t max_surfaces = 64, max_meshes = 64, max_grain_kinds = 16, max_parts = 64;
+constexpr double max_triangles = 2e6;  // of all surfaces at detail 1
 
 /// The sketch the template names, if it names one that can be read.
 std::optional<Sketch> read_sketch_of(const TomlTable& root, const std::string& file, std::optional<double> unit,
@@ -97,8 +97,8 @@ std::optional<Sketch> read_sketch_of(const TomlTable& root, const std::string& f
 std::vector<std::string> read_parts(const TomlValue& value) {
   std::vector<std::string> parts;
   for (const TomlValue& part : value.values()) {
-    if (parts.size() == most_parts) {
-      value.error("has more than " + std::to_string(most_parts) + " names");
+    if (parts.size() == max_parts) {
+      value.error("has more than " + std::to_string(max_parts) + " names");
       break;
     }
     parts.push_back(read_name(part, parts));
@@ -113,14 +113,14 @@ std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SketchSurfaceRea
   double triangles = 0;
   const TomlValue drawn = root.has("mesh") ? root.get("surface") : root.need("surface");
   if (!drawn.given()) return surfaces;
-  for (const TomlTable& table : drawn.tables(most_surfaces)) {
+  for (const TomlTable& table : drawn.tables(max_surfaces)) {
     const TomlTable surface = table.called("surface \"" + table.get("name").text() + "\"");
     names.push_back(read_name(surface.need("name"), names));
     surfaces.push_back(reader.read(surface));
     const SurfaceSketch& sketch = surfaces.back();
     triangles +=
         2.0 * sketch.around * sketch.along * static_cast<double>(std::max<std::size_t>(1, sketch.horizontal.size()));
-    if (triangles > most_triangles) {
+    if (triangles > max_triangles) {
       surface.error("makes more than 2 000 000 triangles of the fruit", "lower \"around\" or \"along\"");
       break;
     }
@@ -135,7 +135,7 @@ std::vector<MeshSketch> read_meshes(const TomlTable& root, const Template& fruit
   for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
   const std::filesystem::path folder = std::filesystem::path(fruit.file).parent_path();
   if (!root.has("mesh")) return meshes;
-  for (const TomlTable& table : root.get("mesh").tables(most_meshes)) {
+  for (const TomlTable& table : root.get("mesh").tables(max_meshes)) {
     const TomlTable mesh = table.called("mesh \"" + table.get("name").text() + "\"");
     names.push_back(read_name(mesh.need("name"), names));
     meshes.push_back(read_mesh(mesh, fruit.parts, folder, meshes));
@@ -173,8 +173,8 @@ void read_bend_of(Template& fruit, const TomlValue& value) {
   if (!fruit.meshes.empty())
     return value.error("bends drawn curves only, but there are meshes", "bend them all in the modelling tool");
   const BendStrain strain = bend_strain(fruit);
-  if (strain.pressing <= most_strain.pressing && strain.lean <= most_strain.lean) return;
-  const bool folds = strain.pressing > most_strain.pressing;
+  if (strain.pressing <= max_strain.pressing && strain.lean <= max_strain.lean) return;
+  const bool folds = strain.pressing > max_strain.pressing;
   value.error(folds ? "folds the fruit where it is wide" : "turns the axis by more than 75 degrees from upright",
               "make angle and swing smaller");
   fruit.bend = {};
@@ -230,7 +230,7 @@ DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& fil
   check_symmetry(root, fruit);
 
   std::vector<std::string> names;
-  for (const TomlTable& table : root.get("grains").tables(most_grain_kinds)) {
+  for (const TomlTable& table : root.get("grains").tables(max_grain_kinds)) {
     const TomlTable grains = table.called("grains \"" + table.get("name").text() + "\"");
     const std::string name = read_name(grains.need("name"), names);
     names.push_back(name);

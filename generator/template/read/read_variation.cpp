@@ -26,7 +26,7 @@ CountVariation::Folds read_folds(const TomlValue& value) {
     value.error("must be a number of folds and its share of the fruits", "write [5, 0.9]");
     return {1, none};
   }
-  return {pair[0].integer(1, 1, most_folds), pair[1].number(none, {0, 1})};
+  return {pair[0].integer(1, 1, max_folds), pair[1].number(none, {0, 1})};
 }
 
 /// How often each number of folds is seen: [[4, 0.1], [5, 0.9]].
@@ -40,8 +40,8 @@ std::vector<CountVariation::Folds> read_fold_counts(const TomlValue& value, cons
   for (const TomlValue& entry : value.values()) {
     counts.push_back(read_folds(entry));
     total += counts.back().share;
-    if (counts.size() > most_folds) {
-      value.error("has more than " + std::to_string(most_folds) + " numbers of folds");
+    if (counts.size() > max_folds) {
+      value.error("has more than " + std::to_string(max_folds) + " numbers of folds");
       return {};
     }
   }
@@ -52,12 +52,12 @@ std::vector<CountVariation::Folds> read_fold_counts(const TomlValue& value, cons
 
 /// Which share of the folds, or of the fruits, has a surface: { seed = 0.8 }.
 std::vector<CountVariation::Presence> read_presence(const TomlTable& table, const Template& fruit) {
-  constexpr std::size_t most_names = 1000;  // each is looked for among all others
+  constexpr std::size_t max_names = 1000;  // each is looked for among all others
   std::vector<CountVariation::Presence> present;
   for (const std::string& name : table.keys()) {
     const TomlValue value = table.get(name);
-    if (present.size() == most_names) {
-      value.error("is one of more than " + std::to_string(most_names) + " names", "name surfaces of this template");
+    if (present.size() == max_names) {
+      value.error("is one of more than " + std::to_string(max_names) + " names", "name surfaces of this template");
       break;
     }
     const auto known = std::find_if(fruit.surfaces.begin(), fruit.surfaces.end(),

@@ -16,7 +16,7 @@ namespace pomona {
 namespace {
 
 constexpr int deepest_clone = 16;
-constexpr std::size_t most_visits = 100000;  // of elements for one name, clones included
+constexpr std::size_t max_visits = 100000;  // of elements for one name, clones included
 
 /// What follows the word in "scale 60mm".
 std::string length_in(std::string_view name) {
@@ -86,7 +86,7 @@ void Sketch::visit(const SvgElement& element, const Placed& from, int depth, Wal
     throw BadSketch(what + " " + element.fault, "ungroup it, or draw it anew where nothing moves it");
   }
   if (depth > deepest_clone) throw BadSketch(what + " is a clone of itself", "unlink the clone (Edit > Clone)");
-  if (++walk.visits > most_visits)
+  if (++walk.visits > max_visits)
     throw BadSketch(what + " repeats too many shapes", "unlink its clones (Edit > Clone)");
   if (element.d) walk.found.push_back({&element, from.to_page * element.to_page, from.clone});
   if (element.tag == "use") visit_original(element, from, depth, walk);
@@ -160,9 +160,9 @@ glm::dvec2 Sketch::top_axis() const {
   if (shapes.size() == 1 && shapes[0].element->center) return shapes[0].to_page(*shapes[0].element->center);
   Curve all;  // of a cross, say, of two lines
   for (const Placed& shape : shapes) {
-    constexpr std::size_t most_points = 10'000;  // a drawing of clones of clones may have any number
+    constexpr std::size_t max_points = 10'000;  // a drawing of clones of clones may have any number
     const Curve curve = on_page(shape);
-    if (all.points.size() + curve.points.size() > most_points)
+    if (all.points.size() + curve.points.size() > max_points)
       throw BadSketch(called(element) + " has too many points", "draw a small circle where the axis is");
     all.points.insert(all.points.end(), curve.points.begin(), curve.points.end());
   }
@@ -237,11 +237,11 @@ std::optional<SvgTransform> Sketch::to_metres(SketchView view) const {
 
 // ---- Curves ----
 
-DrawnCurve Sketch::drawn(const Placed& shape, const Frame& frame, std::size_t most_points) const {
+DrawnCurve Sketch::drawn(const Placed& shape, const Frame& frame, std::size_t max_points) const {
   const std::string what = called(shape);
   try {
     const SvgPathOptions options{
-        .unit = frame.unit, .most_points = most_points, .transform = frame.from_page * shape.to_page};
+        .unit = frame.unit, .max_points = max_points, .transform = frame.from_page * shape.to_page};
     std::vector<Curve> curves = parse_svg_path(*shape.element->d, options);
     // A pen put down and taken up again leaves no curve.
     if (curves.size() > 1) std::erase_if(curves, [](const Curve& curve) { return curve.points.size() < 2; });
@@ -255,16 +255,16 @@ DrawnCurve Sketch::drawn(const Placed& shape, const Frame& frame, std::size_t mo
   }
 }
 
-DrawnCurve Sketch::curve(SketchView view, const std::string& name, std::size_t most_points) const {
-  return drawn(shape_of(view, name), frame_of(view), most_points);
+DrawnCurve Sketch::curve(SketchView view, const std::string& name, std::size_t max_points) const {
+  return drawn(shape_of(view, name), frame_of(view), max_points);
 }
 
-std::vector<DrawnCurve> Sketch::group(SketchView view, const std::string& name, std::size_t most_points) const {
+std::vector<DrawnCurve> Sketch::group(SketchView view, const std::string& name, std::size_t max_points) const {
   const Frame frame = frame_of(view);
   std::vector<DrawnCurve> curves;
   std::size_t points = 0;
   for (const Placed& shape : shapes_of(find(view, name))) {
-    curves.push_back(drawn(shape, frame, most_points - std::min(points, most_points)));
+    curves.push_back(drawn(shape, frame, max_points - std::min(points, max_points)));
     points += curves.back().curve.points.size();
   }
   return curves;

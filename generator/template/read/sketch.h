@@ -39,11 +39,11 @@ class Sketch {
   Sketch(Sketch&&) = default;
 
   /// The one curve of this name in a view, in metres. Several subpaths are an error.
-  DrawnCurve curve(SketchView view, const std::string& name, std::size_t most_points) const;
+  DrawnCurve curve(SketchView view, const std::string& name, std::size_t max_points) const;
 
   /// Whether the name in this view is that of a group, whose curves group() gives.
   bool is_group(SketchView view, const std::string& name) const;
-  std::vector<DrawnCurve> group(SketchView view, const std::string& name, std::size_t most_points) const;
+  std::vector<DrawnCurve> group(SketchView view, const std::string& name, std::size_t max_points) const;
 
   /// Where the fold lines "fold 1" ... "fold N" run, radians, ascending from +X against the clock; on a grid of a
   /// thousandth of a degree. Empty if none is drawn. Where the first lies below the right, so that the others would
@@ -102,7 +102,7 @@ class Sketch {
   const SvgElement* find_scale(SketchView view) const;
   double unit_along(const SvgElement& scale) const;
   double unit_of(SketchView view) const;
-  DrawnCurve drawn(const Placed& shape, const Frame& frame, std::size_t most_points) const;
+  DrawnCurve drawn(const Placed& shape, const Frame& frame, std::size_t max_points) const;
   int count_folds() const;
   double fold_degrees(int fold, const glm::dvec2& axis) const;
   double turn_of_folds(const glm::dvec2& axis) const;

@@ -14,7 +14,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double least_width = 0.5;  // degrees between two fold lines
+constexpr double min_width = 0.5;  // degrees between two fold lines
 
 /// Three decimals: finer than anyone draws, coarser than rounding. 0..360.
 double snapped(double degrees) {
@@ -88,8 +88,8 @@ std::vector<double> Sketch::fold_angles(int folds) const {
   double before = -1;
   for (int fold = 1; fold <= folds; ++fold) {
     const double degrees = snapped(fold_degrees(fold, axis) - turn);
-    const bool is_first_again = fold > 1 && degrees > angles.front() * (180 / pi) + 360 - least_width;
-    if (degrees < before + least_width || is_first_again) {
+    const bool is_first_again = fold > 1 && degrees > angles.front() * (180 / pi) + 360 - min_width;
+    if (degrees < before + min_width || is_first_again) {
       throw BadSketch(called(shape_of(SketchView::top, fold_name(fold))) + " does not follow the fold line before it",
                       "number the fold lines against the clock, as seen from above");
     }

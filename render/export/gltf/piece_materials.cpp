@@ -10,7 +10,7 @@ namespace {
 constexpr int linear = 9729, linear_mipmap_linear = 9987, clamp_to_edge = 33071;
 
 /// \param texture the name of the texture, if there is one.
-std::string name_of(const Solid& solid, const LookGroup& group, const std::string& texture) {
+std::string name_of(const Solid& solid, const MaterialGroup& group, const std::string& texture) {
   const std::string& fruit = solid.origin.fruit;
   std::string name = !texture.empty() ? texture : fruit.empty() ? solid.name : fruit;
   if (!group.name.empty()) name += " " + group.name;
@@ -35,7 +35,8 @@ bool ends_somewhere(const Image& thickness) {
 
 }  // namespace
 
-int PieceMaterials::material(const Solid& solid, const LookGroup& group, const std::optional<PieceTextures>& textures) {
+int PieceMaterials::material(const Solid& solid, const MaterialGroup& group,
+                             const std::optional<PieceTextures>& textures) {
   const std::string picture =
       textures ? document_.at("textures", textures->color)["name"].get<std::string>() : std::string();
   const std::string name = name_of(solid, group, picture);
@@ -57,7 +58,7 @@ int PieceMaterials::material(const Solid& solid, const LookGroup& group, const s
 }
 
 /// What glTF itself cannot say. No viewer needs to understand it.
-void PieceMaterials::add_extensions(Json& material, const PbrLook& look) {
+void PieceMaterials::add_extensions(Json& material, const PbrMaterial& look) {
   const auto add = [&](const char* name, Json factors) {
     material["extensions"][name] = std::move(factors);
     document_.use_extension(name);
@@ -79,7 +80,7 @@ void PieceMaterials::add_extensions(Json& material, const PbrLook& look) {
 /// Maps say all of the roughness, and how much of its film a cut face has. Of the light that goes in, what comes
 /// through goes by the way through the part: after the material's depth, which its share of transmission tells, 1/e of
 /// it is left.
-void PieceMaterials::add_maps(Json& material, const PbrLook& look, const PieceTextures& textures) {
+void PieceMaterials::add_maps(Json& material, const PbrMaterial& look, const PieceTextures& textures) {
   if (textures.normal) material["normalTexture"] = {{"index", *textures.normal}};
   if (textures.orm) {
     material["pbrMetallicRoughness"]["roughnessFactor"] = 1.0;
@@ -89,7 +90,7 @@ void PieceMaterials::add_maps(Json& material, const PbrLook& look, const PieceTe
   if (textures.film && look.clearcoat > 0)
     material["extensions"]["KHR_materials_clearcoat"]["clearcoatTexture"] = {{"index", *textures.film}};
   if (!textures.thickness || !(look.transmission > 0)) return;
-  material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", most_thickness},
+  material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", max_thickness},
                                                     {"thicknessTexture", {{"index", *textures.thickness}}},
                                                     {"attenuationDistance", depth_of_transmission(look.transmission)},
                                                     {"attenuationColor", look.transmission_color}};

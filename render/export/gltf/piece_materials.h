@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "render/export/gltf/gltf_document.h"
-#include "render/export/pbr_look.h"
+#include "render/export/pbr_material.h"
 #include "render/image/image.h"
 #include "render/image/png.h"
 #include "render/texture/bake.h"
@@ -29,7 +29,7 @@ class PieceMaterials {
   explicit PieceMaterials(GltfDocument& document) : document_(document) {}
 
   /// \param group of the solid. \param textures of add_textures(), or nothing where vertices have colours.
-  int material(const Solid& solid, const LookGroup& group, const std::optional<PieceTextures>& textures);
+  int material(const Solid& solid, const MaterialGroup& group, const std::optional<PieceTextures>& textures);
 
   /// Its colours, and its maps if it has any.
   PieceTextures add_textures(const BakedSolid& baked);
@@ -39,12 +39,12 @@ class PieceMaterials {
 
  private:
   int smooth_sampler();
-  void add_maps(Json& material, const PbrLook& look, const PieceTextures& textures);
-  void add_extensions(Json& material, const PbrLook& look);
+  void add_maps(Json& material, const PbrMaterial& look, const PieceTextures& textures);
+  void add_extensions(Json& material, const PbrMaterial& look);
 
   GltfDocument& document_;
   std::optional<int> sampler_;
-  std::map<std::tuple<std::string, bool, float, PbrLook, std::optional<PieceTextures>>, int> known_;
+  std::map<std::tuple<std::string, bool, float, PbrMaterial, std::optional<PieceTextures>>, int> known_;
 };
 
 }  // namespace pomona::gltf

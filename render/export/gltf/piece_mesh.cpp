@@ -50,7 +50,7 @@ void add_feature_ids(GltfDocument& document, Json& primitive, std::size_t parts)
 }
 
 /// Each variant with the material that it shows here.
-void add_variants(Json& primitive, PieceMaterials& materials, const Solid& solid, const LookGroup& group,
+void add_variants(Json& primitive, PieceMaterials& materials, const Solid& solid, const MaterialGroup& group,
                   const PieceMeshOptions& mesh) {
   Json mappings = Json::array();
   for (std::size_t i = 0; i < mesh.variant_textures.size(); ++i) {
@@ -71,7 +71,7 @@ int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Soli
   if (solid.part_names.size() > 65536) throw Error(ExitStatus::bad_data, solid.name + ": too many parts for glTF");
   const Json attributes = add_vertices(document, styled, mesh.pivot);
   Json primitives = Json::array();
-  for (const LookGroup& group : groups_by_look(solid, styled)) {
+  for (const MaterialGroup& group : groups_by_material(solid, styled)) {
     Json primitive = {{"attributes", attributes}};
     primitive["indices"] = add_triangles(document, group.triangle, styled.position.size());
     primitive["material"] = materials.material(solid, group, mesh.textures);

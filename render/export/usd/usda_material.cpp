@@ -58,7 +58,7 @@ void append_texture_choices(std::string& text, int indent, std::span<const Textu
 namespace {
 
 /// The indentation is that of a prim within the scope of looks.
-std::string material_text(const std::string& name, const PbrLook& look, float opacity) {
+std::string material_text(const std::string& name, const PbrMaterial& look, float opacity) {
   std::string text = "    def Material \"" + name + "\"\n    {\n";
   text += "        token outputs:surface.connect = <surface.outputs:surface>\n\n";
   text += "        def Shader \"surface\"\n        {\n";
@@ -84,7 +84,7 @@ std::string material_text(const std::string& name, const PbrLook& look, float op
 
 }  // namespace
 
-std::string Looks::name_for(const Solid& solid, const LookGroup& group) {
+std::string Looks::name_for(const Solid& solid, const MaterialGroup& group) {
   const std::string of = solid.origin.fruit.empty() ? solid.name : solid.origin.fruit;
   const std::string wanted = group.name.empty() ? of : of + " " + group.name;
   std::string& name = known_[{wanted, solid.opacity, group.look}];

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "render/export/pbr_look.h"
+#include "render/export/pbr_material.h"
 #include "render/export/usd/usda_text.h"
 
 namespace pomona::usd {
@@ -30,14 +30,14 @@ void append_texture_choices(std::string& text, int indent, std::span<const Textu
 class Looks {
  public:
   /// The name of the class for one of the solid's groups: "tomato_skin".
-  std::string name_for(const Solid& solid, const LookGroup& group);
+  std::string name_for(const Solid& solid, const MaterialGroup& group);
 
   /// The class prims: UsdPreviewSurface, coloured by displayColor.
   std::string text() const { return text_; }
 
  private:
   PrimNames names_;
-  std::map<std::tuple<std::string, float, PbrLook>, std::string> known_;
+  std::map<std::tuple<std::string, float, PbrMaterial>, std::string> known_;
   std::string text_;
 };
 

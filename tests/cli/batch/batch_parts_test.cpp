@@ -27,25 +27,25 @@ std::string text_of(const fs::path& file) {
 }
 
 /// The most that was lent at once to 40 items of `each` bytes on four threads.
-std::uint64_t most_lent(std::uint64_t budget_bytes, std::uint64_t each) {
+std::uint64_t max_lent(std::uint64_t budget_bytes, std::uint64_t each) {
   MemoryBudget budget(budget_bytes);
-  std::atomic<std::uint64_t> lent = 0, most = 0;
+  std::atomic<std::uint64_t> lent = 0, max = 0;
   parallel_for(40, {4}, [&](std::size_t) {
     const MemoryBudget::Loan loan(budget, each);
     const std::uint64_t now = lent += each;
-    for (std::uint64_t seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
+    for (std::uint64_t seen = max; seen < now && !max.compare_exchange_weak(seen, now);) {
     }
     lent -= each;
   });
-  return most;
+  return max;
 }
 
 TEST(MemoryBudget, IsNeverExceededByManyItems) {
-  EXPECT_LE(most_lent(250, 100), 200u);
-  EXPECT_LE(most_lent(399, 100), 300u);
+  EXPECT_LE(max_lent(250, 100), 200u);
+  EXPECT_LE(max_lent(399, 100), 300u);
 }
 
-TEST(MemoryBudget, LetsAnItemThatIsTooLargePassAlone) { EXPECT_EQ(most_lent(50, 100), 100u); }
+TEST(MemoryBudget, LetsAnItemThatIsTooLargePassAlone) { EXPECT_EQ(max_lent(50, 100), 100u); }
 
 TEST(Shard, IsReadAsTyped) {
   EXPECT_EQ(parse_shard("3/8").number, 3);

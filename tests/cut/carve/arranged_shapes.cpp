@@ -6,7 +6,7 @@ namespace pomona::shapes {
 
 namespace {
 
-std::vector<PlaceTriangle> taken(const std::vector<Corners>& triangles, ExactPlaces& places) {
+std::vector<PlaceTriangle> taken(const std::vector<Corners>& triangles, ExactPoints& places) {
   std::vector<PlaceTriangle> all;
   for (const Corners& t : triangles)
     all.push_back({places.number_of(t[0]), places.number_of(t[1]), places.number_of(t[2])});

@@ -14,7 +14,7 @@ struct ArrangedShapes {
   ArrangedShapes(const std::vector<Corners>& fruit_corners, const std::vector<Corners>& knife_corners);
 
   std::vector<Corners> fruit, knife;
-  ExactPlaces places;
+  ExactPoints places;
   Arrangement all;
 };
 

@@ -89,7 +89,7 @@ TEST(Arrangement, KeepsClosedSurfacesClosed) {
   EXPECT_GT(parts, 1000u);
 }
 
-glm::dvec3 area_of(const PlaceTriangle& t, const ExactPlaces& places) {
+glm::dvec3 area_of(const PlaceTriangle& t, const ExactPoints& places) {
   return glm::cross(places.at(t[1]) - places.at(t[0]), places.at(t[2]) - places.at(t[0]));
 }
 

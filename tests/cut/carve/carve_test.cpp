@@ -206,19 +206,19 @@ TEST(Carve, ShadesABowlSmoothlyAndKeepsCreases) {
 TEST(Carve, IsFinerNextToTheSurfaces) {
   const DiffusionSurfaces fruit = shapes::sphere(0.05, 60, shapes::skin_paint());
   const Cut result = cut(fruit, std::vector{solid_knife(shapes::block({-0.1, 0.0051, -0.1}, {0.1, 0.1, 0.1}))});
-  double most_inside = 0, most_at_skin = 0;
+  double max_inside = 0, max_at_skin = 0;
   for (const glm::uvec3& t : result.section.triangle) {
     for (int i = 0; i < 3; ++i) {
       const glm::vec3 &a = result.section.position[t[i]], &b = result.section.position[t[(i + 1) % 3]];
       const double out = glm::length(0.5f * (a + b)), length = glm::distance(a, b);
-      if (out < 0.02) most_inside = std::max(most_inside, length);
-      if (out > 0.048) most_at_skin = std::max(most_at_skin, length);
+      if (out < 0.02) max_inside = std::max(max_inside, length);
+      if (out > 0.048) max_at_skin = std::max(max_at_skin, length);
     }
   }
   const double size = glm::length(bounds_of(fruit).size());
-  EXPECT_LT(most_inside, 2 * size / 40);
-  EXPECT_GT(most_inside, 1.3 * most_at_skin);
-  EXPECT_LT(most_at_skin, 0.0035);  // 1.4 times: 1.4 mm, the fruit's own edges, and a third of 2 mm
+  EXPECT_LT(max_inside, 2 * size / 40);
+  EXPECT_GT(max_inside, 1.3 * max_at_skin);
+  EXPECT_LT(max_at_skin, 0.0035);  // 1.4 times: 1.4 mm, the fruit's own edges, and a third of 2 mm
 }
 
 TEST(Carve, IsTheSameForAnyNumberOfThreads) {

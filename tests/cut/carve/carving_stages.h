@@ -44,7 +44,7 @@ class CarvingStages {
   CutFruit fruit;  ///< as the knives before have left it
   ClosedKnife knife;
   std::vector<std::uint32_t> surface, cap;  ///< triangles of the fruit and of its section in the arrangement
-  ExactPlaces places;
+  ExactPoints places;
   Arrangement all;
   std::vector<std::vector<int>> winding;  ///< of the knife, per facet, per part
   SplitFruit split;

@@ -32,10 +32,10 @@ TEST(Fineness, IsTheLeastOverAllSources) {
     const RandomStream random({}, "tests/fineness asked");
     for (std::uint64_t n = 0; n < 300; ++n) {
       const glm::dvec3 p = 3.0 * place_in_cube(random, n) - 1.0;
-      double least = 10;
-      for (const FinenessSource& s : all) least = std::min(least, s.size + grading * glm::distance(p, s.place));
-      ASSERT_EQ(fineness.at(p, 10), least) << count << " sources, " << n;
-      ASSERT_EQ(fineness.at(p, 0.05), std::min(least, 0.05));
+      double min = 10;
+      for (const FinenessSource& s : all) min = std::min(min, s.size + grading * glm::distance(p, s.place));
+      ASSERT_EQ(fineness.at(p, 10), min) << count << " sources, " << n;
+      ASSERT_EQ(fineness.at(p, 0.05), std::min(min, 0.05));
     }
   }
 }

@@ -10,9 +10,9 @@
 
 namespace pomona::shapes {
 
-/// Coordinates are whole numbers from 0 to `most_steps`. Determinants of such change by less than the least they can
+/// Coordinates are whole numbers from 0 to `max_steps`. Determinants of such change by less than the least they can
 /// be as the knife moves, and no later power of e makes up for an earlier one.
-constexpr int most_steps = 4;
+constexpr int max_steps = 4;
 
 /// A place in units of e^3, e = 1/64.
 __extension__ using Wide = __int128;

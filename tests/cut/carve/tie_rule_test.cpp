@@ -121,7 +121,7 @@ bool is_inside(const std::vector<Corners>& shape, const glm::dvec3& p, bool shap
 TEST(TieRule, WindsOnceAroundWhatAMovedKnifeHolds) {
   for (const std::vector<Corners>& shape : shapes::convex_shapes()) {
     int inside = 0;
-    for (const glm::dvec3& p : shapes::whole_places(0, shapes::most_steps)) {
+    for (const glm::dvec3& p : shapes::whole_places(0, shapes::max_steps)) {
       int knife = 0, fruit = 0;
       for (const Corners& t : shape) {
         knife += winding_of_knife(t, p);
@@ -137,7 +137,7 @@ TEST(TieRule, WindsOnceAroundWhatAMovedKnifeHolds) {
 
 TEST(TieRule, CountsShapesInsideOutTheOtherWay) {
   for (const std::vector<Corners>& shape : shapes::convex_shapes()) {
-    for (const glm::dvec3& p : shapes::whole_places(0, shapes::most_steps)) {
+    for (const glm::dvec3& p : shapes::whole_places(0, shapes::max_steps)) {
       for (const Corners& t : shape) {
         EXPECT_EQ(winding_of_knife({t[0], t[2], t[1]}, p), -winding_of_knife(t, p));
         EXPECT_EQ(winding_of_fruit({t[0], t[2], t[1]}, p), -winding_of_fruit(t, p));

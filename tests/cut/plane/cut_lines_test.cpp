@@ -153,7 +153,7 @@ TEST(CutLines, HoldAllPointsThatSurfacesHaveOnTwoPlanes) {
 /// Worked out by Cramer's rule, for every three planes without a line in common; of strokes only where all three facets
 /// reach.
 TEST(CutLines, OfThreePlanesHaveTheOnePointWhereTheyMeet) {
-  int meetings = 0;
+  int intersections = 0;
   for (const Lines& lines : lines_of_knives()) {
     SCOPED_TRACE(lines.name);
     std::map<std::array<int, 3>, std::set<std::uint32_t>> met;
@@ -181,7 +181,7 @@ TEST(CutLines, OfThreePlanesHaveTheOnePointWhereTheyMeet) {
         }
         ASSERT_EQ(there.size(), 1u);
         EXPECT_TRUE(lines.is_on(there[0], k));
-        ++meetings;
+        ++intersections;
 
         // The other lines of these planes have the very same point.
         std::array<int, 3> all{line.planes[0], line.planes[1], k};
@@ -191,7 +191,7 @@ TEST(CutLines, OfThreePlanesHaveTheOnePointWhereTheyMeet) {
       }
     }
   }
-  EXPECT_GT(meetings, 80);
+  EXPECT_GT(intersections, 80);
 }
 
 /// Dice along the axes meet in places with exactly the coordinates of their planes; wedges meet on the axis itself.

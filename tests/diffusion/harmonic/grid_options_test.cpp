@@ -58,7 +58,7 @@ TEST(GridOptions, StayWithinWhatALatticeCanCount) {
     const int margin = static_cast<int>(0.25 / options.spacing);
     const Lattice lattice = lattice_around(thin, options.spacing, margin, 4, glm::dvec3(0.9));
     for (const int count : lattice.count) EXPECT_LE(count, max_nodes);
-    EXPECT_GT(1 / options.spacing, 0.99 * most_cells);
+    EXPECT_GT(1 / options.spacing, 0.99 * max_cells);
   }
 }
 

@@ -59,9 +59,9 @@ class Equations {
 
   /// The largest distance of a node's value from what those around it ask for.
   double residual(const std::vector<glm::dvec4>& value) const {
-    double most = 0;
-    for (const Equation& e : equation_) most = std::max(most, glm::length(by_neighbours(e, value) - value[e.node]));
-    return most;
+    double max = 0;
+    for (const Equation& e : equation_) max = std::max(max, glm::length(by_neighbours(e, value) - value[e.node]));
+    return max;
   }
 
  private:
@@ -122,11 +122,11 @@ std::vector<glm::dvec4> values_of(const GridLevel& level) {
 }
 
 double largest_difference(const GridLevel& level, const std::vector<glm::dvec4>& a, const std::vector<glm::dvec4>& b) {
-  double most = 0;
+  double max = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (takes_part(level, i)) most = std::max(most, glm::length(a[i] - b[i]));
+    if (takes_part(level, i)) max = std::max(max, glm::length(a[i] - b[i]));
   }
-  return most;
+  return max;
 }
 
 std::vector<GridLevel> levels_of(const DiffusionSurfaces& surfaces, const GridOptions& options) {
@@ -205,7 +205,7 @@ TEST(Multigrid, LetsNoColourThroughAWall) {
 
 TEST(Multigrid, IsTheSameForAnyNumberOfThreads) {
   // More blocks than are worth sharing, and then more than stay in a cache.
-  for (const auto& [spacing, least_runs] : {std::pair{0.05, 2000u}, {0.05 / 3, 30001u}}) {
+  for (const auto& [spacing, min_runs] : {std::pair{0.05, 2000u}, {0.05 / 3, 30001u}}) {
     GridOptions options = sixteen_cells();
     options.spacing = spacing;
     const auto values = [&](int threads) {
@@ -213,7 +213,7 @@ TEST(Multigrid, IsTheSameForAnyNumberOfThreads) {
       return values_of(solved(levels_of(painted_room(), options), {.threads = {threads}}).front());
     };
     const std::vector<glm::dvec4> one = values(1);
-    EXPECT_GE(one.size(), 8 * least_runs);
+    EXPECT_GE(one.size(), 8 * min_runs);
     EXPECT_EQ(one, values(2));
     EXPECT_EQ(one, values(5));
   }

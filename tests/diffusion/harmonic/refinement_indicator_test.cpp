@@ -53,7 +53,7 @@ TEST(Bends, LieAroundWhatIsSmall) {
 
 TEST(Bends, AreTakenFromTheLargestOn) {
   const std::vector<float> indicator = {0, 0.5f, 0.1f, 0.4f, 0, 0.4f, 0.2f};
-  const auto marks = [&](std::size_t most) { return bricks_to_refine(indicator, most); };
+  const auto marks = [&](std::size_t max) { return bricks_to_refine(indicator, max); };
   using Marks = std::vector<std::uint8_t>;
   EXPECT_EQ(marks(9), (Marks{0, 1, 1, 1, 0, 1, 1}));
   EXPECT_EQ(marks(5), (Marks{0, 1, 1, 1, 0, 1, 1}));

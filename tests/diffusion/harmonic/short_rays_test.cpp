@@ -51,9 +51,9 @@ ExactHit exact_hit(const SeenTriangle& t, const glm::vec3& towards) {
   hit.fraction = glm::determinant(glm::dmat3(a, -u, -v)) / determinant;
   hit.b = glm::determinant(glm::dmat3(d, a, -v)) / determinant;
   hit.c = glm::determinant(glm::dmat3(d, -u, a)) / determinant;
-  const double least = std::min({hit.b, hit.c, 1 - hit.b - hit.c, hit.fraction, 1 - hit.fraction});
-  hit.hits = least >= 0;
-  hit.is_close = std::fabs(least) < 1e-3;
+  const double min = std::min({hit.b, hit.c, 1 - hit.b - hit.c, hit.fraction, 1 - hit.fraction});
+  hit.hits = min >= 0;
+  hit.is_close = std::fabs(min) < 1e-3;
   return hit;
 }
 
@@ -133,18 +133,18 @@ TEST(ShortRays, FindNothingBeforeAnythingIsMet) {
 }
 
 /// The least over a fine net of weights, and twice finer around it.
-double least_distance(const SeenTriangle& t) {
+double min_distance(const SeenTriangle& t) {
   constexpr int steps = 60;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= steps; ++i) {
     for (int j = 0; i + j <= steps; ++j) {
       const glm::dvec3 p = (static_cast<double>(steps - i - j) * glm::dvec3(t.a) +
                             static_cast<double>(i) * glm::dvec3(t.b) + static_cast<double>(j) * glm::dvec3(t.c)) /
                            static_cast<double>(steps);
-      least = std::min(least, glm::length(p));
+      min = std::min(min, glm::length(p));
     }
   }
-  return least;
+  return min;
 }
 
 TEST(ShortRays, NearestWeightsAreNoFartherThanAnyOthers) {
@@ -154,7 +154,7 @@ TEST(ShortRays, NearestWeightsAreNoFartherThanAnyOthers) {
     EXPECT_NEAR(w.x + w.y + w.z, 1, 1e-5);
     for (int k = 0; k < 3; ++k) EXPECT_GE(w[k], -1e-6f);
     const double away = glm::length(glm::dvec3(w.x * t.a + w.y * t.b + w.z * t.c));
-    EXPECT_LE(away, least_distance(t) + 1e-5);
+    EXPECT_LE(away, min_distance(t) + 1e-5);
     ++regions.at(static_cast<std::size_t>((w.x == 0 ? 1 : 0) | (w.y == 0 ? 2 : 0) | (w.z == 0 ? 4 : 0)));
   }
   // Within, on each edge, at each corner.

@@ -141,12 +141,12 @@ TEST(SolveField, KeepsEachPatchWithinItsNodes) {
   const DiffusionSurfaces balls = shapes::nested_spheres(1, 0.2, 8);
   GridOptions options = options_of(0.06, 2);
   options.refine_above = 2.0 / 255;
-  const auto nodes_of_patches = [&](std::size_t most) {
-    options.max_patch_nodes = most;
+  const auto nodes_of_patches = [&](std::size_t max) {
+    options.max_patch_nodes = max;
     const SolvedLevels levels = levels_of(balls, options);
     std::size_t nodes = 0;
     for (std::size_t l = 0; l < levels.patch_count; ++l) {
-      EXPECT_LE(levels.levels[l].blocks.node_count(), most);
+      EXPECT_LE(levels.levels[l].blocks.node_count(), max);
       nodes += levels.levels[l].blocks.node_count();
     }
     return nodes;
@@ -165,16 +165,16 @@ double worst_beside_ball(const GridOptions& options) {
   white.front = white.back = Color(1);
   const DiffusionSurfaces balls = shapes::nested_spheres(1, inner, 24, black, white);
   const FieldSampler sampler = solved_field(prepared_field(balls, options), options);
-  double most = 0;
+  double max = 0;
   for (int i = 0; i < 2000; ++i) {
     // Along a spiral that leaves the ball.
     const double r = inner + 0.005 + 0.00014 * i, z = -1 + (i * 37 % 400 + 0.5) / 200, flat = std::sqrt(1 - z * z);
     const glm::dvec3 place = r * glm::dvec3(flat * std::cos(2.4 * i), flat * std::sin(2.4 * i), z);
     const auto found = sampler.at(glm::vec3(place));
     if (!found) return 1.0;
-    most = std::max(most, std::fabs(found->color.r - (1 / r - 1) / (1 / inner - 1)));
+    max = std::max(max, std::fabs(found->color.r - (1 / r - 1) / (1 / inner - 1)));
   }
-  return most;
+  return max;
 }
 
 TEST(SolveField, IsNearerToTheTruthWithPatchesWhereItBends) {

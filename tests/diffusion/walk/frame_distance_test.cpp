@@ -62,19 +62,19 @@ TEST(FrameDistance, FindsTheLeastAmongGroupsAndStopsNoSooner) {
   const TriangleFrames frames = make_triangle_frames(surfaces, make_surface_tree(surfaces));
   for (const glm::vec3& place : places()) {
     std::vector<NearGroup> near;
-    float least = 1e30f;
+    float min = 1e30f;
     for (std::uint32_t g = 0; g < frames.groups.size(); ++g) {
       const GroupDistances squared = squared_distances(frames.groups[g], place);
       const float own = *std::min_element(squared.begin(), squared.end());
       near.push_back({std::sqrt(own), g});
-      least = std::min(least, own);
+      min = std::min(min, own);
     }
     std::sort(near.begin(), near.end(), [](const NearGroup& a, const NearGroup& b) { return a.distance < b.distance; });
     // Bounds seen from elsewhere are wrong by the way to there, which `reach` allows for.
     for (const float reach : {1e-6f, 0.3f}) {
       std::vector<NearGroup> bounds = near;
       for (NearGroup& bound : bounds) bound.distance += 0.99f * reach;
-      EXPECT_EQ(least_squared_distance(frames.groups.data(), bounds.data(), bounds.size(), reach, place), least);
+      EXPECT_EQ(min_squared_distance(frames.groups.data(), bounds.data(), bounds.size(), reach, place), min);
     }
   }
 }
@@ -86,7 +86,7 @@ TEST(FrameDistance, LeavesOutGroupsThatAreTooFar) {
   // Said to be farther than the first group's distance, the others are not asked.
   const std::vector<NearGroup> near = {{0, 0}, {5, 1}, {5, 2}};
   const GroupDistances squared = squared_distances(frames.groups[0], place);
-  EXPECT_EQ(least_squared_distance(frames.groups.data(), near.data(), 3, 0, place),
+  EXPECT_EQ(min_squared_distance(frames.groups.data(), near.data(), 3, 0, place),
             *std::min_element(squared.begin(), squared.end()));
 }
 

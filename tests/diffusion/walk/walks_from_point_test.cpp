@@ -95,7 +95,7 @@ TEST(WalksFromPoint, OfWhichFewMeetAnythingHaveTheColorOfThoseThatDo) {
   int of_one_half = 0;
   for (int i = 0; i < 60; ++i) {
     const glm::vec3 point(0, 0.005f * static_cast<float>(i), 0.1f);
-    const WalkedColor walked = walks_from_point(ground, point, {.standard_error = 1, .most_walks = 96});
+    const WalkedColor walked = walks_from_point(ground, point, {.standard_error = 1, .max_walks = 96});
     EXPECT_NEAR(walked.color.r, 0.5, 1e-6) << i;
     of_one_half += walked.walks - walked.misses == 1;
   }
@@ -105,8 +105,7 @@ TEST(WalksFromPoint, OfWhichFewMeetAnythingHaveTheColorOfThoseThatDo) {
 TEST(WalksFromPoint, AreNoMoreThanTheyMayBe) {
   const DiffusionSurfaces surfaces = shell();
   const WalkGround ground(surfaces, {1});
-  const WalkedColor walked =
-      walks_from_point(ground, {0.5f, 0.3f, -0.2f}, {.standard_error = 0.01, .most_walks = 1200});
+  const WalkedColor walked = walks_from_point(ground, {0.5f, 0.3f, -0.2f}, {.standard_error = 0.01, .max_walks = 1200});
   EXPECT_LE(walked.walks, 1200u + 48) << "in whole batches";
   EXPECT_GT(walked.standard_error, 0.01);
 }

@@ -51,10 +51,10 @@ TEST(ConvexHull, OfABallHasAsManyVerticesAsAskedForAndMostOfItsVolume) {
   const Solid ball = named::ball("ball", 0.1f, 30, Color(0.5f));
   const double whole = volume_of(convex_hull(ball.position, 100000));
   EXPECT_GT(whole, 0.998 * 4.0 / 3 * 3.14159265 * 0.001);
-  for (const std::size_t most : {16u, 64u}) {
-    const ConvexHull hull = convex_hull(ball.position, most);
-    EXPECT_EQ(hull.position.size(), most);
-    EXPECT_GT(volume_of(hull), (most == 64 ? 0.87 : 0.55) * whole);
+  for (const std::size_t max : {16u, 64u}) {
+    const ConvexHull hull = convex_hull(ball.position, max);
+    EXPECT_EQ(hull.position.size(), max);
+    EXPECT_GT(volume_of(hull), (max == 64 ? 0.87 : 0.55) * whole);
     EXPECT_LT(volume_of(hull), whole);
     expect_convex(hull);
     for (const glm::vec3& p : hull.position)

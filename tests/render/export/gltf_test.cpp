@@ -10,7 +10,7 @@
 #include "generator/base/error.h"
 #include "generator/base/file_bytes.h"
 #include "render/export/output.h"
-#include "render/export/pbr_look.h"
+#include "render/export/pbr_material.h"
 #include "render/style/style_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/render/export/named_solids.h"
@@ -480,14 +480,14 @@ TEST(Gltf, SaysWhereAFilmOfJuiceEnds) {
 TEST(Gltf, SplitsAMeshByLookAndLosesNoTriangle) {
   const Scene scene = named::with_materials();
   const StyledMesh mesh = styled_meshes(scene, {})[0];
-  const std::vector<LookGroup> groups = groups_by_look(scene.solids[0], mesh);
+  const std::vector<MaterialGroup> groups = groups_by_material(scene.solids[0], mesh);
   ASSERT_EQ(groups.size(), 2u) << "skin and cut face";
   EXPECT_EQ(groups[0].triangle.size() + groups[1].triangle.size(), mesh.triangle.size());
   EXPECT_NE(groups[0].look, groups[1].look);
   EXPECT_EQ(named::read_glb(write_glb(scene)).meshes.size(), 1u);
   Solid plain = scene.solids[0];
   plain.materials.clear();
-  EXPECT_EQ(groups_by_look(plain, mesh).size(), 1u);
+  EXPECT_EQ(groups_by_material(plain, mesh).size(), 1u);
 }
 
 TEST(Gltf, VariantsAreTexturesOfTheSameMesh) {

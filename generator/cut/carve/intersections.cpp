@@ -1,9 +1,9 @@
-#include "generator/cut/carve/meetings.h"
+#include "generator/cut/carve/intersections.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "generator/mesh/meeting_boxes.h"
+#include "generator/mesh/overlapping_boxes.h"
 
 namespace pomona {
 
@@ -17,7 +17,7 @@ std::vector<Box<double>> boxes_of(std::span<const Corners> triangles) {
 }
 
 std::vector<BoxPair> near_pairs(std::span<const Corners> fruit, std::span<const Corners> knife) {
-  std::vector<BoxPair> pairs = meeting_boxes(boxes_of(fruit), boxes_of(knife));
+  std::vector<BoxPair> pairs = overlapping_boxes(boxes_of(fruit), boxes_of(knife));
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
@@ -35,7 +35,7 @@ bool passes_within(const Corners& fruit, const glm::dvec3& a, const glm::dvec3& 
   return turn(fruit[1], fruit[2], a, b) == first && turn(fruit[2], fruit[0], a, b) == first;
 }
 
-std::optional<Meeting> meeting_of(const Corners& fruit, const Corners& knife) {
+std::optional<Intersection> intersection_of(const Corners& fruit, const Corners& knife) {
   std::array<int, 3> of_fruit{}, of_knife{};
   for (std::size_t i = 0; i < 3; ++i) of_fruit[i] = side_of_knife(knife, fruit[i]);
   if (same_side(of_fruit)) return std::nullopt;
@@ -53,19 +53,19 @@ std::optional<Meeting> meeting_of(const Corners& fruit, const Corners& knife) {
     }
   }
   if (!from || !to) return std::nullopt;
-  return Meeting{0, 0, *from, *to};
+  return Intersection{0, 0, *from, *to};
 }
 
 }  // namespace
 
-std::vector<Meeting> meetings(std::span<const Corners> fruit, std::span<const Corners> knife) {
-  std::vector<Meeting> found;
+std::vector<Intersection> intersections(std::span<const Corners> fruit, std::span<const Corners> knife) {
+  std::vector<Intersection> found;
   for (const auto& [f, k] : near_pairs(fruit, knife)) {
-    std::optional<Meeting> meeting = meeting_of(fruit[f], knife[k]);
-    if (!meeting) continue;
-    meeting->fruit = f;
-    meeting->knife = k;
-    found.push_back(*meeting);
+    std::optional<Intersection> intersection = intersection_of(fruit[f], knife[k]);
+    if (!intersection) continue;
+    intersection->fruit = f;
+    intersection->knife = k;
+    found.push_back(*intersection);
   }
   return found;
 }

@@ -1,4 +1,4 @@
-#include "generator/cut/carve/exact_places.h"
+#include "generator/cut/carve/exact_points.h"
 
 #include <algorithm>
 #include <bit>
@@ -51,7 +51,7 @@ std::array<double, 3> key_of(const glm::dvec3& p) { return {p.x + 0.0, p.y + 0.0
 
 }  // namespace
 
-struct ExactPlaces::Data {
+struct ExactPoints::Data {
   std::vector<glm::dvec3> rounded;
   std::vector<std::optional<Vector>> exact;  // filled on demand where the rounded one is exact
   std::unordered_map<std::array<double, 3>, std::vector<std::uint32_t>, SameBits> there;
@@ -76,20 +76,21 @@ struct ExactPlaces::Data {
   }
 };
 
-ExactPlaces::ExactPlaces() : data_(std::make_unique<Data>()) {}
-ExactPlaces::~ExactPlaces() = default;
+ExactPoints::ExactPoints() : data_(std::make_unique<Data>()) {}
+ExactPoints::~ExactPoints() = default;
 
-void ExactPlaces::append(const glm::dvec3& place, bool known) {
+void ExactPoints::append(const glm::dvec3& place, bool known) {
   if (known) data_->there[key_of(place)].push_back(static_cast<std::uint32_t>(data_->rounded.size()));
   data_->rounded.push_back(place);
   data_->exact.emplace_back();
 }
 
-std::uint32_t ExactPlaces::number_of(const glm::dvec3& place) {
+std::uint32_t ExactPoints::number_of(const glm::dvec3& place) {
   return data_->number_of({Exact(place.x), Exact(place.y), Exact(place.z)});
 }
 
-std::uint32_t ExactPlaces::meeting(std::uint32_t p, std::uint32_t q, const std::array<std::uint32_t, 3>& triangle) {
+std::uint32_t ExactPoints::intersection(std::uint32_t p, std::uint32_t q,
+                                        const std::array<std::uint32_t, 3>& triangle) {
   const Vector &a = data_->at(triangle[0]), &from = data_->at(p), &to = data_->at(q);
   const Vector normal = normal_of(a, data_->at(triangle[1]), data_->at(triangle[2]));
   const Exact before = dot(normal, minus(from, a)), after = dot(normal, minus(to, a));
@@ -99,8 +100,8 @@ std::uint32_t ExactPlaces::meeting(std::uint32_t p, std::uint32_t q, const std::
   return data_->number_of(std::move(place));
 }
 
-std::size_t ExactPlaces::count() const { return data_->rounded.size(); }
-const glm::dvec3& ExactPlaces::at(std::uint32_t place) const { return data_->rounded[place]; }
+std::size_t ExactPoints::count() const { return data_->rounded.size(); }
+const glm::dvec3& ExactPoints::at(std::uint32_t place) const { return data_->rounded[place]; }
 
 namespace {
 
@@ -229,7 +230,7 @@ class FacetTriangulator {
 
 }  // namespace
 
-FacetMesh ExactPlaces::triangulated(const PatchedFacet& facet) {
+FacetMesh ExactPoints::triangulated(const PatchedFacet& facet) {
   const auto at = [&](std::uint32_t place) -> const Vector& { return data_->at(place); };
   const auto number_of = [&](Vector place) { return data_->number_of(std::move(place)); };
   return FacetTriangulator(facet, at, number_of).run();

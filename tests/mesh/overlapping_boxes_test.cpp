@@ -1,4 +1,4 @@
-#include "generator/mesh/meeting_boxes.h"
+#include "generator/mesh/overlapping_boxes.h"
 
 #include <algorithm>
 
@@ -26,7 +26,7 @@ std::vector<BoxPair> sorted(std::vector<BoxPair> pairs) {
   return pairs;
 }
 
-TEST(MeetingBoxes, AreAllThatMeetEachOnce) {
+TEST(OverlappingBoxes, AreAllThatMeetEachOnce) {
   for (const std::size_t count : {0, 1, 2, 7, 8, 9, 300}) {
     const std::vector<Box<float>> boxes = random_boxes<float>(count, 2);
     std::vector<BoxPair> expected;
@@ -35,16 +35,16 @@ TEST(MeetingBoxes, AreAllThatMeetEachOnce) {
         if (boxes[i].meets(boxes[j])) expected.emplace_back(i, j);
       }
     }
-    EXPECT_EQ(sorted(meeting_boxes(boxes)), expected);
+    EXPECT_EQ(sorted(overlapping_boxes(boxes)), expected);
 
     // Visits end with the first that says so.
     std::size_t visits = 0;
-    visit_meeting_boxes(boxes, [&](std::uint32_t, std::uint32_t) { return ++visits < 5; });
+    visit_overlapping_boxes(boxes, [&](std::uint32_t, std::uint32_t) { return ++visits < 5; });
     EXPECT_EQ(visits, std::min<std::size_t>(5, expected.size()));
   }
 }
 
-TEST(MeetingBoxes, OfTwoSortsAreAllThatMeetEachOnce) {
+TEST(OverlappingBoxes, OfTwoSortsAreAllThatMeetEachOnce) {
   for (const std::size_t count : {0, 1, 8, 9, 200}) {
     const std::vector<Box<double>> one = random_boxes<double>(count, 4), other = random_boxes<double>(70, 6);
     std::vector<BoxPair> expected;
@@ -53,13 +53,14 @@ TEST(MeetingBoxes, OfTwoSortsAreAllThatMeetEachOnce) {
         if (one[i].meets(other[j])) expected.emplace_back(i, j);
       }
     }
-    EXPECT_EQ(sorted(meeting_boxes(one, other)), expected);
+    EXPECT_EQ(sorted(overlapping_boxes(one, other)), expected);
   }
 }
 
-TEST(MeetingBoxes, AreFoundInOnePlace) {
+TEST(OverlappingBoxes, AreFoundInOnePlace) {
   const Box<float> box{glm::vec3(1), glm::vec3(1)};
-  EXPECT_EQ(meeting_boxes(std::vector<Box<float>>(20, box)).size(), 190u) << "boxes without a size, all at one point";
+  EXPECT_EQ(overlapping_boxes(std::vector<Box<float>>(20, box)).size(), 190u)
+      << "boxes without a size, all at one point";
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace pomona {
 
 /// The factors of a glTF material and of its extensions. The defaults are those of parts without a description: dull
 /// like flesh, without extensions.
-struct PbrLook {
+struct PbrMaterial {
   double roughness = 0.6;
   double specular = 1;                            ///< KHR_materials_specular
   double clearcoat = 0, clearcoat_roughness = 0;  ///< KHR_materials_clearcoat
@@ -23,20 +23,20 @@ struct PbrLook {
   double transmission = 0;  ///< KHR_materials_diffuse_transmission
   std::array<double, 3> transmission_color{1, 1, 1};
 
-  auto operator<=>(const PbrLook&) const = default;
+  auto operator<=>(const PbrMaterial&) const = default;
 };
 
 /// Smooth and wet parts have a clear coat, hairs and bloom are a sheen, translucent parts let diffuse light through.
-PbrLook look_of(const MaterialSketch& material, bool on_cut_face);
+PbrMaterial look_of(const MaterialSketch& material, bool on_cut_face);
 
 /// The triangles of a mesh with one material. Groups are in the order in which their materials first occur. There is
 /// one group if the solid's template has no materials.
-struct LookGroup {
-  PbrLook look;
+struct MaterialGroup {
+  PbrMaterial look;
   std::string name;                  ///< of the part: "skin", "gel", "inside"; empty if all parts have this material
   std::vector<std::int32_t> face;    ///< indices of its triangles in the mesh, sorted
   std::vector<glm::uvec3> triangle;  ///< these triangles
 };
-std::vector<LookGroup> groups_by_look(const Solid& solid, const StyledMesh& mesh);
+std::vector<MaterialGroup> groups_by_material(const Solid& solid, const StyledMesh& mesh);
 
 }  // namespace pomona

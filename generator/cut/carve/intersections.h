@@ -17,13 +17,13 @@ struct Crossing {
 
 /// The segment in which two triangles intersect. For a viewer outside the knife, the front of the fruit's triangle is
 /// left of the direction from `from` to `to`; for a viewer on that front, the knife's inside is left of it.
-struct Meeting {
+struct Intersection {
   std::uint32_t fruit = 0, knife = 0;
   Crossing from, to;
 };
 
 /// All intersections, sorted by the fruit's triangle, then by the knife's. By the tie rule, two triangles intersect in
 /// a segment or not at all, and the crossing of an edge is the same for all triangles at the edge.
-std::vector<Meeting> meetings(std::span<const Corners> fruit, std::span<const Corners> knife);
+std::vector<Intersection> intersections(std::span<const Corners> fruit, std::span<const Corners> knife);
 
 }  // namespace pomona

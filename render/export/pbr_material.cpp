@@ -1,4 +1,4 @@
-#include "render/export/pbr_look.h"
+#include "render/export/pbr_material.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@ std::array<double, 3> rounded(const glm::dvec3& color) {
   return {rounded(color.r), rounded(color.g), rounded(color.b)};
 }
 
-PbrLook look_of_skin(const MaterialSketch& material) {
+PbrMaterial material_of_skin(const MaterialSketch& material) {
   // A template's roughness of 0.3 is glTF's 0.6; smoother skins shine by their coat, rougher ones lose their shine.
   const double smoothness = std::max(0.0, 0.3 - material.roughness);
-  PbrLook look;
+  PbrMaterial look;
   look.roughness = rounded(pbr_roughness(material, false));
   look.specular = rounded(std::min(material.gloss, 1.0));
   look.clearcoat = rounded(std::min(1.0, 3.2 * smoothness * material.gloss));
@@ -35,8 +35,8 @@ PbrLook look_of_skin(const MaterialSketch& material) {
   return look;
 }
 
-PbrLook look_of_cut_face(const MaterialSketch& material) {
-  PbrLook look;
+PbrMaterial material_of_cut_face(const MaterialSketch& material) {
+  PbrMaterial look;
   look.roughness = rounded(pbr_roughness(material, true));
   look.clearcoat = rounded(pbr_film(material));
   if (look.clearcoat > 0) look.clearcoat_roughness = 0.15;
@@ -45,8 +45,8 @@ PbrLook look_of_cut_face(const MaterialSketch& material) {
 
 }  // namespace
 
-PbrLook look_of(const MaterialSketch& material, bool on_cut_face) {
-  PbrLook look = on_cut_face ? look_of_cut_face(material) : look_of_skin(material);
+PbrMaterial look_of(const MaterialSketch& material, bool on_cut_face) {
+  PbrMaterial look = on_cut_face ? material_of_cut_face(material) : material_of_skin(material);
   const double millimetres = 1000 * material.translucency.depth;
   look.transmission = rounded(0.45 * millimetres / (millimetres + 1));
   if (look.transmission > 0) look.transmission_color = rounded(glm::dvec3(material.translucency.color));
@@ -56,16 +56,17 @@ PbrLook look_of(const MaterialSketch& material, bool on_cut_face) {
 namespace {
 
 /// The parts that have a look on skins, and on cut faces.
-struct PartsOfLook {
-  PbrLook look;
+struct PartsOfMaterial {
+  PbrMaterial look;
   std::vector<std::size_t> on_skin, on_cut;
 };
 
-std::vector<PartsOfLook> parts_by_look(const Solid& solid) {
-  std::vector<PartsOfLook> all;
-  const auto of = [&](const PbrLook& look) -> PartsOfLook& {
-    const auto at = std::find_if(all.begin(), all.end(), [&](const PartsOfLook& known) { return known.look == look; });
-    return at != all.end() ? *at : all.emplace_back(PartsOfLook{look, {}, {}});
+std::vector<PartsOfMaterial> parts_by_material(const Solid& solid) {
+  std::vector<PartsOfMaterial> all;
+  const auto of = [&](const PbrMaterial& look) -> PartsOfMaterial& {
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const PartsOfMaterial& known) { return known.look == look; });
+    return at != all.end() ? *at : all.emplace_back(PartsOfMaterial{look, {}, {}});
   };
   for (std::size_t part = 0; part < solid.part_names.size(); ++part) {
     const MaterialSketch material = material_of(solid, static_cast<std::int32_t>(part));
@@ -76,9 +77,9 @@ std::vector<PartsOfLook> parts_by_look(const Solid& solid) {
 }
 
 /// A single part gives its name; many are "inside" or "outside" where no other look has more of them.
-std::string name_of(const std::vector<std::size_t>& parts, std::size_t most, const char* most_called,
+std::string name_of(const std::vector<std::size_t>& parts, std::size_t max, const char* max_called,
                     const std::vector<std::string>& part_names) {
-  if (parts.size() > 1 && parts.size() == most) return most_called;
+  if (parts.size() > 1 && parts.size() == max) return max_called;
   std::string name;
   for (const std::size_t part : parts) name += (name.empty() ? "" : ", ") + part_names[part];
   return name;
@@ -86,18 +87,18 @@ std::string name_of(const std::vector<std::size_t>& parts, std::size_t most, con
 
 /// One name for each look that a solid's parts can have, whichever of them this piece shows: so all pieces of a fruit
 /// agree.
-std::vector<std::pair<PbrLook, std::string>> named_looks(const Solid& solid) {
-  const std::vector<PartsOfLook> all = parts_by_look(solid);
-  std::size_t most_inside = 0, most_outside = 0;
-  for (const PartsOfLook& of : all) {
-    most_inside = std::max(most_inside, of.on_cut.size());
-    if (of.on_cut.empty()) most_outside = std::max(most_outside, of.on_skin.size());
+std::vector<std::pair<PbrMaterial, std::string>> named_materials(const Solid& solid) {
+  const std::vector<PartsOfMaterial> all = parts_by_material(solid);
+  std::size_t max_inside = 0, max_outside = 0;
+  for (const PartsOfMaterial& of : all) {
+    max_inside = std::max(max_inside, of.on_cut.size());
+    if (of.on_cut.empty()) max_outside = std::max(max_outside, of.on_skin.size());
   }
-  std::vector<std::pair<PbrLook, std::string>> named;
-  for (const PartsOfLook& of : all) {
+  std::vector<std::pair<PbrMaterial, std::string>> named;
+  for (const PartsOfMaterial& of : all) {
     const bool is_inside = !of.on_cut.empty();
-    std::string name = is_inside ? name_of(of.on_cut, most_inside, "inside", solid.part_names)
-                                 : name_of(of.on_skin, most_outside, "outside", solid.part_names);
+    std::string name = is_inside ? name_of(of.on_cut, max_inside, "inside", solid.part_names)
+                                 : name_of(of.on_skin, max_outside, "outside", solid.part_names);
     while (std::any_of(named.begin(), named.end(), [&](const auto& other) { return other.second == name; }))
       name += is_inside ? " cut" : " skin";
     named.emplace_back(of.look, std::move(name));
@@ -107,19 +108,21 @@ std::vector<std::pair<PbrLook, std::string>> named_looks(const Solid& solid) {
 
 }  // namespace
 
-std::vector<LookGroup> groups_by_look(const Solid& solid, const StyledMesh& mesh) {
-  const auto names = solid.materials.empty() ? std::vector<std::pair<PbrLook, std::string>>{} : named_looks(solid);
-  const auto name_of_look = [&](const PbrLook& look) {
+std::vector<MaterialGroup> groups_by_material(const Solid& solid, const StyledMesh& mesh) {
+  const auto names =
+      solid.materials.empty() ? std::vector<std::pair<PbrMaterial, std::string>>{} : named_materials(solid);
+  const auto name_of_material = [&](const PbrMaterial& look) {
     const auto at = std::find_if(names.begin(), names.end(), [&](const auto& named) { return named.first == look; });
     return at == names.end() ? std::string() : at->second;
   };
-  std::vector<LookGroup> groups;
+  std::vector<MaterialGroup> groups;
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-    const PbrLook look = solid.materials.empty()
-                             ? PbrLook{}
-                             : look_of(material_of(solid, mesh.part[mesh.triangle[t].x]), mesh.cut_face[t] >= 0);
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const LookGroup& known) { return known.look == look; });
-    if (group == groups.end()) group = groups.insert(groups.end(), LookGroup{look, name_of_look(look), {}, {}});
+    const PbrMaterial look = solid.materials.empty()
+                                 ? PbrMaterial{}
+                                 : look_of(material_of(solid, mesh.part[mesh.triangle[t].x]), mesh.cut_face[t] >= 0);
+    auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const MaterialGroup& known) { return known.look == look; });
+    if (group == groups.end()) group = groups.insert(groups.end(), MaterialGroup{look, name_of_material(look), {}, {}});
     group->face.push_back(static_cast<std::int32_t>(t));
     group->triangle.push_back(mesh.triangle[t]);
   }

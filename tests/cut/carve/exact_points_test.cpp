@@ -1,4 +1,4 @@
-#include "generator/cut/carve/exact_places.h"
+#include "generator/cut/carve/exact_points.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ using testing::ElementsAre;
 using Way = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Twice the area of a facet's triangles, as a vector: exact where all coordinates are small multiples of powers of 2.
-glm::dvec3 area_of(const FacetMesh& mesh, const ExactPlaces& places) {
+glm::dvec3 area_of(const FacetMesh& mesh, const ExactPoints& places) {
   glm::dvec3 sum(0);
   for (const auto& t : mesh.triangle)
     sum += glm::cross(places.at(t[1]) - places.at(t[0]), places.at(t[2]) - places.at(t[0]));
@@ -34,7 +34,7 @@ std::set<Way> edges_of(const FacetMesh& mesh) {
 }
 
 /// All triangles look where the facet looks, meet edge to edge, and end at its border; chains run along their edges.
-void expect_cover(const PatchedFacet& facet, const FacetMesh& mesh, const ExactPlaces& places) {
+void expect_cover(const PatchedFacet& facet, const FacetMesh& mesh, const ExactPoints& places) {
   const auto [a, b, c] = facet.corner;
   const glm::dvec3 normal = glm::cross(places.at(b) - places.at(a), places.at(c) - places.at(a));
   EXPECT_EQ(area_of(mesh, places), normal);
@@ -56,12 +56,12 @@ void expect_cover(const PatchedFacet& facet, const FacetMesh& mesh, const ExactP
 }
 
 /// A triangle in the plane x + y + z = 16, as first places.
-PatchedFacet large_facet(ExactPlaces& places) {
+PatchedFacet large_facet(ExactPoints& places) {
   return {{places.number_of({16, 0, 0}), places.number_of({0, 16, 0}), places.number_of({0, 0, 16})}, {}, {}};
 }
 
-TEST(ExactPlaces, GivesEachPlaceOneNumber) {
-  ExactPlaces places;
+TEST(ExactPoints, GivesEachPlaceOneNumber) {
+  ExactPoints places;
   const std::uint32_t first = places.number_of({0.1, 0, 3});
   EXPECT_EQ(places.number_of({0.1, -0.0, 3}), first);
   EXPECT_NE(places.number_of({0.1, 1e-300, 3}), first);
@@ -69,8 +69,8 @@ TEST(ExactPlaces, GivesEachPlaceOneNumber) {
   EXPECT_EQ(places.at(first), glm::dvec3(0.1, 0, 3));
 }
 
-TEST(ExactPlaces, AppendsWhetherOrNotSomethingLiesThere) {
-  ExactPlaces places;
+TEST(ExactPoints, AppendsWhetherOrNotSomethingLiesThere) {
+  ExactPoints places;
   places.append({1, 2, 3});
   places.append({1, 2, 3});
   places.append({4, 5, 6}, false);
@@ -79,43 +79,43 @@ TEST(ExactPlaces, AppendsWhetherOrNotSomethingLiesThere) {
   EXPECT_EQ(places.number_of({4, 5, 6}), 3u) << "what is not in use is not found";
 }
 
-TEST(ExactPlaces, FindsWhatWasAppendedWithAZeroOfTheOtherSign) {
-  ExactPlaces places;
+TEST(ExactPoints, FindsWhatWasAppendedWithAZeroOfTheOtherSign) {
+  ExactPoints places;
   places.append({-0.0, 1, 2});
   EXPECT_EQ(places.number_of({0, 1, 2}), 0u);
 }
 
-TEST(ExactPlaces, MeetsAtOnePlaceByManyWays) {
+TEST(ExactPoints, MeetsAtOnePlaceByManyWays) {
   // The way up from (1, 1) through a plane that rises by a third per step: 1/3 and 2/3 have no doubles.
-  ExactPlaces places;
+  ExactPoints places;
   const std::uint32_t p = places.number_of({1, 1, 0}), q = places.number_of({1, 1, 2}),
                       far = places.number_of({1, 1, 7});
   const std::uint32_t a = places.number_of({0, 0, 0}), b = places.number_of({3, 0, 1}), c = places.number_of({0, 3, 1}),
                       d = places.number_of({3, 3, 2});
-  const std::uint32_t there = places.meeting(p, q, {a, b, c});
+  const std::uint32_t there = places.intersection(p, q, {a, b, c});
   EXPECT_EQ(there, places.count() - 1);
   EXPECT_EQ(places.at(there), glm::dvec3(1, 1, 2.0 / 3));
-  EXPECT_EQ(places.meeting(q, p, {a, b, c}), there);
-  EXPECT_EQ(places.meeting(p, far, {c, a, b}), there);
-  EXPECT_EQ(places.meeting(far, q, {d, c, b}), there) << "the line counts, and the plane";
+  EXPECT_EQ(places.intersection(q, p, {a, b, c}), there);
+  EXPECT_EQ(places.intersection(p, far, {c, a, b}), there);
+  EXPECT_EQ(places.intersection(far, q, {d, c, b}), there) << "the line counts, and the plane";
   // Across, the same place.
-  EXPECT_EQ(places.meeting(places.number_of({0, 0, 0}), d, {p, q, places.number_of({5, -3, 0})}), there);
+  EXPECT_EQ(places.intersection(places.number_of({0, 0, 0}), d, {p, q, places.number_of({5, -3, 0})}), there);
   // A double next to it is another place, though it rounds to the same.
   const std::uint32_t rounded = places.number_of({1, 1, 2.0 / 3});
   EXPECT_NE(rounded, there);
   EXPECT_EQ(places.at(rounded), places.at(there));
 }
 
-TEST(ExactPlaces, MeetsAtAnEndThatLiesInThePlane) {
-  ExactPlaces places;
+TEST(ExactPoints, MeetsAtAnEndThatLiesInThePlane) {
+  ExactPoints places;
   const std::uint32_t p = places.number_of({0.1, 0.7, 0}), q = places.number_of({0.3, 0.2, 1});
   const std::uint32_t a = places.number_of({0, 0, 0}), b = places.number_of({1, 0, 0}), c = places.number_of({0, 1, 0});
-  EXPECT_EQ(places.meeting(p, q, {a, b, c}), p);
-  EXPECT_EQ(places.meeting(q, p, {a, b, c}), p);
+  EXPECT_EQ(places.intersection(p, q, {a, b, c}), p);
+  EXPECT_EQ(places.intersection(q, p, {a, b, c}), p);
 }
 
-TEST(ExactPlaces, TriangulatesAFacetAlone) {
-  ExactPlaces places;
+TEST(ExactPoints, TriangulatesAFacetAlone) {
+  ExactPoints places;
   for (const auto& turned : {std::array{0, 1, 2}, {1, 2, 0}, {0, 2, 1}}) {
     const std::array<std::uint32_t, 3> corner = large_facet(places).corner;
     PatchedFacet facet;
@@ -126,8 +126,8 @@ TEST(ExactPlaces, TriangulatesAFacetAlone) {
   }
 }
 
-TEST(ExactPlaces, NamesACrossingOfSegments) {
-  ExactPlaces places;
+TEST(ExactPoints, NamesACrossingOfSegments) {
+  ExactPoints places;
   PatchedFacet facet = large_facet(places);
   const std::uint32_t west = places.number_of({8, 0, 8}), east = places.number_of({4, 12, 0}),
                       south = places.number_of({12, 0, 4}), north = places.number_of({0, 12, 4});
@@ -148,8 +148,8 @@ TEST(ExactPlaces, NamesACrossingOfSegments) {
   EXPECT_THAT(mesh.chain[2], ElementsAre(facet.corner[2], west, south, facet.corner[0]));
 }
 
-TEST(ExactPlaces, KeepsSegmentsThatOverlapOrFollowAnEdge) {
-  ExactPlaces places;
+TEST(ExactPoints, KeepsSegmentsThatOverlapOrFollowAnEdge) {
+  ExactPoints places;
   PatchedFacet facet = large_facet(places);
   const auto on_line = [&](double s) { return places.number_of({16 - 2 * s, s, s}); };
   const std::uint32_t a = on_line(2), b = on_line(3), c = on_line(4), d = on_line(6);
@@ -165,8 +165,8 @@ TEST(ExactPlaces, KeepsSegmentsThatOverlapOrFollowAnEdge) {
   EXPECT_THAT(mesh.chain[0], ElementsAre(facet.corner[0], low, high, facet.corner[1]));
 }
 
-TEST(ExactPlaces, GivesEachOfTwoOppositeSegmentsItsOwnDirection) {
-  ExactPlaces places;
+TEST(ExactPoints, GivesEachOfTwoOppositeSegmentsItsOwnDirection) {
+  ExactPoints places;
   PatchedFacet facet = large_facet(places);
   const std::uint32_t a = places.number_of({8, 4, 4}), b = places.number_of({4, 8, 4}),
                       on = places.number_of({6, 6, 4});
@@ -178,9 +178,9 @@ TEST(ExactPlaces, GivesEachOfTwoOppositeSegmentsItsOwnDirection) {
   EXPECT_THAT(mesh.chain[5], ElementsAre(on, b));
 }
 
-TEST(ExactPlaces, CoversFacetsFullOfSegments) {
+TEST(ExactPoints, CoversFacetsFullOfSegments) {
   // A fan from the middle of one edge and another from a corner, which cross each other at places with no doubles.
-  ExactPlaces places;
+  ExactPoints places;
   PatchedFacet facet = large_facet(places);
   const std::uint32_t middle = places.number_of({8, 8, 0});
   for (int i = 1; i < 8; ++i) {
@@ -204,9 +204,9 @@ TEST(ExactPlaces, CoversFacetsFullOfSegments) {
   EXPECT_GT(vertices.size(), 30u);
 }
 
-TEST(ExactPlaces, GivesTheSameCrossingToBothFacetsThatShareIt) {
+TEST(ExactPoints, GivesTheSameCrossingToBothFacetsThatShareIt) {
   // The same two segments in a facet and in a larger one of the same plane, turned the other way.
-  ExactPlaces places;
+  ExactPoints places;
   PatchedFacet facet = large_facet(places);
   facet.segments = {{places.number_of({8, 0, 8}), places.number_of({3, 13, 0})},
                     {places.number_of({0, 11, 5}), places.number_of({13, 0, 3})}};
@@ -218,8 +218,8 @@ TEST(ExactPlaces, GivesTheSameCrossingToBothFacetsThatShareIt) {
   EXPECT_EQ(places.triangulated(larger).chain[3][1], crossing);
 }
 
-TEST(ExactPlaces, HasNoTrianglesForFacetsWithoutArea) {
-  ExactPlaces places;
+TEST(ExactPoints, HasNoTrianglesForFacetsWithoutArea) {
+  ExactPoints places;
   const std::uint32_t a = places.number_of({0, 0, 0}), b = places.number_of({3, 3, 3}), c = places.number_of({1, 1, 1}),
                       on = places.number_of({2, 2, 2});
   const FacetMesh mesh = places.triangulated({{a, b, c}, {on}, {{on, a}, {c, c}}});

@@ -26,12 +26,12 @@ struct FacetMesh {
 };
 
 /// Numbered points, each stored once: a point that is constructed in two ways has one number.
-class ExactPlaces {
+class ExactPoints {
  public:
-  ExactPlaces();
-  ~ExactPlaces();
-  ExactPlaces(const ExactPlaces&) = delete;
-  ExactPlaces& operator=(const ExactPlaces&) = delete;
+  ExactPoints();
+  ~ExactPoints();
+  ExactPoints(const ExactPoints&) = delete;
+  ExactPoints& operator=(const ExactPoints&) = delete;
 
   /// Adds a point with the next number, even if there is an equal point. `known` is false for numbers that are not
   /// used.
@@ -40,7 +40,7 @@ class ExactPlaces {
   std::uint32_t number_of(const glm::dvec3& place);
 
   /// The intersection of the line through p and q with the plane of a triangle. They must not be parallel.
-  std::uint32_t meeting(std::uint32_t p, std::uint32_t q, const std::array<std::uint32_t, 3>& triangle);
+  std::uint32_t intersection(std::uint32_t p, std::uint32_t q, const std::array<std::uint32_t, 3>& triangle);
 
   /// The constrained Delaunay triangulation, projected along the axis that is nearest to the facet's normal. Makes new
   /// points where segments cross. Returns no triangles for a facet of area 0.

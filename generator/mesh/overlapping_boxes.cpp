@@ -1,4 +1,4 @@
-#include "generator/mesh/meeting_boxes.h"
+#include "generator/mesh/overlapping_boxes.h"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +34,7 @@ struct Leaf {
   }
 
   /// Which of its boxes meet this one, as 0 or 1.
-  std::array<std::uint32_t, size> meeting(const Box<T>& other) const {
+  std::array<std::uint32_t, size> intersection(const Box<T>& other) const {
     std::array<std::uint32_t, size> meets{};
     for (std::size_t i = 0; i < size; ++i) {
       meets[i] = static_cast<std::uint32_t>(low[0][i] <= other.high.x) &
@@ -91,9 +91,9 @@ struct BoxTree {
 /// Meets the boxes of two trees, which may be one, and calls found(index of one, index of other) for each pair, until
 /// it returns false. So do the functions here.
 template <typename T, typename Found>
-class Meetings {
+class Intersections {
  public:
-  Meetings(const BoxTree<T>& one, const BoxTree<T>& other, const Found& found)
+  Intersections(const BoxTree<T>& one, const BoxTree<T>& other, const Found& found)
       : one_(one), other_(other), found_(found) {}
 
   /// Nodes of different trees, or different nodes of one tree.
@@ -117,14 +117,14 @@ class Meetings {
   bool leaves(const Leaf<T>& a, const Leaf<T>& b) const {
     for (std::size_t i = 0; i < a.count; ++i) {
       const Box<T> box = a.box_at(i);
-      if (box.meets(b.box) && !add(a.index[i], b, b.meeting(box), 0)) return false;
+      if (box.meets(b.box) && !add(a.index[i], b, b.intersection(box), 0)) return false;
     }
     return true;
   }
 
   bool inside(const Leaf<T>& leaf) const {
     for (std::size_t i = 0; i < leaf.count; ++i)
-      if (!add(leaf.index[i], leaf, leaf.meeting(leaf.box_at(i)), i + 1)) return false;
+      if (!add(leaf.index[i], leaf, leaf.intersection(leaf.box_at(i)), i + 1)) return false;
     return true;
   }
 
@@ -142,30 +142,30 @@ class Meetings {
 
 }  // namespace
 
-void visit_meeting_boxes(const std::vector<Box<float>>& boxes,
-                         const std::function<bool(std::uint32_t, std::uint32_t)>& visit) {
+void visit_overlapping_boxes(const std::vector<Box<float>>& boxes,
+                             const std::function<bool(std::uint32_t, std::uint32_t)>& visit) {
   const BoxTree<float> tree(boxes);
   const auto found = [&](std::uint32_t i, std::uint32_t j) { return visit(std::min(i, j), std::max(i, j)); };
-  if (!tree.node.empty()) Meetings(tree, tree, found).within(0);
+  if (!tree.node.empty()) Intersections(tree, tree, found).within(0);
 }
 
-std::vector<BoxPair> meeting_boxes(const std::vector<Box<float>>& boxes) {
+std::vector<BoxPair> overlapping_boxes(const std::vector<Box<float>>& boxes) {
   std::vector<BoxPair> pairs;
-  visit_meeting_boxes(boxes, [&](std::uint32_t i, std::uint32_t j) {
+  visit_overlapping_boxes(boxes, [&](std::uint32_t i, std::uint32_t j) {
     pairs.emplace_back(i, j);
     return true;
   });
   return pairs;
 }
 
-std::vector<BoxPair> meeting_boxes(const std::vector<Box<double>>& one, const std::vector<Box<double>>& other) {
+std::vector<BoxPair> overlapping_boxes(const std::vector<Box<double>>& one, const std::vector<Box<double>>& other) {
   std::vector<BoxPair> pairs;
   const BoxTree<double> a(one), b(other);
   const auto found = [&](std::uint32_t i, std::uint32_t j) {
     pairs.emplace_back(i, j);
     return true;
   };
-  if (!a.node.empty() && !b.node.empty()) Meetings(a, b, found).between(0, 0);
+  if (!a.node.empty() && !b.node.empty()) Intersections(a, b, found).between(0, 0);
   return pairs;
 }
 

@@ -1,4 +1,4 @@
-#include "generator/cut/carve/meetings.h"
+#include "generator/cut/carve/intersections.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ std::vector<Corners> whole_triangles(std::uint64_t first) {
   return all;
 }
 
-TEST(Meetings, AreThoseOfAKnifeThatHasMoved) {
+TEST(Intersections, AreThoseOfAKnifeThatHasMoved) {
   const std::vector<Corners> fruit = whole_triangles(0), knife = whole_triangles(100'000);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wanted, found;
   for (std::uint32_t f = 0; f < fruit.size(); ++f) {
@@ -64,18 +64,18 @@ TEST(Meetings, AreThoseOfAKnifeThatHasMoved) {
       if (count == 2) wanted.emplace_back(f, k);
     }
   }
-  for (const Meeting& m : meetings(fruit, knife)) found.emplace_back(m.fruit, m.knife);
+  for (const Intersection& m : intersections(fruit, knife)) found.emplace_back(m.fruit, m.knife);
   EXPECT_EQ(found, wanted);
   EXPECT_GT(found.size(), 300u);
 }
 
-TEST(Meetings, RunWithTheFrontOfTheFruitOnTheirLeft) {
+TEST(Intersections, RunWithTheFrontOfTheFruitOnTheirLeft) {
   // In the plane of x and z, and the one of x and y; seen from outside the knife, +y, the fruit's front is at -z.
   const std::vector<Corners> fruit = {{{{0, -1, 0}, {0, 1, 0}, {4, 0, 0}}}};
   ASSERT_LT(glm::cross(fruit[0][1] - fruit[0][0], fruit[0][2] - fruit[0][0]).z, 0);
   const std::vector<Corners> knife = {{{{1, 0, -1}, {1, 0, 1}, {5, 0, 0}}}};
   ASSERT_GT(glm::cross(knife[0][1] - knife[0][0], knife[0][2] - knife[0][0]).y, 0);
-  const std::vector<Meeting> found = meetings(fruit, knife);
+  const std::vector<Intersection> found = intersections(fruit, knife);
   ASSERT_EQ(found.size(), 1u);
   // Who looks down with -z on his left goes to +x: from the knife's edge at x = 1, the way to the fruit's tip at 4.
   EXPECT_FALSE(found[0].from.of_fruit);
@@ -85,11 +85,11 @@ TEST(Meetings, RunWithTheFrontOfTheFruitOnTheirLeft) {
 
 /// An edge that passes through a triangle does so for both triangles at it: a meeting of the one ends where one of the
 /// other begins. So on closed surfaces meetings form closed ways.
-TEST(Meetings, GoOnFromTriangleToTriangle) {
+TEST(Intersections, GoOnFromTriangleToTriangle) {
   using End = std::tuple<bool, std::array<double, 6>, std::uint32_t>;  // kind of edge, its ends, the triangle it passes
   for (const shapes::FruitAndKnife& pair : shapes::fruits_and_knives()) {
     std::map<End, int> balance;
-    const auto end_of = [&](const Crossing& c, const Meeting& m) {
+    const auto end_of = [&](const Crossing& c, const Intersection& m) {
       const Corners& t = c.of_fruit ? pair.fruit[m.fruit] : pair.knife[m.knife];
       const glm::dvec3 &p = t[c.edge], &q = t[(c.edge + 1u) % 3];
       std::array<double, 6> ends{p.x, p.y, p.z, q.x, q.y, q.z};
@@ -97,9 +97,9 @@ TEST(Meetings, GoOnFromTriangleToTriangle) {
         std::rotate(ends.begin(), ends.begin() + 3, ends.end());
       return End(c.of_fruit, ends, c.of_fruit ? m.knife : m.fruit);
     };
-    const std::vector<Meeting> found = meetings(pair.fruit, pair.knife);
+    const std::vector<Intersection> found = intersections(pair.fruit, pair.knife);
     EXPECT_GT(found.size(), 2u);
-    for (const Meeting& m : found) {
+    for (const Intersection& m : found) {
       ++balance[end_of(m.from, m)];
       --balance[end_of(m.to, m)];
     }
