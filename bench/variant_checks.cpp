@@ -9,6 +9,7 @@
 #include "generator/surface/shells.h"
 #include "generator/surface/sweep/sweep.h"
 #include "generator/template/unpainted.h"
+#include "generator/variation/vary.h"
 
 namespace pomona::bench {
 

@@ -13,6 +13,7 @@
 #include "generator/variation/ripen.h"
 #include "generator/variation/scaled.h"
 #include "generator/variation/species_key.h"
+#include "generator/variation/vary.h"
 
 namespace pomona {
 

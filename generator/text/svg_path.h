@@ -14,12 +14,12 @@ namespace pomona {
 
 struct SvgPathOptions {
   double unit = 1e-3;               ///< metres per SVG unit
-  double tolerance = 1e-5;          ///< metres a chord may stray from its curve: a tenth of a fine pen's line
+  double tolerance = 1e-5;          ///< largest distance of a chord from its curve, metres: a tenth of a fine line
   std::size_t most_points = 65536;  ///< in all subpaths together
   SvgTransform transform = {};      ///< of the path's coordinates, before all else
 };
 
-/// What is wrong with path data, and what to do about it; the place is known to whoever holds the text.
+/// An error in path data, and a hint. The caller adds the place.
 struct BadPath : std::runtime_error {
   BadPath(const std::string& message, std::string remedy) : std::runtime_error(message), hint(std::move(remedy)) {}
   std::string hint;

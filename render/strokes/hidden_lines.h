@@ -15,10 +15,10 @@ struct RunPoint {
   glm::dvec3 own{0};  ///< in the fruit's own frame, metres
   glm::dvec2 outwards{0};
   double opacity = 1;
-  double heft = 1;  ///< times the pen's width: most where another thing or the ground lies behind
+  double heft = 1;  ///< factor of the pen's width: largest where another object or the ground is behind
 };
 
-/// A stretch, its points about a pixel apart.
+/// A visible run, with points about a pixel apart.
 struct VisibleRun {
   std::vector<RunPoint> points;
   bool closed = false;
@@ -27,19 +27,20 @@ struct VisibleRun {
 };
 
 struct VisibilityOptions {
-  double gap = 4;    ///< pixels: shorter hidden stretches between visible ones are seen, too
-  double least = 4;  ///< pixels: shorter runs are dropped
+  double gap = 4;    ///< shorter hidden runs between visible ones count as visible, pixels
+  double least = 4;  ///< shorter visible runs are dropped, pixels
 };
 
-/// A contour is seen where nothing nearer lies a pixel outside of it; another line, where it lies on the nearest
-/// surface on it or beside it.
+/// A contour is visible where nothing nearer lies a pixel outside of it; another line is visible where its own surface
+/// is the nearest, on the line or beside it.
 std::vector<VisibleRun> visible_runs(std::span<const ObjectLine> lines, const IdentityBuffer& buffer, const Lens& lens,
                                      const VisibilityOptions& options = {});
 
-/// The stretches of a line for which `keep` is set, one entry per point; the line itself where it is set everywhere.
+/// The runs of a line where `keep` is set (one entry per point); the line itself if it is set everywhere.
 std::vector<VisibleRun> kept_stretches(const VisibleRun& line, const std::vector<std::uint8_t>& keep);
 
-/// Turns stretches of less than `least` points that are not `value` to it, where they lie between such that are.
+/// Sets to `value` all runs of fewer than `least` points with another value, if they lie between points with this
+/// value.
 void close_gaps(std::vector<std::uint8_t>& flags, std::uint8_t value, double least, bool closed);
 
 }  // namespace pomona

@@ -14,8 +14,8 @@
 
 namespace pomona {
 
-/// Connected triangles laid flat without lying on each other: a part of a flat cut face as it is, or a region of skin
-/// or of a curved cut face with little stretch. As seen from the air, x to the right and y down.
+/// Connected triangles, flattened without overlaps: a part of a flat cut face, unchanged; or a region of skin or of a
+/// curved cut face, with little stretch. Seen from the air, x to the right and y down.
 struct Chart {
   std::int32_t cut_face = -1;            ///< -1: skin
   std::vector<std::uint32_t> triangles;  ///< of the solid
@@ -24,7 +24,7 @@ struct Chart {
   glm::dvec2 size{0};                    ///< the greatest x and y
   Stretch stretch;
 
-  /// Where a flat cut face lies: directions in space of +x and of -y, and how far x = 0 and y = 0 lie along them.
+  /// The frame of a flat cut face: the directions of +x and -y in space, and the offsets of x = 0 and y = 0 along them.
   struct Frame {
     glm::dvec3 right{1, 0, 0}, up{0, 1, 0};
     glm::dvec2 origin{0};

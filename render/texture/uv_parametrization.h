@@ -16,9 +16,9 @@ struct Patch3 {
   std::vector<glm::uvec3> triangle;
 };
 
-/// How lengths change on the way to the plane: of the two principal stretches s >= t of each triangle (1 where
-/// nothing changes) the mean of max(s, 1 / t), by area, and the worst. Triangles narrower than a
-/// ten-thousandth of the patch are left out: less than a texel of any texture, they show nothing.
+/// The change of lengths by flattening. Each triangle has two principal stretches s >= t (1 = no change); this is the
+/// mean of max(s, 1 / t), weighted by area, and the worst. Triangles narrower than a ten-thousandth of the patch are
+/// ignored: they are smaller than a texel of any texture.
 struct Stretch {
   double mean = 1;
   double worst = 1;
@@ -26,12 +26,12 @@ struct Stretch {
 };
 Stretch stretch_of(const Patch3& patch, std::span<const glm::dvec2> flat);
 
-/// A place in the plane for each point, starting from `projected` (every triangle counter-clockwise), moved so that
-/// every triangle keeps its shape and size as nearly as it can: as-rigid-as-possible [Liu et al. 2008], by
-/// successive over-relaxation in a fixed order. No triangle turns over.
+/// A position in the plane for each point. It starts from `projected` (every triangle counter-clockwise), and moves
+/// points so that every triangle keeps its shape and size as well as possible: as-rigid-as-possible [Liu et al. 2008],
+/// by successive over-relaxation in a fixed order. No triangle turns over.
 std::vector<glm::dvec2> relaxed(const Patch3& patch, std::vector<glm::dvec2> projected);
 
-/// Triangles that lie, in the plane, on another one they share no corner with.
+/// The triangles that overlap, in the plane, another triangle with which they share no corner.
 std::vector<std::uint32_t> overlapping(std::span<const glm::uvec3> triangles, std::span<const glm::dvec2> flat);
 
 }  // namespace pomona

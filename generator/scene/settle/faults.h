@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/scene/settle/fit_check.h"
 #include "generator/scene/settle/settle_options.h"
 
 namespace pomona {
