@@ -64,7 +64,7 @@ struct BatchDescription {
   std::vector<BatchEntry> entries;
 };
 
-/// \throws Error (bad_data) with all that is wrong, unknown keys included, ordered by position.
+/// \throws Error (bad_data) with all errors, also unknown keys, ordered by position.
 BatchDescription parse_batch(std::string_view toml, const std::string& file);
 
 /// The same from disk. \throws Error (input_missing) if it cannot be read.

@@ -33,10 +33,10 @@ namespace pomona {
 
 namespace {
 
-/// What a knife does not see, and what it does.
+/// A fruit without the bodies that the knife does not cut, and these bodies.
 struct HeldBack {
-  CutFruit fruit;                         ///< without them
-  std::vector<SurfaceTriangle> triangle;  ///< theirs, in the cells they go to
+  CutFruit fruit;                         ///< without these bodies
+  std::vector<SurfaceTriangle> triangle;  ///< of these bodies, in the cells to which they go
 };
 
 constexpr std::uint32_t unset = 0xffffffffu;
@@ -76,9 +76,9 @@ bool goes_inside(const TriangleTree& body, const TriangleTree& skin, const Trian
   return sunk > 0 ? sunk_inside > 0.5 * sunk : all_inside > 0.5 * all;
 }
 
-/// Takes the bodies that stick out of the fruit out of a knife's way, but those that others have cut. Each goes inside
-/// the knife or stays outside of it, as most of it does that is sunk in the fruit: what it sits on.
-/// \param stride what lies inside is in the cell with a number that is greater by this.
+/// Takes out the bodies that stick out of the fruit, except those that other knives have cut. A body goes to the inside
+/// or the outside of the knife, wherever the larger share of its part inside the fruit lies. \param stride the number
+/// of a cell inside the knife is larger by this.
 HeldBack held_back(CutFruit fruit, const ClosedSurface& knife, std::uint32_t stride, const DiffusionSurfaces& surfaces,
                    const Bodies& bodies) {
   const SkinDepth depth(surfaces);
@@ -105,7 +105,7 @@ HeldBack held_back(CutFruit fruit, const ClosedSurface& knife, std::uint32_t str
   return held;
 }
 
-/// What `work` returns; the observer, if there is one, is told how long it took.
+/// Does the work and returns its result. Reports its time to the observer, if there is one.
 template <typename Work>
 auto watched(CutObserver* observer, std::string_view stage, Work&& work) {
   const StopWatch watch;

@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// A piece before its cut faces have colours: which skin it keeps, and which triangles of the section.
+/// A piece before its cut faces have colours: its part of the skin, and its triangles of the section.
 /// Vertices lie exactly where those of the section lie, so the piece closes by position.
 struct CutPiece {
   // Skin and cavity walls, clipped. Triangles face air. Colours, parts are those of the hidden (air) side.
@@ -18,17 +18,17 @@ struct CutPiece {
   std::vector<glm::vec3> normal;  ///< smooth, pointing to air
   std::vector<Color> color;
   std::vector<std::int32_t> part;   ///< per vertex; index into CrossSection::part_names
-  std::vector<std::uint8_t> bared;  ///< per vertex: 1 on the wall of what knives went around: as new to air as a face
+  std::vector<std::uint8_t> bared;  ///< per vertex: 1 on the wall of a spared part: freshly exposed, as a cut face is
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> surface;  ///< per triangle
 
   struct CapTriangle {
     std::uint32_t triangle = 0;  ///< of the section
-    bool reversed = false;       ///< the piece lies on the positive side: it faces against the face's normal
+    bool reversed = false;       ///< the piece lies on the positive side, so that its triangle faces against the normal
   };
   std::vector<CapTriangle> caps;
 
-  double volume = 0;  ///< cubic metres, bodies summed
+  double volume = 0;  ///< cubic metres, the sum over bodies
   bool closed = true;
   bool crumb = false;
 };

@@ -22,10 +22,10 @@ namespace {
 
 class PairNumbers {
  public:
-  /// First indices lie below `firsts`.
+  /// \param firsts all first indices are below this.
   explicit PairNumbers(std::size_t firsts) : latest_(firsts, none) {}
 
-  /// The pair's number, and whether it is new: then it is the one given here.
+  /// The pair's number, and whether the pair is new. A new pair gets `number`.
   std::pair<std::uint32_t, bool> try_emplace(std::uint32_t first, std::uint32_t second, std::uint32_t number) {
     for (std::uint32_t e = latest_[first]; e != none; e = entry_[e].before) {
       if (entry_[e].second == second) return {entry_[e].number, false};

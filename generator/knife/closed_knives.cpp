@@ -110,10 +110,10 @@ class BiteShape {
   double tooth_share_;
 };
 
-/// A bite of this width (metres) about the origin: +Y goes into the fruit, +Z is up. Two rows of teeth have left their
-/// grooves, those above broader than those below; each row fans out from beyond the middle, and the rows
-/// meet in a ridge. No tooth is quite like the next, but the same width always has the same teeth. It is four fifths as
-/// high as wide, and as deep. The surface is closed, and every ray from the origin meets it once.
+/// A bite around the origin: +Y points into the fruit, +Z is up. Its height and its depth are four fifths of its width.
+/// Two rows of teeth have left grooves; the upper ones are broader. Each row fans out from a point beyond the middle,
+/// and the rows meet in a ridge. No two teeth are equal, but the same width always gives the same teeth. The surface is
+/// closed, and every ray from the origin meets it once. \param width metres
 ClosedSurface bite_marks(double width) {
   // Triangles fine enough for the edges between teeth, as long as these are a 15th of the width or more.
   const double cell = std::max(6e-4, width / 120), radius = 0.5 * width;

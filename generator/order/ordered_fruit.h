@@ -36,7 +36,7 @@ OrderedFruit fruit_of_surfaces(const std::filesystem::path& file, const Order& o
 
 /// Cuts the fruit as ordered; without knives its whole bodies come out. The solids keep what coloured their cut faces
 /// where the order wants textures. What is wrong with the fruit is told of its file.
-/// \param diffuser none where nobody looks at cut faces: they keep the colours of their rims.
+/// \param diffuser null if cut faces are not visible: they keep the colours of their rims.
 /// \throws Error as slice(), and (usage) if there is no piece of the number that was ordered.
 Slices cut_to_order(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser);
 

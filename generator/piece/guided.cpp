@@ -27,13 +27,13 @@ struct CutDetail {
   int number = 0;
 };
 
-/// Equal positions once: what is measured and diffused.
+/// Points to be measured and diffused; equal positions are stored once.
 struct GuidePlaces {
   std::vector<glm::vec3> position;
   std::vector<std::uint32_t> of_vertex;
 };
 
-/// Some of the places, and where each is found among all.
+/// Some of the points, and the index of each among all.
 struct ChosenPlaces {
   std::vector<glm::vec3> position;
   std::vector<std::size_t> place;
@@ -53,7 +53,7 @@ std::vector<std::uint8_t> with_neighbours(std::vector<std::uint8_t> counts, cons
   return counts;
 }
 
-/// Those that count, in the template's order.
+/// The details that have an effect, in the template's order.
 std::vector<CutDetail> cut_details(const Template& fruit) {
   std::vector<CutDetail> details;
   for (const DetailSketch& detail : fruit.details) {
@@ -74,9 +74,8 @@ GuidePlaces guide_places(const std::vector<glm::vec3>& vertices) {
   return places;
 }
 
-/// For each place 1 where any of the details may count, by the parts that vertices have there; and up to three
-/// triangles away, because pictures blend the guides of a triangle's corners, and those of triangles that meet in a
-/// pixel.
+/// For each point: 1 where any of the details may have an effect, by the parts of the vertices there; also up to three
+/// triangles away, because pictures blend the guides of a triangle's corners, and those of all triangles in a pixel.
 std::vector<std::uint8_t> places_by_part(const CrossSection& section, const std::vector<CutDetail>& details,
                                          const GuidePlaces& places) {
   std::vector<std::uint8_t> counts(places.position.size(), 0);
@@ -90,7 +89,7 @@ std::vector<std::uint8_t> places_by_part(const CrossSection& section, const std:
   return with_neighbours(std::move(counts), section, places);
 }
 
-/// Likewise where one of the details has a share in a vertex's guide.
+/// The same where one of the details has a share in a vertex's guide.
 std::vector<std::uint8_t> places_by_share(const CrossSection& section, const std::vector<CutDetail>& details,
                                           const GuidePlaces& places) {
   std::vector<std::uint8_t> counts(places.position.size(), 0);

@@ -29,7 +29,7 @@ struct Solid {
   std::vector<glm::vec3> normal;
   std::vector<Color> color;        ///< linear, before style
   std::vector<std::int32_t> part;  ///< index into part_names
-  std::vector<DetailGuide> guide;  ///< empty where no detail asks for it
+  std::vector<DetailGuide> guide;  ///< per vertex; empty if no detail needs it
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> cut_face;  ///< per triangle: index of the cut face, -1 on skin and cavity walls
   std::vector<std::int32_t> surface;   ///< per triangle: surface for skin, -1 on cut faces; for ink

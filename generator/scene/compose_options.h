@@ -16,17 +16,17 @@ namespace pomona {
 struct ComposeOptions {
   /// The file behind a template's name. Paths are tried beside the scene file first.
   std::function<std::filesystem::path(const std::string& name)> find_template;
-  double variation = 1;      ///< times that of every entry
+  double variation = 1;      ///< factor of the variation of every entry
   bool curves_only = false;  ///< see VariationOptions
   double detail = 1;         ///< see SweepOptions
   CutOptions cut = coarse_cut;
-  bool keep_section_colors = false;  ///< for textures: every solid knows what coloured its cut faces
+  bool keep_section_colors = false;  ///< for textures: every solid keeps its SectionColors
   Threads threads{};
-  /// Where nobody needs the whole scene at once: takes the solids as they come, those of some variants at a time, in
-  /// the scene's order, the dishes last. Of these the scene then keeps without_looks() alone. Called by another thread
-  /// while the next are made, one call at a time.
+  /// If set, it receives the solids while they are made, those of some variants at a time, in the scene's order, dishes
+  /// last. The scene then keeps only without_looks() of them, which needs less memory. Called from another thread while
+  /// the next solids are made, one call at a time.
   std::function<void(std::span<const Solid> solids)> take{};
-  /// Told from any thread, one call at a time, how many items of a stage are done.
+  /// Called from any thread, one call at a time, with a stage and how many of its items are done.
   std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress;
 };
 

@@ -24,14 +24,14 @@ namespace pomona {
 
 namespace {
 
-/// What cut() says of an entry's knives, as a mistake in the scene's file.
+/// An error of cut() about an entry's knives, with its place in the scene's file.
 Error at_entry(const PiecesDescription& pieces, const Error& error) {
   const Diagnostic& what = error.diagnostics().front();
   return {ExitStatus::bad_data, {{pieces.place, "pieces \"" + pieces.name + "\": " + what.message, what.hint}}};
 }
 
-/// Grows each entry's fruit as drawn, coarsely, and cuts it. \throws Error (bad_data) at the entry whose knives cannot
-/// be laid at its fruit, or whose fruit cannot be grown.
+/// Grows each entry's fruit as drawn, coarsely, and cuts it. \throws Error (bad_data) at the entry whose knives do not
+/// fit its fruit, or whose fruit cannot be grown.
 void check_cuts(const SceneDescription& scene, const std::vector<Template>& templates) {
   constexpr double coarse = 0.25;
   for (std::size_t entry = 0; entry < templates.size(); ++entry) {

@@ -31,7 +31,7 @@ glm::dvec2 read_two(const TomlValue& value, Within within) {
   return {parts[0].length(0, within), parts[1].length(0, within)};
 }
 
-/// The table `where` of an entry; what is wrong is noted in the document.
+/// The table `where` of an entry. Errors are noted in the document.
 PieceArrangement read_arrangement(const TomlTable& table) {
   // The order of the names is that of the kinds.
   static const std::vector<std::string> kinds{"heap", "rows", "grid", "scatter", "as-cut"};

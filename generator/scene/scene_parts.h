@@ -14,7 +14,7 @@
 
 namespace pomona {
 
-/// What was measured on the way, for --stats.
+/// Measurements for --stats.
 struct ComposeReport {
   std::vector<std::pair<std::string, double>> stages;  ///< milliseconds, summed over threads, in the road's order
   std::map<std::string, std::int64_t> counts;
@@ -27,8 +27,8 @@ struct ScenePlacedDish {
   std::string name;
   int solid = 0;        ///< index; dishes that are made alike share one
   Pose pose{};          ///< turned about the vertical alone
-  int part_of = -1;     ///< index of the dish that it stands in or on, whose pieces know it
-  bool turned = true;   ///< on the wheel
+  int part_of = -1;     ///< index of the dish in or on which it stands; -1 = none
+  bool turned = true;   ///< it is a solid of revolution
   SourcePlace place{};  ///< where it is described
 };
 

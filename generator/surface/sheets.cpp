@@ -74,9 +74,9 @@ class SheetDistances {
   std::vector<double> distance_;  ///< per welded vertex
 };
 
-/// Per vertex the distance a sheet moves along the normal, metres; equal at equal positions. It is the blur, but
-/// 0 at open rims and where boundary meets inner surface, and at most 0.4 of the radius of curvature on a side
-/// towards which a sheet moves, so that no sheet folds over itself.
+/// Per vertex the distance by which a sheet moves along the normal, metres; equal at equal positions. It is the blur,
+/// but 0 at open rims and where the boundary meets an inner surface. It is at most 0.4 times the radius of curvature on
+/// the side to which the sheet moves, so that no sheet folds over itself.
 std::vector<float> sheet_distances(const DiffusionSurfaces& surfaces, const std::vector<glm::vec3>& normals) {
   return SheetDistances(surfaces, normals).find();
 }

@@ -14,8 +14,8 @@ struct BendVariation {
   bool around = false;  ///< in all directions, not only along the drawn one
 };
 
-/// What nature varies in number. Nothing where a template does not ask for it: variants then have what is drawn, and
-/// the same triangles.
+/// The random numbers of an individual's parts. If a template does not ask for it, variants have what is drawn, and the
+/// same triangles.
 struct CountVariation {
   /// A number of folds, and how often it is seen among individuals.
   struct Folds {

@@ -7,8 +7,8 @@
 
 namespace pomona {
 
-/// A layer's swell at an azimuth is its loop's radius over the reference radius: what its vertical curve is scaled by
-/// there (less where roundness fades it). These are the swells at each azimuth.
+/// The swell of a layer at each azimuth: the radius of its loop divided by the reference radius. Its vertical curve is
+/// scaled by this factor (less where roundness reduces it).
 std::vector<double> swells(const Curve& loop, double reference, const std::vector<double>& azimuths);
 
 struct SwellRange {
@@ -16,24 +16,23 @@ struct SwellRange {
   double high = 1e9;
 };
 
-/// What keeps layer `a` from crossing layer `b`. In the half-plane of one azimuth both vertical curves are those of the
-/// drawing, moved along the radius alone, so they first touch where a corner of one meets the other at
-/// its own height. A variant keeps some way off such touches, or as far as the drawing does. Layers that
-/// cross as drawn do not hinder each other.
+/// The condition under which layer `a` does not cross layer `b`. In the half-plane of one azimuth, both vertical curves
+/// are those of the drawing, moved only along the radius. So they first touch where a corner of one meets the other at
+/// the same height. A variant keeps a distance from such touches, or that of the drawing if it is smaller. There is no
+/// condition for layers that cross in the drawing.
 class LayerGap {
  public:
   LayerGap() = default;
   LayerGap(const SurfaceSketch& a, const SurfaceSketch& b);
 
-  /// What the swell of `a` may be where `b` has this one.
+  /// The range of swells of `a` that is allowed where `b` has this swell.
   SwellRange room(double swell_b) const;
 
   /// The same with `a` and `b` exchanged.
   LayerGap inverted() const;
 
  private:
-  /// A height at which the curves touch when the swell of a over that of b comes to `ratio`, where of each layer's
-  /// swell only a share shows.
+  /// A height at which the curves may touch.
   struct Touch {
     double ratio = 1;
     double share_a = 1, share_b = 1;
@@ -41,11 +40,11 @@ class LayerGap {
 
   void leave_margin(const SurfaceSketch& a, const SurfaceSketch& b);
 
-  std::vector<Touch> above_;  ///< a must not swell more
-  std::vector<Touch> below_;  ///< a must not swell less
+  std::vector<Touch> above_;  ///< upper limits of the swell of a
+  std::vector<Touch> below_;  ///< lower limits of the swell of a
 };
 
-/// Area enclosed with the axis: how far out a layer lies among others that do not cross it. Square metres.
+/// The area between the curve and the axis, square metres. It sorts layers that do not cross from inside to outside.
 double area_to_axis(const Curve& vertical);
 
 /// The layers of a drawing by how far out they lie, and what keeps any two apart.

@@ -16,13 +16,14 @@ namespace pomona {
 
 namespace {
 
-/// What all drawn samples of a surface have in common: a blend must have it too.
+/// The properties that all drawn samples of a surface share: a blend must have them, too.
 class FoldForm {
  public:
   explicit FoldForm(const FoldSamples& drawn);
 
-  /// True if the curve, in the pie-shaped space, does not meet itself, stays between the fold lines (half as far from
-  /// them as drawn), keeps clear of the axis, and, if closed, still runs counter-clockwise. Empty ones do.
+  /// True if the curve, in the pie-shaped space, does not meet itself, stays between the fold lines (at least half as
+  /// far from them as drawn), does not come near the axis, and, if closed, still runs counter-clockwise. True for an
+  /// empty one.
   bool is_kept(const PolarCurve& fold) const;
 
  private:

@@ -97,14 +97,14 @@ class Lighting {
  public:
   Lighting(const View& view, const Style& style, double unit);
 
-  /// Light sources: the style's own, as wide as its shadows are soft; without a shadow as far as the style takes from
-  /// them; and a weak one from the other side that throws none.
+  /// Light sources: the style's key light, whose width gives the softness of shadows; a part of it without shadows, if
+  /// the style weakens these; and a weak fill light from the other side without shadows.
   std::string sources() const;
 
-  /// For global_settings: what comes from all sides.
+  /// The ambient light, for global_settings.
   std::string ambient() const;
 
-  /// Texture of the ground: the paper's colour where it is lit, and the style's wash on it in full shadow.
+  /// Texture of the ground: the paper's colour where it is lit, with the style's wash in full shadow.
   std::string ground() const;
 
  private:

@@ -12,7 +12,7 @@
 namespace pomona {
 
 /// `file` is the name used in messages.
-/// \throws Error (bad_data) with all that is wrong, unknown keys included, ordered by position.
+/// \throws Error (bad_data) with all errors, also unknown keys, ordered by position.
 Style parse_style(std::string_view toml, const std::string& file);
 
 /// The same from disk. \throws Error (input_missing) if it cannot be read.

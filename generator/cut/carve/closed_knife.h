@@ -11,8 +11,8 @@ namespace pomona {
 struct ClosedKnife {
   KnifeMesh mesh;
   int number = 0;            ///< among all knives
-  int plane = 0;             ///< its number as one more plane, in sets of planes
-  std::uint32_t stride = 1;  ///< what lies inside is in the cell with a number that is greater by this
+  int plane = 0;             ///< its number in sets of planes, where it counts as one more plane
+  std::uint32_t stride = 1;  ///< the number of a cell inside the knife is larger by this
 };
 
 }  // namespace pomona

@@ -14,7 +14,8 @@
 
 namespace pomona {
 
-/// A vertex as paint sees it. Where there is no place, as around a pole, ramps give their mean.
+/// A vertex, with the attributes that paint needs. Where a position is not defined, as around at a pole, ramps give
+/// their mean.
 struct PaintPlace {
   double along = 0;
   std::optional<double> around;
@@ -42,7 +43,7 @@ class MeanRamp {
   Value mean_;
 };
 
-/// Values that the folds take in turn.
+/// Values that are assigned to the folds in turn.
 template <typename Value>
 class FoldValues {
  public:

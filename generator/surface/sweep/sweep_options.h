@@ -8,8 +8,8 @@ namespace pomona {
 
 struct SweepOptions {
   double detail = 1.0;   ///< multiplies the number of vertices around and along, 0.1..4
-  VariantKey key = {};   ///< where the spots lie
-  Threads threads = {};  ///< that scatter grains and spots; no result depends on them
+  VariantKey key = {};   ///< for the positions of spots
+  Threads threads = {};  ///< for scattering grains and spots; the result does not depend on them
 };
 
 }  // namespace pomona

@@ -12,7 +12,7 @@
 namespace pomona {
 
 /// Reads and checks a template. `file` is the name used in messages.
-/// \throws Error (bad_data) with all that is wrong, unknown keys included, ordered by position.
+/// \throws Error (bad_data) with all errors, also unknown keys, ordered by position.
 Template parse_template(std::string_view toml, const std::string& file);
 
 /// A template and how its drawing lies: what those need who show both at one place.
