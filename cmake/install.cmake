@@ -11,12 +11,20 @@ install(DIRECTORY templates scenes styles DESTINATION ${data} PATTERN "*.py" EXC
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs
   FILES_MATCHING PATTERN "*.md" PATTERN "*.yaml" PATTERN pictures EXCLUDE PATTERN figures EXCLUDE)
 # What programs need that cut assets (docs/reference/asset.md).
-set(asset_files read_asset.js look_up.js look.glsl engines/look.hlsl engines/look.wgsl engines/look.gdshaderinc
-  engines/three_cut.mjs engines/three.html engines/package.json)
+set(asset_files read_asset.js look_up.js look.glsl engines/three_cut.mjs engines/three.html engines/package.json)
 list(TRANSFORM asset_files PREPEND render/page/)
 install(FILES ${asset_files} DESTINATION ${data}/asset)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+
+# The look-up in other languages, translated; made with the pages below.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+set(look_ups look.hlsl look.wgsl look.gdshaderinc)
+list(TRANSFORM look_ups PREPEND ${PROJECT_BINARY_DIR}/look_ups/)
+add_custom_command(OUTPUT ${look_ups}
+  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/render/page/engines/translate_look.py ${PROJECT_BINARY_DIR}/look_ups
+  DEPENDS render/page/look.glsl render/page/engines/translate_look.py VERBATIM)
+install(FILES ${look_ups} DESTINATION ${data}/asset)
 
 # pomona_page(bash share/bash-completion/completions pomona): what `pomona pages bash` prints, under that name.
 set(pages)
@@ -33,7 +41,7 @@ pomona_page(man ${CMAKE_INSTALL_MANDIR}/man1 pomona.1)
 pomona_page(bash ${CMAKE_INSTALL_DATADIR}/bash-completion/completions pomona)
 pomona_page(zsh ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions _pomona)
 pomona_page(fish ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d pomona.fish)
-add_custom_target(pages ALL DEPENDS ${pages})
+add_custom_target(pages ALL DEPENDS ${pages} ${look_ups})
 
 # ---- The library: one archive of all folders, the public headers, and how CMake finds them ----
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)

@@ -1,12 +1,23 @@
-// The colour inside a fruit at any point, in GLSL ES 3.00 or any later GLSL: what generator/diffusion/harmonic/field_look_up.h
-// answers, from four textures that any engine can hold. docs/reference/asset.md tells how they are made of an asset.
-uniform highp sampler3D pomona_grid;   // sRGB, alpha; linear filter. Colours at nodes; alpha: 1 + the part there, of 255; 0 in air
-uniform highp usampler3D pomona_cell;  // x: first entry of the list; y: how many (bits 0-11), 1 + windings of 8 corners (2 bits each)
-uniform highp usampler2D pomona_list;  // 2048 wide: triangles by cell
-uniform highp usampler2D pomona_triangle;  // 4 texels each, 1024 a row: corners, hidden side, parts; front colours; back colours
-uniform vec3 pomona_count;                 // nodes along each axis
-uniform int pomona_units;                  // of positions, to a cell
-uniform vec3 pomona_low, pomona_high;      // of all colours, linear
+// The colour inside a fruit at any point, in GLSL ES 3.00 or any later GLSL: what
+// generator/diffusion/harmonic/field_look_up.h answers, from four textures that any engine can hold. docs/reference/asset.md tells
+// how they are made of an asset. engines/translate_look.py makes HLSL, WGSL and Godot's language of this text.
+
+// sRGB, alpha; linear filter. Colours at nodes; alpha: 1 + the part there, of 255; 0 in air.
+uniform highp sampler3D pomona_grid;
+// x: first entry of the list; y: how many (bits 0-11), 1 + windings of 8 corners (2 bits each).
+uniform highp usampler3D pomona_cell;
+// 2048 wide: triangles by cell.
+uniform highp usampler2D pomona_list;
+// 4 texels each, 1024 a row: corners, hidden side, parts; front colours; back colours.
+uniform highp usampler2D pomona_triangle;
+// Nodes along each axis.
+uniform vec3 pomona_count;
+// Of positions, to a cell.
+uniform int pomona_units;
+// The least of all colours, linear.
+uniform vec3 pomona_low;
+// The most of all colours, linear.
+uniform vec3 pomona_high;
 
 // Weights of a triangle's corners at its place nearest to the origin [Ericson 2005, 5.1.5].
 vec3 pomona_nearest(vec3 a, vec3 b, vec3 c) {
@@ -36,28 +47,32 @@ vec3 pomona_nearest(vec3 a, vec3 b, vec3 c) {
   return vec3(1.0 - across_b / sum - across_c / sum, across_b / sum, across_c / sum);
 }
 
-uvec4 pomona_texel(uint triangle, uint texel) {
-  return texelFetch(pomona_triangle, ivec2(int((triangle & 1023u) * 4u + texel), int(triangle >> 10)), 0);
+uvec4 pomona_texel(uint number, uint texel) {
+  return texelFetch(pomona_triangle, ivec2(int((number & 1023u) * 4u + texel), int(number >> 10u)), 0);
 }
 
 // Ten bits each of the square roots of a colour.
 vec3 pomona_color(uint bits) {
-  vec3 root = vec3(float(bits & 1023u), float(bits >> 10 & 1023u), float(bits >> 20 & 1023u)) / 1023.0;
+  vec3 root = vec3(float(bits & 1023u), float((bits >> 10u) & 1023u), float((bits >> 20u) & 1023u)) / 1023.0;
   return root * root;
 }
 
 // `side`: 2 * triangle, + 1 for its back.
 vec3 pomona_side(uint side, vec3 weight) {
-  uvec4 corner = pomona_texel(side >> 1, 2u + (side & 1u));
+  uvec4 corner = pomona_texel(side >> 1u, 2u + (side & 1u));
   return weight.x * pomona_color(corner.x) + weight.y * pomona_color(corner.y) + weight.z * pomona_color(corner.z);
 }
 
 // A linear function through values at places around the origin, by least squares with weights 1 / (d^2 + 1/1000)^2:
 // the sums that its normal equations need.
 struct PomonaFit {
-  vec4 one;                  // of w, w p
-  vec3 diagonal, beside;     // of w x x, w y y, w z z; of w x y, w x z, w y z
-  vec3 value, by_x, by_y, by_z;
+  vec4 one;       // of w, w p
+  vec3 diagonal;  // of w x x, w y y, w z z
+  vec3 beside;    // of w x y, w x z, w y z
+  vec3 value;
+  vec3 by_x;
+  vec3 by_y;
+  vec3 by_z;
 };
 
 void pomona_add(inout PomonaFit fit, vec3 place, vec3 value) {
@@ -82,12 +97,22 @@ vec3 pomona_value(PomonaFit fit) {
   vec3 v = fit.value, vx = fit.by_x, vy = fit.by_y;
 
   float s = z / zz, sx = xz / zz, sy = yz / zz;
-  o -= s * z, x -= s * xz, y -= s * yz, v -= s * fit.by_z;
-  xx -= sx * xz, xy -= sx * yz, vx -= sx * fit.by_z;
-  yy -= sy * yz, vy -= sy * fit.by_z;
-  s = y / yy, sx = xy / yy;
-  o -= s * y, x -= s * xy, v -= s * vy;
-  xx -= sx * xy, vx -= sx * vy;
+  o -= s * z;
+  x -= s * xz;
+  y -= s * yz;
+  v -= s * fit.by_z;
+  xx -= sx * xz;
+  xy -= sx * yz;
+  vx -= sx * fit.by_z;
+  yy -= sy * yz;
+  vy -= sy * fit.by_z;
+  s = y / yy;
+  sx = xy / yy;
+  o -= s * y;
+  x -= s * xy;
+  v -= s * vy;
+  xx -= sx * xy;
+  vx -= sx * vy;
   s = x / xx;
   return (v - s * vx) / (o - s * x);
 }
@@ -95,7 +120,9 @@ vec3 pomona_value(PomonaFit fit) {
 // Rays to four corners of a cell that have the same z: how far they get, what they meet there, and what the boundary
 // that they cross takes from the corners' windings.
 struct PomonaRays {
-  vec4 fraction, on_a, on_b;  // 2 where nothing is met; weights of the corners there
+  vec4 fraction;  // 2 where nothing is met
+  vec4 on_a;      // weights of the corners there
+  vec4 on_b;
   uvec4 side;
   vec4 winding;
 };
@@ -133,8 +160,8 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
   uint count = entry.y & 4095u;
   if (count == 0u) {
     // No surface is near: all corners are seen.
-    if ((entry.y >> 12 & 3u) == 1u) return false;
-    color = texture(pomona_grid, (g + 0.5) / pomona_count).rgb;
+    if (((entry.y >> 12u) & 3u) == 1u) return false;
+    color = textureLod(pomona_grid, (g + 0.5) / pomona_count, 0.0).rgb;
     part = int(texelFetch(pomona_grid, cell, 0).a * 255.0 + 0.5) - 1;
     return true;
   }
@@ -144,8 +171,10 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
   vec4 y = vec4(-within.y, -within.y, 1.0 - within.y, 1.0 - within.y);
   vec2 z = vec2(-within.z, 1.0 - within.z);
   uvec4 shift = uvec4(12u, 14u, 16u, 18u);
-  PomonaRays low = PomonaRays(vec4(2.0), vec4(0.0), vec4(0.0), uvec4(0u), vec4(entry.yyyy >> shift & 3u) - 1.0);
-  PomonaRays high = PomonaRays(vec4(2.0), vec4(0.0), vec4(0.0), uvec4(0u), vec4(entry.yyyy >> (shift + 8u) & 3u) - 1.0);
+  uvec4 two_bits = uvec4(3u);
+  vec4 none = vec4(0.0);
+  PomonaRays low = PomonaRays(vec4(2.0), none, none, uvec4(0u), vec4((entry.yyyy >> shift) & two_bits) - 1.0);
+  PomonaRays high = PomonaRays(vec4(2.0), none, none, uvec4(0u), vec4((entry.yyyy >> (shift + 8u)) & two_bits) - 1.0);
   float nearest = 1e9;
   vec3 nearest_place = vec3(0.0), nearest_weight = vec3(0.0);
   uint nearest_side = 0u;
@@ -154,14 +183,14 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
   float reach = 1.0 + 1.5 * unit;  // rounding may have put a corner behind a surface that was behind it
   uint listed = entry.x;
   do {
-    uint triangle = texelFetch(pomona_list, ivec2(int(listed & 2047u), int(listed >> 11)), 0).x;
-    uvec4 t = pomona_texel(triangle, 0u), u = pomona_texel(triangle, 1u);
-    vec3 a = (vec3(ivec3(t.x & 65535u, t.x >> 16, t.y & 65535u) - base) + 0.5) * unit - within;
-    vec3 b = (vec3(ivec3(t.y >> 16, t.z & 65535u, t.z >> 16) - base) + 0.5) * unit - within;
-    vec3 c = (vec3(ivec3(t.w & 65535u, t.w >> 16, u.x & 65535u) - base) + 0.5) * unit - within;
+    uint number = texelFetch(pomona_list, ivec2(int(listed & 2047u), int(listed >> 11u)), 0).x;
+    uvec4 t = pomona_texel(number, 0u), u = pomona_texel(number, 1u);
+    vec3 a = (vec3(ivec3(uvec3(t.x & 65535u, t.x >> 16u, t.y & 65535u)) - base) + 0.5) * unit - within;
+    vec3 b = (vec3(ivec3(uvec3(t.y >> 16u, t.z & 65535u, t.z >> 16u)) - base) + 0.5) * unit - within;
+    vec3 c = (vec3(ivec3(uvec3(t.w & 65535u, t.w >> 16u, u.x & 65535u)) - base) + 0.5) * unit - within;
     mat3 edge = mat3(cross(b, c), cross(c, a), cross(a, b));
     float volume = dot(a, edge[0]);
-    uint hidden = u.x >> 16 & 3u, side = 2u * triangle + (volume < 0.0 ? 0u : 1u);
+    uint hidden = (u.x >> 16u) & 3u, side = 2u * number + (volume < 0.0 ? 0u : 1u);
     float step_over = hidden == 0u ? 0.0 : ((volume < 0.0) == (hidden == 1u) ? -1.0 : 1.0);
     pomona_meet(low, x, y, z.x, edge, volume, side, step_over, reach);
     pomona_meet(high, x, y, z.y, edge, volume, side, step_over, reach);
@@ -173,14 +202,15 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
       nearest = squared;
       nearest_place = place;
       nearest_weight = weight;
-      nearest_side = 2u * triangle + (front ? 0u : 1u);
-      part = int((front ? u.y : u.y >> 16) & 65535u);
+      nearest_side = 2u * number + (front ? 0u : 1u);
+      part = int((front ? u.y : u.y >> 16u) & 65535u);
     }
   } while (++listed < entry.x + count);
   if (abs(dot(low.winding + high.winding, vec4(1.0))) < 4.0) return false;
 
   // Fit what they see.
-  PomonaFit fit = PomonaFit(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  vec3 zero = vec3(0.0);
+  PomonaFit fit = PomonaFit(none, zero, zero, zero, zero, zero, zero);
   pomona_add(fit, nearest_place, pomona_side(nearest_side, nearest_weight));
   int k = 0;
   do {
@@ -193,7 +223,7 @@ bool pomona_look(vec3 g, out vec3 color, out int part) {
       uint side = upper ? high.side[i] : low.side[i];
       pomona_add(fit, fraction * towards, pomona_side(side, vec3(on, 1.0 - on.x - on.y)));
     } else {
-      vec4 value = texelFetch(pomona_grid, cell + ivec3(k & 1, k >> 1 & 1, k >> 2), 0);
+      vec4 value = texelFetch(pomona_grid, cell + ivec3(k & 1, (k >> 1u) & 1, k >> 2u), 0);
       if (value.a > 0.0) pomona_add(fit, towards, value.rgb);
     }
   } while (++k < 8);

@@ -16,7 +16,10 @@ import {errorsOf, holds, line, readSections} from './section_errors.mjs';
 
 const [folder, name, glb, picture] = process.argv.slice(2);
 const root = resolve(fileURLToPath(import.meta.url), '../../..');
-const engines = join(root, 'render/page/engines'), text = (file) => readFileSync(join(engines, file), 'utf8');
+const engines = join(root, 'render/page/engines');
+const translated = mkdtempSync(join(tmpdir(), 'look-'));
+execFileSync('python3', [join(engines, 'translate_look.py'), translated]);
+const text = (file) => readFileSync(join(translated, file), 'utf8');
 const square = readSections(folder, name)[0], {size, origin, u, v, reach} = square;
 
 /** Each language's frame around the look-up: a pixel's place in the square, and its colour as bytes of sRGB. */
@@ -332,4 +335,5 @@ try {
 } finally {
   await browser.close();
   server.close();
+  rmSync(translated, {recursive: true});
 }
