@@ -21,7 +21,6 @@ namespace pomona {
 namespace {
 
 constexpr std::uint32_t no_shell = 0xffffffffu;
-constexpr double nearly_as_much = 0.95;  // of the largest share: cells that count as equal
 
 /// Per triangle of the surfaces, the shell around a spared part that it belongs to: the smallest welded vertex of it.
 std::vector<std::uint32_t> shells_of(const DiffusionSurfaces& surfaces, std::span<const int> parts) {
@@ -263,6 +262,22 @@ class Sparer {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> closed_shells(const DiffusionSurfaces& surfaces, std::span<const int> parts) {
+  std::vector<std::uint32_t> shell = shells_of(surfaces, parts);
+  std::map<std::uint32_t, EdgeBalance> edges;
+  for (std::size_t t = 0; t < shell.size(); ++t) {
+    if (shell[t] == no_shell) continue;
+    const glm::uvec3& v = surfaces.triangle[t];
+    edges[shell[t]].add(surfaces.position[v.x], surfaces.position[v.y], surfaces.position[v.z]);
+  }
+  std::map<std::uint32_t, std::uint32_t> number;
+  for (std::uint32_t& one : shell) {
+    const bool is_closed = one != no_shell && edges.at(one).closed();
+    one = is_closed ? number.try_emplace(one, static_cast<std::uint32_t>(number.size() + 1)).first->second : 0;
+  }
+  return shell;
+}
 
 SparedFruit spared(CutFruit fruit, const DiffusionSurfaces& surfaces, std::span<const int> parts) {
   if (parts.empty()) return {std::move(fruit), {}, {}, {}};

@@ -25,6 +25,14 @@ struct SparedFruit {
   std::vector<std::string> warnings;  ///< parts that cannot be spared
 };
 
+/// Of the largest share of a shell's volume: cells that hold as much count as equal.
+constexpr double nearly_as_much = 0.95;
+
+/// Per triangle of the surfaces, the closed shell around one of these parts that it is of, numbered from 1 in the order
+/// of their first triangles; 0 of none. Whether a shell crosses another or leaves the fruit is not asked.
+/// \param parts ascending.
+std::vector<std::uint32_t> closed_shells(const DiffusionSurfaces& surfaces, std::span<const int> parts);
+
 /// Finds the spared parts. Each closed shell with one of `parts` behind it and another part before it encloses one. It
 /// goes to the cell that contains most of its volume; if several cells contain nearly as much (within a twentieth), to
 /// the first in the order of cutting. A shell that is open, crosses another spared shell or leaves the fruit is cut

@@ -53,6 +53,7 @@ struct Asset {
   std::vector<std::uint16_t> front_part, back_part;  ///< per triangle, indices into parts
   std::vector<std::string> parts;
   std::vector<int> spared;  ///< parts that knives go around (generator/cut/spared.h), ascending; indices into parts
+  std::vector<std::uint16_t> shell;  ///< per triangle: the shell around a spared part that it is of, from 1; 0 of none
 
   // How it is painted: texels as shaders/noise.glsl, detail.glsl and material.glsl read them.
   std::vector<glm::vec4> noise, details, materials;  ///< materials: one after another, a part each
@@ -72,5 +73,6 @@ constexpr std::size_t most_asset_nodes = 40'000'000;
 constexpr std::size_t most_asset_vertices = 4'000'000;
 constexpr std::size_t most_asset_triangles = 8'000'000;
 constexpr std::size_t most_asset_parts = 64;
+constexpr std::uint32_t most_asset_shells = 65535;
 
 }  // namespace pomona

@@ -13,6 +13,7 @@
 #include "generator/base/error.h"
 #include "generator/base/json_text.h"
 #include "generator/base/little_endian.h"
+#include "generator/cut/spared.h"
 #include "render/page/byte_planes.h"
 #include "render/page/deflate.h"
 #include "render/page/node_coding.h"
@@ -37,7 +38,7 @@ constexpr std::array<int, 3> rounding = {all_thirds, 8, 3};
 constexpr std::size_t large_asset = 1'060'000;
 
 ordered_json header_of(const Asset& a, int thirds, const std::string& made_by) {
-  ordered_json header = {{"format", 2},
+  ordered_json header = {{"format", a.shell.empty() ? 2 : 3},
                          {"made_by", made_by},
                          {"name", a.name},
                          {"title", a.title},
@@ -57,6 +58,10 @@ ordered_json header_of(const Asset& a, int thirds, const std::string& made_by) {
                          {"texels", {a.noise.size(), a.details.size(), a.materials.size()}},
                          {"skin_shares", a.skin_share.size()}};
   if (!a.spared.empty()) header["spared"] = a.spared;
+  if (!a.shell.empty()) {
+    const std::uint16_t count = *std::max_element(a.shell.begin(), a.shell.end());
+    header["shells"] = {{"count", count}, {"nearly_as_much", nearly_as_much}};
+  }
   if (a.guide) {
     header["guide"] = {
         {"stride", a.guide->stride}, {"unit", a.guide->unit}, {"count", a.guide->count}, {"deepest", a.guide->deepest}};
@@ -84,13 +89,14 @@ std::string arrays_of(const Asset& a, int thirds) {
   bytes += texel_bytes(a.noise) + texel_bytes(a.details) + texel_bytes(a.materials);
   for (const glm::u8vec4& share : a.skin_share)
     for (int k = 0; k < 4; ++k) bytes += static_cast<char>(share[k]);
-  if (!a.guide) return bytes;
-  for (int k = 0; k < 4; ++k)
-    bytes += planes_of(a.guide->value.size(), 1, 2,
-                       [&](std::size_t i) { return static_cast<std::uint16_t>(a.guide->value[i][k]); });
-  for (const glm::u8vec4& share : a.guide->share)
-    for (int k = 0; k < 4; ++k) bytes += static_cast<char>(share[k]);
-  return bytes;
+  if (a.guide) {
+    for (int k = 0; k < 4; ++k)
+      bytes += planes_of(a.guide->value.size(), 1, 2,
+                         [&](std::size_t i) { return static_cast<std::uint16_t>(a.guide->value[i][k]); });
+    for (const glm::u8vec4& share : a.guide->share)
+      for (int k = 0; k < 4; ++k) bytes += static_cast<char>(share[k]);
+  }
+  return bytes + planes_of(a.shell.size(), 1, 2, [&](std::size_t t) { return a.shell[t]; });
 }
 
 /// Takes an unpacked asset apart, from the front.
@@ -138,7 +144,7 @@ class AssetReader {
 /// Numbers of the header, and the counts of what follows it.
 struct Counts {
   int thirds = thirds_of_first_format;
-  std::size_t vertices = 0, triangles = 0, noise = 0, details = 0, materials = 0, skin_shares = 0;
+  std::size_t vertices = 0, triangles = 0, shells = 0, noise = 0, details = 0, materials = 0, skin_shares = 0;
 };
 
 void check_header(const Asset& asset, const Counts& counts, const AssetReader& reader) {
@@ -169,9 +175,13 @@ Counts read_header(std::string_view text, Asset& asset, const AssetReader& reade
   Counts counts;
   try {
     const ordered_json header = ordered_json::parse(text);
-    reader.require(header.at("format") == 1 || header.at("format") == 2,
-                   "it is of a format that this version does not read");
-    if (header.at("format") == 2) counts.thirds = header.at("thirds");
+    const int format = header.at("format");
+    reader.require(format >= 1 && format <= 3, "it is of a format that this version does not read");
+    if (format >= 2) counts.thirds = header.at("thirds");
+    if (format == 3) {
+      counts.shells = header.at("shells").at("count");
+      reader.require(counts.shells >= 1 && counts.shells <= most_asset_shells, "it has no shells, or too many");
+    }
     asset.name = header.at("name"), asset.title = header.at("title"), asset.latin = header.at("latin");
     asset.seed = header.at("seed"), asset.diffuser = header.at("diffuser");
     for (int k = 0; k < 3; ++k) asset.origin[k] = header.at("origin").at(static_cast<std::size_t>(k));
@@ -251,6 +261,14 @@ void read_look(const Counts& counts, AssetReader& reader, Asset& a) {
   guide.share = reader.shares(a.parts.size() * static_cast<std::size_t>(depth_steps));
 }
 
+void read_shells(const Counts& counts, Reader& reader, Asset& a) {
+  if (counts.shells == 0) return;
+  for (const std::uint32_t shell : reader.numbers(counts.triangles, 1, 2, "shells")) {
+    reader.require(shell <= counts.shells, "a triangle is of a shell that is none");
+    a.shell.push_back(static_cast<std::uint16_t>(shell));
+  }
+}
+
 }  // namespace
 
 std::string write_asset(const Asset& asset, const std::string& made_by, int effort) {
@@ -285,6 +303,7 @@ Asset read_asset(std::string_view bytes, const std::filesystem::path& file) {
   reader.require(colors.has_value(), "its nodes do not fit together");
   asset.node_color = std::move(*colors);
   read_look(counts, reader, asset);
+  read_shells(counts, reader, asset);
   reader.require(reader.is_empty(), "something follows its end");
   return asset;
 }

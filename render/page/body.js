@@ -98,7 +98,7 @@ export class Body {
     const shells = this.spared ? this.spared.shells : [];
     this.knives = knives;
     this.parts.forget();
-    this.homes = homesOf(shells, knives);
+    this.homes = homesOf(shells, knives, this.spared?.nearlyAsMuch);
     this.pieces = piecesOf(this.samples, knives, shells, this.homes);
   }
   /** What of knife k's face lies within the skin: low and high corner, -1 to 1 along its u and v, with a margin. */

@@ -75,6 +75,7 @@ export class FruitTextures {
         socket: card.skin(socket),
         data: rest.spared,
         parts: this.header.spared,
+        nearlyAsMuch: this.header.shells.nearly_as_much,
         shells: shells.map((shell) => shellOf(shell, stone))
       };
     }

@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <span>
 
 #include "generator/base/error.h"
+#include "generator/cut/spared.h"
 #include "generator/diffusion/harmonic/node_colors.h"
+#include "generator/mesh/box.h"
+#include "generator/mesh/enclosures.h"
 #include "generator/surface/bodies.h"
 #include "render/gl/detail_texels.h"
 #include "render/gl/scene_materials.h"
@@ -55,11 +61,56 @@ void add_surfaces(const DiffusionSurfaces& surfaces, Asset& asset) {
   asset.parts = surfaces.part_names;
 }
 
-/// Parts of the template come first among the surfaces' own.
-void add_spared(const Template& fruit, Asset& asset) {
+/// Of closed shells those that nodes inside know to cross another or to leave the fruit: knives go through them.
+std::set<std::uint32_t> crossed_shells(const DiffusionSurfaces& surfaces, std::span<const std::uint32_t> shell,
+                                       const Asset& asset) {
+  std::vector<Enclosures::Triangle> triangles;
+  Box<float> box;
+  for (std::size_t t = 0; t < shell.size(); ++t) {
+    if (shell[t] == 0) continue;
+    Enclosures::Triangle one{{}, shell[t]};
+    for (int k = 0; k < 3; ++k) {
+      const glm::vec3& corner = surfaces.position[surfaces.triangle[t][k]];
+      one.corner[static_cast<std::size_t>(k)] = corner;
+      box.add(corner);
+    }
+    triangles.push_back(one);
+  }
+  std::set<std::uint32_t> crossed;
+  if (triangles.empty()) return crossed;
+  const Enclosures shells(std::move(triangles));
+  const glm::dvec3 low = (glm::dvec3(box.low) - asset.origin) / asset.spacing;
+  const glm::dvec3 high = (glm::dvec3(box.high) - asset.origin) / asset.spacing;
+  const glm::ivec3 first = glm::max(glm::ivec3(glm::ceil(low)), 0);
+  const glm::ivec3 last =
+      glm::min(glm::ivec3(glm::floor(high)), glm::ivec3(asset.count[0], asset.count[1], asset.count[2]) - 1);
+  for (int z = first.z; z <= last.z; ++z) {
+    for (int y = first.y; y <= last.y; ++y) {
+      for (int x = first.x; x <= last.x; ++x) {
+        const auto around = shells.around(asset.origin + asset.spacing * glm::dvec3(x, y, z));
+        const auto node = static_cast<std::size_t>((z * asset.count[1] + y) * asset.count[0] + x);
+        for (const auto& [number, winding] : around)
+          if (around.size() > 1 || winding != 1 || asset.winding[node] != 1) crossed.insert(number);
+      }
+    }
+  }
+  return crossed;
+}
+
+/// Parts of the template come first among the surfaces' own. Wants the windings.
+void add_spared(const DiffusionSurfaces& surfaces, const Template& fruit, Asset& asset) {
   for (const int part : fruit.spared) {
     if (part < static_cast<int>(asset.parts.size())) asset.spared.push_back(part);
   }
+  if (asset.spared.empty()) return;
+  std::vector<std::uint32_t> shell = closed_shells(surfaces, asset.spared);
+  const std::set<std::uint32_t> crossed = crossed_shells(surfaces, shell, asset);
+  std::map<std::uint32_t, std::uint16_t> number;
+  for (std::uint32_t& one : shell) {
+    const bool is_kept = one != 0 && one <= most_asset_shells && !crossed.contains(one);
+    one = is_kept ? number.try_emplace(one, static_cast<std::uint16_t>(number.size() + 1)).first->second : 0;
+  }
+  if (!number.empty()) asset.shell.assign(shell.begin(), shell.end());
 }
 
 /// Nodes that the rounded boundary holds and the solver left out become as those beside them that it knows, be these
@@ -139,8 +190,8 @@ Asset make_asset(const AssetTask& task, const MakeAssetOptions& options) {
   asset.count = nodes.lattice.count;
   asset.units = sixteen_bits / (*std::max_element(asset.count.begin(), asset.count.end()) - 1);
   add_surfaces(surfaces, asset);
-  add_spared(task.variant, asset);
   asset.winding = windings(asset);
+  add_spared(surfaces, task.variant, asset);
   if (options.diffuser != nullptr) recolor(surfaces, *options.diffuser, asset, nodes);
   add_nodes(nodes, asset);
   add_look(task, asset);

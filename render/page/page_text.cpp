@@ -26,7 +26,7 @@ std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view n
   throw Error(ExitStatus::bug, "a page has no file " + std::string(name));
 }
 
-/// A shader without the lines that only comment: they are for those who read the sources.
+/// A shader or a script without indentation and the lines that only comment: those are for who reads the sources.
 std::string code_of(std::string_view text) {
   std::string code;
   while (!text.empty()) {
@@ -132,16 +132,15 @@ std::string page_text(const PageText& page, const PageOptions& options) {
     packed += "<script type=\"text/plain\" class=\"" + one.kind + "\" id=\"" + one.id + "\" data-length=\"" +
               std::to_string(one.bytes.size()) + "\">" + base85(one.bytes) + "</script>\n";
   }
-  return filled(text_of(page_files(), "page.html"),
-                {{"@TITLE@", xml_escaped(page.title)},
-                 {"@LATIN@", xml_escaped(page.latin)},
-                 {"@ABOUT@", xml_escaped(page.about)},
-                 {"@MADE_BY@", xml_escaped(options.made_by)},
-                 {"@STYLE@", std::string(text_of(page_files(), "page.css"))},
-                 {"@OPTIONS@", page_options(options)},
-                 {"@PACKED@", packed},
-                 {"@WORKER@", std::string(text_of(page_files(), "worker_script.js"))},
-                 {"@SCRIPT@", std::string(text_of(page_files(), page.script))}});
+  return filled(text_of(page_files(), "page.html"), {{"@TITLE@", xml_escaped(page.title)},
+                                                     {"@LATIN@", xml_escaped(page.latin)},
+                                                     {"@ABOUT@", xml_escaped(page.about)},
+                                                     {"@MADE_BY@", xml_escaped(options.made_by)},
+                                                     {"@STYLE@", std::string(text_of(page_files(), "page.css"))},
+                                                     {"@OPTIONS@", page_options(options)},
+                                                     {"@PACKED@", packed},
+                                                     {"@WORKER@", code_of(text_of(page_files(), "worker_script.js"))},
+                                                     {"@SCRIPT@", code_of(text_of(page_files(), page.script))}});
 }
 
 }  // namespace pomona

@@ -44,11 +44,10 @@ function cellNumber(bits, knives) {
 
 /**
  * For each shell around a spared part the cell that has all of it, and whether a knife passes through it. It is the one
- * that holds most of it; of those that hold nearly as much, the first in the order of cutting
+ * that holds most of it; of those that hold `nearlyAsMuch`, the first in the order of cutting
  * (generator/cut/spared.cpp).
  */
-export function homesOf(shells, knives) {
-  const nearlyAsMuch = 0.95;
+export function homesOf(shells, knives, nearlyAsMuch) {
   return shells.map(({points, rim}) => {
     const bits = new Uint8Array(points.length / 3), onRim = new Uint8Array(rim.length / 3);
     const counts = new Int32Array(1 << knives.length);

@@ -235,10 +235,10 @@ export function addNodes(fruit, bytes, at) {
   return at;
 }
 
-// ---- How it is painted. ----
+// ---- How it is painted, and what knives go around. ----
 
 export function addLook(fruit, bytes, at) {
-  const {texels, parts, guide, skin_shares: shares} = fruit.header, reader = new Reader(bytes, at);
+  const {texels, parts, guide, skin_shares: shares, shells, triangles} = fruit.header, reader = new Reader(bytes, at);
   const floats = (count) => new Float32Array(reader.take(16 * count).buffer);
   fruit.noise = floats(texels[0]);
   fruit.details = floats(texels[1]);
@@ -249,6 +249,10 @@ export function addLook(fruit, bytes, at) {
     for (let k = 0; k < 4; ++k) reader.numbers(size, 1, 2, whole, k, 4);
     fruit.guide = Float32Array.from(new Int16Array(whole.buffer), (v) => v * guide.unit);
     fruit.share = reader.take(4 * parts.length * depthSteps);
+  }
+  if (shells) {
+    fruit.shell = new Uint16Array(triangles);
+    reader.numbers(triangles, 1, 2, fruit.shell);
   }
   return reader.at;
 }

@@ -24,7 +24,7 @@ function numbering(count, most, hashOf, alike) {
  * Points at one place are one: numbers them, up to `most` of them. `p`: coordinates, those of a point `stride` after
  * the last one's; `bits`: whole numbers for them.
  */
-export const places = (p, stride, most, bits = p) => numbering(
+const places = (p, stride, most, bits = p) => numbering(
   p.length / stride, most,
   (v) => Math.imul(bits[stride * v], 0x8da6b343) ^ Math.imul(bits[stride * v + 1], 0xd8163841) ^
     Math.imul(bits[stride * v + 2], 0xcb1ab31f),

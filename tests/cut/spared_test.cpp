@@ -59,6 +59,19 @@ int pieces_with_walls_of(const Cut& cut, const std::string& part) {
   }));
 }
 
+TEST(ClosedShells, are_all_triangles_around_a_stone_as_long_as_none_is_missing) {
+  const auto count = [](const DiffusionSurfaces& surfaces) {
+    const std::vector<int> parts = part_of(surfaces, "stone");
+    const std::vector<std::uint32_t> shell = closed_shells(surfaces, parts);
+    EXPECT_LE(*std::max_element(shell.begin(), shell.end()), 1u);
+    return std::count(shell.begin(), shell.end(), 1u);
+  };
+  DiffusionSurfaces whole = peach(), open = peach();
+  EXPECT_EQ(count(whole), std::count(whole.back_part.begin(), whole.back_part.end(), part_of(whole, "stone").front()));
+  open.triangle.back() = glm::uvec3(open.triangle.back().x);
+  EXPECT_EQ(count(open), 0);
+}
+
 const std::vector<std::vector<std::string>> many_ways = {
     {"half"},
     {"across"},

@@ -85,6 +85,7 @@ TEST(Asset, IsReadAsItWasWritten) {
   EXPECT_EQ(a.title, b.title);
   EXPECT_EQ(a.parts, b.parts);
   EXPECT_EQ(a.spared, b.spared);
+  EXPECT_EQ(a.shell, b.shell);
   EXPECT_EQ(a.count, b.count);
   EXPECT_EQ(a.origin, b.origin);
   EXPECT_EQ(a.spacing, b.spacing);
@@ -126,6 +127,19 @@ TEST(Asset, SaysWhichPartsAreSpared) {
   EXPECT_EQ(asset().parts.at(static_cast<std::size_t>(asset().spared.front())), "stone");
 }
 
+// One shell around the stone: all triangles with the stone behind them and flesh before them, and no other.
+TEST(Asset, TellsTheShellAroundTheStone) {
+  const Asset& a = asset();
+  ASSERT_EQ(a.shell.size(), a.triangle.size());
+  std::size_t around = 0;
+  for (std::size_t t = 0; t < a.shell.size(); ++t) {
+    const bool encloses = a.hidden[t] == 0 && a.back_part[t] == a.spared.front() && a.front_part[t] != a.spared.front();
+    EXPECT_EQ(a.shell[t], encloses ? 1 : 0);
+    around += encloses ? 1 : 0;
+  }
+  EXPECT_GT(around, 100u);
+}
+
 // Fibres of a cherry run towards its skin, on all of its sides.
 TEST(Asset, GuidesDetailTowardsTheSkinAllAround) {
   const AssetGuide& guide = asset().guide.value();
@@ -146,9 +160,10 @@ TEST(Asset, KeepsColoursOfNodesWithinOneOrTwo) {
   for (const int thirds : {3, thirds_of_first_format}) EXPECT_EQ(worst_of_nodes(thirds), 2);
 }
 
-// Files say how their nodes are rounded; those of the first format could not.
+// Files say how their nodes are rounded; those of the first format could not, nor did they tell shells.
 TEST(Asset, IsReadAsItIsRounded) {
-  const Asset& a = asset();
+  Asset a = asset();
+  a.shell.clear();
   const std::string whole = write_asset(a, "a test"), magic = whole.substr(0, 8);
   std::string plain = *inflated(std::string_view(whole).substr(8), std::size_t{1} << 28);
   const std::string key = ",\"thirds\":86";
@@ -211,10 +226,11 @@ TEST(Asset, IsRefusedWhereItPointsOutsideItself) {
     EXPECT_NE(at, std::string::npos) << from;
     return magic + deflated(bytes.replace(at, from.size(), to));
   };
-  EXPECT_THAT(refusal(changed("\"format\":2", "\"format\":9")), testing::HasSubstr("format"));
+  EXPECT_THAT(refusal(changed("\"format\":3", "\"format\":9")), testing::HasSubstr("format"));
   EXPECT_THAT(refusal(changed("\"thirds\":86", "\"thirds\":-6")), testing::HasSubstr("rounded"));
   EXPECT_THAT(refusal(changed("\"units\":", "\"unity\":")), testing::HasSubstr("header"));
   EXPECT_THAT(refusal(changed("\"spared\":[2]", "\"spared\":[9]")), testing::HasSubstr("spares"));
+  EXPECT_THAT(refusal(changed("\"shells\":{\"count\":1", "\"shells\":{\"count\":0")), testing::HasSubstr("shells"));
   const std::string triangles = "\"triangles\":" + std::to_string(asset().triangle.size());
   EXPECT_THAT(refusal(changed(triangles, triangles.substr(0, triangles.size() - 1) + "9")), testing::Not(""));
   EXPECT_THAT(refusal(magic + deflated(plain + "x")), testing::HasSubstr("follows"));
