@@ -70,6 +70,7 @@ lint: .npm ## formatting, the naming of our own headers, and the types of our sc
 	scripts/format.sh --check
 	scripts/check_naming.sh
 	npx tsc --project tsconfig.json
+	npx tsc --project tsconfig.strict.json
 
 format: ## formats the sources
 	@scripts/setup.sh lint

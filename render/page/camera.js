@@ -1,6 +1,8 @@
 // Where one looks from, and how the fruit fits into the picture.
 import {M, V} from './linear.js';
 
+/** @import {Point} from './types.d.ts' */
+
 export class Camera {
   constructor() {
     this.yaw = 0;
@@ -18,7 +20,11 @@ export class Camera {
   }
   get eye() { return V.add(this.target, V.mul(this.directions.back, this.far / this.zoom)); }
 
-  /** As near as shows all points, with a margin, from the direction one looks from now. */
+  /**
+   * As near as shows all points, with a margin, from the direction one looks from now.
+   * @param {Point[]} points
+   * @param {number} aspect width by height
+   */
   fit(points, aspect, margin = 0.86) {
     const {back, right, up} = this.directions, t = Math.tan(this.field / 2) * margin;
     let target = V.mul(points.reduce(V.add, [0, 0, 0]), 1 / points.length), far = 1;
@@ -38,13 +44,22 @@ export class Camera {
     return {target, far};
   }
 
+  /**
+   * @param {number} aspect width by height
+   * @param {number} size of what is seen
+   */
   view(aspect, size) {
     const distance = this.far / this.zoom, near = Math.max(distance - 2.5 * size, distance / 50);
     return M.product(
       M.perspective(this.field, aspect, near, distance + 4 * size), M.lookAt(this.eye, this.target, [0, 1, 0]));
   }
 
-  /** The direction of the ray through a place of the picture, -1 to 1 from below. */
+  /**
+   * The direction of the ray through a place of the picture, -1 to 1 from below.
+   * @param {number} x
+   * @param {number} y
+   * @param {number} aspect width by height
+   */
   ray(x, y, aspect) {
     const {back, right, up} = this.directions, t = Math.tan(this.field / 2);
     return V.unit(V.sub(V.add(V.mul(right, x * t * aspect), V.mul(up, y * t)), back));

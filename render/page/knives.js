@@ -2,16 +2,22 @@
 // nothing, waves, or a stroke that was drawn. Lengths are in cells of the grid.
 import {V} from './linear.js';
 
+/** @import {Frame, KnifeFrame, Numbers, Point} from './types.d.ts' */
+
 export const profilePlaces = 256;
-/** Which of these is nearest, or the next one before or after (`round`), to s from -1 to 1. */
+/**
+ * Which of these is nearest, or the next one before or after (`round`), to s from -1 to 1.
+ * @type {(s: number, round?: (s: number) => number) => number}
+ */
 export const profilePlace = (s, round = Math.round) =>
   Math.max(0, Math.min(profilePlaces - 1, round((s * 0.5 + 0.5) * (profilePlaces - 1))));
 
 export class Knife {
   /**
-   * `fruit`: {middle, reach}. Turn and tilt are angles of the plane's normal, shift its distance from the middle.
+   * Turn and tilt are angles of the plane's normal, radians, shift its distance from the middle.
    * `laid`: of a plane that the page opened with {knife, step}, by which its knife's cells are numbered
    * (render/page/page.h).
+   * @param {Frame} fruit
    */
   constructor(fruit, turn = 0, tilt = 0, shift = 0) {
     this.fruit = fruit;
@@ -19,19 +25,29 @@ export class Knife {
     this.tilt = tilt;
     this.shift = shift;
     this.waves = 0;
+    /** @type {{frame: KnifeFrame, profile: Float32Array} | null} */
     this.drawn = null;
+    /** @type {{knife: number, step: number} | null} */
     this.laid = null;
   }
+  /**
+   * @param {Frame} fruit
+   * @param {Point} normal
+   * @param {number} offset
+   */
   static ofPlane(fruit, normal, offset) {
     const n = V.unit(normal), tilt = Math.asin(Math.max(-1, Math.min(1, n[1])));
     const turn = Math.abs(n[1]) > 0.9999 ? 0 : Math.atan2(n[0], n[2]);
     return new Knife(fruit, turn, tilt, offset - V.dot(n, fruit.middle));
   }
   copy() { return Object.assign(new Knife(this.fruit), this); }
-  /** The same knife in another fruit. */
+  /**
+   * The same knife in another fruit.
+   * @param {Frame} fruit
+   */
   within(fruit) { return Object.assign(this.copy(), {fruit, shift: this.shift * fruit.size / this.fruit.size}); }
 
-  /** Where it lies: a place on the plane, its directions, and half its side. */
+  /** @returns {KnifeFrame} */
   get frame() {
     if (this.drawn) return this.drawn.frame;
     const {turn, tilt, shift, fruit} = this, c = Math.cos(tilt);
@@ -48,13 +64,21 @@ export class Knife {
   }
   get isCurved() { return this.waves > 0 || this.drawn !== null; }
 
-  /** On which side a point lies: +1 or -1. */
+  /**
+   * On which side a point lies: +1 or -1.
+   * @param {Point} p
+   */
   sideOf(p, frame = this.frame, profile = this.profile) {
     const q = V.sub(p, frame.origin), s = V.dot(q, frame.u) / frame.reach;
     return V.dot(q, frame.n) >= profile[profilePlace(s)] ? 1 : -1;
   }
 
-  /** For points, the first three of `stride` numbers each: tells how far each lies over the blade, `take(i, cells)`. */
+  /**
+   * For points, the first three of `stride` numbers each: tells how far each lies over the blade.
+   * @param {Numbers} points
+   * @param {number} stride
+   * @param {(i: number, cells: number) => void} take
+   */
   overBlade(points, stride, take) {
     const {frame: {origin, n, u, reach}, profile} = this, along = V.mul(u, 1 / reach), offset = V.dot(n, origin);
     const start = V.dot(along, origin);
@@ -65,7 +89,12 @@ export class Knife {
     }
   }
 
-  /** For points, three numbers each: sets bit k of those on the positive side. */
+  /**
+   * For points, three numbers each: sets bit k of those on the positive side.
+   * @param {Numbers} points
+   * @param {number} k
+   * @param {Uint8Array} bits
+   */
   markSides(points, k, bits) {
     this.overBlade(points, 3, (i, height) => {
       if (height >= 0) bits[i] |= 1 << k;
@@ -75,6 +104,9 @@ export class Knife {
   /**
    * The knife that a stroke is, seen along a direction: places on a plane across it, in order. It goes on straight at
    * both ends; where it runs back, only what goes on counts.
+   * @param {Frame} fruit
+   * @param {Point[]} points
+   * @param {Point} view
    */
   static drawnAlong(fruit, points, view) {
     const first = points[0], last = points[points.length - 1];
@@ -111,6 +143,7 @@ export class Knife {
   }
 }
 
+/** @param {Float32Array} profile */
 function smoothed(profile) {
   return profile.map((_, i) => {
     let sum = 0, weight = 0;

@@ -2,7 +2,10 @@
 import * as LookUp from './look_up.js';
 import * as Spared from './spared.js';
 
-/** Of a fruit as read_asset.js decodes it: {message, transfer}; nodes within what knives go around are air in it. */
+/**
+ * Nodes within what knives go around are air in it.
+ * @param {import('./types.d.ts').Fruit} fruit
+ */
 export function laidOut(fruit) {
   const {grid, cell, list, triangle, low, high} = LookUp.textures(fruit, LookUp.cells(fruit));
   const {noise, details, materials, guide, share} = fruit, spared = Spared.built(fruit);

@@ -2,10 +2,14 @@
 // tests and for programs that ask a few points. Lengths are in cells of the grid.
 import {linear} from './read_asset.js';
 
+/** @import {CellLists, ColorRange, Fruit, Point} from './types.d.ts' */
+
 /**
  * Triangles by cell, as generator/diffusion/harmonic/cell_triangles.cpp lists them: a cell has those whose plane comes
  * near its box, within theirs; the few that only come near steady what is fitted beside surfaces. Cell (x, y, z) has
  * list[first[i]] to list[first[i + 1]] exclusive, i = (z * ny + y) * nx + x.
+ * @param {Fruit} fruit
+ * @returns {CellLists}
  */
 export function cells(fruit, margin = 4e-3) {
   const {position, triangle, count, units} = fruit, [nx, ny, nz] = count, triangles = triangle.length / 3;
@@ -45,11 +49,16 @@ export function cells(fruit, margin = 4e-3) {
   return {first, list};
 }
 
-const two = (winding) => (winding < -1 ? 0 : winding > 2 ? 3 : winding + 1);
+const two = (/** @type {number} */ winding) => (winding < -1 ? 0 : winding > 2 ? 3 : winding + 1);
 
-/** The arrays of the four textures, as whole rows, and the range of all colours. */
+/**
+ * The arrays of the four textures, as whole rows, and the range of all colours.
+ * @param {Fruit} fruit
+ * @param {CellLists} lists
+ */
 export function textures(fruit, {first, list}) {
   const [nx, ny, nz] = fruit.count, nodes = nx * ny * nz, plane = nx * ny, {winding, nodeColor, nodePart} = fruit;
+  /** @type {(length: number, width: number) => number} */
   const rows = (length, width) => Math.max(1, Math.ceil(length / width)) * width;
   const grid = new Uint8Array(4 * nodes), cell = new Uint32Array(2 * nodes), [red, green, blue] = nodeColor;
   for (let i = 0, at = 0; i < nodes; ++i) {
@@ -74,6 +83,7 @@ export function textures(fruit, {first, list}) {
   const triangles = fruit.hidden.length, triangle = new Uint32Array(16 * rows(triangles, 1024));
   const {position: p, triangle: corner, part} = fruit;
   const root = Uint32Array.from(linear, (l) => Math.round(1023 * Math.sqrt(l)));
+  /** @type {(color: Uint8Array, v: number) => number} */
   const bits = (color, v) => root[color[3 * v]] | root[color[3 * v + 1]] << 10 | root[color[3 * v + 2]] << 20;
   for (let t = 0; t < triangles; ++t) {
     const at = 16 * t;
@@ -90,6 +100,10 @@ export function textures(fruit, {first, list}) {
   return {grid, cell, list: wholeList, triangle, ...range(fruit)};
 }
 
+/**
+ * @param {Fruit} fruit
+ * @returns {ColorRange}
+ */
 export function range({front, back}) {
   const low = [255, 255, 255], high = [0, 0, 0];
   for (let i = 0; i < front.length; ++i) {
@@ -101,10 +115,19 @@ export function range({front, back}) {
 
 // ---- One point, as look.glsl answers it. ----
 
+/** @type {(a: Point, b: Point) => number} */
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+/** @type {(a: Point, b: Point) => Point} */
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+/** @type {(a: Point, b: Point) => Point} */
 const less = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 
+/**
+ * Weights of a triangle's corners at its place nearest to the origin.
+ * @param {Point} a
+ * @param {Point} b
+ * @param {Point} c
+ */
 function nearestWeights(a, b, c) {
   const ab = less(b, a), ac = less(c, a), a1 = -dot(ab, a), a2 = -dot(ac, a);
   if (a1 <= 0 && a2 <= 0) return [1, 0, 0];
@@ -131,6 +154,10 @@ class Fit {
     this.matrix = new Float64Array(16);
     this.right = new Float64Array(12);
   }
+  /**
+   * @param {Point} place
+   * @param {number[]} value
+   */
   add(place, value) {
     const weight = 1 / (dot(place, place) + 1e-3) ** 2, basis = [1, ...place];
     for (let i = 0; i < 4; ++i) {
@@ -154,14 +181,19 @@ class Fit {
 /**
  * `fruit` as Asset.decoded() gives it, `lists` of cells(), `hull` of range(). Null in air, else the colour (linear),
  * the part, and how many triangles were looked at.
+ * @param {Fruit} fruit
+ * @param {CellLists} lists
+ * @param {ColorRange} hull
+ * @param {Point} g
  */
 export function at(fruit, lists, hull, g) {
   const {count, units, position, triangle, hidden, winding, nodeColor, nodePart} = fruit, [nx, ny] = count;
   const low = g.map(Math.floor);
   if (low.some((v, axis) => !(v >= 0 && v < count[axis] - 1))) return null;
   const within = less(g, low), cell = (low[2] * ny + low[1]) * nx + low[0];
-  const node = (k) => cell + (k & 1) + nx * (k >> 1 & 1) + nx * ny * (k >> 2);
-  const colorOf = (i) => [linear[nodeColor[0][i]], linear[nodeColor[1][i]], linear[nodeColor[2][i]]];
+  const node = (/** @type {number} */ k) => cell + (k & 1) + nx * (k >> 1 & 1) + nx * ny * (k >> 2);
+  const colorOf =
+    (/** @type {number} */ i) => [linear[nodeColor[0][i]], linear[nodeColor[1][i]], linear[nodeColor[2][i]]];
   const begin = lists.first[cell], end = lists.first[cell + 1];
   if (begin === end) {
     if (winding[cell] === 0) return null;
@@ -207,6 +239,7 @@ export function at(fruit, lists, hull, g) {
   if (Math.abs(inside) < 4) return null;
 
   // Fit what they see.
+  /** @type {(seen: {t: number, side: number, weights: number[]}) => number[]} */
   const ofSide = ({t, side, weights}) => {
     const from = side === 0 ? fruit.front : fruit.back, color = [0, 0, 0];
     for (let k = 0; k < 3; ++k)

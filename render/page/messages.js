@@ -5,7 +5,11 @@
  * @type {(id: string) => any}
  */
 export const $ = (id) => document.getElementById(id);
-/** All elements that a selector of CSS names. */
+/**
+ * All elements that a selector of CSS names.
+ * @param {string} selector
+ * @param {ParentNode} root
+ */
 export const $$ =
   (selector, root = document) => [.../** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(selector))];
 
@@ -17,7 +21,10 @@ export function say(text) {
   if ($('state').textContent !== text) $('state').textContent = text;
 }
 
-/** Instead of the picture, which cannot be. */
+/**
+ * Instead of the picture, which cannot be.
+ * @param {string} text
+ */
 export function sorry(text) {
   const p = document.createElement('p');
   p.className = 'sorry';

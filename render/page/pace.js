@@ -7,18 +7,27 @@ export const restMs = 80;       // after which what has moved is drawn finely
 const paceMemory = 3;           // frames: the first ones take the compiler's time, too
 
 export class Pace {
-  /** `measures`: not while a page opens (Board.beginOpening). */
+  /**
+   * `measures`: not while a page opens (Board.beginOpening).
+   * @param {{gl: WebGL2RenderingContext, isSoftware: boolean}} card
+   */
   constructor({gl, isSoftware}) {
     this.gl = gl;
+    /** @type {WebGLSync | null} */
     this.fence = null;
     this.begun = 0;
     this.divisor = isSoftware ? firstDivisor : 1;
     this.given = 1;
+    /** @type {number[]} milliseconds of the last frames that were drawn finely */
     this.fine = [];
     this.measures = true;
   }
 
-  /** A frame, begun at this time, has gone to the card, with so many times fewer pixels along each side. */
+  /**
+   * A frame, begun at this time, has gone to the card, with so many times fewer pixels along each side.
+   * @param {number} divisor
+   * @param {number} begun
+   */
   gave(divisor, begun) {
     const {gl} = this;
     if (this.fence) gl.deleteSync(this.fence);
@@ -35,6 +44,7 @@ export class Pace {
     if (this.measures) this.take(performance.now() - this.begun);
     return false;
   }
+  /** @param {number} ms */
   take(ms) {
     if (this.given === 1) {
       this.fine = [...this.fine.slice(1 - paceMemory), ms];
@@ -50,7 +60,8 @@ export class Pace {
   async drawn() {
     const {gl} = this, fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
-    while (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) await new Promise((done) => setTimeout(done, 2));
+    while (fence && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED)
+      await new Promise((done) => setTimeout(done, 2));
     gl.deleteSync(fence);
   }
 }

@@ -1,6 +1,9 @@
 // Which triangles of a body's skin each of its pieces may have, so that a piece is drawn without what others have:
 // cards that are software work out what is drawn first and ask then whether a knife has taken it.
 
+/** @import {Knife} from './knives.js' */
+/** @import {Piece} from './types.d.ts' */
+
 /** Cells: a curved blade rises between the corners of a triangle; a flat one but by rounding. */
 const sideMargins = {
   curved: 2,
@@ -10,6 +13,8 @@ const sideMargins = {
 /**
  * For each corner of a skin (ten numbers a corner) bits: k where it may lie on the positive side of knife k, 8 + k on
  * the negative one.
+ * @param {Float32Array} skin
+ * @param {Knife[]} knives
  */
 export function sidesOf(skin, knives) {
   const bits = new Uint16Array(skin.length / 10);
@@ -25,6 +30,9 @@ export function sidesOf(skin, knives) {
 /**
  * Corners of the triangles that no knife has wholly on the other side. `index`: which corners are triangles, or null:
  * three after three.
+ * @param {{keep: number[]}} piece
+ * @param {Uint16Array} sides
+ * @param {Uint32Array | null} index
  */
 export function trianglesOf({keep}, sides, index) {
   const wanted = keep.map((side, k) => (side > 0 ? 1 : 256) << k), corners = index ? index.length : sides.length;
@@ -43,11 +51,16 @@ export function trianglesOf({keep}, sides, index) {
 
 /** On the card: a mesh for each piece, made when it is first drawn. */
 export class PieceMeshes {
+  /**
+   * @param {any} card what the graphics card holds
+   * @param {{mesh: any, skin: Float32Array, index: Uint32Array | null}} shape
+   */
   constructor(card, {mesh, skin, index}) {
     this.card = card;
     this.mesh = mesh;
     this.skin = skin;
     this.index = index;
+    /** @type {Uint16Array | null} */
     this.sides = null;
     this.made = new Map();
   }
@@ -58,6 +71,10 @@ export class PieceMeshes {
     this.made.clear();
     this.sides = null;
   }
+  /**
+   * @param {Piece} piece
+   * @param {Knife[]} knives
+   */
   of(piece, knives) {
     const {card, mesh, made} = this;
     if (knives.length === 0) return mesh;

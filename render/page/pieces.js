@@ -1,12 +1,20 @@
 // What the knives leave: which pieces there are, and where they lie when they are pulled apart or laid open.
 import {M, V} from './linear.js';
 
+/** @import {Knife} from './knives.js' */
+/** @import {Frame, Home, Piece, Point, Shell} from './types.d.ts' */
+
 /**
  * Points of the fruit that stand for all of it: some of its skin, where it is not of the parts `without`, some of its
  * nodes inside.
+ * @param {{count: number[]}} header
+ * @param {Float32Array} skin
+ * @param {Int8Array | null} winding
+ * @param {number} most
+ * @param {number[]} without
  */
 export function samplesOf(header, skin, winding, most = 2500, without = []) {
-  const points = [], corners = skin.length / 10, every = Math.max(1, Math.floor(corners / most));
+  const /** @type {Point[]} */ points = [], corners = skin.length / 10, every = Math.max(1, Math.floor(corners / most));
   for (let i = 0; i < corners; i += every)
     if (!without.includes(skin[10 * i + 9])) points.push([skin[10 * i], skin[10 * i + 1], skin[10 * i + 2]]);
   if (winding) {
@@ -24,12 +32,14 @@ export function samplesOf(header, skin, winding, most = 2500, without = []) {
  * Where cells stand in the order of cutting, as generator/knife numbers them: the first knife's slowest. `bits`: of
  * which knives a cell is on the positive side. Planes of one knife count by their steps; wedges, whose steps are 0, by
  * their angle.
+ * @param {number} bits
+ * @param {Knife[]} knives
  */
 function cellNumber(bits, knives) {
   let number = 0;
   for (let k = 0, end = 0; k < knives.length; k = end) {
     const {laid} = knives[k], first = k;
-    for (end = k + 1; laid && end < knives.length && knives[end].laid && knives[end].laid.knife === laid.knife;) ++end;
+    for (end = k + 1; laid && end < knives.length && knives[end].laid?.knife === laid.knife;) ++end;
     let cell = 0, positive = 0;
     for (let i = first; i < end; ++i)
       if (bits >> i & 1) {
@@ -46,6 +56,10 @@ function cellNumber(bits, knives) {
  * For each shell around a spared part the cell that has all of it, and whether a knife passes through it. It is the one
  * that holds most of it; of those that hold `nearlyAsMuch`, the first in the order of cutting
  * (generator/cut/spared.cpp).
+ * @param {Shell[]} shells
+ * @param {Knife[]} knives
+ * @param {number} nearlyAsMuch of the largest share
+ * @returns {Home[]}
  */
 export function homesOf(shells, knives, nearlyAsMuch) {
   return shells.map(({points, rim}) => {
@@ -65,20 +79,27 @@ export function homesOf(shells, knives, nearlyAsMuch) {
 }
 
 /**
- * Pieces by their sides of all knives: {keep: [+1, -1, ...], cell: the same as bits, middle, points}. Fewer points than
+ * Pieces by their sides of all knives. Fewer points than
  * a hundredth are a crumb. Of a shell that is cut all goes to one cell (`homes`).
+ * @param {Point[]} samples
+ * @param {Knife[]} knives
+ * @param {Shell[]} shells
+ * @param {Home[]} homes
+ * @returns {Piece[]}
  */
 export function piecesOf(samples, knives, shells = [], homes = []) {
-  const laid = knives.map((knife) => [knife, knife.frame, knife.profile]), found = new Map();
-  const add = (p, home = null) => {
-    const cell = home
-      ? home.cell
-      : laid.reduce(
-          (bits, [knife, frame, profile], k) => (knife.sideOf(p, frame, profile) > 0 ? bits | 1 << k : bits), 0);
-    if (!found.has(cell)) found.set(cell, {cell, keep: knives.map((_, k) => (cell >> k & 1 ? 1 : -1)), points: []});
-    found.get(cell).points.push(p);
+  const laid = knives.map((knife) => ({knife, frame: knife.frame, profile: knife.profile}));
+  const found = /** @type {Map<number, {cell: number, keep: number[], points: Point[]}>} */ (new Map());
+  const add = (/** @type {Point} */ p, /** @type {Home | null} */ home) => {
+    const cell = home?.cell ??
+      laid.reduce(
+        (bits, {knife, frame, profile}, k) => (knife.sideOf(p, frame, profile) > 0 ? bits | 1 << k : bits), 0);
+    const piece = found.get(cell) ??
+      {cell, keep: knives.map((_, k) => (cell >> k & 1 ? 1 : -1)), points: /** @type {Point[]} */ ([])};
+    piece.points.push(p);
+    found.set(cell, piece);
   };
-  for (const p of samples) add(p);
+  for (const p of samples) add(p, null);
   shells.forEach(({samples: own}, i) => own.forEach((p) => add(p, homes[i])));
   const all = [...found.values()].reduce((sum, {points}) => sum + points.length, 0);
   return [...found.values()]
@@ -90,9 +111,17 @@ export function piecesOf(samples, knives, shells = [], homes = []) {
  * Where each piece lies: a rigid motion each. Pulled apart, pieces move away from the middle of all; laid open, the
  * half before a single knife swings round like the cover of a book, so that both faces are seen, and each half stands
  * on the table by itself.
+ * @param {Piece[]} pieces
+ * @param {Knife[]} knives
+ * @param {Frame} fruit
+ * @param {number} apart
+ * @param {number} open
  */
 export function placed(pieces, knives, fruit, apart, open) {
-  const upright = [0, 1, 0], least = (points, at) => points.reduce((x, p) => Math.min(x, at(p)), Infinity);
+  const upright = [0, 1, 0];
+  /** @type {(points: Point[], at: (p: Point) => number) => number} */
+  const least = (points, at) => points.reduce((x, p) => Math.min(x, at(p)), Infinity);
+  /** @type {(points: Point[], at: (p: Point) => number) => number} */
   const most = (points, at) => points.reduce((x, p) => Math.max(x, at(p)), -Infinity);
   const low = Math.min(...pieces.map(({points}) => least(points, (p) => p[1])));
   const book = knives.length === 1 && pieces.length === 2 ? open : 0;

@@ -1,6 +1,8 @@
 // From an asset's bytes to arrays: the JavaScript half of asset_file.h, and byte for byte docs/reference/asset.md. It
 // stands alone, so that programs of others can take it.
 
+/** @import {AssetHeader, Fruit} from './types.d.ts' */
+
 const magic = [0x70, 0x6f, 0x6d, 0x6f, 0x6e, 0x61, 0];
 export const depthSteps = 32;
 
@@ -12,11 +14,15 @@ export const linear = Float64Array.from({length: 256}, (_, i) => {
 
 /**
  * The bytes after the magic number and the kind of file, 1 for an asset, through the platform's own unpacker;
- * `onChunk(bytes, length)` may look early.
+ * `onChunk` may look early at what is there.
+ * @param {Uint8Array} packed
+ * @param {((bytes: Uint8Array, length: number) => void) | null} [onChunk]
  */
 export async function unpacked(packed, onChunk, kind = 1) {
   if ([...magic, kind].some((byte, i) => packed[i] !== byte)) throw new Error('this is no asset of Pomona\'s');
-  const stream = new Blob([packed.subarray(magic.length + 1)]).stream().pipeThrough(new DecompressionStream('deflate'));
+  const stream = new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (packed.subarray(magic.length + 1))])
+                   .stream()
+                   .pipeThrough(new DecompressionStream('deflate'));
   const reader = stream.getReader();
   let bytes = new Uint8Array(1 << 22), length = 0;
   for (;;) {
@@ -33,7 +39,12 @@ export async function unpacked(packed, onChunk, kind = 1) {
   }
 }
 
-/** Where the arrays begin, and the header; nothing as long as it is not all there. */
+/**
+ * Where the arrays begin, and the header; nothing as long as it is not all there.
+ * @param {Uint8Array} bytes
+ * @param {number} length how many of them are there
+ * @returns {{at: number, fields: AssetHeader} | null}
+ */
 export function header(bytes, length) {
   if (length < 4) return null;
   const size = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
@@ -41,18 +52,31 @@ export function header(bytes, length) {
   return {at: 4 + size, fields: JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + size)))};
 }
 
-/** Where the surfaces end that follow a header. */
+/**
+ * Where the surfaces end that follow a header.
+ * @param {{at: number, fields: AssetHeader}} head
+ */
 export function surfacesEnd({at, fields}) { return at + 12 * fields.vertices + 14 * fields.triangles; }
 
 // ---- Numbers as planes of bytes (byte_planes.h). ----
 
 export class Reader {
+  /**
+   * @param {Uint8Array} bytes
+   * @param {number} at
+   */
   constructor(bytes, at) {
     this.bytes = bytes;
     this.at = at;
   }
 
-  /** Numbers go to out[first], out[first + stride], ...: differences from the one `back` before, modulo 2^(8 width). */
+  /**
+   * Numbers go to out[first], out[first + stride], ...: differences from the one `back` before, modulo 2^(8 width).
+   * @param {number} count
+   * @param {number} back
+   * @param {number} width bytes
+   * @param {Uint8Array | Uint16Array | Uint32Array} out
+   */
   numbers(count, back, width, out, first = 0, stride = 1) {
     const {bytes, at} = this, mask = 2 ** (8 * width) - 1;
     for (let i = 0; i < count; ++i) {
@@ -63,16 +87,21 @@ export class Reader {
     }
     this.at += width * count;
   }
+  /** @param {number} bytes */
   take(bytes) {
     this.at += bytes;
     return this.bytes.slice(this.at - bytes, this.at);
   }
 }
 
-/** Vertices and triangles: what a skin needs. */
+/**
+ * Vertices and triangles: what a skin needs. What follows adds the rest.
+ * @param {Uint8Array} bytes
+ * @param {{at: number, fields: AssetHeader}} head
+ */
 export function surfaces(bytes, {at, fields}) {
   const {vertices: V, triangles: T} = fields, reader = new Reader(bytes, at);
-  const fruit = {
+  const fruit = /** @type {Fruit} */ ({
     header: fields,
     count: fields.count,
     units: fields.units,
@@ -82,7 +111,7 @@ export function surfaces(bytes, {at, fields}) {
     triangle: new Uint32Array(3 * T),
     hidden: new Uint8Array(T),
     part: [new Uint16Array(T), new Uint16Array(T)]
-  };
+  });
   for (let k = 0; k < 3; ++k) reader.numbers(V, 1, 2, fruit.position, k, 3);
   for (let k = 0; k < 3; ++k) reader.numbers(V, 1, 1, fruit.front, k, 3);
   for (let k = 0; k < 3; ++k) reader.numbers(V, V + 1, 1, fruit.back, k, 3);
@@ -99,17 +128,20 @@ export function surfaces(bytes, {at, fields}) {
  * Adds `winding` (Int8Array) and `nodePart` (Uint8Array: 1 + part, 0 in air) by walking rows of nodes along x. Where a
  * row leaves a body and is still in another, as where a stem is sunk in the flesh, it is in that one's part again: the
  * outer side of a body tells how it looks, not what lies around it.
+ * @param {Fruit} fruit
  */
 export function addWindings(fruit) {
   const {position, triangle, hidden, units} = fruit, [nx, ny, nz] = fruit.count, step = 2 * units;
   const winding = new Int8Array(nx * ny * nz), nodePart = new Uint8Array(nx * ny * nz);
   const last = new Float32Array(nx * ny * nz).fill(-1);  // where the last crossing before a node lies
   const leaves = new Uint8Array(nx * ny * nz);           // 1 + the part of the body that is left there
+  /** @type {(ay: number, az: number, by: number, bz: number, y: number, z: number) => boolean} */
   const isLeft = (ay, az, by, bz, y, z) => {
     if (bz < az || (bz === az && by < ay)) return !isLeft(by, bz, ay, az, y, z);
     const twice = (by - ay) * (z - az) - (bz - az) * (y - ay);
     return twice !== 0 ? twice > 0 : az === bz && by > ay;
   };
+  /** @type {(ay: number, az: number, by: number, bz: number, y: number, z: number) => number} */
   const area = (ay, az, by, bz, y, z) => (by - ay) * (z - az) - (bz - az) * (y - ay);
   for (let t = 0; t < hidden.length; ++t) {
     const a = 3 * triangle[3 * t], b = 3 * triangle[3 * t + 1], c = 3 * triangle[3 * t + 2];
@@ -138,13 +170,14 @@ export function addWindings(fruit) {
     }
   }
   for (let row = 0; row < winding.length; row += nx) {
+    /** @type {number[]} */
     const around = [];  // the parts that lay before each body the row is in
     let bodies = 0, part = 0;
     for (let i = row; i < row + nx; ++i) {
       for (let k = 0; k < winding[i]; ++k) around.push(part);
       for (let k = 0; k < -winding[i] && around.length > 0; ++k) {
         const outer = around.pop();
-        if (part === leaves[i]) part = outer;
+        if (part === leaves[i]) part = outer ?? 0;
       }
       bodies += winding[i];
       winding[i] = bodies;
@@ -164,6 +197,7 @@ export function addWindings(fruit) {
 /**
  * What a symbol stands for: differences of 0 and 1 exactly, larger ones in steps of 3, those beyond code `thirds` in
  * steps of 5.
+ * @type {(thirds: number) => Int32Array}
  */
 const differences = (thirds) => Int32Array.from({length: 256}, (_, symbol) => {
   const code = symbol + 1 >> 1;
@@ -172,10 +206,19 @@ const differences = (thirds) => Int32Array.from({length: 256}, (_, symbol) => {
 });
 const weightOf = Int32Array.from({length: 256}, (_, d) => Math.max(1, Math.floor(1024 / (1 + d * d))));
 
-/** One channel of all nodes inside, from coarse to fine; `at`: where its four streams begin. */
+/**
+ * One channel of all nodes inside, from coarse to fine; `at`: where its four streams begin.
+ * @param {Int8Array} winding
+ * @param {number[]} count
+ * @param {Uint8Array} bytes
+ * @param {number[]} at
+ * @param {Uint8Array} value
+ * @param {Int32Array} differenceOf
+ */
 function decodeChannel(winding, [nx, ny, nz], bytes, at, value, differenceOf) {
   let last = 0;
   const away = [1, nx, nx * ny], count = [nx, ny, nz], place = [0, 0, 0];
+  /** @type {(first: number[], every: number, step: number) => void} */
   const each = (first, every, step) => {
     const along = [0, 1, 2].filter((axis) => first[axis] > 0);
     for (let z = first[2]; z < nz; z += every) {
@@ -220,7 +263,12 @@ function decodeChannel(winding, [nx, ny, nz], bytes, at, value, differenceOf) {
   }
 }
 
-/** Adds `nodeColor`: [red, green, blue], a Uint8Array each. Returns where they end. */
+/**
+ * Adds `nodeColor`: [red, green, blue], a Uint8Array each. Returns where they end.
+ * @param {Fruit} fruit
+ * @param {Uint8Array} bytes
+ * @param {number} at
+ */
 export function addNodes(fruit, bytes, at) {
   const differenceOf = differences(fruit.header.format === 1 ? 8 : fruit.header.thirds);
   const view = new DataView(bytes.buffer, bytes.byteOffset);
@@ -237,9 +285,15 @@ export function addNodes(fruit, bytes, at) {
 
 // ---- How it is painted, and what knives go around. ----
 
+/**
+ * Returns where they end.
+ * @param {Fruit} fruit
+ * @param {Uint8Array} bytes
+ * @param {number} at
+ */
 export function addLook(fruit, bytes, at) {
   const {texels, parts, guide, skin_shares: shares, shells, triangles} = fruit.header, reader = new Reader(bytes, at);
-  const floats = (count) => new Float32Array(reader.take(16 * count).buffer);
+  const floats = (/** @type {number} */ count) => new Float32Array(reader.take(16 * count).buffer);
   fruit.noise = floats(texels[0]);
   fruit.details = floats(texels[1]);
   fruit.materials = floats(texels[2]);
@@ -257,9 +311,14 @@ export function addLook(fruit, bytes, at) {
   return reader.at;
 }
 
-/** All of an unpacked asset. */
+/**
+ * All of an unpacked asset.
+ * @param {Uint8Array} bytes
+ */
 export function decoded(bytes) {
-  const head = header(bytes, bytes.length), fruit = surfaces(bytes, head);
+  const head = header(bytes, bytes.length);
+  if (!head) throw new Error('the asset ends within its header');
+  const fruit = surfaces(bytes, head);
   addWindings(fruit);
   const end = addLook(fruit, bytes, addNodes(fruit, bytes, surfacesEnd(head)));
   if (end !== bytes.length) throw new Error('something follows the asset\'s end');

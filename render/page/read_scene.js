@@ -1,7 +1,15 @@
 // A scene's pieces from its bytes: the JavaScript half of page_scene.h.
 import * as Asset from './read_asset.js';
 
-/** A direction from where it lies on an unfolded octahedron, 0..1023. */
+/** @import {JoinedSkin, SceneHeader} from './types.d.ts' */
+
+/**
+ * A direction from where it lies on an unfolded octahedron, 0..1023.
+ * @param {number} a
+ * @param {number} b
+ * @param {Float32Array} out
+ * @param {number} at
+ */
 function direction(a, b, out, at) {
   let x = 2 * a / 1023 - 1, y = 2 * b / 1023 - 1;
   const z = 1 - Math.abs(x) - Math.abs(y);
@@ -12,7 +20,13 @@ function direction(a, b, out, at) {
   out[at + 2] = z / length;
 }
 
-/** Ten numbers a vertex, as skin.js has them, and the corners of triangles. */
+/**
+ * Ten numbers a vertex, as skin.js has them, and the corners of triangles.
+ * @param {Asset.Reader} reader
+ * @param {{vertices: number, triangles: number, fruit: number}} solid
+ * @param {{units: number}} fruit
+ * @returns {JoinedSkin}
+ */
 function mesh(reader, {vertices, triangles}, {units}) {
   const position = new Uint16Array(3 * vertices), normal = new Uint16Array(2 * vertices);
   const color = new Uint8Array(3 * vertices), tag = new Uint8Array(vertices);
@@ -33,10 +47,16 @@ function mesh(reader, {vertices, triangles}, {units}) {
   return {skin, index};
 }
 
-/** {header, solids: [{skin, index}], looks: [{noise, materials}] of its fruits}. */
+/**
+ * Its header, its solids, and the looks of its fruits.
+ * @param {Uint8Array} bytes
+ */
 export function decoded(bytes) {
-  const {at, fields: header} = Asset.header(bytes, bytes.length), reader = new Asset.Reader(bytes, at);
-  const floats = (count) => new Float32Array(reader.take(16 * count).buffer);
+  const head = Asset.header(bytes, bytes.length);
+  if (!head) throw new Error('the scene ends within its header');
+  const header = /** @type {SceneHeader} */ (/** @type {unknown} */ (head.fields)),
+        reader = new Asset.Reader(bytes, head.at);
+  const floats = (/** @type {number} */ count) => new Float32Array(reader.take(16 * count).buffer);
   const looks = header.fruits.map(
     ({texels}) => ({noise: floats(texels[0]), materials: floats(texels[1]), details: new Float32Array(0)}));
   const solids = header.solids.map((solid) => mesh(reader, solid, header.fruits[solid.fruit]));

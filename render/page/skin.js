@@ -1,9 +1,16 @@
 // The skin as triangles to be drawn: the boundary, seen from air, with smooth normals.
 import {linear} from './read_asset.js';
 
+/** @import {Fruit, JoinedSkin, Numbers} from './types.d.ts' */
+
 /**
  * Which of `count` things are one: a function that tells a thing's number, the same for all that are alike, in the
- * order in which they are met; it hands out up to `most`. A hash table, open addressing: `hashOf(i)`, `alike(i, k)`.
+ * order in which they are met; it hands out up to `most`. A hash table, open addressing.
+ * @param {number} count
+ * @param {number} most
+ * @param {(i: number) => number} hashOf
+ * @param {(i: number, k: number) => boolean} alike
+ * @returns {(i: number) => number}
  */
 function numbering(count, most, hashOf, alike) {
   const size = 1 << Math.ceil(Math.log2(4 * most / 3 + 4)), slot = new Int32Array(size).fill(-1);
@@ -23,6 +30,7 @@ function numbering(count, most, hashOf, alike) {
 /**
  * Points at one place are one: numbers them, up to `most` of them. `p`: coordinates, those of a point `stride` after
  * the last one's; `bits`: whole numbers for them.
+ * @type {(p: Numbers, stride: number, most: number, bits?: Numbers) => (i: number) => number}
  */
 const places = (p, stride, most, bits = p) => numbering(
   p.length / stride, most,
@@ -34,6 +42,11 @@ const places = (p, stride, most, bits = p) => numbering(
 /**
  * Of triangles, three `corners` after three: `face`, the normal of each, as long as twice its area; `sum`, of each of
  * `most` places those of all that meet there.
+ * @param {Numbers} p
+ * @param {number} stride
+ * @param {Numbers} corners
+ * @param {(i: number) => number} placeOf
+ * @param {number} most
  */
 function areas(p, stride, corners, placeOf, most) {
   const face = new Float32Array(corners.length), sum = new Float64Array(3 * most);
@@ -54,8 +67,12 @@ function areas(p, stride, corners, placeOf, most) {
   return {face, sum};
 }
 
+/**
+ * Of all triangles with a hidden side.
+ * @param {Fruit} fruit
+ */
 export function built(fruit) {
-  const {hidden} = fruit, faces = [];
+  const {hidden} = fruit, /** @type {number[]} */ faces = [];
   for (let t = 0; t < hidden.length; ++t)
     if (hidden[t] !== 0) faces.push(t);
   return skinOf(fruit, faces, (t) => ({turned: hidden[t] === 2, front: hidden[t] === 1}));
@@ -65,6 +82,9 @@ export function built(fruit) {
  * Ten numbers a corner, nothing shared: position (cells of the grid), normal, colour (linear), part. Normals are smooth
  * over equal places, but where surfaces meet at a sharp angle. `seen(t)`: whether a triangle's corners are taken the
  * other way round, and whether it has the colour and part of its front.
+ * @param {Fruit} fruit
+ * @param {number[]} faces
+ * @param {(t: number) => {turned: boolean, front: boolean}} seen
  */
 export function skinOf(fruit, faces, seen) {
   const {position, triangle, units} = fruit, corners = new Int32Array(3 * faces.length);
@@ -92,16 +112,20 @@ export function skinOf(fruit, faces, seen) {
   return data;
 }
 
-/** Corners that are alike in all ten numbers are one: {skin, index}, which corners are triangles. */
+/**
+ * Corners that are alike in all ten numbers are one.
+ * @param {Float32Array} data
+ * @returns {JoinedSkin}
+ */
 export function joined(data) {
   const bits = new Uint32Array(data.buffer, data.byteOffset, data.length), index = new Uint32Array(data.length / 10);
   const skin = new Float32Array(data.length);
-  const hashOf = (i) => {
+  const hashOf = (/** @type {number} */ i) => {
     let hash = 0;
     for (let k = 10 * i; k < 10 * i + 10; ++k) hash = Math.imul(hash ^ bits[k], 0x9e3779b1) ^ hash >>> 15;
     return hash;
   };
-  const alike = (i, j) => {
+  const alike = (/** @type {number} */ i, /** @type {number} */ j) => {
     for (let k = 0; k < 10; ++k)
       if (data[10 * i + k] !== data[10 * j + k]) return false;
     return true;
@@ -118,6 +142,8 @@ export function joined(data) {
 /**
  * Three numbers a corner of a skin: the sum of the normals of all triangles that meet at its place, each as long as its
  * triangle is large. An outline moves outwards by it, and stays whole where surfaces meet at a sharp angle.
+ * @param {Float32Array} skin
+ * @param {Uint32Array | null} index
  */
 export function outwards(skin, index = null) {
   const bits = new Uint32Array(skin.buffer, skin.byteOffset, skin.length), count = skin.length / 10;

@@ -5,7 +5,12 @@ import * as Asset from './read_asset.js';
 import * as ScenePieces from './read_scene.js';
 import * as Skin from './skin.js';
 
-/** Five characters for four bytes (page.cpp). */
+/** @import {Fruit} from './types.d.ts' */
+
+/**
+ * Five characters for four bytes (page_text.cpp).
+ * @param {string} text
+ */
 function bytesOf(text) {
   const bytes = new Uint8Array(text.length / 5 * 4), view = new DataView(bytes.buffer);
   for (let i = 0, at = 0; i + 5 <= text.length; i += 5, at += 4) {
@@ -19,10 +24,13 @@ function bytesOf(text) {
   return bytes;
 }
 
-/** A fruit: its skin as soon as it is there, then what cut faces need. */
+/**
+ * A fruit: its skin as soon as it is there, then what cut faces need.
+ * @param {number} job
+ * @param {Uint8Array} packed
+ */
 async function unpackFruit(job, packed) {
-  /** @type {any} */
-  let fruit = null;
+  let fruit = /** @type {Fruit | null} */ (null);
   const bytes = await Asset.unpacked(packed, (soFar, length) => {
     const head = fruit ? null : Asset.header(soFar, length);
     if (!head || length < Asset.surfacesEnd(head)) return;
@@ -31,18 +39,24 @@ async function unpackFruit(job, packed) {
     postMessage(
       {job, header: head.fields, skin, index, outwards}, {transfer: [skin.buffer, index.buffer, outwards.buffer]});
   });
+  const head = Asset.header(bytes, bytes.length);
+  if (!fruit || !head) throw new Error('the asset is cut off');
   Asset.addWindings(fruit);
-  Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(Asset.header(bytes, bytes.length))));
+  Asset.addLook(fruit, bytes, Asset.addNodes(fruit, bytes, Asset.surfacesEnd(head)));
   const {message, transfer} = laidOut(fruit);
   postMessage({job, header: fruit.header, ...message}, {transfer});
 }
 
-/** A scene: all of its pieces' meshes. */
+/**
+ * A scene: all of its pieces' meshes.
+ * @param {number} job
+ * @param {Uint8Array} packed
+ */
 async function unpackScene(job, packed) {
   const scene = ScenePieces.decoded(await Asset.unpacked(packed, null, 2));
-  for (const solid of scene.solids) solid.outwards = Skin.outwards(solid.skin, solid.index);
-  const transfer = scene.solids.flatMap(({skin, index, outwards}) => [skin.buffer, index.buffer, outwards.buffer]);
-  postMessage({job, ...scene}, {transfer});
+  const solids = scene.solids.map((solid) => ({...solid, outwards: Skin.outwards(solid.skin, solid.index)}));
+  const transfer = solids.flatMap(({skin, index, outwards}) => [skin.buffer, index.buffer, outwards.buffer]);
+  postMessage({job, ...scene, solids}, {transfer});
 }
 
 // From now on it hears what it is told, also while the page is busy.

@@ -1,12 +1,20 @@
 // Undo and redo: the texts as they were.
 
+/** @typedef {{toml: string, svg: string}} Texts */
+
 export class History {
+  /** @param {Texts} texts */
   constructor(texts) {
+    /** @type {Texts[]} */
     this.past = [];
+    /** @type {Texts[]} */
     this.next = [];
     this.now = texts;
   }
-  /** A step that can be taken back. */
+  /**
+   * A step that can be taken back.
+   * @param {Texts} texts
+   */
   push(texts) {
     if (texts.toml === this.now.toml && texts.svg === this.now.svg) return false;
     this.past.push(this.now);
@@ -15,20 +23,17 @@ export class History {
     this.next = [];
     return true;
   }
-  undo() {
-    if (this.past.length) {
-      this.next.push(this.now);
-      this.now = this.past.pop();
-      return true;
-    }
-    return false;
-  }
-  redo() {
-    if (this.next.length) {
-      this.past.push(this.now);
-      this.now = this.next.pop();
-      return true;
-    }
-    return false;
+  undo() { return this.go(this.past, this.next); }
+  redo() { return this.go(this.next, this.past); }
+  /**
+   * @param {Texts[]} from
+   * @param {Texts[]} to
+   */
+  go(from, to) {
+    const texts = from.pop();
+    if (!texts) return false;
+    to.push(this.now);
+    this.now = texts;
+    return true;
   }
 }

@@ -1,6 +1,10 @@
 // Talking to the program: JSON in, JSON or bytes out; what it refuses comes back as an error with all its words.
 
 export class Refusal extends Error {
+  /**
+   * @param {number} status of HTTP; 0 where nobody answers
+   * @param {{message: string, hint?: string}[]} errors
+   */
   constructor(status, errors) {
     super(errors[0]?.message || `the studio answers ${status}`);
     this.status = status;
@@ -8,10 +12,15 @@ export class Refusal extends Error {
   }
 }
 export class Server {
+  /** @param {string} token */
   constructor(token) {
     this.token = token;
     this.alive = true;
   }
+  /**
+   * @param {string} path
+   * @param {object} [body] a POST; none: a GET
+   */
   async ask(path, body) {
     let reply;
     try {
@@ -31,9 +40,20 @@ export class Server {
     const told = await reply.json().catch(() => ({errors: []}));
     throw new Refusal(reply.status, told.errors || []);
   }
+  /**
+   * @param {string} path
+   * @param {object} [body]
+   */
   async json(path, body) { return (await this.ask(path, body)).json(); }
+  /**
+   * @param {string} path
+   * @param {object} [body]
+   */
   async bytes(path, body) { return new Uint8Array(await (await this.ask(path, body)).arrayBuffer()); }
-  /** A section: {head, pictures: [{view, width, height, corner, right, down, image}]}. */
+  /**
+   * A section: {head, pictures: [{view, width, height, corner, right, down, image}]}.
+   * @param {object} body
+   */
   async section(body) {
     const bytes = await this.bytes('/api/section', body), length = new DataView(bytes.buffer).getUint32(0, true);
     const head = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
@@ -48,13 +68,19 @@ export class Server {
   }
 }
 
-/** Does one thing at a time; of what is asked for meanwhile, the last. */
+/**
+ * Does one thing at a time; of what is asked for meanwhile, the last.
+ * @template T
+ */
 export class Latest {
+  /** @param {(what: T) => Promise<void>} work */
   constructor(work) {
     this.work = work;
+    /** @type {{what: T} | null} */
     this.wanted = null;
     this.busy = false;
   }
+  /** @param {T} what */
   async ask(what) {
     this.wanted = {what};
     if (this.busy) return;
