@@ -261,7 +261,7 @@ void read_look(const Counts& counts, AssetReader& reader, Asset& a) {
   guide.share = reader.shares(a.parts.size() * static_cast<std::size_t>(depth_steps));
 }
 
-void read_shells(const Counts& counts, Reader& reader, Asset& a) {
+void read_shells(const Counts& counts, AssetReader& reader, Asset& a) {
   if (counts.shells == 0) return;
   for (const std::uint32_t shell : reader.numbers(counts.triangles, 1, 2, "shells")) {
     reader.require(shell <= counts.shells, "a triangle is of a shell that is none");
