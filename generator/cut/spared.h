@@ -33,10 +33,10 @@ constexpr double nearly_as_much = 0.95;
 /// \param parts ascending.
 std::vector<std::uint32_t> closed_shells(const DiffusionSurfaces& surfaces, std::span<const int> parts);
 
-/// Surfaces with one of these parts behind them and another before them enclose what is spared, each of their closed
-/// shells for itself. It goes to the cell that holds most of it; among cells that hold nearly_as_much, to
-/// the first in the order of cutting. A shell that is open, crosses another spared one or leaves the fruit is cut
-/// through. The fruit must have all its surfaces, inner ones too. \param parts ascending.
+/// Finds the spared parts. Each closed shell with one of `parts` behind it and another part before it encloses one. It
+/// goes to the cell that contains most of its volume; if several cells contain nearly as much (within a twentieth), to
+/// the first in the order of cutting. A shell that is open, crosses another spared shell or leaves the fruit is cut
+/// through. The fruit must still have all its surfaces, also inner ones. \param parts sorted.
 SparedFruit spared(CutFruit fruit, const DiffusionSurfaces& surfaces, std::span<const int> parts);
 
 }  // namespace pomona

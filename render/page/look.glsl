@@ -1,6 +1,7 @@
 // The colour inside a fruit at any point, in GLSL ES 3.00 or any later GLSL: what
-// generator/diffusion/harmonic/field_sampler.h answers, from four textures that any engine can hold. docs/reference/asset.md
-// tells how they are made of an asset. engines/translate_look.py makes HLSL, WGSL and Godot's language of this text.
+// generator/diffusion/harmonic/field_sampler.h answers, from four textures that any engine can hold.
+// docs/reference/asset.md tells how they are made of an asset. engines/translate_look.py makes HLSL, WGSL and Godot's
+// language of this text.
 
 // sRGB, alpha; linear filter. Colours at nodes; alpha: 1 + the part there, of 255; 0 in air.
 uniform highp sampler3D pomona_grid;
