@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,11 +80,11 @@ void check_drawing(const std::filesystem::path& file) {
   }
 }
 
-/// True, having read it, for a file that templates, scenes or `compare` take, but that is none of its own.
-bool check_part(const std::filesystem::path& file) {
+/// What a file leaves open that templates, scenes or `compare` take, having read it; nothing for one of its own.
+std::optional<std::vector<std::string>> check_part(const std::filesystem::path& file) {
   const std::string ending = small_ending(file);
   if (ending == ".obj" || ending == ".glb") {
-    read_plain_mesh(file);
+    return read_plain_mesh(file).notes;
   } else if (ending == ".json") {
     read_layout(file);
   } else if (ending == ".png") {
@@ -91,9 +92,9 @@ bool check_part(const std::filesystem::path& file) {
   } else if (ending == ".svg") {
     check_drawing(file);
   } else {
-    return false;
+    return {};
   }
-  return true;
+  return std::vector<std::string>{};
 }
 
 /// The style that a scene names, if it names one.
@@ -124,7 +125,7 @@ std::vector<std::string> body_warnings(const DiffusionSurfaces& surfaces, const 
 /// Reads the file as what it is; surfaces and swept templates are also asked whether they are solid.
 std::vector<std::string> check_file(const std::filesystem::path& file) {
   if (small_ending(file) == ".ply") return body_warnings(read_surfaces(file), file);
-  if (check_part(file)) return {};
+  if (const std::optional<std::vector<std::string>> notes = check_part(file)) return *notes;
   if (small_ending(file) != ".toml") {
     throw Error(ExitStatus::bad_data, {{{file.string(), 1, 1, {}},
                                         "has no ending of a file that is read here",

@@ -211,7 +211,7 @@ class Cutter {
     // Where surfaces pass through the planes (paper, Figure 3a).
     SplitMesh mesh = split_surfaces();
     const auto segments =
-        watched(observer_, "segments", [&] { return cut_segments(mesh, surfaces_, planes_.count()); });
+        watched(observer_, "segments", [&] { return cut_segments(mesh, surfaces_, bodies_, planes_.count()); });
     if (observer_) observer_->sees(planes_, segments);
 
     // The faces, triangulated, and what of them is section between which cells (Figure 3b).

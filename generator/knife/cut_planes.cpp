@@ -88,7 +88,9 @@ const CutPlanes::Plane* earlier_same(const CutPlanes& all, const CutPlanes::Plan
 CutPlanes cut_planes(std::span<const Knife> knives, const Box<double>& bounds) {
   CutPlanes all;
   all.tolerance = tolerance_share * glm::length(bounds.size());
-  all.rounding = rounding_share * std::fmax(glm::length(bounds.low), glm::length(bounds.high));
+  const double farthest = std::fmax(glm::length(bounds.low), glm::length(bounds.high));
+  all.rounding = rounding_share * farthest;
+  all.float_step = 0x1p-23 * farthest;
   all.knives = laid(knives, bounds);
   for (std::size_t k = 0; k < all.knives.size(); ++k) {
     const KnifePlanes& knife = all.knives[k];
@@ -155,6 +157,13 @@ std::uint32_t PlaneSets::with(std::uint32_t set, int plane) {
     std::set_union(larger.begin(), larger.end(), axis_planes_.begin(), axis_planes_.end(), std::back_inserter(all));
     larger = std::move(all);
   }
+  return number_of(std::move(larger));
+}
+
+std::uint32_t PlaneSets::with_alone(std::uint32_t set, int plane) {
+  if (has(set, plane)) return set;
+  std::vector<int> larger = sets_[set];
+  larger.insert(std::upper_bound(larger.begin(), larger.end(), plane), plane);
   return number_of(std::move(larger));
 }
 

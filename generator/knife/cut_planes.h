@@ -34,8 +34,9 @@ struct CutPlanes {
   };
   std::vector<Blade> blades;
   std::vector<KnifePlanes> knives;
-  double tolerance = 0;  ///< metres; points no farther apart than this count as equal
-  double rounding = 0;   ///< metres; largest error of computed points
+  double tolerance = 0;   ///< metres; points no farther apart than this count as equal
+  double rounding = 0;    ///< metres; largest error of computed points
+  double float_step = 0;  ///< metres; spacing of floats at the fruit's farthest point from the origin
 
   int count() const { return static_cast<int>(planes.size()); }
   const Plane& operator[](int plane) const { return planes[static_cast<std::size_t>(plane)]; }
@@ -66,6 +67,10 @@ class PlaneSets {
   explicit PlaneSets(const CutPlanes& planes);
 
   std::uint32_t with(std::uint32_t set, int plane);
+
+  /// The plane alone, for what is cut by planes: an edge on the axis lies on all planes through it, but it is cut by
+  /// those alone that part its triangle from another.
+  std::uint32_t with_alone(std::uint32_t set, int plane);
   std::uint32_t common(std::uint32_t first, std::uint32_t second);
   bool has(std::uint32_t set, int plane) const;
   bool on_axis(std::uint32_t set) const;

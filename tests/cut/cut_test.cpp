@@ -371,6 +371,47 @@ TEST(Cut, BoxThroughVerticesEdgesAndFaces) {
   EXPECT_EQ(number, 26 * 7);
 }
 
+// An edge on the axis is cut by each half-plane that parts its triangles, and by no other.
+TEST(Cut, WedgesWhoseAxisLiesInTheSkin) {
+  for (const glm::dvec3& low : {glm::dvec3(0), glm::dvec3(-0.02, 0, 0), glm::dvec3(-0.01, 0, -0.02)}) {
+    const DiffusionSurfaces box = shapes::box(low, {0.02, 0.02, 0.02}, 2, shapes::skin_paint());
+    for (const char* knife : {"wedges:3", "wedges:4", "wedges:5", "wedges:6", "wedges:7", "wedges:12"}) {
+      SCOPED_TRACE(std::to_string(low.x) + ", " + knife);
+      shapes::expect_whole(cut_with(box, {knife}), signed_volume(box));
+    }
+  }
+}
+
+/// The other side of a mirror across one axis, as the same surface: what lay in the mirror is there twice, turned.
+DiffusionSurfaces with_mirror_image(const DiffusionSurfaces& one, int axis) {
+  DiffusionSurfaces image = one;
+  for (glm::vec3& p : image.position) p[axis] = -p[axis];
+  for (glm::uvec3& t : image.triangle) std::swap(t.y, t.z);
+  DiffusionSurfaces both = joined(one, image);
+  both.surface.assign(both.triangle_count(), 0);
+  return both;
+}
+
+// Voxels, tetrahedra and parts of an assembly share faces, triangle for triangle.
+TEST(Cut, SolidsOfOneSurfaceThatTouchAreEachCut) {
+  DiffusionSurfaces touching = shapes::box({0, 0, 0}, {0.02, 0.02, 0.02}, 2, shapes::skin_paint());
+  double volume = 8e-6;
+  for (int axis = 0; axis < 3; ++axis) {
+    touching = with_mirror_image(touching, axis);
+    volume *= 2;
+    for (const char* knife :
+         {"plane:0,1,0,0.007", "plane:1,0,0,0.004", "plane:1,1,0,0.003", "plane:1,0,0,0", "plane:1,2,3,0.001",
+          "wedges:5", "slices:4mm", "dice:7mm", "sticks:8mm", "crinkle:5mm", "half", "ball:12mm", "core:9mm"}) {
+      SCOPED_TRACE(std::to_string(axis) + ", " + knife);
+      const Cut cut = cut_with(touching, {knife}, {.coarsest = 0.02, .finest = 0.01});
+      shapes::expect_whole(cut, volume);
+      EXPECT_FALSE(cut.section.triangle.empty() && std::string(knife) != "plane:1,0,0,0" &&
+                   std::string(knife) != "half");
+      for (const CutPiece& piece : cut.pieces) EXPECT_GT(piece.volume, 0);
+    }
+  }
+}
+
 // A knife that meets surfaces and leaves no face has not missed them.
 TEST(Cut, SaysWhyAKnifeLeavesNoFace) {
   const auto warnings_of = [](const char* knife) {

@@ -224,6 +224,15 @@ TEST(PlyDialect, ColoursAtFacesGoToTheirCorners) {
   }
 }
 
+TEST(PlyDialect, ColoursInAPictureAreTold) {
+  const std::string bytes =
+      replaced(ply(ply_vertices, ply_faces), "ascii 1.0\n", "ascii 1.0\ncomment TextureFile skin.png\n");
+  const DiffusionSurfaces surfaces = parse_surfaces(bytes, "x");
+  ASSERT_EQ(surfaces.notes.size(), 1u);
+  EXPECT_THAT(surfaces.notes[0], HasSubstr("skin.png"));
+  EXPECT_EQ(parse_plain_surfaces(bytes, "x", "").notes, surfaces.notes);
+}
+
 TEST(PlyDialect, AConcaveFaceStaysWithinItselfAlsoBeforeItsVertices) {
   const std::string c = "4 1 0\n1 1 0\n1 3 0\n4 3 0\n4 4 0\n0 4 0\n0 0 0\n4 0 0\n";
   const std::string vertex = "element vertex 8\nproperty float x\nproperty float y\nproperty float z\n";

@@ -308,7 +308,7 @@ SplitFruit split_surfaces(CutFruit fruit, const FruitParts& parts, const Diffusi
   SplitFruit split{std::move(fruit), {}};
   SurfaceSplitter(split.fruit, parts, surfaces, bodies, split.traces).run();
   SectionSplitter(split.fruit, parts, split.traces).run();
-  split.traces.segments = without_mere_touches(std::move(split.traces.segments), surfaces);
+  split.traces.segments = without_mere_touches(std::move(split.traces.segments), surfaces, bodies);
   return split;
 }
 

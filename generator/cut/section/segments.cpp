@@ -5,21 +5,22 @@
 
 namespace pomona {
 
-std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, const DiffusionSurfaces& surfaces) {
+std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, const DiffusionSurfaces& surfaces,
+                                             const Bodies& bodies) {
   struct Entry {
     std::uint32_t low, high;
-    std::int32_t surface;
-    bool boundary, forward;
+    std::int32_t surface, body;
+    bool forward;
     std::uint32_t index;
-    auto key() const { return std::tie(low, high, surface, boundary); }
+    auto key() const { return std::tie(low, high, surface, body); }
   };
 
-  // Edges in order: those that one surface uses lie side by side, forward ones first.
+  // Edges in order: those that one surface of one body uses lie side by side, forward ones first.
   std::vector<Entry> entries;
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
     const CutSegment& s = segments[i];
     entries.push_back({std::min(s.from, s.to), std::max(s.from, s.to), surfaces.surface[s.source],
-                       surfaces.is_boundary(s.source), s.from < s.to, i});
+                       bodies.of_triangle[s.source], s.from < s.to, i});
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return std::tuple(a.key(), !a.forward, a.index) < std::tuple(b.key(), !b.forward, b.index);
@@ -47,7 +48,7 @@ std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, c
 }
 
 std::vector<std::vector<CutSegment>> cut_segments(const SplitMesh& mesh, const DiffusionSurfaces& surfaces,
-                                                  int planes) {
+                                                  const Bodies& bodies, int planes) {
   std::vector<std::vector<CutSegment>> segments(static_cast<std::size_t>(planes));
   for (const SplitMesh::Triangle& t : mesh.triangle) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -59,7 +60,7 @@ std::vector<std::vector<CutSegment>> cut_segments(const SplitMesh& mesh, const D
       }
     }
   }
-  for (std::vector<CutSegment>& s : segments) s = without_mere_touches(std::move(s), surfaces);
+  for (std::vector<CutSegment>& s : segments) s = without_mere_touches(std::move(s), surfaces, bodies);
   return segments;
 }
 

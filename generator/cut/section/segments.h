@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "generator/cut/section/split_mesh.h"
+#include "generator/surface/bodies.h"
 
 namespace pomona {
 
@@ -17,9 +18,12 @@ struct CutSegment {
 };
 
 /// The segments of each plane. There is none where a surface only touches a plane along an edge and returns.
-std::vector<std::vector<CutSegment>> cut_segments(const SplitMesh& mesh, const DiffusionSurfaces& surfaces, int planes);
+std::vector<std::vector<CutSegment>> cut_segments(const SplitMesh& mesh, const DiffusionSurfaces& surfaces,
+                                                  const Bodies& bodies, int planes);
 
-/// Removes pairs of segments in which one surface uses an edge in both directions. The others keep their order.
-std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, const DiffusionSurfaces& surfaces);
+/// Removes pairs of segments in which one surface of one body uses an edge in both directions. The others keep their
+/// order. Bodies that touch along a triangle each keep theirs: either is bounded there.
+std::vector<CutSegment> without_mere_touches(std::vector<CutSegment> segments, const DiffusionSurfaces& surfaces,
+                                             const Bodies& bodies);
 
 }  // namespace pomona

@@ -155,7 +155,9 @@ class SurfaceReader {
     for (std::size_t i = 0; i < surfaces_.triangle_count(); ++i)
       if (is_wanted[static_cast<std::size_t>(surfaces_.surface[i])] != 0)
         mesh.triangle.push_back(surfaces_.triangle[i]);
-    return without_unused(mesh);
+    PlainMesh used = without_unused(mesh);
+    used.notes = surfaces_.notes;
+    return used;
   }
 
  private:
@@ -510,7 +512,17 @@ class SurfaceReader {
 
   // Names
 
+  /// Colours that only a picture holds are not read.
+  void note_texture() {
+    for (const std::string& comment : ply_.header().comments) {
+      if (!comment.starts_with("TextureFile") || has_color_) continue;
+      surfaces_.notes.push_back("its colours are in a picture (" + comment.substr(0, 80) + "), which is not read");
+      return;
+    }
+  }
+
   void name_surfaces_and_parts() {
+    note_texture();
     for (const std::string& comment : ply_.header().comments) {
       read_name(comment, "surface ", surfaces_.surface_names);
       read_name(comment, "part ", surfaces_.part_names);

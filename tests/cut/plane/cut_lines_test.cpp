@@ -40,7 +40,7 @@ struct Lines {
         all{SplitMesh(planes), {}} {
     SplitMesh mesh = split(fruit, planes);
     surface_points = mesh.point.size();
-    segments = cut_segments(mesh, fruit, planes.count());
+    segments = cut_segments(mesh, fruit, find_bodies(fruit), planes.count());
     all = cut_lines(std::move(mesh), planes, segments, bounds);
   }
 
