@@ -16,6 +16,7 @@
 #include "render/gl/scene_upload.h"
 #include "render/style/noise.h"
 #include "render/style/relief.h"
+#include "render/style/style_file.h"
 #include "tests/render/painted_shapes.h"
 
 namespace pomona {
