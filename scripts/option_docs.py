@@ -16,6 +16,11 @@ SCHEMA = SOURCE / "scenes/batch.schema.json"
 BEGIN, END = "<!-- options: scripts/option_docs.py writes this -->", "<!-- end of the options -->"
 
 
+def plain(number):
+    """1000000, 0.05."""
+    return str(int(number)) if number == int(number) else f"{number:g}"
+
+
 def value_words(option):
     """What follows the option, as documents say it."""
     if option["type"] == "flag":
@@ -23,7 +28,7 @@ def value_words(option):
     if option["type"] == "choice":
         return ", ".join(f"`{word}`" for word in option["words"])
     if option["type"] in ("whole", "number"):
-        return f"{option['low']:g} to {option['high']:g}" + (f" {option['unit']}" if "unit" in option else "")
+        return f"{plain(option['low'])} to {plain(option['high'])}" + (f" {option['unit']}" if "unit" in option else "")
     if option["type"] == "count":
         return "a whole number"
     return option.get("shown_type", "TEXT")

@@ -1,6 +1,8 @@
 #include "cli/batch/wanted_batch.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -29,6 +31,16 @@ std::string difference(const std::string& there, const std::string& wanted) {
   return "this batch as its file was before it was changed";
 }
 
+/// What an entry orders at most: an option of a list has an effect if it has one on any item.
+Order largest_order(const BatchEntry& entry) {
+  const AssetOptions& assets = entry.assets;
+  Order order = assets.order;
+  order.mesh.texture = *std::max_element(assets.textures.begin(), assets.textures.end());
+  order.mesh.lod = *std::max_element(assets.lods.begin(), assets.lods.end());
+  for (const Format format : assets.formats) order.outputs.push_back({"x." + name_of(format), format});
+  return order;
+}
+
 }  // namespace
 
 BatchPlan wanted_batch(const std::filesystem::path& file) {
@@ -46,17 +58,25 @@ std::vector<Style> styles_of(const BatchPlan& plan) {
 }
 
 std::vector<std::string> batch_warnings(const BatchPlan& plan) {
-  std::vector<std::string> warnings;
+  // What [batch] says holds for all entries: it is told of where no entry heeds it.
+  std::set<std::string> heeded;                           // flags
+  std::vector<std::pair<std::string, std::string>> idle;  // of each entry: flags, and what is told
   for (const PlannedEntry& entry : plan.entries) {
-    // An option of a list has an effect if it has one on any item.
-    const AssetOptions& assets = entry.wanted.assets;
-    Order order = assets.order;
-    order.mesh.texture = *std::max_element(assets.textures.begin(), assets.textures.end());
-    order.mesh.lod = *std::max_element(assets.lods.begin(), assets.lods.end());
-    for (const Format format : assets.formats) order.outputs.push_back({"x." + name_of(format), format});
-    for (const std::string& warning : idle_options(order, OrderTaker::batch))
-      warnings.push_back("entry \"" + entry.wanted.name + "\": " + warning);
+    const Order order = largest_order(entry.wanted);
+    std::set<std::string> idle_here;
+    for (const std::string& warning : idle_options(order, OrderTaker::batch, usual_batch_order())) {
+      const std::string flag = warning.substr(0, warning.find(' '));
+      idle.emplace_back(flag, "entry \"" + entry.wanted.name + "\": " + warning);
+      idle_here.insert(flag);
+    }
+    for (const OrderOption& option : order_options()) {
+      if (is_given(option, order, usual_batch_order()) && !idle_here.contains(flag_of(option)))
+        heeded.insert(flag_of(option));
+    }
   }
+  std::vector<std::string> warnings;
+  for (auto& [flag, warning] : idle)
+    if (!heeded.contains(flag)) warnings.push_back(std::move(warning));
   return warnings;
 }
 

@@ -24,7 +24,7 @@ void check_holds_no_other(const std::filesystem::path& folder, const std::string
 /// The style of each entry. \throws Error as find_style()
 std::vector<Style> styles_of(const BatchPlan& plan);
 
-/// What of an entry has no effect on its formats.
+/// Options that have no effect on any entry.
 std::vector<std::string> batch_warnings(const BatchPlan& plan);
 
 }  // namespace pomona

@@ -90,7 +90,6 @@ CutPlanes cut_planes(std::span<const Knife> knives, const Box<double>& bounds) {
   all.tolerance = tolerance_share * glm::length(bounds.size());
   const double farthest = std::fmax(glm::length(bounds.low), glm::length(bounds.high));
   all.rounding = rounding_share * farthest;
-  all.float_step = 0x1p-23 * farthest;
   all.knives = laid(knives, bounds);
   for (std::size_t k = 0; k < all.knives.size(); ++k) {
     const KnifePlanes& knife = all.knives[k];

@@ -34,9 +34,8 @@ struct CutPlanes {
   };
   std::vector<Blade> blades;
   std::vector<KnifePlanes> knives;
-  double tolerance = 0;   ///< metres; points no farther apart than this count as equal
-  double rounding = 0;    ///< metres; largest error of computed points
-  double float_step = 0;  ///< metres; spacing of floats at the fruit's farthest point from the origin
+  double tolerance = 0;  ///< metres; points no farther apart than this count as equal
+  double rounding = 0;   ///< metres; largest error of computed points
 
   int count() const { return static_cast<int>(planes.size()); }
   const Plane& operator[](int plane) const { return planes[static_cast<std::size_t>(plane)]; }

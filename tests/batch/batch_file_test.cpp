@@ -27,7 +27,7 @@ TemplateSource of_the_tree() {
 
 TEST(BatchFile, BadBatchesAreToldWhereAndWhy) {
   const auto read = [](const fs::path& file) { planned(read_batch(file), of_the_tree()); };
-  EXPECT_GE(expect_told_where_and_why(source_dir / "tests/batch/bad", read), 19);
+  EXPECT_GE(expect_told_where_and_why(source_dir / "tests/batch/bad", read), 17);
 }
 
 TEST(BatchFile, ReadsTheShippedBatches) {

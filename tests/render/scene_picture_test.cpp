@@ -163,7 +163,6 @@ DetailSketch some_detail(DetailKind kind, DetailRun run) {
 /// Where in a fruit each of 64 x 64 pixels lies, and its plain colour: for shaders, and for the processor.
 constexpr const char* detail_places = R"(
 #include "detail.glsl"
-#include "render/style/style_file.h"
 out vec4 color;
 vec3 p = vec3(gl_FragCoord.x * 0.00061 - 0.0247, 0.0123, gl_FragCoord.y * 0.00053 - 0.0191);
 vec3 plain = mix(vec3(0.6, 0.02, 0.02), vec3(0.5, 0.3, 0.1), gl_FragCoord.x / 64.0);

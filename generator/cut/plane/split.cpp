@@ -84,38 +84,7 @@ class Splitter {
         if (exact_distance(planes_[plane].plane, mesh_.point[p]) != 0) continue;
         mesh_.planes_of[p] = mesh_.sets.with(mesh_.planes_of[p], plane);
       }
-      if (is_turned(plane)) find_flush_triangles(plane);
     }
-  }
-
-  bool is_turned(int plane) const {
-    const glm::dvec3& n = planes_[plane].plane.normal;
-    return planes_.facet(plane) == nullptr && std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}) < 1;
-  }
-
-  /// Boundary triangles that a turned plane runs along as near as floats can tell lie in it: what it would slice off
-  /// there is thinner than pieces can be, and rounding alone would say where it ends. Planes across an axis cut at
-  /// coordinates that are right to the bit, and slice as thinly as they are told.
-  void find_flush_triangles(int plane) {
-    const auto is_near = [&](std::uint32_t p) {
-      return std::fabs(signed_distance(planes_[plane].plane, mesh_.point[p])) <= planes_.float_step;
-    };
-    for (std::size_t t = 0; t < surfaces_.triangle_count(); ++t) {
-      if (!surfaces_.is_boundary(t)) continue;
-      const glm::uvec3& corner = surfaces_.triangle[t];
-      const std::array<std::uint32_t, 3> p{mesh_.point_of[corner.x], mesh_.point_of[corner.y],
-                                           mesh_.point_of[corner.z]};
-      if (!is_near(p[0]) || !is_near(p[1]) || !is_near(p[2]) || is_thin(p)) continue;
-      for (const std::uint32_t point : p) mesh_.planes_of[point] = mesh_.sets.with(mesh_.planes_of[point], plane);
-    }
-  }
-
-  /// True if it is no wider than some thousand steps of a float, and so near to many planes.
-  bool is_thin(const std::array<std::uint32_t, 3>& p) const {
-    const glm::dvec3 a = mesh_.point[p[1]] - mesh_.point[p[0]], b = mesh_.point[p[2]] - mesh_.point[p[1]],
-                     c = mesh_.point[p[0]] - mesh_.point[p[2]];
-    const double longest = std::sqrt(std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)}));
-    return glm::length(glm::cross(a, b)) <= 1e3 * planes_.float_step * longest;
   }
 
   /// Area-weighted, of the boundary triangles that meet at a point.
