@@ -67,6 +67,9 @@ set(POMONA_PUBLIC_HEADERS
   # diffusers
   generator/diffusion/pmvc/pmvc_diffuser.h generator/diffusion/harmonic/harmonic_diffuser.h
   generator/diffusion/walk/walk_diffuser.h render/diffusion/gl_diffuser.h
+  # orders, and the bytes of all files
+  generator/order/option_table.h generator/order/ordered_fruit.h render/deliver/deliver.h render/deliver/live_files.h
+  render/deliver/piece_files.h render/deliver/scene_page_files.h render/deliver/section_files.h
   # scenes
   generator/scene/compose.h generator/scene/explode.h generator/scene/lay_out.h generator/scene/layout_file.h
   generator/scene/scene_file.h

@@ -67,6 +67,8 @@ class InstalledLibrary(unittest.TestCase):
         templates = self.tree / "share/pomona/templates"
         run(self.folder / "build/wedges", templates / "tomato.toml", folder=self.folder)
         ours = (self.folder / "wedges.glb").read_bytes()
+        for ending in ("usda", "obj", "stl", "ply", "pov", "svg", "png"):
+            self.assertGreater((self.folder / f"wedges.{ending}").stat().st_size, 1000, ending)
 
         run(self.tree / "bin/pomona", "cut", "tomato", "--seed", "3", "--knife", "wedges:6", "-o", "program.glb",
             folder=self.folder)
