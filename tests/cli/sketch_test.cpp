@@ -164,7 +164,8 @@ TEST(Sketch, LikeAnotherIsThatFruitUnderItsOwnName) {
 class Sampled : public ::testing::Test {
  protected:
   void draw(const std::string& image, const std::string& line, const std::string& color) {
-    write(folder_ / "fig.svg", R"svg(<svg width="200mm" viewBox="0 0 200 200" xmlns:xlink="http://www.w3.org/1999/xlink">
+    write(
+        folder_ / "fig.svg", R"svg(<svg width="200mm" viewBox="0 0 200 200" xmlns:xlink="http://www.w3.org/1999/xlink">
 <g id="side-view">
 <line id="axis" x1="100" y1="90" x2="100" y2="0"/>
 <path id="skin" d="M100,80 L140,40 L100,0"/>

@@ -307,7 +307,7 @@ TEST(Outputs, WarnOfOptionsThatHaveNoEffect) {
   const Outcome outcome = run_pomona(
       {"grow",  "radish",   "--detail", "0.1",         "--texel",       "1mm",        "--view",       "top",  "--size",
        "80x60", "--dpi",    "300",      "--sheets",    "--variation",   "2",          "--aov-format", "exr",  "--lod",
-       "2",     "--engine", "unreal",   "--instances", "--feature-ids", "--cuttable", "-o",           "X.OBJ"},
+       "2",     "--engine", "unity",    "--instances", "--feature-ids", "--cuttable", "-o",           "X.OBJ"},
       folder.path());
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   for (const char* option : {"--texel", "--view", "--size", "--dpi", "--sheets", "--variation", "--aov-format", "--lod",
