@@ -70,7 +70,7 @@ std::vector<std::string> batch_warnings(const BatchPlan& plan) {
       idle_here.insert(flag);
     }
     for (const OrderOption& option : order_options()) {
-      if (is_given(option, order, usual_batch_order()) && !idle_here.contains(flag_of(option)))
+      if (is_ordered(option, order, usual_batch_order()) && !idle_here.contains(flag_of(option)))
         heeded.insert(flag_of(option));
     }
   }

@@ -74,7 +74,7 @@ Json entry_of(const BatchPlan& plan, const PlannedEntry& entry) {
   json["thumbnail"] = assets.thumbnail;
   json["thumbnail_ground"] = assets.thumbnail_on_paper ? "paper" : "transparent";
   for (const OrderOption* option : batch_options()) {
-    const bool is_told = json.contains(key_of(*option)) || !is_given(*option, assets.order);
+    const bool is_told = json.contains(key_of(*option)) || !is_ordered(*option, assets.order);
     if (!is_told) json[key_of(*option)] = option_json(*option, assets.order);
   }
   return json;

@@ -41,7 +41,7 @@ Json recipe(const BatchPlan& plan, const BatchVariant& variant, const BatchItem&
   if (item.texture > 0 && order.mesh.maps == Maps::all) json["maps"] = "all";
   if (item.lod > 0) json["lod"] = item.lod;
   for (const OrderOption* option : batch_options()) {
-    if (option->name != "maps" && is_given(*option, order)) json[key_of(*option)] = option_json(*option, order);
+    if (option->name != "maps" && is_ordered(*option, order)) json[key_of(*option)] = option_json(*option, order);
   }
   return json;
 }

@@ -474,14 +474,14 @@ std::string text_of_option(const OrderOption& option, const Order& order) {
   return std::visit(TextOf{copy}, option.value);
 }
 
-bool is_given(const OrderOption& option, const Order& order, const Order& usual) {
+bool is_ordered(const OrderOption& option, const Order& order, const Order& usual) {
   return text_of_option(option, order) != text_of_option(option, usual);
 }
 
 std::string piece_words(const Order& order, const std::vector<OrderOption>& table) {
   std::string words;
   for (const OrderOption& option : table) {
-    if (!option.makes_piece || !is_given(option, order)) continue;
+    if (!option.makes_piece || !is_ordered(option, order)) continue;
     if (option.need == OptionNeed::textures && !is_met(option.need, order)) continue;
     if (std::holds_alternative<KnivesValue>(option.value)) {
       for (const Knife& knife : order.cut.knives) words += " --knife " + shell_word(knife.text);
@@ -499,7 +499,7 @@ std::vector<std::string> idle_options(const Order& order, OrderTaker taker, cons
   const bool has_own_seeds = taker == OrderTaker::scene || taker == OrderTaker::batch;
   std::vector<std::string> warnings;
   for (const OrderOption& option : table) {
-    if (!has_option(taker, option) || !is_given(option, order, usual)) continue;
+    if (!has_option(taker, option) || !is_ordered(option, order, usual)) continue;
     if (!option.heeded.empty() && !any_is(order.outputs, option.heeded)) {
       warnings.push_back(flag_of(option) + " is about " + endings_of(option.heeded) + ": no output is one");
     } else if (!is_met(option.need, order) && !(has_own_seeds && option.need == OptionNeed::a_variant)) {

@@ -64,7 +64,7 @@ std::string fault_of_option(const OrderOption& option, const std::string& text);
 std::string text_of_option(const OrderOption& option, const Order& order);
 
 /// Whether the order says something else than `usual`, an order that says nothing.
-bool is_given(const OrderOption& option, const Order& order, const Order& usual = {});
+bool is_ordered(const OrderOption& option, const Order& order, const Order& usual = {});
 
 /// " --quality draft --style 'my style.toml'": what a command that makes a piece of this order again says, ready for
 /// the shell.

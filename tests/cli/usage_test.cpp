@@ -305,13 +305,13 @@ TEST(StandardOutput, ThatIsFullEndsWithItsStatus) {
 TEST(Outputs, WarnOfOptionsThatHaveNoEffect) {
   const TemporaryFolder folder;
   const Outcome outcome = run_pomona(
-      {"grow",  "radish",   "--detail", "0.1",         "--texel",       "1mm",        "--view",       "top",  "--size",
-       "80x60", "--dpi",    "300",      "--sheets",    "--variation",   "2",          "--aov-format", "exr",  "--lod",
-       "2",     "--engine", "unity",    "--instances", "--feature-ids", "--cuttable", "-o",           "X.OBJ"},
+      {"grow",  "radish",   "--detail", "0.1",         "--texel",       "1mm", "--view",       "top", "--size",
+       "80x60", "--dpi",    "300",      "--sheets",    "--variation",   "2",   "--aov-format", "exr", "--lod",
+       "2",     "--engine", "unity",    "--instances", "--feature-ids", "-o",  "X.OBJ"},
       folder.path());
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   for (const char* option : {"--texel", "--view", "--size", "--dpi", "--sheets", "--variation", "--aov-format", "--lod",
-                             "--engine", "--instances", "--feature-ids", "--cuttable"})
+                             "--engine", "--instances", "--feature-ids"})
     EXPECT_THAT(outcome.err, HasSubstr(std::string("warning: ") + option));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "X.OBJ"));
 }

@@ -36,14 +36,14 @@ std::string other_value(const OrderOption& option) {
 TEST(OptionTable, GivesBackWhatItReads) {
   for (const OrderOption& option : order_options()) {
     Order order;
-    EXPECT_FALSE(is_given(option, order)) << option.name;
+    EXPECT_FALSE(is_ordered(option, order)) << option.name;
     read_option(option, other_value(option), order);
     EXPECT_EQ(text_of_option(option, order), other_value(option)) << option.name;
-    EXPECT_TRUE(is_given(option, order)) << option.name;
+    EXPECT_TRUE(is_ordered(option, order)) << option.name;
 
     // No other option has become another.
     for (const OrderOption& other : order_options())
-      EXPECT_EQ(is_given(other, order), other.name == option.name) << option.name << " gives " << other.name;
+      EXPECT_EQ(is_ordered(other, order), other.name == option.name) << option.name << " gives " << other.name;
   }
 }
 
