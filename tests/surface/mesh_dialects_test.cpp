@@ -277,5 +277,11 @@ TEST(Endings, MayBeInCapitals) {
   EXPECT_EQ(read_plain_mesh(folder / "A.GLB").triangle.size(), 12u);
 }
 
+/// Line ends of old Macs: the end of the line before belongs to no empty line.
+TEST(PlyDialect, EmptyLinesBetweenBareCarriageReturnsAreTold) {
+  for (const char* text : {"ply\r\r\r\r", "ply\r\rformat ascii 1.0\rend_header\r", "ply\r\n\r\n\r\n"})
+    EXPECT_THROW(parse_surfaces(text, "x.ply"), Error) << text;
+}
+
 }  // namespace
 }  // namespace pomona

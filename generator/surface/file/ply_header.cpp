@@ -84,7 +84,7 @@ class HeaderParser {
     if (end == std::string_view::npos) fail("the header does not end", "it must end with the line \"end_header\"");
     line_end_ = end + 1;
     line_ = bytes_.substr(0, end);
-    if (line_.ends_with('\r')) line_.remove_suffix(1);
+    if (line_.size() > at_ && line_.ends_with('\r')) line_.remove_suffix(1);
   }
 
   /// The next word of the line; empty at its end.
