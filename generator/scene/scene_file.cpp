@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/knife/read_knife.h"
+#include "generator/order/option_key.h"
 #include "generator/scene/read_dish.h"
 #include "generator/text/read_name.h"
 #include "generator/text/toml_document.h"
@@ -231,13 +232,13 @@ class SceneReader {
     pieces.count = table.get("count").integer(1, 1, max_variants);
     pieces.as_drawn = table.get("as_drawn").boolean(false);
     if (table.has("folds")) pieces.folds = table.get("folds").integer(1, 1, max_folds);
-    pieces.variation = table.get("variation").number(1, {0, 2});
+    pieces.variation = table.get("variation").number(1, range_of(order_option("variation")));
     if (pieces.as_drawn && table.has("variation"))
       table.get("variation").error("has no effect on what is as drawn", "keep \"variation\" or \"as_drawn\"");
-    pieces.detail = table.get("detail").number(1, {0.1, 4});
-    pieces.size = read_range(table.get("size"), {0.05, 20});
-    pieces.ripeness = read_range(table.get("ripeness"), {0, 2});
-    pieces.browning = read_range(table.get("browning"), {0, 1});
+    pieces.detail = table.get("detail").number(1, range_of(order_option("detail")));
+    pieces.size = read_range(table.get("size"), range_of(order_option("scale")));
+    pieces.ripeness = read_range(table.get("ripeness"), range_of(order_option("ripeness")));
+    pieces.browning = read_range(table.get("browning"), range_of(order_option("browning")));
 
     // Then come the knives, and which of the pieces are placed how often.
     pieces.knives = read_knives(table.get("knives").values(), std::filesystem::path(file_).parent_path());
