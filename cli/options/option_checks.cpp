@@ -37,11 +37,6 @@ CLI::Validator between(double low, double high) { return limits(low, high, false
 
 CLI::Validator whole_between(int low, int high) { return limits(low, high, true, "INT"); }
 
-CLI::Validator not_empty() {
-  return CLI::Validator(
-      [](std::string& text) { return std::string(text.empty() ? "\"\" says nothing: leave it out" : ""); }, "");
-}
-
 CLI::Validator one_of(const std::vector<std::string>& words) {
   std::string shown;
   for (const std::string& word : words) shown += (shown.empty() ? "" : ",") + word;

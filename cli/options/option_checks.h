@@ -14,9 +14,6 @@ CLI::Validator between(double low, double high);
 /// A whole number from `low` to `high`.
 CLI::Validator whole_between(int low, int high);
 
-/// Any text but none: what is not wanted is left out.
-CLI::Validator not_empty();
-
 /// One of these words; another one is answered with the nearest.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
