@@ -34,14 +34,14 @@ void add_rows(const Solid& solid, const LodOptions& options, TextTable& table) {
   const Duration time = median_time(3, [&] { levels = levels_of_detail(solid, options); });
   const PieceFacts facts = facts_of(solid);
   const double size = glm::length(facts.high - facts.low);
-  std::size_t wanted = solid.triangle.size();
+  std::size_t wanted = solid.mesh.triangle.size();
   for (const Solid& level : levels) {
     wanted /= 2;
     const LevelDeviation off = deviation(level, solid, size / 200);
     const bool is_first = &level == &levels.front();
     table.rows.push_back(
-        {is_first ? solid.name : "", is_first ? std::to_string(solid.triangle.size()) : "", std::to_string(wanted),
-         std::to_string(level.triangle.size()), number(100 * off.distance / size, 2), number(off.color_rms, 1),
+        {is_first ? solid.name : "", is_first ? std::to_string(solid.mesh.triangle.size()) : "", std::to_string(wanted),
+         std::to_string(level.mesh.triangle.size()), number(100 * off.distance / size, 2), number(off.color_rms, 1),
          number(100 * (level.volume / solid.volume - 1), 2), is_first ? number(time.processor, 0) : ""});
   }
 }

@@ -47,7 +47,7 @@ Scene composed(const Settings& settings) {
 void measure(const Settings& settings) {
   const Scene scene = composed(settings);
   std::size_t triangles = 0;
-  for (const Solid& solid : scene.solids) triangles += solid.triangle.size();
+  for (const Solid& solid : scene.solids) triangles += solid.mesh.triangle.size();
   const double before = bench::peak_megabytes();
   const bench::Duration time = bench::median_time(settings.runs, [&] {
     draw_scene(scene, style_named("ink"), {.width = settings.width, .height = settings.height});

@@ -105,7 +105,7 @@ Solid scaled_bowl(const SceneParts& parts, std::size_t count) {
   Solid bowl = parts.solids[static_cast<std::size_t>(parts.dishes.at(0).solid)];
   const double share = static_cast<double>(count) / static_cast<double>(parts.items.size());
   const auto scale = static_cast<float>(reproducible::cbrt(share));
-  for (glm::vec3& p : bowl.position) p *= scale;
+  for (glm::vec3& p : bowl.mesh.position) p *= scale;
   return bowl;
 }
 

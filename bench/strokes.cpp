@@ -66,7 +66,7 @@ void measure(const std::string& file) {
   options.find_template = find_template;
   const Scene scene = compose(description, nullptr, options).scene;
   std::size_t triangles = 0;
-  for (const Instance& instance : scene.instances) triangles += scene.solids[instance.solid].triangle.size();
+  for (const Instance& instance : scene.instances) triangles += scene.solids[instance.solid].mesh.triangle.size();
   std::printf("%zu pieces, %zu triangles\n", scene.instances.size(), triangles);
 
   const Style style = style_named("ink");

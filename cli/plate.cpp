@@ -134,7 +134,7 @@ class FigureMaker {
 Image plate_of(const PlateContents& contents, const OrderedFruit& source, const Style& style, const PictureSize& size,
                Threads threads) {
   std::vector<std::string> names = parts_in(contents.section, outside_parts(source.fruit));
-  const std::vector<std::string>& solid_parts = contents.whole.front().part_names;
+  const std::vector<std::string>& solid_parts = contents.whole.front().look->part_names;
   names.insert(names.end(), solid_parts.begin(), solid_parts.end());
   const PlateSheet sheet(style, {source.fruit.title, source.fruit.latin}, names, 4, size.width, size.height);
   FigureMaker maker(style, sheet, threads);

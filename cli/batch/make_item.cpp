@@ -43,7 +43,7 @@ std::string thumbnail(const Scene& scene, const std::vector<StyledMesh>& meshes,
                       const ExportOptions& options) {
   const Scene laid = laid_out(scene, 1);
   const bool is_bent = !std::equal(laid.solids.begin(), laid.solids.end(), scene.solids.begin(), scene.solids.end(),
-                                   [](const Solid& a, const Solid& b) { return a.position == b.position; });
+                                   [](const Solid& a, const Solid& b) { return a.mesh.position == b.mesh.position; });
   return write_png(draw_thumbnail(laid, is_bent ? styled_meshes(laid, options) : meshes, options.style,
                                   {.size = assets.thumbnail, .on_paper = assets.thumbnail_on_paper}));
 }

@@ -31,8 +31,11 @@ struct EdgeKey {
 /// of a hash table differs between libraries, so this one cannot be walked: edges() lists what it has in order. A
 /// reference to a value stays valid until its edge is erased.
 template <typename T>
-class EdgeMap {
+class EdgeMap : private std::unordered_map<EdgeKey, T, EdgeKey::Hash> {
+  using Table = std::unordered_map<EdgeKey, T, EdgeKey::Hash>;
+
  public:
+  using Table::at, Table::clear, Table::contains, Table::empty, Table::erase, Table::operator[];
   struct Entry {
     T& value;
     bool is_new;
@@ -41,42 +44,28 @@ class EdgeMap {
   /// The edge's value, which is made of `arguments` where there is none yet.
   template <typename... Arguments>
   Entry try_emplace(const EdgeKey& edge, Arguments&&... arguments) {
-    const auto [entry, is_new] = values_.try_emplace(edge, std::forward<Arguments>(arguments)...);
+    const auto [entry, is_new] = Table::try_emplace(edge, std::forward<Arguments>(arguments)...);
     return {entry->second, is_new};
   }
-  T& operator[](const EdgeKey& edge) { return values_[edge]; }
-  const T& at(const EdgeKey& edge) const { return values_.at(edge); }
 
   /// Null where there is none.
   const T* find(const EdgeKey& edge) const {
-    const auto found = values_.find(edge);
-    return found == values_.end() ? nullptr : &found->second;
+    const auto found = Table::find(edge);
+    return found == Table::end() ? nullptr : &found->second;
   }
-
-  bool contains(const EdgeKey& edge) const { return values_.contains(edge); }
-  bool empty() const { return values_.empty(); }
-  void erase(const EdgeKey& edge) { values_.erase(edge); }
-  void clear() { values_.clear(); }
 
   /// By their lower vertices, then by their higher ones.
   std::vector<EdgeKey> edges() const {
     std::vector<EdgeKey> all;
-    for (const auto& entry : values_) all.push_back(entry.first);
+    for (const auto& entry : static_cast<const Table&>(*this)) all.push_back(entry.first);
     std::sort(all.begin(), all.end());
     return all;
   }
-
- private:
-  std::unordered_map<EdgeKey, T, EdgeKey::Hash> values_;
 };
 
-class EdgeSet {
+class EdgeSet : private std::unordered_set<EdgeKey, EdgeKey::Hash> {
  public:
-  void insert(const EdgeKey& edge) { edges_.insert(edge); }
-  bool contains(const EdgeKey& edge) const { return edges_.contains(edge); }
-
- private:
-  std::unordered_set<EdgeKey, EdgeKey::Hash> edges_;
+  using unordered_set::contains, unordered_set::insert;
 };
 
 }  // namespace pomona

@@ -14,7 +14,7 @@ namespace {
 class SideBuilder {
  public:
   SideBuilder(const DiffusionSurfaces& surfaces, const std::vector<glm::vec3>& normal, Solid& solid)
-      : surfaces_(surfaces), normal_(normal), solid_(solid) {}
+      : surfaces_(surfaces), normal_(normal), mesh_(solid.mesh) {}
 
   void add(std::size_t triangle, SideOf side) {
     glm::uvec3 corners = surfaces_.triangle[triangle];
@@ -22,28 +22,28 @@ class SideBuilder {
     const std::int32_t part = side == SideOf::front ? surfaces_.front_part[triangle] : surfaces_.back_part[triangle];
     glm::uvec3 copied;
     for (int k = 0; k < 3; ++k) copied[k] = vertex(corners[k], side, part);
-    solid_.triangle.push_back(copied);
-    solid_.cut_face.push_back(-1);
-    solid_.surface.push_back(surfaces_.surface[triangle]);
+    mesh_.triangle.push_back(copied);
+    mesh_.cut_face.push_back(-1);
+    mesh_.surface.push_back(surfaces_.surface[triangle]);
   }
 
  private:
   std::uint32_t vertex(std::uint32_t original, SideOf side, std::int32_t part) {
     const auto [place, added] =
-        known_.try_emplace({original, side, part}, static_cast<std::uint32_t>(solid_.position.size()));
+        known_.try_emplace({original, side, part}, static_cast<std::uint32_t>(mesh_.position.size()));
     if (added) {
       const bool front = side == SideOf::front;
-      solid_.position.push_back(surfaces_.position[original]);
-      solid_.normal.push_back(front ? normal_[original] : -normal_[original]);
-      solid_.color.push_back(front ? surfaces_.front_color[original] : surfaces_.back_color[original]);
-      solid_.part.push_back(part);
+      mesh_.position.push_back(surfaces_.position[original]);
+      mesh_.normal.push_back(front ? normal_[original] : -normal_[original]);
+      mesh_.color.push_back(front ? surfaces_.front_color[original] : surfaces_.back_color[original]);
+      mesh_.part.push_back(part);
     }
     return place->second;
   }
 
   const DiffusionSurfaces& surfaces_;
   const std::vector<glm::vec3>& normal_;
-  Solid& solid_;
+  SolidMesh& mesh_;
   std::map<std::tuple<std::uint32_t, SideOf, std::int32_t>, std::uint32_t> known_;
 };
 
@@ -74,6 +74,10 @@ std::vector<Solid> glass_surfaces(const GrownFruit& fruit, const Template& varia
   const DiffusionSurfaces surfaces = joined(fruit.swept, fruit.grains);
   const std::vector<glm::vec3> normal = vertex_normals(surfaces);
   const std::vector<double> reaches = reaches_of(surfaces);
+  FruitLook thinly_inked = look_of(variant, surfaces.part_names);
+  const auto look = std::make_shared<const FruitLook>(thinly_inked);
+  thinly_inked.ink.width *= grain_ink;
+  const auto grain_look = std::make_shared<const FruitLook>(std::move(thinly_inked));
   std::vector<Solid> all(surfaces.surface_names.size());
   std::vector<SideBuilder> builders;
   for (std::size_t s = 0; s < all.size(); ++s) {
@@ -81,11 +85,7 @@ std::vector<Solid> glass_surfaces(const GrownFruit& fruit, const Template& varia
     const bool is_grain = s >= fruit.swept.surface_names.size();
     all[s].opacity = is_grain ? grain_opacity : opacity_at(reaches[s]);
     all[s].closed = true;  // both sides have triangles of their own, so neither needs to be seen from behind
-    all[s].part_names = surfaces.part_names;
-    all[s].materials = materials_of(variant, surfaces.part_names);
-    all[s].noise = variant.noise;
-    all[s].ink = variant.ink;
-    if (is_grain) all[s].ink.width *= grain_ink;
+    all[s].look = is_grain ? grain_look : look;
     builders.emplace_back(surfaces, normal, all[s]);
   }
   for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
@@ -93,7 +93,7 @@ std::vector<Solid> glass_surfaces(const GrownFruit& fruit, const Template& varia
       builders[static_cast<std::size_t>(surfaces.surface[t])].add(t, side);
     }
   }
-  std::erase_if(all, [](const Solid& solid) { return solid.triangle.empty(); });
+  std::erase_if(all, [](const Solid& solid) { return solid.mesh.triangle.empty(); });
   std::stable_sort(all.begin(), all.end(), [](const Solid& a, const Solid& b) { return a.opacity > b.opacity; });
   return all;
 }

@@ -61,10 +61,7 @@ std::optional<Solid> one_grain(const GrownFruit& fruit, const Template& variant,
 
   Solid solid;
   solid.name = name + ".grain";
-  solid.part_names = grains.part_names;
-  solid.materials = materials_of(variant, grains.part_names);
-  solid.noise = variant.noise;
-  solid.ink = variant.ink;
+  solid.look = std::make_shared<const FruitLook>(look_of(variant, grains.part_names));
   const std::vector<glm::vec3> normal = vertex_normals(grains);
   std::map<std::uint32_t, std::uint32_t> copies;
   for (std::size_t t = 0; t < grains.triangle_count(); ++t) {
@@ -72,22 +69,22 @@ std::optional<Solid> one_grain(const GrownFruit& fruit, const Template& variant,
     glm::uvec3 corners;
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t v = grains.triangle[t][k];
-      const auto [copy, is_new] = copies.try_emplace(v, static_cast<std::uint32_t>(solid.position.size()));
+      const auto [copy, is_new] = copies.try_emplace(v, static_cast<std::uint32_t>(solid.mesh.position.size()));
       corners[k] = copy->second;
       if (!is_new) continue;
 
       // Within its fruit a grain's front looks at flesh; by itself it has the colour of its inside, which is the
       // grain's own.
-      solid.position.push_back(grains.position[v]);
-      solid.normal.push_back(normal[v]);
-      solid.color.push_back(grains.back_color[v]);
-      solid.part.push_back(grains.back_part[t]);
+      solid.mesh.position.push_back(grains.position[v]);
+      solid.mesh.normal.push_back(normal[v]);
+      solid.mesh.color.push_back(grains.back_color[v]);
+      solid.mesh.part.push_back(grains.back_part[t]);
     }
-    solid.triangle.push_back(corners);
-    solid.cut_face.push_back(-1);
-    solid.surface.push_back(grains.surface[t]);
+    solid.mesh.triangle.push_back(corners);
+    solid.mesh.cut_face.push_back(-1);
+    solid.mesh.surface.push_back(grains.surface[t]);
   }
-  solid.closed = is_closed(welded_triangles(weld(solid.position), solid.triangle));
+  solid.closed = is_closed(welded_triangles(weld(solid.mesh.position), solid.mesh.triangle));
   return solid;
 }
 

@@ -161,8 +161,8 @@ class ExcessSum {
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (!pieces_[i].closed) continue;
-      for (const glm::uvec3& t : pieces_[i].triangle)
-        lattice.pass(seen(pieces_[i].position, t), -1 - static_cast<std::int32_t>(i));
+      for (const glm::uvec3& t : pieces_[i].mesh.triangle)
+        lattice.pass(seen(pieces_[i].mesh.position, t), -1 - static_cast<std::int32_t>(i));
     }
     std::vector<Moments> sums = summed(lattice, excess);
     for (Moments& m : sums) m = turned_back(m, lattice.step() * lattice.step());

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "generator/base/parallel.h"
+#include "generator/mesh/box.h"
 #include "generator/piece/brown.h"
 #include "generator/piece/guided.h"
 #include "generator/piece/section_colors.h"
@@ -139,9 +140,9 @@ PieceOrigin origin_of(const SliceTask& task, const CutOptions& how) {
 /// Those that reach into the box of a piece.
 std::vector<Spot> raised_on(const Solid& piece, const std::vector<Spot>& all) {
   std::vector<Spot> near;
-  if (all.empty() || piece.position.empty()) return near;
-  glm::dvec3 low(piece.position.front()), high = low;
-  for (const glm::vec3& p : piece.position) low = glm::min(low, glm::dvec3(p)), high = glm::max(high, glm::dvec3(p));
+  if (all.empty() || piece.mesh.position.empty()) return near;
+  const Box<float> box = box_around(piece.mesh.position);
+  const glm::dvec3 low(box.low), high(box.high);
   for (const Spot& spot : all) {
     const glm::dvec3 away = spot.center - glm::clamp(spot.center, low, high);
     if (glm::dot(away, away) < reach_of(spot) * reach_of(spot)) near.push_back(spot);
@@ -154,9 +155,10 @@ std::vector<Solid> finished(const OpenedFruit& fruit, const CrossSection& styled
                             const Diffuser* diffuser, const SliceOptions& options) {
   std::vector<Solid> pieces =
       weighed(solids(fruit.cut.pieces, styled, task.variant, task.name), task.grown, task.variant);
+  if (!pieces.empty()) pieces[0].own_look().on_skin = fruit.on_skin;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     pieces[i].origin = origin_of(task, options.cut);
-    pieces[i].on_skin = fruit.on_skin;
+    pieces[i].look = pieces[0].look;
     pieces[i].raised = raised_on(pieces[i], task.grown.raised);
     pieces[i].origin.number = fruit.number[i];
     pieces[i].origin.pieces = static_cast<int>(fruit.piece_count);

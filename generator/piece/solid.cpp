@@ -16,14 +16,9 @@ class SolidBuilder {
  public:
   SolidBuilder(const CutPiece& piece, const CrossSection& section, const Template& fruit)
       : piece_(piece), section_(section), fruit_(fruit) {
-    solid_.part_names = section.part_names;
-    solid_.materials = materials_of(fruit, section.part_names);
-    solid_.noise = fruit.noise;
     solid_.density = fruit.density;
-    solid_.details = fruit.details;
     const auto on_skin = [](const DetailSketch& detail) { return detail.face == DetailFace::skin; };
     guides_ = !section.guide.empty() || std::any_of(fruit.details.begin(), fruit.details.end(), on_skin);
-    solid_.ink = fruit.ink;
     solid_.volume = piece.volume;
     solid_.closed = piece.closed;
     solid_.crumb = piece.crumb;
@@ -41,24 +36,24 @@ class SolidBuilder {
   static constexpr std::uint32_t unset = 0xffffffffu;
 
   void take_skin() {
-    solid_.position = piece_.position;
-    solid_.normal = piece_.normal;
-    solid_.color = piece_.color;
-    solid_.part = piece_.part;
+    solid_.mesh.position = piece_.position;
+    solid_.mesh.normal = piece_.normal;
+    solid_.mesh.color = piece_.color;
+    solid_.mesh.part = piece_.part;
     if (guides_) {
       for (const std::int32_t part : piece_.part)
-        solid_.guide.push_back({.share = detail_shares(fruit_, DetailFace::skin, part, 0)});
+        solid_.mesh.guide.push_back({.share = detail_shares(fruit_, DetailFace::skin, part, 0)});
     }
-    solid_.triangle = piece_.triangle;
-    solid_.surface = piece_.surface;
-    solid_.cut_face.assign(piece_.triangle.size(), -1);
+    solid_.mesh.triangle = piece_.triangle;
+    solid_.mesh.surface = piece_.surface;
+    solid_.mesh.cut_face.assign(piece_.triangle.size(), -1);
   }
 
   /// Vectors that have grown hold up to twice what is in them, and a scene holds hundreds of solids.
   void drop_spare_room() {
     const auto fit = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
-    fit(solid_.position, solid_.normal, solid_.color, solid_.part, solid_.guide, solid_.triangle, solid_.cut_face,
-        solid_.surface);
+    fit(solid_.mesh.position, solid_.mesh.normal, solid_.mesh.color, solid_.mesh.part, solid_.mesh.guide,
+        solid_.mesh.triangle, solid_.mesh.cut_face, solid_.mesh.surface);
   }
 
   void add_cap(const CutPiece::CapTriangle& cap) {
@@ -72,9 +67,9 @@ class SolidBuilder {
       const glm::vec3& n = normal[static_cast<std::size_t>(i)];
       corner[i] = vertex(t[i], face, cap.reversed ? -n : n);
     }
-    solid_.triangle.emplace_back(corner.x, cap.reversed ? corner.z : corner.y, cap.reversed ? corner.y : corner.z);
-    solid_.cut_face.push_back(face);
-    solid_.surface.push_back(-1);
+    solid_.mesh.triangle.emplace_back(corner.x, cap.reversed ? corner.z : corner.y, cap.reversed ? corner.y : corner.z);
+    solid_.mesh.cut_face.push_back(face);
+    solid_.mesh.surface.push_back(-1);
   }
 
   /// A vertex of the section as seen on one face: where faces meet, each has its own normal, and so has either side of
@@ -85,20 +80,20 @@ class SolidBuilder {
     std::vector<std::uint32_t>& known = vertex_on_face_[static_cast<std::size_t>(face)];
     if (known.empty()) known.assign(section_.position.size(), unset);
     if (known[of_section] == unset) return known[of_section] = new_vertex(of_section, normal);
-    if (solid_.normal[known[of_section]] == normal) return known[of_section];
+    if (solid_.mesh.normal[known[of_section]] == normal) return known[of_section];
     for (const std::uint32_t v : beyond_crease_[{face, of_section}]) {
-      if (solid_.normal[v] == normal) return v;
+      if (solid_.mesh.normal[v] == normal) return v;
     }
     return beyond_crease_[{face, of_section}].emplace_back(new_vertex(of_section, normal));
   }
 
   std::uint32_t new_vertex(std::uint32_t of_section, const glm::vec3& normal) {
-    solid_.position.push_back(section_.position[of_section]);
-    solid_.normal.push_back(normal);
-    solid_.color.push_back(section_.color[of_section]);
-    solid_.part.push_back(section_.part[of_section]);
-    if (guides_) solid_.guide.push_back(section_.guide.empty() ? DetailGuide{} : section_.guide[of_section]);
-    return static_cast<std::uint32_t>(solid_.position.size() - 1);
+    solid_.mesh.position.push_back(section_.position[of_section]);
+    solid_.mesh.normal.push_back(normal);
+    solid_.mesh.color.push_back(section_.color[of_section]);
+    solid_.mesh.part.push_back(section_.part[of_section]);
+    if (guides_) solid_.mesh.guide.push_back(section_.guide.empty() ? DetailGuide{} : section_.guide[of_section]);
+    return static_cast<std::uint32_t>(solid_.mesh.position.size() - 1);
   }
 
   const CutPiece& piece_;
@@ -114,41 +109,29 @@ class SolidBuilder {
 
 }  // namespace
 
-std::vector<MaterialSketch> materials_of(const Template& fruit, const std::vector<std::string>& part_names) {
-  std::vector<MaterialSketch> materials;
-  if (fruit.materials.empty()) return materials;
+FruitLook look_of(const Template& fruit, const std::vector<std::string>& part_names) {
+  FruitLook look{.part_names = part_names, .noise = fruit.noise, .ink = fruit.ink};
+  if (fruit.materials.empty()) return look;
   for (const std::string& name : part_names) {
     const auto at =
         static_cast<std::size_t>(std::find(fruit.parts.begin(), fruit.parts.end(), name) - fruit.parts.begin());
-    materials.push_back(at < fruit.materials.size() ? fruit.materials[at] : MaterialSketch{});
+    look.materials.push_back(at < fruit.materials.size() ? fruit.materials[at] : MaterialSketch{});
   }
-  return materials;
+  return look;
 }
 
 std::vector<Solid> solids(std::span<const CutPiece> pieces, const CrossSection& colored_section, const Template& fruit,
                           const std::string& name) {
+  FruitLook look = look_of(fruit, colored_section.part_names);
+  look.details = fruit.details;
+  const auto shared = std::make_shared<const FruitLook>(std::move(look));
   std::vector<Solid> all;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string own = pieces.size() == 1 ? name : name + ".piece-" + std::to_string(i + 1);
     all.push_back(SolidBuilder(pieces[i], colored_section, fruit).build(own));
+    all.back().look = shared;
   }
   return all;
-}
-
-Solid without_looks(Solid solid) {
-  Solid shape;
-  shape.name = std::move(solid.name);
-  shape.position = std::move(solid.position);
-  shape.triangle = std::move(solid.triangle);
-  shape.cut_face = std::move(solid.cut_face);
-  shape.opacity = solid.opacity;
-  shape.volume = solid.volume;
-  shape.density = solid.density;
-  shape.weighed = solid.weighed;
-  shape.origin = std::move(solid.origin);
-  shape.closed = solid.closed;
-  shape.crumb = solid.crumb;
-  return shape;
 }
 
 }  // namespace pomona

@@ -30,7 +30,7 @@ std::vector<Solid> weighed(std::vector<Solid> pieces, const GrownFruit& grown, c
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (!pieces[i].closed) continue;
     Moments all;
-    all.add(moments_of(pieces[i].position, pieces[i].triangle, origin), fruit.density);
+    all.add(moments_of(pieces[i].mesh.position, pieces[i].mesh.triangle, origin), fruit.density);
     all.add(more[i]);
     if (all.mass > 0) pieces[i].weighed = rigid_mass(all, origin);
   }

@@ -76,7 +76,7 @@ Solid solid_of_mesh(const DishDescription& dish, const std::filesystem::path& fo
     const PlainMesh mesh = read_plain_mesh(folder / dish.mesh);
     check_distance(mesh, dish.as_solid);
     Solid solid = mesh_solid(mesh, dish.name, dish.as_solid);
-    if (!solid.triangle.empty()) return solid;
+    if (!solid.mesh.triangle.empty()) return solid;
     throw Error(ExitStatus::bad_data, "the mesh has no area", "export a mesh with triangles");
   } catch (const Error& error) {
     const Diagnostic& what = error.diagnostics().front();
@@ -102,7 +102,7 @@ std::size_t DishSolids::index_of(const DishDescription& dish) {
     if (made_alike(known_[k], dish)) return k;
   Solid solid = dish.turned ? bowl_solid(*dish.turned) : solid_of_mesh(dish, folder_);
   solid.name = dish.name;
-  if (dish.turned) solid.materials.assign(solid.part_names.size(), dish.as_solid.material);
+  if (dish.turned) solid.own_look().materials.assign(solid.look->part_names.size(), dish.as_solid.material);
   known_.push_back(dish);
   solids_.push_back(std::move(solid));
   return solids_.size() - 1;

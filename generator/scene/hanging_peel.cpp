@@ -212,30 +212,31 @@ glm::vec3 sheared(const glm::vec3& normal, const glm::vec3& at, const glm::dvec3
 
 std::optional<Solid> hanging_peel(const Solid& solid) {
   // What no knife has met does not come off.
-  if (std::all_of(solid.cut_face.begin(), solid.cut_face.end(), [](std::int32_t face) { return face < 0; }))
+  if (std::all_of(solid.mesh.cut_face.begin(), solid.mesh.cut_face.end(), [](std::int32_t face) { return face < 0; }))
     return std::nullopt;
-  const std::vector<std::uint32_t> first = weld(solid.position);
-  const std::vector<glm::uvec3> triangles = welded_triangles(first, solid.triangle);
-  const Turns turns = max_turns(solid.position, triangles);
+  const std::vector<std::uint32_t> first = weld(solid.mesh.position);
+  const std::vector<glm::uvec3> triangles = welded_triangles(first, solid.mesh.triangle);
+  const Turns turns = max_turns(solid.mesh.position, triangles);
   if (turns.free() == 0) return std::nullopt;
 
   // Vertices at one place go one way: their strip's is that of the first.
   const double count = static_cast<double>(turns.free());
-  const std::vector<double> of_welded = places_along(turns, solid.position, first);
+  const std::vector<double> of_welded = places_along(turns, solid.mesh.position, first);
   std::vector<double> along;
   for (const std::uint32_t v : first) along.push_back(of_welded[v]);
-  const bool rises = is_rising(solid.position, along, 0.5 * count);
+  const bool rises = is_rising(solid.mesh.position, along, 0.5 * count);
 
   Box<float> box;
-  for (const glm::vec3& p : solid.position) box.add(p);
+  for (const glm::vec3& p : solid.mesh.position) box.add(p);
   const glm::dvec3 size(box.size());
   const Hang hang(count, size.y / count, 0.25 * (size.x + size.z));
   Solid hung = solid;
   for (std::size_t v = 0; v < along.size(); ++v) {
     const double turn = rises ? along[v] : count - along[v];
-    hung.position[v] = glm::vec3(glm::dvec3(solid.position[v]) + hang.way(turn));
+    hung.mesh.position[v] = glm::vec3(glm::dvec3(solid.mesh.position[v]) + hang.way(turn));
     if (turn <= 0 || turn >= count) continue;
-    hung.normal[v] = sheared(solid.normal[v], solid.position[v], (rises ? 1.0 : -1.0) * hang.slope(turn));
+    hung.mesh.normal[v] =
+        sheared(solid.mesh.normal[v], solid.mesh.position[v], (rises ? 1.0 : -1.0) * hang.slope(turn));
   }
   hung.weighed.reset();
   hung.section_colors.reset();

@@ -16,7 +16,7 @@ const glm::dvec3 from_the_front(0, 0.6, 1);
 
 Box<double> posed_bounds(const Solid& solid, const Pose& pose) {
   Box<double> bounds;
-  for (const glm::vec3& p : solid.position) bounds.add(pose.rotation * glm::dvec3(p) + pose.translation);
+  for (const glm::vec3& p : solid.mesh.position) bounds.add(pose.rotation * glm::dvec3(p) + pose.translation);
   return bounds;
 }
 

@@ -24,9 +24,9 @@ namespace {
 constexpr double row_gap = 0.14, hidden = 0.45, hidden_from_beside = 1.9;
 
 Box<double> turned_bounds(const Solid& solid, const glm::dquat& rotation) {
-  if (solid.position.empty()) return {glm::dvec3(0), glm::dvec3(0)};
+  if (solid.mesh.position.empty()) return {glm::dvec3(0), glm::dvec3(0)};
   Box<double> bounds;
-  for (const glm::vec3& p : solid.position) bounds.add(rotation * glm::dvec3(p));
+  for (const glm::vec3& p : solid.mesh.position) bounds.add(rotation * glm::dvec3(p));
   return bounds;
 }
 

@@ -181,6 +181,13 @@ class RoomLeft {
   std::vector<std::size_t> left_;
 };
 
+/// Enough to settle it, and to name it in files: of its mesh the triangles alone.
+Solid bare(Solid solid) {
+  solid.mesh.normal = {}, solid.mesh.color = {}, solid.mesh.part = {}, solid.mesh.guide = {}, solid.mesh.surface = {};
+  solid.section_colors = nullptr;
+  return solid;
+}
+
 /// Hands some variants' solids to who takes them; their shapes stay.
 void hand_on(std::span<Made> made, const ComposeOptions& options) {
   std::vector<Solid> solids;
@@ -188,7 +195,7 @@ void hand_on(std::span<Made> made, const ComposeOptions& options) {
   options.take(solids);
   auto next = solids.begin();
   for (Made& one : made)
-    for (Solid& solid : one.solids) solid = without_looks(std::move(*next++));
+    for (Solid& solid : one.solids) solid = bare(std::move(*next++));
 }
 
 /// As many variants at a time as fit into memory.
@@ -283,8 +290,7 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
   add_dishes(scene, parts);
   if (options.take && parts.solids.size() > pieces) {
     options.take(std::span(parts.solids).subspan(pieces));
-    for (std::size_t k = pieces; k < parts.solids.size(); ++k)
-      parts.solids[k] = without_looks(std::move(parts.solids[k]));
+    for (std::size_t k = pieces; k < parts.solids.size(); ++k) parts.solids[k] = bare(std::move(parts.solids[k]));
   }
   parts.report.counts["variants"] = std::ssize(tasks);
   parts.report.counts["pieces"] = std::ssize(parts.items);

@@ -81,8 +81,8 @@ class CornerVertices {
 
 /// Of closed solids only what faces the eye is drawn; files have them inside out at times.
 void turn_outside_out(Solid& solid) {
-  for (glm::uvec3& t : solid.triangle) std::swap(t.y, t.z);
-  for (glm::vec3& normal : solid.normal) normal = -normal;
+  for (glm::uvec3& t : solid.mesh.triangle) std::swap(t.y, t.z);
+  for (glm::vec3& normal : solid.mesh.normal) normal = -normal;
 }
 
 }  // namespace
@@ -90,8 +90,7 @@ void turn_outside_out(Solid& solid) {
 Solid mesh_solid(const PlainMesh& mesh, const std::string& name, const MeshSolidOptions& options) {
   Solid solid;
   solid.name = name;
-  solid.part_names = {"dish"};
-  solid.materials = {options.material};
+  solid.look = std::make_shared<const FruitLook>(FruitLook{.part_names = {"dish"}, .materials = {options.material}});
   const std::vector<glm::dvec3> position = standing(mesh, options);
   const std::vector<std::uint32_t> first = weld(position);
   const std::vector<glm::uvec3> triangle = welded_triangles(first, mesh.triangle);
@@ -103,21 +102,23 @@ Solid mesh_solid(const PlainMesh& mesh, const std::string& name, const MeshSolid
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t vertex = mesh.triangle[i][k];
       const glm::vec3 normal = corner_vertices.normal_at(i, k);
-      const std::optional<std::uint32_t> known = corner_vertices.known(vertex, normal, solid.normal);
-      corners[k] = known.value_or(static_cast<std::uint32_t>(solid.position.size()));
+      const std::optional<std::uint32_t> known = corner_vertices.known(vertex, normal, solid.mesh.normal);
+      corners[k] = known.value_or(static_cast<std::uint32_t>(solid.mesh.position.size()));
       if (known) continue;
       corner_vertices.remember(vertex, corners[k]);
-      solid.position.emplace_back(position[vertex]);
-      solid.normal.push_back(normal);
-      solid.color.push_back(options.color ? *options.color : mesh.color.empty() ? Color(0.6f) : mesh.color[vertex]);
+      solid.mesh.position.emplace_back(position[vertex]);
+      solid.mesh.normal.push_back(normal);
+      solid.mesh.color.push_back(options.color        ? *options.color
+                                 : mesh.color.empty() ? Color(0.6f)
+                                                      : mesh.color[vertex]);
     }
-    solid.triangle.push_back(corners);
+    solid.mesh.triangle.push_back(corners);
     const glm::uvec3& t = triangle[i];
     six_volumes += glm::dot(position[t.x], glm::cross(position[t.y], position[t.z]));
   }
-  solid.part.assign(solid.position.size(), 0);
-  solid.cut_face.assign(solid.triangle.size(), -1);
-  solid.surface.assign(solid.triangle.size(), 0);
+  solid.mesh.part.assign(solid.mesh.position.size(), 0);
+  solid.mesh.cut_face.assign(solid.mesh.triangle.size(), -1);
+  solid.mesh.surface.assign(solid.mesh.triangle.size(), 0);
   solid.volume = std::fabs(six_volumes) / 6;
   solid.closed = is_closed(triangle);
   if (solid.closed && six_volumes < 0) turn_outside_out(solid);

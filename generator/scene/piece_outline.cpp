@@ -30,8 +30,8 @@ PieceOutline::PieceOutline(const Solid& solid) : center_(facts_of(solid).center)
   constexpr int cells = 14;
   std::vector<std::size_t> farthest(6 * cells * cells, none);
   std::vector<double> reach(farthest.size(), -1);
-  for (std::size_t i = 0; i < solid.position.size(); ++i) {
-    const glm::dvec3 arm = glm::dvec3(solid.position[i]) - center_;
+  for (std::size_t i = 0; i < solid.mesh.position.size(); ++i) {
+    const glm::dvec3 arm = glm::dvec3(solid.mesh.position[i]) - center_;
     const double length = glm::length(arm);
     if (!(length > 0)) continue;
     const std::size_t bin = bin_of(arm, cells);
@@ -42,7 +42,7 @@ PieceOutline::PieceOutline(const Solid& solid) : center_(facts_of(solid).center)
     radius_ = std::max(radius_, length);
   }
   for (const std::size_t i : farthest)
-    if (i != none) arms_.push_back(glm::dvec3(solid.position[i]) - center_);
+    if (i != none) arms_.push_back(glm::dvec3(solid.mesh.position[i]) - center_);
 }
 
 glm::dvec3 PieceOutline::rested(glm::dvec3 up) const {
@@ -98,8 +98,8 @@ glm::dvec3 level_direction(const glm::dvec3& up) {
 }
 
 bool stands_on_a_tail(const Solid& solid) {
-  if (solid.triangle.empty()) return false;
-  const Box<float> box = box_around(solid.position);
+  if (solid.mesh.triangle.empty()) return false;
+  const Box<float> box = box_around(solid.mesh.position);
   const double top = box.low.y + 0.2 * box.size().y;
 
   // The middle of the lowest fifth's surface, and how far from it, level, that surface lies in the mean.
@@ -110,8 +110,8 @@ bool stands_on_a_tail(const Solid& solid) {
   std::vector<Patch> patches;
   glm::dvec3 sum(0);
   double area = 0;
-  for (const glm::uvec3& t : solid.triangle) {
-    const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
+  for (const glm::uvec3& t : solid.mesh.triangle) {
+    const glm::dvec3 a(solid.mesh.position[t.x]), b(solid.mesh.position[t.y]), c(solid.mesh.position[t.z]);
     const Patch patch{(a + b + c) / 3.0, 0.5 * glm::length(glm::cross(b - a, c - a))};
     if (patch.middle.y > top) continue;
     patches.push_back(patch);
@@ -129,18 +129,17 @@ bool stands_on_a_tail(const Solid& solid) {
 }
 
 bool stands_on_flat_ground(const Solid& solid) {
-  const Box<float> box = box_around(solid.position);
-  if (solid.triangle.empty() || box.size().y > std::max(box.size().x, box.size().z)) return false;
+  const Box<float> box = box_around(solid.mesh.position);
+  if (solid.mesh.triangle.empty() || box.size().y > std::max(box.size().x, box.size().z)) return false;
   const float bottom = box.low.y + 0.01f * box.size().y;
   double ground = 0, all = 0;  // areas, seen from below
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-    const glm::uvec3& v = solid.triangle[t];
-    const glm::dvec3 a(solid.position[v.x]), b(solid.position[v.y]), c(solid.position[v.z]);
-    const glm::dvec3 normal = 0.5 * glm::cross(b - a, c - a);
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+    const auto [a, b, c] = solid.mesh.corners(t);
+    const glm::dvec3 normal = 0.5 * solid.mesh.area_vector(t);
     if (normal.y >= 0) continue;
     all -= normal.y;
     const bool is_low = std::max({a.y, b.y, c.y}) <= static_cast<double>(bottom);
-    if (is_low && solid.cut_face[t] < 0 && -normal.y > 0.99 * glm::length(normal)) ground -= normal.y;
+    if (is_low && solid.mesh.cut_face[t] < 0 && -normal.y > 0.99 * glm::length(normal)) ground -= normal.y;
   }
   return all > 0 && ground >= 0.6 * all;
 }

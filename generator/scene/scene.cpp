@@ -19,7 +19,7 @@ namespace {
 template <typename Visit>
 void for_each_placed_point(const Scene& scene, const Visit& visit) {
   for (const Instance& instance : scene.instances)
-    for (const glm::vec3& p : scene.solids[static_cast<std::size_t>(instance.solid)].position)
+    for (const glm::vec3& p : scene.solids[static_cast<std::size_t>(instance.solid)].mesh.position)
       visit(instance.pose.rotation * glm::dvec3(p) + instance.pose.translation);
 }
 

@@ -48,10 +48,10 @@ Solid merged_with_parts(const SceneParts& parts, int dish) {
     if (&each != &whole && !is_part(each)) continue;
     const Solid& solid = parts.solids[static_cast<std::size_t>(each.solid)];
     const Pose pose = chained(back, each.pose);
-    const auto first = static_cast<unsigned>(merged.position.size());
-    for (const glm::vec3& p : solid.position)
-      merged.position.emplace_back(pose.rotation * glm::dvec3(p) + pose.translation);
-    for (const glm::uvec3& t : solid.triangle) merged.triangle.push_back(t + first);
+    const auto first = static_cast<unsigned>(merged.mesh.position.size());
+    for (const glm::vec3& p : solid.mesh.position)
+      merged.mesh.position.emplace_back(pose.rotation * glm::dvec3(p) + pose.translation);
+    for (const glm::uvec3& t : solid.mesh.triangle) merged.mesh.triangle.push_back(t + first);
   }
   return merged;
 }
@@ -78,7 +78,7 @@ std::vector<HeapOfScene> heaps_of(const SceneDescription& scene, const ScenePart
 DishForm form_of(const HeapOfScene& heap, const SceneParts& parts) {
   if (heap.dish < 0) return {};
   const ScenePlacedDish& dish = parts.dishes[static_cast<std::size_t>(heap.dish)];
-  const bool is_merged = !heap.merged.triangle.empty();
+  const bool is_merged = !heap.merged.mesh.triangle.empty();
   DishForm form(is_merged ? &heap.merged : &parts.solids[static_cast<std::size_t>(dish.solid)]);
   form.turned = dish.turned && !is_merged && !heap.on_top;
   form.on_top = heap.on_top;

@@ -10,13 +10,11 @@
 namespace pomona {
 
 SideAreas::SideAreas(const Solid& solid) {
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-    const glm::uvec3& v = solid.triangle[t];
-    const glm::dvec3 a(solid.position[v.x]), b(solid.position[v.y]), c(solid.position[v.z]);
-    const glm::dvec3 vector = 0.5 * glm::cross(b - a, c - a);
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+    const glm::dvec3 vector = 0.5 * solid.mesh.area_vector(t);
     const double area = glm::length(vector);
     if (!(area > 0)) continue;
-    const bool is_cut = solid.cut_face[t] >= 0;
+    const bool is_cut = solid.mesh.cut_face[t] >= 0;
     (is_cut ? cut_by_ : skin_by_)[bin(vector)] += vector;
     (is_cut ? cut_ : skin_) += area;
   }

@@ -17,7 +17,7 @@ void lay_down(Scene& scene) {
   if (scene.instances.size() != 1 || scene.instances[0].pose.rotation != glm::dquat(1, 0, 0, 0)) return;
   const Solid& solid = scene.solids[static_cast<std::size_t>(scene.instances[0].solid)];
   const auto is_cut = [](std::int32_t face) { return face >= 0; };
-  if (std::any_of(solid.cut_face.begin(), solid.cut_face.end(), is_cut)) return;
+  if (std::any_of(solid.mesh.cut_face.begin(), solid.mesh.cut_face.end(), is_cut)) return;
   const TablePose pose = table_pose(solid);
   if (!pose.slender) return;
 
@@ -33,7 +33,7 @@ Scene standing(Scene scene) {
   lay_down(scene);
   double lowest = std::numeric_limits<double>::infinity();
   for (const Instance& instance : scene.instances)
-    for (const glm::vec3& p : scene.solids[static_cast<std::size_t>(instance.solid)].position)
+    for (const glm::vec3& p : scene.solids[static_cast<std::size_t>(instance.solid)].mesh.position)
       lowest = std::min(lowest, (instance.pose.rotation * glm::dvec3(p) + instance.pose.translation).y);
   scene.ground = true;
   if (!(lowest < std::numeric_limits<double>::infinity())) return scene;

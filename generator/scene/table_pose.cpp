@@ -41,12 +41,10 @@ struct CutSide {
 /// The sides to which cut faces look, largest first; at most eight. A ball's hollow looks where its rim does.
 std::vector<CutSide> cut_sides(const Solid& solid) {
   std::map<std::int32_t, std::pair<glm::dvec3, double>> face;  // area as a vector, and as a number
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-    if (solid.cut_face[t] < 0) continue;
-    const glm::uvec3& v = solid.triangle[t];
-    const glm::dvec3 a(solid.position[v.x]), b(solid.position[v.y]), c(solid.position[v.z]);
-    const glm::dvec3 vector = 0.5 * glm::cross(b - a, c - a);
-    auto& [sum, area] = face.try_emplace(solid.cut_face[t], glm::dvec3(0), 0.0).first->second;
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+    if (solid.mesh.cut_face[t] < 0) continue;
+    const glm::dvec3 vector = 0.5 * solid.mesh.area_vector(t);
+    auto& [sum, area] = face.try_emplace(solid.mesh.cut_face[t], glm::dvec3(0), 0.0).first->second;
     sum += vector;
     area += glm::length(vector);
   }
@@ -219,14 +217,14 @@ glm::dvec3 eye_beside_table() { return {0, reproducible::sin(low_eye_height), re
 glm::dvec3 diagonal_on_table() { return {reproducible::sin(diagonal_angle), 0, -reproducible::cos(diagonal_angle)}; }
 
 TablePose standing_pose(const Solid& solid, const glm::dvec3& eye) {
-  if (solid.position.empty()) return {};
+  if (solid.mesh.position.empty()) return {};
   const PoseChoice choice = Chooser(solid, eye).choose_standing();
   if (choice.score < 0) return table_pose(solid, eye);
   return {standing_frame(choice.rest.up, choice.front), false, true};
 }
 
 TablePose table_pose(const Solid& solid, const glm::dvec3& eye) {
-  if (solid.position.empty()) return {};
+  if (solid.mesh.position.empty()) return {};
   const Chooser chooser(solid, eye);
   const PoseChoice choice = chooser.choose();
   if (choice.score < 0) return {};

@@ -26,7 +26,7 @@ std::vector<OutputFile> map_files(std::span<const BakedSolid> baked, const std::
     add("orm", solid.maps.orm, PngValues::shares);
     add("thickness", solid.maps.thickness, PngValues::shares);
     add("part", solid.maps.part, PngValues::shares);
-    parts[name] = solid.solid.part_names;
+    parts[name] = solid.solid.look->part_names;
   }
   files.push_back({folder / "parts.json", json_text(parts, 2) + "\n"});
   return files;

@@ -47,7 +47,7 @@ Framed framed(const SceneViews& views, const Order& order, const DeliverOptions&
   const PictureSize size = picture_size(order.picture).value_or(how.usual_size);
   std::optional<Plate> plate;
   if (how.style.plate && views.plate_text && !scene.solids.empty())
-    plate.emplace(how.style, *views.plate_text, scene.solids[0].part_names, size.width, size.height);
+    plate.emplace(how.style, *views.plate_text, scene.solids[0].look->part_names, size.width, size.height);
   Framed framed{fitted(scene, size, plate, order, how.style), size, {}};
   if (plate)
     framed.plate = plate->layers(scene_parts(framed.scene, size.width, size.height),

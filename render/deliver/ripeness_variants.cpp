@@ -16,16 +16,16 @@ namespace {
 /// The vertices of cut faces as they are at this ripeness: textures take from them what lies around a face.
 Solid with_cut_faces(Solid piece, const SectionColors& colors) {
   std::vector<std::uint32_t> numbers;
-  for (std::size_t t = 0; t < piece.triangle.size(); ++t) {
-    if (piece.cut_face[t] < 0) continue;
-    for (int k = 0; k < 3; ++k) numbers.push_back(piece.triangle[t][k]);
+  for (std::size_t t = 0; t < piece.mesh.triangle.size(); ++t) {
+    if (piece.mesh.cut_face[t] < 0) continue;
+    for (int k = 0; k < 3; ++k) numbers.push_back(piece.mesh.triangle[t][k]);
   }
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   std::vector<glm::vec3> points;
-  for (const std::uint32_t v : numbers) points.push_back(piece.position[v]);
+  for (const std::uint32_t v : numbers) points.push_back(piece.mesh.position[v]);
   const DiffusedColors there = colors.field()->at(points);
-  for (std::size_t i = 0; i < numbers.size(); ++i) piece.color[numbers[i]] = there.color[i];
+  for (std::size_t i = 0; i < numbers.size(); ++i) piece.mesh.color[numbers[i]] = there.color[i];
   return piece;
 }
 

@@ -12,8 +12,8 @@ LevelCounts level_counts(std::span<const Solid> solids, std::span<const std::vec
     std::size_t wanted = 0, triangles = 0;
     for (std::size_t i = 0; i < solids.size(); ++i) {
       const std::size_t there = std::min(static_cast<std::size_t>(level), levels[i].size());
-      wanted += solids[i].triangle.size() >> level;
-      triangles += (there == 0 ? solids[i] : levels[i][there - 1]).triangle.size();
+      wanted += solids[i].mesh.triangle.size() >> level;
+      triangles += (there == 0 ? solids[i] : levels[i][there - 1]).mesh.triangle.size();
     }
     counts.wanted.push_back(wanted);
     counts.triangles.push_back(triangles);

@@ -36,7 +36,7 @@ class StreamedGlb {
   void take(std::span<const Solid> solids);
 
   /// Once, when all have been taken: the file, with what was measured and counted.
-  /// \param scene with without_looks() of them.
+  /// \param scene with the triangles of their meshes.
   Delivered finished(const Scene& scene);
 
  private:

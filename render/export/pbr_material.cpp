@@ -68,9 +68,10 @@ std::vector<PartsOfMaterial> parts_by_material(const Solid& solid) {
         std::find_if(all.begin(), all.end(), [&](const PartsOfMaterial& known) { return known.look == look; });
     return at != all.end() ? *at : all.emplace_back(PartsOfMaterial{look, {}, {}});
   };
-  for (std::size_t part = 0; part < solid.part_names.size(); ++part) {
+  for (std::size_t part = 0; part < solid.look->part_names.size(); ++part) {
     const MaterialSketch material = material_of(solid, static_cast<std::int32_t>(part));
-    if (solid.on_skin.empty() || solid.on_skin[part] != 0) of(look_of(material, false)).on_skin.push_back(part);
+    if (solid.look->on_skin.empty() || solid.look->on_skin[part] != 0)
+      of(look_of(material, false)).on_skin.push_back(part);
     of(look_of(material, true)).on_cut.push_back(part);
   }
   return all;
@@ -97,8 +98,8 @@ std::vector<std::pair<PbrMaterial, std::string>> named_materials(const Solid& so
   std::vector<std::pair<PbrMaterial, std::string>> named;
   for (const PartsOfMaterial& of : all) {
     const bool is_inside = !of.on_cut.empty();
-    std::string name = is_inside ? name_of(of.on_cut, max_inside, "inside", solid.part_names)
-                                 : name_of(of.on_skin, max_outside, "outside", solid.part_names);
+    std::string name = is_inside ? name_of(of.on_cut, max_inside, "inside", solid.look->part_names)
+                                 : name_of(of.on_skin, max_outside, "outside", solid.look->part_names);
     while (std::any_of(named.begin(), named.end(), [&](const auto& other) { return other.second == name; }))
       name += is_inside ? " cut" : " skin";
     named.emplace_back(of.look, std::move(name));
@@ -110,14 +111,14 @@ std::vector<std::pair<PbrMaterial, std::string>> named_materials(const Solid& so
 
 std::vector<MaterialGroup> groups_by_material(const Solid& solid, const StyledMesh& mesh) {
   const auto names =
-      solid.materials.empty() ? std::vector<std::pair<PbrMaterial, std::string>>{} : named_materials(solid);
+      solid.look->materials.empty() ? std::vector<std::pair<PbrMaterial, std::string>>{} : named_materials(solid);
   const auto name_of_material = [&](const PbrMaterial& look) {
     const auto at = std::find_if(names.begin(), names.end(), [&](const auto& named) { return named.first == look; });
     return at == names.end() ? std::string() : at->second;
   };
   std::vector<MaterialGroup> groups;
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-    const PbrMaterial look = solid.materials.empty()
+    const PbrMaterial look = solid.look->materials.empty()
                                  ? PbrMaterial{}
                                  : look_of(material_of(solid, mesh.part[mesh.triangle[t].x]), mesh.cut_face[t] >= 0);
     auto group =

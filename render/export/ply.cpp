@@ -28,7 +28,7 @@ Parts parts_of(const Scene& scene) {
   Parts parts;
   for (const Solid& solid : scene.solids) {
     std::vector<std::int32_t>& own = parts.of_solid.emplace_back();
-    for (const std::string& name : solid.part_names) {
+    for (const std::string& name : solid.look->part_names) {
       const auto found = std::find(parts.names.begin(), parts.names.end(), name);
       own.push_back(static_cast<std::int32_t>(found - parts.names.begin()));
       if (found == parts.names.end()) parts.names.push_back(name);

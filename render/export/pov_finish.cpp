@@ -53,7 +53,7 @@ Finishes::Finishes(const Scene& scene, double gloss) : gloss_(gloss) {
   add({}, false);
   add({}, true);
   for (const Solid& solid : scene.solids) {
-    for (const MaterialSketch& material : solid.materials) add(material, false), add(material, true);
+    for (const MaterialSketch& material : solid.look->materials) add(material, false), add(material, true);
   }
 }
 
@@ -66,7 +66,7 @@ std::string Finishes::name(int number) {
 }
 
 bool is_translucent(const Solid& solid) {
-  return std::any_of(solid.materials.begin(), solid.materials.end(),
+  return std::any_of(solid.look->materials.begin(), solid.look->materials.end(),
                      [](const MaterialSketch& material) { return material.translucency.depth > 0; });
 }
 

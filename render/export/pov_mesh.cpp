@@ -25,7 +25,7 @@ struct Textures {
 using FinishesOfParts = std::vector<std::array<int, 2>>;
 
 FinishesOfParts finishes_of_parts(const Solid& solid, const Finishes& finishes) {
-  FinishesOfParts of_part(std::max<std::size_t>(solid.part_names.size(), 1));
+  FinishesOfParts of_part(std::max<std::size_t>(solid.look->part_names.size(), 1));
   for (std::size_t part = 0; part < of_part.size(); ++part)
     for (const int on_cut : {0, 1})
       of_part[part][on_cut] = finishes.number(solid, static_cast<std::int32_t>(part), on_cut == 1);

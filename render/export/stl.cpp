@@ -28,15 +28,15 @@ void append_bits(std::string& bytes, const glm::vec3& vector) {
 /// In millimetres, as the file holds them: normals are those of the rounded places.
 std::vector<glm::vec3> placed(const Solid& solid, const Pose& pose) {
   std::vector<glm::vec3> places;
-  places.reserve(solid.position.size());
-  for (const glm::vec3& p : solid.position)
+  places.reserve(solid.mesh.position.size());
+  for (const glm::vec3& p : solid.mesh.position)
     places.emplace_back((pose.rotation * glm::dvec3(p) + pose.translation) * millimetres);
   return places;
 }
 
 void append_instance(std::string& bytes, const Solid& solid, const Pose& pose, std::uint32_t& count) {
   const std::vector<glm::vec3> places = placed(solid, pose);
-  for (const glm::uvec3& t : solid.triangle) {
+  for (const glm::uvec3& t : solid.mesh.triangle) {
     const glm::vec3 &a = places[t.x], &b = places[t.y], &c = places[t.z];
     const glm::dvec3 normal = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
     const double length = glm::length(normal);
@@ -53,7 +53,7 @@ void append_instance(std::string& bytes, const Solid& solid, const Pose& pose, s
 std::string write_stl(const Scene& scene) {
   std::uint64_t max = 0;
   for (const Instance& instance : scene.instances)
-    max += scene.solids[static_cast<std::size_t>(instance.solid)].triangle.size();
+    max += scene.solids[static_cast<std::size_t>(instance.solid)].mesh.triangle.size();
   if (max > UINT32_MAX)
     throw Error(ExitStatus::bad_data,
                 "an STL holds 4294967295 triangles at most, and the scene has " + std::to_string(max));

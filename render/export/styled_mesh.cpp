@@ -52,10 +52,10 @@ class VertexNumbers {
 
 /// Normals as triangles see them, area-weighted, for vertices that came without one.
 std::vector<glm::vec3> normals_from_triangles(const Solid& solid) {
-  std::vector<glm::vec3> normals(solid.position.size(), glm::vec3(0));
-  for (const glm::uvec3& t : solid.triangle) {
-    const glm::vec3 a = solid.position[t.x];
-    const glm::vec3 area = glm::cross(solid.position[t.y] - a, solid.position[t.z] - a);
+  std::vector<glm::vec3> normals(solid.mesh.position.size(), glm::vec3(0));
+  for (const glm::uvec3& t : solid.mesh.triangle) {
+    const glm::vec3 a = solid.mesh.position[t.x];
+    const glm::vec3 area = glm::cross(solid.mesh.position[t.y] - a, solid.mesh.position[t.z] - a);
     for (int k = 0; k < 3; ++k) normals[t[k]] += area;
   }
   return normals;
@@ -64,10 +64,10 @@ std::vector<glm::vec3> normals_from_triangles(const Solid& solid) {
 /// Of unit length, whatever came; where nothing is known, up.
 std::vector<glm::vec3> unit_normals(const Solid& solid) {
   const std::vector<glm::vec3> fallback = normals_from_triangles(solid);
-  std::vector<glm::vec3> normals(solid.position.size());
+  std::vector<glm::vec3> normals(solid.mesh.position.size());
   for (std::size_t v = 0; v < normals.size(); ++v) {
     normals[v] = {0, 1, 0};
-    for (const glm::vec3& candidate : {solid.normal[v], fallback[v]}) {
+    for (const glm::vec3& candidate : {solid.mesh.normal[v], fallback[v]}) {
       const double length = glm::length(glm::dvec3(candidate));
       if (!(length > 1e-30) || !std::isfinite(length)) continue;
       normals[v] = glm::vec3(glm::dvec3(candidate) / length);
@@ -113,13 +113,13 @@ std::uint32_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value +
 VertexBits vertex_bits(const Solid& solid, const glm::vec3& normal, const glm::vec2& uv, std::uint32_t v, bool cut) {
   VertexBits bits{};
   for (int k = 0; k < 3; ++k) {
-    bits[k] = bits_of(solid.position[v][k]);
+    bits[k] = bits_of(solid.mesh.position[v][k]);
     bits[3 + k] = bits_of(normal[k]);
-    bits[6 + k] = bits_of(solid.color[v][k]);
+    bits[6 + k] = bits_of(solid.mesh.color[v][k]);
   }
   bits[9] = bits_of(uv.x);
   bits[10] = bits_of(uv.y);
-  bits[11] = static_cast<std::uint32_t>(solid.part[v]);
+  bits[11] = static_cast<std::uint32_t>(solid.mesh.part[v]);
   bits[12] = cut ? 1 : 0;
   return bits;
 }
@@ -131,17 +131,17 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv, const st
   StyledMesh mesh;
 
   // A vertex is new unless all its bits are known; cut faces and skin share none.
-  VertexNumbers known(2 * solid.position.size());
+  VertexNumbers known(2 * solid.mesh.position.size());
   const auto number_of = [&](std::uint32_t v, bool cut) {
     const VertexBits bits = vertex_bits(solid, normals[v], uv.empty() ? glm::vec2(0) : uv[v], v, cut);
     const auto [number, is_new] = known.number_of(bits);
     if (is_new) {
-      mesh.position.push_back(solid.position[v]);
+      mesh.position.push_back(solid.mesh.position[v]);
       mesh.normal.push_back(normals[v]);
-      mesh.color.push_back(solid.color[v]);
-      mesh.part.push_back(solid.part[v]);
+      mesh.color.push_back(solid.mesh.color[v]);
+      mesh.part.push_back(solid.mesh.part[v]);
       mesh.face.push_back(cut ? DetailFace::cut : DetailFace::skin);
-      if (!solid.guide.empty()) mesh.guide.push_back(solid.guide[v]);
+      if (!solid.mesh.guide.empty()) mesh.guide.push_back(solid.mesh.guide[v]);
       if (!uv.empty()) mesh.uv.push_back(uv[v]);
       if (!tangent.empty()) mesh.tangent.push_back(tangent[v]);
     }
@@ -149,14 +149,14 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv, const st
   };
 
   // Triangles with two corners at one place are left out.
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-    const glm::uvec3& old = solid.triangle[t];
-    const glm::vec3 &p = solid.position[old.x], &q = solid.position[old.y], &r = solid.position[old.z];
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+    const glm::uvec3& old = solid.mesh.triangle[t];
+    const glm::vec3 &p = solid.mesh.position[old.x], &q = solid.mesh.position[old.y], &r = solid.mesh.position[old.z];
     if (p == q || q == r || r == p) continue;
-    const bool cut = solid.cut_face[t] >= 0;
+    const bool cut = solid.mesh.cut_face[t] >= 0;
     const std::uint32_t a = number_of(old.x, cut), b = number_of(old.y, cut), c = number_of(old.z, cut);
     mesh.triangle.push_back({a, b, c});
-    mesh.cut_face.push_back(solid.cut_face[t]);
+    mesh.cut_face.push_back(solid.mesh.cut_face[t]);
   }
   return mesh;
 }
@@ -166,7 +166,7 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv, const st
 std::vector<StyledMesh> styled_meshes(std::span<const Solid> solids, const ExportOptions& options) {
   // Pieces of one fruit look as the first does.
   const auto look_of = [&](const Solid& solid, const Look* like) {
-    return options.style.noise ? Look(solid.noise, solid.details, like) : Look();
+    return options.style.noise ? Look(solid.look->noise, solid.look->details, like) : Look();
   };
   const Look first = solids.empty() ? Look() : look_of(solids.front(), nullptr);
   std::vector<StyledMesh> meshes(solids.size());

@@ -22,7 +22,7 @@ namespace {
 /// Of every instance that has any vertices, the box of its solid's box, placed.
 std::vector<Box<float>> placed_boxes(const Scene& scene) {
   std::vector<Box<float>> own;
-  for (const Solid& solid : scene.solids) own.push_back(box_around(solid.position));
+  for (const Solid& solid : scene.solids) own.push_back(box_around(solid.mesh.position));
   std::vector<Box<float>> placed;
   for (const Instance& instance : scene.instances) {
     const auto& [a, b] = own[instance.solid];

@@ -16,8 +16,8 @@ namespace {
 std::vector<double> radii_of(const Scene& scene) {
   std::vector<double> radii;
   for (const Solid& solid : scene.solids) {
-    const glm::vec3 size = box_around(solid.position).size();
-    radii.push_back(solid.position.empty() ? 0.0 : 0.5 * static_cast<double>(glm::length(size)));
+    const glm::vec3 size = box_around(solid.mesh.position).size();
+    radii.push_back(solid.mesh.position.empty() ? 0.0 : 0.5 * static_cast<double>(glm::length(size)));
   }
   return radii;
 }
@@ -30,7 +30,7 @@ std::vector<InstanceTexels> instance_texels(const Scene& scene, const SceneCamer
   const double side = std::min(samples.x, samples.y);
   std::vector<InstanceTexels> texels;
   for (const Instance& instance : scene.instances) {
-    const InkStyle& ink = scene.solids[instance.solid].ink;
+    const InkStyle& ink = scene.solids[instance.solid].look->ink;
     const double radius = radii[instance.solid];
     const glm::dvec3 center = instance.pose.translation;
     const double away =

@@ -43,13 +43,13 @@ float SceneMaterials::number_of(const MaterialSketch& material) {
 
 std::vector<float> SceneMaterials::numbers_of(const Solid& solid) {
   std::vector<float> of_part;
-  const std::size_t parts = std::max<std::size_t>(solid.materials.size(), 1) + 1;
+  const std::size_t parts = std::max<std::size_t>(solid.look->materials.size(), 1) + 1;
   for (std::size_t part = 0; part < parts; ++part) {
     of_part.push_back(number_of(material_of(solid, static_cast<std::int32_t>(part))));
   }
   std::vector<float> numbers;
-  numbers.reserve(solid.part.size());
-  for (const std::int32_t part : solid.part) {
+  numbers.reserve(solid.mesh.part.size());
+  for (const std::int32_t part : solid.mesh.part) {
     const bool known = part >= 0 && static_cast<std::size_t>(part) < of_part.size();
     numbers.push_back(known ? of_part[static_cast<std::size_t>(part)] : of_part.back());
   }
@@ -57,7 +57,7 @@ std::vector<float> SceneMaterials::numbers_of(const Solid& solid) {
 }
 
 bool lets_light_in(const Solid& solid) {
-  return std::any_of(solid.materials.begin(), solid.materials.end(),
+  return std::any_of(solid.look->materials.begin(), solid.look->materials.end(),
                      [](const MaterialSketch& m) { return m.translucency.depth > 0; });
 }
 

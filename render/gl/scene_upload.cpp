@@ -16,9 +16,9 @@ namespace {
 
 /// Bits 0-10 of an id tell what meets at an edge, bit 11 cut faces.
 std::uint16_t tag_of(const Solid& solid, std::size_t triangle) {
-  const std::int32_t cut = solid.cut_face[triangle];
+  const std::int32_t cut = solid.mesh.cut_face[triangle];
   if (cut >= 0) return static_cast<std::uint16_t>(0x800 | (cut & 0x7ff));
-  return static_cast<std::uint16_t>((solid.surface[triangle] + 1) & 0x7ff);
+  return static_cast<std::uint16_t>((solid.mesh.surface[triangle] + 1) & 0x7ff);
 }
 
 /// Everything in one piece, ready to be handed over.
@@ -71,7 +71,7 @@ void append(const Solid& solid, const PictureParts& made, bool with_noise, Gathe
   const auto& [hairs, rims, pits] = made;
   // Where the solid begins in the shared buffers, and how much of them is its own.
   UploadedSolids::Part part;
-  part.indices = static_cast<GLsizei>(3 * solid.triangle.size());
+  part.indices = static_cast<GLsizei>(3 * solid.mesh.triangle.size());
   part.first_index = 3 * all.triangle.size();
   part.first_vertex = static_cast<GLint>(all.position.size());
   part.first_triangle = static_cast<GLint>(all.tag.size());
@@ -79,11 +79,11 @@ void append(const Solid& solid, const PictureParts& made, bool with_noise, Gathe
   part.hair_vertices = static_cast<GLsizei>(4 * hairs.size());
 
   // Vertices, triangles and hairs go behind those of the solids before.
-  all.position.insert(all.position.end(), solid.position.begin(), solid.position.end());
-  all.normal.insert(all.normal.end(), solid.normal.begin(), solid.normal.end());
-  all.color.insert(all.color.end(), solid.color.begin(), solid.color.end());
-  all.triangle.insert(all.triangle.end(), solid.triangle.begin(), solid.triangle.end());
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) all.tag.push_back(tag_of(solid, t));
+  all.position.insert(all.position.end(), solid.mesh.position.begin(), solid.mesh.position.end());
+  all.normal.insert(all.normal.end(), solid.mesh.normal.begin(), solid.mesh.normal.end());
+  all.color.insert(all.color.end(), solid.mesh.color.begin(), solid.mesh.color.end());
+  all.triangle.insert(all.triangle.end(), solid.mesh.triangle.begin(), solid.mesh.triangle.end());
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) all.tag.push_back(tag_of(solid, t));
   const std::vector<float> materials = all.materials.numbers_of(solid);
   all.material.insert(all.material.end(), materials.begin(), materials.end());
   all.translucent = all.translucent || lets_light_in(solid);
@@ -97,7 +97,7 @@ void append(const Solid& solid, const PictureParts& made, bool with_noise, Gathe
   for (const Hair& hair : hairs) append(hair, all);
 
   // The styles of its noise, which stay plain where the picture has none.
-  const std::vector<glm::vec4> texels = noise_texels(with_noise ? solid.noise : NoiseStyle{});
+  const std::vector<glm::vec4> texels = noise_texels(with_noise ? solid.look->noise : NoiseStyle{});
   all.noise.insert(all.noise.end(), texels.begin(), texels.end());
   all.parts.push_back(part);
 }
@@ -123,17 +123,17 @@ std::vector<glm::vec4> pit_texels(const std::vector<std::vector<glm::vec4>>& gri
 }
 
 std::optional<UploadedSolids::Guides> uploaded_guides(const CurrentGl& gl, const Scene& scene, const Style& style) {
-  const auto guided = [](const Solid& solid) { return !solid.guide.empty(); };
+  const auto guided = [](const Solid& solid) { return !solid.mesh.guide.empty(); };
   if (!style.noise || std::none_of(scene.solids.begin(), scene.solids.end(), guided)) return {};
   std::vector<glm::vec4> way, share, styles;
   Look look;  // of the solid before: pieces of one fruit have the same patterns
   for (const Solid& solid : scene.solids) {
-    for (std::size_t v = 0; v < solid.position.size(); ++v) {
-      const DetailGuide guide = solid.guide.empty() ? DetailGuide{} : solid.guide[v];
+    for (std::size_t v = 0; v < solid.mesh.position.size(); ++v) {
+      const DetailGuide guide = solid.mesh.guide.empty() ? DetailGuide{} : solid.mesh.guide[v];
       way.emplace_back(guide.to_skin, guide.layer);
       share.push_back(guide.share);
     }
-    look = Look(NoiseStyle{}, solid.details, &look);
+    look = Look(NoiseStyle{}, solid.look->details, &look);
     const std::vector<glm::vec4> texels = detail_texels(look);
     styles.insert(styles.end(), texels.begin(), texels.end());
   }

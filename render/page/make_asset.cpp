@@ -162,7 +162,7 @@ void add_look(const AssetTask& task, Asset& asset) {
   const Template& fruit = task.variant;
   asset.noise = noise_texels(fruit.noise);
   asset.details = detail_texels(Look(NoiseStyle{}, fruit.details));
-  std::vector<MaterialSketch> materials = materials_of(fruit, asset.parts);
+  std::vector<MaterialSketch> materials = look_of(fruit, asset.parts).materials;
   materials.resize(asset.parts.size());
   for (const MaterialSketch& material : materials) {
     const std::vector<glm::vec4> texels = material_texels(material);

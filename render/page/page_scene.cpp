@@ -60,16 +60,18 @@ FruitOfPage of_asset(const Asset& asset, int number) {
 FruitOfPage of_solid(const Solid& solid) {
   constexpr int cells = 64;
   Box<double> bounds;
-  for (const glm::vec3& p : solid.position) bounds.add(glm::dvec3(p));
-  const glm::dvec3 size = solid.position.empty() ? glm::dvec3(1) : bounds.size();
-  FruitOfPage fruit{
-      .title = solid.name, .parts = solid.part_names, .ink = solid.ink.color, .ink_width = solid.ink.width};
-  fruit.origin = solid.position.empty() ? glm::dvec3(0) : bounds.low;
+  for (const glm::vec3& p : solid.mesh.position) bounds.add(glm::dvec3(p));
+  const glm::dvec3 size = solid.mesh.position.empty() ? glm::dvec3(1) : bounds.size();
+  FruitOfPage fruit{.title = solid.name,
+                    .parts = solid.look->part_names,
+                    .ink = solid.look->ink.color,
+                    .ink_width = solid.look->ink.width};
+  fruit.origin = solid.mesh.position.empty() ? glm::dvec3(0) : bounds.low;
   fruit.spacing = std::max({size.x, size.y, size.z, 1e-6}) / cells;
   fruit.count = {cells + 1, cells + 1, cells + 1};
   fruit.units = 65535 / (cells + 1);
   if (fruit.parts.empty()) fruit.parts.push_back(solid.name);
-  fruit.noise = noise_texels(solid.noise);
+  fruit.noise = noise_texels(solid.look->noise);
   for (std::size_t part = 0; part < fruit.parts.size(); ++part) {
     const std::vector<glm::vec4> texels = material_texels(material_of(solid, static_cast<std::int32_t>(part)));
     fruit.materials.insert(fruit.materials.end(), texels.begin(), texels.end());
@@ -95,41 +97,42 @@ std::array<std::uint32_t, 2> octahedral(const glm::vec3& n) {
 
 /// Of each vertex: its part among the fruit's, and 128 more on a cut face.
 std::vector<std::uint32_t> tags_of(const Solid& solid, const FruitOfPage& fruit) {
-  std::vector<std::uint32_t> part_of(std::max<std::size_t>(solid.part_names.size(), 1), 0);
-  for (std::size_t k = 0; k < solid.part_names.size(); ++k) {
-    const auto found = std::find(fruit.parts.begin(), fruit.parts.end(), solid.part_names[k]);
+  std::vector<std::uint32_t> part_of(std::max<std::size_t>(solid.look->part_names.size(), 1), 0);
+  for (std::size_t k = 0; k < solid.look->part_names.size(); ++k) {
+    const auto found = std::find(fruit.parts.begin(), fruit.parts.end(), solid.look->part_names[k]);
     if (found != fruit.parts.end()) part_of[k] = static_cast<std::uint32_t>(found - fruit.parts.begin());
   }
-  std::vector<std::uint32_t> tags(solid.position.size(), 0);
-  for (std::size_t v = 0; v < tags.size() && v < solid.part.size(); ++v) {
-    const auto part = static_cast<std::size_t>(std::max(solid.part[v], 0));
+  std::vector<std::uint32_t> tags(solid.mesh.position.size(), 0);
+  for (std::size_t v = 0; v < tags.size() && v < solid.mesh.part.size(); ++v) {
+    const auto part = static_cast<std::size_t>(std::max(solid.mesh.part[v], 0));
     tags[v] = part < part_of.size() ? std::min(part_of[part], 127u) : 0;
   }
-  for (std::size_t t = 0; t < solid.triangle.size() && t < solid.cut_face.size(); ++t) {
-    if (solid.cut_face[t] < 0) continue;
-    for (int k = 0; k < 3; ++k) tags[solid.triangle[t][k]] |= 128u;
+  for (std::size_t t = 0; t < solid.mesh.triangle.size() && t < solid.mesh.cut_face.size(); ++t) {
+    if (solid.mesh.cut_face[t] < 0) continue;
+    for (int k = 0; k < 3; ++k) tags[solid.mesh.triangle[t][k]] |= 128u;
   }
   return tags;
 }
 
 std::string mesh_of(const Solid& solid, const FruitOfPage& fruit) {
-  const std::size_t vertices = solid.position.size(), triangles = solid.triangle.size();
+  const std::size_t vertices = solid.mesh.position.size(), triangles = solid.mesh.triangle.size();
   const double per_metre = fruit.units / fruit.spacing;
   std::string bytes;
   for (int k = 0; k < 3; ++k) {
     bytes += planes_of(vertices, 1, 2, [&](std::size_t v) {
-      const double place = (static_cast<double>(solid.position[v][k]) - fruit.origin[k]) * per_metre;
+      const double place = (static_cast<double>(solid.mesh.position[v][k]) - fruit.origin[k]) * per_metre;
       return std::clamp(std::floor(place), 0.0, 65535.0);
     });
   }
   std::vector<std::array<std::uint32_t, 2>> normal;
-  for (const glm::vec3& n : solid.normal) normal.push_back(octahedral(n));
+  for (const glm::vec3& n : solid.mesh.normal) normal.push_back(octahedral(n));
   for (std::size_t k = 0; k < 2; ++k) bytes += planes_of(vertices, 1, 2, [&](std::size_t v) { return normal[v][k]; });
   std::vector<glm::u8vec3> color;
-  for (const Color& c : solid.color) color.push_back(to_srgb8(c));
+  for (const Color& c : solid.mesh.color) color.push_back(to_srgb8(c));
   for (int k = 0; k < 3; ++k) bytes += planes_of(vertices, 1, 1, [&](std::size_t v) { return color[v][k]; });
   bytes += as_planes(tags_of(solid, fruit), 1, 1);
-  for (int k = 0; k < 3; ++k) bytes += planes_of(triangles, 2, 3, [&](std::size_t t) { return solid.triangle[t][k]; });
+  for (int k = 0; k < 3; ++k)
+    bytes += planes_of(triangles, 2, 3, [&](std::size_t t) { return solid.mesh.triangle[t][k]; });
   return bytes;
 }
 
@@ -177,7 +180,7 @@ ordered_json place_of(const Instance& instance) {
 
 void check_fits_a_page(const Scene& scene, std::size_t fruits) {
   std::size_t triangles = 0;
-  for (const Solid& solid : scene.solids) triangles += solid.triangle.size();
+  for (const Solid& solid : scene.solids) triangles += solid.mesh.triangle.size();
   const auto refuse = [](const std::string& what, std::size_t there, std::size_t max, const char* hint) {
     if (there <= max) return;
     throw Error(
@@ -214,8 +217,8 @@ std::string packed_scene(const PageScene& page) {
     const Solid& solid = page.scene.solids[s];
     header["solids"].push_back({{"name", solid.name},
                                 {"fruit", fruit_of[s]},
-                                {"vertices", solid.position.size()},
-                                {"triangles", solid.triangle.size()},
+                                {"vertices", solid.mesh.position.size()},
+                                {"triangles", solid.mesh.triangle.size()},
                                 {"facts", facts_for(solid, page.command[s])}});
     arrays += mesh_of(solid, fruits[fruit_of[s]]);
   }

@@ -35,7 +35,7 @@ inline PictureTriangle picture_triangle(const std::array<glm::dvec3, 3>& seen) {
 
 /// Triangle `t` of a solid.
 inline PictureTriangle picture_triangle(const Solid& solid, const SeenSolid& seen, std::uint32_t t) {
-  const glm::uvec3& corner = solid.triangle[t];
+  const glm::uvec3& corner = solid.mesh.triangle[t];
   return picture_triangle({seen.vertex[corner.x], seen.vertex[corner.y], seen.vertex[corner.z]});
 }
 

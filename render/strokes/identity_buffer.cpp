@@ -24,7 +24,7 @@ std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std
   const RasterSamples<double> all = pixel_middles({0, 0, buffer.width - 1, buffer.height - 1});
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const Solid& solid = scene.solids[scene.instances[first + i].solid];
-    for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
+    for (std::uint32_t t = 0; t < solid.mesh.triangle.size(); ++t) {
       const PictureTriangle triangle = picture_triangle(solid, seen[i], t);
       if (!triangle.can_be_seen(solid.closed)) continue;
       const PixelBox box = triangle.raster().box(all);

@@ -39,7 +39,7 @@ class Numbering {
 class ObjectLineFinder {
  public:
   ObjectLineFinder(const Solid& solid, const SolidEdges& edges, const SeenSolid& seen, const Lens& lens)
-      : solid_(solid), edges_(edges), seen_(seen), lens_(lens) {}
+      : mesh_(solid.mesh), edges_(edges), seen_(seen), lens_(lens) {}
 
   LineBundle contours() const;
   LineBundle sharp(LineKind kind) const;
@@ -52,7 +52,7 @@ class ObjectLineFinder {
   bool faces_eye(std::uint32_t triangle) const;
   LineKind drawn_as(const SharpEdge& edge) const;
 
-  const Solid& solid_;
+  const SolidMesh& mesh_;
   const SolidEdges& edges_;
   const SeenSolid& seen_;
   const Lens& lens_;
@@ -70,25 +70,23 @@ LinePoint ObjectLineFinder::point(const glm::dvec3& own, const glm::dvec3& away,
 }
 
 glm::dvec3 ObjectLineFinder::face_normal(std::uint32_t triangle) const {
-  const glm::uvec3& t = solid_.triangle[triangle];
-  const glm::dvec3 a(solid_.position[t.x]), b(solid_.position[t.y]), c(solid_.position[t.z]);
-  const glm::dvec3 n = glm::cross(b - a, c - a);
+  const glm::dvec3 n = mesh_.area_vector(triangle);
   const double size = glm::length(n);
   return size > 0 ? seen_.turn * (n / size) : glm::dvec3(0);
 }
 
 bool ObjectLineFinder::faces_eye(std::uint32_t triangle) const {
-  const glm::dvec3 at = seen_.in_scene(solid_.position[solid_.triangle[triangle].x]);
+  const glm::dvec3 at = seen_.in_scene(mesh_.position[mesh_.triangle[triangle].x]);
   return glm::dot(face_normal(triangle), lens_.eye() - at) >= 0;
 }
 
 /// In each triangle that the contour crosses, from which of its edges to which, by their smooth vertices.
 std::vector<std::pair<EdgeKey, EdgeKey>> ObjectLineFinder::contour_pieces() const {
   std::vector<std::pair<EdgeKey, EdgeKey>> pieces;
-  for (std::size_t i = 0; i < solid_.triangle.size(); ++i) {
-    const glm::uvec3& t = solid_.triangle[i];
-    const auto& normal = solid_.normal;
-    if (solid_.cut_face[i] >= 0 && normal[t.x] == normal[t.y] && normal[t.y] == normal[t.z]) continue;  // flat
+  for (std::size_t i = 0; i < mesh_.triangle.size(); ++i) {
+    const glm::uvec3& t = mesh_.triangle[i];
+    const auto& normal = mesh_.normal;
+    if (mesh_.cut_face[i] >= 0 && normal[t.x] == normal[t.y] && normal[t.y] == normal[t.z]) continue;  // flat
     const std::array<bool, 3> turned{front(t.x), front(t.y), front(t.z)};
     if (turned[0] == turned[1] && turned[1] == turned[2]) continue;
     std::vector<EdgeKey> crossed;
@@ -111,8 +109,8 @@ LineBundle ObjectLineFinder::contours() const {
   for (const auto& [v, w] : crossings.keys()) {
     const double g = static_cast<double>(seen_.facing[v]), h = static_cast<double>(seen_.facing[w]);
     const double t = g != h ? std::clamp(g / (g - h), 0.0, 1.0) : 0.5;
-    const glm::dvec3 p(solid_.position[v]), q(solid_.position[w]);
-    const glm::dvec3 m(solid_.normal[v]), n(solid_.normal[w]);
+    const glm::dvec3 p(mesh_.position[v]), q(mesh_.position[w]);
+    const glm::dvec3 m(mesh_.normal[v]), n(mesh_.normal[w]);
     LinePoint on_contour = point(p + (q - p) * t, seen_.turn * (m + (n - m) * t), glm::dvec3(0));
     on_contour.slope = 0;
     bundle.nodes.push_back(on_contour);
@@ -150,7 +148,7 @@ LineBundle ObjectLineFinder::sharp(LineKind kind) const {
     for (const std::uint32_t place : {edge->a, edge->b}) {
       LinePoint& node = bundle.nodes[numbers[place]];
       const double opacity = node.seen.z > 0 ? std::max(node.opacity, double{edge->opacity}) : double{edge->opacity};
-      node = point(glm::dvec3(solid_.position[place]), away, face);
+      node = point(glm::dvec3(mesh_.position[place]), away, face);
       node.opacity = opacity;
     }
     bundle.links.push_back({numbers[edge->a], numbers[edge->b]});

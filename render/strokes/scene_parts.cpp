@@ -29,7 +29,7 @@ PartMap scene_parts(const Scene& scene, int width, int height, Threads threads) 
   // Parts go by the names that the first solid has for them.
   PartMap map{width, height, std::vector<std::int32_t>(static_cast<std::size_t>(width) * height, -1), {}};
   if (scene.solids.empty()) return map;
-  map.names = scene.solids[0].part_names;
+  map.names = scene.solids[0].look->part_names;
 
   // What is foremost at each pixel.
   const Lens lens(scene.view, width, height);
@@ -47,7 +47,8 @@ PartMap scene_parts(const Scene& scene, int width, int height, Threads threads) 
       const std::size_t i = foremost.instance[pixel] - 1;
       const Solid& solid = scene.solids[scene.instances[i].solid];
       const glm::dvec2 middle(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
-      const std::int32_t part = solid.part[corner_at(seen[i], solid.triangle[foremost.triangle[pixel]], middle)];
+      const std::int32_t part =
+          solid.mesh.part[corner_at(seen[i], solid.mesh.triangle[foremost.triangle[pixel]], middle)];
       if (part >= 0 && part < static_cast<std::int32_t>(map.names.size())) map.part[pixel] = part;
     }
   });

@@ -29,7 +29,8 @@ double magnification(const StrokeOptions& options) {
 
 /// Half the diagonal of the solid's box, metres.
 double radius_of(const Solid& solid) {
-  return solid.position.empty() ? 0.0 : 0.5 * static_cast<double>(glm::length(box_around(solid.position).size()));
+  return solid.mesh.position.empty() ? 0.0
+                                     : 0.5 * static_cast<double>(glm::length(box_around(solid.mesh.position).size()));
 }
 
 /// Everything about one instance that lines depend on.
@@ -90,7 +91,7 @@ Sitter Draughtsman::sitter(const Solid& solid, const SeenSolid& seen) const {
   if (count == 0) return result;
   const double size = 2 * radius / lens_.pixel_size(away / static_cast<double>(count));
   result.fine = std::clamp(std::sqrt(size / (0.7 * side_)), 0.3, 1.0);
-  const double width = side_ * result.fine * solid.ink.width;
+  const double width = side_ * result.fine * solid.look->ink.width;
   result.pen = {width * style_.outline_width, width * style_.inner_width};
   result.wavelength = 0.3 * radius + 1e-6;
   return result;
@@ -162,7 +163,7 @@ SceneStroke Draughtsman::stroke(const VisibleRun& run, const IdentityBuffer& buf
   SceneStroke result{.instance = run.instance,
                      .kind = run.kind,
                      .closed = run.closed,
-                     .color = style_.ink_color.value_or(solid.ink.color),
+                     .color = style_.ink_color.value_or(solid.look->ink.color),
                      .points = {},
                      .distance = {}};
   const double width = finer * (is_inner(run.kind) ? sitter.pen.inner : sitter.pen.outline);

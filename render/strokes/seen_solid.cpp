@@ -7,11 +7,11 @@ namespace pomona {
 
 SeenSolid seen_solid(const Solid& solid, const Pose& pose, const Lens& lens) {
   SeenSolid seen{.vertex = {}, .facing = {}, .turn = glm::mat3_cast(pose.rotation), .at = pose.translation};
-  seen.vertex.reserve(solid.position.size());
-  seen.facing.reserve(solid.position.size());
-  for (std::size_t v = 0; v < solid.position.size(); ++v) {
-    const glm::dvec3 point = seen.in_scene(solid.position[v]);
-    const glm::dvec3 normal = seen.turn * glm::dvec3(solid.normal[v]);
+  seen.vertex.reserve(solid.mesh.position.size());
+  seen.facing.reserve(solid.mesh.position.size());
+  for (std::size_t v = 0; v < solid.mesh.position.size(); ++v) {
+    const glm::dvec3 point = seen.in_scene(solid.mesh.position[v]);
+    const glm::dvec3 normal = seen.turn * glm::dvec3(solid.mesh.normal[v]);
     seen.vertex.push_back(lens.seen(point));
     seen.facing.push_back(static_cast<float>(glm::dot(normal, glm::normalize(lens.eye() - point))));
   }
@@ -27,7 +27,7 @@ void visit_seen_solids(const Scene& scene, const Lens& lens, Threads threads,
   for (std::size_t first = 0, end = 0; first < scene.instances.size(); first = end) {
     std::size_t vertices = 0;
     while (end < scene.instances.size() && (end == first || vertices < vertices_at_once))
-      vertices += solid_of(end++).position.size();
+      vertices += solid_of(end++).mesh.position.size();
     std::vector<SeenSolid> seen(end - first);
     parallel_for(seen.size(), threads, [&](std::size_t i) {
       seen[i] = seen_solid(solid_of(first + i), scene.instances[first + i].pose, lens);

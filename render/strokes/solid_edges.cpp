@@ -20,11 +20,11 @@ bool less(const glm::vec3& a, const glm::vec3& b) { return std::tie(a.x, a.y, a.
 
 class EdgeFinder {
  public:
-  explicit EdgeFinder(const Solid& solid) : solid_(solid) {}
+  explicit EdgeFinder(const Solid& solid) : mesh_(solid.mesh) {}
 
   SolidEdges found() {
     weld();
-    const std::vector<glm::uvec3> triangles = welded_triangles(edges_.place, solid_.triangle);
+    const std::vector<glm::uvec3> triangles = welded_triangles(edges_.place, mesh_.triangle);
     for_each_edge(sorted_half_edges(triangles, {.of_collapsed = true}),
                   [&](std::span<const HalfEdge> edge) { look_at(edge); });
     return std::move(edges_);
@@ -38,35 +38,30 @@ class EdgeFinder {
   double color_jump(const HalfEdge& x, const HalfEdge& y) const;
   void add(const HalfEdge& x, const HalfEdge& y, LineKind kind, double opacity = 1);
 
-  bool is_cut(const HalfEdge& h) const { return solid_.cut_face[h.triangle] >= 0; }
+  bool is_cut(const HalfEdge& h) const { return mesh_.cut_face[h.triangle] >= 0; }
   /// The solid's vertices at the lower and at the higher place.
-  glm::uvec2 ends(const HalfEdge& h) const { return ends_in(solid_.triangle, h); }
-  glm::dvec3 face_normal(const HalfEdge& h) const {
-    const glm::uvec3& t = solid_.triangle[h.triangle];
-    const glm::dvec3 a(solid_.position[t.x]), b(solid_.position[t.y]), c(solid_.position[t.z]);
-    return glm::cross(b - a, c - a);
-  }
+  glm::uvec2 ends(const HalfEdge& h) const { return ends_in(mesh_.triangle, h); }
 
-  const Solid& solid_;
+  const SolidMesh& mesh_;
   SolidEdges edges_;
 };
 
 /// Sorted by position and normal at once; of one position the vertex with the least normal stands for all.
 void EdgeFinder::weld() {
-  std::vector<std::uint32_t> order(solid_.position.size());
+  std::vector<std::uint32_t> order(mesh_.position.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    if (solid_.position[a] != solid_.position[b]) return less(solid_.position[a], solid_.position[b]);
-    if (solid_.normal[a] != solid_.normal[b]) return less(solid_.normal[a], solid_.normal[b]);
+    if (mesh_.position[a] != mesh_.position[b]) return less(mesh_.position[a], mesh_.position[b]);
+    if (mesh_.normal[a] != mesh_.normal[b]) return less(mesh_.normal[a], mesh_.normal[b]);
     return a < b;
   });
   edges_.place.resize(order.size());
   edges_.smooth.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::uint32_t v = order[i], before = i > 0 ? order[i - 1] : v;
-    const bool here = i > 0 && solid_.position[v] == solid_.position[before];
+    const bool here = i > 0 && mesh_.position[v] == mesh_.position[before];
     edges_.place[v] = here ? edges_.place[before] : v;
-    edges_.smooth[v] = here && solid_.normal[v] == solid_.normal[before] ? edges_.smooth[before] : v;
+    edges_.smooth[v] = here && mesh_.normal[v] == mesh_.normal[before] ? edges_.smooth[before] : v;
   }
 }
 
@@ -78,11 +73,11 @@ void EdgeFinder::look_at(std::span<const HalfEdge> sides) {
   const auto skin = std::find_if(sides.begin(), sides.end(), [&](const HalfEdge& h) { return !is_cut(h); });
   const auto cut = std::find_if(sides.begin(), sides.end(), [&](const HalfEdge& h) { return is_cut(h); });
   if (cut == sides.end()) return;
-  const auto of_face = [&](const HalfEdge& h) { return solid_.cut_face[h.triangle] == solid_.cut_face[cut->triangle]; };
+  const auto of_face = [&](const HalfEdge& h) { return mesh_.cut_face[h.triangle] == mesh_.cut_face[cut->triangle]; };
   const bool sunk = std::count_if(sides.begin(), sides.end(), of_face) >= 3;
   if (skin != sides.end()) return add(*skin, *cut, LineKind::rim, sunk ? sunk_opacity(sides) : 1);
   for (std::size_t i = 1; i < sides.size(); ++i) {
-    if (solid_.cut_face[sides[i].triangle] != solid_.cut_face[sides[0].triangle]) {
+    if (mesh_.cut_face[sides[i].triangle] != mesh_.cut_face[sides[0].triangle]) {
       return add(sides[0], sides[i], LineKind::ridge);
     }
   }
@@ -105,8 +100,8 @@ double EdgeFinder::sunk_opacity(std::span<const HalfEdge> sides) const {
 /// How far the colours of two triangles are apart at their common edge, in OKLab.
 double EdgeFinder::color_jump(const HalfEdge& x, const HalfEdge& y) const {
   const auto apart = [&](std::uint32_t v, std::uint32_t w) {
-    if (solid_.color[v] == solid_.color[w]) return 0.0;
-    return static_cast<double>(glm::distance(to_oklab(solid_.color[v]), to_oklab(solid_.color[w])));
+    if (mesh_.color[v] == mesh_.color[w]) return 0.0;
+    return static_cast<double>(glm::distance(to_oklab(mesh_.color[v]), to_oklab(mesh_.color[w])));
   };
   return 0.5 * (apart(ends(x).x, ends(y).x) + apart(ends(x).y, ends(y).y));
 }
@@ -125,8 +120,8 @@ void EdgeFinder::look_at_pair(const HalfEdge& x, const HalfEdge& y) {
   }
 
   // Between two parts of the skin: a seam, a crease beyond 60 degrees, or a fold where normals part.
-  if (solid_.surface[x.triangle] != solid_.surface[y.triangle]) return add(x, y, LineKind::seam);
-  const glm::dvec3 m = face_normal(x), n = face_normal(y);
+  if (mesh_.surface[x.triangle] != mesh_.surface[y.triangle]) return add(x, y, LineKind::seam);
+  const glm::dvec3 m = mesh_.area_vector(x.triangle), n = mesh_.area_vector(y.triangle);
   const double mn = glm::dot(m, n), sharp = 0.25 * glm::dot(m, m) * glm::dot(n, n);
   if (mn < 0 || mn * mn < sharp) return add(x, y, LineKind::crease);
   const bool smooth = edges_.smooth[xa] == edges_.smooth[ya] && edges_.smooth[xb] == edges_.smooth[yb];

@@ -43,7 +43,7 @@ bool shows_rim(const MaterialSketch& material) {
   return material.relief != 0 || material.translucency.depth > clear_depth;
 }
 
-FaceRelief::FaceRelief(const Solid& solid) : solid_(solid), group_of_(solid.triangle.size(), -1) {
+FaceRelief::FaceRelief(const Solid& solid) : solid_(solid), group_of_(solid.mesh.triangle.size(), -1) {
   group_triangles();
   if (!groups_.empty()) find_borders();
 }
@@ -51,10 +51,10 @@ FaceRelief::FaceRelief(const Solid& solid) : solid_(solid), group_of_(solid.tria
 /// A group for each part on each face, of parts that have something to show.
 void FaceRelief::group_triangles() {
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> known;
-  for (std::size_t t = 0; t < solid_.triangle.size(); ++t) {
-    if (solid_.cut_face[t] < 0) continue;
-    const std::int32_t part = solid_.part[solid_.triangle[t].x];
-    const auto [entry, is_new] = known.try_emplace({solid_.cut_face[t], part}, -1);
+  for (std::size_t t = 0; t < solid_.mesh.triangle.size(); ++t) {
+    if (solid_.mesh.cut_face[t] < 0) continue;
+    const std::int32_t part = solid_.mesh.part[solid_.mesh.triangle[t].x];
+    const auto [entry, is_new] = known.try_emplace({solid_.mesh.cut_face[t], part}, -1);
     if (is_new) {
       const MaterialSketch material = material_of(solid_, part);
       if (shows_rim(material)) {
@@ -68,14 +68,13 @@ void FaceRelief::group_triangles() {
 
 /// Edges of a group's triangles that no other triangle of the group has.
 void FaceRelief::find_borders() {
-  const std::vector<glm::uvec3> triangles = welded_triangles(weld(solid_.position), solid_.triangle);
+  const std::vector<glm::uvec3> triangles = welded_triangles(weld(solid_.mesh.position), solid_.mesh.triangle);
   const HalfEdgeOptions by_group{.kind = group_of_, .of_collapsed = true};
   for_each_edge(sorted_half_edges(triangles, by_group), [&](std::span<const HalfEdge> edge) {
     const HalfEdge& side = edge.front();
     if (edge.size() > 1 || side.kind < 0) return;
-    const glm::uvec3& t = solid_.triangle[side.triangle];
-    const int k = side.side;
-    const glm::dvec3 a(solid_.position[t[k]]), b(solid_.position[t[(k + 1) % 3]]), c(solid_.position[t[(k + 2) % 3]]);
+    const std::array<glm::dvec3, 3> p = solid_.mesh.corners(side.triangle);
+    const glm::dvec3 &a = p[side.side], &b = p[(side.side + 1u) % 3], &c = p[(side.side + 2u) % 3];
     const glm::dvec3 along = b - a;
     const double squared = glm::dot(along, along);
     if (squared == 0) return;
@@ -130,16 +129,15 @@ RimPlace FaceRelief::at(std::uint32_t triangle, const glm::dvec3& place) const {
 }
 
 std::vector<RimPlace> FaceRelief::at_vertices() const {
-  std::vector<RimPlace> places(solid_.position.size());
+  std::vector<RimPlace> places(solid_.mesh.position.size());
   if (empty()) return places;
   // Just within each triangle, so that a corner on the border knows which way is inwards.
   std::vector<int> count(places.size(), 0);
   constexpr double within = 0.02;
-  for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
+  for (std::uint32_t t = 0; t < solid_.mesh.triangle.size(); ++t) {
     if (group_of_[t] < 0) continue;
-    const glm::uvec3& v = solid_.triangle[t];
-    const std::array<glm::dvec3, 3> p{glm::dvec3(solid_.position[v.x]), glm::dvec3(solid_.position[v.y]),
-                                      glm::dvec3(solid_.position[v.z])};
+    const glm::uvec3& v = solid_.mesh.triangle[t];
+    const std::array<glm::dvec3, 3> p = solid_.mesh.corners(t);
     const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
     for (std::size_t k = 0; k < 3; ++k) {
       const RimPlace here = at(t, p[k] + (middle - p[k]) * within);

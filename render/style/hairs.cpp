@@ -14,17 +14,12 @@ namespace {
 /// Metres squared to square millimetres.
 constexpr double square_millimetres = 1e6;
 
-double area_of(const Solid& solid, const glm::uvec3& t) {
-  const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
-  return 0.5 * glm::length(glm::cross(b - a, c - a));
-}
-
 /// How many hairs a triangle grows, not rounded.
 double hairs_on(const Solid& solid, std::size_t triangle) {
-  const glm::uvec3& t = solid.triangle[triangle];
-  if (solid.cut_face[triangle] >= 0) return 0;
-  const Fuzz fuzz = material_of(solid, solid.part[t.x]).fuzz;
-  return fuzz.length > 0 ? fuzz.density * area_of(solid, t) * square_millimetres : 0;
+  if (solid.mesh.cut_face[triangle] >= 0) return 0;
+  const Fuzz fuzz = material_of(solid, solid.mesh.part[solid.mesh.triangle[triangle].x]).fuzz;
+  const double area = 0.5 * glm::length(solid.mesh.area_vector(triangle));
+  return fuzz.length > 0 ? fuzz.density * area * square_millimetres : 0;
 }
 
 /// Draws from one stream in turn.
@@ -51,15 +46,16 @@ Hair hair_on(const Solid& solid, const glm::uvec3& t, HairDraws draws) {
   const auto blend = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     return glm::dvec3(a) * (1 - u - v) + glm::dvec3(b) * u + glm::dvec3(c) * v;
   };
-  const glm::dvec3 root = blend(solid.position[t.x], solid.position[t.y], solid.position[t.z]);
-  const glm::dvec3 n = unit_or(blend(solid.normal[t.x], solid.normal[t.y], solid.normal[t.z]), {0, 1, 0});
+  const glm::dvec3 root = blend(solid.mesh.position[t.x], solid.mesh.position[t.y], solid.mesh.position[t.z]);
+  const glm::dvec3 n =
+      unit_or(blend(solid.mesh.normal[t.x], solid.mesh.normal[t.y], solid.mesh.normal[t.z]), {0, 1, 0});
 
   // Down along the skin, and astray.
   const double astray_x = draws.signed_share(), astray_y = draws.signed_share(), astray_z = draws.signed_share();
   const glm::dvec3 way = glm::dvec3(0, -0.8, 0) + glm::dvec3(astray_x, astray_y, astray_z);
   const glm::dvec3 along = unit_or(way - n * glm::dot(way, n), glm::dvec3(0));
 
-  const Fuzz fuzz = material_of(solid, solid.part[t.x]).fuzz;
+  const Fuzz fuzz = material_of(solid, solid.mesh.part[t.x]).fuzz;
   const double length = fuzz.length * (0.45 + 0.55 * draws.share()), lie = fuzz.lie;
   const glm::dvec3 rise = unit_or(n * (1.05 - 0.7 * lie) + along * (0.9 * lie), n);
   const glm::dvec3 bend = unit_or(n * (1.05 - lie) + along * (0.15 + 1.2 * lie), n);
@@ -73,7 +69,7 @@ Hair hair_on(const Solid& solid, const glm::uvec3& t, HairDraws draws) {
 
 std::vector<Hair> hairs_of(const Solid& solid, std::size_t max) {
   double total = 0;
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) total += hairs_on(solid, t);
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) total += hairs_on(solid, t);
   std::vector<Hair> hairs;
   if (total == 0) return hairs;
   const double kept = std::min(1.0, static_cast<double>(max) / total);
@@ -82,10 +78,10 @@ std::vector<Hair> hairs_of(const Solid& solid, std::size_t max) {
   const RandomStream stream({}, "fuzz");
   constexpr std::uint64_t draws_per_hair = 8;
   double sown = 0;
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     sown += kept * hairs_on(solid, t);
     while (static_cast<double>(hairs.size()) + 0.5 < sown && hairs.size() < max) {
-      hairs.push_back(hair_on(solid, solid.triangle[t], HairDraws(stream, draws_per_hair * hairs.size())));
+      hairs.push_back(hair_on(solid, solid.mesh.triangle[t], HairDraws(stream, draws_per_hair * hairs.size())));
     }
   }
   return hairs;

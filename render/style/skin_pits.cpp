@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "generator/mesh/box.h"
+#include "generator/mesh/disjoint_sets.h"
 
 namespace pomona {
 
@@ -19,31 +21,15 @@ constexpr std::size_t max_spots = 100'000;
 constexpr double spot_step = 1.0 / 128;  // of its radius, over which its slope is taken
 constexpr int texels_of_pit = 2, texels_of_spot = 6;
 
-/// Which vertices are connected, by triangles or by equal positions.
-class Islands {
- public:
-  explicit Islands(std::size_t count) : root_(count) { std::iota(root_.begin(), root_.end(), 0u); }
-  std::uint32_t of(std::uint32_t v) {
-    while (root_[v] != v) v = root_[v] = root_[root_[v]];
-    return v;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = of(a), b = of(b);
-    root_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> root_;
-};
-
 double depth_around(const Solid& solid, std::size_t triangle) {
-  return solid.cut_face[triangle] >= 0 ? 0 : material_of(solid, solid.part[solid.triangle[triangle].x]).pit;
+  return solid.mesh.cut_face[triangle] >= 0 ? 0
+                                            : material_of(solid, solid.mesh.part[solid.mesh.triangle[triangle].x]).pit;
 }
 
 }  // namespace
 
 SkinPits::SkinPits(const Solid& solid) : spots_(solid.raised) {
-  const bool any = std::any_of(solid.materials.begin(), solid.materials.end(),
+  const bool any = std::any_of(solid.look->materials.begin(), solid.look->materials.end(),
                                [](const MaterialSketch& material) { return material.pit > 0; });
   if (any) find(solid);
   if (spots_.size() > max_spots) spots_.resize(max_spots);
@@ -52,39 +38,36 @@ SkinPits::SkinPits(const Solid& solid) : spots_(solid.raised) {
 
 /// A connected set of triangles of a part on the skin is a grain.
 void SkinPits::find(const Solid& solid) {
-  Islands islands(solid.position.size());
+  DisjointSets islands(solid.mesh.position.size());  // joined by triangles, or as they lie at one place
   std::map<std::tuple<float, float, float>, std::uint32_t> known;
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     if (!(depth_around(solid, t) > 0)) continue;
-    const glm::uvec3& corners = solid.triangle[t];
+    const glm::uvec3& corners = solid.mesh.triangle[t];
     islands.join(corners.x, corners.y), islands.join(corners.x, corners.z);
     for (int k = 0; k < 3; ++k) {
-      const glm::vec3& p = solid.position[corners[k]];
+      const glm::vec3& p = solid.mesh.position[corners[k]];
       islands.join(corners[k], known.try_emplace({p.x, p.y, p.z}, corners[k]).first->second);
     }
   }
 
   // The middle of each grain's box, and how far it reaches from there.
   struct Grain {
-    glm::vec3 low{1e9f}, high{-1e9f};
-    double depth = 0, reach = 0;
+    Box<float> box;
+    double depth = 0;
   };
   std::map<std::uint32_t, Grain> grains;
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     const double depth = depth_around(solid, t);
     if (!(depth > 0)) continue;
-    Grain& grain = grains[islands.of(solid.triangle[t].x)];
+    Grain& grain = grains[islands.root(solid.mesh.triangle[t].x)];
     grain.depth = depth;
-    for (int k = 0; k < 3; ++k) {
-      const glm::vec3& p = solid.position[solid.triangle[t][k]];
-      grain.low = glm::min(grain.low, p), grain.high = glm::max(grain.high, p);
-    }
+    for (int k = 0; k < 3; ++k) grain.box.add(solid.mesh.position[solid.mesh.triangle[t][k]]);
   }
   for (const auto& [island, grain] : grains) {
-    const glm::dvec3 size(grain.high - grain.low);
+    const glm::dvec3 size(grain.box.size());
     const double radius = 0.5 * wider * std::sqrt(glm::dot(size, size));
     if (radius > 0 && pits_.size() < max_pits)
-      pits_.push_back({glm::dvec3(grain.low + grain.high) / 2.0, radius, grain.depth});
+      pits_.push_back({glm::dvec3(grain.box.low + grain.box.high) / 2.0, radius, grain.depth});
   }
 }
 

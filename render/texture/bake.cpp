@@ -70,8 +70,8 @@ class Baker {
     maps.orm = image_of({255, 153, 0});
     maps.thickness = image_of({255, 255, 0});
     maps.part = image_of({255, 255, 255});
-    maps.tangent = tangents(mesh.position, mesh.normal, result_.uv, mesh.triangle);
-    tangent_mesh_ = {mesh.triangle, maps.tangent, std::vector<std::uint32_t>(solid_.triangle.size(), 0)};
+    maps.tangent = tangents(mesh.mesh.position, mesh.mesh.normal, result_.uv, mesh.mesh.triangle);
+    tangent_mesh_ = {mesh.mesh.triangle, maps.tangent, std::vector<std::uint32_t>(solid_.mesh.triangle.size(), 0)};
     std::uint32_t next = 0;
     for (const Chart& chart : charts_)
       for (const std::uint32_t t : chart.triangles) tangent_mesh_.number[t] = next++;
@@ -129,8 +129,8 @@ class Baker {
         canvas.set(at.x, at.y, color_of(sample_maps_->part(sample)));
     }
     if (samples.empty()) {
-      const glm::uvec3& speck = solid_.triangle[charts_[chart].triangles.front()];
-      canvas.fill_with(color_of(solid_.part[speck.x]));
+      const glm::uvec3& speck = solid_.mesh.triangle[charts_[chart].triangles.front()];
+      canvas.fill_with(color_of(solid_.mesh.part[speck.x]));
     }
     canvas.write_shares(result_.maps.part);
   }
@@ -160,8 +160,9 @@ class Baker {
   void add_mesh() {
     Solid& out = result_.solid;
     out = solid_;
-    out.position.clear(), out.normal.clear(), out.color.clear(), out.part.clear(), out.guide.clear();
-    out.triangle.clear(), out.cut_face.clear(), out.surface.clear();
+    out.mesh.position.clear(), out.mesh.normal.clear(), out.mesh.color.clear(), out.mesh.part.clear(),
+        out.mesh.guide.clear();
+    out.mesh.triangle.clear(), out.mesh.cut_face.clear(), out.mesh.surface.clear();
     for (std::size_t c = 0; c < charts_.size(); ++c) add_chart(c);
   }
 
@@ -174,23 +175,23 @@ class Baker {
       const std::uint32_t t = chart.triangles[i];
       glm::uvec3 copied(0);
       for (int k = 0; k < 3; ++k) {
-        const std::uint32_t original = solid_.triangle[t][k];
-        const auto [vertex, added] = known.try_emplace(original, static_cast<std::uint32_t>(out.position.size()));
+        const std::uint32_t original = solid_.mesh.triangle[t][k];
+        const auto [vertex, added] = known.try_emplace(original, static_cast<std::uint32_t>(out.mesh.position.size()));
         copied[k] = vertex->second;
         if (!added) continue;
-        out.position.push_back(solid_.position[original]);
-        out.normal.push_back(solid_.normal[original]);
-        out.color.push_back(solid_.color[original]);
-        out.part.push_back(solid_.part[original]);
-        if (!solid_.guide.empty()) out.guide.push_back(solid_.guide[original]);
+        out.mesh.position.push_back(solid_.mesh.position[original]);
+        out.mesh.normal.push_back(solid_.mesh.normal[original]);
+        out.mesh.color.push_back(solid_.mesh.color[original]);
+        out.mesh.part.push_back(solid_.mesh.part[original]);
+        if (!solid_.mesh.guide.empty()) out.mesh.guide.push_back(solid_.mesh.guide[original]);
         const glm::dvec2 texel = atlas_.texel(charts_, c, chart.corners[i][k]);
         result_.uv.emplace_back(texel / glm::dvec2(atlas_.size));
       }
 
       // Triangles keep what they say about the surface.
-      out.triangle.push_back(copied);
-      out.cut_face.push_back(solid_.cut_face[t]);
-      out.surface.push_back(solid_.surface[t]);
+      out.mesh.triangle.push_back(copied);
+      out.mesh.cut_face.push_back(solid_.mesh.cut_face[t]);
+      out.mesh.surface.push_back(solid_.mesh.surface[t]);
     }
   }
 
@@ -223,7 +224,7 @@ class Baker {
 };
 
 bool has_cut_face(const Solid& solid) {
-  return std::any_of(solid.cut_face.begin(), solid.cut_face.end(), [](auto face) { return face >= 0; });
+  return std::any_of(solid.mesh.cut_face.begin(), solid.mesh.cut_face.end(), [](auto face) { return face >= 0; });
 }
 
 /// What diffuses its texels; null where nothing is to be diffused.
@@ -238,7 +239,7 @@ std::vector<BakedSolid> baked_together(std::span<const Solid> solids, const Sect
   std::vector<std::optional<Baker>> bakers(solids.size());
   std::vector<FaceColorTask> tasks;
   for (std::size_t i = 0; i < solids.size(); ++i) {
-    if (solids[i].triangle.empty()) continue;
+    if (solids[i].mesh.triangle.empty()) continue;
     bakers[i].emplace(solids[i], style, options);
     tasks.push_back({&solids[i], bakers[i]->texel()});
   }

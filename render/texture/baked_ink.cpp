@@ -27,13 +27,13 @@ CrossSection section_of(const Solid& solid, const Chart& chart) {
   for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
     glm::uvec3 t(0);
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t v = solid.triangle[chart.triangles[i]][k];
+      const std::uint32_t v = solid.mesh.triangle[chart.triangles[i]][k];
       const auto [entry, is_new] = number_of.try_emplace(v, static_cast<std::uint32_t>(section.position.size()));
       if (is_new) {
         const glm::dvec2& p = chart.flat[chart.corners[i][k]];
-        section.position.push_back(chart.frame ? solid.position[v] : glm::vec3(p.x, -p.y, 0));
+        section.position.push_back(chart.frame ? solid.mesh.position[v] : glm::vec3(p.x, -p.y, 0));
         first_at.try_emplace(chart.corners[i][k], entry->second);
-        section.color.push_back(solid.color[v]);
+        section.color.push_back(solid.mesh.color[v]);
       }
       t[k] = entry->second;
     }
@@ -95,8 +95,8 @@ BakedInk baked_ink(const Solid& solid, const std::vector<Chart>& charts, std::si
   face.shown = true;
   const double side = largest_face(charts) * atlas.texels_per_metre / filled;
   BakedInk drawn{
-      {size.x, size.y}, {size.x, size.y}, low, style.ink_color.value_or(solid.ink.color), style.inner_opacity};
-  for (const SectionStroke& stroke : section_strokes(section_of(solid, own), {face}, solid.ink, style, side))
+      {size.x, size.y}, {size.x, size.y}, low, style.ink_color.value_or(solid.look->ink.color), style.inner_opacity};
+  for (const SectionStroke& stroke : section_strokes(section_of(solid, own), {face}, solid.look->ink, style, side))
     (stroke.rim ? drawn.rim : drawn.inner).draw(stroke.points);
   return drawn;
 }

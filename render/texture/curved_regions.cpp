@@ -38,15 +38,13 @@ struct Offer {
 class RegionGrowth {
  public:
   RegionGrowth(const Solid& solid, const TriangleNeighbors& neighbors, std::span<const std::uint8_t> is_curved)
-      : solid_(solid),
+      : mesh_(solid.mesh),
         neighbors_(neighbors),
         is_curved_(is_curved),
-        normal_(solid.triangle.size()),
-        area_(solid.triangle.size()) {
-    for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
-      const glm::uvec3& v = solid.triangle[t];
-      const glm::dvec3 a(solid.position[v.x]), b(solid.position[v.y]), c(solid.position[v.z]);
-      const glm::dvec3 twice = glm::cross(b - a, c - a);
+        normal_(solid.mesh.triangle.size()),
+        area_(solid.mesh.triangle.size()) {
+    for (std::uint32_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+      const glm::dvec3 twice = solid.mesh.area_vector(t);
       const double length = std::sqrt(glm::dot(twice, twice));
       area_[t] = 0.5 * length;
       normal_[t] = length > 0 ? twice / length : glm::dvec3(0);
@@ -55,7 +53,7 @@ class RegionGrowth {
 
   std::vector<CurvedRegion> grow() {
     std::vector<CurvedRegion> all;
-    region_.assign(solid_.triangle.size(), none);
+    region_.assign(mesh_.triangle.size(), none);
     for (const std::vector<std::uint32_t>& component : components()) {
       for (CurvedRegion& region : grow_component(component)) all.push_back(std::move(region));
     }
@@ -67,7 +65,7 @@ class RegionGrowth {
   template <typename Wanted>
   std::vector<std::vector<std::uint32_t>> connected(const std::vector<std::uint32_t>& among, const Wanted& wanted) {
     std::vector<std::vector<std::uint32_t>> groups;
-    if (seen_.empty()) seen_.assign(solid_.triangle.size(), 0);
+    if (seen_.empty()) seen_.assign(mesh_.triangle.size(), 0);
     for (const std::uint32_t start : among) {
       if (seen_[start] || !wanted(start)) continue;
       std::vector<std::uint32_t> group{start};
@@ -88,7 +86,7 @@ class RegionGrowth {
 
   std::vector<std::vector<std::uint32_t>> components() {
     std::vector<std::uint32_t> curved;
-    for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
+    for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
       if (is_curved_[t]) curved.push_back(t);
     }
     return connected(curved, [](std::uint32_t) { return true; });
@@ -190,8 +188,8 @@ class RegionGrowth {
       for (int i = 0; i < 3; ++i) {
         const std::int32_t next = neighbors_.neighbor[t][i];
         if (next < 0 || region_[next] == own) continue;
-        const glm::uvec3& v = solid_.triangle[t];
-        const glm::dvec3 d = glm::dvec3(solid_.position[v[i]]) - glm::dvec3(solid_.position[v[(i + 1) % 3]]);
+        const glm::uvec3& v = mesh_.triangle[t];
+        const glm::dvec3 d = glm::dvec3(mesh_.position[v[i]]) - glm::dvec3(mesh_.position[v[(i + 1) % 3]]);
         border[region_[next]] += std::sqrt(glm::dot(d, d));
       }
     }
@@ -235,7 +233,7 @@ class RegionGrowth {
     return regions;
   }
 
-  const Solid& solid_;
+  const SolidMesh& mesh_;
   const TriangleNeighbors& neighbors_;
   std::span<const std::uint8_t> is_curved_;
   std::vector<glm::dvec3> normal_;

@@ -69,14 +69,14 @@ class Subdivision {
  public:
   Subdivision(const FaceColorTask& task, const FaceColorOptions& options, FaceColors& result)
       : solid_(*task.solid), options_(options), texel_(task.texel), result_(result) {
-    result_.root.assign(solid_.triangle.size(), -1);
-    node_of_.assign(solid_.position.size(), none);
-    for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
-      if (solid_.cut_face[t] < 0) continue;
+    result_.root.assign(solid_.mesh.triangle.size(), -1);
+    node_of_.assign(solid_.mesh.position.size(), none);
+    for (std::uint32_t t = 0; t < solid_.mesh.triangle.size(); ++t) {
+      if (solid_.mesh.cut_face[t] < 0) continue;
       result_.root[t] = static_cast<std::int32_t>(result_.cells.size());
       open_.push_back(static_cast<std::uint32_t>(result_.cells.size()));
-      face_.push_back(solid_.cut_face[t]);
-      const glm::uvec3& v = solid_.triangle[t];
+      face_.push_back(solid_.mesh.cut_face[t]);
+      const glm::uvec3& v = solid_.mesh.triangle[t];
       result_.cells.push_back({.corner = {corner_node(v.x), corner_node(v.y), corner_node(v.z)}});
     }
     corners_ = static_cast<std::uint32_t>(position_.size());
@@ -140,7 +140,7 @@ class Subdivision {
 
   std::uint32_t corner_node(std::uint32_t vertex) {
     std::uint32_t& node = node_of_[vertex];
-    if (node == none) node = add_node(solid_.position[vertex], solid_.color[vertex], false);
+    if (node == none) node = add_node(solid_.mesh.position[vertex], solid_.mesh.color[vertex], false);
     return node;
   }
 

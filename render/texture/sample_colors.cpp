@@ -22,9 +22,9 @@ void for_chunk(std::size_t chunk, std::size_t count, const Visit& visit) {
 
 SampleColors::SampleColors(const Solid& solid, const Style& style, const OfCutFaces& of_cut_faces, double texel,
                            Threads threads)
-    : solid_(solid),
+    : mesh_(solid.mesh),
       of_cut_faces_(of_cut_faces),
-      look_(style.noise ? Look(solid.noise, solid.details) : Look()),
+      look_(style.noise ? Look(solid.look->noise, solid.look->details) : Look()),
       paint_(style),
       texel_(texel),
       threads_(threads) {}
@@ -34,7 +34,7 @@ std::vector<Color> SampleColors::plain(const std::vector<TexelSample>& samples) 
   std::vector<glm::vec3> points(samples.size());
   parallel_for(chunks(samples.size()), threads_, [&](std::size_t chunk) {
     for_chunk(chunk, samples.size(), [&](std::size_t i) {
-      points[i] = glm::vec3(place(samples[i]));
+      points[i] = glm::vec3(mesh_.place(samples[i].triangle, samples[i].weight));
       colors[i] = interpolated(samples[i]);
     });
   });
@@ -55,11 +55,11 @@ Color SampleColors::mean_of(const Chart& chart) const {
   glm::dvec3 sum(0), place(0);
   double area = 0;
   for (const std::uint32_t t : chart.triangles) {
-    const glm::uvec3& v = solid_.triangle[t];
-    const glm::dvec3 a(solid_.position[v.x]), b(solid_.position[v.y]), c(solid_.position[v.z]);
-    const glm::dvec3 n = glm::cross(b - a, c - a);
+    const glm::uvec3& v = mesh_.triangle[t];
+    const auto [a, b, c] = mesh_.corners(t);
+    const glm::dvec3 n = mesh_.area_vector(t);
     const double weight = std::sqrt(glm::dot(n, n)) + 1e-30;
-    sum += weight * glm::dvec3(solid_.color[v.x] + solid_.color[v.y] + solid_.color[v.z]) / 3.0;
+    sum += weight * glm::dvec3(mesh_.color[v.x] + mesh_.color[v.y] + mesh_.color[v.z]) / 3.0;
     place += weight * (a + b + c) / 3.0;
     area += weight;
   }
@@ -69,18 +69,12 @@ Color SampleColors::mean_of(const Chart& chart) const {
   return paint_(look_(Color(sum / area), seen));
 }
 
-glm::dvec3 SampleColors::place(const TexelSample& sample) const {
-  const glm::uvec3& v = solid_.triangle[sample.triangle];
-  return sample.weight.x * glm::dvec3(solid_.position[v.x]) + sample.weight.y * glm::dvec3(solid_.position[v.y]) +
-         sample.weight.z * glm::dvec3(solid_.position[v.z]);
-}
-
 LookPlace SampleColors::look_place(const TexelSample& sample) const {
-  const glm::uvec3& v = solid_.triangle[sample.triangle];
-  LookPlace seen{.position = place(sample), .footprint = texel_};
-  if (solid_.cut_face[sample.triangle] < 0) seen.face = DetailFace::skin;
-  if (solid_.guide.empty()) return seen;
-  seen.guide = pomona::interpolated(solid_.guide[v.x], solid_.guide[v.y], solid_.guide[v.z],
+  const glm::uvec3& v = mesh_.triangle[sample.triangle];
+  LookPlace seen{.position = mesh_.place(sample.triangle, sample.weight), .footprint = texel_};
+  if (mesh_.cut_face[sample.triangle] < 0) seen.face = DetailFace::skin;
+  if (mesh_.guide.empty()) return seen;
+  seen.guide = pomona::interpolated(mesh_.guide[v.x], mesh_.guide[v.y], mesh_.guide[v.z],
                                     static_cast<float>(sample.weight.y), static_cast<float>(sample.weight.z));
   return seen;
 }
@@ -88,19 +82,19 @@ LookPlace SampleColors::look_place(const TexelSample& sample) const {
 /// Between vertices, which is right on skin and on the rim of a cut face, whose vertices have the colours of the
 /// surfaces they lie on; elsewhere on cut faces between the points that were diffused.
 Color SampleColors::interpolated(const TexelSample& sample) const {
-  const bool within_face = !sample.outside && solid_.cut_face[sample.triangle] >= 0;
+  const bool within_face = !sample.outside && mesh_.cut_face[sample.triangle] >= 0;
   if (of_cut_faces_.faces != nullptr && within_face) return of_cut_faces_.faces->at(sample.triangle, sample.weight);
 
-  const glm::uvec3& v = solid_.triangle[sample.triangle];
-  return Color(sample.weight.x * glm::dvec3(solid_.color[v.x]) + sample.weight.y * glm::dvec3(solid_.color[v.y]) +
-               sample.weight.z * glm::dvec3(solid_.color[v.z]));
+  const glm::uvec3& v = mesh_.triangle[sample.triangle];
+  return Color(sample.weight.x * glm::dvec3(mesh_.color[v.x]) + sample.weight.y * glm::dvec3(mesh_.color[v.y]) +
+               sample.weight.z * glm::dvec3(mesh_.color[v.z]));
 }
 
 void SampleColors::diffuse(const std::vector<TexelSample>& samples, const std::vector<glm::vec3>& points,
                            std::vector<Color>& colors) {
   std::vector<std::size_t> wanted;
   for (std::size_t i = 0; of_cut_faces_.field != nullptr && i < samples.size(); ++i) {
-    if (!samples[i].outside && solid_.cut_face[samples[i].triangle] >= 0) wanted.push_back(i);
+    if (!samples[i].outside && mesh_.cut_face[samples[i].triangle] >= 0) wanted.push_back(i);
   }
   for (std::size_t first = 0; first < wanted.size(); first += at_once) {
     std::vector<glm::vec3> at;

@@ -43,13 +43,12 @@ class SampleColors {
   std::size_t diffused() const { return diffused_; }
 
  private:
-  glm::dvec3 place(const TexelSample& sample) const;
   LookPlace look_place(const TexelSample& sample) const;
   Color interpolated(const TexelSample& sample) const;
   void diffuse(const std::vector<TexelSample>& samples, const std::vector<glm::vec3>& points,
                std::vector<Color>& colors);
 
-  const Solid& solid_;
+  const SolidMesh& mesh_;
   OfCutFaces of_cut_faces_;
   Look look_;
   Paint paint_;

@@ -45,9 +45,9 @@ SampleMaps::SampleMaps(const Solid& solid, const Look& look, const TangentMesh& 
       shine_(solid),
       texel_(texel),
       threads_(threads) {
-  for (std::size_t part = 0; part < std::max<std::size_t>(solid.part_names.size(), 1); ++part) {
+  for (std::size_t part = 0; part < std::max<std::size_t>(solid.look->part_names.size(), 1); ++part) {
     const MaterialSketch material = material_of(solid, static_cast<std::int32_t>(part));
-    of_part_.push_back({shows_rim(material), solid.materials.empty() ? 0 : material.wet});
+    of_part_.push_back({shows_rim(material), solid.look->materials.empty() ? 0 : material.wet});
   }
 }
 
@@ -62,7 +62,7 @@ std::vector<MapSample> SampleMaps::of(const std::vector<TexelSample>& samples, c
 
 MapSample SampleMaps::speck(std::uint32_t triangle) const {
   MapSample level;
-  const glm::dvec3 place(solid_.position[solid_.triangle[triangle].x]);
+  const glm::dvec3 place(solid_.mesh.position[solid_.mesh.triangle[triangle].x]);
   const PlaceShine shine = shine_.at(triangle, {1, 0, 0});
   level.orm.y = static_cast<float>(roughness(triangle, shine.roughness, place));
   level.thickness.x = static_cast<float>(shine.film);
@@ -70,12 +70,10 @@ MapSample SampleMaps::speck(std::uint32_t triangle) const {
 }
 
 MapSample SampleMaps::at(const TexelSample& sample, const Color& plain) const {
-  const glm::uvec3& v = solid_.triangle[sample.triangle];
-  const glm::dvec3 place(sample.weight.x * glm::dvec3(solid_.position[v.x]) +
-                         sample.weight.y * glm::dvec3(solid_.position[v.y]) +
-                         sample.weight.z * glm::dvec3(solid_.position[v.z]));
-  const glm::dvec3 normal = unit_of(glm::dvec3(at_weights(solid_.normal, v, sample.weight)));
-  const bool cut = solid_.cut_face[sample.triangle] >= 0;
+  const glm::uvec3& v = solid_.mesh.triangle[sample.triangle];
+  const glm::dvec3 place = solid_.mesh.place(sample.triangle, sample.weight);
+  const glm::dvec3 normal = unit_of(glm::dvec3(at_weights(solid_.mesh.normal, v, sample.weight)));
+  const bool cut = solid_.mesh.cut_face[sample.triangle] >= 0;
   const Relief relief = relief_at(look_, plain, look_place(sample, place), normal);
   const RimPlace rim = cut ? faces_.at(sample.triangle, place) : RimPlace{};
   const bool lies_in_pit = cut || material_of(solid_, part(sample)).pit > 0;
@@ -102,19 +100,19 @@ MapSample SampleMaps::at(const TexelSample& sample, const Color& plain) const {
 
 LookPlace SampleMaps::look_place(const TexelSample& sample, const glm::dvec3& place) const {
   LookPlace seen{.position = place, .footprint = texel_};
-  if (solid_.cut_face[sample.triangle] < 0) seen.face = DetailFace::skin;
-  if (solid_.guide.empty()) return seen;
-  const glm::uvec3& v = solid_.triangle[sample.triangle];
-  seen.guide = interpolated(solid_.guide[v.x], solid_.guide[v.y], solid_.guide[v.z],
+  if (solid_.mesh.cut_face[sample.triangle] < 0) seen.face = DetailFace::skin;
+  if (solid_.mesh.guide.empty()) return seen;
+  const glm::uvec3& v = solid_.mesh.triangle[sample.triangle];
+  seen.guide = interpolated(solid_.mesh.guide[v.x], solid_.mesh.guide[v.y], solid_.mesh.guide[v.z],
                             static_cast<float>(sample.weight.y), static_cast<float>(sample.weight.z));
   return seen;
 }
 
 double SampleMaps::roughness(std::uint32_t triangle, double own, const glm::dvec3& place) const {
-  const std::int32_t part = solid_.part[solid_.triangle[triangle].x];
+  const std::int32_t part = solid_.mesh.part[solid_.mesh.triangle[triangle].x];
   const auto number = static_cast<std::size_t>(std::max(part, 0));
   if (number >= of_part_.size()) return pbr_dull;
-  const bool cut = solid_.cut_face[triangle] >= 0;
+  const bool cut = solid_.mesh.cut_face[triangle] >= 0;
   const double film = cut ? std::clamp((of_part_[number].wet - 0.3) / 0.9, 0.0, 1.0) : 0;
   if (film == 0) return own;
   return std::clamp(own * (1 + film * film_uneven * gradient_noise(place * film_frequency, film_seed)), 0.05, 1.0);

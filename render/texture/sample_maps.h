@@ -41,7 +41,9 @@ class SampleMaps {
   MapSample speck(std::uint32_t triangle) const;
 
   /// The part that a sample shows.
-  std::int32_t part(const TexelSample& sample) const { return solid_.part[solid_.triangle[sample.triangle].x]; }
+  std::int32_t part(const TexelSample& sample) const {
+    return solid_.mesh.part[solid_.mesh.triangle[sample.triangle].x];
+  }
 
  private:
   MapSample at(const TexelSample& sample, const Color& plain) const;

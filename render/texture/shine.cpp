@@ -29,13 +29,14 @@ bool look_alike(const Color& a, const Color& b) {
 
 /// For each vertex the first at the same place that looks like it.
 std::vector<std::uint32_t> joints(const Solid& solid) {
-  const std::vector<std::uint32_t> first = weld(solid.position);
+  const std::vector<std::uint32_t> first = weld(solid.mesh.position);
   std::vector<std::vector<std::uint32_t>> firsts(first.size());  // of a place, by its first vertex: one of each colour
   std::vector<std::uint32_t> joint;
   for (std::uint32_t v = 0; v < first.size(); ++v) {
     std::vector<std::uint32_t>& known = firsts[first[v]];
-    const auto like = std::find_if(known.begin(), known.end(),
-                                   [&](std::uint32_t k) { return look_alike(solid.color[k], solid.color[v]); });
+    const auto like = std::find_if(known.begin(), known.end(), [&](std::uint32_t k) {
+      return look_alike(solid.mesh.color[k], solid.mesh.color[v]);
+    });
     joint.push_back(like == known.end() ? v : *like);
     if (like == known.end()) known.push_back(v);
   }
@@ -44,10 +45,10 @@ std::vector<std::uint32_t> joints(const Solid& solid) {
 
 }  // namespace
 
-Shine::Shine(const Solid& solid) : solid_(solid), joint_(joints(solid)), vertex_(solid.position.size()) {
-  for (std::size_t part = 0; part < std::max<std::size_t>(solid.part_names.size(), 1); ++part) {
+Shine::Shine(const Solid& solid) : mesh_(solid.mesh), joint_(joints(solid)), vertex_(solid.mesh.position.size()) {
+  for (std::size_t part = 0; part < std::max<std::size_t>(solid.look->part_names.size(), 1); ++part) {
     const MaterialSketch material = material_of(solid, static_cast<std::int32_t>(part));
-    if (solid.materials.empty()) {
+    if (solid.look->materials.empty()) {
       part_.push_back({pbr_dull, pbr_dull, 0});
     } else {
       part_.push_back({pbr_roughness(material, false), pbr_roughness(material, true), pbr_film(material)});
@@ -56,10 +57,10 @@ Shine::Shine(const Solid& solid) : solid_(solid), joint_(joints(solid)), vertex_
   part_.push_back({pbr_dull, pbr_dull, 0});  // of what belongs to none
 
   // What lies around each vertex.
-  for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
-    if (solid.cut_face[t] < 0) continue;
+  for (std::uint32_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+    if (solid.mesh.cut_face[t] < 0) continue;
     for (int i = 0; i < 3; ++i) {
-      AtVertex& at = vertex_[joint_[solid.triangle[t][i]]];
+      AtVertex& at = vertex_[joint_[solid.mesh.triangle[t][i]]];
       at.roughness += roughness_of(t);
       at.driest = std::min(at.driest, of_part(t).film);
       at.wettest = std::max(at.wettest, of_part(t).film);
@@ -74,14 +75,14 @@ Shine::Shine(const Solid& solid) : solid_(solid), joint_(joints(solid)), vertex_
 /// From where a wet part meets a drier one, along the edges of the wet part's triangles [Dijkstra 1959].
 void Shine::thin_out() {
   Box<double> box;
-  for (const glm::vec3& p : solid_.position) box.add(glm::dvec3(p));
+  for (const glm::vec3& p : mesh_.position) box.add(glm::dvec3(p));
   const double width = thinning * glm::length(box.size());
   if (!(width > 0)) return;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (std::uint32_t t = 0; t < solid_.triangle.size(); ++t) {
-    if (solid_.cut_face[t] < 0 || !(of_part(t).film > 0)) continue;
+  for (std::uint32_t t = 0; t < mesh_.triangle.size(); ++t) {
+    if (mesh_.cut_face[t] < 0 || !(of_part(t).film > 0)) continue;
     for (int i = 0; i < 3; ++i) {
-      edges.emplace_back(joint_[solid_.triangle[t][i]], joint_[solid_.triangle[t][(i + 1) % 3]]);
+      edges.emplace_back(joint_[mesh_.triangle[t][i]], joint_[mesh_.triangle[t][(i + 1) % 3]]);
       edges.emplace_back(edges.back().second, edges.back().first);
     }
   }
@@ -103,7 +104,7 @@ void Shine::thin_out() {
     for (auto edge = std::lower_bound(edges.begin(), edges.end(), std::pair(from, 0u));
          edge != edges.end() && edge->first == from; ++edge) {
       const std::uint32_t to = edge->second;
-      const double there = way + glm::distance(glm::dvec3(solid_.position[from]), glm::dvec3(solid_.position[to]));
+      const double there = way + glm::distance(glm::dvec3(mesh_.position[from]), glm::dvec3(mesh_.position[to]));
       if (!(there < distance[to])) continue;
       next.erase({distance[to], to});
       next.emplace(distance[to] = there, to);
@@ -114,11 +115,11 @@ void Shine::thin_out() {
 
 PlaceShine Shine::at(std::uint32_t triangle, const glm::dvec3& weight) const {
   const double own = roughness_of(triangle);
-  if (solid_.cut_face[triangle] < 0) return {own, 1};
+  if (mesh_.cut_face[triangle] < 0) return {own, 1};
   PlaceShine sum{own, 0};
   const double film = of_part(triangle).film;
   for (int i = 0; i < 3; ++i) {
-    const AtVertex& at = around(solid_.triangle[triangle][i]);
+    const AtVertex& at = around(mesh_.triangle[triangle][i]);
     sum.roughness += weight[i] * (at.roughness / at.count - own);
     // A drier part beside a wetter one ends where that one's film does.
     sum.film += weight[i] * (film < at.wettest ? at.driest / std::max(film, 1e-9) : at.share);
@@ -127,14 +128,14 @@ PlaceShine Shine::at(std::uint32_t triangle, const glm::dvec3& weight) const {
 }
 
 const Shine::OfPart& Shine::of_part(std::uint32_t triangle) const {
-  const std::int32_t part = solid_.part[solid_.triangle[triangle].x];
+  const std::int32_t part = mesh_.part[mesh_.triangle[triangle].x];
   const auto number = static_cast<std::size_t>(std::max(part, 0));
   return number < part_.size() ? part_[number] : part_.back();
 }
 
 double Shine::roughness_of(std::uint32_t triangle) const {
   const OfPart& part = of_part(triangle);
-  return solid_.cut_face[triangle] < 0 ? part.skin_roughness : part.cut_roughness;
+  return mesh_.cut_face[triangle] < 0 ? part.skin_roughness : part.cut_roughness;
 }
 
 }  // namespace pomona

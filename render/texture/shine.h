@@ -40,7 +40,7 @@ class Shine {
   const OfPart& of_part(std::uint32_t triangle) const;
   double roughness_of(std::uint32_t triangle) const;
 
-  const Solid& solid_;
+  const SolidMesh& mesh_;
   std::vector<OfPart> part_;
   std::vector<std::uint32_t> joint_;  ///< per vertex: the first vertex of its group
   std::vector<AtVertex> vertex_;      ///< of these, on cut faces

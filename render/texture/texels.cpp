@@ -55,7 +55,7 @@ NearestPlace nearest_on_outline(const Corners2& p, const glm::dvec2& q) {
 class ChartTexels {
  public:
   ChartTexels(const Solid& solid, const std::vector<Chart>& charts, std::size_t chart, const Atlas& atlas)
-      : solid_(solid), chart_(charts[chart]) {
+      : mesh_(solid.mesh), chart_(charts[chart]) {
     low_ = glm::max(glm::ivec2(glm::floor(atlas.corner[chart])) - 2, glm::ivec2(0));
     const glm::dvec2 high = atlas.corner[chart] + chart_.size * atlas.texels_per_metre;
     size_ = glm::min(glm::ivec2(glm::ceil(high)) + 2, atlas.size) - low_;
@@ -111,13 +111,13 @@ class ChartTexels {
   void find_jumps() {
     EdgeMap<glm::uvec2> known;  // the solid's vertices at the edge's lower and higher place
     const auto differ = [&](std::uint32_t a, std::uint32_t b) {
-      const Color d = glm::abs(solid_.color[a] - solid_.color[b]);
+      const Color d = glm::abs(mesh_.color[a] - mesh_.color[b]);
       return a != b && std::max({d.r, d.g, d.b}) > min_jump;
     };
     for (std::uint32_t t = 0; t < chart_.corners.size(); ++t) {
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t a = chart_.corners[t][k], b = chart_.corners[t][(k + 1) % 3];
-        const glm::uvec3& own = solid_.triangle[chart_.triangles[t]];
+        const glm::uvec3& own = mesh_.triangle[chart_.triangles[t]];
         const EdgeKey edge(a, b);
         const glm::uvec2 side = a < b ? glm::uvec2(own[k], own[(k + 1) % 3]) : glm::uvec2(own[(k + 1) % 3], own[k]);
         const auto [other, is_new] = known.try_emplace(edge, side);
@@ -192,7 +192,7 @@ class ChartTexels {
     samples.push_back({low_ + glm::ivec2(x, y), chart_.triangles[t], barycentric(corners(t), at), false});
   }
 
-  const Solid& solid_;
+  const SolidMesh& mesh_;
   const Chart& chart_;
   glm::ivec2 low_{0}, size_{0};
   std::vector<glm::dvec2> at_;  // the chart's places in the window, texels

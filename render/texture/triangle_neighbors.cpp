@@ -9,11 +9,11 @@ namespace pomona {
 
 TriangleNeighbors triangle_neighbors(const Solid& solid) {
   TriangleNeighbors found;
-  found.place_of = weld(solid.position);
-  found.neighbor.assign(solid.triangle.size(), {-1, -1, -1});
+  found.place_of = weld(solid.mesh.position);
+  found.neighbor.assign(solid.mesh.triangle.size(), {-1, -1, -1});
 
-  const std::vector<glm::uvec3> triangles = welded_triangles(found.place_of, solid.triangle);
-  const HalfEdgeOptions options{.kind = solid.cut_face, .of_collapsed = true};
+  const std::vector<glm::uvec3> triangles = welded_triangles(found.place_of, solid.mesh.triangle);
+  const HalfEdgeOptions options{.kind = solid.mesh.cut_face, .of_collapsed = true};
   for_each_edge(sorted_half_edges(triangles, options), [&](std::span<const HalfEdge> edge) {
     if (edge.size() != 2) return;
     const HalfEdge &a = edge[0], &b = edge[1];

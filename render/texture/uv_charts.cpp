@@ -23,12 +23,6 @@ namespace pomona {
 
 namespace {
 
-glm::dvec3 area_vector(const Solid& solid, std::size_t t) {
-  const glm::uvec3& v = solid.triangle[t];
-  const glm::dvec3 a(solid.position[v.x]), b(solid.position[v.y]), c(solid.position[v.z]);
-  return glm::cross(b - a, c - a);
-}
-
 /// Triangles with their corners by place, each place once.
 Patch3 patch_of(const Solid& solid, const TriangleNeighbors& neighbors, const std::vector<std::uint32_t>& triangles) {
   Patch3 patch;
@@ -36,9 +30,9 @@ Patch3 patch_of(const Solid& solid, const TriangleNeighbors& neighbors, const st
   for (const std::uint32_t t : triangles) {
     glm::uvec3 corners(0);
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t place = neighbors.place_of[solid.triangle[t][k]];
+      const std::uint32_t place = neighbors.place_of[solid.mesh.triangle[t][k]];
       const auto [entry, is_new] = number_of.try_emplace(place, static_cast<std::uint32_t>(patch.point.size()));
-      if (is_new) patch.point.emplace_back(solid.position[place]);
+      if (is_new) patch.point.emplace_back(solid.mesh.position[place]);
       corners[k] = entry->second;
     }
     patch.triangle.push_back(corners);
@@ -75,7 +69,7 @@ glm::dvec2 set_flat(Chart& chart, const std::vector<glm::dvec2>& y_up) {
 
 /// The parts of the cut faces, each connected across edges.
 std::vector<Chart> cut_face_charts(const Solid& solid, const TriangleNeighbors& neighbors) {
-  const std::size_t count = solid.triangle.size();
+  const std::size_t count = solid.mesh.triangle.size();
   DisjointSets sets(count);
   for (std::uint32_t t = 0; t < count; ++t) {
     for (const std::int32_t next : neighbors.neighbor[t]) {
@@ -85,9 +79,9 @@ std::vector<Chart> cut_face_charts(const Solid& solid, const TriangleNeighbors& 
   std::map<std::uint32_t, std::size_t> chart_of;
   std::vector<Chart> charts;
   for (std::uint32_t t = 0; t < count; ++t) {
-    if (solid.cut_face[t] < 0) continue;
+    if (solid.mesh.cut_face[t] < 0) continue;
     const auto [entry, is_new] = chart_of.try_emplace(sets.root(t), charts.size());
-    if (is_new) charts.emplace_back().cut_face = solid.cut_face[t];
+    if (is_new) charts.emplace_back().cut_face = solid.mesh.cut_face[t];
     charts[entry->second].triangles.push_back(t);
   }
   return charts;
@@ -95,7 +89,7 @@ std::vector<Chart> cut_face_charts(const Solid& solid, const TriangleNeighbors& 
 
 glm::dvec3 mean_normal(const Solid& solid, const std::vector<std::uint32_t>& triangles) {
   glm::dvec3 normal(0);
-  for (const std::uint32_t t : triangles) normal += area_vector(solid, t);
+  for (const std::uint32_t t : triangles) normal += solid.mesh.area_vector(t);
   const double length = std::sqrt(glm::dot(normal, normal));
   return length > 0 ? normal / length : glm::dvec3(0, 0, 1);
 }
@@ -106,10 +100,11 @@ constexpr double flatness = 1e-4;
 bool is_flat(const Solid& solid, const std::vector<std::uint32_t>& triangles) {
   const glm::dvec3 normal = mean_normal(solid, triangles);
   Box<double> box;
-  double lowest = glm::dot(glm::dvec3(solid.position[solid.triangle[triangles.front()].x]), normal), highest = lowest;
+  double lowest = glm::dot(glm::dvec3(solid.mesh.position[solid.mesh.triangle[triangles.front()].x]), normal),
+         highest = lowest;
   for (const std::uint32_t t : triangles) {
     for (int k = 0; k < 3; ++k) {
-      const glm::dvec3 p(solid.position[solid.triangle[t][k]]);
+      const glm::dvec3 p(solid.mesh.position[solid.mesh.triangle[t][k]]);
       box.add(p);
       lowest = std::min(lowest, glm::dot(p, normal)), highest = std::max(highest, glm::dot(p, normal));
     }
@@ -132,7 +127,7 @@ std::vector<Chart> region_charts(const Solid& solid, const TriangleNeighbors& ne
   const ChartView view(region.normal);
   while (!left.empty()) {
     Chart chart;
-    chart.cut_face = solid.cut_face[left.front()];
+    chart.cut_face = solid.mesh.cut_face[left.front()];
     const Patch3 whole = patch_of(solid, neighbors, left);
     const std::vector<std::uint32_t> covering = overlapping(whole.triangle, view.of(whole));
     std::vector<std::uint32_t> later;
@@ -160,8 +155,8 @@ std::vector<Chart> region_charts(const Solid& solid, const TriangleNeighbors& ne
 class SeamFinder {
  public:
   SeamFinder(const Solid& solid, const TriangleNeighbors& neighbors)
-      : solid_(solid), neighbors_(neighbors), ends_smoothly_(solid.triangle.size(), {false, false, false}) {
-    const std::vector<glm::uvec3> triangles = welded_triangles(neighbors.place_of, solid.triangle);
+      : mesh_(solid.mesh), neighbors_(neighbors), ends_smoothly_(solid.mesh.triangle.size(), {false, false, false}) {
+    const std::vector<glm::uvec3> triangles = welded_triangles(neighbors.place_of, solid.mesh.triangle);
     for_each_edge(sorted_half_edges(triangles, {.of_collapsed = true}), [&](std::span<const HalfEdge> edge) {
       for (const HalfEdge& h : edge) {
         ends_smoothly_[h.triangle][h.side] =
@@ -187,16 +182,16 @@ class SeamFinder {
  private:
   /// In another face of the same knife. Triangles side by side run along their edge opposite ways.
   bool goes_on(const HalfEdge& h, const HalfEdge& other) const {
-    const std::int32_t face = solid_.cut_face[h.triangle], other_face = solid_.cut_face[other.triangle];
+    const std::int32_t face = mesh_.cut_face[h.triangle], other_face = mesh_.cut_face[other.triangle];
     if (face < 0 || other_face < 0 || face == other_face || h.forward == other.forward) return false;
-    const glm::uvec2 v = ends_in(solid_.triangle, h), w = ends_in(solid_.triangle, other);
+    const glm::uvec2 v = ends_in(mesh_.triangle, h), w = ends_in(mesh_.triangle, other);
     const auto agree = [&](std::uint32_t p, std::uint32_t q) {
-      return static_cast<double>(glm::dot(solid_.normal[p], solid_.normal[q])) > smooth_cosine;
+      return static_cast<double>(glm::dot(mesh_.normal[p], mesh_.normal[q])) > smooth_cosine;
     };
     return agree(v.x, w.x) && agree(v.y, w.y);
   }
 
-  const Solid& solid_;
+  const SolidMesh& mesh_;
   const TriangleNeighbors& neighbors_;
   std::vector<std::array<bool, 3>> ends_smoothly_;  // per triangle, at its edge i to i + 1
 };
@@ -207,7 +202,7 @@ std::vector<Chart> charts_of(const Solid& solid, Threads threads) {
   // Flat cut faces lie as they are.
   const TriangleNeighbors neighbors = triangle_neighbors(solid);
   std::vector<Chart> charts;
-  std::vector<std::uint8_t> is_curved(solid.triangle.size(), 1);
+  std::vector<std::uint8_t> is_curved(solid.mesh.triangle.size(), 1);
   for (Chart& chart : cut_face_charts(solid, neighbors)) {
     if (!is_flat(solid, chart.triangles)) continue;
     for (const std::uint32_t t : chart.triangles) is_curved[t] = 0;

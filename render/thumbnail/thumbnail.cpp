@@ -160,7 +160,7 @@ std::vector<Color> lit_colors(const StyledMesh& mesh, const Solid& solid, const 
   const glm::dvec3 to_light = light_direction(frame, light.azimuth, light.elevation);
   const glm::dvec3 between = glm::normalize(to_light + frame.back);
   std::vector<double> gloss;
-  for (std::size_t part = 0; part < solid.part_names.size(); ++part)
+  for (std::size_t part = 0; part < solid.look->part_names.size(); ++part)
     gloss.push_back(std::min(material_of(solid, static_cast<std::int32_t>(part)).gloss, 2.0));
 
   std::vector<Color> lit(mesh.color.size());
@@ -256,7 +256,7 @@ float fading(int x, int y, int size) {
 std::vector<Color> ink_colors(const Scene& scene, const Style& style) {
   std::vector<Color> colors;
   for (const Instance& instance : scene.instances)
-    colors.push_back(style.ink_color.value_or(scene.solids[static_cast<std::size_t>(instance.solid)].ink.color));
+    colors.push_back(style.ink_color.value_or(scene.solids[static_cast<std::size_t>(instance.solid)].look->ink.color));
   return colors;
 }
 

@@ -11,7 +11,7 @@ namespace {
 /// The pixels that an instance can cover at most.
 PixelBox box_of(const Solid& solid, const SeenSolid& seen, int width, int height) {
   PixelBox box{width, height, -1, -1};
-  for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
+  for (std::uint32_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     const PictureTriangle triangle = picture_triangle(solid, seen, t);
     if (!triangle.can_be_seen(solid.closed)) continue;
     const PixelBox own = triangle.raster().box(pixel_middles({0, 0, width - 1, height - 1}));
@@ -25,7 +25,7 @@ PixelBox box_of(const Solid& solid, const SeenSolid& seen, int width, int height
 Mask amodal_mask(const Solid& solid, const SeenSolid& seen, int width, int height) {
   Mask mask{box_of(solid, seen, width, height), {}};
   mask.covered.assign(static_cast<std::size_t>(mask.box.width()) * mask.box.height(), 0);
-  for (std::uint32_t t = 0; t < solid.triangle.size(); ++t) {
+  for (std::uint32_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     const PictureTriangle triangle = picture_triangle(solid, seen, t);
     if (!triangle.can_be_seen(solid.closed)) continue;
     for_covered_pixels(triangle, mask.box, [&](int x, int y, double) {

@@ -59,12 +59,12 @@ class LayerFiller {
     layers_.instance[pixel] = static_cast<std::uint16_t>(i + 1);
     layers_.fruit[pixel] = names_.fruit_of_solid[number];
     layers_.depth[pixel] = 1 / foremost_.nearness[pixel];
-    layers_.section[pixel] = t < solid.cut_face.size() && solid.cut_face[t] >= 0 ? 1 : 0;
+    layers_.section[pixel] = t < solid.mesh.cut_face.size() && solid.mesh.cut_face[t] >= 0 ? 1 : 0;
 
     const PictureTriangle triangle = seen_triangle(i, t);
     const std::array<double, 3> share = shares_at(triangle, {x + 0.5, y + 0.5});
     const auto largest = static_cast<int>(std::max_element(share.begin(), share.end()) - share.begin());
-    const std::int32_t part = solid.part[solid.triangle[t][largest]];
+    const std::int32_t part = solid.mesh.part[solid.mesh.triangle[t][largest]];
     const std::vector<std::uint16_t>& parts = names_.parts_of_solid[number];
     if (part >= 0 && static_cast<std::size_t>(part) < parts.size()) layers_.part[pixel] = parts[part];
     layers_.normal[pixel] = normal_at(solid, t, share, turn_[i], triangle.area > 0);
@@ -76,15 +76,15 @@ class LayerFiller {
     const Solid& solid = scene_.solids[static_cast<std::size_t>(placed.solid)];
     std::array<glm::dvec3, 3> corner{};
     for (int i = 0; i < 3; ++i)
-      corner[i] =
-          lens_.seen(turn_[instance] * glm::dvec3(solid.position[solid.triangle[t][i]]) + placed.pose.translation);
+      corner[i] = lens_.seen(turn_[instance] * glm::dvec3(solid.mesh.position[solid.mesh.triangle[t][i]]) +
+                             placed.pose.translation);
     return picture_triangle(corner);
   }
 
   static glm::vec3 normal_at(const Solid& solid, std::uint32_t t, const std::array<double, 3>& share,
                              const glm::dmat3& turn, bool faces_eye) {
     glm::dvec3 sum(0);
-    for (int i = 0; i < 3; ++i) sum += share[i] * glm::dvec3(solid.normal[solid.triangle[t][i]]);
+    for (int i = 0; i < 3; ++i) sum += share[i] * glm::dvec3(solid.mesh.normal[solid.mesh.triangle[t][i]]);
     const double length = glm::length(sum);
     if (!(length > 0)) return glm::vec3(0);
     return glm::vec3(glm::normalize(turn * sum) * (faces_eye ? 1.0 : -1.0));

@@ -37,7 +37,7 @@ TruthNaming truth_naming(const Scene& scene) {
     names.fruit_of_solid.push_back(numbered(fruits, fruit, names.fruits, {fruit, of_kind}));
 
     std::vector<std::uint16_t>& own = names.parts_of_solid.emplace_back();
-    for (const std::string& part : solid.part_names)
+    for (const std::string& part : solid.look->part_names)
       own.push_back(numbered(parts, {of_kind, part}, names.parts, {part, of_kind}));
   }
   return names;

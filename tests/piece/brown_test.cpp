@@ -197,10 +197,10 @@ TEST(Browning, of_a_spared_socket_is_in_the_pieces_of_a_slice) {
   const Slices halves = slice({grown, peach.fruit, knives, "peach"}, nullptr);
   double max = 0;
   for (const Solid& half : halves.pieces) {
-    for (std::size_t t = 0; t < half.triangle.size(); ++t) {
-      const std::uint32_t v = half.triangle[t].x;
-      if (half.cut_face[t] < 0 && half.part_names[static_cast<std::size_t>(half.part[v])] == "flesh")
-        max = std::max(max, share_of_way(half.color[v]));
+    for (std::size_t t = 0; t < half.mesh.triangle.size(); ++t) {
+      const std::uint32_t v = half.mesh.triangle[t].x;
+      if (half.mesh.cut_face[t] < 0 && half.look->part_names[static_cast<std::size_t>(half.mesh.part[v])] == "flesh")
+        max = std::max(max, share_of_way(half.mesh.color[v]));
     }
   }
   EXPECT_NEAR(max, 0.8 * (1 - std::exp(-1.5)), 1e-4);

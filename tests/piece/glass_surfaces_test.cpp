@@ -25,17 +25,17 @@ TEST(GlassSurfaces, ShowEverySideOfEverySurfaceAndGrainOnce) {
   std::size_t triangles = 0;
   for (const Solid& solid : glass) {
     names.insert(solid.name);
-    triangles += solid.triangle.size();
+    triangles += solid.mesh.triangle.size();
     EXPECT_GT(solid.opacity, 0);
     EXPECT_LT(solid.opacity, 1);
-    EXPECT_EQ(solid.normal.size(), solid.position.size());
-    EXPECT_EQ(solid.color.size(), solid.position.size());
-    EXPECT_EQ(solid.surface.size(), solid.triangle.size());
-    for (const glm::uvec3& t : solid.triangle) {
-      for (int k = 0; k < 3; ++k) ASSERT_LT(t[k], solid.position.size());
-      EXPECT_NE(solid.position[t.x], solid.position[t.y]) << solid.name;
-      EXPECT_NE(solid.position[t.y], solid.position[t.z]) << solid.name;
-      EXPECT_NE(solid.position[t.z], solid.position[t.x]) << solid.name;
+    EXPECT_EQ(solid.mesh.normal.size(), solid.mesh.position.size());
+    EXPECT_EQ(solid.mesh.color.size(), solid.mesh.position.size());
+    EXPECT_EQ(solid.mesh.surface.size(), solid.mesh.triangle.size());
+    for (const glm::uvec3& t : solid.mesh.triangle) {
+      for (int k = 0; k < 3; ++k) ASSERT_LT(t[k], solid.mesh.position.size());
+      EXPECT_NE(solid.mesh.position[t.x], solid.mesh.position[t.y]) << solid.name;
+      EXPECT_NE(solid.mesh.position[t.y], solid.mesh.position[t.z]) << solid.name;
+      EXPECT_NE(solid.mesh.position[t.z], solid.mesh.position[t.x]) << solid.name;
     }
   }
   EXPECT_TRUE(names.contains("fruit.seed"));

@@ -206,11 +206,11 @@ TEST(Guided, goes_with_the_pieces) {
   for (std::int32_t& part : pieces.section.part) part = 1;
   const CrossSection section = guided(pieces.section, surfaces, detailed_fruit());
   for (const Solid& solid : solids(pieces.pieces, section, detailed_fruit(), "ball")) {
-    ASSERT_EQ(solid.guide.size(), solid.position.size());
-    for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-      const DetailGuide& guide = solid.guide[solid.triangle[t].x];
-      EXPECT_EQ(guide.share[1], solid.cut_face[t] < 0 ? 0.0f : 0.5f);
-      if (solid.cut_face[t] < 0) {
+    ASSERT_EQ(solid.mesh.guide.size(), solid.mesh.position.size());
+    for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+      const DetailGuide& guide = solid.mesh.guide[solid.mesh.triangle[t].x];
+      EXPECT_EQ(guide.share[1], solid.mesh.cut_face[t] < 0 ? 0.0f : 0.5f);
+      if (solid.mesh.cut_face[t] < 0) {
         EXPECT_EQ(guide.share[0], 1.0f);
       }
     }

@@ -26,9 +26,9 @@ struct ColoredTriangle {
 ColoredTriangle triangle_of(const Solid& solid, std::size_t t) {
   ColoredTriangle triangle;
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::uint32_t v = solid.triangle[t][static_cast<int>(i)];
-    triangle.corner[i] = glm::dvec3(solid.position[v]);
-    triangle.color[i] = glm::dvec3(solid.color[v]);
+    const std::uint32_t v = solid.mesh.triangle[t][static_cast<int>(i)];
+    triangle.corner[i] = glm::dvec3(solid.mesh.position[v]);
+    triangle.color[i] = glm::dvec3(solid.mesh.color[v]);
   }
   const auto& c = triangle.corner;
   triangle.middle = (c[0] + c[1] + c[2]) / 3.0;
@@ -89,18 +89,18 @@ using Patches = std::map<std::pair<std::int32_t, std::int32_t>, Patch>;
 
 Patches patches_of(const Solid& solid) {
   Patches patches;
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t)
-    patches[{solid.cut_face[t], solid.surface[t]}].add(triangle_of(solid, t));
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t)
+    patches[{solid.mesh.cut_face[t], solid.mesh.surface[t]}].add(triangle_of(solid, t));
   return patches;
 }
 
 /// From the solid to the level: the solid's vertices and the middles of its triangles.
 double farthest_from(const Solid& solid, Patches& level) {
   double farthest = 0;
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     const ColoredTriangle triangle = triangle_of(solid, t);
     if (is_needle(triangle)) continue;
-    const auto patch = level.find({solid.cut_face[t], solid.surface[t]});
+    const auto patch = level.find({solid.mesh.cut_face[t], solid.mesh.surface[t]});
     if (patch == level.end()) return std::numeric_limits<double>::infinity();
     for (const glm::dvec3& point : {triangle.corner[0], triangle.corner[1], triangle.corner[2], triangle.middle})
       farthest = std::max(farthest, patch->second.nearest(point).distance);
@@ -124,10 +124,10 @@ LevelDeviation deviation(const Solid& level, const Solid& solid, double spacing)
 
   // From the level to the solid: points evenly over its triangles.
   double color_sum = 0, area_sum = 0;
-  for (std::size_t t = 0; t < level.triangle.size(); ++t) {
+  for (std::size_t t = 0; t < level.mesh.triangle.size(); ++t) {
     const ColoredTriangle triangle = triangle_of(level, t);
     if (is_needle(triangle)) continue;
-    Patch& patch = of_solid.at({level.cut_face[t], level.surface[t]});
+    Patch& patch = of_solid.at({level.mesh.cut_face[t], level.mesh.surface[t]});
     const double area = glm::length(triangle.normal) / 2;
     const int steps = std::clamp(static_cast<int>(std::ceil(std::sqrt(2 * area) / spacing)), 1, 32);
     const double share = area / (0.5 * steps * (steps + 1));

@@ -40,9 +40,9 @@ Place place_of(const glm::vec3& p) { return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}
 /// Edges, by position, that do not run as often one way as the other.
 std::size_t open_edges(const Solid& solid) {
   std::map<std::pair<Place, Place>, int> balance;
-  for (const glm::uvec3& t : solid.triangle) {
+  for (const glm::uvec3& t : solid.mesh.triangle) {
     for (int i = 0; i < 3; ++i) {
-      const Place a = place_of(solid.position[t[i]]), b = place_of(solid.position[t[(i + 1) % 3]]);
+      const Place a = place_of(solid.mesh.position[t[i]]), b = place_of(solid.mesh.position[t[(i + 1) % 3]]);
       if (a != b) balance[std::minmax(a, b)] += a < b ? 1 : -1;
     }
   }
@@ -57,9 +57,10 @@ double size_of(const Solid& solid) {
 
 double area_of(const Solid& solid) {
   double area = 0;
-  for (const glm::uvec3& t : solid.triangle) {
-    const glm::dvec3 a(solid.position[t.x]);
-    area += 0.5 * glm::length(glm::cross(glm::dvec3(solid.position[t.y]) - a, glm::dvec3(solid.position[t.z]) - a));
+  for (const glm::uvec3& t : solid.mesh.triangle) {
+    const glm::dvec3 a(solid.mesh.position[t.x]);
+    area += 0.5 *
+            glm::length(glm::cross(glm::dvec3(solid.mesh.position[t.y]) - a, glm::dvec3(solid.mesh.position[t.z]) - a));
   }
   return area;
 }
@@ -69,8 +70,9 @@ using VertexKey = std::tuple<Place, Place, Place, std::int32_t>;
 
 std::set<VertexKey> vertices_of(const Solid& solid) {
   std::set<VertexKey> all;
-  for (std::size_t v = 0; v < solid.position.size(); ++v)
-    all.emplace(place_of(solid.position[v]), place_of(solid.normal[v]), place_of(solid.color[v]), solid.part[v]);
+  for (std::size_t v = 0; v < solid.mesh.position.size(); ++v)
+    all.emplace(place_of(solid.mesh.position[v]), place_of(solid.mesh.normal[v]), place_of(solid.mesh.color[v]),
+                solid.mesh.part[v]);
   return all;
 }
 
@@ -100,10 +102,10 @@ using Levels = std::vector<Solid>;
 
 void expect_as_few_as_asked_for(const Solid& solid, const Levels& levels) {
   ASSERT_EQ(levels.size(), 3u);
-  EXPECT_LE(levels[0].triangle.size(), solid.triangle.size() / 2);
+  EXPECT_LE(levels[0].mesh.triangle.size(), solid.mesh.triangle.size() / 2);
   // An onion has dozens of roots and wisps, each of which keeps the least that a closed body has.
-  EXPECT_LE(levels[1].triangle.size(), solid.triangle.size() / 3);
-  EXPECT_LT(levels[2].triangle.size(), levels[1].triangle.size());
+  EXPECT_LE(levels[1].mesh.triangle.size(), solid.mesh.triangle.size() / 3);
+  EXPECT_LT(levels[2].mesh.triangle.size(), levels[1].mesh.triangle.size());
 }
 
 void expect_closed(const Solid& solid, const Levels& levels) {
@@ -133,11 +135,11 @@ void expect_only_known_vertices(const Solid& solid, const Levels& levels) {
 /// But for needles of less than a square micrometre, which rounding has turned in the solid itself.
 void expect_cut_faces_to_face_as_they_did(const Levels& levels) {
   for (const Solid& level : levels) {
-    for (std::size_t t = 0; t < level.triangle.size(); ++t) {
-      if (level.cut_face[t] < 0) continue;
-      const glm::uvec3& v = level.triangle[t];
-      const glm::dvec3 a(level.position[v.x]), b(level.position[v.y]), c(level.position[v.z]);
-      EXPECT_GT(glm::dot(glm::cross(b - a, c - a), glm::dvec3(level.normal[v.x])), -1e-12) << level.name;
+    for (std::size_t t = 0; t < level.mesh.triangle.size(); ++t) {
+      if (level.mesh.cut_face[t] < 0) continue;
+      const glm::uvec3& v = level.mesh.triangle[t];
+      const glm::dvec3 a(level.mesh.position[v.x]), b(level.mesh.position[v.y]), c(level.mesh.position[v.z]);
+      EXPECT_GT(glm::dot(glm::cross(b - a, c - a), glm::dvec3(level.mesh.normal[v.x])), -1e-12) << level.name;
     }
   }
 }
@@ -147,8 +149,8 @@ void expect_the_same_again(const Solid& solid, const Levels& levels) {
   for (const Levels& again : all_levels_of_detail(solids, {.levels = 3, .threads = {2}})) {
     ASSERT_EQ(again.size(), levels.size());
     for (std::size_t k = 0; k < levels.size(); ++k) {
-      EXPECT_EQ(again[k].position, levels[k].position);
-      EXPECT_EQ(again[k].triangle, levels[k].triangle);
+      EXPECT_EQ(again[k].mesh.position, levels[k].mesh.position);
+      EXPECT_EQ(again[k].mesh.triangle, levels[k].mesh.triangle);
     }
   }
 }
@@ -186,9 +188,9 @@ TEST(LevelsOfDetail, AreNamedAndKnowTheirVolume) {
   EXPECT_EQ(levels[0].name, "x_LOD1");
   EXPECT_EQ(levels[1].name, "x_LOD2");
   double six = 0;
-  for (const glm::uvec3& t : levels[1].triangle) {
-    six += glm::dot(glm::dvec3(levels[1].position[t.x]),
-                    glm::cross(glm::dvec3(levels[1].position[t.y]), glm::dvec3(levels[1].position[t.z])));
+  for (const glm::uvec3& t : levels[1].mesh.triangle) {
+    six += glm::dot(glm::dvec3(levels[1].mesh.position[t.x]),
+                    glm::cross(glm::dvec3(levels[1].mesh.position[t.y]), glm::dvec3(levels[1].mesh.position[t.z])));
   }
   EXPECT_NEAR(levels[1].volume, six / 6, 1e-12);
   EXPECT_LT(levels[1].volume, ball().volume) << "corners of a ball's mesh lie on the ball";
@@ -203,9 +205,9 @@ TEST(LevelsOfDetail, EndWhereNothingMayGo) {
 TEST(LevelsOfDetail, KeepTheRimOfWhatIsOpen) {
   const Solid sheet = [] {
     Solid solid = ball();
-    std::erase_if(solid.triangle, [&](const glm::uvec3& t) { return solid.position[t.x].y > 0.0151f; });
-    solid.cut_face.resize(solid.triangle.size());
-    solid.surface.resize(solid.triangle.size());
+    std::erase_if(solid.mesh.triangle, [&](const glm::uvec3& t) { return solid.mesh.position[t.x].y > 0.0151f; });
+    solid.mesh.cut_face.resize(solid.mesh.triangle.size());
+    solid.mesh.surface.resize(solid.mesh.triangle.size());
     return solid;
   }();
   ASSERT_GT(open_edges(sheet), 0u);
@@ -216,22 +218,22 @@ TEST(LevelsOfDetail, KeepTheRimOfWhatIsOpen) {
 TEST(LevelsOfDetail, KeepAColorBorderWithinTheBound) {
   // A ball, its upper half of another colour: vertices on the border are there twice.
   Solid two = ball();
-  const auto vertices = static_cast<std::uint32_t>(two.position.size());
+  const auto vertices = static_cast<std::uint32_t>(two.mesh.position.size());
   for (std::size_t v = 0; v < vertices; ++v) {
-    two.position.push_back(two.position[v]);
-    two.normal.push_back(two.normal[v]);
-    two.color.emplace_back(0.1f, 0.7f, 0.1f);
-    two.part.push_back(two.part[v]);
+    two.mesh.position.push_back(two.mesh.position[v]);
+    two.mesh.normal.push_back(two.mesh.normal[v]);
+    two.mesh.color.emplace_back(0.1f, 0.7f, 0.1f);
+    two.mesh.part.push_back(two.mesh.part[v]);
   }
-  for (glm::uvec3& t : two.triangle) {
-    if (two.position[t.x].y + two.position[t.y].y + two.position[t.z].y > 0) t += glm::uvec3(vertices);
+  for (glm::uvec3& t : two.mesh.triangle) {
+    if (two.mesh.position[t.x].y + two.mesh.position[t.y].y + two.mesh.position[t.z].y > 0) t += glm::uvec3(vertices);
   }
   for (const Solid& level : levels_of_detail(two, {.levels = 3})) {
-    for (const glm::uvec3& t : level.triangle) {
-      const bool upper = level.color[t.x].g > 0.5f;
+    for (const glm::uvec3& t : level.mesh.triangle) {
+      const bool upper = level.mesh.color[t.x].g > 0.5f;
       for (int i = 0; i < 3; ++i) {
-        EXPECT_EQ(level.color[t[i]].g > 0.5f, upper) << "a triangle of two colours";
-        EXPECT_GE((upper ? 1 : -1) * level.position[t[i]].y, -1e-9f) << "beyond the border";
+        EXPECT_EQ(level.mesh.color[t[i]].g > 0.5f, upper) << "a triangle of two colours";
+        EXPECT_GE((upper ? 1 : -1) * level.mesh.position[t[i]].y, -1e-9f) << "beyond the border";
       }
     }
   }
@@ -240,18 +242,18 @@ TEST(LevelsOfDetail, KeepAColorBorderWithinTheBound) {
 /// A ball of three parts in one colour: two quarters and the half beside them, which all meet at the poles.
 Solid ball_of_three_parts() {
   Solid three = solid_of(shapes::sphere(0.03, 48, shapes::skin_paint()));
-  const auto vertices = static_cast<std::uint32_t>(three.position.size());
+  const auto vertices = static_cast<std::uint32_t>(three.mesh.position.size());
   for (const int part : {1, 2}) {
     for (std::size_t v = 0; v < vertices; ++v) {
-      three.position.push_back(three.position[v]);
-      three.normal.push_back(three.normal[v]);
-      three.color.push_back(three.color[v]);
-      three.part.push_back(part);
+      three.mesh.position.push_back(three.mesh.position[v]);
+      three.mesh.normal.push_back(three.mesh.normal[v]);
+      three.mesh.color.push_back(three.mesh.color[v]);
+      three.mesh.part.push_back(part);
     }
   }
-  std::fill_n(three.part.begin(), vertices, 0);
-  for (glm::uvec3& t : three.triangle) {
-    const glm::vec3 sum = three.position[t.x] + three.position[t.y] + three.position[t.z];
+  std::fill_n(three.mesh.part.begin(), vertices, 0);
+  for (glm::uvec3& t : three.mesh.triangle) {
+    const glm::vec3 sum = three.mesh.position[t.x] + three.mesh.position[t.y] + three.mesh.position[t.z];
     t += glm::uvec3((sum.z < 0 ? 0u : sum.x < 0 ? 1u : 2u) * vertices);
   }
   return three;
@@ -263,10 +265,10 @@ TEST(LevelsOfDetail, KeepPartsApartWhereThreeMeet) {
   ASSERT_EQ(levels.size(), 3u);
   for (const Solid& level : levels) {
     std::set<std::int32_t> at_the_top;
-    for (const glm::uvec3& t : level.triangle) {
+    for (const glm::uvec3& t : level.mesh.triangle) {
       for (int i = 0; i < 3; ++i) {
-        EXPECT_EQ(level.part[t[i]], level.part[t.x]) << "a triangle of two parts";
-        if (level.position[t[i]].y > 0.03f - 1e-6f) at_the_top.insert(level.part[t[i]]);
+        EXPECT_EQ(level.mesh.part[t[i]], level.mesh.part[t.x]) << "a triangle of two parts";
+        if (level.mesh.position[t[i]].y > 0.03f - 1e-6f) at_the_top.insert(level.mesh.part[t[i]]);
       }
     }
     EXPECT_THAT(at_the_top, ElementsAre(0, 1, 2)) << level.name;
@@ -282,13 +284,13 @@ TEST(LevelsOfDetail, RefuseNumbersThatAreNone) {
 /// Two tetrahedra with an edge in common: four triangles meet there.
 Solid touching_tetrahedra() {
   Solid solid;
-  solid.position = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0.5f}, {1, 1, 0.5f}, {-1, 0, 0.5f}, {-1, -1, 0.5f}};
-  solid.triangle = {{0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 2, 1}, {0, 1, 5}, {0, 5, 4}, {1, 4, 5}, {0, 4, 1}};
-  solid.normal.assign(6, {0, 1, 0});
-  solid.color.assign(6, Color(0.5f));
-  solid.part.assign(6, 0);
-  solid.cut_face.assign(8, -1);
-  solid.surface.assign(8, 0);
+  solid.mesh.position = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0.5f}, {1, 1, 0.5f}, {-1, 0, 0.5f}, {-1, -1, 0.5f}};
+  solid.mesh.triangle = {{0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 2, 1}, {0, 1, 5}, {0, 5, 4}, {1, 4, 5}, {0, 4, 1}};
+  solid.mesh.normal.assign(6, {0, 1, 0});
+  solid.mesh.color.assign(6, Color(0.5f));
+  solid.mesh.part.assign(6, 0);
+  solid.mesh.cut_face.assign(8, -1);
+  solid.mesh.surface.assign(8, 0);
   return solid;
 }
 
@@ -302,10 +304,10 @@ TEST(VertexFans, FreezeWhatMeetsAtAnEdgeOfFour) {
 TEST(VertexFans, PartBodiesThatTouchInAPoint) {
   Solid two = touching_tetrahedra();
   // The second one with an edge of its own, but for the vertex 0.
-  two.position.insert(two.position.end(), {{-0.5f, 0, 1}, {0, 0, 0}});
-  two.triangle = {{0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 2, 1}, {7, 6, 5}, {7, 5, 4}, {6, 4, 5}, {7, 4, 6}};
-  for (auto* values : {&two.normal, &two.color}) values->resize(8, glm::vec3(0.5f));
-  two.part.resize(8, 0);
+  two.mesh.position.insert(two.mesh.position.end(), {{-0.5f, 0, 1}, {0, 0, 0}});
+  two.mesh.triangle = {{0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 2, 1}, {7, 6, 5}, {7, 5, 4}, {6, 4, 5}, {7, 4, 6}};
+  for (auto* values : {&two.mesh.normal, &two.mesh.color}) values->resize(8, glm::vec3(0.5f));
+  two.mesh.part.resize(8, 0);
   const VertexFans fans = vertex_fans(two);
   EXPECT_THAT(fans.frozen, IsEmpty());
   ASSERT_EQ(fans.vertex.size(), 8u) << "two fans where they touch";

@@ -25,8 +25,8 @@ std::optional<Solid> seed_of(const std::string& name) {
 /// Six times the volume inside, by the triangles' fronts.
 double six_volumes(const Solid& solid) {
   double sum = 0;
-  for (const glm::uvec3& t : solid.triangle) {
-    const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
+  for (const glm::uvec3& t : solid.mesh.triangle) {
+    const glm::dvec3 a(solid.mesh.position[t.x]), b(solid.mesh.position[t.y]), c(solid.mesh.position[t.z]);
     sum += glm::dot(a, glm::cross(b, c));
   }
   return sum;
@@ -34,7 +34,7 @@ double six_volumes(const Solid& solid) {
 
 bool is_closed(const Solid& solid) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (const glm::uvec3& t : solid.triangle) {
+  for (const glm::uvec3& t : solid.mesh.triangle) {
     ++edges[{t.x, t.y}], ++edges[{t.y, t.z}], ++edges[{t.z, t.x}];
   }
   for (const auto& [edge, count] : edges) {
@@ -50,11 +50,11 @@ TEST(OneGrain, IsOneClosedSeedOfItsFruit) {
     ASSERT_TRUE(seed) << name;
     EXPECT_TRUE(is_closed(*seed)) << name;
     EXPECT_GT(six_volumes(*seed), 0) << name;
-    DisjointSets sets(seed->position.size());
-    for (const glm::uvec3& t : seed->triangle) sets.join(t.x, t.y), sets.join(t.x, t.z);
-    for (std::uint32_t v = 0; v < seed->position.size(); ++v) EXPECT_EQ(sets.root(v), 0u) << name;
-    for (const std::int32_t part : seed->part)
-      EXPECT_EQ(seed->part_names[static_cast<std::size_t>(part)], "seed") << name;
+    DisjointSets sets(seed->mesh.position.size());
+    for (const glm::uvec3& t : seed->mesh.triangle) sets.join(t.x, t.y), sets.join(t.x, t.z);
+    for (std::uint32_t v = 0; v < seed->mesh.position.size(); ++v) EXPECT_EQ(sets.root(v), 0u) << name;
+    for (const std::int32_t part : seed->mesh.part)
+      EXPECT_EQ(seed->look->part_names[static_cast<std::size_t>(part)], "seed") << name;
   }
 }
 
@@ -65,14 +65,14 @@ TEST(OneGrain, IsNoRootAndNoStone) {
 
 TEST(OneGrain, BecomesRoundWithoutOpening) {
   const Solid seed = seed_of("tomato").value(), round = smoothed(seed, 2);
-  EXPECT_EQ(round.triangle.size(), 16 * seed.triangle.size());
+  EXPECT_EQ(round.mesh.triangle.size(), 16 * seed.mesh.triangle.size());
   EXPECT_TRUE(is_closed(round));
 
   // Between the corners, which stay, it swells: by less than a coarse ball lacks of a ball.
-  for (std::size_t v = 0; v < seed.position.size(); ++v) EXPECT_EQ(round.position[v], seed.position[v]);
+  for (std::size_t v = 0; v < seed.mesh.position.size(); ++v) EXPECT_EQ(round.mesh.position[v], seed.mesh.position[v]);
   EXPECT_GT(six_volumes(round), six_volumes(seed));
   EXPECT_LT(six_volumes(round), 1.5 * six_volumes(seed));
-  for (const glm::vec3& n : round.normal) EXPECT_NEAR(glm::length(n), 1, 1e-5);
+  for (const glm::vec3& n : round.mesh.normal) EXPECT_NEAR(glm::length(n), 1, 1e-5);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST(PieceFacts, OfADie) {
   EXPECT_LT(glm::distance(facts.center, glm::dvec3(0.005, 0.0025, 0.0025)), 1e-9);
   EXPECT_LT(glm::distance(facts.low, glm::dvec3(0)), 1e-9);
   EXPECT_LT(glm::distance(facts.high, glm::dvec3(0.01, 0.005, 0.005)), 1e-9);
-  EXPECT_EQ(facts.triangles, scene.solids[0].triangle.size());
+  EXPECT_EQ(facts.triangles, scene.solids[0].mesh.triangle.size());
 }
 
 /// In the piece list and in the extras of a .glb: both take it from the solid.

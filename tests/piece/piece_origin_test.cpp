@@ -35,13 +35,13 @@ TEST(PieceOrigin, NumbersAreThoseOfTheWholeCut) {
     EXPECT_EQ(piece.origin.pieces, 6);
     EXPECT_EQ(piece.origin.knives, (std::vector<std::string>{"half", "slices:3"}));
     const auto number = static_cast<std::size_t>(piece.origin.number);
-    EXPECT_EQ(piece.position, all[number - 1].position);
+    EXPECT_EQ(piece.mesh.position, all[number - 1].mesh.position);
 
     SliceTask again = task;
     again.choice = PieceChoice{.only = piece.origin.number};
     const std::vector<Solid> one = slice(again, nullptr).pieces;
     ASSERT_EQ(one.size(), 1u);
-    EXPECT_EQ(one[0].position, piece.position);
+    EXPECT_EQ(one[0].mesh.position, piece.mesh.position);
     EXPECT_EQ(one[0].origin.number, piece.origin.number);
   }
   task.choice = PieceChoice{.only = 7};

@@ -24,22 +24,22 @@ TEST(Recolored, SkinHasTheOtherFruitsColoursAtItsPlacesAndNothingElseChanges) {
   const std::vector<Solid> pieces = shapes::sliced(own, {parse_knife("half")}).pieces;
   ASSERT_EQ(pieces.size(), 2u);
   const Solid piece = recolored(pieces[0], own, other, {});
-  EXPECT_EQ(piece.position, pieces[0].position);
+  EXPECT_EQ(piece.mesh.position, pieces[0].mesh.position);
   std::size_t skin = 0;
-  for (std::size_t t = 0; t < piece.triangle.size(); ++t) {
+  for (std::size_t t = 0; t < piece.mesh.triangle.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t v = piece.triangle[t][k];
-      if (piece.cut_face[t] >= 0) continue;
+      const std::uint32_t v = piece.mesh.triangle[t][k];
+      if (piece.mesh.cut_face[t] >= 0) continue;
       ++skin;
       for (int channel = 0; channel < 3; ++channel)
-        EXPECT_NEAR(piece.color[v][channel], 1 - pieces[0].color[v][channel], 2e-3);
+        EXPECT_NEAR(piece.mesh.color[v][channel], 1 - pieces[0].mesh.color[v][channel], 2e-3);
     }
   }
   EXPECT_GT(skin, 1000u);
   const Solid same = recolored(pieces[0], own, own, {});
-  for (std::size_t v = 0; v < same.color.size(); ++v)
+  for (std::size_t v = 0; v < same.mesh.color.size(); ++v)
     for (int channel = 0; channel < 3; ++channel)
-      EXPECT_NEAR(same.color[v][channel], pieces[0].color[v][channel], 2e-3);
+      EXPECT_NEAR(same.mesh.color[v][channel], pieces[0].mesh.color[v][channel], 2e-3);
 }
 
 /// Browned, a socket's flesh may be more like the stone in its coat than like fresh flesh.
@@ -65,15 +65,15 @@ TEST(Recolored, TellsTheSidesOfASpareStoneByTheirParts) {
   const Slices halves = slice({grown, fruit, knives, "peach"}, nullptr);
   for (const Solid& half : halves.pieces) {
     const Solid fresh = recolored(half, own, other, {}), old = recolored(half, own, other, fruit);
-    for (std::size_t t = 0; t < half.triangle.size(); ++t) {
-      const std::uint32_t v = half.triangle[t].x;
-      if (half.cut_face[t] >= 0 || glm::length(half.position[v]) > 0.02f) continue;
-      const bool is_socket = half.part[v] == number("flesh");
+    for (std::size_t t = 0; t < half.mesh.triangle.size(); ++t) {
+      const std::uint32_t v = half.mesh.triangle[t].x;
+      if (half.mesh.cut_face[t] >= 0 || glm::length(half.mesh.position[v]) > 0.02f) continue;
+      const bool is_socket = half.mesh.part[v] == number("flesh");
       (is_socket ? socket : stone)++;
       for (int channel = 0; channel < 3; ++channel)
-        EXPECT_NEAR(fresh.color[v][channel], (is_socket ? riper : coat)[channel], 1e-5);
+        EXPECT_NEAR(fresh.mesh.color[v][channel], (is_socket ? riper : coat)[channel], 1e-5);
       if (is_socket) {
-        EXPECT_LT(old.color[v].x, 0.6f);
+        EXPECT_LT(old.mesh.color[v].x, 0.6f);
       }
     }
   }

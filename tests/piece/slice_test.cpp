@@ -35,8 +35,8 @@ TEST(Slice, GivesManyFruitsWhatItGivesEachAlone) {
     ASSERT_EQ(together[i].pieces.size(), alone.pieces.size());
     for (std::size_t k = 0; k < alone.pieces.size(); ++k) {
       EXPECT_EQ(together[i].pieces[k].name, alone.pieces[k].name);
-      EXPECT_EQ(together[i].pieces[k].position, alone.pieces[k].position);
-      EXPECT_EQ(together[i].pieces[k].color, alone.pieces[k].color);
+      EXPECT_EQ(together[i].pieces[k].mesh.position, alone.pieces[k].mesh.position);
+      EXPECT_EQ(together[i].pieces[k].mesh.color, alone.pieces[k].mesh.color);
     }
   }
 }
@@ -97,9 +97,9 @@ TEST(Slice, TellsOfEveryPieceWhichPartsTheWholeFruitShows) {
   const GrownFruit grown{peach, {}, peach};
   const std::vector<Knife> knives{parse_knife("plane:1,0,0,10mm"), parse_knife("plane:1,0,0,-10mm")};
   for (const Solid& piece : slice({grown, Template{}, knives, "peach"}, nullptr).pieces) {
-    ASSERT_EQ(piece.on_skin.size(), peach.part_names.size());
+    ASSERT_EQ(piece.look->on_skin.size(), peach.part_names.size());
     for (std::size_t part = 0; part < peach.part_names.size(); ++part)
-      EXPECT_EQ(piece.on_skin[part] != 0, peach.part_names[part] == "skin") << peach.part_names[part];
+      EXPECT_EQ(piece.look->on_skin[part] != 0, peach.part_names[part] == "skin") << peach.part_names[part];
   }
 }
 

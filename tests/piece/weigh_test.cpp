@@ -152,8 +152,8 @@ std::vector<Moments> summed_points(const std::vector<Solid>& pieces, const PartR
   }
   Box<double> box;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    for (const glm::uvec3& t : pieces[i].triangle) add(pieces[i].position, t, regions.region.size() + i);
-    for (const glm::vec3& p : pieces[i].position) box.add(glm::dvec3(p));
+    for (const glm::uvec3& t : pieces[i].mesh.triangle) add(pieces[i].mesh.position, t, regions.region.size() + i);
+    for (const glm::vec3& p : pieces[i].mesh.position) box.add(glm::dvec3(p));
   }
   const Enclosures enclosures(std::move(triangles));
   const glm::dvec3 size = box.size();
@@ -191,7 +191,7 @@ std::vector<Moments> summed_points(const std::vector<Solid>& pieces, const PartR
 double box_volume(const std::vector<Solid>& pieces) {
   Box<double> box;
   for (const Solid& piece : pieces) {
-    for (const glm::vec3& p : piece.position) box.add(glm::dvec3(p));
+    for (const glm::vec3& p : piece.mesh.position) box.add(glm::dvec3(p));
   }
   return box.size().x * box.size().y * box.size().z;
 }

@@ -51,16 +51,16 @@ Solid colored_by(Solid solid, const GivenDiffuser<Function>& diffuser) {
 /// it lies beside it.
 std::optional<glm::dvec3> place_of_texel(const BakedSolid& baked, int x, int y) {
   const glm::dvec2 size(baked.texture.width, baked.texture.height);
-  for (std::size_t t = 0; t < baked.solid.triangle.size(); ++t) {
-    if (baked.solid.cut_face[t] < 0) continue;
-    const glm::uvec3& v = baked.solid.triangle[t];
+  for (std::size_t t = 0; t < baked.solid.mesh.triangle.size(); ++t) {
+    if (baked.solid.mesh.cut_face[t] < 0) continue;
+    const glm::uvec3& v = baked.solid.mesh.triangle[t];
     const glm::dvec2 a = glm::dvec2(baked.uv[v.x]) * size, b = glm::dvec2(baked.uv[v.y]) * size - a,
                      c = glm::dvec2(baked.uv[v.z]) * size - a, p = glm::dvec2(x + 0.5, y + 0.5) - a;
     const double area = b.x * c.y - b.y * c.x;
     const double s = (p.x * c.y - p.y * c.x) / area, r = (b.x * p.y - b.y * p.x) / area;
     if (s < 0 || r < 0 || s + r > 1) continue;
-    return glm::dvec3(baked.solid.position[v.x]) * (1 - s - r) + glm::dvec3(baked.solid.position[v.y]) * s +
-           glm::dvec3(baked.solid.position[v.z]) * r;
+    return glm::dvec3(baked.solid.mesh.position[v.x]) * (1 - s - r) + glm::dvec3(baked.solid.mesh.position[v.y]) * s +
+           glm::dvec3(baked.solid.mesh.position[v.z]) * r;
   }
   return std::nullopt;
 }
@@ -71,12 +71,12 @@ int difference(const glm::u8vec3& a, const glm::u8vec3& b) {
 
 TEST(Bake, PutsTheColourOfEveryVertexAtItsTextureCoordinate) {
   const BakedSolid baked_solid = baked(half_ball(), plain, {.texels = 256});
-  ASSERT_EQ(baked_solid.uv.size(), baked_solid.solid.position.size());
-  EXPECT_EQ(baked_solid.solid.triangle.size(), half_ball().triangle.size());
+  ASSERT_EQ(baked_solid.uv.size(), baked_solid.solid.mesh.position.size());
+  EXPECT_EQ(baked_solid.solid.mesh.triangle.size(), half_ball().mesh.triangle.size());
   for (std::size_t v = 0; v < baked_solid.uv.size(); ++v) {
     const glm::vec2 texel = baked_solid.uv[v] * 256.0f;
     const Color found = from_srgb8(baked_solid.texture.at(static_cast<int>(texel.x), static_cast<int>(texel.y)));
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], baked_solid.solid.color[v][k], 0.012f) << v;
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], baked_solid.solid.mesh.color[v][k], 0.012f) << v;
   }
 }
 
@@ -84,10 +84,10 @@ TEST(Bake, PutsTheColourOfEveryVertexAtItsTextureCoordinate) {
 template <typename Function>
 Solid half_ball_coloured_by(const GivenDiffuser<Function>& diffuser, const Function& function) {
   Solid solid = half_ball();
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-    for (int k = 0; solid.cut_face[t] >= 0 && k < 3; ++k) {
-      const std::uint32_t v = solid.triangle[t][k];
-      solid.color[v] = function(solid.position[v]);
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+    for (int k = 0; solid.mesh.cut_face[t] >= 0 && k < 3; ++k) {
+      const std::uint32_t v = solid.mesh.triangle[t][k];
+      solid.mesh.color[v] = function(solid.mesh.position[v]);
     }
   }
   return colored_by(solid, diffuser);
@@ -138,7 +138,7 @@ TEST(Bake, DiffusesEveryTexelAtItsOwnPlaceIfAsked) {
 TEST(Bake, KeepsConstantsToTheBit) {
   const GivenDiffuser constant([](const glm::vec3&) { return Color(0.4f, 0.2f, 0.1f); });
   Solid solid = half_ball();
-  for (Color& color : solid.color) color = {0.4f, 0.2f, 0.1f};
+  for (Color& color : solid.mesh.color) color = {0.4f, 0.2f, 0.1f};
   const BakedSolid result = baked(colored_by(solid, constant), plain, {.texels = 128});
   for (const glm::u8vec3& pixel : result.texture.pixels) EXPECT_EQ(pixel, to_srgb8(Color(0.4f, 0.2f, 0.1f)));
 }
@@ -172,13 +172,13 @@ TEST(Bake, HonoursTheSizeOfATexel) {
     const BakedSolid result = baked(half_ball(), plain, {.texel = wanted});
     EXPECT_DOUBLE_EQ(result.texel, wanted);
     const glm::dvec2 size(result.texture.width, result.texture.height);
-    for (std::size_t t = 0; t < result.solid.triangle.size(); ++t) {
-      if (result.solid.cut_face[t] < 0) continue;
-      const glm::uvec3& v = result.solid.triangle[t];
+    for (std::size_t t = 0; t < result.solid.mesh.triangle.size(); ++t) {
+      if (result.solid.mesh.cut_face[t] < 0) continue;
+      const glm::uvec3& v = result.solid.mesh.triangle[t];
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t a = v[k], b = v[(k + 1) % 3];
         const double in_space =
-            glm::distance(glm::dvec3(result.solid.position[a]), glm::dvec3(result.solid.position[b]));
+            glm::distance(glm::dvec3(result.solid.mesh.position[a]), glm::dvec3(result.solid.mesh.position[b]));
         const double texels = glm::distance(glm::dvec2(result.uv[a]) * size, glm::dvec2(result.uv[b]) * size);
         EXPECT_NEAR(texels * wanted, in_space, 0.001 * in_space);
       }
@@ -199,8 +199,8 @@ TEST(Bake, TakesTheSmallestTextureThatHoldsTheTexels) {
 
 TEST(Bake, GivesTheSameTextureForAnyNumberOfThreads) {
   Solid solid = half_ball();
-  solid.noise.base_frequency = 3;
-  solid.noise.keys.push_back({.color = {0.7f, 0, 0}, .weights = {0.1, 0.1}, .axis = {1, 0, 0}});
+  solid.own_look().noise.base_frequency = 3;
+  solid.own_look().noise.keys.push_back({.color = {0.7f, 0, 0}, .weights = {0.1, 0.1}, .axis = {1, 0, 0}});
   const BakedSolid one = baked(solid, style_named("ink"), {.texels = 128, .threads = {1}});
   const BakedSolid four = baked(solid, style_named("ink"), {.texels = 128, .threads = {4}});
   EXPECT_EQ(one.texture.pixels, four.texture.pixels);
@@ -230,7 +230,7 @@ TEST(Bake, ChecksSizesBeforeAnythingIsMadeOfThem) {
 
 TEST(Bake, GivesASpeckTheMeanOfItsColours) {
   Solid solid = half_ball();
-  for (Color& color : solid.color) color = {0.4f, 0.2f, 0.1f};
+  for (Color& color : solid.mesh.color) color = {0.4f, 0.2f, 0.1f};
   for (const glm::u8vec3& pixel : baked(solid, plain, {.texel = 100}).texture.pixels)
     EXPECT_LE(difference(pixel, to_srgb8(Color(0.4f, 0.2f, 0.1f))), 0);
 }
@@ -243,13 +243,13 @@ TEST(Bake, ASolidWithoutTrianglesHasNoTexture) {
 
 TEST(Bake, ToleratesTrianglesWithoutArea) {
   Solid solid = half_ball();
-  const std::uint32_t a = solid.triangle.front().x, b = solid.triangle.front().y;
+  const std::uint32_t a = solid.mesh.triangle.front().x, b = solid.mesh.triangle.front().y;
   for (const glm::uvec3 flat : {glm::uvec3(a, b, b), glm::uvec3(a, a, a), glm::uvec3(a, b, a)}) {
-    solid.triangle.push_back(flat);
-    solid.cut_face.push_back(-1);
-    solid.surface.push_back(0);
+    solid.mesh.triangle.push_back(flat);
+    solid.mesh.cut_face.push_back(-1);
+    solid.mesh.surface.push_back(0);
   }
-  EXPECT_EQ(baked(solid, plain, {.texels = 128}).solid.triangle.size(), solid.triangle.size());
+  EXPECT_EQ(baked(solid, plain, {.texels = 128}).solid.mesh.triangle.size(), solid.mesh.triangle.size());
 }
 
 }  // namespace

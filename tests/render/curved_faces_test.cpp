@@ -68,7 +68,7 @@ std::vector<float> sunk_lines(const std::vector<Solid>& pieces) {
   std::vector<float> opacity;
   for (const Solid& solid : pieces) {
     for (const SharpEdge& edge : solid_edges(solid).sharp) {
-      const glm::dvec3 middle = 0.5 * glm::dvec3(solid.position[edge.a] + solid.position[edge.b]);
+      const glm::dvec3 middle = 0.5 * glm::dvec3(solid.mesh.position[edge.a] + solid.mesh.position[edge.b]);
       if (glm::length(middle) < 0.0485 && std::fabs(middle.z) < 1e-6) opacity.push_back(edge.opacity);
     }
   }

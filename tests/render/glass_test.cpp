@@ -27,14 +27,14 @@ Solid pane(double z, const Color& color, float opacity, double turned_degrees = 
   Solid solid;
   solid.name = "pane";
   for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
-    solid.position.emplace_back(0.1 * (corner.x * across + glm::dvec3(0, corner.y, 0)) + glm::dvec3(0, 0, z));
-    solid.normal.emplace_back(normal);
-    solid.color.push_back(color);
-    solid.part.push_back(0);
+    solid.mesh.position.emplace_back(0.1 * (corner.x * across + glm::dvec3(0, corner.y, 0)) + glm::dvec3(0, 0, z));
+    solid.mesh.normal.emplace_back(normal);
+    solid.mesh.color.push_back(color);
+    solid.mesh.part.push_back(0);
   }
-  solid.triangle = {{0, 1, 2}, {0, 2, 3}};
-  solid.cut_face = {-1, -1};
-  solid.surface = {0, 0};
+  solid.mesh.triangle = {{0, 1, 2}, {0, 2, 3}};
+  solid.mesh.cut_face = {-1, -1};
+  solid.mesh.surface = {0, 0};
   solid.opacity = opacity;
   solid.closed = false;
   return solid;
@@ -91,7 +91,7 @@ TEST(Glass, LaysLayersOverEachOther) {
 TEST(Glass, StandsBeforeWhatIsOpaqueAndNotBehindIt) {
   // The wall is so wide, and the glass so far from it, that no shadow falls where one looks.
   Solid wall = pane(0, blue, 1);
-  for (glm::vec3& p : wall.position) p *= 10;
+  for (glm::vec3& p : wall.mesh.position) p *= 10;
   const glm::dvec3 wall_alone = middle({wall}, black);
   const Solid before = pane(0.6, red, 0.4f), behind = pane(-0.6, red, 0.4f);
   expect_near(middle({wall, before}, black), middle({before}, black) + 0.6 * wall_alone, 0.006);
@@ -128,7 +128,7 @@ std::vector<Solid> nested_balls() {
   float number = 0;
   for (const float scale : {1.0f, 0.8f, 0.5f, 0.7f}) {
     Solid ball = testing::ball();
-    for (glm::vec3& p : ball.position) p = scale * p + glm::vec3(number == 3 ? 0.03f : 0.0f, 0.01f * number, 0);
+    for (glm::vec3& p : ball.mesh.position) p = scale * p + glm::vec3(number == 3 ? 0.03f : 0.0f, 0.01f * number, 0);
     ball.opacity = 0.15f + 0.2f * number;
     ball.closed = all.size() % 2 == 0;
     all.push_back(std::move(ball));
@@ -152,7 +152,7 @@ TEST(Glass, DoesNotAskForTheOrderOfTrianglesOrSolids) {
   const Image ink = draw_scene(gathered(solids), style_named("ink"), options);
   EXPECT_EQ(draw_scene(gathered(solids), style_named("ink"), options).pixels, ink.pixels) << "drawn once more";
 
-  for (Solid& solid : solids) std::reverse(solid.triangle.begin(), solid.triangle.end());
+  for (Solid& solid : solids) std::reverse(solid.mesh.triangle.begin(), solid.mesh.triangle.end());
   EXPECT_LE(worst_difference(draw_scene(gathered(solids), style_named("plain"), options), plain), 2);
   EXPECT_LE(worst_difference(draw_scene(gathered(solids), style_named("ink"), options), ink), 2);
   std::reverse(solids.begin(), solids.end());

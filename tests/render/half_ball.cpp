@@ -12,17 +12,17 @@ namespace {
 class Builder {
  public:
   std::uint32_t add(const glm::vec3& p, const glm::vec3& n, const Color& c) {
-    solid_.position.push_back(p);
-    solid_.normal.push_back(n);
-    solid_.color.push_back(c);
-    solid_.part.push_back(0);
-    return static_cast<std::uint32_t>(solid_.position.size() - 1);
+    solid_.mesh.position.push_back(p);
+    solid_.mesh.normal.push_back(n);
+    solid_.mesh.color.push_back(c);
+    solid_.mesh.part.push_back(0);
+    return static_cast<std::uint32_t>(solid_.mesh.position.size() - 1);
   }
 
   void triangle(const glm::uvec3& t, int cut_face) {
-    solid_.triangle.push_back(t);
-    solid_.cut_face.push_back(cut_face);
-    solid_.surface.push_back(cut_face < 0 ? 0 : -1);
+    solid_.mesh.triangle.push_back(t);
+    solid_.mesh.cut_face.push_back(cut_face);
+    solid_.mesh.surface.push_back(cut_face < 0 ? 0 : -1);
   }
 
   /// From the latitude `from` to the north pole, in quarter turns; the first ring's first vertex is returned.
@@ -32,7 +32,7 @@ class Builder {
       return glm::vec3(reproducible::cos(a) * reproducible::cos(e), sign * reproducible::sin(e),
                        -reproducible::sin(a) * reproducible::cos(e));
     };
-    const auto first = static_cast<std::uint32_t>(solid_.position.size());
+    const auto first = static_cast<std::uint32_t>(solid_.mesh.position.size());
     for (int j = 0; j < up; ++j) {
       for (int i = 0; i < around; ++i) add(ring(i, j), ring(i, j), {0, 1, 0});
     }
@@ -54,7 +54,7 @@ class Builder {
   }
 
   Solid take() {
-    solid_.part_names = {"all"};
+    solid_.own_look().part_names = {"all"};
     return std::move(solid_);
   }
 
@@ -102,12 +102,12 @@ Solid split_plate() {
 
 Solid without_cut_faces(const Solid& solid) {
   Solid skin = solid;
-  skin.triangle.clear(), skin.cut_face.clear(), skin.surface.clear();
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-    if (solid.cut_face[t] >= 0) continue;
-    skin.triangle.push_back(solid.triangle[t]);
-    skin.cut_face.push_back(-1);
-    skin.surface.push_back(solid.surface[t]);
+  skin.mesh.triangle.clear(), skin.mesh.cut_face.clear(), skin.mesh.surface.clear();
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+    if (solid.mesh.cut_face[t] >= 0) continue;
+    skin.mesh.triangle.push_back(solid.mesh.triangle[t]);
+    skin.mesh.cut_face.push_back(-1);
+    skin.mesh.surface.push_back(solid.mesh.surface[t]);
   }
   return skin;
 }

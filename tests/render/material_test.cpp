@@ -16,7 +16,7 @@ constexpr PictureOptions small{.width = 96, .height = 72};
 
 Scene ball_of(const MaterialSketch& material) {
   Scene scene = testing::ball_scene();
-  scene.solids[0].materials = {material};
+  scene.solids[0].own_look().materials = {material};
   return scene;
 }
 
@@ -72,12 +72,12 @@ TEST(Materials, TranslucencyAddsNoLight) {
 Scene slab(float thickness, const MaterialSketch& material) {
   Solid solid;
   solid.name = "slab";
-  solid.part_names = {"gel"};
-  solid.materials = {material};
+  solid.own_look().part_names = {"gel"};
+  solid.own_look().materials = {material};
   const glm::vec3 half(0.025f, 0.025f, 0.5f * thickness);
   for (int axis = 0; axis < 3; ++axis) {
     for (const float side : {-1.0f, 1.0f}) {
-      const auto first = static_cast<std::uint32_t>(solid.position.size());
+      const auto first = static_cast<std::uint32_t>(solid.mesh.position.size());
       for (int corner = 0; corner < 4; ++corner) {
         glm::vec3 p(0);
         p[axis] = side;
@@ -85,16 +85,16 @@ Scene slab(float thickness, const MaterialSketch& material) {
         p[(axis + 2) % 3] = corner >= 2 ? 1.0f : -1.0f;
         glm::vec3 n(0);
         n[axis] = side;
-        solid.position.push_back(p * half + glm::vec3(0, half.y, 0));
-        solid.normal.push_back(n);
-        solid.color.emplace_back(0.7f, 0.4f, 0.2f);
-        solid.part.push_back(0);
+        solid.mesh.position.push_back(p * half + glm::vec3(0, half.y, 0));
+        solid.mesh.normal.push_back(n);
+        solid.mesh.color.emplace_back(0.7f, 0.4f, 0.2f);
+        solid.mesh.part.push_back(0);
       }
       const glm::uvec3 a(first, first + 1, first + 2), b(first, first + 2, first + 3);
-      solid.triangle.push_back(side > 0 ? a : glm::uvec3(a.x, a.z, a.y));
-      solid.triangle.push_back(side > 0 ? b : glm::uvec3(b.x, b.z, b.y));
-      solid.cut_face.insert(solid.cut_face.end(), 2, -1);
-      solid.surface.insert(solid.surface.end(), 2, 0);
+      solid.mesh.triangle.push_back(side > 0 ? a : glm::uvec3(a.x, a.z, a.y));
+      solid.mesh.triangle.push_back(side > 0 ? b : glm::uvec3(b.x, b.z, b.y));
+      solid.mesh.cut_face.insert(solid.mesh.cut_face.end(), 2, -1);
+      solid.mesh.surface.insert(solid.mesh.surface.end(), 2, 0);
     }
   }
   Scene scene;
@@ -177,9 +177,9 @@ TEST(Materials, FuzzStandsOutBeyondTheSkin) {
 
 TEST(Hairs, StandOnTheSkinAsDenselyAsAsked) {
   Solid ball = testing::half_ball();
-  ball.materials = {MaterialSketch{}, MaterialSketch{}};
+  ball.own_look().materials = {MaterialSketch{}, MaterialSketch{}};
   EXPECT_TRUE(hairs_of(ball).empty());
-  ball.materials[0].fuzz = {.length = 0.002, .density = 0.5, .color = Color(0.5f), .lie = 0.5};
+  ball.own_look().materials[0].fuzz = {.length = 0.002, .density = 0.5, .color = Color(0.5f), .lie = 0.5};
   const std::vector<Hair> hairs = hairs_of(ball);
   EXPECT_NEAR(static_cast<double>(hairs.size()), 0.5 * 2 * pi * 40 * 40, 20);
   for (const Hair& hair : hairs) {

@@ -81,26 +81,26 @@ void add_disc(CrossSection& section, int face) {
 Solid ball_part(double from) {
   constexpr int rings = 48;
   Solid solid;
-  solid.part_names = {"skin", "flesh"};
+  solid.own_look().part_names = {"skin", "flesh"};
   for (int k = 0; k <= rings; ++k) {
     const double polar = from + (pi - from) * k / rings;
     for (int i = 0; i < around; ++i) {
       const double angle = 2 * pi * i / around;
       const glm::dvec3 n(reproducible::sin(polar) * reproducible::cos(angle),
                          reproducible::sin(polar) * reproducible::sin(angle), reproducible::cos(polar));
-      solid.position.emplace_back(n * radius + glm::dvec3(0, radius, 0));
-      solid.normal.emplace_back(n);
-      solid.color.push_back(red);
-      solid.part.push_back(0);
+      solid.mesh.position.emplace_back(n * radius + glm::dvec3(0, radius, 0));
+      solid.mesh.normal.emplace_back(n);
+      solid.mesh.color.push_back(red);
+      solid.mesh.part.push_back(0);
     }
   }
   for (std::uint32_t k = 0; k < rings; ++k) {
     for (std::uint32_t i = 0; i < around; ++i) {
       const std::uint32_t j = (i + 1) % around, a = k * around, b = a + around;
-      solid.triangle.emplace_back(a + i, b + i, b + j);
-      solid.triangle.emplace_back(a + i, b + j, a + j);
-      solid.cut_face.insert(solid.cut_face.end(), 2, -1);
-      solid.surface.insert(solid.surface.end(), 2, 0);
+      solid.mesh.triangle.emplace_back(a + i, b + i, b + j);
+      solid.mesh.triangle.emplace_back(a + i, b + j, a + j);
+      solid.mesh.cut_face.insert(solid.mesh.cut_face.end(), 2, -1);
+      solid.mesh.surface.insert(solid.mesh.surface.end(), 2, 0);
     }
   }
   return solid;
@@ -109,10 +109,10 @@ Solid ball_part(double from) {
 void add_cap_ring(Solid& solid, double r, const Color& color) {
   for (int i = 0; i < around; ++i) {
     const glm::dvec2 p = on_circle(i, r);
-    solid.position.emplace_back(p.x, p.y + radius, 0);
-    solid.normal.emplace_back(0, 0, 1);
-    solid.color.push_back(color);
-    solid.part.push_back(1);
+    solid.mesh.position.emplace_back(p.x, p.y + radius, 0);
+    solid.mesh.normal.emplace_back(0, 0, 1);
+    solid.mesh.color.push_back(color);
+    solid.mesh.part.push_back(1);
   }
 }
 
@@ -149,20 +149,20 @@ Solid half_ball() {
 
   // The cap: rings from the centre to the skin, each band one colour step further.
   constexpr int bands = 12;
-  const auto base = static_cast<std::uint32_t>(solid.position.size());
+  const auto base = static_cast<std::uint32_t>(solid.mesh.position.size());
   for (int k = 0; k <= bands; ++k) {
     const float t = static_cast<float>(k) / bands;
     add_cap_ring(solid, radius * (0.001 + 0.999 * t), glm::mix(pale, red, t * t));
   }
   // Its rim is the skin's, to the bit.
-  for (std::uint32_t i = 0; i < around; ++i) solid.position[base + bands * around + i] = solid.position[i];
+  for (std::uint32_t i = 0; i < around; ++i) solid.mesh.position[base + bands * around + i] = solid.mesh.position[i];
   for (std::uint32_t k = 0; k < bands; ++k) {
     for (std::uint32_t i = 0; i < around; ++i) {
       const std::uint32_t j = (i + 1) % around, a = base + k * around, b = a + around;
-      solid.triangle.emplace_back(a + i, b + i, b + j);
-      solid.triangle.emplace_back(a + i, b + j, a + j);
-      solid.cut_face.insert(solid.cut_face.end(), 2, 0);
-      solid.surface.insert(solid.surface.end(), 2, -1);
+      solid.mesh.triangle.emplace_back(a + i, b + i, b + j);
+      solid.mesh.triangle.emplace_back(a + i, b + j, a + j);
+      solid.mesh.cut_face.insert(solid.mesh.cut_face.end(), 2, 0);
+      solid.mesh.surface.insert(solid.mesh.surface.end(), 2, -1);
     }
   }
   return solid;
@@ -179,7 +179,7 @@ Scene ball_scene() {
 Scene still_life() {
   Scene scene;
   scene.solids = {ball(), half_ball()};
-  scene.solids[0].noise = scene.solids[1].noise = some_noise(red);
+  scene.solids[0].own_look().noise = scene.solids[1].own_look().noise = some_noise(red);
   const double s = std::sqrt(0.5);
   const glm::dquat upwards(s, -s, 0, 0), leaning(0.9, -0.42, 0.12, 0.0);
   scene.instances.push_back(placed(0, {-0.05, 0.04, -0.02}, {1, 0, 0, 0}, "left"));

@@ -25,19 +25,21 @@ constexpr double relief_height = 5e-4;  // metres
 /// A plate of flesh at y = 0, 20 mm wide, seen from above; in its middle a square seed, 8 mm wide.
 Solid plate_with_seed(double relief) {
   Solid plate;
-  plate.part_names = {"flesh", "seed"};
-  plate.materials.resize(2);
-  plate.materials[1].relief = relief;
+  plate.own_look().part_names = {"flesh", "seed"};
+  plate.own_look().materials.resize(2);
+  plate.own_look().materials[1].relief = relief;
   constexpr int squares = 40;
   constexpr float step = 0.02f / squares;
   std::map<std::tuple<int, int, int>, std::uint32_t> known;
   const auto vertex = [&](int x, int z, int part) {
-    const auto [entry, is_new] = known.try_emplace({x, z, part}, static_cast<std::uint32_t>(plate.position.size()));
+    const auto [entry, is_new] =
+        known.try_emplace({x, z, part}, static_cast<std::uint32_t>(plate.mesh.position.size()));
     if (is_new) {
-      plate.position.emplace_back(step * static_cast<float>(x) - 0.01f, 0.0f, step * static_cast<float>(z) - 0.01f);
-      plate.normal.emplace_back(0, 1, 0);
-      plate.color.emplace_back(0.5f);
-      plate.part.push_back(part);
+      plate.mesh.position.emplace_back(step * static_cast<float>(x) - 0.01f, 0.0f,
+                                       step * static_cast<float>(z) - 0.01f);
+      plate.mesh.normal.emplace_back(0, 1, 0);
+      plate.mesh.color.emplace_back(0.5f);
+      plate.mesh.part.push_back(part);
     }
     return entry->second;
   };
@@ -48,9 +50,9 @@ Solid plate_with_seed(double relief) {
       const std::uint32_t a = vertex(x, z, part), b = vertex(x, z + 1, part), c = vertex(x + 1, z + 1, part),
                           d = vertex(x + 1, z, part);
       for (const glm::uvec3& t : {glm::uvec3(a, b, c), glm::uvec3(a, c, d)}) {
-        plate.triangle.push_back(t);
-        plate.cut_face.push_back(0);
-        plate.surface.push_back(-1);
+        plate.mesh.triangle.push_back(t);
+        plate.mesh.cut_face.push_back(0);
+        plate.mesh.surface.push_back(-1);
       }
     }
   }
@@ -59,10 +61,12 @@ Solid plate_with_seed(double relief) {
 
 /// A triangle of the plate around a place.
 std::uint32_t triangle_at(const Solid& plate, const glm::dvec3& place) {
-  for (std::uint32_t t = 0; t < plate.triangle.size(); ++t) {
-    const glm::uvec3& v = plate.triangle[t];
-    const glm::vec3 low = glm::min(plate.position[v.x], glm::min(plate.position[v.y], plate.position[v.z]));
-    const glm::vec3 high = glm::max(plate.position[v.x], glm::max(plate.position[v.y], plate.position[v.z]));
+  for (std::uint32_t t = 0; t < plate.mesh.triangle.size(); ++t) {
+    const glm::uvec3& v = plate.mesh.triangle[t];
+    const glm::vec3 low =
+        glm::min(plate.mesh.position[v.x], glm::min(plate.mesh.position[v.y], plate.mesh.position[v.z]));
+    const glm::vec3 high =
+        glm::max(plate.mesh.position[v.x], glm::max(plate.mesh.position[v.y], plate.mesh.position[v.z]));
     const glm::vec3 p(place);
     if (p.x >= low.x && p.x <= high.x && p.z >= low.z && p.z <= high.z) return t;
   }
@@ -105,8 +109,8 @@ TEST(FaceReliefOf, VerticesLeanOutwardsAtASeedsRim) {
   const Solid plate = plate_with_seed(relief_height);
   const std::vector<RimPlace> places = FaceRelief(plate).at_vertices();
   for (std::size_t v = 0; v < places.size(); ++v) {
-    const glm::dvec3 p(plate.position[v]);
-    if (plate.part[v] == 0) {
+    const glm::dvec3 p(plate.mesh.position[v]);
+    if (plate.mesh.part[v] == 0) {
       EXPECT_EQ(places[v].slope, glm::dvec3(0));
     } else if (std::fabs(p.x + 0.004) < 1e-6 && std::fabs(p.z) < 0.003) {
       EXPECT_GT(places[v].slope.x, 0.8);  // rises inwards, so that the normal leans outwards
@@ -118,20 +122,20 @@ TEST(FaceReliefOf, VerticesLeanOutwardsAtASeedsRim) {
 /// A skin in the plane y = 0 with two grains on it, each a small triangle.
 Solid skin_with_grains(double pit) {
   Solid skin;
-  skin.part_names = {"skin", "achene"};
-  skin.materials.resize(2);
-  skin.materials[1].pit = pit;
+  skin.own_look().part_names = {"skin", "achene"};
+  skin.own_look().materials.resize(2);
+  skin.own_look().materials[1].pit = pit;
   for (const float x : {0.0f, 0.01f}) {
-    const auto first = static_cast<std::uint32_t>(skin.position.size());
+    const auto first = static_cast<std::uint32_t>(skin.mesh.position.size());
     for (const glm::vec3& p : {glm::vec3(x - 0.001f, 0, -0.001f), {x + 0.001f, 0, -0.001f}, {x, 0, 0.001f}}) {
-      skin.position.push_back(p);
-      skin.normal.emplace_back(0, 1, 0);
-      skin.color.emplace_back(0.5f);
-      skin.part.push_back(1);
+      skin.mesh.position.push_back(p);
+      skin.mesh.normal.emplace_back(0, 1, 0);
+      skin.mesh.color.emplace_back(0.5f);
+      skin.mesh.part.push_back(1);
     }
-    skin.triangle.emplace_back(first, first + 1, first + 2);
-    skin.cut_face.push_back(-1);
-    skin.surface.push_back(0);
+    skin.mesh.triangle.emplace_back(first, first + 1, first + 2);
+    skin.mesh.cut_face.push_back(-1);
+    skin.mesh.surface.push_back(0);
   }
   return skin;
 }
@@ -275,8 +279,8 @@ TEST(ReliefOfDetails, LevelWhereNothingStandsOut) {
 
 BakedSolid baked_half_ball(double relief, Maps maps = Maps::all) {
   Solid solid = named::half_ball(48, 12);
-  solid.details = {knobs(relief)};
-  solid.guide.assign(solid.position.size(), {.share = glm::vec4(1)});
+  solid.own_look().details = {knobs(relief)};
+  solid.mesh.guide.assign(solid.mesh.position.size(), {.share = glm::vec4(1)});
   return baked(solid, style_named("ink"), {.texels = 256, .maps = maps});
 }
 
@@ -303,19 +307,19 @@ TEST(Maps, NormalsAreUnitAndLevelWhereThereIsNoRelief) {
 
 TEST(Maps, TangentsAreUnitAcrossNormalsAndAlongU) {
   const BakedSolid solid = baked_half_ball(0.05);
-  ASSERT_EQ(solid.maps.tangent.size(), solid.solid.position.size());
+  ASSERT_EQ(solid.maps.tangent.size(), solid.solid.mesh.position.size());
   for (std::size_t v = 0; v < solid.maps.tangent.size(); ++v) {
     const glm::dvec3 along{glm::vec3(solid.maps.tangent[v])};
     EXPECT_NEAR(glm::length(along), 1.0, 1e-5);
-    EXPECT_NEAR(glm::dot(along, glm::normalize(glm::dvec3(solid.solid.normal[v]))), 0.0, 1e-4);
+    EXPECT_NEAR(glm::dot(along, glm::normalize(glm::dvec3(solid.solid.mesh.normal[v]))), 0.0, 1e-4);
     EXPECT_EQ(solid.maps.tangent[v].w, 1.0f);
   }
-  for (const glm::uvec3& t : solid.solid.triangle) {
+  for (const glm::uvec3& t : solid.solid.mesh.triangle) {
     // v runs down: against normal x tangent.
-    const glm::dvec3 e(solid.solid.position[t.y] - solid.solid.position[t.x]);
+    const glm::dvec3 e(solid.solid.mesh.position[t.y] - solid.solid.mesh.position[t.x]);
     const glm::dvec2 d(solid.uv[t.y] - solid.uv[t.x]);
     const glm::dvec3 along{glm::vec3(solid.maps.tangent[t.x])};
-    const glm::dvec3 up = glm::cross(glm::dvec3(solid.solid.normal[t.x]), along);
+    const glm::dvec3 up = glm::cross(glm::dvec3(solid.solid.mesh.normal[t.x]), along);
     if (std::fabs(d.x) > 3 * std::fabs(d.y)) {
       EXPECT_GT(glm::dot(e, along) * d.x, 0);
     } else if (std::fabs(d.y) > 3 * std::fabs(d.x)) {
@@ -334,7 +338,7 @@ glm::dvec3 seen_normal(const BakedSolid& solid, std::uint32_t a, std::uint32_t b
                           std::clamp(static_cast<int>(low.y) + y, 0, map.height - 1)));
   };
   const glm::dvec3 n = glm::mix(glm::mix(texel(0, 0), texel(1, 0), t.x), glm::mix(texel(0, 1), texel(1, 1), t.x), t.y);
-  const glm::dvec3 normal = glm::normalize(glm::dvec3(solid.solid.normal[a] + solid.solid.normal[b]));
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(solid.solid.mesh.normal[a] + solid.solid.mesh.normal[b]));
   const glm::dvec3 along = glm::normalize(glm::dvec3(glm::vec3(solid.maps.tangent[a] + solid.maps.tangent[b])));
   return glm::normalize(n.x * along + n.y * glm::cross(normal, along) + n.z * normal);
 }
@@ -343,14 +347,14 @@ TEST(Maps, ChartsAgreeWhereTheyMeet) {
   const BakedSolid solid = baked_half_ball(0.05);
   using Place = std::tuple<float, float, float>;
   const auto place = [&](std::uint32_t v) {
-    const glm::vec3& p = solid.solid.position[v];
+    const glm::vec3& p = solid.solid.mesh.position[v];
     return Place(p.x, p.y, p.z);
   };
   std::map<std::pair<Place, Place>, std::pair<std::uint32_t, std::uint32_t>> known;
   int seams = 0;
-  for (std::size_t t = 0; t < solid.solid.triangle.size(); ++t) {
-    for (int k = 0; solid.solid.cut_face[t] < 0 && k < 3; ++k) {
-      const std::uint32_t a = solid.solid.triangle[t][k], b = solid.solid.triangle[t][(k + 1) % 3];
+  for (std::size_t t = 0; t < solid.solid.mesh.triangle.size(); ++t) {
+    for (int k = 0; solid.solid.mesh.cut_face[t] < 0 && k < 3; ++k) {
+      const std::uint32_t a = solid.solid.mesh.triangle[t][k], b = solid.solid.mesh.triangle[t][(k + 1) % 3];
       const auto other = known.find({place(b), place(a)});
       known[{place(a), place(b)}] = {a, b};
       if (other == known.end() || (other->second.second == a && other->second.first == b)) continue;

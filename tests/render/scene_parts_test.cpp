@@ -17,7 +17,7 @@ constexpr int width = 320, height = 240;
 Scene half_ball_scene() {
   Scene scene = testing::ball_scene();
   scene.solids = {testing::half_ball()};
-  scene.solids[0].part_names = {"skin", "flesh"};
+  scene.solids[0].own_look().part_names = {"skin", "flesh"};
   return scene;
 }
 
@@ -28,7 +28,7 @@ std::size_t pixels_of(const PartMap& map, std::int32_t part) {
 TEST(SceneParts, AreThoseOneLooksAt) {
   const Scene scene = half_ball_scene();
   const PartMap map = scene_parts(scene, width, height);
-  EXPECT_EQ(map.names, scene.solids[0].part_names);
+  EXPECT_EQ(map.names, scene.solids[0].look->part_names);
 
   // The face is a disc of 4 cm, seen at right angles at the distance of the target.
   const Lens lens(scene.view, width, height);

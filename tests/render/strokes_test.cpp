@@ -114,15 +114,15 @@ TEST(Strokes, EndWhereSomethingElseLiesBefore) {
 Solid steep_strip() {
   Solid strip;
   strip.name = "strip";
-  strip.position = {
+  strip.mesh.position = {
       {-0.01f, 0.04f, -0.001f}, {0.05f, 0.04f, -0.001f}, {0.05f, 0.041f, -0.006f}, {-0.01f, 0.041f, -0.006f}};
-  strip.normal.assign(4, glm::normalize(glm::vec3(0, 5, 1)));
-  strip.color.assign(4, Color(0.2f));
-  strip.part.assign(4, 0);
-  strip.triangle = {{0, 1, 2}, {0, 2, 3}};
-  strip.cut_face = {-1, -1};
-  strip.surface = {0, 0};
-  strip.part_names = {"leaf"};
+  strip.mesh.normal.assign(4, glm::normalize(glm::vec3(0, 5, 1)));
+  strip.mesh.color.assign(4, Color(0.2f));
+  strip.mesh.part.assign(4, 0);
+  strip.mesh.triangle = {{0, 1, 2}, {0, 2, 3}};
+  strip.mesh.cut_face = {-1, -1};
+  strip.mesh.surface = {0, 0};
+  strip.own_look().part_names = {"leaf"};
   return strip;
 }
 
@@ -179,8 +179,8 @@ TEST(SeenSolids, AreVisitedOnceInTheirOrderSomeAtATime) {
   // Seen together, all of them would take as much memory as there are instances.
   Scene scene;
   Solid large;
-  large.position.assign(600'000, glm::vec3(0, 0, 0.01f));
-  large.normal.assign(large.position.size(), glm::vec3(0, 0, 1));
+  large.mesh.position.assign(600'000, glm::vec3(0, 0, 0.01f));
+  large.mesh.normal.assign(large.mesh.position.size(), glm::vec3(0, 0, 1));
   scene.solids = {large, Solid{}};
   for (int i = 0; i < 5; ++i) scene.instances.push_back({0, {{1, 0, 0, 0}, {0.01 * i, 0, 0}}, ""});
   scene.instances.push_back({1, {}, ""});
@@ -190,7 +190,7 @@ TEST(SeenSolids, AreVisitedOnceInTheirOrderSomeAtATime) {
     EXPECT_EQ(first, next);
     for (std::size_t i = 0; i < seen.size(); ++i) {
       EXPECT_EQ(seen[i].at, scene.instances[first + i].pose.translation);
-      EXPECT_EQ(seen[i].vertex.size(), scene.solids[scene.instances[first + i].solid].position.size());
+      EXPECT_EQ(seen[i].vertex.size(), scene.solids[scene.instances[first + i].solid].mesh.position.size());
     }
     next += seen.size();
     max = std::max(max, seen.size());
@@ -251,7 +251,7 @@ double max_motion(const Scene& a, const Scene& b, const StrokeOptions& options) 
   const Lens before(a.view, options.width, options.height), after(b.view, options.width, options.height);
   double max = 0;
   for (const Instance& instance : a.instances) {
-    for (const glm::vec3& p : a.solids[instance.solid].position) {
+    for (const glm::vec3& p : a.solids[instance.solid].mesh.position) {
       const glm::dvec3 at = instance.pose.rotation * glm::dvec3(p) + instance.pose.translation;
       max = std::max(max, glm::distance(glm::dvec2(before.seen(at)), glm::dvec2(after.seen(at))));
     }
@@ -382,21 +382,21 @@ TEST(InnerLines, AreWhereTheColorJumps) {
 
   // Two triangles that meet in an edge, each with its own vertices and colour.
   Solid pair;
-  pair.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0}};
-  pair.normal.assign(6, {0, 0, 1});
-  pair.color = {Color(1, 0, 0),    Color(1, 0, 0),    Color(1, 0, 0),
-                Color(1, 1, 0.8f), Color(1, 1, 0.8f), Color(1, 1, 0.8f)};
-  pair.triangle = {{0, 1, 2}, {3, 4, 5}};
-  pair.cut_face = {0, 0};
-  pair.surface = {-1, -1};
+  pair.mesh.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0}};
+  pair.mesh.normal.assign(6, {0, 0, 1});
+  pair.mesh.color = {Color(1, 0, 0),    Color(1, 0, 0),    Color(1, 0, 0),
+                     Color(1, 1, 0.8f), Color(1, 1, 0.8f), Color(1, 1, 0.8f)};
+  pair.mesh.triangle = {{0, 1, 2}, {3, 4, 5}};
+  pair.mesh.cut_face = {0, 0};
+  pair.mesh.surface = {-1, -1};
   const std::vector<SharpEdge> lines = inner(pair);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].opacity, 1.0f);
 
   // Facets of one curved face share their normals; faces that meet at an angle do not, and have a ridge.
-  pair.cut_face = {0, 1};
+  pair.mesh.cut_face = {0, 1};
   EXPECT_EQ(inner(pair).size(), 1u);
-  for (std::size_t v = 3; v < 6; ++v) pair.normal[v] = {0, 1, 0};
+  for (std::size_t v = 3; v < 6; ++v) pair.mesh.normal[v] = {0, 1, 0};
   EXPECT_TRUE(inner(pair).empty());
 }
 

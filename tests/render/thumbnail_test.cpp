@@ -20,20 +20,20 @@ namespace {
 Solid cube() {
   Solid solid;
   solid.name = "cube";
-  solid.part_names = {"skin", "flesh"};
+  solid.own_look().part_names = {"skin", "flesh"};
   const auto quad = [&](glm::vec3 corner, glm::vec3 u, glm::vec3 v, bool cut) {
-    const auto first = static_cast<std::uint32_t>(solid.position.size());
+    const auto first = static_cast<std::uint32_t>(solid.mesh.position.size());
     const glm::vec3 normal = glm::normalize(glm::cross(u, v));
     for (const glm::vec3& p : {corner, corner + u, corner + u + v, corner + v}) {
-      solid.position.push_back(0.02f * p);
-      solid.normal.push_back(normal);
-      solid.color.push_back(cut ? Color(0.9f) : Color(0.6f, 0.02f, 0.02f));
-      solid.part.push_back(cut ? 1 : 0);
+      solid.mesh.position.push_back(0.02f * p);
+      solid.mesh.normal.push_back(normal);
+      solid.mesh.color.push_back(cut ? Color(0.9f) : Color(0.6f, 0.02f, 0.02f));
+      solid.mesh.part.push_back(cut ? 1 : 0);
     }
     for (const glm::uvec3& t : {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)}) {
-      solid.triangle.push_back(t + first);
-      solid.cut_face.push_back(cut ? 0 : -1);
-      solid.surface.push_back(cut ? -1 : 0);
+      solid.mesh.triangle.push_back(t + first);
+      solid.mesh.cut_face.push_back(cut ? 0 : -1);
+      solid.mesh.surface.push_back(cut ? -1 : 0);
     }
   };
   const glm::vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), o(0);

@@ -58,9 +58,10 @@ Hit cast(const Scene& scene, int x, int y) {
     const Solid& solid = scene.solids[static_cast<std::size_t>(scene.instances[i].solid)];
     const glm::dquat back = glm::conjugate(pose.rotation);
     const glm::dvec3 o = back * (from - pose.translation), d = back * way;
-    for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-      const glm::uvec3& corner = solid.triangle[t];
-      const glm::dvec3 a(solid.position[corner.x]), b(solid.position[corner.y]), c(solid.position[corner.z]);
+    for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+      const glm::uvec3& corner = solid.mesh.triangle[t];
+      const glm::dvec3 a(solid.mesh.position[corner.x]), b(solid.mesh.position[corner.y]),
+          c(solid.mesh.position[corner.z]);
       const glm::dvec3 p = glm::cross(d, c - a);
       const double det = glm::dot(b - a, p);
       if (!(det > 0)) continue;  // faces away
@@ -69,9 +70,10 @@ Hit cast(const Scene& scene, int x, int y) {
       const double v = glm::dot(d, q) / det, depth = glm::dot(c - a, q) / det;
       if (u < 0 || v < 0 || u + v > 1 || depth <= 0) continue;
       if (nearest.instance != 0 && depth >= nearest.depth) continue;
-      const glm::dvec3 n = (1 - u - v) * glm::dvec3(solid.normal[corner.x]) + u * glm::dvec3(solid.normal[corner.y]) +
-                           v * glm::dvec3(solid.normal[corner.z]);
-      nearest = {static_cast<std::uint16_t>(i + 1), depth, pose.rotation * glm::normalize(n), solid.cut_face[t] >= 0};
+      const glm::dvec3 n = (1 - u - v) * glm::dvec3(solid.mesh.normal[corner.x]) +
+                           u * glm::dvec3(solid.mesh.normal[corner.y]) + v * glm::dvec3(solid.mesh.normal[corner.z]);
+      nearest = {static_cast<std::uint16_t>(i + 1), depth, pose.rotation * glm::normalize(n),
+                 solid.mesh.cut_face[t] >= 0};
     }
   }
   return nearest;

@@ -41,7 +41,7 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 
 TEST(Charts, HoldEveryTriangleOnceAndDoNotFold) {
   for (const Solid& solid : {half_ball(), ball(32, 12), hollowed()}) {
-    std::vector<int> times(solid.triangle.size(), 0);
+    std::vector<int> times(solid.mesh.triangle.size(), 0);
     for (const Chart& chart : charts_of(solid)) {
       ASSERT_EQ(chart.corners.size(), chart.triangles.size());
       for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
@@ -69,12 +69,12 @@ TEST(Charts, HardlyStretchCurvedCutFaces) {
 TEST(Charts, KnowTheSeamsOfCurvedCutFaces) {
   const Solid solid = hollowed();
   const auto place = [&](std::uint32_t v) {
-    const glm::vec3& p = solid.position[v];
+    const glm::vec3& p = solid.mesh.position[v];
     return std::array{p.x, p.y, p.z};
   };
   std::set<std::array<float, 3>> on_skin;
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-    for (int k = 0; k < 3 && solid.cut_face[t] < 0; ++k) on_skin.insert(place(solid.triangle[t][k]));
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+    for (int k = 0; k < 3 && solid.mesh.cut_face[t] < 0; ++k) on_skin.insert(place(solid.mesh.triangle[t][k]));
   }
   int seams = 0, rims = 0;
   for (const Chart& chart : charts_of(solid)) {
@@ -83,7 +83,7 @@ TEST(Charts, KnowTheSeamsOfCurvedCutFaces) {
     for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
         const auto edge = std::minmax(chart.corners[i][k], chart.corners[i][(k + 1) % 3]);
-        const glm::uvec3& v = solid.triangle[chart.triangles[i]];
+        const glm::uvec3& v = solid.mesh.triangle[chart.triangles[i]];
         if (!border.try_emplace(edge, std::array{v[k], v[(k + 1) % 3]}).second) border.erase(edge);
       }
     }
@@ -105,10 +105,10 @@ TEST(Charts, LayCutFacesFlatAsTheyAre) {
     ++faces;
     for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
-        const std::uint32_t a = solid.triangle[chart.triangles[i]][k],
-                            b = solid.triangle[chart.triangles[i]][(k + 1) % 3];
+        const std::uint32_t a = solid.mesh.triangle[chart.triangles[i]][k],
+                            b = solid.mesh.triangle[chart.triangles[i]][(k + 1) % 3];
         EXPECT_NEAR(glm::distance(chart.flat[chart.corners[i][k]], chart.flat[chart.corners[i][(k + 1) % 3]]),
-                    glm::distance(glm::dvec3(solid.position[a]), glm::dvec3(solid.position[b])), 1e-6);
+                    glm::distance(glm::dvec3(solid.mesh.position[a]), glm::dvec3(solid.mesh.position[b])), 1e-6);
       }
     }
   }
@@ -264,22 +264,22 @@ glm::dvec3 bilinear(const LinearImage& image, const glm::dvec2& uv) {
 TEST(Atlas, NoForeignColourComesInWithinThePromisedMipLevels) {
   // Skin pure green, face pure red: any other channel is another chart's, or nobody's.
   Solid solid = half_ball();
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     for (int k = 0; k < 3; ++k)
-      solid.color[solid.triangle[t][k]] = solid.cut_face[t] < 0 ? Color(0, 1, 0) : Color(1, 0, 0);
+      solid.mesh.color[solid.mesh.triangle[t][k]] = solid.mesh.cut_face[t] < 0 ? Color(0, 1, 0) : Color(1, 0, 0);
   }
   const BakedSolid baked_solid = baked(solid, style_named("plain"), {.texels = 256});
   ASSERT_GE(baked_solid.mip_levels, 2);
   LinearImage level{256, 256, {}};
   for (const glm::u8vec3& pixel : baked_solid.texture.pixels) level.pixels.emplace_back(from_srgb8(pixel));
   for (int l = 0; l <= baked_solid.mip_levels; ++l) {
-    for (std::size_t t = 0; t < baked_solid.solid.triangle.size(); ++t) {
-      const glm::uvec3& v = baked_solid.solid.triangle[t];
+    for (std::size_t t = 0; t < baked_solid.solid.mesh.triangle.size(); ++t) {
+      const glm::uvec3& v = baked_solid.solid.mesh.triangle[t];
       for (const glm::dvec3 w : {glm::dvec3(1, 0, 0), {0, 0.5, 0.5}, {1 / 3., 1 / 3., 1 / 3.}}) {
         const glm::dvec3 found =
             bilinear(level, glm::dvec2(baked_solid.uv[v.x]) * w.x + glm::dvec2(baked_solid.uv[v.y]) * w.y +
                                 glm::dvec2(baked_solid.uv[v.z]) * w.z);
-        const bool skin = baked_solid.solid.cut_face[t] < 0;
+        const bool skin = baked_solid.solid.mesh.cut_face[t] < 0;
         ASSERT_NEAR(found.r, skin ? 0 : 1, 1e-4) << "level " << l;
         ASSERT_NEAR(found.g, skin ? 1 : 0, 1e-4) << "level " << l;
       }

@@ -51,7 +51,7 @@ SettleOptions with(const PieceArrangement& how) {
 /// Highest and lowest place of a solid in its pose.
 Box<double> placed_box(const Solid& solid, const Pose& pose) {
   Box<double> box;
-  for (const glm::vec3& p : solid.position) box.add(pose.rotation * glm::dvec3(p) + pose.translation);
+  for (const glm::vec3& p : solid.mesh.position) box.add(pose.rotation * glm::dvec3(p) + pose.translation);
   return box;
 }
 
@@ -84,16 +84,16 @@ TEST(Arrange, ScatteredPiecesLieOnTheMesh) {
   const std::vector<Solid> solids{ball(0.01), heap_shapes::wedge(0.012, 90)};
   const Solid hill = ball(0.15);
   Solid half = hill;  // the lower half is cut off by moving it below the ground's level
-  for (glm::vec3& p : half.position) p.y = std::max(p.y, 0.0f);
+  for (glm::vec3& p : half.mesh.position) p.y = std::max(p.y, 0.0f);
   const Settled settled =
       settle(solids, arranged_items(60, 2), on(half), with({.kind = PieceArrangementKind::scatter, .gap = 0.002}));
-  const TriangleTree surface(half.position, half.triangle);
+  const TriangleTree surface(half.mesh.position, half.mesh.triangle);
   int left = 0;
   for (std::size_t i = 0; i < settled.poses.size(); ++i) {
     EXPECT_LE(settled.fits[i].gap, 0.02) << i;
     EXPECT_LE(settled.fits[i].penetration, 0.02) << i;
     double nearest = 1;
-    for (const glm::vec3& p : solids[i % 2].position)
+    for (const glm::vec3& p : solids[i % 2].mesh.position)
       nearest = std::min(
           nearest, surface.nearest(settled.poses[i].rotation * glm::dvec3(p) + settled.poses[i].translation).distance);
     EXPECT_LT(nearest, 5e-4) << i;
@@ -110,7 +110,7 @@ TEST(Arrange, WhatIsCutFallsInItsOrder) {
   constexpr int count = 9;
   for (int i = 0; i < count; ++i) {
     slices.push_back(heap_shapes::disc(0.02, 0.006));
-    for (glm::vec3& p : slices.back().position) p.y += 0.006f * static_cast<float>(i);
+    for (glm::vec3& p : slices.back().mesh.position) p.y += 0.006f * static_cast<float>(i);
     // As a knife leaves them in no particular order.
     items.push_back({.solid = (4 * i) % count, .name = "slice-" + std::to_string((4 * i) % count), .arrangement = 0});
   }
@@ -131,13 +131,14 @@ TEST(Arrange, WhatIsCutFromFrontToBackFallsInItsOrder) {
     std::vector<SettleItem> items;
     for (int i = 0; i < 3; ++i) {
       slices.push_back(heap_shapes::disc(0.02, 0.006));
-      for (glm::vec3& p : slices.back().position) p = {p.x, -side * p.z, side * p.y + 0.006f * static_cast<float>(i)};
+      for (glm::vec3& p : slices.back().mesh.position)
+        p = {p.x, -side * p.z, side * p.y + 0.006f * static_cast<float>(i)};
       // One face alone is cut: all look the same way.
-      for (std::size_t t = 0; t < slices.back().triangle.size(); ++t) {
-        const glm::uvec3& corner = slices.back().triangle[t];
-        const std::vector<glm::vec3>& at = slices.back().position;
+      for (std::size_t t = 0; t < slices.back().mesh.triangle.size(); ++t) {
+        const glm::uvec3& corner = slices.back().mesh.triangle[t];
+        const std::vector<glm::vec3>& at = slices.back().mesh.position;
         const glm::vec3 area = glm::cross(at[corner.y] - at[corner.x], at[corner.z] - at[corner.x]);
-        slices.back().cut_face[t] = side * area.z > 0.5f * glm::length(area) ? 0 : -1;
+        slices.back().mesh.cut_face[t] = side * area.z > 0.5f * glm::length(area) ? 0 : -1;
       }
       items.push_back({.solid = i, .name = "slice-" + std::to_string(i), .arrangement = 0});
     }

@@ -45,7 +45,7 @@ TEST(Compose, AddingAnEntryDoesNotChangeTheOthers) {
   const SceneParts both = make_parts(parse_scene(head + rings + wedges, "a.toml"), nullptr, coarse());
   ASSERT_EQ(alone.solids.size(), 2u);
   ASSERT_EQ(both.solids.size(), 4u);
-  for (const Solid& solid : alone.solids) EXPECT_EQ(named(both, solid.name).position, solid.position);
+  for (const Solid& solid : alone.solids) EXPECT_EQ(named(both, solid.name).mesh.position, solid.mesh.position);
 }
 
 TEST(Compose, SeedsAndNumbersGiveDifferentVariants) {
@@ -54,8 +54,8 @@ TEST(Compose, SeedsAndNumbersGiveDifferentVariants) {
   scene.seed = 0;
   const SceneParts zero = make_parts(scene, nullptr, coarse());
   ASSERT_EQ(three.solids.size(), 2u);
-  EXPECT_NE(three.solids[0].position, three.solids[1].position);
-  EXPECT_NE(three.solids[0].position, zero.solids[0].position);
+  EXPECT_NE(three.solids[0].mesh.position, three.solids[1].mesh.position);
+  EXPECT_NE(three.solids[0].mesh.position, zero.solids[0].mesh.position);
 }
 
 TEST(Compose, CopiesShareOneSolid) {
@@ -99,7 +99,7 @@ TEST(Compose, SharesAreDealtOut) {
 TEST(Compose, SizesAreTimesTheVariantsOwn) {
   const auto radius = [](const SceneParts& parts) {
     double max = 0;
-    for (const glm::vec3& p : parts.solids[0].position) max = std::max(max, std::hypot(double{p.x}, double{p.z}));
+    for (const glm::vec3& p : parts.solids[0].mesh.position) max = std::max(max, std::hypot(double{p.x}, double{p.z}));
     return max;
   };
   const SceneParts plain = make_parts(parse_scene(head + wedges, "a.toml"), nullptr, coarse());
@@ -130,10 +130,10 @@ TEST(Compose, SolidsAreTakenInTheirOrderAndTheirLooksLetGo) {
     for (std::size_t i = 0; i < taken.size(); ++i) {
       const Solid &expected = whole.scene.solids[i], &kept = streamed.scene.solids[i];
       EXPECT_EQ(taken[i].name, expected.name);
-      EXPECT_EQ(taken[i].color, expected.color);
+      EXPECT_EQ(taken[i].mesh.color, expected.mesh.color);
       EXPECT_EQ(kept.name, expected.name);
-      EXPECT_EQ(kept.position, expected.position);
-      EXPECT_TRUE(kept.color.empty() && kept.normal.empty() && kept.surface.empty());
+      EXPECT_EQ(kept.mesh.position, expected.mesh.position);
+      EXPECT_TRUE(kept.mesh.color.empty() && kept.mesh.normal.empty() && kept.mesh.surface.empty());
     }
     EXPECT_EQ(write_layout(streamed.scene), write_layout(whole.scene));
     EXPECT_EQ(streamed.scene.view.eye, whole.scene.view.eye);
@@ -208,12 +208,12 @@ TEST_F(Dishes, HoldHeapsOfTheirOwn) {
   EXPECT_THAT(both.report.warnings, testing::IsEmpty());
   EXPECT_TRUE(both.scene.ground);
   const Solid& crate = both.scene.solids[static_cast<std::size_t>(both.scene.instances[0].solid)];
-  EXPECT_EQ(crate.part_names, std::vector<std::string>{"dish"});
-  for (const std::int32_t part : crate.part) EXPECT_EQ(part, 0);
+  EXPECT_EQ(crate.look->part_names, std::vector<std::string>{"dish"});
+  for (const std::int32_t part : crate.mesh.part) EXPECT_EQ(part, 0);
   for (std::size_t i = 2; i < 16; ++i) {
     const Instance& instance = both.scene.instances[i];
     const bool left = i < 9;
-    for (const glm::vec3& p : both.scene.solids[static_cast<std::size_t>(instance.solid)].position) {
+    for (const glm::vec3& p : both.scene.solids[static_cast<std::size_t>(instance.solid)].mesh.position) {
       const glm::dvec3 at = instance.pose.rotation * glm::dvec3(p) + instance.pose.translation;
       const glm::dvec2 away = glm::abs(glm::dvec2(at.x - (left ? -0.2 : 0.2), at.z));
       ASSERT_LT(away.x, left ? 0.101 : 0.151) << i;

@@ -10,7 +10,7 @@ namespace {
 /// A floor whose upper side is y = 0.
 PlacedMesh floor() {
   const Solid slab = heap_shapes::ring(0.5, 0.001, 0.02);
-  return {TriangleTree(slab.position, slab.triangle), {0, -0.01, 0}, 1};
+  return {TriangleTree(slab.mesh.position, slab.mesh.triangle), {0, -0.01, 0}, 1};
 }
 
 Pose at(double x, double y) { return {glm::dquat(1, 0, 0, 0), {x, y, 0}}; }

@@ -21,7 +21,8 @@ Scene cloud() {
   Solid solid;
   for (int i = 0; i < 200; ++i) {
     const auto t = static_cast<float>(i);
-    solid.position.emplace_back(0.1f * std::sin(t), 0.06f + 0.05f * std::sin(1.7f * t), 0.3f * std::cos(0.37f * t));
+    solid.mesh.position.emplace_back(0.1f * std::sin(t), 0.06f + 0.05f * std::sin(1.7f * t),
+                                     0.3f * std::cos(0.37f * t));
   }
   Scene scene;
   scene.solids = {solid};
@@ -50,7 +51,7 @@ Filled filled_by(const Scene& scene, const View& view, double aspect, const std:
     filled.high = glm::max(filled.high, at);
   };
   for (const Instance& instance : scene.instances) {
-    for (const glm::vec3& own : scene.solids[0].position) {
+    for (const glm::vec3& own : scene.solids[0].mesh.position) {
       const glm::dvec3 p = instance.pose.rotation * glm::dvec3(own) + instance.pose.translation;
       add(p);
       if (light && p.y > 0) add(p - *light * (p.y / light->y));
@@ -97,7 +98,7 @@ Solid box(const std::string& name, const glm::vec3& size) {
   solid.name = name;
   for (const float x : {-0.5f, 0.5f}) {
     for (const float y : {-0.5f, 0.5f}) {
-      for (const float z : {-0.5f, 0.5f}) solid.position.emplace_back(size * glm::vec3(x, y, z));
+      for (const float z : {-0.5f, 0.5f}) solid.mesh.position.emplace_back(size * glm::vec3(x, y, z));
     }
   }
   return solid;
@@ -114,7 +115,7 @@ TEST(InARow, StandsSideBySideOnTheGroundAtOneScale) {
   for (const Instance& instance : row.instances) {
     const Solid& solid = row.solids[static_cast<std::size_t>(instance.solid)];
     glm::dvec3 low(1e9), high(-1e9);
-    for (const glm::vec3& p : solid.position) {
+    for (const glm::vec3& p : solid.mesh.position) {
       const glm::dvec3 placed = instance.pose.rotation * glm::dvec3(p) + instance.pose.translation;
       low = glm::min(low, placed);
       high = glm::max(high, placed);

@@ -26,11 +26,11 @@ std::vector<Solid> pieces_of(const std::vector<std::string>& words) {
   return shapes::sliced(shapes::moved(shapes::sphere(0.03, 8, shapes::skin_paint()), {0, 0.03, 0}), knives).pieces;
 }
 
-double volume_of(const Solid& solid) { return moments_of(solid.position, solid.triangle, {}).mass; }
+double volume_of(const Solid& solid) { return moments_of(solid.mesh.position, solid.mesh.triangle, {}).mass; }
 
 Box<double> bounds_of(const Solid& solid) {
   Box<double> box;
-  for (const glm::vec3& p : solid.position) box.add(glm::dvec3(p));
+  for (const glm::vec3& p : solid.mesh.position) box.add(glm::dvec3(p));
   return box;
 }
 
@@ -91,8 +91,8 @@ TEST(HangingPeel, IsLongerAndStaysClosedAndAsLarge) {
   ASSERT_EQ(count, 1);
   EXPECT_GT(bounds_of(hanging).size().y, 1.4 * bounds_of(lying).size().y);
   EXPECT_NEAR(volume_of(hanging), volume_of(lying), 0.03 * volume_of(lying));
-  EXPECT_TRUE(is_closed(welded_triangles(weld(lying.position), lying.triangle)));
-  EXPECT_TRUE(is_closed(welded_triangles(weld(hanging.position), hanging.triangle)));
+  EXPECT_TRUE(is_closed(welded_triangles(weld(lying.mesh.position), lying.mesh.triangle)));
+  EXPECT_TRUE(is_closed(welded_triangles(weld(hanging.mesh.position), hanging.mesh.triangle)));
 }
 
 /// Edges keep their lengths but for the little by which a helix that is drawn out is longer.
@@ -100,9 +100,9 @@ TEST(HangingPeel, IsHardlyStretched) {
   const auto [lying, hanging, count] = peel_of_ball();
   ASSERT_EQ(count, 1);
   double before = 0, after = 0;
-  for (const glm::uvec3& t : lying.triangle) {
-    before += glm::distance(lying.position[t.x], lying.position[t.y]);
-    after += glm::distance(hanging.position[t.x], hanging.position[t.y]);
+  for (const glm::uvec3& t : lying.mesh.triangle) {
+    before += glm::distance(lying.mesh.position[t.x], lying.mesh.position[t.y]);
+    after += glm::distance(hanging.mesh.position[t.x], hanging.mesh.position[t.y]);
   }
   EXPECT_NEAR(after, before, 0.05 * before);
 }
@@ -110,10 +110,10 @@ TEST(HangingPeel, IsHardlyStretched) {
 TEST(HangingPeel, HasTheNormalsOfItsSurface) {
   const Solid hanging = peel_of_ball().hanging;
   double wrong = 0, all = 0;
-  for (const glm::uvec3& t : hanging.triangle) {
-    const glm::dvec3 a(hanging.position[t.x]), b(hanging.position[t.y]), c(hanging.position[t.z]);
+  for (const glm::uvec3& t : hanging.mesh.triangle) {
+    const glm::dvec3 a(hanging.mesh.position[t.x]), b(hanging.mesh.position[t.y]), c(hanging.mesh.position[t.z]);
     const glm::dvec3 area = glm::cross(b - a, c - a);
-    const glm::dvec3 mean(hanging.normal[t.x] + hanging.normal[t.y] + hanging.normal[t.z]);
+    const glm::dvec3 mean(hanging.mesh.normal[t.x] + hanging.mesh.normal[t.y] + hanging.mesh.normal[t.z]);
     all += glm::length(area);
     if (glm::dot(area, mean) < 0.9 * glm::length(area) * glm::length(mean)) wrong += glm::length(area);
   }
@@ -130,7 +130,7 @@ TEST(HangingPeel, HangsInPictures) {
   for (const Instance& instance : table.instances) {
     const Solid& solid = table.solids[static_cast<std::size_t>(instance.solid)];
     Box<double> box;
-    for (const glm::vec3& p : solid.position)
+    for (const glm::vec3& p : solid.mesh.position)
       box.add(instance.pose.rotation * glm::dvec3(p) + instance.pose.translation);
     EXPECT_NEAR(box.low.y, 0, 1e-9);
     tallest = std::max(tallest, box.size().y);

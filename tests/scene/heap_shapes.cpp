@@ -19,22 +19,22 @@ Solid revolved(const std::vector<glm::dvec2>& profile, bool closed, int around, 
   for (unsigned c = 0; c < columns; ++c) {
     const double a = angle * c / around;
     for (const glm::dvec2& p : profile)
-      solid.position.emplace_back(p.x * reproducible::cos(a), p.y, -p.x * reproducible::sin(a));
+      solid.mesh.position.emplace_back(p.x * reproducible::cos(a), p.y, -p.x * reproducible::sin(a));
   }
   for (unsigned c = 0; c < static_cast<unsigned>(around); ++c) {
     for (unsigned r = 0; r + (closed ? 0 : 1) < rows; ++r) {
       const unsigned next = (c + 1) % columns, up = (r + 1) % rows;
       const unsigned v00 = c * rows + r, v01 = c * rows + up, v10 = next * rows + r, v11 = next * rows + up;
-      if (solid.position[v00] != solid.position[v10]) solid.triangle.push_back({v00, v10, v11});
-      if (solid.position[v01] != solid.position[v11]) solid.triangle.push_back({v00, v11, v01});
+      if (solid.mesh.position[v00] != solid.mesh.position[v10]) solid.mesh.triangle.push_back({v00, v10, v11});
+      if (solid.mesh.position[v01] != solid.mesh.position[v11]) solid.mesh.triangle.push_back({v00, v11, v01});
     }
   }
   // The two flat faces of a part: fans, for convex profiles.
   if (!full) {
     const unsigned last = (columns - 1) * rows;
     for (unsigned r = 2; r < rows; ++r) {
-      solid.triangle.push_back({0, r - 1, r});
-      solid.triangle.push_back({last, last + r, last + r - 1});
+      solid.mesh.triangle.push_back({0, r - 1, r});
+      solid.mesh.triangle.push_back({last, last + r, last + r - 1});
     }
   }
   return solid;
@@ -62,10 +62,10 @@ Solid wedge(double radius, double degrees) { return revolved(arc(radius, 16), fa
 
 Solid disc(double radius, double height) {
   Solid solid = revolved({{0, 0}, {radius, 0}, {radius, height}, {0, height}}, false, 32, 2 * pi, "disc");
-  for (const glm::uvec3& t : solid.triangle) {
-    const auto at = [&](unsigned i) { return solid.position[i].y; };
+  for (const glm::uvec3& t : solid.mesh.triangle) {
+    const auto at = [&](unsigned i) { return solid.mesh.position[i].y; };
     const bool is_flat = at(t.x) == at(t.y) && at(t.y) == at(t.z);
-    solid.cut_face.push_back(!is_flat ? -1 : at(t.x) > 0 ? 1 : 0);
+    solid.mesh.cut_face.push_back(!is_flat ? -1 : at(t.x) > 0 ? 1 : 0);
   }
   return solid;
 }
@@ -74,14 +74,14 @@ namespace {
 
 /// The eight corners of a box, and its faces outwards.
 void add_box(Solid& solid, const glm::dvec3& low, const glm::dvec3& high) {
-  const auto first = static_cast<unsigned>(solid.position.size());
+  const auto first = static_cast<unsigned>(solid.mesh.position.size());
   for (unsigned i = 0; i < 8; ++i)
-    solid.position.emplace_back((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
-                                (i & 4) != 0 ? high.z : low.z);
+    solid.mesh.position.emplace_back((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
+                                     (i & 4) != 0 ? high.z : low.z);
   const unsigned faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (const auto& f : faces) {
-    solid.triangle.push_back(glm::uvec3(f[0], f[1], f[2]) + first);
-    solid.triangle.push_back(glm::uvec3(f[0], f[2], f[3]) + first);
+    solid.mesh.triangle.push_back(glm::uvec3(f[0], f[1], f[2]) + first);
+    solid.mesh.triangle.push_back(glm::uvec3(f[0], f[2], f[3]) + first);
   }
 }
 
@@ -109,8 +109,8 @@ Solid upright_sheet(double size) {
   Solid solid;
   solid.name = "sheet";
   const auto s = static_cast<float>(size);
-  solid.position = {{0, 0, 0}, {s, 0, 0}, {s, s, 0}, {0, s, 0}};
-  solid.triangle = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
+  solid.mesh.position = {{0, 0, 0}, {s, 0, 0}, {s, s, 0}, {0, s, 0}};
+  solid.mesh.triangle = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
   return solid;
 }
 

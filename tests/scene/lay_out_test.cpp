@@ -37,7 +37,7 @@ DiffusionSurfaces bar() { return shapes::box({-0.02, 0, -0.02}, {0.02, 0.18, 0.0
 
 std::vector<glm::dvec3> placed_points(const Scene& scene, const Instance& instance) {
   std::vector<glm::dvec3> points;
-  for (const glm::vec3& p : scene.solids[static_cast<std::size_t>(instance.solid)].position)
+  for (const glm::vec3& p : scene.solids[static_cast<std::size_t>(instance.solid)].mesh.position)
     points.push_back(instance.pose.rotation * glm::dvec3(p) + instance.pose.translation);
   return points;
 }
@@ -47,11 +47,11 @@ std::vector<glm::dvec3> face_vectors(const Scene& scene, const Instance& instanc
   const Solid& solid = scene.solids[static_cast<std::size_t>(instance.solid)];
   const std::vector<glm::dvec3> at = placed_points(scene, instance);
   std::map<std::int32_t, std::pair<glm::dvec3, double>> faces;
-  for (std::size_t t = 0; t < solid.triangle.size(); ++t) {
-    if (solid.cut_face[t] < 0) continue;
-    const glm::uvec3& v = solid.triangle[t];
+  for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
+    if (solid.mesh.cut_face[t] < 0) continue;
+    const glm::uvec3& v = solid.mesh.triangle[t];
     const glm::dvec3 vector = 0.5 * glm::cross(at[v.y] - at[v.x], at[v.z] - at[v.x]);
-    auto& [sum, area] = faces.try_emplace(solid.cut_face[t], glm::dvec3(0), 0.0).first->second;
+    auto& [sum, area] = faces.try_emplace(solid.mesh.cut_face[t], glm::dvec3(0), 0.0).first->second;
     sum += vector;
     area += glm::length(vector);
   }
@@ -203,7 +203,8 @@ TEST(LaidOut, WhatWouldBalanceOnItsRootLiesDown) {
 TEST(PieceOutline, IsThatOfTheFarthestVertices) {
   const Solid solid = pieces_of(bar(), {}).solids[0];
   Solid filled = solid;
-  for (const glm::vec3& p : solid.position) filled.position.push_back(glm::mix(glm::vec3(0, 0.09f, 0), p, 0.5f));
+  for (const glm::vec3& p : solid.mesh.position)
+    filled.mesh.position.push_back(glm::mix(glm::vec3(0, 0.09f, 0), p, 0.5f));
   const PieceOutline outline(solid), of_filled(filled);
   for (const glm::dvec3& up :
        {glm::dvec3(0, 1, 0), {0, -1, 0}, {1, 0, 0}, {0, 0, -1}, glm::normalize(glm::dvec3(1, 2, 3))})
@@ -263,12 +264,12 @@ TEST(LaidOut, WhatIsSmallHasRowsOfItsOwn) {
 /// A crumb may be so small that its corners are one place.
 TEST(LaidOut, APointStandsAsItGrew) {
   Solid point;
-  point.position.assign(3, {0.01f, 0.02f, 0.03f});
-  point.normal.assign(3, {0, 1, 0});
-  point.color.assign(3, Color(0.5f));
-  point.part.assign(3, 0);
-  point.triangle = {{0, 1, 2}};
-  point.cut_face = {-1};
+  point.mesh.position.assign(3, {0.01f, 0.02f, 0.03f});
+  point.mesh.normal.assign(3, {0, 1, 0});
+  point.mesh.color.assign(3, Color(0.5f));
+  point.mesh.part.assign(3, 0);
+  point.mesh.triangle = {{0, 1, 2}};
+  point.mesh.cut_face = {-1};
   const TablePose pose = table_pose(point);
   EXPECT_TRUE(pose.as_grown);
   EXPECT_GT((pose.rotation * glm::dvec3(0, 1, 0)).y, 1 - 1e-9);

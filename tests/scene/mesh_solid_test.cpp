@@ -31,10 +31,10 @@ TEST(MeshSolid, KeepsSharpEdgesAndRoundsOthers) {
   EXPECT_NEAR(solid.volume, M_PI * 0.01 / 3, 1e-4);
 
   // The rim has a vertex for the base and one for the wall, whose normal is that of the round cone.
-  ASSERT_EQ(solid.triangle.size(), 64u);
-  for (const glm::uvec3& t : solid.triangle) {
+  ASSERT_EQ(solid.mesh.triangle.size(), 64u);
+  for (const glm::uvec3& t : solid.mesh.triangle) {
     for (int k = 0; k < 3; ++k) {
-      const glm::vec3 p = solid.position[t[k]], n = solid.normal[t[k]];
+      const glm::vec3 p = solid.mesh.position[t[k]], n = solid.mesh.normal[t[k]];
       if (p.y > 0.5f) continue;
       const glm::vec3 out(p.x, 0, p.z);
       const glm::vec3 wall = glm::normalize(10.0f * out + glm::vec3(0, 0.1f, 0));
@@ -50,10 +50,10 @@ TEST(MeshSolid, TurnsWhatIsInsideOut) {
   const Solid solid = mesh_solid(inside_out, "cone");
   EXPECT_TRUE(solid.closed);
   double six_volumes = 0;
-  for (const glm::uvec3& t : solid.triangle) {
-    const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
+  for (const glm::uvec3& t : solid.mesh.triangle) {
+    const glm::dvec3 a(solid.mesh.position[t.x]), b(solid.mesh.position[t.y]), c(solid.mesh.position[t.z]);
     six_volumes += glm::dot(a, glm::cross(b, c));
-    for (int k = 0; k < 3; ++k) EXPECT_GT(glm::dot(glm::dvec3(solid.normal[t[k]]), glm::cross(b - a, c - a)), 0);
+    for (int k = 0; k < 3; ++k) EXPECT_GT(glm::dot(glm::dvec3(solid.mesh.normal[t[k]]), glm::cross(b - a, c - a)), 0);
   }
   EXPECT_NEAR(six_volumes / 6, solid.volume, 1e-9);
 }
@@ -63,8 +63,8 @@ TEST(MeshSolid, TakesTipsOfVeryManyTriangles) {
   const std::uint32_t sides = 400'000;
   const Solid solid = mesh_solid(cone(sides), "cone");
   EXPECT_TRUE(solid.closed);
-  EXPECT_EQ(solid.triangle.size(), 2 * sides);
-  for (const glm::vec3& n : solid.normal) ASSERT_NEAR(glm::length(n), 1, 1e-5);
+  EXPECT_EQ(solid.mesh.triangle.size(), 2 * sides);
+  for (const glm::vec3& n : solid.mesh.normal) ASSERT_NEAR(glm::length(n), 1, 1e-5);
 }
 
 }  // namespace

@@ -62,22 +62,23 @@ TEST(PieceShape, AFlatCutFaceIsShownBeforeARoundOne) {
   Solid wedge = heap_shapes::wedge(0.03, 70);
   std::map<std::array<long, 3>, double> area_by_normal;
   const auto area_of = [&](const glm::uvec3& t) {
-    const glm::dvec3 a(wedge.position[t.x]), b(wedge.position[t.y]), c(wedge.position[t.z]);
+    const glm::dvec3 a(wedge.mesh.position[t.x]), b(wedge.mesh.position[t.y]), c(wedge.mesh.position[t.z]);
     return glm::cross(b - a, c - a);
   };
   const auto direction = [&](const glm::uvec3& t) {
     const glm::dvec3 n = glm::normalize(area_of(t)) * 1e3;
     return std::array{std::lround(n.x), std::lround(n.y), std::lround(n.z)};
   };
-  for (const glm::uvec3& t : wedge.triangle) area_by_normal[direction(t)] += glm::length(area_of(t));
+  for (const glm::uvec3& t : wedge.mesh.triangle) area_by_normal[direction(t)] += glm::length(area_of(t));
   std::vector<std::pair<double, std::array<long, 3>>> sides;
   for (const auto& [normal, area] : area_by_normal) sides.emplace_back(area, normal);
   std::sort(sides.rbegin(), sides.rend());
 
-  wedge.cut_face.assign(wedge.triangle.size(), 2);  // the round side
-  for (std::size_t i = 0; i < wedge.triangle.size(); ++i)
+  wedge.mesh.cut_face.assign(wedge.mesh.triangle.size(), 2);  // the round side
+  for (std::size_t i = 0; i < wedge.mesh.triangle.size(); ++i)
     for (int side = 0; side < 2; ++side)
-      if (direction(wedge.triangle[i]) == sides[static_cast<std::size_t>(side)].second) wedge.cut_face[i] = side;
+      if (direction(wedge.mesh.triangle[i]) == sides[static_cast<std::size_t>(side)].second)
+        wedge.mesh.cut_face[i] = side;
   double best = 0;
   for (int side = 0; side < 2; ++side) {
     const auto& n = sides[static_cast<std::size_t>(side)].second;
@@ -85,23 +86,23 @@ TEST(PieceShape, AFlatCutFaceIsShownBeforeARoundOne) {
   }
   EXPECT_GT(best, 0.99);
 
-  wedge.cut_face.assign(wedge.triangle.size(), -1);
+  wedge.mesh.cut_face.assign(wedge.mesh.triangle.size(), -1);
   EXPECT_EQ(piece_shape(wedge, 0.05).up, glm::dvec3(0)) << "nothing was cut";
 }
 
 TEST(PieceShape, ShowsTheSameFaceWhereverThePieceLies) {
   Solid slab = heap_shapes::slab({0.1, 0.03, 0.06});
-  slab.cut_face.assign(slab.triangle.size(), -1);
-  for (std::size_t i = 0; i < slab.triangle.size(); ++i) {
-    const glm::uvec3& t = slab.triangle[i];
-    const glm::dvec3 a(slab.position[t.x]), b(slab.position[t.y]), c(slab.position[t.z]);
+  slab.mesh.cut_face.assign(slab.mesh.triangle.size(), -1);
+  for (std::size_t i = 0; i < slab.mesh.triangle.size(); ++i) {
+    const glm::uvec3& t = slab.mesh.triangle[i];
+    const glm::dvec3 a(slab.mesh.position[t.x]), b(slab.mesh.position[t.y]), c(slab.mesh.position[t.z]);
     const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
     for (int axis = 0; axis < 3; ++axis)
-      if (normal[axis] > 0.99) slab.cut_face[i] = axis;
+      if (normal[axis] > 0.99) slab.mesh.cut_face[i] = axis;
   }
   for (const glm::vec3& by : {glm::vec3(0), {0.5f, 0, 0}, {0, -0.5f, 0}, {0, 0, 0.5f}, {-0.3f, 0.2f, 0.4f}}) {
     Solid moved = slab;
-    for (glm::vec3& p : moved.position) p += by;
+    for (glm::vec3& p : moved.mesh.position) p += by;
     EXPECT_LT(glm::distance(piece_shape(moved, 0.05).up, {0, 1, 0}), 1e-5) << by.x << ' ' << by.y << ' ' << by.z;
   }
 }
@@ -109,7 +110,7 @@ TEST(PieceShape, ShowsTheSameFaceWhereverThePieceLies) {
 TEST(PieceShape, TheGridKnowsDistancesToTheRealMesh) {
   for (const Solid& solid : shapes()) {
     const PieceShape shape = piece_shape(solid, 0.05);
-    const TriangleTree tree(solid.position, solid.triangle);
+    const TriangleTree tree(solid.mesh.position, solid.mesh.triangle);
     for (const glm::vec3& p : points_about(shape)) {
       const glm::dvec3 there = glm::dvec3(p) + shape.center;
       const double distance = (tree.contains(there) ? -1 : 1) * tree.nearest(there).distance;
@@ -122,7 +123,7 @@ TEST(PieceShape, SamplesLieOnTheSurfaceAndInTheirBalls) {
   for (const Solid& solid : shapes()) {
     const PieceShape shape = piece_shape(solid, 0.05);
     ASSERT_GT(shape.samples.point.size(), 50u) << solid.name;
-    const TriangleTree tree(solid.position, solid.triangle);
+    const TriangleTree tree(solid.mesh.position, solid.mesh.triangle);
     for (const glm::vec3& p : shape.samples.point)
       EXPECT_LT(tree.nearest(glm::dvec3(p) + shape.center).distance, 1e-6) << solid.name;
     int covered = 0;
@@ -138,9 +139,9 @@ TEST(PieceShape, SamplesLieOnTheSurfaceAndInTheirBalls) {
 /// Of a box all twelve edges turn by a right angle, and the diagonals of its sides not at all.
 TEST(SurfaceSamples, LieAtTheEndsAndTheMiddleOfEverySharpEdge) {
   const Solid slab = heap_shapes::slab({0.1, 0.03, 0.06});
-  const std::vector<glm::dvec3> corner(slab.position.begin(), slab.position.end());
-  const std::vector<std::uint32_t> first = weld(slab.position);
-  const std::vector<glm::uvec3> triangle = welded_triangles(first, slab.triangle);
+  const std::vector<glm::dvec3> corner(slab.mesh.position.begin(), slab.mesh.position.end());
+  const std::vector<std::uint32_t> first = weld(slab.mesh.position);
+  const std::vector<glm::uvec3> triangle = welded_triangles(first, slab.mesh.triangle);
   const SurfaceSamples samples = surface_samples(corner, triangle, {.along_edges = 1e-4, .elsewhere = 1});
   const auto is_sampled = [&](const glm::dvec3& place) {
     return std::any_of(samples.point.begin(), samples.point.end(),

@@ -91,7 +91,7 @@ TEST(HeapPlan, AWaveCoversTheBowl) {
 TEST(MeshDish, EveryPlaceOnABoardIsAsFarInsideAsItsBorderIsAway) {
   const glm::dvec3 size(0.512, 0.02, 0.2014);
   const Solid board = heap_shapes::slab(size);
-  const MeshDish dish(board, TriangleTree(board.position, board.triangle), true);
+  const MeshDish dish(board, TriangleTree(board.mesh.position, board.mesh.triangle), true);
   ASSERT_GT(dish.places().size(), 20000u);
   const double cell = std::sqrt(dish.cell_area());
   for (const MeshDish::Place& place : dish.places()) {

@@ -63,14 +63,14 @@ std::size_t before(std::size_t i, std::size_t count) { return (i + count - 1) % 
 }  // namespace
 
 CollapseRules::CollapseRules(const Solid& solid, const VertexFans& fans)
-    : solid_(solid), source_(fans.source), area_(fans.vertex.size(), 0.0) {
-  for (const std::uint32_t vertex : fans.vertex) position_.emplace_back(solid.position[vertex]);
-  for (const Color& color : solid.color) seen_.push_back(seen(glm::dvec3(color)));
+    : mesh_(solid.mesh), source_(fans.source), area_(fans.vertex.size(), 0.0) {
+  for (const std::uint32_t vertex : fans.vertex) position_.emplace_back(solid.mesh.position[vertex]);
+  for (const Color& color : solid.mesh.color) seen_.push_back(seen(glm::dvec3(color)));
   for (std::size_t f = 0; f < fans.triangle.size(); ++f) {
     CornerFace face;
     for (int i = 0; i < 3; ++i) {
       face.fan[static_cast<std::size_t>(i)] = fans.triangle[f][i];
-      face.vertex[static_cast<std::size_t>(i)] = solid.triangle[fans.source[f]][i];
+      face.vertex[static_cast<std::size_t>(i)] = solid.mesh.triangle[fans.source[f]][i];
     }
     normal_.push_back(area_vector({position_[face.fan[0]], position_[face.fan[1]], position_[face.fan[2]]}));
     for (const std::uint32_t fan : face.fan) area_[fan] += glm::length(normal_.back()) / 6;
@@ -83,14 +83,14 @@ CollapseRules::CollapseRules(const Solid& solid, const VertexFans& fans)
 /// Level and solid are compared cut face by cut face and surface by surface: what lies near another one is off.
 void CollapseRules::plant_trees() {
   std::map<std::pair<std::int32_t, std::int32_t>, std::vector<glm::uvec3>> patches;
-  for (std::size_t t = 0; t < solid_.triangle.size(); ++t)
-    patches[{solid_.cut_face[t], solid_.surface[t]}].push_back(solid_.triangle[t]);
+  for (std::size_t t = 0; t < mesh_.triangle.size(); ++t)
+    patches[{mesh_.cut_face[t], mesh_.surface[t]}].push_back(mesh_.triangle[t]);
   std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t> number;
   for (const auto& [patch, triangles] : patches) {
     number[patch] = static_cast<std::uint32_t>(trees_.size());
-    trees_.emplace_back(solid_.position, triangles);
+    trees_.emplace_back(mesh_.position, triangles);
   }
-  for (const std::uint32_t t : source_) tree_of_.push_back(number.at({solid_.cut_face[t], solid_.surface[t]}));
+  for (const std::uint32_t t : source_) tree_of_.push_back(number.at({mesh_.cut_face[t], mesh_.surface[t]}));
 }
 
 std::uint32_t CollapseRules::vertex_at(std::uint32_t face, std::uint32_t fan) const {
@@ -100,15 +100,15 @@ std::uint32_t CollapseRules::vertex_at(std::uint32_t face, std::uint32_t fan) co
 
 bool CollapseRules::looks_alike(std::uint32_t a, std::uint32_t b) const {
   if (a == b) return true;
-  if (solid_.part[a] != solid_.part[b]) return false;
-  return greatest(seen_[a] - seen_[b]) < min_jump && glm::dot(solid_.normal[a], solid_.normal[b]) > crease_cosine;
+  if (mesh_.part[a] != mesh_.part[b]) return false;
+  return greatest(seen_[a] - seen_[b]) < min_jump && glm::dot(mesh_.normal[a], mesh_.normal[b]) > crease_cosine;
 }
 
 bool CollapseRules::is_border(std::int32_t left, std::int32_t right, std::uint32_t from, std::uint32_t to) const {
   if (left < 0 || right < 0) return true;
   const auto l = static_cast<std::uint32_t>(left), r = static_cast<std::uint32_t>(right);
-  if (solid_.cut_face[source_[l]] != solid_.cut_face[source_[r]]) return true;
-  if (solid_.surface[source_[l]] != solid_.surface[source_[r]]) return true;
+  if (mesh_.cut_face[source_[l]] != mesh_.cut_face[source_[r]]) return true;
+  if (mesh_.surface[source_[l]] != mesh_.surface[source_[r]]) return true;
   return !looks_alike(vertex_at(l, from), vertex_at(r, from)) || !looks_alike(vertex_at(l, to), vertex_at(r, to));
 }
 
@@ -144,7 +144,7 @@ bool CollapseRules::add_sector(const CollapseRing& ring, std::size_t first, std:
   if (sector.kept.empty() || sector.lost.empty()) return false;
   sector.from = vertex_at(sector.lost.front(), ring.removed);
   sector.to = vertex_at(sector.lost.front(), ring.spoke[0]);
-  const bool same_part = solid_.part[sector.from] == solid_.part[sector.to];
+  const bool same_part = mesh_.part[sector.from] == mesh_.part[sector.to];
   change.sectors.push_back(std::move(sector));
   return same_part;
 }
@@ -270,7 +270,7 @@ glm::dvec3 CollapseRules::color_on(const Target& target, const glm::dvec3& point
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec3 &a = target.corner[(i + 1) % 3], &b = target.corner[(i + 2) % 3];
     const double share = glm::dot(glm::cross(a - point, b - point), normal) / whole;
-    color += share * glm::dvec3(solid_.color[target.vertex[i]]);
+    color += share * glm::dvec3(mesh_.color[target.vertex[i]]);
   }
   return color;
 }
@@ -290,7 +290,7 @@ std::optional<double> CollapseRules::cost_of_removed(const Removed& removed, con
   const Nearest nearest = nearest_target(removed, targets);
   const Target& target = targets[nearest.target];
   if (nearest.squared_distance > bound() * bound()) return std::nullopt;
-  if (glm::dot(area_vector(target.corner), glm::dvec3(solid_.normal[removed.vertex])) < 0) return std::nullopt;
+  if (glm::dot(area_vector(target.corner), glm::dvec3(mesh_.normal[removed.vertex])) < 0) return std::nullopt;
 
   const glm::dvec3 difference = seen(color_on(target, nearest.point)) - seen_[removed.vertex];
   if (greatest(difference) > bounds_.color) return std::nullopt;

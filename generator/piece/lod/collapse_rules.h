@@ -109,7 +109,7 @@ class CollapseRules {
   std::vector<std::uint32_t> gone_from_border(const CollapseRing& ring, const Change& change) const;
   std::vector<Target> targets_of(const CollapseRing& ring, const Sector& sector) const;
 
-  const Solid& solid_;
+  const SolidMesh& mesh_;
   std::vector<TriangleTree> trees_;     // of each cut face and surface of the solid
   std::vector<std::uint32_t> tree_of_;  // per face: that in which it lay
   CollapseBounds bounds_;

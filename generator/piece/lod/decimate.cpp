@@ -28,7 +28,7 @@ using CollapseInfo = decimater::CollapseInfoT<HalfEdgeMesh>;
 HalfEdgeMesh half_edge_mesh(const VertexFans& fans, const Solid& solid) {
   HalfEdgeMesh mesh;
   for (std::size_t f = 0; f < fans.vertex.size(); ++f) {
-    const glm::vec3& p = solid.position[fans.vertex[f]];
+    const glm::vec3& p = solid.mesh.position[fans.vertex[f]];
     const auto vertex = mesh.add_vertex({p.x, p.y, p.z});
     mesh.status(vertex).set_locked(fans.is_locked[f] != 0);
   }

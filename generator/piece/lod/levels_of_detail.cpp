@@ -28,8 +28,8 @@ void check(const LodOptions& options) {
 
 /// Metres: the diagonal of the bounding box.
 double size_of(const Solid& solid) {
-  glm::vec3 low = solid.position.front(), high = low;
-  for (const glm::vec3& p : solid.position) low = glm::min(low, p), high = glm::max(high, p);
+  glm::vec3 low = solid.mesh.position.front(), high = low;
+  for (const glm::vec3& p : solid.mesh.position) low = glm::min(low, p), high = glm::max(high, p);
   return glm::length(glm::dvec3(high) - glm::dvec3(low));
 }
 
@@ -37,30 +37,17 @@ std::vector<LevelTarget> targets_of(const Solid& solid, std::size_t frozen, cons
   CollapseBounds bounds{options.error * size_of(solid), options.color_error};
   std::vector<LevelTarget> targets;
   for (int level = 1; level <= options.levels; ++level) {
-    const std::size_t wanted = solid.triangle.size() >> level;
+    const std::size_t wanted = solid.mesh.triangle.size() >> level;
     targets.push_back({wanted > frozen ? wanted - frozen : 0, bounds});
     bounds = {bounds.distance * level_growth, bounds.color * level_growth};
   }
   return targets;
 }
 
-/// Everything of the solid that is not its mesh.
-Solid without_mesh(Solid solid) {
-  solid.position.clear();
-  solid.normal.clear();
-  solid.color.clear();
-  solid.part.clear();
-  solid.guide.clear();
-  solid.triangle.clear();
-  solid.cut_face.clear();
-  solid.surface.clear();
-  return solid;
-}
-
 double volume_of(const Solid& solid) {
   double six = 0;
-  for (const glm::uvec3& t : solid.triangle) {
-    const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
+  for (const glm::uvec3& t : solid.mesh.triangle) {
+    const glm::dvec3 a(solid.mesh.position[t.x]), b(solid.mesh.position[t.y]), c(solid.mesh.position[t.z]);
     six += glm::dot(a, glm::cross(b, c));
   }
   return six / 6;
@@ -69,21 +56,21 @@ double volume_of(const Solid& solid) {
 /// The solid with these triangles; vertices in the order in which triangles first use them.
 Solid solid_of(const Solid& whole, const Solid& bare, const Faces& faces) {
   Solid level = bare;
-  std::vector<std::uint32_t> number(whole.position.size(), unset);
+  std::vector<std::uint32_t> number(whole.mesh.position.size(), unset);
   const auto vertex = [&](std::uint32_t v) {
     if (number[v] != unset) return number[v];
-    level.position.push_back(whole.position[v]);
-    level.normal.push_back(whole.normal[v]);
-    level.color.push_back(whole.color[v]);
-    level.part.push_back(whole.part[v]);
-    if (!whole.guide.empty()) level.guide.push_back(whole.guide[v]);
-    return number[v] = static_cast<std::uint32_t>(level.position.size() - 1);
+    level.mesh.position.push_back(whole.mesh.position[v]);
+    level.mesh.normal.push_back(whole.mesh.normal[v]);
+    level.mesh.color.push_back(whole.mesh.color[v]);
+    level.mesh.part.push_back(whole.mesh.part[v]);
+    if (!whole.mesh.guide.empty()) level.mesh.guide.push_back(whole.mesh.guide[v]);
+    return number[v] = static_cast<std::uint32_t>(level.mesh.position.size() - 1);
   };
   for (const CollapseRules::Face& face : faces) {
     const std::uint32_t a = vertex(face.vertex.x), b = vertex(face.vertex.y), c = vertex(face.vertex.z);
-    level.triangle.emplace_back(a, b, c);
-    level.cut_face.push_back(whole.cut_face[face.source]);
-    level.surface.push_back(whole.surface[face.source]);
+    level.mesh.triangle.emplace_back(a, b, c);
+    level.mesh.cut_face.push_back(whole.mesh.cut_face[face.source]);
+    level.mesh.surface.push_back(whole.mesh.surface[face.source]);
   }
   level.volume = volume_of(level);
   return level;
@@ -94,16 +81,17 @@ Solid solid_of(const Solid& whole, const Solid& bare, const Faces& faces) {
 std::vector<Solid> levels_of_detail(const Solid& solid, const LodOptions& options) {
   check(options);
   std::vector<Solid> levels;
-  if (solid.triangle.empty()) return levels;
+  if (solid.mesh.triangle.empty()) return levels;
 
   // Frozen triangles stay in every level.
   const VertexFans fans = vertex_fans(solid);
   Faces frozen;
-  for (const std::uint32_t t : fans.frozen) frozen.push_back({t, solid.triangle[t]});
+  for (const std::uint32_t t : fans.frozen) frozen.push_back({t, solid.mesh.triangle[t]});
 
   // Back to solids, triangles in the order they had.
-  const Solid bare = without_mesh(solid);
-  std::size_t before = solid.triangle.size();
+  Solid bare = solid;
+  bare.mesh = {};
+  std::size_t before = solid.mesh.triangle.size();
   for (Faces& faces : decimated(fans, solid, targets_of(solid, frozen.size(), options))) {
     faces.insert(faces.end(), frozen.begin(), frozen.end());
     std::sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.source < b.source; });

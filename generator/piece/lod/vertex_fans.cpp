@@ -20,12 +20,12 @@ bool is_manifold(std::span<const HalfEdge> edge) {
 class FanBuilder {
  public:
   explicit FanBuilder(const Solid& solid)
-      : place_(welded_triangles(weld(solid.position), solid.triangle)),
+      : place_(welded_triangles(weld(solid.mesh.position), solid.mesh.triangle)),
         edges_(sorted_half_edges(place_)),
         is_frozen_(place_.size(), 0),
         corners_(3 * place_.size()),
-        fans_at_(solid.position.size(), 0),
-        is_fixed_(solid.position.size(), 0) {}
+        fans_at_(solid.mesh.position.size(), 0),
+        is_fixed_(solid.mesh.position.size(), 0) {}
 
   VertexFans build() {
     freeze();

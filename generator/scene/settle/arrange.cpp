@@ -135,7 +135,7 @@ Starts in_grid(std::span<const ArrangedPiece> pieces, const std::vector<RigidBod
 
 /// Whether no part of it hangs over the border of the dish.
 bool lies_within(const RigidBody& body, const Solid& solid, const Dish& dish) {
-  return std::all_of(solid.position.begin(), solid.position.end(), [&](const glm::vec3& p) {
+  return std::all_of(solid.mesh.position.begin(), solid.mesh.position.end(), [&](const glm::vec3& p) {
     return dish.covers(body.rotation * (glm::dvec3(p) - body.shape->center) + body.center);
   });
 }

@@ -14,7 +14,7 @@ namespace pomona {
 Dish::Dish(const DishForm& dish, const DishOptions& options) {
   const Solid* const bowl = dish.solid;
   if (bowl) {
-    for (const glm::vec3& p : bowl->position) {
+    for (const glm::vec3& p : bowl->mesh.position) {
       const double radius = std::sqrt(static_cast<double>(p.x) * p.x + static_cast<double>(p.z) * p.z);
       widest_ = std::max(widest_, radius);
       if (p.y > rim_height_) rim_height_ = p.y, rim_radius_ = radius;
@@ -23,7 +23,8 @@ Dish::Dish(const DishForm& dish, const DishOptions& options) {
   lay_ground(bowl, options.ground);
   if (has_bowl() && dish.turned) bake(options);
   if (has_bowl() && !dish.turned)
-    form_ = std::make_shared<const MeshDish>(*bowl, TriangleTree(bowl->position, bowl->triangle), dish.on_top);
+    form_ =
+        std::make_shared<const MeshDish>(*bowl, TriangleTree(bowl->mesh.position, bowl->mesh.triangle), dish.on_top);
 }
 
 bool Dish::holds() const {
@@ -43,7 +44,7 @@ bool Dish::covers(const glm::dvec3& point) const {
 void Dish::lay_ground(const Solid* bowl, double min) {
   std::vector<glm::vec3> position;
   std::vector<glm::uvec3> triangle;
-  if (bowl) position = bowl->position, triangle = bowl->triangle;
+  if (bowl) position = bowl->mesh.position, triangle = bowl->mesh.triangle;
   const auto first = static_cast<unsigned>(position.size());
   const float wide = static_cast<float>(std::max(4 * rim_radius_, min)), deep = -0.25f * wide;
   for (const float y : {deep, 0.0f})

@@ -32,8 +32,8 @@ FitCheck::FitCheck(std::span<const Solid> solids, std::vector<std::size_t> solid
                    Threads threads)
     : solids_(solids), solid_of_(std::move(solid_of)), stand_(stand), threads_(threads), boxes_(solids.size()) {
   for (const std::size_t i : sorted_once(solid_of_))
-    for (const glm::uvec3& t : solids[i].triangle)
-      for (int k = 0; k < 3; ++k) boxes_[i].add(glm::dvec3(solids[i].position[t[k]]));
+    for (const glm::uvec3& t : solids[i].mesh.triangle)
+      for (int k = 0; k < 3; ++k) boxes_[i].add(glm::dvec3(solids[i].mesh.position[t[k]]));
 }
 
 /// The axis-aligned box around the rotated box of the solid.
@@ -116,7 +116,7 @@ void FitCheck::measure_chunk(Quantity quantity, std::span<const Pose> poses, std
   solids = sorted_once(std::move(solids));
   std::vector<TriangleTree> trees(solids.size());
   parallel_for(solids.size(), threads_, [&](std::size_t s) {
-    trees[s] = TriangleTree(solids_[solids[s]].position, solids_[solids[s]].triangle);
+    trees[s] = TriangleTree(solids_[solids[s]].mesh.position, solids_[solids[s]].mesh.triangle);
   });
   std::vector<PlacedMesh> placed(pieces.size());
   parallel_for(pieces.size(), threads_, [&](std::size_t p) {

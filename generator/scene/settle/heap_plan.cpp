@@ -139,7 +139,7 @@ Funnel HeapPlan::funnel() const {
 bool HeapPlan::is_outside(std::size_t item, const Pose& pose) const {
   if (!in_bowl(item)) return false;
   const glm::dmat3 turn = glm::mat3_cast(pose.rotation);
-  for (const glm::vec3& position : solid(item).position) {
+  for (const glm::vec3& position : solid(item).mesh.position) {
     const glm::dvec3 p = turn * glm::dvec3(position) + pose.translation;
     if (!dish_.covers(p) || p.y < (dish_.form() ? -1e-4 : 0)) return true;
   }

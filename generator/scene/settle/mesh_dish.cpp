@@ -17,12 +17,12 @@ constexpr double nothing = -1;  // the height of a cell under which there is no 
 constexpr std::array<glm::ivec2, 4> sides{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 DistanceGrid distances_of(const Solid& solid) {
-  const std::vector<std::uint32_t> first = weld(solid.position);
+  const std::vector<std::uint32_t> first = weld(solid.mesh.position);
   std::vector<glm::dvec3> position;
-  for (const glm::vec3& p : solid.position) position.emplace_back(p);
+  for (const glm::vec3& p : solid.mesh.position) position.emplace_back(p);
   // A wall of 8 mm in a crate of half a metre is three cells thick.
   return {position,
-          welded_triangles(first, solid.triangle),
+          welded_triangles(first, solid.mesh.triangle),
           {.cells = 600'000, .max_width = 0.004, .max_cells = 2'000'000}};
 }
 

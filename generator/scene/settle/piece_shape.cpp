@@ -20,18 +20,18 @@ struct WeldedMesh {
 };
 
 WeldedMesh welded(const Solid& solid) {
-  const std::vector<std::uint32_t> first = weld(solid.position);
+  const std::vector<std::uint32_t> first = weld(solid.mesh.position);
   WeldedMesh mesh;
   std::vector<std::uint32_t> number(first.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (first[i] == i) {
       number[i] = static_cast<std::uint32_t>(mesh.position.size());
-      mesh.position.emplace_back(solid.position[i]);
+      mesh.position.emplace_back(solid.mesh.position[i]);
     } else {
       number[i] = number[first[i]];
     }
   }
-  mesh.triangle = welded_triangles(number, solid.triangle);
+  mesh.triangle = welded_triangles(number, solid.mesh.triangle);
   return mesh;
 }
 
@@ -96,12 +96,10 @@ struct FaceAreas {
 /// round side of what was peeled is a cut face, too, but not the one to be seen.
 glm::dvec3 face_to_show(const Solid& solid) {
   std::map<std::int32_t, FaceAreas> faces;
-  for (std::size_t i = 0; i < solid.triangle.size(); ++i) {
-    if (i >= solid.cut_face.size() || solid.cut_face[i] < 0) continue;
-    const glm::uvec3& t = solid.triangle[i];
-    const glm::dvec3 a(solid.position[t.x]), b(solid.position[t.y]), c(solid.position[t.z]);
-    const glm::dvec3 area = glm::cross(b - a, c - a);
-    FaceAreas& face = faces[solid.cut_face[i]];
+  for (std::size_t i = 0; i < solid.mesh.triangle.size(); ++i) {
+    if (i >= solid.mesh.cut_face.size() || solid.mesh.cut_face[i] < 0) continue;
+    const glm::dvec3 area = solid.mesh.area_vector(i);
+    FaceAreas& face = faces[solid.mesh.cut_face[i]];
     face.whole += glm::length(area), face.shown += area;
   }
   FaceAreas best;
@@ -113,14 +111,14 @@ glm::dvec3 face_to_show(const Solid& solid) {
 
 Box<double> box_of(const Solid& solid) {
   Box<double> box;
-  for (const glm::uvec3& t : solid.triangle)
-    for (int k = 0; k < 3; ++k) box.add(glm::dvec3(solid.position[t[k]]));
+  for (const glm::uvec3& t : solid.mesh.triangle)
+    for (int k = 0; k < 3; ++k) box.add(glm::dvec3(solid.mesh.position[t[k]]));
   return box;
 }
 
 }  // namespace
 
-double size_of(const Solid& solid) { return solid.triangle.empty() ? 0 : glm::length(box_of(solid).size()); }
+double size_of(const Solid& solid) { return solid.mesh.triangle.empty() ? 0 : glm::length(box_of(solid).size()); }
 
 PieceShape piece_shape(const Solid& solid, double unit, int cells) {
   // Weigh it where it is, then move it to its centre of mass.

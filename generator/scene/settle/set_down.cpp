@@ -38,7 +38,7 @@ void lift_out(RigidBody& body, const Solid& solid, const Dish& dish, const glm::
   constexpr double near_enough = 1e-5;  // metres
   for (int step = 0; step < 20; ++step) {
     float clearance = 1;
-    for (const glm::vec3& p : solid.position)
+    for (const glm::vec3& p : solid.mesh.position)
       clearance = std::min(
           clearance, dish.distance(glm::vec3(body.rotation * (glm::dvec3(p) - body.shape->center) + body.center)));
     if (clearance > -near_enough) return;

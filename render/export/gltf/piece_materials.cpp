@@ -23,7 +23,7 @@ std::string name_of(const Solid& solid, const MaterialGroup& group, const std::s
 double depth_of_transmission(double transmission) { return 1e-3 * transmission / std::max(0.45 - transmission, 0.01); }
 
 bool lets_light_through(const Solid& solid) {
-  return std::any_of(solid.materials.begin(), solid.materials.end(),
+  return std::any_of(solid.look->materials.begin(), solid.look->materials.end(),
                      [](const MaterialSketch& material) { return material.translucency.depth > 0; });
 }
 

@@ -18,7 +18,7 @@ Json extras_of(const Solid& solid, const ExportOptions& options) {
   const PieceFacts facts = facts_of(solid);
   const PieceOrigin& origin = solid.origin;
   Json extras;
-  extras["parts"] = solid.part_names;  // what the vertices' part numbers stand for
+  extras["parts"] = solid.look->part_names;  // what the vertices' part numbers stand for
   extras["volume"] = facts.volume;
   extras["density"] = facts.density;
   extras["mass"] = facts.mass;
@@ -68,7 +68,8 @@ void add_variants(Json& primitive, PieceMaterials& materials, const Solid& solid
 
 int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Solid& solid, const StyledMesh& styled,
                    const PieceMeshOptions& mesh, const ExportOptions& options) {
-  if (solid.part_names.size() > 65536) throw Error(ExitStatus::bad_data, solid.name + ": too many parts for glTF");
+  if (solid.look->part_names.size() > 65536)
+    throw Error(ExitStatus::bad_data, solid.name + ": too many parts for glTF");
   const Json attributes = add_vertices(document, styled, mesh.pivot);
   Json primitives = Json::array();
   for (const MaterialGroup& group : groups_by_material(solid, styled)) {
@@ -76,7 +77,7 @@ int add_piece_mesh(GltfDocument& document, PieceMaterials& materials, const Soli
     primitive["indices"] = add_triangles(document, group.triangle, styled.position.size());
     primitive["material"] = materials.material(solid, group, mesh.textures);
     add_variants(primitive, materials, solid, group, mesh);
-    if (options.feature_ids) add_feature_ids(document, primitive, solid.part_names.size());
+    if (options.feature_ids) add_feature_ids(document, primitive, solid.look->part_names.size());
     primitives.push_back(std::move(primitive));
   }
   return document.add("meshes",

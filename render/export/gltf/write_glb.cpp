@@ -94,7 +94,7 @@ std::optional<int> GlbStream::Writer::hull_of(const Solid& solid, const std::str
                                               const glm::vec3& pivot) {
   const std::string name = hull_name(options_.engine, mesh_name);
   if (name.empty()) return {};
-  ConvexHull hull = convex_hull(solid.position);
+  ConvexHull hull = convex_hull(solid.mesh.position);
   if (hull.triangle.empty()) return {};
   for (glm::vec3& p : hull.position) p -= pivot;
   Json primitive = {{"attributes", {{"POSITION", add_positions(document_, hull.position)}}}};
@@ -148,7 +148,7 @@ void GlbStream::add_baked(std::span<const Solid> solids, std::span<const BakedSo
       if (variant.solids.at(i).uv != baked[i].uv) throw Error(ExitStatus::bug, "a variant has an atlas of its own");
     }
     writer_->begin(solids[i], level_count(i, levels));
-    if (!baked[i].solid.triangle.empty()) writer_->set_variants(i, variants);
+    if (!baked[i].solid.mesh.triangle.empty()) writer_->set_variants(i, variants);
     writer_->add(0, baked[i].solid, textured_mesh(baked[i]), &baked[i]);
     if (i >= levels.size()) continue;
     for (std::size_t level = 0; level < levels[i].size(); ++level) {

@@ -50,7 +50,7 @@ class GlbStream {
                  std::span<const std::vector<BakedSolid>> levels = {}, std::span<const TextureVariant> variants = {});
 
   /// The file; with a spool its first bytes, and the spool has the rest.
-  /// \param scene with the solids that were added: without_looks() of them is enough.
+  /// \param scene with the solids that were added: of their meshes the triangles are enough.
   std::string finished(const Scene& scene) &&;
 
  private:

@@ -58,8 +58,8 @@ std::vector<Subset> subsets_by_part(const StyledLevel& level) {
   std::vector<Subset> subsets;
   for (auto& [part, of_part] : faces) {
     const auto number = static_cast<std::size_t>(part);
-    if (number >= level.solid.part_names.size()) continue;
-    const std::string& called = level.solid.part_names[number];
+    if (number >= level.solid.look->part_names.size()) continue;
+    const std::string& called = level.solid.look->part_names[number];
     Subset subset{"part", names.name_for("part_" + called), {}, {}, std::move(of_part)};
     subset.metadata = "(\n    prepend apiSchemas = [\"SemanticsLabelsAPI:part\"]\n)";
     subset.binding = "    token[] semantics:labels:part = [" + quoted(called) + "]";
@@ -123,7 +123,7 @@ void append_custom_data(std::string& text, const Solid& solid, const ExportOptio
   const PieceOrigin& origin = solid.origin;
   append_line(text, 2, "customData = {");
   std::string parts;
-  for (const std::string& part : solid.part_names) parts += (parts.empty() ? "" : ", ") + quoted(part);
+  for (const std::string& part : solid.look->part_names) parts += (parts.empty() ? "" : ", ") + quoted(part);
   append_line(text, 3, "string[] parts = [" + parts + "]");
   append_line(text, 3, "double volume = " + exact(facts_of(solid).volume));
   if (origin.number > 0) {

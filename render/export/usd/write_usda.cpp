@@ -88,7 +88,7 @@ class TexturedPieces {
 void TexturedPieces::add(const BakedSolid& solid, std::span<const BakedSolid> coarser,
                          std::span<const TextureVariant> variants, std::size_t number) {
   pieces.name.emplace_back();
-  if (solid.solid.triangle.empty()) return;
+  if (solid.solid.mesh.triangle.empty()) return;
   const std::string& name = pieces.name.back() = names_.name_for(solid.solid.name);
   std::vector<StyledMesh> meshes{textured_mesh(solid)};
   for (const BakedSolid& level : coarser) meshes.push_back(textured_mesh(level));

@@ -49,21 +49,21 @@ TEST(ConvexHull, OfABoxIsItsCorners) {
 
 TEST(ConvexHull, OfABallHasAsManyVerticesAsAskedForAndMostOfItsVolume) {
   const Solid ball = named::ball("ball", 0.1f, 30, Color(0.5f));
-  const double whole = volume_of(convex_hull(ball.position, 100000));
+  const double whole = volume_of(convex_hull(ball.mesh.position, 100000));
   EXPECT_GT(whole, 0.998 * 4.0 / 3 * 3.14159265 * 0.001);
-  for (const std::size_t max : {16u, 64u}) {
-    const ConvexHull hull = convex_hull(ball.position, max);
-    EXPECT_EQ(hull.position.size(), max);
-    EXPECT_GT(volume_of(hull), (max == 64 ? 0.87 : 0.55) * whole);
+  for (const std::size_t most : {16u, 64u}) {
+    const ConvexHull hull = convex_hull(ball.mesh.position, most);
+    EXPECT_EQ(hull.position.size(), most);
+    EXPECT_GT(volume_of(hull), (most == 64 ? 0.87 : 0.55) * whole);
     EXPECT_LT(volume_of(hull), whole);
     expect_convex(hull);
     for (const glm::vec3& p : hull.position)
-      EXPECT_NE(std::find(ball.position.begin(), ball.position.end(), p), ball.position.end());
+      EXPECT_NE(std::find(ball.mesh.position.begin(), ball.mesh.position.end(), p), ball.mesh.position.end());
   }
 }
 
 TEST(ConvexHull, OfPointsThatAreGivenTwiceIsThatOfEachOnce) {
-  const std::vector<glm::vec3> round = named::ball("ball", 0.1f, 12, Color(0.5f)).position;
+  const std::vector<glm::vec3> round = named::ball("ball", 0.1f, 12, Color(0.5f)).mesh.position;
   const std::vector<glm::vec3> flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, line{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
       one{{1, 2, 3}};
   for (const std::vector<glm::vec3>& points : {round, grid(), flat, line, one}) {
@@ -77,7 +77,7 @@ TEST(ConvexHull, OfPointsThatAreGivenTwiceIsThatOfEachOnce) {
 }
 
 TEST(ConvexHull, DoesNotDependOnTheOrderOfPoints) {
-  std::vector<glm::vec3> points = named::ball("ball", 0.1f, 12, Color(0.5f)).position;
+  std::vector<glm::vec3> points = named::ball("ball", 0.1f, 12, Color(0.5f)).mesh.position;
   const ConvexHull one = convex_hull(points);
   std::reverse(points.begin(), points.end());
   const ConvexHull other = convex_hull(points);
@@ -96,7 +96,7 @@ TEST(ConvexHull, OfWhatIsFlatOrNothingIsEmpty) {
 /// Its rough hull begins with what lies farthest along the axes, however much farther other points stand out of that.
 TEST(ConvexHull, OfFewVerticesReachesAsFarAsThePointsAlongEveryAxis) {
   for (int thin = 0; thin < 3; ++thin) {
-    std::vector<glm::vec3> points = named::ball("ball", 0.1f, 12, Color(0.5f)).position;
+    std::vector<glm::vec3> points = named::ball("ball", 0.1f, 12, Color(0.5f)).mesh.position;
     for (glm::vec3& p : points) p[thin] *= 0.2f;
     const ConvexHull hull = convex_hull(points, 14);
     ASSERT_EQ(hull.position.size(), 14u);

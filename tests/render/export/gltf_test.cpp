@@ -35,14 +35,14 @@ TEST(Gltf, ReadsBackAsItWas) {
   EXPECT_EQ(mesh.name, "box");
   EXPECT_THAT(mesh.part_names, ElementsAre("skin", "flesh"));
   EXPECT_DOUBLE_EQ(mesh.volume, box.volume);
-  ASSERT_EQ(mesh.triangle.size(), box.triangle.size());
-  for (std::size_t t = 0; t < box.triangle.size(); ++t) {
+  ASSERT_EQ(mesh.triangle.size(), box.mesh.triangle.size());
+  for (std::size_t t = 0; t < box.mesh.triangle.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t ours = box.triangle[t][k], theirs = mesh.triangle[t][k];
-      EXPECT_EQ(mesh.position[theirs], box.position[ours]);
-      EXPECT_EQ(mesh.normal[theirs], box.normal[ours]);
-      EXPECT_EQ(mesh.part[theirs], box.part[ours]);
-      EXPECT_LT(glm::length(mesh.color[theirs] - box.color[ours]), 2e-5f);
+      const std::uint32_t ours = box.mesh.triangle[t][k], theirs = mesh.triangle[t][k];
+      EXPECT_EQ(mesh.position[theirs], box.mesh.position[ours]);
+      EXPECT_EQ(mesh.normal[theirs], box.mesh.normal[ours]);
+      EXPECT_EQ(mesh.part[theirs], box.mesh.part[ours]);
+      EXPECT_LT(glm::length(mesh.color[theirs] - box.mesh.color[ours]), 2e-5f);
     }
   }
 }
@@ -64,7 +64,7 @@ TEST(Gltf, LevelsAreNodesOutsideTheSceneInTheirInstancesPlaces) {
   const Scene scene = named::mixed();
   std::vector<std::vector<Solid>> levels(scene.solids.size());
   levels[0] = {scene.solids[0], scene.solids[0]};
-  levels[0][1].triangle.resize(4);
+  levels[0][1].mesh.triangle.resize(4);
   levels.back() = {scene.solids.back()};
   const named::Glb glb = named::read_glb(write_glb(scene, {}, levels));
   EXPECT_THAT(glb.extensions_used, testing::Contains("MSFT_lod"));
@@ -127,17 +127,17 @@ TEST(Gltf, IndicesAreAsNarrowAsTheyCanBe) {
 /// A strip of so many vertices, all of them apart.
 Solid strip(std::uint32_t vertices) {
   Solid solid = named::ball("strip", 0.1f, 1, Color(0.5f));
-  solid.position.clear();
-  solid.triangle.clear();
+  solid.mesh.position.clear();
+  solid.mesh.triangle.clear();
   for (std::uint32_t i = 0; i < vertices; ++i) {
-    solid.position.emplace_back(1e-4f * static_cast<float>(i), i % 2 == 0 ? 0.0f : 1e-3f, 0.0f);
-    if (i >= 2) solid.triangle.emplace_back(i - 2, i % 2 == 0 ? i - 1 : i, i % 2 == 0 ? i : i - 1);
+    solid.mesh.position.emplace_back(1e-4f * static_cast<float>(i), i % 2 == 0 ? 0.0f : 1e-3f, 0.0f);
+    if (i >= 2) solid.mesh.triangle.emplace_back(i - 2, i % 2 == 0 ? i - 1 : i, i % 2 == 0 ? i : i - 1);
   }
-  solid.normal.assign(vertices, {0, 0, 1});
-  solid.color.assign(vertices, Color(0.5f));
-  solid.part.assign(vertices, 0);
-  solid.cut_face.assign(solid.triangle.size(), -1);
-  solid.surface.assign(solid.triangle.size(), 0);
+  solid.mesh.normal.assign(vertices, {0, 0, 1});
+  solid.mesh.color.assign(vertices, Color(0.5f));
+  solid.mesh.part.assign(vertices, 0);
+  solid.mesh.cut_face.assign(solid.mesh.triangle.size(), -1);
+  solid.mesh.surface.assign(solid.mesh.triangle.size(), 0);
   return solid;
 }
 
@@ -170,7 +170,10 @@ class GltfStream : public testing::TestWithParam<std::size_t> {
     for (std::size_t first = 0; first < scene.solids.size(); first += GetParam())
       add(stream, first, std::min(GetParam(), scene.solids.size() - first));
     Scene shapes = scene;
-    for (Solid& solid : shapes.solids) solid = without_looks(std::move(solid));
+    for (Solid& solid : shapes.solids) {
+      const SolidMesh whole = std::exchange(solid.mesh, {});
+      solid.mesh.position = whole.position, solid.mesh.triangle = whole.triangle, solid.mesh.cut_face = whole.cut_face;
+    }
     write_whole(std::vector{OutputFile{folder / "a.glb", std::move(stream).finished(shapes), spool}});
     return file_bytes(folder / "a.glb", std::size_t{1} << 30);
   }
@@ -198,7 +201,7 @@ TEST_P(GltfStream, GivesTheBytesOfTheWhole) {
 
 TEST_P(GltfStream, GivesTheBytesOfTheWholeWithTextures) {
   Scene scene = named::mixed();
-  std::erase_if(scene.solids, [](const Solid& solid) { return solid.triangle.empty(); });
+  std::erase_if(scene.solids, [](const Solid& solid) { return solid.mesh.triangle.empty(); });
   scene.instances.clear();
   for (std::size_t i = 0; i < scene.solids.size(); ++i)
     scene.instances.push_back({static_cast<int>(i), {}, scene.solids[i].name});
@@ -290,11 +293,11 @@ TEST(Gltf, APieceTurnsAboutItsCentreAndLiesWhereItLay) {
   EXPECT_NEAR(copy["translation"][1], 1 - 0.21, 5e-8) << "half a turn about x, and up";
   EXPECT_NEAR(copy["translation"][2], -0.33, 5e-8);
   const Solid& box = scene.solids[0];
-  for (std::size_t t = 0; t < box.triangle.size(); ++t) {
+  for (std::size_t t = 0; t < box.mesh.triangle.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const glm::dvec4 there =
           glb.nodes[0].matrix * glm::dvec4(glb.meshes[0].position[glb.meshes[0].triangle[t][k]], 1);
-      EXPECT_LT(glm::length(glm::dvec3(there) - glm::dvec3(box.position[box.triangle[t][k]])), 1e-7);
+      EXPECT_LT(glm::length(glm::dvec3(there) - glm::dvec3(box.mesh.position[box.mesh.triangle[t][k]])), 1e-7);
     }
   }
   const Json bowl = node_called(parsed(bytes), "bowl");
@@ -336,14 +339,14 @@ TEST(Gltf, AFruitsPiecesShareItsMaterialsByName) {
   scene.solids[0].origin = {.number = 1, .fruit = "kiwi"};
   scene.solids.push_back(scene.solids[0]);
   scene.instances.push_back({static_cast<int>(scene.solids.size()) - 1, {}, "another"});
-  for (Solid& solid : scene.solids) solid.on_skin = {1, 0};
+  for (Solid& solid : scene.solids) solid.own_look().on_skin = {1, 0};
   EXPECT_THAT(names_of(parsed(write_glb(scene))["materials"]), ElementsAre("kiwi skin", "kiwi flesh"));
 
   // Of a part that the skin shows, too, the cut face is another look; looks that many parts have are named by the
   // place.
-  for (Solid& solid : scene.solids) solid.on_skin = {1, 1};
+  for (Solid& solid : scene.solids) solid.own_look().on_skin = {1, 1};
   EXPECT_THAT(names_of(parsed(write_glb(scene))["materials"]), ElementsAre("kiwi skin", "kiwi flesh cut"));
-  for (Solid& solid : scene.solids) solid.materials.assign(2, solid.materials[1]);
+  for (Solid& solid : scene.solids) solid.own_look().materials.assign(2, solid.look->materials[1]);
   EXPECT_THAT(names_of(parsed(write_glb(scene))["materials"]), ElementsAre("kiwi outside", "kiwi inside"));
 }
 
@@ -447,7 +450,7 @@ TEST(Gltf, HasMapsInTheirSlotsWhereTheyWereBaked) {
 TEST(Gltf, SaysWhereAFilmOfJuiceEnds) {
   Scene scene = named::with_materials();
   Solid& box = scene.solids[0];
-  for (MaterialSketch& material : box.materials) material.wet = 2;
+  for (MaterialSketch& material : box.own_look().materials) material.wet = 2;
   const auto films = [&] {
     const Json glb =
         parsed(write_glb(scene, std::vector{baked(box, style_named("plain"), {.texels = 64, .maps = Maps::all})}));
@@ -462,18 +465,19 @@ TEST(Gltf, SaysWhereAFilmOfJuiceEnds) {
 
   MaterialSketch dry;
   dry.wet = 0;
-  const auto rind = static_cast<std::int32_t>(box.part_names.size());
-  box.part_names.emplace_back("rind");
-  box.materials.resize(box.part_names.size(), dry);
-  box.materials.back() = dry;
-  const auto cut = std::find_if(box.cut_face.begin(), box.cut_face.end(), [](std::int32_t face) { return face >= 0; });
-  ASSERT_NE(cut, box.cut_face.end());
-  std::uint32_t& corner = box.triangle[static_cast<std::size_t>(cut - box.cut_face.begin())].x;
-  box.position.push_back(box.position[corner]);
-  box.normal.push_back(box.normal[corner]);
-  box.color.push_back(box.color[corner]);
-  box.part.push_back(rind);
-  corner = static_cast<std::uint32_t>(box.position.size()) - 1;
+  const auto rind = static_cast<std::int32_t>(box.look->part_names.size());
+  box.own_look().part_names.emplace_back("rind");
+  box.own_look().materials.resize(box.look->part_names.size(), dry);
+  box.own_look().materials.back() = dry;
+  const auto cut =
+      std::find_if(box.mesh.cut_face.begin(), box.mesh.cut_face.end(), [](std::int32_t face) { return face >= 0; });
+  ASSERT_NE(cut, box.mesh.cut_face.end());
+  std::uint32_t& corner = box.mesh.triangle[static_cast<std::size_t>(cut - box.mesh.cut_face.begin())].x;
+  box.mesh.position.push_back(box.mesh.position[corner]);
+  box.mesh.normal.push_back(box.mesh.normal[corner]);
+  box.mesh.color.push_back(box.mesh.color[corner]);
+  box.mesh.part.push_back(rind);
+  corner = static_cast<std::uint32_t>(box.mesh.position.size()) - 1;
   EXPECT_THAT(films(), ::testing::Contains("box thickness"));
 }
 
@@ -486,7 +490,7 @@ TEST(Gltf, SplitsAMeshByLookAndLosesNoTriangle) {
   EXPECT_NE(groups[0].look, groups[1].look);
   EXPECT_EQ(named::read_glb(write_glb(scene)).meshes.size(), 1u);
   Solid plain = scene.solids[0];
-  plain.materials.clear();
+  plain.own_look().materials.clear();
   EXPECT_EQ(groups_by_material(plain, mesh).size(), 1u);
 }
 
@@ -495,7 +499,7 @@ TEST(Gltf, VariantsAreTexturesOfTheSameMesh) {
   scene.solids = {named::box("box", {0, 0, 0}, {0.05f, 0.03f, 0.02f}, {0.8f, 0.05f, 0.05f}, {0.9f, 0.85f, 0.6f})};
   scene.instances = {{0, {}, "box"}};
   Solid green = scene.solids[0];
-  for (Color& color : green.color) color = {0.1f, 0.6f, 0.1f};
+  for (Color& color : green.mesh.color) color = {0.1f, 0.6f, 0.1f};
   const Style style = style_named("plain");
   const std::vector<BakedSolid> as_it_is = {baked(scene.solids[0], style, {.texels = 64})};
   const std::vector<TextureVariant> variants{{"ripeness 0", {baked(green, style, {.texels = 64})}},
@@ -529,9 +533,9 @@ TEST(Gltf, AnEmptySceneIsStillAFile) {
 
 TEST(Gltf, RefusesMorePartsThanANumberOfTwoBytesCanTell) {
   Scene scene = named::mixed();
-  scene.solids[0].part_names.resize(65536);
+  scene.solids[0].own_look().part_names.resize(65536);
   EXPECT_NO_THROW(write_glb(scene));
-  scene.solids[0].part_names.resize(65537);
+  scene.solids[0].own_look().part_names.resize(65537);
   EXPECT_THROW(write_glb(scene), Error);
 }
 

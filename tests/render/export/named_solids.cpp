@@ -8,28 +8,28 @@ namespace pomona::named {
 namespace {
 
 void add_vertex(Solid& solid, const glm::vec3& position, const glm::vec3& normal, const Color& color, int part) {
-  solid.position.push_back(position);
-  solid.normal.push_back(normal);
-  solid.color.push_back(color);
-  solid.part.push_back(part);
+  solid.mesh.position.push_back(position);
+  solid.mesh.normal.push_back(normal);
+  solid.mesh.color.push_back(color);
+  solid.mesh.part.push_back(part);
 }
 
 void add_triangle(Solid& solid, const glm::uvec3& triangle, int cut_face) {
-  solid.triangle.push_back(triangle);
-  solid.cut_face.push_back(cut_face);
-  solid.surface.push_back(cut_face >= 0 ? -1 : 0);
+  solid.mesh.triangle.push_back(triangle);
+  solid.mesh.cut_face.push_back(cut_face);
+  solid.mesh.surface.push_back(cut_face >= 0 ? -1 : 0);
 }
 
 Solid named(const std::string& name) {
   Solid solid;
   solid.name = name;
-  solid.part_names = {"skin", "flesh"};
+  solid.own_look().part_names = {"skin", "flesh"};
   return solid;
 }
 
 /// One face of an octahedron in n^2 triangles, blown up to a sphere.
 void add_octant(Solid& solid, const std::array<glm::vec3, 3>& corner, float radius, int n, const Color& color) {
-  const auto first = static_cast<std::uint32_t>(solid.position.size());
+  const auto first = static_cast<std::uint32_t>(solid.mesh.position.size());
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= n - i; ++j) {
       // Whole numbers first: neighbouring octants then agree to the bit where they meet.
@@ -61,7 +61,7 @@ Solid box(const std::string& name, const glm::vec3& low, const glm::vec3& high, 
       glm::vec3 normal(0);
       normal[axis] = upper ? 1.0f : -1.0f;
       const bool is_cut = axis == 1 && upper;
-      const auto first = static_cast<std::uint32_t>(solid.position.size());
+      const auto first = static_cast<std::uint32_t>(solid.mesh.position.size());
       for (const auto& [s, t] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
         glm::vec3 p;
         p[axis] = upper ? high[axis] : low[axis];
@@ -129,7 +129,7 @@ Scene with_materials() {
   skin.fuzz = {.length = 0.001, .density = 0.5};
   flesh.wet = 1.8;
   flesh.translucency = {.depth = 0.004, .color = Color(1, 0.5f, 0.25f)};
-  scene.solids[0].materials = {skin, flesh};
+  scene.solids[0].own_look().materials = {skin, flesh};
   scene.instances = {{0, {}, "box"}};
   scene.view = {.eye = {0.06, 0.08, 0.1}, .target = {0, 0.015, 0}, .vertical_field = 0.5};
   return scene;

@@ -39,9 +39,9 @@ TEST(Stl, HoldsTheVolumesInMillimetres) {
                 [&](const Instance& i) { return !scene.solids[static_cast<std::size_t>(i.solid)].closed; });
   for (const Instance& instance : scene.instances) {
     const Solid& solid = scene.solids[static_cast<std::size_t>(instance.solid)];
-    for (const glm::uvec3& t : solid.triangle)
-      volume += glm::dot(glm::dvec3(solid.position[t.x]),
-                         glm::cross(glm::dvec3(solid.position[t.y]), glm::dvec3(solid.position[t.z]))) /
+    for (const glm::uvec3& t : solid.mesh.triangle)
+      volume += glm::dot(glm::dvec3(solid.mesh.position[t.x]),
+                         glm::cross(glm::dvec3(solid.mesh.position[t.y]), glm::dvec3(solid.mesh.position[t.z]))) /
                 6;
   }
   const std::string stl = write_stl(scene);
@@ -65,7 +65,7 @@ TEST(Stl, HasTheNormalsOfItsCorners) {
 
 TEST(Stl, LeavesOutTrianglesWithoutArea) {
   Solid leaf = named::leaf("leaf", Color(0.5f));
-  leaf.triangle.push_back({0, 0, 1});
+  leaf.mesh.triangle.push_back({0, 0, 1});
   EXPECT_EQ(value_at<std::uint32_t>(write_stl(gathered({leaf})), 80), 1u);
 }
 
@@ -75,7 +75,7 @@ TEST(Obj, ReadsBackAsItWas) {
   const std::string text = write_obj(gathered({box}));
   EXPECT_THAT(text, testing::HasSubstr("\no a_box\nv "));
   const PlainMesh read = parse_obj(text, "box.obj", "a_box");
-  ASSERT_EQ(read.triangle.size(), box.triangle.size());
+  ASSERT_EQ(read.triangle.size(), box.mesh.triangle.size());
   ASSERT_EQ(read.color.size(), read.position.size());
   double volume = 0;
   for (const glm::uvec3& t : read.triangle)
@@ -93,7 +93,7 @@ TEST(Obj, ReadsBackAsItWas) {
 TEST(Stl, RefusesMoreTrianglesThanItCanCount) {
   Scene scene;
   scene.solids = {named::leaf("leaf", Color(0.5f))};
-  scene.solids[0].triangle.resize(65536, {0, 1, 2});
+  scene.solids[0].mesh.triangle.resize(65536, {0, 1, 2});
   scene.instances.assign(65536, {0, {}, {}});
   try {
     write_stl(scene);

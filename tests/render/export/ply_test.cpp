@@ -79,7 +79,7 @@ TEST(SolidsPly, NormalsTurnWithTheirPiece) {
 TEST(SolidsPly, VerticesOfNoPartSayMinusOne) {
   Scene scene = named::mixed();
   Solid& box = scene.solids[0];
-  box.part[0] = static_cast<std::int32_t>(box.part_names.size());
+  box.mesh.part[0] = static_cast<std::int32_t>(box.look->part_names.size());
   const Ply ply = split(write_solids(scene));
   EXPECT_EQ(value_at<std::int32_t>(ply.body, 24 + 3), -1);
   EXPECT_EQ(value_at<std::int32_t>(ply.body, vertex_bytes + 24 + 3), 0);

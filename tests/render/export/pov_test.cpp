@@ -54,7 +54,7 @@ TEST(Pov, TexturesAreSharedAndBounded) {
 
   // A different colour at every vertex: no more than POV-Ray's memory should bear.
   Solid& ball = scene.solids[0];
-  for (std::size_t v = 0; v < ball.color.size(); ++v) ball.color[v] = 0.5f + 10.0f * ball.position[v];
+  for (std::size_t v = 0; v < ball.mesh.color.size(); ++v) ball.mesh.color[v] = 0.5f + 10.0f * ball.mesh.position[v];
   scene.solids[0] = ball;
   EXPECT_LE(occurrences(write_pov(scene, "x")[1].bytes, "texture{"), 4096u);
 }
@@ -63,7 +63,7 @@ TEST(Pov, AHeapOfThousandsHasFewerColoursToCopyWithEachInstance) {
   Scene scene;
   scene.solids = {named::ball("ball", 0.05f, 40, Color(0.5f))};
   Solid& ball = scene.solids[0];
-  for (std::size_t v = 0; v < ball.color.size(); ++v) ball.color[v] = 0.5f + 10.0f * ball.position[v];
+  for (std::size_t v = 0; v < ball.mesh.color.size(); ++v) ball.mesh.color[v] = 0.5f + 10.0f * ball.mesh.position[v];
   scene.instances.assign(10000, {0, {}, "one"});
   const std::vector<NamedFile> files = write_pov(scene, "x");
   EXPECT_EQ(occurrences(files[0].bytes, "object { Mesh_0 "), 10000u);
@@ -200,9 +200,9 @@ TEST(Pov, EachMaterialHasAFinish) {
 /// are of one part.
 TEST(Pov, TheFirstCutFaceHasTheFinishOfFlesh) {
   Scene scene = named::with_materials();
-  scene.solids[0].part.assign(scene.solids[0].part.size(), 0);
+  scene.solids[0].mesh.part.assign(scene.solids[0].mesh.part.size(), 0);
   const Solid& box = scene.solids[0];
-  const auto cut = std::count(box.cut_face.begin(), box.cut_face.end(), 0);
+  const auto cut = std::count(box.mesh.cut_face.begin(), box.mesh.cut_face.end(), 0);
   ASSERT_EQ(cut, 2);
   const std::string meshes = write_pov(scene, "x")[1].bytes;
   // The finish of each texture, then the textures of each triangle.

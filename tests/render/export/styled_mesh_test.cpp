@@ -23,8 +23,8 @@ Style without_noise() {
 
 Solid speckled_ball() {
   Solid ball = named::ball("ball", 0.05f, 24, {0.5f, 0.4f, 0.1f});
-  ball.noise.base_frequency = 40;
-  ball.noise.keys = {{ball.color[0], {0.1, 0.1}, {1, 0, 0}}};
+  ball.own_look().noise.base_frequency = 40;
+  ball.own_look().noise.keys = {{ball.mesh.color[0], {0.1, 0.1}, {1, 0, 0}}};
   return ball;
 }
 
@@ -34,14 +34,14 @@ TEST(StyledMesh, WeldsWhatIsEqualAndNothingElse) {
   EXPECT_EQ(styled(box).position.size(), 24u);
 
   Solid soup = box;
-  soup.position.clear(), soup.normal.clear(), soup.color.clear(), soup.part.clear();
-  for (glm::uvec3& t : soup.triangle) {
+  soup.mesh.position.clear(), soup.mesh.normal.clear(), soup.mesh.color.clear(), soup.mesh.part.clear();
+  for (glm::uvec3& t : soup.mesh.triangle) {
     for (int k = 0; k < 3; ++k) {
-      soup.position.push_back(box.position[t[k]]);
-      soup.normal.push_back(box.normal[t[k]]);
-      soup.color.push_back(box.color[t[k]]);
-      soup.part.push_back(box.part[t[k]]);
-      t[k] = static_cast<std::uint32_t>(soup.position.size()) - 1;
+      soup.mesh.position.push_back(box.mesh.position[t[k]]);
+      soup.mesh.normal.push_back(box.mesh.normal[t[k]]);
+      soup.mesh.color.push_back(box.mesh.color[t[k]]);
+      soup.mesh.part.push_back(box.mesh.part[t[k]]);
+      t[k] = static_cast<std::uint32_t>(soup.mesh.position.size()) - 1;
     }
   }
   EXPECT_EQ(styled(soup).position.size(), 24u);
@@ -67,40 +67,42 @@ TEST(StyledMesh, PaintTakesColourAndAddsLight) {
   grey.saturation = 0;
   grey.lightness = 0.1;
   const Solid ball = speckled_ball();
-  const glm::vec3 before = to_oklab(ball.color[0]);
+  const glm::vec3 before = to_oklab(ball.mesh.color[0]);
   for (const Color& color : styled(ball, grey).color) {
     const glm::vec3 lab = to_oklab(color);
     EXPECT_NEAR(lab.x, before.x + 0.1, 1e-4);
     EXPECT_NEAR(lab.y, 0, 1e-4);
     EXPECT_NEAR(lab.z, 0, 1e-4);
   }
-  for (const Color& color : styled(ball, without_noise()).color) EXPECT_EQ(color, ball.color[0]);
+  for (const Color& color : styled(ball, without_noise()).color) EXPECT_EQ(color, ball.mesh.color[0]);
 }
 
 TEST(StyledMesh, NormalsAreOfUnitLengthWhateverCame) {
   Solid ball = named::ball("ball", 0.05f, 4, Color(0.5f));
-  const std::vector<glm::vec3> true_normals = ball.normal;
-  ball.normal[0] = {0, 0, 0};
-  ball.normal[1] *= 7.0f;
-  ball.normal[2] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
+  const std::vector<glm::vec3> true_normals = ball.mesh.normal;
+  ball.mesh.normal[0] = {0, 0, 0};
+  ball.mesh.normal[1] *= 7.0f;
+  ball.mesh.normal[2] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
   for (const glm::vec3& normal : styled(ball).normal) EXPECT_NEAR(glm::length(normal), 1, 1e-6);
 }
 
 TEST(StyledMesh, TrianglesThatUseAVertexTwiceAreLeftOut) {
   Solid ball = named::ball("ball", 0.05f, 2, Color(0.5f));
   const std::size_t before = styled(ball).triangle.size();
-  ball.triangle.push_back({0, 0, 1});
-  ball.cut_face.push_back(-1);
+  ball.mesh.triangle.push_back({0, 0, 1});
+  ball.mesh.cut_face.push_back(-1);
   EXPECT_EQ(styled(ball).triangle.size(), before);
 }
 
 /// One place may lie at two of a texture: a seam runs through it.
 TEST(StyledMesh, VerticesAtTwoPlacesOfATextureAreTwo) {
   Solid twice = named::leaf("leaf", Color(0.5f));
-  twice.position.insert(twice.position.end(), {twice.position[0], twice.position[1], twice.position[2]});
-  twice.normal.resize(6, twice.normal[0]), twice.color.resize(6, twice.color[0]), twice.part.resize(6, 0);
-  twice.triangle.push_back({3, 4, 5});
-  twice.cut_face.push_back(-1), twice.surface.push_back(0);
+  twice.mesh.position.insert(twice.mesh.position.end(),
+                             {twice.mesh.position[0], twice.mesh.position[1], twice.mesh.position[2]});
+  twice.mesh.normal.resize(6, twice.mesh.normal[0]), twice.mesh.color.resize(6, twice.mesh.color[0]),
+      twice.mesh.part.resize(6, 0);
+  twice.mesh.triangle.push_back({3, 4, 5});
+  twice.mesh.cut_face.push_back(-1), twice.mesh.surface.push_back(0);
   const auto vertices = [&](const glm::vec2& apart) {
     BakedSolid baked{.solid = twice, .uv = std::vector<glm::vec2>(6, {0.25f, 0.25f}), .texture = {}};
     for (std::size_t v = 3; v < 6; ++v) baked.uv[v] += apart;

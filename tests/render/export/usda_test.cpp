@@ -108,7 +108,7 @@ std::vector<BakedSolid> on_atlases(const Scene& scene) {
   std::vector<BakedSolid> baked;
   for (const Solid& solid : scene.solids) {
     BakedSolid one{.solid = solid, .uv = {}, .texture = {1, 1, {glm::u8vec3(9)}}};
-    one.uv.resize(solid.position.size(), {0.25f, 0.25f});
+    one.uv.resize(solid.mesh.position.size(), {0.25f, 0.25f});
     baked.push_back(std::move(one));
   }
   return baked;
@@ -177,7 +177,7 @@ TEST(Usda, BracesEndWhereTheirLinesBegan) {
 
 TEST(Usda, ShinyPartsAloneHaveAClearCoat) {
   Scene scene = named::with_materials();
-  scene.solids[0].materials[1].wet = 0;
+  scene.solids[0].own_look().materials[1].wet = 0;
   const std::string text = write_usda(scene);
   ASSERT_EQ(occurrences(text, "UsdPreviewSurface"), 2u) << "skin and flesh";
   const std::string words = "float inputs:clearcoat = ";
