@@ -19,10 +19,10 @@ double smoothstep(double low, double high, double x) {
 }
 
 constexpr double offset = 0.37;      // keeps the lattice's zeros off the axis
-constexpr double deviation = 0.27;   // of gradient noise: measured
+constexpr double deviation = 0.27;   // standard deviation of gradient noise, measured
 constexpr double min_radius = 1e-9;  // metres
 
-/// A turn that brings no lattice plane to lie in a usual cut.
+/// A rotation after which no lattice plane lies in a usual cut.
 glm::dvec3 turned(const glm::dvec3& p) {
   return {(2 * p.x - p.y + 2 * p.z) / 3 + offset, (2 * p.x + 2 * p.y - p.z) / 3 + offset,
           (2 * p.y + 2 * p.z - p.x) / 3 + offset};
@@ -30,7 +30,7 @@ glm::dvec3 turned(const glm::dvec3& p) {
 
 double radius_of(const glm::dvec3& p) { return std::sqrt(p.x * p.x + p.z * p.z); }
 
-/// About the length of the skin from the fruit's middle up to its foot: heights on flanks, radii on ends.
+/// The approximate length of the skin from the fruit's middle up to a place: heights on flanks, radii on ends.
 double way_up(const DetailSketch& detail, const glm::dvec3& foot) {
   const double height = foot.y - detail.middle;
   return height + std::clamp(height / detail.middle, -1.0, 1.0) * (detail.reach - radius_of(foot));
@@ -56,14 +56,14 @@ PatternPlace place_in_layer(const DetailSketch& detail, const glm::dvec3& positi
           std::max(1.0, std::fabs(out) / radius)};
 }
 
-/// Dots in the middle of unit cells: at most one in each.
+/// Dots near the middle of unit cells, at most one in each.
 double dots(const DetailSketch& detail, const glm::dvec3& point, double pitch, std::uint32_t seed) {
   const glm::dvec3 low(std::floor(point.x), std::floor(point.y), std::floor(point.z));
   const std::uint32_t hash = lattice_hash(lattice_cell(low.x), lattice_cell(low.y), lattice_cell(low.z), seed);
   const double chance =
       static_cast<double>(lattice_hash(static_cast<std::int32_t>(hash & 0x7fffffffu), 1, 0, seed) >> 8) / 16777216.0;
   if (chance >= detail.density) return 0;
-  // Small chances make small dots; all are wholly within their cell.
+  // Rare dots are small; every dot lies within its cell.
   const double widest = 0.5 * pitch;
   const double min = widest * detail.smallest / detail.size;
   const double radius = min + (widest - min) * chance / detail.density;
@@ -73,7 +73,7 @@ double dots(const DetailSketch& detail, const glm::dvec3& point, double pitch, s
   return 1 - smoothstep(0.9 * (1 - detail.softness), 1.0, distance);
 }
 
-/// Whether two details of one seed have the same pattern, as far as it does not lie in space.
+/// Whether two details of one seed have the same pattern, apart from its place in space.
 bool have_one_shape(const DetailSketch& one, const DetailSketch& other) {
   const auto all = [](const DetailSketch& d) {
     return std::tuple(d.kind, d.size, d.smallest, d.width, d.density, d.softness, d.wander, d.variety);
@@ -101,7 +101,7 @@ Pattern::Pattern(const DetailSketch& detail, std::uint32_t seed, const Pattern* 
   shape_.ramp = spread * (0.12 + 1.3 * detail.softness);
   shape_.pitch = 0.62;
 
-  // The mean of many places.
+  // The mean over many places.
   constexpr int places = 1024;
   const RandomStream stream({0, seed}, "detail/mean");
   for (int i = 0; i < places; ++i) {
@@ -122,9 +122,9 @@ PatternValue Pattern::operator()(const glm::dvec3& position, const DetailGuide& 
           shape_.mean.tone + shown * (value.tone - shape_.mean.tone)};
 }
 
-/// \param fine how much of what is finer than the size is shown.
+/// \param fine how much of features finer than the size is shown, 0..1.
 PatternValue Pattern::at(glm::dvec3 point, double fine) const {
-  // Noise carries places off, so that the pattern wanders.
+  // Noise moves places, so that the pattern wanders.
   point = turned(point);
   const std::uint32_t seed = shape_.seed;
   if (detail_.wander > 0) {
@@ -132,7 +132,7 @@ PatternValue Pattern::at(glm::dvec3 point, double fine) const {
     point += 1.6 * detail_.wander * glm::dvec3(a, b, -a);
   }
 
-  // Fibres and streaks are where noise passes a threshold; the other kinds are dots, or borders of cells.
+  // Fibres and streaks lie where noise exceeds a threshold; the other kinds are dots, or borders of cells.
   switch (detail_.kind) {
     case DetailKind::fibres:
     case DetailKind::streaks: {

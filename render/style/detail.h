@@ -1,5 +1,5 @@
-// Texture detail drawn out along a fruit's surfaces (paper, section 6): patterns in coordinates that its guides give.
-// The formulas live here and, mirrored, in shaders/detail.glsl; a test holds them together.
+// Texture detail that follows a fruit's surfaces (paper, section 6): patterns in coordinates from its guides.
+// shaders/detail.glsl has the same formulas; a test compares them.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace pomona {
 /// A place in a pattern whose features are of size 1.
 struct PatternPlace {
   glm::dvec3 point{0};
-  double squeeze = 1;  ///< features are this many times finer here than `size` says, as rays are near the core
+  double squeeze = 1;  ///< features are this many times finer here than `size`, as rays are near the core
 };
 
 /// With p the position, v = to_skin the way to the foot on the skin, l the layer's depth, w = size, h = length:
@@ -27,26 +27,26 @@ struct PatternPlace {
 /// s is about the length of the skin from the middle of the fruit up to the foot.
 PatternPlace pattern_place(const DetailSketch& detail, const glm::dvec3& position, const DetailGuide& guide);
 
-/// What a pattern does at a place, before amounts.
+/// The effect of a pattern at a place, before amounts.
 struct PatternValue {
-  double share = 0;  ///< 0..1 of the detail's amount
-  double tone = 0;   ///< OKLab lightness, times the amount: -1..1
+  double share = 0;  ///< share of the detail's amount, 0..1
+  double tone = 0;   ///< change of OKLab lightness, times the amount: -1..1
 };
 
-/// A detail made ready for many places.
+/// A detail, prepared for many places.
 class Pattern {
  public:
-  /// \param like its shape is taken over if it is the same pattern: it takes a millisecond to find.
+  /// \param like a detail whose shape is reused if the pattern is the same, which saves a millisecond.
   explicit Pattern(const DetailSketch& detail, std::uint32_t seed, const Pattern* like = nullptr);
 
-  /// With the footprint times the squeeze over the size growing from 1/4 to 1/2, it goes over into its mean.
+  /// Between 1/4 and 1/2 of (footprint times squeeze over size) the pattern fades into its mean.
   PatternValue operator()(const glm::dvec3& position, const DetailGuide& guide, double footprint) const;
 
-  /// Numbers that the GPU wants, too (shaders/detail.glsl).
+  /// Numbers that the GPU needs, too (shaders/detail.glsl).
   struct Shape {
-    double threshold = 0;  ///< of noise, above which there is a line
-    double ramp = 1;       ///< half the width of the passage
-    double pitch = 1;      ///< of dots: cells per size
+    double threshold = 0;  ///< value of the noise above which there is a line
+    double ramp = 1;       ///< half the width of the transition
+    double pitch = 1;      ///< cells per size, for dots
     PatternValue mean;
     std::uint32_t seed = 0;
   };

@@ -17,8 +17,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double clear_depth =
-    0.0034;  // metres of light's way into a part, from which on it is a gel (shaders/lit.glsl)
+constexpr double clear_depth = 0.0034;  // metres; a part that lets light in deeper is a gel (shaders/lit.glsl)
 
 std::uint64_t cell_key(const glm::i64vec3& cell) {
   constexpr std::uint64_t mask = (1u << 21) - 1;
@@ -28,7 +27,7 @@ std::uint64_t cell_key(const glm::i64vec3& cell) {
 
 glm::i64vec3 rim_cell(const glm::dvec3& p) { return {glm::floor(p / FaceRelief::reach)}; }
 
-/// The height's profile: of the relief, and by how much it grows per way of 2 |relief|.
+/// The height as a share of the relief, and its slope per distance of 2 |relief|.
 struct ReliefProfile {
   double share = 1, growth = 0;
 };
@@ -48,7 +47,7 @@ FaceRelief::FaceRelief(const Solid& solid) : solid_(solid), group_of_(solid.mesh
   if (!groups_.empty()) find_borders();
 }
 
-/// A group for each part on each face, of parts that have something to show.
+/// Makes a group for each part on each face, of parts with a relief or gel.
 void FaceRelief::group_triangles() {
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> known;
   for (std::size_t t = 0; t < solid_.mesh.triangle.size(); ++t) {
@@ -85,7 +84,7 @@ void FaceRelief::find_borders() {
 }
 
 void FaceRelief::add(Group& group, const Segment& segment) {
-  // Known in every cell from which it is within reach.
+  // Enters the edge into every cell that is within reach of it.
   const glm::i64vec3 low = rim_cell(glm::min(segment.from, segment.to) - reach);
   const glm::i64vec3 high = rim_cell(glm::max(segment.from, segment.to) + reach);
   const auto index = static_cast<std::uint32_t>(segments_.size());
@@ -104,7 +103,7 @@ RimPlace FaceRelief::at(std::uint32_t triangle, const glm::dvec3& place) const {
   RimPlace found{.height = group.relief};
   if (cell == group.cells.end()) return found;
 
-  // The nearest; at a corner the mean of both sides' ways inwards.
+  // The nearest edge; at a corner the mean of both edges' inward directions.
   constexpr double alike = 1e-9;  // metres
   double min = reach;
   glm::dvec3 inwards(0);
@@ -131,7 +130,7 @@ RimPlace FaceRelief::at(std::uint32_t triangle, const glm::dvec3& place) const {
 std::vector<RimPlace> FaceRelief::at_vertices() const {
   std::vector<RimPlace> places(solid_.mesh.position.size());
   if (empty()) return places;
-  // Just within each triangle, so that a corner on the border knows which way is inwards.
+  // Just within each triangle, so that a corner on the border knows its inward direction.
   std::vector<int> count(places.size(), 0);
   constexpr double within = 0.02;
   for (std::uint32_t t = 0; t < solid_.mesh.triangle.size(); ++t) {

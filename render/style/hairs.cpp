@@ -11,10 +11,10 @@ namespace pomona {
 
 namespace {
 
-/// Metres squared to square millimetres.
+/// Square millimetres in a square metre.
 constexpr double square_millimetres = 1e6;
 
-/// How many hairs a triangle grows, not rounded.
+/// The number of hairs of a triangle, not rounded.
 double hairs_on(const Solid& solid, std::size_t triangle) {
   if (solid.mesh.cut_face[triangle] >= 0) return 0;
   const Fuzz fuzz = material_of(solid, solid.mesh.part[solid.mesh.triangle[triangle].x]).fuzz;
@@ -22,7 +22,7 @@ double hairs_on(const Solid& solid, std::size_t triangle) {
   return fuzz.length > 0 ? fuzz.density * area * square_millimetres : 0;
 }
 
-/// Draws from one stream in turn.
+/// Random numbers from one stream, one after another.
 class HairDraws {
  public:
   explicit HairDraws(const RandomStream& stream, std::uint64_t first) : stream_(stream), next_(first) {}
@@ -40,7 +40,7 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& fallback) {
 }
 
 Hair hair_on(const Solid& solid, const glm::uvec3& t, HairDraws draws) {
-  // A place in the triangle, evenly.
+  // A uniformly random place in the triangle.
   double u = draws.share(), v = draws.share();
   if (u + v > 1) u = 1 - u, v = 1 - v;
   const auto blend = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -50,7 +50,7 @@ Hair hair_on(const Solid& solid, const glm::uvec3& t, HairDraws draws) {
   const glm::dvec3 n =
       unit_or(blend(solid.mesh.normal[t.x], solid.mesh.normal[t.y], solid.mesh.normal[t.z]), {0, 1, 0});
 
-  // Down along the skin, and astray.
+  // Down along the skin, and to a random side.
   const double astray_x = draws.signed_share(), astray_y = draws.signed_share(), astray_z = draws.signed_share();
   const glm::dvec3 way = glm::dvec3(0, -0.8, 0) + glm::dvec3(astray_x, astray_y, astray_z);
   const glm::dvec3 along = unit_or(way - n * glm::dot(way, n), glm::dvec3(0));
@@ -74,7 +74,7 @@ std::vector<Hair> hairs_of(const Solid& solid, std::size_t max) {
   if (total == 0) return hairs;
   const double kept = std::min(1.0, static_cast<double>(max) / total);
 
-  // Walk over the triangles and set one hair whenever a whole one has come together.
+  // Goes over the triangles and sets a hair whenever their shares add up to one.
   const RandomStream stream({}, "fuzz");
   constexpr std::uint64_t draws_per_hair = 8;
   double sown = 0;

@@ -15,7 +15,7 @@ namespace {
 /// Weights below this change nothing that eight bits could show.
 constexpr double min_weight = 1e-3;
 
-/// How near a colour is to what a detail keeps to, 0..1. \param unmodulated in OKLab
+/// How near a colour is to the `near` of a detail, 0..1. \param unmodulated in OKLab
 double nearness(const Look::Detail& detail, const glm::dvec3& unmodulated) {
   const DetailSketch& sketch = detail.pattern.detail();
   if (!sketch.near) return 1;
@@ -23,7 +23,7 @@ double nearness(const Look::Detail& detail, const glm::dvec3& unmodulated) {
   return reproducible::exp(-glm::dot(d, d) / (2 * sketch.near_within * sketch.near_within));
 }
 
-/// How much a detail counts for a colour.
+/// The weight of a detail for a colour.
 double weight_of(const Look::Detail& detail, const glm::dvec3& unmodulated, double share) {
   const double weight = detail.pattern.detail().amount * share;
   return std::fabs(weight) < min_weight ? weight : weight * nearness(detail, unmodulated);
@@ -94,7 +94,7 @@ Color Look::operator()(const Color& unmodulated, const LookPlace& place) const {
     lab->x += value.tone * std::fabs(weight) * tone_step;
   }
 
-  // Colours that no detail has touched stay as noise has left them, bit for bit.
+  // Colours without any detail keep the bits that noise has given them.
   if (!lab) return modulated;
   const Color result = from_oklab(glm::vec3(*lab));
   return {std::clamp(result.r, 0.0f, 1.0f), std::clamp(result.g, 0.0f, 1.0f), std::clamp(result.b, 0.0f, 1.0f)};

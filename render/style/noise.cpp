@@ -19,9 +19,9 @@ double smoothstep(double low, double high, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Moves the lattices of the bands apart, so that their zeros do not meet at the origin.
+/// Shifts the lattice of each band, so that their zeros do not meet at the origin.
 constexpr double band_offset = 0.37;
-/// Rings use other lattices than the isotropic noise, one for each count of cells.
+/// Rings use lattices of their own, one for each count of cells.
 constexpr std::uint32_t ring_seed = 64;
 
 /// One ring of 2^level cells around the axis; below level 2 the noise does not turn with the azimuth.
@@ -32,7 +32,7 @@ double ring_noise(const glm::dvec2& radius_height, double turn, int level, std::
   return gradient_noise_around({radius_height, turn * cells}, seed, cells);
 }
 
-/// More cells than this around an axis are never needed at any footprint we draw with.
+/// No footprint in use needs more cells around the axis.
 constexpr int finest_ring = 16;
 
 double cylinder_noise(const glm::dvec3& stretch, const glm::dvec3& position, double frequency, std::uint32_t seed) {
@@ -41,14 +41,14 @@ double cylinder_noise(const glm::dvec3& stretch, const glm::dvec3& position, dou
   const glm::dvec2 radius_height(radius * frequency * stretch.x + band_offset,
                                  position.y * frequency * stretch.y + band_offset);
 
-  // Between which two rings: level is log2 of the wanted number of cells, piecewise linear between powers of two.
+  // Finds the two rings: level is log2 of the wanted number of cells, linear between powers of two.
   const double cells = std::clamp(2.0 * pi * radius * frequency * stretch.z, 2.0, std::ldexp(1.0, finest_ring - 1));
   int exponent = 0;
   const double mantissa = std::frexp(cells, &exponent);  // cells = mantissa 2^exponent, mantissa in [1/2, 1)
   const int level = exponent - 1;
   const double share = smoothstep(0.0, 1.0, 2.0 * mantissa - 1.0);
 
-  // Two uncorrelated noises: keep the variance through the cross-fade.
+  // The two noises are not correlated; scale them so that the variance stays through the cross-fade.
   const double inner = ring_noise(radius_height, turn, level, seed);
   const double outer = ring_noise(radius_height, turn, level + 1, seed);
   const double norm = std::sqrt(share * share + (1.0 - share) * (1.0 - share));
@@ -84,7 +84,7 @@ Modulation::Modulation(const NoiseStyle& style) : style_(style) {
 Color Modulation::operator()(const Color& color, const glm::dvec3& position, double footprint) const {
   if (bands_ == 0) return color;
 
-  // How much of each key this colour is.
+  // The weight of each key for this colour.
   const glm::dvec3 lab = to_oklab(color);
   std::array<double, max_noise_keys> share{};
   double total = 0;

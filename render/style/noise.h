@@ -1,5 +1,5 @@
-// Perlin modulation of colours (paper, section 5): solid noise on several frequency bands, weighted by the
-// colour it modulates. The formula lives here and, mirrored, in shaders/noise.glsl; a test holds them together.
+// Perlin modulation of colours (paper, section 5): solid noise on several frequency bands, weighted by the colour it
+// modulates. shaders/noise.glsl has the same formula; a test compares them.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@
 
 namespace pomona {
 
-/// More keys or bands than these are left out, on the CPU as on the GPU.
+/// Further keys and bands are ignored, on the CPU and on the GPU.
 constexpr int max_noise_keys = 16;
 constexpr int max_noise_bands = 8;
 
-/// Band `band` of a style at a fruit's position, in [-1, 1], before weights and band limit.
+/// The noise of band `band` at a fruit's position, in [-1, 1], before weights and band limit.
 ///
 /// With stretch (1, 1, 1): gradient_noise(f p + offset), f = base_frequency 2^band. Otherwise the lattice lies
 /// along the cylinder's coordinates: radius r (distance from the axis) times f stretch.x, height y times
@@ -26,7 +26,7 @@ constexpr int max_noise_bands = 8;
 /// the azimuth. Small stretch.y: streaks from pole to pole. Small stretch.x: rays, fibres to the skin.
 double band_noise(const NoiseStyle& style, const glm::dvec3& position, int band);
 
-/// A noise style made ready for many colours.
+/// A noise style, prepared for many colours.
 class Modulation {
  public:
   explicit Modulation(const NoiseStyle& style);
@@ -34,14 +34,13 @@ class Modulation {
   /// The colour with noise on it. With L = OKLab(color):
   ///   lambda_k = exp(-|L - L_k|^2 / 2 sigma^2) + 1e-6, normalised;
   ///   a_b = sum lambda_k weights_kb; D = sum lambda_k axis_k;
-  ///   m = sum a_b fade_b n_b(position); result = clamp(RGB(L + m D)),
-  /// where fade_b = 1 - smoothstep(1/4, 1/2, f_b footprint) keeps bands out that pixels cannot show.
-  /// Where m is zero the colour returns as it came, bit for bit.
-  /// \param position in the fruit's own frame, metres: two cuts of a fruit agree where they meet.
-  /// \param footprint size of a pixel or texel there, metres; 0 for a point.
+  /// m = sum a_b fade_b n_b(position); result = clamp(RGB(L + m D)), where fade_b = 1 - smoothstep(1/4, 1/2, f_b
+  /// footprint) removes bands that pixels cannot show. Where m is zero the colour returns bit for bit. \param position
+  /// in the fruit's own frame, metres: two cuts of a fruit agree where they meet. \param footprint size of a pixel or
+  /// texel there, metres; 0 for a point.
   Color operator()(const Color& color, const glm::dvec3& position, double footprint) const;
 
-  /// One key as the formula and the GPU want it.
+  /// One key as the formula and the GPU need it.
   struct Key {
     glm::dvec3 lab{0};
     glm::dvec3 axis{0};
@@ -49,7 +48,7 @@ class Modulation {
   };
   const std::vector<Key>& keys() const { return keys_; }
   const NoiseStyle& style() const { return style_; }
-  int bands() const { return bands_; }  ///< 0: nothing to do
+  int bands() const { return bands_; }  ///< 0 if the style has no noise
 
  private:
   NoiseStyle style_;
@@ -57,7 +56,7 @@ class Modulation {
   int bands_ = 0;
 };
 
-/// One-off form of Modulation.
+/// Modulation of a single colour.
 Color modulated(const NoiseStyle& style, const Color& unmodulated, const glm::dvec3& fruit_position,
                 double footprint = 0);
 

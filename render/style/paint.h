@@ -1,4 +1,4 @@
-// What a style does to colours that are painted, wherever they end up: on paper, in a texture, at a vertex.
+// A style's saturation and lightness, for all painted colours: on paper, in textures, at vertices.
 #pragma once
 
 #include "generator/base/color.h"
@@ -10,11 +10,11 @@ class Paint {
  public:
   explicit Paint(const Style& style) : saturation_(style.saturation), lightness_(style.lightness) {}
 
-  /// The colour with the style's saturation and lightness. \param lift added lightness on top, OKLab. The colour
-  /// itself, bit for bit, where nothing is asked for.
+  /// The colour with the style's saturation and lightness. \param lift further lightness, OKLab. Without any change it
+  /// returns the colour bit for bit.
   Color operator()(const Color& color, double lift = 0) const;
 
-  /// Whether it leaves all colours alone.
+  /// Whether it changes no colour.
   bool is_plain() const { return saturation_ == 1 && lightness_ == 0; }
 
  private:

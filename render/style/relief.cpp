@@ -11,7 +11,7 @@ namespace {
 
 constexpr double min_step = 1e-5;  // metres
 constexpr double min_open = 0.4;
-constexpr double closed_by_depth = 1.2;  // of the light, in a pit as deep as it is wide
+constexpr double closed_by_depth = 1.2;  // loss of light per depth below the mean, relative to the size of the pattern
 
 glm::dvec3 unit(const glm::dvec3& v) { return v / std::sqrt(glm::dot(v, v)); }
 

@@ -1,5 +1,5 @@
-// Relief: the height of details along the normal, as the slope that shading and normal maps want. Together with
-// face_relief.h it is all that is known of the depth of a surface beyond its mesh; no vertex moves.
+// Relief: the height of details along the normal, as the slope for shading and normal maps. With face_relief.h it is
+// all depth beyond the mesh; no vertex moves.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,21 +9,22 @@
 
 namespace pomona {
 
-/// What lies on a surface, beyond its mesh.
+/// Height and slope of a surface beyond its mesh.
 struct Relief {
-  double height = 0;    ///< metres, along the normal
-  glm::dvec3 slope{0};  ///< of the height, at right angles to the normal
-  double open = 1;      ///< share of the light from all sides that comes to it, 0.4..1: less deep in pits
+  double height = 0;    ///< height along the normal, metres
+  glm::dvec3 slope{0};  ///< slope of the height, at right angles to the normal
+  double open = 1;      ///< share of the light from all sides that arrives, 0.4..1: less in deep pits
 };
 
-/// Of the details at a place. The slope is taken over half a footprint; shaders/detail.glsl does the same.
-/// \param unmodulated the colour there before noise and details. \param normal unit
+/// The relief of details at a place. The slope is taken over half a footprint, as in shaders/detail.glsl. \param
+/// unmodulated the colour there before noise and details. \param normal unit
 Relief relief_at(const Look& look, const Color& unmodulated, const LookPlace& place, const glm::dvec3& normal);
 
-/// The guide at a place beside: the way to the skin and the layer are shorter by as much as it lies nearer to the skin.
+/// The guide at a neighbouring place: the way to the skin and the layer change by as much as it lies nearer to the
+/// skin.
 DetailGuide guide_beside(const DetailGuide& guide, const glm::dvec3& step);
 
-/// The normal of a surface of this slope.
+/// The normal of a surface with this slope.
 glm::dvec3 tilted(const glm::dvec3& normal, const glm::dvec3& slope);
 
 }  // namespace pomona

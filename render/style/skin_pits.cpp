@@ -18,7 +18,7 @@ namespace {
 constexpr int max_cells_along = 64;
 constexpr std::size_t max_pits = 100'000;
 constexpr std::size_t max_spots = 100'000;
-constexpr double spot_step = 1.0 / 128;  // of its radius, over which its slope is taken
+constexpr double spot_step = 1.0 / 128;  // share of a spot's radius over which its slope is taken
 constexpr int texels_of_pit = 2, texels_of_spot = 6;
 
 double depth_around(const Solid& solid, std::size_t triangle) {
@@ -38,7 +38,7 @@ SkinPits::SkinPits(const Solid& solid) : spots_(solid.raised) {
 
 /// A connected set of triangles of a part on the skin is a grain.
 void SkinPits::find(const Solid& solid) {
-  DisjointSets islands(solid.mesh.position.size());  // joined by triangles, or as they lie at one place
+  DisjointSets islands(solid.mesh.position.size());  // vertices that share a triangle or a place
   std::map<std::tuple<float, float, float>, std::uint32_t> known;
   for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     if (!(depth_around(solid, t) > 0)) continue;
@@ -50,7 +50,7 @@ void SkinPits::find(const Solid& solid) {
     }
   }
 
-  // The middle of each grain's box, and how far it reaches from there.
+  // The middle of each grain's box, and its radius around it.
   struct Grain {
     Box<float> box;
     double depth = 0;
@@ -118,7 +118,7 @@ void SkinPits::add_pits(const std::vector<std::uint32_t>& own, const glm::dvec3&
   }
 }
 
-/// The slope from two places beside, in the plane of the surface.
+/// The slope, from two neighbouring places in the plane of the surface.
 void SkinPits::add_spots(const std::vector<std::uint32_t>& own, const glm::dvec3& place, const glm::dvec3& normal,
                          PitPlace& found) const {
   const glm::dvec3 aside = std::fabs(normal.y) < 0.8 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);

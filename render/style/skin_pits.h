@@ -1,5 +1,5 @@
-// What is sunk in skins or stands out from them: the pits that parts lie in, a strawberry's achenes, and spots with a
-// relief. The look alone; no vertex moves.
+// Relief of skins: pits around parts, such as a strawberry's achenes, and spots. It changes shading only; no vertex
+// moves.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,17 @@
 
 namespace pomona {
 
-/// Of a place on a skin.
+/// The relief at a place on a skin.
 struct PitPlace {
-  double height = 0;    ///< metres, below 0 in pits and sunken spots
-  glm::dvec3 slope{0};  ///< of the height, metres per metre; not yet within the skin
-  double inside = 0;    ///< 0 = out of all that is sunk, 1 = in the middle of it
+  double height = 0;    ///< height in metres, below 0 in pits and sunken spots
+  glm::dvec3 slope{0};  ///< slope of the height, metres per metre, not yet projected into the skin
+  double inside = 0;    ///< 0 = outside of all pits, 1 = in the middle of one
 };
 
 /// A pit around each grain of a part with `pit` that a solid shows on its skin. With x the distance from the grain's
 /// middle as a share of the pit's radius, which is `wider` times the grain's own,
-///   height = -pit (1 - x^2)^2, from x = 1 on 0
-/// A spot stands out, or is sunk, by its relief times its share there (cover_of). Heights of what overlaps add up.
-/// shaders/skin_pits.glsl does the same.
+/// height = -pit (1 - x^2)^2, from x = 1 on 0 A spot stands out, or is sunk, by its relief times its cover there
+/// (cover_of). Heights add up. shaders/skin_pits.glsl does the same.
 class SkinPits {
  public:
   static constexpr double wider = 1.9;
@@ -33,13 +32,13 @@ class SkinPits {
   bool empty() const { return pits_.empty() && spots_.empty(); }
   std::size_t count() const { return pits_.size(); }
 
-  /// \param normal the surface's there, to air, unit.
+  /// \param normal unit normal of the surface, towards air.
   PitPlace at(const glm::dvec3& place, const glm::dvec3& normal) const;
 
-  /// As shaders read it: the grid's lowest corner and its cells' side; the numbers of cells along x, y and z; for each
-  /// cell where its list begins in these texels, how many pits it has, and how many spots behind them; the lists, two
-  /// texels a pit: middle and radius, depth; six a spot: middle and radius, tangent and stretch, normal and softness,
-  /// four waves, relief.
+  /// Texels for shaders: the grid's lowest corner and the side of its cells; the numbers of cells along x, y and z; for
+  /// each cell the start of its list in these texels, its number of pits and of spots; the lists, two texels a pit
+  /// (middle and radius, depth) and six a spot (middle and radius, tangent and stretch, normal and softness, four
+  /// waves, relief).
   std::vector<glm::vec4> texels() const;
 
  private:
@@ -56,7 +55,7 @@ class SkinPits {
   glm::ivec3 cell_at(const glm::dvec3& place) const;
   std::size_t index(const glm::ivec3& cell) const;
 
-  /// Numbers of what reaches into a cell.
+  /// Indices of the pits and spots that reach into a cell.
   struct Cell {
     std::vector<std::uint32_t> pits, spots;
   };
@@ -64,7 +63,7 @@ class SkinPits {
   std::vector<Pit> pits_;
   std::vector<Spot> spots_;
   glm::dvec3 low_{0};
-  double side_ = 1;  // of a cell, metres
+  double side_ = 1;  // side of a cell, metres
   glm::ivec3 count_{0};
   std::vector<Cell> cells_;
 };

@@ -15,7 +15,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t max_bytes = 65536;  // a style is a page, not a book
+constexpr std::size_t max_bytes = 65536;  // limit of a style file
 
 void read_ink(const TomlTable& table, Style& style) {
   style.ink = table.get("lines").boolean(style.ink);

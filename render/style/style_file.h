@@ -1,5 +1,5 @@
-// From a style's TOML, on disk or built into the program, to a Style (docs/reference/style.md), every error with file,
-// line and column.
+// Reads a Style from TOML, on disk or built into the program (docs/reference/style.md); every error has file, line and
+// column.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ Style parse_style(std::string_view toml, const std::string& file);
 /// The same from disk. \throws Error (input_missing) if it cannot be read.
 Style read_style(const std::filesystem::path& file);
 
-/// The styles that come with Pomona, as they were when it was built, in the order of their names.
+/// The styles that are built into the program, in the order of their names.
 std::vector<Style> all_styles();
 
 /// One of all_styles(). \throws Error (usage) with the nearest name.

@@ -25,7 +25,7 @@ SourcePlace entry_place(const std::string& file, const std::string& list, const 
       if (named && named->text == name) return {file, named->place.line, named->place.column, {}};
     }
   } catch (const Error&) {
-    // It is no TOML any more; the file as a whole is named.
+    // The file is not TOML any more: name it as a whole.
   }
   return {file, 0, 0, {}};
 }

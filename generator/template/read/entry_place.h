@@ -1,4 +1,4 @@
-// Where a template says what was found wrong with it only when it was grown.
+// Finds the place in a template's file of a mistake that only growing has found.
 #pragma once
 
 #include <string>
@@ -7,9 +7,8 @@
 
 namespace pomona {
 
-/// The place of the entry of a list ("surface", "mesh", "grains") with this name in a template's file; the file as a
-/// whole where it cannot be told. The file is read again: it is asked for when there is something to complain of, and
-/// sketches need not carry places around.
+/// The place in a template's file of the entry with this name in a list ("surface", "mesh", "grains"), or the file as a
+/// whole if there is none. It reads the file again, so that sketches need not carry places; only mistakes need it.
 SourcePlace entry_place(const std::string& file, const std::string& list, const std::string& name);
 
 }  // namespace pomona

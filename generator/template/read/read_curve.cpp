@@ -19,7 +19,7 @@ bool fits(const Curve& curve) {
 
 void put_start_on_axis(std::vector<glm::dvec2>& points, double near) {
   if (points.empty() || std::abs(points.front().x) > near) return;
-  // What wavers about the axis before the curve leaves it goes.
+  // Removes points that waver about the axis before the curve leaves it.
   std::size_t first = 0;
   while (first + 2 < points.size() && points[first + 1].x <= 0 && points[first + 1].x >= -near) ++first;
   points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
@@ -71,7 +71,7 @@ std::optional<DrawnCurve> CurveReader::parse(const TomlValue& value, SketchView 
 std::optional<DrawnCurve> CurveReader::read(const TomlValue& value, SketchView view) {
   if (!value.given()) return {};
   if (!value.is(TomlNode::Kind::string)) {
-    value.text();  // notes that it is none
+    value.text();  // notes a fault if it is not a text
     return {};
   }
   try {
@@ -95,7 +95,7 @@ bool CurveReader::is_group(const TomlValue& value, SketchView view) const {
   try {
     return sketch_->is_group(view, value.text().substr(1));
   } catch (const BadSketch&) {
-    return false;  // reading it as a curve will tell
+    return false;  // reading it as a curve notes the fault
   }
 }
 

@@ -1,4 +1,4 @@
-// A curve as a template gives it: path data on the spot, or "#name" of a curve in the sketch.
+// Reads a curve of a template: path data, or "#name" of a curve in the sketch.
 #pragma once
 
 #include <cstddef>
@@ -12,25 +12,25 @@
 
 namespace pomona {
 
-/// What "#name" refers to.
+/// The sketch that "#name" refers to.
 struct SketchOfTemplate {
-  const Sketch* sketch = nullptr;  ///< null where there is none
-  bool named = false;              ///< the template names one; if it cannot be read, that has been noted
+  const Sketch* sketch = nullptr;  ///< null if the template has none
+  bool named = false;              ///< whether the template names one; if it cannot be read, the fault has been noted
 };
 
-/// Reads curves one after another, and counts their points: all of a template's together may have a million.
-/// The sketch must outlive it.
+/// Reads curves one after another, and counts their points: all curves of a template may have a million. The sketch
+/// must outlive this reader.
 class CurveReader {
  public:
-  /// \param unit metres of one unit of path data on the spot.
+  /// \param unit metres of one unit of the template's own path data.
   CurveReader(double unit, const SketchOfTemplate& source)
       : unit_(unit), sketch_(source.sketch), sketch_named_(source.named) {}
 
-  /// Notes what is wrong and returns nothing then. What the sketch says stands nearest to the axis is put onto it, at
-  /// the ends of vertical curves around the axis.
+  /// Returns nothing after a fault, which is noted. Ends of vertical curves of the sketch that almost touch the axis
+  /// are put onto it.
   std::optional<DrawnCurve> read(const TomlValue& value, SketchView view);
 
-  /// Whether the value names a group of the sketch; its curves in the order of the file.
+  /// The curves of the group that the value names, in the order of the file, or nothing if it names no group.
   bool is_group(const TomlValue& value, SketchView view) const;
   std::vector<DrawnCurve> read_group(const TomlValue& value, SketchView view);
 
@@ -43,13 +43,14 @@ class CurveReader {
   const Sketch* sketch_;
   bool sketch_named_;
   std::size_t points_left_ = 1000000;
-  std::vector<std::string> noted_;  ///< what a view lacks is told at its first curve, not at all of them
+  std::vector<std::string> noted_;  ///< faults of a view that were noted at its first curve, to be left out at the
+                                    ///< others
 };
 
-/// Whether a text is a name in a sketch and no path data.
+/// Whether a text is a name in a sketch, not path data.
 bool names_sketch(const TomlValue& value);
 
-/// The curve with ends that almost touch the axis put onto it: nobody's hand is steady enough to end there.
+/// Moves ends of the curve that almost touch the axis onto it: no hand draws them there exactly.
 Curve ended_on_axis(Curve curve);
 
 /// Notes a fault of a curve at the value that gave it.

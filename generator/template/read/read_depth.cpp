@@ -6,7 +6,7 @@ namespace pomona {
 
 namespace {
 
-constexpr Within deep{0, 1};  // metres below the skin
+constexpr Within deep{0, 1};  // allowed depths below the skin, metres
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Values that change with the depth below the skin, as templates write them.
+// Reads values that change with the depth below the skin.
 #pragma once
 
 #include "generator/template/ramp.h"
@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// A number, or stops [["0mm", number], ["8mm", number], ...] by the depth below the skin, metres.
+/// Reads a number, or stops [["0mm", number], ["8mm", number], ...] by the depth below the skin; depths become metres.
 Ramp<double> read_depth_ramp(const TomlValue& value, double fallback, Within within);
 
 }  // namespace pomona

@@ -17,12 +17,12 @@ const std::vector<std::string> kind_names = {"fibres", "cells", "speckles", "str
 const std::vector<std::string> run_names = {"none", "to_skin", "along", "around"};
 const std::vector<std::string> face_names = {"cut", "skin"};
 
-/// Where a kind is when nobody says.
+/// The face on which a kind of detail lies unless `on` says otherwise.
 DetailFace usual_face(DetailKind kind) {
   return kind == DetailKind::fibres || kind == DetailKind::cells ? DetailFace::cut : DetailFace::skin;
 }
 
-/// A part's name or several.
+/// Reads one name of a part, or several.
 std::vector<int> read_parts(const TomlValue& value, const Template& fruit) {
   std::vector<int> parts;
   if (fruit.parts.empty()) return parts;
@@ -35,7 +35,7 @@ std::vector<int> read_parts(const TomlValue& value, const Template& fruit) {
   return parts;
 }
 
-/// A length, or the least and the most.
+/// Reads a length, or the smallest and the largest.
 void read_sizes(const TomlValue& value, DetailSketch& detail) {
   if (!value.is(TomlNode::Kind::array)) {
     detail.size = detail.smallest = value.length(detail.size, detail_size);
@@ -49,7 +49,7 @@ void read_sizes(const TomlValue& value, DetailSketch& detail) {
   if (detail.smallest > detail.size) value.error("is least first, then most");
 }
 
-/// Towards a colour, or in a direction of OKLab.
+/// Reads where the detail moves colours: towards a colour, or in a direction of OKLab.
 void read_change(const TomlTable& table, DetailSketch& detail) {
   detail.amount = table.need("amount").number(0, {-1, 1});
   const TomlValue color = table.get("color"), axis = table.get("axis");
@@ -66,7 +66,7 @@ void read_change(const TomlTable& table, DetailSketch& detail) {
   if (detail.axis == glm::vec3(0)) axis.error("has no direction", "[1, 0, 0] is from dark to light");
 }
 
-/// What scales the patterns that run around a fruit: its largest radius and half its height, as drawn.
+/// The largest radius and half the height of the drawn fruit, which scale patterns that run around it.
 void measure(const Template& fruit, DetailSketch& detail) {
   const HeightRange heights = drawn_heights(fruit);
   if (heights.high > heights.low) detail.middle = 0.5 * (heights.high - heights.low);

@@ -1,4 +1,4 @@
-// The [[detail]] tables of a template file.
+// Reads the [[detail]] tables of a template file.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-/// After the fruit's parts and surfaces are read.
+/// Needs the fruit's parts and surfaces, so read these first.
 std::vector<DetailSketch> read_details(const TomlValue& value, const Template& fruit);
 
 }  // namespace pomona

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t max_looks = 8, max_cores = 4;
 
-/// Two numbers of 0..1, all of it if they are not given; `wraps` lets the second be the smaller one.
+/// Reads two numbers of 0..1, by default all of it; `wraps` allows a second number below the first.
 std::pair<double, double> read_stretch(const TomlValue& value, bool wraps = false) {
   if (!value.given()) return {0, 1};
   const std::vector<TomlValue> ends = value.values();
@@ -128,7 +128,7 @@ void refuse_both_hidden(const TomlTable& table, const Side& front, const Side& b
   if (front.hidden && back.hidden) table.error("have both sides hidden", "hide only the side that faces air");
 }
 
-/// Sides not given stay the grain's own.
+/// Sides that are not given stay those of the grain.
 std::vector<GrainLook> read_looks(const TomlTable& table, const GrainSketch& grain) {
   std::vector<GrainLook> looks;
   double sum = 0;
@@ -189,8 +189,8 @@ std::vector<GrainCore> read_cores(const TomlTable& table, const Template& fruit)
   return cores;
 }
 
-/// Solid grains lie apart by what they are thick, whatever their spacing says; a spacing far below that would have
-/// millions of places tried in vain.
+/// Solid grains keep their thickness apart, whatever their spacing; with a much smaller spacing millions of places
+/// would be tried in vain.
 void refuse_crowd(const TomlTable& table, const GrainSketch& grain) {
   constexpr double max = 8;
   const double thick = std::min({grain.form.length, grain.form.width, grain.form.thickness});

@@ -1,4 +1,4 @@
-// One [[grains]] of a template file.
+// Reads one [[grains]] table of a template file.
 #pragma once
 
 #include "generator/template/template.h"
@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// `fruit` has its parts and surfaces already; the name is the caller's to check.
+/// `fruit` has its parts and surfaces already. The caller checks the name.
 GrainSketch read_grains(const TomlTable& table, const Template& fruit);
 
 }  // namespace pomona

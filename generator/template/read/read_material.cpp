@@ -7,7 +7,7 @@ namespace {
 constexpr Within share{0, 1};
 constexpr Within strength{0, 4};
 constexpr Within relief_height{-0.01, 0.01};  // metres
-constexpr double dry_roughness = 0.45;        // what is so rough is dry, where nothing says how wet it is
+constexpr double dry_roughness = 0.45;        // parts at least this rough are dry unless `wet` is given
 constexpr double usual_dry_wet = 0.15;
 
 Bloom read_bloom(const TomlTable& table) {

@@ -1,4 +1,4 @@
-// The [material.PART] tables of a template file.
+// Reads the [material.PART] tables of a template file.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-/// One per part, in their order.
+/// Returns one material per part, in their order.
 std::vector<MaterialSketch> read_materials(const TomlTable& table, const std::vector<std::string>& parts);
 
 }  // namespace pomona

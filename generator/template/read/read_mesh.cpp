@@ -16,7 +16,7 @@ namespace pomona {
 namespace {
 
 constexpr std::size_t max_bytes = std::size_t{64} << 20;
-constexpr std::size_t max_bytes_together = std::size_t{128} << 20;  // of all meshes of a template
+constexpr std::size_t max_bytes_together = std::size_t{128} << 20;  // limit of all meshes of a template together
 constexpr Within anywhere{-10, 10};                                 // metres
 constexpr Within on_earth{-1e8, 1e8};                               // metres; scans lie where they were taken
 
@@ -28,7 +28,7 @@ std::optional<MeshFormat> format_of(const fs::path& file) {
   return {};
 }
 
-/// The bytes of the file the value names; what is wrong with it is noted there.
+/// The bytes of the file that the value names. Faults are noted at the value.
 std::shared_ptr<const MeshFile> read_bytes(const TomlValue& value, const fs::path& folder) {
   // Only meshes are read, and only from the template's folder.
   const fs::path file = folder / value.text();
@@ -57,7 +57,7 @@ std::shared_ptr<const MeshFile> read_bytes(const TomlValue& value, const fs::pat
 std::shared_ptr<const MeshFile> read_once(const TomlValue& value, const fs::path& folder,
                                           const std::vector<MeshSketch>& known) {
   if (!value.is(TomlNode::Kind::string)) {
-    value.text();  // notes that it is none, if it is there
+    value.text();  // notes a fault if there is a value that is no text
     return {};
   }
   const std::string path = (folder / value.text()).string();
@@ -87,7 +87,7 @@ glm::dvec3 read_point(const TomlValue& value, const Within& where) {
   return point;
 }
 
-/// A side whose colour is left to the file where none is given.
+/// Reads a side that takes the file's colours if it gives none.
 Side read_mesh_side(const TomlTable& table, const std::vector<std::string>& parts) {
   if (table.has("color")) {
     const Side side = read_surface_side(table, parts, {});
@@ -126,7 +126,7 @@ MeshSketch read_mesh(const TomlTable& table, const std::vector<std::string>& par
   if (table.has("flip")) mesh.flip = table.get("flip").boolean(false);
   mesh.at = read_point(table.get("at"), on_earth);
 
-  // Plain meshes need sides; surface files bring theirs, and may be painted over.
+  // Plain meshes need sides. Surface files have their own, which given sides paint over.
   const bool is_plain = mesh.file && mesh.file->format != MeshFormat::ply;
   const bool is_painted = table.has("front") || table.has("back") || table.has("blur") || table.has("ramps_from");
   if (is_plain || is_painted) mesh.paint = read_mesh_paint(table, parts);

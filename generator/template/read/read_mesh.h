@@ -1,4 +1,4 @@
-// One [[mesh]] of a template file.
+// Reads one [[mesh]] table of a template file.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace pomona {
 
-/// Reads the table, and the bytes of the file it names, which lies in `folder` (the template's) or below. A file that
-/// `known` meshes have read already is shared with them.
+/// Reads the table and the bytes of its file, which lies in `folder` (the template's) or below. It shares the bytes of
+/// a file that `known` meshes have read.
 MeshSketch read_mesh(const TomlTable& table, const std::vector<std::string>& parts, const std::filesystem::path& folder,
                      const std::vector<MeshSketch>& known);
 

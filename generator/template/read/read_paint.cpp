@@ -30,7 +30,7 @@ std::optional<PatchPlace> read_place(const TomlValue& value, SurfaceType type) {
   return place;
 }
 
-/// "2mm", or the least and the most: ["1mm", "3mm"].
+/// Reads "2mm", or the smallest and the largest: ["1mm", "3mm"].
 void read_size(const TomlValue& value, SpotSketch& spots) {
   if (!value.is(TomlNode::Kind::array)) {
     spots.size_min = spots.size_max = value.length(spots.size_min, sizes);
@@ -61,7 +61,7 @@ void read_scatter(const TomlTable& table, SpotSketch& spots) {
   read_band(table.get("band"), spots);
 }
 
-/// Between two colours nobody sees a height.
+/// Only sides that face air show a height.
 double read_relief(const TomlTable& table, bool faces_air) {
   const TomlValue value = table.get("relief");
   if (table.has("relief") && !faces_air)
@@ -103,7 +103,7 @@ Ramp<Color> read_color_ramp(const TomlValue& value, const Color& fallback) {
   return read_ramp<Color>(value, fallback, read_color);
 }
 
-/// One value for each fold, or for the first ones; they are taken in turn.
+/// Reads one value for each fold, or for the first ones; further folds take them in turn.
 template <typename Value, typename Read>
 std::vector<Value> read_folds(const TomlValue& value, int folds, Read read) {
   if (!value.given()) return {};
@@ -181,7 +181,7 @@ PaintedBlur read_painted_blur(const TomlValue& value) {
 Side read_uncolored_side(const TomlTable& table, const std::vector<std::string>& parts) {
   Side side;
   const TomlValue part = table.need("part");
-  if (!parts.empty()) side.part = part.choice(parts);  // with none known, that is the one mistake to report
+  if (!parts.empty()) side.part = part.choice(parts);  // without parts, that one mistake is enough to report
   side.hidden = table.get("hidden").boolean(false);
   return side;
 }

@@ -1,4 +1,4 @@
-// Ramps and painted sides as template files spell them.
+// Reads ramps and painted sides of template files.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace pomona {
 
-/// A value, or stops [[0.0, value], [0.4, value], ...] that ascend within 0..1; `read` turns one TOML value into
-/// one of the ramp.
+/// Reads a value, or stops [[0.0, value], [0.4, value], ...] that ascend within 0..1; `read` reads one value of the
+/// ramp.
 template <typename Value, typename Read>
 Ramp<Value> read_ramp(const TomlValue& value, const Value& fallback, Read read) {
   if (!value.is(TomlNode::Kind::array)) return Ramp<Value>::constant(value.given() ? read(value) : fallback);
@@ -22,8 +22,8 @@ Ramp<Value> read_ramp(const TomlValue& value, const Value& fallback, Read read) 
   return ramp.stops.empty() ? Ramp<Value>::constant(fallback) : ramp;
 }
 
-/// The same for a whole turn: where there is no stop at 0 or none at 1, values go on evenly from the last stop over
-/// the seam to the first. A jump there needs a stop at both.
+/// Reads a ramp around a whole turn. Without a stop at 0 or at 1, values go on evenly from the last stop over the seam
+/// to the first; a jump there needs stops at both.
 template <typename Value, typename Read>
 Ramp<Value> read_turn(const TomlValue& value, const Value& fallback, Read read) {
   Ramp<Value> ramp = read_ramp<Value>(value, fallback, read);
@@ -40,27 +40,27 @@ Ramp<Value> read_turn(const TomlValue& value, const Value& fallback, Read read) 
   return ramp;
 }
 
-/// A length, a ramp of lengths along, or { along = ..., around = ..., turn = ... }.
+/// Reads a length, a ramp of lengths along, or { along = ..., around = ..., turn = ... }.
 PaintedBlur read_painted_blur(const TomlValue& value);
 
-/// { part = "skin", color = ..., hidden = true }, the side of a grain. The colour is "#rrggbb", a ramp along, or
-/// { along = ..., around = ... }. `sample` and `stops` say where `pomona sketch --sample` took the colours along;
-/// here they are only checked.
+/// Reads the side of a grain, { part = "skin", color = ..., hidden = true }. The colour is "#rrggbb", a ramp along, or
+/// { along = ..., around = ... }. `sample` and `stops` say where `pomona sketch --sample` took the colours along; they
+/// are only checked here.
 Side read_side(const TomlTable& table, const std::vector<std::string>& parts);
 
-/// Part and `hidden` alone, for what brings its colours along.
+/// Reads `part` and `hidden` alone, for meshes that have colours of their own.
 Side read_uncolored_side(const TomlTable& table, const std::vector<std::string>& parts);
 
-/// The colour of such a side alone.
+/// Reads the colour of such a side alone.
 PaintedColor read_painted_color(const TomlValue& value);
 
-/// What the paint of a surface has to fit.
+/// What paint of a surface is checked against.
 struct PaintedSurface {
   SurfaceType type = SurfaceType::around_axis;
   int folds = 0;  ///< 0: the fruit is cylindrical
 };
 
-/// The same with all that surfaces have and grains have not: the colour's `turn` and `folds`, `coats` and `spots`.
+/// Reads the side of a surface, which besides has the colour's `turn` and `folds`, `coats` and `spots`.
 Side read_surface_side(const TomlTable& table, const std::vector<std::string>& parts, const PaintedSurface& surface);
 
 }  // namespace pomona

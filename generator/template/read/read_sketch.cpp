@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uintmax_t max_bytes = std::uintmax_t{64} << 20;
 
-/// The SVG beside a template: nothing outside its folder, and no device or pipe.
+/// Reads the SVG beside a template: no file outside its folder, no device or pipe.
 fs::path find_svg(const fs::path& folder, const std::string& name) {
   const std::string quoted = "\"" + name.substr(0, 200) + "\"";
   const fs::path file = folder / name;

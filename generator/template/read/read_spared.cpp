@@ -23,7 +23,7 @@ bool is_closed(const SurfaceSketch& surface) {
 }
 
 void check_spared(const TomlValue& value, const Template& fruit, int part) {
-  bool has_shell = !fruit.meshes.empty();  // meshes are looked at when they are cut
+  bool has_shell = !fruit.meshes.empty();  // meshes are checked when they are cut
   for (const SurfaceSketch& surface : fruit.surfaces) {
     if (!is_inner(surface.front, surface.back, part)) continue;
     has_shell = true;

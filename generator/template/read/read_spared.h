@@ -8,8 +8,8 @@
 
 namespace pomona {
 
-/// [part]: those that knives leave whole, ascending. A part must lie behind a sharp surface that closes around it,
-/// which the template's surfaces and grains must already tell.
+/// Reads [part]: the parts that knives leave whole, ascending. Such a part must lie behind a sharp surface that closes
+/// around it, so the template's surfaces and grains must be known already.
 std::vector<int> read_spared(const TomlTable& table, const Template& fruit);
 
 }  // namespace pomona

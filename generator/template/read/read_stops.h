@@ -1,4 +1,4 @@
-// Stops of ramps as template files spell them.
+// Reads the stops of ramps in template files.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace pomona {
 
-/// What to tell the author of a list of stops.
+/// Words for messages about a list of stops.
 struct StopHints {
   std::string one;  ///< how a stop is written
   std::string all;  ///< how the list is
 };
 
-/// [[place, value], ...] with ascending places; `read_at` turns one TOML value into a place, `read` one into a value.
+/// Reads [[place, value], ...] with ascending places; `read_at` reads a place, `read` a value.
 template <typename Value, typename ReadAt, typename Read>
 std::vector<typename Ramp<Value>::Stop> read_stops(const TomlValue& value, ReadAt read_at, Read read,
                                                    const StopHints& hints) {

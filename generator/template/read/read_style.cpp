@@ -12,7 +12,7 @@ constexpr std::size_t max_noise_keys = 64;
 std::vector<double> read_numbers(const TomlValue& value, std::size_t min, std::size_t max, Within within) {
   std::vector<double> numbers;
   if (!value.is(TomlNode::Kind::array)) {
-    value.values();  // notes that it is none, if it is there
+    value.values();  // notes a fault if the value is no list
     return numbers;
   }
   for (const TomlValue& number : value.values()) numbers.push_back(number.number(0, within));

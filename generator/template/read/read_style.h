@@ -1,4 +1,4 @@
-// The [noise] and [ink] of a template file.
+// Reads the [noise] and [ink] of a template file.
 #pragma once
 
 #include "generator/template/ink_style.h"

@@ -43,7 +43,7 @@ double largest_x(const Curve& curve) {
   return largest;
 }
 
-/// The fold whose lines lie to either side of most of the loop.
+/// The fold that holds most of the loop between its two lines.
 std::size_t fold_of(const Curve& loop, const std::vector<double>& angles) {
   glm::dvec2 sum(0);
   for (const glm::dvec2& p : loop.points) sum += p;
@@ -68,7 +68,7 @@ void SketchSurfaceReader::read_vertical(const TomlTable& table, SurfaceSketch& s
   }
   note(value, *drawn, fault);
 
-  // Ramps along start at the bottom, whichever way the curve was drawn.
+  // Ramps along start at the bottom, so turn curves that were drawn downwards.
   std::vector<glm::dvec2>& points = sketch.vertical.points;
   const bool downwards = !sketch.vertical.closed && !points.empty() && points.front().y > points.back().y;
   if (downwards) std::reverse(points.begin(), points.end());

@@ -1,4 +1,4 @@
-// One [[surface]] of a template file.
+// Reads one [[surface]] table of a template file.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace pomona {
 
-/// Reads surfaces one after another; what they share is the drawing: its curves, parts and folds.
+/// Reads surfaces one after another. They share the drawing's curves, parts and folds.
 class SketchSurfaceReader {
  public:
   SketchSurfaceReader(CurveReader curves, std::vector<std::string> parts, Symmetry symmetry)
       : curves_(curves), parts_(std::move(parts)), symmetry_(std::move(symmetry)) {}
 
-  /// Notes what is wrong in the table's document. Vertical curves keep the height at which they were drawn.
+  /// Notes faults in the table's document. Vertical curves keep the height at which they were drawn.
   SurfaceSketch read(const TomlTable& table);
 
  private:

@@ -59,7 +59,7 @@ std::vector<double> drawn_fold_angles(const TomlValue& folds, int count, const S
   }
 }
 
-/// Where neither the file nor the sketch (may be null) says where folds begin, they are even.
+/// Where folds begin, from the file, else from the sketch (may be null), else even.
 Symmetry read_symmetry(const TomlTable& table, const Sketch* sketch) {
   const int kind = table.need("kind").choice({"cylindrical", "folds", "none"});
   if (kind == 0) return CylindricalSymmetry{};
@@ -81,7 +81,7 @@ std::optional<Sketch> read_sketch_of(const TomlTable& root, const std::string& f
                                      std::optional<std::string_view> svg) {
   const TomlValue value = root.get("sketch");
   if (!value.is(TomlNode::Kind::string)) {
-    value.text();  // notes that it is none, if it is there
+    value.text();  // notes a fault if there is a value that is no text
     return {};
   }
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
@@ -128,7 +128,7 @@ std::vector<SurfaceSketch> read_surfaces(const TomlTable& root, SketchSurfaceRea
   return surfaces;
 }
 
-/// Names differ from those of drawn surfaces too.
+/// Names must also differ from those of drawn surfaces.
 std::vector<MeshSketch> read_meshes(const TomlTable& root, const Template& fruit) {
   std::vector<MeshSketch> meshes;
   std::vector<std::string> names;
@@ -167,7 +167,7 @@ double set_on_ground(std::vector<SurfaceSketch>& surfaces) {
   return lowest;
 }
 
-/// The bend, which must leave room for what is drawn.
+/// Reads the bend, which must leave room for the drawing.
 void read_bend_of(Template& fruit, const TomlValue& value) {
   fruit.bend = read_bend(value.table());
   if (!fruit.meshes.empty())
@@ -180,7 +180,7 @@ void read_bend_of(Template& fruit, const TomlValue& value) {
   fruit.bend = {};
 }
 
-/// From air to lead, part by part; those that are not named are as dense as the fruit.
+/// Reads densities part by part, from air to lead. Other parts are as dense as the fruit.
 std::vector<double> read_densities(const TomlTable& table, const Template& fruit) {
   std::vector<double> densities;
   for (const std::string& part : fruit.parts) densities.push_back(table.get(part).number(fruit.density, {1, 20000}));
@@ -197,7 +197,7 @@ void read_head(const TomlTable& root, Template& fruit) {
   if (root.has("densities")) fruit.densities = read_densities(root.get("densities").table(), fruit);
 }
 
-/// How the drawing lies, of which the lowest point was `lowest` metres high.
+/// How the drawing lies; its lowest point was `lowest` metres high.
 void place_views(const std::optional<Sketch>& sketch, double unit, double lowest, DrawnTemplate& drawn) {
   const SvgTransform upright{unit, 0, 0, -unit, 0, 0}, lowered = translation({0, -lowest});
   drawn.side = sketch ? sketch->to_metres(SketchView::side) : upright;
@@ -216,7 +216,7 @@ DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& fil
   fruit.file = file;
   read_head(root, fruit);
 
-  // Curves need the unit, and paint needs the parts: without them their own mistakes cannot be told.
+  // Curves need the unit and paint needs the parts. Without them further mistakes would be misleading.
   const bool may_lack_unit = root.has("sketch") || (root.has("mesh") && !root.has("surface"));
   const TomlValue unit_value = may_lack_unit ? root.get("unit") : root.need("unit");
   const double unit = unit_value.length(1e-3, {1e-6, 1});

@@ -1,4 +1,4 @@
-// From a template's TOML to a Template, every error with file, line and column.
+// Reads a Template from TOML; every error has file, line and column.
 #pragma once
 
 #include <filesystem>
@@ -15,17 +15,17 @@ namespace pomona {
 /// \throws Error (bad_data) with all errors, also unknown keys, ordered by position.
 Template parse_template(std::string_view toml, const std::string& file);
 
-/// A template and how its drawing lies: what those need who show both at one place.
+/// A template and how its drawing lies, for callers that show both at one place.
 struct DrawnTemplate {
   Template fruit;
 
-  /// From the drawing to metres of the fruit: of the side view distance from the axis and height; of the top view +X
-  /// and -Z. In units of the page for a sketch, of the template for curves that it holds itself. Nothing where a
-  /// sketch lacks the view.
+  /// Maps from the drawing to metres of the fruit: the side view to distance from the axis and height, the top view to
+  /// +X and -Z. The drawing is in units of the page for a sketch, else in the template's units. Nothing if a sketch
+  /// lacks the view.
   std::optional<SvgTransform> side, top;
 };
 
-/// The same with `svg` for the sketch that the template names, whatever lies on disk. \throws Error as above
+/// The same with `svg` as the sketch that the template names, instead of the file on disk. \throws Error as above
 DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& file, std::optional<std::string_view> svg);
 
 /// The same from disk. \throws Error (input_missing) if it cannot be read.

@@ -18,7 +18,7 @@ BendVariation read_bend_variation(const TomlTable& table) {
   return bend;
 }
 
-/// One [number, share] of the folds. What is no such pair has a share that is no number.
+/// One [number, share] of the folds. Anything else gets NaN as its share.
 CountVariation::Folds read_folds(const TomlValue& value) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<TomlValue> pair = value.values();
@@ -29,7 +29,7 @@ CountVariation::Folds read_folds(const TomlValue& value) {
   return {pair[0].integer(1, 1, max_folds), pair[1].number(none, {0, 1})};
 }
 
-/// How often each number of folds is seen: [[4, 0.1], [5, 0.9]].
+/// Reads how often each number of folds occurs: [[4, 0.1], [5, 0.9]].
 std::vector<CountVariation::Folds> read_fold_counts(const TomlValue& value, const Template& fruit) {
   std::vector<CountVariation::Folds> counts;
   if (!std::holds_alternative<FoldSymmetry>(fruit.symmetry)) {
@@ -50,9 +50,9 @@ std::vector<CountVariation::Folds> read_fold_counts(const TomlValue& value, cons
   return counts;
 }
 
-/// Which share of the folds, or of the fruits, has a surface: { seed = 0.8 }.
+/// Reads the share of the folds, or of the fruits, that have a surface: { seed = 0.8 }.
 std::vector<CountVariation::Presence> read_presence(const TomlTable& table, const Template& fruit) {
-  constexpr std::size_t max_names = 1000;  // each is looked for among all others
+  constexpr std::size_t max_names = 1000;  // each is compared with all others
   std::vector<CountVariation::Presence> present;
   for (const std::string& name : table.keys()) {
     const TomlValue value = table.get(name);

@@ -1,4 +1,4 @@
-// The [variation] and [bend] of a template file.
+// Reads the [variation] and [bend] of a template file.
 #pragma once
 
 #include "generator/template/axis_bend.h"
@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-/// All but colours, which are read last (read_ripeness.h). `fruit` has its symmetry and surfaces already.
+/// Reads all but colours, which come last (read_ripeness.h). `fruit` has its symmetry and surfaces already.
 VariationSketch read_variation(const TomlTable& table, const Template& fruit);
 AxisBend read_bend(const TomlTable& table);
 

@@ -16,9 +16,9 @@ namespace pomona {
 namespace {
 
 constexpr int deepest_clone = 16;
-constexpr std::size_t max_visits = 100000;  // of elements for one name, clones included
+constexpr std::size_t max_visits = 100000;  // limit of visited elements for one name, clones included
 
-/// What follows the word in "scale 60mm".
+/// The text behind the word in "scale 60mm".
 std::string length_in(std::string_view name) {
   name.remove_prefix(5);
   while (!name.empty() && std::string_view(" -_:=").find(name.front()) != std::string_view::npos) name.remove_prefix(1);
@@ -46,7 +46,7 @@ Sketch::Sketch(SvgDrawing drawing, std::optional<double> unit) : drawing_(std::m
     try {
       if (found.layer) found.frame = find_frame(view);
     } catch (const BadSketch& bad) {
-      found.fault = bad;  // told when a curve needs this view
+      found.fault = bad;  // reported when a curve needs this view
     }
   }
 }
@@ -60,7 +60,7 @@ std::string Sketch::called(const SvgElement& element) const {
 
 std::string Sketch::called(const Placed& shape) const { return called(shape.clone ? *shape.clone : *shape.element); }
 
-/// Clones may repeat clones: what is visited is counted, not only what is found.
+/// Clones may repeat clones, so count all visits, not only what is found.
 struct Sketch::Walk {
   std::vector<Placed> found;
   std::size_t visits = 0;
@@ -72,14 +72,14 @@ void Sketch::visit_original(const SvgElement& clone, const Placed& from, int dep
   if (found == by_id_.end()) throw BadSketch(what + " is a clone of nothing", "unlink it, or draw it anew");
   const SvgElement& original = *found->second;
 
-  // The original as if it stood in the clone instead of where it stands.
+  // The original, moved into the clone's place.
   const auto out_of_there = inverse(original.around);
   if (!out_of_there) throw BadSketch(what + " repeats what a transform flattens", "draw it anew");
   const SvgTransform moved = from.to_page * clone.to_page * translation(clone.position) * *out_of_there;
   visit(original, {&original, moved, from.clone ? from.clone : &clone}, depth + 1, walk);
 }
 
-/// \param from what moves the element, and the clone that shows it.
+/// \param from the transform of the element, and the clone that shows it.
 void Sketch::visit(const SvgElement& element, const Placed& from, int depth, Walk& walk) const {
   const std::string what = called(element);
   if (!element.fault.empty()) {
@@ -122,7 +122,7 @@ Sketch::Placed Sketch::shape_of(SketchView view, const std::string& name) const 
 Curve Sketch::on_page(const Placed& shape) const {
   const std::string what = called(shape);
   try {
-    // Inkscape's unit is about a millimetre: a hundredth of it is nothing one could draw.
+    // Inkscape's unit is about a millimetre; nobody draws a hundredth of it.
     std::vector<Curve> curves =
         parse_svg_path(*shape.element->d, {.unit = 1, .tolerance = 1e-2, .transform = shape.to_page});
     Curve all;
@@ -158,9 +158,9 @@ glm::dvec2 Sketch::top_axis() const {
   const SvgElement& element = find(SketchView::top, "axis");
   const std::vector<Placed> shapes = shapes_of(element);
   if (shapes.size() == 1 && shapes[0].element->center) return shapes[0].to_page(*shapes[0].element->center);
-  Curve all;  // of a cross, say, of two lines
+  Curve all;  // all lines together, as of a cross
   for (const Placed& shape : shapes) {
-    constexpr std::size_t max_points = 10'000;  // a drawing of clones of clones may have any number
+    constexpr std::size_t max_points = 10'000;  // clones of clones may have any number
     const Curve curve = on_page(shape);
     if (all.points.size() + curve.points.size() > max_points)
       throw BadSketch(called(element) + " has too many points", "draw a small circle where the axis is");
@@ -243,7 +243,7 @@ DrawnCurve Sketch::drawn(const Placed& shape, const Frame& frame, std::size_t ma
     const SvgPathOptions options{
         .unit = frame.unit, .max_points = max_points, .transform = frame.from_page * shape.to_page};
     std::vector<Curve> curves = parse_svg_path(*shape.element->d, options);
-    // A pen put down and taken up again leaves no curve.
+    // A subpath of one point is not a curve.
     if (curves.size() > 1) std::erase_if(curves, [](const Curve& curve) { return curve.points.size() < 2; });
     if (curves.empty()) throw BadSketch(what + " is empty", "draw it");
     if (curves.size() > 1) {

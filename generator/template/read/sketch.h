@@ -26,22 +26,22 @@ inline const char* name_of(SketchView view) { return view == SketchView::side ? 
 
 struct DrawnCurve {
   Curve curve;        ///< metres; the axis at x = 0 or at 0,0, y upwards
-  std::string title;  ///< for messages: curve "skin" (kiwi.svg:12:5)
+  std::string title;  ///< its name in messages: curve "skin" (kiwi.svg:12:5)
 };
 
-/// A sketch, read but not yet judged. Names are compared without regard to case, and with spaces, - and _ as the same.
-/// All functions throw BadSketch for what is missing or cannot be told, with the name and the place in the SVG.
+/// A sketch that has been read but not checked. Names ignore case, and spaces, - and _ are the same. All functions
+/// throw BadSketch, with the name and the place in the SVG, for what is missing or ambiguous.
 class Sketch {
  public:
-  /// \param unit metres of one unit of the page, for views without a line of known length ("scale 60mm");
-  /// without it the file's own real size counts.
+  /// \param unit metres of one unit of the page, for views without a line of known length ("scale 60mm"); without it
+  /// the real size of the page counts.
   Sketch(SvgDrawing drawing, std::optional<double> unit);
   Sketch(Sketch&&) = default;
 
-  /// The one curve of this name in a view, in metres. Several subpaths are an error.
+  /// The curve of this name in a view, in metres. Several subpaths are an error.
   DrawnCurve curve(SketchView view, const std::string& name, std::size_t max_points) const;
 
-  /// Whether the name in this view is that of a group, whose curves group() gives.
+  /// Whether the name in this view is a group; group() gives its curves.
   bool is_group(SketchView view, const std::string& name) const;
   std::vector<DrawnCurve> group(SketchView view, const std::string& name, std::size_t max_points) const;
 
@@ -50,17 +50,17 @@ class Sketch {
   /// ascend beyond a full turn, the whole view is turned until it lies at the right.
   std::vector<double> fold_angles(int folds) const;
 
-  /// From the page to metres as curve() gives them; nothing for a view that is not there or cannot be measured.
+  /// Maps from the page to the metres of curve(); nothing for a view that is missing or has no scale.
   std::optional<SvgTransform> to_metres(SketchView view) const;
 
-  /// A shape where it is drawn: clones are drawn elsewhere than what they repeat.
+  /// A shape with its place; a clone has another place than its original.
   struct Placed {
     const SvgElement* element;
     SvgTransform to_page;
-    const SvgElement* clone = nullptr;  ///< that draws it there, if one does
+    const SvgElement* clone = nullptr;  ///< the clone that draws it there, if any
   };
 
-  /// What this path, shape or clone of the drawing shows, in whatever layer it is.
+  /// The shapes that this path, shape or clone shows, in any layer.
   std::vector<Placed> shapes_of(const SvgElement& element) const;
 
   /// A curve of either view as `count` points of the page, evenly spaced along it, from the bottom up.
@@ -78,7 +78,7 @@ class Sketch {
     const SvgElement* layer = nullptr;
     std::map<std::string, std::vector<const SvgElement*>> named;
     std::optional<Frame> frame;
-    std::optional<BadSketch> fault;  ///< why there is no frame
+    std::optional<BadSketch> fault;  ///< why the view has no frame
   };
 
   View find_view(SketchView view) const;
@@ -88,7 +88,7 @@ class Sketch {
   [[noreturn]] void fail_missing(SketchView view, const std::string& name) const;
   struct Walk;
   std::string called(const SvgElement& element) const;  ///< "skin" (kiwi.svg:12:5)
-  std::string called(const Placed& shape) const;        ///< and of which clone
+  std::string called(const Placed& shape) const;        ///< the same, with the clone
   const SvgElement* outside_the_views(const std::string& name) const;
   bool has_labels() const;
   void visit(const SvgElement& element, const Placed& from, int depth, Walk& walk) const;
@@ -116,7 +116,7 @@ class Sketch {
 /// Reads the SVG that a template names. \throws BadSketch, also for a path that leads out of `folder`.
 Sketch read_sketch(const std::filesystem::path& folder, const std::string& name, std::optional<double> unit);
 
-/// The same of a text that is not on disk yet, as if it lay there under that name.
+/// The same of a text that is not on disk yet, under that name.
 Sketch read_sketch(const std::filesystem::path& folder, const std::string& name, std::optional<double> unit,
                    std::string_view svg);
 

@@ -9,7 +9,7 @@ Diagnostic placed_fault(const BadSketch& bad, const std::string& file) {
   Diagnostic told{{file, 1, 1, {}}, bad.what(), bad.hint};
   if (!told.message.starts_with(file + ":")) return told;
 
-  // LINE:COLUMN: what is wrong.
+  // Parses "LINE:COLUMN: message".
   const char* at = told.message.data() + file.size() + 1;
   const char* const end = told.message.data() + told.message.size();
   SourcePlace place{file, 0, 0, {}};

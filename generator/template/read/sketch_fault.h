@@ -1,4 +1,4 @@
-// What is wrong with a drawing, as users are told of it where no template names it.
+// Reports faults of a drawing that no template names.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace pomona {
 
-/// A message of BadSketch that begins with a place in this file, as a diagnostic at that place; any other at its start.
+/// Makes a diagnostic of a message of BadSketch, at the place in this file with which it begins, else at the file's
+/// start.
 Diagnostic placed_fault(const BadSketch& bad, const std::string& file);
 
 }  // namespace pomona

@@ -26,7 +26,7 @@ std::string fold_name(int fold) { return "fold " + std::to_string(fold); }
 
 }  // namespace
 
-/// As many as are numbered from 1 on.
+/// Counts fold lines, numbered from 1 without gaps.
 int Sketch::count_folds() const {
   const auto& named = view_of(SketchView::top).named;
   int count = 0;
@@ -34,7 +34,7 @@ int Sketch::count_folds() const {
   return count;
 }
 
-/// On the page, from the right against the clock.
+/// The angle on the page, from the right against the clock.
 double Sketch::fold_degrees(int fold, const glm::dvec2& axis) const {
   const Placed shape = shape_of(SketchView::top, fold_name(fold));
   const Curve line = on_page(shape);
@@ -57,13 +57,13 @@ double Sketch::turn_of_folds(const glm::dvec2& axis) const {
       if (fold_degrees(fold, axis) < first) return radians(first);
     }
   } catch (const BadSketch&) {
-    return 0;  // told when the angles are asked for
+    return 0;  // the fault is reported when the angles are read
   }
   return 0;
 }
 
 std::vector<double> Sketch::fold_angles(int folds) const {
-  // A number that is left out means that a line is missing.
+  // A gap in the numbers means that a line is missing.
   const int count = count_folds();
   const auto& named = view_of(SketchView::top).named;
   for (int later = count + 2; later <= 64; ++later) {
@@ -73,7 +73,7 @@ std::vector<double> Sketch::fold_angles(int folds) const {
                     "draw it from the axis outwards, or number the fold lines anew, against the clock");
   }
 
-  // There may be no fold lines; else there is one for each fold.
+  // There are no fold lines, or one for each fold.
   if (count == 0) return {};
   if (count != folds) {
     throw BadSketch("has fold lines numbered 1 to " + std::to_string(count) + " in " + drawing_.file +
@@ -81,7 +81,7 @@ std::vector<double> Sketch::fold_angles(int folds) const {
                     "draw one line for each fold, from the axis outwards, numbered against the clock");
   }
 
-  // Each line must lie beyond the one before it, and none may come round to the first again.
+  // Each line must lie beyond the one before, and none beyond the first again.
   const glm::dvec2 axis = top_axis();
   const double turn = turn_of_folds(axis) * (180 / pi);
   std::vector<double> angles;

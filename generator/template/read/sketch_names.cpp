@@ -1,4 +1,4 @@
-// Finds what a sketch calls by name: its two layers, and the curves in them.
+// Finds things in a sketch by name: its two layers, and the curves in them.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -77,7 +77,7 @@ const SvgElement* Sketch::made_unique(SketchView view, const std::string& name) 
   return only;
 }
 
-/// It may be misspelt, or lie elsewhere.
+/// The name may be misspelt, or the curve may lie elsewhere.
 void Sketch::fail_missing(SketchView view, const std::string& name) const {
   // One of the names that are there may be meant.
   const View& in = view_of(view);

@@ -1,4 +1,4 @@
-// How sketches name things, and how messages about them do.
+// Names in sketches, and in messages about them.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// Names as people type them: "Side View", "side_view" and "side-view" are the same.
+/// A name in its common spelling: "Side View", "side_view" and "side-view" are the same.
 inline std::string plain_name(std::string_view name) {
   std::string result;
   for (const char c : name) {
