@@ -11,16 +11,17 @@ namespace pomona {
 
 namespace {
 
-/// Boxes still to be looked into, nearest on top. 2^31 triangles make at most 31 levels, each of which leaves three.
+/// Boxes that are still to be visited, nearest on top. 2^31 triangles make at most 31 levels, and each leaves three
+/// boxes.
 struct Waiting {
   std::uint32_t child;
   float squared;
 };
 
-/// So many points share a guess; threads take turns by such spans, and no result depends on them.
+/// The number of points that share a guess; threads take such spans in turn, and no result depends on them.
 constexpr std::size_t points_at_once = 512;
 
-/// The children of a node, and theirs as long as there is room: up to four nodes.
+/// The children of a node, and their children while there is room: up to four nodes.
 std::vector<const TriangleTree::Node*> four_below(const TriangleTree& tree, const TriangleTree::Node& node) {
   std::vector<const TriangleTree::Node*> below{&tree.nodes()[node.first], &tree.nodes()[node.first + 1]};
   for (std::size_t i = 0; i < below.size() && below.size() < 4;) {
@@ -68,9 +69,9 @@ void DistanceTree::put_slab(Boxes& boxes, std::size_t lane, std::span<const Tria
   glm::dvec3 sum(0);
   for (const TriangleTree::Corners& t : triangles) sum += glm::cross(t[1] - t[0], t[2] - t[0]);
   const double size = glm::length(sum);
-  if (!(size > 0)) return;  // a slab of no normal is near everything
+  if (!(size > 0)) return;  // a slab without a normal is near everything
 
-  // What is measured is the normal as single precision has it.
+  // Measure along the normal as rounded to single precision.
   const glm::vec3 normal(sum / size);
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
   for (const TriangleTree::Corners& t : triangles) {
@@ -149,7 +150,7 @@ TriangleTree::Nearest DistanceTree::nearest(const glm::dvec3& point, double with
       continue;
     }
 
-    // What may be nearer is kept with the nearest on top.
+    // Keeps the boxes that may be nearer, the nearest on top.
     const Boxes& boxes = boxes_[next.child];
     const Lanes squared = boxes.squared_distances(single);
     const std::size_t first = size;

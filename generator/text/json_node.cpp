@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t max_levels = 32;
 constexpr std::size_t max_values = 1'500'000;
-constexpr std::size_t max_keys = 1000;  // of an object: each is compared with all before it
+constexpr std::size_t max_keys = 1000;  // limit of keys of an object, because each is compared with all before it
 
-/// Reads characters and says how far the parser has come.
+/// Reads characters and knows how many the parser has taken.
 struct CountingIterator {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -43,7 +43,7 @@ struct CountingIterator {
   throw Error(ExitStatus::bad_data, {{place, message, {}}});
 }
 
-/// Takes nlohmann's events and builds the tree. A value starts at the first sign behind the last token.
+/// Builds the tree from nlohmann's events. A value starts at the first character behind the last token.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   TreeBuilder(std::string_view text, const std::string& file)
@@ -88,7 +88,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  /// Where the token that was just read begins. The parser has read `ahead` signs beyond its end.
+  /// The start of the token that was just read. The parser has read `ahead` characters beyond its end.
   SourcePlace next_place(std::size_t ahead) {
     while (last_end_ < text_.size() && std::string_view(" \t\r\n,:]}").find(text_[last_end_]) != std::string_view::npos)
       ++last_end_;

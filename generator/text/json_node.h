@@ -16,15 +16,15 @@ struct JsonNode {
 
   Kind kind = Kind::null;
   int line = 0, column = 0;
-  std::shared_ptr<const std::string> file;  ///< one name for all values
+  std::shared_ptr<const std::string> file;  ///< name of the file, shared by all values
   double number = 0;
   std::string text;
-  std::vector<JsonNode> items;    ///< of an array or an object, in the order of the file
-  std::vector<std::string> keys;  ///< of an object, one per item
+  std::vector<JsonNode> items;    ///< items of an array or an object, in the order of the file
+  std::vector<std::string> keys;  ///< keys of an object, one per item
 
   SourcePlace place() const { return {file ? *file : std::string(), line, column, {}}; }
 
-  /// The value at a key of an object. \throws Error (bad_data) at this node where there is none.
+  /// The value at a key of an object. \throws Error (bad_data) at this node if there is none.
   const JsonNode& need(std::string_view key) const;
 };
 

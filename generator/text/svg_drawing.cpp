@@ -16,9 +16,9 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t max_bytes = std::size_t{64} << 20;  // room for an embedded photograph
+constexpr std::size_t max_bytes = std::size_t{64} << 20;  // limit of a file, with room for an embedded photograph
 constexpr std::size_t max_elements = 200000, max_attributes = 4000000;
-constexpr std::size_t max_path_bytes = std::size_t{256} << 10;  // some 5000 nodes
+constexpr std::size_t max_path_bytes = std::size_t{256} << 10;  // limit of a path: some 5000 nodes
 constexpr int deepest = 64;
 
 std::string at_place(const std::string& file, int line, int column) {
@@ -31,7 +31,8 @@ constexpr std::string_view svg_space = "http://www.w3.org/2000/svg", xlink_space
                            inkscape_space = "http://www.inkscape.org/namespaces/inkscape",
                            serif_space = "http://www.serif.com/";
 
-/// What a prefix usually stands for: where the file does not say, or says it by an entity, which is not expanded.
+/// The usual namespace of a prefix, for files that do not declare it, or declare it by an entity, which is not
+/// expanded.
 std::string_view usual_space(std::string_view prefix) {
   if (prefix.empty() || prefix == "svg") return svg_space;
   if (prefix == "xlink") return xlink_space;
@@ -39,7 +40,7 @@ std::string_view usual_space(std::string_view prefix) {
   return prefix == "serif" ? serif_space : std::string_view();
 }
 
-/// A name of XML in two: its namespace, and what is left of it.
+/// A name of XML: its namespace and its local name.
 struct XmlName {
   std::string_view space, local;
 };
@@ -47,7 +48,7 @@ struct XmlName {
 /// The namespaces that an element declares and those around it.
 class Namespaces {
  public:
-  /// Those within this element.
+  /// The namespaces within this element.
   Namespaces within(const pugi::xml_node& node) const {
     Namespaces result = *this;
     for (const pugi::xml_attribute& attribute : node.attributes()) {
@@ -85,8 +86,8 @@ class Namespaces {
   std::vector<std::pair<std::string_view, std::string_view>> spaces_;  ///< the innermost last
 };
 
-/// The name that was given to a layer or a curve, where an editor has made another id of it: Illustrator writes "fold
-/// 1" as "fold_x0020_1", and a second "axis" as "axis_1_".
+/// The name of a layer or a curve behind the id that an editor has made of it: Illustrator writes "fold 1" as
+/// "fold_x0020_1", and a second "axis" as "axis_1_".
 std::string name_behind(std::string_view id) {
   std::string name;
   for (std::size_t i = 0; i < id.size(); ++i) {
@@ -127,7 +128,7 @@ bool is_container_of_what_is_not_drawn(std::string_view tag) {
   return std::find(std::begin(tags), std::end(tags), tag) != std::end(tags);
 }
 
-/// Reads the elements below a root, each with what it inherits from the one around it.
+/// Reads the elements below a root; each inherits from the one around it.
 class SvgReader {
  public:
   SvgReader(std::string_view text, SvgDrawing& drawing) : places_(text, drawing.file), drawing_(drawing) {}
@@ -153,7 +154,7 @@ class SvgReader {
  private:
   SvgElement element(const pugi::xml_node& node, const SvgElement& around, const Namespaces& names) {
     SvgElement result;
-    // What is not of SVG keeps its whole name, and is no shape.
+    // Elements of other namespaces keep their whole name, and are no shapes.
     const XmlName name = names.name_of(node);
     result.tag = name.space == svg_space ? name.local : "other:" + std::string(name.local);
     result.id = node.attribute("id").value();
@@ -169,7 +170,7 @@ class SvgReader {
     return result;
   }
 
-  /// Inkscape's label; or what other editors keep a name in that their ids, each unique in the file, cannot be.
+  /// Inkscape's label, or the attribute in which other editors keep the name, because ids must be unique in the file.
   static std::string label_of(const pugi::xml_node& node, const Namespaces& names, const std::string& id) {
     std::string_view label = names.attribute(node, inkscape_space, "label");
     if (label.empty()) label = node.attribute("data-name").value();

@@ -15,7 +15,7 @@
 
 namespace pomona {
 
-/// What is wrong with a sketch, and what to redraw; the place is part of the message.
+/// A fault of a sketch, and what to redraw; the place is part of the message.
 struct BadSketch : std::runtime_error {
   BadSketch(const std::string& message, std::string remedy) : std::runtime_error(message), hint(std::move(remedy)) {}
   std::string hint;
@@ -23,16 +23,16 @@ struct BadSketch : std::runtime_error {
 
 struct SvgElement {
   std::string tag;    ///< "g", "path", "image", ...
-  std::string id;     ///< of XML
-  std::string label;  ///< of Inkscape's Layers and Objects dialog; in other editors' files the name behind the id
+  std::string id;     ///< id of XML
+  std::string label;  ///< label in Inkscape's Layers and Objects; in other editors' files the name behind the id
   int line = 0, column = 0;
-  std::size_t end = 0;               ///< the elements from the next one up to here (not included) lie in this one
+  std::size_t end = 0;               ///< the elements from the next one up to this index (not included) lie in this one
   bool drawn = true;                 ///< false in <defs>, <symbol> and the like
-  std::string fault;                 ///< why its place on the page is not known; else empty
-  SvgTransform around;               ///< what it stands in, to the page's coordinates
-  SvgTransform to_page;              ///< its own coordinates to the page's
+  std::string fault;                 ///< why its place on the page is unknown; else empty
+  SvgTransform around;               ///< from the coordinates around it to the page's
+  SvgTransform to_page;              ///< from its own coordinates to the page's
   std::optional<std::string> d;      ///< the path data of a path or of a basic shape
-  std::optional<glm::dvec2> center;  ///< of a circle, ellipse or rectangle
+  std::optional<glm::dvec2> center;  ///< centre of a circle, ellipse or rectangle
   std::string href;                  ///< of an image or a clone (<use>)
   glm::dvec2 position{0}, size{0};   ///< of an image or a clone
   std::string aspect;                ///< an image's preserveAspectRatio

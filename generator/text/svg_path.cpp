@@ -24,7 +24,7 @@ constexpr double largest_placed = 1e9;      // after transforms
 /// An elliptical arc as SVG states it, and the same by its centre (SVG 1.1, appendix F.6.5).
 struct EndpointArc {
   glm::dvec2 from, to, radii;
-  double turn = 0;  ///< of the ellipse's x axis, radians
+  double turn = 0;  ///< angle of the ellipse's x axis, radians
   bool large = false, sweep = false;
 };
 
@@ -35,7 +35,7 @@ class CenteredArc {
     const glm::dvec2 half = 0.5 * (arc.from - arc.to);
     const glm::dvec2 p(cos_ * half.x + sin_ * half.y, cos_ * half.y - sin_ * half.x);
 
-    // Radii too small to span the ends grow until they do.
+    // Radii that are too small to span the ends grow until they do.
     const double reach = glm::dot(p / radii_, p / radii_);
     if (reach > 1) radii_ *= std::sqrt(reach);
 
@@ -104,7 +104,7 @@ class Flattener {
     if (to == current_) return;
     if (radii.x == 0 || radii.y == 0) return add(to);
     const CenteredArc arc({current_, to, radii, angle, large, sweep});
-    // A chord over the angle a strays r (1 - cos(a / 2)) < r a^2 / 8 from its arc.
+    // A chord over the angle a is r (1 - cos(a / 2)) < r a^2 / 8 from its arc.
     const double steps = std::fabs(arc.angle()) * std::sqrt(arc.largest_radius() * scale_ / (8 * options_.tolerance));
     const std::size_t count = checked_steps(steps);
     for (std::size_t i = 1; i < count; ++i) add(arc.at(static_cast<double>(i) / static_cast<double>(count)));
@@ -152,8 +152,8 @@ class Flattener {
     add(start_);
   }
 
-  /// Evenly in the parameter, as many steps as the second differences ask for (Wang's bound): the same for
-  /// the same numbers, whatever the curve around them.
+  /// Even steps of the parameter, as many as Wang's bound (second differences) requires: equal segments give equal
+  /// points.
   void add_cubic(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
     const double bend = std::max(glm::length(a - 2.0 * b + c), glm::length(b - 2.0 * c + d)) * scale_;
     const std::size_t count = checked_steps(std::sqrt(0.75 * bend / options_.tolerance));
@@ -166,9 +166,9 @@ class Flattener {
 
   void add(const glm::dvec2& p) {
     current_ = p;
-    // lib2geom scales the radii of arcs with the C library's sine, whose last bits differ between processors;
-    // on a grid (of a nanometre) they cannot reach anything that follows. It also puts what is drawn
-    // on the axis exactly there, and points drawn alike into one place.
+    // lib2geom scales the radii of arcs with the C library's sine, whose last bits differ between processors; rounding
+    // to a grid of a nanometre removes these. It also puts points on the axis exactly there, and equal points at one
+    // place.
     const auto snapped = [](double metres) { return std::floor(metres * 0x1p30 + 0.5) * 0x1p-30; };
     const glm::dvec2 placed = options_.transform(p);
     const bool fits = std::fabs(placed.x) <= largest_placed && std::fabs(placed.y) <= largest_placed;
@@ -183,15 +183,15 @@ class Flattener {
   }
 
   SvgPathOptions options_;
-  double scale_;  ///< metres that a unit of the path's coordinates may span
+  double scale_;  ///< the most metres that a unit of the path's coordinates spans
   std::vector<Curve> curves_;
   glm::dvec2 start_{0}, current_{0};
   bool open_ = false;
   std::size_t count_ = 0;
 };
 
-/// Takes what lib2geom reads to a Flattener. Its parser leaks what it holds when a sink throws, so the first
-/// fault is kept and the rest of the path ignored.
+/// Passes what lib2geom reads to a Flattener. Its parser leaks memory when a sink throws, so this keeps the first fault
+/// and ignores the rest of the path.
 class Listener final : public Geom::PathSink {
  public:
   explicit Listener(const SvgPathOptions& options) : flattener_(options) {}
@@ -235,7 +235,7 @@ class Listener final : public Geom::PathSink {
   std::optional<BadPath> fault_;
 };
 
-/// lib2geom only says that something is wrong; a stray character can be named.
+/// lib2geom does not say what is wrong; this names a stray character.
 void check_characters(std::string_view data) {
   constexpr std::string_view allowed = "MmZzLlHhVvCcSsQqTtAa0123456789+-.eE, \t\r\n";
   const std::size_t stray = data.find_first_not_of(allowed);

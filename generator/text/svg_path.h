@@ -15,8 +15,8 @@ namespace pomona {
 struct SvgPathOptions {
   double unit = 1e-3;              ///< metres per SVG unit
   double tolerance = 1e-5;         ///< largest distance of a chord from its curve, metres: a tenth of a fine line
-  std::size_t max_points = 65536;  ///< in all subpaths together
-  SvgTransform transform = {};     ///< of the path's coordinates, before all else
+  std::size_t max_points = 65536;  ///< limit of points of all subpaths together
+  SvgTransform transform = {};     ///< applied to the path's coordinates first
 };
 
 /// An error in path data, and a hint. The caller adds the place.

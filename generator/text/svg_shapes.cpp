@@ -25,7 +25,7 @@ std::string arc(const glm::dvec2& radii, const glm::dvec2& to) {
   return "A" + in_words(radii) + " 0 0 1 " + in_words(to);
 }
 
-/// Four quarters from the right, downwards first, as SVG draws them.
+/// Four quarters, from the right, downwards first, as in SVG.
 SvgShape ellipse(const glm::dvec2& center, const glm::dvec2& radii) {
   const glm::dvec2 x(radii.x, 0), y(0, radii.y);
   return {"M" + in_words(center + x) + arc(radii, center + y) + arc(radii, center - x) + arc(radii, center - y) +
@@ -46,7 +46,7 @@ SvgShape rectangle(const glm::dvec2& at, const glm::dvec2& size, const glm::dvec
           center};
 }
 
-/// Of a rectangle's corners: one radius stands for both, and none is beyond half the side.
+/// The radii of a rectangle's corners: one radius stands for both, and each is at most half the side.
 glm::dvec2 corner_radii(const SvgAttribute& attribute, const glm::dvec2& size) {
   std::optional<double> x = parse_svg_length(attribute("rx")), y = parse_svg_length(attribute("ry"));
   if (!x) x = y;
@@ -57,7 +57,7 @@ glm::dvec2 corner_radii(const SvgAttribute& attribute, const glm::dvec2& size) {
 }  // namespace
 
 std::optional<double> parse_svg_length(std::string_view text) {
-  // CSS: 96 pixels an inch.
+  // CSS has 96 pixels per inch.
   constexpr std::pair<std::string_view, double> units[] = {
       {"px", 1}, {"mm", 96 / 25.4}, {"cm", 960 / 25.4}, {"in", 96}, {"pt", 96.0 / 72}, {"pc", 16}, {"Q", 24 / 25.4}};
   double scale = 1;
@@ -76,7 +76,7 @@ std::optional<double> parse_svg_length(std::string_view text) {
 
 std::optional<SvgShape> shape_of(std::string_view tag, const SvgAttribute& attribute) {
   if (tag == "path") {
-    // Inkscape writes a circle as a path too, and says where its centre is.
+    // Inkscape also writes a circle as a path, with its centre.
     std::optional<glm::dvec2> center;
     if (attribute("sodipodi:type") == "arc")
       center = {number(attribute, "sodipodi:cx"), number(attribute, "sodipodi:cy")};

@@ -13,7 +13,7 @@ namespace pomona {
 /// An element's attribute; empty if it has none of that name.
 using SvgAttribute = std::function<std::string_view(const char* name)>;
 
-/// A length in units of the page: "12", "12px", "3mm". Nothing for percentages and for what is no length.
+/// A length in units of the page: "12", "12px", "3mm". Nothing for percentages and other texts.
 std::optional<double> parse_svg_length(std::string_view text);
 
 struct SvgShape {

@@ -25,7 +25,7 @@ void skip_separators(std::string_view& text) {
   while (!text.empty() && (is_space(text.front()) || text.front() == ',')) text.remove_prefix(1);
 }
 
-/// The numbers up to the closing bracket, which is taken away too. Nothing for anything else in there.
+/// Takes the numbers up to the closing bracket, and the bracket. Nothing if there is anything else.
 std::optional<std::vector<double>> take_numbers(std::string_view& text) {
   const std::size_t end = text.find(')');
   if (end == std::string_view::npos) return {};
@@ -33,7 +33,7 @@ std::optional<std::vector<double>> take_numbers(std::string_view& text) {
   text.remove_prefix(end + 1);
   std::vector<double> numbers;
   for (skip_separators(inside); !inside.empty(); skip_separators(inside)) {
-    // A number ends at a separator, or where the sign of the next one stands.
+    // A number ends at a separator, or at the sign of the next one.
     std::size_t length = 1;
     while (length < inside.size() && !is_space(inside[length]) && inside[length] != ',') {
       const bool is_sign = inside[length] == '-' || inside[length] == '+';

@@ -1,4 +1,4 @@
-// How SVG moves what is drawn: the transform attribute.
+// SVG's transform attribute.
 #pragma once
 
 #include <optional>
@@ -15,19 +15,19 @@ struct SvgTransform {
   glm::dvec2 operator()(const glm::dvec2& p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
 };
 
-/// First `inner`, then `outer`.
+/// The transform that applies `inner` first, then `outer`.
 SvgTransform operator*(const SvgTransform& outer, const SvgTransform& inner);
 
 SvgTransform translation(const glm::dvec2& by);
 
-/// Nothing for one that flattens the plane.
+/// The inverse; nothing for a transform that flattens the plane.
 std::optional<SvgTransform> inverse(const SvgTransform& transform);
 
-/// By how much it lengthens what it lengthens most; exactly 1 for one that leaves everything in place.
+/// The largest factor by which it lengthens anything; exactly 1 for the identity.
 double largest_stretch(const SvgTransform& transform);
 
-/// A list of matrix, translate, scale, rotate, skewX and skewY (SVG 1.1, section 7.6), applied from the right.
-/// Nothing if it is not one, or moves by more than a billion. Does not depend on the locale.
+/// A list of matrix, translate, scale, rotate, skewX and skewY (SVG 1.1, section 7.6), applied from the right. Nothing
+/// for other texts, or for moves by more than a billion. It does not depend on the locale.
 std::optional<SvgTransform> parse_svg_transform(std::string_view text);
 
 }  // namespace pomona

@@ -11,12 +11,12 @@
 
 namespace pomona {
 
-/// Walks through a text once: places are asked for in ascending order.
+/// Goes through a text once, so places must be asked for in ascending order.
 class TextPlaces {
  public:
   TextPlaces(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
 
-  /// Line and column, from 1, of a byte; of the end for what lies beyond it.
+  /// Line and column, from 1, of a byte, or of the end of the text if the byte lies beyond it.
   SourcePlace at(std::size_t offset) {
     for (; offset_ < std::min(offset, text_.size()); ++offset_) {
       column_ = text_[offset_] == '\n' ? 1 : column_ + 1;

@@ -23,7 +23,7 @@ struct TomlState {
 
 namespace {
 
-constexpr std::size_t max_diagnostics = 20;  ///< more of them help nobody
+constexpr std::size_t max_diagnostics = 20;  ///< limit of mistakes that are listed
 
 std::string joined(const std::string& path, const std::string& key) {
   if (path.empty() || path.ends_with(": ")) return path + key;
@@ -37,7 +37,7 @@ std::string shortest(double value) {
   return std::string(text.data(), end);
 }
 
-/// A text as messages quote it: cut where it gets long.
+/// A text as messages quote it; long texts are cut.
 std::string quoted(const std::string& text) {
   constexpr std::size_t max = 40;
   if (text.size() <= max) return "\"" + text + "\"";
@@ -66,12 +66,12 @@ const char* kind_name(TomlNode::Kind kind) {
   return "a table";
 }
 
-/// "did you mean ...?" where a known name is near, else all known names.
+/// "did you mean ...?" if a known name is similar, else all known names.
 std::string name_hint(const std::string& unknown, std::vector<std::string> known) {
   std::sort(known.begin(), known.end());
   known.erase(std::unique(known.begin(), known.end()), known.end());
   if (known.empty()) return {};
-  constexpr std::size_t longest_name = 64;  // beyond it is no misspelling, and the search is quadratic
+  constexpr std::size_t longest_name = 64;  // longer names are no misspellings, and the search is quadratic
   if (unknown.size() <= longest_name) {
     if (const auto near = nearest_name(unknown, known)) return "did you mean \"" + *near + "\"?";
   }
@@ -80,7 +80,7 @@ std::string name_hint(const std::string& unknown, std::vector<std::string> known
   return "known here: " + all;
 }
 
-/// Reports the keys nobody asked for in every table that was opened.
+/// Reports the keys that nobody has read in every opened table.
 void note_unknown(const TomlNode& node, TomlState& state) {
   for (const TomlEntry& entry : node.entries) {
     const bool known = std::find(node.asked.begin(), node.asked.end(), entry.key) != node.asked.end();
@@ -135,7 +135,7 @@ int TomlValue::integer(int fallback, int low, int high) const {
 }
 
 double TomlValue::checked(double value, Within within, double fallback) const {
-  if (value >= within.low && value <= within.high) return value;  // false for what is not a number
+  if (value >= within.low && value <= within.high) return value;  // false for NaN
   error("is " + shortest(value) + ", but must lie between " + shortest(within.low) + " and " + shortest(within.high));
   return fallback;
 }
@@ -249,7 +249,7 @@ TomlTable TomlTable::called(const std::string& label) const {
 TomlDocument::TomlDocument(std::string_view text, const std::string& file) : state_(std::make_unique<TomlState>()) {
   state_->file = file;
   state_->root = parse_toml(text, file);
-  // The file as a whole is where its first line is: there people look for what is missing.
+  // The file as a whole is its first line, where people look for what is missing.
   state_->root.place = {1, 1};
 }
 

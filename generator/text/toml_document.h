@@ -1,5 +1,5 @@
-// Reading a TOML file so that its author learns everything that is wrong with it at once: typed access that
-// notes mistakes, with line and column, and goes on with a harmless value. Templates and scenes use it.
+// Reads a TOML file and reports all its mistakes at once: typed access notes mistakes, with line and column, and goes
+// on with a harmless value.
 //
 //   TomlDocument document(text, "tomato.toml");
 //   const TomlTable root = document.root();
@@ -24,15 +24,15 @@ namespace pomona {
 class TomlTable;
 struct TomlState;
 
-/// The values a number may have, ends included.
+/// The range of a number, ends included.
 struct Within {
   double low = -1e6;
   double high = 1e6;
 };
 
-/// A value at a key or in an array, there or not. Every reader below returns the fallback for a value that is
-/// not there (need() has complained already), and notes a diagnostic for one that does not fit.
-/// Values and tables point into their document and must not outlive it.
+/// A value at a key or in an array, which may be missing. Every reader below returns the fallback for a missing value
+/// (need() has reported it already), and notes a mistake for one that does not fit. Values and tables point into their
+/// document and must not outlive it.
 class TomlValue {
  public:
   bool given() const { return node_ != nullptr; }
@@ -42,22 +42,22 @@ class TomlValue {
   bool boolean(bool fallback = false) const;
   int integer(int fallback, int low, int high) const;
   double number(double fallback = 0, Within within = {}) const;
-  double length(double fallback = 0, Within metres = {}) const;  ///< "4mm" as metres; the unit is a must
+  double length(double fallback = 0, Within metres = {}) const;  ///< "4mm" in metres; the unit is required
   double angle(double fallback = 0,
-               Within degrees = {}) const;                 ///< degrees in the file; fallback and result in radians
+               Within degrees = {}) const;                 ///< the file has degrees; fallback and result are radians
   Color color(const Color& fallback = Color(0.5f)) const;  ///< "#rrggbb" as linear RGB
 
-  /// One of the names, as its index; the message lists them.
+  /// The index of one of the names; the message lists them.
   int choice(const std::vector<std::string>& names, int fallback = 0) const;
 
   std::vector<TomlValue> values() const;  ///< of an array
   /// Of an array of tables; more than `max` are an error, and left out.
   std::vector<TomlTable> tables(std::size_t max = SIZE_MAX) const;
-  TomlTable table() const;  ///< where there is none, an empty one that never complains
+  TomlTable table() const;  ///< if there is none, an empty table that reports nothing
 
-  /// Notes something wrong with this value: "surface "skin": blur <message>".
+  /// Notes a mistake of this value: "surface "skin": blur <message>".
   void error(const std::string& message, const std::string& hint = {}) const;
-  /// Where it stands in its file; line 0 if it is not there.
+  /// Its place in the file; line 0 if it is missing.
   SourcePlace place() const;
   /// The value's name in messages: `surface "skin": front color`.
   std::string name() const;
@@ -69,23 +69,23 @@ class TomlValue {
   bool expect(TomlNode::Kind kind, const char* what) const;
   double checked(double value, Within within, double fallback) const;
 
-  TomlNode* node_;    ///< null: not there
-  TomlState* state_;  ///< the document's
+  TomlNode* node_;    ///< null if the value is missing
+  TomlState* state_;  ///< state of the document
   std::string path_;
 };
 
-/// A table. Keys nobody asks for are reported by throw_if_any() as unknown, with the nearest known one.
+/// A table. throw_if_any() reports keys that nobody has read as unknown, with the most similar known one.
 class TomlTable {
  public:
   bool given() const { return value_.given(); }
   bool has(std::string_view key) const { return get(key).given(); }
   TomlValue get(std::string_view key) const;
-  /// The same, but where the key is missing that is noted at the table that should hold it.
+  /// The same, but a missing key is a mistake of the table.
   TomlValue need(std::string_view key) const;
-  /// The keys that are there, for tables with free names; asking for them is left to the caller.
+  /// The keys of the table, for tables with free names; the caller reads them.
   std::vector<std::string> keys() const;
 
-  /// The same table, by another name in messages: `surface "skin"`.
+  /// The same table, with another name in messages: `surface "skin"`.
   TomlTable called(const std::string& label) const;
   void error(const std::string& message, const std::string& hint = {}) const { value_.error(message, hint); }
 
@@ -108,11 +108,11 @@ class TomlDocument {
   TomlTable root() const;
   bool has_errors() const;
 
-  /// To be called when all has been read: adds the unknown keys and throws one Error (bad_data) with the
-  /// first 20 diagnostics by position, or returns.
+  /// Call it when all has been read: adds the unknown keys and throws one Error (bad_data) with the first 20 mistakes
+  /// by position, if there are any.
   void throw_if_any();
 
-  /// The same without the unknown keys, for who reads only some of the file.
+  /// The same without unknown keys, for callers that read only some of the file.
   void throw_if_noted();
 
  private:

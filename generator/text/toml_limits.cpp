@@ -26,7 +26,7 @@ std::size_t utf8_length(std::string_view text) {
   return 0;
 }
 
-/// Walks through the text once, stepping over comments and strings, and counts what the limits are about.
+/// Goes through the text once, skips comments and strings, and counts what is limited.
 class Scanner {
  public:
   Scanner(std::string_view text, const TomlLimits& limits) : text_(text), limits_(limits) {}
@@ -47,7 +47,7 @@ class Scanner {
   }
 
  private:
-  /// One character on, keeping line and column, which count characters and not bytes.
+  /// Advances by one character, with line and column, which count characters, not bytes.
   void step() {
     const std::size_t bytes = utf8_length(text_.substr(at_));
     if (bytes == 0) return refuse("this byte is not UTF-8; save the file as UTF-8");
@@ -61,7 +61,7 @@ class Scanner {
 
   void count(char c) {
     switch (c) {
-      // Brackets nest, and each has commas of its own.
+      // Brackets nest, and each counts its own commas.
       case '[':
       case '{':
         commas_.push_back(0);
@@ -105,7 +105,7 @@ class Scanner {
 
   bool here(std::string_view what) const { return text_.substr(at_).starts_with(what); }
 
-  /// Steps over a string of any of TOML's four kinds; a broken one ends with its line or the text.
+  /// Skips a string of any of TOML's four kinds; a broken one ends with its line or the text.
   void skip_string(char quote) {
     const std::string triple(3, quote);
     const bool many_lines = here(triple);
@@ -136,7 +136,7 @@ class Scanner {
   const TomlLimits& limits_;
   std::size_t at_ = 0;
   TomlPlace place_{1, 1};
-  std::vector<std::size_t> commas_;  ///< in each open bracket
+  std::vector<std::size_t> commas_;  ///< number of commas in each open bracket
   int key_dots_ = 0;
   std::size_t values_ = 0;
   std::optional<TomlExcess> excess_;

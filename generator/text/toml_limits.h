@@ -1,4 +1,4 @@
-// What a TOML text may hold, checked by a scanner that needs no stack and no memory.
+// Limits of TOML texts, checked by a scanner without recursion.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct TomlExcess {
   std::string message;
 };
 
-/// The first place where the text goes beyond a limit or is not UTF-8; nothing if it keeps to all of them.
-/// Text that is not TOML may pass: the parser will say so.
+/// The first place where the text exceeds a limit or is not UTF-8, if any. Text that is not TOML may pass; the parser
+/// reports it.
 std::optional<TomlExcess> find_excess(std::string_view text, const TomlLimits& limits = {});
 
 }  // namespace pomona

@@ -1,5 +1,5 @@
-// A TOML text as a plain tree in which every key and value knows its line and column. What reads it with
-// types and messages is toml_document.h; this is the part that knows the parser.
+// A TOML text as a plain tree in which every key and value knows its line and column. toml_document.h reads it with
+// types and messages; this part knows the parser.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@ struct TomlNode {
   Kind kind = Kind::table;
   TomlPlace place;
   std::string text;   ///< of a string
-  double number = 0;  ///< of an integer or a number; may be infinite or not a number
+  double number = 0;  ///< value of an integer or a number; may be infinite or NaN
   std::int64_t integer = 0;
   bool boolean = false;
   std::vector<TomlNode> items;     ///< of an array
   std::vector<TomlEntry> entries;  ///< of a table, in the order of the file
 
-  // Kept by toml_document.h to find keys that nobody asked for.
+  // Set by toml_document.h, to find keys that nobody has read.
   bool opened = false;
   std::vector<std::string> asked;
 };
@@ -41,9 +41,8 @@ struct TomlEntry {
 };
 
 /// Parses within the limits that docs/reference/formats.md states: 16 MiB, UTF-8, depth 64, 100 000 values in an array,
-/// 1 000 000 in all, 64 KiB in a string. They are checked before the parser sees the text, so that it can
-/// neither exhaust the stack nor the memory. Duplicate keys are errors.
-/// \throws Error (bad_data) at the first mistake: after one in the syntax nothing else can be trusted.
+/// 1 000 000 in all, 64 KiB in a string. They are checked before the parser runs, so that it cannot exhaust stack or
+/// memory. Duplicate keys are errors. \throws Error (bad_data) at the first mistake of syntax.
 TomlNode parse_toml(std::string_view text, const std::string& file);
 
 }  // namespace pomona

@@ -19,7 +19,7 @@ TomlPlace place_of(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-/// toml++'s tree as ours.
+/// Converts toml++'s tree to ours.
 class Converter {
  public:
   explicit Converter(const std::string& file) : file_(file) {}

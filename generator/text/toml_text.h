@@ -1,4 +1,4 @@
-// The text of a TOML file, as far as one may be long, and what kind of file it is.
+// Reads the text of a TOML file up to a limit, and tells its kind.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@
 
 namespace pomona {
 
-/// At most one byte more than TomlLimits allow: enough to know that the file goes beyond them.
-/// \throws Error (input_missing) if it cannot be read.
+/// Reads at most one byte more than TomlLimits allow, enough to know that the file exceeds them. \throws Error
+/// (input_missing) if it cannot be read.
 std::string read_toml_text(const std::filesystem::path& file);
 
-/// True for a .toml file with a line that begins, after blanks, with one of these headings: "[bowl]". Nothing else is
-/// looked at, so that a file full of mistakes is still known for what it is meant to be.
+/// True for a .toml file with a line that begins, after blanks, with one of these headings: "[bowl]". It checks nothing
+/// else, so that a file full of mistakes is still recognised.
 bool has_toml_heading(const std::filesystem::path& file, std::initializer_list<std::string_view> headings);
 
 }  // namespace pomona

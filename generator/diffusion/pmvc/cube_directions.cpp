@@ -21,7 +21,7 @@ CubeFace make_cube_face(int texels) {
   const double half = 1.0 / texels;
   for (const double v : face.middle) {
     for (const double u : face.middle) {
-      // By symmetry of the arguments, so that opposite texels get the same bits.
+      // Uses the symmetry of the arguments, so that opposite texels get the same bits.
       const double x = std::fabs(u), y = std::fabs(v);
       face.solid_angle.push_back(corner_angle(x - half, y - half) - corner_angle(x - half, y + half) -
                                  corner_angle(x + half, y - half) + corner_angle(x + half, y + half));

@@ -13,7 +13,7 @@ struct CubeFace {
   int texels = 0;
   std::vector<double> middle;       ///< `texels` values of u (and of v)
   std::vector<double> solid_angle;  ///< texels^2, row by row (v); all six faces add up to 4 pi
-  std::vector<double> length;       ///< of (u, v, 1), likewise
+  std::vector<double> length;       ///< length of (u, v, 1), likewise
 };
 
 /// Exact solid angles, after [Driscoll, Cubemap Texel Solid Angle, 2012].

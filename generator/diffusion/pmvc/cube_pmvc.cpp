@@ -14,7 +14,7 @@ namespace pomona {
 namespace {
 
 constexpr int face_count = 6;
-constexpr int tile_texels = 8;  // squares of texels whose farthest depth is kept, to reject what lies behind
+constexpr int tile_texels = 8;  // side of the tiles whose farthest depth is kept, to reject what lies behind
 
 /// Coordinates (u, v, depth) on face 2 * axis (looking along +axis) or 2 * axis + 1 (along -axis).
 glm::dvec3 on_face(int face, const glm::dvec3& p) {
@@ -27,7 +27,7 @@ Box<double> on_face(int face, const Box<double>& box) {
   return {glm::min(a, b), glm::max(a, b)};
 }
 
-/// Texels of a face, both ends included.
+/// A rectangle of texels of a face, both ends included.
 struct Rectangle {
   int left = 0, right = -1, bottom = 0, top = -1;
   bool is_empty() const { return left > right || bottom > top; }
@@ -43,25 +43,25 @@ struct CubeExtent {
   }
 };
 
-/// A triangle as one face sees it; all in the face's coordinates, relative to the point.
+/// A triangle in the coordinates of one face, relative to the point.
 struct ProjectedTriangle {
-  std::array<glm::dvec3, 3> edge;  ///< functions of D, >= 0 inside; edge[k] lies opposite corner k
-  glm::dvec3 inverse_depth{0};     ///< function of D
+  std::array<glm::dvec3, 3> edge;  ///< linear functions of D, >= 0 inside; edge[k] is opposite corner k
+  glm::dvec3 inverse_depth{0};     ///< linear function of D
   std::uint32_t triangle = 0;
   SideOf side = SideOf::front;
-  glm::dvec3 moment{0};  ///< sum over the texels won of solid angle / |D| times D
+  glm::dvec3 moment{0};  ///< sum of solid angle / |D| times D over the texels that it won
 };
 
-/// A face being drawn.
+/// A face while it is drawn.
 struct DrawnFace {
-  std::vector<double> inverse_depth;        ///< 0 = nothing yet
-  std::vector<std::int32_t> winner;         ///< index into candidates
-  std::vector<double> tile_minimum;         ///< of the inverse depths of a tile
-  std::vector<std::uint8_t> tile_is_stale;  ///< drawn into since
+  std::vector<double> inverse_depth;        ///< inverse depth per texel; 0 = nothing yet
+  std::vector<std::int32_t> winner;         ///< index into candidates per texel
+  std::vector<double> tile_minimum;         ///< smallest inverse depth of each tile
+  std::vector<std::uint8_t> tile_is_stale;  ///< whether the tile has been drawn into since
   std::vector<ProjectedTriangle> candidates;
 };
 
-/// What a point sees. Kept from point to point for its buffers.
+/// The view from a point. It is reused from point to point for its buffers.
 class CubeView {
  public:
   CubeView(const DiffusionSurfaces& surfaces, const SurfaceTree& tree, const CubeFace& directions)
@@ -86,7 +86,7 @@ class CubeView {
     }
   }
 
-  /// Draws what is in a box, if any of `faces` (a bit each) may see it; nearer boxes first.
+  /// Draws the content of a box, if any of `faces` (a bit each) may see it; nearer boxes first.
   void visit(std::size_t level, std::size_t index, const glm::dvec3& point, unsigned faces) {
     faces = faces_that_see(tree_.levels[level][index], point, faces);
     if (faces == 0) return;
@@ -112,7 +112,7 @@ class CubeView {
     return seeing;
   }
 
-  /// The texels a box may cover: all of the face if it reaches behind the point.
+  /// The texels that a box may cover: all of the face if it reaches behind the point.
   Rectangle rectangle_of(const Box<double>& box) const {
     if (box.high.z <= 0) return {};
     const double depth = box.high.z;
@@ -123,7 +123,7 @@ class CubeView {
     return texels_in({min(box.low.x), max(box.high.x)}, {min(box.low.y), max(box.high.y)});
   }
 
-  /// The texels a triangle may cover. An edge through the plane of the point goes to infinity there.
+  /// The texels that a triangle may cover. An edge through the plane of the point reaches infinity.
   Rectangle rectangle_of(const std::array<glm::dvec3, 3>& corner) const {
     CubeExtent u, v;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -142,7 +142,7 @@ class CubeView {
     return texels_in(u, v);
   }
 
-  /// The texels whose middles lie in the extents, give or take what rounding may have lost.
+  /// The texels whose middles lie in the extents, with a margin for rounding.
   Rectangle texels_in(const CubeExtent& u, const CubeExtent& v) const {
     constexpr double slack = 1e-9;
     const auto place = [&](double x) { return (std::clamp(x, -2.0, 2.0) + 1) * 0.5 * texels_ - 0.5; };
@@ -152,8 +152,8 @@ class CubeView {
     return {first(u.low), last(u.high), first(v.low), last(v.high)};
   }
 
-  /// Whether everything drawn in a rectangle is nearer than `inverse_depth`: by texels if there are few, else by
-  /// the tiles around them. What is as near is not: among those the index decides.
+  /// Whether everything drawn in a rectangle is nearer than `inverse_depth`: checks texels if there are few, else the
+  /// tiles around them. Equal depths do not count as nearer, because the index decides between them.
   bool is_covered(DrawnFace& face, const Rectangle& rectangle, double inverse_depth) const {
     const int width = rectangle.right - rectangle.left + 1;
     if (width <= tile_texels && rectangle.top - rectangle.bottom < tile_texels) {
@@ -216,7 +216,7 @@ class CubeView {
 
   /// Gives the last candidate the texels where it is the nearest.
   void fill(DrawnFace& face, const Rectangle& rectangle) const {
-    // What all texels of a row have in common is added up once for the row.
+    // Sums that all texels of a row share are computed once for the row.
     const ProjectedTriangle& candidate = face.candidates.back();
     const auto index = static_cast<std::int32_t>(face.candidates.size()) - 1;
     bool won = false;
@@ -242,7 +242,7 @@ class CubeView {
       }
     }
 
-    // What tiles remember of their farthest texel may no longer hold.
+    // The farthest texel of these tiles may have changed.
     if (won) mark_stale(face, rectangle);
   }
 
@@ -261,7 +261,7 @@ class CubeView {
     }
   }
 
-  /// Sums the directions of the texels each candidate has won. Distance is depth times |D|.
+  /// Sums the directions of the texels that each candidate has won. Distance is depth times |D|.
   void gather(DrawnFace& face) const {
     std::size_t texel = 0;
     for (const double v : directions_.middle) {
@@ -294,7 +294,7 @@ class CubeView {
     return value;
   }
 
-  /// The colour of what was seen of a triangle, weighted by 1 / d.
+  /// The colour of the visible part of a triangle, weighted by 1 / d.
   glm::dvec3 mean_color(const ProjectedTriangle& candidate) const {
     const glm::uvec3& t = surfaces_.triangle[candidate.triangle];
     const auto& color = candidate.side == SideOf::front ? surfaces_.front_color : surfaces_.back_color;
@@ -322,7 +322,7 @@ std::vector<PmvcValue> cube_pmvc(const DiffusionSurfaces& surfaces, const Surfac
                                  std::span<const glm::vec3> points, int texels, Threads threads) {
   const CubeFace directions = make_cube_face(texels);
   std::vector<PmvcValue> values(points.size());
-  constexpr std::size_t at_once = 16;  // points that share one view's buffers
+  constexpr std::size_t at_once = 16;  // number of points that share one view's buffers
   parallel_for((points.size() + at_once - 1) / at_once, threads, [&](std::size_t block) {
     CubeView view(surfaces, tree, directions);
     const std::size_t end = std::min(points.size(), (block + 1) * at_once);

@@ -1,4 +1,4 @@
-// The reference for positive mean values: what a point sees in all directions of a cube, in double precision.
+// The reference for positive mean values: the view of a point in all directions of a cube, in double precision.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace pomona {
 
-/// Draws the surfaces onto the six faces of a world-aligned cube of 6 x texels^2 directions around every point,
-/// nearest first, and sums what is seen [paper, section 3.2]. `texels` is a multiple of 8.
+/// Draws the surfaces onto the six faces of a world-aligned cube of 6 x texels^2 directions around every point, nearest
+/// first, and sums the visible colours [paper, section 3.2]. `texels` is a multiple of 8.
 ///
 /// A triangle with corners a, b, c relative to the point covers the direction D where the three edge functions
 /// (a x b) . D, (b x c) . D, (c x a) . D have the sign of its volume det(a, b, c); each is exactly the negative

@@ -38,7 +38,7 @@ double value_at(const DiffusionSurfaces& surfaces, const SurfaceSide& at, std::s
 
 std::vector<glm::vec4> diffused_values(DiffusionSurfaces surfaces, std::span<const glm::vec4> value,
                                        std::span<const glm::vec3> points, Threads threads) {
-  // Three channels travel as colours, the fourth beside them.
+  // The first three channels are diffused as colours, the fourth beside them.
   std::vector<float> fourth;
   for (std::size_t v = 0; v < value.size(); ++v) {
     surfaces.front_color[v] = surfaces.back_color[v] = glm::vec3(value[v]);

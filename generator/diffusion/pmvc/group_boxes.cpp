@@ -20,7 +20,7 @@ Box<float> box_of(const TriangleGroup& group) {
   return box;
 }
 
-/// Boxes around runs of neighbouring points, few enough to compare every group with.
+/// Boxes around runs of neighbouring points, few enough to compare every group with all.
 std::vector<Box<float>> boxes_of(std::span<const glm::vec3> points) {
   constexpr std::size_t max_boxes = 64;
   const std::size_t run = (points.size() + max_boxes - 1) / max_boxes;

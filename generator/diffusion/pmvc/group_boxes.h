@@ -11,14 +11,14 @@
 
 namespace pomona {
 
-/// All normalised, one entry per group, nearest to any point first. Padded to a multiple of TriangleGroup::size
-/// with boxes around nothing, beyond everything.
+/// Normalised boxes, one per group, nearest to any point first, padded to a multiple of TriangleGroup::size with empty
+/// boxes far away.
 struct GroupBoxes {
   std::array<AlignedFloats, 3> middle, half;  ///< x, y, z each
   std::vector<std::uint32_t> group;           ///< index into PackedSurfaces::groups
 };
 
-/// `points` are normalised and in an order that keeps neighbours together.
+/// `points` are normalised, with neighbours next to each other.
 GroupBoxes nearest_first(const PackedSurfaces& surfaces, std::span<const glm::vec3> points);
 
 }  // namespace pomona

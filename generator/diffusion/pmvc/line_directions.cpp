@@ -19,7 +19,7 @@ Line line_along(const glm::dvec3& along) {
 }
 
 std::vector<Line> line_directions(int count) {
-  // A spiral around an arbitrary pole, away from the axes: fruit and knives lie along these.
+  // A spiral around a pole away from the axes, because fruit and knives lie along these.
   const glm::dvec3 pole = glm::normalize(glm::dvec3(0.536, 0.371, 0.758));
   const glm::dvec3 side = glm::normalize(glm::cross(pole, glm::dvec3(0.1, 0.9, 0.2)));
   const glm::dvec3 other = glm::cross(pole, side);

@@ -17,12 +17,12 @@ namespace {
 
 constexpr std::size_t lines_per_block = 8;
 constexpr std::size_t max_points_at_once = 8192;
-constexpr std::size_t max_sums = std::size_t{1} << 24;  // floats in all blocks' sums: 64 MiB
-constexpr std::size_t floats_per_point = 12;            // of a block's sums, without parts
+constexpr std::size_t max_sums = std::size_t{1} << 24;  // limit of floats in the sums of all blocks: 64 MiB
+constexpr std::size_t floats_per_point = 12;            // floats of a block's sums, without parts
 
 std::size_t blocks_of(std::size_t lines) { return (lines + lines_per_block - 1) / lines_per_block; }
 
-/// What the lines of pairs add differently, d = (colour and weight of one) - (of the other), summed over pairs.
+/// The differences d = (colour and weight of one line) - (of the other) of pairs, summed over pairs.
 struct Scatter {
   std::vector<glm::vec4> squares;      ///< d * d
   std::vector<glm::vec4> with_weight;  ///< d * d.w
@@ -30,7 +30,7 @@ struct Scatter {
 
 struct BlockSums {
   SweepSums sums;
-  Scatter scatter;  ///< empty where nobody asks
+  Scatter scatter;  ///< empty unless it is needed
 };
 
 /// Adds the difference between the second half of a pair, in `now` - `middle`, and the first, `middle` - `before`.
@@ -83,10 +83,10 @@ struct Totals {
   std::vector<glm::dvec4> color_and_weight;
   std::vector<double> fourth;
   std::vector<double> part_weight;  ///< points x used parts
-  std::vector<int> lines;           ///< that were looked along
+  std::vector<int> lines;           ///< number of lines of each point
 };
 
-/// Adds all blocks, in order; `place[i]` is where their point i stands.
+/// Adds all blocks in order; `place[i]` is the index of their point i.
 void add_blocks(std::span<const BlockSums> blocks, std::span<const std::size_t> place, std::size_t parts,
                 std::size_t lines, Totals& totals) {
   for (const BlockSums& block : blocks) {
@@ -101,7 +101,7 @@ void add_blocks(std::span<const BlockSums> blocks, std::span<const std::size_t> 
   for (const std::size_t i : place) totals.lines[i] += static_cast<int>(lines);
 }
 
-/// Half of how far the encoded values of the ends of [value - spread, value + spread] are apart.
+/// Half the difference of the encoded values of value - spread and value + spread.
 double encoded_spread(double value, double spread) {
   const double low = std::clamp(value - spread, 0.0, 1.0), high = std::clamp(value + spread, 0.0, 1.0);
   return 0.5 * (srgb_from_linear(high) - srgb_from_linear(low));
@@ -115,7 +115,7 @@ bool scatters_more_than(double max, std::span<const BlockSums> blocks, const glm
     squares += glm::dvec4(block.scatter.squares[point]);
     with_weight += glm::dvec4(block.scatter.with_weight[point]);
   }
-  constexpr double steepest = 12.92;  // of the sRGB encoding
+  constexpr double steepest = 12.92;  // steepest slope of the sRGB encoding
   const glm::dvec4 f = total / total.w;
   for (int k = 0; k < 3; ++k) {
     const double sum = squares[k] - 2 * f[k] * with_weight[k] + f[k] * f[k] * squares.w;
@@ -150,7 +150,7 @@ std::vector<PmvcValue> batch_pmvc(const PackedSurfaces& surfaces, std::span<cons
   const std::vector<BlockSums> blocks = sweep_blocks(surfaces, points, plan.lines, !plan.more.empty(), threads);
   add_blocks(blocks, place, parts, plan.lines.size(), totals);
 
-  // Those that need more.
+  // The points that need more lines.
   if (!plan.more.empty()) {
     std::vector<glm::vec3> scattered;
     place.clear();
@@ -177,7 +177,7 @@ std::vector<PmvcValue> line_pmvc(const DiffusionSurfaces& surfaces, const Surfac
   PackedSurfaces packed = pack(surfaces, tree);
   packed.fourth.assign(fourth.begin(), fourth.end());
 
-  // As many points at a time as keep the blocks' sums small.
+  // The number of points at a time, so that the blocks' sums stay small.
   const std::size_t sums_per_point =
       blocks_of(std::max(plan.lines.size(), plan.more.size())) * (floats_per_point + packed.used_parts.size());
   const std::size_t at_once = std::clamp<std::size_t>(max_sums / sums_per_point, 1, max_points_at_once);

@@ -15,10 +15,11 @@ namespace {
 
 constexpr float nowhere = std::numeric_limits<float>::infinity();
 
-/// Points nearer than 1e-5 of the size to a surface never come here, so that a smaller distance is rounding.
+/// Points nearer than 1e-5 of the size to a surface are not swept, so a smaller distance is rounding.
 constexpr float min_distance = 1e-6f;
 
-/// Groups of triangles tested before the first look at what they hide; a multiple of TriangleGroup::size.
+/// The number of groups of triangles that are tested before hidden groups are left out; a multiple of
+/// TriangleGroup::size.
 constexpr std::size_t first_round = 128;
 
 SweepHits make_hits(std::size_t count) {
@@ -44,13 +45,13 @@ Range range_of(const AlignedFloats& values, std::size_t count) {
   return range;
 }
 
-/// About half a point a bin if they were spread evenly over their rectangle. Bins are tall: a triangle then touches
-/// few rows, and the points of a row that it tests still fill a vector. `squeeze` is by how much the points have
-/// been pushed together along u.
+/// About half a point per bin if points were spread evenly over their rectangle. Bins are tall, so that a triangle
+/// touches few rows, while the points of a row fill a vector. `squeeze` is the factor by which the points have been
+/// compressed along u.
 void lay_out_bins(SweepState& state, float squeeze) {
   constexpr float points_per_bin = 0.5f;
-  constexpr float tallness = 8;    // height over width
-  constexpr float max_bins = 512;  // along an axis
+  constexpr float tallness = 8;    // height of a bin over its width
+  constexpr float max_bins = 512;  // limit of bins along an axis
   const Range u = range_of(state.u, state.points), v = range_of(state.v, state.points);
   const float width = u.high - u.low, height = v.high - v.low;
   const float spread = width / std::max(squeeze, 1e-3f);
@@ -78,7 +79,7 @@ void fill_slots(SweepState& state) {
   std::int32_t slot = 0;
   for (std::int32_t& entry : first) slot += std::exchange(entry, slot);
 
-  // Each entry walks to the end of its bin, and thereby to the beginning of the next.
+  // Each entry moves to the end of its bin, which is the start of the next.
   for (std::size_t i = 0; i < state.points; ++i) {
     const auto place = static_cast<std::size_t>(first[static_cast<std::size_t>(state.bin[i])]++);
     state.slot_u[place] = state.u[i];
@@ -90,12 +91,12 @@ void fill_slots(SweepState& state) {
   first.front() = 0;
 }
 
-/// Columns of the finest level of reach.
+/// The number of columns of the finest level of reach.
 std::int32_t cell_columns(const SweepBins& bins) {
   return (bins.columns + SweepReach::bins_per_cell - 1) / SweepReach::bins_per_cell;
 }
 
-/// As many levels as a square needs to cover all cells; nothing is hidden yet.
+/// Makes as many levels as a square needs to cover all cells; nothing is hidden yet.
 void lay_out_reach(SweepState& state) {
   SweepReach& reach = state.reach;
   reach.columns = cell_columns(state.bins);
@@ -107,7 +108,7 @@ void lay_out_reach(SweepState& state) {
   reach.farthest.assign(entries, nowhere);
 }
 
-/// How far the points of every cell see by now.
+/// How far the points of every cell see so far.
 void update_cells(SweepState& state) {
   SweepReach& reach = state.reach;
   const SweepBins& bins = state.bins;
@@ -127,7 +128,7 @@ void update_cells(SweepState& state) {
   }
 }
 
-/// One level from the one below: four squares of half the side, or those of them that lie on the grid.
+/// Makes a level from the one below: four squares of half the side, or those of them that lie on the grid.
 template <typename Better>
 void double_squares(std::span<const float> below, std::span<float> level, std::int32_t columns, std::int32_t rows,
                     std::int32_t half, const Better& better) {
@@ -158,7 +159,7 @@ void update_reach(SweepState& state) {
   }
 }
 
-/// Adds the hits one way, seen by rays along the line (or against it).
+/// Adds the hits of rays along the line, or against it.
 void shade(const PackedSurfaces& surfaces, const SweepState& state, const SweepHits& hits, bool is_ahead,
            SweepSums& sums) {
   const std::size_t parts = surfaces.used_parts.size();
@@ -188,8 +189,7 @@ void shade(const PackedSurfaces& surfaces, const SweepState& state, const SweepH
   }
 }
 
-/// The normal of the plane that all points lie on, if there is one: not to the last bit, for it only sets which way
-/// bins run.
+/// The approximate normal of the plane of all points, if there is one; it only sets the direction of bins.
 std::optional<glm::vec3> normal_of_plane(std::span<const glm::vec3> points) {
   glm::vec3 far(0), normal(0);
   for (const glm::vec3& p : points) {
@@ -253,7 +253,7 @@ void LineSweep::add(const Line& given, SweepSums& sums) {
   fill_slots(state);
   lay_out_reach(state);
 
-  // Nearest groups first, in rounds that double: what they hide is left out from the next round on.
+  // Tests the nearest groups first, in rounds that double; later rounds leave out what is hidden by now.
   forget(state.ahead, state.points + SweepState::padding);
   forget(state.behind, state.points + SweepState::padding);
   const std::size_t groups = boxes_.group.size();

@@ -17,12 +17,12 @@ struct SweepState;
 /// Sums over lines, one entry per point.
 struct SweepSums {
   std::vector<glm::vec4> color_and_weight;  ///< sums of c / d and of 1 / d, d normalised
-  std::vector<float> fourth;                ///< likewise of the surfaces' fourth value; empty where they have none
+  std::vector<float> fourth;                ///< the same of the surfaces' fourth value; empty if they have none
   std::vector<float> part_weight;           ///< points x used parts
 };
 
-/// Projects points and triangles onto the plane across a line; every triangle tests the points it covers, found
-/// through a grid of bins; each point keeps the nearest hit ahead of it and behind it.
+/// Projects points and triangles onto the plane across a line. Every triangle tests the points that it covers, by a
+/// grid of bins. Each point keeps its nearest hits ahead and behind.
 ///
 /// The edge functions of two triangles that share an edge are exact negatives of each other, and 0 counts as inside: no
 /// line slips through between them. Equal distances go to the smaller triangle index.
@@ -38,7 +38,7 @@ class LineSweep {
  private:
   const PackedSurfaces& surfaces_;
   const GroupBoxes& boxes_;
-  std::optional<glm::vec3> normal_;  ///< of the plane of the points, if they have one
+  std::optional<glm::vec3> normal_;  ///< normal of the plane of the points, if they have one
   std::unique_ptr<SweepState> state_;
 };
 

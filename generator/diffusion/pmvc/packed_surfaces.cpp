@@ -41,7 +41,7 @@ PackedSurfaces pack(const DiffusionSurfaces& surfaces, const SurfaceTree& tree) 
   packed.front_part = std::move(parts.front);
   packed.back_part = std::move(parts.back);
 
-  // Fill up the last group with points, which cover nothing.
+  // Fills up the last group with single points, which cover nothing.
   constexpr auto size = static_cast<std::size_t>(TriangleGroup::size);
   packed.groups.resize((tree.order.size() + size - 1) / size);
   for (std::size_t i = 0; i < packed.groups.size() * size; ++i) {

@@ -1,4 +1,4 @@
-// Diffusion surfaces laid out for the sweep over lines: single precision, sixteen triangles at a time.
+// Diffusion surfaces prepared for the sweep over lines: single precision, sixteen triangles at a time.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace pomona {
 
-/// Sixteen neighbouring triangles. The last group of all repeats triangle ids but gives them no area.
+/// Sixteen neighbouring triangles. The last group repeats triangle ids, without area.
 struct alignas(64) TriangleGroup {
   static constexpr int size = 16;
   float corner[9][size];        ///< x, y, z of the three corners, normalised
@@ -23,10 +23,10 @@ struct alignas(64) TriangleGroup {
 struct PackedSurfaces {
   std::vector<TriangleGroup> groups;
 
-  // One entry per vertex: linear colour, and 1, so that a weighted sum carries its weight along.
+  // Linear colour and 1 per vertex, so that a weighted sum includes its weight.
   std::vector<glm::vec4> front_color;
   std::vector<glm::vec4> back_color;
-  std::vector<float> fourth;  ///< a further value, the same on both sides; empty where there is none
+  std::vector<float> fourth;  ///< a further value per vertex, the same on both sides; empty if there is none
   std::vector<std::array<std::int32_t, 3>> triangle;
 
   // One entry per triangle: index into used_parts.

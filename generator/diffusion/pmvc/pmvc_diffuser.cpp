@@ -10,7 +10,7 @@ namespace pomona {
 
 namespace {
 
-/// Final looks along more lines where colours scatter by more than this; measured in docs/reports/diffusion.md.
+/// `final` casts more lines where colours scatter by more than this; measured in docs/reports/diffusion.md.
 constexpr int lines_where_colors_scatter = 352;
 constexpr double max_scatter = 1.0 / 255;
 

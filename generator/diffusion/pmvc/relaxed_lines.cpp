@@ -10,7 +10,7 @@ namespace pomona {
 namespace {
 
 // clang-format off
-/// 60 lines.
+/// 60 lines for draft.
 constexpr std::array<std::array<double, 3>, 60> draft_along{{
     {0.6884211, 0.3665821, 0.6258546}, {0.5098257, 0.2072640, 0.8349367},
     {0.2951978, -0.5919993, 0.7499300}, {0.4307864, -0.7462829, 0.5074297},
@@ -44,7 +44,7 @@ constexpr std::array<std::array<double, 3>, 60> draft_along{{
     {0.5801047, 0.8005933, 0.1500964}, {0.5644014, 0.4540586, -0.6894068},
 }};
 
-/// 192 lines.
+/// 192 lines for final.
 constexpr std::array<std::array<double, 3>, 192> final_along{{
     {-0.5466215, 0.0752298, 0.8339937}, {-0.4847451, -0.0851227, 0.8705035},
     {-0.1503596, 0.9425399, 0.2983463}, {-0.2694063, 0.8726687, 0.4072710},

@@ -1,4 +1,4 @@
-// Directions for draft and final that keep apart from each other as far as they can.
+// Directions for draft and final, as far apart from each other as possible.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 namespace pomona {
 
 /// Lines that were moved from line_directions() down the gradient of the sum of 1 / |a - b|^2 over the ends of all
-/// lines until they rested: positive mean values from them err by about a tenth less. Neighbours come in pairs (2 i,
+/// lines until they rested: the error of positive mean values is about a tenth smaller. Neighbours come in pairs (2 i,
 /// 2 i + 1), so that the difference within a pair tells how much the colours scatter there.
 std::vector<Line> relaxed_draft_lines();  ///< 60
 std::vector<Line> relaxed_final_lines();  ///< 192

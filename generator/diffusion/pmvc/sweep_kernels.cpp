@@ -39,7 +39,7 @@ HWY_INLINE Point3 in_frame(const Line& line, Float x, Float y, Float z) {
   return {along(line.across_u, x, y, z), along(line.across_v, x, y, z), along(line.along, x, y, z)};
 }
 
-/// Bin number along one axis; a monotone function, so that a triangle's bins hold all the points it covers.
+/// The bin number along one axis: a monotone function, so that a triangle's bins hold all points that it covers.
 HWY_INLINE Int bin_along(Float place, float low, float per_length, std::int32_t count) {
   const Float bin = hn::Mul(hn::Sub(place, hn::Set(floats, low)), hn::Set(floats, per_length));
   const Float last = hn::Set(floats, static_cast<float>(count - 1));
@@ -84,9 +84,9 @@ HWY_INLINE BinRange bins_of(const Extents& box, const SweepBins& bins) {
           bin_along(box.high_v, bins.low_v, bins.per_v, bins.rows)};
 }
 
-/// Whether a box may hold something nearer than what some point sees already.
+/// Whether a box may hold something nearer than what some point already sees.
 HWY_INLINE LaneMask may_be_seen(const Extents& box, const BinRange& range, const SweepState& state) {
-  // The level whose squares of cells cover it: the exponent of its size in cells, rounded up.
+  // The level whose squares cover the box: the exponent of its size in cells, rounded up.
   const SweepBins& bins = state.bins;
   const SweepReach& reach = state.reach;
   const Int left = hn::ShiftRight<SweepReach::log_bins_per_cell>(range.left);
@@ -108,17 +108,17 @@ HWY_INLINE LaneMask may_be_seen(const Extents& box, const BinRange& range, const
   return hn::AndNot(hn::Or(beside_u, beside_v), in_reach);
 }
 
-/// One bit a lane.
+/// A mask with one bit per lane.
 HWY_INLINE std::uint32_t bits_of(LaneMask mask, std::size_t lane) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(floats, mask, bytes);
   return static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8) << lane;
 }
 
-/// Which of sixteen boxes may be seen.
+/// Which of sixteen boxes may be visible.
 HWY_INLINE std::uint32_t boxes_seen(const Line& line, const GroupBoxes& boxes, std::size_t first,
                                     const SweepState& state) {
-  // What rounding may take from a box.
+  // An upper bound of the rounding error of a box.
   const Float slack = hn::Set(floats, 1e-6f);
   const auto half_along = [&](const glm::vec3& axis, std::size_t i) {
     const glm::vec3 size = glm::abs(axis);
@@ -143,14 +143,14 @@ struct Plane {
   HWY_ALIGN float a[group_size], b[group_size], c[group_size];
 };
 
-/// Sixteen triangles in the frame of the line, without those that cannot be seen or have no area there.
+/// Sixteen triangles in the frame of the line, without those that are hidden or have no area there.
 struct ProjectedGroup {
   Plane edge[3];  ///< edge[k] lies opposite corner k; >= 0 inside
   HWY_ALIGN float w[3][group_size];
   HWY_ALIGN std::int32_t left[group_size], right[group_size];  ///< columns of bins
   HWY_ALIGN std::int32_t bottom[group_size], top[group_size];  ///< rows of bins
   HWY_ALIGN std::int32_t side[group_size];                     ///< as in SweepHits
-  std::uint32_t seen = 0;                                      ///< a bit for each triangle that is left
+  std::uint32_t seen = 0;                                      ///< a bit for each remaining triangle
 };
 
 HWY_INLINE Float min(Float a, Float b, Float c) { return hn::Min(a, hn::Min(b, c)); }
@@ -166,8 +166,8 @@ HWY_INLINE Extents extents_of(const Point3& a, const Point3& b, const Point3& c)
           hn::Add(max(a.w, b.w, c.w), slack)};
 }
 
-/// (p - q) x (r - q) across the line, as a function of q; exactly the negative of that with p and r exchanged. With
-/// `flip` (a sign bit) it is turned round.
+/// (p - q) x (r - q) across the line, as a function of q; exchanging p and r gives exactly the negative. `flip` (a sign
+/// bit) negates it.
 HWY_INLINE void store_edge(const Point3& p, const Point3& r, Float flip, Plane& edge, std::size_t lane) {
   hn::Store(hn::Xor(flip, hn::Sub(p.v, r.v)), floats, &edge.a[lane]);
   hn::Store(hn::Xor(flip, hn::Sub(r.u, p.u)), floats, &edge.b[lane]);
@@ -192,7 +192,7 @@ HWY_INLINE void project(const Line& line, const TriangleGroup& group, const Swee
     hn::Store(bins.bottom, ints, &out.bottom[lane]);
     hn::Store(bins.top, ints, &out.top[lane]);
 
-    // Turned so that the inside is where all edges are positive; edge-on triangles have none.
+    // Oriented so that all edges are positive inside; edge-on triangles have no inside.
     const Float area = hn::Sub(hn::Mul(hn::Sub(corner[1].u, corner[0].u), hn::Sub(corner[2].v, corner[0].v)),
                                hn::Mul(hn::Sub(corner[1].v, corner[0].v), hn::Sub(corner[2].u, corner[0].u)));
     const Float flip = hn::And(area, hn::SignBit(floats));
@@ -206,7 +206,7 @@ HWY_INLINE void project(const Line& line, const TriangleGroup& group, const Swee
   }
 }
 
-/// Vectors of slots of which some lie inside a triangle.
+/// Vectors of slots with some slots inside a triangle.
 struct Insides {
   static constexpr std::size_t capacity = 64;
   std::size_t count = 0;
@@ -220,7 +220,7 @@ HWY_INLINE Float value(const Plane& plane, std::size_t lane, Float u, Float v) {
   return hn::Add(across, hn::Set(floats, plane.c[lane]));
 }
 
-/// Tests a vector of slots of which the first `count` matter, and notes it if any is inside.
+/// Tests a vector of slots, of which the first `count` matter, and stores it if any is inside.
 HWY_INLINE void test_slots(const ProjectedGroup& group, std::size_t lane, std::size_t slot, std::size_t count,
                            const SweepState& state, Insides& out) {
   const Float u = hn::LoadU(floats, &state.slot_u[slot]), v = hn::LoadU(floats, &state.slot_v[slot]);
@@ -236,7 +236,7 @@ HWY_INLINE void test_slots(const ProjectedGroup& group, std::size_t lane, std::s
   out.count += hn::AllFalse(floats, inside) ? 0 : 1;
 }
 
-/// Keeps a hit where it is nearer than what is known, or as near with a smaller triangle index.
+/// Keeps a hit that is nearer than the known one, or as near with a smaller triangle index.
 HWY_INLINE void keep_nearer(SweepHits& hits, std::size_t slot, LaneMask hit, Float distance, Int side, Float second,
                             Float third) {
   if (hn::AllFalse(floats, hit)) return;
@@ -253,7 +253,7 @@ HWY_INLINE void keep_nearer(SweepHits& hits, std::size_t slot, LaneMask hit, Flo
   hn::BlendedStore(third, wins, floats, &hits.third[slot]);
 }
 
-/// How far the triangle is from the points inside.
+/// The distance of the triangle from the points inside.
 HWY_INLINE void keep(const ProjectedGroup& group, const Insides& insides, std::size_t i, SweepState& state) {
   const std::size_t lane = insides.lane[i], slot = insides.slot[i];
   const Float e0 = hn::Load(floats, insides.edge[0][i]);

@@ -15,7 +15,7 @@
 
 namespace pomona {
 
-/// The nearest hits one way along a line, one entry per slot.
+/// The nearest hits in one direction along a line, one entry per slot.
 struct SweepHits {
   AlignedFloats distance;  ///< normalised; infinity where there is none
   AlignedInts side;        ///< 2 * triangle, + 1 if its front looks along the line
@@ -33,9 +33,9 @@ struct SweepBins {
   std::vector<std::int32_t> first_slot;  ///< columns * rows + 1
 };
 
-/// How far each point sees, for cells of a few bins: whatever lies wholly outside [nearest, farthest] along the line
-/// can be nearer than what is known to none of the points there. Level k holds, for every cell, the square of 2^k x
-/// 2^k cells that begins there, so that one entry serves a box of any size.
+/// How far the points of each cell of a few bins see: what lies wholly outside [nearest, farthest] along the line is
+/// hidden from all points there. Level k holds, for every cell, the square of 2^k x 2^k cells that begins there, so
+/// that one entry serves a box of any size.
 struct SweepReach {
   static constexpr int log_bins_per_cell = 2;
   static constexpr int bins_per_cell = 1 << log_bins_per_cell;  ///< along u
@@ -43,7 +43,7 @@ struct SweepReach {
   std::int32_t columns = 1, cells = 1, levels = 1;
 };
 
-/// All that the vector code works on. Arrays of numbers are a vector longer than they have entries.
+/// The data of the vector code. Arrays of numbers are one vector longer than their entries.
 struct SweepState {
   static constexpr std::size_t padding = 16;
 
@@ -65,8 +65,8 @@ void project_points(const Line& line, SweepState& state);
 /// Fills bin, by bins.
 void find_bins(SweepState& state);
 
-/// Tests the triangles of boxes [first, end) against the slots they cover and keeps the nearest hits ahead and
-/// behind; leaves out what reach shows to be hidden. `first` is a multiple of TriangleGroup::size.
+/// Tests the triangles of boxes [first, end) against the slots that they cover, keeps the nearest hits ahead and
+/// behind, and leaves out hidden boxes. `first` is a multiple of TriangleGroup::size.
 void cover(const Line& line, const GroupBoxes& boxes, std::size_t first, std::size_t end,
            std::span<const TriangleGroup> groups, SweepState& state);
 

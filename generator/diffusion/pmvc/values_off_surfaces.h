@@ -1,4 +1,4 @@
-// Positive mean values only where a point's place does not already decide its colour.
+// Computes positive mean values only for points that do not lie on a surface.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-/// One value for each point, none for those that lie on a surface; `values_at` is asked for all the others at once.
+/// One value for each point; points on a surface have none. `values_at` computes all the others at once.
 template <typename ValuesAt>
 std::vector<PmvcValue> values_off_surfaces(const SidesOfPoints& sides, std::span<const glm::vec3> points,
                                            const ValuesAt& values_at) {

@@ -62,7 +62,7 @@ EmptyBalls::Branch EmptyBalls::grown(const glm::vec3& middle) const {
 
 void EmptyBalls::divide(Branch& branch, std::size_t cell, const glm::vec3& middle, int level,
                         std::vector<NearGroup> candidates) const {
-  // How far is each from the middle?
+  // Measures the distance of each group from the middle.
   for (NearGroup& near : candidates) {
     near.distance = std::sqrt(min_of(squared_distances(frames_.groups[near.group], middle)));
   }
@@ -85,7 +85,7 @@ void EmptyBalls::divide(Branch& branch, std::size_t cell, const glm::vec3& middl
     return;
   }
 
-  // Halve it along all axes.
+  // Divides the cell into eight.
   const std::size_t first = branch.cells.size();
   branch.cells[cell].first = static_cast<std::uint32_t>(first);
   branch.cells[cell].count = is_divided;
@@ -105,7 +105,7 @@ EmptyBalls::Place EmptyBalls::place_of(const glm::vec3& point) const {
   }
   const Branch& branch = branches_[index[0] + coarse * (index[1] + coarse * index[2])];
 
-  // The smallest in it.
+  // The smallest cell in it.
   const Cell* cell = branch.cells.data();
   for (float half = 0.25f * coarse_cell; cell->count == is_divided; half *= 0.5f) {
     const unsigned child =

@@ -1,4 +1,4 @@
-// How far a point is from all surfaces: what each step of a walk on spheres needs to know.
+// The distance of a point from all surfaces, which each step of a walk on spheres needs.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace pomona {
 
-/// A cube around the surfaces, halved again and again. Each of the smallest cells knows the groups of triangles
-/// that can be nearest to any of its points; or it lies so far from all that a bound will do. Normalised lengths.
+/// An octree of a cube around the surfaces. Each of the smallest cells has the groups of triangles that can be nearest
+/// to any of its points, or lies so far from all that a bound suffices. Lengths are normalised.
 class EmptyBalls {
  public:
-  /// Half the edge of the cube: what may be asked about.
+  /// Half the edge of the cube, in which points may lie.
   static constexpr double half_edge = 1.05;
 
-  /// More than what single precision takes from a distance.
+  /// An upper bound of the rounding error of a distance in single precision.
   static constexpr double slack = 1e-6;
 
   EmptyBalls(TriangleFrames frames, Threads threads);
@@ -28,19 +28,19 @@ class EmptyBalls {
   /// the nearest surface where that is small, at least 0.6 of it elsewhere.
   double radius_at(const glm::dvec3& point) const;
 
-  /// The triangles no more than a few `slack` farther than the nearest, by index into the surfaces, ascending.
+  /// The triangles at most a few `slack` farther than the nearest, as ascending indices into the surfaces.
   std::vector<std::uint32_t> nearest_triangles(const glm::dvec3& point) const;
 
  private:
   struct Cell {
-    float distance = 0;       ///< from the cell's middle to the nearest surface
-    std::uint32_t first = 0;  ///< its eight children, or its groups, nearest first
-    std::uint32_t count = 0;  ///< its groups, or one of the following
+    float distance = 0;       ///< distance from the cell's middle to the nearest surface
+    std::uint32_t first = 0;  ///< index of its eight children, or of its groups, nearest first
+    std::uint32_t count = 0;  ///< number of its groups, or one of the following
   };
   static constexpr std::uint32_t is_divided = 0xffffffff;
   static constexpr std::uint32_t is_far = 0xfffffffe;
 
-  /// All that lies in one cell of the coarse grid over the cube; cell 0 is that cell itself.
+  /// The octree of one cell of the coarse grid; its cell 0 is that cell.
   struct Branch {
     std::vector<Cell> cells;
     std::vector<NearGroup> near;
@@ -48,7 +48,7 @@ class EmptyBalls {
   struct Place {
     const Branch* branch;
     const Cell* cell;
-    float from_middle;  ///< from the point to the cell's middle
+    float from_middle;  ///< distance from the point to the cell's middle
   };
 
   Branch grown(const glm::vec3& middle) const;

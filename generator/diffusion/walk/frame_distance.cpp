@@ -27,23 +27,23 @@ HWY_INLINE Lanes in_direction(const float (&axis)[3][FrameGroup::size], std::siz
 
 HWY_INLINE Lanes squared(Lanes a, Lanes b) { return hn::Add(hn::Mul(a, a), hn::Mul(b, b)); }
 
-/// From (u, v) to the segment from 0 to (eu, ev).
+/// Squared distance from (u, v) to the segment from 0 to (eu, ev).
 HWY_INLINE Lanes to_segment(Lanes u, Lanes v, Lanes eu, Lanes ev, Lanes per_length) {
   const Lanes along = hn::Mul(hn::Add(hn::Mul(u, eu), hn::Mul(v, ev)), per_length);
   const Lanes t = hn::Min(hn::Max(along, hn::Zero(lanes)), hn::Set(lanes, 1.0f));
   return squared(hn::Sub(u, hn::Mul(t, eu)), hn::Sub(v, hn::Mul(t, ev)));
 }
 
-/// To the triangles from lane i on.
+/// Squared distances to the triangles from lane i on.
 HWY_INLINE Lanes squared_distance(const FrameGroup& group, std::size_t i, const glm::vec3& point) {
-  // Into the triangles' frames.
+  // Transforms the point into the triangles' frames.
   const Lanes x = hn::Sub(hn::Set(lanes, point.x), hn::Load(lanes, &group.origin[0][i]));
   const Lanes y = hn::Sub(hn::Set(lanes, point.y), hn::Load(lanes, &group.origin[1][i]));
   const Lanes z = hn::Sub(hn::Set(lanes, point.z), hn::Load(lanes, &group.origin[2][i]));
   const Lanes u = in_direction(group.u, i, x, y, z), v = in_direction(group.v, i, x, y, z);
   const Lanes w = in_direction(group.w, i, x, y, z);
 
-  // To the three edges.
+  // The distances to the three edges.
   const Lanes length = hn::Load(lanes, &group.length[i]), zero = hn::Zero(lanes);
   const Lanes eu = hn::Load(lanes, &group.apex_u[i]), ev = hn::Load(lanes, &group.apex_v[i]);
   const Lanes on_base = squared(hn::Sub(u, hn::Min(hn::Max(u, zero), length)), v);
@@ -51,7 +51,7 @@ HWY_INLINE Lanes squared_distance(const FrameGroup& group, std::size_t i, const 
   const Lanes ru = hn::Sub(u, length), reu = hn::Sub(eu, length);
   const Lanes right = to_segment(ru, v, reu, ev, hn::Load(lanes, &group.per_right[i]));
 
-  // None of it counts above the inside.
+  // Within the triangle, the distance in the plane does not count.
   const auto inside = hn::And(
       hn::Ge(v, zero), hn::And(hn::Ge(hn::Mul(ev, u), hn::Mul(eu, v)), hn::Ge(hn::Mul(reu, v), hn::Mul(ev, ru))));
   const Lanes beside = hn::IfThenZeroElse(inside, hn::Min(on_base, hn::Min(left, right)));

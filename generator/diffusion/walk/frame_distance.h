@@ -9,19 +9,19 @@
 
 namespace pomona {
 
-/// Squared distances to the triangles of a group, normalised; within 1e-6 of the truth for the distances
-/// themselves. The same bits whatever the vectors' width.
+/// Squared distances to the triangles of a group, normalised; exact within 1e-6 of the distances. The bits do not
+/// depend on the width of vectors.
 using GroupDistances = std::array<float, FrameGroup::size>;
 GroupDistances squared_distances(const FrameGroup& group, const glm::vec3& point);
 
-/// A group, and a distance no point of it is nearer than.
+/// A group, and a lower bound of its distance.
 struct NearGroup {
   float distance = 0;
   std::uint32_t group = 0;
 };
 
-/// The least of squared_distances() over `count` groups that come in order of `near[i].distance`; it stops where
-/// these exceed `reach` plus the distance found.
+/// The minimum of squared_distances() over `count` groups in order of `near[i].distance`; it stops where these exceed
+/// `reach` plus the distance found.
 float min_squared_distance(const FrameGroup* groups, const NearGroup* near, std::size_t count, float reach,
                            const glm::vec3& point);
 

@@ -10,7 +10,7 @@ namespace pomona {
 
 namespace {
 
-/// A number that a float can hold, and that stays finite when a triangle is nearly a line.
+/// The reciprocal, bounded so that it fits a float even for nearly flat triangles.
 float narrow(double value) { return static_cast<float>(std::min(value, 1e30)); }
 
 void store(float (&to)[3][FrameGroup::size], int lane, const glm::dvec3& vector) {
@@ -18,7 +18,7 @@ void store(float (&to)[3][FrameGroup::size], int lane, const glm::dvec3& vector)
 }
 
 void put(FrameGroup& group, int lane, std::array<glm::dvec3, 3> corner, std::uint32_t triangle) {
-  // Begin with the longest edge, and keep the turning.
+  // Begins with the longest edge, and keeps the orientation.
   const auto edge = [&](int k) { return corner[(k + 1) % 3] - corner[k]; };
   int longest = 0;
   for (int k = 1; k < 3; ++k) {
@@ -43,7 +43,7 @@ void put(FrameGroup& group, int lane, std::array<glm::dvec3, 3> corner, std::uin
 }  // namespace
 
 TriangleFrames make_triangle_frames(const DiffusionSurfaces& surfaces, const SurfaceTree& tree) {
-  // Find the ball around all.
+  // Finds the ball around all.
   TriangleFrames frames;
   frames.middle = tree.levels.back().front().center();
   double squared = 0;
@@ -54,7 +54,7 @@ TriangleFrames make_triangle_frames(const DiffusionSurfaces& surfaces, const Sur
   }
   frames.radius = std::sqrt(squared);
 
-  // Fill it; what is left of the last group repeats its last triangle.
+  // Fills the groups; the rest of the last group repeats its last triangle.
   const std::size_t count = tree.order.size(), size = FrameGroup::size;
   frames.groups.resize((count + size - 1) / size);
   for (std::size_t i = 0; i < frames.groups.size() * size; ++i) {

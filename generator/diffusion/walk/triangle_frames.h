@@ -1,4 +1,4 @@
-// Triangles laid out for distances: each in a frame of its own, eight at a time.
+// Triangles prepared for distances: each in a frame of its own, eight at a time.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct alignas(32) FrameGroup {
   float apex_u[size];
   float apex_v[size];
   float per_left[size];          ///< 1 / squared length of the edge from the origin to the apex
-  float per_right[size];         ///< 1 / squared length of the other
+  float per_right[size];         ///< 1 / squared length of the edge from the far end to the apex
   std::uint32_t triangle[size];  ///< index into the surfaces
 };
 

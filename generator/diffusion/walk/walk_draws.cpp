@@ -9,7 +9,7 @@
 namespace pomona {
 
 Draws::InDisc Draws::in_disc() {
-  // 32 bits an axis out of one draw.
+  // Two coordinates of 32 bits from one random number.
   while (true) {
     const std::uint64_t bits = stream_.bits(next_++);
     const double x = (static_cast<double>(bits >> 32) + 0.5) * 0x1p-31 - 1;
@@ -26,7 +26,7 @@ glm::dvec3 random_direction(Draws& draws) {
 }
 
 std::array<glm::dvec3, 12> random_icosahedron(Draws& draws) {
-  // A random turn as a unit quaternion [Marsaglia 1972], and its matrix's columns.
+  // A random rotation as a unit quaternion [Marsaglia 1972], and the columns of its matrix.
   const Draws::InDisc p = draws.in_disc(), q = draws.in_disc();
   const double stretch = std::sqrt((1 - p.squared) / q.squared);
   const double a = p.x, b = p.y, c = stretch * q.x, d = stretch * q.y;
@@ -56,7 +56,7 @@ glm::dvec3 random_return(const glm::dvec3& outside, double radius, Draws& draws)
   const double numerator = u + ratio * (0.5 * (3 + u * u) + ratio * (u + ratio * 0.5 * (u * u - 1)));
   const double cosine = glm::clamp(numerator / ((1 + ratio * u) * (1 + ratio * u)), -1.0, 1.0);
 
-  // Any direction around.
+  // A uniform direction around the axis.
   const glm::dvec3 axis = outside / distance;
   const glm::dvec3 min = std::fabs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 side = glm::normalize(glm::cross(axis, min)), other = glm::cross(axis, side);

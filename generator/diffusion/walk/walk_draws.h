@@ -1,4 +1,4 @@
-// Random places on spheres, drawn without trigonometry.
+// Random points on spheres, without trigonometry.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// One number after the other out of a stream, from a place in it on.
+/// Random numbers of a stream, from a position on.
 class Draws {
  public:
   Draws(const RandomStream& stream, std::uint64_t first) : stream_(stream), next_(first) {}
@@ -18,7 +18,7 @@ class Draws {
   /// Uniform in [0, 1).
   double uniform() { return stream_.uniform(next_++); }
 
-  /// A point of the open unit disc other than its middle, and its squared distance from that.
+  /// A point of the open unit disc without its middle, and its squared distance from the middle.
   struct InDisc {
     double x = 0, y = 0, squared = 0;
   };
@@ -32,8 +32,8 @@ class Draws {
 /// Uniform over the unit sphere [Marsaglia 1972].
 glm::dvec3 random_direction(Draws& draws);
 
-/// The corners of an icosahedron, turned at random: each by itself is uniform over the sphere, and together they
-/// give the mean over it of every polynomial of degree 5.
+/// The corners of a randomly rotated icosahedron: each is uniform over the sphere, and together they give the mean over
+/// it of every polynomial of degree 5.
 std::array<glm::dvec3, 12> random_icosahedron(Draws& draws);
 
 /// Where a random walk that starts at `outside` first meets the sphere of `radius` around 0, given that it does

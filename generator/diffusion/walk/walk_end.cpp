@@ -13,16 +13,16 @@ namespace pomona {
 
 namespace {
 
-/// Distances closer than this are the same one, rounded differently.
+/// Distances closer than this are equal up to rounding.
 constexpr double tie = 1e-12;
 
-/// A triangle near the point, with the place on it that is nearest.
+/// A triangle near the point, with its nearest place.
 struct NearTriangle {
   std::uint32_t triangle = 0;
   std::array<glm::dvec3, 3> corner;
   glm::dvec3 barycentric{0};
   double distance = 0;
-  double height = 0;  ///< of the point above the triangle's plane
+  double height = 0;  ///< height of the point above the triangle's plane
 
   glm::dvec3 at(const glm::dvec3& weight) const {
     return weight.x * corner[0] + weight.y * corner[1] + weight.z * corner[2];
@@ -53,7 +53,7 @@ bool is_crossed(const std::array<glm::dvec3, 3>& corner, const glm::dvec3& p, co
   return ab == bc && bc == ca;
 }
 
-/// Whether nothing among `others` stands between the point and the candidate, a little way into its triangle.
+/// Whether nothing among `others` lies between the point and a place a little way into the candidate's triangle.
 bool is_seen(const NearTriangle& candidate, const std::vector<NearTriangle>& others, const glm::dvec3& point) {
   constexpr double inwards = 0.01;
   const glm::dvec3 place = candidate.at((1 - inwards) * candidate.barycentric + glm::dvec3(inwards / 3));
@@ -65,7 +65,7 @@ bool is_seen(const NearTriangle& candidate, const std::vector<NearTriangle>& oth
 }  // namespace
 
 SurfaceSide side_next_to(const DiffusionSurfaces& surfaces, const EmptyBalls& balls, const glm::dvec3& point) {
-  // Keep what is nearest.
+  // Keeps the nearest candidates.
   std::vector<NearTriangle> nearest;
   for (const std::uint32_t triangle : balls.nearest_triangles(point)) {
     nearest.push_back(candidate_of(surfaces, balls.frames(), triangle, point));
@@ -74,7 +74,7 @@ SurfaceSide side_next_to(const DiffusionSurfaces& surfaces, const EmptyBalls& ba
   const double limit = std::min_element(nearest.begin(), nearest.end(), by_distance)->distance + tie;
   std::erase_if(nearest, [&](const NearTriangle& candidate) { return candidate.distance > limit; });
 
-  // Among several prefer the one faced most squarely; at a corner of many that may lie behind another.
+  // Of several, takes the one that faces the point most directly and is not behind another.
   std::sort(nearest.begin(), nearest.end(), [](const NearTriangle& a, const NearTriangle& b) {
     const double facing_a = std::fabs(a.height), facing_b = std::fabs(b.height);
     return facing_a != facing_b ? facing_a > facing_b : a.triangle < b.triangle;

@@ -6,8 +6,8 @@
 
 namespace pomona {
 
-/// The nearest side to a point (normalised as `balls`) that is next to a surface, nearer than 1e-3. Where several
-/// triangles are equally near, at their shared edge or corner, it is a side that the point sees.
+/// The nearest side of a surface to a point (normalised as `balls`) nearer than 1e-3 to one. Of equally near triangles,
+/// at a shared edge or corner, it is a side that the point sees.
 SurfaceSide side_next_to(const DiffusionSurfaces& surfaces, const EmptyBalls& balls, const glm::dvec3& point);
 
 }  // namespace pomona

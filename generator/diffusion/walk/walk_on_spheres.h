@@ -15,17 +15,17 @@ struct WalkGround;
 
 /// One entry per point.
 struct WalkResult {
-  std::vector<Color> color;           ///< linear: the mean over all walks that met a surface
-  std::vector<std::int32_t> part;     ///< of the sides, that met most often
-  std::vector<float> standard_error;  ///< of the colour: RMS over channels, in 1/255
-  std::vector<std::uint32_t> walks;   ///< 0 where a point lies on a surface
-  std::vector<std::uint32_t> misses;  ///< the walks among them that escaped from open surfaces
+  std::vector<Color> color;           ///< mean over all walks that met a surface, linear
+  std::vector<std::int32_t> part;     ///< the part whose sides walks met most often
+  std::vector<float> standard_error;  ///< standard error of the colour: RMS over channels, in 1/255
+  std::vector<std::uint32_t> walks;   ///< number of walks; 0 where a point lies on a surface
+  std::vector<std::uint32_t> misses;  ///< number of walks that escaped from open surfaces
 };
 
-/// Surfaces, prepared for walks. A walk jumps to a random place on the largest sphere around it that no surface
-/// reaches into, again and again, until it is within 1e-4 of the surfaces' size of one, and takes the colour of
-/// that side. Where no walk meets any surface, the nearest side counts.
-/// The numbers drawn depend on the seed and on the point's coordinates, on nothing else.
+/// Surfaces, prepared for walks. A walk jumps to a random place on the largest sphere around it that no surface reaches
+/// into, again and again, until it is within 1e-4 of the surfaces' size of one, and takes the colour of that side. If
+/// no walk meets a surface, the nearest side counts. Random numbers depend on the seed and the point's coordinates
+/// only.
 class WalkOnSpheres {
  public:
   /// `surfaces` must outlive it.
