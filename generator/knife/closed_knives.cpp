@@ -20,9 +20,10 @@ namespace pomona {
 
 namespace {
 
-constexpr double flatness = 0.8;  // height and depth over width
-constexpr double groove = 0.085;  // share of the distance from the middle by which teeth part
-constexpr double focus = 0.9;     // where a row's grooves come from: this share of the height beyond the middle
+constexpr double flatness = 0.8;  // height and depth of a bite over its width
+constexpr double groove = 0.085;  // depth of grooves between teeth, as a share of the distance from the middle
+constexpr double focus = 0.9;     // the point from which a row's grooves fan out: this share of the height beyond the
+                                  // middle
 constexpr double upper_tooth = 8e-3, lower_tooth = 6e-3;  // metres, about the width of incisors
 
 /// 0 below -1, 1 above 1, smooth between.
@@ -31,11 +32,11 @@ double smooth_step(double x) {
   return t * t * (3 - 2 * t);
 }
 
-/// One row of teeth: angles about the point its grooves come from.
+/// One row of teeth: angles about the point from which its grooves fan out.
 class ToothRow {
  public:
   ToothRow(std::string_view purpose, double pitch) : draw_(VariantKey{}, purpose) {
-    // From the middle outwards both ways: two large ones, then as they come.
+    // From the middle outwards: two large teeth, then random ones.
     for (const int side : {1, -1}) {
       std::vector<double>& edge = side > 0 ? right_ : left_;
       const std::uint64_t first = side > 0 ? 0 : 1000;
@@ -49,7 +50,7 @@ class ToothRow {
 
   struct Mark {
     double parting = 0;  ///< 0 in the middle of a groove, 1 where two meet
-    double reach = 0;    ///< how much farther this tooth went, -1 to 1
+    double reach = 0;    ///< how much deeper this tooth bites, -1 to 1
   };
   Mark at(double angle) const {
     const std::vector<double>& edge = angle >= 0 ? right_ : left_;
@@ -58,7 +59,7 @@ class ToothRow {
     const auto n = static_cast<std::uint64_t>(after - edge.begin());
     const double t = std::fabs(2 * (a - *(after - 1)) / (*after - *(after - 1)) - 1);
 
-    // A groove is round; where two meet, their edge is a little worn.
+    // A groove is round; the edge between two is a little worn.
     constexpr double worn = 0.8;
     const double beyond = t - worn;
     const double parting = beyond < 0 ? t * t / worn : worn + 2 * beyond - beyond * beyond / (1 - worn);
@@ -71,7 +72,7 @@ class ToothRow {
   std::vector<double> right_, left_;  // edges of teeth, growing from 0
 };
 
-/// Shares of the distance from the middle, for directions of unit length.
+/// Distances from the middle, as shares of the width, for unit directions.
 class BiteShape {
  public:
   explicit BiteShape(double width)
@@ -81,13 +82,13 @@ class BiteShape {
         tooth_share_(upper_tooth / width) {}
 
   double share(const glm::dvec3& direction) const {
-    // The rows meet on a line that goes up and down from tooth to tooth, somewhat above the middle.
+    // The rows meet on a line that varies from tooth to tooth, somewhat above the middle.
     const double x = direction.x, up = direction.z;
     const double meet = 0.1 + 0.1 * wave(x / tooth_share_ * 0.25);
     const double above = smooth_step((up - meet) / 0.1);
     const ToothRow::Mark upper = upper_.at(reproducible::atan2(x, std::max(up, -0.5) + focus));
     const ToothRow::Mark lower = lower_.at(reproducible::atan2(x, focus - std::min(up, 0.5)));
-    const double inner = smooth_step(3 * direction.y - 1);  // torn flesh is within, not at the skin
+    const double inner = smooth_step(3 * direction.y - 1);  // flesh is torn inside, not at the skin
     const double off = (up - meet) / 0.09, ridge = 0.09 * inner * reproducible::exp(-off * off);
     return 1 - above * taken(upper) - (1 - above) * taken(lower) - ridge;
   }
@@ -97,7 +98,7 @@ class BiteShape {
     return groove * mark.parting - 0.03 * mark.reach * (1 - mark.parting);
   }
 
-  /// Between -1 and 1, going smoothly from one drawn value to the next.
+  /// A smooth curve through random values between -1 and 1.
   double wave(double x) const {
     const double cell = std::floor(x);
     const auto n = static_cast<std::uint64_t>(cell + 500);
@@ -115,7 +116,7 @@ class BiteShape {
 /// and the rows meet in a ridge. No two teeth are equal, but the same width always gives the same teeth. The surface is
 /// closed, and every ray from the origin meets it once. \param width metres
 ClosedSurface bite_marks(double width) {
-  // Triangles fine enough for the edges between teeth, as long as these are a 15th of the width or more.
+  // Triangles are fine enough for edges between teeth of a 15th of the width or more.
   const double cell = std::max(6e-4, width / 120), radius = 0.5 * width;
   const double tolerance = std::min(cell, radius / 8) * std::min(cell, radius / 8) / (8 * radius);
   ClosedSurface bite = revolved(half_circle(radius, tolerance), {.tolerance = tolerance});
@@ -127,11 +128,11 @@ ClosedSurface bite_marks(double width) {
   return bite;
 }
 
-/// Share of a knife's size by which its chords may stray from its circles, each way: 0.012 mm on a ball of 24 mm.
+/// Largest distance of chords from circles, as a share of a knife's size: 0.012 mm on a ball of 24 mm.
 constexpr double roughness = 5e-4;
 
-/// Where the level line that comes from the front (along z) and meets the axis at half the fruit's height enters the
-/// skin. Where it meets none, the front of the fruit's bounds.
+/// The point where the level line from the front (along z) to the axis at half the fruit's height enters the skin;
+/// without a hit, the front of the fruit's bounds.
 glm::dvec3 front_of(const DiffusionSurfaces& surfaces) {
   const Box<double> bounds = bounds_of(surfaces);
   const glm::dvec2 line(0, bounds.center().y);
@@ -140,8 +141,8 @@ glm::dvec3 front_of(const DiffusionSurfaces& surfaces) {
     if (!surfaces.is_boundary(i)) continue;
     const glm::uvec3& t = surfaces.triangle[i];
 
-    // Seen along the line, the line is a point. It lies in the triangle if the three triangles it makes with the edges
-    // turn the same way; their areas are then the weights of the corners in the point where they meet.
+    // Seen along the line, the line is a point. It lies in the triangle if the three triangles that it makes with the
+    // edges have the same orientation; their areas are the barycentric weights.
     const glm::dvec3 a(surfaces.position[t.x]), b(surfaces.position[t.y]), c(surfaces.position[t.z]);
     const auto area = [&](const glm::dvec3& p, const glm::dvec3& q) {
       return (p.x - line.x) * (q.y - line.y) - (p.y - line.y) * (q.x - line.x);
@@ -178,7 +179,7 @@ std::pair<double, double> heights_along(const SolidPose& pose, const DiffusionSu
   return {low, high};
 }
 
-/// Makes the surface of a closed knife; std::visit calls what fits its kind.
+/// Makes the surface of a closed knife, by std::visit.
 struct SurfaceMaker {
   const DiffusionSurfaces& surfaces;
 
@@ -190,7 +191,7 @@ struct SurfaceMaker {
 
   /// It bites level towards the axis, the teeth above and below.
   ClosedSurface operator()(const BiteKnife& knife) const {
-    // On the axis there is no level way to go, and it bites downwards.
+    // On the axis no level direction exists, so it bites downwards.
     SolidPose pose;
     pose.at = knife.at ? *knife.at : front_of(surfaces);
     const glm::dvec3 inwards(-pose.at.x, 0, -pose.at.z);

@@ -17,7 +17,7 @@ namespace {
 constexpr double max_cells = 1e4;
 
 /// Shares of the fruit's size. A fruit's coordinates are floats, which resolve about 1e-7 of it; places are computed in
-/// doubles, which resolve 1e-16. What counts as one place lies between, nearer to the doubles.
+/// doubles, which resolve 1e-16. The tolerance for equal places lies between, nearer to the doubles.
 constexpr double tolerance_share = 1e-10, rounding_share = 1e-13;
 
 bool coincide(const CuttingPlane& a, const CuttingPlane& b, double tolerance) {
@@ -25,8 +25,8 @@ bool coincide(const CuttingPlane& a, const CuttingPlane& b, double tolerance) {
   return glm::length(glm::cross(a.normal, b.normal)) < 1e-12 && std::fabs(a.offset - sense * b.offset) <= tolerance;
 }
 
-/// The blade that a knife's plane begins, or none: facets of a stroke but the first are part of a blade begun before.
-/// `number`: of the plane among those of all knives.
+/// The blade that begins with this plane, or none: only the first facet of a stroke begins one. `number`: index of the
+/// plane among those of all knives.
 std::optional<CutPlanes::Blade> blade_begun(const KnifePlanes& knife, std::size_t in_knife, int number) {
   if (knife.strokes.empty()) return CutPlanes::Blade{number, 1, std::nullopt};
   std::size_t first = 0;
@@ -54,7 +54,7 @@ bool CutPlanes::is_in_facet(int plane, const glm::dvec3& place) const {
 
 namespace {
 
-/// \throws Error (usage) where the knives together make more cells than anybody can want.
+/// \throws Error (usage) if the knives together make too many cells.
 std::vector<KnifePlanes> laid(std::span<const Knife> knives, const Box<double>& bounds) {
   std::vector<KnifePlanes> all;
   double cells = 1;
@@ -147,7 +147,7 @@ std::uint32_t PlaneSets::with(std::uint32_t set, int plane) {
   std::vector<int> larger = sets_[set];
   larger.insert(std::upper_bound(larger.begin(), larger.end(), plane), plane);
 
-  // Two planes through the axis meet in it, so the point lies on all planes through the axis.
+  // Two planes through the axis meet in it, so the point lies on all of them.
   std::vector<int> on_axis;
   std::set_intersection(larger.begin(), larger.end(), axis_planes_.begin(), axis_planes_.end(),
                         std::back_inserter(on_axis));

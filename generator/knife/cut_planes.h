@@ -67,8 +67,8 @@ class PlaneSets {
 
   std::uint32_t with(std::uint32_t set, int plane);
 
-  /// The plane alone, for what is cut by planes: an edge on the axis lies on all planes through it, but it is cut by
-  /// those alone that part its triangle from another.
+  /// The set of one plane, for edges that planes cut: an edge on the axis lies on all planes through it, but only those
+  /// that separate its triangle from another cut it.
   std::uint32_t with_alone(std::uint32_t set, int plane);
   std::uint32_t common(std::uint32_t first, std::uint32_t second);
   bool has(std::uint32_t set, int plane) const;

@@ -8,7 +8,7 @@ namespace pomona {
 
 namespace {
 
-/// A sum kept without error: its rounded value, and what rounding took away.
+/// An exact sum: its rounded value, and the rounding error.
 struct ExactSum {
   double value = 0, rest = 0;
 };
@@ -60,7 +60,7 @@ class Expansion {
 }  // namespace
 
 double exact_distance(const CuttingPlane& plane, const glm::dvec3& point) {
-  // Try plain doubles first. Three products and three sums err by at most 4 roundings of the sum of magnitudes; a
+  // Tries plain doubles first. Three products and three sums err by at most 4 roundings of the sum of magnitudes; a
   // distance a million times as large has its sign and six digits right.
   const glm::dvec3 terms = plane.normal * point;
   const double distance = terms.x + terms.y + terms.z - plane.offset;
@@ -68,7 +68,7 @@ double exact_distance(const CuttingPlane& plane, const glm::dvec3& point) {
   const double error = 4 * std::numeric_limits<double>::epsilon() * magnitude;
   if (std::fabs(distance) > 1e6 * error) return distance;
 
-  // Else add up the products and what rounding took from them, without any error.
+  // Else adds up the products and their rounding errors exactly.
   Expansion sum;
   sum.add(-plane.offset);
   for (int axis = 0; axis < 3; ++axis) {

@@ -110,7 +110,7 @@ struct Knife {
   bool is_closed() const { return std::holds_alternative<ClosedCut>(cut); }
 };
 
-/// \throws Error (usage), always: the knife that is written `text` cannot be, `why`, and what would do.
+/// Always throws Error (usage): the knife that is written `text` is impossible, `why`, and what would do.
 [[noreturn]] void refuse_knife(std::string_view text, const std::string& why, const std::string& hint);
 
 }  // namespace pomona

@@ -22,9 +22,9 @@ using std::filesystem::path;
 constexpr int max_wedges = 360;
 constexpr double largest_knife = 10;       // metres
 constexpr double largest_scale = 1;        // metres per unit of a drawing
-constexpr double millimetre_scale = 1e-3;  // what a unit of a drawing is where nothing is said
+constexpr double millimetre_scale = 1e-3;  // metres per unit of a drawing, by default
 
-/// A whole number as users write counts: digits alone.
+/// Reads a count: digits only.
 std::optional<int> parse_count(string_view text) {
   if (text.empty() || text.size() > 6) return std::nullopt;
   int count = 0;
@@ -35,7 +35,7 @@ std::optional<int> parse_count(string_view text) {
   return count;
 }
 
-/// Of a knife that is its name alone.
+/// Reads a knife that has only a name.
 template <typename Plain>
 KnifeCut read_plain(const KnifeKind&, string_view, const path&) {
   return PlaneCut(Plain{});
@@ -85,7 +85,7 @@ SliceSize parse_slices(string_view value) {
     if (*count > max_slices) throw BadKnife(too_many);
     return SliceCount{*count};
   }
-  // A number that is no count would be metres, which nobody means.
+  // Refuses a number that is no count, because nobody means metres.
   if (parse_number(value))
     throw BadKnife("has no unit", "write " + std::string(value) + "mm, or a whole number of slices");
   return SliceThickness{parse_thickness(value, "4mm, or a count")};
@@ -102,8 +102,7 @@ KnifeCut read_crinkle(const KnifeKind&, string_view value, const path&) {
   return PlaneCut(CrinkleKnife{parse_thickness(value, "6mm")});
 }
 
-/// A path in a drawing: "FILE.svg#id,scale=2mm". A comma may be part of the file's name: what comes before the last #
-/// is.
+/// Reads a path in a drawing: "FILE.svg#id,scale=2mm". All before the last # is the file's name, commas included.
 struct NamedDrawing {
   path file;
   std::string id;
@@ -111,7 +110,7 @@ struct NamedDrawing {
 };
 
 NamedDrawing parse_drawing(string_view value) {
-  // Part the file, the path's name and the options.
+  // Separates the file, the path's name and the options.
   const std::size_t hash = std::min(value.rfind('#'), value.size());
   const std::size_t comma = std::min(value.find(',', hash), value.size());
   const string_view drawn = value.substr(0, comma);
@@ -141,13 +140,13 @@ KnifeCut read_revolve(const KnifeKind& kind, string_view value, const path& fold
   return ClosedCut(std::move(knife));
 }
 
-/// A size, metres, and what follows it: "24mm,at=0,4cm,3cm".
+/// Reads a size in metres, and the options behind it: "24mm,at=0,4cm,3cm".
 struct SizeAndOptions {
   double size;
   KnifeOptions options;
 };
 
-/// \throws BadKnife for what is no size; it then says that the knife needs `what`.
+/// \throws BadKnife for other texts; it says that the knife needs `what`.
 SizeAndOptions parse_sized(const KnifeKind& kind, string_view value, const std::string& what) {
   const std::vector<string_view> words = split_at_commas(value);
   const std::optional<double> size = parse_length(words[0]);
@@ -232,7 +231,7 @@ std::string written(const KnifeKind& kind) {
   return all;
 }
 
-/// " [,axis=0,1,0] [,depth=4cm]"; nothing of a kind that has none.
+/// " [,axis=0,1,0] [,depth=4cm]"; empty for a kind without options.
 std::string bracketed_options(const KnifeKind& kind) {
   std::string text;
   for (const std::string& option : kind.options) text += " [," + option + "]";

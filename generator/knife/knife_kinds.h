@@ -15,7 +15,7 @@ namespace pomona {
 struct KnifeKind {
   std::string name;                  ///< "core"
   std::vector<std::string> written;  ///< every way to write it, without options: "core:18mm"
-  std::vector<std::string> options;  ///< each as one would write it: "depth=4cm"
+  std::vector<std::string> options;  ///< an example of each: "depth=4cm"
   std::string help;                  ///< one line: along which surface it cuts
 
   /// Reads what follows the colon. Relative paths start from `folder`.

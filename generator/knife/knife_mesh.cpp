@@ -30,7 +30,7 @@ class MeshBuilder {
  public:
   explicit MeshBuilder(const ClosedSurface& surface) { take(surface); }
 
-  /// True if triangles run along every edge as often one way as the other.
+  /// True if triangles run along every edge equally often in both directions.
   bool is_closed() const {
     std::vector<glm::uvec3> triangles;
     for (const Triangle& t : mesh_.triangle) triangles.emplace_back(t.corner[0], t.corner[1], t.corner[2]);
@@ -46,7 +46,7 @@ class MeshBuilder {
 
  private:
   void take(const ClosedSurface& surface) {
-    // Number the places where points lie, each once.
+    // Merges points at equal places.
     const std::vector<std::uint32_t> first = weld(surface.point);
     std::vector<std::uint32_t> number(first.size());
     for (std::size_t p = 0; p < first.size(); ++p) {
@@ -54,7 +54,7 @@ class MeshBuilder {
       if (first[p] == p) mesh_.point.push_back(surface.point[p]);
     }
 
-    // Leave out triangles that thereby lose a corner: they have no area, and their neighbours close the gap.
+    // Leaves out triangles that thereby lose a corner: they have no area, and their neighbours close the gap.
     for (const glm::uvec3& t : surface.triangle) {
       Triangle triangle;
       triangle.corner = {number[t.x], number[t.y], number[t.z]};
@@ -63,7 +63,7 @@ class MeshBuilder {
     }
   }
 
-  /// Across the triangle, outwards, twice as long as its area is large.
+  /// The outward normal of the triangle, of twice its area.
   glm::dvec3 area_vector(std::size_t t) const {
     const std::array<glm::dvec3, 3> c = mesh_.corners(t);
     return glm::cross(c[1] - c[0], c[2] - c[0]);
@@ -141,9 +141,9 @@ class Refiner {
  public:
   Refiner(KnifeMesh& mesh, const std::function<double(const glm::dvec3&)>& size) : mesh_(mesh), size_(size) {}
 
-  /// Halves once what is too long. False if there was nothing to halve.
+  /// Halves all edges that are too long, once. False if there were none.
   bool halve() {
-    // Mark the edges that are too long, and what must be halved with them.
+    // Marks the edges that are too long, and those that must be halved with them.
     middle_of_.clear();
     for (const Triangle& t : mesh_.triangle) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -153,7 +153,7 @@ class Refiner {
     if (middle_of_.empty()) return false;
     mark_longest();
 
-    // Split all triangles at their marked edges.
+    // Splits all triangles at their marked edges.
     std::vector<Triangle> whole;
     whole.swap(mesh_.triangle);
     for (const Triangle& t : whole) split(t);
@@ -191,7 +191,7 @@ class Refiner {
     return best;
   }
 
-  /// Marks the longest edge of each triangle that has a marked one, until that brings no more.
+  /// Marks the longest edge of each triangle that has a marked one, until no more are marked.
   void mark_longest() {
     for (bool changed = true; changed;) {
       changed = false;
@@ -205,10 +205,10 @@ class Refiner {
     }
   }
 
-  /// Cuts a triangle in two at its longest marked edge, the halves at what other edges are marked, and adds what comes
-  /// of it to the mesh.
+  /// Cuts a triangle in two at its longest marked edge, the halves at other marked edges, and adds the results to the
+  /// mesh.
   void split(const Triangle& t) {
-    // Pick the longest edge. In a half of a triangle it need not be marked; then pick the first edge that is.
+    // Picks the longest edge. In half a triangle it may not be marked; then picks the first marked edge.
     std::size_t i = longest(t);
     if (!is_marked(t, i)) {
       i = 0;

@@ -31,7 +31,7 @@ glm::dvec2 direction(double angle) {
   return d;
 }
 
-/// Lays planes one by one; std::visit calls what fits the kind of knife.
+/// Makes planes one by one, by std::visit over the kinds of knives.
 class PlaneLayer {
  public:
   PlaneLayer(const Knife& knife, const Box<double>& bounds) : bounds_(bounds) { laid_.text = knife.text; }
@@ -73,7 +73,7 @@ class PlaneLayer {
   void operator()(const CrinkleKnife& knife) {
     constexpr int steps = 8;  // of a wave
 
-    // Find how many waves reach across the fruit, and refuse more facets than can be cut in reasonable time.
+    // Finds how many waves reach across the fruit, and refuses more facets than can be cut in reasonable time.
     const std::vector<double> heights = slices_of(SliceThickness{knife.thickness}, 1);
     const double wave = knife.thickness, height = wave / 8;
     const double waves = std::ceil(0.5 * bounds_.size().x / wave) + 1;
@@ -81,7 +81,7 @@ class PlaneLayer {
       refuse_knife(laid_.text, "makes more than " + std::to_string(max_facets) + " facets", "take thicker slices");
     }
 
-    // Draw a wave at each height. Where it turns from left to right its edges are in line, and cleaned() joins them.
+    // Draws a wave at each height. Where it turns from left to right its edges are in line, and cleaned() joins them.
     std::vector<std::vector<glm::dvec2>> strokes;
     for (const double y : heights) {
       std::vector<glm::dvec2> points;
@@ -104,7 +104,7 @@ class PlaneLayer {
   }
 
  private:
-  /// How many whole slices lie along the fruit, and how thick they are, metres.
+  /// The number of whole slices along the fruit, and their thickness, metres.
   struct Slicing {
     double whole = 0, thickness = 0;
   };
@@ -113,7 +113,7 @@ class PlaneLayer {
   Slicing slicing(const SliceSize& size, double height) const {
     if (const auto* by_count = std::get_if<SliceCount>(&size)) return {1.0 * by_count->count, height / by_count->count};
 
-    // Refuse what is finer than the fruit's coordinates resolve, and more slices than anybody can want.
+    // Refuses slices that are finer than the fruit's coordinates resolve, and too many slices.
     const double thickness = std::get<SliceThickness>(size).metres;
     const double thinnest = thinnest_slice * glm::length(bounds_.size());
     const double min = std::fmax(thinnest, height / (max_slices - 3));
@@ -126,7 +126,7 @@ class PlaneLayer {
     return {whole, thickness};
   }
 
-  /// Where planes across this axis go: whole slices are centred, and what is left over lies at both ends.
+  /// The places of planes across this axis: whole slices are centred, with the rest at both ends.
   std::vector<double> slices_of(const SliceSize& size, int axis) const {
     const double height = bounds_.size()[axis];
     const auto [whole, thickness] = slicing(size, height);
@@ -178,7 +178,7 @@ KnifePlanes planes_of(const Knife& knife, const Box<double>& bounds) {
   }
   KnifePlanes none;
   none.text = knife.text;
-  none.across[0] = 2;  // everything lies in the first cell until the closed surface is laid on
+  none.across[0] = 2;  // everything lies in the first cell until the closed surface is placed
   return none;
 }
 
@@ -191,7 +191,7 @@ KnifeSides KnifePlanes::seen(KnifeSides before, std::size_t plane, bool positive
 int KnifePlanes::cell(const KnifeSides& sides) const {
   if (wedges == 0) return sides.positive[0] + across[0] * (sides.positive[1] + across[1] * sides.positive[2]);
 
-  // Count sectors in the order of their angles. Each plane cuts the full turn in two places, so N planes make 2 N
+  // Counts sectors in the order of their angles. Each plane cuts the full turn in two places, so N planes make 2 N
   // sectors. On the first half turn one enters the planes' positive sides one by one; on the second half one leaves
   // them again.
   const int lines = static_cast<int>(planes.size());

@@ -13,7 +13,7 @@ namespace pomona {
 
 namespace {
 
-/// \throws BadKnife where there is none, with what may have been meant.
+/// \throws BadKnife if there is none, with the most similar name.
 const KnifeKind& kind_called(const std::string& name) {
   std::vector<std::string> names;
   for (const KnifeKind& kind : knife_kinds()) {
@@ -33,7 +33,7 @@ KnifeCut parse_cut(std::string_view text, const std::filesystem::path& folder) {
   return kind.read(kind, has_value ? text.substr(colon + 1) : std::string_view(), folder);
 }
 
-/// What a knife of this kind looks like; of one that is none, all that there are.
+/// How a knife of this kind is written; for an unknown kind, all kinds.
 std::string hint_for(std::string_view text) {
   for (const KnifeKind& kind : knife_kinds())
     if (kind.name == text.substr(0, text.find(':'))) return "it is written " + written_with_options(kind);

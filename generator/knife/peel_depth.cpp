@@ -13,7 +13,7 @@ namespace pomona {
 namespace {
 
 /// The distance from a body's surface, metres, negative inside, as a "depth", and the direction in which it grows.
-/// Outside, surface farther than `within` is not looked for, and the distance is then infinite.
+/// Outside, a surface farther than `within` counts as infinitely far.
 PeelDepth::Place outside_of(const TriangleTree& body, const glm::dvec3& point, double within) {
   const bool inside = body.contains(point);
   const TriangleTree::Nearest near = inside ? body.nearest(point) : body.nearest(point, std::max(0.0, within));
@@ -37,11 +37,11 @@ PeelDepth::PeelDepth(const DiffusionSurfaces& surfaces, double thickness, double
 }
 
 PeelDepth::Place PeelDepth::at(const glm::dvec3& point) const {
-  // Below the main body's skin the depth is what the distance from it is outside, with the other sign.
+  // Below the main body's skin the depth is the distance, outside the negative distance.
   Place place = outside_of(skin(), point, INFINITY);
   place = {-place.depth, -place.deeper};
 
-  // What stays makes its surroundings as deep as the clearance asks for; the deepest counts.
+  // Kept bodies make their surroundings as deep as the clearance requires; the deepest counts.
   for (const TriangleTree& body : stays_) {
     const Place beyond = outside_of(body, point, kept_ - place.depth);
     if (kept_ - beyond.depth > place.depth) place = {kept_ - beyond.depth, -beyond.deeper};

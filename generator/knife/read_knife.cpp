@@ -10,7 +10,7 @@ std::optional<Knife> read_knife(const TomlValue& value, const std::filesystem::p
   try {
     return parse_knife(text, folder);
   } catch (const Error& error) {
-    // A drawing may be wrong in a file of its own.
+    // A mistake in a drawing has a place in that file.
     const Diagnostic& what = error.diagnostics().front();
     const bool elsewhere = !what.place.file.empty();
     value.error(elsewhere ? to_string({what.place, what.message, {}}) : what.message, what.hint);

@@ -24,8 +24,8 @@ constexpr std::size_t max_bytes = std::size_t{64} << 20;
 constexpr const char* too_large = "keep the paths, and link pictures instead of embedding them";
 constexpr std::size_t max_points = 4096;
 
-/// What is wrong with the drawing as a whole is told at its first line. \throws Error (bad_data) as BadSketch says,
-/// whose message begins with its place in the file.
+/// Reports a fault of the drawing as a whole at its first line. \throws Error (bad_data) as BadSketch says, whose
+/// message begins with its place in the file.
 Sketch drawing_of(std::string_view svg, const std::string& file) {
   try {
     return Sketch(parse_svg(svg, file), {});
@@ -34,8 +34,8 @@ Sketch drawing_of(std::string_view svg, const std::string& file) {
   }
 }
 
-/// The path, shape or clone with this id or label; one that is drawn before one that is not. \throws Error (bad_data)
-/// where there is none, with the name that may have been meant, and where there are several.
+/// The path, shape or clone with this id or label, preferably one that is drawn. \throws Error (bad_data) if there are
+/// several, or none, with the most similar name.
 const SvgElement& element_called(const SvgDrawing& drawing, const std::string& id) {
   std::vector<std::string> known;
   std::vector<const SvgElement*> found;
@@ -62,7 +62,7 @@ const SvgElement& element_called(const SvgDrawing& drawing, const std::string& i
               {{{drawing.file, 1, 1, ""}, "there is no path \"" + id.substr(0, 200) + "\"", hint}});
 }
 
-/// Says what is wrong with the path at its place in the file.
+/// Reports a fault of the path at its place in the file.
 struct Complaint {
   SourcePlace place;
   std::string name;
@@ -72,7 +72,7 @@ struct Complaint {
   }
 };
 
-/// The path's one curve, or that of what a clone repeats, cleaned.
+/// The one curve of the path, or of a clone's original, cleaned.
 Curve curve_of(const Sketch& sketch, const SvgElement& element, double scale, const Complaint& fail) {
   if (!element.fault.empty()) fail(element.fault, "");
   const std::vector<Sketch::Placed> shapes = sketch.shapes_of(element);
@@ -81,7 +81,7 @@ Curve curve_of(const Sketch& sketch, const SvgElement& element, double scale, co
   options.unit = scale;
   options.transform = shapes.front().to_page;
   std::vector<Curve> curves = parse_svg_path(*shapes.front().element->d, options);
-  // A pen put down and taken up again leaves no curve.
+  // A subpath of one point is not a curve.
   if (curves.size() > 1) std::erase_if(curves, [](const Curve& curve) { return cleaned(curve.points).size() < 2; });
   if (curves.size() != 1) fail("is not one line but " + std::to_string(curves.size()), "break the path apart");
   Curve curve{cleaned(curves[0].points), curves[0].closed};
@@ -90,7 +90,8 @@ Curve curve_of(const Sketch& sketch, const SvgElement& element, double scale, co
   return curve;
 }
 
-/// Finds the path and hands it to `check`, with what complains about it; all errors name the file and the place.
+/// Finds the path and passes it to `check`, with a function that reports faults; all errors name the file and the
+/// place.
 template <typename Check>
 Curve curve_called(const std::string& id, std::string_view svg, const std::string& file, double scale,
                    const std::string& what, const Check& check) {
@@ -113,9 +114,9 @@ void check_stroke(const Curve& curve, const Complaint& fail) {
   if (crosses_itself(curve.points, {0, 0}, 0)) fail("crosses itself", "a knife's stroke must not meet itself");
 }
 
-/// Puts points next to the axis on it, so that which points lie on it is exact, and refuses what cannot be revolved.
+/// Puts points next to the axis onto it exactly, and refuses what cannot be revolved.
 void check_profile(Curve& curve, const Complaint& fail) {
-  // Put points on the axis that are nearer to it than a ten thousandth of the profile's extent.
+  // Puts points onto the axis that are nearer to it than a ten thousandth of the profile's extent.
   glm::dvec2 low = curve.points.front(), high = low;
   for (const glm::dvec2& p : curve.points) {
     low = glm::min(low, p);

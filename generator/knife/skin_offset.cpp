@@ -25,9 +25,10 @@ namespace {
 
 constexpr double cells_on_skin = 3000;   // some 40 000 triangles
 constexpr double cells_in_strip = 6;     // so that a tetrahedron sees one turn of the ridge at most
-constexpr double ridge_share = 1 / 30.;  // of a strip's width
-constexpr double ridge_height = 1;       // out of the skin, in cells
-constexpr double ridge_distance = 4;     // from what stays, in cells: nearer, it would part crumbs from the peel
+constexpr double ridge_share = 1 / 30.;  // width of a ridge as a share of a strip's width
+constexpr double ridge_height = 1;       // height of a ridge above the skin, in cells
+constexpr double ridge_distance = 4;     // distance of a ridge from kept bodies, in cells: a nearer ridge would cut
+                                         // crumbs off the peel
 constexpr double max_vertices = 6e6;
 
 double area_of(const TriangleTree& skin) {
@@ -38,16 +39,16 @@ double area_of(const TriangleTree& skin) {
   return area;
 }
 
-/// The edge of the grid's cubes, metres: as fine as the skin is large, and as a strip is narrow.
+/// The edge of the grid's cubes, metres; it follows from the size of the skin and the width of a strip.
 double cell_of(const DiffusionSurfaces& surfaces, const PeelOptions& options) {
   const double cell = std::sqrt(area_of(SkinDepth(surfaces).skin()) / cells_on_skin);
   return options.strip > 0 ? std::min(cell, options.strip / cells_in_strip) : cell;
 }
 
-/// Space around a fruit as tetrahedra (a body-centred cubic lattice), and at each of their vertices what decides
-/// whether it is left by the peeler; the surface is found by marching tetrahedra (LevelSurface). Vertices are the
-/// corners of cubes and their middles. Each edge of a face between two cubes makes a tetrahedron with both their
-/// middles, whose edges differ by 15 % in length only.
+/// Space around a fruit as tetrahedra (a body-centred cubic lattice), with values at their vertices that decide what
+/// the peeler leaves. Marching tetrahedra find the surface (LevelSurface). Vertices are the corners of cubes and their
+/// middles. Each edge of a face between two cubes makes a tetrahedron with both their middles, whose edges differ by 15
+/// % in length only.
 class PeelGrid {
  public:
   /// `shift` moves the whole grid, in cells.
@@ -56,7 +57,7 @@ class PeelGrid {
         cell_(cell_of(surfaces, options)),
         depth_(surfaces, options.thickness, cell_),
         outline_(depth_.skin()) {
-    // Two cells of air around everything, for the ridge stands out of the skin.
+    // Two cells of air around everything, because the ridge stands out of the skin.
     double count = 2;
     for (int i = 0; i < 3; ++i) {
       const double size = depth_.box().high[i] - depth_.box().low[i];
@@ -70,17 +71,17 @@ class PeelGrid {
     if (options_.strip > 0) end_ridge_where_it_is_steep();
   }
 
-  /// The surface of what the peeler leaves.
+  /// The surface of the peeled fruit.
   ClosedSurface surface() const {
     LevelSurface surface({0, 0, 1});  // turns start anew after each, depth and ridge do not
     for (std::size_t i = 0; i < place_.size(); ++i) surface.add_vertex(place_[i], values_[i]);
     for_each_tetrahedron([&](const LevelSurface::Tetrahedron& t) { add(surface, t); });
 
-    // Beside a ridge vertices may lie too near to each other to be moved.
+    // Beside a ridge, vertices may be too near to each other to be moved.
     return options_.strip > 0 ? surface.solid() : moved_onto_offset(surface.solid());
   }
 
-  /// Takes the ridge away within two cells of these points. False if there was none.
+  /// Removes the ridge within two cells of these points. False if there was none.
   bool end_ridge_near(const std::vector<glm::dvec3>& points) {
     bool had_ridge = false;
     for (std::size_t i = 0; i < place_.size(); ++i) {
@@ -94,7 +95,7 @@ class PeelGrid {
   }
 
  private:
-  /// What is known at each vertex, as numbers of LevelSurface's functions.
+  /// The values at each vertex: indices of LevelSurface's functions.
   enum : std::size_t {
     depth,  // metres below the skin
     ridge,  // not negative where a ridge may stand, metres
@@ -118,7 +119,7 @@ class PeelGrid {
     return corner(cubes_) + 1 + static_cast<std::uint32_t>(at.x + cubes_.x * (at.y + cubes_.y * at.z));
   }
 
-  /// Lays out the vertices, first all corners, then all middles, and finds what is known at each.
+  /// Makes the vertices, first all corners, then all middles, and their values.
   void measure() {
     for (const double shift : {0.0, 0.5}) {
       const glm::ivec3 count = shift == 0 ? cubes_ + 1 : cubes_;
@@ -142,11 +143,11 @@ class PeelGrid {
     check_thickness();
   }
 
-  /// Something of the fruit itself must be left, not of its stem alone.
+  /// Some of the fruit itself must remain, not only its stem.
   void check_thickness() const {
     double deepest = 0;
     for (std::size_t i = 0; i < place_.size(); ++i) {
-      if (values_[i][depth] < deepest) continue;  // what lies under the skin is no deeper
+      if (values_[i][depth] < deepest) continue;  // nothing below the skin is deeper
       deepest = std::max(deepest, depth_.below_skin(place_[i]));
       if (deepest > options_.thickness) return;
     }
@@ -196,7 +197,7 @@ class PeelGrid {
   }
 
   /// The surface was found as if depth were linear in a tetrahedron. This moves its points to where the depth is the
-  /// peel's thickness indeed, by a twentieth of a cell at most.
+  /// peel's thickness, by at most a twentieth of a cell.
   ClosedSurface moved_onto_offset(const ClosedSurface& found) const {
     ClosedSurface moved = found;
     parallel_for(moved.point.size(), {}, [&](std::size_t i) {
@@ -205,7 +206,7 @@ class PeelGrid {
       moved.point[i] += way * known.deeper;
     });
 
-    // Where triangles cross then, in creases, their points go back to where they were found.
+    // Where triangles then cross, in creases, their points move back.
     while (true) {
       DiffusionSurfaces surfaces;
       surfaces.position.assign(moved.point.begin(), moved.point.end());
@@ -224,8 +225,8 @@ class PeelGrid {
     }
   }
 
-  /// A ridge stands between the surface and a little above the skin, half a strip from either pole and beside the axis
-  /// itself, and not next to what stays.
+  /// A ridge reaches from the surface to a little above the skin. It keeps half a strip from either pole and from the
+  /// axis, and keeps away from kept bodies.
   void measure_ridge(const glm::dvec3& p, LevelSurface::Values& values) const {
     const double along = outline_.along(p);
     values[turns] = turns_from_ridge(along, p, options_.strip);
@@ -254,8 +255,8 @@ class PeelGrid {
     }
   }
 
-  /// Where two turns are so near to each other that it is not clear in which of them an edge runs, in the depth of a
-  /// dimple for one, there is no ridge.
+  /// There is no ridge where two turns are so near to each other that an edge may belong to either, as deep in a
+  /// dimple.
   void end_ridge_where_it_is_steep() {
     std::vector<std::uint32_t> steep;
     for_each_tetrahedron([&](const LevelSurface::Tetrahedron& t) {
@@ -270,7 +271,7 @@ class PeelGrid {
     for (const std::uint32_t vertex : steep) values_[vertex][ridge] = -cell_;
   }
 
-  /// Adds the part of a tetrahedron that the peeler leaves: what is deeper than the peel, and the ridge.
+  /// Adds the part of a tetrahedron that the peeler leaves: all deeper than the peel, and the ridge.
   void add(LevelSurface& surface, const LevelSurface::Tetrahedron& t) const {
     // Most tetrahedra are inside or outside as a whole.
     const double half_ridge = 0.5 * ridge_share;
@@ -283,7 +284,7 @@ class PeelGrid {
     }
     if (deep == 4 || (deep == 0 && !may_have_ridge)) return;
 
-    // Split the others at the peel's depth, and where a ridge may stand, at its end and at both its sides.
+    // Splits the others at the peel's depth and, where a ridge may stand, at its end and both sides.
     std::vector<LevelSurface::Level> levels{{depth, options_.thickness}};
     if (options_.strip > 0) {
       levels.push_back({ridge, 0});
@@ -321,7 +322,7 @@ std::vector<glm::dvec3> touching_points(const ClosedSurface& surface) {
 }  // namespace
 
 ClosedSurface peeled(const DiffusionSurfaces& surfaces, const PeelOptions& options) {
-  // A ridge that touches itself ends there; where that does not help, the grid is shifted.
+  // A ridge that touches itself ends there; if that does not help, the grid is shifted.
   for (const double shift : {0.0, 0.1, -0.1}) {
     PeelGrid grid(surfaces, options, shift);
     while (true) {

@@ -47,7 +47,7 @@ class Revolution {
     std::uint32_t first = 0, count = 1;  ///< one vertex on the axis, or a ring
   };
 
-  /// The length of a chord that strays so far from a circle of this radius.
+  /// The length of a chord at this distance from a circle of this radius.
   double chord(double radius) const { return std::sqrt(8 * radius * options_.tolerance); }
 
   /// The outline's points, and more on its straight edges, so that triangles are at most three times as long as wide.
@@ -63,7 +63,7 @@ class Revolution {
     return rows;
   }
 
-  /// \throws Error (usage) for more triangles than can be cut with in reasonable time.
+  /// \throws Error (usage) for too many triangles to cut with in reasonable time.
   void check(const std::vector<glm::dvec2>& rows) const {
     double triangles = 0;
     for (const glm::dvec2& p : rows) triangles += 2 * static_cast<double>(count_at(p.x));
@@ -77,7 +77,7 @@ class Revolution {
   std::uint32_t count_at(double radius) const {
     if (radius == 0) return 1;
 
-    // A chord strays from its circle by the tolerance; take the smallest multiple that is enough.
+    // A chord may differ from its circle by the tolerance; takes the smallest multiple that is enough.
     const double wanted = pi * std::sqrt(radius / (2 * options_.tolerance));
     std::uint32_t count = 6;
     while (count < wanted && count < max_triangles) {

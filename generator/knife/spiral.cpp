@@ -29,7 +29,7 @@ std::vector<glm::dvec2> convex_outline(std::vector<glm::dvec2> points) {
 }  // namespace
 
 OutlinePlace::OutlinePlace(const TriangleTree& skin) {
-  // Turn all vertices into one half-plane about the axis.
+  // Turns all vertices into one half-plane about the axis.
   std::vector<glm::dvec2> points;
   double widest = 0;
   for (const TriangleTree::Corners& t : skin.triangles()) {
@@ -54,7 +54,7 @@ double OutlinePlace::along(const glm::dvec3& point) const {
   const glm::dvec2 from(0, std::clamp(point.y, low_middle_, high_middle_));
   const glm::dvec2 way = glm::dvec2(std::sqrt(point.x * point.x + point.z * point.z), point.y) - from;
 
-  // The first point of the outline that lies to the left of the ray; the edge before it is the one that is met.
+  // The first point of the outline to the left of the ray; the ray meets the edge before it.
   const auto is_right = [&](const glm::dvec2& p) { return cross(way, p - from) < 0; };
   const auto after = std::partition_point(outline_.begin(), outline_.end(), is_right);
   if (after == outline_.begin()) return 0;

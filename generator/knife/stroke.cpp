@@ -35,7 +35,8 @@ Stroke::Stroke(std::vector<glm::dvec2> points) {
 Stroke::Place Stroke::nearest(const glm::dvec2& point) const {
   Place place;
   double best = infinity;               // squared distance
-  glm::dvec2 best_way(0), outwards(0);  // from the nearest facet to the point, and to the right of the stroke there
+  glm::dvec2 best_way(0), outwards(0);  // direction from the nearest facet to the point, and to the right of the stroke
+                                        // there
   for (std::size_t i = 0; i < facets_.size(); ++i) {
     const Facet& f = facets_[i];
     const double along = f.along_of(point);
@@ -56,7 +57,7 @@ Stroke::Place Stroke::nearest(const glm::dvec2& point) const {
 }
 
 std::vector<glm::dvec2> cleaned(const std::vector<glm::dvec2>& points) {
-  // Measure how near is too near.
+  // Finds the distance that is too near.
   glm::dvec2 low(infinity), high(-infinity);
   for (const glm::dvec2& p : points) {
     low = glm::min(low, p);
@@ -64,7 +65,7 @@ std::vector<glm::dvec2> cleaned(const std::vector<glm::dvec2>& points) {
   }
   const double min = 1e-4 * glm::length(high - low);
 
-  // Leave out points that are too near to the one before; the last point stays, in place of the one it is near to.
+  // Leaves out points that are too near to the one before; the last point replaces one that it is too near to.
   std::vector<glm::dvec2> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!kept.empty() && glm::distance(kept.back(), points[i]) <= min) {
@@ -74,7 +75,7 @@ std::vector<glm::dvec2> cleaned(const std::vector<glm::dvec2>& points) {
     kept.push_back(points[i]);
   }
 
-  // Leave out points where the line goes straight on.
+  // Leaves out points where the line goes straight on.
   std::vector<glm::dvec2> bent;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (i > 0 && i + 1 < kept.size()) {
@@ -88,7 +89,7 @@ std::vector<glm::dvec2> cleaned(const std::vector<glm::dvec2>& points) {
 }
 
 bool crosses_itself(const std::vector<glm::dvec2>& points, const glm::dvec2& middle, double reach) {
-  // Lengthen both ends until they are out of reach, and see whether that line is simple.
+  // Lengthens both ends until they are out of reach, and checks whether that line is simple.
   Curve curve{points, false};
   const auto beyond = [&](const glm::dvec2& end, const glm::dvec2& before) {
     return end + (reach + glm::distance(end, middle)) * glm::normalize(end - before);

@@ -36,7 +36,7 @@ class BodyFinder {
     for (std::size_t s = 0; s < shell_.size(); ++s) {
       outer[s] = s;
       if (shell_[s].volume >= 0) continue;
-      // Each wall is held against every solid.
+      // Compares each wall with every solid.
       constexpr std::size_t max_walls = 4096;
       if (++walls > max_walls)
         throw Error(ExitStatus::bad_data, "more than 4096 cavities: surfaces that face inwards and are closed",
@@ -90,7 +90,7 @@ class BodyFinder {
                                  "inwards. Hide its other side, or turn it (a [[mesh]] by flip)");
   }
 
-  /// Notes the surface that the shell is of.
+  /// Stores the surface of the shell.
   void add_lone_wall(std::size_t shell) {
     const auto first =
         std::find(shells_.of_triangle.begin(), shells_.of_triangle.end(), static_cast<std::int32_t>(shell));

@@ -44,7 +44,7 @@ std::vector<LatticePoint> on_grid(const DiffusionSurfaces& surfaces) {
   return points;
 }
 
-/// 1, 0 or -1: on which side of the plane through a with these two edges, exactly.
+/// The exact side, 1, 0 or -1, of the plane through a with these two edges.
 int exact_side(const LatticePoint& u, const LatticePoint& v, const LatticePoint& w) {
   const glm::i64vec3 a(u), b(v), c(w);
   const Wide volume = static_cast<Wide>(a.y * b.z - a.z * b.y) * c.x + static_cast<Wide>(a.z * b.x - a.x * b.z) * c.y +
@@ -52,7 +52,7 @@ int exact_side(const LatticePoint& u, const LatticePoint& v, const LatticePoint&
   return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
 }
 
-/// The sign of a volume that doubles have estimated, with rounding below 2^42; 2 where they cannot tell.
+/// The sign of a volume that doubles have estimated, with rounding below 2^42; 2 if it is not certain.
 int estimated_side(double volume) {
   if (std::abs(volume) > 0x1p44) return volume > 0 ? 1 : -1;
   return 2;
@@ -63,7 +63,7 @@ struct GridTriangle {
   std::array<LatticePoint, 3> corner;
   glm::dvec3 normal{0};  ///< rounded
 
-  /// On which side of the plane p lies.
+  /// The side of the plane on which p lies.
   int side_of(const LatticePoint& p) const {
     const int estimate = estimated_side(glm::dot(normal, p - corner[0]));
     if (estimate != 2) return estimate;
@@ -118,7 +118,7 @@ bool share_an_edge(const glm::uvec3& a, const glm::uvec3& b) {
   return common > 1;
 }
 
-/// What is connected.
+/// Connected triangles.
 DisjointSets pieces_of(const DiffusionSurfaces& surfaces) {
   DisjointSets pieces(surfaces.vertex_count());
   for (const glm::uvec3& v : surfaces.triangle) {
@@ -132,7 +132,7 @@ DisjointSets pieces_of(const DiffusionSurfaces& surfaces) {
 template <typename Found>
 void visit_crossings(const DiffusionSurfaces& surfaces, const std::vector<std::uint32_t>& triangles,
                      const Found& found) {
-  // Find where triangles could meet.
+  // Finds triangles that could meet.
   const std::vector<LatticePoint> points = on_grid(surfaces);
   std::vector<GridTriangle> corners;
   std::vector<Box<float>> boxes;
@@ -146,7 +146,7 @@ void visit_crossings(const DiffusionSurfaces& surfaces, const std::vector<std::u
     boxes.push_back(box);
   }
 
-  // Look closely there. What is connected matters once anything crosses.
+  // Tests these. Connected parts matter only once something crosses.
   std::optional<DisjointSets> pieces;
   visit_overlapping_boxes(boxes, [&](std::uint32_t i, std::uint32_t j) {
     const glm::uvec3 &a = surfaces.triangle[triangles[i]], &b = surfaces.triangle[triangles[j]];
@@ -162,7 +162,7 @@ std::vector<std::uint32_t> all_triangles(const DiffusionSurfaces& surfaces) {
   return all;
 }
 
-/// Those of the surfaces of these kinds.
+/// The triangles of the surfaces of these kinds.
 std::vector<std::uint32_t> triangles_of(const DiffusionSurfaces& surfaces, const std::set<CrossingKind>& kinds) {
   std::vector<std::uint8_t> counts(surfaces.surface_names.size(), 0);
   for (const auto& [a, b, same_piece] : kinds) {

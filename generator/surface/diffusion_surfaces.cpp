@@ -21,7 +21,7 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// The index of each of `names` in `known`, which grows by those it lacks.
+/// The index of each of `names` in `known`; missing names are added.
 std::vector<std::int32_t> merge_names(std::vector<std::string>& known, const std::vector<std::string>& names) {
   std::vector<std::int32_t> index;
   for (const std::string& name : names) {

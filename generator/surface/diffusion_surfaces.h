@@ -35,7 +35,7 @@ struct DiffusionSurfaces {
   std::vector<std::string> surface_names;
   std::vector<std::string> part_names;
 
-  std::vector<std::string> notes;  ///< what their files leave open, and how it was taken
+  std::vector<std::string> notes;  ///< ambiguities of their files, and how they were resolved
 
   std::size_t vertex_count() const { return position.size(); }
   std::size_t triangle_count() const { return triangle.size(); }

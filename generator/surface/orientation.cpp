@@ -16,7 +16,7 @@ namespace pomona {
 
 namespace {
 
-/// Sets of triangles, each of which knows whether it is turned against its set's root.
+/// Sets of triangles; each triangle knows whether it is turned against its set's root.
 class TurnedSets {
  public:
   explicit TurnedSets(std::size_t count) : parent_(count), turned_(count, 0) {
@@ -41,7 +41,7 @@ class TurnedSets {
     return {top, turned};
   }
 
-  /// False where the two are in one set, the other way round.
+  /// False if the two are in one set with the opposite orientation.
   bool join(std::uint32_t a, std::uint32_t b, bool against) {
     const Root x = root(a), y = root(b);
     const auto turned = static_cast<std::uint8_t>(x.turned ^ y.turned ^ (against ? 1 : 0));
@@ -83,7 +83,7 @@ class Orienter {
 
   // ---- Triangles of a shell ----
 
-  /// Where two triangles meet at an edge and both run it the same way, one of them looks the other way: the fewer turn.
+  /// Two triangles that run along their edge in the same direction face opposite ways; the smaller set turns.
   void turn_alike() {
     std::vector<glm::uvec3> triangles = find_shells(surfaces()).air_facing;
     for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -152,13 +152,13 @@ class Orienter {
     return Enclosures(std::move(triangles));
   }
 
-  /// Turns the shell where it has to; else why it cannot be decided.
+  /// Turns the shell if necessary; returns why it cannot be decided, if so.
   std::string turn_closed(std::size_t s, const Shell& shell, const Enclosures& closed,
                           const std::vector<std::uint32_t>& triangles) {
     if (shell.volume == 0) return {};
     const std::array<int, 2> inside = samples_in_odd_and_even(s, shell, closed);
     const int all = inside[0] + inside[1];
-    // Most of it: what touches others, or sinks in a little, is decided.
+    // Most of its points must agree, so that shells that touch others, or sink in a little, are decided.
     const bool is_odd = 4 * inside[1] >= 3 * all, is_even = 4 * inside[0] >= 3 * all;
     if (!is_odd && !is_even) return shell.volume > 0 ? std::string() : "it faces inwards and crosses another shell";
     if (is_even == (shell.volume > 0)) return {};
@@ -166,7 +166,7 @@ class Orienter {
     return {};
   }
 
-  /// Of some points just within the shell, how many lie in an even and how many in an odd number of others.
+  /// Counts points just within the shell that lie in an even and in an odd number of others.
   std::array<int, 2> samples_in_odd_and_even(std::size_t s, const Shell& shell, const Enclosures& closed) {
     std::array<int, 2> count{0, 0};
     const std::size_t samples = std::min<std::size_t>(16, shell.triangles.size());
@@ -186,7 +186,7 @@ class Orienter {
     return count;
   }
 
-  /// A sheet may face either way; what holds a good part of its box and looks into it may be an inside out skin with a
+  /// A sheet may face either way. A shell that fills much of its box and faces inwards may be an inside-out skin with a
   /// hole.
   static std::string fault_of_open(const Shell& shell) {
     const glm::dvec3 size = shell.bounds.size();

@@ -1,4 +1,4 @@
-// Which way the shells of meshes face: modelling tools leave some inside out.
+// Orients the shells of meshes, because modelling tools leave some inside out.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace pomona {
 
-/// A shell of which it cannot be told which way it should face.
+/// A shell whose orientation cannot be decided.
 struct Undecided {
   std::int32_t surface = 0;
   glm::dvec3 place{0};  ///< of one of its triangles, metres
@@ -23,9 +23,9 @@ struct Oriented {
   std::vector<Undecided> undecided;
 };
 
-/// Triangles of a shell turned alike, and closed shells turned by how many others they lie in: with the side that faces
-/// air outwards if the number is even, inwards, as the wall of a hollow, if it is odd. Only triangles that may turn do.
-/// Shells that cross others stay as they are where they face outwards.
+/// Orients the triangles of each shell alike, and closed shells by the number of others around them: the side that
+/// faces air looks outwards if it is even, inwards, as the wall of a hollow, if it is odd. Only triangles that may turn
+/// do. Shells that cross others keep an outward orientation.
 Oriented oriented(DiffusionSurfaces surfaces, const std::vector<std::uint8_t>& may_turn);
 
 }  // namespace pomona

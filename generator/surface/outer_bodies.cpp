@@ -11,9 +11,9 @@ namespace pomona {
 
 namespace {
 
-constexpr double min_length = 0.1;  // of the skin's diagonal
+constexpr double min_length = 0.1;  // smallest length, as a share of the skin's diagonal
 
-/// True if any triangle of the body begins outside the skin.
+/// True if the first corner of any triangle of the body is outside the skin.
 bool sticks_out(const TriangleTree& body, const TriangleTree& skin) {
   return std::any_of(body.triangles().begin(), body.triangles().end(),
                      [&](const TriangleTree::Corners& t) { return !skin.contains(t[0]); });

@@ -30,8 +30,7 @@ class RegionFinder {
   }
 
  private:
-  /// What may bound a region together: triangles to the air, whatever surfaces they are of; of others each surface by
-  /// itself.
+  /// Groups that may bound a region together: all triangles to the air; else each surface by itself.
   std::vector<std::int32_t> kinds() const {
     std::vector<std::int32_t> kind;
     for (std::size_t t = 0; t < triangles_.size(); ++t)
@@ -58,7 +57,7 @@ class RegionFinder {
   }
 
   void add(const std::vector<std::uint32_t>& hull) {
-    // Seen from air, or from the surface's front.
+    // Oriented to air, or to the surface's front.
     std::vector<glm::uvec3> own;
     for (const std::uint32_t t : hull) {
       own.push_back(triangles_[t]);

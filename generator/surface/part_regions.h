@@ -13,7 +13,8 @@ namespace pomona {
 /// flesh. Open surfaces, such as septa, enclose nothing; walls of cavities enclose air.
 struct PartRegions {
   struct Region {
-    std::int32_t part = 0;             ///< that fills it: the part on the inner side of most of its surface, by area
+    std::int32_t part = 0;             ///< the part that fills it: that on the inner side of most of its surface, by
+                                       ///< area
     double volume = 0;                 ///< cubic metres
     std::size_t first = 0, count = 0;  ///< its triangles are triangle[first] to triangle[first + count - 1]
   };

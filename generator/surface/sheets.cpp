@@ -31,7 +31,7 @@ class SheetDistances {
   }
 
  private:
-  /// The least blur of all vertices at one position, so that sheets do not tear.
+  /// The smallest blur of all vertices at one position, so that sheets do not tear.
   void start_with_blur() {
     distance_.assign(surfaces_.vertex_count(), 0);
     for (std::size_t v = 0; v < distance_.size(); ++v) {
@@ -81,7 +81,7 @@ std::vector<float> sheet_distances(const DiffusionSurfaces& surfaces, const std:
   return SheetDistances(surfaces, normals).find();
 }
 
-/// What becomes of a triangle. A vertex that triangles use in several ways is doubled.
+/// The sheets of a triangle. A vertex that triangles use in several ways is doubled.
 enum class Role : std::uint8_t {
   whole_inner,     ///< stays, with both colours
   whole_boundary,  ///< stays, with both colours, one side hidden
@@ -105,7 +105,7 @@ class SheetMaker {
   DiffusionSurfaces make() {
     to_.surface_names = from_.surface_names;
     to_.part_names = from_.part_names;
-    // Everything that is whole, and all first sheets, in the order of the triangles; then all second sheets.
+    // All whole triangles and first sheets, in the order of the triangles; then all second sheets.
     for (std::size_t i = 0; i < from_.triangle_count(); ++i) append(i, first_role(i));
     for (std::size_t i = 0; i < from_.triangle_count(); ++i) {
       if (splits(i)) append(i, second_role(i));
@@ -136,7 +136,7 @@ class SheetMaker {
 
   void append(std::size_t i, Role role) {
     const glm::uvec3& t = from_.triangle[i];
-    // One statement each: compilers differ in the order of arguments, and vertices are numbered as they come.
+    // One statement each: compilers evaluate arguments in different orders, which would number vertices differently.
     glm::uvec3 corners;
     for (int k = 0; k < 3; ++k) corners[k] = vertex(t[k], role);
     to_.triangle.push_back(corners);

@@ -16,7 +16,7 @@ namespace pomona {
 
 namespace {
 
-/// A triangle at a crowded edge: where it stands around the edge, seen against the edge's direction.
+/// A triangle at an edge of more than two: its angle around the edge, seen against the edge's direction.
 struct EdgeLeaf {
   double angle = 0;
   bool forward = false;  ///< solid lies below its angle; else above
@@ -59,7 +59,7 @@ class ShellFinder {
     if (balance(edge) != 0) {
       for (const HalfEdge& h : edge) open_[h.triangle] = 1;
     }
-    // So many triangles at one edge are no solid; keeping them together costs least.
+    // So many triangles at one edge are no solid; keeping them together is cheapest.
     constexpr std::size_t crowd = 64;
     if (edge.size() <= 2 || edge.size() > crowd) {
       for (const HalfEdge& h : edge) sets_.join(edge.front().triangle, h.triangle);
@@ -89,7 +89,7 @@ class ShellFinder {
     return leaves;
   }
 
-  /// Joins each leaf where solid starts with the one where it ends, like brackets, those of one surface first.
+  /// Joins each triangle where solid starts with the one where it ends, like brackets, those of one surface first.
   void join_wedges(std::vector<EdgeLeaf> leaves) {
     const auto surface_of = [&](const EdgeLeaf& leaf) { return surfaces_.surface[leaf.triangle]; };
     const auto join_one = [&](bool same_surface) {
@@ -129,7 +129,7 @@ class ShellFinder {
     }
   }
 
-  /// A boundary triangle without extent goes with a shell it touches.
+  /// A boundary triangle without area belongs to a shell that it touches.
   void adopt_collapsed_triangles() {
     std::vector<std::int32_t> shell_at(surfaces_.vertex_count(), Shells::none);
     for (std::size_t i = 0; i < surfaces_.triangle_count(); ++i) {

@@ -1,4 +1,4 @@
-// The depth of a point below the skin of a fruit, for fields of ripeness and browning.
+// Depths below the skin of a fruit, for ripeness and browning.
 #pragma once
 
 #include <limits>

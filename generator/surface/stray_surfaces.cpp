@@ -8,7 +8,7 @@ namespace pomona {
 
 namespace {
 
-constexpr std::size_t max_asked = 500;  // triangles of a surface
+constexpr std::size_t max_asked = 500;  // limit of tested triangles of a surface
 
 /// The inner triangles of each surface.
 std::vector<std::vector<std::size_t>> inner_triangles(const DiffusionSurfaces& surfaces) {

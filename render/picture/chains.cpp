@@ -33,7 +33,7 @@ glm::dvec2 direction_away(const LinkEnd& e, std::span<const ChainLink> links, st
 /// Joins the ends that meet in one node, straightest pairs first.
 void join(std::span<const LinkEnd> ends, std::span<const ChainLink> links, std::span<const glm::dvec2> nodes,
           Joints& joints) {
-  // Where only two meet, everything but turning back (by more than 120 degrees) goes on; else at most 60 degrees.
+  // Where only two meet, they are joined unless they turn back (by more than 120 degrees); else up to 60 degrees.
   const double min = ends.size() == 2 ? -0.5 : 0.5;
   std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> pairs;
   for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -60,7 +60,7 @@ Joints all_joints(std::span<const ChainLink> links, std::span<const glm::dvec2> 
   }
   std::stable_sort(ends.begin(), ends.end(), [](const LinkEnd& x, const LinkEnd& y) { return x.node < y.node; });
 
-  // A node where very many meet is no pen's line: leave it unjoined, and the pairs few.
+  // A node where very many meet stays unjoined, so that the pairs are few.
   constexpr std::size_t max = 32;
   Joints joints(2 * links.size(), none);
   for (std::size_t i = 0; i < ends.size();) {
@@ -72,7 +72,7 @@ Joints all_joints(std::span<const ChainLink> links, std::span<const glm::dvec2> 
   return joints;
 }
 
-/// Walks from a link, entering it at `end`, until the line ends or comes round.
+/// Follows links from this one, entered at `end`, until the line ends or closes.
 Chain walk(std::uint32_t link, std::uint32_t end, const Joints& joints, std::vector<std::uint8_t>& taken) {
   Chain chain;
   while (true) {
@@ -97,7 +97,7 @@ std::vector<Chain> chained(std::span<const ChainLink> links, std::span<const glm
   std::vector<std::uint8_t> taken(links.size(), 0);
   std::vector<Chain> chains;
 
-  // Open lines from their ends; what is left are loops.
+  // Open lines start at their ends; the rest are loops.
   for (std::uint32_t i = 0; i < links.size(); ++i) {
     for (std::uint32_t end = 0; end < 2; ++end) {
       if (taken[i] == 0 && joints[2 * i + end] == none) chains.push_back(walk(i, end, joints, taken));

@@ -19,14 +19,14 @@ namespace pomona {
 namespace {
 
 constexpr double min_of_figure = 0.002;  // share that a part must cover to be numbered
-constexpr double row_ems = 1.35;         // from line to line of the legend
-constexpr double beside_ems = 2.2;       // what numbers take to the left and to the right of a figure
-constexpr double below_ems = 2.6;        // what a figure's letter and scale take below it
-constexpr double fading = 0.16;          // of a room's shorter side: where shadows fade out along its edges
+constexpr double row_ems = 1.35;         // distance of the legend's lines
+constexpr double beside_ems = 2.2;       // room for numbers to the left and to the right of a figure
+constexpr double below_ems = 2.6;        // room for a figure's letter and scale below it
+constexpr double fading = 0.16;          // share of a room's shorter side over which shadows fade along its edges
 constexpr int ink_reach = 3;             // pixels from a part that its ink may cover
 
-/// How much of a figure's pixel is laid on the sheet: all of the fruit and of the ink along it, and less and less of
-/// its shadow towards the edges of its room, where that would be cut off.
+/// The opacity of a figure's pixel on the sheet: 1 for the fruit and its ink; shadows fade towards the edges of the
+/// room, which would cut them off.
 float share_laid(const SheetFigure& figure, int x, int y) {
   const int width = figure.picture.width, height = figure.picture.height;
   const double edge = std::min({x, y, width - 1 - x, height - 1 - y});
@@ -41,7 +41,7 @@ float share_laid(const SheetFigure& figure, int x, int y) {
   return static_cast<float>(inside);
 }
 
-/// A figure's pixels on the sheet: what it has more or less of than its own bare paper, on the sheet's.
+/// A figure's pixels on the sheet: the difference from its own bare paper, added to the sheet's.
 void lay_figure(const SheetFigure& figure, const glm::ivec2& corner, const Color& bare, const Paper& paper,
                 Image& sheet) {
   for (int y = 0; y < figure.picture.height; ++y) {
@@ -65,7 +65,7 @@ PlateSheet::PlateSheet(const Style& style, PlateText text, const std::vector<std
       width_(width),
       height_(height),
       em_(0.8 * plate_.letter_size * std::min(width, height)) {
-  // From below: the species, the title, the legend in as many columns as fit.
+  // From the bottom: the species, the title, the legend in as many columns as fit.
   const double margin = plate_.margin * std::min(width, height);
   double below = height - margin;
   latin_ = below - 0.25 * em_;
@@ -83,7 +83,7 @@ PlateSheet::PlateSheet(const Style& style, PlateText text, const std::vector<std
   legend_ = below - (rows - 0.9) * row_ems * em_;
   if (plate_.labels) below -= (rows + 0.6) * row_ems * em_;
 
-  // What is left is parted among the figures.
+  // The figures share the rest.
   const int across = figures > 1 ? 2 : 1, down = (figures + across - 1) / across;
   const glm::dvec2 cell((width - 2 * margin) / across, std::max((below - margin) / down, 1.0));
   for (int i = 0; i < figures; ++i) {
@@ -97,7 +97,7 @@ PlateSheet::PlateSheet(const Style& style, PlateText text, const std::vector<std
 double PlateSheet::hair() const { return std::max(plate_.leader_width * std::min(width_, height_), 0.7); }
 
 std::vector<PlateSheet::Numbered> PlateSheet::numbered(const std::vector<SheetFigure>& figures) const {
-  // Every part where it covers the largest share of a figure.
+  // Each part is numbered in the figure of which it covers the largest share.
   struct Place {
     std::string name;
     std::size_t figure;
@@ -119,7 +119,7 @@ std::vector<PlateSheet::Numbered> PlateSheet::numbered(const std::vector<SheetFi
     }
   }
 
-  // Numbers run from figure to figure.
+  // Numbers continue from figure to figure.
   std::stable_sort(best.begin(), best.end(), [](const Place& a, const Place& b) { return a.figure < b.figure; });
   std::vector<Numbered> parts;
   for (Place& place : best) {
@@ -146,7 +146,7 @@ void PlateSheet::add_numbers(const std::vector<Numbered>& parts, const SheetFigu
 }
 
 void PlateSheet::add_bar(const SheetFigure& figure, std::size_t index, PlateLayer& letters) const {
-  // The figure's letter below its left corner, the bar below its middle.
+  // The figure's letter is below its left corner, the bar below its middle.
   const Typeface italic("italic");
   const PlateBox& room = rooms_[index];
   const std::string letter(1, static_cast<char>('a' + static_cast<int>(index)));
@@ -167,7 +167,7 @@ void PlateSheet::add_bar(const SheetFigure& figure, std::size_t index, PlateLaye
 }
 
 void PlateSheet::add_legend(const std::vector<Numbered>& parts, PlateLayer& letters) const {
-  // Columns from the left, as many as the longest name allows, in the middle of the sheet.
+  // Centred columns, as many as the longest name allows.
   const Typeface italic("italic");
   const auto columns = static_cast<std::size_t>(columns_);
   const std::size_t rows = (parts.size() + columns - 1) / columns;

@@ -33,7 +33,7 @@ std::vector<int> unrolled_faces(const CrossSection& section) {
   return whole;
 }
 
-/// Of every triangle's sides, face by face.
+/// Collects the edges of all triangles, face by face.
 std::vector<HalfEdge> half_edges_of(const CrossSection& section, const std::vector<std::uint32_t>& place) {
   const std::vector<int> whole = unrolled_faces(section);
   std::vector<std::int32_t> face;
@@ -80,7 +80,7 @@ std::map<BundleKey, Bundle> bundles_of(const CrossSection& section, const std::v
   return bundles;
 }
 
-/// Which side of the walk the face lies on, most of the way: +1 left, -1 right as seen with y down.
+/// The side of the line on which most of the face lies: +1 left, -1 right, seen with y down.
 double side_of_face(const Chain& chain, const Bundle& bundle, const std::vector<glm::dvec2>& places) {
   double balance = 0;
   for (std::size_t i = 0; i < chain.links.size(); ++i) {
@@ -113,7 +113,7 @@ std::vector<SectionLine> section_lines(const CrossSection& section, const std::v
     const auto [face, surface] = key;
     if (!faces[face].shown) continue;
 
-    // Only this bundle's vertices need a place on this face. Where facets meet they agree on it.
+    // Only this bundle's vertices need a place on this face. Facets agree on it where they meet.
     for (std::size_t i = 0; i < bundle.links.size(); ++i) {
       for (const std::uint32_t v : {bundle.links[i].a, bundle.links[i].b, bundle.opposite[i]}) {
         places[v] = faces[bundle.facet[i]].to_paper(section.position[v]);

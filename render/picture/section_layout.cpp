@@ -19,7 +19,7 @@ glm::dvec3 PlacedFace::to_fruit(const glm::dvec2& pixel) const {
 
 namespace {
 
-/// +Y upwards on the paper; on faces that lie nearly level, -Z.
+/// +Y is up on the paper; on nearly level faces, -Z.
 PlacedFace turned_upright(const CutFace& face) {
   const glm::dvec3 n = face.normal;
   const glm::dvec3 wish = std::fabs(n.y) < 0.95 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
@@ -83,7 +83,7 @@ std::vector<Row> in_rows(const std::vector<PlacedFace>& faces, const std::vector
   return rows;
 }
 
-/// Pixels per metre at which the rows just fit.
+/// The scale, pixels per metre, at which the rows just fit.
 double fitting_scale(const std::vector<Row>& rows, const glm::dvec2& picture, double gap) {
   double height = 0;
   double scale = 1e300;
@@ -127,7 +127,7 @@ std::vector<PlacedFace> lay_out(const CrossSection& section, const glm::dvec2& p
   }
   if (shown.empty()) return faces;
 
-  // Gaps shrink where very many faces would leave nothing but gaps.
+  // Gaps are smaller for very many faces.
   gap = std::min(gap, 0.3 * std::min(picture.x, picture.y) / std::sqrt(static_cast<double>(shown.size())));
   std::vector<Row> best;
   double best_scale = 0;

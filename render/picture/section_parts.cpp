@@ -41,7 +41,7 @@ using Rims = std::map<std::string, std::set<std::size_t>>;
 
 Rims rims_of(const PartMap& map, const CrossSection& section, const std::vector<PlacedFace>& faces,
              const OutsideParts& outside) {
-  // A segment knows its vertices, and these their face by their triangles.
+  // A segment has vertices, whose triangles give the face.
   std::vector<std::int32_t> face_of(section.position.size(), -1);
   for (std::size_t t = 0; t < section.triangle.size(); ++t) {
     for (int i = 0; i < 3; ++i) face_of[section.triangle[t][i]] = section.cut[t];
@@ -68,7 +68,7 @@ void add_rims(PartMap& map, const CrossSection& section, const std::vector<Place
     if (name == map.names.end()) name = map.names.insert(name, part);
     const auto number = static_cast<std::int32_t>(name - map.names.begin());
 
-    // What is as thick as a pixel shows by itself.
+    // Parts as thick as a pixel are visible anyway.
     const auto shown = static_cast<std::size_t>(std::count(map.part.begin(), map.part.end(), number));
     if (shown >= rim.size()) continue;
     for (const std::size_t pixel : rim) map.part[pixel] = number;

@@ -12,7 +12,7 @@ namespace pomona {
 
 namespace {
 
-/// A corner of a patch, with what its colour follows from.
+/// A corner of a patch, with the data for its colour.
 struct PatchCorner {
   glm::dvec2 at{0};
   Color mean{0};
@@ -46,7 +46,7 @@ class PatchCutter {
     std::vector<SectionPatch> patches;
     if (!face.shown) return patches;
 
-    // Depth first, the triangles that are still to be looked at on a stack.
+    // Depth first, with a stack of triangles to visit.
     std::vector<std::array<PatchCorner, 3>> left{corners_of(triangle, face)};
     const std::int32_t part = section_.part[section_.triangle[triangle][0]];
     while (!left.empty()) {
@@ -88,7 +88,7 @@ class PatchCutter {
     return to_srgb8(paper_.painted(fresh, static_cast<int>(corner.at.x), static_cast<int>(corner.at.y)));
   }
 
-  /// What the corners and the centre look like.
+  /// The final colours of the corners and the centre.
   struct Range {
     glm::ivec3 low, high, sum;
   };

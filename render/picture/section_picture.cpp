@@ -120,7 +120,7 @@ Image draw_faces(const CrossSection& section, const std::vector<PlacedFace>& fac
       const int x = static_cast<int>(i % width), y = rows.from + static_cast<int>(i / width);
       const SectionPixel& pixel = pixels[i];
 
-      // The fruit covers the paper by the share of the pixel's samples that lie in it.
+      // The fruit covers the paper by its share of the pixel's samples.
       Color color = paper.at(x, y);
       if (pixel.samples > 0) {
         const PlacedFace& face = faces[pixel.face];

@@ -21,7 +21,7 @@ glm::i64vec2 fixed(const glm::dvec2& p) { return glm::i64vec2(glm::floor(p * dou
 std::vector<PaperTriangle> on_paper(const CrossSection& section, const std::vector<PlacedFace>& faces) {
   std::vector<PaperTriangle> triangles;
   for (std::size_t t = 0; t < section.triangle.size(); ++t) {
-    // Faces that are not shown are left out, and triangles without area. The others turn the same way.
+    // Leaves out hidden faces and triangles without area; the others get the same orientation.
     const PlacedFace& face = faces[section.cut[t]];
     if (!face.shown) continue;
     const auto raster_of = [&](const glm::uvec3& v) {
@@ -44,7 +44,7 @@ PixelBox touched(const PaperTriangle& t, int width, const PictureRows& rows) {
   return {box.left / across, box.top / across, box.right / across, box.bottom / across};
 }
 
-/// Adds what `weight` says of the three corners' guides.
+/// Adds the three corners' guides, weighted.
 void add_guides(const std::vector<DetailGuide>& guide, const PaperTriangle& t, const glm::dvec3& weight,
                 SectionPixel& pixel) {
   for (int i = 0; i < 3; ++i) {

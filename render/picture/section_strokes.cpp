@@ -17,7 +17,7 @@ double fineness(const PlacedFace& face, double side) {
   return std::clamp(std::sqrt(size / (0.7 * side)), 0.35, 1.0);
 }
 
-/// So do short ones, as around a seed.
+/// Short lines, as around a seed, do so, too.
 double fineness(const PenLine& line, double side) {
   double length = 0;
   for (std::size_t i = 1; i < line.points.size(); ++i) {

@@ -17,7 +17,7 @@ double size_of(const glm::dvec2& v) { return std::sqrt(glm::dot(v, v)); }
 
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 
-/// A line's point with everything that is said of it.
+/// A line's point with all its attributes.
 struct PenPoint {
   glm::dvec2 at{0};
   double opacity = 1;
@@ -46,12 +46,12 @@ std::vector<PenPoint> evenly_spaced(const PenLine& line, double spacing) {
   for (std::size_t i = 0; i < line.points.size(); ++i) corners.push_back(point_of(line, i));
   if (line.closed) corners.push_back(PenPoint(corners.front()));
 
-  // The line's length says how many steps there are, at least two.
+  // The number of steps follows from the line's length, at least two.
   double total = 0;
   for (std::size_t i = 1; i < corners.size(); ++i) total += size_of(corners[i].at - corners[i - 1].at);
   const int steps = std::max(2, static_cast<int>(std::ceil(total / spacing)));
 
-  // Along the line once, with points at equal lengths.
+  // Goes along the line once, with points at equal distances.
   std::vector<PenPoint> even;
   double walked = 0;
   std::size_t i = 1;
@@ -69,7 +69,7 @@ std::vector<PenPoint> evenly_spaced(const PenLine& line, double spacing) {
   return even;
 }
 
-/// One pass of (1 2 1) / 4. Open ends stay; a closed line (last point = first) goes on across its seam.
+/// One pass of (1 2 1) / 4. Open ends stay; a closed line (last point = first) is smoothed across its seam.
 void smooth(std::vector<PenPoint>& points, bool closed) {
   const std::vector<PenPoint> old = points;
   const std::size_t last = points.size() - 1;
@@ -82,7 +82,7 @@ void smooth(std::vector<PenPoint>& points, bool closed) {
   if (closed) points.front() = points.back() = blended(old[last - 1], old[0], old[1]);
 }
 
-/// The pen sets down at the upper left of a loop and comes a little past where it began.
+/// A loop starts at its upper left and overlaps its start a little.
 void begin_upper_left(std::vector<PenPoint>& loop, double overlap, double spacing) {
   loop.pop_back();
   const auto first = std::min_element(
@@ -109,7 +109,7 @@ double length_of(const PenLine& line) {
 std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options) {
   if (line.points.size() < 2) return {};
 
-  // In pixels; closer on short lines, which smoothing would eat.
+  // Distance of points in pixels; smaller on short lines, which smoothing would shrink.
   const double spacing = std::clamp(length_of(line) / 32, 0.25, 1.5);
   std::vector<PenPoint> points = evenly_spaced(line, spacing);
   for (int pass = 0; pass < 3; ++pass) smooth(points, line.closed);
@@ -117,7 +117,7 @@ std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options) {
   const double taper = std::min(options.taper, loop / 3);
   if (line.closed) begin_upper_left(points, 0.8 * taper, spacing);
 
-  // Width: the hand's tremble, a heavier line away from the light, tapered ends.
+  // The width: the hand's tremble, a heavier line away from the light, tapered ends.
   const double total = spacing * static_cast<double>(points.size() - 1);
   std::vector<StrokePoint> result;
   result.reserve(points.size());
@@ -137,7 +137,7 @@ std::vector<StrokePoint> drawn(const PenLine& line, const PenOptions& options) {
     const double heavy = std::max(point.heft * std::max(width, 0.25 * options.width), options.min);
     const double radius = 0.5 * heavy * std::sqrt(std::max(end, 0.02));
 
-    // Where a thing's own sides say which way is out, the hand sways that way, whichever way the line is walked.
+    // If the outward direction is known, the hand sways along it, whatever the direction of the line.
     const glm::dvec2 side = line.place.empty() ? normal : point.outwards;
     result.push_back({point.at + side * (options.sway * gradient_noise(slowly, 102)), radius, point.opacity});
   }

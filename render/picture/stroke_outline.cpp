@@ -16,7 +16,7 @@ constexpr double tolerance = 0.2;  // pixels
 
 std::string place_text(const glm::dvec2& p) { return hundredths(p.x) + "," + hundredths(p.y); }
 
-/// How far a point of the stroke lies from what goes straight from `a` to `b`, width included.
+/// The distance of a point of the stroke from the straight stroke from `a` to `b`, width included.
 double off_straight(const StrokePoint& a, const StrokePoint& b, const StrokePoint& p) {
   const glm::dvec3 from(a.at, a.radius), along = glm::dvec3(b.at, b.radius) - from;
   const glm::dvec3 to = glm::dvec3(p.at, p.radius) - from;
@@ -25,10 +25,10 @@ double off_straight(const StrokePoint& a, const StrokePoint& b, const StrokePoin
   return glm::length(to - along * t);
 }
 
-/// The points worth a node [Douglas & Peucker 1973]: curves between them follow what straight lines would miss by up to
-/// four times the tolerance.
+/// The points that become nodes [Douglas & Peucker 1973]; straight lines between them may differ by four times the
+/// tolerance, which curves between them make up for.
 std::vector<std::size_t> nodes_worth(const std::vector<StrokePoint>& stroke) {
-  // Both ends are nodes; so is, span by span, the point that strays most, if it strays far enough.
+  // Both ends are nodes; in each span, so is the farthest point, if it is far enough.
   std::vector<std::uint8_t> worth(stroke.size(), 0);
   worth.front() = worth.back() = 1;
   std::vector<std::pair<std::size_t, std::size_t>> spans{{0, stroke.size() - 1}};

@@ -13,7 +13,7 @@ ViewFrame view_frame(const View& view) {
   if (!(frame.distance > 0)) return {};
   frame.back = towards_eye / frame.distance;
 
-  // Within a thousandth of the vertical +Y says too little about what is up.
+  // Within a thousandth of the vertical, +Y does not define up.
   const bool vertical = std::fabs(frame.back.y) > 1 - 5e-7;
   const glm::dvec3 sky = vertical ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
   frame.right = glm::normalize(glm::cross(sky, frame.back));

@@ -9,7 +9,7 @@ namespace pomona {
 
 namespace {
 
-/// Half of what is seen at one metre's distance, metres.
+/// Half of the visible height at a distance of one metre, metres.
 double half_height(const View& view) {
   const double half = 0.5 * view.vertical_field;
   return reproducible::sin(half) / reproducible::cos(half);
@@ -21,7 +21,7 @@ View view_within(const View& view, const glm::dvec2& picture, const glm::dvec2& 
   View wider = view;
   wider.vertical_field = 2 * reproducible::atan2(half_height(view) * picture.y, std::max(high.y - low.y, 1.0));
 
-  // Step aside, so that the target comes to lie in the middle of the box.
+  // Moves the eye, so that the target is in the middle of the box.
   const ViewFrame frame = view_frame(view);
   const glm::dvec2 off = (0.5 * (low + high) - 0.5 * picture) / pixels_per_metre(wider, picture.y);
   const glm::dvec3 step = frame.up * off.y - frame.right * off.x;

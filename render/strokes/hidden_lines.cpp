@@ -10,9 +10,9 @@ namespace pomona {
 
 namespace {
 
-constexpr double beside = 1.25;  // pixels from the line at which one looks what lies there
+constexpr double beside = 1.25;  // distance from the line, pixels, at which to look for what lies there
 
-/// A line in steps of about a pixel, with what decides whether it is seen.
+/// A line in steps of about a pixel, with the data that decide whether it is visible.
 struct SteppedLine {
   VisibleRun run;
   std::vector<double> slope;
@@ -36,9 +36,9 @@ class LineWalker {
   bool is_clear(const glm::dvec2& at, double distance) const {
     return static_cast<double>(buffer_.nearness[buffer_.pixel_at(at)]) * distance <= 1;
   }
-  /// Whether a line lies on what one sees there, or before it. Pixels hold the depth at their middles, and a face one
-  /// looks along comes much nearer within a pixel or two: its own face may lie before a line by that; what is another's
-  /// by three pixels at most.
+  /// Whether a line lies on the visible surface, or before it. Pixels hold the depth at their middles, and a face seen
+  /// at a slant comes much nearer within a pixel or two: a line's own face may lie before it by that, another face by
+  /// at most three pixels.
   bool lies_on(const glm::dvec2& at, const RunPoint& point, std::uint32_t instance, double slope) const {
     const bool own = buffer_.instance[buffer_.pixel_at(at)] == instance + 1;
     const double slack = 1.5 + (own ? 2 * slope : std::min(2 * slope, 1.5));  // pixels
@@ -101,7 +101,7 @@ double LineWalker::heft(const VisibleRun& run, const RunPoint& point) const {
   if (behind != run.instance + 1) return 1;
   switch (run.kind) {
     case LineKind::rim:
-      return 0.75 * (0.45 + 0.55 * point.opacity);  // the finer, the fainter
+      return 0.75 * (0.45 + 0.55 * point.opacity);  // finer lines are fainter
     case LineKind::ridge:
       return 0.6;
     default:
@@ -109,7 +109,7 @@ double LineWalker::heft(const VisibleRun& run, const RunPoint& point) const {
   }
 }
 
-/// So that a line does not change its width from one pixel to the next.
+/// Smooths the width from pixel to pixel.
 void even_out_heft(std::vector<RunPoint>& points, bool closed) {
   const int count = static_cast<int>(points.size());
   const int reach = std::min(10, (count - 1) / 2);
@@ -126,7 +126,7 @@ void close_gaps(std::vector<std::uint8_t>& flags, std::uint8_t value, double min
   const auto first = std::find(flags.begin(), flags.end(), value);
   if (first == flags.end()) return;
 
-  // From one flag that is set to the next; round a closed line, past its end.
+  // From one flag that is set to the next, around the end of a closed line.
   const auto start = static_cast<std::size_t>(first - flags.begin());
   std::size_t before = start;
   for (std::size_t k = start + 1; k <= (closed ? start + count : count - 1); ++k) {
@@ -143,7 +143,7 @@ std::vector<VisibleRun> kept_stretches(const VisibleRun& line, const std::vector
   const auto hidden = std::find(keep.begin(), keep.end(), 0);
   if (hidden == keep.end()) return {line};
 
-  // A closed line is walked from where it is hidden.
+  // Starts a closed line where it is hidden.
   const std::size_t start = line.closed ? static_cast<std::size_t>(hidden - keep.begin()) : 0;
   std::vector<VisibleRun> stretches;
   bool open = false;

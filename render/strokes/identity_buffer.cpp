@@ -16,7 +16,7 @@ struct TriangleName {
   std::uint32_t instance = 0, triangle = 0;
 };
 
-/// Which triangles of some of the instances, from `first` on, touch which band of rows, in their order.
+/// The triangles of some of the instances, from `first` on, that touch each band of rows, in their order.
 std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std::size_t first,
                                                          std::span<const SeenSolid> seen,
                                                          const IdentityBuffer& buffer) {
@@ -37,7 +37,7 @@ std::vector<std::vector<TriangleName>> sorted_into_bands(const Scene& scene, std
 }
 
 void draw_triangle(const PictureTriangle& t, const TriangleName& name, int top, int bottom, IdentityBuffer& buffer) {
-  // What is nearer than all before it gives the pixel its name.
+  // The nearest triangle so far gives the pixel its identity.
   for_covered_pixels(t, {0, top, buffer.width - 1, std::min(bottom, buffer.height - 1)},
                      [&](int x, int y, double nearness_there) {
                        const auto nearness = static_cast<float>(nearness_there);

@@ -40,7 +40,7 @@ StrokesByInk strokes_by_ink(std::span<const SceneStroke> strokes, bool finer) {
 }  // namespace
 
 Image with_ink(Image picture, std::span<const SceneStroke> strokes, Threads threads) {
-  // What overlaps in one ink is no darker; the finer lines lie under the outlines.
+  // Overlaps of one ink are not darker; finer lines lie under outlines.
   const std::array<StrokesByInk, 2> layers{strokes_by_ink(strokes, true), strokes_by_ink(strokes, false)};
   const auto bands = static_cast<std::size_t>((picture.height + rows_of_a_band - 1) / rows_of_a_band);
   parallel_for(bands, threads, [&](std::size_t band) {

@@ -31,7 +31,7 @@ glm::dvec3 Lens::in_scene(const glm::dvec2& pixel, double distance) const {
 }
 
 glm::dvec2 Lens::seen_direction(const glm::dvec3& point, const glm::dvec3& direction) const {
-  // What the direction does to x / z and y / z.
+  // The change of x / z and y / z along the direction.
   const glm::dvec3 d = point - eye_;
   const double z = -glm::dot(d, frame_.back), dz = -glm::dot(direction, frame_.back);
   const glm::dvec2 moved(glm::dot(direction, frame_.right) * z - glm::dot(d, frame_.right) * dz,

@@ -38,7 +38,7 @@ double mean_distance(const VisibleRun& run) {
   return sum / static_cast<double>(run.points.size());
 }
 
-/// Which way the run goes at a point, seen over a few pixels; a unit vector, or (0, 0).
+/// The direction of the run at a point, over a few pixels; a unit vector, or (0, 0).
 glm::dvec2 direction(const VisibleRun& run, std::size_t i) {
   constexpr std::size_t reach = 3;
   const std::size_t last = run.points.size() - 1;
@@ -47,7 +47,7 @@ glm::dvec2 direction(const VisibleRun& run, std::size_t i) {
   return size > 0 ? d / size : glm::dvec2(0);
 }
 
-/// Points of the lines that are there already, by where they lie.
+/// Points of the lines so far, by position.
 class DrawnPlaces {
  public:
   DrawnPlaces(int width, int height, double cell)
@@ -59,7 +59,7 @@ class DrawnPlaces {
     cells_[static_cast<std::size_t>(row(at.y)) * columns_ + column(at.x)].push_back({at, way});
   }
 
-  /// Does a line go the same way within `reach` (at most a cell's side)?
+  /// Whether a line has the same direction within `reach` (at most a cell's side).
   bool has_beside(const glm::dvec2& at, const glm::dvec2& way, double reach) const {
     for (int y = row(at.y - reach); y <= row(at.y + reach); ++y) {
       for (int x = column(at.x - reach); x <= column(at.x + reach); ++x) {
@@ -84,9 +84,9 @@ class DrawnPlaces {
   std::vector<std::vector<Place>> cells_;
 };
 
-/// What of the run no line lies beside, and a little more at each end where one does.
+/// The stretches of the run without a line beside it, and a little more at each end.
 std::vector<VisibleRun> free_stretches(const VisibleRun& run, const DrawnPlaces& drawn, double reach) {
-  // Where no line lies beside the run; stretches too short to tell go with what is around them.
+  // Marks where no line lies beside the run; very short stretches follow their neighbours.
   const std::size_t count = run.points.size();
   std::vector<std::uint8_t> keep(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -96,7 +96,7 @@ std::vector<VisibleRun> free_stretches(const VisibleRun& run, const DrawnPlaces&
   close_gaps(keep, 0, 3 * reach, run.closed);
   if (std::find(keep.begin(), keep.end(), 1) == keep.end()) return {};
 
-  // Kept stretches reach a little into what is not kept, and very short ones are dropped.
+  // Kept stretches reach a little into the others, and very short ones are dropped.
   const auto more = static_cast<std::size_t>(1.5 * reach);
   std::vector<std::uint8_t> wider = keep;
   for (std::size_t i = 0; i < count; ++i) {
@@ -137,7 +137,7 @@ std::vector<VisibleRun> without_overlaps(std::vector<VisibleRun> runs, std::span
 
 namespace {
 
-/// An end of a run; `outwards` is the way on.
+/// An end of a run; `outwards` is the direction in which it would go on.
 struct RunEnd {
   std::size_t run = 0;
   bool front = false;
@@ -153,14 +153,14 @@ RunEnd end_of(const std::vector<VisibleRun>& runs, std::size_t run, bool front) 
   return {run, front, at, size > 0 ? d / size : glm::dvec2(0)};
 }
 
-/// How well two ends continue each other: less is better; nothing where they do not.
+/// How well two ends continue each other: smaller is better; nothing if they do not.
 struct Joint {
   double badness = 0;
   std::size_t a = 0, b = 0;  // 2 run + (front ? 0 : 1)
 };
 
 std::vector<Joint> possible_joints(const std::vector<VisibleRun>& runs, double reach) {
-  // Ends that may be joined lie together in this order, and from left to right.
+  // Sorts ends that may be joined next to each other, and from left to right.
   std::vector<RunEnd> ends;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].closed || runs[i].points.size() < 2) continue;
@@ -185,7 +185,7 @@ std::vector<Joint> possible_joints(const std::vector<VisibleRun>& runs, double r
     }
   }
 
-  // The best come first; ties go by number.
+  // The best first; ties by index.
   std::sort(joints.begin(), joints.end(), [](const Joint& x, const Joint& y) {
     return std::tie(x.badness, x.a, x.b) < std::tie(y.badness, y.a, y.b);
   });
@@ -203,7 +203,7 @@ std::vector<VisibleRun> joined_runs(std::vector<VisibleRun> runs, double reach) 
     partner[joint.b] = joint.a;
   }
 
-  // Walk from the ends that stay ends; what is left are loops.
+  // Starts at the ends that stay ends; the rest are loops.
   std::vector<std::uint8_t> taken(runs.size(), 0);
   std::vector<VisibleRun> result;
   const auto walk = [&](std::size_t entered) {

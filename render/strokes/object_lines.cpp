@@ -19,7 +19,7 @@ struct LineBundle {
   std::vector<ChainLink> links;
 };
 
-/// Numbers things by their keys, in the keys' order.
+/// Numbers keys in ascending order.
 template <typename Key>
 class Numbering {
  public:
@@ -58,7 +58,7 @@ class ObjectLineFinder {
   const Lens& lens_;
 };
 
-/// `own` in the fruit's frame; `away` and `face`, directions in the scene, any length.
+/// `own` is in the fruit's frame; `away` and `face` are directions in the scene, of any length.
 LinePoint ObjectLineFinder::point(const glm::dvec3& own, const glm::dvec3& away, const glm::dvec3& face) const {
   const glm::dvec3 at = seen_.turn * own + seen_.at;
   const glm::dvec3 sight = glm::normalize(lens_.eye() - at);
@@ -80,7 +80,7 @@ bool ObjectLineFinder::faces_eye(std::uint32_t triangle) const {
   return glm::dot(face_normal(triangle), lens_.eye() - at) >= 0;
 }
 
-/// In each triangle that the contour crosses, from which of its edges to which, by their smooth vertices.
+/// For each triangle that the contour crosses, the two edges that it crosses, by their smooth vertices.
 std::vector<std::pair<EdgeKey, EdgeKey>> ObjectLineFinder::contour_pieces() const {
   std::vector<std::pair<EdgeKey, EdgeKey>> pieces;
   for (std::size_t i = 0; i < mesh_.triangle.size(); ++i) {
@@ -119,7 +119,7 @@ LineBundle ObjectLineFinder::contours() const {
   return bundle;
 }
 
-/// Edges that may be lines for their own sake are contours' equals where one face is turned away.
+/// Sharp edges count as contours where one face is turned away.
 LineKind ObjectLineFinder::drawn_as(const SharpEdge& edge) const {
   const bool is_skin = edge.kind == LineKind::crease || edge.kind == LineKind::seam;
   return is_skin && faces_eye(edge.first) != faces_eye(edge.other) ? LineKind::fold : edge.kind;
@@ -141,7 +141,7 @@ LineBundle ObjectLineFinder::sharp(LineKind kind) const {
   LineBundle bundle;
   bundle.nodes.resize(numbers.keys().size());
   for (const SharpEdge* edge : chosen) {
-    // The flatter of the faces one sees tells how far one must look past it.
+    // The flatter of the visible faces decides how far to look past the edge.
     const glm::dvec3 m = face_normal(edge->first), n = face_normal(edge->other);
     const glm::dvec3 away = kind == LineKind::inner ? glm::dvec3(0) : m + n;
     const glm::dvec3 face = faces_eye(edge->other) ? n : m;

@@ -26,12 +26,12 @@ std::uint32_t corner_at(const SeenSolid& seen, const glm::uvec3& triangle, const
 }  // namespace
 
 PartMap scene_parts(const Scene& scene, int width, int height, Threads threads) {
-  // Parts go by the names that the first solid has for them.
+  // Parts are numbered by the names of the first solid.
   PartMap map{width, height, std::vector<std::int32_t>(static_cast<std::size_t>(width) * height, -1), {}};
   if (scene.solids.empty()) return map;
   map.names = scene.solids[0].look->part_names;
 
-  // What is foremost at each pixel.
+  // Finds the nearest triangle at each pixel.
   const Lens lens(scene.view, width, height);
   std::vector<SeenSolid> seen(scene.instances.size());
   parallel_for(seen.size(), threads, [&](std::size_t i) {

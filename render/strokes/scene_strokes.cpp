@@ -18,8 +18,7 @@ namespace pomona {
 
 namespace {
 
-/// Lines are looked for on a picture of about this many pixels a side, whatever the size of the one that is drawn: a
-/// small picture has the lines of a large one.
+/// Lines are found on a picture of about this many pixels a side, so that a small picture has the lines of a large one.
 constexpr int min_side = 900, max_side = 4096;
 
 double magnification(const StrokeOptions& options) {
@@ -33,14 +32,14 @@ double radius_of(const Solid& solid) {
                                      : 0.5 * static_cast<double>(glm::length(box_around(solid.mesh.position).size()));
 }
 
-/// Everything about one instance that lines depend on.
+/// The properties of an instance on which its lines depend.
 struct Sitter {
   PenWidths pen{};
-  double fine = 1;        // 1 for what fills the picture, less for small things
-  double wavelength = 1;  // of the hand, metres on the fruit
+  double fine = 1;        // 1 for objects that fill the picture, less for small ones
+  double wavelength = 1;  // wavelength of the hand's tremble, metres on the fruit
 };
 
-/// Where the light goes on the picture, y down.
+/// The direction of the light on the picture, y down.
 glm::dvec2 from_light(const LightStyle& light) {
   const glm::dvec2 way(-reproducible::sin(light.azimuth) * reproducible::cos(light.elevation),
                        reproducible::sin(light.elevation));
@@ -71,7 +70,7 @@ class Draughtsman {
   const Scene& scene_;
   const Style& style_;
   Threads threads_;
-  double scale_;  // pixels lines are looked for on, per pixel of the picture
+  double scale_;  // pixels of the identity buffer per pixel of the picture
   Lens lens_;
   double side_;
   glm::dvec2 from_light_;
@@ -81,7 +80,7 @@ class Draughtsman {
 Sitter Draughtsman::sitter(const Solid& solid, const SeenSolid& seen) const {
   Sitter result;
 
-  // By the size at which it is seen.
+  // By its size in the picture.
   const double radius = radius_of(solid);
   double away = 0;
   std::size_t count = 0;
@@ -97,7 +96,7 @@ Sitter Draughtsman::sitter(const Solid& solid, const SeenSolid& seen) const {
   return result;
 }
 
-/// Every instance as it is seen, with its pens, and what one sees of its lines.
+/// Every visible instance, with its pens and its visible lines.
 std::vector<VisibleRun> Draughtsman::sitters_lines(const IdentityBuffer& buffer) {
   std::vector<SolidEdges> edges(scene_.solids.size());
   parallel_for(edges.size(), threads_, [&](std::size_t i) { edges[i] = solid_edges(scene_.solids[i]); });
@@ -130,7 +129,7 @@ std::vector<SceneStroke> Draughtsman::strokes() {
   std::stable_sort(lines.begin(), lines.end(),
                    [](const VisibleRun& a, const VisibleRun& b) { return is_inner(a.kind) > is_inner(b.kind); });
 
-  // Strokes that have come to nothing are dropped.
+  // Drops empty strokes.
   std::vector<SceneStroke> result(lines.size());
   parallel_for(lines.size(), threads_, [&](std::size_t i) { result[i] = stroke(lines[i], buffer); });
   std::erase_if(result, [](const SceneStroke& s) { return s.points.empty(); });
@@ -155,7 +154,7 @@ SceneStroke Draughtsman::stroke(const VisibleRun& run, const IdentityBuffer& buf
     line.outwards.push_back(point.outwards);
   }
 
-  // Short lines get finer, and vanish before they are but dots.
+  // Short lines are finer, and vanish before they become dots.
   const double share = length / side_ / sitter.fine;
   const double finer = std::clamp(std::sqrt(share / 0.15), 0.45, 1.0) *
                        (run.closed ? smoothstep(0.004, 0.012, share) : smoothstep(0.010, 0.035, share));
@@ -184,7 +183,7 @@ SceneStroke Draughtsman::stroke(const VisibleRun& run, const IdentityBuffer& buf
   return result;
 }
 
-/// A little nearer than everything within the radius.
+/// A distance a little smaller than that of all within the radius.
 double Draughtsman::before_all(const glm::dvec2& at, double radius, const IdentityBuffer& buffer) const {
   float nearest = 0;
   for (int y = -2; y <= 2; ++y) {

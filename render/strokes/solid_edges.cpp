@@ -69,7 +69,7 @@ void EdgeFinder::look_at(std::span<const HalfEdge> sides) {
   if (sides.size() == 1) return add(sides[0], sides[0], LineKind::border);
   if (sides.size() == 2) return look_at_pair(sides[0], sides[1]);
 
-  // Bodies that share a cut, or touch: what tells most about them.
+  // Bodies share a cut, or touch: uses the most telling pair of triangles.
   const auto skin = std::find_if(sides.begin(), sides.end(), [&](const HalfEdge& h) { return !is_cut(h); });
   const auto cut = std::find_if(sides.begin(), sides.end(), [&](const HalfEdge& h) { return is_cut(h); });
   if (cut == sides.end()) return;
@@ -83,9 +83,8 @@ void EdgeFinder::look_at(std::span<const HalfEdge> sides) {
   }
 }
 
-/// Where a body is sunk in another, a stem's foot in the flesh, the other's face goes on across its outline: the rim
-/// fades there to what a line on a cut face would be, and never quite to nothing: rims of thin roots that are parted
-/// into bits flicker.
+/// Where a body is sunk in another, as a stem's foot in the flesh, the other's face goes on across its outline. The rim
+/// fades there to a line on a cut face, but not to nothing, because broken rims of thin roots flicker.
 double EdgeFinder::sunk_opacity(std::span<const HalfEdge> sides) const {
   constexpr double min = 0.07, max = 0.75;
   double jump = 0;
@@ -97,7 +96,7 @@ double EdgeFinder::sunk_opacity(std::span<const HalfEdge> sides) const {
   return min + (max - min) * line_opacity(jump);
 }
 
-/// How far the colours of two triangles are apart at their common edge, in OKLab.
+/// The distance of the colours of two triangles at their common edge, in OKLab.
 double EdgeFinder::color_jump(const HalfEdge& x, const HalfEdge& y) const {
   const auto apart = [&](std::uint32_t v, std::uint32_t w) {
     if (mesh_.color[v] == mesh_.color[w]) return 0.0;

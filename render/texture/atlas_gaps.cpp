@@ -9,7 +9,7 @@ namespace pomona {
 
 namespace {
 
-/// Linear colours of squares of texels, and whether anything is known of them.
+/// Linear colours of squares of texels, and whether they are known.
 struct Level {
   glm::ivec2 size{0};
   std::vector<Color> sum;
@@ -31,7 +31,7 @@ Level half_of(const Level& fine) {
   return half;
 }
 
-/// One entry per block of the atlas: the mean of what is in it.
+/// One entry per block of the atlas: the mean of its texels.
 Level blocks_of(const Atlas& atlas, const Image& image) {
   Level level(atlas.blocks());
   for (int y = 0; y < image.height; ++y) {

@@ -38,7 +38,7 @@ class Baker {
     image = image_of({0, 0, 0});
     add_mesh();
     if (options_.maps == Maps::all) start_maps();
-    // Charts by the handful, as many as have a million texels or two.
+    // The number of charts that together have a million texels or two.
     for (std::size_t first = 0; first < charts_.size();) {
       std::size_t end = first, texels = 0;
       while (end < charts_.size() && (end == first || texels + texels_of(end) < SampleColors::at_once))
@@ -62,7 +62,7 @@ class Baker {
             std::vector<glm::u8vec3>(static_cast<std::size_t>(atlas_.size.x) * atlas_.size.y, value)};
   }
 
-  /// Where no chart is, maps are level, open, dull, thick and wet.
+  /// Outside of charts, maps are level, open, dull, thick and wet.
   void start_maps() {
     const Solid& mesh = result_.solid;
     SurfaceMaps& maps = result_.maps;
@@ -119,7 +119,7 @@ class Baker {
     draw_parts(chart, samples);
   }
 
-  /// Numbers have no means: the part of each texel's first sample, and around them nothing.
+  /// Parts have no mean: uses the part of each texel's first sample, and none around the chart.
   void draw_parts(std::size_t chart, const std::vector<TexelSample>& samples) {
     ChartCanvas canvas(atlas_, chart, boxes_[chart]);
     const auto color_of = [](std::int32_t part) { return Color(static_cast<float>(std::min(part, 254)) / 255.0f); };
@@ -188,7 +188,7 @@ class Baker {
         result_.uv.emplace_back(texel / glm::dvec2(atlas_.size));
       }
 
-      // Triangles keep what they say about the surface.
+      // Triangles keep their attributes.
       out.mesh.triangle.push_back(copied);
       out.mesh.cut_face.push_back(solid_.mesh.cut_face[t]);
       out.mesh.surface.push_back(solid_.mesh.surface[t]);
@@ -227,7 +227,7 @@ bool has_cut_face(const Solid& solid) {
   return std::any_of(solid.mesh.cut_face.begin(), solid.mesh.cut_face.end(), [](auto face) { return face >= 0; });
 }
 
-/// What diffuses its texels; null where nothing is to be diffused.
+/// The field that diffuses its texels; null if nothing is diffused.
 const SectionColors* section_colors_of(const Solid& solid) {
   return has_cut_face(solid) ? solid.section_colors.get() : nullptr;
 }
@@ -235,7 +235,7 @@ const SectionColors* section_colors_of(const Solid& solid) {
 /// Solids whose cut faces the same surfaces have coloured.
 std::vector<BakedSolid> baked_together(std::span<const Solid> solids, const SectionColors* colors, const Style& style,
                                        const BakeOptions& options) {
-  // Where everything lies.
+  // The layout of each solid.
   std::vector<std::optional<Baker>> bakers(solids.size());
   std::vector<FaceColorTask> tasks;
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -244,12 +244,12 @@ std::vector<BakedSolid> baked_together(std::span<const Solid> solids, const Sect
     tasks.push_back({&solids[i], bakers[i]->texel()});
   }
 
-  // What all of them diffuse.
+  // The colours that all of them diffuse.
   const std::unique_ptr<ColorField> field = colors != nullptr ? colors->field() : nullptr;
   DiffusedFaces faces;
   if (field && !options.every_texel) faces = diffused_faces(tasks, *field);
 
-  // One by one.
+  // Bakes one by one.
   std::vector<BakedSolid> result(solids.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -275,7 +275,7 @@ BakedSolid baked(const Solid& solid, const Style& style, const BakeOptions& opti
 std::vector<BakedSolid> all_baked(std::span<const Solid> solids, const Style& style, const BakeOptions& options) {
   std::vector<BakedSolid> result;
   for (std::size_t first = 0; first < solids.size();) {
-    // Pieces of one fruit follow one another.
+    // Pieces of one fruit follow each other.
     const SectionColors* const own = section_colors_of(solids[first]);
     std::size_t end = first + 1;
     while (end < solids.size() && own != nullptr && section_colors_of(solids[end]) == own) ++end;

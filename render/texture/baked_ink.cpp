@@ -16,7 +16,7 @@ namespace {
 
 constexpr double filled = 0.9;  // share of a picture's shorter side that its face takes
 
-/// The chart as a section of one face: where this is in space if it is flat, else laid flat, in the plane z = 0. Where
+/// The chart as a section of one face: at its place in space if it is flat, else flattened in the plane z = 0. Where
 /// vertices are doubled along an edge, a surface crosses the face.
 CrossSection section_of(const Solid& solid, const Chart& chart) {
   CrossSection section;
@@ -48,7 +48,7 @@ CrossSection section_of(const Solid& solid, const Chart& chart) {
     }
   }
 
-  // Two more triangles at a seam, without an area: where three meet, there is no rim and no line.
+  // Adds two triangles without area at a seam: where three meet, there is no rim and no line.
   for (const glm::uvec2& seam : chart.seams) {
     const std::uint32_t a = first_at.at(seam.x), b = first_at.at(seam.y);
     section.triangle.emplace_back(a, b, a);

@@ -15,7 +15,7 @@ namespace pomona {
 
 namespace {
 
-/// Counter-clockwise where y runs up [Andrew 1979].
+/// The convex hull, counter-clockwise where y runs up [Andrew 1979].
 std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> points) {
   std::sort(points.begin(), points.end(),
             [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
@@ -47,7 +47,7 @@ OutlineExtent extent_of(std::span<const glm::dvec2> hull, const Turn& turn) {
   return extent;
 }
 
-/// One side of the smallest box around a hull lies in one of its edges.
+/// One side of the smallest box around a hull lies along one of its edges.
 Turn smallest_box(std::span<const glm::dvec2> hull) {
   Turn best(1, 0);
   double min = -1;
@@ -65,7 +65,7 @@ Turn smallest_box(std::span<const glm::dvec2> hull) {
   return best;
 }
 
-/// Marks every cell that comes within `slack` of a line, which lies within the mask.
+/// Marks every cell within `slack` of a line, which lies within the mask.
 void mark_line(BlockMask& mask, const glm::dvec2& p, const glm::dvec2& q) {
   constexpr double slack = 1e-3;
   const glm::dvec2 &upper = p.y <= q.y ? p : q, &lower = p.y <= q.y ? q : p;
@@ -86,7 +86,7 @@ void mark_line(BlockMask& mask, const glm::dvec2& p, const glm::dvec2& q) {
   }
 }
 
-/// Marks the cells whose middles lie within lines that close.
+/// Marks the cells whose middles lie within closed lines.
 void mark_within(BlockMask& mask, std::span<const std::array<glm::dvec2, 2>> lines) {
   std::vector<std::vector<double>> crossings(static_cast<std::size_t>(mask.height));
   for (const auto& [p, q] : lines) {

@@ -14,9 +14,10 @@ namespace pomona {
 
 namespace {
 
-constexpr double grow_limit = 0.454;   // cosine of 63 degrees: how far a region's triangles turn from its normal
-constexpr double join_limit = 0.309;   // cosine of 72 degrees: of two regions that become one
-constexpr double narrow_limit = 0.94;  // cosine of 20 degrees: below it, means of normals say where a region faces
+constexpr double grow_limit = 0.454;   // cosine of 63 degrees: largest angle of a region's triangles to its normal
+constexpr double join_limit = 0.309;   // cosine of 72 degrees: the same for two regions that become one
+constexpr double narrow_limit = 0.94;  // cosine of 20 degrees: below it, means of normals give the direction of a
+                                       // region
 constexpr int growths = 4;
 constexpr std::int32_t none = -1;
 
@@ -92,7 +93,7 @@ class RegionGrowth {
     return connected(curved, [](std::uint32_t) { return true; });
   }
 
-  /// Area-weighted mean normal, as long as the normals agree (1: all the same; 0: they cancel).
+  /// Area-weighted mean normal; its length tells how well the normals agree (1: all the same; 0: they cancel).
   glm::dvec3 mean_normal(const std::vector<std::uint32_t>& triangles) const {
     glm::dvec3 sum(0);
     double area = 0;
@@ -100,7 +101,8 @@ class RegionGrowth {
     return area > 0 ? sum / area : glm::dvec3(0);
   }
 
-  /// In the middle of what faces the mean direction; where there is none, at the first triangle with an area.
+  /// The seed is in the middle of the triangles that face the mean direction; without one, at the first triangle with
+  /// an area.
   Seed seed_in(const std::vector<std::uint32_t>& triangles) const {
     glm::dvec3 toward = mean_normal(triangles);
     const double length = std::sqrt(glm::dot(toward, toward));
@@ -122,7 +124,7 @@ class RegionGrowth {
     if (cosine >= grow_limit) queue_.push({1.0 - cosine, seed, triangle});
   }
 
-  /// From the seeds outwards, over what has no region yet.
+  /// Grows from the seeds outwards, over triangles without a region.
   void flood(std::size_t first_seed) {
     for (std::size_t s = first_seed; s < seeds_.size(); ++s) {
       queue_.push({-1, static_cast<std::int32_t>(s), seeds_[s].triangle});
@@ -171,7 +173,7 @@ class RegionGrowth {
     return joined_regions(component);
   }
 
-  /// Where a region faces, if all its triangles turn from there by less than the limit.
+  /// The direction of a region, if all its triangles are within the limit of it.
   std::optional<glm::dvec3> common_normal(const std::vector<std::uint32_t>& triangles, double limit) const {
     const glm::dvec3 mean = mean_normal(triangles);
     const double length = std::sqrt(glm::dot(mean, mean));
@@ -181,7 +183,7 @@ class RegionGrowth {
     return normal;
   }
 
-  /// The regions beside one, the longest common border first.
+  /// The neighbours of a region, the longest common border first.
   std::vector<std::int32_t> beside(const std::vector<std::uint32_t>& triangles, std::int32_t own) const {
     std::map<std::int32_t, double> border;
     for (const std::uint32_t t : triangles) {
@@ -205,7 +207,7 @@ class RegionGrowth {
     return area;
   }
 
-  /// Small regions go into neighbours as long as the union can be laid flat.
+  /// Joins small regions with neighbours as long as the union can be flattened.
   std::vector<CurvedRegion> joined_regions(const std::vector<std::uint32_t>& component) {
     std::vector<std::vector<std::uint32_t>> all = members(component);
     std::vector<std::int32_t> order(all.size());
@@ -225,7 +227,7 @@ class RegionGrowth {
     std::vector<CurvedRegion> regions;
     for (std::vector<std::uint32_t>& triangles : all) {
       if (triangles.empty()) continue;
-      // Where the mean is no good, the normal that it was grown around is.
+      // If the mean is not good enough, uses the normal around which the region grew.
       const glm::dvec3 grown_around = seeds_[region_[triangles.front()]].normal;
       const glm::dvec3 normal = common_normal(triangles, 0.1).value_or(grown_around);
       regions.push_back({std::move(triangles), normal});

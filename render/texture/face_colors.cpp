@@ -31,17 +31,17 @@ double encoded_difference(const Color& a, const Color& b) {
   return 255 * largest;
 }
 
-/// Colours at points of space, each asked for once.
+/// Colours at points of space, each computed once.
 class AskedPoints {
  public:
-  /// The number of a point, old or new.
+  /// The index of a point, which is added if it is new.
   std::uint32_t number(const glm::vec3& point) {
     const auto [entry, is_new] = known_.try_emplace(point, static_cast<std::uint32_t>(point_.size()));
     if (is_new) point_.push_back(point);
     return entry->second;
   }
 
-  /// Gives all points that have none a colour.
+  /// Computes the colours of all points that have none.
   void ask(const ColorField& field) {
     if (color_.size() == point_.size()) return;
     const DiffusedColors found = field.at(std::span(point_).subspan(color_.size()));
@@ -64,7 +64,7 @@ class AskedPoints {
   std::vector<Color> color_;
 };
 
-/// Parts one solid's cut faces.
+/// Subdivides one solid's cut faces.
 class Subdivision {
  public:
   Subdivision(const FaceColorTask& task, const FaceColorOptions& options, FaceColors& result)
@@ -85,7 +85,7 @@ class Subdivision {
 
   bool is_done() const { return open_.empty(); }
 
-  /// Gives the open cells their middles, and asks for the colours of those that need one.
+  /// Makes the middles of the open cells, and requests the colours that they need.
   void open(AskedPoints& asked) {
     for (const std::uint32_t c : open_) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -100,7 +100,7 @@ class Subdivision {
     }
   }
 
-  /// Takes the answers and parts the cells that need it; the parts are the open cells then.
+  /// Takes the colours and subdivides the cells that need it; their children are the open cells then.
   void close(const AskedPoints& asked, bool may_part) {
     for (const auto& [edge, number] : pending_) {
       Color& color = result_.color[edge->middle];
@@ -121,7 +121,7 @@ class Subdivision {
  private:
   struct Edge {
     std::uint32_t middle = 0;
-    bool in_surface = false;  // across which colours may jump, or a rim: the colour is that of the cell's side
+    bool in_surface = false;  // colours may jump across the edge, or it is a rim: the colour is that of the cell's side
     bool is_asked = false;
     double miss = 0;  // difference of the middle's colour from the predicted one, of 255
   };
@@ -145,8 +145,8 @@ class Subdivision {
   }
 
   /// Finds the edges in surfaces: the section's vertices are doubled there. Where a knife's faces meet within the flesh
-  /// they are doubled, too, and have the same colours. Where other than two such edges meet, a surface ends or
-  /// branches, and the vertex has none of the sides' colours.
+  /// they are doubled, too, and have the same colours. Where not exactly two such edges meet, a surface ends or
+  /// branches, and the vertex has the colour of no side.
   void mark_surfaces() {
     std::vector<glm::uvec3> triangles;
     for (const Cell& cell : result_.cells) triangles.emplace_back(cell.corner[0], cell.corner[1], cell.corner[2]);
@@ -172,7 +172,7 @@ class Subdivision {
     }
   }
 
-  /// Whether an edge is within the flesh, of two triangles with these ends.
+  /// Whether an edge with these ends, of two triangles, is within the flesh.
   bool is_same(const glm::uvec2& a, std::int32_t face_a, const glm::uvec2& b, std::int32_t face_b) const {
     if (a == b) return true;
     for (int k = 0; k < 2; ++k) {
@@ -205,7 +205,7 @@ class Subdivision {
     return encoded_difference(result_.color[a], result_.color[b]) > options_.even;
   }
 
-  /// Where an edge's middle is asked for: in a surface, a little on the side of `corner`.
+  /// The place at which an edge's middle is sampled: in a surface, a little towards `corner`.
   glm::vec3 point_on(const Edge& edge, std::uint32_t corner) const {
     constexpr double aside = 0.02;  // texels
     const glm::vec3& middle = position_[edge.middle];
@@ -216,8 +216,8 @@ class Subdivision {
     return glm::vec3(glm::dvec3(middle) + way * std::min(0.1, aside * texel_ / length));
   }
 
-  /// Where a middle was not predicted. And where a triangle lies within surfaces, for then nothing is known of its
-  /// inside.
+  /// Divides where a middle was not predicted well, and where all edges of a triangle lie in surfaces, because nothing
+  /// is known of its inside.
   bool must_be_parted(std::uint32_t c) {
     const Cell& cell = result_.cells[c];
     int in_surface = 0;
@@ -272,7 +272,7 @@ class Subdivision {
 }  // namespace
 
 Color FaceColors::at(std::uint32_t triangle, const glm::dvec3& weight) const {
-  // Down to the smallest cell that holds the place.
+  // Goes down to the smallest cell that contains the place.
   const Cell* cell = &cells[static_cast<std::size_t>(root[triangle])];
   glm::dvec3 w = weight;
   while (cell->first_child >= 0) {
@@ -310,7 +310,7 @@ DiffusedFaces diffused_faces(std::span<const FaceColorTask> tasks, const ColorFi
   subdivisions.reserve(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) subdivisions.emplace_back(tasks[i], options, result.of_solid[i]);
 
-  // Round by round, so that the field is asked many points at a time.
+  // Works in rounds, so that the field gets many points at a time.
   AskedPoints asked;
   for (int round = 0; round < options.max_rounds; ++round) {
     for (Subdivision& subdivision : subdivisions) subdivision.open(asked);

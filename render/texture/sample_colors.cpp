@@ -79,8 +79,8 @@ LookPlace SampleColors::look_place(const TexelSample& sample) const {
   return seen;
 }
 
-/// Between vertices, which is right on skin and on the rim of a cut face, whose vertices have the colours of the
-/// surfaces they lie on; elsewhere on cut faces between the points that were diffused.
+/// Interpolates between vertices on skin and on the rim of a cut face, whose vertices have the colours of their
+/// surfaces; elsewhere on cut faces between diffused points.
 Color SampleColors::interpolated(const TexelSample& sample) const {
   const bool within_face = !sample.outside && mesh_.cut_face[sample.triangle] >= 0;
   if (of_cut_faces_.faces != nullptr && within_face) return of_cut_faces_.faces->at(sample.triangle, sample.weight);

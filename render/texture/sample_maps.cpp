@@ -18,10 +18,10 @@ constexpr std::size_t samples_at_once = 2048;
 
 // The film of juice on a wet face swells by some millimetres, as in pictures (shaders/lit.glsl), and is uneven.
 constexpr double film_frequency = 95;  // cycles per metre
-constexpr double film_uneven = 0.35;   // share of the roughness
+constexpr double film_uneven = 0.35;   // variation of the roughness, as a share
 constexpr std::uint32_t film_seed = 411;
 
-constexpr double closed_in_pit = 0.6;  // of the light from all sides, in the middle of a pit
+constexpr double closed_in_pit = 0.6;  // share of the light from all sides that is lost in the middle of a pit
 
 glm::dvec3 unit_of(const glm::dvec3& v) {
   const double length = std::sqrt(glm::dot(v, v));

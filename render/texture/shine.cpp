@@ -17,20 +17,21 @@ namespace pomona {
 
 namespace {
 
-/// A film of juice thins out over so much of the solid's diagonal.
+/// The share of the solid's diagonal over which a film of juice thins out.
 constexpr double thinning = 0.02;
 
-/// Colours are the same to the eye, where a surface that is the same on both sides lies between parts.
+/// Whether the eye sees equal colours, as at a surface between parts with equal sides.
 constexpr float alike = 0.02f;
 
 bool look_alike(const Color& a, const Color& b) {
   return glm::all(glm::lessThan(glm::abs(glm::vec3(a) - glm::vec3(b)), glm::vec3(alike)));
 }
 
-/// For each vertex the first at the same place that looks like it.
+/// For each vertex, the first one at the same place with the same colour.
 std::vector<std::uint32_t> joints(const Solid& solid) {
   const std::vector<std::uint32_t> first = weld(solid.mesh.position);
-  std::vector<std::vector<std::uint32_t>> firsts(first.size());  // of a place, by its first vertex: one of each colour
+  std::vector<std::vector<std::uint32_t>> firsts(first.size());  // vertices of a place, one of each colour, by its
+                                                                 // first vertex
   std::vector<std::uint32_t> joint;
   for (std::uint32_t v = 0; v < first.size(); ++v) {
     std::vector<std::uint32_t>& known = firsts[first[v]];
@@ -54,9 +55,9 @@ Shine::Shine(const Solid& solid) : mesh_(solid.mesh), joint_(joints(solid)), ver
       part_.push_back({pbr_roughness(material, false), pbr_roughness(material, true), pbr_film(material)});
     }
   }
-  part_.push_back({pbr_dull, pbr_dull, 0});  // of what belongs to none
+  part_.push_back({pbr_dull, pbr_dull, 0});  // of triangles without a part
 
-  // What lies around each vertex.
+  // Collects the triangles around each vertex.
   for (std::uint32_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     if (solid.mesh.cut_face[t] < 0) continue;
     for (int i = 0; i < 3; ++i) {
@@ -72,7 +73,7 @@ Shine::Shine(const Solid& solid) : mesh_(solid.mesh), joint_(joints(solid)), ver
   thin_out();
 }
 
-/// From where a wet part meets a drier one, along the edges of the wet part's triangles [Dijkstra 1959].
+/// Distances from the border with a drier part, along the edges of the wet part's triangles [Dijkstra 1959].
 void Shine::thin_out() {
   Box<double> box;
   for (const glm::vec3& p : mesh_.position) box.add(glm::dvec3(p));
@@ -88,7 +89,7 @@ void Shine::thin_out() {
   }
   std::sort(edges.begin(), edges.end());
 
-  // The nearest first; equally near ones by their numbers.
+  // The nearest first; equally near ones by index.
   std::vector<double> distance(vertex_.size(), width), border(vertex_.size(), 1);
   std::set<std::pair<double, std::uint32_t>> next;
   for (std::uint32_t v = 0; v < vertex_.size(); ++v) {
@@ -121,7 +122,7 @@ PlaceShine Shine::at(std::uint32_t triangle, const glm::dvec3& weight) const {
   for (int i = 0; i < 3; ++i) {
     const AtVertex& at = around(mesh_.triangle[triangle][i]);
     sum.roughness += weight[i] * (at.roughness / at.count - own);
-    // A drier part beside a wetter one ends where that one's film does.
+    // A drier part beside a wetter one ends where the film of that one ends.
     sum.film += weight[i] * (film < at.wettest ? at.driest / std::max(film, 1e-9) : at.share);
   }
   return sum;

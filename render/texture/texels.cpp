@@ -22,7 +22,7 @@ constexpr std::uint32_t unset = 0xffffffffu;
 
 using Corners2 = std::array<glm::dvec2, 3>;
 
-/// Of a point in the plane; nothing useful for a triangle without area.
+/// Barycentric coordinates of a point in the plane; undefined for a triangle without area.
 glm::dvec3 barycentric(const Corners2& p, const glm::dvec2& q) {
   const double area = cross(p[1] - p[0], p[2] - p[0]);
   const double b = cross(q - p[0], p[2] - p[0]) / area, c = cross(p[1] - p[0], q - p[0]) / area;
@@ -151,7 +151,7 @@ class ChartTexels {
     }
   }
 
-  /// Texels beside the chart that a look-up on it reads take the nearest place on it.
+  /// Texels beside the chart that a look-up on it reads get its nearest place.
   void cover_edges() {
     nearest_.assign(triangle_.size(), {});
     nearest_triangle_.assign(triangle_.size(), unset);

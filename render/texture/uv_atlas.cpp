@@ -24,7 +24,7 @@ namespace {
 /// A row of blocks as bits.
 using BitRow = std::vector<std::uint64_t>;
 
-/// ORs the row, moved down by `shift` bits, into `to`. Beyond its end all is 0.
+/// ORs the row, shifted down by `shift` bits, into `to`. Bits beyond its end are 0.
 void or_moved(BitRow& to, const BitRow& row, int shift) {
   const std::size_t words = row.size(), skip = static_cast<std::size_t>(shift / 64);
   const int bits = shift % 64;
@@ -52,7 +52,7 @@ std::vector<BlockRun> runs_of(const BlockMask& mask) {
   return runs;
 }
 
-/// What a chart needs when it is turned in one way. Shapes of one kind need the same blocks.
+/// The blocks of a chart in one rotation. Shapes of one kind need the same blocks.
 struct Shape {
   BlockMask mask;
   std::vector<BlockRun> runs;
@@ -60,7 +60,7 @@ struct Shape {
   Shape(BlockMask of, std::size_t number) : mask(std::move(of)), runs(runs_of(mask)), kind(number) {}
 };
 
-/// Numbers masks: equal ones have the same number.
+/// Numbers masks; equal masks have the same number.
 class Kinds {
  public:
   std::size_t of(const BlockMask& mask) {
@@ -72,8 +72,8 @@ class Kinds {
   std::map<std::tuple<int, int, std::vector<std::uint64_t>>, std::size_t> kinds_;
 };
 
-/// Blocks that are taken. Each row is also kept with every block taken that has a taken one among the 2^k that begin
-/// with it, so that one look tells for a whole row of places whether a run meets anything.
+/// Occupied blocks. For each k, a row also marks every block with an occupied one among the 2^k blocks that begin with
+/// it, so one look-up tells for a whole row of places whether a run is free.
 class Field {
  public:
   Field(const glm::ivec2& blocks, std::size_t kinds)
@@ -82,8 +82,8 @@ class Field {
     rows_.assign(static_cast<std::size_t>(blocks.y), std::vector<BitRow>(levels, BitRow(words_, 0)));
   }
 
-  /// The first place, row by row and before row `end`, where the shape meets nothing. Blocks are never given back, so
-  /// that shapes of its kind need not be tried in earlier rows again.
+  /// The first free place for the shape, row by row and before row `end`. Blocks are never freed, so shapes of its kind
+  /// need not be tried in earlier rows again.
   std::optional<glm::ivec2> place(const Shape& shape, double end) {
     BitRow blocked(words_);
     const int last = blocks_.x - shape.mask.width;
@@ -119,13 +119,13 @@ class Field {
     }
   }
 
-  std::size_t looks() const { return looks_; }  ///< what has been done so far: words that were read
+  std::size_t looks() const { return looks_; }  ///< the work so far: number of words that were read
 
  private:
   glm::ivec2 blocks_;
   std::size_t words_;
   std::vector<std::vector<BitRow>> rows_;  // per row, per k
-  std::vector<int> first_row_;             // per kind: there is no place for it before this row
+  std::vector<int> first_row_;             // per kind: first row that may have a place for it
   std::size_t looks_ = 0;
 };
 
@@ -137,30 +137,30 @@ double area_of(const std::vector<ChartOutline>& charts) {
 
 constexpr double longest_speck = 16, largest_speck = 6;  // texels, and square texels
 
-/// Charts at one scale, turned in all ways.
+/// Charts at one scale, in all rotations.
 struct Shapes {
   double texels_per_metre = 0;
   int mip_levels = 0;
   std::vector<std::vector<Shape>> of_chart;
   std::vector<std::uint8_t> speck;
-  std::size_t kinds = 0;  ///< of shapes
+  std::size_t kinds = 0;  ///< number of kinds of shapes
   std::int64_t min = 0;   ///< blocks
 };
 
-/// A chart of a few blocks needs about the same ones however it is turned.
+/// A chart of a few blocks needs about the same number in every rotation.
 constexpr double few_blocks = 3;
 constexpr std::size_t turns_of_small_ones = 1;
 
-/// Hairs and crumbs, which would show nothing but their edges.
+/// Specks: hairs and crumbs, which would show only their edges.
 bool is_speck(const Chart& chart, double area, double scale) {
   const double longest = std::max(chart.size.x, chart.size.y) * scale;
   return longest < 1 || (longest < longest_speck && area * scale * scale < largest_speck);
 }
 
-/// How charts are placed: which first, and for which of the ways to turn them.
+/// The order in which charts are placed, and the preferred rotations.
 struct PackingOrder {
   std::vector<std::size_t> charts;
-  double height = 1;  ///< how much a shape's own height counts beside that of its place
+  double height = 1;  ///< weight of a shape's own height beside that of its place
 };
 
 struct ChartPlaces {
@@ -203,7 +203,7 @@ class Packer {
     return shapes;
   }
 
-  /// The largest first.
+  /// Sorts charts, the largest first.
   PackingOrder first_order(const Shapes& shapes) const {
     PackingOrder order;
     order.charts.resize(charts_.size());
@@ -214,7 +214,7 @@ class Packer {
     return order;
   }
 
-  /// About the largest first; one that is half as large may come before it.
+  /// Sorts charts roughly, the largest first; one that is half as large may come earlier.
   PackingOrder other_order(const Shapes& shapes, std::uint64_t number) const {
     const RandomStream random({number, 0}, "atlas");
     std::vector<double> size;
@@ -230,7 +230,7 @@ class Packer {
   }
 
   std::optional<ChartPlaces> placed(const Shapes& shapes, const glm::ivec2& size, const PackingOrder& order) {
-    // A size with fewer blocks than are wanted is not tried.
+    // Skips sizes with too few blocks.
     const glm::ivec2 blocks = size >> mip_levels_;
     if (shapes.min > static_cast<std::int64_t>(blocks.x) * blocks.y) return std::nullopt;
     ChartPlaces found{std::vector<glm::ivec2>(charts_.size()), std::vector<std::size_t>(charts_.size(), 0)};
@@ -289,7 +289,7 @@ class Packer {
   std::size_t looks_ = 0;
 };
 
-/// What finding a better place for charts may cost, words that are read: a share of what a texel costs.
+/// Limit of the search for better places, in words that are read: a share of the cost of texels.
 std::size_t looks_for(const glm::ivec2& size) { return static_cast<std::size_t>(size.x) * size.y * 24; }
 constexpr std::uint64_t max_orders = 2000, orders_at_a_scale = 24;
 
@@ -299,7 +299,7 @@ struct AtlasFit {
   ChartPlaces places;
 };
 
-/// Halves the interval between a scale that fits and one that cannot, the largest charts placed first.
+/// Bisects between a scale that fits and one that does not, placing the largest charts first.
 std::optional<AtlasFit> fit_of(Packer& packer, const glm::ivec2& size) {
   const double area = packer.area();
   double fits = 0, too_large = area > 0 ? size.x / std::sqrt(area) : size.x;
@@ -318,7 +318,7 @@ std::optional<AtlasFit> fit_of(Packer& packer, const glm::ivec2& size) {
   return best;
 }
 
-/// Looks for other ways to place the charts that let them be a little larger.
+/// Tries other orders that let the charts be a little larger.
 AtlasFit enlarged(Packer& packer, const glm::ivec2& size, AtlasFit best) {
   const std::size_t enough = packer.looks() + looks_for(size);
   double step = 0.08;
@@ -341,7 +341,7 @@ AtlasFit enlarged(Packer& packer, const glm::ivec2& size, AtlasFit best) {
 }  // namespace
 
 PackedCharts packed_to_side(const std::vector<Chart>& charts, int side, int mip_levels) {
-  // A level less is worth charts that are half as large again.
+  // Gives up a mip level for charts that are half as large again.
   constexpr double worth = 1.5;
   const glm::ivec2 size(side);
   std::optional<Packer> chosen;
@@ -368,7 +368,7 @@ PackedCharts packed_at_texel(const std::vector<Chart>& charts, double texel, int
                      std::to_string(max_texture_side) + " texels",
                  "take larger texels, or smaller pieces");
   };
-  // Told before anything is made of that size.
+  // Reported before anything of that size is made.
   const double scale = 1 / texel;
   constexpr double max = static_cast<double>(max_texture_side) * max_texture_side;
   Packer packer(charts, mip_levels);

@@ -40,8 +40,8 @@ Patch3 patch_of(const Solid& solid, const TriangleNeighbors& neighbors, const st
   return patch;
 }
 
-/// Directions of a plane as its picture shows it, seen against the normal: upright where it stands, -Z upwards where
-/// it lies level and is seen from above, as section pictures have it.
+/// The directions of a plane in its picture, seen against the normal: +Y upwards, or -Z for a level plane seen from
+/// above, as in pictures of sections.
 struct ChartView {
   glm::dvec3 right, up;
 
@@ -58,7 +58,7 @@ struct ChartView {
   }
 };
 
-/// Puts places with y up into the chart: y down, from 0. Gives the place at which both are 0.
+/// Puts places with y up into the chart, with y down, from 0. Returns the place of (0, 0).
 glm::dvec2 set_flat(Chart& chart, const std::vector<glm::dvec2>& y_up) {
   glm::dvec2 low = y_up.front(), high = low;
   for (const glm::dvec2& p : y_up) low = glm::min(low, p), high = glm::max(high, p);
@@ -119,9 +119,9 @@ void lay_face_flat(const Solid& solid, const TriangleNeighbors& neighbors, Chart
   chart.frame = {view.right, view.up, set_flat(chart, view.of(patch))};
 }
 
-/// One region as one chart; where its projection covers itself, as several.
+/// Makes one chart of a region, or several if its projection overlaps itself.
 std::vector<Chart> region_charts(const Solid& solid, const TriangleNeighbors& neighbors, const CurvedRegion& region) {
-  // What lies on other triangles, seen along the normal, waits for a later chart.
+  // Triangles that overlap others, seen along the normal, wait for a later chart.
   std::vector<Chart> charts;
   std::vector<std::uint32_t> left = region.triangles;
   const ChartView view(region.normal);
@@ -137,7 +137,7 @@ std::vector<Chart> region_charts(const Solid& solid, const TriangleNeighbors& ne
       next += covers ? 1 : 0;
     }
 
-    // Laid flat with little stretch, unless that makes the chart lie on itself: then it stays as it is seen.
+    // Flattens with little stretch; if the chart then overlaps itself, keeps the projection.
     const Patch3 patch = covering.empty() ? whole : patch_of(solid, neighbors, chart.triangles);
     chart.corners = patch.triangle;
     const std::vector<glm::dvec2> start = view.of(patch);
@@ -151,7 +151,7 @@ std::vector<Chart> region_charts(const Solid& solid, const TriangleNeighbors& ne
   return charts;
 }
 
-/// Finds where cut faces go on smoothly beyond their charts.
+/// Finds the edges where cut faces go on smoothly beyond their charts.
 class SeamFinder {
  public:
   SeamFinder(const Solid& solid, const TriangleNeighbors& neighbors)
@@ -180,7 +180,7 @@ class SeamFinder {
   }
 
  private:
-  /// In another face of the same knife. Triangles side by side run along their edge opposite ways.
+  /// Searches another face of the same knife. Neighbours run along their edge in opposite directions.
   bool goes_on(const HalfEdge& h, const HalfEdge& other) const {
     const std::int32_t face = mesh_.cut_face[h.triangle], other_face = mesh_.cut_face[other.triangle];
     if (face < 0 || other_face < 0 || face == other_face || h.forward == other.forward) return false;
@@ -199,7 +199,7 @@ class SeamFinder {
 }  // namespace
 
 std::vector<Chart> charts_of(const Solid& solid, Threads threads) {
-  // Flat cut faces lie as they are.
+  // Flat cut faces keep their shape.
   const TriangleNeighbors neighbors = triangle_neighbors(solid);
   std::vector<Chart> charts;
   std::vector<std::uint8_t> is_curved(solid.mesh.triangle.size(), 1);
@@ -210,7 +210,7 @@ std::vector<Chart> charts_of(const Solid& solid, Threads threads) {
     charts.push_back(std::move(chart));
   }
 
-  // All else is curved: regions side by side, their charts in the regions' order.
+  // All else is curved: makes regions, and charts in the regions' order.
   const std::vector<CurvedRegion> regions = curved_regions(solid, neighbors, is_curved);
   std::vector<std::vector<Chart>> of_region(regions.size());
   parallel_for(regions.size(), threads,
@@ -219,7 +219,7 @@ std::vector<Chart> charts_of(const Solid& solid, Threads threads) {
     for (Chart& chart : of_one) charts.push_back(std::move(chart));
   }
 
-  // Where a cut goes on smoothly beyond its chart.
+  // Marks where a cut goes on smoothly beyond its chart.
   const SeamFinder seams(solid, neighbors);
   for (Chart& chart : charts) {
     if (chart.cut_face >= 0) chart.seams = seams.seams_of(chart);

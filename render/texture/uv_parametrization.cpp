@@ -16,10 +16,10 @@ namespace {
 
 constexpr int max_sweeps = 120;
 constexpr double over_relaxation = 1.7;
-constexpr double at_rest = 2e-4;   // of the patch's size: the longest step of a sweep that ends the work
-constexpr double min_area = 0.05;  // of a triangle's own: flatter it may not become
+constexpr double at_rest = 2e-4;   // as a share of the patch's size: iteration ends when the longest step is below
+constexpr double min_area = 0.05;  // smallest area of a flattened triangle, as a share of its own
 
-/// A triangle by itself, laid flat as it is: its first corner at the origin, its second on the x axis.
+/// A flattened triangle: its first corner at the origin, its second on the x axis.
 std::array<glm::dvec2, 3> at_rest_shape(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 ab = b - a, ac = c - a;
   const double along = std::sqrt(glm::dot(ab, ab));
@@ -28,7 +28,7 @@ std::array<glm::dvec2, 3> at_rest_shape(const glm::dvec3& a, const glm::dvec3& b
   return {glm::dvec2(0), glm::dvec2(along, 0), glm::dvec2(glm::dot(ac, ab) / along, std::sqrt(glm::dot(n, n)) / along)};
 }
 
-/// Pulls points towards where their triangles, each turned as it lies, want them.
+/// Moves points towards the positions that their triangles, each in its rotation, give them.
 class Relaxation {
  public:
   Relaxation(const Patch3& patch, std::vector<glm::dvec2> start) : patch_(patch), flat_(std::move(start)) {
@@ -69,7 +69,7 @@ class Relaxation {
     std::uint32_t triangle = 0, corner = 0;
   };
 
-  /// Of the angles at the corners; kept from the extremes of slivers.
+  /// Cotangents of the angles at the corners, limited for slivers.
   static std::array<double, 3> cotangents(const std::array<glm::dvec2, 3>& r) {
     std::array<double, 3> w{1, 1, 1};
     const double area = cross(r[1] - r[0], r[2] - r[0]);
@@ -80,7 +80,7 @@ class Relaxation {
     return w;
   }
 
-  /// The rotation (cosine, sine) nearest to how the triangle lies.
+  /// The rotation (cosine, sine) that fits the triangle's position best.
   glm::dvec2 turn_of(std::size_t t) const {
     const glm::uvec3& v = patch_.triangle[t];
     double cosine = 0, sine = 0;
@@ -95,9 +95,9 @@ class Relaxation {
     return length > 0 ? glm::dvec2(cosine, sine) / length : glm::dvec2(1, 0);
   }
 
-  /// Moves one point, as far as no triangle around it turns over or gets too flat; how far it went.
+  /// Moves one point as far as no triangle around it turns over or gets too flat; returns the distance.
   double move(std::uint32_t p) {
-    // Where the triangles around the point want it, in the mean.
+    // The mean position that the triangles around give the point.
     glm::dvec2 sum(0);
     double weight = 0;
     for (std::size_t i = first_[p]; i < first_[p + 1]; ++i) {
@@ -112,7 +112,7 @@ class Relaxation {
     }
     if (!(weight > 0)) return 0;
 
-    // A step there and beyond; a half, a quarter or an eighth of it if a triangle forbids more, or none.
+    // Moves there and beyond; a half, a quarter or an eighth of that if a triangle forbids more, or not at all.
     const glm::dvec2 from = flat_[p];
     glm::dvec2 step = over_relaxation * (sum / weight - from);
     for (int halving = 0; halving < 4; ++halving, step *= 0.5) {
@@ -142,7 +142,7 @@ class Relaxation {
   std::vector<Corner> around_;
 };
 
-/// Whether a line along one of a's edges parts the two.
+/// Whether a line along one of a's edges separates the two.
 bool parts(const std::array<glm::dvec2, 3>& a, const std::array<glm::dvec2, 3>& b, double slack) {
   for (std::size_t k = 0; k < 3; ++k) {
     const glm::dvec2 edge = a[(k + 1) % 3] - a[k];
@@ -220,7 +220,7 @@ Stretch stretch_of(const Patch3& patch, std::span<const glm::dvec2> flat) {
     const auto r = at_rest_shape(patch.point[t.x], patch.point[t.y], patch.point[t.z]);
     const double own = cross(r[1] - r[0], r[2] - r[0]);
     if (!(own > narrowest * longest_edge(r))) continue;
-    // The map's two columns: where a unit step along x and along y of the triangle's own plane goes.
+    // The two columns of the map: images of unit steps along x and y of the triangle's own plane.
     const glm::dvec2 e = flat[t.y] - flat[t.x], f = flat[t.z] - flat[t.x];
     const glm::dvec2 x = e / r[1].x, y = (f - x * r[2].x) / r[2].y;
     const double a = glm::dot(x, x), b = glm::dot(x, y), c = glm::dot(y, y);
@@ -241,13 +241,13 @@ std::vector<glm::dvec2> relaxed(const Patch3& patch, std::vector<glm::dvec2> pro
 }
 
 std::vector<std::uint32_t> overlapping(std::span<const glm::uvec3> triangles, std::span<const glm::dvec2> flat) {
-  // The size of the whole: the slack is a share of it.
+  // The size of the patch; the slack is a share of it.
   TriangleGrid grid(triangles, flat);
   double size = 0;
   for (const glm::dvec2& p : flat) size = std::max({size, std::abs(p.x - flat[0].x), std::abs(p.y - flat[0].y)});
   std::vector<std::uint32_t> found;
 
-  // Each triangle is held against those laid down before it, and is laid down itself if it covers none.
+  // Compares each triangle with those accepted before; it is accepted if it overlaps none.
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const auto own = grid.corners(t);
     if (!(cross(own[1] - own[0], own[2] - own[0]) > 0)) continue;

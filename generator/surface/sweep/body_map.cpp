@@ -10,7 +10,8 @@ namespace pomona {
 
 namespace {
 
-constexpr int stretches = 256;  // of the tabled axis: cubic between them, right to 1e-11 of its length
+constexpr int stretches = 256;  // number of stretches of the axis table; cubic between them, exact to 1e-11 of its
+                                // length
 
 glm::dvec2 heading(double lean) { return {reproducible::sin(lean), reproducible::cos(lean)}; }
 
@@ -29,7 +30,7 @@ BodyMap::BodyMap(const Template& fruit) : proportions_(fruit.proportions), bend_
   if (!bends_) return;
   towards_ = {reproducible::cos(bend_.direction), -reproducible::sin(bend_.direction)};
 
-  // Walk along the axis by Simpson's rule.
+  // Integrates along the axis by Simpson's rule.
   const double step = 2 * half_length_ / stretches;
   axis_.emplace_back(0, low_);
   tangent_.push_back(heading(bend_.lean(-1)));
@@ -40,7 +41,7 @@ BodyMap::BodyMap(const Template& fruit) : proportions_(fruit.proportions), bend_
     tangent_.push_back(end);
   }
 
-  // Its mean, by the trapezoidal rule with its end correction, stands at the axis of the frame.
+  // Its mean, by the trapezoidal rule with end correction, lies on the axis of the frame.
   double mean = 0.5 * (axis_.front().x + axis_.back().x) - step / 12 * (tangent_.back().x - tangent_.front().x);
   for (int i = 1; i < stretches; ++i) mean += axis_[static_cast<std::size_t>(i)].x;
   for (glm::dvec2& p : axis_) p.x -= mean / stretches;

@@ -61,7 +61,7 @@ class DartCells {
     std::size_t index;
   };
 
-  /// What lies in which cell, hashed: chains of entries, the last added first.
+  /// The balls of each cell, hashed: chains of entries, the last added first.
   class Cells {
    public:
     bool empty() const { return entries_.empty(); }
@@ -85,7 +85,7 @@ class DartCells {
     struct Entry {
       Cell cell;
       Ball ball;
-      std::uint32_t before;  ///< of the same place in the table
+      std::uint32_t before;  ///< previous entry of the same place in the table
     };
 
     std::size_t place_of(const Cell& cell) const {
@@ -101,7 +101,7 @@ class DartCells {
       newest = entry;
     }
 
-    /// With room for four times as many.
+    /// The table with room for four times as many.
     void rehash() {
       newest_.assign(std::max<std::size_t>(64, 4 * newest_.size()), none);
       for (std::size_t i = 0; i < entries_.size(); ++i) chain(static_cast<std::uint32_t>(i));
@@ -125,7 +125,7 @@ class DartCells {
     return false;
   }
 
-  /// Of a level's cells: no ball in it is wider.
+  /// The width of a level's cells: no ball in it is wider.
   double width_of(std::size_t level) const { return 2 * width_ * static_cast<double>(std::uint64_t{1} << level); }
 
   std::size_t level_of(double diameter) const {

@@ -17,16 +17,16 @@ namespace pomona {
 
 namespace {
 
-/// Candidates that threads share before the next are drawn, and those of one part of them: of the latter there should
-/// be many, of the former few enough that most are in nobody's way among themselves.
+/// The number of candidates that threads share before the next are drawn, and of those in one part. Parts should be
+/// many; candidates few enough that most do not conflict with each other.
 constexpr std::uint64_t candidates_at_once = 8192, candidates_of_a_part = 512;
 
 constexpr std::size_t targets_of_a_part = 128;
 
-/// Darts that are asked one by one sooner than their cells are looked up.
+/// Up to this number of darts, testing each is faster than looking up cells.
 constexpr std::size_t few = 24;
 
-/// Of targets in a round: slivers could go on much longer.
+/// Limit of targets in a round, because slivers could be halved much longer.
 constexpr std::size_t max_splits = 4'000'000;
 
 class DartThrower {
@@ -65,10 +65,10 @@ class DartThrower {
  private:
   struct Pending {
     GrainTarget target;
-    bool aimed_at = false;  ///< and found not to be taken
+    bool aimed_at = false;  ///< the target was found to have room
   };
 
-  /// Whose `max` is known.
+  /// Targets with a known `max`.
   void add_target(const GrainTarget& target) {
     const double weight = area_of(target) * target.max;
     if (!(weight > 0)) return;
@@ -77,7 +77,7 @@ class DartThrower {
     targets_.push_back(target);
   }
 
-  /// So many candidates for each disc of the Poisson diameter that the targets have room for.
+  /// The number of candidates for each disc of the Poisson diameter for which the targets have room.
   void throw_round(double per_disc) {
     const double disc = pi * radius_ * radius_ / 4;
     const std::uint64_t end = next_candidate_ + static_cast<std::uint64_t>(std::ceil(per_disc * weight_ / disc));
@@ -93,8 +93,8 @@ class DartThrower {
     }
   }
 
-  /// Those of some candidates that no dart so far is in the way of, in their order. Darts are never taken back, so
-  /// that threads may find out about each of them alone; whether they are in each other's way is asked later.
+  /// The candidates that do not conflict with any dart so far, in their order. Darts are never removed, so threads may
+  /// test candidates independently; conflicts among them are tested later.
   std::vector<std::vector<Dart>> hopeful(std::uint64_t first, std::uint64_t count) const {
     std::vector<std::vector<Dart>> parts((count + candidates_of_a_part - 1) / candidates_of_a_part);
     parallel_for(parts.size(), threads_, [&](std::size_t part) {
@@ -113,7 +113,7 @@ class DartThrower {
   bool fits(const Dart& dart) const { return is_free(dart) && (!sketch_.spacing.solid || has_room(dart)); }
 
   std::optional<Dart> candidate(std::uint64_t n) const {
-    // A triangle by its weight, a point in it evenly [Osada et al. 2002].
+    // A random triangle by weight, and a uniform point in it [Osada et al. 2002].
     const double weight = draws_.places.uniform(draws_per_candidate * n) * weight_;
     const auto after = std::upper_bound(weight_before_.begin(), weight_before_.end(), weight);
     const GrainTarget& target = targets_[static_cast<std::size_t>(after - weight_before_.begin()) - 1];
@@ -122,7 +122,7 @@ class DartThrower {
     const GrainPlace far = blend(target.corner[1], 1 - share, target.corner[2], share);
     const GrainPlace place = blend(target.corner[0], 1 - root, far, root);
 
-    // Where grains are rarer than anywhere in the triangle, so are candidates.
+    // Candidates are as rare as grains at this place.
     const double density = density_at(sketch_, place);
     if (density <= 0) return std::nullopt;
     if (density < target.max && draws_.places.uniform(draws_per_candidate * n + 5) * target.max >= density) {
@@ -140,7 +140,7 @@ class DartThrower {
     return dart;
   }
 
-  /// What decides whether a dart is too near: a fraction of what a dart has, for pieces of targets are many.
+  /// The part of a dart that decides whether it is too near. It is small, because pieces of targets are many.
   struct Footing {
     glm::dvec3 center, normal;
     double spacing;
@@ -158,8 +158,8 @@ class DartThrower {
   /// Halves the targets along their longest edges down to an eighth of their spacing, and leaves out those that lie
   /// within the reach of one dart.
   void aim_at_free_places() {
-    // Threads share the targets in runs, the last target first; slivers could be halved much too often, and then what
-    // is left out follows from their order, which one thread alone keeps to.
+    // Threads share the targets in runs, the last target first. If slivers are halved too often, what is left out
+    // depends on the order, so then one thread works alone.
     std::vector<std::vector<GrainTarget>> free((targets_.size() + targets_of_a_part - 1) / targets_of_a_part);
     std::atomic<std::size_t> splits = 0;
     parallel_for(free.size(), threads_, [&](std::size_t part) {
@@ -178,7 +178,7 @@ class DartThrower {
     weight_ = 0;
     for (std::vector<GrainTarget>& some : free) {
       for (const GrainTarget& target : some) add_target(target);
-      some = {};  // what slivers leave may be a gigabyte, which need not be there twice
+      some = {};  // frees what may be a gigabyte of slivers before it is copied
     }
     fresh_cells_.clear();
     first_fresh_ = darts_.size();
@@ -220,14 +220,14 @@ class DartThrower {
     return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   }
 
-  /// True only if no candidate in the target could be free, even where its spacing is smallest. Of what was aimed at
-  /// before, the darts of that time are known not to reach all.
+  /// True only if no candidate in the target could be free, even with the smallest spacing. For a target that was aimed
+  /// at before, only newer darts need a test.
   bool is_taken(const GrainTarget& target, bool aimed_at) const {
     const double spacing = spacing_for(target.max);
     const std::optional<Footing> first = footing_at(target.corner[0], spacing);
     if (!first) return false;
     const auto covers = [&](const Dart& known, bool any_facing) {
-      // Most darts are not even near the first corner, and then nobody asks where the others stand.
+      // Most darts are not near the first corner; then the other corners need no test.
       if (!is_too_near(known, *first, any_facing)) return false;
       return std::all_of(target.corner.begin() + 1, target.corner.end(), [&](const GrainPlace& place) {
         const std::optional<Footing> footing = footing_at(place, spacing);
@@ -249,7 +249,7 @@ class DartThrower {
                      [&](const Dart& known, bool any_facing) { return is_too_near(known, footing, any_facing); });
   }
 
-  /// True if question(dart, whether its facing is all the same) holds for any dart that may be too near.
+  /// True if question(dart, whether its facing does not matter) holds for any dart that may be too near.
   template <typename Question>
   bool any_near(const Footing& footing, const Question& question) const {
     const auto own = [&](std::size_t i) { return question(darts_[i], sketch_.spacing.any_facing); };
@@ -267,7 +267,7 @@ class DartThrower {
     return 2 * std::max({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
   }
 
-  /// True unless the ellipsoid of another grain is in the way. Bodies count the others first, then this kind.
+  /// True unless it overlaps the ellipsoid of another grain. Bodies number the others first, then this kind.
   bool has_room(const Dart& dart) const {
     return !bodies_.any_meets(dart.center, diameter(dart.pose), [&](std::size_t i) {
       const Dart& known = i < others_.size() ? others_[i] : darts_[i - others_.size()];
@@ -294,7 +294,7 @@ class DartThrower {
   DartCells cells_, other_cells_, bodies_;
   DartCells fresh_cells_;  ///< the darts since the last aim
   std::size_t first_fresh_ = 0;
-  bool has_aimed_ = false;  ///< then all targets are those of the last aim
+  bool has_aimed_ = false;  ///< whether all targets are those of the last aim
   std::vector<Dart> darts_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 using Heading = GrainStance::Heading;
 using Flat = GrainStance::Flat;
 
-/// Which of the looks' draws is for what.
+/// Indices of the random numbers for looks.
 enum Draw : std::uint64_t { tilt_draw, length_draw, width_draw, look_draw };
 
 const glm::dvec3 upwards(0, 1, 0);
@@ -25,7 +25,7 @@ glm::dvec3 turned(const glm::dvec3& from, const glm::dvec3& towards, double angl
   return from * reproducible::cos(angle) + towards * reproducible::sin(angle);
 }
 
-/// Away from the axis, or along +X on it.
+/// The direction away from the axis; +X on the axis.
 glm::dvec3 outwards(const glm::dvec3& center) {
   const double radius = std::sqrt(center.x * center.x + center.z * center.z);
   return radius > 0 ? glm::dvec3(center.x / radius, 0, center.z / radius) : glm::dvec3(1, 0, 0);
@@ -58,7 +58,7 @@ glm::dvec3 heading_of(const GrainStance& stance, const GrainSeat& seat) {
   return seat.tangent;
 }
 
-/// What the flat side faces, across the heading.
+/// The direction of the flat side, across the heading.
 glm::dvec3 facing_of(const GrainStance& stance, const GrainSeat& seat, const glm::dvec3& heading) {
   if (stance.heading == Heading::along && stance.flat == Flat::surface) return seat.normal;
   const glm::dvec3 out = outwards(seat.center), around = glm::cross(upwards, out);
@@ -86,7 +86,7 @@ double min_radius(const GrainPose& pose) {
   return std::min({glm::length(pose.thickness), glm::length(pose.length), glm::length(pose.width)});
 }
 
-/// Columns whose sum of squares is the ellipsoid's matrix.
+/// Columns whose products add up to the ellipsoid's matrix.
 glm::dmat3 spread(const GrainPose& pose) {
   const auto square = [](const glm::dvec3& a) { return glm::dmat3(a * a.x, a * a.y, a * a.z); };
   return square(pose.thickness) + square(pose.length) + square(pose.width);
@@ -106,7 +106,7 @@ GrainPose grain_pose(const GrainSketch& sketch, const GrainSeat& seat, const Gra
   const GrainForm& form = sketch.form;
   const GrainStance& stance = sketch.stance;
 
-  // Turned about the flat side's normal, then lifted towards it.
+  // Turns about the flat side's normal, then lifts towards it.
   const glm::dvec3 heading = heading_of(stance, seat), facing = facing_of(stance, seat, heading);
   const glm::dvec3 sideways = glm::cross(facing, heading);
   const glm::dvec3 flat = turned(heading, sideways, stance.angle + stance.angle_jitter * place_draw(3));
@@ -126,7 +126,7 @@ GrainPose grain_pose(const GrainSketch& sketch, const GrainSeat& seat, const Gra
 
 bool ellipsoids_overlap(const glm::dvec3& center, const GrainPose& pose, const glm::dvec3& other_center,
                         const GrainPose& other) {
-  // Their inner balls meet.
+  // Their inner balls overlap.
   const glm::dvec3 away = other_center - center;
   const double inner = 0.999 * (min_radius(pose) + min_radius(other));
   if (glm::dot(away, away) < inner * inner) return true;
@@ -142,8 +142,7 @@ bool ellipsoids_overlap(const glm::dvec3& center, const GrainPose& pose, const g
     const double a = low + (high - low) / 3, b = high - (high - low) / 3;
     const double at_a = contact(a), at_b = contact(b);
     if (at_a >= 1 || at_b >= 1) return false;
-    // Its greatest value lies beyond a or before b, and a third of the way there a concave function has a third of the
-    // rise.
+    // Its maximum lies beyond a or before b; a concave function has at least a third of the rise at a third of the way.
     if (std::max(3 * at_a - 2 * at_low, 3 * at_b - 2 * at_high) < 0.999) return true;
     if (at_a < at_b) {
       low = a, at_low = at_a;

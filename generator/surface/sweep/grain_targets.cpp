@@ -22,7 +22,7 @@ bool in_band(const SweptGrid& grid, const glm::uvec3& t, const GrainGround& grou
 /// Places around for the corners of one triangle that do not jump where the horizontal curve starts again. Poles lie
 /// at every place around; they get the mean of the others.
 std::array<double, 3> places_around(const SweptGrid& grid, const glm::uvec3& t) {
-  // Corners more than half the way apart lie to both sides of where the curve starts again.
+  // Corners more than half a turn apart lie on both sides of the curve's start.
   std::array<double, 3> around{};
   double min = 1, max = 0;
   for (int k = 0; k < 3; ++k) {
@@ -47,7 +47,7 @@ std::array<double, 3> places_around(const SweptGrid& grid, const glm::uvec3& t) 
   return around;
 }
 
-/// The fold a triangle lies in: that of the corner where it begins.
+/// The fold of a triangle: that of its first corner.
 int fold_of(const SweptGrid& grid, const glm::uvec3& t, const std::array<double, 3>& around) {
   int fold = grid.fold[t.x];
   double first = 2;

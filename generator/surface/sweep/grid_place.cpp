@@ -30,7 +30,7 @@ std::optional<std::array<glm::dvec2, 3>> unrolled(const SweptGrid& grid, const g
   for (std::size_t k = 0; k < 3; ++k) {
     if (!grid.turn[t[static_cast<int>(k)]] && left <= right) corner[k].x = std::clamp(0.0, left, right);
   }
-  // What lies across the seam on the far side, or across the end of a closed vertical curve.
+  // Corners across the seam on the far side, or across the end of a closed vertical curve.
   const auto [low, high] = std::minmax({corner[0].y, corner[1].y, corner[2].y});
   if (right - left > 0.5 || high - low > 0.5) return {};
   return corner;
@@ -73,7 +73,7 @@ glm::dvec3 uphill(const SweptGrid& grid, const glm::uvec3& t) {
 }
 
 GridPoint point_at(const SweptGrid& grid, double along, double azimuth) {
-  // The triangle that holds the place, or comes nearest to it: the one with the greatest least share.
+  // The triangle that contains the place, or is nearest to it: the one with the largest minimum share.
   const double turn = turn_of(azimuth);
   double best = -1e300;
   glm::uvec3 triangle(0);

@@ -69,7 +69,7 @@ void renumber_parts(DiffusionSurfaces& surfaces, const Template& fruit, const Me
 }
 
 DiffusionSurfaces from_surface_file(const Template& fruit, const MeshSketch& mesh) {
-  // A file that is not moved keeps every bit: template and file are cut alike.
+  // A file that is not moved keeps every bit, so template and file are cut alike.
   DiffusionSurfaces surfaces = parse_surfaces(mesh.file->bytes, mesh.file->path, placing_of(mesh));
   if (!mesh.object.empty()) surfaces = picked_surface(std::move(surfaces), mesh);
   renumber_parts(surfaces, fruit, mesh);
@@ -90,7 +90,7 @@ PlainMesh read_plain(const MeshSketch& mesh) {
 
 double turn_about(double x, double z) { return x == 0 && z == 0 ? 0.0 : turn_of(reproducible::atan2(-z, x)); }
 
-/// Where each vertex lies in the ramps: as on a swept surface, but by height or distance, and by angle.
+/// The place of each vertex in the ramps: by height or distance, and by angle.
 SweptGrid ramp_grid(const PlainMesh& plain, const MeshSketch& mesh) {
   // Ramps along follow the height, or the distance from a given point.
   SweptGrid grid;
@@ -140,7 +140,7 @@ DiffusionSurfaces painted_mesh(const Template& fruit, const MeshSketch& mesh) {
 
 DiffusionSurfaces read_surfaces_of(const Template& fruit, const MeshSketch& mesh) {
   DiffusionSurfaces surfaces = mesh.paint ? painted_mesh(fruit, mesh) : from_surface_file(fruit, mesh);
-  // A mesh in the wrong unit is as good as nothing, or larger than a house.
+  // A mesh in a wrong unit is nearly nothing, or larger than a house.
   constexpr double smallest = 1e-6, largest = 100;
   const double size = glm::length(bounds_of(surfaces).size());
   if (!(size >= smallest && size <= largest)) {
@@ -150,7 +150,7 @@ DiffusionSurfaces read_surfaces_of(const Template& fruit, const MeshSketch& mesh
   return surfaces;
 }
 
-/// What is wrong with a file as a whole is told where the template names it.
+/// Reports a fault of a file as a whole where the template names it.
 Error told_in_template(const Error& error, const Template& fruit, const MeshSketch& mesh) {
   std::vector<Diagnostic> diagnostics = error.diagnostics();
   for (Diagnostic& diagnostic : diagnostics) {

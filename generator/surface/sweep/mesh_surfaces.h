@@ -1,4 +1,4 @@
-// From a template's [[mesh]] to diffusion surfaces.
+// Makes diffusion surfaces of a template's [[mesh]].
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace pomona {
 /// are missing, or if it has parts that the template does not name.
 DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh);
 
-/// Whether it bounds what is solid, and the template leaves it to the mesh which way it faces.
+/// Whether it bounds something solid, and the template lets the mesh decide its orientation.
 bool may_turn(const MeshSketch& mesh);
 
 /// \throws Error (bad_data) at this mesh in the template, if the meshes up to this one have too many triangles in all.

@@ -14,7 +14,7 @@ namespace pomona {
 
 namespace {
 
-/// Without points that repeat their predecessor; a closed curve's first point is repeated at the end.
+/// The curve without points that repeat their predecessor; a closed curve's first point is repeated at the end.
 std::vector<glm::dvec2> distinct_points(const Curve& curve) {
   std::vector<glm::dvec2> points;
   for (const glm::dvec2& p : curve.points) {
@@ -117,7 +117,7 @@ double mean_radius(const Curve& arc) {
 }  // namespace
 
 Profile sampled_profile(const Curve& vertical, int count) {
-  // Part the curve at its corners, which get points of their own.
+  // Divides the curve at its corners, which get points of their own.
   const std::vector<glm::dvec2> points = distinct_points(vertical);
   const int steps = vertical.closed ? count : count - 1;
   const std::vector<std::size_t> ends = stretch_ends(points, static_cast<std::size_t>(steps / 2));
@@ -130,7 +130,7 @@ Profile sampled_profile(const Curve& vertical, int count) {
     lengths.push_back(length(stretches.back()));
   }
 
-  // Sample each stretch evenly.
+  // Samples each stretch evenly.
   const std::vector<int> share_of = shared_out(steps, lengths);
   const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   Profile profile;
@@ -163,7 +163,7 @@ double outward(const Profile& profile) {
 }
 
 ProfileArcs sampled_arcs(const Curve& closed_vertical, int count) {
-  // Turn the loop so that it starts at its bottom, then find its top.
+  // Turns the loop so that it starts at its bottom, then finds its top.
   Curve loop = counter_clockwise(closed_vertical);
   const std::size_t bottom = middle_of_flat_run(loop, lowest(loop));
   std::rotate(loop.points.begin(), loop.points.begin() + static_cast<std::ptrdiff_t>(bottom), loop.points.end());
@@ -176,7 +176,7 @@ ProfileArcs sampled_arcs(const Curve& closed_vertical, int count) {
   std::reverse(left.points.begin(), left.points.end());
   if (mean_radius(left) > mean_radius(right)) std::swap(left, right);
 
-  // Half even, half as a circle's height runs with its angle.
+  // The mean of even steps and of the heights of a circle at even angles.
   ProfileArcs arcs;
   for (int j = 0; j < count; ++j) {
     const double t = static_cast<double>(j) / (count - 1);

@@ -17,9 +17,9 @@ namespace pomona {
 namespace {
 
 constexpr double max_spots = 20'000;  // of one kind
-constexpr double max_layers = 2'000;  // of all kinds, level with any vertex on average
+constexpr double max_layers = 2'000;  // limit of spots of all kinds level with a vertex, on average
 
-// A spot that stands out does so within this share of its radius at least: a hard rim would be a cliff.
+// The smallest softness of relief, because a hard rim would be a cliff.
 constexpr double min_slope = 0.4;
 
 const char* name_of(SideOf side) { return side == SideOf::front ? "front" : "back"; }
@@ -27,7 +27,7 @@ const Side& side_of(const SurfaceSketch& sketch, SideOf side) {
   return side == SideOf::front ? sketch.front : sketch.back;
 }
 
-/// Scattered spots are thrown like grains that lie flat on the front.
+/// Scattered spots are placed like grains that lie flat on the front.
 GrainSketch as_darts(const SpotSketch& sketch) {
   GrainSketch darts;
   darts.spacing.poisson_radius = sketch.spacing;
@@ -36,7 +36,7 @@ GrainSketch as_darts(const SpotSketch& sketch) {
   return darts;
 }
 
-/// The outline wanders with two to five waves around it, the shorter ones lower.
+/// The outline has two to five waves around it; shorter ones are lower.
 std::array<glm::dvec2, 4> drawn_waves(double raggedness, const RandomStream& random, std::uint64_t first_draw) {
   constexpr std::array<double, 4> share{0.4, 0.3, 0.18, 0.12};
   std::array<glm::dvec2, 4> waves;
@@ -86,7 +86,7 @@ std::vector<Dart> darts_of(const Template& fruit, const SurfaceSketch& surface, 
   return darts;
 }
 
-/// Vertices by height, so that a spot need not ask all of them.
+/// Vertices by height, so that a spot need not test all of them.
 class ByHeight {
  public:
   explicit ByHeight(const std::vector<glm::dvec3>& position) : position_(position), order_(position.size()) {
@@ -108,7 +108,7 @@ class ByHeight {
   std::vector<std::size_t> order_;
 };
 
-/// How many spots lie level with a vertex, on average: what painting them takes, for each vertex.
+/// The mean number of spots level with a vertex: the cost of painting each vertex.
 double layers(std::span<const SweptGrid> grids, const std::vector<Spot>& spots) {
   double low = 1e300, high = -1e300;
   for (const SweptGrid& grid : grids) {
@@ -122,7 +122,7 @@ double layers(std::span<const SweptGrid> grids, const std::vector<Spot>& spots) 
   return sum;
 }
 
-/// Seen from behind an outline runs the other way around.
+/// Seen from behind, an outline runs the other way around.
 Spot seen_from_air(Spot spot, SideOf side) {
   spot.softness = std::max(spot.softness, min_slope);
   spot.strength = 1;

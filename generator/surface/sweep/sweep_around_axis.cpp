@@ -86,7 +86,7 @@ SweptGrid swept_around_axis(const Template& fruit, const SurfaceSketch& sketch, 
     }
   }
 
-  // Front is outside whichever way the profile was drawn.
+  // The front is outside, in whichever direction the profile was drawn.
   grid.triangle = grid_triangles({static_cast<int>(loop.radius.size()), static_cast<int>(profile.points.size()),
                                   profile.starts_on_axis, profile.ends_on_axis, profile.closed});
   if (outward(profile) < 0) {

@@ -18,7 +18,7 @@ namespace pomona {
 
 namespace {
 
-/// A fold's loop as the sweep wants it.
+/// A fold's loop, prepared for the sweep.
 struct FoldLoop {
   int fold = 0;
   double center = 0;            ///< radians
@@ -45,7 +45,7 @@ std::vector<double> angles_near(const std::vector<glm::dvec2>& points, double ne
   return angles;
 }
 
-/// Why a loop cannot be swept in its fold, or nothing.
+/// The reason why a loop cannot be swept in its fold, or nothing.
 std::string fault(const Curve& loop, const std::vector<double>& angles, const FoldSpan& span) {
   if (!loop.closed || loop.points.size() < 3) return "is not a closed curve";
   if (encloses(loop, glm::dvec2(0))) return "surrounds the axis";
@@ -78,7 +78,7 @@ void append(SweptGrid& grid, const glm::dvec2& at, double angle, double along, d
   grid.turn.push_back(turn_of(angle));
 }
 
-/// How far out each vertex lies; the arcs meet at the poles.
+/// The distance of each vertex from the axis; the arcs meet at the poles.
 std::vector<double> depths(const FoldLoop& loop, std::size_t rings) {
   std::vector<double> depths{0.5};
   for (std::size_t j = 1; j + 1 < rings; ++j) {

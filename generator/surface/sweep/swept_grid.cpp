@@ -21,13 +21,13 @@ void refuse(const Template& fruit, const SurfaceSketch& sketch, const std::strin
 double turn_of(double azimuth) {
   const double turns = azimuth / (2 * pi);
   const double turn = turns - std::floor(turns);
-  constexpr double rounding = 1e-9;  // the angle 0 must not come out as a whole turn
+  constexpr double rounding = 1e-9;  // the angle 0 must not become a whole turn
   return turn > 1 - rounding ? 0 : turn;
 }
 
 namespace {
 
-/// A count at the wanted detail.
+/// The count at this detail.
 int refined(int count, double detail, int min) { return std::max(min, static_cast<int>(std::lround(count * detail))); }
 
 /// The grids in the fruit's proportions, and bent with it.
