@@ -48,15 +48,17 @@ struct CutPlanes {
   bool is_in_facet(int plane, const glm::dvec3& place) const;
 };
 
-/// Places all knives at a fruit with these bounds. \throws Error (usage) for slices that the fruit cannot give, for
-/// strokes that run along another knife's plane, and for knives that make more than ten thousand cells.
+/// Places all knives at a fruit with these bounds.
+/// \throws Error (usage) for slices that the fruit cannot give, for strokes that run along another knife's plane, and
+/// for knives that make more than ten thousand cells.
 CutPlanes cut_planes(std::span<const Knife> knives, const Box<double>& bounds);
 
 /// n.p - D in metres.
 double signed_distance(const CuttingPlane& plane, const glm::dvec3& point);
 
 /// The point with exact coordinates where its planes determine them: an axis-aligned plane determines one coordinate,
-/// two planes through the axis determine x and z. \param on the planes on which the point lies, up to rounding.
+/// two planes through the axis determine x and z.
+/// \param on the planes on which the point lies, up to rounding.
 glm::dvec3 snapped_to_planes(glm::dvec3 point, const std::vector<int>& on, const CutPlanes& planes);
 
 /// Numbered sets of planes, each stored once: the planes on which a point lies, or that cut an edge. Set 0 is empty.

@@ -24,8 +24,8 @@ constexpr std::size_t max_bytes = std::size_t{64} << 20;
 constexpr const char* too_large = "keep the paths, and link pictures instead of embedding them";
 constexpr std::size_t max_points = 4096;
 
-/// Reports a fault of the drawing as a whole at its first line. \throws Error (bad_data) as BadSketch says, whose
-/// message begins with its place in the file.
+/// Reports a fault of the drawing as a whole at its first line.
+/// \throws Error (bad_data) as BadSketch says, whose message begins with its place in the file.
 Sketch drawing_of(std::string_view svg, const std::string& file) {
   try {
     return Sketch(parse_svg(svg, file), {});
@@ -34,8 +34,8 @@ Sketch drawing_of(std::string_view svg, const std::string& file) {
   }
 }
 
-/// The path, shape or clone with this id or label, preferably one that is drawn. \throws Error (bad_data) if there are
-/// several, or none, with the most similar name.
+/// The path, shape or clone with this id or label, preferably one that is drawn.
+/// \throws Error (bad_data) if there are several, or none, with the most similar name.
 const SvgElement& element_called(const SvgDrawing& drawing, const std::string& id) {
   std::vector<std::string> known;
   std::vector<const SvgElement*> found;

@@ -24,14 +24,16 @@ struct JsonNode {
 
   SourcePlace place() const { return {file ? *file : std::string(), line, column, {}}; }
 
-  /// The value at a key of an object. \throws Error (bad_data) at this node if there is none.
+  /// The value at a key of an object.
+  /// \throws Error (bad_data) at this node if there is none.
   const JsonNode& need(std::string_view key) const;
 };
 
 constexpr std::size_t max_json_bytes = std::size_t{64} << 20;
 
 /// Up to 64 MiB, 1 500 000 values (a layout of 100 000 pieces has 1 200 000), 1000 keys of an object and 32 levels,
-/// within a quarter of a gigabyte. \throws Error (bad_data) with line and column; duplicate keys are errors.
+/// within a quarter of a gigabyte.
+/// \throws Error (bad_data) with line and column; duplicate keys are errors.
 JsonNode parse_json(std::string_view text, const std::string& file);
 
 }  // namespace pomona

@@ -42,7 +42,8 @@ struct TomlEntry {
 
 /// Parses within the limits that docs/reference/formats.md states: 16 MiB, UTF-8, depth 64, 100 000 values in an array,
 /// 1 000 000 in all, 64 KiB in a string. They are checked before the parser runs, so that it cannot exhaust stack or
-/// memory. Duplicate keys are errors. \throws Error (bad_data) at the first mistake of syntax.
+/// memory. Duplicate keys are errors.
+/// \throws Error (bad_data) at the first mistake of syntax.
 TomlNode parse_toml(std::string_view text, const std::string& file);
 
 }  // namespace pomona

@@ -8,8 +8,8 @@
 
 namespace pomona {
 
-/// Reads at most one byte more than TomlLimits allow, enough to know that the file exceeds them. \throws Error
-/// (input_missing) if it cannot be read.
+/// Reads at most one byte more than TomlLimits allow, enough to know that the file exceeds them.
+/// \throws Error (input_missing) if it cannot be read.
 std::string read_toml_text(const std::filesystem::path& file);
 
 /// True for a .toml file with a line that begins, after blanks, with one of these headings: "[bowl]". It checks nothing

@@ -15,7 +15,8 @@ namespace {
 /// Weights below this change nothing that eight bits could show.
 constexpr double min_weight = 1e-3;
 
-/// How near a colour is to the `near` of a detail, 0..1. \param unmodulated in OKLab
+/// How near a colour is to the `near` of a detail, 0..1.
+/// \param unmodulated in OKLab
 double nearness(const Look::Detail& detail, const glm::dvec3& unmodulated) {
   const DetailSketch& sketch = detail.pattern.detail();
   if (!sketch.near) return 1;

@@ -35,9 +35,9 @@ class Modulation {
   ///   lambda_k = exp(-|L - L_k|^2 / 2 sigma^2) + 1e-6, normalised;
   ///   a_b = sum lambda_k weights_kb; D = sum lambda_k axis_k;
   /// m = sum a_b fade_b n_b(position); result = clamp(RGB(L + m D)), where fade_b = 1 - smoothstep(1/4, 1/2, f_b
-  /// footprint) removes bands that pixels cannot show. Where m is zero the colour returns bit for bit. \param position
-  /// in the fruit's own frame, metres: two cuts of a fruit agree where they meet. \param footprint size of a pixel or
-  /// texel there, metres; 0 for a point.
+  /// footprint) removes bands that pixels cannot show. Where m is zero the colour returns bit for bit.
+  /// \param position in the fruit's own frame, metres: two cuts of a fruit agree where they meet.
+  /// \param footprint size of a pixel or texel there, metres; 0 for a point.
   Color operator()(const Color& color, const glm::dvec3& position, double footprint) const;
 
   /// One key as the formula and the GPU need it.

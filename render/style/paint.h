@@ -10,8 +10,8 @@ class Paint {
  public:
   explicit Paint(const Style& style) : saturation_(style.saturation), lightness_(style.lightness) {}
 
-  /// The colour with the style's saturation and lightness. \param lift further lightness, OKLab. Without any change it
-  /// returns the colour bit for bit.
+  /// The colour with the style's saturation and lightness.
+  /// \param lift further lightness, OKLab. Without any change it returns the colour bit for bit.
   Color operator()(const Color& color, double lift = 0) const;
 
   /// Whether it changes no colour.

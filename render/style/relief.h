@@ -16,8 +16,9 @@ struct Relief {
   double open = 1;      ///< share of the light from all sides that arrives, 0.4..1: less in deep pits
 };
 
-/// The relief of details at a place. The slope is taken over half a footprint, as in shaders/detail.glsl. \param
-/// unmodulated the colour there before noise and details. \param normal unit
+/// The relief of details at a place. The slope is taken over half a footprint, as in shaders/detail.glsl.
+/// \param unmodulated the colour there before noise and details.
+/// \param normal unit
 Relief relief_at(const Look& look, const Color& unmodulated, const LookPlace& place, const glm::dvec3& normal);
 
 /// The guide at a neighbouring place: the way to the skin and the layer change by as much as it lies nearer to the

@@ -15,13 +15,15 @@ namespace pomona {
 /// \throws Error (bad_data) with all errors, also unknown keys, ordered by position.
 Style parse_style(std::string_view toml, const std::string& file);
 
-/// The same from disk. \throws Error (input_missing) if it cannot be read.
+/// The same from disk.
+/// \throws Error (input_missing) if it cannot be read.
 Style read_style(const std::filesystem::path& file);
 
 /// The styles that are built into the program, in the order of their names.
 std::vector<Style> all_styles();
 
-/// One of all_styles(). \throws Error (usage) with the nearest name.
+/// One of all_styles().
+/// \throws Error (usage) with the nearest name.
 Style style_named(std::string_view name);
 
 /// True for a .toml file that says `kind = "style"`.

@@ -186,7 +186,8 @@ class Subdivision {
     return static_cast<double>(glm::distance(position_[a], position_[b])) / texel_;
   }
 
-  /// The edge, new or known. \param predicted the predicted colour of its middle, if it is new
+  /// The edge, new or known.
+  /// \param predicted the predicted colour of its middle, if it is new
   Edge& lay(std::uint32_t a, std::uint32_t b, const Color& predicted, bool in_surface) {
     const auto [edge, is_new] = edge_.try_emplace({a, b});
     if (!is_new) return edge;

@@ -14,7 +14,8 @@ using AlignedArray = hwy::AlignedFreeUniquePtr<T[]>;
 using AlignedFloats = AlignedArray<float>;
 using AlignedInts = AlignedArray<std::int32_t>;
 
-/// Not initialised. Throws where Highway would return a null pointer for lack of memory. \throws std::bad_alloc
+/// Not initialised. Throws where Highway would return a null pointer for lack of memory.
+/// \throws std::bad_alloc
 template <typename T>
 AlignedArray<T> aligned_array(std::size_t count) {
   AlignedArray<T> array = hwy::AllocateAligned<T>(count);

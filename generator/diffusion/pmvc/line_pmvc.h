@@ -27,7 +27,8 @@ struct LinePlan {
 
 /// Positive mean values from two directions for every line, the same for all points. Lines are summed in fixed blocks
 /// and blocks in order, so the result does not depend on the threads. `fourth` is empty, or has a further value for
-/// every vertex that diffuses like a colour. \throws Error (bad_data) if more than 1024 parts are used.
+/// every vertex that diffuses like a colour.
+/// \throws Error (bad_data) if more than 1024 parts are used.
 std::vector<PmvcValue> line_pmvc(const DiffusionSurfaces& surfaces, const SurfaceTree& tree,
                                  std::span<const glm::vec3> points, const LinePlan& plan, Threads threads = {},
                                  std::span<const float> fourth = {});

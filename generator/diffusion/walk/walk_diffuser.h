@@ -11,8 +11,8 @@ double standard_error_of(Quality quality);
 
 /// Colours are harmonic: off the surfaces, each is the mean of those around it. The paper compares its method with
 /// this, "solving the Poisson equation" [Figure 4]. The progress of a batch counts the points of all its fruits. Same
-/// bits for any number of threads and on any x86-64. \throws Error (usage) unless the standard error to reach is above
-/// 0.
+/// bits for any number of threads and on any x86-64.
+/// \throws Error (usage) unless the standard error to reach is above 0.
 std::unique_ptr<Diffuser> make_walk_diffuser(const WalkOptions& options = {});
 
 }  // namespace pomona

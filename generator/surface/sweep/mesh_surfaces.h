@@ -9,9 +9,9 @@
 namespace pomona {
 
 /// The mesh, placed as in the template. It is a surface file with its own colours and surfaces, or a plain mesh with
-/// the paint of the template, as one surface with the mesh's name. Parts are numbered as in the template. \throws Error
-/// (bad_data) with a place in the mesh's file or in the template, if the file cannot be read, if an object or colours
-/// are missing, or if it has parts that the template does not name.
+/// the paint of the template, as one surface with the mesh's name. Parts are numbered as in the template.
+/// \throws Error (bad_data) with a place in the mesh's file or in the template, if the file cannot be read, if an
+/// object or colours are missing, or if it has parts that the template does not name.
 DiffusionSurfaces mesh_surfaces(const Template& fruit, const MeshSketch& mesh);
 
 /// Whether it bounds something solid, and the template lets the mesh decide its orientation.

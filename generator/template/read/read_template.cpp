@@ -151,7 +151,8 @@ void check_symmetry(const TomlTable& root, const Template& fruit) {
                             "write kind = \"cylindrical\" under [symmetry], or bring the surface as a [[mesh]]");
 }
 
-/// Moves all vertical curves up or down so that the lowest drawn point is at y = 0. \return where that was
+/// Moves all vertical curves up or down so that the lowest drawn point is at y = 0.
+/// \return where that was
 double set_on_ground(std::vector<SurfaceSketch>& surfaces) {
   bool found = false;
   double lowest = 0;

@@ -25,10 +25,12 @@ struct DrawnTemplate {
   std::optional<SvgTransform> side, top;
 };
 
-/// The same with `svg` as the sketch that the template names, instead of the file on disk. \throws Error as above
+/// The same with `svg` as the sketch that the template names, instead of the file on disk.
+/// \throws Error as above
 DrawnTemplate parse_drawn_template(std::string_view toml, const std::string& file, std::optional<std::string_view> svg);
 
-/// The same from disk. \throws Error (input_missing) if it cannot be read.
+/// The same from disk.
+/// \throws Error (input_missing) if it cannot be read.
 Template read_template(const std::filesystem::path& file);
 
 }  // namespace pomona

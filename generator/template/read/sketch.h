@@ -113,7 +113,8 @@ class Sketch {
   std::array<View, 2> views_;
 };
 
-/// Reads the SVG that a template names. \throws BadSketch, also for a path that leads out of `folder`.
+/// Reads the SVG that a template names.
+/// \throws BadSketch, also for a path that leads out of `folder`.
 Sketch read_sketch(const std::filesystem::path& folder, const std::string& name, std::optional<double> unit);
 
 /// The same of a text that is not on disk yet, under that name.
