@@ -25,7 +25,7 @@ TriangleTree tree_of_surface(const DiffusionSurfaces& surfaces, const std::strin
   return {surfaces.position, triangles};
 }
 
-/// How fast each place of a fruit turns brown, and into what.
+/// The speed at which each place of a fruit browns, and its final colour.
 class Browning {
  public:
   Browning(const DiffusionSurfaces& surfaces, const Template& fruit)

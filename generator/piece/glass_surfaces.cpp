@@ -47,7 +47,7 @@ class SideBuilder {
   std::map<std::tuple<std::uint32_t, SideOf, std::int32_t>, std::uint32_t> known_;
 };
 
-/// How far from the axis each surface reaches, as a share of the widest.
+/// The reach of each surface from the axis, as a share of the widest.
 std::vector<double> reaches_of(const DiffusionSurfaces& surfaces) {
   std::vector<double> reaches(surfaces.surface_names.size(), 0.0);
   for (std::size_t t = 0; t < surfaces.triangle_count(); ++t) {
@@ -62,11 +62,11 @@ std::vector<double> reaches_of(const DiffusionSurfaces& surfaces) {
   return reaches;
 }
 
-/// By eye: the further in, the denser, so that what is outside hides little and what is inside is seen.
+/// Chosen by eye: inner surfaces are denser, so that outer ones hide little.
 float opacity_at(double reach) { return static_cast<float>(0.08 + 0.45 * (1 - reach)); }
 
 constexpr float grain_opacity = 0.75f;
-constexpr double grain_ink = 0.3;  // share of the fruit's ink: there are many, and they are small
+constexpr double grain_ink = 0.3;  // share of the fruit's ink, because grains are many and small
 
 }  // namespace
 

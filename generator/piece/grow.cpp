@@ -19,7 +19,7 @@ namespace pomona {
 
 namespace {
 
-/// Where nothing varies, and as drawn, noise and detail keep the drawing's pattern.
+/// Without variation, and as drawn, noise and detail keep the drawing's pattern.
 std::uint32_t drawn_pattern(const Template& fruit, VariantKey key, const GrowOptions& options) {
   if (options.as_drawn || std::holds_alternative<NoSymmetry>(fruit.symmetry)) return 0;
   return 1 + static_cast<std::uint32_t>(RandomStream(key, "pattern").below(0, max_pattern));

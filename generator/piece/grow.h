@@ -22,7 +22,7 @@ struct GrowOptions {
   std::optional<int> folds = {};        ///< another number of folds than drawn
   double detail = 1.0;                  ///< see SweepOptions
   std::optional<double> ripeness = {};  ///< 0..2, instead of a random one from the key
-  double browning = 0;                  ///< 0..1, of cut faces
+  double browning = 0;                  ///< browning of cut faces, 0..1
   double scale = 1;                     ///< factor of all lengths of the variant
   Threads threads = {};                 ///< the result does not depend on them
 };

@@ -21,7 +21,7 @@ namespace pomona {
 
 namespace {
 
-/// A detail of cut faces, and the number of its share in a guide.
+/// A detail of cut faces, and the index of its share in a guide.
 struct CutDetail {
   const DetailSketch* sketch = nullptr;
   int number = 0;
@@ -39,7 +39,7 @@ struct ChosenPlaces {
   std::vector<std::size_t> place;
 };
 
-/// The same places and those up to three triangles away.
+/// These places and those up to three triangles away.
 std::vector<std::uint8_t> with_neighbours(std::vector<std::uint8_t> counts, const CrossSection& section,
                                           const GuidePlaces& places) {
   for (int ring = 0; ring < 3; ++ring) {
@@ -89,7 +89,7 @@ std::vector<std::uint8_t> places_by_part(const CrossSection& section, const std:
   return with_neighbours(std::move(counts), section, places);
 }
 
-/// The same where one of the details has a share in a vertex's guide.
+/// The same for vertices in whose guide one of the details has a share.
 std::vector<std::uint8_t> places_by_share(const CrossSection& section, const std::vector<CutDetail>& details,
                                           const GuidePlaces& places) {
   std::vector<std::uint8_t> counts(places.position.size(), 0);
@@ -124,8 +124,8 @@ std::vector<CutDetail> which(const std::vector<CutDetail>& details, const Questi
   return some;
 }
 
-/// The surfaces that lie around the axis, layer around layer. What lies in folds, and grains, would turn the way
-/// aside; where all surfaces are meshes, the skin alone counts.
+/// The surfaces around the axis, layer around layer. Surfaces in folds and grains would disturb the direction. If all
+/// surfaces are meshes, only the skin counts.
 DiffusionSurfaces layers_of(const DiffusionSurfaces& swept, const Template& fruit) {
   DiffusionSurfaces layers = swept;
   layers.triangle.clear(), layers.surface.clear(), layers.front_part.clear(), layers.back_part.clear();
@@ -153,7 +153,7 @@ std::vector<double> depths_of(const std::vector<glm::vec3>& points, const SkinDe
   return skin.depths(places, std::numeric_limits<double>::infinity(), threads);
 }
 
-/// Of every vertex that is a triangle's corner.
+/// Marks every vertex that is a triangle's corner.
 std::vector<double> corner_depths(const DiffusionSurfaces& layers, const SkinDepth& skin, Threads threads) {
   std::vector<std::uint8_t> is_corner(layers.vertex_count(), 0);
   for (const glm::uvec3& t : layers.triangle)
@@ -171,9 +171,9 @@ std::vector<double> corner_depths(const DiffusionSurfaces& layers, const SkinDep
   return depth;
 }
 
-/// Every surface has one depth, its vertices' mean.
+/// Every surface has one depth, the mean over its vertices.
 struct LayerDepths {
-  std::vector<float> share;  ///< per vertex, of the deepest; 0 at vertices of no triangle
+  std::vector<float> share;  ///< depth per vertex, as a share of the deepest; 0 at vertices without a triangle
   double deepest = 0;        ///< metres
 };
 
@@ -195,7 +195,7 @@ LayerDepths layer_depths(const DiffusionSurfaces& layers, const SkinDepth& skin,
   return found;
 }
 
-/// Per place: the unit vector across the layers, outwards, and the layer's depth, metres. Zero where nobody asks.
+/// Per place: the outward unit vector across the layers, and the layer's depth, metres. Zero where it is not needed.
 std::vector<glm::vec4> ways_and_layers(const DiffusionSurfaces& swept, const Template& fruit, const SkinDepth& skin,
                                        const GuidePlaces& places, const std::vector<std::uint8_t>& wanted,
                                        bool with_layers, Threads threads) {
@@ -204,7 +204,7 @@ std::vector<glm::vec4> ways_and_layers(const DiffusionSurfaces& swept, const Tem
   const DiffusionSurfaces layers = layers_of(swept, fruit);
   if (layers.triangle.empty() || asked.position.empty()) return found;
 
-  // What is diffused lies between 0 and 1: normals halved, depths as shares of the greatest.
+  // Diffused values lie between 0 and 1: normals halved, depths as shares of the deepest.
   std::vector<glm::vec4> value;
   for (const Color& normal : vertex_normals(layers)) value.emplace_back(0.5f * normal + 0.5f, 0.0f);
   LayerDepths depth;
@@ -243,7 +243,7 @@ CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const 
   const std::optional<SkinDepth> own = known == nullptr ? std::optional<SkinDepth>(swept) : std::nullopt;
   const SkinDepth& skin = own ? *own : *known;
 
-  // How deep the places lie at which any detail may count, and how much each does.
+  // The depths of the places at which a detail may count, and the weight of each detail.
   const ChosenPlaces near = chosen(places, places_by_part(section, details, places));
   const std::vector<double> found = depths_of(near.position, skin, threads);
   std::vector<double> depth(places.position.size(), 0.0);
@@ -252,7 +252,7 @@ CrossSection guided(CrossSection section, const DiffusionSurfaces& swept, const 
   for (std::size_t v = 0; v < section.guide.size(); ++v)
     section.guide[v].share = detail_shares(fruit, DetailFace::cut, section.part[v], depth[places.of_vertex[v]]);
 
-  // Where those count that run in a direction, it is diffused.
+  // Diffuses the direction where directed details count.
   if (std::none_of(details.begin(), details.end(), runs_anywhere)) return section;
   const bool with_layers = std::any_of(details.begin(), details.end(), runs_within_layers);
   const std::vector<glm::vec4> run =

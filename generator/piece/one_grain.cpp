@@ -33,7 +33,7 @@ DisjointSets grains_of(const DiffusionSurfaces& grains) {
   return sets;
 }
 
-/// The set of the longest seed, if there is any.
+/// The connected set of the longest seed, if any.
 std::optional<std::uint32_t> longest_seed(const DiffusionSurfaces& grains, DisjointSets& sets) {
   std::map<std::uint32_t, Box<double>> boxes;
   for (std::size_t t = 0; t < grains.triangle_count(); ++t) {
@@ -73,8 +73,7 @@ std::optional<Solid> one_grain(const GrownFruit& fruit, const Template& variant,
       corners[k] = copy->second;
       if (!is_new) continue;
 
-      // Within its fruit a grain's front looks at flesh; by itself it has the colour of its inside, which is the
-      // grain's own.
+      // Within its fruit a grain's front faces flesh; by itself it has the colour of its inside.
       solid.mesh.position.push_back(grains.position[v]);
       solid.mesh.normal.push_back(normal[v]);
       solid.mesh.color.push_back(grains.back_color[v]);

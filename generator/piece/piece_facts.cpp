@@ -18,7 +18,7 @@ PieceFacts facts_of(const Solid& solid) {
   }
   facts.center = 0.5 * (facts.low + facts.high);
 
-  // From the middle of the box, so that thin pieces far from the origin keep their digits.
+  // Relative to the middle of the box, so that thin pieces far from the origin keep their digits.
   const Moments moments = moments_of(solid.mesh.position, solid.mesh.triangle, facts.center);
   const glm::dvec3 box = facts.high - facts.low;
   if (!solid.closed || !(6 * moments.mass > 1e-9 * box.x * box.y * box.z)) return facts;

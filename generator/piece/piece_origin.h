@@ -12,19 +12,19 @@ namespace pomona {
 struct PieceOrigin {
   // What was grown.
   std::string source = {};   ///< the template's name or path, as an argument of `pomona cut`; empty = not known
-  VariantKey key = {};       ///< of the variant
+  VariantKey key = {};       ///< key of the variant
   GrowOptions growing = {};  ///< options with which the variant was grown
 
   // How it was cut.
-  std::vector<std::string> knives = {};  ///< in their order, as the user wrote them; none = a whole fruit
+  std::vector<std::string> knives = {};  ///< knives in their order, as the user wrote them; none = a whole fruit
   bool coarse = false;                   ///< cut with `coarse_cut`, as in scenes, instead of the default options
   int number = 0;                        ///< number of the piece in the order of cutting, from 1; 0 = not known
   int pieces = 0;                        ///< number of all pieces of the cut, with crumbs
 
   // Where it belongs.
   std::string fruit = {};    ///< the template's own name: "tomato"
-  std::string entry = {};    ///< of the scene: "tomato-wedges"; empty outside scenes
-  std::string variant = {};  ///< "tomato-wedges-3"; what pieces of one fruit have in common
+  std::string entry = {};    ///< entry of the scene: "tomato-wedges"; empty outside scenes
+  std::string variant = {};  ///< name of the individual fruit: "tomato-wedges-3"
 };
 
 /// A template's name or path as it was written, for PieceOrigin::source. Of an absolute path, which means nothing on

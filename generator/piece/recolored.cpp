@@ -12,8 +12,8 @@ namespace pomona {
 
 namespace {
 
-/// Which of the two sides a vertex on the surface itself is on: the place does not tell. Its part does, and where both
-/// sides are of one part, its colour.
+/// The side of a vertex on the surface itself: it follows from the vertex's part, or from its colour if both sides have
+/// one part.
 SurfaceSide side_of(const Solid& piece, std::uint32_t v, const DiffusionSurfaces& own, const SurfaceSide& at) {
   SurfaceSide across = at;
   across.side = at.side == SideOf::front ? SideOf::back : SideOf::front;
@@ -26,7 +26,7 @@ SurfaceSide side_of(const Solid& piece, std::uint32_t v, const DiffusionSurfaces
   return glm::distance(color_of(own, across), color) < glm::distance(color_of(own, at), color) ? across : at;
 }
 
-/// Vertices on surfaces that a knife has laid bare, in the colours that they had within.
+/// Vertices on surfaces that a knife has exposed, in the colours that they had inside.
 class Bared {
  public:
   void add(const Solid& piece, std::uint32_t v) {

@@ -15,24 +15,24 @@ namespace pomona {
 
 namespace {
 
-/// Columns: two directions across the rays, and their own. No two fruit-sized numbers are in the ratio of its entries.
+/// Columns: two directions across the rays, and that of the rays. The ratios of its entries do not occur in fruits.
 glm::dmat3 ray_frame() {
   const glm::dvec3 along = glm::normalize(glm::dvec3(0.3819660113, 0.2763932023, 1));
   const glm::dvec3 across = glm::normalize(glm::cross(glm::dvec3(0.1458980338, 1, 0.0901699437), along));
   return {across, glm::cross(along, across), along};
 }
 
-/// Where a ray comes into something or leaves it.
+/// A place where a ray enters or leaves something.
 struct Passing {
   std::uint32_t ray = 0;
-  std::int32_t what = 0;  ///< a region, or -1 - number of a piece
+  std::int32_t what = 0;  ///< index of a region, or -1 - index of a piece
   double height = 0;      ///< along the ray
   std::int32_t into = 0;  ///< +1 or -1
 
   auto key() const { return std::tie(ray, height, what, into); }
 };
 
-/// A lattice of rays, and what they pass.
+/// A lattice of rays, and their crossings.
 class RayLattice {
  public:
   RayLattice(const Box<double>& across, int rays) {
@@ -49,8 +49,8 @@ class RayLattice {
             low_.y + (static_cast<double>(ray / columns_) + 0.5) * step_};
   }
 
-  /// Every ray through a triangle passes it once. Rays through an edge or a corner pass one of its triangles: which
-  /// side of an edge they are on is worked out from its ends in one order, the same for all triangles there.
+  /// Every ray through a triangle crosses it once. Rays through an edge or a corner cross one of its triangles, because
+  /// the side of an edge is computed from its ends in one order for all triangles.
   void pass(const std::array<glm::dvec3, 3>& corner, std::int32_t what) {
     const auto low = [&](int k) { return std::min({corner[0][k], corner[1][k], corner[2][k]}); };
     const auto high = [&](int k) { return std::max({corner[0][k], corner[1][k], corner[2][k]}); };
@@ -74,7 +74,7 @@ class RayLattice {
     }
   }
 
-  /// Ray by ray, upwards.
+  /// Sorts ray by ray, upwards.
   std::vector<Passing> sorted() && {
     std::sort(passings_.begin(), passings_.end(), [](const Passing& a, const Passing& b) { return a.key() < b.key(); });
     return std::move(passings_);
@@ -110,7 +110,7 @@ class RayLattice {
   std::vector<Passing> passings_;
 };
 
-/// How often one is in what, for the few things one is in at a time.
+/// Counts of the few things around a point.
 class Surrounding {
  public:
   void pass(std::int32_t what, std::int32_t into) {
@@ -121,7 +121,7 @@ class Surrounding {
       in_.erase(place);
     }
   }
-  /// The smallest; -1 where there is none.
+  /// The smallest one; -1 if there is none.
   std::int32_t min() const {
     std::int32_t min = -1;
     for (const auto& [what, times] : in_) min = min < 0 ? what : std::min(min, what);
@@ -131,10 +131,10 @@ class Surrounding {
   void clear() { in_.clear(); }
 
  private:
-  std::vector<std::pair<std::int32_t, std::int32_t>> in_;  // what, and how often
+  std::vector<std::pair<std::int32_t, std::int32_t>> in_;  // index and count
 };
 
-/// Of a stretch of a ray, per area of its cell and density.
+/// Moments of a stretch of a ray, per area of its cell and density.
 Moments stretch(const glm::dvec2& p, double from, double to) {
   const double length = to - from, middle = 0.5 * (to * to - from * from),
                square = (to * to * to - from * from * from) / 3;

@@ -8,7 +8,7 @@ namespace pomona {
 
 namespace {
 
-/// A diffuser's field, browned as the section was.
+/// A diffuser's field, with the section's browning.
 class BrownedField final : public ColorField {
  public:
   BrownedField(std::unique_ptr<ColorField> diffused, const DiffusionSurfaces& surfaces, const Template& fruit)

@@ -18,7 +18,7 @@ namespace pomona {
 
 namespace {
 
-/// All but crumbs, of which the smallest go first, as long as what goes is less than a crumb together.
+/// All but crumbs: the smallest pieces are left out as long as they are less than a crumb together.
 std::vector<std::size_t> without_crumbs(const std::vector<CutPiece>& cut, double crumb) {
   double whole = 0;
   std::vector<std::size_t> crumbs, kept;
@@ -40,14 +40,14 @@ std::vector<std::size_t> without_crumbs(const std::vector<CutPiece>& cut, double
   return kept;
 }
 
-/// Which of the pieces are wanted, in the order in which they were cut.
+/// The wanted pieces, in the order of cutting.
 std::vector<std::size_t> chosen(const std::vector<CutPiece>& cut, const PieceChoice& choice) {
   if (choice.only > 0) {
     const auto only = static_cast<std::size_t>(choice.only - 1);
     return only < cut.size() ? std::vector<std::size_t>{only} : std::vector<std::size_t>{};
   }
 
-  // The largest; crumbs never are.
+  // The largest pieces; crumbs never count.
   double whole = 0;
   for (const CutPiece& piece : cut) whole += piece.volume;
   std::vector<std::size_t> order;
@@ -64,10 +64,10 @@ std::vector<std::size_t> chosen(const std::vector<CutPiece>& cut, const PieceCho
   return order;
 }
 
-/// What a cut has left of a fruit.
+/// The result of cutting a fruit.
 struct OpenedFruit {
-  Cut cut;                                 ///< with the pieces that are wanted
-  std::vector<int> number;                 ///< of each of them in the order of cutting, from 1
+  Cut cut;                                 ///< the cut with the wanted pieces
+  std::vector<int> number;                 ///< number of each piece in the order of cutting, from 1
   std::vector<std::uint8_t> on_skin = {};  ///< per part: whether any piece, wanted or not, has it on its skin
   std::size_t piece_count = 0;             ///< wanted or not
 };
@@ -82,7 +82,7 @@ OpenedFruit opened(Cut cut) {
   return fruit;
 }
 
-/// These of the pieces alone, which keep their numbers.
+/// Only these pieces, with their numbers.
 OpenedFruit with_pieces(OpenedFruit fruit, const std::vector<std::size_t>& wanted) {
   std::vector<CutPiece> kept;
   std::vector<int> number;
@@ -95,7 +95,7 @@ OpenedFruit with_pieces(OpenedFruit fruit, const std::vector<std::size_t>& wante
   return fruit;
 }
 
-/// Takes the mark off interior vertices that no piece shows: nobody will see their colours.
+/// Unmarks interior vertices that no piece shows, because nobody sees their colours.
 Cut without_unseen(Cut cut) {
   std::vector<std::uint8_t> seen(cut.section.position.size(), 0);
   for (const CutPiece& piece : cut.pieces) {
@@ -108,7 +108,7 @@ Cut without_unseen(Cut cut) {
   return cut;
 }
 
-/// With the faces still without colours.
+/// The faces have no colours yet.
 OpenedFruit cut_open(const SliceTask& task, const CutOptions& options) {
   CutOptions how = options;
   how.spared_parts = task.variant.spared;
@@ -125,7 +125,7 @@ OpenedFruit cut_open(const SliceTask& task, const CutOptions& options) {
   return fruit;
 }
 
-/// The task's origin, with how this was cut. What no command of the program cuts has none.
+/// The task's origin, with the cut. Cuts that no command of the program makes have none.
 PieceOrigin origin_of(const SliceTask& task, const CutOptions& how) {
   PieceOrigin origin = task.origin;
   origin.fruit = task.variant.name;
@@ -137,7 +137,7 @@ PieceOrigin origin_of(const SliceTask& task, const CutOptions& how) {
   return origin;
 }
 
-/// Those that reach into the box of a piece.
+/// The spots that reach into the box of a piece.
 std::vector<Spot> raised_on(const Solid& piece, const std::vector<Spot>& all) {
   std::vector<Spot> near;
   if (all.empty() || piece.mesh.position.empty()) return near;
@@ -174,13 +174,13 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
   std::vector<Slices> all(tasks.size());
   if (tasks.empty()) return all;
 
-  // Each fruit cut by itself, the faces still without colours.
+  // Cuts each fruit by itself; the faces have no colours yet.
   std::vector<OpenedFruit> fruits(tasks.size());
   parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
     fruits[i] = all[i].times.time("cut", [&] { return cut_open(tasks[i], options.cut); });
   });
 
-  // The colours of all faces, one batch.
+  // Diffuses the colours of all faces as one batch.
   std::vector<CrossSection> sections;
   std::vector<const DiffusionSurfaces*> surfaces;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -191,7 +191,7 @@ std::vector<Slices> slice(std::span<const SliceTask> tasks, const Diffuser* diff
     sections = all.front().times.time("diffuse", [&] { return colored(std::move(sections), surfaces, *diffuser); });
   }
 
-  // What lies in air turns brown, detail is guided along the surfaces, and pieces take their cut faces.
+  // Browns the faces, guides detail along the surfaces, and gives pieces their cut faces.
   parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
     const SliceTask& task = tasks[i];
     Slices& slices = all[i];

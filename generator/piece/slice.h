@@ -26,7 +26,7 @@ struct PieceChoice {
 /// One fruit, and how to cut it. All that it refers to must outlive the call.
 struct SliceTask {
   const GrownFruit& grown;
-  const Template& variant;                 ///< from which it was grown: for browning, detail and materials
+  const Template& variant;                 ///< the variant that was grown: for browning, detail and materials
   std::span<const Knife> knives = {};      ///< in their order; none = the fruit stays whole
   std::string name = "fruit";              ///< prefix of the pieces' names
   std::optional<PieceChoice> choice = {};  ///< nothing = all pieces

@@ -13,7 +13,7 @@ namespace pomona {
 
 namespace {
 
-constexpr float pull = 0.75f;  // of the way from the chord to the mean of both tangent planes
+constexpr float pull = 0.75f;  // share of the way from the chord to the mean of both tangent planes
 
 glm::vec3 onto_plane(const glm::vec3& point, const glm::vec3& foot, const glm::vec3& normal) {
   return point - normal * glm::dot(point - foot, normal);

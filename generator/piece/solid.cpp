@@ -49,7 +49,7 @@ class SolidBuilder {
     solid_.mesh.cut_face.assign(piece_.triangle.size(), -1);
   }
 
-  /// Vectors that have grown hold up to twice what is in them, and a scene holds hundreds of solids.
+  /// Grown vectors hold up to twice their content, and a scene has hundreds of solids.
   void drop_spare_room() {
     const auto fit = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
     fit(solid_.mesh.position, solid_.mesh.normal, solid_.mesh.color, solid_.mesh.part, solid_.mesh.guide,

@@ -26,11 +26,11 @@ class SectionColors;
 /// A triangle mesh that faces air. Vertices are split where colour or normal jumps; after welding equal positions it is
 /// closed wherever the fruit's shells are.
 struct SolidMesh {
-  std::vector<glm::vec3> position;  ///< metres, in the fruit's own frame: what noise is tied to
+  std::vector<glm::vec3> position;  ///< positions, metres, in the fruit's own frame, to which noise is tied
   std::vector<glm::vec3> normal;
-  std::vector<Color> color;        ///< linear, before style
+  std::vector<Color> color;        ///< colours, linear, before style
   std::vector<std::int32_t> part;  ///< index into FruitLook::part_names
-  std::vector<DetailGuide> guide;  ///< empty where no detail asks for it
+  std::vector<DetailGuide> guide;  ///< empty if no detail needs it
   std::vector<glm::uvec3> triangle;
   std::vector<std::int32_t> cut_face;  ///< per triangle: index of the cut face, -1 on skin and cavity walls
   std::vector<std::int32_t> surface;   ///< per triangle: surface for skin, -1 on cut faces; for ink
@@ -39,24 +39,25 @@ struct SolidMesh {
     return {position[triangle[t].x], position[triangle[t].y], position[triangle[t].z]};
   }
 
-  /// Across a triangle, outwards, twice as long as its area is large.
+  /// The outward normal of a triangle, of twice its area.
   glm::dvec3 area_vector(std::size_t t) const {
     const auto [a, b, c] = corners(t);
     return glm::cross(b - a, c - a);
   }
 
-  /// A place on a triangle, by its corners' weights.
+  /// A place on a triangle, by barycentric weights.
   glm::dvec3 place(std::size_t t, const glm::dvec3& weight) const {
     const auto [a, b, c] = corners(t);
     return weight.x * a + weight.y * b + weight.z * c;
   }
 };
 
-/// What all pieces of one fruit look like.
+/// The look that all pieces of one fruit share.
 struct FruitLook {
   std::vector<std::string> part_names = {};
-  std::vector<MaterialSketch> materials = {};  ///< per part; fewer: the others have the default
-  std::vector<std::uint8_t> on_skin = {};      ///< per part: whether the whole fruit shows it; empty where nobody knows
+  std::vector<MaterialSketch> materials = {};  ///< per part; parts beyond the list have the default
+  std::vector<std::uint8_t> on_skin = {};      ///< per part: whether the whole fruit shows it on its skin; empty if
+                                               ///< unknown
   NoiseStyle noise = {};
   std::vector<DetailSketch> details = {};
   InkStyle ink = {};
@@ -71,20 +72,20 @@ struct Solid {
   SolidMesh mesh;
   std::shared_ptr<const FruitLook> look = std::make_shared<const FruitLook>();  ///< never null
   PieceOrigin origin;
-  std::vector<Spot> raised;  ///< spots of its skin that stand out or are sunk
-  float opacity = 1.0f;      ///< below 1 where one sees through it, looking at right angles
+  std::vector<Spot> raised;  ///< spots of its skin with relief
+  float opacity = 1.0f;      ///< below 1 if it is transparent: opacity seen at right angles
   double volume = 0;         ///< cubic metres
-  double density = 1000;     ///< kilograms per cubic metre; that of water, as long as nothing says otherwise
+  double density = 1000;     ///< kilograms per cubic metre; by default that of water
 
-  /// By the densities of the parts inside, in the fruit's frame (weigh.h); none: it is equally dense all over.
+  /// Moments by the densities of the parts inside, in the fruit's frame (weigh.h); nothing if the density is uniform.
   std::optional<RigidMass> weighed;
   bool closed = true;
   bool crumb = false;
 
-  /// What coloured the cut faces, for textures; null where nobody wants any (generator/piece/section_colors.h).
+  /// The source of the cut faces' colours, for textures; else null (generator/piece/section_colors.h).
   std::shared_ptr<const SectionColors> section_colors;
 
-  /// Gives it a look of its own, a copy of what it had, to be changed before others share it.
+  /// Gives it its own copy of the look, which may be changed until others share it.
   FruitLook& own_look() {
     const auto own = std::make_shared<FruitLook>(*look);
     look = own;
@@ -98,8 +99,8 @@ inline MaterialSketch material_of(const Solid& solid, std::int32_t part) {
   return part >= 0 && index < solid.look->materials.size() ? solid.look->materials[index] : MaterialSketch{};
 }
 
-/// The pieces of a cut, whose section has been coloured since. `name` becomes the prefix of theirs. slice() does all
-/// of it (slice.h).
+/// The pieces of a cut with its coloured section. `name` is the prefix of their names. slice() does all of it
+/// (slice.h).
 std::vector<Solid> solids(std::span<const CutPiece> pieces, const CrossSection& colored_section, const Template& fruit,
                           const std::string& name);
 

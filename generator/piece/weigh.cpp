@@ -9,7 +9,7 @@ namespace pomona {
 
 namespace {
 
-/// By name: scattered grains have a list of parts of their own.
+/// Finds parts by name, because grains have their own list of parts.
 double density_of(const Template& fruit, const std::string& part) {
   const auto at =
       static_cast<std::size_t>(std::find(fruit.parts.begin(), fruit.parts.end(), part) - fruit.parts.begin());

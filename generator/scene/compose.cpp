@@ -44,7 +44,7 @@ Scene placed(const SceneDescription& scene, SceneParts parts, const std::vector<
 }
 
 Composition compose(const SceneDescription& scene, const Diffuser* diffuser, const ComposeOptions& options) {
-  // A layout that cannot be read is told before hours of growing and cutting.
+  // Reads the layout first, so that its mistakes are reported before hours of growing and cutting.
   const std::optional<Layout> layout = layout_of(scene);
   SceneParts parts = make_parts(scene, diffuser, options);
   Composition composition{{}, std::move(parts.report)};

@@ -22,9 +22,9 @@ struct ComposeOptions {
   CutOptions cut = coarse_cut;
   bool keep_section_colors = false;  ///< for textures: every solid keeps its SectionColors
   Threads threads{};
-  /// Where nobody needs the whole scene at once: takes the solids as they come, those of some variants at a time, in
-  /// the scene's order, the dishes last. Of their meshes the scene then keeps the triangles. Called by another thread
-  /// while the next are made, one call at a time.
+  /// For outputs that do not need the whole scene at once: takes the solids of some variants at a time, in the scene's
+  /// order, the dishes last. The scene then keeps only the triangles of their meshes. Another thread calls it while the
+  /// next are made, one call at a time.
   std::function<void(std::span<const Solid> solids)> take{};
   /// Called from any thread, one call at a time, with a stage and how many of its items are done.
   std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress;

@@ -25,7 +25,7 @@ struct BowlDescription {
 /// One of [[dishes]].
 struct DishDescription {
   std::string name;                       ///< unique in the scene
-  SourcePlace place;                      ///< of its name
+  SourcePlace place;                      ///< place of its name in the file
   std::optional<BowlDescription> turned;  ///< else a mesh
   std::string mesh;                       ///< path from the scene's folder
   SourcePlace mesh_place;

@@ -16,9 +16,9 @@ namespace pomona {
 
 namespace {
 
-/// One surface around the axis whose front faces air; it closes upon itself on the axis.
+/// One surface around the axis with the front to the air; it closes on the axis.
 Template bowl_template(const BowlDescription& bowl) {
-  // A bowl is described as a fruit is, with parts and an axis.
+  // Describes the bowl as a fruit, with parts and an axis.
   Template clay;
   clay.name = "bowl";
   clay.title = "Bowl";
@@ -37,7 +37,7 @@ Template bowl_template(const BowlDescription& bowl) {
   wall.horizontal = {circle};
   wall.roundness = Ramp<double>::constant(1);
 
-  // Both sides have the bowl's colour; the front is hidden, for it faces air.
+  // Both sides have the bowl's colour; the front is hidden, because it faces air.
   wall.front = {.part = 0, .color = {.along = bowl.color}, .hidden = true};
   wall.back = {.part = 1, .color = {.along = bowl.color}};
   wall.around = bowl.around;
@@ -52,7 +52,7 @@ bool made_alike(const DishDescription& a, const DishDescription& b) {
          x.material.gloss == y.material.gloss && x.material.roughness == y.material.roughness;
 }
 
-/// "crate.obj:12:3: ..." where the place is known.
+/// "crate.obj:12:3: ..." if the place is known.
 std::string told(const Diagnostic& what) {
   std::string text = to_string({what.place, what.message, {}});
   const std::string error = "error: ";
@@ -60,7 +60,7 @@ std::string told(const Diagnostic& what) {
   return at == std::string::npos ? text : text.erase(at, error.size());
 }
 
-/// A dish is moved upright only.
+/// A dish stays upright.
 void check_distance(const PlainMesh& mesh, const MeshSolidOptions& options) {
   const Placing placing{.unit = options.unit, .z_up = options.z_up};
   Box<double> box;
@@ -70,7 +70,7 @@ void check_distance(const PlainMesh& mesh, const MeshSolidOptions& options) {
     throw Error(ExitStatus::bad_data, why_too_far(box), "move it to the origin, and export it again");
 }
 
-/// What is wrong with the file is told with the place in the scene that names it.
+/// Reports faults of the file with the place in the scene that names it.
 Solid solid_of_mesh(const DishDescription& dish, const std::filesystem::path& folder) {
   try {
     const PlainMesh mesh = read_plain_mesh(folder / dish.mesh);

@@ -25,20 +25,20 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr double fewest_turns = 1.5;
-constexpr int half_planes = 8;                                  // that are tried
+constexpr int half_planes = 8;                                  // number of half-planes that are tried
 constexpr double free_gap = 0.25, held_gap = 1.0, swing = 0.3;  // shares of the strip's width, and of the peel's
 
-/// What a half-plane from the axis leaves of a strip that winds about it: one part for each turn, each joined to the
-/// next across the half-plane. A part that is joined to itself goes around the axis: there, at an end of the strip,
-/// turns are connected.
+/// The parts of a strip that a half-plane from the axis leaves: one for each turn, joined to the next across the
+/// half-plane. A part that is joined to itself goes around the axis: there, at an end of the strip, turns are
+/// connected.
 struct Turns {
-  std::vector<double> azimuth;      ///< per vertex: from the half-plane, turns, from 0 to 1
-  std::vector<std::uint32_t> part;  ///< per vertex: where in the strip, from 0; or none
+  std::vector<double> azimuth;      ///< per vertex: azimuth from the half-plane, in turns, from 0 to 1
+  std::vector<std::uint32_t> part;  ///< per vertex: index of its part along the strip, or none
   std::size_t first = 0, last = 0;  ///< the free turns; last is beyond them
   std::size_t free() const { return last - first; }
 
-  /// How often the free turns wind about the axis. What a half-plane only parts, a chamber or a sepal, winds less than
-  /// once: its one part ends at the half-plane, where the other begins.
+  /// How often the free turns wind about the axis. A chamber or a sepal that a half-plane only divides winds less than
+  /// once: one part ends at the half-plane, where the other begins.
   double wound() const {
     double low = std::numeric_limits<double>::max(), high = 0;
     for (std::size_t v = 0; v < part.size(); ++v) {
@@ -66,7 +66,7 @@ class TurnChain {
     previous_[to] = from;
   }
 
-  /// The parts of the longest chain, in its order; none where parts branch or are joined into a ring.
+  /// The parts of the longest chain, in order; none if parts branch or form a ring.
   std::vector<std::uint32_t> longest() const {
     std::vector<std::uint32_t> best;
     for (std::uint32_t start = 0; start < next_.size() && !branches_; ++start) {
@@ -86,12 +86,12 @@ class TurnChain {
   bool branches_ = false;
 };
 
-/// \param azimuth of each vertex, turns. \param half_plane where it is, turns.
+/// \param azimuth of each vertex, turns. \param half_plane its azimuth, turns.
 Turns turns_of(std::span<const double> azimuth, std::span<const glm::uvec3> triangles, double half_plane) {
   Turns turns;
   for (const double turn : azimuth) turns.azimuth.push_back(turn - half_plane - std::floor(turn - half_plane));
 
-  // Join what no half-plane parts.
+  // Joins vertices that the half-plane does not separate.
   DisjointSets sets(azimuth.size());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> across;
   for (const glm::uvec3& t : triangles) {
@@ -105,7 +105,7 @@ Turns turns_of(std::span<const double> azimuth, std::span<const glm::uvec3> tria
     }
   }
 
-  // String the parts together.
+  // Orders the parts into a chain.
   TurnChain links(azimuth.size());
   for (const auto& [before, after] : across) links.link(sets.root(before), sets.root(after));
   const std::vector<std::uint32_t> chain = links.longest();
@@ -120,14 +120,14 @@ Turns turns_of(std::span<const double> azimuth, std::span<const glm::uvec3> tria
   return turns;
 }
 
-/// Whether there is something on all sides of the axis.
+/// Whether the piece has vertices on all sides of the axis.
 bool surrounds_axis(std::span<const double> azimuth) {
   std::array<bool, 8> octant{};
   for (const double turn : azimuth) octant[static_cast<std::size_t>(8 * (turn - std::floor(turn))) % 8] = true;
   return std::all_of(octant.begin(), octant.end(), [](bool there) { return there; });
 }
 
-/// By the half-plane that leaves most free turns; none that do not wind about the axis.
+/// Uses the half-plane that leaves most free turns; nothing if they do not wind about the axis.
 Turns max_turns(std::span<const glm::vec3> position, std::span<const glm::uvec3> triangles) {
   std::vector<double> azimuth;
   for (const glm::vec3& p : position) azimuth.push_back(reproducible::atan2(p.z, p.x) / (2 * pi));
@@ -140,9 +140,9 @@ Turns max_turns(std::span<const glm::vec3> position, std::span<const glm::uvec3>
   return best;
 }
 
-/// How far along the strip each vertex is, turns of those that are free; beyond their ends as at the ends. What is not
-/// joined to the strip goes with its nearest vertex.
-/// \param first the vertex that stands for all at its place; others have no place along the strip.
+/// The position of each vertex along the strip, in free turns, clamped to their ends. Vertices that are not joined to
+/// the strip follow their nearest vertex. \param first the vertex that represents all at its place; others have no
+/// position along the strip.
 std::vector<double> places_along(const Turns& turns, std::span<const glm::vec3> position,
                                  std::span<const std::uint32_t> first) {
   std::vector<double> along(position.size(), -1);
@@ -164,7 +164,7 @@ std::vector<double> places_along(const Turns& turns, std::span<const glm::vec3> 
   return along;
 }
 
-/// Where a strip's places go: a way for each turn and part of one.
+/// The displacement along the strip, for each turn and fraction of one.
 class Hang {
  public:
   Hang(double turns, double width, double radius) : turns_(turns), width_(width), radius_(radius) {}
@@ -176,7 +176,7 @@ class Hang {
     return {swing * radius_ * out * out, height, 0.5 * swing * radius_ * out * out * out};
   }
 
-  /// Its change, metres a turn.
+  /// Its slope, metres per turn.
   glm::dvec3 slope(double turn) const {
     const double share = turn / turns_, out = 1 - share;
     const double height = width_ * (free_gap + (held_gap - free_gap) * share);
@@ -197,7 +197,7 @@ bool is_rising(std::span<const glm::vec3> position, std::span<const double> alon
   return high * low_count > low * high_count;
 }
 
-/// The normal of a surface that is sheared: a place goes `slope` for each turn about the axis.
+/// The normal of a sheared surface: places move by `slope` for each turn about the axis.
 glm::vec3 sheared(const glm::vec3& normal, const glm::vec3& at, const glm::dvec3& slope) {
   const double squared = glm::dot(glm::dvec2(at.x, at.z), glm::dvec2(at.x, at.z));
   if (!(squared > 0)) return normal;
@@ -211,7 +211,7 @@ glm::vec3 sheared(const glm::vec3& normal, const glm::vec3& at, const glm::dvec3
 }  // namespace
 
 std::optional<Solid> hanging_peel(const Solid& solid) {
-  // What no knife has met does not come off.
+  // A piece without a cut is not a peel.
   if (std::all_of(solid.mesh.cut_face.begin(), solid.mesh.cut_face.end(), [](std::int32_t face) { return face < 0; }))
     return std::nullopt;
   const std::vector<std::uint32_t> first = weld(solid.mesh.position);
@@ -219,7 +219,7 @@ std::optional<Solid> hanging_peel(const Solid& solid) {
   const Turns turns = max_turns(solid.mesh.position, triangles);
   if (turns.free() == 0) return std::nullopt;
 
-  // Vertices at one place go one way: their strip's is that of the first.
+  // Vertices at one place move alike, as the first of them.
   const double count = static_cast<double>(turns.free());
   const std::vector<double> of_welded = places_along(turns, solid.mesh.position, first);
   std::vector<double> along;

@@ -10,8 +10,8 @@ namespace pomona {
 
 namespace {
 
-constexpr double share_between = 0.1;  // of the widest solid
-constexpr double narrow_field = 0.14;  // radians: a row is wide, and its ends are to be seen as its middle is
+constexpr double share_between = 0.1;  // gap, as a share of the widest solid
+constexpr double narrow_field = 0.14;  // radians; narrow, so that the ends of a wide row look like its middle
 const glm::dvec3 from_the_front(0, 0.6, 1);
 
 Box<double> posed_bounds(const Solid& solid, const Pose& pose) {
@@ -23,7 +23,7 @@ Box<double> posed_bounds(const Solid& solid, const Pose& pose) {
 }  // namespace
 
 Scene in_a_row(std::vector<Solid> solids) {
-  // How each lies by itself.
+  // The pose of each by itself.
   std::vector<Box<double>> bounds;
   std::vector<Pose> poses;
   double widest = 0;
@@ -35,7 +35,7 @@ Scene in_a_row(std::vector<Solid> solids) {
     widest = std::max(widest, bounds.back().size().x);
   }
 
-  // One beside the other, their middles in one line.
+  // Puts one beside the other, their middles in one line.
   Scene row = gathered(std::move(solids));
   double x = 0;
   for (std::size_t i = 0; i < row.instances.size(); ++i) {

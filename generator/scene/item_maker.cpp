@@ -60,7 +60,7 @@ void ItemMaker::add(Solid solid, int fruit) {
                   .arrangement = arrangement_,
                   .place = pieces_.place};
   for (std::size_t copy = 0; copy < times; ++copy) {
-    // Copies of a fruit are fruits of their own.
+    // Each copy of a fruit counts as a fruit.
     item.fruit = fruit + static_cast<int>(copy) * max_fruits;
     if (copy > 0) item.name = solid.name + ".copy-" + std::to_string(copy + 1);
     parts_.items.push_back(item);

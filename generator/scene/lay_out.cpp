@@ -19,8 +19,8 @@ namespace pomona {
 
 namespace {
 
-/// Of the space between pieces: shares of the mean of their sizes, and of a piece's height, which hides what lies
-/// behind it: half of that, seen by eye_over_table(), and most of it, seen by eye_beside_table().
+/// The space between pieces: shares of the mean of their sizes, and of a piece's height, because it hides what lies
+/// behind it: half of the height from eye_over_table(), most of it from eye_beside_table().
 constexpr double row_gap = 0.14, hidden = 0.45, hidden_from_beside = 1.9;
 
 Box<double> turned_bounds(const Solid& solid, const glm::dquat& rotation) {
@@ -30,15 +30,15 @@ Box<double> turned_bounds(const Solid& solid, const glm::dquat& rotation) {
   return bounds;
 }
 
-/// What is laid out.
+/// The pieces that are laid out.
 struct Tray {
-  std::vector<Box<double>> bounds;  ///< of pieces, turned back by `turn`
-  std::vector<glm::dvec2> room;     ///< that a piece takes in a row, and towards the eye
-  glm::dquat turn{1, 0, 0, 0};      ///< about +Y: what lies along -z before it, lies along the diagonal after it
+  std::vector<Box<double>> bounds;  ///< boxes of pieces, turned back by `turn`
+  std::vector<glm::dvec2> room;     ///< size of a piece in its row, and towards the eye
+  glm::dquat turn{1, 0, 0, 0};      ///< about +Y: it turns -z to the diagonal
   bool diagonal = false;
 };
 
-/// Pieces that lie along the diagonal stand in level rows all the same, like the strokes of ////.
+/// Pieces along the diagonal are still in level rows, like the strokes of ////.
 void measure(Tray& tray, double hidden_share) {
   double mean = 0;
   for (const Box<double>& box : tray.bounds) mean += box.size().x + box.size().z;
@@ -62,19 +62,19 @@ std::vector<std::size_t> by_size(const std::vector<glm::dvec2>& room) {
   return order;
 }
 
-/// Whether a piece is less than a third as large as the one before: balls beside halves.
+/// Whether a piece is less than a third as large as the one before, as balls beside halves.
 bool is_far_smaller(const glm::dvec2& room, const glm::dvec2& before) {
   return 3 * (room.x + room.y) < before.x + before.y;
 }
 
-/// How rows end.
+/// Conditions for the end of a row.
 struct RowEnd {
-  double width = 0;    ///< where a piece would reach beyond it,
-  bool apart = false;  ///< or where one is far smaller than the one before
+  double width = 0;    ///< a row ends if a piece would reach beyond this width,
+  bool apart = false;  ///< or if one is far smaller than the one before
 };
 
-/// Fills rows from the left, the first row farthest from the eye; then each row is moved to the middle.
-/// Returns where pieces go, from where they were turned.
+/// Fills rows from the left, the first row farthest from the eye, and then centres each row. Returns the displacements
+/// of the turned pieces.
 std::vector<glm::dvec3> filled_rows(const Tray& tray, const std::vector<std::size_t>& order, const RowEnd& row_end) {
   std::vector<glm::dvec3> place(order.size());
   double z = 0;
@@ -91,7 +91,7 @@ std::vector<glm::dvec3> filled_rows(const Tray& tray, const std::vector<std::siz
       depth = std::max(depth, room.y);
     }
     for (std::size_t k = begin; k < end; ++k) {
-      // The pieces of a row stand with their near edges in line, like glasses on a shelf.
+      // The near edges of a row's pieces are in line.
       const std::size_t i = order[k];
       place[i].x -= 0.5 * x;
       place[i].z = z + depth - (tray.diagonal ? 0.5 * depth : 0.5 * tray.bounds[i].size().z);
@@ -105,10 +105,10 @@ std::vector<glm::dvec3> filled_rows(const Tray& tray, const std::vector<std::siz
   return place;
 }
 
-/// How large a metre can be drawn, of a picture's height, so that all pieces and about their shadows are in it.
+/// The largest scale (share of the picture's height per metre) at which all pieces and roughly their shadows fit.
 double drawn_scale(const Tray& tray, const std::vector<glm::dvec3>& place, const glm::dvec3& back, double aspect) {
   const glm::dvec3 right(1, 0, 0), up = glm::cross(back, right);
-  // Light comes from over the left shoulder, half way up.
+  // The light comes from over the left shoulder, at 45 degrees.
   const glm::dvec3 shadow(0.65, 0, -0.5);
   Box<double> seen;
   for (std::size_t i = 0; i < place.size(); ++i) {
@@ -123,8 +123,7 @@ double drawn_scale(const Tray& tray, const std::vector<glm::dvec3>& place, const
   return std::min(aspect / seen.size().x, 1 / seen.size().y);
 }
 
-/// Widths to try for the longest row: so that the rows are 1, 2, ... or that the first is just filled by 1, 2, ...
-/// pieces.
+/// Widths to try for the longest row: for 1, 2, ... rows, or for a first row of exactly 1, 2, ... pieces.
 std::vector<double> row_widths(const Tray& tray, const std::vector<std::size_t>& order) {
   double total = 0, widest = 0;
   for (const glm::dvec2& room : tray.room) {
@@ -151,7 +150,7 @@ struct Places {
 Places best_rows(const Tray& tray, const std::vector<std::size_t>& order, bool apart, const glm::dvec3& back,
                  double aspect) {
   Places best;
-  // Two halves lie side by side, unless they come out much larger one behind the other.
+  // Two halves lie side by side, unless they are much larger one behind the other.
   const double gain = order.size() <= 4 ? 1.12 : 1.005;
   for (const double width : row_widths(tray, order)) {
     std::vector<glm::dvec3> place = filled_rows(tray, order, {width, apart});
@@ -161,7 +160,7 @@ Places best_rows(const Tray& tray, const std::vector<std::size_t>& order, bool a
   return best;
 }
 
-/// What is far smaller has rows of its own, unless all would be drawn smaller for it.
+/// Far smaller pieces have rows of their own, unless all would be drawn smaller.
 std::vector<glm::dvec3> best_places(const Tray& tray, const glm::dvec3& back, double aspect) {
   const std::vector<std::size_t> order = by_size(tray.room);
   Places mixed = best_rows(tray, order, false, back, aspect);
@@ -173,7 +172,7 @@ std::vector<glm::dvec3> best_places(const Tray& tray, const glm::dvec3& back, do
   return apart.scale >= 0.98 * mixed.scale ? std::move(apart.of_piece) : std::move(mixed.of_piece);
 }
 
-/// Hangs up what is a strip of peel. \returns whether there is any.
+/// Hangs up strips of peel. \returns whether there are any.
 bool hang_peels(Scene& table) {
   bool any = false;
   for (Solid& solid : table.solids) {
@@ -185,8 +184,8 @@ bool hang_peels(Scene& table) {
   return any;
 }
 
-/// Turns all pieces. \param upright what is not cut flat stands as it grew. \returns which of them are slender, and how
-/// much of all stands as it grew, shares of volume.
+/// Turns all pieces. \param upright pieces without flat cuts stand as they grew. \returns which are slender, and the
+/// share of the volume that stands as it grew.
 struct Turned {
   std::size_t slender = 0;
   double as_grown = 0;
@@ -206,7 +205,7 @@ Turned turn_all(Scene& table, const glm::dvec3& eye, bool upright) {
   return turned;
 }
 
-/// What lies along the diagonal, turned to lie along -z.
+/// Turns pieces along the diagonal to -z.
 Tray tray_of(const Scene& table, bool diagonal, double hidden_share) {
   Tray tray;
   tray.diagonal = diagonal;

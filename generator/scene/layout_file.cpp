@@ -125,7 +125,7 @@ std::vector<Pose> poses_for(const Layout& layout, const std::vector<Solid>& soli
     by_name.erase(found);
   }
 
-  // The first that is left over, in the order of the file.
+  // The first placement that is left over, in the order of the file.
   for (const Layout::Placement& placement : layout.placements)
     if (by_name.contains(placement.name)) fail(placement.place, "\"" + placement.name + "\" is not in the scene", hint);
   return poses;

@@ -15,8 +15,8 @@ namespace pomona {
 
 struct Layout {
   struct Placement {
-    std::string name;   ///< of the instance
-    std::string solid;  ///< of the piece it places
+    std::string name;   ///< name of the instance
+    std::string solid;  ///< name of the piece that it places
     Pose pose;
     SourcePlace place;  ///< of the name
   };

@@ -48,7 +48,7 @@ void check_cuts(const SceneDescription& scene, const std::vector<Template>& temp
 /// Passes progress on, one call at a time.
 class Teller {
  public:
-  /// \param steps in which each of the items is made.
+  /// \param steps number of steps for each item.
   Teller(const ComposeOptions& options, std::string stage, std::size_t total, std::size_t steps = 1)
       : options_(options), stage_(std::move(stage)), total_(total), steps_(steps) {
     if (options_.progress) options_.progress(stage_, 0, total_);
@@ -66,20 +66,20 @@ class Teller {
   std::mutex mutex_;
 };
 
-/// How many variants are held between growing and their solids: some seven megabytes each. Enough for all threads, and
-/// for a graphics card to pay.
+/// The number of variants between growing and their solids, some seven megabytes each: enough for all threads, and for
+/// a graphics card to be worth it.
 std::size_t variants_at_once(Threads threads) {
   constexpr std::size_t min = 16;
   return std::max(min, 2 * static_cast<std::size_t>(resolved(threads)));
 }
 
-/// One variant to be made: entry and number in it.
+/// A variant to make: its entry, and its number in it.
 struct Task {
   std::size_t entry = 0;
   int number = 0;
 };
 
-/// What came of it.
+/// The result for a variant.
 struct Made {
   std::vector<Solid> solids;
   std::vector<std::string> warnings;
@@ -87,7 +87,7 @@ struct Made {
   StageClock clock;
 };
 
-/// How an entry's variant is cut, and which of its pieces the scene takes.
+/// The task of cutting an entry's variant, with the choice of its pieces.
 SliceTask task_of(const PiecesDescription& pieces, int number, const GrownSceneVariant& made) {
   return {.grown = made.grown,
           .variant = made.variant,
@@ -97,7 +97,7 @@ SliceTask task_of(const PiecesDescription& pieces, int number, const GrownSceneV
           .origin = made.origin};
 }
 
-/// Slices, or says which entry could not be cut.
+/// Slices; an error names the entry that could not be cut.
 std::vector<Slices> sliced(const SceneDescription& scene, std::span<const Task> tasks,
                            const std::vector<SliceTask>& to_slice, const Diffuser* diffuser, const SliceOptions& how) {
   try {
@@ -114,7 +114,7 @@ std::vector<Slices> sliced(const SceneDescription& scene, std::span<const Task> 
   }
 }
 
-/// What the report tells of one variant.
+/// The report of one variant.
 Made reported(Slices slices, const GrownSceneVariant& variant, const std::string& name) {
   Made made{std::move(slices.pieces), {}, {}, variant.clock};
   made.clock.add(slices.times);
@@ -134,14 +134,14 @@ std::vector<Task> tasks_of(const SceneDescription& scene) {
   return tasks;
 }
 
-/// What variants are made of.
+/// The inputs of all variants.
 struct Ingredients {
   const SceneDescription& scene;
-  const std::vector<Template>& templates;                           ///< one an entry
+  const std::vector<Template>& templates;                           ///< one per entry
   const std::vector<std::shared_ptr<const Variation>>& variations;  ///< likewise
 };
 
-/// Some variants: each grown by itself, all cut and coloured at once. What they were cut from is let go.
+/// Makes some variants: grows each, cuts and colours all at once, and frees the grown fruits.
 void make_some(std::span<const Task> tasks, const Ingredients& from, const Diffuser* diffuser,
                const ComposeOptions& options, const SliceOptions& how, std::span<Made> made) {
   std::vector<GrownSceneVariant> variants(tasks.size());
@@ -159,7 +159,8 @@ void make_some(std::span<const Task> tasks, const Ingredients& from, const Diffu
     made[i] = reported(std::move(slices[i]), variants[i], to_slice[i].name);
 }
 
-/// How many more solids each entry places. One with a total places its first ones; the others are let go at once.
+/// The number of solids that each entry still places. An entry with a total places its first ones; the others are freed
+/// at once.
 class RoomLeft {
  public:
   explicit RoomLeft(const SceneDescription& scene) {
@@ -181,14 +182,14 @@ class RoomLeft {
   std::vector<std::size_t> left_;
 };
 
-/// Enough to settle it, and to name it in files: of its mesh the triangles alone.
+/// Keeps enough to settle the solid and to name it in files: only the triangles of its mesh.
 Solid bare(Solid solid) {
   solid.mesh.normal = {}, solid.mesh.color = {}, solid.mesh.part = {}, solid.mesh.guide = {}, solid.mesh.surface = {};
   solid.section_colors = nullptr;
   return solid;
 }
 
-/// Hands some variants' solids to who takes them; their shapes stay.
+/// Passes some variants' solids on; their shapes stay.
 void hand_on(std::span<Made> made, const ComposeOptions& options) {
   std::vector<Solid> solids;
   for (Made& one : made) std::move(one.solids.begin(), one.solids.end(), std::back_inserter(solids));
@@ -222,7 +223,7 @@ std::vector<Made> all_made(std::span<const Task> tasks, const Ingredients& from,
   return made;
 }
 
-/// All that came of an entry. \param first the number of its first variant among all.
+/// Collects the results of an entry. \param first the index of its first variant among all.
 void gather(std::span<Made> made, int first, ItemMaker& maker, ComposeReport& report, StageClock& clock) {
   for (const Made& one : made)
     for (const Solid& solid : one.solids) maker.count(solid);
@@ -235,7 +236,7 @@ void gather(std::span<Made> made, int first, ItemMaker& maker, ComposeReport& re
   }
 }
 
-/// The bowl, then the dishes of the file; what is made alike is one solid.
+/// Makes the bowl, then the dishes of the file; equal ones share a solid.
 void add_dishes(const SceneDescription& scene, SceneParts& parts) {
   if (scene.bowl) {
     parts.dishes.push_back({.name = "bowl", .solid = static_cast<int>(parts.solids.size()), .place = scene.bowl_place});
@@ -276,7 +277,7 @@ SceneParts make_parts(const SceneDescription& scene, const Diffuser* diffuser, c
   const std::vector<Task> tasks = tasks_of(scene);
   std::vector<Made> made = all_made(tasks, {scene, templates, ready}, diffuser, options);
 
-  // Gather them in the order of the file.
+  // Gathers them in the order of the file.
   SceneParts parts;
   const std::vector<int> totals = totals_of(scene);
   for (std::size_t first = 0; first < tasks.size();) {

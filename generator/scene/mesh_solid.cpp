@@ -35,7 +35,7 @@ std::vector<std::vector<std::uint32_t>> triangles_at(const std::vector<glm::uvec
   return at;
 }
 
-/// What the corners of a mesh become: vertices with a normal each.
+/// The vertices of the corners of a mesh, each with a normal.
 class CornerVertices {
  public:
   CornerVertices(const std::vector<glm::uvec3>& triangle, const std::vector<glm::dvec3>& position, std::size_t vertices)
@@ -46,8 +46,8 @@ class CornerVertices {
 
   bool has_area(std::size_t i) const { return glm::length(area_[i]) > 0; }
 
-  /// The mean normal of the triangles at the place of corner k that turn little against its own, triangle i. Where very
-  /// many meet, at the tip of a cone, it is the triangle's own: asking each of all others would take hours.
+  /// The mean normal of the triangles at corner k of triangle i that turn little against it. Where very many meet, as
+  /// at the tip of a cone, it is the triangle's own, because comparing all pairs would take hours.
   glm::vec3 normal_at(std::size_t i, int k) const {
     constexpr double min_cosine = 0.766;
     if (is_crowded(i, k)) return glm::vec3(glm::normalize(area_[i]));
@@ -58,7 +58,7 @@ class CornerVertices {
     return glm::vec3(glm::normalize(sum));
   }
 
-  /// Corners of one vertex with one normal are one vertex again: one of `normals`, or none yet.
+  /// Corners of one vertex with one normal become one vertex: an index of `normals`, or none yet.
   std::optional<std::uint32_t> known(std::uint32_t vertex, const glm::vec3& normal,
                                      const std::vector<glm::vec3>& normals) const {
     const std::vector<std::uint32_t>& some = known_[vertex];
@@ -70,16 +70,16 @@ class CornerVertices {
   }
 
  private:
-  static constexpr std::size_t max_together = 256;  // triangles at a place
+  static constexpr std::size_t max_together = 256;  // limit of triangles at a place
   bool is_crowded(std::size_t i, int k) const { return at_[triangle_[i][k]].size() > max_together; }
 
   const std::vector<glm::uvec3>& triangle_;
   std::vector<std::vector<std::uint32_t>> at_;
-  std::vector<glm::dvec3> area_;  ///< twice, as vectors
+  std::vector<glm::dvec3> area_;  ///< area vectors, twice
   std::vector<std::vector<std::uint32_t>> known_;
 };
 
-/// Of closed solids only what faces the eye is drawn; files have them inside out at times.
+/// Only triangles that face the eye are drawn of closed solids, and files may have them inside out.
 void turn_outside_out(Solid& solid) {
   for (glm::uvec3& t : solid.mesh.triangle) std::swap(t.y, t.z);
   for (glm::vec3& normal : solid.mesh.normal) normal = -normal;

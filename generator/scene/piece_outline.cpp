@@ -48,7 +48,7 @@ PieceOutline::PieceOutline(const Solid& solid) : center_(facts_of(solid).center)
 glm::dvec3 PieceOutline::rested(glm::dvec3 up) const {
   double step = 0.08;
   for (int i = 0; i < 90 && !arms_.empty(); ++i, step *= 0.94) {
-    const glm::dvec3 arm = lowest(up);  // to the point it stands on
+    const glm::dvec3 arm = lowest(up);  // from the centre of mass to the point on which it stands
     const glm::dvec3 aside = arm - glm::dot(arm, up) * up;
     const double off = glm::length(aside);
     if (off < 1e-3 * radius_) break;
@@ -102,7 +102,7 @@ bool stands_on_a_tail(const Solid& solid) {
   const Box<float> box = box_around(solid.mesh.position);
   const double top = box.low.y + 0.2 * box.size().y;
 
-  // The middle of the lowest fifth's surface, and how far from it, level, that surface lies in the mean.
+  // The middle of the lowest fifth's surface, and its mean horizontal distance from it.
   struct Patch {
     glm::dvec3 middle;
     double area;
@@ -132,7 +132,7 @@ bool stands_on_flat_ground(const Solid& solid) {
   const Box<float> box = box_around(solid.mesh.position);
   if (solid.mesh.triangle.empty() || box.size().y > std::max(box.size().x, box.size().z)) return false;
   const float bottom = box.low.y + 0.01f * box.size().y;
-  double ground = 0, all = 0;  // areas, seen from below
+  double ground = 0, all = 0;  // areas as seen from below
   for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     const auto [a, b, c] = solid.mesh.corners(t);
     const glm::dvec3 normal = 0.5 * solid.mesh.area_vector(t);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t max_dishes = 256;
 
-/// A profile that can be turned: one open simple line from the axis to the axis, in the right half plane.
+/// Reads a profile: one open simple line from the axis to the axis, in the right half plane.
 std::string fault_of_profile(const std::vector<Curve>& curves) {
   if (curves.size() != 1) return "must be one line";
   const Curve& curve = curves[0];
@@ -36,7 +36,7 @@ std::string fault_of_profile(const std::vector<Curve>& curves) {
 
 Curve read_profile(const TomlValue& value, double unit) {
   if (!value.is(TomlNode::Kind::string)) {
-    value.text();  // notes that it is none
+    value.text();  // notes a fault if it is not a text
     return {};
   }
   try {
@@ -69,7 +69,7 @@ glm::dvec3 read_place(const TomlValue& value) {
   return place;
 }
 
-/// Only meshes, and only from the scene's folder.
+/// Reads only meshes, and only from the scene's folder.
 void check_mesh(const TomlValue& value, const std::filesystem::path& folder) {
   const std::filesystem::path file(value.text());
   const std::string ending = small_ending(file);
@@ -96,7 +96,7 @@ DishDescription read_dish(const TomlTable& unnamed, const std::filesystem::path&
   dish.at = read_place(table.get("at"));
   dish.turn = table.get("turn").angle(0, {-360, 360});
 
-  // What it is made of: a profile, or a mesh.
+  // Reads its shape: a profile, or a mesh.
   dish.as_solid.material = read_material(table);
   if (table.has("profile")) {
     dish.turned = read_bowl(table);
@@ -111,7 +111,7 @@ DishDescription read_dish(const TomlTable& unnamed, const std::filesystem::path&
     if (table.has("color")) dish.as_solid.color = table.get("color").color();
   }
 
-  // A dish stands in or on one that was named before it, and which stands alone.
+  // A dish may stand in or on an earlier one that stands alone.
   const TomlValue whole = table.get("part_of");
   dish.part_of = whole.text();
   const auto same = [&](const DishDescription& other) { return other.name == dish.part_of && other.part_of.empty(); };

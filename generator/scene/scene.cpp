@@ -14,8 +14,8 @@ namespace pomona {
 
 namespace {
 
-/// Calls visit(point) for all vertices in their places, instance by instance. A list of them would take more memory
-/// than the scene.
+/// Calls visit(point) for all placed vertices, instance by instance. A list of them would take more memory than the
+/// scene.
 template <typename Visit>
 void for_each_placed_point(const Scene& scene, const Visit& visit) {
   for (const Instance& instance : scene.instances)
@@ -67,12 +67,12 @@ View fitted_view(const Scene& scene, const glm::dvec3& direction, double aspect,
   });
   if (!(nearest > none)) return view;
 
-  // As near as both fields let it; in the middle of the one that leaves room.
+  // As near as both fields allow; centred in the one that leaves room.
   const double distance =
       std::max({(to_right + to_left) / (2 * slope_right), (above + below) / (2 * slope_up), nearest + 1e-3});
   view.eye = right * (0.5 * (to_right - to_left)) + up * (0.5 * (above - below)) + back * distance;
 
-  // It looks at the middle of what it sees.
+  // Looks at the middle of the visible part.
   Box<double> seen;
   for_each_placed_point(scene, [&](const glm::dvec3& p) { seen.add(glm::dvec3(glm::dot(p, back))); });
   view.target = view.eye - back * std::max(distance - seen.center().x, 1e-3);

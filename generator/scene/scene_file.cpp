@@ -66,7 +66,7 @@ PieceArrangement read_arrangement(const TomlTable& table) {
   return how;
 }
 
-constexpr int max_variants = 4096;  // of one entry, and of the scene
+constexpr int max_variants = 4096;  // limit for one entry, and for the scene
 constexpr int max_pieces = static_cast<int>(max_scene_pieces);
 
 glm::dvec3 read_vector(const TomlValue& value, Within within, const glm::dvec3& fallback) {
@@ -94,7 +94,7 @@ void read_view(const TomlTable& table, SceneDescription& scene) {
   scene.view = view;
 }
 
-/// A number, or the two ends of a range to draw from, [0.6, 1.4].
+/// Reads a number, or a range for random numbers, [0.6, 1.4].
 std::optional<Within> read_range(const TomlValue& value, Within within) {
   if (!value.given()) return {};
   if (!value.is(TomlNode::Kind::array)) {
@@ -168,7 +168,7 @@ class SceneReader {
     for (const TomlTable& entry : entries) {
       scene_.pieces.push_back(read_entry(entry));
       const PiecesDescription& pieces = scene_.pieces.back();
-      // Each variant has one piece at least. How many more, its knives will tell.
+      // Each variant has at least one piece; knives decide how many more.
       if (pieces.share <= 0) placed += pieces.total > 0 ? pieces.total : std::int64_t{pieces.count} * pieces.copies;
       if (placed > max_pieces) {
         entry.error("makes more than " + std::to_string(max_pieces) + " pieces of the scene",
@@ -183,14 +183,14 @@ class SceneReader {
     }
   }
 
-  /// A total is dealt out by shares, and shares are of a total.
+  /// A total needs shares, and shares need a total.
   void check_shares(const TomlValue& total) const {
     const bool some =
         std::any_of(scene_.pieces.begin(), scene_.pieces.end(), [](const auto& p) { return p.share > 0; });
     if (total.given() && !some) total.error("is of no use where no entry has a \"share\"", "write share = 1 in one");
   }
 
-  /// Which dish the pieces lie in or on.
+  /// Reads the dish in or on which the pieces lie.
   void read_dish_of(const TomlTable& table, PiecesDescription& pieces) {
     const TomlValue in = table.get("in"), on = table.get("on");
     if (in.given() && on.given()) on.error("and \"in\" exclude each other", "keep one of them");
@@ -269,7 +269,7 @@ class SceneReader {
   TomlDocument document_;
   std::string file_;
   SceneDescription scene_;
-  std::vector<std::string> names_;  ///< of the entries so far
+  std::vector<std::string> names_;  ///< names of the entries so far
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ std::filesystem::path template_file(const SceneDescription& scene, const PiecesD
               {{pieces.template_place, "there is no template \"" + pieces.template_name + "\"", {}}});
 }
 
-/// Refuses an entry that asks of its template what that does not declare.
+/// Refuses an entry that asks for something that its template does not declare.
 void check_fits(const PiecesDescription& pieces, const Template& fruit) {
   const auto refuse = [&](const std::string& why) {
     throw Error(

@@ -8,7 +8,7 @@ namespace pomona {
 
 namespace {
 
-/// A value of the range, if there is one.
+/// A random value of the range, if there is a range.
 std::optional<double> drawn_between(const std::optional<Within>& range, VariantKey key, const char* purpose) {
   if (!range) return {};
   return range->low + (range->high - range->low) * RandomStream(key, purpose).uniform(0);

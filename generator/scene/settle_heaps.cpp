@@ -17,7 +17,7 @@ struct HeapOfScene {
   bool on_top = false;
   std::vector<std::size_t> member;  ///< indices of the scene's items
   std::vector<SettleItem> items;
-  Solid merged;  ///< the dish with what is part of it, where that is anything
+  Solid merged;  ///< the dish merged with its parts, if it has any
 };
 
 Pose inverse(const Pose& pose) {
@@ -29,7 +29,7 @@ Pose chained(const Pose& outer, const Pose& inner) {
   return {outer.rotation * inner.rotation, outer.rotation * inner.translation + outer.translation};
 }
 
-/// As a layout file holds it.
+/// Rounded as in a layout file.
 Pose rounded(const Pose& pose) {
   const auto round = [](double value) { return std::round(value * 1e6) / 1e6 + 0.0; };
   const glm::dquat q = pose.rotation.w < 0 ? -pose.rotation : pose.rotation;
@@ -37,7 +37,7 @@ Pose rounded(const Pose& pose) {
   return {glm::dquat(round(q.w), round(q.x), round(q.y), round(q.z)), {round(t.x), round(t.y), round(t.z)}};
 }
 
-/// The meshes of a dish and of its parts as one, in the dish's frame; empty where it has no parts.
+/// The meshes of a dish and its parts as one, in the dish's frame; empty if it has no parts.
 Solid merged_with_parts(const SceneParts& parts, int dish) {
   const ScenePlacedDish& whole = parts.dishes[static_cast<std::size_t>(dish)];
   const auto is_part = [&](const ScenePlacedDish& other) { return other.part_of == dish; };
@@ -86,7 +86,7 @@ DishForm form_of(const HeapOfScene& heap, const SceneParts& parts) {
   return form;
 }
 
-/// Adds up what the heaps tell, stage by stage: one call at a time.
+/// Adds up the progress of the heaps, stage by stage, one call at a time.
 class HeapsTeller {
  public:
   HeapsTeller(const ComposeOptions& options, std::size_t heaps, std::size_t total)
@@ -102,7 +102,7 @@ class HeapsTeller {
       for (const std::size_t each : all) number += each;
       return number;
     };
-    // While any heap still falls, that is what is told.
+    // While any heap still falls, the stage is falling.
     const std::size_t settled = sum(settled_);
     if (settled < total_ || stage == "settle") return options_.progress("settle", settled, total_);
     options_.progress("measure", sum(measured_), total_);

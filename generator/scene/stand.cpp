@@ -12,7 +12,7 @@ namespace pomona {
 
 namespace {
 
-/// Of one whole fruit that is long, or would balance on its root.
+/// Whether the scene is one whole fruit that is long, or would balance on its root.
 void lay_down(Scene& scene) {
   if (scene.instances.size() != 1 || scene.instances[0].pose.rotation != glm::dquat(1, 0, 0, 0)) return;
   const Solid& solid = scene.solids[static_cast<std::size_t>(scene.instances[0].solid)];
@@ -21,7 +21,7 @@ void lay_down(Scene& scene) {
   const TablePose pose = table_pose(solid);
   if (!pose.slender) return;
 
-  // The diagonal is that of who looks from straight in front.
+  // The diagonal as seen from straight in front.
   const glm::dvec3 back = scene.view.eye - scene.view.target;
   scene.instances[0].pose.rotation = turn_about({0, 1, 0}, reproducible::atan2(back.x, back.z)) * pose.rotation;
   scene.view = fitted_view(scene, scene.view.eye - scene.view.target);

@@ -38,9 +38,9 @@ struct CutSide {
   bool flat = false;
 };
 
-/// The sides to which cut faces look, largest first; at most eight. A ball's hollow looks where its rim does.
+/// The directions of cut faces, largest first, at most eight. A ball's hollow faces where its rim does.
 std::vector<CutSide> cut_sides(const Solid& solid) {
-  std::map<std::int32_t, std::pair<glm::dvec3, double>> face;  // area as a vector, and as a number
+  std::map<std::int32_t, std::pair<glm::dvec3, double>> face;  // area vector, and area
   for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     if (solid.mesh.cut_face[t] < 0) continue;
     const glm::dvec3 vector = 0.5 * solid.mesh.area_vector(t);
@@ -59,11 +59,11 @@ std::vector<CutSide> cut_sides(const Solid& solid) {
   return sides;
 }
 
-/// One way to lie.
+/// A candidate pose.
 struct Rest {
   glm::dvec3 up{0, 1, 0};
   bool on_flat = false;   ///< on a flat cut face
-  bool as_grown = false;  ///< it stands as the fruit did
+  bool as_grown = false;  ///< it stands as it grew
 };
 
 std::vector<Rest> ways_to_rest(const PieceOutline& outline, const std::vector<CutSide>& sides) {
@@ -75,7 +75,7 @@ std::vector<Rest> ways_to_rest(const PieceOutline& outline, const std::vector<Cu
       rest = {-side.normal, true, false};
       break;
     }
-    // On a round back nobody sees a few degrees: the largest face then lies level, whichever end is heavier.
+    // On a round back a few degrees are invisible: the largest face is then level, whichever end is heavier.
     if (!rest.on_flat && !sides.empty() && glm::dot(rest.up, sides[0].normal) > 0.85) rest.up = sides[0].normal;
     ways.push_back(rest);
   };
@@ -89,11 +89,11 @@ std::vector<Rest> ways_to_rest(const PieceOutline& outline, const std::vector<Cu
   return ways;
 }
 
-/// How a piece may be turned on the spot: the level direction of its own that comes to look towards the eye.
+/// Turns on the spot: the piece's own level direction that will face the eye.
 std::vector<glm::dvec3> ways_to_turn(const glm::dvec3& up, const PieceOutline::Plan& plan) {
   std::vector<glm::dvec3> fronts;
   if (plan.ratio > slender_ratio) {
-    // What lies along the diagonal turns its side to the eye: the front is `along` turned back by the diagonal.
+    // A piece along the diagonal turns its side to the eye: the front is `along` turned back by the diagonal.
     for (const double sign : {1.0, -1.0}) fronts.push_back(turned_about(up, diagonal_angle + pi, sign * plan.along));
     return fronts;
   }
@@ -115,7 +115,7 @@ struct PoseChoice {
   double score = -1;
 };
 
-/// Chooses among ways to lie by how much is seen.
+/// Chooses among poses by how much is visible.
 class Chooser {
  public:
   Chooser(const Solid& solid, const glm::dvec3& eye)
@@ -137,7 +137,7 @@ class Chooser {
     return best;
   }
 
-  /// As it grew, and not laid down either; nothing is chosen for what was cut flat.
+  /// As it grew, without lying down; nothing for pieces with flat cuts.
   PoseChoice choose_standing() const {
     PoseChoice best;
     const auto is_wide = [&](const CutSide& side) { return side.flat && side.area > 0.15 * areas_.cut(); };
@@ -151,13 +151,13 @@ class Chooser {
   }
 
  private:
-  /// What somebody has bitten, cored or taken the tip from; not half of a star fruit, of which the cut is small, too.
+  /// Pieces that were bitten, cored or lost their tip; but not half a star fruit, whose cut is small, too.
   bool is_hardly_cut() const {
     const auto is_wide = [&](const CutSide& side) { return side.flat && side.area > 0.04 * areas_.skin(); };
     return areas_.cut() < 0.25 * areas_.skin() && std::none_of(sides_.begin(), sides_.end(), is_wide);
   }
 
-  /// Upright; what is long, or would stand on its root, lies down, unless there is flat ground under it.
+  /// Upright; a piece that is long, or would stand on its root, lies down, unless it has a flat bottom.
   Rest as_it_grew() const {
     Rest rest{.up = {0, 1, 0}, .on_flat = false, .as_grown = true};
     const double sideways = std::min(outline_.height({1, 0, 0}) + outline_.height({-1, 0, 0}),
@@ -167,7 +167,7 @@ class Chooser {
     return rest;
   }
 
-  /// The level direction closest to that in which it grew: what was laid down lies along it, whatever its shape.
+  /// The level direction closest to its growth: pieces that lie down lie along it, whatever their shape.
   static glm::dvec3 along_the_axis(const glm::dvec3& up) {
     constexpr glm::dvec3 axis(0, 1, 0);
     return glm::normalize(axis - glm::dot(axis, up) * up);
@@ -175,7 +175,7 @@ class Chooser {
 
   void try_all(const Rest& rest, PoseChoice& best) const {
     PieceOutline::Plan plan = outline_.plan(rest.up);
-    // What stands turns its faces to the eye, however wide it is.
+    // Standing pieces turn their faces to the eye, however wide they are.
     if (rest.as_grown && has_ground_) plan.ratio = 1;
     if (rest.as_grown && rest.up.y < 0.5) plan = {along_the_axis(rest.up), std::max(plan.ratio, 2 * slender_ratio)};
     const bool slender = plan.ratio > slender_ratio;
@@ -188,12 +188,12 @@ class Chooser {
   double score_of(const Rest& rest, const glm::dvec3& front) const {
     const glm::dvec3 eye = eye_.y * rest.up + eye_.z * front;
     const SideAreas::Seen seen = areas_.from(eye);
-    double flat = 0;  // a plane's cut shows more than a peeler's or a baller's
+    double flat = 0;  // flat cut area, because a plane's cut shows more than a peeler's or a baller's
     for (const CutSide& side : sides_)
       if (side.flat) flat += side.area * std::max(0.0, glm::dot(side.normal, eye));
 
-    // Cut faces count, and so much skin beside them as makes clear what was cut. What lies low and flat lies
-    // naturally; a fruit's top is away from the eye, or to the right.
+    // Counts cut faces, and enough skin to show what was cut. Low and flat poses look natural; a fruit's top is away
+    // from the eye, or to the right.
     const glm::dvec3 right = glm::cross(rest.up, front);
     const double away = -glm::dot(front, glm::dvec3(0, 1, 0)), aside = glm::dot(right, glm::dvec3(0, 1, 0));
     const double low = 1.25 - 0.5 * outline_.height(rest.up) / std::max(outline_.radius(), 1e-12);
@@ -206,7 +206,7 @@ class Chooser {
   PieceOutline outline_;
   SideAreas areas_;
   std::vector<CutSide> sides_;
-  bool has_ground_;  ///< of its own, flat, under it
+  bool has_ground_;  ///< whether it has a flat bottom of its own
 };
 
 }  // namespace
@@ -230,7 +230,7 @@ TablePose table_pose(const Solid& solid, const glm::dvec3& eye) {
   if (choice.score < 0) return {};
   TablePose pose{standing_frame(choice.rest.up, choice.front), choice.slender, choice.rest.as_grown};
   if (!chooser.on_its_back(choice.rest)) return pose;
-  // About the level line across the sight; of what lies along the diagonal, about that.
+  // The axis of leaning: the level line across the sight, or the diagonal for pieces along it.
   const glm::dvec3 axis = choice.slender ? diagonal_on_table() : glm::dvec3(1, 0, 0);
   pose.rotation = glm::normalize(turn_about(axis, lean_angle) * pose.rotation);
   return pose;

@@ -32,8 +32,8 @@ glm::vec3 from_cgal(const Point& p) {
 
 bool is_before(const glm::vec3& a, const glm::vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
-/// Vertices in the order of their places, triangles from their least vertex on and in order: nothing of the way that
-/// CGAL went is left, but for how it divides flat faces.
+/// Sorts vertices by place, and triangles from their smallest vertex on: only the division of flat faces still depends
+/// on CGAL.
 ConvexHull ordered(const Surface& surface) {
   ConvexHull hull;
   for (const auto vertex : surface.vertices()) hull.position.push_back(from_cgal(surface.point(vertex)));
@@ -54,7 +54,7 @@ ConvexHull ordered(const Surface& surface) {
   return hull;
 }
 
-/// \param points different ones, in the order of their places.
+/// \param points distinct, sorted by place.
 ConvexHull whole_hull(const std::vector<glm::vec3>& points) {
   std::vector<Point> given;
   for (const glm::vec3& p : points) given.push_back(to_cgal(p));
@@ -64,7 +64,7 @@ ConvexHull whole_hull(const std::vector<glm::vec3>& points) {
   return surface.number_of_faces() >= 4 ? ordered(surface) : ConvexHull{};
 }
 
-/// The up to 14 points that lie farthest along the axes and in the corners between three of them.
+/// The up to 14 points that are farthest along the axes and diagonals.
 std::vector<glm::vec3> farthest_along_directions(const std::vector<glm::vec3>& points) {
   std::vector<glm::vec3> found;
   for (int x = -1; x <= 1; ++x) {
@@ -84,7 +84,7 @@ std::vector<glm::vec3> farthest_along_directions(const std::vector<glm::vec3>& p
   return found;
 }
 
-/// The point that stands out farthest of a hull, if any does.
+/// The point that is farthest outside of a hull, if any.
 std::optional<glm::vec3> farthest_outside(const ConvexHull& hull, const std::vector<glm::vec3>& points) {
   std::optional<glm::vec3> farthest;
   double distance = 1e-9;  // metres
@@ -110,7 +110,7 @@ ConvexHull convex_hull(std::span<const glm::vec3> points, std::size_t max) {
   const ConvexHull whole = whole_hull(different);
   if (whole.position.size() <= max) return whole;
 
-  // From a rough hull outwards, a point at a time.
+  // Grows a rough hull, a point at a time.
   std::vector<glm::vec3> chosen = farthest_along_directions(whole.position);
   ConvexHull hull = whole_hull(chosen);
   while (hull.position.size() < max) {

@@ -22,7 +22,7 @@ void append_decimals(std::string& text, const glm::vec3& vector) {
   for (int axis = 0; axis < 3; ++axis) append_decimal(text, vector[axis]);
 }
 
-/// A name is one word: what blanks part would be several.
+/// A name is one word, because blanks would make several names.
 std::string one_word(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');

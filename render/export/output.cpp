@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path with links followed: the file that a link names is replaced, not the link. The file need not exist.
+/// The path with links followed, because the file that a link names is replaced, not the link. The file need not exist.
 fs::path followed(const fs::path& path) {
   constexpr int max_links = 40;  // as many as Linux follows
   fs::path found = path;

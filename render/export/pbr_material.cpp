@@ -11,7 +11,7 @@ namespace pomona {
 
 namespace {
 
-/// Two digits: no eye tells more, and fewer different materials come of it.
+/// Two digits: more are invisible, and equal materials are shared.
 double rounded(double value) { return std::round(100 * value) / 100; }
 
 std::array<double, 3> rounded(const glm::dvec3& color) {
@@ -77,7 +77,7 @@ std::vector<PartsOfMaterial> parts_by_material(const Solid& solid) {
   return all;
 }
 
-/// A single part gives its name; many are "inside" or "outside" where no other look has more of them.
+/// A single part gives its name; several are "inside" or "outside" if no other look has more parts.
 std::string name_of(const std::vector<std::size_t>& parts, std::size_t max, const char* max_called,
                     const std::vector<std::string>& part_names) {
   if (parts.size() > 1 && parts.size() == max) return max_called;
@@ -86,8 +86,8 @@ std::string name_of(const std::vector<std::size_t>& parts, std::size_t max, cons
   return name;
 }
 
-/// One name for each look that a solid's parts can have, whichever of them this piece shows: so all pieces of a fruit
-/// agree.
+/// A name for each look that a solid's parts can have, even if this piece does not show it, so that all pieces of a
+/// fruit agree.
 std::vector<std::pair<PbrMaterial, std::string>> named_materials(const Solid& solid) {
   const std::vector<PartsOfMaterial> all = parts_by_material(solid);
   std::size_t max_inside = 0, max_outside = 0;

@@ -6,7 +6,7 @@ namespace pomona {
 
 namespace {
 
-/// The member of this name, made if it is not there.
+/// The member of this name, which is made if necessary.
 PieceGroup& group_in(PieceGroup& parent, const std::string& name, std::map<std::string, PieceGroup*>& known) {
   PieceGroup*& group = known[name];
   if (group == nullptr) {

@@ -17,8 +17,8 @@ struct PiecePath {
 
 struct PieceGroup {
   struct Member {
-    std::size_t item = 0;               ///< a piece, by its number; unless
-    std::shared_ptr<PieceGroup> group;  ///< this is there
+    std::size_t item = 0;               ///< index of a piece, unless
+    std::shared_ptr<PieceGroup> group;  ///< the member is a group
   };
   std::string name;
   std::vector<Member> members;  ///< in the order in which they first come

@@ -18,7 +18,7 @@ void append(std::string& bytes, const Value& value) {
   bytes.append(raw, sizeof(Value));
 }
 
-/// The part names of all solids in one list, and for each solid where its own are in it.
+/// The part names of all solids in one list, and their indices for each solid.
 struct Parts {
   std::vector<std::string> names;
   std::vector<std::vector<std::int32_t>> of_solid;

@@ -29,8 +29,8 @@ using namespace pov;
 namespace {
 
 constexpr std::size_t max_hairs = 20000;  // about 2 MB of text
-constexpr double width = 8e-5;            // metres, at the root
-constexpr int hair_steps = 15;            // of sRGB
+constexpr double width = 8e-5;            // width of a hair at the root, metres
+constexpr int hair_steps = 15;            // steps of the hairs' sRGB colours
 
 std::array<int, 3> rounded(const Color& color) {
   std::array<int, 3> steps{};
@@ -111,18 +111,18 @@ class Lighting {
   glm::dvec3 target_, to_key_, to_fill_;
   double distance_;
   glm::dvec3 key_, fill_;  // colours
-  double width_;           // of the key, 0 = a point
-  double shadow_;          // how much of the key throws one
-  glm::dvec3 wash_;        // of the shadow
+  double width_;           // width of the key light, 0 = a point
+  double shadow_;          // share of the key light that casts shadows
+  glm::dvec3 wash_;        // colour of the shadow's wash
   double from_all_sides_;
 };
 
-/// Warm light, cool sky, as in shaders/lit.glsl; together they are white. With the finishes' shares a white thing that
-/// faces the light comes out white.
+/// Warm light and cool sky, as in shaders/lit.glsl; together they are white. With the finishes' shares a white object
+/// that faces the light is white.
 const glm::dvec3 sun = 0.8 / 0.70 * glm::dvec3(0.74, 0.70, 0.62);
 const glm::dvec3 sky = 1 / 0.50 * glm::dvec3(0.47, 0.50, 0.54);
 
-/// Sources stand so far off, times the eye's distance, that they come from nearly one direction everywhere.
+/// The distance of light sources, times the eye's distance: far enough for nearly one direction everywhere.
 constexpr double far_off = 16;
 /// A source's width per unit of distance and of softness.
 constexpr double width_of_softness = 0.7;
@@ -161,8 +161,8 @@ std::string Lighting::sources() const {
 std::string Lighting::ambient() const { return "ambient_light " + rgb(from_all_sides_ * sky); }
 
 std::string Lighting::ground() const {
-  // Per channel: pigment p, diffuse share d, emission e, with k and f the light that falls in from key and fill. Lit it
-  // is to be paper, p (d (k + f) + e) = paper; what shadow takes is to leave the wash, p d k shadow = paper (1 - wash).
+  // Per channel: pigment p, diffuse share d, emission e, with k and f the light from key and fill. Lit ground is paper,
+  // p (d (k + f) + e) = paper; shadow leaves the wash, p d k shadow = paper (1 - wash).
   const glm::dvec3 k = to_key_.y * key_, f = to_fill_.y * fill_;
   const double max = std::max({k.r, k.g, k.b});
   const bool dark = !(shadow_ * max > 1e-3);
@@ -171,19 +171,19 @@ std::string Lighting::ground() const {
   for (int c = 0; !dark && c < 3; ++c) {
     pigment[c] = std::max(1 - wash_[c], 0.02) / (d * k[c] * shadow_);
     emission[c] = 1 / pigment[c] - d * (k[c] + f[c]);
-    // A wash darker than what the fill leaves of the ground cannot be had.
+    // The wash cannot be darker than the ground in the fill light.
     if (emission[c] < 0) pigment[c] = 1 / (d * (k[c] + f[c])), emission[c] = 0;
   }
   return "texture { pigment { color Paper * " + four_digits(pigment) + " } finish { ambient 0 diffuse " +
          number_text(std::round(d * 1e4) / 1e4) + " emission " + rgb(emission) + " } }";
 }
 
-/// POV-Ray copies a mesh's textures with every instance, about 1 KB each; so many copies take some 2 GB.
+/// POV-Ray copies a mesh's textures with every instance, about 1 KB each; this number of copies takes some 2 GB.
 constexpr std::size_t max_texture_copies = 2'000'000;
-/// Of any mesh, however few instances there are.
+/// The limit for any mesh, however few instances there are.
 constexpr std::size_t max_textures = 4096;
 
-/// So many textures a mesh may have that all copies stay in bounds: in a heap of thousands colours are fewer.
+/// The number of textures of a mesh that keeps all copies in bounds: fewer in a heap of thousands.
 std::size_t textures_of_a_mesh(const Scene& scene) {
   const std::size_t copies = scene.solids.size() + scene.instances.size();
   return std::clamp(max_texture_copies / std::max<std::size_t>(copies, 1), std::size_t{64}, max_textures);
@@ -218,7 +218,7 @@ std::string include_name(const std::string& stem) {
   return name + "_meshes.inc";
 }
 
-/// POV-Ray looks for includes where it was started, not where the scene lies.
+/// POV-Ray looks for includes in the folder where it was started, not beside the scene.
 std::string include_text(const std::string& name) {
   const std::string beside = quoted(name), in_out = quoted("out/" + name);
   return "#if (file_exists(" + beside + "))\n  #include " + beside + "\n#else #if (file_exists(" + in_out +
@@ -236,9 +236,9 @@ std::string placed_text(const char* what, const Instance& instance, double unit)
          commentable(instance.name) + "\n";
 }
 
-/// Subsurface light is dear: it takes hundreds of times as long. So it is asked for, with Declare=Subsurface=1.
+/// Subsurface light takes hundreds of times as long, so it is optional: Declare=Subsurface=1.
 std::string settings_text(const Scene& scene, const Lighting& lighting, double unit) {
-  // Each surface that one sees through takes a step of a ray; POV-Ray allows five unless told.
+  // Each transparent surface takes a step of a ray; POV-Ray allows five by default.
   const bool see_through =
       std::any_of(scene.solids.begin(), scene.solids.end(), [](const Solid& solid) { return solid.opacity < 1; });
   std::string text;
@@ -277,7 +277,7 @@ std::vector<NamedFile> write_pov(const Scene& scene, const std::string& stem, co
   const Finishes finishes(scene, options.style.gloss);
   const std::size_t textures = textures_of_a_mesh(scene);
 
-  // Write the meshes, each by itself, and join them in order.
+  // Writes the meshes, each by itself, and joins them in order.
   std::vector<std::string> texts(styled.size()), hairs(styled.size());
   parallel_for(texts.size(), options.threads, [&](std::size_t i) {
     hairs[i] = hairs_text(scene.solids[i], i, exponent);
@@ -287,7 +287,7 @@ std::vector<NamedFile> write_pov(const Scene& scene, const std::string& stem, co
   for (std::size_t i = 0; i < texts.size(); ++i) meshes += texts[i] + hairs[i];
   if (!ink.strokes.empty()) meshes += ink_text(scene, ink, exponent);
 
-  // Place them.
+  // Places them.
   const std::string include = include_name(stem);
   std::string main = scene_text(scene, finishes, include, options);
   const double unit = power_of_ten(exponent);

@@ -11,7 +11,7 @@ namespace {
 
 std::string three_digits(double value) { return number_text(std::round(1000 * value) / 1000); }
 
-/// What subsurface light takes: how far each channel goes, in millimetres.
+/// The parameters of subsurface light: how far each channel goes, in millimetres.
 std::string subsurface_text(const Translucency& translucency) {
   if (!(translucency.depth > 0)) return {};
   std::string text = " #if (Subsurface) subsurface { translucency rgb <";
@@ -22,7 +22,7 @@ std::string subsurface_text(const Translucency& translucency) {
   return text + "> } #end";
 }
 
-/// A highlight's width goes by the square of what the template calls roughness; a narrow one is stronger.
+/// A highlight's width follows the square of the template's roughness; a narrow one is stronger.
 std::string skin_text(const MaterialSketch& material, double gloss) {
   const double r = std::max(material.roughness, 0.02);
   const double specular = gloss * 0.22 * material.gloss * std::min(1.8, std::sqrt(0.3 / r));

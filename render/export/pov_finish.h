@@ -12,10 +12,10 @@ namespace pomona::pov {
 /// The finishes of a scene: "Skin" and "Flesh", and one more for each different material on skins and on cut faces.
 class Finishes {
  public:
-  /// \param gloss times what materials shine, skins and cut faces alike
+  /// \param gloss factor of the shine of all materials
   Finishes(const Scene& scene, double gloss);
 
-  /// The number of what a part is like on the skin or on a cut face: 0 is Skin, 1 is Flesh.
+  /// The index of the finish of a part on the skin or on a cut face: 0 is Skin, 1 is Flesh.
   int number(const Solid& solid, std::int32_t part, bool on_cut_face) const;
   /// "Skin", "Flesh", "Finish_2" ...
   static std::string name(int number);
@@ -24,7 +24,7 @@ class Finishes {
 
  private:
   double gloss_;
-  std::map<std::string, int> number_;  // by their text
+  std::map<std::string, int> number_;  // index of each finish by its text
   std::string declarations_;
 };
 

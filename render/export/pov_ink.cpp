@@ -14,7 +14,7 @@ namespace pomona::pov {
 
 namespace {
 
-constexpr double steps_a_unit = 10000;  // coordinates are whole numbers of these
+constexpr double steps_a_unit = 10000;  // steps per unit; coordinates are whole numbers of steps
 
 /// Red, green, blue, and opacity in sixteenths.
 using Ink = std::array<float, 4>;

@@ -13,7 +13,7 @@ namespace {
 
 /// Of sRGB from 0 to 1, unless there would be too many colours: an error of 2 in 255.
 constexpr int color_steps = 63;
-constexpr int finer = 4;  ///< middles of colours are told in so many parts of a step
+constexpr int finer = 4;  ///< middles of colours are resolved to this many parts of a step
 
 /// The textures of a mesh, and which one each corner of each triangle has.
 struct Textures {

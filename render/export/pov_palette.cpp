@@ -25,14 +25,14 @@ ColorBox box_around(std::vector<std::size_t> colors, const std::vector<FinishedC
       low = std::min(low, all[c][axis]);
       high = std::max(high, all[c][axis]);
     }
-    // Finishes are parted before colours.
+    // Divides finishes before colours.
     const long length = static_cast<long>(high - low) * (axis == finish_axis ? 1000 : 1);
     if (length > box.length) box.axis = axis, box.length = length;
   }
   return box;
 }
 
-/// Two boxes, parted at the middle between the ends, so that rare colours are kept beside common ones.
+/// Two boxes, divided at the middle between the ends, so that rare colours survive beside common ones.
 std::pair<ColorBox, ColorBox> parted(const ColorBox& box, const std::vector<FinishedColor>& all) {
   int low = all[box.colors.front()][box.axis], high = low;
   for (const std::size_t c : box.colors) {
@@ -63,7 +63,7 @@ std::vector<FinishedColor> few_colors(const std::vector<FinishedColor>& colors, 
   different.erase(std::unique(different.begin(), different.end()), different.end());
   if (different.size() <= max) return colors;
 
-  // Part the longest box again and again; those of several finishes in any case.
+  // Divides the longest box again and again, and boxes of several finishes in any case.
   std::vector<std::size_t> numbers(different.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
   const auto is_shorter = [](const ColorBox& a, const ColorBox& b) { return a.length < b.length; };

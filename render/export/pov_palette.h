@@ -8,7 +8,7 @@
 
 namespace pomona::pov {
 
-/// A colour, sRGB in steps, and the number of the finish that it is seen with.
+/// A colour, sRGB in steps, and the index of its finish.
 using FinishedColor = std::array<int, 4>;
 
 /// For each colour a representative, by median cut [Heckbert 1982]: the middle of the colours in its box. There are at

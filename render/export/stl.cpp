@@ -15,7 +15,7 @@ namespace {
 
 // A header of 80 bytes and the number of triangles; then 50 bytes for each.
 constexpr std::size_t header_bytes = 80, triangle_bytes = 50;
-constexpr std::string_view header = "Pomona, in millimetres";  // it must not begin with "solid", as STL in ASCII does
+constexpr std::string_view header = "Pomona, in millimetres";  // it must not begin with "solid", as ASCII STL does
 
 constexpr double millimetres = 1e3;
 
@@ -43,7 +43,7 @@ void append_instance(std::string& bytes, const Solid& solid, const Pose& pose, s
     if (!(length > 0)) continue;
     append_bits(bytes, glm::vec3(normal / length));
     for (const glm::vec3& place : {a, b, c}) append_bits(bytes, place);
-    bytes.append(2, '\0');  // an attribute that nobody agrees about
+    bytes.append(2, '\0');  // an attribute without a standard meaning
     ++count;
   }
 }

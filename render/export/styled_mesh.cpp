@@ -15,7 +15,7 @@
 namespace pomona {
 namespace {
 
-/// Everything a vertex is, bit by bit: position, normal, colour, texture coordinates, part, kind of face.
+/// All attributes of a vertex, bit by bit: position, normal, colour, texture coordinates, part, kind of face.
 using VertexBits = std::array<std::uint32_t, 13>;
 
 std::size_t hash_of(const VertexBits& bits) {
@@ -24,11 +24,11 @@ std::size_t hash_of(const VertexBits& bits) {
   return static_cast<std::size_t>(hash ^ (hash >> 32));
 }
 
-/// Numbers different vertices in the order in which they are first met. A table of at least twice as many places, of
-/// which the first free one from a vertex's hash on is its own.
+/// Numbers distinct vertices in the order of their first occurrence, by a hash table with linear probing and at least
+/// twice as many places.
 class VertexNumbers {
  public:
-  /// \param max so many different vertices at most
+  /// \param max largest number of distinct vertices
   explicit VertexNumbers(std::size_t max) : table_(std::bit_ceil(2 * max + 1), free) { known_.reserve(max / 2); }
 
   /// The vertex's number, and whether it is new.
@@ -50,7 +50,7 @@ class VertexNumbers {
   std::vector<VertexBits> known_;
 };
 
-/// Normals as triangles see them, area-weighted, for vertices that came without one.
+/// Area-weighted normals of triangles, for vertices without a normal.
 std::vector<glm::vec3> normals_from_triangles(const Solid& solid) {
   std::vector<glm::vec3> normals(solid.mesh.position.size(), glm::vec3(0));
   for (const glm::uvec3& t : solid.mesh.triangle) {
@@ -61,7 +61,7 @@ std::vector<glm::vec3> normals_from_triangles(const Solid& solid) {
   return normals;
 }
 
-/// Of unit length, whatever came; where nothing is known, up.
+/// A unit normal in any case; up if nothing is known.
 std::vector<glm::vec3> unit_normals(const Solid& solid) {
   const std::vector<glm::vec3> fallback = normals_from_triangles(solid);
   std::vector<glm::vec3> normals(solid.mesh.position.size());
@@ -77,7 +77,7 @@ std::vector<glm::vec3> unit_normals(const Solid& solid) {
   return normals;
 }
 
-/// Mean length of the edges at each vertex: what finer noise would only alias with.
+/// Mean length of the edges at each vertex; finer noise would only alias.
 std::vector<double> footprints(const StyledMesh& mesh) {
   std::vector<double> sum(mesh.position.size(), 0.0);
   std::vector<int> edges(mesh.position.size(), 0);
@@ -124,13 +124,12 @@ VertexBits vertex_bits(const Solid& solid, const glm::vec3& normal, const glm::v
   return bits;
 }
 
-/// The solid's vertices, each once, numbered in the order in which triangles first use them. `uv` and
-/// `tangent` may be empty.
+/// The solid's distinct vertices, in the order in which triangles first use them. `uv` and `tangent` may be empty.
 StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv, const std::vector<glm::vec4>& tangent) {
   const std::vector<glm::vec3> normals = unit_normals(solid);
   StyledMesh mesh;
 
-  // A vertex is new unless all its bits are known; cut faces and skin share none.
+  // A vertex is new unless all its bits are known; cut faces and skin share no vertices.
   VertexNumbers known(2 * solid.mesh.position.size());
   const auto number_of = [&](std::uint32_t v, bool cut) {
     const VertexBits bits = vertex_bits(solid, normals[v], uv.empty() ? glm::vec2(0) : uv[v], v, cut);
@@ -148,7 +147,7 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv, const st
     return number;
   };
 
-  // Triangles with two corners at one place are left out.
+  // Leaves out triangles with two corners at one place.
   for (std::size_t t = 0; t < solid.mesh.triangle.size(); ++t) {
     const glm::uvec3& old = solid.mesh.triangle[t];
     const glm::vec3 &p = solid.mesh.position[old.x], &q = solid.mesh.position[old.y], &r = solid.mesh.position[old.z];
@@ -164,7 +163,7 @@ StyledMesh welded(const Solid& solid, const std::vector<glm::vec2>& uv, const st
 }  // namespace
 
 std::vector<StyledMesh> styled_meshes(std::span<const Solid> solids, const ExportOptions& options) {
-  // Pieces of one fruit look as the first does.
+  // Pieces of one fruit share the look of the first.
   const auto look_of = [&](const Solid& solid, const Look* like) {
     return options.style.noise ? Look(solid.look->noise, solid.look->details, like) : Look();
   };

@@ -21,8 +21,7 @@ namespace pomona {
 
 namespace {
 
-/// A side of the sheet as the drawing states it: in pixels, or in millimetres where one knows how many pixels an inch
-/// has.
+/// A side of the sheet: in pixels, or in millimetres if the pixels per inch are known.
 std::string side_text(int pixels, double dpi) {
   return dpi > 0 ? hundredths(25.4 * pixels / dpi) + "mm" : std::to_string(pixels);
 }
@@ -39,7 +38,7 @@ std::string layer_start(const std::string& id, const std::string& label) {
   return "  <g id=\"" + id + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + xml_escaped(label) + "\">\n";
 }
 
-/// A stroke in stretches of nearly one opacity, each from where the last one ends.
+/// A stroke as stretches of nearly equal opacity, each from the end of the last.
 std::vector<std::vector<StrokePoint>> by_opacity(const std::vector<StrokePoint>& stroke) {
   const auto level = [](const StrokePoint& point) { return static_cast<int>(std::floor(5 * point.opacity + 0.5)); };
   std::vector<std::vector<StrokePoint>> stretches;
@@ -79,7 +78,7 @@ std::string outline_path(const Outline& outline) {
   return text;
 }
 
-/// One layer; opacity is that of the whole, so that what overlaps is no darker.
+/// One layer; opacity is that of the whole, so that overlaps are not darker.
 std::string plate_text(std::span<const PlateLayer> plate) {
   if (plate.empty()) return {};
   std::string text = layer_start("plate", "plate");
@@ -121,8 +120,7 @@ std::string picture_text(const std::string& layer, const Image& image) {
          "\"/>\n  </g>\n";
 }
 
-/// The sheet beneath: one colour, or a picture of its grain and its browned edges, which a layer of its own lets one
-/// hide.
+/// The sheet: one colour, or a picture of its grain and brown edges, on a layer that can be hidden.
 std::string paper_text(const Style& style, int width, int height) {
   if (style.grain > 0 || style.vignette > 0) {
     const Paper paper(style, width, height);
@@ -134,7 +132,7 @@ std::string paper_text(const Style& style, int width, int height) {
          std::to_string(height) + "\" fill=\"" + to_hex(style.paper) + "\"/>\n  </g>\n";
 }
 
-/// Marks above what the style leaves of the paint.
+/// Marks above the style's wash of paint.
 std::string marked_text(const Image& painted, const InkStyle& ink, const Style& style) {
   const std::vector<Mark> marks = marks_of(painted, style.paper, *style.marks);
   const Color color = style.ink_color.value_or(ink.color);

@@ -96,7 +96,7 @@ GlContext::GlContext() {
     return;
   }
 
-  // Graphics cards first; Mesa's software device last, it has come latest.
+  // Graphics cards first; Mesa's software device last, because it is the newest route.
   using Opener = std::function<std::unique_ptr<GlPlatform>()>;
   const std::array<std::pair<GlRoute, Opener>, 4> ways{{{GlRoute::device, [] { return open_egl_device(true); }},
                                                         {GlRoute::surfaceless, open_egl_surfaceless},
@@ -121,7 +121,7 @@ std::unique_ptr<GlContext> GlContext::on_graphics_card() {
     std::unique_ptr<GlContext> context(new GlContext(GlRoute::device, open_egl_device(true)));
     return context->is_software() ? nullptr : std::move(context);
   } catch (const Error&) {
-    return nullptr;  // no EGL, no card, or none that works
+    return nullptr;  // there is no EGL, no card, or none that works
   }
 }
 
@@ -155,7 +155,7 @@ void CurrentGl::check(const std::string& step) const {
   const GLenum error = context_.functions_.GetError();
   if (error == GL_NO_ERROR) return;
 
-  // One call may leave several notes; the first says most.
+  // One call may leave several errors; the first says most.
   while (context_.functions_.GetError() != GL_NO_ERROR) {
   }
   const ExitStatus status = error == GL_OUT_OF_MEMORY ? ExitStatus::helper_missing : ExitStatus::bug;

@@ -1,4 +1,4 @@
-// An OpenGL context without a display: on a graphics card where there is one, in software where there is none.
+// An OpenGL context without a display: on a graphics card if there is one, else in software.
 #pragma once
 
 #include <memory>
@@ -19,18 +19,17 @@ enum class GlRoute {
   osmesa,       ///< Mesa's off-screen library, in software
 };
 
-/// One OpenGL context of version 4.5 core, or 3.3 where there is no more. Several may live at a time; a thread
-/// uses one at a time, within a CurrentGl.
+/// An OpenGL context of version 4.5 core, else 3.3. Several may exist; a thread uses one at a time, within a CurrentGl.
 class GlContext {
  public:
-  /// The route that the environment variable POMONA_GL names ("device", "surfaceless", "osmesa"); without it the
-  /// first that works: a graphics card, then software by each route. The libraries are looked for when this runs, not
-  /// when the program starts.
-  /// \throws Error (helper_missing) that says what each route lacks, (usage) if POMONA_GL names no route.
+  /// The route that the environment variable POMONA_GL names ("device", "surfaceless", "osmesa"); without it the first
+  /// that works: a graphics card, then software by each route. The libraries are loaded by this call, not at the start
+  /// of the program. \throws Error (helper_missing) that says what each route lacks, (usage) if POMONA_GL names no
+  /// route.
   GlContext();
   /// \throws Error (helper_missing) if this one does not work.
   explicit GlContext(GlRoute route);
-  /// On a graphics card; null where there is none, or POMONA_GL asks for another route. Quick where there is none.
+  /// A context on a graphics card; null if there is none (which is quick), or POMONA_GL names another route.
   static std::unique_ptr<GlContext> on_graphics_card();
   ~GlContext();
   GlContext(const GlContext&) = delete;
@@ -53,8 +52,8 @@ class GlContext {
   int version_ = 0;
 };
 
-/// Makes a context this thread's current one for as long as it lives; not to be nested. Its functions are called
-/// through it: `gl->Clear(...)`.
+/// Makes a context this thread's current one while it exists; it cannot be nested. Its functions are called through it:
+/// `gl->Clear(...)`.
 class CurrentGl {
  public:
   explicit CurrentGl(GlContext& context);
@@ -65,7 +64,7 @@ class CurrentGl {
   const GlFunctions* operator->() const { return &context_.functions_; }
   const GlFunctions& functions() const { return context_.functions_; }
 
-  /// \throws Error (bug) if OpenGL has noted an error since the last call; `step` says after what.
+  /// \throws Error (bug) if OpenGL has reported an error since the last call; `step` names the work in between.
   void check(const std::string& step) const;
 
  private:
@@ -75,7 +74,7 @@ class CurrentGl {
 /// For messages: "EGL device".
 std::string to_string(GlRoute route);
 
-/// What OpenGL names its renderer: whether that is a processor at work.
+/// Whether OpenGL's name of its renderer is that of a software renderer.
 bool is_software_renderer(std::string_view renderer);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// The files under shaders/, as they were when the program was built.
+// The files of shaders/, built into the program.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-/// In the order of their names.
+/// All of them, in the order of their names.
 std::span<const EmbeddedFile> embedded_shaders();
 
 }  // namespace pomona

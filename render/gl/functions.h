@@ -1,5 +1,5 @@
-// OpenGL's entry points as members of a table. Each context loads its own through its own loader: nothing is
-// linked against libGL, and two contexts of different drivers can live in one process.
+// OpenGL's entry points as members of a table. Each context loads its own table, so nothing is linked against libGL,
+// and contexts of different drivers can coexist.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-// OpenGL 3.3 core, as far as Pomona draws with it.
+// The functions of OpenGL 3.3 core that Pomona uses.
 #define POMONA_GL_FUNCTIONS(X)                                 \
   X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                     \
   X(PFNGLATTACHSHADERPROC, AttachShader)                       \
@@ -81,7 +81,7 @@ namespace pomona {
   X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)         \
   X(PFNGLVIEWPORTPROC, Viewport)
 
-// OpenGL 4.3 core: null where a context has less (see GlContext::version).
+// Functions of OpenGL 4.3 core; null in older contexts (see GlContext::version).
 #define POMONA_GL_COMPUTE_FUNCTIONS(X)           \
   X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)     \
   X(PFNGLDISPATCHCOMPUTEPROC, DispatchCompute)   \
@@ -97,7 +97,7 @@ struct GlFunctions {
 
 using GlLoader = std::function<void (*(const char*))()>;  ///< name ("glViewport") to entry point or null
 
-/// \throws Error (helper_missing) naming a function of OpenGL 3.3 that is not there.
+/// \throws Error (helper_missing) that names a missing function of OpenGL 3.3.
 GlFunctions load_functions(const GlLoader& loader);
 
 }  // namespace pomona

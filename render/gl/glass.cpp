@@ -8,7 +8,7 @@ namespace pomona {
 
 namespace {
 
-/// Asks whether anything has been drawn while it lived.
+/// Queries whether anything has been drawn while this exists.
 class DrawnQuery {
  public:
   explicit DrawnQuery(const CurrentGl& gl) : gl_(gl.functions()) {
@@ -52,7 +52,7 @@ class LayerPeeler {
 
   GlTexture peeled() {
     clear({&gathered_}, nullptr);
-    clear({&color_slope_}, &depth_[0]);  // the first layer lies behind the eye's own plane
+    clear({&color_slope_}, &depth_[0]);  // the first layer lies behind the plane of the eye
     const Program start(gl_, "fullscreen.vert.glsl", "glass_start.frag.glsl");
     const Program peel(gl_, "glass.vert.glsl", "glass.frag.glsl");
     const Program light(gl_, "fullscreen.vert.glsl", "glass_layer.frag.glsl");
@@ -78,7 +78,7 @@ class LayerPeeler {
     return target;
   }
 
-  /// To nothing, and to the nearest depth.
+  /// Clears to nothing, and to the nearest depth.
   void clear(const Colors& colors, const GlTexture* depth) const {
     const GlFramebuffer target = bound(colors, depth);
     for (GLint i = 0; i < static_cast<GLint>(colors.size()); ++i) {
@@ -87,7 +87,7 @@ class LayerPeeler {
     if (depth != nullptr) gl_->ClearBufferfv(GL_DEPTH, 0, nothing_at_all.data());
   }
 
-  /// Into `depth`: what a layer must lie before.
+  /// Fills `depth` with the depth before which layers must lie.
   void start_layer(const Program& program, const GlTexture& depth) const {
     const GlFramebuffer target = bound({}, &depth);
     gl_->Enable(GL_DEPTH_TEST);
@@ -104,7 +104,8 @@ class LayerPeeler {
     gl_->DepthFunc(GL_LESS);
   }
 
-  /// The nearest surfaces behind `last`, into color_slope_, normal_, ids_ and `depth`. \return whether there are any.
+  /// Draws the nearest surfaces behind `last` into color_slope_, normal_, ids_ and `depth`. \return whether there are
+  /// any.
   bool peel_layer(const Program& program, const GlTexture& last, const GlTexture& depth) const {
     const GlFramebuffer target = bound({&color_slope_, &normal_, &ids_}, &depth);
     constexpr std::array<unsigned, 4> no_id{0, 0, 0, 0};
@@ -133,7 +134,7 @@ class LayerPeeler {
     view_.instances->bind(4);
   }
 
-  /// The layer, behind what has been gathered.
+  /// Adds the layer behind the gathered ones.
   void light_layer(const Program& program) const {
     program.use();
     set_light(program);
@@ -148,7 +149,7 @@ class LayerPeeler {
     lay_behind();
   }
 
-  /// What the program in use makes, behind what has been gathered: all colours hold their coverage
+  /// Adds the output of the current program behind the gathered layers; all colours are multiplied by their coverage
   /// [Porter & Duff 1984].
   void lay_behind() const {
     const GlFramebuffer target = bound({&gathered_}, nullptr);
@@ -160,7 +161,7 @@ class LayerPeeler {
     gl_->Disable(GL_BLEND);
   }
 
-  /// All that is left, summed in any order: the mean colour, with the coverage that all have together.
+  /// Adds all remaining layers, summed in any order: their mean colour, with their joint coverage.
   void add_the_rest(const Program& start, const GlTexture& last, const GlTexture& depth) const {
     start_layer(start, depth);
     const GlTexture& sums = color_slope_;
@@ -190,7 +191,7 @@ class LayerPeeler {
   glm::ivec2 samples_;
   GlTexture gathered_;                    // all layers so far
   GlTexture color_slope_, normal_, ids_;  // of this layer
-  std::array<GlTexture, 2> depth_;        // of this layer and of the last
+  std::array<GlTexture, 2> depth_;        // depths of this layer and of the last
   GlVertexArray nothing_;
 };
 

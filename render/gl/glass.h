@@ -12,16 +12,16 @@ struct GlassView {
   glm::vec3 eye{0};       ///< scene
   glm::vec3 to_light{0};  ///< unit, scene
   float gloss = 0;
-  glm::vec2 light_strengths{1};  ///< of the light, of what comes from all sides
+  glm::vec2 light_strengths{1};  ///< strengths of the light, and of the light from all sides
   bool inked = false;
   const GlTexture* instances = nullptr;  ///< buffer of InstanceTexels
-  int max_layers = 1;                    ///< what lies behind that many is drawn as one, in the mean of its colours
+  int max_layers = 1;                    ///< layers behind that many are drawn as one, in their mean colour
 };
 
-/// The see-through solids before what is opaque, at the samples of `opaque_depth`: colour times coverage, and coverage,
-/// as if all layers had been laid over each other from the back to the front. What lies behind 99.6 % of coverage is
-/// left out, and of surfaces at exactly the same depth only one counts. A surface covers by its solid's opacity where
-/// it is seen at right angles and more where it is seen at a slant, as a film does: 1 - (1 - opacity)^(1/cos).
+/// The transparent solids before opaque ones, at the samples of `opaque_depth`: colour times coverage, and coverage, as
+/// if all layers were laid over each other from back to front. Layers behind 99.6 % of coverage are left out, and of
+/// surfaces at the same depth only one counts. A surface covers by its solid's opacity if seen at right angles, and
+/// more at a slant, as a film: 1 - (1 - opacity)^(1/cos).
 GlTexture glass_layers(const CurrentGl& gl, const PlacedSolids& solids, const GlassView& view,
                        const GlTexture& opaque_depth, const glm::ivec2& samples);
 

@@ -77,7 +77,7 @@ GlTexture::~GlTexture() {
 
 namespace {
 
-/// The number of bytes, if a buffer texture holds as many.
+/// The number of bytes, if a buffer texture can hold it.
 std::size_t fitting(const CurrentGl& gl, GLenum format, std::size_t bytes, const char* what) {
   const std::size_t texels = bytes / (format == GL_R16UI ? 2 : 16);
   GLint max = 0;
@@ -100,7 +100,7 @@ void GlTexture::bind(int unit) const {
 GlFramebuffer::GlFramebuffer(const CurrentGl& gl) : gl_(gl.functions()) { gl_.GenFramebuffers(1, &id_); }
 
 GlFramebuffer::GlFramebuffer(const CurrentGl& gl, std::span<const GlTexture* const> colors, const GlTexture* depth)
-    : GlFramebuffer(gl) {  // complete by now: it is deleted if the rest throws
+    : GlFramebuffer(gl) {  // the base is complete, so the object is deleted if the rest throws
   gl_.BindFramebuffer(GL_FRAMEBUFFER, id_);
   std::vector<GLenum> targets;
   for (const GlTexture* color : colors) {

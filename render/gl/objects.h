@@ -1,4 +1,4 @@
-// OpenGL's objects as values with an owner. Destroy them while their context is current.
+// OpenGL's objects with an owner. Destroy them while their context is current.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ class GlBuffer {
   GLuint id_ = 0;
 };
 
-/// A texture without mipmaps: a picture to draw into, or a window on a buffer.
+/// A texture without mipmaps: a target of drawing, or a view of a buffer.
 class GlTexture {
  public:
   /// Nearest sampling, clamped. `format` is sized (GL_RGBA16F ...).
@@ -48,7 +48,7 @@ class GlTexture {
   GLuint id_ = 0;
 };
 
-/// Texels in a buffer, and the texture by which shaders read them.
+/// Texels in a buffer, and its texture for shaders.
 class GlTable {
  public:
   /// \param format GL_RGBA32F or GL_R16UI. \param what "triangles", for the message.
@@ -66,7 +66,7 @@ class GlTable {
   GlTexture texture_;
 };
 
-/// Where a pass draws: colour attachments in order, and a depth attachment or none.
+/// The target of a pass: colour attachments in order, and a depth attachment or none.
 class GlFramebuffer {
  public:
   GlFramebuffer(const CurrentGl& gl, std::span<const GlTexture* const> colors, const GlTexture* depth);

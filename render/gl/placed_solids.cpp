@@ -23,8 +23,8 @@ std::vector<std::size_t> from_the_eye_outwards(const Scene& scene) {
   return order;
 }
 
-/// Waits now and then for what was handed over to be drawn. OpenGL in software holds the triangles of all draws that
-/// stand in line, near a kilobyte each: hundreds of megabytes, where drawing is slower than handing over.
+/// Waits now and then until OpenGL has drawn. Software OpenGL keeps the triangles of all queued draws, nearly a
+/// kilobyte each: hundreds of megabytes if drawing is slower than queueing.
 class Pace {
  public:
   explicit Pace(const CurrentGl& gl) : gl_(gl) {}

@@ -6,12 +6,12 @@
 
 namespace pomona {
 
-/// Which of a scene's solids: see-through are those with an opacity below 1.
+/// A choice of solids: transparent ones have an opacity below 1.
 enum class Drawn { opaque, see_through };
 
 class PlacedSolids {
  public:
-  /// Both live as long as this. \throws Error as uploaded() does.
+  /// Both must outlive this. \throws Error as uploaded() does.
   PlacedSolids(const CurrentGl& gl, const Scene& scene, const Style& style);
 
   bool any(Drawn which) const;
@@ -19,10 +19,10 @@ class PlacedSolids {
   /// "placement", "instance_id", "first_triangle" and "opacity". Of closed solids, only triangles that face the eye are
   /// drawn (half of them); after CullFace(GL_FRONT) only the others.
   void draw(const Program& program, Drawn which) const;
-  /// Per solid (shaders/detail.glsl); none where no solid has guides.
+  /// Per solid (shaders/detail.glsl); empty if no solid has guides.
   const GlTexture* detail_styles() const { return uploaded_.guides ? &uploaded_.guides->styles.texture() : nullptr; }
 
-  /// Hairs on skins, of all solids that have some. Sets "placement".
+  /// Draws the hairs of all solids. Sets "placement".
   void draw_hairs(const Program& program) const;
   bool any_hairs() const;
   bool any_translucent() const { return uploaded_.translucent; }

@@ -14,8 +14,8 @@ class GlPlatform {
   virtual void (*find(const char* name))() = 0;  ///< an entry point, or null
 };
 
-/// The first device that works: graphics cards first; after them, unless `cards_only`, the software renderer that
-/// Mesa lists as a device too.
+/// The first device that works: graphics cards first; then, unless `cards_only`, the software renderer that Mesa lists
+/// as a device.
 std::unique_ptr<GlPlatform> open_egl_device(bool cards_only);
 std::unique_ptr<GlPlatform> open_egl_surfaceless();
 std::unique_ptr<GlPlatform> open_osmesa();

@@ -41,7 +41,7 @@ class EglPlatform : public GlPlatform {
     if (context_ == EGL_NO_CONTEXT) fail("there is no OpenGL 3.3 core context");
   }
 
-  // The display stays: EGL shares one among all contexts of the process.
+  // The display stays open, because EGL shares it among all contexts of the process.
   ~EglPlatform() override { egl_.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext")(display_, context_); }
   EglPlatform(const EglPlatform&) = delete;
   EglPlatform& operator=(const EglPlatform&) = delete;
@@ -109,7 +109,7 @@ std::unique_ptr<GlPlatform> open_egl_device(bool cards_only) {
   std::vector<EGLDeviceEXT> wanted = devices.cards;
   if (!cards_only) wanted.insert(wanted.end(), devices.software.begin(), devices.software.end());
 
-  // A machine may have cards that this user may not use, or that another driver serves.
+  // A machine may have cards that this user may not use, or that need another driver.
   std::string reasons;
   for (const EGLDeviceEXT device : wanted) {
     try {

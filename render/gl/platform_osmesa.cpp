@@ -56,7 +56,7 @@ class OsmesaPlatform : public GlPlatform {
                               : make(context, screen_.data(), GL_UNSIGNED_BYTE, side, side);
   }
 
-  // OSMesa wants memory to draw on; everything is drawn into framebuffer objects instead.
+  // OSMesa needs memory to draw on, although all drawing goes into framebuffer objects.
   static constexpr int side = 16;
   SharedLibrary library_{"libOSMesa.so.8"};
   std::array<unsigned char, side * side * 4> screen_{};

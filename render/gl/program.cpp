@@ -21,7 +21,7 @@ std::string_view embedded_text(std::string_view name) {
   throw Error(ExitStatus::bug, "there is no shader " + std::string(name));
 }
 
-/// Appends the text line by line; an include line becomes the file it names, unless that is there already.
+/// Appends the text line by line; an include line is replaced by its file, once.
 void append_resolved(std::string_view text, std::set<std::string, std::less<>>& seen, std::string& result) {
   constexpr std::string_view include = "#include \"";
   while (!text.empty()) {
@@ -37,7 +37,7 @@ void append_resolved(std::string_view text, std::set<std::string, std::less<>>& 
   }
 }
 
-/// With the version line and a definition, if any, in front.
+/// Puts the version line and a definition, if any, in front.
 std::string resolved(std::string_view version, std::string_view text, std::string_view definition) {
   std::string result(version);
   if (!definition.empty()) result += "#define " + std::string(definition) + "\n";
@@ -119,7 +119,7 @@ void Program::link(std::span<const Stage> stages) {
   for (const Stage& stage : stages) {
     const GLuint shader = compiled(gl_, stage.kind, stage.source);
     gl_.AttachShader(id_, shader);
-    gl_.DeleteShader(shader);  // it goes with the program
+    gl_.DeleteShader(shader);  // it is deleted with the program
   }
   gl_.LinkProgram(id_);
   GLint good = GL_FALSE;

@@ -17,9 +17,9 @@ namespace pomona {
 /// Names of all embedded files.
 std::vector<std::string> shader_names();
 
-/// The embedded file with its `#include "name"` lines resolved, each file once, and with the version line in
-/// front: 4.50 for compute shaders (*.comp.glsl), 3.30 for all others. `definition`, if any, is a name that the text
-/// sees as defined. \throws Error (bug) for a name that is not there.
+/// The embedded file with its `#include "name"` lines resolved, each file once, and with the version line in front:
+/// 4.50 for compute shaders (*.comp.glsl), 3.30 for all others. `definition`, if any, is a name that is defined for the
+/// text. \throws Error (bug) for a name that is not there.
 std::string shader_source(std::string_view name, std::string_view definition = {});
 
 /// The same for a text that is no embedded file (tests).
@@ -41,7 +41,7 @@ class Program {
 
   void use() const;
 
-  // Uniforms of the program in use; names the compiler has dropped are passed over.
+  // Sets uniforms of the current program; names that the compiler has removed are ignored.
   void set(const char* name, int value) const;
   void set(const char* name, unsigned value) const;
   void set(const char* name, float value) const;

@@ -19,7 +19,7 @@ glm::mat4 matrix_of(const Pose& pose) {
 
 namespace {
 
-/// Of every instance that has any vertices, the box of its solid's box, placed.
+/// The placed bounding boxes of all instances with vertices.
 std::vector<Box<float>> placed_boxes(const Scene& scene) {
   std::vector<Box<float>> own;
   for (const Solid& solid : scene.solids) own.push_back(box_around(solid.mesh.position));
@@ -50,7 +50,7 @@ SceneBall ball_around(const Scene& scene) {
 TableShade table_shade_of(const Scene& scene, const SceneBall& ball) {
   const std::vector<Box<float>> boxes = placed_boxes(scene);
   if (!scene.ground || boxes.empty()) return {};
-  // A cherry's stem or a leek makes nothing larger that stands on the table.
+  // Thin parts, such as a cherry's stem, must not make the reach larger.
   float size = 0;
   for (const Box<float>& box : boxes)
     size += std::min(box.size().y, std::max(box.size().x, box.size().z)) / static_cast<float>(boxes.size());
@@ -92,7 +92,7 @@ SceneLight light_of(const SceneCamera& camera, const SceneBall& ball, const Ligh
   SceneLight light;
   light.to_light = glm::normalize(side + glm::vec3(0, std::sin(style.elevation), 0));
 
-  // The box must hold all that casts shadows; what only receives them may lie behind it.
+  // The box must contain all that casts shadows; what only receives them may lie behind it.
   const float r = 1.02f * ball.radius;
   const glm::vec3 up = std::fabs(light.to_light.y) > 0.99f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   const glm::mat4 view = glm::lookAt(ball.center + 2.0f * r * light.to_light, ball.center, up);

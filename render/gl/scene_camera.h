@@ -19,7 +19,7 @@ SceneBall ball_around(const Scene& scene);
 struct SceneCamera {
   glm::mat4 view{1};        ///< scene to camera; it looks along -Z
   glm::mat4 projection{1};  ///< camera to clip space
-  glm::vec2 tangent{1};     ///< of half the field of view
+  glm::vec2 tangent{1};     ///< tangents of half the field of view
   float near = 0, far = 1;  ///< metres
 };
 
@@ -37,7 +37,7 @@ SceneLight light_of(const SceneCamera& camera, const SceneBall& ball, const Ligh
 struct TableShade {
   glm::mat4 to_clip{1};  ///< scene to clip space; depth is height over the table, up to the reach
   float reach = 0;       ///< metres: six tenths of the pieces' mean height, or width if that is less; 0 without a table
-  float side = 1;        ///< of the map, metres
+  float side = 1;        ///< side of the map, metres
 };
 
 TableShade table_shade_of(const Scene& scene, const SceneBall& ball);

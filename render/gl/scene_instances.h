@@ -18,7 +18,7 @@ struct InstanceTexels {
   glm::vec4 to_fruit[3]{};     ///< rows of the matrix from the scene to the fruit's own frame
 };
 
-/// Strokes by the size at which each instance is seen, as on sections: small pieces get finer lines.
+/// Stroke widths depend on the size of each instance in the picture, as on sections: small pieces get finer lines.
 /// \param samples the picture's size in samples.
 std::vector<InstanceTexels> instance_texels(const Scene& scene, const SceneCamera& camera, const Style& style,
                                             const glm::dvec2& samples);

@@ -10,11 +10,11 @@ namespace pomona {
 namespace {
 
 constexpr std::size_t texels_each = 5;  // the same in shaders/material.glsl
-constexpr int max_materials = 2048;     // half floats count no further
+constexpr int max_materials = 2048;     // half floats are exact up to here
 
-/// How much of what lies below is covered by hairs too fine to be drawn: more of long and of many.
+/// The share that hairs too fine to be drawn cover: more for long and dense fuzz.
 double fuzz_cover(const Fuzz& fuzz) {
-  const double millimetres = 1000 * fuzz.length * fuzz.density;  // of hair per square millimetre
+  const double millimetres = 1000 * fuzz.length * fuzz.density;  // millimetres of hair per square millimetre
   return 0.75 * (1 - reproducible::exp(-0.9 * millimetres));
 }
 

@@ -17,7 +17,7 @@ std::vector<glm::vec4> material_texels(const MaterialSketch& material);
 class SceneMaterials {
  public:
   SceneMaterials() { number_of({}); }
-  /// The number by which shaders find it. After 2048 different ones, 0: the default.
+  /// The index for shaders. After 2048 different materials, 0: the default.
   float number_of(const MaterialSketch& material);
   /// The numbers of a solid's vertices.
   std::vector<float> numbers_of(const Solid& solid);

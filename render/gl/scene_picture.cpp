@@ -23,7 +23,7 @@ namespace {
 
 constexpr int shadow_side = 2048, table_side = 1024;  // samples of the maps each way
 
-/// What is nearest at each sample.
+/// The nearest surface at each sample.
 struct Surfaces {
   Surfaces(const CurrentGl& gl, const glm::ivec2& samples)
       : albedo(gl, GL_RGBA16F, samples.x, samples.y),
@@ -34,7 +34,7 @@ struct Surfaces {
   GlTexture albedo, normal_line, ids, depth;
 };
 
-/// The pictures that the passes hand on, at `samples` a pixel's side unless said otherwise.
+/// The textures that passes exchange, with `samples` along a pixel's side unless said otherwise.
 struct Targets {
   Targets(const CurrentGl& gl, const PictureOptions& options, int side)
       : samples(options.width * side, options.height * side),
@@ -48,15 +48,15 @@ struct Targets {
 
   glm::ivec2 samples;
   Surfaces opaque;
-  std::optional<GlTexture> glass;                     // all layers of what is see-through
-  std::optional<GlTexture> guide_ways, guide_shares;  // what guides texture detail, where there is any
+  std::optional<GlTexture> glass;                     // all transparent layers
+  std::optional<GlTexture> guide_ways, guide_shares;  // guides of texture detail, if any
   std::array<GlTexture, 2> light;                     // one per pixel: sky, light, distance
-  GlTexture paper;  // one per pixel: the far end where it shows no piece, else the near one
+  GlTexture paper;  // one per pixel: the far depth if it shows no piece, else the near one
   GlTexture shadow;
-  GlTexture lowest;                          // what stands on the table, from below
-  std::optional<GlTexture> far_shadow;       // what lies farthest from the light, where anything is translucent
+  GlTexture lowest;                          // the pieces on the table, seen from below
+  std::optional<GlTexture> far_shadow;       // depths farthest from the light, if anything is translucent
   std::optional<GlTexture> arrives, leaves;  // one per pixel: sunlight through the fruit, likewise
-  std::optional<GlTexture> hairs;            // over the ink, where there are any
+  std::optional<GlTexture> hairs;            // over the ink, if any
   GlTexture picture;                         // one per pixel
 };
 
@@ -105,7 +105,7 @@ class ScenePainter {
   void compose(const char* definition, GLenum depth_test);
   Image read_back();
 
-  /// What programs that know of texture detail are compiled with.
+  /// The definition with which programs for texture detail are compiled.
   const char* detailed() const { return solids_.detail_styles() ? "DETAILED" : ""; }
 
   void fill(const GlFramebuffer& target, const glm::ivec2& size, GLenum depth_test = GL_ALWAYS);
@@ -141,7 +141,7 @@ void ScenePainter::cast_shadows(const GlTexture& map, int side, const glm::mat4&
 
   for (const Drawn which : {Drawn::opaque, Drawn::see_through}) {
     if (!solids_.any(which)) continue;
-    // Where a shader can leave samples out, hidden ones cannot be passed over early.
+    // A shader that discards samples prevents early depth tests.
     const char* definition = which == Drawn::see_through ? "SEE_THROUGH" : "";
     const Program program(gl_, "solid.vert.glsl", "shadow.frag.glsl", definition);
     program.use();
@@ -152,8 +152,8 @@ void ScenePainter::cast_shadows(const GlTexture& map, int side, const glm::mat4&
 }
 
 void ScenePainter::draw_surfaces() {
-  // Where nothing is drawn, there is no colour, no id, and all depth. What guides details comes with the rest: to draw
-  // all triangles again for it takes longer than to keep it for what is hidden later.
+  // Clears to no colour, no id, and the far depth. Guides are drawn with the rest, because drawing all triangles again
+  // takes longer than storing guides of surfaces that are hidden later.
   const Surfaces& surfaces = targets_.opaque;
   std::vector<const GlTexture*> colors{&surfaces.albedo, &surfaces.normal_line, &surfaces.ids};
   if (solids_.detail_styles()) {
@@ -173,7 +173,7 @@ void ScenePainter::draw_surfaces() {
   }
   gl_->ClearBufferfv(GL_DEPTH, 0, &far);
 
-  // All opaque solids, then the ground they stand on.
+  // Draws all opaque solids, then the ground.
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_LESS);
   solids_.triangle_tags().bind(0);
@@ -208,8 +208,8 @@ void ScenePainter::draw_glass() {
   targets_.glass.emplace(glass_layers(gl_, solids_, view, targets_.opaque.depth, targets_.samples));
 }
 
-/// Runs the program in use on every pixel of the target, or, where it has depths, on those that pass a test of depth:
-/// the triangle of fullscreen.vert.glsl lies half way.
+/// Runs the current program on every pixel of the target, or, if it has depths, on those that pass the depth test: the
+/// triangle of fullscreen.vert.glsl has a depth of one half.
 void ScenePainter::fill(const GlFramebuffer& target, const glm::ivec2& size, GLenum depth_test) {
   target.bind(size.x, size.y);
   gl_->Enable(GL_DEPTH_TEST);
@@ -234,7 +234,7 @@ void ScenePainter::set_camera(const Program& program, const Surfaces& surfaces) 
   instances_.texture().bind(3);
 }
 
-/// From the camera to a map's box, 0..1 each way.
+/// From the camera to a map's box, 0..1 along each axis.
 glm::mat4 ScenePainter::to_unit_box(const glm::mat4& to_clip) const {
   const glm::mat4 to_unit(glm::vec4(0.5f, 0, 0, 0), glm::vec4(0, 0.5f, 0, 0), glm::vec4(0, 0, 0.5f, 0),
                           glm::vec4(0.5f, 0.5f, 0.5f, 1));
@@ -274,15 +274,15 @@ void ScenePainter::look_for_light() {
   gl_.check("light and sky");
 }
 
-/// How much sunlight passes through each place, from what is nearest to the light and what is farthest from it.
+/// Computes the sunlight through each place, from the surfaces nearest to the light and farthest from it.
 void ScenePainter::look_through() {
-  // Besides what is nearest to the light, this pass alone needs what is farthest from it.
+  // Only this pass needs the surfaces farthest from the light.
   cast_far_shadows(targets_.far_shadow.emplace(gl_, GL_DEPTH_COMPONENT32F, shadow_side, shadow_side));
   const glm::ivec2 size(options_.width, options_.height);
   targets_.arrives.emplace(gl_, GL_RGBA16F, size.x, size.y);
   targets_.leaves.emplace(gl_, GL_RGBA16F, size.x, size.y);
 
-  // Depths from both maps, with colours and materials that say how much passes.
+  // Uses depths from both maps, with colours and materials, which decide how much passes.
   const Program program(gl_, "fullscreen.vert.glsl", "through.frag.glsl");
   program.use();
   set_camera(program, targets_.opaque);
@@ -321,7 +321,7 @@ void ScenePainter::cast_far_shadows(const GlTexture& map) {
   gl_->DepthFunc(GL_LESS);
 }
 
-/// Hairs stand before ink: they are found on a layer of their own.
+/// Hairs lie over the ink, on a layer of their own.
 void ScenePainter::draw_hairs() {
   // Solids hide hairs; hairs hide nothing and are blended over each other.
   const GlTexture& layer = targets_.hairs.emplace(gl_, GL_RGBA16F, targets_.samples.x, targets_.samples.y);
@@ -335,7 +335,7 @@ void ScenePainter::draw_hairs() {
   gl_->Enable(GL_BLEND);
   gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
-  // A hair is lit as the skin there is, and covers as much of a sample as it is wide.
+  // A hair is lit as the skin there, and covers a sample by its width.
   const Program program(gl_, "hair.vert.glsl", "hair.frag.glsl");
   program.use();
   program.set("projection", camera_.projection * camera_.view);
@@ -352,7 +352,7 @@ void ScenePainter::draw_hairs() {
   gl_.check("the hairs");
 }
 
-/// What look_through() and draw_hairs() found, if they ran.
+/// The results of look_through() and draw_hairs(), if they ran.
 void ScenePainter::bind_materials(const Program& program) const {
   program.set("translucent", targets_.arrives ? 1 : 0);
   program.set("hairy", targets_.hairs ? 1 : 0);
@@ -366,10 +366,10 @@ void ScenePainter::bind_materials(const Program& program) const {
   if (targets_.hairs) targets_.hairs->bind(11);
 }
 
-/// Where the map of paper passes the test: software renderers run both sides of a branch, but pass over blocks of
-/// pixels that a test of depth leaves out.
+/// Runs where the map of paper passes the depth test: software renderers run both sides of a branch, but skip blocks of
+/// pixels that fail a depth test.
 void ScenePainter::compose(const char* definition, GLenum depth_test) {
-  // What is nearest, its colour, and the light on it.
+  // Sets the nearest surface, its colour, and the light on it.
   const std::array<const GlTexture*, 1> colors{&targets_.picture};
   const GlFramebuffer target(gl_, colors, &targets_.paper);
   const GlTexture* const details = solids_.detail_styles();
@@ -381,7 +381,7 @@ void ScenePainter::compose(const char* definition, GLenum depth_test) {
   targets_.opaque.albedo.bind(4);
   targets_.light[0].bind(5);
 
-  // Noise and detail, materials, and what is see-through, as far as the scene has any.
+  // Sets noise and detail, materials, and transparent layers, if the scene has any.
   program.set("noise_styles", 7);
   solids_.noise_styles().bind(7);
   if (details) {
@@ -396,7 +396,7 @@ void ScenePainter::compose(const char* definition, GLenum depth_test) {
   program.set("glass", 9);
   if (targets_.glass) targets_.glass->bind(9);
 
-  // Paper, paint and shadow, as the style has them.
+  // Sets paper, paint and shadow of the style.
   program.set("pixel_angle", 2.0f * camera_.tangent.y / static_cast<float>(options_.height));
   program.set("paper", scene_.paper);
   program.set("grain", static_cast<float>(style_.grain));
@@ -405,7 +405,7 @@ void ScenePainter::compose(const char* definition, GLenum depth_test) {
   program.set("shadow_color", style_.shadow.color);
   program.set("light_strengths", glm::vec2(style_.light.strength, style_.light.ambient));
 
-  // How glossy surfaces are, and where eye and light are.
+  // Sets the gloss, and the places of eye and light.
   program.set("gloss", static_cast<float>(style_.gloss));
   program.set("camera_to_scene", glm::inverse(camera_.view));
   program.set("to_light", light_.to_light);

@@ -12,16 +12,15 @@ struct PictureOptions {
   int width = 800;
   int height = 600;
   int samples = 4;      ///< per pixel: 1, 4, 9 or 16
-  int max_layers = 48;  ///< of see-through surfaces in their order; what lies behind counts as one more layer
-  Threads threads{};    ///< of the strokes; OpenGL takes its own
+  int max_layers = 48;  ///< number of ordered transparent layers; all behind them count as one more
+  Threads threads{};    ///< threads for the strokes; OpenGL has its own
 };
 
-/// The scene as its view sees it. The same picture every time on one machine and driver; others may differ by a
-/// few units of 255.
-/// \throws Error (usage) for sizes or samples that cannot be; (helper_missing) where OpenGL lacks something.
+/// The picture of the scene from its view. It is the same every time on one machine and driver; others may differ by a
+/// few units of 255. \throws Error (usage) for invalid sizes or samples; (helper_missing) if OpenGL lacks something.
 Image draw_scene(GlContext& context, const Scene& scene, const Style& style, const PictureOptions& options = {});
 
-/// The same, with the first context that can be had.
+/// The same, with the first context that works.
 Image draw_scene(const Scene& scene, const Style& style, const PictureOptions& options = {});
 
 }  // namespace pomona

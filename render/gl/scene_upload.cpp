@@ -14,14 +14,14 @@ namespace pomona {
 
 namespace {
 
-/// Bits 0-10 of an id tell what meets at an edge, bit 11 cut faces.
+/// Bits 0-10 of an id identify the surfaces at an edge, bit 11 marks cut faces.
 std::uint16_t tag_of(const Solid& solid, std::size_t triangle) {
   const std::int32_t cut = solid.mesh.cut_face[triangle];
   if (cut >= 0) return static_cast<std::uint16_t>(0x800 | (cut & 0x7ff));
   return static_cast<std::uint16_t>((solid.mesh.surface[triangle] + 1) & 0x7ff);
 }
 
-/// Everything in one piece, ready to be handed over.
+/// The data of all solids, ready for upload.
 struct Gathered {
   std::vector<UploadedSolids::Part> parts;
   std::vector<glm::vec3> position, normal, color;
@@ -31,14 +31,14 @@ struct Gathered {
   std::vector<float> material;
   SceneMaterials materials;
   bool translucent = false;
-  std::vector<glm::vec4> relief;  // what it adds to the normal; metres to the part's rim
+  std::vector<glm::vec4> relief;  // change of the normal, and distance to the part's rim in metres
   bool any_relief = false;
   std::vector<std::vector<glm::vec4>> pit_grids;  // per solid
   std::vector<glm::vec3> hair_position, hair_along, hair_color;
   std::vector<glm::vec4> hair_normal;
 };
 
-/// Two lines: from the root to the middle, on to the tip.
+/// Two lines: from the root to the middle, and on to the tip.
 void append(const Hair& hair, Gathered& all) {
   const glm::vec3 points[3] = {hair.root, hair.middle, hair.tip};
   for (const int k : {0, 1, 1, 2}) {
@@ -49,10 +49,10 @@ void append(const Hair& hair, Gathered& all) {
   }
 }
 
-/// What is worked out of a solid for its picture alone.
+/// Data of a solid that only its picture needs.
 struct PictureParts {
   std::vector<Hair> hairs;
-  std::vector<RimPlace> rims;   // per vertex; none where no part has any to show
+  std::vector<RimPlace> rims;   // per vertex; empty if no part needs it
   std::vector<glm::vec4> pits;  // a grid of them, or none
 };
 
@@ -69,7 +69,7 @@ PictureParts picture_parts_of(const Solid& solid, const Style& style) {
 
 void append(const Solid& solid, const PictureParts& made, bool with_noise, Gathered& all) {
   const auto& [hairs, rims, pits] = made;
-  // Where the solid begins in the shared buffers, and how much of them is its own.
+  // The range of the solid in the shared buffers.
   UploadedSolids::Part part;
   part.indices = static_cast<GLsizei>(3 * solid.mesh.triangle.size());
   part.first_index = 3 * all.triangle.size();
@@ -78,7 +78,7 @@ void append(const Solid& solid, const PictureParts& made, bool with_noise, Gathe
   part.first_hair_vertex = static_cast<GLint>(all.hair_position.size());
   part.hair_vertices = static_cast<GLsizei>(4 * hairs.size());
 
-  // Vertices, triangles and hairs go behind those of the solids before.
+  // Appends vertices, triangles and hairs behind those of earlier solids.
   all.position.insert(all.position.end(), solid.mesh.position.begin(), solid.mesh.position.end());
   all.normal.insert(all.normal.end(), solid.mesh.normal.begin(), solid.mesh.normal.end());
   all.color.insert(all.color.end(), solid.mesh.color.begin(), solid.mesh.color.end());
@@ -96,7 +96,7 @@ void append(const Solid& solid, const PictureParts& made, bool with_noise, Gathe
   all.pit_grids.push_back(pits);
   for (const Hair& hair : hairs) append(hair, all);
 
-  // The styles of its noise, which stay plain where the picture has none.
+  // The styles of its noise; they stay plain if the picture has none.
   const std::vector<glm::vec4> texels = noise_texels(with_noise ? solid.look->noise : NoiseStyle{});
   all.noise.insert(all.noise.end(), texels.begin(), texels.end());
   all.parts.push_back(part);
@@ -111,7 +111,7 @@ Gathered gathered_solids(const Scene& scene, const Style& style) {
   return all;
 }
 
-/// For each solid where its grid begins, or -1; then the grids (shaders/skin_pits.glsl).
+/// For each solid the start of its grid, or -1; then the grids (shaders/skin_pits.glsl).
 std::vector<glm::vec4> pit_texels(const std::vector<std::vector<glm::vec4>>& grids) {
   std::vector<glm::vec4> texels(grids.size() + 1, glm::vec4(-1));
   for (std::size_t i = 0; i < grids.size(); ++i) {
@@ -126,7 +126,7 @@ std::optional<UploadedSolids::Guides> uploaded_guides(const CurrentGl& gl, const
   const auto guided = [](const Solid& solid) { return !solid.mesh.guide.empty(); };
   if (!style.noise || std::none_of(scene.solids.begin(), scene.solids.end(), guided)) return {};
   std::vector<glm::vec4> way, share, styles;
-  Look look;  // of the solid before: pieces of one fruit have the same patterns
+  Look look;  // look of the previous solid, because pieces of one fruit have the same patterns
   for (const Solid& solid : scene.solids) {
     for (std::size_t v = 0; v < solid.mesh.position.size(); ++v) {
       const DetailGuide guide = solid.mesh.guide.empty() ? DetailGuide{} : solid.mesh.guide[v];
@@ -184,7 +184,7 @@ UploadedSolids uploaded(const CurrentGl& gl, const Scene& scene, const Style& st
       .guides = uploaded_guides(gl, scene, style),
   };
 
-  // Vertex attributes by the numbers that the shaders know them by.
+  // Attaches vertex attributes at the indices that shaders use.
   solids.solids.attach(0, 3, solids.position);
   solids.solids.attach(1, 3, solids.normal);
   solids.solids.attach(2, 3, solids.color);

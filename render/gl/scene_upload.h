@@ -30,7 +30,7 @@ struct UploadedSolids {
   bool translucent = false;  ///< whether light passes through any solid
   GlVertexArray solids, hairs;
 
-  /// What guides texture detail, where any solid has it.
+  /// Guides of texture detail, if any solid has them.
   struct Guides {
     GlBuffer way, share;  ///< per vertex
     GlTable styles;       ///< per solid (shaders/detail.glsl)

@@ -1,11 +1,11 @@
-// A shared library looked for at run time, so that the program starts where it is missing.
+// A shared library that is loaded at run time, so that the program starts without it.
 #pragma once
 
 #include <string>
 
 namespace pomona {
 
-/// Stays loaded until the process ends: graphics drivers do not like to be unloaded.
+/// Stays loaded until the process ends, because graphics drivers may not survive unloading.
 class SharedLibrary {
  public:
   /// \throws Error (helper_missing) that names the library.

@@ -10,7 +10,7 @@
 namespace pomona {
 namespace {
 
-/// Normals further apart than 30 degrees make a border: what is shaded as an edge stays one.
+/// Normals more than 30 degrees apart make a border: an edge in the shading stays one.
 constexpr float crease_cosine = 0.866f;
 
 /// Two colours at one place make a border if a channel differs by more than this, of the square root of light.
@@ -19,16 +19,16 @@ constexpr double min_jump = 0.012;
 /// A triangle may turn by 60 degrees in one collapse, and by 80 from the triangle it grew from.
 constexpr double min_cosine_now = 0.5, min_cosine_ever = 0.17;
 
-/// Where a triangle has not turned at all, it still lies in the face that it grew from.
+/// A triangle that has not turned still lies in its original face.
 constexpr double flat_cosine = 1 - 1e-12;
 
 /// Twice the area over the square of the longest edge; 0.87 if all sides are equal. Narrower triangles shade badly.
 constexpr double narrowest = 0.03;
 
-/// What long edges cost beside squared distances: enough to prefer short ones where all else is equal, as on a plane.
+/// The cost of long edges beside squared distances: enough to prefer short ones if all else is equal, as on a plane.
 constexpr double cost_of_length = 1e-3;
 
-/// Points that are looked at must lie within so much of the bound: the rest is for what lies between them.
+/// The share of the bound for tested points; the rest is for places between them.
 constexpr double share_for_points = 0.75;
 
 double squared(const glm::dvec3& v) { return glm::dot(v, v); }
@@ -45,7 +45,7 @@ bool is_within(const glm::dvec3& a, const glm::dvec3& b, double cosine) {
   return glm::dot(a, b) > cosine * std::sqrt(squared(a) * squared(b));
 }
 
-/// Evenly spaced to the eye, nearly, and without a function that differs between processors.
+/// Nearly uniform to the eye, and without a function that differs between processors.
 glm::dvec3 seen(const glm::dvec3& linear) { return glm::sqrt(glm::max(linear, glm::dvec3(0))); }
 
 double greatest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -80,7 +80,7 @@ CollapseRules::CollapseRules(const Solid& solid, const VertexFans& fans)
   plant_trees();
 }
 
-/// Level and solid are compared cut face by cut face and surface by surface: what lies near another one is off.
+/// Level and solid are compared for each cut face and each surface separately.
 void CollapseRules::plant_trees() {
   std::map<std::pair<std::int32_t, std::int32_t>, std::vector<glm::uvec3>> patches;
   for (std::size_t t = 0; t < mesh_.triangle.size(); ++t)
@@ -113,7 +113,7 @@ bool CollapseRules::is_border(std::int32_t left, std::int32_t right, std::uint32
 }
 
 std::optional<CollapseRules::Change> CollapseRules::change_by(const CollapseRing& ring) const {
-  // Borders at the vertex: none, or two of which one leads to where it goes.
+  // The vertex has no border, or two border edges, one of which leads to its target.
   const std::size_t count = ring.spoke.size();
   std::vector<std::size_t> borders;
   for (std::size_t i = 0; i < count; ++i) {
@@ -132,7 +132,7 @@ std::optional<CollapseRules::Change> CollapseRules::change_by(const CollapseRing
   return change;
 }
 
-/// False if all faces of a sector would vanish, or if the vertex would turn to another part.
+/// False if all faces of a sector would vanish, or if the vertex would change its part.
 bool CollapseRules::add_sector(const CollapseRing& ring, std::size_t first, std::size_t last, Change& change) const {
   Sector sector;
   for (std::size_t i = first; i < last; ++i) {
@@ -172,7 +172,7 @@ std::vector<CollapseRules::Removed> CollapseRules::removed_in(const CollapseRing
 }
 
 std::optional<double> CollapseRules::cost(const CollapseRing& ring, double limit) const {
-  // What is dear already is not looked at any further.
+  // Stops when the cost is above the limit.
   double sum = cost_of_length * area_[ring.removed] * squared(position_[ring.removed] - position_[ring.spoke[0]]);
   if (!(sum < limit)) return std::nullopt;
   const std::optional<Change> change = change_by(ring);
@@ -199,7 +199,7 @@ std::vector<std::uint32_t> CollapseRules::gone_from_border(const CollapseRing& r
   return gone;
 }
 
-/// What the border loses on its way from its other neighbour straight to where the vertex goes.
+/// The change of the border, from its other neighbour straight to the vertex's target.
 std::optional<double> CollapseRules::cost_of_border(const CollapseRing& ring, const Change& change) const {
   const glm::dvec3 &from = position_[*change.border_end], &to = position_[ring.spoke[0]];
   double sum = 0;
@@ -229,8 +229,8 @@ std::optional<double> CollapseRules::cost_of_sector(const CollapseRing& ring, co
   return sum;
 }
 
-/// The other way round: whether the triangle is near the solid, and does not leap over a hollow or cut off a ridge.
-/// Near what faces as it does: the other side of a leaf is no nearer for being thin.
+/// The other direction: whether the triangle is near the solid, and does not leap over a hollow or cut off a ridge.
+/// Only surface that faces as it does counts: the far side of a thin leaf does not.
 bool CollapseRules::lies_near(std::uint32_t face, const Target& target) const {
   const TriangleCorners& c = target.corner;
   const glm::dvec3 normal = area_vector(c);
@@ -285,7 +285,7 @@ CollapseRules::Nearest CollapseRules::nearest_target(const Removed& removed, con
   return nearest;
 }
 
-/// How well what is left stands for a vertex that is gone: its place, its colour, and the side it faced.
+/// How well the level represents a removed vertex: its place, its colour, and its direction.
 std::optional<double> CollapseRules::cost_of_removed(const Removed& removed, const std::vector<Target>& targets) const {
   const Nearest nearest = nearest_target(removed, targets);
   const Target& target = targets[nearest.target];
@@ -299,7 +299,7 @@ std::optional<double> CollapseRules::cost_of_removed(const Removed& removed, con
 }
 
 void CollapseRules::collapse(const CollapseRing& ring) {
-  // At a border two edges become one, which takes over the fans that lay along both.
+  // At a border two edges become one, which takes the fans along both.
   const std::optional<Change> change = change_by(ring);
   if (!change) return;
   if (change->border_end) {
@@ -308,11 +308,11 @@ void CollapseRules::collapse(const CollapseRing& ring) {
     gone_from_[{ring.spoke[0], *change->border_end}] = std::move(gone);
   }
   for (const Sector& sector : change->sectors) {
-    // Ask where faces go and what they have to take over while they are still as they were.
+    // Finds the changes of faces, and the vertices that they take over, before any changes.
     const std::vector<Target> targets = targets_of(ring, sector);
     const std::vector<Removed> removed = removed_in(ring, sector);
 
-    // Some faces vanish, the others turn to the other vertex, and each takes over what is gone nearest to it.
+    // Some faces vanish, the others change to the other vertex, and each takes over the removed vertices nearest to it.
     for (const std::uint32_t face : sector.lost) {
       face_[face].is_there = false;
       face_[face].removed.clear();

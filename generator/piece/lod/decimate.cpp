@@ -63,8 +63,7 @@ class RuledQuadric : public decimater::ModQuadricT<HalfEdgeMesh> {
   void follow(CollapseRules& rules) { rules_ = &rules; }
 
   float collapse_priority(const CollapseInfo& collapse) override {
-    // The decimater asks for one vertex after another, and takes the least of each: what costs more than
-    // the best so far may as well be forbidden.
+    // The decimater takes the cheapest collapse of each vertex, so collapses above the best so far may be forbidden.
     const float shape = Quadric::collapse_priority(collapse);
     if (collapse.v0 != asked_) asked_ = collapse.v0, min_ = std::numeric_limits<float>::max();
     const std::optional<double> rest = rules_->cost(ring_of(collapse), double{min_} - shape);
@@ -85,7 +84,7 @@ class RuledQuadric : public decimater::ModQuadricT<HalfEdgeMesh> {
   float min_ = std::numeric_limits<float>::max();
 };
 
-/// Looks on, and stops the decimater where a level is reached.
+/// Observes the decimater, and stops it when a level is reached.
 class LevelReached : public decimater::Observer {
  public:
   explicit LevelReached(const CollapseRules& rules) : Observer(1), rules_(rules) {}
@@ -113,7 +112,7 @@ std::vector<std::vector<CollapseRules::Face>> decimated(const VertexFans& fans, 
   decimater.set_observer(&reached);
   decimater.initialize();
 
-  // With looser bounds every vertex is asked anew.
+  // With looser bounds every vertex is tested again.
   std::vector<std::vector<CollapseRules::Face>> faces;
   for (const LevelTarget& level : levels) {
     rules.set_bounds(level.bounds);

@@ -14,7 +14,7 @@ namespace {
 
 using Faces = std::vector<CollapseRules::Face>;
 
-/// Half the triangles serve a picture of half the area: the root of two.
+/// Half the triangles serve a picture of half the area, so errors grow by the root of two.
 constexpr double level_growth = 1.4142135623730951;
 
 constexpr std::uint32_t unset = 0xffffffffu;
@@ -26,7 +26,7 @@ void check(const LodOptions& options) {
     throw Error(ExitStatus::usage, "levels of detail: the errors must be above 0");
 }
 
-/// Metres: the diagonal of the bounding box.
+/// The diagonal of the bounding box, metres.
 double size_of(const Solid& solid) {
   glm::vec3 low = solid.mesh.position.front(), high = low;
   for (const glm::vec3& p : solid.mesh.position) low = glm::min(low, p), high = glm::max(high, p);
@@ -88,7 +88,7 @@ std::vector<Solid> levels_of_detail(const Solid& solid, const LodOptions& option
   Faces frozen;
   for (const std::uint32_t t : fans.frozen) frozen.push_back({t, solid.mesh.triangle[t]});
 
-  // Back to solids, triangles in the order they had.
+  // Makes solids again, with triangles in their original order.
   Solid bare = solid;
   bare.mesh = {};
   std::size_t before = solid.mesh.triangle.size();

@@ -63,7 +63,7 @@ class FanBuilder {
     });
   }
 
-  /// In the order in which triangles first use them.
+  /// Numbers fans in the order in which triangles first use them.
   void number_fans() {
     std::vector<std::uint32_t> number(corners_.count(), unset);
     for (std::uint32_t t = 0; t < place_.size(); ++t) {
@@ -93,7 +93,7 @@ class FanBuilder {
   std::vector<std::uint8_t> is_frozen_;  // per triangle
   DisjointSets corners_;
   std::vector<std::uint32_t> fans_at_;  // per place: how many fans
-  std::vector<std::uint8_t> is_fixed_;  // per place: a corner of something frozen
+  std::vector<std::uint8_t> is_fixed_;  // per place: it is a corner of a frozen triangle
   VertexFans fans_;
 };
 
