@@ -1,4 +1,4 @@
-// What values an option takes, told in plain words when it is given another.
+// Checks of the values of options, with messages in plain words.
 #pragma once
 
 #include <string>
@@ -8,13 +8,19 @@
 
 namespace pomona {
 
+/// "INT in [0 - 9]": how CLI11's help writes limits, which the pages read again (cli/pages/command_line.cpp).
+std::string limits_text(const char* type, double low, double high);
+
+/// "{a,b}": how CLI11's help writes a choice.
+std::string choice_text(const std::vector<std::string>& words);
+
 /// A number from `low` to `high`; "nan" is none. Help shows the limits as CLI11's own check does.
 CLI::Validator between(double low, double high);
 
 /// A whole number from `low` to `high`.
 CLI::Validator whole_between(int low, int high);
 
-/// One of these words; another one is answered with the nearest.
+/// One of these words; a message for another one suggests the nearest.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
 }  // namespace pomona

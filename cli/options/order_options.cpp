@@ -1,27 +1,16 @@
 #include "cli/options/order_options.h"
 
-#include <sstream>
 #include <variant>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/deliver/outputs.h"
+#include "cli/options/option_checks.h"
 #include "generator/base/error.h"
 
 namespace pomona {
 
 namespace {
-
-std::string number_text(double number) {
-  std::ostringstream text;
-  text.precision(10);
-  text << number;
-  return text.str();
-}
-
-std::string range_text(const char* type, double low, double high) {
-  return std::string(type) + " in [" + number_text(low) + " - " + number_text(high) + "]";
-}
 
 /// How CLI11's help names the type of a value, and what it may be, in words that the pages read again
 /// (cli/pages/command_line.cpp).
@@ -32,16 +21,12 @@ struct TypeText {
 struct TypeOf {
   const OrderOption& option;
   TypeText operator()(const FlagValue&) const { return {}; }
-  TypeText operator()(const WholeValue& v) const { return {"INT", range_text("INT", v.low, v.high)}; }
-  TypeText operator()(const OptionalWholeValue& v) const { return {"INT", range_text("INT", v.low, v.high)}; }
-  TypeText operator()(const NumberValue& v) const { return {"FLOAT", range_text("FLOAT", v.low, v.high)}; }
-  TypeText operator()(const OptionalNumberValue& v) const { return {"FLOAT", range_text("FLOAT", v.low, v.high)}; }
+  TypeText operator()(const WholeValue& v) const { return {"INT", limits_text("INT", v.low, v.high)}; }
+  TypeText operator()(const OptionalWholeValue& v) const { return {"INT", limits_text("INT", v.low, v.high)}; }
+  TypeText operator()(const NumberValue& v) const { return {"FLOAT", limits_text("FLOAT", v.low, v.high)}; }
+  TypeText operator()(const OptionalNumberValue& v) const { return {"FLOAT", limits_text("FLOAT", v.low, v.high)}; }
   TypeText operator()(const CountValue&) const { return {"UINT", ""}; }
-  TypeText operator()(const ChoiceValue& v) const {
-    std::string words;
-    for (const std::string& word : v.words) words += (words.empty() ? "" : ",") + word;
-    return {"TEXT", "{" + words + "}"};
-  }
+  TypeText operator()(const ChoiceValue& v) const { return {"TEXT", choice_text(v.words)}; }
   TypeText operator()(const TextValue&) const { return {option.type, ""}; }
   TypeText operator()(const ParsedValue&) const { return {option.type, ""}; }
   TypeText operator()(const KnivesValue&) const { return {option.type, ""}; }

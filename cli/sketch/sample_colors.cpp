@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -13,6 +12,7 @@
 #include "cli/sketch/picture_file.h"
 #include "generator/base/color.h"
 #include "generator/base/error.h"
+#include "generator/base/number_text.h"
 #include "generator/template/read/read_template.h"
 #include "generator/template/read/sketch.h"
 #include "generator/text/toml_document.h"
@@ -167,10 +167,8 @@ struct Edit {
 
 std::string place_in_words(int k, int count) {
   if (k + 1 == count) return "1.0";
-  std::array<char, 16> text{};
   const double place = std::floor(1000.0 * k / (count - 1) + 0.5) / 1000;
-  const std::string words(text.data(), std::to_chars(text.data(), text.data() + text.size(), place).ptr);
-  return k == 0 ? "0.0" : words;
+  return k == 0 ? "0.0" : number_text(place);
 }
 
 std::string stops_in_words(const std::vector<Color>& colors) {

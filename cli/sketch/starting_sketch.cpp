@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "generator/base/error.h"
+#include "generator/base/number_text.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/base/xml_text.h"
@@ -22,9 +22,8 @@ constexpr double outer_radius = 40;
 constexpr std::array<double, 7> uneven = {0.00, 0.75, 0.30, 1.00, 0.15, 0.60, 0.45};
 
 std::string number(double value) {
-  std::array<char, 32> text{};
   const double rounded = std::floor(value * 100 + 0.5) / 100;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), rounded + 0.0).ptr};
+  return number_text(rounded + 0.0);
 }
 
 std::string point(const glm::dvec2& p) { return number(p.x) + "," + number(p.y); }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "generator/base/small_ending.h"
+
 namespace pomona {
 
 namespace {
@@ -21,9 +23,7 @@ const std::vector<std::string>& format_names() {
 const std::string& name_of(Format format) { return format_names()[static_cast<std::size_t>(format)]; }
 
 std::optional<Format> format_called(std::string_view ending) {
-  std::string lower(ending);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string lower = in_small_letters(std::string(ending));
   const std::vector<std::string>& names = format_names();
   const auto found = std::find(names.begin(), names.end(), lower);
   if (found == names.end()) return std::nullopt;

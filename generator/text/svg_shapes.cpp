@@ -1,23 +1,16 @@
 #include "generator/text/svg_shapes.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <utility>
 
+#include "generator/base/number_text.h"
 #include "generator/base/units.h"
 
 namespace pomona {
 
 namespace {
 
-/// The shortest text that reads back as the same number.
-std::string in_words(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-std::string in_words(const glm::dvec2& p) { return in_words(p.x) + " " + in_words(p.y); }
+std::string in_words(const glm::dvec2& p) { return number_text(p.x) + " " + number_text(p.y); }
 
 double number(const SvgAttribute& attribute, const char* name) { return parse_svg_length(attribute(name)).value_or(0); }
 
@@ -36,12 +29,13 @@ SvgShape ellipse(const glm::dvec2& center, const glm::dvec2& radii) {
 SvgShape rectangle(const glm::dvec2& at, const glm::dvec2& size, const glm::dvec2& radii) {
   const glm::dvec2 end = at + size, center = at + 0.5 * size;
   if (radii.x == 0 || radii.y == 0) {
-    return {"M" + in_words(at) + "H" + in_words(end.x) + "V" + in_words(end.y) + "H" + in_words(at.x) + "Z", center};
+    return {"M" + in_words(at) + "H" + number_text(end.x) + "V" + number_text(end.y) + "H" + number_text(at.x) + "Z",
+            center};
   }
-  return {"M" + in_words({at.x + radii.x, at.y}) + "H" + in_words(end.x - radii.x) +
-              arc(radii, {end.x, at.y + radii.y}) + "V" + in_words(end.y - radii.y) +
-              arc(radii, {end.x - radii.x, end.y}) + "H" + in_words(at.x + radii.x) +
-              arc(radii, {at.x, end.y - radii.y}) + "V" + in_words(at.y + radii.y) +
+  return {"M" + in_words({at.x + radii.x, at.y}) + "H" + number_text(end.x - radii.x) +
+              arc(radii, {end.x, at.y + radii.y}) + "V" + number_text(end.y - radii.y) +
+              arc(radii, {end.x - radii.x, end.y}) + "H" + number_text(at.x + radii.x) +
+              arc(radii, {at.x, end.y - radii.y}) + "V" + number_text(at.y + radii.y) +
               arc(radii, {at.x + radii.x, at.y}) + "Z",
           center};
 }

@@ -1,12 +1,11 @@
 #include "generator/text/toml_document.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "generator/base/nearest_name.h"
+#include "generator/base/number_text.h"
 #include "generator/base/units.h"
 
 namespace pomona {
@@ -28,13 +27,6 @@ constexpr std::size_t max_diagnostics = 20;  ///< limit of mistakes that are lis
 std::string joined(const std::string& path, const std::string& key) {
   if (path.empty() || path.ends_with(": ")) return path + key;
   return path + " " + key;
-}
-
-/// The shortest text that reads back as the same number.
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return std::string(text.data(), end);
 }
 
 /// A text as messages quote it; long texts are cut.
@@ -136,7 +128,8 @@ int TomlValue::integer(int fallback, int low, int high) const {
 
 double TomlValue::checked(double value, Within within, double fallback) const {
   if (value >= within.low && value <= within.high) return value;  // false for NaN
-  error("is " + shortest(value) + ", but must lie between " + shortest(within.low) + " and " + shortest(within.high));
+  error("is " + number_text(value) + ", but must lie between " + number_text(within.low) + " and " +
+        number_text(within.high));
   return fallback;
 }
 
@@ -162,8 +155,8 @@ double TomlValue::length(double fallback, Within metres) const {
     return fallback;
   }
   if (*value >= metres.low && *value <= metres.high) return *value;
-  error("is " + node_->text + ", but must lie between " + shortest(metres.low * 1000) + "mm and " +
-        shortest(metres.high * 1000) + "mm");
+  error("is " + node_->text + ", but must lie between " + number_text(metres.low * 1000) + "mm and " +
+        number_text(metres.high * 1000) + "mm");
   return fallback;
 }
 

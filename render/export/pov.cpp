@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "generator/base/number_text.h"
 #include "generator/base/reproducible.h"
 #include "generator/base/units.h"
 #include "generator/piece/solid.h"

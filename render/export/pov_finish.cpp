@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/base/number_text.h"
 #include "render/export/pov_text.h"
 
 namespace pomona::pov {

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "generator/base/number_text.h"
 #include "render/export/pov_text.h"
 #include "render/strokes/lens.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "generator/base/number_text.h"
 #include "render/export/pov_palette.h"
 #include "render/export/pov_text.h"
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "generator/base/number_text.h"
+
 namespace pomona::pov {
 namespace {
 
@@ -14,12 +16,6 @@ void append_number(std::string& text, Number number) {
 }
 
 }  // namespace
-
-std::string number_text(double number) {
-  std::string text;
-  append_number(text, number);
-  return text;
-}
 
 std::string vector_text(const glm::dvec3& v) {
   return "<" + number_text(v.x) + ", " + number_text(v.y) + ", " + number_text(v.z) + ">";

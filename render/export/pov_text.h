@@ -8,9 +8,6 @@
 
 namespace pomona::pov {
 
-/// The shortest decimal that reads back as the same number; independent of the locale.
-std::string number_text(double number);
-
 /// "<1, 0.5, -2>"
 std::string vector_text(const glm::dvec3& v);
 

@@ -71,6 +71,11 @@ TEST(OptionTable, RefusesWhatIsBeyondARange) {
   }
 }
 
+TEST(OptionTable, WritesLimitsAsPeopleDo) {
+  EXPECT_THAT(fault_of_option(order_option("piece"), "0"), HasSubstr("from 1 to 1000000"));
+  EXPECT_THAT(fault_of_option(order_option("scale"), "0"), HasSubstr("from 0.05 to 20"));
+}
+
 TEST(OptionTable, WarnsOfEveryOptionThatNoFormatHeeds) {
   for (const OrderOption& option : order_options()) {
     if (option.heeded.empty()) continue;
