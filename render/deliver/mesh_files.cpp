@@ -1,24 +1,53 @@
 #include "render/deliver/mesh_files.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "generator/base/error.h"
+#include "generator/base/json_text.h"
 #include "generator/piece/lod/levels_of_detail.h"
 #include "render/deliver/export_options.h"
 #include "render/deliver/live_files.h"
-#include "render/deliver/map_files.h"
 #include "render/deliver/scene_levels.h"
 #include "render/export/gltf/write_glb.h"
 #include "render/export/obj.h"
+#include "render/export/output.h"
 #include "render/export/ply.h"
 #include "render/export/stl.h"
 #include "render/export/usd/write_usda.h"
+#include "render/image/png.h"
 
 namespace pomona {
 
 namespace {
+
+/// For each solid NAME.color.png, and where it has maps NAME.normal.png, NAME.orm.png, NAME.thickness.png and
+/// NAME.part.png; and parts.json, which says what the parts' numbers stand for. \param folder need not be there yet.
+std::vector<OutputFile> map_files(std::span<const BakedSolid> baked, const std::filesystem::path& folder) {
+  std::vector<OutputFile> files;
+  nlohmann::ordered_json parts = nlohmann::ordered_json::object();
+  for (const BakedSolid& solid : baked) {
+    if (solid.texture.pixels.empty()) continue;
+    std::string name = solid.solid.name;
+    std::replace(name.begin(), name.end(), '/', '_');
+    const auto add = [&](const char* map, const Image& image, PngValues values) {
+      if (image.pixels.empty()) return;
+      files.push_back({folder / (name + "." + map + ".png"), write_png(image, PngPacking::fast, values)});
+    };
+    add("color", solid.texture, PngValues::srgb);
+    add("normal", solid.maps.normal, PngValues::shares);
+    add("orm", solid.maps.orm, PngValues::shares);
+    add("thickness", solid.maps.thickness, PngValues::shares);
+    add("part", solid.maps.part, PngValues::shares);
+    parts[name] = solid.solid.look->part_names;
+  }
+  files.push_back({folder / "parts.json", json_text(parts, 2) + "\n"});
+  return files;
+}
 
 /// all_baked(), fruit by fruit, whose pieces share what colours them: progress is told after each.
 std::vector<BakedSolid> baked_by_fruit(std::span<const Solid> solids, const Style& style, const BakeOptions& how,
