@@ -139,7 +139,7 @@ class BatchReader {
       return std::optional(value.number(1, range_of(order_option("ripeness"))));
     });
 
-    // What happens to it, and what is written.
+    // Reads how it is cut and made, and the files.
     read_list(table.get("browning"), entry.browning,
               [](const TomlValue& value) { return value.number(0, range_of(order_option("browning"))); });
     const std::vector<TomlValue> alternatives = one_or_many(table.get("knives"));

@@ -20,13 +20,13 @@ struct TemplateWanted {
   SourcePlace place;
 };
 
-/// What a batch orders where its file says nothing: textures hold colour alone.
+/// The order of a batch without any options: textures have only base colour.
 Order usual_batch_order();
 
 /// The options of the table that a batch takes and that are no lists: one value for all items of an entry.
 std::vector<const OrderOption*> batch_options();
 
-/// How finely an item is made, and as what; what [batch] says holds for all entries that say nothing else.
+/// The quality and formats of items; those of [batch] are the defaults of all entries.
 struct AssetOptions {
   std::vector<Format> formats{Format::glb};  ///< a file of each
   std::vector<Quality> qualities{Quality::draft};
@@ -46,8 +46,8 @@ struct BatchEntry {
 
   // One of the three says which variants.
   std::vector<std::uint64_t> seeds;  ///< these of each template, as on the command line
-  int count = 0;                     ///< so many new ones of each template
-  int total = 0;                     ///< so many new ones, of the templates in turn
+  int count = 0;                     ///< number of new variants of each template
+  int total = 0;                     ///< number of new variants, of the templates in turn
 
   // Empty optionals are what the variant draws or has.
   std::vector<std::optional<int>> folds{std::nullopt};

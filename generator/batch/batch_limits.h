@@ -1,4 +1,4 @@
-// How large a batch may be.
+// Limits of a batch.
 #pragma once
 
 #include <cstddef>

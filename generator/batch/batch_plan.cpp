@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file behind a name; what is wrong with the name is told at its place in the batch.
+/// The file behind a name; a fault is reported at the name's place in the batch.
 fs::path template_file(const TemplateWanted& wanted, const TemplateSource& source) {
   try {
     const fs::path file = source.find(wanted.name);
@@ -46,7 +46,7 @@ std::int64_t product(std::initializer_list<std::size_t> factors) {
   return product;
 }
 
-/// How many individuals, and what each comes to.
+/// The number of individuals, and of items of each.
 void count(PlannedEntry& entry, std::size_t templates) {
   const BatchEntry& wanted = entry.wanted;
   const AssetOptions& assets = wanted.assets;
@@ -119,7 +119,7 @@ std::int64_t BatchPlan::items() const {
 }
 
 BatchPlan planned(BatchDescription batch, const TemplateSource& source) {
-  // How many there are is known before any template is read.
+  // The number is known before any template is read.
   BatchPlan plan;
   std::vector<std::vector<fs::path>> files;
   for (const BatchEntry& wanted : batch.entries) {
@@ -155,7 +155,7 @@ BatchVariant variant_at(const BatchPlan& plan, std::int64_t index) {
   variant.ripeness = wanted.ripeness[pick(wanted.ripeness.size())];
   variant.folds = wanted.folds[pick(wanted.folds.size())];
 
-  // What is left counts the individuals: all of the first template before those of the next, or in turn.
+  // The rest is the index of the individual: all of the first template before those of the next, or in turn.
   const std::size_t individual = rest, templates = entry.templates.size();
   const std::size_t of_each = wanted.seeds.empty() ? static_cast<std::size_t>(wanted.count) : wanted.seeds.size();
   variant.fruit = entry.templates[wanted.total > 0 ? individual % templates : individual / of_each];

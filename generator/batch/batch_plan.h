@@ -18,7 +18,7 @@ namespace pomona {
 
 struct PlannedTemplate {
   std::string name;    ///< without folder and ending
-  std::string sha256;  ///< of its file and of all files that it names
+  std::string sha256;  ///< hash of its file and of all files that it names
   Template fruit;
 };
 
@@ -39,7 +39,7 @@ struct BatchPlan {
   std::int64_t items() const;
 };
 
-/// Where templates are found: as on the command line.
+/// Finds templates as the command line does.
 struct TemplateSource {
   std::function<std::filesystem::path(const std::string&)> find;
   std::function<std::vector<std::filesystem::path>()> all;

@@ -107,7 +107,7 @@ double number_at(const JsonNode& node, std::string_view key, double max) {
   return value.number;
 }
 
-/// What the lists that multiply after an individual is grown come to; see items_of().
+/// The product of the lists that multiply after an individual is grown; see items_of().
 std::int64_t items_of_a_variant(const JsonNode& entry) {
   std::int64_t items = 1;
   for (const char* list : {"knives", "browning", "quality", "texture", "lod"}) {

@@ -13,7 +13,7 @@ namespace pomona {
 /// Everything that the items' bytes depend on, as JSON. \param program "pomona 0.2.0".
 std::string batch_record(const BatchPlan& plan, const std::string& program);
 
-/// What is read back, so that a folder can be merged without its batch file.
+/// The part that is read again, so that a folder can be merged without its batch file.
 struct RecordedEntry {
   std::string name;
   std::int64_t items = 0;

@@ -20,7 +20,7 @@ Json piece_of(const Solid& solid) {
   return piece;
 }
 
-/// What made the item: enough to make it again by hand with `pomona cut`.
+/// The origin of the item, enough to make it again by `pomona cut`.
 Json recipe(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item) {
   const PlannedEntry& entry = plan.entries[variant.entry];
   const PlannedTemplate& fruit = plan.templates[variant.fruit];

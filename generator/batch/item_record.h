@@ -1,4 +1,4 @@
-// item.json: what there is to know of one item. It lies in the item's folder; a batch's manifest is all of them.
+// item.json: the facts of one item. It lies in the item's folder; a batch's manifest has all of them.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct RecordedFile {
   std::string sha256;
 };
 
-/// What came of an item: its pieces and files, or why there are none.
+/// The result of an item: its pieces and files, or why there are none.
 struct ItemOutcome {
   std::span<const Solid> pieces = {};
   std::vector<RecordedFile> files = {};
@@ -29,14 +29,14 @@ struct ItemOutcome {
 std::string item_record(const BatchPlan& plan, const BatchVariant& variant, const BatchItem& item,
                         const ItemOutcome& outcome);
 
-/// What is read back of it.
+/// The part of it that is read again.
 struct RecordedItem {
   std::string item;  ///< its folder: "halves/042"
   std::string template_name;
   std::uint64_t seed = 0;
-  std::string knives;  ///< parted by spaces
+  std::string knives;  ///< separated by spaces
   std::size_t pieces = 0;
-  double volume = 0;  ///< of all pieces, cubic metres
+  double volume = 0;  ///< volume of all pieces, cubic metres
   std::vector<RecordedFile> files;
   std::string error;
 };

@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-/// What the order says of the option: a number, a truth value or a text.
+/// The option's value in the order: a number, a boolean or a text.
 nlohmann::ordered_json option_json(const OrderOption& option, const Order& order);
 
 }  // namespace pomona

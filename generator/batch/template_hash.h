@@ -1,4 +1,4 @@
-// What a template is, in 64 digits: for manifests, and to tell whether it has changed since.
+// The hash of a template, in 64 digits: for manifests, and to see whether it has changed.
 #pragma once
 
 #include <filesystem>

@@ -1,18 +1,18 @@
-// What files can be asked to hold.
+// Choices of what files hold.
 #pragma once
 
 namespace pomona {
 
-/// Whose importer the names in a file are for (docs/reference/formats.md).
+/// The engine for whose importer names in a file are made (docs/reference/formats.md).
 enum class Engine { any, godot, unreal, unity };
 
-/// What textures hold.
+/// The maps of textures.
 enum class Maps {
   color,  ///< base colour alone
   all,    ///< relief, occlusion, roughness and thickness, too
 };
 
-/// How the ground truth of a picture is written.
+/// The format of a picture's ground truth.
 enum class TruthFormat {
   png,  ///< 16-bit pictures of numbers, one a layer
   exr,  ///< one file with all layers as they are, and Cryptomatte

@@ -1,4 +1,4 @@
-// The formats that files are written in, known by their endings.
+// The formats of files, known by their endings.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Options of an order as keys of TOML files: batches and scenes.
+// Options of an order as keys of batch and scene files.
 #pragma once
 
 #include "generator/order/option_table.h"
@@ -6,11 +6,11 @@
 
 namespace pomona {
 
-/// Puts the value at the option's key into the order; what stood there before stays where no value is given. Of a whole
-/// number whose range lies above it, 0 means none. Mistakes are noted at their place in the file.
+/// Reads the value at the option's key into the order, which stays if there is none. 0 means none for a whole number
+/// whose range lies above. Mistakes are noted at their place in the file.
 void read_option_key(const OrderOption& option, const TomlTable& table, Order& order);
 
-/// The values that a number may have. \throws Error (bug) for an option that is no number.
+/// The range of a number. \throws Error (bug) for an option that is no number.
 Within range_of(const OrderOption& option);
 
 }  // namespace pomona

@@ -12,10 +12,10 @@
 
 namespace pomona {
 
-/// What takes orders.
+/// The commands that take orders, and batch files.
 enum class OrderTaker { grow, cut, plate, scene, batch };
 
-/// What an order must hold besides, or the option has no effect although an output could heed it.
+/// What the order must also have, so that the option has an effect.
 enum class OptionNeed {
   nothing,
   a_variant,     ///< a seed or an index: the drawing does not vary
@@ -27,18 +27,18 @@ enum class OptionNeed {
 struct OrderOption {
   std::string name;  ///< "ripeness-variants": --ripeness-variants, ripeness_variants in files
   OptionValue value;
-  std::string type = {};   ///< what help calls a text: "FOLDER"
-  std::string unit = {};   ///< of a number: "texels"
-  std::string usual = {};  ///< the default as help tells it; empty: what Order has
+  std::string type = {};   ///< name of a text's kind in help: "FOLDER"
+  std::string unit = {};   ///< unit of a number: "texels"
+  std::string usual = {};  ///< the default in help; empty: that of Order
   std::string help;
   std::vector<OrderTaker> takers = {};
   std::vector<Format> heeded = {};  ///< the formats on which it has an effect; empty: all
   OptionNeed need = OptionNeed::nothing;
-  std::string excludes = {};  ///< another option that cannot stand beside it
-  bool makes_piece = false;   ///< a command that makes a piece again says it
+  std::string excludes = {};  ///< another option that cannot be given with it
+  bool makes_piece = false;   ///< whether the command that makes a piece again repeats it
 };
 
-/// In the order in which commands say them.
+/// All options, in the order in which commands list them.
 const std::vector<OrderOption>& order_options();
 
 /// \throws Error (bug) if there is none of this name.
@@ -53,21 +53,21 @@ std::string flag_of(const OrderOption& option);
 /// "ripeness_variants", as files call it.
 std::string key_of(const OrderOption& option);
 
-/// Puts what was typed into the order; of a switch "true" or "false". Where `none` is allowed, "0" of a number whose
-/// range lies above means nothing, as files write it. \throws Error (usage) that names the option and what it takes.
+/// Reads a text into the order; of a switch "true" or "false". With `none_is_zero`, "0" means nothing for a number
+/// whose range lies above, as in files. \throws Error (usage) that names the option and its values.
 void read_option(const OrderOption& option, const std::string& text, Order& order, bool none_is_zero = false);
 
-/// Why the text is no value of the option; empty: it is one. Of parsed texts only read_option() tells.
+/// Why the text is no value of the option; empty if it is one. For parsed texts only read_option() knows.
 std::string fault_of_option(const OrderOption& option, const std::string& text);
 
-/// What read_option() would have to be given: "0.3", "final"; "" where nothing was said, "true" of a switch.
+/// The text for read_option(): "0.3", "final", "true" for a switch; "" if the order says nothing.
 std::string text_of_option(const OrderOption& option, const Order& order);
 
-/// Whether the order says something else than `usual`, an order that says nothing.
+/// Whether the order differs from `usual`, by default an order that says nothing.
 bool is_ordered(const OrderOption& option, const Order& order, const Order& usual = {});
 
-/// " --quality draft --style 'my style.toml'": what a command that makes a piece of this order again says, ready for
-/// the shell.
+/// " --quality draft --style 'my style.toml'": the options of a command that makes a piece of this order again, ready
+/// for the shell.
 std::string piece_words(const Order& order, const std::vector<OrderOption>& table = order_options());
 
 /// "--lod is about .glb .usda: no output is one": a line for each option that has no effect on this order's outputs.

@@ -23,7 +23,7 @@ struct WholeValue {
   int low = 0, high = 0;
 };
 
-/// The same where none is a value of its own; `none` is how a file writes it.
+/// A whole number of a range, or none.
 struct OptionalWholeValue {
   std::optional<int>& (*in)(Order&);
   int low = 0, high = 0;
@@ -35,7 +35,7 @@ struct NumberValue {
   double low = 0, high = 0;
 };
 
-/// The same where none is a value of its own.
+/// A number of a range, or none.
 struct OptionalNumberValue {
   std::optional<double>& (*in)(Order&);
   double low = 0, high = 0;
@@ -49,7 +49,7 @@ struct CountValue {
 /// One of a few words, each an enumerator.
 struct ChoiceValue {
   std::vector<std::string> words;
-  std::optional<std::size_t> (*get)(const Order&);  ///< its place in `words`; nothing where nothing was said
+  std::optional<std::size_t> (*get)(const Order&);  ///< its index in `words`; nothing if the order says nothing
   void (*set)(Order&, std::size_t);
 };
 

@@ -21,13 +21,13 @@ namespace pomona {
 
 /// Which individual grows, and how.
 struct FruitOrder {
-  std::optional<std::uint64_t> seed = {};   ///< none: 0, the drawing; of a scene: what its file says
-  std::optional<std::uint64_t> index = {};  ///< of the seed's variants; with it seed 0 is a variant, too
+  std::optional<std::uint64_t> seed = {};   ///< none: 0, the drawing; for a scene, its file's
+  std::optional<std::uint64_t> index = {};  ///< index among the seed's variants; with it seed 0 is a variant, too
   std::vector<std::uint64_t> seeds = {};    ///< several individuals side by side, in place of `seed`
   GrowOptions growing = {};                 ///< its threads are not read: Order::threads counts
 };
 
-/// How finely cut faces are triangulated: `coarse` as in scenes.
+/// The triangulation of cut faces; scenes use `coarse`.
 enum class FaceQuality { fine, coarse };
 
 /// What knives do to the fruit.
@@ -38,17 +38,17 @@ struct CutOrder {
   double explode = 1;                     ///< times as far from the middle of all pieces, 1 to 10
   bool crumbs = false;                    ///< bits below a millionth of the fruit are kept as pieces
   int piece = 0;                          ///< this one alone, numbered from 1 in the order of cutting; 0 = all
-  std::string piece_list = {};            ///< file for what there is to know of each piece; empty = none
+  std::string piece_list = {};            ///< file for the facts of each piece; empty = none
 };
 
 /// Which solver diffuses colour over cut faces. `automatic` is `gl` on a graphics card, else `cpu`.
 enum class DiffuserKind { cpu, gl, harmonic, walk, automatic };
 
-/// How cut faces and pictures get their colours.
+/// Colours of cut faces and pictures.
 struct ColorOrder {
   std::optional<DiffuserKind> diffuser = {};  ///< none: cpu; for the grids of pages and assets harmonic
   Quality quality = Quality::final;           ///< the error of the diffusion, nothing else
-  std::string style = {};                     ///< name or path; none: "ink", or what a scene's file says
+  std::string style = {};                     ///< name or path; none: "ink", or that of a scene's file
 };
 
 /// A length as it was typed, with its unit: commands that make a piece again repeat the words.
@@ -60,11 +60,11 @@ struct TypedLength {
 /// What files of meshes hold besides triangles with colours.
 struct MeshOrder {
   int texture = 0;                             ///< texels along a texture's edge; 0 = colours on vertices
-  TypedLength texel = {};                      ///< or the size of a texel
-  Maps maps = Maps::all;                       ///< of textures
+  TypedLength texel = {};                      ///< size of a texel, instead of `texture`
+  Maps maps = Maps::all;                       ///< maps of textures
   std::string maps_dir = {};                   ///< folder for the textures as pictures, too; empty = none
   int lod = 0;                                 ///< further levels of detail, 0 to 6
-  Engine engine = Engine::any;                 ///< .glb alone
+  Engine engine = Engine::any;                 ///< for .glb only
   bool instances = false;                      ///< pieces that repeat are one node, or prim, with many places
   bool feature_ids = false;                    ///< .glb: parts as EXT_mesh_features, too
   std::vector<double> ripeness_variants = {};  ///< .glb, .usda with textures: these ripenesses, too
@@ -73,11 +73,11 @@ struct MeshOrder {
   bool surfaces = false;                       ///< all surfaces in place of the solid, seen through each other
 };
 
-/// A picture's size as it was asked for: in pixels, or on paper.
+/// The ordered size of a picture: in pixels, or on paper.
 struct PictureExtent {
   std::string text = {};  ///< "800x600", "120x90mm"
   double width = 0, height = 0;
-  double inches_a_unit = 0;  ///< of a size on paper; 0: pixels
+  double inches_a_unit = 0;  ///< inches per unit of a size on paper; 0: pixels
 };
 
 /// Where a picture looks from.
@@ -88,9 +88,9 @@ struct Viewpoint {
 
 /// What pictures show.
 struct PictureOrder {
-  std::optional<PictureExtent> size = {};  ///< none: what the command or the scene has
+  std::optional<PictureExtent> size = {};  ///< none: that of the command or the scene
   double dpi = 0;                          ///< pixels per inch on paper; 0 = not said
-  std::optional<Viewpoint> view = {};      ///< none: what the scene has
+  std::optional<Viewpoint> view = {};      ///< none: that of the scene
   std::string aov = {};                    ///< folder for the ground truth of the picture; empty = none
   TruthFormat aov_format = TruthFormat::png;
 };
@@ -122,9 +122,8 @@ struct PictureSize {
   int width = 0, height = 0;  ///< pixels
 };
 
-/// The size that was asked for, nothing if none was.
-/// \throws Error (usage) for a size on paper without --dpi, and for a side that is not a whole number of 16 to 16384
-/// pixels.
+/// The ordered size, if any. \throws Error (usage) for a size on paper without --dpi, and for a side that is not a
+/// whole number of 16 to 16384 pixels.
 std::optional<PictureSize> picture_size(const PictureOrder& picture);
 
 }  // namespace pomona

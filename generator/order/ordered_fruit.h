@@ -1,4 +1,4 @@
-// A fruit as it was ordered: grown, and then cut.
+// Grows a fruit to order, and cuts it.
 #pragma once
 
 #include <span>
@@ -14,15 +14,15 @@
 namespace pomona {
 
 struct OrderedFruit {
-  Template fruit;  ///< the variant; of a surface file a name and no curves
+  Template fruit;  ///< the variant; for a surface file only a name
   GrownFruit grown;
   PieceOrigin origin;
-  std::string name;  ///< of the template or file, without folder and ending
+  std::string name;  ///< name of the template or file, without folder and ending
   std::string file;  ///< the template or file
   StageClock times;  ///< read, vary, sweep
 };
 
-/// Varies and sweeps a template. \param name as for OrderedFruit. \param word what named the template, for
+/// Varies and sweeps a template. \param name as for OrderedFruit. \param word the text that named the template, for
 /// PieceOrigin::source.
 OrderedFruit ordered_fruit(const Template& drawn, const std::string& name, const std::string& word, const Order& order);
 
@@ -30,14 +30,14 @@ OrderedFruit ordered_fruit(const Template& drawn, const std::string& name, const
 OrderedFruit ordered_fruit(const Variation& variation, const std::string& name, const std::string& word,
                            const Order& order);
 
-/// Surfaces that no template draws. \throws Error (usage) where the order asks for folds, ripeness or browning, which
-/// they do not have.
+/// The fruit of a surface file. \throws Error (usage) if the order asks for folds, ripeness or browning, which it does
+/// not have.
 OrderedFruit fruit_of_surfaces(const std::filesystem::path& file, const Order& order);
 
 /// Cuts the fruit as ordered; without knives its whole bodies come out. The solids keep what coloured their cut faces
-/// where the order wants textures. What is wrong with the fruit is told of its file.
-/// \param diffuser null if cut faces are not visible: they keep the colours of their rims.
-/// \throws Error as slice(), and (usage) if there is no piece of the number that was ordered.
+/// where the order wants textures. Errors name the fruit's file. \param diffuser null if cut faces are not visible:
+/// they keep the colours of their rims. \throws Error as slice(), and (usage) if there is no piece of the number that
+/// was ordered.
 Slices cut_to_order(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser);
 
 /// The order that makes a piece again: as it grew, its knives, and its number among the pieces.

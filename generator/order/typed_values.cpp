@@ -42,7 +42,7 @@ std::optional<std::uint64_t> whole_number(const std::string& text) {
   return number;
 }
 
-/// How many inches a unit of paper has; 0 for pixels, nothing for what is no unit.
+/// Inches per unit of paper; 0 for pixels, nothing for other texts.
 std::optional<double> inches_of(const std::string& unit) {
   if (unit.empty()) return 0.0;
   if (unit == "in") return 1.0;
@@ -56,7 +56,7 @@ std::optional<double> inches_of(const std::string& unit) {
               "write 800x600, or 120x90mm with --dpi 300; 16 to 16384 pixels a side");
 }
 
-/// A side without its unit, which the other side may have alone.
+/// A side; its unit may stand at the other side.
 double side_of(std::string side, const std::string& unit, const std::string& text) {
   if (side.ends_with(unit)) side.resize(side.size() - unit.size());
   const std::optional<double> number = parse_number(side);

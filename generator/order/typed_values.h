@@ -23,7 +23,7 @@ void read_texel(Order& order, const std::string& text);
 void read_ripeness_variants(Order& order, const std::string& text);
 std::string ripeness_variants_text(const Order& order);
 
-/// "800x600", "120x90mm". \throws Error (usage) for what is no size.
+/// "800x600", "120x90mm". \throws Error (usage) for other texts.
 void read_picture_extent(Order& order, const std::string& text);
 
 /// "front", "back", "left", "right", "top", "bottom", "three-quarter", or "AZIMUTH,ELEVATION" in degrees (azimuth from

@@ -14,8 +14,8 @@ struct ComparedPictures {
   const TransparentImage& result;
 };
 
-/// HTML that needs no other file: reference, result and FLIP's map side by side, the figures, and what was
-/// allowed. The pointer over the result shows the reference in its place.
+/// HTML that needs no other file: reference, result and FLIP's map side by side, the figures, and the limits. The
+/// pointer over the result shows the reference in its place.
 std::string comparison_page(const ComparedPictures& pictures, const Comparison& comparison, const Tolerance& tolerance);
 
 }  // namespace pomona

@@ -51,19 +51,19 @@ glm::dvec3 hunt_lab_from_linear(const glm::dvec3& rgb) {
   return {lightness, 0.01 * lightness * 500 * (root.x - root.y), 0.01 * lightness * 200 * (root.y - root.z)};
 }
 
-/// Distance of two such colours that stays true where it is large: |L| + |(a, b)| [Abasi et al. 2020].
+/// Distance of two such colours that is also right for large ones: |L| + |(a, b)| [Abasi et al. 2020].
 double hyab(const glm::dvec3& first, const glm::dvec3& second) {
   const glm::dvec3 d = first - second;
   return std::fabs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
 }
 
-/// How bright a linear colour is, 0..1: what edges and points are looked for in.
+/// The luminance of a linear colour, 0..1, in which edges and points are found.
 double luminance_of_linear(const glm::dvec3& rgb) { return (opponent_from_linear(rgb).x + 16) / 116; }
 
-/// Rows are worked on in bands of so many: memory does not grow with the picture's height.
+/// The number of rows in a band: memory does not grow with the picture's height.
 constexpr int band_rows = 64;
 
-/// One number a pixel. A band's planes hold rows above and below it, as many as filters reach.
+/// One number per pixel. A band's planes also hold rows above and below it, as far as filters reach.
 struct PicturePlane {
   int width = 0;
   int height = 0;
@@ -112,14 +112,15 @@ struct Filters {
   std::array<double, 256> linear{};
 };
 
-/// What one band of one picture looks like.
+/// The features of one band of one picture.
 struct SeenBand {
   std::vector<glm::dvec3> color;  ///< Hunt-adjusted CIELAB, as far as the eye resolves it
-  std::vector<double> edge;       ///< how strongly an edge, or a point, shows at a pixel
+  std::vector<double> edge;       ///< strength of edges, and of points, at each pixel
   std::vector<double> point;
 };
 
-/// The opponent channels and the luminance of the band's rows and those around it; the border's pixels go on.
+/// The opponent channels and the luminance of the band's rows and those around it; pixels of the border continue
+/// outside.
 std::array<PicturePlane, 4> channels(const Image& image, int first, int rows, const Filters& filters) {
   const PicturePlane empty(image.width, rows + 2 * filters.reach);
   std::array<PicturePlane, 4> planes = {empty, empty, empty, empty};
@@ -147,7 +148,7 @@ std::vector<double> lengths(const PicturePlane& x, const PicturePlane& y) {
 }
 
 SeenBand seen(const Image& image, int first, int rows, const Filters& filters) {
-  // Each channel as far as the eye resolves it; for blue and yellow that takes two filters.
+  // Filters each channel as the eye does; blue and yellow need two filters.
   const std::array<PicturePlane, 4> planes = channels(image, first, rows, filters);
   const auto blurred = [&](std::size_t channel, const Kernel& kernel) {
     return filtered(planes[channel], kernel, kernel, filters.reach);
@@ -156,14 +157,14 @@ SeenBand seen(const Image& image, int first, int rows, const Filters& filters) {
   const PicturePlane wide = blurred(2, filters.contrast.blue_yellow_wide);
   const PicturePlane narrow = blurred(2, filters.contrast.blue_yellow_narrow);
 
-  // The colours that are left, in the space in which their distances are taken.
+  // The filtered colours, in the space of distances.
   SeenBand band;
   for (std::size_t i = 0; i < light.value.size(); ++i) {
     const glm::dvec3 rgb = linear_from_opponent({light.value[i], red_green.value[i], wide.value[i] + narrow.value[i]});
     band.color.push_back(hunt_lab_from_linear(glm::clamp(rgb, 0.0, 1.0)));
   }
 
-  // Edges and points of the luminance, which the eye is drawn to.
+  // Edges and points of the luminance, which attract the eye.
   const auto derivatives = [&](const Kernel& kernel) {
     return lengths(filtered(planes[3], kernel, filters.feature.smooth, filters.reach),
                    filtered(planes[3], filters.feature.smooth, kernel, filters.reach));
@@ -181,12 +182,12 @@ double color_error(double distance, double largest) {
   return at_knee + (bent - knee * largest) / (largest - knee * largest) * (1 - at_knee);
 }
 
-/// The largest distance there is: between green and blue.
+/// The largest possible distance: between green and blue.
 double largest_bent_distance() {
   return reproducible::pow(hyab(hunt_lab_from_linear({0, 1, 0}), hunt_lab_from_linear({0, 0, 1})), 0.7);
 }
 
-/// Section 4.3: features that differ amplify what differs in colour.
+/// Section 4.3: differences of features amplify differences of colour.
 double error_at(const SeenBand& reference, const SeenBand& result, std::size_t i, double largest) {
   const double color = color_error(hyab(reference.color[i], result.color[i]), largest);
   const double feature =
@@ -210,7 +211,7 @@ FlipMap flip(const Image& reference, const Image& result, const FlipOptions& opt
   }
   const double largest = largest_bent_distance();
 
-  // In bands of rows, so that little is held at a time.
+  // Works in bands of rows, to save memory.
   FlipMap map{reference.width, reference.height, std::vector<float>(reference.pixels.size())};
   const auto bands = static_cast<std::size_t>((reference.height + band_rows - 1) / band_rows);
   parallel_for(bands, options.threads, [&](std::size_t band) {

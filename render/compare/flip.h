@@ -10,7 +10,7 @@
 namespace pomona {
 
 struct FlipOptions {
-  /// How the pictures are looked at. The default is the paper's: 0.7 m before a screen 0.7 m and 3840 pixels wide.
+  /// The viewing conditions. The default is the paper's: 0.7 m before a screen of 0.7 m and 3840 pixels.
   double pixels_per_degree = 67.02064327658225;
   Threads threads;
 };

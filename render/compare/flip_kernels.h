@@ -8,8 +8,8 @@ namespace pomona {
 /// Weights at -radius ... radius.
 using Kernel = std::vector<double>;
 
-/// What the eye cannot tell apart at a distance: its contrast sensitivity, per opponent channel. A filter over the
-/// picture is a factor along rows times the same along columns; that of blue and yellow is the sum of two such.
+/// The contrast sensitivity of the eye, per opponent channel. A filter over the picture is a factor along rows times
+/// the same along columns; that of blue and yellow is the sum of two such.
 struct ContrastKernels {
   int radius = 0;
   Kernel light;
@@ -17,7 +17,7 @@ struct ContrastKernels {
   Kernel blue_yellow_wide, blue_yellow_narrow;
 };
 
-/// What draws the eye: edges and points, as derivatives of a Gaussian across a smoothing Gaussian.
+/// Filters of edges and points: derivatives of a Gaussian across a smoothing Gaussian.
 struct FeatureKernels {
   int radius = 0;
   Kernel smooth;

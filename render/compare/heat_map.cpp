@@ -9,7 +9,7 @@
 namespace pomona {
 
 Image heat_map(const FlipMap& map) {
-  // Nine of magma's colours, evenly spaced; between them, straight lines are near enough.
+  // Nine of magma's colours, evenly spaced, with linear interpolation.
   static constexpr std::array<std::array<double, 3>, 9> magma = {{{0, 0, 4},
                                                                   {28, 16, 68},
                                                                   {79, 18, 123},

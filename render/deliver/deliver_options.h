@@ -1,4 +1,4 @@
-// What a delivery is told and given.
+// Options and input of a delivery.
 #pragma once
 
 #include <memory>
@@ -18,23 +18,24 @@
 
 namespace pomona {
 
-/// How files are made besides what the order says.
+/// How files are made, besides the order.
 struct DeliverOptions {
-  Style style = {};  ///< that the order's style names, as found
+  Style style = {};  ///< the style that the order names
   Provenance provenance = {};
-  PictureSize usual_size = {960, 720};  ///< of pictures where the order says none, and of lines in .pov
+  PictureSize usual_size = {960, 720};  ///< size of pictures without one in the order, and of lines in .pov
   DeliveryProgress progress = {};
 };
 
 /// One scene for all formats. All that it refers to must outlive the call it is passed to.
 struct SceneViews {
-  const Scene& placed;                             ///< for meshes: pieces where they grew, or lie
-  const Scene* shown = nullptr;                    ///< for pictures, where these show the pieces elsewhere
-  std::span<const RipenessVariant> variants = {};  ///< of `placed`, for textures
-  std::optional<PlateText> plate_text = {};        ///< what plates say; none: no plate is drawn around pictures
-  const OrderedFruit* fruit = nullptr;             ///< whose asset a .glb carries that can be cut
-  std::span<const StyledMesh> meshes = {};         ///< of `placed`, where they are at hand
-  std::span<const std::unique_ptr<StreamedGlb>> streams = {};  ///< of .glb files that have taken all solids already
+  const Scene& placed;                             ///< for meshes: the pieces where they grew, or lie
+  const Scene* shown = nullptr;                    ///< for pictures, if these show the pieces elsewhere
+  std::span<const RipenessVariant> variants = {};  ///< other ripenesses of `placed`, for textures
+  std::optional<PlateText> plate_text = {};        ///< texts of a plate; none: no plate is drawn around pictures
+  const OrderedFruit* fruit = nullptr;             ///< the fruit whose asset a cuttable .glb carries
+  std::span<const StyledMesh> meshes = {};         ///< meshes of `placed`, if they exist already
+  std::span<const std::unique_ptr<StreamedGlb>> streams = {};  ///< streams of .glb files that have taken all solids
+                                                               ///< already
 };
 
 }  // namespace pomona

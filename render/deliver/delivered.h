@@ -1,4 +1,4 @@
-// What a delivery comes to: files as bytes, and what was measured and seen on the way.
+// The result of a delivery: files as bytes, with times, counts and warnings.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace pomona {
 
 struct DeliveredFile {
   OutputFile file;
-  bool is_one_of_many = false;  ///< of a folder of maps or ground truth, whose files are counted, not named
+  bool is_one_of_many = false;  ///< it belongs to a folder of maps or ground truth, whose files are counted, not named
 };
 
 struct Delivered {
@@ -27,11 +27,11 @@ struct Delivered {
   /// Makes the bytes of a file; the time counts as the stage "write".
   void add(const std::filesystem::path& path, const std::function<std::string()>& make);
 
-  /// What another delivery has, behind what is here.
+  /// Appends another delivery.
   void add(Delivered more);
 };
 
-/// Called as long stages get on: the stage, how many items are done, and of how many.
+/// Called during long stages, with the stage, the number of items done, and of all items.
 using DeliveryProgress = std::function<void(const std::string& stage, std::size_t done, std::size_t total)>;
 
 }  // namespace pomona

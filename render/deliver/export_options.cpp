@@ -5,7 +5,7 @@
 namespace pomona {
 
 ExportOptions export_options(const Order& order, const DeliverOptions& how) {
-  // Of how a piece grew and was cut its own origin speaks.
+  // A piece's own origin says how it grew and was cut.
   Order look;
   look.color = order.color;
   look.mesh = order.mesh;

@@ -1,4 +1,4 @@
-// What exporters and the baker of textures are told of an order.
+// Options of exporters and of the baker of textures, from an order.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-/// What exporters are told of the order.
+/// The options of exporters.
 ExportOptions export_options(const Order& order, const DeliverOptions& how);
 
 /// Nothing unless the order wants textures.

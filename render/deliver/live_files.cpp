@@ -19,7 +19,7 @@ namespace pomona {
 
 namespace {
 
-/// Whether a page can open with it: a plane right through the fruit, or several.
+/// Whether a page can open with it: it is one or several whole planes.
 bool is_planes(const Knife& knife) {
   const PlaneCut* cut = std::get_if<PlaneCut>(&knife.cut);
   if (cut == nullptr || std::holds_alternative<StrokeKnife>(*cut) || std::holds_alternative<CrinkleKnife>(*cut))
@@ -28,7 +28,7 @@ bool is_planes(const Knife& knife) {
   return wedges == nullptr || wedges->count % 2 == 0;
 }
 
-/// By how much the number of a knife's cell grows beyond one of its planes; 0 of wedges.
+/// The step of a knife's cell number across one of its planes; 0 for wedges.
 int step_beyond(const KnifePlanes& knife, std::size_t plane) {
   if (knife.wedges > 0) return 0;
   KnifeSides before;
@@ -51,14 +51,14 @@ std::vector<PageCut> planes_in(std::span<const Knife> knives, const Box<double>&
   return planes;
 }
 
-/// Of the grid: `reference` has no more nodes than `final`.
+/// The quality of the grid: `reference` has as many nodes as `final`.
 Asset asset_of(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser) {
   const Quality quality = order.color.quality == Quality::draft ? Quality::draft : Quality::final;
   return make_asset({fruit.grown, fruit.fruit, fruit.name, fruit.origin.key.seed},
                     {.quality = quality, .diffuser = diffuser, .threads = order.threads});
 }
 
-/// Coloured by the diffuser that the order names.
+/// The asset, coloured by the diffuser that the order names.
 Asset ordered_asset(const OrderedFruit& fruit, const Order& order, const DeliveryProgress& progress) {
   std::unique_ptr<Diffuser> diffuser;
   if (order.color.diffuser.value_or(DiffuserKind::harmonic) != DiffuserKind::harmonic)

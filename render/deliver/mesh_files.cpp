@@ -26,7 +26,7 @@ namespace pomona {
 namespace {
 
 /// For each solid NAME.color.png, and where it has maps NAME.normal.png, NAME.orm.png, NAME.thickness.png and
-/// NAME.part.png; and parts.json, which says what the parts' numbers stand for. \param folder need not be there yet.
+/// NAME.part.png; and parts.json, with the names of the parts' numbers. \param folder need not exist yet.
 std::vector<OutputFile> map_files(std::span<const BakedSolid> baked, const std::filesystem::path& folder) {
   std::vector<OutputFile> files;
   nlohmann::ordered_json parts = nlohmann::ordered_json::object();
@@ -49,7 +49,7 @@ std::vector<OutputFile> map_files(std::span<const BakedSolid> baked, const std::
   return files;
 }
 
-/// all_baked(), fruit by fruit, whose pieces share what colours them: progress is told after each.
+/// all_baked(), fruit by fruit, because pieces of one share their colours; reports progress after each.
 std::vector<BakedSolid> baked_by_fruit(std::span<const Solid> solids, const Style& style, const BakeOptions& how,
                                        const DeliveryProgress& progress) {
   std::vector<BakedSolid> baked_solids;
@@ -126,7 +126,7 @@ ReadyMeshes ready_meshes(const SceneViews& scene, const Order& order, const Deli
   const std::optional<BakeOptions> wanted = bake_options(order);
   if (!wanted) return ready;
 
-  // Variants differ in colour alone.
+  // Variants differ only in colour.
   BakeOptions bake = *wanted;
   ready.baked = delivered.times.time("bake", [&] { return baked_by_fruit(solids, how.style, bake, how.progress); });
   ready.coarser = delivered.times.time("bake", [&] { return baked_levels(ready.levels, how.style, bake); });

@@ -10,18 +10,18 @@
 
 namespace pomona {
 
-/// What .glb and .usda are made of besides the scene, made once for both.
+/// Levels of detail and textures, made once for .glb and .usda.
 struct ReadyMeshes {
-  std::vector<std::vector<Solid>> levels;        ///< of each solid; empty without levels of detail
-  std::vector<BakedSolid> baked;                 ///< each solid in textures; empty without textures
-  std::vector<std::vector<BakedSolid>> coarser;  ///< its levels in textures
+  std::vector<std::vector<Solid>> levels;        ///< levels of each solid; empty without levels of detail
+  std::vector<BakedSolid> baked;                 ///< baked solids; empty without textures
+  std::vector<std::vector<BakedSolid>> coarser;  ///< their baked levels
   std::vector<TextureVariant> variants;          ///< the solids at other ripenesses
 };
 
 /// Levels and textures as ordered. Times, counts and warnings go to `delivered`.
 ReadyMeshes ready_meshes(const SceneViews& scene, const Order& order, const DeliverOptions& how, Delivered& delivered);
 
-/// One output of these formats, with the folder of maps where the order names one.
+/// One output of these formats, with the folder of maps if the order names one.
 Delivered mesh_files(const Output& output, const SceneViews& scene, const ReadyMeshes& ready, const Order& order,
                      const DeliverOptions& how);
 

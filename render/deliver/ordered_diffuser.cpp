@@ -33,7 +33,7 @@ std::unique_ptr<Diffuser> ordered_diffuser(const Order& order, const DeliveryPro
     case DiffuserKind::walk:
       return by_walks(order, progress);
     case DiffuserKind::automatic:
-      // OpenGL in software is no gain.
+      // Software OpenGL would be slower.
       if (std::unique_ptr<Diffuser> on_card = make_diffuser_on_graphics_card(by_opengl)) return on_card;
       break;
   }

@@ -1,4 +1,4 @@
-// Which parts a section shows as its rim alone.
+// The parts that a section shows only as its rim.
 #pragma once
 
 #include "generator/template/template.h"
@@ -6,7 +6,7 @@
 
 namespace pomona {
 
-/// By the name of each of the fruit's outer surfaces, the part that is its outside.
+/// The part on the outside of each outer surface, by the surface's name.
 OutsideParts outside_parts(const Template& fruit);
 
 }  // namespace pomona

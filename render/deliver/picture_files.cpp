@@ -21,14 +21,14 @@ namespace pomona {
 
 namespace {
 
-/// A scene as a picture of this size shows it.
+/// A scene with its view for a picture of this size.
 struct Framed {
   Scene scene;
   PictureSize size;
-  std::vector<PlateLayer> plate;  ///< what is drawn around and over it
+  std::vector<PlateLayer> plate;  ///< layers around and over it
 };
 
-/// Seen as the order says, or as it fits a picture of this shape, or the figure on a plate.
+/// The view of the order, or one that fits a picture of this shape, or the figure on a plate.
 Scene fitted(Scene scene, const PictureSize& size, const std::optional<Plate>& plate, const Order& order,
              const Style& style) {
   if (!order.picture.view && !scene.view.fitted) return scene;
@@ -61,7 +61,7 @@ Image painted(const Framed& framed, const Style& style, Threads threads) {
                     {.width = framed.size.width, .height = framed.size.height, .threads = threads});
 }
 
-/// What the picture shows, by the same view.
+/// The ground truth, by the same view.
 Delivered truth_files(const Output& picture, const Framed& framed, const Order& order, const DeliverOptions& how) {
   const TruthOptions options{.width = framed.size.width,
                              .height = framed.size.height,
@@ -76,7 +76,7 @@ Delivered truth_files(const Output& picture, const Framed& framed, const Order& 
   return delivered;
 }
 
-/// Hatching or stipple, where the style draws tones by marks: they follow the picture that OpenGL paints.
+/// Hatching or stipple, if the style draws tones by marks; they follow OpenGL's picture.
 SvgMarks marks_on(const Framed& framed, const Style& style, Threads threads) {
   if (!style.marks) return {};
   Style paint = style;

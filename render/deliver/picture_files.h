@@ -1,11 +1,11 @@
-// What shows a scene flat: pictures with their ground truth, ink as strokes, POV-Ray's description.
+// Pictures of a scene with their ground truth, its ink as strokes, and POV-Ray files.
 #pragma once
 
 #include "render/deliver/deliver_options.h"
 
 namespace pomona {
 
-/// A .png by OpenGL, and where the order names a folder for it what each pixel shows.
+/// A .png by OpenGL, and its ground truth if the order names a folder for it.
 Delivered png_files(const Output& output, const SceneViews& scene, const Order& order, const DeliverOptions& how);
 
 /// The ink as strokes, and the marks of hatching and stipple. Warns of a style without ink.

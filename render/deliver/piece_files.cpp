@@ -18,7 +18,7 @@ namespace pomona {
 
 namespace {
 
-/// docs/reference/formats.md, "Piece list".
+/// The list of pieces as JSON: docs/reference/formats.md, "Piece list".
 std::string piece_list(const Scene& scene) {
   using Json = nlohmann::ordered_json;
   Json pieces = Json::array();

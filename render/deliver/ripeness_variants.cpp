@@ -13,7 +13,7 @@ namespace pomona {
 
 namespace {
 
-/// The vertices of cut faces as they are at this ripeness: textures take from them what lies around a face.
+/// Gives vertices of cut faces their colours at this ripeness, because textures read them around a face.
 Solid with_cut_faces(Solid piece, const SectionColors& colors) {
   std::vector<std::uint32_t> numbers;
   for (std::size_t t = 0; t < piece.mesh.triangle.size(); ++t) {

@@ -12,15 +12,15 @@
 
 namespace pomona {
 
-/// The pieces once more, at another ripeness.
+/// The pieces at another ripeness.
 struct RipenessVariant {
   std::string name;  ///< "ripeness 0.3"
   std::vector<Solid> pieces;
 };
 
-/// At each ripeness that the order names. \param pieces of the fruit as it is. \param drawn the fruit's template.
-/// \param diffuser none for what was not cut. \param times grows by the stages vary and sweep.
-/// \throws Error (usage) where there is no template, but a file of surfaces.
+/// The variants for each ripeness that the order names. \param pieces of the fruit at its own ripeness. \param drawn
+/// the fruit's template. \param diffuser null for whole fruit. \param times the stages vary and sweep are added.
+/// \throws Error (usage) for a file of surfaces, which has no template.
 std::vector<RipenessVariant> ripeness_variants(std::span<const Solid> pieces, const OrderedFruit& fruit,
                                                const std::optional<Template>& drawn, const Order& order,
                                                const Diffuser* diffuser, StageClock& times);

@@ -47,7 +47,7 @@ std::vector<std::vector<BakedSolid>> baked_levels(std::span<const std::vector<So
   std::vector<std::vector<BakedSolid>> baked(levels.size());
   BakeOptions how = options;
   for (std::size_t level = 0;; ++level) {
-    // All solids that have this level, so that those of one fruit share what diffuses them.
+    // Bakes all solids that have this level together, so that those of one fruit share diffused points.
     std::vector<Solid> solids;
     std::vector<std::size_t> owner;
     for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -55,7 +55,7 @@ std::vector<std::vector<BakedSolid>> baked_levels(std::span<const std::vector<So
     }
     if (solids.empty()) return baked;
 
-    // Half the picture's area is a root of two less along a side: halved for levels 1, 3 and 5.
+    // Each level serves half the area, a root of two less along a side, so the side is halved for levels 1, 3 and 5.
     if (level % 2 == 0) how.texels = std::max(64, how.texels / 2), how.texel *= 2;
     std::vector<BakedSolid> done = all_baked(solids, style, how);
     for (std::size_t k = 0; k < done.size(); ++k) baked[owner[k]].push_back(std::move(done[k]));

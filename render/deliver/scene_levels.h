@@ -12,14 +12,14 @@
 
 namespace pomona {
 
-/// How many triangles all solids have together at each level, from the solids themselves (level 0) on. A solid whose
-/// levels end early counts with its coarsest one.
+/// The number of triangles of all solids at each level, from the solids themselves (level 0) on. A solid whose levels
+/// end early counts with its coarsest one.
 struct LevelCounts {
   std::vector<std::size_t> wanted, triangles;
 };
 LevelCounts level_counts(std::span<const Solid> solids, std::span<const std::vector<Solid>> levels, int count);
 
-/// Of both together.
+/// The sum of both.
 LevelCounts added(LevelCounts counts, const LevelCounts& more);
 
 /// Counts the triangles of each level, "lod_1_triangles", and warns of each level that has a tenth more than it should.
@@ -30,7 +30,7 @@ void tell_levels(const LevelCounts& counts, Delivered& delivered);
 std::vector<std::vector<BakedSolid>> baked_levels(std::span<const std::vector<Solid>> levels, const Style& style,
                                                   const BakeOptions& options);
 
-/// Tells how many texels there are, and at how many points colours were diffused for them.
+/// Counts the texels, and the points at which colours were diffused for them.
 void count_texels(std::span<const BakedSolid> baked_solids, Delivered& delivered);
 
 }  // namespace pomona

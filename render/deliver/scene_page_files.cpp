@@ -17,7 +17,7 @@ namespace {
 
 using FindTemplate = std::function<std::filesystem::path(const std::string& name)>;
 
-/// The template of an entry, as composing found it.
+/// The template of an entry, found as in composing.
 std::filesystem::path template_of(const SceneDescription& scene, const std::string& entry,
                                   const FindTemplate& find_template) {
   for (const PiecesDescription& pieces : scene.pieces) {
@@ -37,7 +37,7 @@ Asset grown_asset(const Template& fruit, const PieceOrigin& origin, Threads thre
                     {.quality = Quality::draft, .diffuser = nullptr, .threads = threads});
 }
 
-/// One of the pieces of each fruit, and which fruit each solid is of; -1 for dishes.
+/// One piece of each fruit, and the fruit of each solid; -1 for dishes.
 struct FruitsOfScene {
   std::vector<const PieceOrigin*> origin;
   std::vector<int> of_solid;

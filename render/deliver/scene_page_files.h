@@ -10,10 +10,9 @@
 
 namespace pomona {
 
-/// The pages of the order: the scene with the fruits that its pieces are cut from, each grown once more as its pieces
-/// tell. What cannot be cut again, as its boundary is open, is warned of: it can be looked at.
-/// \param find_template the file behind a template's name, where none lies beside the scene's file.
-/// \throws Error (usage) for more than a page takes.
+/// The pages of the order: the scene with the fruits of its pieces, each grown again from its pieces' origin. A warning
+/// names fruit with an open boundary, which can be looked at but not cut. \param find_template the file behind a
+/// template's name, if none lies beside the scene's file. \throws Error (usage) for more than a page takes.
 Delivered scene_page_files(const SceneDescription& description, const Scene& scene, const Order& order,
                            const DeliverOptions& how,
                            const std::function<std::filesystem::path(const std::string& name)>& find_template);

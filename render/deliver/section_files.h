@@ -6,8 +6,7 @@
 
 namespace pomona {
 
-/// The .ply keeps the colours as they diffused; pictures show what pieces show.
-/// \param fruit the variant that was cut.
+/// The .ply keeps the diffused colours; pictures show the colours of pieces. \param fruit the variant that was cut.
 Delivered section_files(const Slices& slices, const Template& fruit, const Order& order, const DeliverOptions& how);
 
 }  // namespace pomona

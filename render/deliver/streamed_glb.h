@@ -19,11 +19,11 @@ namespace pomona {
 
 struct StreamedGlbOptions {
   ExportOptions exported{};
-  int lod = 0;                        ///< levels of detail besides the solids
+  int lod = 0;                        ///< number of further levels of detail
   std::optional<BakeOptions> bake{};  ///< none: colours at vertices
 };
 
-/// Takes solids as they come, and holds none: what has become of them waits on the disk. The bytes are those that
+/// Takes solids one after another and keeps none: their bytes wait on the disk. The result has the bytes that
 /// write_glb() makes of the whole scene.
 class StreamedGlb {
  public:
@@ -35,8 +35,8 @@ class StreamedGlb {
   /// The scene's next solids.
   void take(std::span<const Solid> solids);
 
-  /// Once, when all have been taken: the file, with what was measured and counted.
-  /// \param scene with the triangles of their meshes.
+  /// Call it once, after the last solid: the file, with times and counts. \param scene with the triangles of their
+  /// meshes.
   Delivered finished(const Scene& scene);
 
  private:

@@ -26,7 +26,7 @@ LineSampling sampling_of(Quality quality) {
   return {.lines = 12288};  // as many directions as the reference on the CPU
 }
 
-/// A fruit made ready: for the card, and for what the CPU resolves.
+/// A prepared fruit: data for the card, and for the points that the CPU resolves.
 struct PreparedFruit {
   SurfaceTree tree;
   ColorHull hull;

@@ -11,7 +11,7 @@ namespace pomona {
 
 struct GlDiffuserOptions {
   Quality quality = Quality::final;
-  Threads threads = {};               ///< for what the processor does: trees before, points on surfaces after
+  Threads threads = {};               ///< threads of the processor's work: trees before, points on surfaces after
   std::optional<GlRoute> route = {};  ///< nothing: as GlContext chooses
 };
 

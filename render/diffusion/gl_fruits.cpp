@@ -17,7 +17,7 @@ GlBuffer joined(const CurrentGl& gl, std::span<const RaySurfaces> fruits, std::v
   return {gl, GL_SHADER_STORAGE_BUFFER, all};
 }
 
-/// Of each buffer that could be the largest.
+/// The limits of the buffers that may be the largest.
 struct Bytes {
   std::size_t nodes = 0, triangles = 0, colors = 0;
 

@@ -10,7 +10,7 @@
 
 namespace pomona {
 
-/// Where a fruit begins in the buffers.
+/// The start of a fruit in the buffers.
 struct FruitPlace {
   std::uint32_t node = 0, triangle = 0, vertex = 0;
 };

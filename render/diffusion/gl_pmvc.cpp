@@ -51,7 +51,7 @@ class PmvcRun {
         tasks_(tasks),
         uploaded_(uploaded(gl, fruits)) {}
 
-  /// What `asked` see, in that order; neighbours in it share a work-group.
+  /// The values of the points in `asked`, in that order; neighbours in it share a work-group.
   std::vector<Sight> sights(std::span<const Asked> asked, int lines) const {
     std::vector<PointGroup> groups;
     std::size_t task = tasks_.size();

@@ -9,7 +9,7 @@
 
 namespace pomona {
 
-/// How many lines are looked along from each point, both ways.
+/// The number of lines through each point, used in both directions.
 struct LineSampling {
   int lines = 0;
   int fine_lines = 0;      ///< instead, where colours scatter by more than `max_scatter`; 0 = nowhere

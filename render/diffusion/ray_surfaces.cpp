@@ -71,7 +71,7 @@ class Bins {
   /// The border before which a bin goes into the first part, and that part: where rays have least work to do, by
   /// surface areas times triangles. A count of 0 if all are in one bin.
   std::pair<int, Split> best() const {
-    // From the last bin backwards: what lies behind each border.
+    // From the last bin backwards: the boxes behind each border.
     std::array<Box<float>, bins> after{};
     std::array<std::size_t, bins> count_after{};
     for (std::size_t border = bins - 1; border > 0; --border) {
@@ -83,7 +83,7 @@ class Bins {
       count_after[border] += count_[border];
     }
 
-    // From the first bin onwards: the border at which the work is least.
+    // From the first bin onwards: finds the border with the least work.
     std::pair<int, Split> best;
     float min = std::numeric_limits<float>::max();
     Box<float> before;
@@ -117,7 +117,7 @@ class RayTreeBuilder {
     const int root = child(0, placed.size(), all, 0);
     if (root == 0) return;
 
-    // So few triangles that they are one leaf: a root above it, with nothing beside it.
+    // The triangles fit into one leaf: makes a root with this leaf only.
     node_.emplace_back();
     set(0, root, all, ~0, Box<float>{});
   }

@@ -8,7 +8,7 @@ namespace pomona {
 
 namespace {
 
-/// The mean of 2 `reach` + 1 neighbours of each of `count` numbers that lie `step` apart.
+/// The mean of 2 `reach` + 1 neighbours of each of `count` numbers, which are `step` apart.
 void box_filter(std::vector<float>& field, std::size_t first, std::size_t step, int count, int reach,
                 std::vector<float>& row) {
   const auto value = [&](int i) { return row[static_cast<std::size_t>(std::clamp(i, 0, count - 1))]; };

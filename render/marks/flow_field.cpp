@@ -13,9 +13,9 @@ namespace pomona {
 
 namespace {
 
-constexpr int max_side = 1600;  // pixels: flow is smooth, and a large print needs no finer one
+constexpr int max_side = 1600;  // pixels; flow is smooth, so larger prints need no finer one
 
-/// The means of squares of pixels; those at the right and the lower edge may be smaller.
+/// The means of squares of pixels; squares at the right and the lower edge may be smaller.
 Image in_squares(const Image& image, int square) {
   if (square == 1) return image;
   Image small{(image.width + square - 1) / square, (image.height + square - 1) / square, {}};
@@ -65,13 +65,13 @@ Tensors edges_of(const Image& painted) {
   return edges;
 }
 
-/// The unit vector at half the angle of (c, s), another unit vector.
+/// The unit vector at half the angle of the unit vector (c, s).
 glm::vec2 at_half_angle(double c, double s) {
   const double x = std::sqrt(std::max(0.0, (1 + c) / 2)), y = std::sqrt(std::max(0.0, (1 - c) / 2));
   return {static_cast<float>(x), static_cast<float>(s < 0 ? -y : y)};
 }
 
-/// Across (xx - yy, 2 xy) at half the angle: the direction in which the tensor is least.
+/// Perpendicular to (xx - yy, 2 xy) at half the angle: the minor direction of the tensor.
 glm::vec2 minor_direction(double xx, double xy, double yy) {
   const double c = yy - xx, s = -2 * xy, size = std::sqrt(c * c + s * s);
   return size > 0 ? at_half_angle(c / size, s / size) : glm::vec2(1, 0);
@@ -109,7 +109,7 @@ FlowField flow_of(const Image& whole, const FlowOptions& options) {
     add(sum.yy, edges.yy);
   }
 
-  // A little of the usual direction, so that nothing is without one.
+  // Adds a little of the default direction, so that every place has one.
   const double faint = 1e-5;
   const glm::dvec2 across(-options.otherwise.y, options.otherwise.x);
   FlowField field{painted.width, painted.height, std::vector<glm::vec2>(painted.pixels.size()), square};

@@ -14,16 +14,16 @@ namespace pomona {
 
 namespace {
 
-/// Points on a sheet in square cells, for questions that reach no farther than a cell.
+/// Points on a sheet in square cells, for queries that reach at most a cell.
 class LineGrid {
  public:
-  /// \param reach pixels: the farthest that is_free() will be asked for.
+  /// \param reach pixels: the largest distance for is_free().
   LineGrid(int width, int height, double reach);
 
-  /// \param step which point of its line this is, from where it began; the other way counts negative.
+  /// \param step index of the point along its line, from the seed; negative in the other direction.
   void add(const glm::dvec2& place, int line, int step);
 
-  /// Whether no point lies nearer than `distance`, but those of the same line within `own` steps.
+  /// Whether no point lies nearer than `distance`, except those of the same line within `own` steps.
   bool is_free(const glm::dvec2& place, double distance, int line, int step, int own) const;
 
  private:
@@ -66,9 +66,10 @@ bool LineGrid::is_free(const glm::dvec2& place, double distance, int line, int s
 }
 
 constexpr int max_steps = 20000;
-constexpr double min_bend = 0.75;  // cosine of what a line turns over half a spacing: a pen draws no corners
+constexpr double min_bend = 0.75;  // cosine of the largest turn of a line over half a spacing, because a pen draws no
+                                   // corners
 
-/// One set of lines: those along the flow, or those that cross them.
+/// One set of lines: along the flow, or crossing it.
 class LineSet {
  public:
   LineSet(const ToneMap& tones, const FlowField& flow, const HatchOptions& options, double bare, glm::dvec2 turn)
@@ -81,7 +82,7 @@ class LineSet {
         grid_(tones.width, tones.height, options.spacing) {}
 
   std::vector<Mark> lines() {
-    // From places over the whole picture; from each line outwards first, so that neighbours run side by side.
+    // Seeds lie all over the picture; seeds beside the last line come first, so that neighbours run side by side.
     std::vector<Mark> marks;
     const double d = options_.spacing;
     for (double y = 0.5 * d; y < tones_.height; y += d) {
@@ -99,7 +100,7 @@ class LineSet {
   }
 
  private:
-  /// How dark it still is once the lighter set has been drawn: 0..1.
+  /// The remaining darkness after the lighter set: 0..1.
   double tone(const glm::dvec2& place) const { return (tones_.at(place) - bare_) / (1 - bare_); }
 
   glm::dvec2 way(const glm::dvec2& place, const glm::dvec2& heading) const {
@@ -113,7 +114,7 @@ class LineSet {
            tone(place) > options_.lightest;
   }
 
-  /// The way on from a place by the midpoint rule, until it gets light, another line is near, or the flow turns a
+  /// Follows the flow from a place by the midpoint rule, until it is light, another line is near, or the flow turns a
   /// corner.
   std::vector<glm::dvec2> followed(glm::dvec2 place, glm::dvec2 heading, int line, int sense) {
     std::vector<glm::dvec2> points;
@@ -133,7 +134,7 @@ class LineSet {
     return points;
   }
 
-  /// Both ways from a seed that is far enough from all lines; empty where there is no room for one worth drawing.
+  /// A line in both directions from a seed that is far enough from all lines; empty if it would be too short.
   Mark line_through(const glm::dvec2& seed) {
     if (!holds(seed) || !grid_.is_free(seed, 0.95 * options_.spacing, -1, 0, 0)) return {};
     const int line = count_++;
@@ -160,7 +161,7 @@ class LineSet {
     }
   }
 
-  /// As broad as the tone asks for, with a trembling hand and ends that run out.
+  /// The width follows the tone, with a tremble and thin ends.
   Mark inked(const std::vector<glm::dvec2>& points, int line) const {
     Mark mark;
     const double last = stride_ * static_cast<double>(points.size() - 1);

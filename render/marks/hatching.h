@@ -11,8 +11,8 @@ namespace pomona {
 
 /// Lengths in pixels.
 struct HatchOptions {
-  double spacing = 6;      ///< from line to line
-  double width = 4;        ///< of lines in full ink
+  double spacing = 6;      ///< distance between lines
+  double width = 4;        ///< width of lines in full ink
   double lightest = 0.06;  ///< darkness below which there is no line
   double crossing = 0.6;   ///< darkness above which a second set of lines crosses the first
 };

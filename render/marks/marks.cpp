@@ -10,7 +10,7 @@
 namespace pomona {
 
 std::vector<Mark> marks_of(const Image& painted, const Color& paper, const MarkStyle& style) {
-  // However small the picture, marks stay wide enough to be told apart.
+  // Marks stay wide enough to be distinguished in small pictures.
   const double side = std::min(painted.width, painted.height);
   const double width = std::max(style.width * side, 0.7), spacing = std::max(style.spacing * side, 1.5);
   if (style.kind == MarkKind::stipple) {

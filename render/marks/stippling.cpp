@@ -12,7 +12,7 @@ namespace pomona {
 
 namespace {
 
-/// Dots in square cells as wide as the densest lie apart; the distance asked for decides how many cells are looked at.
+/// Dots in square cells as wide as the smallest distance; the wanted distance decides how many cells are searched.
 class DotGrid {
  public:
   DotGrid(int width, int height, double cell)
@@ -53,7 +53,7 @@ std::vector<Mark> stippled(const ToneMap& tones, const StippleOptions& options) 
   const RandomStream draw({}, "stipple");
   DotGrid grid(tones.width, tones.height, closest);
 
-  // Some thirty tries for every dot that the densest packing would hold.
+  // Some thirty tries for every dot of the densest packing.
   const auto tries = static_cast<std::uint64_t>(20.0 * tones.width * tones.height / (closest * closest));
   std::vector<Mark> dots;
   for (std::uint64_t i = 0; i < tries; ++i) {

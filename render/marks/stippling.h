@@ -10,13 +10,13 @@ namespace pomona {
 
 /// Lengths in pixels.
 struct StippleOptions {
-  double width = 2;        ///< of a dot
-  double lightest = 0.02;  ///< darkness below which there is none
+  double width = 2;        ///< width of a dot
+  double lightest = 0.02;  ///< darkness below which there are no dots
 };
 
-/// Dots of nearly one size that keep a distance of 1.48 radii / sqrt(darkness): a dense packing of discs so far apart
-/// covers that share of the paper. Thrown one by one [Cook 1986], and kept where there is room, until hardly any finds
-/// it.
+/// Dots of nearly one size that keep a distance of 1.48 radii / sqrt(darkness): a dense packing of discs at this
+/// distance covers that share of the paper. Dots are thrown one by one [Cook 1986] and kept if there is room, until
+/// hardly any finds room.
 std::vector<Mark> stippled(const ToneMap& tones, const StippleOptions& options = {});
 
 }  // namespace pomona

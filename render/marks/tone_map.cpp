@@ -13,7 +13,7 @@ namespace {
 
 constexpr int levels = 1024;
 
-/// The darkness that `share` of all pixels darker than `bare` do not exceed; 1 where there are none.
+/// The darkness that `share` of all pixels darker than `bare` do not exceed; 1 if there are none.
 double quantile(const std::vector<float>& darkness, double bare, double share) {
   std::array<std::uint64_t, levels> count{};
   std::uint64_t all = 0;
@@ -39,7 +39,7 @@ double ToneMap::at(const glm::dvec2& place) const {
 }
 
 ToneMap tones_of(const Image& painted, const Color& paper, const ToneOptions& options) {
-  // What the paper has more of than the pixel.
+  // The difference of lightness between the paper and the pixel.
   ToneMap map{painted.width, painted.height, std::vector<float>(painted.pixels.size())};
   const double light = std::max<double>(to_oklab(paper).x, 0.05);
   for (std::size_t i = 0; i < map.darkness.size(); ++i) {
@@ -48,7 +48,7 @@ ToneMap tones_of(const Image& painted, const Color& paper, const ToneOptions& op
   }
   map.darkness = blurred(std::move(map.darkness), map.width, map.height, options.blur);
 
-  // From bare paper to the picture's own darkest.
+  // Stretches from bare paper to the picture's darkest.
   const double max = std::max(quantile(map.darkness, options.bare, options.darkest), 2 * options.bare);
   for (float& dark : map.darkness) {
     dark = static_cast<float>(std::clamp((dark - options.bare) / (max - options.bare), 0.0, 1.0));

@@ -12,8 +12,8 @@ namespace pomona {
 
 struct ToneOptions {
   double blur = 1;        ///< pixels: grain and speckles finer than this have no tone of their own
-  double bare = 0.05;     ///< darkness that still counts as paper: its grain and its browned edges
-  double darkest = 0.96;  ///< share of what is not paper that becomes no darker than full ink
+  double bare = 0.05;     ///< darkness that still counts as paper, for its grain and brown edges
+  double darkest = 0.96;  ///< share of the pixels that are not paper and stay below full ink
 };
 
 /// 0 = bare paper, 1 = full ink; by rows from the top left.
@@ -21,7 +21,7 @@ struct ToneMap {
   int width = 0, height = 0;
   std::vector<float> darkness;
 
-  /// At a place in pixels; 0 outside of the picture.
+  /// The darkness at a place in pixels; 0 outside of the picture.
   double at(const glm::dvec2& place) const;
 };
 

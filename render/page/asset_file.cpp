@@ -25,15 +25,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// The file's first eight bytes, and what an unpacked one may hold at most.
+// The file's first eight bytes, and the limit of its unpacked size.
 constexpr std::string_view magic("pomona\0\1", 8);
 constexpr std::size_t max_bytes = std::size_t{1} << 28;
 constexpr std::size_t max_header = std::size_t{1} << 20;
-// Rows of nodes that its triangles lie across: a fruit of 100 000 triangles has some millions.
+// Limit of rows of nodes that its triangles cross: a fruit of 100 000 triangles has some millions.
 constexpr std::int64_t max_rows = 300'000'000;
 
-// How coarsely nodes are rounded: the finest that leaves an asset this small, so that its page, of five characters for
-// four bytes and 0.16 MB of code, stays below 1.5 MB.
+// The rounding of nodes: the finest with which the asset's page, with five characters for four bytes and 0.16 MB of
+// code, stays below 1.5 MB.
 constexpr std::array<int, 3> rounding = {all_thirds, 8, 3};
 constexpr std::size_t large_asset = 1'060'000;
 
@@ -85,7 +85,7 @@ std::string arrays_of(const Asset& a, int thirds) {
   const std::vector<std::uint8_t> coded = coded_nodes(a, thirds);
   bytes.append(coded.begin(), coded.end());
 
-  // How it is painted.
+  // Writes the paint.
   bytes += texel_bytes(a.noise) + texel_bytes(a.details) + texel_bytes(a.materials);
   for (const glm::u8vec4& share : a.skin_share)
     for (int k = 0; k < 4; ++k) bytes += static_cast<char>(share[k]);
@@ -99,7 +99,7 @@ std::string arrays_of(const Asset& a, int thirds) {
   return bytes + planes_of(a.shell.size(), 1, 2, [&](std::size_t t) { return a.shell[t]; });
 }
 
-/// Takes an unpacked asset apart, from the front.
+/// Reads an unpacked asset from the front.
 class AssetReader {
  public:
   AssetReader(std::string_view bytes, const std::filesystem::path& file) : rest_(bytes), file_(file.string()) {}
@@ -141,14 +141,14 @@ class AssetReader {
   std::string file_;
 };
 
-/// Numbers of the header, and the counts of what follows it.
+/// Reads the header, with the counts of the arrays.
 struct Counts {
   int thirds = thirds_of_first_format;
   std::size_t vertices = 0, triangles = 0, shells = 0, noise = 0, details = 0, materials = 0, skin_shares = 0;
 };
 
 void check_header(const Asset& asset, const Counts& counts, const AssetReader& reader) {
-  // Counts first: everything after is as large as they say.
+  // Reads counts first, because they determine all sizes.
   for (const int count : asset.count)
     reader.require(count >= 2 && count <= max_asset_nodes_along, "it has no nodes, or too many along an axis");
   reader.require(asset.node_count() <= max_asset_nodes && counts.vertices <= max_asset_vertices &&

@@ -15,14 +15,14 @@ namespace pomona {
 
 namespace {
 
-/// Whole numbers up to this: a thousandth of a fruit's size is less than patterns show, and small numbers pack well.
+/// Largest stored value: patterns do not show a thousandth of a fruit's size, and small numbers pack well.
 constexpr double max_units = 1023;
 
 bool has_details(const Template& fruit, DetailFace face) {
   return std::any_of(fruit.details.begin(), fruit.details.end(), [&](const DetailSketch& d) { return d.face == face; });
 }
 
-/// A part of the template by the number that it has among the surfaces' parts.
+/// Template parts by their indices among the surfaces' parts.
 std::int32_t part_in_template(const Template& fruit, const std::string& name) {
   const auto found = std::find(fruit.parts.begin(), fruit.parts.end(), name);
   return found == fruit.parts.end() ? -1 : static_cast<std::int32_t>(found - fruit.parts.begin());
@@ -36,7 +36,7 @@ struct CoarseNodes {
   std::vector<std::uint8_t> inside;
 };
 
-/// Coarse nodes with a fine node inside within the cells around them.
+/// Coarse nodes with an inner fine node in the cells around them.
 CoarseNodes nodes_in_use(const Asset& asset, const AssetGuide& guide) {
   CoarseNodes nodes;
   const auto winding = [&](const glm::ivec3& p) {
@@ -69,8 +69,7 @@ CoarseNodes nodes_in_use(const Asset& asset, const AssetGuide& guide) {
   return nodes;
 }
 
-/// Guides are measured where details count, by the parts of cut faces; a grid's nodes stand for whatever part lies
-/// there.
+/// Guides are computed where details count, by the parts of cut faces; a grid's nodes may have any part.
 Template counting_everywhere(Template fruit) {
   for (DetailSketch& detail : fruit.details) {
     detail.parts = {0};
@@ -79,7 +78,7 @@ Template counting_everywhere(Template fruit) {
   return fruit;
 }
 
-/// Where no detail runs along anything the ways are 0; their lengths, the depths, are wanted all the same.
+/// Without directed details the ways are 0, but their lengths, the depths, are still needed.
 void keep_depths(const GrownFruit& grown, Threads threads, CrossSection& places) {
   const auto is_way = [](const DetailGuide& at) { return at.to_skin != glm::vec3(0); };
   if (std::any_of(places.guide.begin(), places.guide.end(), is_way)) return;
@@ -99,7 +98,7 @@ void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, 
   }
   if (!has_details(fruit, DetailFace::cut)) return;
 
-  // A grid of every eighth node, whose last plane lies on or beyond the lattice's.
+  // A grid of every eighth node; its last plane lies on or beyond the lattice's.
   AssetGuide guide;
   for (std::size_t axis = 0; axis < 3; ++axis)
     guide.count[axis] = (asset.count[axis] + guide.stride - 2) / guide.stride + 1;
@@ -110,7 +109,7 @@ void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, 
   places = guided(std::move(places), grown.swept, counting_everywhere(fruit), threads, grown.skin.get());
   keep_depths(grown, threads, places);
 
-  // Values in units of the largest.
+  // Rounds values in units of the largest.
   double largest = 1e-6;
   for (const DetailGuide& at : places.guide) {
     const glm::vec3 way = glm::abs(at.to_skin);
@@ -127,7 +126,7 @@ void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, 
     guide.value[nodes.index[i]] = glm::i16vec4(glm::floor(value / guide.unit + 0.5));
   }
 
-  // What each detail counts for, by part and depth.
+  // The weight of each detail, by part and depth.
   guide.deepest = std::max(guide.deepest, 1e-6);
   for (const std::string& part : asset.parts) {
     for (int step = 0; step < depth_steps; ++step) {

@@ -1,4 +1,4 @@
-// Guides for texture detail, for places that are not known yet.
+// Guides for texture detail on a grid, for cuts that are not known yet.
 #pragma once
 
 #include "generator/base/parallel.h"
@@ -8,9 +8,9 @@
 
 namespace pomona {
 
-/// Adds `guide`, where the template has details for cut faces, and `skin_share`, where it has some for skins. Outside
-/// the fruit, where the corners of cells at the skin lie, the way to the skin leads back inwards, so that it is 0 on
-/// the skin between them.
+/// Adds `guide` if the template has details for cut faces, and `skin_share` if it has some for skins. Outside the
+/// fruit, where the corners of cells at the skin lie, the way to the skin leads back inwards, so that it is 0 on the
+/// skin between them.
 void add_guide(const GrownFruit& grown, const Template& fruit, Threads threads, Asset& asset);
 
 }  // namespace pomona

@@ -9,7 +9,7 @@ namespace {
 /// All ones in the lowest bytes.
 std::uint32_t mask_of(std::size_t width) { return static_cast<std::uint32_t>((std::uint64_t{1} << (8 * width)) - 1); }
 
-/// A difference whose highest bit is set counts as negative: -1 - 2 n becomes odd, 2 n even.
+/// A difference with its highest bit set is negative: negative ones become odd numbers, others even ones.
 std::uint32_t folded(std::uint32_t difference, std::size_t width) {
   const bool negative = (difference >> (8 * width - 1) & 1) != 0;
   return ((difference << 1) ^ (negative ? ~std::uint32_t{0} : 0)) & mask_of(width);

@@ -17,7 +17,7 @@ namespace pomona {
 /// to 4 bytes; numbers must be below 2^(8 width)
 std::string as_planes(std::span<const std::uint32_t> numbers, std::size_t back, std::size_t width);
 
-/// Of one number of each element, get(0) to get(elements - 1).
+/// The planes of one number per element, get(0) to get(elements - 1).
 template <typename Get>
 std::string planes_of(std::size_t elements, std::size_t back, std::size_t width, const Get& get) {
   std::vector<std::uint32_t> numbers(elements);
@@ -28,7 +28,7 @@ std::string planes_of(std::size_t elements, std::size_t back, std::size_t width,
 /// The opposite of as_planes(); `bytes` has width * count of them.
 std::vector<std::uint32_t> from_planes(std::string_view bytes, std::size_t back, std::size_t width);
 
-/// Texels as they are, four floats each.
+/// Texels without coding, four floats each.
 std::string texel_bytes(std::span<const glm::vec4> texels);
 
 }  // namespace pomona

@@ -10,11 +10,11 @@ namespace pomona {
 
 namespace {
 
-/// What is unpacked at a time: memory grows with what is there, not with what a file says of itself.
+/// The number of bytes unpacked at a time, so that memory grows with the content, not with what the file claims.
 constexpr std::size_t chunk = std::size_t{1} << 20;
 
 Bytef* bytes_of(std::string_view text) {
-  // zlib takes a pointer to what it only reads.
+  // zlib takes a non-const pointer, but only reads.
   return const_cast<Bytef*>(reinterpret_cast<const Bytef*>(text.data()));
 }
 
@@ -22,8 +22,8 @@ Bytef* bytes_of(std::string_view text) {
 
 std::string deflated(std::string_view bytes, int effort) {
   z_stream stream{};
-  // Differences are small numbers without much order: short blocks with codes of their own, and few matches, make them
-  // least.
+  // Differences are small numbers without much order: short blocks with their own codes, and few matches, pack them
+  // best.
   if (deflateInit2(&stream, effort, Z_DEFLATED, 15, 7, Z_FILTERED) != Z_OK)
     throw Error(ExitStatus::bug, "zlib does not start");
   std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
@@ -52,7 +52,7 @@ std::optional<std::string> inflated(std::string_view packed, std::size_t max) {
     stream.avail_out = static_cast<uInt>(chunk);
     result = inflate(&stream, Z_NO_FLUSH);
     bytes.resize(before + chunk - stream.avail_out);
-    // Nothing more comes out of a stream that stops halfway.
+    // A stream that stops halfway gives no more output.
     if (result == Z_OK && bytes.size() == before) break;
   }
   const bool whole = result == Z_STREAM_END && stream.avail_in == 0 && bytes.size() <= max;

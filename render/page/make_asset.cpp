@@ -42,7 +42,7 @@ void require_closed(const AssetTask& task) {
            std::to_string(max_asset_parts));
 }
 
-/// Vertices on the whole units nearest to them.
+/// Rounds vertices to whole units.
 void add_surfaces(const DiffusionSurfaces& surfaces, Asset& asset) {
   const double units_per_metre = asset.units / asset.spacing;
   for (std::size_t v = 0; v < surfaces.vertex_count(); ++v) {
@@ -61,7 +61,7 @@ void add_surfaces(const DiffusionSurfaces& surfaces, Asset& asset) {
   asset.parts = surfaces.part_names;
 }
 
-/// Of closed shells those that nodes inside know to cross another or to leave the fruit: knives go through them.
+/// The closed shells that cross another or leave the fruit, judged at nodes inside; knives go through them.
 std::set<std::uint32_t> crossed_shells(const DiffusionSurfaces& surfaces, std::span<const std::uint32_t> shell,
                                        const Asset& asset) {
   std::vector<Enclosures::Triangle> triangles;
@@ -97,7 +97,7 @@ std::set<std::uint32_t> crossed_shells(const DiffusionSurfaces& surfaces, std::s
   return crossed;
 }
 
-/// Parts of the template come first among the surfaces' own. Wants the windings.
+/// Parts of the template come first among the surfaces' own. Needs the windings.
 void add_spared(const DiffusionSurfaces& surfaces, const Template& fruit, Asset& asset) {
   for (const int part : fruit.spared) {
     if (part < static_cast<int>(asset.parts.size())) asset.spared.push_back(part);
@@ -113,8 +113,8 @@ void add_spared(const DiffusionSurfaces& surfaces, const Template& fruit, Asset&
   if (!number.empty()) asset.shell.assign(shell.begin(), shell.end());
 }
 
-/// Nodes that the rounded boundary holds and the solver left out become as those beside them that it knows, be these
-/// within the rounded boundary or not.
+/// Nodes within the rounded boundary that the solver left out get the colours of known neighbours, inside or outside of
+/// it.
 void fill_unknown(const NodeColors& nodes, Asset& asset) {
   const auto nx = static_cast<std::ptrdiff_t>(asset.count[0]), plane = nx * asset.count[1];
   const auto size = static_cast<std::ptrdiff_t>(asset.winding.size());
@@ -133,7 +133,7 @@ void fill_unknown(const NodeColors& nodes, Asset& asset) {
   }
 }
 
-/// What another diffuser says of the nodes inside.
+/// Colours the nodes inside by another diffuser.
 void recolor(const DiffusionSurfaces& surfaces, const Diffuser& diffuser, const Asset& asset, NodeColors& nodes) {
   std::vector<std::size_t> inside;
   std::vector<glm::vec3> place;

@@ -1,4 +1,4 @@
-// From a grown fruit to what can be cut elsewhere.
+// Makes an asset of a grown fruit.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,22 @@ namespace pomona {
 
 struct AssetTask {
   const GrownFruit& grown;
-  const Template& variant;  ///< that it was grown from: noise, detail, materials
+  const Template& variant;  ///< its variant, for noise, detail and materials
   std::string name = "fruit";
   std::uint64_t seed = 0;
 };
 
 struct MakeAssetOptions {
-  /// Of the grid: draft has nodes 64 along the side of a cube as large as the fruit, final 112.
+  /// The quality of the grid: draft has 64 nodes along the side of a cube as large as the fruit, final 112.
   Quality quality = Quality::final;
 
-  /// What colours the nodes; none: the solution on the grid itself, true diffusion.
+  /// The diffuser of the nodes; null: the solution on the grid itself, true diffusion.
   const Diffuser* diffuser = nullptr;
   Threads threads{};
 };
 
-/// \throws Error (bad_data) for surfaces without a boundary to air, with an open one, or with more parts than an asset
-/// holds: which points are inside could not be told.
+/// \throws Error (bad_data) for surfaces without a boundary to air, with an open one, so that inside is not defined, or
+/// with too many parts.
 Asset make_asset(const AssetTask& task, const MakeAssetOptions& options = {});
 
 }  // namespace pomona

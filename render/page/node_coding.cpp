@@ -92,12 +92,12 @@ class Walk {
   int last_ = 0;
 };
 
-/// Large differences lie beside surfaces, whose own colours tell more there: they are rounded.
+/// Rounds large differences, because they lie beside surfaces, whose own colours matter more there.
 class Steps {
  public:
   explicit Steps(int thirds) : thirds_(thirds) {}
 
-  /// Those near 0 become small numbers, whatever their sign.
+  /// Numbers near 0 become small, whatever their sign.
   std::uint8_t symbol_of(int difference) const {
     const int code = code_of(std::abs(difference));
     return static_cast<std::uint8_t>(difference < 0 ? 2 * code - (code > 0 ? 1 : 0) : 2 * code);
@@ -147,7 +147,7 @@ std::vector<std::uint8_t> coded_nodes(const Asset& asset, int thirds) {
 std::optional<std::vector<glm::u8vec3>> decoded_nodes(const Asset& asset, std::span<const std::uint8_t> coded,
                                                       int thirds) {
   const Steps steps(thirds);
-  // Where each stream begins and ends.
+  // The begin and end of each stream.
   std::array<std::size_t, 3 * node_streams> next{}, end{};
   std::size_t at = node_lengths;
   for (std::size_t i = 0; i < next.size(); ++i) {

@@ -1,4 +1,4 @@
-// The colours of nodes as differences from a guess: nine tenths of an asset, and smooth but where surfaces pass.
+// The colours of nodes as differences from a guess. They are nine tenths of an asset, and smooth except at surfaces.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace pomona {
 
-/// Differences of smooth places and of rough ones go into streams of their own: each packs better by itself.
+/// Differences of smooth and of rough places have separate streams, because each packs better by itself.
 constexpr std::size_t node_streams = 4;
 
-/// Bytes before the streams: the length of each, four bytes, those of red first.
+/// Bytes before the streams: the length of each in four bytes, red first.
 constexpr std::size_t node_lengths = 3 * node_streams * 4;
 
 /// Differences of 0 and 1 are exact, then every third stands for those beside it, up to this code; from there on every

@@ -1,4 +1,4 @@
-// The files that a page is made of, as they were when the program was built.
+// The files of pages, built into the program.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What a page opens with, and how its scripts are told.
+// Options of a page, and how its scripts get them.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace pomona {
 
-/// Cuts that a page makes at a time.
+/// Limit of cuts of a page.
 constexpr std::size_t max_page_cuts = 4;
 
 /// A plane that a page opens with. Those of one knife follow one another; `step` is by how much the number of the
 /// knife's cell grows beyond the plane, and 0 of wedges, whose cells are counted by their angle
-/// (generator/knife/knife_planes.h): of cells that hold as much of a spared part, the first in this order has it.
+/// (generator/knife/knife_planes.h): of cells with equally much of a spared part, the first in this order has it.
 struct PageCut {
   CuttingPlane plane;
   int knife = 0, step = 1;
@@ -23,15 +23,15 @@ struct PageCut {
 
 struct PageOptions {
   Style style;
-  std::vector<PageCut> cuts;  ///< it opens with these; at most max_page_cuts
+  std::vector<PageCut> cuts;  ///< opening cuts; at most max_page_cuts
   std::string made_by;        ///< "pomona 0.3.0, seed 2"
 };
 
-/// What other pages draw the same fruit with (cli/studio).
+/// What other pages need to draw the same fruit (cli/studio).
 struct PageParts {
   std::string options;  ///< JSON that is safe within a script element
   std::string worker;   ///< scripts: Asset, LookUp, Skin
-  std::string picture;  ///< scripts: V, M, Card, Knife, Camera, Picture and what pieces are
+  std::string picture;  ///< scripts: V, M, Card, Knife, Camera, Picture and pieces
 };
 PageParts page_parts(const PageOptions& options);
 

@@ -27,7 +27,7 @@ using nlohmann::ordered_json;
 
 constexpr std::string_view scene_magic("pomona\0\2", 8);
 
-/// What the page must know of a fruit before it is unpacked, or of a dish, which never is.
+/// Data of a fruit that the page needs before it unpacks the asset, or of a dish, which has none.
 struct FruitOfPage {
   std::string title = {}, latin = {};
   int asset = -1;
@@ -56,7 +56,7 @@ FruitOfPage of_asset(const Asset& asset, int number) {
           .materials = asset.materials};
 }
 
-/// A solid of which no fruit is known has a lattice of its own, as fine as a fruit's.
+/// A solid without a fruit has a lattice of its own, as fine as a fruit's.
 FruitOfPage of_solid(const Solid& solid) {
   constexpr int cells = 64;
   Box<double> bounds;
@@ -95,7 +95,7 @@ std::array<std::uint32_t, 2> octahedral(const glm::vec3& n) {
   return {whole(x), whole(y)};
 }
 
-/// Of each vertex: its part among the fruit's, and 128 more on a cut face.
+/// Per vertex: its part among the fruit's, plus 128 on a cut face.
 std::vector<std::uint32_t> tags_of(const Solid& solid, const FruitOfPage& fruit) {
   std::vector<std::uint32_t> part_of(std::max<std::size_t>(solid.look->part_names.size(), 1), 0);
   for (std::size_t k = 0; k < solid.look->part_names.size(); ++k) {
@@ -136,7 +136,7 @@ std::string mesh_of(const Solid& solid, const FruitOfPage& fruit) {
   return bytes;
 }
 
-/// What a click tells of a piece.
+/// The facts that a click on a piece shows.
 ordered_json facts_for(const Solid& solid, const std::string& command) {
   const PieceFacts facts = facts_of(solid);
   ordered_json told = {{"mass", facts.mass}, {"volume", facts.volume}, {"density", facts.density}};

@@ -26,7 +26,7 @@ std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view n
   throw Error(ExitStatus::bug, "a page has no file " + std::string(name));
 }
 
-/// A shader or a script without indentation and the lines that only comment: those are for who reads the sources.
+/// A shader or a script without indentation and comment lines, which only readers of the sources need.
 std::string code_of(std::string_view text) {
   std::string code;
   while (!text.empty()) {
@@ -40,7 +40,7 @@ std::string code_of(std::string_view text) {
   return code;
 }
 
-/// What shaders include by name: the page's own, and those of pictures, so that noise, detail and light are the same.
+/// Files that shaders include: the page's own, and those of pictures, so that noise, detail and light are the same.
 ordered_json shaders() {
   ordered_json all;
   for (const char* name : {"color.glsl", "noise.glsl", "detail.glsl", "material.glsl", "lit.glsl"})
@@ -82,9 +82,9 @@ ordered_json options_of(const PageOptions& options) {
   return {{"style", style_of(options.style)}, {"cuts", cuts}, {"shaders", shaders()}};
 }
 
-/// Bytes as text, five characters for four bytes, the highest digit first; what is missing of the last four is 0.
-/// Digits are the 85 characters from ( to ~ that mean nothing to HTML and to strings: without < and the backslash. A
-/// sixteenth shorter than base 64.
+/// Bytes as text, five characters for four bytes, the highest digit first; the last four are padded with 0. Digits are
+/// the 85 characters from ( to ~ that mean nothing to HTML and to strings: without < and the backslash. A sixteenth
+/// shorter than base 64.
 std::string base85(std::string_view bytes) {
   std::string text;
   text.reserve(bytes.size() / 4 * 5 + 5);
@@ -102,7 +102,7 @@ std::string base85(std::string_view bytes) {
   return text;
 }
 
-/// `page` with each mark, "@NAME@", replaced; what replaces one is not looked through for others.
+/// `page` with each mark "@NAME@" replaced; replacements are not searched for marks.
 std::string filled(std::string_view page, const std::vector<std::pair<std::string_view, std::string>>& marks) {
   std::string text;
   while (!page.empty()) {

@@ -1,4 +1,4 @@
-// What all pages have in common: the text of one, with everything it needs inside.
+// The text of a page, with everything that it needs inside.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@ namespace pomona {
 struct PageText {
   struct Packed {
     std::string kind;   ///< "asset" or "scene"
-    std::string id;     ///< of its element
-    std::string bytes;  ///< become text of 85 digits
+    std::string id;     ///< id of its element
+    std::string bytes;  ///< content, to be written in 85 digits
   };
   std::string title = {}, latin = {};
-  std::string about = {};  ///< for screen readers; what keys do follows it
+  std::string about = {};  ///< text for screen readers; the keys follow it
   std::vector<Packed> packed = {};
-  std::string_view script = "fruit_script.js";  ///< the one that begins
+  std::string_view script = "fruit_script.js";  ///< the script that starts the page
 };
 
 std::string page_text(const PageText& page, const PageOptions& options);

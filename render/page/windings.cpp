@@ -19,7 +19,7 @@ std::int64_t area(const Corner& a, const Corner& b, std::int64_t y, std::int64_t
   return (b.y - a.y) * (z - a.z) - (b.z - a.z) * (y - a.y);
 }
 
-/// On which side of a -> b the row passes: both triangles at an edge are told the same, and never "on it".
+/// The side of a -> b on which the row passes: both triangles at an edge get the same answer, never "on it".
 bool is_left(const Corner& a, const Corner& b, std::int64_t y, std::int64_t z) {
   if (b.z < a.z || (b.z == a.z && b.y < a.y)) return !is_left(b, a, y, z);
   const std::int64_t twice = area(a, b, y, z);
@@ -27,7 +27,7 @@ bool is_left(const Corner& a, const Corner& b, std::int64_t y, std::int64_t z) {
   return a.z == b.z && b.y > a.y;
 }
 
-/// Rows of nodes from first to last, last included, along y and z; none where last is below first.
+/// Rows of nodes from first to last, last included, along y and z; none if last is below first.
 struct NodeRows {
   std::int64_t first_y, last_y, first_z, last_z;
   std::int64_t count() const {
@@ -35,7 +35,7 @@ struct NodeRows {
   }
 };
 
-/// In the box of a triangle.
+/// The rows in the box of a triangle.
 NodeRows rows_near(const std::array<Corner, 3>& t, const Asset& asset) {
   const auto& [a, b, c] = t;
   const std::int64_t step = 2 * asset.units;
@@ -45,7 +45,7 @@ NodeRows rows_near(const std::array<Corner, 3>& t, const Asset& asset) {
           std::min<std::int64_t>(floor_of(std::max({a.z, b.z, c.z}), step), asset.count[2] - 1)};
 }
 
-/// Adds what one triangle changes along the rows that it crosses: from the first node beyond it on.
+/// Adds the change of one triangle along the rows that cross it, from the first node beyond it on.
 void add_crossings(const std::array<Corner, 3>& t, const Asset& asset, std::vector<std::int8_t>& change) {
   const auto& [a, b, c] = t;
   const std::int64_t step = 2 * asset.units;
@@ -57,7 +57,7 @@ void add_crossings(const std::array<Corner, 3>& t, const Asset& asset, std::vect
       const bool left = is_left(a, b, y, z);
       if (is_left(b, c, y, z) != left || is_left(c, a, y, z) != left) continue;
 
-      // Where it crosses, as weights of the corners; an edge-on triangle stands for its first corner.
+      // The crossing as weights of the corners; an edge-on triangle counts as its first corner.
       const double e1 = static_cast<double>(area(a, b, y, z)), e2 = static_cast<double>(area(b, c, y, z));
       const double e3 = static_cast<double>(area(c, a, y, z)), sum = e1 + e2 + e3;
       const double x =
@@ -73,7 +73,7 @@ void add_crossings(const std::array<Corner, 3>& t, const Asset& asset, std::vect
   }
 }
 
-/// Counter-clockwise seen from air.
+/// The triangle, counter-clockwise seen from air.
 std::array<Corner, 3> corners_of(const Asset& asset, std::size_t t) {
   const auto corner = [&](std::uint32_t v) {
     const glm::u16vec3& q = asset.position[v];

@@ -1,4 +1,4 @@
-// Inside or outside, in whole numbers: what both the writer of an asset and its readers count, and must count alike.
+// Inside or outside, in whole numbers. The writer of an asset and its readers must count alike.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,12 @@
 
 namespace pomona {
 
-/// How often the boundary (triangles with one hidden side) winds around each node. Rows of nodes along x are walked in
-/// quantised positions, on twice the units, so that every sign is exact; where a row meets an edge it passes on the
-/// side of larger y, or of larger z, as if moved by a trifle. Closed boundaries give whole numbers everywhere.
+/// The winding number of the boundary (triangles with one hidden side) around each node. Goes along rows of nodes along
+/// x in quantised positions, on twice the units, so that every sign is exact; a row that meets an edge passes on the
+/// side of larger y, or of larger z, as if moved slightly. Closed boundaries give whole numbers everywhere.
 std::vector<std::int8_t> windings(const Asset& asset);
 
-/// How many rows of nodes lie within the boxes of the boundary's triangles, all together: the steps that windings()
-/// takes.
+/// The number of rows of nodes within the boxes of all boundary triangles: the steps of windings().
 std::int64_t rows_to_ask(const Asset& asset);
 
 }  // namespace pomona

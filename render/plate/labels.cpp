@@ -10,12 +10,12 @@ namespace pomona {
 
 namespace {
 
-constexpr double closest_lines = 1.15;  // ems from base line to base line
+constexpr double closest_lines = 1.15;  // smallest distance of base lines, ems
 constexpr double usual_lines = 1.7;
 
 /// How far a word reaches above its base line and below, ems.
 constexpr double ascent = 0.72, descent = 0.28;
-constexpr double middle = 0.22;  // where a line leaves the word, above its base line
+constexpr double middle = 0.22;  // height above the base line at which the line leaves the word
 
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -26,7 +26,7 @@ struct LabelChoice {
   double cost = std::numeric_limits<double>::max();
 };
 
-/// The place of the part nearest to one side, and away from what is pointed at there already.
+/// The place of the part nearest to one side, away from places that have a line already.
 LabelChoice best_place(const ShownPart& part, double side, double em, const std::vector<Label>& taken) {
   LabelChoice best;
   for (const glm::dvec2& p : part.places) {
@@ -40,7 +40,7 @@ LabelChoice best_place(const ShownPart& part, double side, double em, const std:
   return best;
 }
 
-/// Tips, chosen part by part from the smallest on: those have the least choice.
+/// Chooses tips part by part, the smallest first, because they have the least choice.
 std::vector<Label> chosen_tips(const std::vector<LabelWish>& wishes, const PlateBox& figure, double em) {
   std::vector<Label> labels;
   std::size_t lefts = 0, rights = 0;
@@ -48,7 +48,7 @@ std::vector<Label> chosen_tips(const std::vector<LabelWish>& wishes, const Plate
     const LabelChoice left = best_place(wish.part, figure.low.x, em, labels);
     const LabelChoice right = best_place(wish.part, figure.high.x, em, labels);
 
-    // A side that has fewer words is worth a longer line.
+    // A side with fewer words is worth a longer line.
     const double balance = 6 * em * (static_cast<double>(lefts) - static_cast<double>(rights));
     Label label;
     label.text = wish.text;
@@ -60,7 +60,7 @@ std::vector<Label> chosen_tips(const std::vector<LabelWish>& wishes, const Plate
     labels.push_back(label);
   }
 
-  // Every tip on the left lies left of every tip on the right, so that lines of two sides cannot cross.
+  // Every tip on the left is left of every tip on the right, so that lines of the two sides cannot cross.
   std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
     return a.tip.x < b.tip.x || (a.tip.x == b.tip.x && a.tip.y < b.tip.y);
   });
@@ -68,13 +68,13 @@ std::vector<Label> chosen_tips(const std::vector<LabelWish>& wishes, const Plate
   return labels;
 }
 
-/// Heights in ascending order, at least `apart` from each other, near to what each wishes, between low and high.
+/// Ascending heights between low and high, at least `apart` from each other, near the wanted ones.
 std::vector<double> spread_out(std::vector<double> wished, double apart, double low, double high) {
   std::vector<double> heights;
   for (double wish : wished)
     heights.push_back(heights.empty() ? std::max(wish, low) : std::max(wish, heights.back() + apart));
 
-  // Half of what was pushed down goes up again; then all that is too low does.
+  // Half of what was pushed down moves up again; then everything that is too low.
   double push = 0;
   for (std::size_t i = 0; i < heights.size(); ++i) push += heights[i] - wished[i];
   if (!heights.empty()) push /= static_cast<double>(heights.size());
@@ -89,8 +89,8 @@ std::vector<double> spread_out(std::vector<double> wished, double apart, double 
   return heights;
 }
 
-/// One side's words, top down, so that their lines do not cross: exchanging two whose lines do makes all lines together
-/// shorter, so that this comes to an end.
+/// One side's words, top down, without crossing lines: exchanging two whose lines cross shortens all lines together, so
+/// this ends.
 void untangle(std::vector<Label>& side) {
   for (bool again = true; again;) {
     again = false;
@@ -108,7 +108,7 @@ void stack(std::vector<Label>& side, bool left, const PlateBox& figure, double e
   std::stable_sort(side.begin(), side.end(), [](const Label& a, const Label& b) { return a.tip.y < b.tip.y; });
   std::vector<double> wished;
   const double center = 0.5 * (figure.low.y + figure.high.y);
-  // Lines fan out a little: words stand further from the middle than what they name.
+  // Lines fan out a little: words are further from the middle than their parts.
   for (const Label& label : side) wished.push_back(center + 1.25 * (label.tip.y - center));
   const double low = figure.low.y + ascent * em, high = figure.high.y - descent * em;
   const double room = side.size() > 1 ? (high - low) / static_cast<double>(side.size() - 1) : high - low;
@@ -120,7 +120,7 @@ void stack(std::vector<Label>& side, bool left, const PlateBox& figure, double e
   for (Label& label : side) {
     const double width = label.bounds.high.x;
     label.left = left;
-    const double space = 0.3 * em;  // between the word and its line
+    const double space = 0.3 * em;  // gap between the word and its line
     label.start = label.leader + glm::dvec2(left ? -width - space : space, middle * em);
     label.bounds = {label.start - glm::dvec2(0, ascent * em), label.start + glm::dvec2(width, descent * em)};
   }
@@ -135,7 +135,7 @@ bool leaders_cross(const Label& a, const Label& b) {
 }
 
 std::vector<Label> placed_labels(std::vector<LabelWish> wishes, const PlateBox& figure, double em, double gap) {
-  // No more than fit.
+  // Keeps only as many as fit.
   std::stable_sort(wishes.begin(), wishes.end(),
                    [](const LabelWish& a, const LabelWish& b) { return a.part.area > b.part.area; });
   const double room = (figure.high.y - figure.low.y - (ascent + descent) * em) / (closest_lines * em);

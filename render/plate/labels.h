@@ -21,9 +21,9 @@ struct Label {
   std::int32_t part = 0;
   glm::dvec2 start{0};
   PlateBox bounds;       ///< of the word
-  glm::dvec2 leader{0};  ///< where the line leaves the word
-  glm::dvec2 tip{0};     ///< where it ends, inside the part
-  bool left = false;     ///< stands left of the figure
+  glm::dvec2 leader{0};  ///< start of the line at the word
+  glm::dvec2 tip{0};     ///< end of the line, inside the part
+  bool left = false;     ///< whether the word is left of the figure
 };
 
 struct LabelWish {
@@ -32,12 +32,12 @@ struct LabelWish {
   double width = 0;  ///< of the word, pixels
 };
 
-/// Words stacked left and right of the figure, each at one height. Lines do not cross and words do not overlap; where
-/// there are more than fit at 1.15 ems apart, those of the smallest parts are left out.
-/// \param figure what the words keep out of; they stand `gap` beside it
+/// Words stacked left and right of the figure, each at one height. Lines do not cross and words do not overlap; if they
+/// do not fit at 1.15 ems apart, those of the smallest parts are left out. \param figure the box that words avoid; they
+/// keep `gap` beside it
 std::vector<Label> placed_labels(std::vector<LabelWish> wishes, const PlateBox& figure, double em, double gap);
 
-/// Do the lines from leader to tip cross?
+/// Whether the lines from leader to tip cross.
 bool leaders_cross(const Label& a, const Label& b);
 
 }  // namespace pomona

@@ -7,7 +7,7 @@ namespace pomona {
 
 namespace {
 
-/// How deep a place is inside its part, of the deepest: those are where one may point.
+/// Smallest depth of a place to point at, as a share of the part's largest depth.
 constexpr double deep_enough = 0.75;
 
 /// The box of a part's pixels, and its pixels within: 1 where they are.
@@ -82,7 +82,7 @@ std::vector<double> squared_depths(const Cutout& cutout) {
   return depth;
 }
 
-/// Names that several parts bear stand for the first of them.
+/// A name of several parts stands for the first of them.
 PartMap merged_names(PartMap map) {
   std::vector<std::int32_t> first(map.names.size());
   for (std::size_t i = 0; i < first.size(); ++i)
@@ -92,7 +92,7 @@ PartMap merged_names(PartMap map) {
   return map;
 }
 
-/// A few thousand places to choose from are plenty.
+/// A few thousand places to choose from are enough.
 std::vector<glm::dvec2> some_of(const std::vector<glm::dvec2>& places) {
   const std::size_t step = places.size() / 4096 + 1;
   std::vector<glm::dvec2> some;
@@ -112,8 +112,8 @@ ShownPart shown(const Cutout& cutout, const std::vector<double>& depth, double d
   return result;
 }
 
-/// A part too thin to be pointed at from within may lie at the figure's rim: one points at it from outside, at pixels
-/// beside which nothing is shown.
+/// A part that is too thin may lie at the figure's rim: lines then point at it from outside, at pixels beside empty
+/// ones.
 std::vector<glm::dvec2> places_on_rim(const PartMap& map, std::int32_t part) {
   std::vector<glm::dvec2> places;
   for (int x = 1; x + 1 < map.width; ++x) {

@@ -16,7 +16,7 @@ struct PartMap {
   std::int32_t at(int x, int y) const { return part[static_cast<std::size_t>(y) * width + x]; }
 };
 
-/// A part that shows well enough to be named.
+/// A part that is visible enough to be named.
 struct ShownPart {
   std::int32_t part = 0;
   double area = 0;  ///< pixels
@@ -24,9 +24,9 @@ struct ShownPart {
   std::vector<glm::dvec2> places;
 };
 
-/// All parts that cover at least `min_share` of what shows and are somewhere as thick as `min_depth` pixels to
-/// either side, in the order of their numbers; thinner ones where they are the figure's rim, with places on it alone.
-/// Parts of one name are one.
+/// All parts that cover at least `min_share` of the figure and are somewhere at least `min_depth` pixels thick to
+/// either side, in the order of their numbers; thinner ones only at the figure's rim, with places on it. Parts of one
+/// name are one.
 std::vector<ShownPart> shown_parts(const PartMap& map, double min_share, double min_depth);
 
 }  // namespace pomona

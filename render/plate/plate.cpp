@@ -13,10 +13,12 @@ namespace pomona {
 
 namespace {
 
-constexpr double title_ems = 1.6, latin_ems = 1.15, scale_ems = 0.85;  // of a label's
-constexpr double title_spacing = 0.09;                                 // capitals want air, ems of the title
-constexpr double min_share = 0.0008;                                   // of the figure, for a part to be named
-constexpr double halo = 0.55;  // how far a line is set off from dark paint by the paper's colour
+constexpr double title_ems = 1.6, latin_ems = 1.15, scale_ems = 0.85;  // sizes relative to a label's
+constexpr double title_spacing = 0.09;                                 // further space between capitals, ems of the
+                                                                       // title
+constexpr double min_share = 0.0008;                                   // share of the figure that a part must cover to
+                                                                       // be named
+constexpr double halo = 0.55;  // width of the paper's colour around a line on dark paint
 
 /// The title at a size at which it fits.
 double fitting(double em, double width, double room) { return width * em > room ? room / width : em; }
@@ -32,7 +34,7 @@ void lay(Image& image, const Coverage& cover, const Color& color, double opacity
   }
 }
 
-/// As wide as what is drawn, as high as there is room.
+/// As wide as the drawing, as high as there is room.
 PlateBox columns_beside(const PartMap& map, const PlateBox& room) {
   PlateBox box{{room.high.x, room.low.y}, {room.low.x, room.high.y}};
   for (int y = 0; y < map.height; ++y) {
@@ -61,7 +63,7 @@ Plate::Plate(const Style& style, PlateText text, const std::vector<std::string>&
   em_ = style_.letter_size * side;
   gap_ = 1.4 * em_;
 
-  // Columns as wide as the longest name; from below: the species, the title, the bar.
+  // Columns as wide as the longest name; from the bottom: the species, the title, the bar.
   double longest = 0;
   const Typeface italic("italic");
   for (const std::string& name : part_names) longest = std::max(longest, italic.width(words_of(name)));
@@ -90,7 +92,7 @@ std::vector<Label> Plate::labels(const PartMap& map) const {
     wishes.push_back({std::move(part), text, width});
   }
 
-  // Beside what is drawn, not beside what might have been.
+  // Beside the drawing, not beside the room for it.
   const PlateBox drawn = columns_beside(map, figure_);
   std::vector<Label> labels = placed_labels(std::move(wishes), drawn, em_, gap_ - 0.3 * em_);
   std::erase_if(labels, [&](const Label& label) { return label.bounds.low.x < 0 || label.bounds.high.x > width_; });
@@ -123,7 +125,7 @@ void Plate::add_scale_bar(double pixels_per_metre, PlateLayer& letters) const {
   const ScaleBar bar = scale_bar(pixels_per_metre);
   if (!(bar.length > 0)) return;
 
-  // The bar ends where its end ticks' outer edges do.
+  // The bar ends at the outer edges of its ticks.
   const glm::dvec2 a = bar.start, b = bar.start + glm::dvec2(bar.length, 0);
   const glm::dvec2 tick(0, 0.28 * em_), inset(0.5 * hair(), 0);
   letters.marks.push_back({line_outline(a, b, hair()), {}});
@@ -147,7 +149,7 @@ void Plate::add_title(PlateLayer& letters) const {
 }
 
 std::vector<PlateLayer> Plate::layers(const PartMap& map, double pixels_per_metre) const {
-  // Lines are set off by paper from what is dark under them.
+  // A border in the paper's colour separates lines from dark paint.
   PlateLayer halos{"halos", paper_, halo, {}}, lines{"lines", style_.letter_color, 0.9, {}};
   PlateLayer letters{"letters", style_.letter_color, 1, {}};
   add_labels(map, halos, lines, letters);

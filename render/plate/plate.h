@@ -1,4 +1,4 @@
-// A botanical plate: what stands on the paper around a figure.
+// A botanical plate: the texts and lines around a figure.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ struct PlateText {
 /// An outline on the paper around a figure, to be filled.
 struct PlateMark {
   Outline outline;   ///< pixels, y down
-  std::string text;  ///< of a line of letters; empty for what is none
+  std::string text;  ///< text of a line of letters; else empty
 };
 
-/// Marks of one colour. What several cover is covered once.
+/// Marks of one colour. Overlaps count once.
 struct PlateLayer {
   std::string name;  ///< "halos", "lines", "letters"
   Color color{0};
@@ -30,21 +30,21 @@ struct PlateLayer {
   std::vector<PlateMark> marks;
 };
 
-/// Adds the line from a name to the part that it names, a dot at its end, and what sets both off from dark paint.
-/// \param hair width of lines, pixels
+/// Adds the line from a name to its part, a dot at its end, and a border around both. \param hair width of lines,
+/// pixels
 void add_leader(const glm::dvec2& from, const glm::dvec2& tip, double hair, PlateLayer& halos, PlateLayer& lines);
 
-/// Where everything goes, before anything is drawn.
+/// The layout of a plate.
 class Plate {
  public:
-  /// \param part_names those that may come to be labelled: they decide how wide the columns beside the figure are
-  /// \param style one that asks for a plate
+  /// \param part_names all names that may become labels; they decide the width of the columns beside the figure \param
+  /// style a style with a plate
   Plate(const Style& style, PlateText text, const std::vector<std::string>& part_names, int width, int height);
 
-  /// Where the figure goes.
+  /// The room of the figure.
   const PlateBox& figure() const { return figure_; }
 
-  /// One for every part that shows well enough, the figure drawn.
+  /// The labels of all parts that are visible enough in the drawn figure.
   std::vector<Label> labels(const PartMap& map) const;
 
   /// A round length, 1, 2 or 5 times a power of ten metres, at this scale.
@@ -56,8 +56,8 @@ class Plate {
   };
   ScaleBar scale_bar(double pixels_per_metre) const;
 
-  /// Letters, lines and the bar, in the order in which they are laid on a finished picture.
-  /// \param pixels_per_metre 0 = no bar
+  /// The layers of letters, lines and the bar, in the order in which they are drawn onto a finished picture. \param
+  /// pixels_per_metre 0 = no bar
   std::vector<PlateLayer> layers(const PartMap& map, double pixels_per_metre) const;
 
  private:
@@ -76,7 +76,7 @@ class Plate {
   double bar_height_, title_height_, latin_height_;  ///< base lines
 };
 
-/// Lays them onto a picture.
+/// Draws the layers onto a picture.
 void draw(const std::vector<PlateLayer>& layers, Image& image);
 
 }  // namespace pomona

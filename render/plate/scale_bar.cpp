@@ -12,7 +12,7 @@ std::string length_text(double metres) {
                                              : std::pair(1.0, "m");
   const double number = metres / unit;
   if (number >= 0.995) return std::to_string(static_cast<long>(number + 0.5)) + " " + name;
-  std::string text = std::to_string(number);  // a tenth of a millimetre and less
+  std::string text = std::to_string(number);  // for a tenth of a millimetre and less
   text.erase(text.find_last_not_of('0') + 1);
   return text + " " + name;
 }

@@ -1,4 +1,4 @@
-// How long a figure's scale bar is, and what it says.
+// The length and the text of a figure's scale bar.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace pomona {
 struct ScaleLength {
   double metres = 0;
   std::string text;   ///< "2 cm"
-  double pixels = 0;  ///< 0 where there is no scale
+  double pixels = 0;  ///< length; 0 without a scale
 };
 
-/// The longest of at most `max` pixels. \param pixels_per_metre 0 = there is no scale
+/// The longest bar of at most `max` pixels. \param pixels_per_metre 0 = no scale
 ScaleLength scale_length(double max, double pixels_per_metre);
 
 }  // namespace pomona

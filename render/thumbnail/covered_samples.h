@@ -14,10 +14,10 @@
 namespace pomona {
 
 /// Calls visit(x, y, weights) for each sample of a square grid whose middle the triangle covers, edges included; row by
-/// row. Weights are the corners' shares there, with the sum of one. Which way the triangle turns does not matter.
+/// row. Weights are barycentric. The orientation of the triangle does not matter.
 template <typename Visit>
 void for_covered_samples(const std::array<ProjectedPoint, 3>& corners, int side, const Visit& visit) {
-  // Corners on a grid of 1/16 sample; far off the picture they stay where products still fit.
+  // Corners on a grid of 1/16 sample, clamped far outside of the picture so that products fit.
   constexpr std::int64_t steps = 16;
   const auto snapped = [](double v) { return std::llround(std::clamp(v, -1e6, 1e6) * steps); };
   const auto point = [&](const ProjectedPoint& p) { return glm::i64vec2(snapped(p.x), snapped(p.y)); };

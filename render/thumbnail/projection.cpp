@@ -14,7 +14,7 @@ Projection::Projection(const View& view, int side) : frame_(view_frame(view)), e
 }
 
 ProjectedPoint Projection::operator()(const glm::dvec3& point) const {
-  // A thousandth of the distance to the target is nearer than a fitted view lets anything come.
+  // In a fitted view nothing is nearer than a thousandth of the distance to the target.
   const glm::dvec3 seen = point - eye_;
   const double depth = std::max(-glm::dot(seen, frame_.back), 1e-3 * frame_.distance);
   const double nearness = 1 / depth;

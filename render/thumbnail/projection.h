@@ -1,4 +1,4 @@
-// Where a scene's points come to lie on a square picture.
+// Projects a scene's points onto a square picture.
 #pragma once
 
 #include "generator/scene/scene.h"
@@ -6,8 +6,8 @@
 
 namespace pomona {
 
-/// On the picture; `nearness` is one over the distance along the line of sight, larger for what is nearer. Linear on
-/// the picture across a triangle.
+/// A place on the picture. `nearness` is one over the distance along the line of sight; it is linear on the picture
+/// across a triangle.
 struct ProjectedPoint {
   double x = 0, y = 0;  ///< samples, from the upper left
   double nearness = 0;  ///< per metre

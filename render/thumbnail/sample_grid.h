@@ -19,8 +19,8 @@ class SampleGrid {
  public:
   explicit SampleGrid(int side);
 
-  /// Wherever it is nearer than what was drawn before; of equally near triangles the first stays. Corners are snapped
-  /// to a grid of 1/16 sample, so that neighbours leave no gap. \param owner above 0.
+  /// Draws a triangle wherever it is nearer than earlier ones; of equally near triangles the first stays. Corners are
+  /// rounded to a grid of 1/16 sample, so that neighbours leave no gap. \param owner above 0.
   void draw(const std::array<GridCorner, 3>& corners, std::uint32_t owner);
 
   int side() const { return side_; }

@@ -21,7 +21,7 @@ namespace pomona {
 
 namespace {
 
-/// What lies in the shadow of something, per pixel 0 or 1: everything thrown along `towards_light` on the ground.
+/// The shadow per pixel, 0 or 1: everything projected along `towards_light` onto the ground.
 std::vector<float> thrown(const Scene& scene, std::span<const StyledMesh> meshes, const Projection& projection,
                           const glm::dvec3& towards_light, int side) {
   std::vector<float> mask(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0.0f);
@@ -42,7 +42,7 @@ std::vector<float> thrown(const Scene& scene, std::span<const StyledMesh> meshes
   return mask;
 }
 
-/// The mean over 2 radius + 1 values of each row; beyond the picture there is none. Rows become columns.
+/// The mean over 2 radius + 1 values of each row, with 0 outside of the picture. Rows become columns.
 std::vector<float> averaged_and_turned(const std::vector<float>& values, int side, int radius) {
   std::vector<float> result(values.size());
   const float share = 1.0f / static_cast<float>(2 * radius + 1);
@@ -65,18 +65,18 @@ std::vector<float> softened(std::vector<float> values, int side, int radius) {
   return values;
 }
 
-/// How dark the ground y = 0 lies, 0 to 1, for each pixel of a square picture, row by row: the pieces' shadow in the
-/// style's light, and below it a narrow one where they nearly touch the ground. Behind the pieces, too.
+/// The darkness of the ground y = 0, 0 to 1, for each pixel of a square picture, row by row: the pieces' shadow in the
+/// style's light, and a narrow one where they nearly touch the ground. Behind the pieces, too.
 std::vector<float> ground_shadow(const Scene& scene, std::span<const StyledMesh> meshes, const Style& style, int side) {
   const Projection projection(scene.view, side);
   const auto radius = [side](double share) { return std::max(1, static_cast<int>(std::lround(share * side))); };
 
-  // From the light: long, and softer the softer the light is.
+  // The shadow in the light: long, and as soft as the light.
   const glm::dvec3 to_light = light_direction(projection.frame(), style.light.azimuth, style.light.elevation);
   std::vector<float> shadow =
       softened(thrown(scene, meshes, projection, to_light, side), side, radius(0.008 + 0.03 * style.light.softness));
 
-  // From above: close to the pieces.
+  // The shadow from above: close to the pieces.
   const std::vector<float> contact = softened(thrown(scene, meshes, projection, {0, 1, 0}, side), side, radius(0.012));
   const auto strength = static_cast<float>(style.shadow.strength);
   for (std::size_t i = 0; i < shadow.size(); ++i) {
@@ -87,11 +87,11 @@ std::vector<float> ground_shadow(const Scene& scene, std::span<const StyledMesh>
 }
 
 struct OutlineWidths {
-  double outer = 4;  ///< samples: between pieces, and around them
-  double rim = 3;    ///< between a cut face and skin
+  double outer = 4;  ///< width of lines between and around pieces, samples
+  double rim = 3;    ///< width of lines between a cut face and skin
 };
 
-/// What outlines() tells apart: \param instance index into the scene's. \param cut whether it is a cut face.
+/// The identity for outlines(). \param instance index into the scene's. \param cut whether it is a cut face.
 constexpr std::uint32_t owner_of(std::size_t instance, bool cut) {
   return static_cast<std::uint32_t>(2 * (instance + 1) + (cut ? 1 : 0));
 }
@@ -115,7 +115,7 @@ std::vector<std::uint32_t> outlines(const SampleGrid& grid, const OutlineWidths&
   std::vector<std::uint32_t> ink(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
   const auto outer = nib(widths.outer), rim = nib(widths.rim);
   const auto draw = [&](int x, int y, std::uint32_t a, std::uint32_t b) {
-    // The nearer of the two has the line.
+    // The line belongs to the nearer of the two.
     const bool same_piece = a != 0 && b != 0 && instance_of(a) == instance_of(b);
     for (const auto& [dx, dy] : same_piece ? rim : outer) {
       const int to_x = x + dx, to_y = y + dy;
@@ -124,7 +124,7 @@ std::vector<std::uint32_t> outlines(const SampleGrid& grid, const OutlineWidths&
     }
   };
 
-  // Wherever two neighbours belong to different things.
+  // Draws wherever two neighbours have different owners.
   for (int y = 0; y + 1 < side; ++y) {
     for (int x = 0; x + 1 < side; ++x) {
       const std::uint32_t here = grid.owner(x, y), right = grid.owner(x + 1, y), below = grid.owner(x, y + 1);
@@ -139,9 +139,9 @@ std::vector<std::uint32_t> outlines(const SampleGrid& grid, const OutlineWidths&
 const Color sun(0.74f, 0.70f, 0.62f);
 const Color sky(0.47f, 0.50f, 0.54f);
 const Color bounce(0.40f, 0.36f, 0.31f);
-constexpr double highlight = 0.20;  ///< of a skin of gloss 1
+constexpr double highlight = 0.20;  ///< strength of highlights for a gloss of 1
 
-/// Sunlight on a face, soft and wrapped; flatter on cut faces, so that their colours are what one sees.
+/// Sunlight on a face, soft and wrapped; flatter on cut faces, so that their colours stand out.
 double key_light(double cosine, bool cut) {
   const double key = std::clamp((cosine + 0.35) / 1.35, 0.0, 1.0);
   return cut ? 0.55 * key + 0.45 * 0.8 : key;
@@ -154,7 +154,7 @@ double to_32nd(double x) {
 }
 
 /// The mesh's colours as light of the style's direction and strength shows them, softly: linear, may go above 1 in
-/// highlights. Cut faces shine less than skin. \param frame of the one who looks.
+/// highlights. Cut faces shine less than skin. \param frame of the viewer.
 std::vector<Color> lit_colors(const StyledMesh& mesh, const Solid& solid, const Pose& pose, const ViewFrame& frame,
                               const LightStyle& light) {
   const glm::dvec3 to_light = light_direction(frame, light.azimuth, light.elevation);
@@ -165,7 +165,7 @@ std::vector<Color> lit_colors(const StyledMesh& mesh, const Solid& solid, const 
 
   std::vector<Color> lit(mesh.color.size());
   for (std::size_t v = 0; v < lit.size(); ++v) {
-    // The sky above, what the table throws back from below, and the sun.
+    // Light of the sky above, of the table below, and of the sun.
     const glm::dvec3 normal = pose.rotation * glm::dvec3(mesh.normal[v]);
     const bool cut = mesh.face[v] == DetailFace::cut;
     const auto up = static_cast<float>(0.5 + 0.5 * normal.y);
@@ -173,7 +173,7 @@ std::vector<Color> lit_colors(const StyledMesh& mesh, const Solid& solid, const 
     const double key = light.strength * key_light(glm::dot(normal, to_light), cut);
     lit[v] = mesh.color[v] * (around + static_cast<float>(key) * sun);
 
-    // What shines is skin.
+    // Only skin shines.
     if (cut) continue;
     const auto part = static_cast<std::size_t>(std::max(mesh.part[v], 0));
     const double shine = part < gloss.size() ? gloss[part] : 1;
@@ -198,7 +198,7 @@ void draw_instance(const Scene& scene, std::size_t index, std::span<const Styled
     corners[v] = {projection(p), colors[v]};
   }
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-    // Of what is closed, the far side is never seen.
+    // The far side of closed solids is never visible.
     const GridCorner &a = corners[mesh.triangle[t].x], &b = corners[mesh.triangle[t].y],
                      &c = corners[mesh.triangle[t].z];
     const double turn = (b.at.x - a.at.x) * (c.at.y - a.at.y) - (b.at.y - a.at.y) * (c.at.x - a.at.x);
@@ -207,7 +207,7 @@ void draw_instance(const Scene& scene, std::size_t index, std::span<const Styled
   }
 }
 
-/// One pixel's light so far: linear, times how much of the pixel it covers.
+/// One pixel's light so far, linear, times its coverage.
 struct Covered {
   Color color{0};
   float share = 0;
@@ -230,7 +230,7 @@ Covered pixel_of(const SampleGrid& grid, const std::vector<std::uint32_t>& ink, 
   return pixel;
 }
 
-/// What is covered over the shadow, and that over paper if there is some. Straight opacity, as PNG wants it.
+/// Pieces over the shadow, and that over paper if there is some. Opacity is not premultiplied, as in PNG.
 void put(const Covered& covered, float shadow, const std::optional<Color>& paper, const Color& shade,
          TransparentImage& result) {
   const float rest = 1 - covered.share;
@@ -267,14 +267,14 @@ TransparentImage draw_thumbnail(const Scene& scene, std::span<const StyledMesh> 
   if (options.size < 16 || options.size > 1024)
     throw Error(ExitStatus::usage, "a thumbnail has 16 to 1024 pixels along its edges");
 
-  // Everything at sixteen samples a pixel, the shadow at one: it is soft.
+  // Everything has sixteen samples a pixel, but the soft shadow one.
   const int side = options.size * oversampling;
   SampleGrid grid(side);
   const Projection projection(scene.view, side);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) draw_instance(scene, i, meshes, style, projection, grid);
   const std::vector<float> shadow = ground_shadow(scene, meshes, style, options.size);
 
-  // Finer lines than a picture's: a thumbnail is looked at from near.
+  // Lines are finer than in a picture, because people look at thumbnails closely.
   std::vector<std::uint32_t> ink;
   if (style.ink)
     ink = outlines(grid, {.outer = 0.7 * style.outline_width * side, .rim = 0.4 * style.outline_width * side});

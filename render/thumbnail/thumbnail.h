@@ -10,12 +10,12 @@ namespace pomona {
 
 struct ThumbnailOptions {
   int size = 256;         ///< pixels along each edge, 16 to 1024
-  bool on_paper = false;  ///< else the ground is transparent but for the shadow
+  bool on_paper = false;  ///< else the ground is transparent except for the shadow
 };
 
-/// The scene as its view shows it, lit, with its shadow on the ground y = 0 and with ink along outlines as far as the
-/// style has it. \param meshes one per solid, as styled_meshes() makes them.
-/// Needs 40 bytes for each of the 16 samples of a pixel: 40 MB for 256 pixels.
+/// The scene from its view, lit, with its shadow on the ground y = 0 and with the style's ink along outlines. \param
+/// meshes one per solid, as styled_meshes() makes them. Needs 40 bytes for each of the 16 samples of a pixel: 40 MB for
+/// 256 pixels.
 TransparentImage draw_thumbnail(const Scene& scene, std::span<const StyledMesh> meshes, const Style& style,
                                 const ThumbnailOptions& options = {});
 

@@ -8,7 +8,7 @@ namespace pomona {
 
 namespace {
 
-/// The pixels that an instance can cover at most.
+/// The box of pixels that an instance can cover.
 PixelBox box_of(const Solid& solid, const SeenSolid& seen, int width, int height) {
   PixelBox box{width, height, -1, -1};
   for (std::uint32_t t = 0; t < solid.mesh.triangle.size(); ++t) {

@@ -9,8 +9,8 @@
 
 namespace pomona {
 
-/// Per instance, the pixels whose middle it lies behind, within the picture. A visible mask is always part of it: both
-/// ask the same of the same triangles.
+/// Per instance, the pixels whose middles it covers, within the picture. A visible mask is always part of it, because
+/// both use the same test of the same triangles.
 std::vector<Mask> amodal_masks(const Scene& scene, int width, int height, Threads threads = {});
 
 }  // namespace pomona

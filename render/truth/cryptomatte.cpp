@@ -30,7 +30,7 @@ std::uint32_t cryptomatte_hash(const std::string& name) {
 }
 
 std::vector<std::pair<std::string, std::string>> Cryptomatte::metadata() const {
-  // The id of the entries is the beginning of the hash of the kind's own name, as it is.
+  // The id of the entries is the beginning of the hash of the kind's name.
   std::uint32_t own = 0;
   lmmh_x86_32(name.data(), static_cast<unsigned>(name.size()), 0, &own);
   const std::string key = "cryptomatte/" + hexadecimal(own).substr(0, 7) + "/";

@@ -13,22 +13,22 @@ namespace pomona {
 /// float.
 std::uint32_t cryptomatte_hash(const std::string& name);
 
-/// One kind of things, "CryptoObject" for one.
+/// One kind of objects, such as "CryptoObject".
 struct Cryptomatte {
   std::string name;
   int width = 0, height = 0;
-  std::vector<std::string> names;  ///< of the things, by their numbers from 1
+  std::vector<std::string> names;  ///< names of the objects, by their numbers from 1
 
-  /// Ranks per pixel: number and share of the pixel, the largest share first; of equal ones the smaller number. Those
-  /// that are not needed have number 0 and share 0.
+  /// Ranks per pixel: number and share of the pixel, the largest share first; of equal ones the smaller number. Unused
+  /// ranks have number 0 and share 0.
   int ranks = 2;
   std::vector<std::pair<std::uint16_t, float>> coverage;  ///< per pixel `ranks` entries
 
-  /// Header entries that readers know it by: "cryptomatte/<id>/name" and its kin, with their values.
+  /// Header entries for readers: "cryptomatte/<id>/name" and others, with their values.
   std::vector<std::pair<std::string, std::string>> metadata() const;
 };
 
-/// \param numbers of side x side samples a pixel, row by row; 0 where nothing is. As many ranks as samples.
+/// \param numbers of side x side samples a pixel, row by row; 0 where nothing is. There are as many ranks as samples.
 Cryptomatte cryptomatte(std::string name, std::vector<std::string> names, const std::vector<std::uint16_t>& numbers,
                         int width, int height, int side);
 

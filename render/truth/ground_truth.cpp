@@ -22,10 +22,10 @@ namespace pomona {
 namespace {
 
 struct AnnotatedPicture {
-  std::string file_name;                 ///< of the picture, as `images` names it
+  std::string file_name;                 ///< name of the picture in `images`
   std::string made_by;                   ///< version of the program, for `info`
   std::uint64_t seed = 0;                ///< of the fruit or the scene
-  std::vector<std::string> layer_files;  ///< beside the annotations
+  std::vector<std::string> layer_files;  ///< files of layers beside the annotations
 };
 
 using Json = nlohmann::ordered_json;
@@ -52,7 +52,7 @@ class AnnotationWriter {
   }
 
   std::string write() const {
-    // COCO's tools expect every annotation to have pixels: what is hidden altogether is listed apart.
+    // COCO's tools expect pixels in every annotation, so pieces that are hidden altogether have a list of their own.
     Json seen = Json::array(), hidden = Json::array();
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
       if (amodal_[i].area() > 0) (visible_[i].area() > 0 ? seen : hidden).push_back(annotation(i));
@@ -155,7 +155,7 @@ std::string annotations(const Scene& scene, const TruthNaming& names, const Trut
 }
 
 std::vector<TruthFile> png_files(const TruthLayers& layers, const std::vector<Mask>& amodal, Threads threads) {
-  // Whole masks are drawn, packed and let go one by one: a large heap has hundreds of pictures of them.
+  // Draws, packs and frees whole masks one by one, because a large heap has hundreds of pictures of them.
   const std::vector<TruthPicture> pictures = pictures_of(layers);
   std::vector<TruthFile> files(pictures.size() + amodal_pictures(amodal.size()));
   const auto packed = [](const TruthPicture& picture) {
@@ -169,7 +169,7 @@ std::vector<TruthFile> png_files(const TruthLayers& layers, const std::vector<Ma
   return files;
 }
 
-/// Who covers how much, by the samples of the picture.
+/// The coverage, by the samples of the picture.
 std::vector<Cryptomatte> mattes_of(const Scene& scene, const TruthNaming& names, const TruthOptions& options) {
   std::vector<std::string> instances, fruits, parts;
   for (const Instance& instance : scene.instances) instances.push_back(instance.name);

@@ -12,11 +12,11 @@ namespace pomona {
 
 struct TruthOptions {
   int width = 800, height = 600;  ///< of the picture
-  std::string file_name;          ///< the picture's, without folder
+  std::string file_name;          ///< file name of the picture, without folder
   std::string made_by;            ///< version of the program
   std::uint64_t seed = 0;         ///< of the fruit or the scene
   TruthFormat format = TruthFormat::png;
-  int samples = 4;  ///< per pixel, as the picture's: what Cryptomatte counts coverage by
+  int samples = 4;  ///< per pixel, as of the picture, for Cryptomatte's coverage
   Threads threads{};
 };
 
@@ -25,10 +25,9 @@ struct TruthFile {
   std::string bytes;
 };
 
-/// Layers of the scene as its view sees it, and annotations.json: docs/reference/formats.md, "Ground truth".
-/// Threads change nothing.
-/// \throws Error (usage) for more instances than numbers have bits for, and for what one sees through: behind glass
-/// no one surface is what a pixel shows.
+/// Layers of the scene as its view sees it, and annotations.json: docs/reference/formats.md, "Ground truth". Threads
+/// change nothing. \throws Error (usage) for more instances than numbers have bits for, and for transparent solids,
+/// because a pixel then shows several surfaces.
 std::vector<TruthFile> ground_truth(const Scene& scene, const TruthOptions& options);
 
 }  // namespace pomona

@@ -14,14 +14,14 @@ namespace pomona {
 
 namespace {
 
-/// Shares that a triangle's corners have in the place seen at a pixel, in space: sum 1, none below 0.
+/// Barycentric weights, in space, of the place seen at a pixel: sum 1, none below 0.
 std::array<double, 3> shares_at(const PictureTriangle& triangle, const glm::dvec2& place) {
   std::array<double, 3> share{};
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
     const auto &a = triangle.corner[(i + 1) % 3], &b = triangle.corner[(i + 2) % 3];
     const double on_picture = cross(glm::dvec2(a) - place, glm::dvec2(b) - place) * (triangle.area > 0 ? -1 : 1);
-    share[i] = std::max(0.0, on_picture) * triangle.corner[i].z;  // what is nearer takes more of the picture
+    share[i] = std::max(0.0, on_picture) * triangle.corner[i].z;  // nearer corners cover more of the picture
     sum += share[i];
   }
   for (double& s : share) s = sum > 0 ? s / sum : 1.0 / 3;
@@ -70,7 +70,7 @@ class LayerFiller {
     layers_.normal[pixel] = normal_at(solid, t, share, turn_[i], triangle.area > 0);
   }
 
-  /// As the identity buffer saw it, alone: all vertices of all instances would take a gigabyte in a large heap.
+  /// Projects the triangle again as the identity buffer did: all vertices of a large heap would take a gigabyte.
   PictureTriangle seen_triangle(std::size_t instance, std::uint32_t t) const {
     const Instance& placed = scene_.instances[instance];
     const Solid& solid = scene_.solids[static_cast<std::size_t>(placed.solid)];
@@ -93,7 +93,7 @@ class LayerFiller {
   const Scene& scene_;
   const TruthNaming& names_;
   const Lens& lens_;
-  std::vector<glm::dmat3> turn_;  // of instances
+  std::vector<glm::dmat3> turn_;  // rotation of each instance
   const IdentityBuffer& foremost_;
   TruthLayers layers_;
 };

@@ -11,7 +11,7 @@
 
 namespace pomona {
 
-/// One entry per pixel, row by row from the top left; looked at through the pixel's middle.
+/// One entry per pixel, row by row from the top left, at the pixel's middle.
 struct TruthLayers {
   int width = 0, height = 0;
   std::vector<std::uint16_t> instance;  ///< numbers as in TruthNaming; 0 where paper or ground shows

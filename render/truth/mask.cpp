@@ -49,7 +49,7 @@ Mask trimmed(const Mask& mask) {
 }
 
 std::vector<Mask> visible_masks(const std::vector<std::uint16_t>& numbers, int width, std::size_t count) {
-  // First how large, then which pixels.
+  // First finds the sizes, then the pixels.
   std::vector<Around> around(count);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i] == 0) continue;

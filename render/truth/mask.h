@@ -8,8 +8,7 @@
 
 namespace pomona {
 
-/// The pixels of a box, row by row: 1 where covered. The box of what visible_masks() and amodal_masks() make is as
-/// small as may be.
+/// The pixels of a box, row by row: 1 = covered. visible_masks() and amodal_masks() make the smallest box.
 struct Mask {
   PixelBox box;
   std::vector<std::uint8_t> covered;
@@ -21,10 +20,10 @@ struct Mask {
   std::size_t area() const;  ///< pixels
 };
 
-/// The same within the smallest box that holds what is covered; an empty box where nothing is.
+/// The same mask in the smallest box around the covered pixels; an empty box if there are none.
 Mask trimmed(const Mask& mask);
 
-/// Per instance, where its number stands. \param numbers from 1 to `count`, or 0; row by row.
+/// Per instance, the pixels with its number. \param numbers from 1 to `count`, or 0; row by row.
 std::vector<Mask> visible_masks(const std::vector<std::uint16_t>& numbers, int width, std::size_t count);
 
 }  // namespace pomona

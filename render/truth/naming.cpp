@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t max_numbers = 65535;
 
-/// The number of a key in a list that grows by `entry` where the key is new.
+/// The number of a key in a list; adds `entry` if the key is new.
 template <typename Key, typename Entry>
 std::uint16_t numbered(std::map<Key, std::uint16_t>& known, const Key& key, std::vector<Entry>& list, Entry entry) {
   const auto [place, is_new] = known.try_emplace(key, static_cast<std::uint16_t>(list.size() + 1));
@@ -30,7 +30,7 @@ TruthNaming truth_naming(const Scene& scene) {
   std::map<std::string, std::uint16_t> species, fruits;
   std::map<std::pair<std::uint16_t, std::string>, std::uint16_t> parts;
   for (const Solid& solid : scene.solids) {
-    // What was not cut from a template goes by its own name.
+    // Solids without a template use their own name.
     const std::string& kind = solid.origin.fruit.empty() ? solid.name : solid.origin.fruit;
     const std::string& fruit = solid.origin.variant.empty() ? solid.name : solid.origin.variant;
     const std::uint16_t of_kind = numbered(species, kind, names.species, {kind});

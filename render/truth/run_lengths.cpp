@@ -3,7 +3,7 @@
 namespace pomona {
 
 std::vector<std::uint32_t> run_lengths(const Mask& mask, int width, int height) {
-  // Places along all columns, one below the other, where what is covered begins and ends.
+  // The positions along all columns, one after the other, at which covered runs begin and end.
   std::vector<std::uint32_t> runs;
   std::uint32_t last = 0;
   bool covered = false;
@@ -21,7 +21,7 @@ std::vector<std::uint32_t> run_lengths(const Mask& mask, int width, int height) 
     if (covered && mask.box.bottom + 1 < height) change_at(column + static_cast<std::uint32_t>(mask.box.bottom) + 1);
   }
 
-  // What reaches the bottom of the box's last column ends there.
+  // A run that reaches the bottom of the box's last column ends there.
   const std::uint32_t all = static_cast<std::uint32_t>(width) * static_cast<std::uint32_t>(height);
   const std::uint32_t behind = static_cast<std::uint32_t>(mask.box.right + 1) * static_cast<std::uint32_t>(height);
   if (covered && behind < all) change_at(behind);

@@ -9,8 +9,8 @@
 
 namespace pomona {
 
-/// Lengths of runs of pixels that are not covered, are, are not, ...; column by column from the left, each downwards.
-/// The first may be 0. Their sum is width * height.
+/// Lengths of runs of uncovered, covered, uncovered, ... pixels; column by column from the left, each downwards. The
+/// first may be 0. Their sum is width * height.
 std::vector<std::uint32_t> run_lengths(const Mask& mask, int width, int height);
 
 /// The same as the text that COCO's own tools read and write ("compressed RLE"; maskApi.c of pycocotools, rleToString):

@@ -19,7 +19,7 @@ namespace pomona {
 
 namespace {
 
-/// OpenEXR writes where it likes, tables at the beginning last.
+/// OpenEXR writes at any position, and tables at the beginning last.
 class BytesInMemory : public Imf::OStream {
  public:
   BytesInMemory() : Imf::OStream("memory") {}
@@ -39,8 +39,8 @@ class BytesInMemory : public Imf::OStream {
   std::size_t place_ = 0;
 };
 
-/// Channels of floats, one value a pixel. They are asked for a few rows at a time: a large heap has hundreds of
-/// channels.
+/// Channels of floats, one value per pixel. They are computed a few rows at a time, because a large heap has hundreds
+/// of channels.
 class FloatChannels {
  public:
   FloatChannels(int width, int height) : header_(width, height), width_(width), height_(height) {
@@ -49,7 +49,7 @@ class FloatChannels {
 
   Imf::Header& header() { return header_; }
 
-  /// \param value of a pixel, by its number. What it refers to must live until written().
+  /// \param value of a pixel, by its index. What it refers to must exist until written().
   template <typename Value>
   void add(const std::string& name, const Value& value) {
     add_rows(name, [value, width = width_](int top, int bottom) {
@@ -70,7 +70,7 @@ class FloatChannels {
     BytesInMemory bytes;
     {
       Imf::OutputFile file(bytes, header_, 0);  // 0: no threads of OpenEXR's own
-      constexpr int at_once = 16;               // as many as ZIP packs together
+      constexpr int at_once = 16;               // the number of rows that ZIP packs together
       for (int top = 0; top < height_; top += at_once) write_rows(file, top, std::min(top + at_once, height_) - 1);
     }
     return std::move(bytes).bytes();
@@ -78,7 +78,7 @@ class FloatChannels {
 
  private:
   void write_rows(Imf::OutputFile& file, int top, int bottom) const {
-    std::list<std::vector<float>> values;  // where the buffer's slices point
+    std::list<std::vector<float>> values;  // memory of the buffer's slices
     Imf::FrameBuffer buffer;
     const std::size_t row = sizeof(float) * static_cast<std::size_t>(width_);
     const Imath::Box2i window({0, top}, {width_ - 1, bottom});
@@ -102,7 +102,7 @@ void add_cryptomatte(const Cryptomatte& matte, FloatChannels& channels) {
     if (rank >= matte.ranks) return std::pair<std::uint16_t, float>(0, 0.0f);
     return matte.coverage[pixel * static_cast<std::size_t>(matte.ranks) + static_cast<std::size_t>(rank)];
   };
-  // Two ranks a layer: R and G are hash and share of the one, B and A of the other.
+  // Two ranks per layer: R and G are hash and share of the first, B and A of the second.
   for (int rank = 0; rank < matte.ranks; rank += 2) {
     const std::string layer = matte.name + (rank < 20 ? "0" : "") + std::to_string(rank / 2);
     channels.add(layer + ".R", [=](std::size_t i) { return hash[entry(i, rank).first]; });

@@ -57,7 +57,7 @@ double depth_step(const TruthLayers& layers) {
   float deepest = 0;
   for (const float depth : layers.depth) deepest = std::max(deepest, depth);
   if (!(deepest > 0)) return 1;
-  // Divided by whole numbers, steps are the decimal ones to the bit.
+  // Division by whole numbers gives exact decimal steps.
   for (double divisor = 1e9; divisor >= 1; divisor /= 10) {
     for (const double times : {1.0, 2.0, 5.0}) {
       if (times / divisor * max >= static_cast<double>(deepest)) return times / divisor;

@@ -13,22 +13,22 @@
 namespace pomona {
 
 struct TruthPicture {
-  std::string name;  ///< of its file, without ending: "depth"
+  std::string name;  ///< name of its file, without ending: "depth"
   DeepImage image;
 };
 
-/// Metres that one step of a depth picture stands for: 1, 2 or 5 times a power of ten, as small as takes the greatest
-/// depth in 65 535 steps; 1 where there is none.
+/// Metres per step of a depth picture: 1, 2 or 5 times a power of ten, the smallest with which the greatest depth has
+/// at most 65 535 steps; 1 without any depth.
 double depth_step(const TruthLayers& layers);
 
 /// "instance", "fruit", "part": numbers. "depth": steps of depth_step(), rounded, at least 1 where something is.
 /// "normal": (n + 1) / 2 * 65 535, rounded; 0 where nothing is. "section": 65 535 on cut faces.
 std::vector<TruthPicture> pictures_of(const TruthLayers& layers);
 
-/// So many instances' masks are in one picture, a bit for each.
+/// The number of instances whose masks share a picture, a bit for each.
 constexpr std::size_t masks_in_picture = 16;
 
-/// How many pictures hold the masks of so many instances.
+/// The number of pictures for the masks of this many instances.
 std::size_t amodal_pictures(std::size_t instances);
 
 /// Rows `top` to `bottom` of the picture "amodal_1", which has instances 1 to 16, for `number` 0, of "amodal_2", which

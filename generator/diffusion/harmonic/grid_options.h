@@ -14,7 +14,7 @@ namespace pomona {
 struct GridOptions {
   double spacing = 0;   ///< metres between nodes
   int cycles = 1;       ///< see MultigridOptions
-  glm::dvec3 shift{0};  ///< of the grid, in cells
+  glm::dvec3 shift{0};  ///< shift of the grid, in cells
   int finer = 0;        ///< how many times patches may halve the spacing
   double refine_above =
       0;  ///< how much of full colour, at the least (refinement_indicator.h); 0: patches lie around small bodies only

@@ -17,7 +17,7 @@ struct HarmonicOptions {
   int cycles = 0;            ///< of the multigrid on the finest level; 0 lets the quality choose
   int finer = -1;            ///< how often patches halve the spacing, at most; -1: as needed
   double refine_above = -1;  ///< see GridOptions; -1 lets the quality choose: 0, except for reference
-  glm::dvec3 shift{0};       ///< moves the grid by parts of a cell: what tests vary
+  glm::dvec3 shift{0};       ///< moves the grid by parts of a cell; tests vary it
 };
 
 }  // namespace pomona

@@ -452,7 +452,7 @@ class Multigrid {
             return;
           }
           if ((at.open & is_given) != 0) {
-            // This is what the patch keeps to: what lies beyond a surface must not reach it.
+            // The border value of the patch; values beyond a surface must not reach it.
             fine.value[at.node] = value_between(fine, at, offset, along);
             return;
           }
