@@ -67,7 +67,8 @@ struct BatchDescription {
 /// \throws Error (bad_data) with all errors, also unknown keys, ordered by position.
 BatchDescription parse_batch(std::string_view toml, const std::string& file);
 
-/// The same from disk. \throws Error (input_missing) if it cannot be read.
+/// The same from disk.
+/// \throws Error (input_missing) if it cannot be read.
 BatchDescription read_batch(const std::filesystem::path& file);
 
 /// True for a .toml file with a table [batch] or an [[entry]]: a batch, no scene and no template.

@@ -10,7 +10,8 @@
 
 namespace pomona {
 
-/// Everything that the items' bytes depend on, as JSON. \param program "pomona 0.2.0".
+/// Everything that the items' bytes depend on, as JSON.
+/// \param program "pomona 0.2.0".
 std::string batch_record(const BatchPlan& plan, const std::string& program);
 
 /// The part that is read again, so that a folder can be merged without its batch file.

@@ -10,7 +10,8 @@ namespace pomona {
 /// whose range lies above. Mistakes are noted at their place in the file.
 void read_option_key(const OrderOption& option, const TomlTable& table, Order& order);
 
-/// The range of a number. \throws Error (bug) for an option that is no number.
+/// The range of a number.
+/// \throws Error (bug) for an option that is no number.
 Within range_of(const OrderOption& option);
 
 }  // namespace pomona

@@ -54,7 +54,8 @@ std::string flag_of(const OrderOption& option);
 std::string key_of(const OrderOption& option);
 
 /// Reads a text into the order; of a switch "true" or "false". With `none_is_zero`, "0" means nothing for a number
-/// whose range lies above, as in files. \throws Error (usage) that names the option and its values.
+/// whose range lies above, as in files.
+/// \throws Error (usage) that names the option and its values.
 void read_option(const OrderOption& option, const std::string& text, Order& order, bool none_is_zero = false);
 
 /// Why the text is no value of the option; empty if it is one. For parsed texts only read_option() knows.

@@ -122,8 +122,9 @@ struct PictureSize {
   int width = 0, height = 0;  ///< pixels
 };
 
-/// The ordered size, if any. \throws Error (usage) for a size on paper without --dpi, and for a side that is not a
-/// whole number of 16 to 16384 pixels.
+/// The ordered size, if any.
+/// \throws Error (usage) for a size on paper without --dpi, and for a side that is not a whole number of 16 to 16384
+/// pixels.
 std::optional<PictureSize> picture_size(const PictureOrder& picture);
 
 }  // namespace pomona

@@ -22,22 +22,23 @@ struct OrderedFruit {
   StageClock times;  ///< read, vary, sweep
 };
 
-/// Varies and sweeps a template. \param name as for OrderedFruit. \param word the text that named the template, for
-/// PieceOrigin::source.
+/// Varies and sweeps a template.
+/// \param name as for OrderedFruit.
+/// \param word the text that named the template, for PieceOrigin::source.
 OrderedFruit ordered_fruit(const Template& drawn, const std::string& name, const std::string& word, const Order& order);
 
 /// The same of a template that was made ready for many variants.
 OrderedFruit ordered_fruit(const Variation& variation, const std::string& name, const std::string& word,
                            const Order& order);
 
-/// The fruit of a surface file. \throws Error (usage) if the order asks for folds, ripeness or browning, which it does
-/// not have.
+/// The fruit of a surface file.
+/// \throws Error (usage) if the order asks for folds, ripeness or browning, which it does not have.
 OrderedFruit fruit_of_surfaces(const std::filesystem::path& file, const Order& order);
 
 /// Cuts the fruit as ordered; without knives its whole bodies come out. The solids keep what coloured their cut faces
-/// where the order wants textures. Errors name the fruit's file. \param diffuser null if cut faces are not visible:
-/// they keep the colours of their rims. \throws Error as slice(), and (usage) if there is no piece of the number that
-/// was ordered.
+/// where the order wants textures. Errors name the fruit's file.
+/// \param diffuser null if cut faces are not visible: they keep the colours of their rims.
+/// \throws Error as slice(), and (usage) if there is no piece of the number that was ordered.
 Slices cut_to_order(const OrderedFruit& fruit, const Order& order, const Diffuser* diffuser);
 
 /// The order that makes a piece again: as it grew, its knives, and its number among the pieces.

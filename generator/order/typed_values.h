@@ -12,22 +12,27 @@
 
 namespace pomona {
 
-/// "1-5" or "0,2,7": 1 to 64 seeds. \throws Error (usage) for anything else.
+/// "1-5" or "0,2,7": 1 to 64 seeds.
+/// \throws Error (usage) for anything else.
 void read_seeds(Order& order, const std::string& text);
 std::string seeds_text(const Order& order);
 
-/// "0.2mm", a length above 0. \throws Error (usage)
+/// "0.2mm", a length above 0.
+/// \throws Error (usage)
 void read_texel(Order& order, const std::string& text);
 
-/// "0.3,1,1.7": up to 16 numbers from 0 to 2, none twice. \throws Error (usage)
+/// "0.3,1,1.7": up to 16 numbers from 0 to 2, none twice.
+/// \throws Error (usage)
 void read_ripeness_variants(Order& order, const std::string& text);
 std::string ripeness_variants_text(const Order& order);
 
-/// "800x600", "120x90mm". \throws Error (usage) for other texts.
+/// "800x600", "120x90mm".
+/// \throws Error (usage) for other texts.
 void read_picture_extent(Order& order, const std::string& text);
 
 /// "front", "back", "left", "right", "top", "bottom", "three-quarter", or "AZIMUTH,ELEVATION" in degrees (azimuth from
-/// +Z, the front, towards +X). \throws Error (usage)
+/// +Z, the front, towards +X).
+/// \throws Error (usage)
 void read_viewpoint(Order& order, const std::string& text);
 
 /// "VIEW:{front,back,...}": what help calls a view; the words in braces are what shells complete.

@@ -14,7 +14,8 @@ namespace pomona {
 
 /// The section with its diffused colours, browned as `fruit.individual` says: see BrowningSketch. Browning depends on
 /// the place in the fruit, so two cuts agree where they meet. Colours only change towards those of the sketch; at
-/// browning 0 they keep their bits. \param surfaces the surfaces that were cut.
+/// browning 0 they keep their bits.
+/// \param surfaces the surfaces that were cut.
 CrossSection browned(CrossSection section, const DiffusionSurfaces& surfaces, const Template& fruit,
                      Threads threads = {});
 

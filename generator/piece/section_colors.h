@@ -15,8 +15,9 @@ namespace pomona {
 /// same way: diffused from the same surfaces, then browned. All pieces of one fruit share it.
 class SectionColors {
  public:
-  /// \param surfaces the surfaces that were cut. \param fruit their variant. \param diffuser must outlive this and its
-  /// fields.
+  /// \param surfaces the surfaces that were cut.
+  /// \param fruit their variant.
+  /// \param diffuser must outlive this and its fields.
   SectionColors(DiffusionSurfaces surfaces, Template fruit, const Diffuser& diffuser);
 
   /// A new field at each call. It must not outlive this object.

@@ -86,7 +86,8 @@ class TurnChain {
   bool branches_ = false;
 };
 
-/// \param azimuth of each vertex, turns. \param half_plane its azimuth, turns.
+/// \param azimuth of each vertex, turns.
+/// \param half_plane its azimuth, turns.
 Turns turns_of(std::span<const double> azimuth, std::span<const glm::uvec3> triangles, double half_plane) {
   Turns turns;
   for (const double turn : azimuth) turns.azimuth.push_back(turn - half_plane - std::floor(turn - half_plane));
@@ -141,8 +142,8 @@ Turns max_turns(std::span<const glm::vec3> position, std::span<const glm::uvec3>
 }
 
 /// The position of each vertex along the strip, in free turns, clamped to their ends. Vertices that are not joined to
-/// the strip follow their nearest vertex. \param first the vertex that represents all at its place; others have no
-/// position along the strip.
+/// the strip follow their nearest vertex.
+/// \param first the vertex that represents all at its place; others have no position along the strip.
 std::vector<double> places_along(const Turns& turns, std::span<const glm::vec3> position,
                                  std::span<const std::uint32_t> first) {
   std::vector<double> along(position.size(), -1);

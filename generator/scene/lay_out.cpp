@@ -172,7 +172,8 @@ std::vector<glm::dvec3> best_places(const Tray& tray, const glm::dvec3& back, do
   return apart.scale >= 0.98 * mixed.scale ? std::move(apart.of_piece) : std::move(mixed.of_piece);
 }
 
-/// Hangs up strips of peel. \returns whether there are any.
+/// Hangs up strips of peel.
+/// \returns whether there are any.
 bool hang_peels(Scene& table) {
   bool any = false;
   for (Solid& solid : table.solids) {
@@ -184,8 +185,9 @@ bool hang_peels(Scene& table) {
   return any;
 }
 
-/// Turns all pieces. \param upright pieces without flat cuts stand as they grew. \returns which are slender, and the
-/// share of the volume that stands as it grew.
+/// Turns all pieces.
+/// \param upright pieces without flat cuts stand as they grew.
+/// \returns which are slender, and the share of the volume that stands as it grew.
 struct Turned {
   std::size_t slender = 0;
   double as_grown = 0;

@@ -33,7 +33,8 @@ Layout parse_layout(std::string_view json, const std::string& file);
 /// \throws Error (input_missing) if the file cannot be read.
 Layout read_layout(const std::filesystem::path& file);
 
-/// The layout that a scene names, if it names one. \throws Error (input_missing) at the place where it is named.
+/// The layout that a scene names, if it names one.
+/// \throws Error (input_missing) at the place where it is named.
 std::optional<Layout> layout_of(const SceneDescription& scene);
 
 /// The poses for these instances, in their order (their own poses are ignored).

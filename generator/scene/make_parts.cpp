@@ -30,8 +30,8 @@ Error at_entry(const PiecesDescription& pieces, const Error& error) {
   return {ExitStatus::bad_data, {{pieces.place, "pieces \"" + pieces.name + "\": " + what.message, what.hint}}};
 }
 
-/// Grows each entry's fruit as drawn, coarsely, and cuts it. \throws Error (bad_data) at the entry whose knives do not
-/// fit its fruit, or whose fruit cannot be grown.
+/// Grows each entry's fruit as drawn, coarsely, and cuts it.
+/// \throws Error (bad_data) at the entry whose knives do not fit its fruit, or whose fruit cannot be grown.
 void check_cuts(const SceneDescription& scene, const std::vector<Template>& templates) {
   constexpr double coarse = 0.25;
   for (std::size_t entry = 0; entry < templates.size(); ++entry) {
@@ -223,7 +223,8 @@ std::vector<Made> all_made(std::span<const Task> tasks, const Ingredients& from,
   return made;
 }
 
-/// Collects the results of an entry. \param first the index of its first variant among all.
+/// Collects the results of an entry.
+/// \param first the index of its first variant among all.
 void gather(std::span<Made> made, int first, ItemMaker& maker, ComposeReport& report, StageClock& clock) {
   for (const Made& one : made)
     for (const Solid& solid : one.solids) maker.count(solid);

@@ -22,7 +22,8 @@ struct FlipMap {
   std::vector<float> error;
 };
 
-/// The same bits for any number of threads. \throws Error (bad_data) for pictures of different sizes.
+/// The same bits for any number of threads.
+/// \throws Error (bad_data) for pictures of different sizes.
 FlipMap flip(const Image& reference, const Image& result, const FlipOptions& options = {});
 
 /// The mean over all pixels; 0 for an empty map.

@@ -10,8 +10,8 @@
 namespace pomona {
 
 /// The bytes of every output that shows a scene: meshes, drawings, pictures with their ground truth, layouts. It skips
-/// outputs of other things, which live_files.h, section_files.h and scene_page_files.h make. \throws Error (usage) if
-/// something cannot be written as ordered.
+/// outputs of other things, which live_files.h, section_files.h and scene_page_files.h make.
+/// \throws Error (usage) if something cannot be written as ordered.
 Delivered files(const SceneViews& scene, const Order& order, const DeliverOptions& how);
 
 /// The same in the style that the order names; it must be one of the program's own.

@@ -26,7 +26,8 @@ namespace pomona {
 namespace {
 
 /// For each solid NAME.color.png, and where it has maps NAME.normal.png, NAME.orm.png, NAME.thickness.png and
-/// NAME.part.png; and parts.json, with the names of the parts' numbers. \param folder need not exist yet.
+/// NAME.part.png; and parts.json, with the names of the parts' numbers.
+/// \param folder need not exist yet.
 std::vector<OutputFile> map_files(std::span<const BakedSolid> baked, const std::filesystem::path& folder) {
   std::vector<OutputFile> files;
   nlohmann::ordered_json parts = nlohmann::ordered_json::object();

@@ -9,8 +9,8 @@
 
 namespace pomona {
 
-/// \param progress for walks only, because they take long. \throws Error (helper_missing) if OpenGL is needed and does
-/// not work.
+/// \param progress for walks only, because they take long.
+/// \throws Error (helper_missing) if OpenGL is needed and does not work.
 std::unique_ptr<Diffuser> ordered_diffuser(const Order& order, const DeliveryProgress& progress = {});
 
 }  // namespace pomona

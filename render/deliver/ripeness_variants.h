@@ -18,8 +18,11 @@ struct RipenessVariant {
   std::vector<Solid> pieces;
 };
 
-/// The variants for each ripeness that the order names. \param pieces of the fruit at its own ripeness. \param drawn
-/// the fruit's template. \param diffuser null for whole fruit. \param times the stages vary and sweep are added.
+/// The variants for each ripeness that the order names.
+/// \param pieces of the fruit at its own ripeness.
+/// \param drawn the fruit's template.
+/// \param diffuser null for whole fruit.
+/// \param times the stages vary and sweep are added.
 /// \throws Error (usage) for a file of surfaces, which has no template.
 std::vector<RipenessVariant> ripeness_variants(std::span<const Solid> pieces, const OrderedFruit& fruit,
                                                const std::optional<Template>& drawn, const Order& order,

@@ -6,7 +6,8 @@
 
 namespace pomona {
 
-/// The .ply keeps the diffused colours; pictures show the colours of pieces. \param fruit the variant that was cut.
+/// The .ply keeps the diffused colours; pictures show the colours of pieces.
+/// \param fruit the variant that was cut.
 Delivered section_files(const Slices& slices, const Template& fruit, const Order& order, const DeliverOptions& how);
 
 }  // namespace pomona

@@ -35,8 +35,8 @@ class StreamedGlb {
   /// The scene's next solids.
   void take(std::span<const Solid> solids);
 
-  /// Call it once, after the last solid: the file, with times and counts. \param scene with the triangles of their
-  /// meshes.
+  /// Call it once, after the last solid: the file, with times and counts.
+  /// \param scene with the triangles of their meshes.
   Delivered finished(const Scene& scene);
 
  private:

@@ -24,8 +24,8 @@ class GlContext {
  public:
   /// The route that the environment variable POMONA_GL names ("device", "surfaceless", "osmesa"); without it the first
   /// that works: a graphics card, then software by each route. The libraries are loaded by this call, not at the start
-  /// of the program. \throws Error (helper_missing) that says what each route lacks, (usage) if POMONA_GL names no
-  /// route.
+  /// of the program.
+  /// \throws Error (helper_missing) that says what each route lacks, (usage) if POMONA_GL names no route.
   GlContext();
   /// \throws Error (helper_missing) if this one does not work.
   explicit GlContext(GlRoute route);

@@ -104,8 +104,8 @@ class LayerPeeler {
     gl_->DepthFunc(GL_LESS);
   }
 
-  /// Draws the nearest surfaces behind `last` into color_slope_, normal_, ids_ and `depth`. \return whether there are
-  /// any.
+  /// Draws the nearest surfaces behind `last` into color_slope_, normal_, ids_ and `depth`.
+  /// \return whether there are any.
   bool peel_layer(const Program& program, const GlTexture& last, const GlTexture& depth) const {
     const GlFramebuffer target = bound({&color_slope_, &normal_, &ids_}, &depth);
     constexpr std::array<unsigned, 4> no_id{0, 0, 0, 0};

@@ -51,7 +51,8 @@ class GlTexture {
 /// Texels in a buffer, and its texture for shaders.
 class GlTable {
  public:
-  /// \param format GL_RGBA32F or GL_R16UI. \param what "triangles", for the message.
+  /// \param format GL_RGBA32F or GL_R16UI.
+  /// \param what "triangles", for the message.
   /// \throws Error (bad_data) for more texels than this context holds.
   template <typename Value>
   GlTable(const CurrentGl& gl, GLenum format, const std::vector<Value>& values, const char* what)

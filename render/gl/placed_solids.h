@@ -11,7 +11,8 @@ enum class Drawn { opaque, see_through };
 
 class PlacedSolids {
  public:
-  /// Both must outlive this. \throws Error as uploaded() does.
+  /// Both must outlive this.
+  /// \throws Error as uploaded() does.
   PlacedSolids(const CurrentGl& gl, const Scene& scene, const Style& style);
 
   bool any(Drawn which) const;

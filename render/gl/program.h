@@ -19,7 +19,8 @@ std::vector<std::string> shader_names();
 
 /// The embedded file with its `#include "name"` lines resolved, each file once, and with the version line in front:
 /// 4.50 for compute shaders (*.comp.glsl), 3.30 for all others. `definition`, if any, is a name that is defined for the
-/// text. \throws Error (bug) for a name that is not there.
+/// text.
+/// \throws Error (bug) for a name that is not there.
 std::string shader_source(std::string_view name, std::string_view definition = {});
 
 /// The same for a text that is no embedded file (tests).
@@ -28,10 +29,12 @@ std::string resolved_includes(std::string_view text, std::string_view definition
 /// A linked program. Destroy it while its context is current.
 class Program {
  public:
-  /// From two embedded files. \throws Error (bug) with the compiler's message.
+  /// From two embedded files.
+  /// \throws Error (bug) with the compiler's message.
   Program(const CurrentGl& gl, std::string_view vertex_file, std::string_view fragment_file,
           std::string_view definition = {});
-  /// A compute shader, from an embedded file. \throws likewise
+  /// A compute shader, from an embedded file.
+  /// \throws likewise
   static Program compute(const CurrentGl& gl, std::string_view file);
   static Program from_sources(const CurrentGl& gl, const std::string& vertex, const std::string& fragment);
   Program(Program&& other) noexcept;

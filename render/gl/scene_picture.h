@@ -17,7 +17,8 @@ struct PictureOptions {
 };
 
 /// The picture of the scene from its view. It is the same every time on one machine and driver; others may differ by a
-/// few units of 255. \throws Error (usage) for invalid sizes or samples; (helper_missing) if OpenGL lacks something.
+/// few units of 255.
+/// \throws Error (usage) for invalid sizes or samples; (helper_missing) if OpenGL lacks something.
 Image draw_scene(GlContext& context, const Scene& scene, const Style& style, const PictureOptions& options = {});
 
 /// The same, with the first context that works.

@@ -11,7 +11,8 @@ class SharedLibrary {
   /// \throws Error (helper_missing) that names the library.
   explicit SharedLibrary(const std::string& file);
 
-  /// The function of that name. \throws Error (helper_missing) if there is none.
+  /// The function of that name.
+  /// \throws Error (helper_missing) if there is none.
   template <typename Function>
   Function function(const char* name) const {
     return reinterpret_cast<Function>(symbol(name));

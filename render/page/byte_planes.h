@@ -13,8 +13,8 @@
 namespace pomona {
 
 /// Each number becomes its difference from the one `back` before it (from 0 at the start), modulo 2^(8 width), folded
-/// so that 0, -1, 1, -2 become 0, 1, 2, 3. All lowest bytes come first, then all second ones, and so on. \param width 1
-/// to 4 bytes; numbers must be below 2^(8 width)
+/// so that 0, -1, 1, -2 become 0, 1, 2, 3. All lowest bytes come first, then all second ones, and so on.
+/// \param width 1 to 4 bytes; numbers must be below 2^(8 width)
 std::string as_planes(std::span<const std::uint32_t> numbers, std::size_t back, std::size_t width);
 
 /// The planes of one number per element, get(0) to get(elements - 1).

@@ -33,8 +33,8 @@ struct LabelWish {
 };
 
 /// Words stacked left and right of the figure, each at one height. Lines do not cross and words do not overlap; if they
-/// do not fit at 1.15 ems apart, those of the smallest parts are left out. \param figure the box that words avoid; they
-/// keep `gap` beside it
+/// do not fit at 1.15 ems apart, those of the smallest parts are left out.
+/// \param figure the box that words avoid; they keep `gap` beside it
 std::vector<Label> placed_labels(std::vector<LabelWish> wishes, const PlateBox& figure, double em, double gap);
 
 /// Whether the lines from leader to tip cross.

@@ -30,15 +30,15 @@ struct PlateLayer {
   std::vector<PlateMark> marks;
 };
 
-/// Adds the line from a name to its part, a dot at its end, and a border around both. \param hair width of lines,
-/// pixels
+/// Adds the line from a name to its part, a dot at its end, and a border around both.
+/// \param hair width of lines, pixels
 void add_leader(const glm::dvec2& from, const glm::dvec2& tip, double hair, PlateLayer& halos, PlateLayer& lines);
 
 /// The layout of a plate.
 class Plate {
  public:
-  /// \param part_names all names that may become labels; they decide the width of the columns beside the figure \param
-  /// style a style with a plate
+  /// \param part_names all names that may become labels; they decide the width of the columns beside the figure
+  /// \param style a style with a plate
   Plate(const Style& style, PlateText text, const std::vector<std::string>& part_names, int width, int height);
 
   /// The room of the figure.
@@ -56,8 +56,8 @@ class Plate {
   };
   ScaleBar scale_bar(double pixels_per_metre) const;
 
-  /// The layers of letters, lines and the bar, in the order in which they are drawn onto a finished picture. \param
-  /// pixels_per_metre 0 = no bar
+  /// The layers of letters, lines and the bar, in the order in which they are drawn onto a finished picture.
+  /// \param pixels_per_metre 0 = no bar
   std::vector<PlateLayer> layers(const PartMap& map, double pixels_per_metre) const;
 
  private:

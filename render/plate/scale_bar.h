@@ -12,7 +12,8 @@ struct ScaleLength {
   double pixels = 0;  ///< length; 0 without a scale
 };
 
-/// The longest bar of at most `max` pixels. \param pixels_per_metre 0 = no scale
+/// The longest bar of at most `max` pixels.
+/// \param pixels_per_metre 0 = no scale
 ScaleLength scale_length(double max, double pixels_per_metre);
 
 }  // namespace pomona

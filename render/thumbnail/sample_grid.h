@@ -20,7 +20,8 @@ class SampleGrid {
   explicit SampleGrid(int side);
 
   /// Draws a triangle wherever it is nearer than earlier ones; of equally near triangles the first stays. Corners are
-  /// rounded to a grid of 1/16 sample, so that neighbours leave no gap. \param owner above 0.
+  /// rounded to a grid of 1/16 sample, so that neighbours leave no gap.
+  /// \param owner above 0.
   void draw(const std::array<GridCorner, 3>& corners, std::uint32_t owner);
 
   int side() const { return side_; }

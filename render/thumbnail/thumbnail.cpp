@@ -91,7 +91,9 @@ struct OutlineWidths {
   double rim = 3;    ///< width of lines between a cut face and skin
 };
 
-/// The identity for outlines(). \param instance index into the scene's. \param cut whether it is a cut face.
+/// The identity for outlines().
+/// \param instance index into the scene's.
+/// \param cut whether it is a cut face.
 constexpr std::uint32_t owner_of(std::size_t instance, bool cut) {
   return static_cast<std::uint32_t>(2 * (instance + 1) + (cut ? 1 : 0));
 }
@@ -154,7 +156,8 @@ double to_32nd(double x) {
 }
 
 /// The mesh's colours as light of the style's direction and strength shows them, softly: linear, may go above 1 in
-/// highlights. Cut faces shine less than skin. \param frame of the viewer.
+/// highlights. Cut faces shine less than skin.
+/// \param frame of the viewer.
 std::vector<Color> lit_colors(const StyledMesh& mesh, const Solid& solid, const Pose& pose, const ViewFrame& frame,
                               const LightStyle& light) {
   const glm::dvec3 to_light = light_direction(frame, light.azimuth, light.elevation);

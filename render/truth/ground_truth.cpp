@@ -148,7 +148,8 @@ class AnnotationWriter {
   std::vector<PieceFacts> facts_;  // per solid
 };
 
-/// docs/reference/formats.md, "Ground truth". \param amodal per instance.
+/// docs/reference/formats.md, "Ground truth".
+/// \param amodal per instance.
 std::string annotations(const Scene& scene, const TruthNaming& names, const TruthLayers& layers,
                         const std::vector<Mask>& amodal, const AnnotatedPicture& picture) {
   return AnnotationWriter(scene, names, layers, amodal, picture).write();

@@ -26,8 +26,9 @@ struct TruthFile {
 };
 
 /// Layers of the scene as its view sees it, and annotations.json: docs/reference/formats.md, "Ground truth". Threads
-/// change nothing. \throws Error (usage) for more instances than numbers have bits for, and for transparent solids,
-/// because a pixel then shows several surfaces.
+/// change nothing.
+/// \throws Error (usage) for more instances than numbers have bits for, and for transparent solids, because a pixel
+/// then shows several surfaces.
 std::vector<TruthFile> ground_truth(const Scene& scene, const TruthOptions& options);
 
 }  // namespace pomona

@@ -23,7 +23,8 @@ struct Mask {
 /// The same mask in the smallest box around the covered pixels; an empty box if there are none.
 Mask trimmed(const Mask& mask);
 
-/// Per instance, the pixels with its number. \param numbers from 1 to `count`, or 0; row by row.
+/// Per instance, the pixels with its number.
+/// \param numbers from 1 to `count`, or 0; row by row.
 std::vector<Mask> visible_masks(const std::vector<std::uint16_t>& numbers, int width, std::size_t count);
 
 }  // namespace pomona
