@@ -1,7 +1,7 @@
 # What people and CI type. Every target first installs the Debian packages it needs that are missing.
 JOBS := $(shell nproc)
 .DEFAULT_GOAL := help
-.PHONY: help salad gallery figures .npm build test test-programs golden-renew golden-mutants mutants verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
+.PHONY: help salad gallery figures .npm build test test-programs golden-renew golden-mutants mutants verify verify-table reproduce lint format sanitize clang clang-bytes .bench benches table1 error-atlas variants road cuts lod textures picture bench settle unseen batch-bench batch-scale batch-stops stops malformed .fuzzers fuzz fuzz-short hashes page-errors gallery-page install package test-package clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -119,6 +119,11 @@ variants: .bench ## a thousand variants of every template: out/variants.md and .
 	cmake --build build --target variants -j $(JOBS)
 	@mkdir -p out
 	build/bench/variants --out out/variants.md --json out/variants.json
+
+unseen: .bench ## 200 seeds of every template that nobody has chosen, halved and cut across: out/unseen.md and .json; FRUIT="lemon fig" SEEDS=101-140; stop it and it goes on later
+	cmake --build build --target unseen -j $(JOBS)
+	@mkdir -p out
+	build/bench/unseen $(FRUIT) --seeds $(or $(SEEDS),1-200) --out out/unseen.md --json out/unseen.json
 
 road: .bench ## a new variant of every template, halved, to the bytes of its .glb: time by stage, and memory, on one thread
 	cmake --build build --target road -j $(JOBS)

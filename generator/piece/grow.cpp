@@ -58,8 +58,9 @@ GrownFruit grow(const Template& variant, VariantKey users_key, const GrowOptions
   grown.raised = spots_with_relief(variant, sweep_options);
   if (has_own_colors(variant)) {
     grown.skin = std::make_shared<const SkinDepth>(grown.swept);
-    grown.swept = ripened(std::move(grown.swept), variant, *grown.skin, options.threads);
-    grown.grains = ripened(std::move(grown.grains), variant, *grown.skin, options.threads);
+    const std::vector<glm::dvec3> leads = tissue_colors(grown.swept, grown.grains, variant);
+    grown.swept = ripened(std::move(grown.swept), variant, *grown.skin, leads, options.threads);
+    grown.grains = ripened(std::move(grown.grains), variant, *grown.skin, leads, options.threads);
   }
   grown.sheets = joined(sheets(grown.swept), sheets(grown.grains));
   return grown;

@@ -11,6 +11,9 @@ struct ColorVariation {
   std::vector<double> parts;  ///< of a random shift of each part; empty = none
   double ripeness = 0;        ///< of the ripeness, whose mean is 1
 
+  /// Parts that are one tissue: they all change colour by as much as the first of their list does. No part is in two.
+  std::vector<std::vector<int>> tissues = {};
+
   bool declared() const { return all > 0 || !parts.empty() || ripeness > 0; }
 };
 

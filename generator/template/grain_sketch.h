@@ -30,6 +30,7 @@ struct GrainSpacing {
   double poisson_radius = 0;    ///< metres: two centres are no nearer than the mean of both grains' spacings
   bool any_facing = false;      ///< also if they face different ways
   std::vector<int> apart_from;  ///< earlier ones of Template::grains whose centres keep the same distance
+  std::vector<int> clear_of;    ///< surfaces whose walls no grain touches; a grain in the way moves, shrinks or goes
   bool solid = false;           ///< no two ellipsoids in which the grains lie overlap, nor with those of `apart_from`
 };
 

@@ -70,12 +70,37 @@ std::vector<std::int32_t> parts_of_vertices(const DiffusionSurfaces& surfaces, S
   return parts;
 }
 
+/// The mean colour of one part's sides, OKLab; nothing if there are none.
+std::optional<glm::dvec3> mean_color(const DiffusionSurfaces& surfaces, const std::vector<std::int32_t>& front_part,
+                                     const std::vector<std::int32_t>& back_part, std::int32_t part) {
+  glm::dvec3 sum(0);
+  std::size_t count = 0;
+  const auto add = [&](const Color& color) { sum += glm::dvec3(to_oklab(color)), ++count; };
+  for (std::size_t v = 0; v < surfaces.vertex_count(); ++v) {
+    if (front_part[v] == part) add(surfaces.front_color[v]);
+    if (back_part[v] == part) add(surfaces.back_color[v]);
+  }
+  if (count == 0) return std::nullopt;
+  return sum / static_cast<double>(count);
+}
+
+/// For each part the leading one of its tissue; -1 for those of none.
+std::vector<std::int32_t> leads_of(const Template& fruit) {
+  std::vector<std::int32_t> leads(fruit.parts.size(), -1);
+  for (const std::vector<int>& tissue : fruit.variation.color.tissues)
+    for (const int part : tissue) leads[static_cast<std::size_t>(part)] = tissue.front();
+  return leads;
+}
+
 class Ripener {
  public:
-  Ripener(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin)
+  Ripener(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin,
+          const std::vector<glm::dvec3>& lead_colors)
       : surfaces_(std::move(surfaces)),
         fruit_(fruit),
         skin_(skin),
+        leads_(leads_of(fruit)),
+        lead_colors_(lead_colors),
         front_part_(parts_of_vertices(surfaces_, SideOf::front)),
         back_part_(parts_of_vertices(surfaces_, SideOf::back)) {}
 
@@ -95,18 +120,21 @@ class Ripener {
     ripening_.resize(fruit_.parts.size());
     if (fruit_.individual.ripeness == 1) return;
     for (const RipenessSketch::Part& part : fruit_.ripeness.parts)
-      ripening_[static_cast<std::size_t>(part.part)].emplace(part, mean_color(part.part));
+      ripening_[static_cast<std::size_t>(part.part)].emplace(
+          part, leads_a_tissue(part.part)
+                    ? lead_colors_[static_cast<std::size_t>(part.part)]
+                    : mean_color(surfaces_, front_part_, back_part_, part.part).value_or(glm::dvec3(0)));
   }
 
-  glm::dvec3 mean_color(std::int32_t part) const {
-    glm::dvec3 sum(0);
-    std::size_t count = 0;
-    const auto add = [&](const Color& color) { sum += glm::dvec3(to_oklab(color)), ++count; };
-    for (std::size_t v = 0; v < surfaces_.vertex_count(); ++v) {
-      if (front_part_[v] == part) add(surfaces_.front_color[v]);
-      if (back_part_[v] == part) add(surfaces_.back_color[v]);
-    }
-    return count > 0 ? sum / static_cast<double>(count) : sum;
+  bool leads_a_tissue(int part) const {
+    const std::vector<std::vector<int>>& tissues = fruit_.variation.color.tissues;
+    return std::any_of(tissues.begin(), tissues.end(), [&](const auto& tissue) { return tissue.front() == part; });
+  }
+
+  /// Of parts that are of one tissue with others; else null.
+  const glm::dvec3* lead_color(std::int32_t part) const {
+    if (!names_one_of(part, leads_) || leads_[static_cast<std::size_t>(part)] < 0) return nullptr;
+    return &lead_colors_[static_cast<std::size_t>(leads_[static_cast<std::size_t>(part)])];
   }
 
   const PartRipening* ripening_of(std::int32_t part) const {
@@ -114,7 +142,12 @@ class Ripener {
     return &*ripening_[static_cast<std::size_t>(part)];
   }
 
-  bool needs_place(std::size_t v) const { return ripening_of(front_part_[v]) || ripening_of(back_part_[v]); }
+  bool ripens(std::int32_t part) const {
+    if (ripening_of(part)) return true;
+    return lead_color(part) && ripening_of(leads_[static_cast<std::size_t>(part)]);
+  }
+
+  bool needs_place(std::size_t v) const { return ripens(front_part_[v]) || ripens(back_part_[v]); }
 
   /// Of the vertices that ripen by their place; where lateness stops changing, depths are no longer told apart.
   std::vector<double> depths(Threads threads) const {
@@ -141,12 +174,27 @@ class Ripener {
     return lateness;
   }
 
-  Color changed(const Color& color, std::int32_t part, double lateness) const {
-    const PartRipening* ripening = ripening_of(part);
-    const double ripeness =
-        ripening ? own_ripeness(fruit_.individual.ripeness, lateness + ripening->late(), fruit_.ripeness.spread) : 1;
+  double ripeness_at(const PartRipening* ripening, double lateness) const {
+    if (!ripening) return 1;
+    return own_ripeness(fruit_.individual.ripeness, lateness + ripening->late(), fruit_.ripeness.spread);
+  }
+
+  ColorShift shift_of(std::int32_t part) const {
     const std::vector<ColorShift>& shifts = fruit_.individual.shifts;
-    const ColorShift shift = names_one_of(part, shifts) ? shifts[static_cast<std::size_t>(part)] : ColorShift{};
+    return names_one_of(part, shifts) ? shifts[static_cast<std::size_t>(part)] : ColorShift{};
+  }
+
+  Color changed(const Color& color, std::int32_t part, double lateness) const {
+    if (const glm::dvec3* lead = lead_color(part)) {
+      const std::int32_t leading = leads_[static_cast<std::size_t>(part)];
+      const PartRipening* own = part == leading ? nullptr : ripening_of(part);
+      const double ripeness = ripeness_at(own, lateness);
+      const Color ripe = ripeness != 1 ? in_gamut((*own)(to_oklab(color), ripeness)) : color;
+      return moved(ripe, *lead, changed_lead(*lead, leading, own, lateness));
+    }
+    const PartRipening* ripening = ripening_of(part);
+    const double ripeness = ripeness_at(ripening, lateness);
+    const ColorShift shift = shift_of(part);
     if (ripeness == 1 && is_none(shift)) return color;
 
     const glm::dvec3 drawn = to_oklab(color);
@@ -155,9 +203,36 @@ class Ripener {
     return from_oklab_within_gamut(glm::vec3(is_none(shift) ? lab : shifted(lab, shift)));
   }
 
+  /// What the mean colour of a tissue's leading part changes to, OKLab. Its ripening counts where the part that follows
+  /// has none of its own.
+  glm::dvec3 changed_lead(const glm::dvec3& mean, std::int32_t lead, const PartRipening* own, double lateness) const {
+    const PartRipening* ripening = own ? nullptr : ripening_of(lead);
+    const double ripeness = ripeness_at(ripening, lateness);
+    const glm::dvec3 lab = ripeness != 1 ? (*ripening)(mean, ripeness) : mean;
+    const ColorShift shift = shift_of(lead);
+    return is_none(shift) ? lab : shifted(lab, shift);
+  }
+
+  static Color in_gamut(const glm::dvec3& lab) { return from_oklab_within_gamut(glm::vec3(lab)); }
+
+  /// The colour moved in sRGB as from one OKLab colour to another: so differences that are seen stay as they are.
+  static Color moved(const Color& color, const glm::dvec3& from, const glm::dvec3& to) {
+    if (from == to) return color;
+    const Color before = in_gamut(from), after = in_gamut(to);
+    Color result;
+    for (int c = 0; c < 3; ++c) {
+      const double encoded = srgb_from_linear(std::clamp<double>(color[c], 0, 1)) + srgb_from_linear(after[c]) -
+                             srgb_from_linear(before[c]);
+      result[c] = static_cast<float>(linear_from_srgb(std::clamp(encoded, 0.0, 1.0)));
+    }
+    return result;
+  }
+
   DiffusionSurfaces surfaces_;
   const Template& fruit_;
   const SkinDepth& skin_;
+  std::vector<std::int32_t> leads_;             ///< per part
+  const std::vector<glm::dvec3>& lead_colors_;  ///< per part
   std::vector<std::int32_t> front_part_, back_part_;
   std::vector<std::optional<PartRipening>> ripening_;  // per part
 };
@@ -175,9 +250,25 @@ bool has_own_colors(const Template& fruit) {
   return (individual.ripeness != 1 && fruit.ripeness.declared()) || !individual.shifts.empty();
 }
 
-DiffusionSurfaces ripened(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin, Threads threads) {
+std::vector<glm::dvec3> tissue_colors(const DiffusionSurfaces& swept, const DiffusionSurfaces& grains,
+                                      const Template& fruit) {
+  std::vector<glm::dvec3> colors(fruit.parts.size(), glm::dvec3(0));
+  for (const DiffusionSurfaces* surfaces : {&grains, &swept}) {
+    if (fruit.variation.color.tissues.empty()) break;
+    const std::vector<std::int32_t> front = parts_of_vertices(*surfaces, SideOf::front),
+                                    back = parts_of_vertices(*surfaces, SideOf::back);
+    for (const std::vector<int>& tissue : fruit.variation.color.tissues) {
+      const std::optional<glm::dvec3> mean = mean_color(*surfaces, front, back, tissue.front());
+      if (mean) colors[static_cast<std::size_t>(tissue.front())] = *mean;
+    }
+  }
+  return colors;
+}
+
+DiffusionSurfaces ripened(DiffusionSurfaces surfaces, const Template& fruit, const SkinDepth& skin,
+                          const std::vector<glm::dvec3>& leads, Threads threads) {
   if (!has_own_colors(fruit)) return surfaces;
-  return Ripener(std::move(surfaces), fruit, skin).ripen(threads);
+  return Ripener(std::move(surfaces), fruit, skin, leads).ripen(threads);
 }
 
 }  // namespace pomona

@@ -10,6 +10,7 @@
 #include "generator/variation/fold_pca.h"
 #include "generator/variation/fold_room.h"
 #include "generator/variation/fold_samples.h"
+#include "generator/variation/half_turn.h"
 #include "generator/variation/vary_counts.h"
 
 namespace pomona {
@@ -141,9 +142,13 @@ struct FoldDrawing {
   Template fruit;
   std::vector<double> widths;
   std::vector<FoldSamples> samples;
+  HalfTurn half_turn;
 
   explicit FoldDrawing(const Template& drawn)
-      : fruit(drawn), widths(fold_widths(std::get<FoldSymmetry>(drawn.symmetry))), samples(fold_samples(drawn)) {}
+      : fruit(drawn),
+        widths(fold_widths(std::get<FoldSymmetry>(drawn.symmetry))),
+        samples(fold_samples(drawn)),
+        half_turn(std::get<FoldSymmetry>(drawn.symmetry), samples) {}
 };
 
 /// What does not vary keeps to the drawn folds in turn.
@@ -186,13 +191,19 @@ FoldCandidate candidate(const FoldDrawing& drawing, const std::vector<FoldDraw>&
   FoldCandidate result{drawing.fruit, {}};
   const double first = std::get<FoldSymmetry>(drawing.fruit.symmetry).fold_angles.front();
   const std::vector<double> widths = blended_widths(drawing.widths, draws);
-  const FoldSymmetry symmetry = symmetry_of(first, widths);
   for (std::size_t s = 0; s < drawing.samples.size(); ++s) {
-    const FoldSamples& samples = drawing.samples[s];
-    SurfaceSketch& surface = result.fruit.surfaces[samples.surface];
+    const bool varies = drawing.fruit.surfaces[drawing.samples[s].surface].varies;
+    result.folds.push_back(blended_folds(drawing.samples[s], varies ? draws : as_drawn(draws), bearing[s]));
+  }
+
+  // Meshes do not turn along.
+  const bool turns = drawing.fruit.meshes.empty();
+  const double turn = turns ? drawing.half_turn(symmetry_of(first, widths), result.folds) : 0;
+  const FoldSymmetry symmetry = symmetry_of(first + turn, widths);
+  for (std::size_t s = 0; s < drawing.samples.size(); ++s) {
+    SurfaceSketch& surface = result.fruit.surfaces[drawing.samples[s].surface];
     surface.reference = reference_radii(surface);
-    result.folds.push_back(blended_folds(samples, surface.varies ? draws : as_drawn(draws), bearing[s]));
-    surface.horizontal = loops_of(result.folds.back(), symmetry, widths, samples.closed);
+    surface.horizontal = loops_of(result.folds[s], symmetry, widths, drawing.samples[s].closed);
   }
   result.fruit.symmetry = symmetry;
   return result;

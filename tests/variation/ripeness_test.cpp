@@ -40,7 +40,7 @@ DiffusionSurfaces nested_fruit(const Color& color = red) {
 DiffusionSurfaces ripened_to(double ripeness, Template fruit, const DiffusionSurfaces& surfaces) {
   fruit.individual.ripeness = ripeness;
   if (!surfaces.part_names.empty()) fruit.parts = surfaces.part_names;
-  return ripened(surfaces, fruit, SkinDepth(surfaces));
+  return ripened(surfaces, fruit, SkinDepth(surfaces), tissue_colors(surfaces, {}, fruit));
 }
 
 /// Where on the way from `from` to `to` a colour lies, in OKLab; and how far beside it.

@@ -9,6 +9,7 @@
 
 #include "generator/base/error.h"
 #include "generator/surface/grains/grain_colors.h"
+#include "generator/surface/grains/grain_room.h"
 #include "generator/surface/grains/grain_shape.h"
 #include "generator/surface/sweep/dart_throwing.h"
 #include "generator/surface/sweep/grid_painter.h"
@@ -125,6 +126,16 @@ std::vector<Dart> filled(std::vector<Dart> darts, const GrainSketch& sketch, con
   return darts;
 }
 
+/// The walls that grains of this kind keep clear of.
+GrainWalls walls_of(const Template& fruit, const GrainSketch& sketch, const SweepOptions& options) {
+  std::vector<SweptGrid> meshes;
+  for (const int surface : sketch.spacing.clear_of) {
+    std::vector<SweptGrid> more = swept_grids(fruit, fruit.surfaces.at(static_cast<std::size_t>(surface)), options);
+    std::move(more.begin(), more.end(), std::back_inserter(meshes));
+  }
+  return {meshes, std::max({sketch.form.length, sketch.form.width, sketch.form.thickness})};
+}
+
 }  // namespace
 
 DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const SweepOptions& options) {
@@ -149,7 +160,10 @@ DiffusionSurfaces scatter_grains(const Template& fruit, VariantKey key, const Sw
       const std::vector<Dart>& known = thrown.at(static_cast<std::size_t>(kind));
       others.insert(others.end(), known.begin(), known.end());
     }
-    thrown.push_back(filled(thrown_darts(targets, sketch, draws, options.threads, others), sketch, draws));
+    std::vector<Dart> darts = filled(thrown_darts(targets, sketch, draws, options.threads, others), sketch, draws);
+    if (!sketch.spacing.clear_of.empty())
+      darts = with_room(std::move(darts), sketch, walls_of(fruit, sketch, options), others);
+    thrown.push_back(std::move(darts));
     append_grains(grains, sketch, thrown.back(), draws);
     for (const GrainCore& core : sketch.cores) append_cores(grains, sketch, core, thrown.back(), draws);
   }

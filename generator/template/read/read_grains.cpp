@@ -63,11 +63,24 @@ GrainGround read_ground(const TomlTable& table, const Template& fruit, const Sur
   return ground;
 }
 
+std::vector<int> read_clear_of(const TomlValue& value, const Template& fruit) {
+  std::vector<int> surfaces;
+  if (!value.given()) return surfaces;
+  std::vector<std::string> names;
+  for (const SurfaceSketch& surface : fruit.surfaces) names.push_back(surface.name);
+  for (const TomlValue& name : value.values()) {
+    if (surfaces.size() == names.size()) break;
+    surfaces.push_back(name.choice(names));
+  }
+  return surfaces;
+}
+
 GrainSpacing read_spacing(const TomlTable& table, const Template& fruit) {
   GrainSpacing spacing;
   spacing.poisson_radius = table.need("spacing").length(1e-3, {1e-5, 0.2});
   spacing.any_facing = table.get("apart").choice({"facing", "all"}) == 1;
   spacing.solid = table.get("solid").boolean(false);
+  spacing.clear_of = read_clear_of(table.get("clear_of"), fruit);
   const TomlValue others = table.get("apart_from");
   if (!others.given()) return spacing;
   std::vector<std::string> names;

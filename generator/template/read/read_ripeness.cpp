@@ -69,6 +69,30 @@ BrowningSketch::Near read_near(const TomlTable& table, const Template& fruit) {
   return near;
 }
 
+/// [["flesh", "heart"], ...]: known parts, each in one list.
+std::vector<std::vector<int>> read_tissues(const TomlValue& value, const Template& fruit) {
+  std::vector<std::vector<int>> tissues;
+  if (!value.given()) return tissues;
+  std::vector<int> known;
+  for (const TomlValue& entry : value.values()) {
+    const std::vector<TomlValue> names = entry.values();
+    if (names.size() < 2 || names.size() > fruit.parts.size()) {
+      entry.error("must name two parts or more that are one tissue",
+                  "write [\"flesh\", \"heart\"], the leading part first");
+      return tissues;
+    }
+    std::vector<int>& tissue = tissues.emplace_back();
+    for (const TomlValue& name : names) {
+      const int part = name.choice(fruit.parts);
+      if (std::find(known.begin(), known.end(), part) != known.end())
+        name.error("\"" + name.text() + "\" is there already", "name each part once");
+      known.push_back(part);
+      tissue.push_back(part);
+    }
+  }
+  return tissues;
+}
+
 }  // namespace
 
 RipenessSketch read_ripeness(const TomlTable& table, const Template& fruit) {
@@ -102,6 +126,7 @@ ColorVariation read_color_variation(const TomlTable& table, const Template& frui
   const Within within{0, max_color_variation};
   ColorVariation variation;
   variation.ripeness = table.get("ripeness").number(0, {0, 0.5});
+  variation.tissues = read_tissues(table.get("tissues"), fruit);
   const TomlValue color = table.get("color");
   if (!color.is(TomlNode::Kind::table)) {
     variation.all = color.number(0, within);
@@ -109,7 +134,16 @@ ColorVariation read_color_variation(const TomlTable& table, const Template& frui
   }
   const TomlTable parts = color.table();
   variation.parts.assign(fruit.parts.size(), 0.0);
-  for (std::size_t i = 0; i < fruit.parts.size(); ++i) variation.parts[i] = parts.get(fruit.parts[i]).number(0, within);
+  for (std::size_t i = 0; i < fruit.parts.size(); ++i) {
+    const TomlValue value = parts.get(fruit.parts[i]);
+    variation.parts[i] = value.number(0, within);
+    for (const std::vector<int>& tissue : variation.tissues) {
+      const bool follows = std::find(tissue.begin() + 1, tissue.end(), static_cast<int>(i)) != tissue.end();
+      if (value.given() && follows)
+        value.error("follows \"" + fruit.parts[static_cast<std::size_t>(tissue.front())] + "\" in `tissues`",
+                    "leave it out");
+    }
+  }
   return variation;
 }
 

@@ -1,0 +1,245 @@
+// Seeds that nobody has chosen: whether each fruit's halves and sections across are as good as the drawing's, by
+// numbers. docs/reports/unseen.md shows what it prints; scripts/unseen_sheet.py shows the worst as pictures.
+//   unseen [FRUIT...] [--seeds 1-200] [--out FILE] [--json FILE] [--threads N]
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bench/earlier_rows.h"
+#include "bench/exit_status.h"
+#include "bench/fruits.h"
+#include "bench/text_table.h"
+#include "bench/unseen_facts.h"
+#include "cli/deliver/progress.h"
+#include "generator/base/parallel.h"
+#include "generator/template/read/read_template.h"
+#include "render/export/output.h"
+
+namespace {
+
+using namespace pomona;
+using namespace pomona::bench;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> fruits;
+  std::string seeds = "1-200";
+  std::string out, json;
+  int threads = 0;
+};
+
+/// What an unseen fruit is held to.
+constexpr double short_side = 0.5;    ///< least share of a part on a side, of the drawing's poorer side
+constexpr double least_part = 0.003;  ///< parts with less of the drawn section are not asked for
+constexpr double stated_drift = 5;    ///< most change of a tissue's colour differences, in 255ths
+
+struct SeedRange {
+  int first = 1, last = 200;
+};
+
+SeedRange range_of(const std::string& text) {
+  SeedRange range;
+  if (std::sscanf(text.c_str(), "%d-%d", &range.first, &range.last) != 2) range.last = range.first;
+  return range;
+}
+
+Json json_of(const FaceFacts& face) {
+  Json sides = Json::object();
+  for (const auto& [part, shares] : face.sides) sides[part] = {shares.first, shares.second};
+  return {{"area", face.area}, {"crumbs", face.crumbs}, {"sides", sides}};
+}
+
+/// What a file keeps of one fruit; what it is judged by is worked out anew each time.
+Json row_of(const std::string& name, int seed, const UnseenFacts& facts) {
+  return {{"fruit", name},
+          {"seed", seed},
+          {"folds", facts.folds},
+          {"half", json_of(facts.half)},
+          {"across", json_of(facts.across)},
+          {"grains", facts.grains},
+          {"crossings", facts.crossings},
+          {"chambers", facts.chambers},
+          {"empty_chambers", facts.empty_chambers},
+          {"drift", facts.worst_drift.drift},
+          {"drifting", {facts.worst_drift.first, facts.worst_drift.second}}};
+}
+
+/// A part that the half lacks on one side, with what it has there as a share of what the drawing has on its poorer
+/// side.
+struct Lack {
+  std::string part;
+  double share = 1;
+};
+
+double lesser_side(const Json& row, const std::string& part) {
+  const Json& sides = row["half"]["sides"];
+  if (!sides.contains(part)) return 0;
+  return std::min(sides[part][0].get<double>(), sides[part][1].get<double>());
+}
+
+/// The inner part of which the half has least, compared with the drawing.
+Lack worst_lack(const Json& row, const Json& drawn, const std::vector<std::string>& parts) {
+  Lack worst;
+  for (const std::string& part : parts) {
+    const double least = lesser_side(drawn, part);
+    if (least < least_part / 3) continue;
+    const Json& sides = drawn["half"]["sides"][part];
+    if (sides[0].get<double>() + sides[1].get<double>() < least_part) continue;
+    const double share = lesser_side(row, part) / least;
+    if (share < worst.share) worst = {part, share};
+  }
+  return worst;
+}
+
+/// The numbers by which a fruit may fall out, each 0 if it is sound.
+std::map<std::string, double> faults_of(const Json& row, const Json& drawn, const std::vector<std::string>& parts) {
+  const Lack lack = worst_lack(row, drawn, parts);
+  const double drawn_empty = drawn["empty_chambers"].get<double>() / std::max(1.0, drawn["chambers"].get<double>());
+  const double empty = row["empty_chambers"].get<double>() - drawn_empty * row["chambers"].get<double>();
+  const auto more = [&](const char* face) {
+    return std::max(0.0, row[face]["crumbs"].get<double>() - drawn[face]["crumbs"].get<double>());
+  };
+  const double drift = row["drift"];
+  return {{"short", lack.share < short_side ? 1 - lack.share : 0},
+          {"crossings", row["crossings"].get<double>()},
+          {"empty", std::max(0.0, empty)},
+          {"drift", drift > stated_drift ? drift : 0},
+          {"crumbs", more("half") + more("across")}};
+}
+
+struct Fruit {
+  std::string name;
+  std::vector<std::string> inner_parts;
+  std::vector<Json> rows;  ///< the drawing first
+};
+
+Json measured_row(const UnseenFruit& fruit, const std::string& name, int seed) {
+  return row_of(name, seed, fruit.facts(seed));
+}
+
+/// All rows of one template, those in `known` as they are.
+std::vector<Json> rows_of(const std::string& name, const UnseenFruit& fruit, const SeedRange& range,
+                          const std::vector<Json>& known, Threads threads) {
+  std::vector<int> seeds{0};
+  for (int seed = range.first; seed <= range.last; ++seed) seeds.push_back(seed);
+  std::vector<Json> rows(seeds.size());
+  parallel_for(seeds.size(), threads, [&](std::size_t i) {
+    const auto same = [&](const Json& row) {
+      return row["fruit"].get<std::string>() == name && row["seed"].get<int>() == seeds[i];
+    };
+    const auto found = std::find_if(known.begin(), known.end(), same);
+    rows[i] = found != known.end() ? *found : measured_row(fruit, name, seeds[i]);
+  });
+  return rows;
+}
+
+std::string worst_seeds(const Fruit& fruit, const std::string& fault) {
+  std::vector<std::pair<double, int>> worst;
+  for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
+    const double by = faults_of(fruit.rows[i], fruit.rows.front(), fruit.inner_parts).at(fault);
+    if (by > 0) worst.emplace_back(-by, fruit.rows[i]["seed"].get<int>());
+  }
+  std::sort(worst.begin(), worst.end());
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(worst.size(), 3); ++i)
+    text += " " + std::to_string(worst[i].second);
+  return std::to_string(worst.size()) + (text.empty() ? "" : ":" + text);
+}
+
+double mean(const Fruit& fruit, const char* key) {
+  double sum = 0;
+  for (std::size_t i = 1; i < fruit.rows.size(); ++i) sum += fruit.rows[i][key].get<double>();
+  return sum / static_cast<double>(std::max<std::size_t>(1, fruit.rows.size() - 1));
+}
+
+/// The part that halves lack most often.
+std::string most_lacking(const Fruit& fruit) {
+  std::map<std::string, int> count;
+  for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
+    const Lack lack = worst_lack(fruit.rows[i], fruit.rows.front(), fruit.inner_parts);
+    if (lack.share < short_side) ++count[lack.part];
+  }
+  std::string most = "-";
+  int most_often = 0;
+  for (const auto& [part, times] : count)
+    if (times > most_often) most = part, most_often = times;
+  return most;
+}
+
+double worst_of(const Fruit& fruit, const char* key) {
+  double most = 0;
+  for (const Json& row : fruit.rows) most = std::max(most, row[key].get<double>());
+  return most;
+}
+
+TextTable table_of(const std::vector<Fruit>& fruits) {
+  TextTable table{{"", "seeds", "short of a part", "most often", "with grains crossed", "crossed of", "a fruit",
+                   "with an empty chamber", "tissues apart", "most, of 255", "with crumbs"},
+                  {}};
+  for (const Fruit& fruit : fruits) {
+    table.rows.push_back({fruit.name, std::to_string(fruit.rows.size() - 1), worst_seeds(fruit, "short"),
+                          most_lacking(fruit), worst_seeds(fruit, "crossings"), number(mean(fruit, "crossings"), 1),
+                          number(mean(fruit, "grains"), 0), worst_seeds(fruit, "empty"), worst_seeds(fruit, "drift"),
+                          number(worst_of(fruit, "drift"), 1), worst_seeds(fruit, "crumbs")});
+  }
+  return table;
+}
+
+/// How many variants have any fault.
+int fallen_out(const std::vector<Fruit>& fruits) {
+  int fallen = 0;
+  for (const Fruit& fruit : fruits) {
+    for (std::size_t i = 1; i < fruit.rows.size(); ++i) {
+      const auto faults = faults_of(fruit.rows[i], fruit.rows.front(), fruit.inner_parts);
+      fallen += std::any_of(faults.begin(), faults.end(), [](const auto& fault) { return fault.second > 0; });
+    }
+  }
+  return fallen;
+}
+
+int make_report(const Options& options) {
+  std::vector<Json> known = earlier_rows(options.json);
+  std::vector<Fruit> fruits;
+  Progress progress(false);
+  const std::vector<std::string> names = fruit_names(options.fruits);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Template fruit = read_template(template_path(names[i]));
+    if (std::holds_alternative<NoSymmetry>(fruit.symmetry)) continue;  // nothing varies
+    const UnseenFruit unseen(fruit);
+    fruits.push_back(
+        {names[i], unseen.inner_parts(), rows_of(names[i], unseen, range_of(options.seeds), known, {options.threads})});
+    std::erase_if(known, [&](const Json& row) {
+      const auto same = [&](const Json& fresh) {
+        return fresh["seed"] == row["seed"] && fresh["fruit"] == row["fruit"];
+      };
+      return std::any_of(fruits.back().rows.begin(), fruits.back().rows.end(), same);
+    });
+    known.insert(known.end(), fruits.back().rows.begin(), fruits.back().rows.end());
+    if (!options.json.empty()) write_whole(options.json, Json(known).dump() + "\n");
+    progress.report("fruits", i + 1, names.size());
+  }
+  const int fallen = fallen_out(fruits);
+  const std::string text = markdown(table_of(fruits)) + "\n" + std::to_string(fallen) + " fruits fall out.\n";
+  if (!options.out.empty()) write_whole(options.out, text);
+  std::printf("%s", text.c_str());
+  return fallen == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("What seeds that nobody has chosen show. Exits with 1 if any falls out");
+  Options options;
+  app.add_option("FRUIT", options.fruits, "Names of templates; all of them if none is given");
+  app.add_option("--seeds", options.seeds, "First and last, as in 101-140")->capture_default_str();
+  app.add_option("--out", options.out, "Write the table to this file too");
+  app.add_option("--json", options.json, "Write the figures to this file as JSON; rows already there are kept");
+  app.add_option("--threads", options.threads, "0 = all there are")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  return exit_status_of([&] { return make_report(options); });
+}

@@ -1,0 +1,58 @@
+// What can be measured of one unseen fruit: whether its halves show what the drawing's show, and whether its seeds,
+// its colours and its section are sound.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/base/random.h"
+#include "generator/piece/grow.h"
+#include "generator/template/template.h"
+
+namespace pomona::bench {
+
+/// The faces of one knife.
+struct FaceFacts {
+  /// Per part: shares of the section on the left and on the right of the axis.
+  std::map<std::string, std::pair<double, double>> sides;
+  double area = 0;  ///< square metres
+  int crumbs = 0;   ///< components of the section below a two-thousandth of it
+};
+
+/// Two parts that are one tissue, and by how much the difference of their colours has moved from the drawn one, in
+/// 255ths of sRGB.
+struct TissueDrift {
+  std::string first, second;
+  double drift = 0;
+};
+
+struct UnseenFacts {
+  int folds = 1;
+  FaceFacts half, across;
+  int grains = 0;           ///< those that grow on a surface in folds
+  int crossings = 0;        ///< those of them that a membrane crosses
+  int chambers = 0;         ///< loops that may bear grains
+  int empty_chambers = 0;   ///< those of them that bear none
+  TissueDrift worst_drift;  ///< empty names if no two parts are one tissue
+};
+
+/// One template, to be measured with many seeds.
+class UnseenFruit {
+ public:
+  explicit UnseenFruit(Template fruit);
+
+  /// Seed 0 is the drawing.
+  UnseenFacts facts(int seed) const;
+
+  /// Parts that surfaces in folds, grains, and surfaces between them bear: those that a half should show.
+  const std::vector<std::string>& inner_parts() const { return inner_parts_; }
+
+ private:
+  Template fruit_;
+  Variation variation_;
+  std::vector<std::string> inner_parts_;
+};
+
+}  // namespace pomona::bench

@@ -1,0 +1,100 @@
+#include "generator/variation/half_turn.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/base/units.h"
+
+namespace pomona {
+
+namespace {
+
+constexpr int turns = 720;  // tried over half a turn
+
+/// What a loop covers of the turn around the axis.
+struct Sector {
+  double middle = 0, half_width = 0;
+};
+
+using Sectors = std::vector<Sector>;
+
+/// Of the loops of one surface.
+Sectors sectors_of(const FoldSymmetry& symmetry, const std::vector<PolarCurve>& folds) {
+  const std::vector<double> widths = fold_widths(symmetry);
+  Sectors sectors;
+  for (std::size_t k = 0; k < folds.size(); ++k) {
+    if (folds[k].size() == 0) continue;
+    const auto [min, max] = std::minmax_element(folds[k].azimuth.begin(), folds[k].azimuth.end());
+    sectors.push_back({symmetry.fold_angles[k] + widths[k] * 0.5 * (*min + *max), widths[k] * 0.5 * (*max - *min)});
+  }
+  return sectors;
+}
+
+/// The sectors between fold lines: of a fruit whose halves show no chamber.
+Sectors folds_of(const FoldSymmetry& symmetry) {
+  const std::vector<double> widths = fold_widths(symmetry);
+  Sectors sectors;
+  for (std::size_t k = 0; k < widths.size(); ++k)
+    sectors.push_back({symmetry.fold_angles[k] + 0.5 * widths[k], 0.5 * widths[k]});
+  return sectors;
+}
+
+/// Half of the way from a sector's edge to its middle is deep enough: seeds often leave the very middle free.
+constexpr double deep_enough = 0.5;
+
+/// 0 at a sector's edge, up to `deep_enough` within, -1 far outside all.
+double depth_at(const Sectors& sectors, double azimuth) {
+  double deepest = -1;
+  for (const Sector& sector : sectors) {
+    const double turn = (azimuth - sector.middle) / (2 * pi);
+    const double away = 2 * pi * std::fabs(turn - std::round(turn));
+    deepest = std::max(deepest, 1 - away / sector.half_width);
+  }
+  return std::min(deepest, deep_enough);
+}
+
+/// How deep the plane at this azimuth lies in what it is to show, on both sides, or on the better one.
+double score_at(const std::vector<Sectors>& surfaces, const std::vector<int>& shown, double azimuth) {
+  double score = 0;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    if (shown[s] == 0 || surfaces[s].empty()) continue;
+    const double ahead = depth_at(surfaces[s], azimuth), behind = depth_at(surfaces[s], azimuth + pi);
+    score += shown[s] == 2 ? std::min(ahead, behind) : std::max(ahead, behind);
+  }
+  return score;
+}
+
+}  // namespace
+
+HalfTurn::HalfTurn(const FoldSymmetry& drawn, const std::vector<FoldSamples>& samples) {
+  std::vector<Sectors> surfaces;
+  for (const FoldSamples& sample : samples) {
+    surfaces.push_back(sample.closed ? sectors_of(drawn, sample.fold) : Sectors{});
+    const int ahead = depth_at(surfaces.back(), 0) > 0, behind = depth_at(surfaces.back(), pi) > 0;
+    shown_.push_back(ahead + behind);
+  }
+  // Where there are no chambers, the plane keeps between fold lines.
+  surfaces.push_back(folds_of(drawn));
+  shown_.push_back(std::count(shown_.begin(), shown_.end(), 2) > 0 ? 0 : 2);
+  drawn_score_ = score_at(surfaces, shown_, 0);
+}
+
+double HalfTurn::operator()(const FoldSymmetry& variant, const std::vector<std::vector<PolarCurve>>& folds) const {
+  std::vector<Sectors> surfaces;
+  for (std::size_t s = 0; s + 1 < shown_.size(); ++s)
+    surfaces.push_back(shown_[s] > 0 ? sectors_of(variant, folds[s]) : Sectors{});
+  surfaces.push_back(folds_of(variant));
+  double best = 0, best_score = score_at(surfaces, shown_, 0);
+  if (best_score >= drawn_score_ - 1e-9) return 0;
+
+  // From the smallest turn on, to either side.
+  for (int i = 1; i <= turns / 2; ++i) {
+    for (const double azimuth : {pi * i / turns, -pi * i / turns}) {
+      const double score = score_at(surfaces, shown_, azimuth);
+      if (score > best_score + 1e-9) best = azimuth, best_score = score;
+    }
+  }
+  return -best;
+}
+
+}  // namespace pomona
