@@ -18,7 +18,7 @@ struct ShardProgress {
 };
 
 struct BatchProgress {
-  std::string name;     ///< of the batch; empty if no run has begun it
+  std::string name;     ///< name of the batch; empty if no run has begun it
   bool merged = false;  ///< manifest.json exists
   std::vector<ShardProgress> shards;
 };

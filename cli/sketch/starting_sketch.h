@@ -16,7 +16,7 @@ struct SketchPicture {
 };
 
 struct StartingSketchOptions {
-  std::string name;                   ///< of the fruit; a-z 0-9 - _
+  std::string name;                   ///< name of the fruit; a-z 0-9 - _
   std::optional<int> folds = {};      ///< 1..64; none: cylindrical
   std::optional<SketchPicture> side;  ///< picture of the side view; colours are taken from it
   std::optional<SketchPicture> top;   ///< picture of the top view

@@ -32,7 +32,7 @@ struct VerifiedCut {
   auto operator<=>(const VerifiedCut&) const = default;
 };
 
-/// Of each template and knife one seed of ten, always the same.
+/// One seed of ten for each template and knife, always the same.
 bool in_the_tenth(const VerifiedCut& cut);
 
 }  // namespace pomona
