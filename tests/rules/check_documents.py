@@ -80,7 +80,7 @@ def fault_of(path, target):
 
 def uneven_rows(lines):
     """The numbers of the rows that have more or fewer cells than the head of their table."""
-    head, before = 0, 0
+    head, before = 0, -1
     for number, line in lines:
         if line.startswith("|"):
             cells = re.sub(r"`[^`]*`", "", line.replace("\\|", "")).count("|")
