@@ -1,4 +1,4 @@
-// What a command is, and how the program runs one.
+// Commands, and how the program runs them.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@ class App;
 
 namespace pomona {
 
-/// Declares a subcommand and its options on `app`; the returned action runs it once the line is parsed.
-/// `subcommand` is where the action hangs itself up, so that the program can tell which one was asked for.
+/// Declares a subcommand and its options on `app`; the returned action runs it once the line is parsed. The action
+/// registers itself at `subcommand`, so that the program knows which command was typed.
 struct DeclaredCommand {
   CLI::App* subcommand = nullptr;
   std::function<ExitStatus()> action;
@@ -35,10 +35,10 @@ DeclaredCommand verify_command(CLI::App& app);
 DeclaredCommand studio_command(CLI::App& app);
 DeclaredCommand pages_command(CLI::App& app);
 
-/// Runs an action and prints what goes wrong.
+/// Runs an action and prints its errors.
 ExitStatus run_action(const std::function<ExitStatus()>& action);
 
-/// Parses the line, runs the command, prints what went wrong, and returns the exit status.
+/// Parses the line, runs the command, prints errors, and returns the exit status.
 int run(const std::vector<Command>& commands, int argc, char** argv);
 
 }  // namespace pomona

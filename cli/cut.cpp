@@ -35,7 +35,7 @@ struct CutCommand {
   Telling telling;
 };
 
-/// A bare section has no solid to put into a file of meshes.
+/// A bare section has no solid for files of meshes.
 std::vector<Format> formats_for(const TypedOrder& typed) {
   if (!typed.texts_of("section").empty()) return {Format::ply, Format::png, Format::svg};
   return {Format::ply, Format::glb, Format::usda, Format::obj,  Format::stl,
@@ -94,7 +94,7 @@ void cut_one(const std::string& word, const Order& order, const DeliverOptions& 
 }
 
 ExitStatus cut_fruit(const CutCommand& command) {
-  // Everything that can be wrong with the words is told before the work begins.
+  // Checks all options before the work begins.
   const Order order = read_order(command.typed, formats_for(command.typed));
   check_order(order, OrderTaker::cut, command.telling);
   CommandReport report(command.telling);
@@ -116,7 +116,7 @@ std::vector<std::string> written_by(const CutCommand& command) {
   return names;
 }
 
-/// What it reads by the words of the line.
+/// The files that the command reads.
 std::vector<std::string> read_by(const CutCommand& command) {
   std::vector<std::string> words = command.typed.texts_of("knife");
   for (const std::string& style : command.typed.texts_of("style")) words.push_back(style);

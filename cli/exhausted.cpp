@@ -12,7 +12,7 @@ std::optional<std::string> exhausted(const std::exception& error) {
   if (dynamic_cast<const std::length_error*>(&error) != nullptr) return "out of memory";
   const auto* refused = dynamic_cast<const std::system_error*>(&error);
   const bool says_so = refused != nullptr && refused->code() == std::errc::resource_unavailable_try_again;
-  // TBB has no type of its own for a thread that was there when it was tried and then is not, only these words.
+  // TBB has no exception type for a thread that cannot be started any more, only this message.
   if (says_so || std::string_view(error.what()).starts_with("pthread_create"))
     return "the system gives no further thread";
   return {};

@@ -8,7 +8,7 @@
 namespace pomona {
 
 /// "out of memory" (for std::bad_alloc, and for std::length_error: more than a vector can hold) or "the system gives no
-/// further thread"; nothing if `error` is about something else.
+/// further thread"; nothing for other errors.
 std::optional<std::string> exhausted(const std::exception& error);
 
 }  // namespace pomona

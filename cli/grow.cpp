@@ -34,7 +34,7 @@ struct GrowCommand {
   Telling telling;
 };
 
-/// The shells of the fruit, cavity walls included, with nothing inside; or all its surfaces as glass.
+/// The shells of the fruit with its cavity walls, or all its surfaces as glass.
 std::vector<Solid> whole_fruit(const OrderedFruit& fruit, const Order& order, CommandReport& report) {
   if (order.mesh.surfaces) return glass_surfaces(fruit.grown, fruit.fruit, fruit.name);
   Slices whole = cut_to_order(fruit, order, nullptr);
@@ -70,7 +70,7 @@ void grow_one(const std::string& word, const Order& order, const DeliverOptions&
   const Order rest = without(order, {Format::ply, Format::html, Format::pomona});
   if (rest.outputs.empty()) return;
 
-  // In a picture it stands on the table, unless one is to see through it.
+  // In a picture it stands on the table, unless it is glass.
   Scene scene = gathered(whole_fruit(fruit, order, report));
   scene.paper = how.style.paper;
   std::optional<Scene> shown;
@@ -88,7 +88,7 @@ void grow_one(const std::string& word, const Order& order, const DeliverOptions&
 }
 
 ExitStatus grow_fruit(const GrowCommand& command) {
-  // Outputs that cannot be are refused before anything is grown.
+  // Refuses impossible outputs before anything is grown.
   const Order order = read_order(command.typed, grow_formats);
   check_order(order, OrderTaker::grow, command.telling);
   CommandReport report(command.telling);
@@ -102,7 +102,7 @@ ExitStatus grow_fruit(const GrowCommand& command) {
   return ExitStatus::done;
 }
 
-/// What it reads by the words of the line.
+/// The files that the command reads.
 std::vector<std::string> read_by(const GrowCommand& command) {
   std::vector<std::string> words = command.typed.texts_of("style");
   words.push_back(command.fruit);

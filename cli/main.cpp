@@ -1,4 +1,4 @@
-// pomona: grows fruit that can be cut anywhere. This file only knows which commands there are.
+// pomona: grows fruit that can be cut anywhere. This file lists the commands.
 #include "cli/command.h"
 #include "cli/deliver/ending_signals.h"
 #include "generator/base/free_memory.h"

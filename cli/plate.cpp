@@ -1,4 +1,4 @@
-// pomona plate: a fruit as a botanical plate shows it, whole, cut, in section and with a seed.
+// pomona plate: a botanical plate of a fruit: whole, cut, its section and a seed.
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,7 +44,7 @@ struct PlateCommand {
   Telling telling;
 };
 
-/// What the figures show. Where the fruit has no seed of its own to show, its lengthwise section takes that place.
+/// The figures. A fruit without seeds shows its lengthwise section in their place.
 struct PlateContents {
   std::vector<Solid> whole, half;
   CrossSection section, lengthwise;
@@ -80,7 +80,7 @@ PlateContents contents_of(const OrderedFruit& fruit, const PlateCommand& command
   return contents;
 }
 
-/// The style of a figure: on a sheet of its own colour, without grain and letters of its own.
+/// The style of a figure: on a sheet of its own, without grain and letters.
 Style figure_style(Style style) {
   style.plate.reset();
   style.grain = style.vignette = 0;
@@ -89,7 +89,7 @@ Style figure_style(Style style) {
 
 int whole_pixels(double side) { return std::max(static_cast<int>(side), 16); }
 
-constexpr double room_for_soft_shadows = 1.06;  // times the field that holds what casts them
+constexpr double room_for_soft_shadows = 1.06;  // factor of the field, with room for soft shadows
 
 class FigureMaker {
  public:

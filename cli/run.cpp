@@ -54,7 +54,7 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
   return text;
 }
 
-/// The (sub)command that the first words name, and how many words that takes.
+/// The (sub)command that the first words name, and the number of these words.
 struct NamedCommand {
   const CLI::App* app = nullptr;
   std::string words;  ///< "pomona farm slurm"
@@ -75,7 +75,7 @@ NamedCommand named_command(const CLI::App& app, const std::vector<std::string>& 
   return named;
 }
 
-/// A first word that is no command, or none at all, is told as such; CLI11 only says that a subcommand is missing.
+/// Reports a first word that is no command, or a missing one; CLI11 would only say that a subcommand is missing.
 std::optional<std::string> fault_of_command(const NamedCommand& named, const std::vector<std::string>& arguments) {
   std::vector<std::string> known;
   for (const CLI::App* command : named.app->get_subcommands({})) known.push_back(command->get_name());
@@ -102,7 +102,7 @@ std::optional<std::string> command_with(const NamedCommand& named, const std::st
   return {};
 }
 
-/// A mistyped option hides the one that was meant, which may be one that is needed: it is told first.
+/// A mistyped option is reported first, because the option that was meant may then count as missing.
 std::optional<std::string> fault_of_options(const NamedCommand& named, const std::vector<std::string>& arguments) {
   const std::vector<std::string> known = option_names(*named.app);
   for (std::size_t i = static_cast<std::size_t>(named.next); i < arguments.size() && arguments[i] != "--"; ++i) {
@@ -118,7 +118,7 @@ std::optional<std::string> fault_of_options(const NamedCommand& named, const std
   return {};
 }
 
-/// What is wrong with the words, as far as it can be said better than by the parser.
+/// Mistakes in the words for which there are better messages than the parser's.
 std::string fault_of(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& arguments) {
   const NamedCommand named = named_command(app, arguments);
   if (const auto fault = fault_of_command(named, arguments)) return *fault;
@@ -131,7 +131,7 @@ std::string fault_of(const CLI::App& app, const CLI::ParseError& error, const st
   return "error: " + what + "\n  hint: see `" + named.words + " -h`";
 }
 
-/// The words as the parser knows them: `pomona help cut` is `pomona cut -h`, `pomona version` is `pomona --version`.
+/// The words for the parser: `pomona help cut` becomes `pomona cut -h`, `pomona version` becomes `pomona --version`.
 std::vector<std::string> parser_words(int argc, char** argv) {
   std::vector<std::string> words(argv, argv + argc);
   if (words.size() > 1 && words[1] == "help") {
@@ -143,7 +143,7 @@ std::vector<std::string> parser_words(int argc, char** argv) {
   return words;
 }
 
-/// Whether all that was printed has arrived; a full disk tells only now.
+/// Whether all output has been written; a full disk shows only now.
 ExitStatus printed(ExitStatus status) {
   std::cout.flush();
   errno = 0;
@@ -160,8 +160,8 @@ ExitStatus tell_lack(const std::string& lack) {
 
 void tell_bug(const std::string& what) { print_error("error: this is a bug in pomona: " + what); }
 
-/// For std::terminate: what a thread of TBB's own throws, nobody can catch. What it lacks is told as a command's lack
-/// is.
+/// For std::terminate: nobody can catch exceptions of TBB's own threads. A lack of memory or threads is reported as
+/// that of a command.
 [[noreturn]] void end_uncaught() {
   try {
     if (const std::exception_ptr uncaught = std::current_exception()) std::rethrow_exception(uncaught);

@@ -46,7 +46,7 @@ ComposeOptions compose_options(const Order& order, const DeliveryProgress& progr
   return options;
 }
 
-/// What the order leaves open, the scene says: its seed and its style, whose path starts at the scene's folder.
+/// Takes seed and style from the scene, unless the order says them; the style's path starts at the scene's folder.
 Order completed(Order order, const SceneDescription& scene) {
   if (!order.fruit.seed) order.fruit.seed = scene.seed;
   if (order.color.style.empty() && !scene.style.empty()) {
@@ -56,7 +56,7 @@ Order completed(Order order, const SceneDescription& scene) {
   return order;
 }
 
-/// What was measured goes into --stats.
+/// Adds the measurements to --stats.
 void tell(const ComposeReport& composed, CommandReport& report) {
   for (const auto& [stage, milliseconds] : composed.stages) report.times.add(stage, milliseconds);
   for (const auto& [what, number] : composed.counts) report.times.count(what, number);
@@ -64,7 +64,7 @@ void tell(const ComposeReport& composed, CommandReport& report) {
 }
 
 ExitStatus compose_scene(const SceneCommand& command) {
-  // Outputs that cannot be are refused before anything is composed.
+  // Refuses impossible outputs before anything is composed.
   const Order typed = read_order(command.typed, scene_formats);
   check_order(typed, OrderTaker::scene, command.telling);
   CommandReport report(command.telling);
@@ -82,7 +82,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
                            .usual_size = {description.width, description.height},
                            .progress = report.told_progress()};
 
-  // A .glb takes the solids as they are made, where nothing else needs all of them at once.
+  // A .glb takes the solids as they are made, unless another output needs all of them at once.
   const auto streams = streams_of(order, how);
   ComposeOptions composing = compose_options(order, how.progress);
   if (!streams.empty()) {
@@ -99,7 +99,7 @@ ExitStatus compose_scene(const SceneCommand& command) {
   return ExitStatus::done;
 }
 
-/// What it reads by the words of the line.
+/// The files that the command reads.
 std::vector<std::string> read_by(const SceneCommand& command) {
   std::vector<std::string> words = command.typed.texts_of("style");
   words.push_back(command.scene);

@@ -13,7 +13,7 @@ namespace pomona {
 /// The order once for each of its seeds.
 std::vector<Order> each_seed(const Order& order);
 
-/// What was made of one seed, named so that it is told from what was made of the others.
+/// The scene of one seed, with names that differ from those of the others.
 std::vector<Solid> named_by_seed(std::vector<Solid> solids, std::uint64_t seed);
 
 /// All of them side by side on the table.

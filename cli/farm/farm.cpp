@@ -1,4 +1,4 @@
-// pomona farm: a batch on many machines. Slurm is told what to do; other farms are given commands.
+// pomona farm: a batch on many machines, by Slurm or by commands for other farms.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -49,13 +49,13 @@ struct StatusCommand {
   bool json = false;
 };
 
-/// As everybody on the farm may write it.
+/// The path as all machines of the farm know it.
 fs::path normal(const fs::path& path) {
   const fs::path whole = fs::absolute(path).lexically_normal();
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-/// What each of many tasks would find wrong is told here once: a bad batch, another batch's folder.
+/// Reports once what each task would report: a bad batch, another batch's folder.
 FarmJob job_for(const JobOptions& options) {
   parse_memory(options.memory);
   const FarmJob job{.program = options.program.empty() ? this_program() : fs::path(options.program),
@@ -69,7 +69,7 @@ FarmJob job_for(const JobOptions& options) {
   return job;
 }
 
-/// Two arrays at work on the same shards would only lock each other out.
+/// Two arrays of the same shards would only lock each other out.
 void check_not_queued(const fs::path& output) {
   const auto before = read_farm(output);
   if (!before) return;
@@ -82,7 +82,7 @@ void check_not_queued(const fs::path& output) {
                                       "pomona farm status tells how far it is; scancel takes it off"}});
 }
 
-/// The array, then the merge that waits for it. What has been submitted is noted at once.
+/// Submits the array, then the merge that waits for it, and records each at once.
 QueuedJobs submit_both(const FarmJob& job, const SlurmOptions& options, const fs::path& folder) {
   QueuedJobs jobs;
   try {
@@ -107,7 +107,7 @@ QueuedJobs submit_both(const FarmJob& job, const SlurmOptions& options, const fs
 }
 
 ExitStatus give_to_slurm(const SlurmCommand& command) {
-  // All that can be wrong is told before anything is written.
+  // Checks everything before anything is written.
   const FarmJob job = job_for(command);
   const fs::path folder = farm_folder(job.output), logs = folder / "logs";
   const std::vector<OutputFile> scripts = {{folder / "shard.sh", shard_script(job, command.slurm, logs)},
@@ -115,7 +115,7 @@ ExitStatus give_to_slurm(const SlurmCommand& command) {
                                            {folder / "submit.sh", submit_script(job, command.slurm, folder)}};
   check_not_queued(job.output);
 
-  // The numbers of an earlier submission are no longer of interest.
+  // Forgets the numbers of an earlier submission.
   record_farm(job);
   write_whole(scripts);
   std::error_code ignored;
@@ -142,7 +142,7 @@ ExitStatus print_status(const StatusCommand& command) {
     throw Error(ExitStatus::input_missing,
                 {{{command.folder, 0, 0, {}}, "holds no batch, and none is in a queue for it", {}}});
 
-  // How many shards there are is known of what Slurm was given; otherwise only all items together are counted.
+  // The number of shards is known from a submission to Slurm; otherwise all items count together.
   const int tasks = command.tasks > 0 ? command.tasks : farm ? farm->tasks : 1;
   FarmStatus status{folder, progress_of(folder, tasks, {command.threads}), farm ? farm->jobs : QueuedJobs{}, {}};
   status.queue = queue_state(status.jobs);
@@ -215,7 +215,7 @@ DeclaredCommand farm_command(CLI::App& app) {
   CLI::App* lines = command->add_subcommand("commands", "Print a command for each shard");
   CLI::App* status = command->add_subcommand("status", "Tell how far shards are, in the folder and in Slurm's queue");
 
-  // One of them has been typed.
+  // One of the subcommands has been typed.
   const std::vector<DeclaredCommand> parts = {
       {slurm, declare_slurm(*slurm)}, {lines, declare_lines(*lines)}, {status, declare_status(*status)}};
   return {command, [parts] {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t longest_record = std::size_t{1} << 20;  // bytes
 
-/// Empty if there is no such file; what is longer than any record is cut off, and found wrong by who reads it.
+/// Empty if there is no such file; longer texts than any record are cut off, so that the reader finds a mistake.
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return first_bytes(stream, longest_record);

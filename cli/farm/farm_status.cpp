@@ -25,7 +25,7 @@ JobState job_of(const FarmStatus& status, int shard) {
   return found == status.queue.shards.end() ? JobState{} : found->second;
 }
 
-/// "PENDING (Resources)"; a dash where nothing is known.
+/// "PENDING (Resources)"; a dash if nothing is known.
 std::string text_of(const JobState& job) {
   if (job.state.empty()) return "-";
   return job.state + (job.reason.empty() ? "" : " (" + job.reason + ")");

@@ -1,4 +1,4 @@
-// Where a batch on a farm stands: its folder and its queue, side by side.
+// The progress of a batch on a farm: its folder and its queue, side by side.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,8 @@ struct FarmStatus {
 };
 
 /// One of "running", "waiting" (in the queue), "stopped" (its lock is left, and nobody holds it), "missing" (items are,
-/// and nobody is at work on them), "failed" (all are there, some failed), "done". \param shard from 1
+/// and nobody is at work on them), "failed" (all are there, some failed), "done".
+/// \param shard from 1
 std::string shard_state(const FarmStatus& status, int shard);
 
 /// A line for each shard and one for all: shard, state, done, failed, missing, what Slurm says; columns with a heading.

@@ -25,7 +25,7 @@ constexpr std::size_t longest_answer = std::size_t{64} << 20;  // bytes
               error == ENOENT ? "it is not on the PATH of this machine" : "");
 }
 
-/// A file in memory that a program writes to: it is never full, so that nobody has to read along.
+/// A file in memory for a program's output: it is never full, so nobody has to read meanwhile.
 Descriptor caught(const std::string& program) {
   Descriptor file(memfd_create("pomona", MFD_CLOEXEC));
   if (!file.is_open()) fail(program, errno);
@@ -52,13 +52,13 @@ int status_of(pid_t child) {
 }  // namespace
 
 ProgramOutcome run_words(const std::vector<std::string>& words) {
-  // The words as C has them.
+  // The words as C strings.
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   const Descriptor out = caught(words.front()), err = caught(words.front());
 
-  // Nothing comes in; what goes out is caught.
+  // Standard input is empty; the outputs are caught.
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -69,7 +69,7 @@ ProgramOutcome run_words(const std::vector<std::string>& words) {
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) fail(words.front(), error);
 
-  // What came of it.
+  // Waits for the result.
   ProgramOutcome outcome;
   outcome.status = status_of(child);
   outcome.out = content_of(out);

@@ -1,4 +1,4 @@
-// Starting another program: by its words, never through a shell.
+// Starts another program by its words, never through a shell.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace pomona {
 
 struct ProgramOutcome {
-  int status = 0;  ///< as a shell would tell it: 128 and the signal's number if it was killed
+  int status = 0;  ///< as in a shell: 128 and the signal's number if it was killed
   std::string out, err;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 enum class Found : char { missing, done, failed };
 
-/// What lies at these items, in their order: so many at a time that memory does not grow with the batch.
+/// The state of some items, in order: few enough at a time that memory does not grow with the batch.
 std::vector<Found> look_at(const fs::path& folder, const RecordedEntry& entry, std::int64_t first, std::int64_t count,
                            Threads threads) {
   std::vector<Found> found(static_cast<std::size_t>(count));
@@ -31,10 +31,10 @@ std::vector<Found> look_at(const fs::path& folder, const RecordedEntry& entry, s
   return found;
 }
 
-/// Individuals are dealt to the shards in turn, over all entries; the items of one stay together.
+/// Shards take individuals in turn, over all entries; the items of one stay together.
 void count_items(BatchProgress& progress, const fs::path& folder, const RecordedBatch& batch, Threads threads) {
   constexpr std::int64_t at_a_time = 10'000;
-  std::int64_t before = 0;  // individuals of the entries so far
+  std::int64_t before = 0;  // number of individuals of the entries so far
   for (const RecordedEntry& entry : batch.entries) {
     for (std::int64_t first = 0; first < entry.items; first += at_a_time) {
       const std::int64_t count = std::min(at_a_time, entry.items - first);
@@ -51,7 +51,7 @@ void count_items(BatchProgress& progress, const fs::path& folder, const Recorded
   }
 }
 
-/// Whether somebody holds the lock is known only by asking for it; flock() answers for other machines, too.
+/// Only trying to lock tells whether somebody holds the lock; flock() works across machines, too.
 void look_at_lock(ShardProgress& shard, const fs::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   shard.begun = file.is_open();
@@ -71,7 +71,7 @@ BatchProgress progress_of(const fs::path& folder, int tasks, Threads threads) {
     count_items(progress, folder, batch, threads);
   }
 
-  // What runs have left beside them.
+  // The locks of runs.
   std::error_code ignored;
   progress.merged = fs::exists(folder / "manifest.json", ignored);
   for (int shard = 1; shard <= tasks; ++shard) {

@@ -19,7 +19,7 @@ std::string leading_number(const std::string& text) {
   return {text.begin(), end};
 }
 
-/// Up to the next '|', which is taken off, too.
+/// The text up to the next '|', which is removed, too.
 std::string next_field(std::string& line) {
   const std::size_t bar = std::min(line.find('|'), line.size());
   const std::string field = line.substr(0, bar);
@@ -29,7 +29,7 @@ std::string next_field(std::string& line) {
 
 std::string both(const QueuedJobs& jobs) { return jobs.array + (jobs.merge.empty() ? "" : "," + jobs.merge); }
 
-/// Nothing where there is no such program, or where it has nothing to say.
+/// Nothing if there is no such program, or no output.
 ProgramOutcome asked(const std::vector<std::string>& words) {
   try {
     return run_words(words);
@@ -63,7 +63,7 @@ void take_lines(QueueState& queue, const QueuedJobs& jobs, const std::string& li
       continue;
     }
 
-    // A task of the array; those that wait together ("12_[3-64]") have lines of their own by --array.
+    // A task of the array; with --array, tasks that wait together ("12_[3-64]") have lines of their own.
     if (!id.starts_with(jobs.array + "_")) continue;
     const std::string task = id.substr(jobs.array.size() + 1);
     int shard = 0;
@@ -79,7 +79,7 @@ QueueState queue_state(const QueuedJobs& jobs) {
   const ProgramOutcome squeue = asked({"squeue", "--noheader", "--array", "--jobs=" + both(jobs), "--format=%i|%T|%r"});
   take_lines(queue, jobs, squeue.out, true);
 
-  // A queue that has forgotten the job says so by an error; that is an answer.
+  // A queue that has forgotten the job reports an error, which counts as an answer.
   const bool has_forgotten = squeue.err.find("Invalid job id") != std::string::npos;
   if (squeue.status != 0 && !has_forgotten) queue.trouble = first_line(squeue.err);
   const ProgramOutcome sacct =

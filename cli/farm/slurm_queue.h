@@ -1,4 +1,4 @@
-// Talking to Slurm: submitting, and asking what has become of jobs.
+// Submits jobs to Slurm, and asks for their states.
 #pragma once
 
 #include <map>
@@ -9,11 +9,12 @@
 
 namespace pomona {
 
-/// Submits with these words of array_submission() or merge_submission(). \return the job's number
-/// \throws Error (helper_missing) if there is no sbatch, or if it refuses, with what it says.
+/// Submits with these words of array_submission() or merge_submission().
+/// \return the job's number
+/// \throws Error (helper_missing) if there is no sbatch, or if it refuses, with its message.
 std::string submit(const std::vector<std::string>& sbatch);
 
-/// What the queue says of a job, or the accounting of one that has left it: "RUNNING", "PENDING", "COMPLETED", ...
+/// The state of a job in the queue, or in the accounting after it has left: "RUNNING", "PENDING", "COMPLETED", ...
 struct JobState {
   std::string state;
   std::string reason;   ///< why it waits: "Resources"; empty if it does not
@@ -28,10 +29,10 @@ struct QueueState {
   std::string trouble;  ///< why nothing is known; empty if the queue answered
 };
 
-/// Asks squeue, and sacct for what has left the queue, where there are such programs.
+/// Asks squeue, and sacct for jobs that have left the queue, if these programs exist.
 QueueState queue_state(const QueuedJobs& jobs);
 
-/// From the lines "12_3|PENDING|Resources" of squeue and "12_3|FAILED|" of sacct; lines of other jobs are left out.
+/// Reads lines "12_3|PENDING|Resources" of squeue and "12_3|FAILED|" of sacct; lines of other jobs are ignored.
 /// Accounting never replaces what the queue says.
 void take_lines(QueueState& queue, const QueuedJobs& jobs, const std::string& lines, bool queued);
 

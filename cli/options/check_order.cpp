@@ -10,7 +10,7 @@ namespace pomona {
 
 namespace {
 
-/// OpenGL draws pieces with two samples to each side of a pixel, which bounds the size of their pictures.
+/// OpenGL draws pieces with two samples along each side of a pixel, which limits the size of their pictures.
 void check_picture_size(const Order& order) {
   constexpr int max_side = 16384 / 2;
   const std::optional<PictureSize> size = picture_size(order.picture);

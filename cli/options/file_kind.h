@@ -1,4 +1,4 @@
-// Which of the text files that people write a file is, so that the wrong command can say so.
+// The kind of a text file that people write, so that a command can name the right one.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@ namespace pomona {
 
 enum class FileKind { fruit, scene, batch, style, other };
 
-/// By the headings in it; `other` for what is none of them, or no .toml.
+/// The kind by its headings; `other` for all other files.
 FileKind kind_of(const std::filesystem::path& file);
 
 /// Refuses a file of another kind than wanted, in one line that names the command which takes it.

@@ -21,7 +21,7 @@ constexpr std::size_t max_files = 10000, longest_word = 255;
 
 class FilesBehind {
  public:
-  /// A word of the command line, or a text in a TOML file of `folder`.
+  /// Follows a word of the command line, or a text in a TOML file of `folder`.
   void add_word(const std::string& word, const fs::path& folder) {
     if (word.empty() || word.size() > longest_word || found_.size() > max_files) return;
     add_file(folder / word);
@@ -29,7 +29,7 @@ class FilesBehind {
       try {
         add_file(find_file(kind, word));
       } catch (const Error&) {
-        // Most words name nothing.
+        // Most words name no file.
       }
     }
   }
@@ -43,7 +43,7 @@ class FilesBehind {
     try {
       add_texts(parse_toml(read_toml_text(file), file.string()), file.parent_path());
     } catch (const Error&) {
-      // What is wrong with it is told when it is read.
+      // Its mistakes are reported when it is read.
     }
   }
   void add_texts(const TomlNode& node, const fs::path& folder) {

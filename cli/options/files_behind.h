@@ -1,4 +1,4 @@
-// The files that a command reads, as far as the words of its line tell.
+// The files that a command reads, by the words of its line.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 namespace pomona {
 
 /// The files behind the words of a command line: templates, scenes and styles by name or path, files that knives name
-/// (mesh:blade.ply), and all that those which are TOML name in turn: sketches, meshes, other templates.
+/// (mesh:blade.ply), and all files that TOML files among them name: sketches, meshes, other templates.
 std::set<std::filesystem::path> files_behind(const std::vector<std::string>& words);
 
-/// \throws Error (usage) if a file that is to be written is one of those behind `words`: it would be lost.
+/// \throws Error (usage) if an output is one of the files behind `words`, which would be lost.
 void check_not_read(const std::vector<std::string>& written, const std::vector<std::string>& words);
 
 }  // namespace pomona

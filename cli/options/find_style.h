@@ -1,4 +1,4 @@
-// Where styles are looked for.
+// Finds styles.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,12 @@
 
 namespace pomona {
 
-/// The style behind a name (the program's tree first, then the current folder, then what was built into the program)
-/// or behind a path.
-/// \throws Error (usage) with the nearest known name, (input_missing) for a path that leads nowhere, (bad_data) for a
-/// file that is no style.
+/// The style of a name (in the program's tree, then in the current folder, then built into the program) or of a path.
+/// \throws Error (usage) with the nearest known name, (input_missing) for a path without a file, (bad_data) for a file
+/// that is no style.
 Style find_style(const std::string& name_or_path);
 
-/// All that names stand for, sorted by name.
+/// All styles with a name, sorted.
 std::vector<Style> all_known_styles();
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// Where templates are looked for.
+// Finds templates.
 #pragma once
 
 #include <filesystem>
@@ -9,16 +9,16 @@
 
 namespace pomona {
 
-/// The file behind a name from `pomona list`, or behind a path. \throws Error (input_missing) with the nearest
-/// known name.
+/// The file of a name from `pomona list`, or of a path.
+/// \throws Error (input_missing) with the nearest known name.
 std::filesystem::path find_template(const std::string& name_or_path);
 
-/// All template files of the program that names stand for, sorted by name. \throws Error (input_missing), with where
-/// was looked, if there are none.
+/// All template files of the program that names stand for, sorted by name.
+/// \throws Error (input_missing), with the searched folders, if there are none.
 std::vector<std::filesystem::path> all_templates();
 
-/// One's own in ./templates and the current folder, which answer to their names, too, unless one of the program's hides
-/// them. Sorted by name.
+/// The user's templates in ./templates and the current folder, sorted by name; a template of the program hides one of
+/// the same name.
 std::vector<std::filesystem::path> own_templates();
 
 }  // namespace pomona

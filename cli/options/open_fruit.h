@@ -1,4 +1,4 @@
-// The fruit that a name or a path on the command line stands for, grown to order.
+// Grows the fruit of a name or a path on the command line to order.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,12 @@ namespace pomona {
 
 struct NamedFruit {
   OrderedFruit grown;
-  std::optional<Template> drawn = {};  ///< none of a surface file
+  std::optional<Template> drawn = {};  ///< nothing for a surface file
 };
 
-/// Reads, varies and sweeps; a path that ends in .ply is read as surfaces. \param word a name from `pomona list`, or a
-/// path. \throws Error (input_missing), and as read_template(), read_surfaces(), grow()
+/// Reads, varies and sweeps; a path that ends in .ply is read as surfaces.
+/// \param word a name from `pomona list`, or a path.
+/// \throws Error (input_missing), and as read_template(), read_surfaces(), grow()
 NamedFruit open_fruit(const std::string& word, const Order& order);
 
 }  // namespace pomona

@@ -1,5 +1,4 @@
-// The options of an order on the command line, from the words typed to values: all of them come from the table
-// (generator/order/option_table.h).
+// The options of an order on the command line, all from the table (generator/order/option_table.h).
 #pragma once
 
 #include <string>
@@ -14,11 +13,11 @@ class App;
 
 namespace pomona {
 
-/// What was typed of an order, before any of it is read.
+/// The typed words of an order, before they are read.
 struct TypedOrder {
   std::vector<std::pair<const OrderOption*, std::string>> words;  ///< each option with its text
-  std::vector<std::string> outputs;                               ///< of -o
-  std::string format;                                             ///< of standard output, where an output is "-"
+  std::vector<std::string> outputs;                               ///< paths of -o
+  std::string format;                                             ///< format of standard output, for an output "-"
 
   /// All texts that were typed for an option, such as the knives.
   std::vector<std::string> texts_of(const std::string& option) const;
@@ -29,8 +28,9 @@ struct TypedOrder {
 void add_order_options(CLI::App& command, OrderTaker taker, const std::string& writes, TypedOrder& typed,
                        const std::vector<OrderOption>& table = order_options());
 
-/// The order that the words give. Files that knives name are read. \param formats that the command writes.
-/// \throws Error (usage) for what is no value of its option, (cannot_create) as parse_outputs()
+/// The order that the words give. Files that knives name are read.
+/// \param formats that the command writes.
+/// \throws Error (usage) for a text that is no value of its option, (cannot_create) as parse_outputs()
 Order read_order(const TypedOrder& typed, const std::vector<Format>& formats);
 
 }  // namespace pomona

@@ -14,14 +14,14 @@ namespace pomona {
 
 namespace {
 
-/// All there are, in the order they are looked in.
+/// All folders, in the order in which they are searched.
 std::vector<fs::path> candidates(const std::string& kind) {
   std::vector<fs::path> folders = program_folders(kind);
   folders.insert(folders.end(), {kind, "."});
   return folders;
 }
 
-/// What names have none of: a folder, or the ending of a file that is read.
+/// Whether a word is a path: it has a folder, or the ending of a file that is read.
 bool is_path(const std::string& text) {
   const fs::path path(text);
   for (const char* ending : {".toml", ".ply", ".obj", ".glb", ".svg", ".json", ".png"})
@@ -86,7 +86,7 @@ fs::path find_file(const std::string& kind, const std::string& name_or_path, con
     if (fs::is_regular_file(file, ignored)) return file;
   }
 
-  // No name; but what lies here under it is told as what it is.
+  // It is no name; a file or folder here that is called so is reported as what it is.
   if (fs::exists(name_or_path, ignored)) {
     const fs::path file = existing_file(name_or_path);
     throw Error(ExitStatus::bad_data,

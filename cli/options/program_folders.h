@@ -1,4 +1,4 @@
-// Where the program's own files lie: beside it in a source tree, or installed.
+// The folders of the program's own files: beside it in a source tree, or installed.
 #pragma once
 
 #include <filesystem>
@@ -7,29 +7,30 @@
 
 namespace pomona {
 
-/// The running program's file; where /proc is not mounted (a bare chroot), by what it was started as.
+/// The running program's file; without /proc (in a bare chroot), from its own name.
 std::filesystem::path this_program();
 
-/// build/pomona lies beside templates/; an installed bin/pomona beside share/pomona/templates. Whether they are there
-/// is not looked at.
+/// build/pomona lies beside templates/; an installed bin/pomona beside share/pomona/templates. They need not exist.
 /// \param kind "templates", "scenes" or "styles"
 std::vector<std::filesystem::path> program_folders(const std::string& kind);
 
-/// Those that are there, and after them a folder of that kind within the current one, and the current one itself.
+/// Those that exist, then a folder of that kind in the current one, then the current one.
 std::vector<std::filesystem::path> searched_folders(const std::string& kind);
 
-/// A hint for when nothing of that kind is found: "looked in A, B and C".
+/// A hint if nothing of that kind is found: "looked in A, B and C".
 std::string where_looked(const std::string& kind);
 
 /// The program's own files (.toml) of that kind, sorted by name; those of an earlier folder hide later ones.
 std::vector<std::filesystem::path> own_files(const std::string& kind);
 
-/// The path itself. \throws Error (input_missing) if there is no such file.
+/// The path itself.
+/// \throws Error (input_missing) if there is no such file.
 std::filesystem::path existing_file(const std::string& path);
 
 /// The file behind a name ("tomato" is tomato.toml in searched_folders(kind)), or behind a path (it has a slash, or
-/// ends in .toml or .ply). \param called what it is, where that is not the folder's own: batches lie among the scenes.
-/// \throws Error (input_missing) with the nearest known name, or with where was looked.
+/// ends in .toml or .ply).
+/// \param called the word for the file, if it differs from the folder's: batches lie among the scenes.
+/// \throws Error (input_missing) with the nearest known name, or with the searched folders.
 std::filesystem::path find_file(const std::string& kind, const std::string& name_or_path,
                                 const std::string& called = {});
 

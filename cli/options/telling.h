@@ -1,4 +1,4 @@
-// What a command tells while it works and when it is done, as it was asked.
+// Options of a command's output on the terminal, and of --stats and --watch.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct Telling {
   std::string stats;   ///< file for times and counts; empty = none
   bool quiet = false;  ///< nothing but errors
   bool json = false;   ///< the result as JSON on standard output
-  bool watch = false;  ///< the outputs are made anew when a file that was read changes
+  bool watch = false;  ///< make the outputs again when a file that was read changes
 };
 
 /// Declares --stats, --quiet, --json and --watch. `telling` must outlive the parsing.

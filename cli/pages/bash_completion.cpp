@@ -11,14 +11,14 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// A branch of "case": sets the words there are, and whether files are offered, too.
+/// A branch of "case": sets the possible words, and whether files are offered, too.
 std::string branch(const std::string& pattern, const TypedOption& option) {
   const std::string asked = names_asked_for(option.value);
   const std::string words = asked.empty() ? "'" + joined(option.words) + "'" : "$(" + asked + ")";
   return "    " + pattern + ") words=" + words + " files=" + (takes_files(option) ? "yes" : "no") + " ;;\n";
 }
 
-/// What follows an option.
+/// The value of an option.
 std::string values_of(const TypedCommand& command) {
   std::string text;
   for (const TypedOption& option : command.options) {
@@ -36,7 +36,7 @@ std::string names_of(const TypedCommand& command) {
   return joined(names);
 }
 
-/// What stands where no option's value does: an option, or a word known by its place.
+/// A word that is no option's value: an option, or a positional word.
 std::string places_of(const TypedCommand& command) {
   const std::string name = "'" + command.name + "'";
   if (!command.parts.empty()) return "    '" + command.name + " '*) words='" + joined(command.parts) + "' ;;\n";
@@ -88,7 +88,7 @@ std::string bash_completion(std::span<const TypedCommand> commands) {
   text += middle;
   for (const TypedCommand& command : commands.subspan(1)) text += values_of(command);
   text += between_cases;
-  // A part's name begins with the whole's: parts are asked for first.
+  // Tests subcommands first, because their names begin with their command's.
   for (const TypedCommand& command : commands.subspan(1))
     if (command.parts.empty()) text += places_of(command);
   for (const TypedCommand& command : commands.subspan(1))

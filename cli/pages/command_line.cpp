@@ -22,7 +22,7 @@ std::vector<std::string> split_at_commas(std::string_view text) {
   }
 }
 
-/// What stands between two marks; nothing if they are not there.
+/// The text between two marks; empty without them.
 std::string between(const std::string& text, char open, char close) {
   const std::size_t from = text.find(open), to = text.find(close, from);
   return from == std::string::npos || to == std::string::npos ? "" : text.substr(from + 1, to - from - 1);
@@ -43,7 +43,7 @@ TypedOption typed_option(const CLI::Option& declared) {
   option.needed = declared.get_required();
   option.repeated = declared.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
 
-  // CLI11 writes the type of a value and what it is checked for as "TEXT:{draft,final}" or "INT:INT in [1 - 64]".
+  // CLI11 writes the type and the check of a value as "TEXT:{draft,final}" or "INT:INT in [1 - 64]".
   if (declared.get_items_expected_max() == 0) return option;
   const std::string type = declared.get_type_name();
   option.value = option.names.empty() ? declared.get_name(true) : type.substr(0, type.find(':'));

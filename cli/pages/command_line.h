@@ -1,4 +1,4 @@
-// What can be typed, read off the declared options: the one source of the manual page and of what shells complete.
+// The command line as declared: the one source of the manual page and of completions.
 #pragma once
 
 #include <string>
@@ -11,31 +11,31 @@ class App;
 namespace pomona {
 
 struct TypedOption {
-  std::vector<std::string> names;  ///< "-o", "--output"; none for a word that is known by its place
-  std::string value;               ///< what follows: "FILE", "INT"; or what the word is: "TEMPLATE". None for a flag
-  std::vector<std::string> words;  ///< all it may be, where they are few; a word that ends in ':' goes on
+  std::vector<std::string> names;  ///< "-o", "--output"; none for a positional word
+  std::string value;               ///< kind of the value: "FILE", "INT"; or of the word: "TEMPLATE". Empty for a flag
+  std::vector<std::string> words;  ///< all possible values, if they are few; a word that ends in ':' continues
   std::string limits;              ///< "1 - 64", for numbers
-  std::string usual;               ///< what it is if nobody says so
+  std::string usual;               ///< default
   std::string help;
   bool needed = false;
   bool repeated = false;
 };
 
 struct TypedCommand {
-  std::string name;  ///< "cut"; of a command within another, both: "farm slurm"
+  std::string name;  ///< "cut"; for a subcommand "farm slurm"
   std::string help;
   std::vector<TypedOption> options;
-  std::string more;                     ///< what its help ends with, line by line: the knives
-  std::vector<std::string> parts = {};  ///< last words of the commands within it, one of which must follow
+  std::string more;                     ///< last lines of its help: the knives
+  std::vector<std::string> parts = {};  ///< last words of its subcommands, one of which must follow
 };
 
-/// The program itself, whose options stand before any command, and after it the commands, each before those within it.
+/// The program itself, whose options come before any command, then the commands, each before its subcommands.
 std::vector<TypedCommand> command_line(const CLI::App& app);
 
-/// Whether it stands within another: its name has two words.
+/// Whether it is a subcommand: its name has two words.
 bool is_part(const TypedCommand& command);
 
-/// Whether the name of an existing or new file may follow.
+/// Whether the value may be the name of an existing or new file.
 bool takes_files(const TypedOption& option);
 
 }  // namespace pomona

@@ -1,4 +1,4 @@
-// What the shells complete after "pomona": commands, options and their values.
+// Completions of shells after "pomona": commands, options and their values.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace pomona {
 
-/// A script each. Names of templates, scenes and styles are asked of the program when they are wanted.
+/// A script for each shell. It asks the program for names of templates, scenes and styles.
 std::string bash_completion(std::span<const TypedCommand> commands);
 std::string zsh_completion(std::span<const TypedCommand> commands);
 std::string fish_completion(std::span<const TypedCommand> commands);

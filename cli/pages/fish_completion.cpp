@@ -5,7 +5,7 @@ namespace pomona {
 
 namespace {
 
-/// For within '...'.
+/// Escapes a text for '...'.
 std::string quoted(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -15,7 +15,7 @@ std::string quoted(const std::string& text) {
   return "'" + result + "'";
 }
 
-/// Whether a value follows, and what it may be.
+/// Whether a value follows, and its possible words.
 std::string value_of(const TypedOption& option) {
   std::string text = takes_files(option) ? " -F" : " -f";
   if (!option.value.empty() && !option.names.empty()) text += " -r";
@@ -41,7 +41,7 @@ std::string when_typed(const std::string& name) {
   return seen + name.substr(0, space) + "; and " + seen + name.substr(space + 1);
 }
 
-/// The line that offers a command; a part of one where the whole has been typed, and none of its parts.
+/// The line that offers a command, or a subcommand if its command has been typed without one.
 std::string offer(const TypedCommand& command, const std::string& none_yet, const TypedCommand& whole) {
   std::string when = none_yet, word = command.name;
   if (is_part(command)) {

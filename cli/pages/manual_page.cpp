@@ -6,7 +6,7 @@ namespace pomona {
 
 namespace {
 
-/// Text as groff prints it: hyphens as typed, and no line that begins like a request.
+/// Escapes text for groff: hyphens as typed, and no line that begins like a request.
 std::string escaped(const std::string& text) {
   std::string result = !text.empty() && (text[0] == '.' || text[0] == '\'') ? "\\&" : "";
   for (const char c : text) {
@@ -37,7 +37,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string option_entry(const TypedOption& option) {
   std::string text = option.help + ".";
-  // Knives stand below all options, with their values.
+  // Knives come below all options, with their values.
   if (!option.words.empty() && option.value != "KNIFE") text += " One of " + joined(option.words) + ".";
   if (!option.limits.empty()) text += " Within " + option.limits + ".";
   if (!option.usual.empty()) text += " Unless said, " + option.usual + ".";
@@ -45,7 +45,7 @@ std::string option_entry(const TypedOption& option) {
   return ".TP\n" + shape_of(option) + "\n" + escaped(text) + "\n";
 }
 
-/// What a command's help ends with, its lines as they are.
+/// The last lines of a command's help, unchanged.
 std::string table(const std::string& text) {
   if (text.empty()) return "";
   std::string lines;
@@ -57,7 +57,7 @@ std::string table(const std::string& text) {
   return ".PP\n.nf\n" + lines + ".fi\n";
 }
 
-/// What must be typed.
+/// The words that are required.
 std::string synopsis(const TypedCommand& command) {
   std::string line = bold("pomona") + " " + bold(command.name);
   for (const bool by_place : {true, false}) {

@@ -1,11 +1,11 @@
-// Values that only the program knows when it runs.
+// Values that the program knows only when it runs.
 #pragma once
 
 #include <string>
 
 namespace pomona {
 
-/// The shell's words that print the names a value may be, one a line; nothing for values of other kinds.
+/// The shell command that prints the possible names of a value, one per line; empty for other values.
 inline std::string names_asked_for(const std::string& value) {
   if (value == "TEMPLATE") return "pomona list 2>/dev/null | cut -f1";
   if (value == "SCENE") return "pomona list --scenes 2>/dev/null | cut -f1";

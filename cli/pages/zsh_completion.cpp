@@ -5,7 +5,7 @@ namespace pomona {
 
 namespace {
 
-/// For within '...' and, in zsh's specifications, where brackets and colons divide.
+/// Escapes a text for '...', and brackets and colons for zsh's specifications.
 std::string quoted(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -19,7 +19,7 @@ std::string quoted(const std::string& text) {
   return result;
 }
 
-/// ":FILE:_files": what a value is, and how it is completed.
+/// ":FILE:_files": the kind of a value, and its completion.
 std::string action(const TypedOption& option) {
   const std::string what = ":" + quoted(option.value) + ":";
   if (option.value == "KNIFE") return what + "_pomona_knives";
@@ -30,7 +30,7 @@ std::string action(const TypedOption& option) {
   return what + (words.empty() ? " " : "(" + words + ")");
 }
 
-/// The arguments of _arguments, a line each.
+/// The arguments of _arguments, one per line.
 std::string specifications(const TypedCommand& command) {
   std::string text;
   for (const TypedOption& option : command.options) {
@@ -49,7 +49,7 @@ std::string names_function(const std::string& value) {
          ")\"})\n  _alternative \"names:" + value + ":($names)\" 'files:file:_files'\n}\n";
 }
 
-/// Knives go on after their colon.
+/// Knives continue after their colon.
 std::string knives_function(std::span<const TypedCommand> commands) {
   std::string words;
   for (const TypedCommand& command : commands) {
@@ -61,7 +61,7 @@ std::string knives_function(std::span<const TypedCommand> commands) {
   return "_pomona_knives() {\n  compadd -S '' --" + words + "\n}\n";
 }
 
-/// A command of parts: which of them, and then what that takes.
+/// A command with subcommands: the subcommand, then its words.
 std::string parts_of(const TypedCommand& whole, std::span<const TypedCommand> commands) {
   std::string text = "_arguments -C '1:command:(", names;
   for (const std::string& part : whole.parts) names += (names.empty() ? "" : " ") + part;

@@ -23,7 +23,7 @@ bool gives(std::string_view line, std::string_view key) {
   return next != std::string_view::npos && line[next] == '=';
 }
 
-/// What stands between the first quotes of a line.
+/// The text between the first quotes of a line.
 std::string in_quotes(const std::string& line) {
   const std::size_t open = line.find('"'), close = line.find('"', open + 1);
   return close == std::string::npos ? std::string() : line.substr(open + 1, close - open - 1);
@@ -37,7 +37,7 @@ StartingSketch copied_fruit(const fs::path& original, const std::string& name) {
     throw Error(ExitStatus::usage, fruit.name + " is made of meshes in files of their own",
                 "docs/guides/import.md begins one");
 
-  // The lines before the first table are the fruit's own; comments there tell of the original.
+  // The lines before the first table are the fruit's own; their comments describe the original.
   StartingSketch copy;
   std::istringstream lines(read_toml_text(original));
   bool is_head = true;

@@ -1,4 +1,4 @@
-// A fruit to start from that is there already: a template, and its drawing, under another name.
+// Copies a template and its drawing under another name, to start from.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,10 @@
 
 namespace pomona {
 
-/// \param original a template that reads well. \param name of the new fruit. \returns its texts; no SVG if the curves
-/// stand in the template itself.
-/// \throws Error (usage) for a template of meshes, whose files would have to come along; what read_template() throws.
+/// \param original a template that reads well.
+/// \param name of the new fruit.
+/// \returns its texts; no SVG if the curves stand in the template itself.
+/// \throws Error (usage) for a template of meshes, whose files would have to be copied; else as read_template().
 StartingSketch copied_fruit(const std::filesystem::path& original, const std::string& name);
 
 }  // namespace pomona

@@ -15,7 +15,7 @@ namespace pomona {
 
 namespace {
 
-/// The picture as it comes to lie in the folder or below, and its copy where it does not lie there.
+/// The picture in the folder or below, and its copy if it lies elsewhere.
 SketchPicture picture_beside(const std::string& name, const fs::path& folder, std::vector<OutputFile>& copies) {
   const fs::path picture = existing_file(name);
   const std::string bytes = picture_bytes(picture, picture.string());

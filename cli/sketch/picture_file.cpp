@@ -25,12 +25,12 @@ constexpr double max_pixels = 1e8;
   throw Error(status, {{{place, 0, 0, {}}, message, hint}});
 }
 
-/// What is wrong with a PNG's head, at its byte.
+/// Reports a fault of a PNG's head, at its byte.
 [[noreturn]] void fail_at(int byte, const std::string& place, const std::string& message, const std::string& hint) {
   throw Error(ExitStatus::bad_data, {{{place, 0, 0, "byte " + std::to_string(byte)}, message, hint}});
 }
 
-/// Width and height as a PNG's first chunk states them.
+/// Width and height from a PNG's first chunk.
 glm::dvec2 png_size(const std::string& bytes, const std::string& place) {
   constexpr std::string_view signature("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
   if (bytes.size() < 24 || std::string_view(bytes).substr(0, 16) != signature) {

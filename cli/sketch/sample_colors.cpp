@@ -25,18 +25,18 @@ namespace {
 
 // ---- Pictures ----
 
-/// An image as the drawing shows it.
+/// An image of the drawing, with its place.
 struct PlacedPicture {
   TransparentImage shown;
-  SvgTransform to_pixels;  ///< from the page
+  SvgTransform to_pixels;  ///< from the page to pixels
 };
 
-/// The pictures of a drawing, read when first looked at.
+/// The pictures of a drawing, read on first use.
 class Pictures {
  public:
   Pictures(const SvgDrawing& drawing, fs::path folder) : drawing_(drawing), folder_(std::move(folder)) {}
 
-  /// The colour around a point of the page, in the topmost picture there; nothing where none is.
+  /// The colour around a point of the page, in the topmost picture; nothing without a picture.
   std::optional<Color> at(const glm::dvec2& point) {
     for (std::size_t i = drawing_.elements.size(); i-- > 0;) {
       const SvgElement& element = drawing_.elements[i];
@@ -88,13 +88,13 @@ class Pictures {
     return read_.emplace(index, std::move(picture)).first->second;
   }
 
-  /// Around a cut-out fruit there is nothing, whatever colour the file has for it.
+  /// Transparent pixels around a fruit count as no picture, whatever their colour.
   static bool is_opaque(const TransparentImage& shown, int x, int y) {
     const auto width = static_cast<std::size_t>(shown.image.width);
     return shown.opacity[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] >= 128;
   }
 
-  /// Over a square of about a hundredth of the picture: speckles and glints do not count.
+  /// Takes a square of about a hundredth of the picture, so that speckles and glints do not count.
   static Color median(const TransparentImage& shown, int x, int y) {
     const Image& image = shown.image;
     const int reach = std::max(1, std::max(image.width, image.height) / 200);
@@ -122,7 +122,7 @@ class Pictures {
 
 // ---- The template's text ----
 
-/// Lines and columns of TOML, which count characters, as places in its bytes.
+/// Converts lines and columns of TOML, which count characters, to positions of bytes.
 std::size_t offset_of(const std::string& text, const SourcePlace& place) {
   std::size_t at = 0;
   for (int line = 1; line < place.line && at < text.size(); ++at) line += text[at] == '\n';
@@ -133,7 +133,7 @@ std::size_t offset_of(const std::string& text, const SourcePlace& place) {
   return at;
 }
 
-/// Behind the string that begins here.
+/// The position behind the string that begins here.
 std::size_t end_of_string(const std::string& text, std::size_t at) {
   const char quote = text.at(at);
   for (++at; at < text.size() && text[at] != quote; ++at) {
@@ -142,7 +142,7 @@ std::size_t end_of_string(const std::string& text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
-/// Behind the array that begins here; its strings and comments may hold brackets.
+/// The position behind the array that begins here; its strings and comments may contain brackets.
 std::size_t end_of_array(const std::string& text, std::size_t at) {
   int depth = 0;
   while (at < text.size()) {
@@ -159,7 +159,7 @@ std::size_t end_of_array(const std::string& text, std::size_t at) {
   return at;
 }
 
-/// A stretch of the text and what takes its place.
+/// A range of the text and its replacement.
 struct Edit {
   std::size_t from = 0, to = 0;
   std::string text;
@@ -252,9 +252,9 @@ std::string edited(std::string text, std::vector<Edit> edits) {
   return text;
 }
 
-/// Reads only what sampling needs; other mistakes are told by whoever reads the whole template.
+/// Reads only what sampling needs; reading the whole template reports other mistakes.
 std::vector<Edit> sampled_edits(const std::string& text, const fs::path& file) {
-  // A sketch that cannot be read is noted where the template names it.
+  // A sketch that cannot be read is a mistake where the template names it.
   TomlDocument document(text, file.string());
   const TomlTable root = document.root();
   const TomlValue named = root.need("sketch");

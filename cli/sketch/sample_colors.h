@@ -8,7 +8,7 @@ namespace pomona {
 
 struct SampledTemplate {
   std::string toml;  ///< the template's text, with new stops; all else as it was
-  int ramps = 0;     ///< how many colours were taken
+  int ramps = 0;     ///< number of colours that were taken
 };
 
 /// Takes every color = { sample = "#line" } of a template: at `stops` places along the line, from the bottom up, the

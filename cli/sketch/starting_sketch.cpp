@@ -14,11 +14,11 @@ namespace pomona {
 
 namespace {
 
-// Where things stand on the page, an A4 sheet on its side, millimetres.
+// Positions on the page, a landscape A4 sheet, millimetres.
 const glm::dvec2 side_axis(74, 142), top_axis(220, 104);
 constexpr double outer_radius = 40;
 
-/// No two folds alike: variants are blends of them. Shares, taken in turn.
+/// Shares that make folds differ, taken in turn, because variants are blends of folds.
 constexpr std::array<double, 7> uneven = {0.00, 0.75, 0.30, 1.00, 0.15, 0.60, 0.45};
 
 std::string number(double value) {
@@ -28,7 +28,7 @@ std::string number(double value) {
 
 std::string point(const glm::dvec2& p) { return number(p.x) + "," + number(p.y); }
 
-/// On the page; angles run against the clock as seen, y runs down.
+/// A point on the page; angles run against the clock as seen, y runs down.
 glm::dvec2 around_top(double radius, double angle) {
   return top_axis + radius * glm::dvec2(reproducible::cos(angle), -reproducible::sin(angle));
 }
@@ -89,7 +89,7 @@ std::string guide(const std::string& id, const std::string& label, const glm::dv
          point(from) + " L " + point(to) + "\" />\n";
 }
 
-/// As large as its field of the page allows, around its axis, and locked.
+/// The picture, as large as its field of the page allows, around its axis, and locked.
 std::string picture(const std::optional<SketchPicture>& shown, int view, const glm::dvec2& center) {
   if (!shown) return {};
   const double scale = std::min(130 / shown->size.x, 130 / shown->size.y);
@@ -106,7 +106,7 @@ std::string layer(const std::string& label, const std::string& id, const std::st
 }
 
 std::string side_view(const StartingSketchOptions& options) {
-  // What every sketch has: its picture, if any, the axis, a scale and three curves, each from the axis to the axis.
+  // The side view: its picture, if any, the axis, a scale and three curves, each from the axis to the axis.
   const auto from = [](const glm::dvec2& step, const char* rest) {
     return "M " + point(side_axis + step) + " " + rest;
   };
@@ -193,14 +193,14 @@ std::string svg_text(const StartingSketchOptions& options) {
          side_view(options) + top_view(options) + "</svg>\n";
 }
 
-/// A colour that can be taken from the picture anew, where there is one.
+/// A colour that can be taken from the picture again, if there is one.
 std::string ramp(const StartingSketchOptions& options, const std::string& line, const std::string& stops) {
   if (!options.side) return stops;
   return "{ sample = \"#" + line + "\", along = " + stops + " }";
 }
 
 std::string toml_text(const StartingSketchOptions& options) {
-  // The head tells where curves and colours come from.
+  // The head says where curves and colours come from.
   const bool folds = options.folds.has_value();
   std::string text = "#:schema ./template.schema.json\n# Curves are drawn in " + options.name +
                      ".svg: \"#skin\" is the curve labelled \"skin\" there.\n";

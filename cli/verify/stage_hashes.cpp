@@ -86,13 +86,13 @@ std::vector<double> variant_numbers(const Template& variant) {
   return numbers.all();
 }
 
-// Small ones take a fraction of a second each.
+// Coarse fruit take a fraction of a second each.
 constexpr double verified_detail = 0.3;
 constexpr int verified_width = 240, verified_height = 180;
 
 std::string first_digits(std::string_view bytes) { return sha256(bytes).substr(0, hash_digits); }
 
-/// The numbers as they lie in memory: little-endian, without gaps in any type that this is called with.
+/// The bytes of the numbers in memory: little-endian, without gaps in the types used here.
 template <typename Number>
 std::string_view memory_of(const std::vector<Number>& numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
@@ -112,7 +112,7 @@ std::string section_png(const CrossSection& section, const Template& fruit, cons
                                 {.width = verified_width, .height = verified_height, .threads = threads}));
 }
 
-/// Nothing where the knife is not for this fruit, as a peel thicker than a leaf.
+/// Nothing if the knife does not fit this fruit, as a peel thicker than a leaf.
 std::optional<Slices> sliced_if_fit(const SliceTask& task, const Diffuser& diffuser, Threads threads) {
   try {
     return slice(task, &diffuser, {.cut = {.threads = threads}, .threads = threads});

@@ -1,4 +1,4 @@
-// The road of one variant, from its template to files, with a hash at each stage.
+// Makes one variant, from its template to files, with a hash of each stage.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace pomona {
 
-/// For each knife, of the template's variant of that seed, coarsely swept and coloured as a draft: what is compared is
-/// whether the numbers are the same, not whether they are good ones.
-/// Where the knife is not for this fruit, the stages from the cut on have empty ones.
-/// \param one_done called for each knife. \throws Error as parse_knife() and slice() do.
+/// For each knife, of the template's variant of that seed, coarsely swept and coloured as a draft, because only
+/// equality matters. If the knife does not fit this fruit, the hashes from the cut on are empty.
+/// \param one_done called for each knife.
+/// \throws Error as parse_knife() and slice() do.
 std::vector<StageHashes> stage_hashes(const Template& drawn, std::uint64_t seed, std::span<const std::string> knives,
                                       Threads threads, const std::function<void()>& one_done = {});
 

@@ -38,13 +38,13 @@ struct VerifyCommand {
   bool json = false;
 };
 
-/// A cut that came out otherwise than the table says.
+/// A cut that differs from the table.
 struct DifferentCut {
   VerifiedCut cut;
-  std::size_t stage = 0;  ///< the first that differs
+  std::size_t stage = 0;  ///< first stage that differs
 };
 
-/// The program's own templates, by name: one of the current folder says nothing of what is published.
+/// The program's own templates, by name; those of the current folder are not published.
 std::map<std::string, std::filesystem::path> published_templates() {
   std::map<std::string, std::filesystem::path> files;
   for (const auto& file : all_templates()) files.emplace(file.stem().string(), file);
@@ -60,7 +60,8 @@ std::filesystem::path published_table() {
   throw Error(ExitStatus::input_missing, "there is no table of hashes", "looked for hashes.txt beside the templates");
 }
 
-/// The cuts of these fruits, in the table's order. \throws Error (input_missing) for a fruit that has none.
+/// The cuts of these fruits, in the table's order.
+/// \throws Error (input_missing) for a fruit that has none.
 std::vector<VerifiedCut> wanted_cuts(const VerifyCommand& command, const std::vector<VerifiedCut>& known) {
   std::vector<std::string> names;
   for (const VerifiedCut& cut : known) names.push_back(cut.fruit);
@@ -78,7 +79,7 @@ std::vector<VerifiedCut> wanted_cuts(const VerifyCommand& command, const std::ve
   return wanted;
 }
 
-/// All that a table of these templates has.
+/// All cuts of a table of these templates.
 std::vector<VerifiedCut> all_cuts(const std::map<std::string, std::filesystem::path>& templates) {
   std::vector<VerifiedCut> cuts;
   for (const auto& [name, file] : templates)
@@ -87,7 +88,7 @@ std::vector<VerifiedCut> all_cuts(const std::map<std::string, std::filesystem::p
   return cuts;
 }
 
-/// Walks the road for each cut: variants beside each other, and each on so many threads itself.
+/// Makes each cut: variants in parallel, and each on this number of threads.
 HashTable made_hashes(const std::vector<VerifiedCut>& cuts,
                       const std::map<std::string, std::filesystem::path>& templates, Threads threads,
                       Progress& progress) {
@@ -159,7 +160,8 @@ ExitStatus write_table(const VerifyCommand& command, Progress& progress) {
   const auto templates = published_templates();
   const std::vector<VerifiedCut> wanted = wanted_cuts(command, all_cuts(templates));
   HashTable made = made_hashes(wanted, templates, {command.threads}, progress);
-  std::erase_if(made, [](const auto& entry) { return entry.second.back().empty(); });  // cuts that cannot be made
+  std::erase_if(made, [](const auto& entry) { return entry.second.back().empty(); });  // removes cuts that cannot be
+                                                                                       // made
   write_whole(command.output, write_hash_table(made));
   if (!command.quiet) std::printf("%s: hashes of %zu cuts\n", command.output.c_str(), made.size());
   return ExitStatus::done;

@@ -11,7 +11,7 @@ namespace pomona {
 
 namespace {
 
-/// Where a unit cell's feature point lies in it.
+/// The place of a unit cell's feature point in it.
 glm::dvec3 feature_point(std::uint32_t hash) {
   const glm::dvec3 share(hash & 1023u, (hash >> 10) & 1023u, (hash >> 20) & 1023u);
   return share * (0.9 / 1023.0) + 0.05;

@@ -11,7 +11,7 @@ namespace pomona {
 struct CellPlace {
   double nearest = 0;      ///< distance to the nearest feature point
   double second = 0;       ///< distance to the second nearest; where both are equal, two cells meet
-  std::uint32_t hash = 0;  ///< of the nearest feature point
+  std::uint32_t hash = 0;  ///< hash of the nearest feature point
 };
 
 /// Each feature point lies at random in the middle nine tenths of its unit cell. Uses only + - * floor and square

@@ -42,7 +42,7 @@ class Encoder {
       min_[byte] = std::bit_cast<float>(at);
     }
 
-    // Where to begin to look: the byte of the least value of each cell.
+    // The start of the search: the byte of the smallest value of each cell.
     std::uint8_t byte = 0;
     for (std::size_t cell = 0; cell < start_.size(); ++cell) {
       const float value = std::bit_cast<float>(static_cast<std::uint32_t>(cell + first_cell) << cell_shift);

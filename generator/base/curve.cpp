@@ -47,7 +47,7 @@ bool on_segment(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
          p.y <= std::max(a.y, b.y);
 }
 
-/// What is_simple() spends on one curve: 256 overlaps in x for each of 65 536 edges, a tenth of a second.
+/// Limit of the work of is_simple() on one curve: 256 overlaps in x for each of 65 536 edges, a tenth of a second.
 constexpr std::size_t max_comparisons = std::size_t{1} << 24;
 
 bool segments_meet(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {

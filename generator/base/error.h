@@ -7,7 +7,7 @@
 
 namespace pomona {
 
-/// What the process ends with (docs/reference/commands.md lists them; the numbers are those of sysexits.h).
+/// The exit status of the process (docs/reference/commands.md lists them; the numbers are those of sysexits.h).
 enum class ExitStatus : int {
   done = 0,
   some_items_failed = 1,

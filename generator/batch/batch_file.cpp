@@ -179,7 +179,7 @@ class BatchReader {
   TomlDocument document_;
   std::string file_;
   BatchDescription batch_;
-  std::vector<std::string> names_;  ///< of the entries so far
+  std::vector<std::string> names_;  ///< names of the entries so far
 };
 
 }  // namespace

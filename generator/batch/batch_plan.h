@@ -80,8 +80,8 @@ Order order_of(const BatchPlan& plan, const BatchVariant& variant, const BatchIt
 /// The items of a variant, in their order.
 std::vector<BatchItem> items_of(const PlannedEntry& entry, const BatchVariant& variant);
 
-/// Where an item lies within the folder of an entry with so many: "042", or "012/042" among more than a thousand. No
-/// folder has more than a thousand.
+/// The folder of an item within an entry of this many: "042", or "012/042" among more than a thousand. No folder has
+/// more than a thousand.
 std::string item_folder(std::int64_t items, std::int64_t number);
 
 /// The same from the batch's folder, "halves/042": the name by which manifests know an item.

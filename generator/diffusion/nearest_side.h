@@ -13,7 +13,7 @@ namespace pomona {
 struct SurfaceSide {
   std::uint32_t triangle = 0;
   SideOf side = SideOf::front;
-  glm::dvec3 barycentric{0};  ///< of the nearest place on the triangle
+  glm::dvec3 barycentric{0};  ///< barycentric coordinates of the nearest place on the triangle
   double distance = 0;        ///< metres
 };
 

@@ -63,16 +63,16 @@ struct StrokeKnife {
 };
 /// Between level waves that run along x.
 struct CrinkleKnife {
-  double thickness = 0;  ///< of a slice, metres
+  double thickness = 0;  ///< thickness of a slice, metres
 };
 /// Knives that cut along planes or along facets of planes (knife_planes.h).
 using PlaneCut = std::variant<HalfKnife, AcrossKnife, PlaneKnife, WedgeKnife, SliceKnife, DiceKnife, StickKnife,
                               CrinkleKnife, StrokeKnife>;
 
-/// Where a knife has no place or direction, it is placed at the front of the fruit, or upright along its axis.
+/// A knife without a place or direction is placed at the front of the fruit, or upright along its axis.
 struct BallKnife {
   double diameter = 0;           ///< metres
-  std::optional<glm::dvec3> at;  ///< of its middle, metres
+  std::optional<glm::dvec3> at;  ///< position of its middle, metres
 };
 struct CoreKnife {
   double diameter = 0;             ///< metres
@@ -83,11 +83,11 @@ struct CoreKnife {
 /// A hollow with the marks of teeth.
 struct BiteKnife {
   double width = 0;              ///< metres
-  std::optional<glm::dvec3> at;  ///< of its middle, metres
+  std::optional<glm::dvec3> at;  ///< position of its middle, metres
 };
 struct RevolveKnife {
   Curve profile;                   ///< x is the distance from the axis, y the height along it, metres
-  std::optional<glm::dvec3> at;    ///< of the profile's origin, metres
+  std::optional<glm::dvec3> at;    ///< position of the profile's origin, metres
   std::optional<glm::dvec3> axis;  ///< unit length
 };
 struct PeelKnife {

@@ -71,7 +71,7 @@ class PlaneLayer {
 
   /// A wave is as long as a slice is thick, and an eighth of that above and below the level plane.
   void operator()(const CrinkleKnife& knife) {
-    constexpr int steps = 8;  // of a wave
+    constexpr int steps = 8;  // number of steps of a wave
 
     // Finds how many waves reach across the fruit, and refuses more facets than can be cut in reasonable time.
     const std::vector<double> heights = slices_of(SliceThickness{knife.thickness}, 1);

@@ -14,7 +14,7 @@ namespace pomona {
 
 /// One side of one triangle.
 struct HalfEdge {
-  std::int32_t kind = 0;            ///< of the triangle
+  std::int32_t kind = 0;            ///< kind of the triangle
   std::uint32_t low = 0, high = 0;  ///< its ends, the smaller vertex first
   std::uint32_t triangle = 0;
   std::uint8_t side = 0;  ///< it goes from the triangle's corner `side` to the next one

@@ -124,7 +124,7 @@ class Filling {
     } catch (const PolygonTriangulation::Intersection_of_constraints_exception&) {
       return false;
     }
-    // What is gone along twice, there and back, is no border.
+    // An edge that is passed twice, there and back, is no border.
     for (const Edge& edge : edges) is_border_[edge] = !is_border_[edge];
     return mesh_.dimension() == 2;
   }
@@ -165,7 +165,7 @@ std::optional<std::vector<glm::uvec3>> polygon_triangles(std::span<const glm::dv
   const Areas areas = areas_of(corners);
   double longest = 0;  // squared
   for (const glm::dvec3& p : corners) longest = std::max(longest, glm::dot(p - corners[0], p - corners[0]));
-  constexpr double no_area = 1e-12;  // of the square of the length
+  constexpr double no_area = 1e-12;  // an area below this share of the squared length counts as none
   if (!(areas.fan > no_area * longest)) return fan_of(corners.size());
   if (!(glm::length(areas.polygon) > no_area * areas.fan)) return {};
   const std::vector<Point> flat = seen_flat(corners, areas.polygon);

@@ -12,7 +12,7 @@ namespace {
 
 double squared(const glm::dvec3& v) { return glm::dot(v, v); }
 
-/// Where the segment passes through the triangle's inside, if it does.
+/// The place where the segment passes through the triangle's inside, if it does.
 std::optional<glm::dvec3> crossing(const glm::dvec3& from, const glm::dvec3& to, const TriangleCorners& t) {
   const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
   const double above = glm::dot(normal, from - t[0]);

@@ -192,7 +192,7 @@ double TriangleTree::height_below(const glm::dvec3& point) const {
     if (b.low.y > point.y || b.high.x < point.x || b.low.x > point.x || b.high.z < point.z || b.low.z > point.z)
       continue;
 
-    // Of a leaf's triangles, the highest crossing that is not above the point counts.
+    // Takes the highest crossing of a leaf's triangles that is not above the point.
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       if (!ray_passes(corners_[i], point, 1)) continue;
       const glm::dvec3 normal = glm::cross(corners_[i][1] - corners_[i][0], corners_[i][2] - corners_[i][0]);

@@ -1,5 +1,5 @@
-// What a person can ask for, as one value: which fruit grows, how it is cut and coloured, and what is written of it.
-// The command line, batch files and the library fill it; option_table.h says what each member is called there.
+// A user's order as one value: which fruit grows, how it is cut and coloured, and which files are written. The command
+// line, batch files and the library fill it; option_table.h says what each member is called there.
 #pragma once
 
 #include <cstdint>
@@ -30,10 +30,10 @@ struct FruitOrder {
 /// The triangulation of cut faces; scenes use `coarse`.
 enum class FaceQuality { fine, coarse };
 
-/// What knives do to the fruit.
+/// How the fruit is cut.
 struct CutOrder {
   std::vector<Knife> knives = {};         ///< one after another; none leave the fruit whole
-  FaceQuality faces = FaceQuality::fine;  ///< of pieces and sections
+  FaceQuality faces = FaceQuality::fine;  ///< triangulation of pieces and sections
   bool section = false;                   ///< the cut faces in place of the pieces
   double explode = 1;                     ///< times as far from the middle of all pieces, 1 to 10
   bool crumbs = false;                    ///< bits below a millionth of the fruit are kept as pieces
@@ -57,7 +57,7 @@ struct TypedLength {
   double metres = 0;
 };
 
-/// What files of meshes hold besides triangles with colours.
+/// Content of mesh files besides triangles with colours.
 struct MeshOrder {
   int texture = 0;                             ///< texels along a texture's edge; 0 = colours on vertices
   TypedLength texel = {};                      ///< size of a texel, instead of `texture`
@@ -80,13 +80,13 @@ struct PictureExtent {
   double inches_a_unit = 0;  ///< inches per unit of a size on paper; 0: pixels
 };
 
-/// Where a picture looks from.
+/// The viewpoint of a picture.
 struct Viewpoint {
   std::string text = {};          ///< "front", "30,20"
   glm::dvec3 direction{0, 0, 1};  ///< from the fruit to the eye, of any length
 };
 
-/// What pictures show.
+/// Options of pictures.
 struct PictureOrder {
   std::optional<PictureExtent> size = {};  ///< none: that of the command or the scene
   double dpi = 0;                          ///< pixels per inch on paper; 0 = not said
@@ -102,7 +102,7 @@ struct Order {
   ColorOrder color = {};
   MeshOrder mesh = {};
   PictureOrder picture = {};
-  std::vector<Output> outputs = {};  ///< what is written
+  std::vector<Output> outputs = {};  ///< files to write
   Threads threads = {};              ///< no byte of a result depends on them
 };
 

@@ -10,7 +10,7 @@
 namespace pomona {
 
 struct PieceOrigin {
-  // What was grown.
+  // The fruit that was grown.
   std::string source = {};   ///< the template's name or path, as an argument of `pomona cut`; empty = not known
   VariantKey key = {};       ///< key of the variant
   GrowOptions growing = {};  ///< options with which the variant was grown
@@ -21,7 +21,7 @@ struct PieceOrigin {
   int number = 0;                        ///< number of the piece in the order of cutting, from 1; 0 = not known
   int pieces = 0;                        ///< number of all pieces of the cut, with crumbs
 
-  // Where it belongs.
+  // The fruit and the scene to which it belongs.
   std::string fruit = {};    ///< the template's own name: "tomato"
   std::string entry = {};    ///< entry of the scene: "tomato-wedges"; empty outside scenes
   std::string variant = {};  ///< name of the individual fruit: "tomato-wedges-3"

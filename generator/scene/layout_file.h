@@ -18,7 +18,7 @@ struct Layout {
     std::string name;   ///< name of the instance
     std::string solid;  ///< name of the piece that it places
     Pose pose;
-    SourcePlace place;  ///< of the name
+    SourcePlace place;  ///< place of the name
   };
   SourcePlace list;  ///< start of its placements, for messages
   std::vector<Placement> placements;

@@ -26,7 +26,7 @@ class PieceOutline {
 
   struct Plan {
     glm::dvec3 along{0};  ///< level, unit length
-    double ratio = 1;     ///< of length to width
+    double ratio = 1;     ///< ratio of length to width
   };
   /// Seen from above.
   Plan plan(const glm::dvec3& up) const;

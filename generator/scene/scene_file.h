@@ -24,7 +24,7 @@ inline constexpr std::size_t max_scene_pieces = 100'000;
 /// Some variants of one template, all cut the same way.
 struct PiecesDescription {
   std::string name;           ///< unique in the scene; it selects the variants' random numbers
-  SourcePlace place;          ///< of the name
+  SourcePlace place;          ///< place of the name
   std::string template_name;  ///< as on the command line; a path is relative to the scene's folder
   SourcePlace template_place;
   int count = 1;  ///< number of variants
@@ -79,7 +79,8 @@ struct SceneDescription {
 /// \throws Error (bad_data) with all errors, also unknown keys, ordered by position.
 SceneDescription parse_scene(std::string_view toml, const std::string& file);
 
-/// The same from disk. \throws Error (input_missing) if it cannot be read.
+/// The same from disk.
+/// \throws Error (input_missing) if it cannot be read.
 SceneDescription read_scene(const std::filesystem::path& file);
 
 /// True for a .toml file that has pieces or a bowl: it is a scene, not a template.

@@ -29,12 +29,12 @@ struct ScenePlacedDish {
   Pose pose{};          ///< its pose; it only turns about the vertical
   int part_of = -1;     ///< index of the dish in or on which it stands; -1 = none
   bool turned = true;   ///< it is a solid of revolution
-  SourcePlace place{};  ///< where it is described
+  SourcePlace place{};  ///< its place in the scene file
 };
 
 /// Everything a scene consists of, not yet placed. Equal pieces share one solid.
 struct SceneParts {
-  std::vector<Solid> solids;            ///< of the pieces, then of the dishes
+  std::vector<Solid> solids;            ///< solids of the pieces, then of the dishes
   std::vector<SettleItem> items;        ///< named items to place; solids and arrangements by index
   std::vector<int> dish_of;             ///< index of the dish of each item; -1 = the ground
   std::vector<ScenePlacedDish> dishes;  ///< the bowl is the first, where there is one

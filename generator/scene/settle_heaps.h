@@ -8,8 +8,8 @@
 namespace pomona {
 
 struct SettledHeaps {
-  std::vector<Pose> poses;  ///< of the dishes, then of the items, in the scene
-  std::vector<Fit> fits;    ///< of the items, each within its heap
+  std::vector<Pose> poses;  ///< poses of the dishes, then of the items, in the scene
+  std::vector<Fit> fits;    ///< fits of the items, each within its heap
   int attempts = 0;         ///< largest number of any heap
   int steps = 0;
   std::size_t again = 0, heaps = 0;

@@ -24,8 +24,8 @@ constexpr double degree = pi / 180;
 constexpr double eye_height = 48 * degree;  // above the table
 constexpr double low_eye_height = 24 * degree;
 constexpr double diagonal_angle = 50 * degree;  // to the right of straight away from the eye
-constexpr double lean_angle = 12 * degree;      // of what lies on a rounded back, towards the eye
-constexpr double slender_ratio = 1.8;           // of length to width
+constexpr double lean_angle = 12 * degree;      // angle by which pieces on a rounded back lean towards the eye
+constexpr double slender_ratio = 1.8;           // ratio of length to width from which pieces are slender
 
 glm::dvec3 turned_about(const glm::dvec3& axis, double angle, const glm::dvec3& v) {
   const double c = reproducible::cos(angle), s = reproducible::sin(angle);

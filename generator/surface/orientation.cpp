@@ -176,7 +176,7 @@ class Orienter {
       const glm::dvec3 area = glm::cross(b - a, c - a);
       const double twice = glm::length(area);
       if (!(twice > 0)) continue;
-      constexpr double depth = 1e-4;  // of the triangle's size
+      constexpr double depth = 1e-4;  // depth of the points, as a share of the triangle's size
       const glm::dvec3 inwards = (shell.volume > 0 ? -depth : depth) * area / std::sqrt(twice);
       int others = 0;
       for (const auto& [mesh, times] : closed.around((a + b + c) / 3.0 + inwards))

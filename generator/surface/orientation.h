@@ -14,7 +14,7 @@ namespace pomona {
 /// A shell whose orientation cannot be decided.
 struct Undecided {
   std::int32_t surface = 0;
-  glm::dvec3 place{0};  ///< of one of its triangles, metres
+  glm::dvec3 place{0};  ///< place of one of its triangles, metres
   std::string why;
 };
 

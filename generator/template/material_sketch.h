@@ -15,7 +15,7 @@ struct Bloom {
 
 /// Short hairs on a skin.
 struct Fuzz {
-  double length = 0;   ///< of the longest, metres
+  double length = 0;   ///< length of the longest hairs, metres
   double density = 1;  ///< hairs per square millimetre
   Color color{0.55f, 0.42f, 0.22f};
   double lie = 0.5;  ///< 0 = they stand upright, 1 = they lie on the skin

@@ -40,7 +40,7 @@ struct MeshSketch {
   double unit = 1;           ///< metres of one unit of the file
   bool z_up = false;         ///< the file's Z is up, its Y to the back
   std::optional<bool> flip;  ///< front and back of every triangle changed, or not; else shells turn as they must
-  glm::dvec3 at{0};          ///< where the file's origin lies, metres
+  glm::dvec3 at{0};          ///< position of the file's origin, metres
   std::optional<MeshPaint> paint;
 };
 

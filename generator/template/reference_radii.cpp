@@ -14,7 +14,7 @@ namespace {
 
 glm::dvec2 direction(double azimuth) { return {reproducible::cos(azimuth), reproducible::sin(azimuth)}; }
 
-/// Where the ray from the axis leaves the loop for good; 0 if it never meets it.
+/// The last crossing of the ray from the axis with the loop; 0 if there is none.
 double radius_at(const Curve& loop, double azimuth) {
   const glm::dvec2 ray = direction(azimuth);
   double farthest = 0;

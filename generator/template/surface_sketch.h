@@ -32,7 +32,8 @@ struct SurfaceSketch {
   SurfaceType type = SurfaceType::around_axis;
   Curve vertical;                 ///< around_axis: open, bottom to top; in_fold: closed
   std::vector<Curve> horizontal;  ///< around_axis: one closed loop; in_fold: one per fold (empty = none there)
-  std::optional<double> reference_azimuth;  ///< where the vertical curve was drawn; else the loop's mean radius
+  std::optional<double> reference_azimuth;  ///< azimuth at which the vertical curve was drawn; else the loop's mean
+                                            ///< radius counts
   std::optional<ReferenceRadii> reference;  ///< set in variants: those of the drawing, so that they keep its scale
   Ramp<double> roundness = Ramp<double>::constant(0);  ///< along: 0 = the loop as drawn, 1 = a circle
   double taper = 0.5;                                  ///< in_fold: exponent p of the closing at the ends

@@ -39,16 +39,16 @@ using Symmetry = std::variant<CylindricalSymmetry, FoldSymmetry, NoSymmetry>;
 struct Template {
   std::string name;   ///< as in `pomona list`
   std::string title;  ///< for people: "Bell pepper"
-  std::string latin;  ///< of the species: "Capsicum annuum"; may be empty
-  std::string file;   ///< where it was read from, for messages
+  std::string latin;  ///< Latin name of the species: "Capsicum annuum"; may be empty
+  std::string file;   ///< path of its file, for messages
   Symmetry symmetry;
   std::vector<std::string> parts;
   std::vector<SurfaceSketch> surfaces;
   std::vector<MeshSketch> meshes;  ///< after the drawn surfaces
   std::vector<GrainSketch> grains;
-  AxisBend bend;                          ///< of the axis along which the curves are drawn straight
+  AxisBend bend;                          ///< bend of the axis, which is straight in the drawing
   Proportions proportions;                ///< set in variants: how they differ from the drawing
-  VariationSketch variation;              ///< what varies besides the horizontal curves
+  VariationSketch variation;              ///< variation besides the horizontal curves
   std::vector<MaterialSketch> materials;  ///< one per part, or none
   NoiseStyle noise;
   std::vector<DetailSketch> details;  ///< at most max_details_of_a_face of each kind of face

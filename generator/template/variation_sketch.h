@@ -27,7 +27,7 @@ struct CountVariation {
   /// fruits.
   struct Presence {
     int surface = 0;   ///< index into Template::surfaces
-    double share = 1;  ///< of the folds, or of the fruits
+    double share = 1;  ///< share of the folds, or of the fruits
   };
 
   std::vector<Folds> folds;  ///< the shares add up to 1; empty = as drawn

@@ -33,8 +33,8 @@ struct SvgElement {
   SvgTransform to_page;              ///< from its own coordinates to the page's
   std::optional<std::string> d;      ///< the path data of a path or of a basic shape
   std::optional<glm::dvec2> center;  ///< centre of a circle, ellipse or rectangle
-  std::string href;                  ///< of an image or a clone (<use>)
-  glm::dvec2 position{0}, size{0};   ///< of an image or a clone
+  std::string href;                  ///< link of an image or a clone (<use>)
+  glm::dvec2 position{0}, size{0};   ///< position and size of an image or a clone
   std::string aspect;                ///< an image's preserveAspectRatio
 };
 

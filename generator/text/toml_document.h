@@ -50,8 +50,8 @@ class TomlValue {
   /// The index of one of the names; the message lists them.
   int choice(const std::vector<std::string>& names, int fallback = 0) const;
 
-  std::vector<TomlValue> values() const;  ///< of an array
-  /// Of an array of tables; more than `max` are an error, and left out.
+  std::vector<TomlValue> values() const;  ///< the values of an array
+  /// The tables of an array; more than `max` are a mistake, and left out.
   std::vector<TomlTable> tables(std::size_t max = SIZE_MAX) const;
   TomlTable table() const;  ///< if there is none, an empty table that reports nothing
 

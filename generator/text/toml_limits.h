@@ -12,7 +12,7 @@ namespace pomona {
 
 struct TomlLimits {
   std::size_t bytes = std::size_t{16} << 20;
-  int depth = 64;                     ///< of brackets, and of the dots in one key
+  int depth = 64;                     ///< depth of brackets, and number of dots in one key
   std::size_t array_values = 100000;  ///< in one array or inline table
   std::size_t values = 1000000;       ///< in the whole file
   std::size_t string_bytes = 65536;

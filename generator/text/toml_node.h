@@ -22,12 +22,12 @@ struct TomlNode {
 
   Kind kind = Kind::table;
   TomlPlace place;
-  std::string text;   ///< of a string
+  std::string text;   ///< text of a string
   double number = 0;  ///< value of an integer or a number; may be infinite or NaN
   std::int64_t integer = 0;
   bool boolean = false;
-  std::vector<TomlNode> items;     ///< of an array
-  std::vector<TomlEntry> entries;  ///< of a table, in the order of the file
+  std::vector<TomlNode> items;     ///< items of an array
+  std::vector<TomlEntry> entries;  ///< entries of a table, in the order of the file
 
   // Set by toml_document.h, to find keys that nobody has read.
   bool opened = false;

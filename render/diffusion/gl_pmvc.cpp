@@ -75,8 +75,8 @@ class PmvcRun {
  private:
   const CurrentGl& gl_;
   const GlRayCaster& caster_;
-  std::span<const RaySurfaces> fruits_;  ///< of this run
-  std::size_t first_;                    ///< of them, among all
+  std::span<const RaySurfaces> fruits_;  ///< fruits of this run
+  std::size_t first_;                    ///< index of the first of them among all
   std::span<const SightTask> tasks_;     ///< all
   GlFruits uploaded_;
 };

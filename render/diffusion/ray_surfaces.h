@@ -24,7 +24,8 @@ struct RayTriangle {
 
 /// One fruit. The middle of the surfaces is 0, and a power of two brings them into [-1, 1].
 struct RaySurfaces {
-  static constexpr int max_depth = 32;  ///< of the tree: as many nodes as wait at a time; see pmvc_rays.comp.glsl
+  static constexpr int max_depth = 32;  ///< limit of the tree's depth, which is the number of waiting nodes; see
+                                        ///< pmvc_rays.comp.glsl
 
   std::vector<RayNode> node;          ///< the first is the root
   std::vector<RayTriangle> triangle;  ///< leaf by leaf

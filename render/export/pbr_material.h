@@ -33,7 +33,8 @@ PbrMaterial look_of(const MaterialSketch& material, bool on_cut_face);
 /// one group if the solid's template has no materials.
 struct MaterialGroup {
   PbrMaterial look;
-  std::string name;                  ///< of the part: "skin", "gel", "inside"; empty if all parts have this material
+  std::string name;                  ///< name of the part: "skin", "gel", "inside"; empty if all parts have this
+                                     ///< material
   std::vector<std::int32_t> face;    ///< indices of its triangles in the mesh, sorted
   std::vector<glm::uvec3> triangle;  ///< these triangles
 };

@@ -11,7 +11,7 @@ namespace pomona {
 
 /// The groups of a piece; unknown ones are empty.
 struct PiecePath {
-  std::string entry;    ///< of the scene: "tomato-wedges"
+  std::string entry;    ///< entry of the scene: "tomato-wedges"
   std::string variant;  ///< the fruit: "tomato-wedges-3"
 };
 

@@ -12,7 +12,7 @@
 namespace pomona::pov {
 namespace {
 
-/// Of sRGB from 0 to 1, unless there would be too many colours: an error of 2 in 255.
+/// Steps of sRGB from 0 to 1, unless there would be too many colours: an error of 2 in 255.
 constexpr int color_steps = 63;
 constexpr int finer = 4;  ///< middles of colours are resolved to this many parts of a step
 

@@ -20,7 +20,7 @@ struct ExportOptions {
   std::string command_words = {};  ///< options of colouring for the command that makes a piece again: " --style plain"
   Threads threads = {};
 
-  // Of glTF and USD.
+  // Options of glTF and USD.
   bool instances = false;       ///< repeated pieces are one node, or prim, with many poses
   bool feature_ids = false;     ///< glTF: parts as EXT_mesh_features, too
   Engine engine = Engine::any;  ///< glTF: names for this importer, and convex hulls to collide with
@@ -36,7 +36,7 @@ struct StyledMesh {
   std::vector<DetailGuide> guide;   ///< as in Solid
   std::vector<DetailFace> face;     ///< the kind of face on which the vertex lies
   std::vector<glm::vec2> uv;        ///< into a baked texture, (0, 0) its upper left corner; else empty
-  std::vector<glm::vec4> tangent;   ///< of a texture with a normal map; else empty
+  std::vector<glm::vec4> tangent;   ///< tangents for a normal map; else empty
 
   std::vector<glm::uvec3> triangle;    ///< counter-clockwise seen from the air
   std::vector<std::int32_t> cut_face;  ///< per triangle, as in Solid

@@ -190,7 +190,7 @@ class LayerPeeler {
   const GlTexture& opaque_depth_;
   glm::ivec2 samples_;
   GlTexture gathered_;                    // all layers so far
-  GlTexture color_slope_, normal_, ids_;  // of this layer
+  GlTexture color_slope_, normal_, ids_;  // colour and slope, normals and ids of this layer
   std::array<GlTexture, 2> depth_;        // depths of this layer and of the last
   GlVertexArray nothing_;
 };

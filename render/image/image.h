@@ -20,7 +20,7 @@ struct Image {
 
 struct TransparentImage {
   Image image;
-  std::vector<std::uint8_t> opacity;  ///< of each pixel, 0..255, by rows as in the image
+  std::vector<std::uint8_t> opacity;  ///< opacity of each pixel, 0..255, by rows as in the image
 };
 
 /// Longest side of a picture Pomona draws; what OpenGL implementations can hold as a texture.

@@ -16,13 +16,13 @@ namespace pomona {
 
 namespace {
 
-constexpr double max_pixels = 1e8;  // of a picture that is read
+constexpr double max_pixels = 1e8;  // limit of pixels of a picture that is read
 
-/// What is written or read, for messages.
+/// The file, for messages.
 struct PngName {
   std::string file;
-  std::size_t bytes = 0;  ///< of a file that is read
-  std::string_view rest;  ///< what of them has not been read yet
+  std::size_t bytes = 0;  ///< size of a file that is read
+  std::string_view rest;  ///< bytes that have not been read yet
 };
 
 // libpng's own way out of errors is longjmp; an exception thrown from its callback unwinds this side only, so the

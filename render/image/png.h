@@ -9,13 +9,13 @@
 
 namespace pomona {
 
-/// What a PNG is packed for.
+/// How a PNG is packed.
 enum class PngPacking {
   small,  ///< for pictures
   fast,   ///< for textures by the thousand: a quarter of the time, 3 to 8 % more bytes (docs/reports/textures.md)
 };
 
-/// What the numbers of a picture are.
+/// The kind of a picture's numbers.
 enum class PngValues {
   srgb,    ///< colours, and the file says so
   shares,  ///< shares of 255, as in normal maps: the file says nothing of colours

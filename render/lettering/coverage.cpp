@@ -11,7 +11,7 @@ namespace {
 
 constexpr int rows_a_pixel = 16;
 
-/// Where a row crosses the outline, and whether it runs up or down there.
+/// A crossing of a row with the outline, and whether the outline runs up or down.
 struct OutlineCrossing {
   double x = 0;
   int turn = 0;

@@ -22,7 +22,8 @@ struct SheetFigure {
 class PlateSheet {
  public:
   /// \param style its plate gives the margins and letters; without a plate, the defaults are used.
-  /// \param part_names all part names that may occur. \param figures 1 to 4.
+  /// \param part_names all part names that may occur.
+  /// \param figures 1 to 4.
   PlateSheet(const Style& style, PlateText text, const std::vector<std::string>& part_names, int figures, int width,
              int height);
 
@@ -54,9 +55,9 @@ class PlateSheet {
   PlateStyle plate_;
   PlateText text_;
   int width_, height_;
-  double em_;                     ///< of letters, pixels
+  double em_;                     ///< em of letters, pixels
   double column_ = 0;             ///< width of one of the legend's columns, pixels
-  int columns_ = 1;               ///< of the legend
+  int columns_ = 1;               ///< number of the legend's columns
   double legend_ = 0;             ///< its first base line
   double title_ = 0, latin_ = 0;  ///< base lines
   std::vector<PlateBox> rooms_;

@@ -17,7 +17,7 @@
 namespace pomona {
 
 struct PatchOptions {
-  int width = 800, height = 600;  ///< of the paper, pixels
+  int width = 800, height = 600;  ///< width and height of the paper, pixels
   double finest = 2.5;            ///< edges shorter than this are not halved, pixels
   double coarsest = 8;            ///< edges longer than this are halved, so that no noise is missed, pixels
   int tolerance = 6;              ///< patches whose colours differ by less are not divided, 0 to 255

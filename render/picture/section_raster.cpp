@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t unit = 256;               // fixed-point steps a pixel
 constexpr int across = 4;                        // samples along a pixel's side
 constexpr std::int64_t step = unit / across;     // between samples
-constexpr std::int64_t first_sample = unit / 8;  // of a pixel's samples
+constexpr std::int64_t first_sample = unit / 8;  // position of a pixel's first sample
 constexpr int band_rows = 32;                    // rows that one task draws
 
 /// The nearest fixed point.

@@ -27,7 +27,7 @@ constexpr int section_samples = 16;  ///< 4 x 4 a pixel
 /// A triangle on the paper, in fixed point, clockwise as seen.
 struct PaperTriangle {
   TriangleRaster<std::int64_t> raster;
-  glm::uvec3 vertex;  ///< of the section
+  glm::uvec3 vertex;  ///< vertices of the section
   int face = 0;
 };
 

@@ -20,7 +20,7 @@ struct Label {
   std::string text;
   std::int32_t part = 0;
   glm::dvec2 start{0};
-  PlateBox bounds;       ///< of the word
+  PlateBox bounds;       ///< bounds of the word
   glm::dvec2 leader{0};  ///< start of the line at the word
   glm::dvec2 tip{0};     ///< end of the line, inside the part
   bool left = false;     ///< whether the word is left of the figure
@@ -29,7 +29,7 @@ struct Label {
 struct LabelWish {
   ShownPart part;
   std::string text;
-  double width = 0;  ///< of the word, pixels
+  double width = 0;  ///< width of the word, pixels
 };
 
 /// Words stacked left and right of the figure, each at one height. Lines do not cross and words do not overlap; if they

@@ -70,7 +70,7 @@ class Plate {
   Color paper_;
   PlateText text_;
   int width_, height_;
-  double em_;   ///< of labels, pixels
+  double em_;   ///< em of labels, pixels
   double gap_;  ///< between figure and columns
   PlateBox figure_;
   double bar_height_, title_height_, latin_height_;  ///< base lines

@@ -14,7 +14,7 @@ struct IdentityBuffer {
   int width = 0, height = 0;
   std::vector<float> nearness;          ///< 1 / distance, 1 / metres; 0 where there is nothing
   std::vector<std::uint32_t> instance;  ///< index + 1; 0 where there is nothing
-  std::vector<std::uint32_t> triangle;  ///< of the instance's solid; not defined where there is nothing
+  std::vector<std::uint32_t> triangle;  ///< triangle of the instance's solid; undefined where there is nothing
 
   /// The pixel at a position. Positions outside the picture get the nearest pixel of the border.
   std::size_t pixel_at(const glm::dvec2& place) const;

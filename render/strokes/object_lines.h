@@ -16,7 +16,7 @@ struct LinePoint {
 };
 
 struct ObjectLine {
-  std::vector<LinePoint> points;  ///< of a closed line the first is not repeated
+  std::vector<LinePoint> points;  ///< a closed line does not repeat its first point
   bool closed = false;
   LineKind kind = LineKind::contour;
   std::uint32_t instance = 0;

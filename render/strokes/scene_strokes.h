@@ -15,20 +15,21 @@ struct SceneStroke {
   std::uint32_t instance = 0;  ///< index into the scene's
   LineKind kind = LineKind::contour;
   bool closed = false;
-  Color color{0};                   ///< of the ink
+  Color color{0};                   ///< colour of the ink
   std::vector<StrokePoint> points;  ///< pixels, y down
   std::vector<double> distance;     ///< per point: distance from the eye, metres; a little less than of what it covers
 };
 
 struct StrokeOptions {
-  int width = 800, height = 600;  ///< of the picture, pixels
+  int width = 800, height = 600;  ///< width and height of the picture, pixels
   Threads threads{};
 };
 
 /// The strokes in the order of drawing: finer lines first, then outlines. The result is the same for any number of
 /// threads, on any machine. A style without ink gives none. Widths are those of the style and of each solid's ink;
 /// small objects get thinner lines. The tremble of the hand belongs to the fruits, so that strokes move with them when
-/// the camera moves. \throws Error (usage) for sizes that are not 1 to max_picture_side.
+/// the camera moves.
+/// \throws Error (usage) for sizes that are not 1 to max_picture_side.
 std::vector<SceneStroke> scene_strokes(const Scene& scene, const Style& style, const StrokeOptions& options);
 
 }  // namespace pomona

@@ -35,15 +35,15 @@ struct BakedSolid {
   double texel = 0;    ///< metres, exact on cut faces
   int charts = 0;
   double filled = 0;        ///< share of the texture that triangles cover
-  double mean_stretch = 1;  ///< of skin, see Stretch
+  double mean_stretch = 1;  ///< mean stretch of the skin, see Stretch
   double worst_stretch = 1;
   std::size_t diffused = 0;  ///< number of diffused points; for solids of one fruit, the first has the sum
 };
 
 /// Bakes one solid. The bytes are the same on any machine and for any number of threads, unless the solid's diffuser is
 /// OpenGL. Texels of cut faces get diffused colours (face_colors.h) if the solid has `section_colors`; all others
-/// interpolate the colours of vertices. Means of colours are computed in linear light. \throws Error (usage) if there
-/// are too few texels, or `texel` asks for too many.
+/// interpolate the colours of vertices. Means of colours are computed in linear light.
+/// \throws Error (usage) if there are too few texels, or `texel` asks for too many.
 BakedSolid baked(const Solid& solid, const Style& style, const BakeOptions& options = {});
 
 /// Bakes many solids, one texture each. Neighbours in the list with the same section_colors are diffused together.

@@ -17,7 +17,7 @@ struct OwnedBox {
   glm::ivec2 low{0}, high{0};
 };
 
-/// Of each chart, in one pass over the blocks.
+/// The boxes of all charts, in one pass over the blocks.
 std::vector<OwnedBox> owned_boxes(const Atlas& atlas);
 
 class ChartCanvas {

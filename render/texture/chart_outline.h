@@ -15,7 +15,7 @@ namespace pomona {
 struct BlockMask {
   int width = 0, height = 0;
   std::vector<std::uint64_t> bits;  ///< words() per row
-  std::int64_t count = 0;           ///< of blocks
+  std::int64_t count = 0;           ///< number of blocks
 
   BlockMask(int w, int h) : width(w), height(h), bits(static_cast<std::size_t>(words()) * h, 0) {}
   int words() const { return (width + 63) / 64; }
@@ -23,7 +23,7 @@ struct BlockMask {
   bool has(int x, int y) const { return ((bits[static_cast<std::size_t>(y) * words() + x / 64] >> (x % 64)) & 1) != 0; }
 };
 
-/// Of one block.
+/// The mask of one block.
 BlockMask speck_mask();
 
 /// The cosine and the sine of an angle, clockwise where y runs down.
@@ -39,7 +39,7 @@ class ChartOutline {
  public:
   explicit ChartOutline(const Chart& chart);
 
-  double area() const { return area_; }  ///< of its triangles, square metres
+  double area() const { return area_; }  ///< area of its triangles, square metres
 
   /// The possible rotations. A flat cut face is not rotated, so that the light on its ink is as in pictures. All others
   /// have the rotation with the smallest box, and steps of an eighth of a turn from there.

@@ -12,7 +12,7 @@
 namespace pomona {
 
 struct CurvedRegion {
-  std::vector<std::uint32_t> triangles;  ///< of the solid, ascending
+  std::vector<std::uint32_t> triangles;  ///< triangles of the solid, ascending
   glm::dvec3 normal{0, 1, 0};            ///< unit; all triangles with an area face it by less than a right angle
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 using Cell = FaceColors::Cell;
 
-constexpr float min_jump = 2e-3f;  // of a linear channel, between two sides of an edge
+constexpr float min_jump = 2e-3f;  // smallest jump of a linear channel between two sides of an edge
 
 /// The largest difference of a channel as pictures show it, of 255.
 double encoded_difference(const Color& a, const Color& b) {

@@ -38,7 +38,7 @@ class FaceColors {
   /// A triangle: its corners, and the middles of its edges k to k + 1, as indices of colours.
   struct Cell {
     std::array<std::uint32_t, 3> corner{}, middle{};
-    std::int32_t first_child = -1;  ///< of four: at the corners 0, 1, 2, and between them
+    std::int32_t first_child = -1;  ///< first of four children: at the corners 0, 1, 2, and between them
   };
   std::vector<std::int32_t> root;  ///< per triangle of the solid: its cell, or -1 on skin
   std::vector<Cell> cells;

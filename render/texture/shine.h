@@ -11,7 +11,7 @@ namespace pomona {
 /// roughnesses and the film of the drier part; the film of the wetter part becomes thinner towards that place.
 /// Everywhere else it is as the part's material says.
 struct PlaceShine {
-  double roughness = 0.6;  ///< of physically based shading, 0..1
+  double roughness = 0.6;  ///< roughness for physically based shading, 0..1
   double film = 1;         ///< share of the film of juice that the part's cut faces have, 0..1; 1 of what has none
 };
 
@@ -28,7 +28,7 @@ class Shine {
   struct AtVertex {
     double roughness = 0;            ///< the sum of theirs
     double driest = 1, wettest = 0;  ///< their films
-    double share = 1;                ///< of the film of the wettest, where it thins out
+    double share = 1;                ///< share of the wettest part's film where it thins out
     int count = 0;
   };
   struct OfPart {
@@ -43,7 +43,7 @@ class Shine {
   const SolidMesh& mesh_;
   std::vector<OfPart> part_;
   std::vector<std::uint32_t> joint_;  ///< per vertex: the first vertex of its group
-  std::vector<AtVertex> vertex_;      ///< of these, on cut faces
+  std::vector<AtVertex> vertex_;      ///< data of these vertices, on cut faces
 };
 
 }  // namespace pomona

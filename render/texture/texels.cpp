@@ -17,7 +17,7 @@ namespace pomona {
 namespace {
 
 constexpr int subsamples = 4;      // 2 x 2, where colours jump
-constexpr float min_jump = 2e-3f;  // of a linear channel
+constexpr float min_jump = 2e-3f;  // smallest jump of a linear channel
 constexpr std::uint32_t unset = 0xffffffffu;
 
 using Corners2 = std::array<glm::dvec2, 3>;

@@ -13,8 +13,8 @@ namespace pomona {
 
 /// A sample of a texel: a point of the solid. A texel shows the mean of its samples.
 struct TexelSample {
-  glm::ivec2 texel{0};         ///< of the atlas
-  std::uint32_t triangle = 0;  ///< of the solid
+  glm::ivec2 texel{0};         ///< texel of the atlas
+  std::uint32_t triangle = 0;  ///< triangle of the solid
   glm::dvec3 weight{0};        ///< barycentric, of its corners
   bool outside = false;        ///< the texel's middle lies outside the chart; this is the nearest point on it
 };

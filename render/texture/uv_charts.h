@@ -18,7 +18,7 @@ namespace pomona {
 /// curved cut face, with little stretch. Seen from the air, x to the right and y down.
 struct Chart {
   std::int32_t cut_face = -1;            ///< -1: skin
-  std::vector<std::uint32_t> triangles;  ///< of the solid
+  std::vector<std::uint32_t> triangles;  ///< triangles of the solid
   std::vector<glm::uvec3> corners;       ///< per triangle: indices into `flat`, in the order of its vertices
   std::vector<glm::dvec2> flat;          ///< metres; the least x and the least y are 0
   glm::dvec2 size{0};                    ///< the greatest x and y
@@ -29,9 +29,9 @@ struct Chart {
     glm::dvec3 right{1, 0, 0}, up{0, 1, 0};
     glm::dvec2 origin{0};
   };
-  std::optional<Frame> frame;  ///< of flat cut faces only
+  std::optional<Frame> frame;  ///< frame of flat cut faces only
 
-  /// Of a cut face: edges (indices into `flat`) across which the cut goes on smoothly in another chart.
+  /// For a cut face: edges (indices into `flat`) across which the cut goes on smoothly in another chart.
   std::vector<glm::uvec2> seams;
 };
 

@@ -22,7 +22,7 @@ struct Patch3 {
 struct Stretch {
   double mean = 1;
   double worst = 1;
-  double area = 0;  ///< of the triangles that count, square metres
+  double area = 0;  ///< area of the triangles that count, square metres
 };
 Stretch stretch_of(const Patch3& patch, std::span<const glm::dvec2> flat);
 

@@ -24,7 +24,7 @@ namespace {
 struct AnnotatedPicture {
   std::string file_name;                 ///< name of the picture in `images`
   std::string made_by;                   ///< version of the program, for `info`
-  std::uint64_t seed = 0;                ///< of the fruit or the scene
+  std::uint64_t seed = 0;                ///< seed of the fruit or the scene
   std::vector<std::string> layer_files;  ///< files of layers beside the annotations
 };
 

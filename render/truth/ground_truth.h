@@ -11,10 +11,10 @@
 namespace pomona {
 
 struct TruthOptions {
-  int width = 800, height = 600;  ///< of the picture
+  int width = 800, height = 600;  ///< width and height of the picture
   std::string file_name;          ///< file name of the picture, without folder
   std::string made_by;            ///< version of the program
-  std::uint64_t seed = 0;         ///< of the fruit or the scene
+  std::uint64_t seed = 0;         ///< seed of the fruit or the scene
   TruthFormat format = TruthFormat::png;
   int samples = 4;  ///< per pixel, as of the picture, for Cryptomatte's coverage
   Threads threads{};

@@ -12,7 +12,7 @@ namespace pomona {
 /// All numbers begin at 1; 0 is where nothing is. Each list is in the order in which a scene's solids name them first.
 struct TruthNaming {
   struct Species {
-    std::string name;  ///< of the template
+    std::string name;  ///< name of the template
   };
   struct Fruit {
     std::string name;           ///< unique within the scene

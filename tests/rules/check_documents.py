@@ -1,5 +1,6 @@
 """The rules of the house over the documents: `check_documents.py ROOT` prints "file:line: what" and exits with 1 if
-a line is longer than 120 columns, or a link, a picture or a named file is not there.
+a line is longer than 120 columns, a table's row has not as many cells as its head, or a link, a picture or a named
+file is not there.
 
 Tables, code, pictures, and lines that no space would let one break may be longer.
 """
@@ -77,13 +78,27 @@ def fault_of(path, target):
     return None
 
 
+def uneven_rows(lines):
+    """The numbers of the rows that have more or fewer cells than the head of their table."""
+    head, before = 0, -1
+    for number, line in lines:
+        if line.startswith("|"):
+            cells = re.sub(r"`[^`]*`", "", line.replace("\\|", "")).count("|")
+            head = cells if number != before + 1 else head
+            before = number
+            if cells != head:
+                yield number
+
+
 def check(root):
     """All that is wrong below `root`, as "file:line: what"."""
     root = pathlib.Path(root)
     wrong = []
     for path in documents(root):
         name = path.relative_to(root).as_posix()
-        for number, line in prose(path.read_text(encoding="utf-8")):
+        lines = list(prose(path.read_text(encoding="utf-8")))
+        wrong += [f"{name}:{number}: another number of cells than the table's head" for number in uneven_rows(lines)]
+        for number, line in lines:
             if len(line) > WIDTH and not TABLE_OR_PICTURE.match(line) and not UNBREAKABLE.fullmatch(line):
                 wrong.append(f"{name}:{number}: {len(line)} columns, more than {WIDTH}")
             shown = re.sub(r"`[^`]*`", "``", line)

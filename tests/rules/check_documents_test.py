@@ -24,6 +24,10 @@ class Documents(Tree):
         self.assert_fine({"b.png": "", "a.md": f"![{LONG}](b.png)\n"})
         self.assert_fine({"a.md": "- https://example.org/" + "x" * 120 + "\n"})
 
+    def test_rows_have_as_many_cells_as_their_table(self):
+        self.assert_fine({"a.md": "| a | b |\n|---|---|\n| `c|d` | e\\|f |\n\n| a |\n"})
+        self.assert_wrong({"a.md": "| a |\n|---|\n| c | | d |\n"}, "a.md:3", "cells")
+
     def test_what_follows_code_is_prose_again(self):
         self.assert_wrong({"a.md": f"```\n\n```\n{LONG}\n"}, "a.md:4", "columns")
         self.assert_wrong({"a.md": f"As in\n\n    code\n\n{LONG}\n"}, "a.md:5", "columns")

@@ -22,7 +22,7 @@ constexpr float min_theta = 1e-5f;
 struct ArmCut {
   float theta = 0;         ///< length of the arm from the node to the surface, 0..1 (1 = the spacing)
   std::uint32_t side = 0;  ///< 2 * triangle, + 1 for its back
-  Color color{0};          ///< of that side at the cut, linear
+  Color color{0};          ///< colour of that side at the cut, linear
 };
 
 /// A node with fewer than six open arms.
@@ -120,7 +120,7 @@ class ArmFinder {
   const SparseBlocks& blocks_;
   Threads threads_;
   std::vector<std::uint8_t> open_;
-  std::vector<std::pair<std::size_t, std::size_t>> ranges_;  ///< of blocks: some planes each
+  std::vector<std::pair<std::size_t, std::size_t>> ranges_;  ///< ranges of blocks, some planes each
   std::vector<CutArms> slabs_;                               ///< for each range all nodes with a cut; no `open`
 };
 

@@ -29,13 +29,13 @@ struct SolvedGrid {
 struct SolvedGrids {
   std::vector<SolvedGrid> grids;     ///< the finest patches first, the grid that covers everything last
   SparseBlocks every_other;          ///< the nodes of the last grid with even coordinates
-  std::vector<std::uint32_t> label;  ///< of each of these nodes, see nearest_labels()
+  std::vector<std::uint32_t> label;  ///< labels of these nodes, see nearest_labels()
 };
 
 struct FieldSample {
   glm::vec3 color{0};                 ///< linear
   float distance = 0;                 ///< to the nearest surface in the cell, metres; infinite if there is none
-  std::optional<std::uint32_t> side;  ///< of the nearest surface: 2 * triangle, + 1 for its back
+  std::optional<std::uint32_t> side;  ///< side of the nearest surface: 2 * triangle, + 1 for its back
 };
 
 class FieldSampler {
@@ -58,7 +58,7 @@ class FieldSampler {
   const DiffusionSurfaces& surfaces_;
   SolvedGrids solved_;
   CellTriangles triangles_;
-  std::vector<glm::vec3> position_;  ///< of vertices, in cells of the last grid
+  std::vector<glm::vec3> position_;  ///< positions of vertices, in cells of the last grid
 };
 
 }  // namespace pomona

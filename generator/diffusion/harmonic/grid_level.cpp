@@ -114,7 +114,7 @@ bool is_plain_below(const GridLevel& fine, const NodeBlock& block) {
 
 /// A coarse node's arms: open where both fine halves are, else cut where the nearer half is.
 void add_coarse_node(const GridLevel& fine, const Node& at, std::size_t node, CutArms& part, std::uint8_t& open) {
-  // What the fine grid does not have, or leaves out, takes no part here either.
+  // Nodes that the fine grid does not have, or leaves out, are left out here, too.
   const std::int32_t found = fine.blocks.node_at(2 * at[0], 2 * at[1], 2 * at[2]);
   const auto here = static_cast<std::size_t>(found);
   open = takes_no_part;

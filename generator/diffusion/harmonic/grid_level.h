@@ -29,7 +29,7 @@ struct BlockArms {
   std::uint8_t irregular = 0;                               ///< a bit per node: it has a stencil
   std::uint8_t regular = 0;                                 ///< a bit per node: it has six open arms
   std::uint8_t plain = 0;                                   ///< 1 if all eight nodes are regular
-  std::uint8_t parity = 0;                                  ///< of y + z
+  std::uint8_t parity = 0;                                  ///< parity of y + z
 };
 
 struct GridLevel {
@@ -37,9 +37,9 @@ struct GridLevel {
   SparseBlocks blocks;
   CutArms arms;
   std::vector<BlockArms> block_arms;
-  RawArray<Stencil> stencil;                                ///< of the irregular nodes, in their order
-  std::vector<std::pair<std::size_t, std::size_t>> ranges;  ///< of blocks: some planes each, one task for a thread
-  std::vector<std::pair<std::size_t, std::size_t>> planes;  ///< of blocks: one plane each
+  RawArray<Stencil> stencil;                                ///< stencils of the irregular nodes, in their order
+  std::vector<std::pair<std::size_t, std::size_t>> ranges;  ///< ranges of blocks, some planes each: tasks of threads
+  std::vector<std::pair<std::size_t, std::size_t>> planes;  ///< ranges of blocks, one for each plane
 
   RawArray<Quad> value;     ///< the solution, per node; 0 where a node takes no part
   bool is_patch = false;    ///< it covers a part of the next level; both are solved together

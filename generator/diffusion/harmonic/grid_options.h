@@ -18,7 +18,7 @@ struct GridOptions {
   int finer = 0;        ///< how many times patches may halve the spacing
   double refine_above =
       0;  ///< how much of full colour, at the least (refinement_indicator.h); 0: patches lie around small bodies only
-  std::size_t max_patch_nodes = 1'000'000;  ///< of each patch; a node takes some 60 bytes
+  std::size_t max_patch_nodes = 1'000'000;  ///< limit of nodes in each patch; a node takes some 60 bytes
   double reach = 0;                         ///< metres: a surface this near to a cell counts as in it
   Threads threads;
 };

@@ -14,7 +14,7 @@ struct HarmonicOptions {
 
   /// Nodes along the side of a cube as large as the surfaces' box; 0 lets the quality choose.
   int nodes = 0;
-  int cycles = 0;            ///< of the multigrid on the finest level; 0 lets the quality choose
+  int cycles = 0;            ///< multigrid cycles on the finest level; 0 lets the quality choose
   int finer = -1;            ///< how often patches halve the spacing, at most; -1: as needed
   double refine_above = -1;  ///< see GridOptions; -1 lets the quality choose: 0, except for reference
   glm::dvec3 shift{0};       ///< moves the grid by parts of a cell; tests vary it

@@ -46,7 +46,7 @@ Lattice doubled(const Lattice& lattice);
 /// Surfaces whose vertices are rounded to whole units. Equal positions stay equal, so closed surfaces stay closed.
 struct SnappedSurfaces {
   const DiffusionSurfaces* surfaces = nullptr;
-  std::vector<std::array<std::int64_t, 3>> position;  ///< of each vertex, in units from the origin
+  std::vector<std::array<std::int64_t, 3>> position;  ///< position of each vertex, in units from the origin
 };
 SnappedSurfaces snapped(const DiffusionSurfaces& surfaces, const Lattice& lattice);
 

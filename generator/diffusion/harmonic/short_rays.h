@@ -17,9 +17,9 @@ struct SeenTriangle {
   glm::vec3 a, b, c;
 };
 
-/// Where a ray ends on a surface.
+/// The hit of a ray on a surface.
 struct ShortRayHit {
-  float fraction = 0;          ///< of the ray's length
+  float fraction = 0;          ///< share of the ray's length
   std::uint32_t triangle = 0;  ///< the caller's number
   glm::vec3 weight{0};         ///< barycentric coordinates of the hit
   bool sees_front = true;      ///< the ray hits the front of the triangle

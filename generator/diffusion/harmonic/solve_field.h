@@ -14,8 +14,8 @@ namespace pomona {
 struct PreparedField {
   SnappedSurfaces snapped;
   std::vector<GridLevel> levels;     ///< the grid that covers everything, then coarser and coarser ones
-  CellTriangles triangles;           ///< of each cell of that grid
-  std::vector<std::uint32_t> label;  ///< of the nodes of the first coarser level, see nearest_labels()
+  CellTriangles triangles;           ///< triangles of each cell of that grid
+  std::vector<std::uint32_t> label;  ///< labels of the nodes of the first coarser level, see nearest_labels()
   bool is_sealed = false;            ///< the surfaces are closed, so that the outside has no nodes
 };
 PreparedField prepared_field(const DiffusionSurfaces& surfaces, const GridOptions& options);

@@ -26,8 +26,8 @@ struct SweepHits {
 /// A grid of bins over the projected points. Points are renumbered bin by bin, row by row: those numbers are
 /// slots, and the bins of a row that a triangle touches are one range of them.
 struct SweepBins {
-  float low_u = 0, low_v = 0;    ///< where the grid begins
-  float high_u = 0, high_v = 0;  ///< and ends
+  float low_u = 0, low_v = 0;    ///< low corner of the grid
+  float high_u = 0, high_v = 0;  ///< high corner of the grid
   float per_u = 0, per_v = 0;    ///< bins per length
   std::int32_t columns = 1, rows = 1;
   std::vector<std::int32_t> first_slot;  ///< columns * rows + 1
@@ -50,7 +50,7 @@ struct SweepState {
   std::size_t points = 0;
   AlignedFloats x, y, z;  ///< the points, normalised
   AlignedFloats u, v, w;  ///< the same in the frame of the line
-  AlignedInts bin;        ///< of every point
+  AlignedInts bin;        ///< bin of every point
 
   SweepBins bins;
   AlignedFloats slot_u, slot_v, slot_w;

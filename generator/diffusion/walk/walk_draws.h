@@ -36,8 +36,8 @@ glm::dvec3 random_direction(Draws& draws);
 /// it of every polynomial of degree 5.
 std::array<glm::dvec3, 12> random_icosahedron(Draws& draws);
 
-/// Where a random walk that starts at `outside` first meets the sphere of `radius` around 0, given that it does
-/// (it escapes to infinity with probability 1 - radius / distance).
+/// The place where a random walk that starts at `outside` first meets the sphere of `radius` around 0, given that it
+/// does (it escapes to infinity with probability 1 - radius / distance).
 glm::dvec3 random_return(const glm::dvec3& outside, double radius, Draws& draws);
 
 }  // namespace pomona

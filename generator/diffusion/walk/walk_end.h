@@ -1,4 +1,4 @@
-// Where a walk ends: the side of a surface next to it.
+// The end of a walk: the side of a surface next to it.
 #pragma once
 
 #include "generator/diffusion/nearest_side.h"

@@ -1,4 +1,4 @@
-// What the walks from one point have met so far, and how well their mean is known.
+// The tally of the walks from one point: what they have met, and the error of their mean.
 #pragma once
 
 #include <array>

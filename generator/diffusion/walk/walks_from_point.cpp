@@ -116,7 +116,7 @@ class PointWalks {
   }
 
  private:
-  /// Of each half.
+  /// The tally of each half.
   double max_batches() const { return options_.max_walks / (2.0 * batch_size) + 1; }
 
   double walks() const { return batch_size * (half_[0].batches() + half_[1].batches()); }

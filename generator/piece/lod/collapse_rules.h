@@ -55,7 +55,7 @@ class CollapseRules {
   /// A triangle as it is now.
   struct Face {
     std::uint32_t source = 0;  ///< the triangle of the solid it grew from
-    glm::uvec3 vertex{0};      ///< of the solid
+    glm::uvec3 vertex{0};      ///< vertex of the solid
   };
   std::vector<Face> faces() const;
 
@@ -76,7 +76,7 @@ class CollapseRules {
   };
   struct CornerFace {
     std::array<std::uint32_t, 3> fan{};
-    std::array<std::uint32_t, 3> vertex{};  ///< of the solid
+    std::array<std::uint32_t, 3> vertex{};  ///< vertex of the solid
     bool is_there = true;
     std::vector<Removed> removed;  ///< they lie on it now
   };
@@ -110,7 +110,7 @@ class CollapseRules {
   std::vector<Target> targets_of(const CollapseRing& ring, const Sector& sector) const;
 
   const SolidMesh& mesh_;
-  std::vector<TriangleTree> trees_;     // of each cut face and surface of the solid
+  std::vector<TriangleTree> trees_;     // a tree of each cut face and surface of the solid
   std::vector<std::uint32_t> tree_of_;  // per face: that in which it lay
   CollapseBounds bounds_;
   std::vector<std::uint32_t> source_;

@@ -34,7 +34,7 @@ struct ArrangedPiece {
   int fruit = 0;  ///< number of the fruit it was cut from; the shape's frame is that of the fruit
 };
 
-/// Where a piece starts.
+/// The start pose of a piece.
 struct StartPose {
   glm::dquat rotation{1, 0, 0, 0};
   glm::dvec3 center{0};  ///< centre of mass, metres

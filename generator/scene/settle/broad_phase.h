@@ -38,7 +38,7 @@ class BroadPhase {
   glm::i64vec3 cell_of(const glm::dvec3& center) const { return glm::i64vec3(glm::floor(center / width_)); }
   std::size_t bucket(const glm::i64vec3& cell) const;
 
-  double width_;                             ///< of a cell, metres
+  double width_;                             ///< width of a cell, metres
   std::vector<std::vector<Entry>> buckets_;  ///< their number is a power of two
 };
 

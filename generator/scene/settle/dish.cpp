@@ -67,7 +67,7 @@ Dish::Dish(const DishForm& dish, const DishOptions& options) {
 bool Dish::holds() const {
   if (!has_bowl()) return true;
   if (form_) return !form_->places().empty();
-  constexpr double shallowest = 0.05;  // of the rim's height
+  constexpr double shallowest = 0.05;  // smallest depth of a bowl, as a share of the rim's height
   return turned_height(0) < (1 - shallowest) * rim_height_;
 }
 
@@ -98,7 +98,7 @@ void Dish::lay_ground(const Solid* bowl, double min) {
 }
 
 void Dish::bake(const DishOptions& options) {
-  constexpr double tolerance = 2e-4;  // of the rim's radius
+  constexpr double tolerance = 2e-4;  // error of the profile, as a share of the rim's radius
   profile_ = stand_profile(mesh_.mesh, 1.02 * widest_, tolerance * rim_radius_);
   const double reach = widest_ + options.around, low = -3 * options.cell;
   profile_.emplace_back(2 * reach, profile_.back().y);

@@ -14,7 +14,7 @@
 
 namespace pomona {
 
-/// What a heap lies in: a solid that stands on the ground (y = 0) and does not move.
+/// The dish of a heap: a solid that stands on the ground (y = 0) and does not move.
 struct DishForm {
   DishForm(const Solid* bowl = nullptr) : solid(bowl) {}  // NOLINT(google-explicit-constructor): a bowl is a dish
 

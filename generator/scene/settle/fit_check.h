@@ -41,7 +41,7 @@ class FitCheck {
   /// Two pieces that may touch, or a piece and the stand.
   struct Pair {
     std::size_t first = 0, second = 0;  ///< indices of pieces; the number of pieces stands for the stand
-    std::optional<double> depth;        ///< of the overlap, metres; 0 where they are apart
+    std::optional<double> depth;        ///< depth of the overlap, metres; 0 where they are apart
     std::optional<double> distance;     ///< metres, if they are apart; infinite where it is not near
   };
   enum class Quantity { depth, distance };
@@ -58,7 +58,7 @@ class FitCheck {
   std::vector<std::size_t> solid_of_;
   const PlacedMesh& stand_;
   Threads threads_;
-  std::vector<Box<double>> boxes_;    ///< of the solids, metres
+  std::vector<Box<double>> boxes_;    ///< boxes of the solids, metres
   std::vector<Pose> measured_;        ///< the poses of the last measurement
   std::vector<Pair> measured_pairs_;  ///< the results of the last measurement, sorted
 };

@@ -30,7 +30,7 @@ std::vector<std::size_t> HeapPlan::solid_numbers() const {
 
 /// Shapes of the solids that are used. Also sets `sizes_`, which the members after it need.
 std::vector<PieceShape> HeapPlan::prepared() {
-  constexpr std::size_t all_cells = 100'000'000;  // of all grids: 400 MB
+  constexpr std::size_t all_cells = 100'000'000;  // limit of cells of all grids together: 400 MB
   std::vector<std::uint8_t> used(solids_.size());
   std::vector<double> sizes(solids_.size());
   for (const SettleItem& item : items_) {

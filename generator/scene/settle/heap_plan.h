@@ -28,7 +28,8 @@ class HeapPlan {
   double unit() const { return sizes_.unit; }      ///< mean size of the pieces, metres
   double widest() const { return sizes_.widest; }  ///< largest radius of a piece, metres
 
-  /// Random numbers that no other heap uses. \param what their purpose: "/arrange"; empty = dropping
+  /// Random numbers that no other heap uses.
+  /// \param what their purpose: "/arrange"; empty = dropping
   RandomStream draws(const std::string& what = {}) const { return {{options_.seed, 0}, purpose_ + what}; }
 
   const Solid& solid(std::size_t item) const { return solids_[static_cast<std::size_t>(items_[item].solid)]; }
@@ -66,7 +67,7 @@ class HeapPlan {
   std::span<const Solid> solids_;
   std::span<const SettleItem> items_;
   SettleOptions options_;
-  std::string name_;     ///< of the dish
+  std::string name_;     ///< name of the dish
   std::string purpose_;  ///< name of this heap's random streams
   Sizes sizes_;
   std::vector<PieceShape> shapes_;  ///< one per solid; empty for solids that are not used

@@ -30,7 +30,7 @@ class HeightMap {
   float half_;                 ///< half of the map's width, metres
   float cell_;                 ///< width of a cell, metres
   int count_;                  ///< number of cells along a side
-  std::vector<float> height_;  ///< of each cell, metres
+  std::vector<float> height_;  ///< height of each cell, metres
 };
 
 }  // namespace pomona

@@ -56,8 +56,8 @@ class MeshDish {
   DistanceGrid distance_;
   double cell_ = 1;                   ///< width of a cell, metres
   glm::ivec2 count_{0};               ///< number of cells along x and z
-  std::vector<double> height_;        ///< of each cell, metres; below 0 where there is no mesh
-  std::vector<std::uint8_t> inside_;  ///< of each cell: 1 within the outline
+  std::vector<double> height_;        ///< height of each cell, metres; below 0 where there is no mesh
+  std::vector<std::uint8_t> inside_;  ///< per cell: 1 within the outline
   std::vector<Place> places_;
 };
 

@@ -17,7 +17,7 @@ struct PieceShape {
   double mass = 0;
   glm::dmat3 inverse_inertia{1};
   double size = 0;       ///< diagonal of the box
-  double radius = 0;     ///< of the ball around the centre of mass
+  double radius = 0;     ///< radius of the ball around the centre of mass
   double thickness = 0;  ///< twice the volume divided by the area; for a plate, its thickness
   glm::dvec3 up{0};      ///< normal of the largest cut face, a flat one if there is any; zero if there is none
   Box<float> box;

@@ -16,7 +16,7 @@ struct PlacedMesh {
 
 /// How deep two meshes overlap.
 struct Overlap {
-  double depth = 0;    ///< of the deepest point, metres
+  double depth = 0;    ///< depth of the deepest point, metres
   glm::dvec3 away{0};  ///< moving the first mesh by `depth` in this direction takes the deepest point out
 };
 

@@ -113,15 +113,15 @@ class RigidBodyWorld {
   WorldOptions options_;
   Threads threads_;
   Funnel funnel_;
-  double friction_ = 0;  ///< of the present phase
+  double friction_ = 0;  ///< friction of the present phase
   std::vector<RigidBody> bodies_;
   std::vector<Pair> pairs_;  ///< sorted by slots
   bool pairs_are_current_ = false;
   double moved_ = 0;        ///< metres: a bound for what any body has moved since the pairs were found
   int deep_pairs_ = 0;      ///< number of pairs that penetrate by more than may rest
-  BroadPhase frozen_grid_;  ///< of the frozen bodies
+  BroadPhase frozen_grid_;  ///< the frozen bodies
   bool frozen_grid_is_current_ = true;
-  BroadPhase loose_grid_;  ///< of all other bodies, where they were when the pairs were found or they were put in
+  BroadPhase loose_grid_;  ///< all other bodies, at their places when pairs were found or they were added
 };
 
 }  // namespace pomona

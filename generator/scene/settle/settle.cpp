@@ -274,7 +274,7 @@ class Settling {
   FitCheck check_;
   std::vector<std::optional<StartPose>> starts_;  ///< one per item; nothing for items that are dropped at random
   std::uint64_t round_ = 0;                       ///< number of times that pieces were dropped again
-  int steps_ = 0;                                 ///< of the simulation so far
+  int steps_ = 0;                                 ///< number of steps of the simulation so far
   std::size_t again_ = 0;                         ///< pieces dropped again so far
   std::size_t reported_ = 0;                      ///< the largest number of resting pieces reported so far
 };

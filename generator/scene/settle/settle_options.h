@@ -1,4 +1,4 @@
-// What is to settle, and how.
+// The items to settle, and the options.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct SettleItem {
   bool upright = false;  ///< it starts in the orientation in which it grew
   int arrangement = -1;  ///< index of SettleOptions::arrangements; -1 = dropped anywhere
   int fruit = 0;         ///< number of the fruit it was cut from
-  SourcePlace place{};   ///< where the scene file asks for it, for messages
+  SourcePlace place{};   ///< its place in the scene file, for messages
 };
 
 struct SettleOptions {

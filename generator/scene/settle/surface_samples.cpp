@@ -40,7 +40,7 @@ std::vector<glm::vec3> on_the_surface(std::span<const glm::dvec3> position, std:
   return points;
 }
 
-/// Of each cell of a grid the first point stays.
+/// Keeps the first point in each cell of a grid.
 std::vector<glm::vec3> thinned(const std::vector<glm::vec3>& points, float spacing) {
   struct Entry {
     std::array<int, 3> cell;

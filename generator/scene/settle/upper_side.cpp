@@ -13,7 +13,7 @@ UpperSide::UpperSide(const TriangleTree& mesh, const MeshDish* form) {
     const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
     const double twice_area = glm::length(normal);
     if (!(normal.y > min_slope * twice_area)) continue;
-    // What lies under something else is no upper side.
+    // Triangles below others are no upper side.
     const glm::dvec3 middle = (t[0] + t[1] + t[2]) / 3.0;
     if (form == nullptr || middle.y < form->box().low.y - 1e-9 || !form->covers(middle.x, middle.z)) continue;
     if (mesh.height_below({middle.x + 1e-7, form->box().high.y + 1, middle.z + 1e-7}) > middle.y + 1e-4) continue;

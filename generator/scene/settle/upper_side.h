@@ -18,7 +18,7 @@ class UpperSide {
 
   struct Spot {
     glm::dvec3 at;      ///< metres
-    glm::dvec3 normal;  ///< of the triangle, of length 1
+    glm::dvec3 normal;  ///< normal of the triangle, of length 1
   };
   /// A point from three random numbers in [0, 1): uniform by area.
   Spot spot(double share, double u, double v) const;

@@ -17,7 +17,7 @@ double narrowing(double from_tip, double pointedness) {
   return 1 + pointedness * (drop - 1);
 }
 
-/// Where a shape carries a point of the unit sphere. Each map is one to one, so what is closed stays closed.
+/// Maps a point of the unit sphere to the shape. Each map is one to one, so closed meshes stay closed.
 glm::dvec3 shaped(GrainShape shape, const glm::dvec3& p) {
   switch (shape) {
     case GrainShape::lens:  // |x| = 1 - y^2 - z^2

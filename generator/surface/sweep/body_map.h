@@ -34,7 +34,7 @@ class BodyMap {
   double half_length_ = 0;           ///< half of the axis's length, metres
   glm::dvec2 towards_{1, 0};         ///< x and z of the direction in which the axis bends
   std::vector<glm::dvec2> axis_;     ///< the bent axis at equally many places: towards the direction, and up
-  std::vector<glm::dvec2> tangent_;  ///< of the axis there, unit
+  std::vector<glm::dvec2> tangent_;  ///< tangent of the axis there, unit
 };
 
 }  // namespace pomona

@@ -22,7 +22,7 @@ GrainDraws grain_draws(VariantKey key, const std::string& name);
 
 constexpr std::uint64_t draws_per_candidate = 8;
 
-/// Where one grain sits.
+/// The place of a grain.
 struct GrainSeat {
   glm::dvec3 center{0};
   glm::dvec3 normal{0};      ///< unit, away from the side on which the grain sits

@@ -1,4 +1,4 @@
-// Where on a swept surface grains may grow, and how densely.
+// The parts of a swept surface where grains may grow, and their density.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace pomona {
 /// A point of a surface, with the attributes that grains need.
 struct GrainPlace {
   glm::dvec3 position{0};
-  glm::dvec3 normal{0};                     ///< of the front, any length
+  glm::dvec3 normal{0};                     ///< normal of the front, any length
   double along = 0, around = 0, depth = 0;  ///< as in SweptGrid; around goes on beyond 1 where a triangle does
 };
 

@@ -15,10 +15,10 @@ namespace pomona {
 
 namespace {
 
-/// Where a loop meets a ray from the axis.
+/// The crossing of a loop with a ray from the axis.
 struct RayCrossing {
   std::size_t edge = 0;
-  double share = 0;  ///< of the edge
+  double share = 0;  ///< share along the edge
   double radius = 0;
 };
 

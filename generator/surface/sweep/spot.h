@@ -17,7 +17,8 @@ struct Spot {
   glm::dvec3 tangent{1, 0, 0};  ///< unit, along the vertical curve
   double radius = 0;            ///< metres, across the curve
   double stretch = 1, softness = 0, strength = 1;
-  std::array<glm::dvec2, 4> waves{};  ///< of the outline, 2 to 5 around it; their lengths add up to the raggedness
+  std::array<glm::dvec2, 4> waves{};  ///< waves of the outline, 2 to 5 around it; their lengths add up to the
+                                      ///< raggedness
   Color color{0};
   double relief = 0;  ///< height above the surface, metres, negative = below; only for shading, no vertex moves
 };

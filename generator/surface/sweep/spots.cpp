@@ -16,7 +16,7 @@ namespace pomona {
 
 namespace {
 
-constexpr double max_spots = 20'000;  // of one kind
+constexpr double max_spots = 20'000;  // limit of spots of one kind
 constexpr double max_layers = 2'000;  // limit of spots of all kinds level with a vertex, on average
 
 // The smallest softness of relief, because a hard rim would be a cliff.

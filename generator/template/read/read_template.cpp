@@ -74,7 +74,7 @@ Symmetry read_symmetry(const TomlTable& table, const Sketch* sketch) {
 }
 
 constexpr std::size_t max_surfaces = 64, max_meshes = 64, max_grain_kinds = 16, max_parts = 64;
-constexpr double max_triangles = 2e6;  // of all surfaces at detail 1
+constexpr double max_triangles = 2e6;  // limit of triangles of all surfaces at detail 1
 
 /// The sketch the template names, if it names one that can be read.
 std::optional<Sketch> read_sketch_of(const TomlTable& root, const std::string& file, std::optional<double> unit,

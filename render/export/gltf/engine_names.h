@@ -11,7 +11,7 @@ namespace pomona::gltf {
 /// names derived from this one still match.
 std::string engine_name(Engine engine, const std::string& name);
 
-/// Of a level of detail, 0 the finest, one of `count` in all. Unreal and Unity number the finest, too.
+/// The name of a level of detail, 0 the finest, of `count` in all. Unreal and Unity number the finest, too.
 std::string level_name(Engine engine, const std::string& name, std::size_t level, std::size_t count);
 
 /// The full name of the convex hull of a node or mesh; empty for engines that need none.

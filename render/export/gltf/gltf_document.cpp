@@ -15,7 +15,7 @@ namespace {
 /// Chunks of a .glb are filled up to multiples of four: text with spaces, bytes with zeros.
 std::size_t filled(std::size_t size) { return (size + 3) / 4 * 4; }
 
-constexpr std::size_t block_size = 8 << 20;  // of the buffer; larger views have a block of their own
+constexpr std::size_t block_size = 8 << 20;  // size of the buffer's blocks; larger views have a block of their own
 
 void check_size(std::size_t size) {
   if (size > std::numeric_limits<std::uint32_t>::max())

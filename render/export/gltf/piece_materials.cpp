@@ -57,7 +57,7 @@ int PieceMaterials::material(const Solid& solid, const MaterialGroup& group,
   return index;
 }
 
-/// What glTF itself cannot say. No viewer needs to understand it.
+/// Extensions for what glTF itself cannot say; viewers may ignore them.
 void PieceMaterials::add_extensions(Json& material, const PbrMaterial& look) {
   const auto add = [&](const char* name, Json factors) {
     material["extensions"][name] = std::move(factors);

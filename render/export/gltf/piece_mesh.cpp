@@ -13,12 +13,12 @@ namespace {
 
 Json point(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
-/// What a game or a simulation asks of a body, and how the piece came to be.
+/// Physical data for games and simulations, and the origin of the piece.
 Json extras_of(const Solid& solid, const ExportOptions& options) {
   const PieceFacts facts = facts_of(solid);
   const PieceOrigin& origin = solid.origin;
   Json extras;
-  extras["parts"] = solid.look->part_names;  // what the vertices' part numbers stand for
+  extras["parts"] = solid.look->part_names;  // names of the vertices' part numbers
   extras["volume"] = facts.volume;
   extras["density"] = facts.density;
   extras["mass"] = facts.mass;

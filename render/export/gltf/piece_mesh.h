@@ -12,9 +12,9 @@
 namespace pomona::gltf {
 
 struct PieceMeshOptions {
-  std::string name;                            ///< of the mesh
+  std::string name;                            ///< name of the mesh
   glm::vec3 pivot{0};                          ///< becomes the origin
-  std::optional<PieceTextures> textures = {};  ///< of PieceMaterials; or none, where vertices have colours
+  std::optional<PieceTextures> textures = {};  ///< textures of PieceMaterials; nothing if vertices have colours
 
   std::vector<int> variant_textures = {};  ///< the colours of each of the file's variants, or none at all
 };

@@ -23,7 +23,7 @@ glm::dquat unit(const glm::dquat& rotation) {
 
 Json xyzw(const glm::dquat& q) { return {q.x, q.y, q.z, q.w}; }
 
-/// Where the pivot comes to lie.
+/// The place of the pivot.
 glm::dvec3 place_of(const Pose& pose, const glm::vec3& pivot) {
   return unit(pose.rotation) * glm::dvec3(pivot) + pose.translation;
 }
@@ -120,7 +120,7 @@ int NodeWriter::add(const PlacedSolid& placed, const SolidMeshes& solid) {
   return document_.add("nodes", std::move(node));
 }
 
-/// What becomes a node each, in the order of first instances.
+/// The members that become nodes, in the order of first instances.
 std::vector<PlacedSolid> placed_solids(const Scene& scene, bool together) {
   std::vector<PlacedSolid> all;
   std::map<int, std::size_t> of_solid;

@@ -13,9 +13,9 @@ namespace pomona::gltf {
 
 /// The meshes of a solid. A solid without triangles has none, because glTF does not allow empty meshes.
 struct SolidMeshes {
-  std::vector<int> meshes;  ///< of the solid, then of its coarser levels
+  std::vector<int> meshes;  ///< meshes of the solid, then of its coarser levels
   std::optional<int> hull;  ///< mesh to collide with
-  glm::vec3 pivot{0};       ///< of the solid, the origin of its meshes
+  glm::vec3 pivot{0};       ///< pivot of the solid: the origin of its meshes
 };
 
 /// A node per instance or, where options.instances says so, one for all instances of a solid

@@ -39,7 +39,7 @@ class GlbStream::Writer {
   /// A level, 0 the finest. What has no triangles is left out.
   void add(std::size_t level, const Solid& solid, const StyledMesh& mesh, const BakedSolid* baked = nullptr);
 
-  /// What add() adds from now on has these materials, too: by the variants' textures of solid `i`.
+  /// Meshes that add() adds from now on also have these materials, by the variants' textures of solid `i`.
   void set_variants(std::size_t i, std::span<const TextureVariant> variants);
 
   void name_variants(std::span<const TextureVariant> variants);
@@ -54,7 +54,7 @@ class GlbStream::Writer {
   GltfDocument document_;
   PieceMaterials materials_;
   std::vector<SolidMeshes> solids_;
-  std::string name_;  ///< of the solid under way
+  std::string name_;  ///< name of the current solid
   std::size_t levels_ = 0;
   std::vector<int> variant_textures_;
 };

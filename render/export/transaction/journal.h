@@ -12,8 +12,8 @@ namespace pomona {
 
 /// One file of the transaction.
 struct JournalEntry {
-  std::string name;         ///< of the destination, without its folder
-  std::uint64_t inode = 0;  ///< of the new file: it identifies the file after it was renamed
+  std::string name;         ///< name of the destination, without its folder
+  std::uint64_t inode = 0;  ///< inode of the new file: it identifies the file after it was renamed
   bool replaces = false;    ///< there was a file of this name before
 };
 

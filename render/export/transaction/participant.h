@@ -14,17 +14,18 @@ namespace pomona {
 struct Participant {
   std::filesystem::path journal_path;  ///< FOLDER/.pomona-PROCESS-NUMBER.journal
   Descriptor journal_file;             ///< locked
-  Journal journal{};                   ///< what this run will write, or what the dead run wrote
+  Journal journal{};                   ///< the journal of this run, or of a dead run
   bool is_complete = false;            ///< the dead run's journal was written to its end
 
   std::filesystem::path folder() const { return journal_path.parent_path(); }
   std::filesystem::path destination(std::size_t n) const { return folder() / journal.entries[n].name; }
   std::filesystem::path pending(std::size_t n) const;  ///< the new file n, until it is renamed
-  std::filesystem::path backup(std::size_t n) const;   ///< what file n replaces
+  std::filesystem::path backup(std::size_t n) const;   ///< the file that file n replaces
 };
 
 /// Makes a new, empty journal in a folder, and locks it.
-/// \param meant what messages call the folder's file. \throws Error (cannot_create)
+/// \param meant what messages call the folder's file.
+/// \throws Error (cannot_create)
 Participant new_participant(const std::filesystem::path& folder, const std::filesystem::path& meant);
 
 /// The participant of a dead run, locked now by this run. Nothing if the journal is gone or its run lives, or if

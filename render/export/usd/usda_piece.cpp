@@ -118,7 +118,7 @@ void append_mesh(std::string& text, int indent, const StyledLevel& level, const 
   line("}");
 }
 
-/// What glTF says in `extras`.
+/// The data of glTF's `extras`.
 void append_custom_data(std::string& text, const Solid& solid, const ExportOptions& options) {
   const PieceOrigin& origin = solid.origin;
   append_line(text, 2, "customData = {");
@@ -138,8 +138,9 @@ void append_custom_data(std::string& text, const Solid& solid, const ExportOptio
   append_line(text, 2, "}");
 }
 
-/// The materials of the piece lie within it, because references take nothing along that lies outside. Returns those
-/// of the solid itself. \param has_choices textures are what the variants say.
+/// The materials of the piece lie within it, because references take nothing along that lies outside. Returns those of
+/// the solid itself.
+/// \param has_choices textures are what the variants say.
 std::vector<std::string> append_looks(std::string& text, std::span<const StyledLevel> levels, Looks& looks,
                                       bool has_choices) {
   std::map<std::string, bool> said;
